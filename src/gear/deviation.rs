@@ -1,0 +1,227 @@
+//! A gear as built: where every flank really sits, and the axis it turns about.
+
+use super::pitch::Pitch;
+use super::{Face, Gear, Side};
+use crate::error::GearError;
+use nalgebra::{UnitComplex, Vector2};
+use std::f64::consts::PI;
+
+/// What was measured beyond the mean thickness. Lengths in mm; empty or zero where nothing was.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Deviations {
+    /// Tooth thickness added to the mean, per tooth, at the reference circle; empty or `z` values.
+    pub per_tooth: Vec<f64>,
+    /// Pitch deviation of both flanks, free of eccentricity.
+    pub pitch: Option<Pitch>,
+    /// Distance `e` of the outline's centre from the rotation axis, half the runout `F_r`.
+    pub eccentricity: f64,
+    /// Tooth (fractional, `1 ≤ … < z + 1`) towards which the outline is displaced.
+    pub high_tooth: f64,
+}
+
+/// A gear with every tooth where it was measured to be.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AsBuilt {
+    gear: Gear,
+    face: Face,
+    /// Rotation of each tooth's front-right flank from its undisturbed place, rad, counter-clockwise.
+    right: Vec<f64>,
+    /// The same for the front-left flanks.
+    left: Vec<f64>,
+    eccentricity: f64,
+    high_tooth: f64,
+}
+
+impl AsBuilt {
+    /// `gear` with `deviations`, its reference face towards `face`.
+    ///
+    /// A thickness `δ_s` turns each flank out by `δ_s/(2 r)`, a pitch deviation
+    /// `F` turns it by `F/r` along ascending numbers, fillet and all, about the
+    /// geometric centre (design section 4).
+    ///
+    /// # Errors
+    /// Lists that are not one value a tooth; a pitch deviation of half a pitch;
+    /// a runout of the tooth depth or more; a high tooth outside `1 ≤ … < z + 1`;
+    /// deviations that leave a tooth without tip or a space without room.
+    pub fn new(gear: Gear, face: Face, deviations: &Deviations) -> Result<AsBuilt, GearError> {
+        let toothing = *gear.toothing();
+        let teeth = toothing.teeth();
+        let length = |what, list: &[f64]| match list.len() {
+            found if found == teeth as usize => Ok(()),
+            found => Err(GearError::WrongLength { what, found, teeth }),
+        };
+        let r = toothing.reference_radius();
+        let mut as_built = AsBuilt {
+            right: vec![0.0; teeth as usize],
+            left: vec![0.0; teeth as usize],
+            face,
+            eccentricity: deviations.eccentricity,
+            high_tooth: deviations.high_tooth,
+            gear,
+        };
+        if !deviations.per_tooth.is_empty() {
+            length("per_tooth", &deviations.per_tooth)?;
+            for side in Side::BOTH {
+                for (offset, thickness) in
+                    as_built.offsets(side).iter_mut().zip(&deviations.per_tooth)
+                {
+                    *offset += side.sense() * thickness / (2.0 * r);
+                }
+            }
+        }
+        if let Some(pitch) = &deviations.pitch {
+            for own in Side::BOTH {
+                let curve = pitch.flank(own);
+                length("pitch", curve)?;
+                if let Some(&worst) = curve
+                    .iter()
+                    .find(|f| !(f.abs() < PI * toothing.module() / 2.0))
+                {
+                    return Err(GearError::OutOfRange {
+                        what: "pitch deviation (mm)",
+                        value: worst,
+                        allowed: "less than half a pitch",
+                    });
+                }
+                for (offset, f) in as_built
+                    .offsets(face.seen_from_front(own))
+                    .iter_mut()
+                    .zip(curve)
+                {
+                    *offset += face.ascending() * f / r;
+                }
+            }
+        }
+        as_built.check_runout()?;
+        as_built.check_teeth()?;
+        Ok(as_built)
+    }
+
+    /// A gear without deviations.
+    pub fn perfect(gear: Gear, face: Face) -> AsBuilt {
+        let teeth = gear.toothing().teeth() as usize;
+        AsBuilt {
+            gear,
+            face,
+            right: vec![0.0; teeth],
+            left: vec![0.0; teeth],
+            eccentricity: 0.0,
+            high_tooth: 1.0,
+        }
+    }
+
+    fn offsets(&mut self, side: Side) -> &mut Vec<f64> {
+        match side {
+            Side::Right => &mut self.right,
+            Side::Left => &mut self.left,
+        }
+    }
+
+    fn check_runout(&self) -> Result<(), GearError> {
+        let depth = self.gear.tip_radius() - self.gear.root_radius();
+        if !(self.eccentricity >= 0.0 && 2.0 * self.eccentricity < depth) {
+            return Err(GearError::OutOfRange {
+                what: "runout (mm)",
+                value: 2.0 * self.eccentricity,
+                allowed: "at least 0 and less than the tooth depth",
+            });
+        }
+        let teeth = f64::from(self.gear.toothing().teeth());
+        if self.eccentricity > 0.0 && !(self.high_tooth >= 1.0 && self.high_tooth < teeth + 1.0) {
+            return Err(GearError::OutOfRange {
+                what: "high_tooth",
+                value: self.high_tooth,
+                allowed: "1 up to, but not including, the number of teeth + 1",
+            });
+        }
+        Ok(())
+    }
+
+    /// Every tooth keeps a tip land and every space some room at the form circle.
+    fn check_teeth(&self) -> Result<(), GearError> {
+        let gear = &self.gear;
+        let tip = 2.0 * gear.half_angle_at_roll(gear.tip_roll());
+        let space =
+            gear.toothing().angular_pitch() - 2.0 * gear.half_angle_at_roll(gear.form_roll());
+        for tooth in 1..=gear.toothing().teeth() {
+            let widening =
+                self.flank_offset(Side::Left, tooth) - self.flank_offset(Side::Right, tooth);
+            if !(tip + widening > 0.0) {
+                return Err(GearError::OutOfRange {
+                    what: "tip thickness of the thinnest tooth (mm)",
+                    value: (tip + widening) * gear.tip_radius(),
+                    allowed: "above 0: the deviations leave this tooth without a tip",
+                });
+            }
+            let next = self.counter_clockwise(tooth, 1);
+            let narrowing =
+                self.flank_offset(Side::Left, tooth) - self.flank_offset(Side::Right, next);
+            if !(space - narrowing > 0.0) {
+                return Err(GearError::OutOfRange {
+                    what: "space width at the form circle (mm)",
+                    value: (space - narrowing) * gear.form_radius(),
+                    allowed: "above 0: the deviations close a tooth space",
+                });
+            }
+        }
+        Ok(())
+    }
+
+    /// The gear of mean thickness.
+    pub fn gear(&self) -> &Gear {
+        &self.gear
+    }
+
+    /// Which way the reference face looks.
+    pub fn face(&self) -> Face {
+        self.face
+    }
+
+    /// Eccentricity `e`, mm.
+    pub fn eccentricity(&self) -> f64 {
+        self.eccentricity
+    }
+
+    /// The high tooth, fractional.
+    pub fn high_tooth(&self) -> f64 {
+        self.high_tooth
+    }
+
+    /// Rotation of a tooth's flank from its undisturbed place, rad, counter-clockwise.
+    ///
+    /// `tooth` counts from 1 and lies in `1..=z`.
+    pub fn flank_offset(&self, side: Side, tooth: u32) -> f64 {
+        let list = match side {
+            Side::Right => &self.right,
+            Side::Left => &self.left,
+        };
+        list[tooth as usize - 1]
+    }
+
+    /// Angle of the (fractional) tooth's undisturbed centre from tooth 1, rad, counter-clockwise.
+    pub fn tooth_angle(&self, tooth: f64) -> f64 {
+        self.face.ascending() * (tooth - 1.0) * self.gear.toothing().angular_pitch()
+    }
+
+    /// The number of the tooth `steps` places counter-clockwise of `tooth`.
+    pub fn counter_clockwise(&self, tooth: u32, steps: i64) -> u32 {
+        let teeth = i64::from(self.gear.toothing().teeth());
+        let ascending = match self.face {
+            Face::Front => -steps,
+            Face::Back => steps,
+        };
+        let index = (i64::from(tooth) - 1 + ascending).rem_euclid(teeth);
+        u32::try_from(index).unwrap_or(0) + 1
+    }
+
+    /// Displacement of the outline's centre from the axis, mm, with tooth 1 turned to the angle `tooth_1`.
+    pub fn displacement(&self, tooth_1: f64) -> Vector2<f64> {
+        UnitComplex::new(tooth_1 + self.tooth_angle(self.high_tooth))
+            * Vector2::new(self.eccentricity, 0.0)
+    }
+
+    /// Greatest radius of the outline about the rotation axis, mm.
+    pub fn reach(&self) -> f64 {
+        self.gear.tip_radius() + self.eccentricity
+    }
+}

@@ -1,0 +1,183 @@
+//! The fillet: envelope of the rack tool's tip round, rolled without slip.
+//!
+//! Derivation. While the rack rolls on the reference circle, the pitch point
+//! sits at `E r` with `E = e^{iβ}` and is the instantaneous centre; the centre
+//! of the tool's tip round lies at the offset `−h_0 + iu` from it (radial,
+//! tangential), `u = c_0 − r(β − β_space)`. The normal of the envelope passes
+//! through the pitch point, so with `γ` the angle between normal and radius
+//!
+//! ```text
+//! u = h_0 tan γ,   P = E (r − L e^{−iγ}),   L = h_0/cos γ + ρ,   n = E e^{−iγ}.
+//! ```
+//!
+//! `γ` runs from 0 at the root land to `π/2 − α`, where the flank of the tool
+//! takes over. Written in `γ`, nothing changes sign at `h_0 = 0`: a shift that
+//! lifts the centre of the tip round to the pitch line or beyond it is no
+//! special case. Differentiating, with `dβ/dγ = −h_0/(r cos² γ)`,
+//!
+//! ```text
+//! dP/dγ = i n S,   S = ρ + h_0 L/(r cos² γ),   d(arg n)/dγ = −q,   q = 1 + h_0/(r cos² γ).
+//! ```
+//!
+//! All for the right-hand half tooth, its centre line on +x.
+
+use super::{Rack, Toothing, involute};
+use crate::error::GearError;
+use nalgebra::{Point2, UnitComplex, Vector2};
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// The generated fillet of a right-hand half tooth, from root land to involute.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Fillet {
+    /// Reference radius `r`, mm.
+    radius: f64,
+    /// `h_0 = h_fP − ρ − x_E m`, mm: depth of the tip round's centre below the pitch line.
+    depth: f64,
+    /// `ρ`, mm.
+    tip_round: f64,
+    /// Polar angle of the root land's end, `−π/z + c_0/r`.
+    root_angle: f64,
+    /// `γ` at the form point.
+    end: f64,
+    /// Roll of the involute at the form point.
+    form_roll: f64,
+}
+
+impl Fillet {
+    /// The fillet of `toothing` cut by `rack` at the generating shift `x_E` (modules).
+    ///
+    /// Its end is the tangency with the involute, or with undercut the
+    /// outermost crossing of trochoid and involute.
+    ///
+    /// # Errors
+    /// [`GearError::TipRoundTooLarge`], [`GearError::FilletCusp`].
+    pub fn new(toothing: &Toothing, rack: &Rack, x_e: f64) -> Result<Fillet, GearError> {
+        rack.check_tip_round(toothing)?;
+        let (module, alpha) = (toothing.module(), toothing.pressure_angle());
+        let radius = toothing.reference_radius();
+        let tip_round = rack.root_radius() * module;
+        let depth = (rack.dedendum() - rack.root_radius() - x_e) * module;
+        let tangency = FRAC_PI_2 - alpha;
+        let base = toothing.base_radius();
+        let mut fillet = Fillet {
+            radius,
+            depth,
+            tip_round,
+            root_angle: rack.half_tip_flat(toothing).max(0.0) / radius
+                - PI / f64::from(toothing.teeth()),
+            end: tangency,
+            // The contact normal at the tangency is the line of action: r sin α
+            // long to the base circle, h_0/sin α + ρ of it below the pitch point.
+            form_roll: (radius * alpha.sin() - depth / alpha.sin() - tip_round) / base,
+        };
+        if fillet.least_speed() < 0.0 {
+            return Err(GearError::FilletCusp {
+                generating_shift: x_e,
+            });
+        }
+        if fillet.form_roll < 0.0 {
+            let half_base = super::gear::half_base_angle(toothing, x_e);
+            fillet.undercut(base, half_base);
+        }
+        Ok(fillet)
+    }
+
+    /// Least `S` over the fillet. In `c = 1/cos γ`: `S = ρ + h_0 ρ c²/r + h_0² c³/r`, which for
+    /// `h_0 < 0` has its minimum at `c = 2ρ/(3|h_0|)`.
+    fn least_speed(&self) -> f64 {
+        let greatest = 1.0 / self.end.cos();
+        let c = if self.depth < 0.0 {
+            (2.0 * self.tip_round / (-3.0 * self.depth)).clamp(1.0, greatest)
+        } else {
+            1.0
+        };
+        self.tip_round + self.depth * c * c * (self.tip_round + self.depth * c) / self.radius
+    }
+
+    /// Moves the end back to the crossing of trochoid and involute.
+    ///
+    /// The trochoid meets the base circle inside the flank's metal and ends on
+    /// the mirrored branch of the involute, outside it: between the two the
+    /// angle between trochoid and involute changes sign once. `|P|` rises with
+    /// `γ` (`d|P|²/dγ = 2 r S sin γ`), so both bisections hold their bracket.
+    fn undercut(&mut self, base: f64, half_base: f64) {
+        let tangency = self.end;
+        let at_base = bisect(0.0, tangency, |gamma| {
+            self.point(gamma).coords.norm() < base
+        });
+        let excess = |gamma: f64| {
+            let point = self.point(gamma);
+            let roll = involute::roll_at(point.coords.norm(), base);
+            point.y.atan2(point.x) + half_base - involute::inv_of_roll(roll)
+        };
+        // Within rounding of the base circle no crossing can be told from the tangency.
+        if excess(at_base) > 0.0 && excess(tangency) < 0.0 {
+            self.end = bisect(at_base, tangency, |gamma| excess(gamma) > 0.0);
+        }
+        self.form_roll = involute::roll_at(self.point(self.end).coords.norm(), base);
+    }
+
+    /// Greatest `γ`, rad: the fillet's parameter runs over `0 ..= end`.
+    pub fn end(&self) -> f64 {
+        self.end
+    }
+
+    /// Roll of the involute where the fillet meets it.
+    pub fn form_roll(&self) -> f64 {
+        self.form_roll
+    }
+
+    /// Polar angle at which root land and fillet meet, rad.
+    pub fn root_angle(&self) -> f64 {
+        self.root_angle
+    }
+
+    /// Rotation `E` of the pitch point at `gamma`.
+    fn pitch_point(&self, gamma: f64) -> UnitComplex<f64> {
+        UnitComplex::new(self.root_angle - self.depth * gamma.tan() / self.radius)
+    }
+
+    /// The point at `gamma`, mm.
+    pub fn point(&self, gamma: f64) -> Point2<f64> {
+        let (sin, cos) = gamma.sin_cos();
+        let reach = self.depth / cos + self.tip_round;
+        let offset = Vector2::new(self.radius - reach * cos, reach * sin);
+        (self.pitch_point(gamma) * offset).into()
+    }
+
+    /// The outward unit normal at `gamma`.
+    pub fn normal(&self, gamma: f64) -> Vector2<f64> {
+        self.pitch_point(gamma) * Vector2::new(gamma.cos(), -gamma.sin())
+    }
+
+    /// `(A, B)` such that over any `[γ − Δ, γ]` the part of `P''` across the chord is at most `A + B Δ`.
+    ///
+    /// `P'' = (i n S)'`: across the tangent `S |q|`, along it `|S'|`. The chord is
+    /// parallel to the tangent at some point between, from which the tangent
+    /// turns by at most `q Δ`. With `c = 1/cos γ` every term below rises with
+    /// `γ` once `h_0` is taken by its amount, so its value at the upper end bounds the interval.
+    pub fn bend(&self, gamma: f64) -> (f64, f64) {
+        let c = 1.0 / gamma.cos();
+        let (depth, round, r) = (self.depth.abs(), self.tip_round, self.radius);
+        let speed = round + (depth * round * c * c + depth * depth * c * c * c) / r;
+        let turn = 1.0 + depth * c * c / r;
+        let speed_slope =
+            gamma.tan() * (2.0 * depth * round * c * c + 3.0 * depth * depth * c * c * c) / r;
+        (speed * turn, speed_slope * turn)
+    }
+}
+
+/// The point where `below` turns from true to false between `low` and `high`, to the last bit.
+fn bisect(mut low: f64, mut high: f64, below: impl Fn(f64) -> bool) -> f64 {
+    loop {
+        let middle = 0.5 * (low + high);
+        if middle <= low || middle >= high {
+            return high;
+        }
+        if below(middle) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+}

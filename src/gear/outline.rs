@@ -1,0 +1,133 @@
+//! A half tooth as a polygon with a proven chordal error.
+//!
+//! Every vertex lies on its curve; between two vertices of parameters `t − Δ`
+//! and `t` the curve leaves the chord by at most `max |P''·u| Δ²/8`, `u` across
+//! the chord (the remainder of linear interpolation). With `|P''·u| ≤ A + B Δ`
+//! from [`Profile`], a step that solves `(A + B Δ) Δ²/8 = δ` keeps the bound
+//! `δ`. All teeth of a gear share the two half teeth; a tooth is a rotation of each.
+
+use super::{Curve, Gear, Profile, Side};
+use nalgebra::Point2;
+
+/// One chord of a half tooth.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Segment {
+    /// The curve it stands for.
+    pub curve: Curve,
+    /// Parameters of the curve at its two ends, the one nearer the tip first.
+    pub parameters: [f64; 2],
+}
+
+/// The polygon of one half tooth, from the middle of the tip land to the middle of the space.
+///
+/// In the tooth's own frame, its centre line on +x.
+#[derive(Debug, Clone)]
+pub struct HalfTooth {
+    side: Side,
+    chord: f64,
+    points: Vec<Point2<f64>>,
+    segments: Vec<Segment>,
+}
+
+impl HalfTooth {
+    /// Cuts the half tooth of `gear` on `side` with chords within `chord` mm (> 0) of its curves.
+    ///
+    /// A land narrower than a chord still gets one; a land without length gets none.
+    pub fn new(gear: &Gear, side: Side, chord: f64) -> HalfTooth {
+        let profile = Profile::new(gear);
+        let mut points = Vec::new();
+        let mut segments = Vec::new();
+        for curve in Curve::ALL {
+            let (start, end) = profile.range(curve);
+            let length = (end - start).abs();
+            if length == 0.0 {
+                continue;
+            }
+            let mut cuts = cut(start.min(end), start.max(end), |t| {
+                step(profile.bend(curve, t), chord)
+            });
+            if start < end {
+                cuts.reverse();
+            }
+            if points.is_empty() {
+                points.push(profile.point(curve, cuts[0], side));
+            }
+            for pair in cuts.windows(2) {
+                points.push(profile.point(curve, pair[1], side));
+                segments.push(Segment {
+                    curve,
+                    parameters: [pair[0], pair[1]],
+                });
+            }
+        }
+        HalfTooth {
+            side,
+            chord,
+            points,
+            segments,
+        }
+    }
+
+    /// Which half.
+    pub fn side(&self) -> Side {
+        self.side
+    }
+
+    /// Bound `δ` on the distance between chord and curve, mm.
+    pub fn chord(&self) -> f64 {
+        self.chord
+    }
+
+    /// The vertices, tip first; `segments()[i]` runs from point `i` to `i + 1`.
+    pub fn points(&self) -> &[Point2<f64>] {
+        &self.points
+    }
+
+    /// What each chord stands for.
+    pub fn segments(&self) -> &[Segment] {
+        &self.segments
+    }
+}
+
+/// Parameters from `high` down to `low`, each piece as long as `step` of its upper end allows.
+fn cut(low: f64, high: f64, step: impl Fn(f64) -> f64) -> Vec<f64> {
+    let mut cuts = vec![high];
+    let mut t = high;
+    loop {
+        let next = t - step(t);
+        if next <= low {
+            cuts.push(low);
+            return cuts;
+        }
+        cuts.push(next);
+        t = next;
+    }
+}
+
+/// The `Δ` with `(A + B Δ) Δ² = 8 δ`, never above it.
+///
+/// Newton's method on the increasing convex left side, from a start above the root.
+fn step((a, b): (f64, f64), chord: f64) -> f64 {
+    let target = 8.0 * chord;
+    let mut delta = f64::min(
+        if a > 0.0 {
+            (target / a).sqrt()
+        } else {
+            f64::INFINITY
+        },
+        if b > 0.0 {
+            (target / b).cbrt()
+        } else {
+            f64::INFINITY
+        },
+    );
+    loop {
+        let excess = (a + b * delta) * delta * delta - target;
+        let next = delta - excess / ((2.0 * a + 3.0 * b * delta) * delta);
+        // The last step may still stand above the root by its rounding: 1e-12 covers it.
+        if !(next < delta * (1.0 - 1e-14)) {
+            return delta * (1.0 - 1e-12);
+        }
+        delta = next;
+    }
+}

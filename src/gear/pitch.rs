@@ -1,0 +1,76 @@
+//! Pitch deviation as inspection sheets state it → cumulative curves of both flanks.
+//!
+//! Inside, a pitch curve is cumulative (index deviation `F`), in mm at the
+//! reference circle, in the sense of ascending tooth numbers, about its own mean
+//! (design section 3). `right` and `left` are the gear's *own* flanks.
+
+use super::Side;
+
+/// Cumulative pitch deviation `F` of a gear's own right and left flanks, mm, each about its mean.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Pitch {
+    right: Vec<f64>,
+    left: Vec<f64>,
+}
+
+impl Pitch {
+    /// From cumulative values `F_i`, mm, along ascending numbers.
+    pub fn from_cumulative(right: &[f64], left: &[f64]) -> Pitch {
+        Pitch {
+            right: about_mean(right.to_vec()),
+            left: about_mean(left.to_vec()),
+        }
+    }
+
+    /// From single values `f_i = F_i − F_{i−1}`, mm, along ascending numbers.
+    ///
+    /// A single pitch deviation counts from the mean pitch, so the values of a
+    /// flank sum to zero; a rest left by rounding is that of the mean pitch and
+    /// is shared out evenly.
+    pub fn from_single(right: &[f64], left: &[f64]) -> Pitch {
+        let cumulate = |single: &[f64]| {
+            let mean = mean(single);
+            let sums = single.iter().scan(0.0, |sum, f| {
+                *sum += f - mean;
+                Some(*sum)
+            });
+            about_mean(sums.collect())
+        };
+        Pitch {
+            right: cumulate(right),
+            left: cumulate(left),
+        }
+    }
+
+    /// The same data read as `+ = plus material` on both flanks.
+    ///
+    /// On the reference face numbers ascend clockwise and the right flank is the
+    /// clockwise one: plus material lies along ascending numbers on right
+    /// flanks, against them on left flanks.
+    pub fn read_as_material(mut self) -> Pitch {
+        for value in &mut self.left {
+            *value = -*value;
+        }
+        self
+    }
+
+    /// `F` of every tooth's own `side` flank, mm.
+    pub fn flank(&self, side: Side) -> &[f64] {
+        match side {
+            Side::Right => &self.right,
+            Side::Left => &self.left,
+        }
+    }
+}
+
+fn mean(values: &[f64]) -> f64 {
+    values.iter().sum::<f64>() / values.len().max(1) as f64
+}
+
+fn about_mean(mut values: Vec<f64>) -> Vec<f64> {
+    let mean = mean(&values);
+    for value in &mut values {
+        *value -= mean;
+    }
+    values
+}

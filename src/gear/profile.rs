@@ -1,0 +1,130 @@
+//! The exact curves of one half tooth: tip land, involute, fillet, root land.
+//!
+//! For the right-hand half (clockwise side), the tooth's centre line on +x;
+//! the left-hand half is its mirror image in the x axis. The pieces follow each
+//! other from the middle of the tip land to the middle of the tooth space.
+
+use super::{Gear, Side, involute};
+use nalgebra::{Point2, Vector2};
+use std::f64::consts::PI;
+
+/// One of the four curves of a half tooth.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Curve {
+    /// Tip land or its corner. Parameter: angle past the tooth's centre line, rad.
+    Tip,
+    /// Involute flank. Parameter: roll `ξ`, rad.
+    Involute,
+    /// Generated fillet. Parameter: `γ`, see [`super::Fillet`], rad.
+    Fillet,
+    /// Root land. Parameter: angle past the tooth's centre line, rad.
+    Root,
+}
+
+impl Curve {
+    /// In order from the tip to the root.
+    pub const ALL: [Curve; 4] = [Curve::Tip, Curve::Involute, Curve::Fillet, Curve::Root];
+
+    /// `tip`, `involute`, `fillet` or `root`, as results name it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Curve::Tip => "tip",
+            Curve::Involute => "involute",
+            Curve::Fillet => "fillet",
+            Curve::Root => "root",
+        }
+    }
+}
+
+/// The half tooth of a gear as four exact curves.
+#[derive(Debug, Clone)]
+pub struct Profile<'a> {
+    gear: &'a Gear,
+}
+
+impl<'a> Profile<'a> {
+    /// The half tooth of `gear`.
+    pub fn new(gear: &'a Gear) -> Profile<'a> {
+        Profile { gear }
+    }
+
+    /// Parameters at the two ends of `curve`, the end nearer the tip first.
+    ///
+    /// Involute and fillet descend, the lands ascend. A root land of a full tip round has no length.
+    pub fn range(&self, curve: Curve) -> (f64, f64) {
+        let gear = self.gear;
+        match curve {
+            Curve::Tip => (0.0, gear.half_angle_at_roll(gear.tip_roll())),
+            Curve::Involute => (gear.tip_roll(), gear.form_roll()),
+            Curve::Fillet => (gear.fillet().end(), 0.0),
+            Curve::Root => (
+                -gear.fillet().root_angle(),
+                PI / f64::from(gear.toothing().teeth()),
+            ),
+        }
+    }
+
+    /// The point of `curve` at `parameter`, mm, on the half tooth of `side`.
+    pub fn point(&self, curve: Curve, parameter: f64, side: Side) -> Point2<f64> {
+        let gear = self.gear;
+        let right = match curve {
+            Curve::Tip => polar(gear.tip_radius(), -parameter),
+            Curve::Root => polar(gear.root_radius(), -parameter),
+            Curve::Fillet => gear.fillet().point(parameter),
+            // r_b E (1 − iξ), E = e^{i(ξ − ψ_b)}.
+            Curve::Involute => {
+                let (sin, cos) = (parameter - gear.half_base_angle()).sin_cos();
+                let base = gear.base_radius();
+                Point2::new(
+                    base * (cos + parameter * sin),
+                    base * (sin - parameter * cos),
+                )
+            }
+        };
+        Point2::new(right.x, -side.sense() * right.y)
+    }
+
+    /// The unit normal of `curve` at `parameter`, out of the metal, on the half tooth of `side`.
+    pub fn normal(&self, curve: Curve, parameter: f64, side: Side) -> Vector2<f64> {
+        let gear = self.gear;
+        let right = match curve {
+            Curve::Tip | Curve::Root => polar(1.0, -parameter).coords,
+            Curve::Fillet => gear.fillet().normal(parameter),
+            // −iE.
+            Curve::Involute => {
+                let (sin, cos) = (parameter - gear.half_base_angle()).sin_cos();
+                Vector2::new(sin, -cos)
+            }
+        };
+        Vector2::new(right.x, -side.sense() * right.y)
+    }
+
+    /// `(A, B)` such that over a piece of length `Δ` on the near side of `parameter` the part of
+    /// the second derivative across the chord is at most `A + B Δ`; `parameter` is the piece's greater end.
+    ///
+    /// Involute: `dP/dξ = r_b ξ E` and `P'' = r_b (E + iξE)`; `E` turns by `Δ` at most, so across
+    /// the chord `r_b (ξ + Δ)`. Lands: `P''` has the length of the radius.
+    pub(super) fn bend(&self, curve: Curve, parameter: f64) -> (f64, f64) {
+        let base = self.gear.base_radius();
+        match curve {
+            Curve::Tip => (self.gear.tip_radius(), 0.0),
+            Curve::Root => (self.gear.root_radius(), 0.0),
+            Curve::Fillet => self.gear.fillet().bend(parameter),
+            Curve::Involute => (base * parameter, base),
+        }
+    }
+
+    /// Radius about the gear's centre at `parameter` of `curve`, mm.
+    pub fn radius(&self, curve: Curve, parameter: f64) -> f64 {
+        match curve {
+            Curve::Tip => self.gear.tip_radius(),
+            Curve::Root => self.gear.root_radius(),
+            Curve::Fillet => self.gear.fillet().point(parameter).coords.norm(),
+            Curve::Involute => involute::radius_at(parameter, self.gear.base_radius()),
+        }
+    }
+}
+
+fn polar(radius: f64, angle: f64) -> Point2<f64> {
+    Point2::new(radius * angle.cos(), radius * angle.sin())
+}

@@ -1,0 +1,59 @@
+//! Sides of a tooth and of a gear. Pure names with the signs that go with them.
+
+/// A flank as seen from the front of the picture (design frame, not the gear's own face).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Side {
+    /// Front-right: the right-hand flank of a tooth that points up, its clockwise side.
+    Right,
+    /// Front-left: the counter-clockwise side.
+    Left,
+}
+
+impl Side {
+    /// Both sides, right first.
+    pub const BOTH: [Side; 2] = [Side::Right, Side::Left];
+
+    /// Sense in which this flank lies from its tooth's centre: −1 clockwise (right), +1 counter-clockwise.
+    pub fn sense(self) -> f64 {
+        match self {
+            Side::Right => -1.0,
+            Side::Left => 1.0,
+        }
+    }
+
+    /// `right` or `left`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Side::Right => "right",
+            Side::Left => "left",
+        }
+    }
+}
+
+/// Which way a gear's reference face looks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Face {
+    /// The viewer sees the reference face: teeth are numbered clockwise.
+    Front,
+    /// The viewer sees the other face: numbers ascend counter-clockwise, own right flanks stand on the left.
+    Back,
+}
+
+impl Face {
+    /// Sense in which tooth numbers ascend as seen from the front: −1 clockwise, +1 counter-clockwise.
+    pub fn ascending(self) -> f64 {
+        match self {
+            Face::Front => -1.0,
+            Face::Back => 1.0,
+        }
+    }
+
+    /// The front side on which the gear's *own* right or left flank stands. Its own inverse.
+    pub fn seen_from_front(self, own: Side) -> Side {
+        match (self, own) {
+            (Face::Front, side) => side,
+            (Face::Back, Side::Right) => Side::Left,
+            (Face::Back, Side::Left) => Side::Right,
+        }
+    }
+}

@@ -1,0 +1,129 @@
+//! Mean tooth thickness as the shop measures it ⇄ base tooth thickness `s_b`.
+//!
+//! Both ways side by side. A measurement says where it touched, too: off the
+//! involute it measures something else, and [`check_span`] and [`check_pins`] say so.
+//! All lengths in mm.
+
+use super::{Gear, Toothing, involute};
+use crate::error::GearError;
+use std::f64::consts::FRAC_PI_2;
+
+/// `s_b` from the span `W_k` over `k` teeth: `s_b = W_k − (k − 1) p_b` (K (15); ISO 21771).
+pub fn base_from_span(toothing: &Toothing, k: u32, span: f64) -> f64 {
+    span - f64::from(k.saturating_sub(1)) * toothing.base_pitch()
+}
+
+/// Span `W_k = (k − 1) p_b + s_b` over `k` teeth.
+pub fn span_from_base(toothing: &Toothing, k: u32, base_thickness: f64) -> f64 {
+    f64::from(k.saturating_sub(1)) * toothing.base_pitch() + base_thickness
+}
+
+/// What part of `2 r_K` two pins in the most opposite spaces span: 1, or `cos(π/(2z))` for odd `z`.
+fn opposite(toothing: &Toothing) -> f64 {
+    if toothing.teeth().is_multiple_of(2) {
+        1.0
+    } else {
+        (FRAC_PI_2 / f64::from(toothing.teeth())).cos()
+    }
+}
+
+/// `s_b` from the dimension `M_dK` over two pins of diameter `D_M`.
+///
+/// The pin's centre lies at `r_K`, `M_dK = 2 r_K + D_M` (even `z`) or
+/// `2 r_K cos(π/(2z)) + D_M` (odd). A circle on the involute through its centre
+/// moves both flanks by `D_M/2` along the base tangent:
+/// `inv α_K = (D_M − p_b + s_b)/d_b` (ISO 21771, dimension over balls).
+///
+/// # Errors
+/// When the pin's centre would lie inside the base circle.
+pub fn base_from_pins(toothing: &Toothing, pin: f64, over: f64) -> Result<f64, GearError> {
+    let base = toothing.base_radius();
+    let centre = (over - pin) / (2.0 * opposite(toothing));
+    if !(centre >= base) {
+        return Err(GearError::OutOfRange {
+            what: "dimension over pins",
+            value: over,
+            allowed: "above the base diameter plus the pin",
+        });
+    }
+    let inv = involute::inv_of_roll(involute::roll_at(centre, base));
+    Ok(2.0 * base * inv - pin + toothing.base_pitch())
+}
+
+/// Radius `r_K` of the centre of a pin in a space between teeth of `base_thickness`.
+pub fn pin_centre_radius(toothing: &Toothing, pin: f64, base_thickness: f64) -> f64 {
+    let base = toothing.base_radius();
+    let inv = (pin - toothing.base_pitch() + base_thickness) / (2.0 * base);
+    involute::radius_at(involute::roll_of_inv(inv), base)
+}
+
+/// Dimension `M_dK` over two pins of diameter `D_M`.
+pub fn pins_from_base(toothing: &Toothing, pin: f64, base_thickness: f64) -> f64 {
+    2.0 * opposite(toothing) * pin_centre_radius(toothing, pin, base_thickness) + pin
+}
+
+/// `s_b` from the thickness allowance `A_s` (transverse, at the reference circle): `s_b,nominal + A_s cos α`.
+pub fn base_from_allowance(toothing: &Toothing, nominal_base: f64, allowance: f64) -> f64 {
+    nominal_base + allowance * toothing.pressure_angle().cos()
+}
+
+/// Thickness allowance `A_s = (s_b − s_b,nominal)/cos α` at the reference circle.
+pub fn allowance_from_base(toothing: &Toothing, nominal_base: f64, base_thickness: f64) -> f64 {
+    (base_thickness - nominal_base) / toothing.pressure_angle().cos()
+}
+
+/// Whether a span over `k` teeth touches the involute on both sides.
+///
+/// The anvils share `W_k` between two base tangents; some position has both
+/// contacts on the involute exactly when the symmetric one, `W_k/2` each, has.
+///
+/// # Errors
+/// [`GearError::SpanOffInvolute`].
+pub fn check_span(gear: &Gear, k: u32) -> Result<(), GearError> {
+    let base = gear.base_radius();
+    let roll = span_from_base(gear.toothing(), k, gear.base_thickness()) / (2.0 * base);
+    if (gear.form_roll()..=gear.tip_roll()).contains(&roll) {
+        return Ok(());
+    }
+    Err(GearError::SpanOffInvolute {
+        teeth: k,
+        contact_diameter_mm: 2.0 * involute::radius_at(roll, base),
+        form_diameter_mm: 2.0 * gear.form_radius(),
+        tip_diameter_mm: 2.0 * gear.tip_radius(),
+    })
+}
+
+/// Whether pins of diameter `pin` rest on the involutes, clear of the root, and stand out over the tip.
+///
+/// # Errors
+/// [`GearError::PinOffInvolute`], [`GearError::PinBelowTip`], [`GearError::PinInRoot`].
+pub fn check_pins(gear: &Gear, pin: f64) -> Result<(), GearError> {
+    let base = gear.base_radius();
+    let centre = pin_centre_radius(gear.toothing(), pin, gear.base_thickness());
+    let tip = 2.0 * gear.tip_radius();
+    // The pin touches D_M/2 down the base tangent from its centre.
+    let roll = involute::roll_at(centre, base) - pin / (2.0 * base);
+    if !(gear.form_roll()..=gear.tip_roll()).contains(&roll) {
+        return Err(GearError::PinOffInvolute {
+            pin_mm: pin,
+            contact_diameter_mm: 2.0 * involute::radius_at(roll.max(0.0), base),
+            form_diameter_mm: 2.0 * gear.form_radius(),
+            tip_diameter_mm: tip,
+        });
+    }
+    if 2.0 * centre + pin <= tip {
+        return Err(GearError::PinBelowTip {
+            pin_mm: pin,
+            pin_top_diameter_mm: 2.0 * centre + pin,
+            tip_diameter_mm: tip,
+        });
+    }
+    if 2.0 * centre - pin < 2.0 * gear.root_radius() {
+        return Err(GearError::PinInRoot {
+            pin_mm: pin,
+            pin_bottom_diameter_mm: 2.0 * centre - pin,
+            root_diameter_mm: 2.0 * gear.root_radius(),
+        });
+    }
+    Ok(())
+}

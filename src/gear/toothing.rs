@@ -1,0 +1,79 @@
+//! What two gears must share to mesh, and the circles that follow from it.
+
+use crate::error::GearError;
+use std::f64::consts::{PI, TAU};
+
+/// Teeth `z`, module `m` (mm) and pressure angle `α` (rad) of a spur gear.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Toothing {
+    teeth: u32,
+    module: f64,
+    pressure_angle: f64,
+}
+
+impl Toothing {
+    /// A toothing; `module` in mm, `pressure_angle` in radians.
+    ///
+    /// # Errors
+    /// Outside 3…10 000 teeth, 0.01…1000 mm, 5…45°. (An angle within 1e-12 of
+    /// its end counts as in: degrees do not convert exactly.)
+    pub fn new(teeth: u32, module: f64, pressure_angle: f64) -> Result<Toothing, GearError> {
+        let range = |what, value, allowed| {
+            Err(GearError::OutOfRange {
+                what,
+                value,
+                allowed,
+            })
+        };
+        if !(3..=10_000).contains(&teeth) {
+            return range("teeth", f64::from(teeth), "3 … 10 000");
+        }
+        if !(0.01..=1000.0).contains(&module) {
+            return range("module", module, "0.01 … 1000 mm");
+        }
+        let degrees = pressure_angle.to_degrees();
+        if !(5.0 - 1e-12..=45.0 + 1e-12).contains(&degrees) {
+            return range("pressure angle", degrees, "5 … 45 degrees");
+        }
+        Ok(Toothing {
+            teeth,
+            module,
+            pressure_angle,
+        })
+    }
+
+    /// `z`.
+    pub fn teeth(&self) -> u32 {
+        self.teeth
+    }
+
+    /// `m`, mm.
+    pub fn module(&self) -> f64 {
+        self.module
+    }
+
+    /// `α`, rad.
+    pub fn pressure_angle(&self) -> f64 {
+        self.pressure_angle
+    }
+
+    /// Angular pitch `τ = 2π/z`, rad.
+    pub fn angular_pitch(&self) -> f64 {
+        TAU / f64::from(self.teeth)
+    }
+
+    /// Reference radius `r = m z/2`, mm.
+    pub fn reference_radius(&self) -> f64 {
+        self.module * f64::from(self.teeth) / 2.0
+    }
+
+    /// Base radius `r_b = r cos α`, mm.
+    pub fn base_radius(&self) -> f64 {
+        self.reference_radius() * self.pressure_angle.cos()
+    }
+
+    /// Base pitch `p_b = π m cos α`, mm (the study's `t_g`).
+    pub fn base_pitch(&self) -> f64 {
+        PI * self.module * self.pressure_angle.cos()
+    }
+}

@@ -1,0 +1,5 @@
+//! gearlash
+pub mod error;
+pub mod gear;
+pub mod mesh;
+pub mod pair;

@@ -1,0 +1,102 @@
+//! The result of one pose: right- and left-flank contact, and the lost motion between.
+
+use crate::gear::Curve;
+use nalgebra::{Point2, Vector2};
+
+/// What one gear brings to a contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Touch {
+    /// Tooth number, `1..=z`.
+    pub tooth: u32,
+    /// The curve touched; `Tip` is the tip corner or the tip land.
+    pub curve: Curve,
+    /// Radius about the gear's own geometric centre, mm.
+    pub radius: f64,
+}
+
+/// Contact of the free gear on one side.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Contact {
+    /// Rotation of the free gear at contact, rad, counted as in [`crate::pair::Pose`].
+    pub rotation: f64,
+    /// The true rotation of the outlines lies within `rotation ± error`, rad.
+    pub error: f64,
+    /// The wheel's part.
+    pub wheel: Touch,
+    /// The pinion's part.
+    pub pinion: Touch,
+    /// Point of contact in the picture frame, mm.
+    pub point: Point2<f64>,
+    /// Unit normal at the contact, out of the wheel's metal.
+    pub normal: Vector2<f64>,
+}
+
+/// What a lost motion says about the pair at this pose.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Status {
+    /// Lost motion ≥ 0: the free gear has room to turn.
+    Clear,
+    /// Lost motion < 0: the teeth overlap by that much, the pair cannot be assembled here.
+    Interference,
+    /// A tip sits in a root: no rotation of the free gear is free of overlap.
+    Jammed,
+    /// Out of mesh: nothing to touch on one side at least.
+    NoContact,
+}
+
+impl Status {
+    /// The name results use.
+    pub fn name(self) -> &'static str {
+        match self {
+            Status::Clear => "clear",
+            Status::Interference => "interference",
+            Status::Jammed => "jammed",
+            Status::NoContact => "no_contact",
+        }
+    }
+}
+
+/// Right- and left-flank contact of the free gear at one pose of the locked gear.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LostMotion {
+    /// Limit of clockwise rotation.
+    pub right: Option<Contact>,
+    /// Limit of counter-clockwise rotation.
+    pub left: Option<Contact>,
+}
+
+impl LostMotion {
+    /// How the pose ended.
+    ///
+    /// An overlap in which a root land takes part is a tip in a root: turning
+    /// cannot free it, and its angle means nothing.
+    pub fn status(&self) -> Status {
+        let (Some(right), Some(left)) = (&self.right, &self.left) else {
+            return Status::NoContact;
+        };
+        let on_root =
+            |contact: &Contact| [contact.wheel.curve, contact.pinion.curve].contains(&Curve::Root);
+        if left.rotation >= right.rotation {
+            Status::Clear
+        } else if on_root(right) || on_root(left) {
+            Status::Jammed
+        } else {
+            Status::Interference
+        }
+    }
+
+    /// Lost motion `φ_j` = left − right, rad; negative when the pair interferes, `None` when jammed or out of mesh.
+    pub fn angle(&self) -> Option<f64> {
+        match self.status() {
+            Status::Clear | Status::Interference => {
+                Some(self.left?.rotation - self.right?.rotation)
+            }
+            Status::Jammed | Status::NoContact => None,
+        }
+    }
+
+    /// Bound on the error of [`LostMotion::angle`], rad.
+    pub fn error(&self) -> Option<f64> {
+        Some(self.left?.error + self.right?.error)
+    }
+}

@@ -1,0 +1,5 @@
+//! What two gears do: contact of their outlines, lost motion, sweeps of poses.
+
+mod lost_motion;
+
+pub use lost_motion::{Contact, LostMotion, Status, Touch};

@@ -1,0 +1,158 @@
+//! Two gears at a centre distance, one of them locked.
+
+use crate::error::GearError;
+use crate::gear::{AsBuilt, involute};
+use nalgebra::Point2;
+use std::f64::consts::PI;
+
+/// One of the two gears.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Member {
+    /// Gear 1, its axis at the origin.
+    Wheel,
+    /// Gear 2, its axis at `(a, 0)`.
+    Pinion,
+}
+
+impl Member {
+    /// The other gear.
+    pub fn mate(self) -> Member {
+        match self {
+            Member::Wheel => Member::Pinion,
+            Member::Pinion => Member::Wheel,
+        }
+    }
+
+    /// `wheel` or `pinion`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Member::Wheel => "wheel",
+            Member::Pinion => "pinion",
+        }
+    }
+}
+
+/// A pair as assembled: wheel axis at the origin, pinion axis at `(a, 0)`, y up.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Assembly {
+    wheel: AsBuilt,
+    pinion: AsBuilt,
+    center_distance: f64,
+    locked: Member,
+}
+
+impl Assembly {
+    /// Puts two gears at `center_distance` `a`, mm.
+    ///
+    /// # Errors
+    /// Unequal module or pressure angle; base circles that overlap
+    /// (`a ≤ r_b1 + r_b2`): no operating pressure angle exists then.
+    pub fn new(
+        wheel: AsBuilt,
+        pinion: AsBuilt,
+        center_distance: f64,
+        locked: Member,
+    ) -> Result<Assembly, GearError> {
+        let (w, p) = (*wheel.gear().toothing(), *pinion.gear().toothing());
+        for (what, wheel, pinion) in [
+            ("module_mm", w.module(), p.module()),
+            (
+                "pressure_angle_deg",
+                w.pressure_angle().to_degrees(),
+                p.pressure_angle().to_degrees(),
+            ),
+        ] {
+            if wheel != pinion {
+                return Err(GearError::Unequal {
+                    what,
+                    wheel,
+                    pinion,
+                });
+            }
+        }
+        let least = w.base_radius() + p.base_radius();
+        if !(center_distance > least && center_distance.is_finite()) {
+            return Err(GearError::BaseCirclesOverlap {
+                center_distance_mm: center_distance,
+                least_mm: least,
+            });
+        }
+        Ok(Assembly {
+            wheel,
+            pinion,
+            center_distance,
+            locked,
+        })
+    }
+
+    /// The same gears at another centre distance.
+    ///
+    /// # Errors
+    /// As [`Assembly::new`].
+    pub fn at(&self, center_distance: f64) -> Result<Assembly, GearError> {
+        Assembly::new(
+            self.wheel.clone(),
+            self.pinion.clone(),
+            center_distance,
+            self.locked,
+        )
+    }
+
+    /// One of the gears.
+    pub fn gear(&self, member: Member) -> &AsBuilt {
+        match member {
+            Member::Wheel => &self.wheel,
+            Member::Pinion => &self.pinion,
+        }
+    }
+
+    /// Centre distance `a`, mm.
+    pub fn center_distance(&self) -> f64 {
+        self.center_distance
+    }
+
+    /// The gear that stands still.
+    pub fn locked(&self) -> Member {
+        self.locked
+    }
+
+    /// The gear that turns.
+    pub fn free(&self) -> Member {
+        self.locked.mate()
+    }
+
+    /// Rotation axis, mm.
+    pub fn axis(&self, member: Member) -> Point2<f64> {
+        match member {
+            Member::Wheel => Point2::origin(),
+            Member::Pinion => Point2::new(self.center_distance, 0.0),
+        }
+    }
+
+    /// Direction from a gear's axis to its mate's, rad.
+    pub fn mate_direction(&self, member: Member) -> f64 {
+        match member {
+            Member::Wheel => 0.0,
+            Member::Pinion => PI,
+        }
+    }
+
+    /// Operating pressure angle `α_wt`, rad: `cos α_wt = (r_b1 + r_b2)/a`.
+    pub fn operating_pressure_angle(&self) -> f64 {
+        let base = self.wheel.gear().base_radius() + self.pinion.gear().base_radius();
+        (base / self.center_distance).acos()
+    }
+
+    /// Operating pitch radius `r_w = r_b/cos α_wt`, mm.
+    pub fn operating_pitch_radius(&self, member: Member) -> f64 {
+        let base = self.wheel.gear().base_radius() + self.pinion.gear().base_radius();
+        self.gear(member).gear().base_radius() * self.center_distance / base
+    }
+
+    /// Half the angle a mean tooth spans on the operating pitch circle, rad (ISO 21771: `ψ_b − inv α_wt`).
+    ///
+    /// Defined beyond the tip too: the undisturbed flank produced to the pitch point.
+    pub fn operating_half_angle(&self, member: Member) -> f64 {
+        self.gear(member).gear().half_base_angle() - involute::inv(self.operating_pressure_angle())
+    }
+}

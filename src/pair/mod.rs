@@ -1,0 +1,12 @@
+//! Two gears put together: centre distance, which teeth mate, where each gear stands.
+//!
+//! Bookkeeping only: the simulation and the analytic models both read it, and
+//! share nothing else.
+
+mod assembly;
+mod pose;
+mod sweep_plan;
+
+pub use assembly::{Assembly, Member};
+pub use pose::{Mating, Pose};
+pub use sweep_plan::SweepPlan;

@@ -1,0 +1,93 @@
+//! Which teeth mate, and the rotations of both gears that follow (design section 3).
+
+use super::{Assembly, Member};
+use crate::gear::Side;
+
+/// Mating (w, p) at a flank, and a fraction of a pitch beyond it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Mating {
+    /// Wheel tooth, `1..=z_1`.
+    pub wheel_tooth: u32,
+    /// Pinion tooth, `1..=z_2`.
+    pub pinion_tooth: u32,
+    /// The flank, seen from the front, that passes through the operating pitch point.
+    pub flank: Side,
+    /// Pitches beyond that pose, in the direction in which ascending teeth of the locked gear come into mesh.
+    pub fraction: f64,
+}
+
+impl Mating {
+    /// The mating's tooth on one gear.
+    pub fn tooth(&self, member: Member) -> u32 {
+        match member {
+            Member::Wheel => self.wheel_tooth,
+            Member::Pinion => self.pinion_tooth,
+        }
+    }
+}
+
+/// A pose: both gears' rotations and the teeth that mate there.
+///
+/// Rotations count from the position in which tooth 1 points at the mate, rad,
+/// counter-clockwise.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pose {
+    mating: Mating,
+    locked_rotation: f64,
+    free_rotation: f64,
+}
+
+impl Pose {
+    /// The pose of `mating` on `assembly`.
+    ///
+    /// The locked gear's undisturbed flank passes through the operating pitch
+    /// point (its tooth's centre stands half an operating tooth thickness beside
+    /// the line of centres), and so does the flank of the tooth facing it: that
+    /// is the free gear's nominal rotation. A fraction rolls both on.
+    pub fn new(assembly: &Assembly, mating: Mating) -> Pose {
+        let at_pitch_point = |member: Member| {
+            let tooth = f64::from(mating.tooth(member));
+            -mating.flank.sense() * assembly.operating_half_angle(member)
+                - assembly.gear(member).tooth_angle(tooth)
+        };
+        let locked = assembly.gear(assembly.locked());
+        let free = assembly.gear(assembly.free());
+        let onward = -locked.face().ascending() * mating.fraction;
+        Pose {
+            mating,
+            locked_rotation: at_pitch_point(assembly.locked())
+                + onward * locked.gear().toothing().angular_pitch(),
+            free_rotation: at_pitch_point(assembly.free())
+                - onward * free.gear().toothing().angular_pitch(),
+        }
+    }
+
+    /// The mating this pose was made for.
+    pub fn mating(&self) -> &Mating {
+        &self.mating
+    }
+
+    /// Rotation of the locked gear, rad.
+    pub fn locked_rotation(&self) -> f64 {
+        self.locked_rotation
+    }
+
+    /// Nominal rotation of the free gear, rad: undisturbed flanks meet in the operating pitch point
+    /// (of the mating's flank, rolled on by the fraction).
+    pub fn free_rotation(&self) -> f64 {
+        self.free_rotation
+    }
+
+    /// The free gear's tooth that faces flank `side` of the locked tooth `steps` counter-clockwise of the mating's.
+    ///
+    /// Counter-clockwise on one gear is clockwise on the other. The tooth facing
+    /// a front-left flank is the one clockwise of that facing the front-right flank of the same tooth.
+    pub fn facing_tooth(&self, assembly: &Assembly, side: Side, steps: i64) -> u32 {
+        let to_right = i64::from(self.mating.flank == Side::Left);
+        let from_right = i64::from(side == Side::Left);
+        assembly.gear(assembly.free()).counter_clockwise(
+            self.mating.tooth(assembly.free()),
+            to_right - from_right - steps,
+        )
+    }
+}

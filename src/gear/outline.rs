@@ -87,6 +87,25 @@ impl HalfTooth {
     pub fn segments(&self) -> &[Segment] {
         &self.segments
     }
+
+    /// Curve and parameter that the point `at` of chord `segment` stands for.
+    ///
+    /// Off by less than the chord's own range of parameters.
+    pub fn locate(&self, segment: usize, at: &Point2<f64>) -> (Curve, f64) {
+        let Segment { curve, parameters } = self.segments[segment];
+        let chord = self.points[segment + 1] - self.points[segment];
+        let part = (at - self.points[segment]).dot(&chord) / chord.norm_squared();
+        // A chord without length has no part: its start will do.
+        let part = if part.is_finite() {
+            part.clamp(0.0, 1.0)
+        } else {
+            0.0
+        };
+        (
+            curve,
+            parameters[0] + part * (parameters[1] - parameters[0]),
+        )
+    }
 }
 
 /// Parameters from `high` down to `low`, each piece as long as `step` of its upper end allows.

@@ -1,5 +1,10 @@
 //! What two gears do: contact of their outlines, lost motion, sweeps of poses.
 
+mod contact;
 mod lost_motion;
+mod polygon;
+mod sweep;
 
 pub use lost_motion::{Contact, LostMotion, Status, Touch};
+pub use polygon::{CutGear, PolygonKernel};
+pub use sweep::{CutPair, SweptPose, sweep};

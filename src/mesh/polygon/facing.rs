@@ -1,0 +1,255 @@
+//! One half tooth of the free gear against one of the locked gear.
+//!
+//! The free gear starts where, seen from its axis, the two half teeth share no
+//! direction, and is turned towards contact. A step of `d/R`, `d` the distance
+//! and `R` the greatest radius of the free gear about its axis, cannot pass
+//! through anything: no point moves farther than `d`.
+//!
+//! # The bracket
+//!
+//! Chords lie within `δ` of their curves, so curves are clear where polygons are
+//! `2δ` apart. On the way in, steps of `(d − 2δ)/R` prove every angle passed to be
+//! clear of the *curves* too; the last of them, with `d` down to about `2δ`, is the
+//! outer end. The inner end: the polygons of involute and tip land are
+//! inscribed, so where they touch, the curves touch or overlap already; a
+//! fillet's chords stand in front of their hollow curve by up to `δ`. To turn
+//! the free gear by `h/X`, `X` the lever of the contact normal about its axis, brings
+//! the contact point `h` deeper; `h` is `δ` for each fillet that may take part,
+//! and the distance at which the search stopped.
+
+use super::{CutHalf, PolygonKernel};
+use crate::error::Error;
+use crate::gear::{Curve, Profile, Side};
+use crate::mesh::contact::Closest;
+use crate::mesh::lost_motion::{Contact, Touch};
+use crate::pair::{Assembly, Member, Pose};
+use nalgebra::{Isometry2, Point2, UnitComplex, Vector2};
+
+/// The search ends at this part of the chordal error: it adds a thousandth to the error.
+const STOP: f64 = 1e-3;
+
+/// Steps before a search is given up as a fault. Tips that pass each other at the distance `d` take
+/// longest, about (tip thickness)/d; the slowest seen took hundreds.
+const MOST_STEPS: usize = 100_000;
+
+/// A radius this near the tip circle, mm, is the tip corner (the reference data's own rule).
+const CORNER: f64 = 1e-7;
+
+/// A pair of half teeth of one side. The opening `u`, rad, is how far the free gear is turned
+/// from its nominal rotation in the sense away from contact: of two pairs, the one that touches at the greater opening is tighter.
+pub(super) struct Facing<'a> {
+    assembly: &'a Assembly,
+    pose: &'a Pose,
+    side: Side,
+    locked_tooth: u32,
+    free_tooth: u32,
+    locked: &'a CutHalf,
+    free: &'a CutHalf,
+    locked_frame: Isometry2<f64>,
+}
+
+/// Where a pair touches.
+pub(super) struct Found {
+    /// The curves are clear of each other at every opening from the start down to this one.
+    pub clear: f64,
+    /// The polygons touch, as near as the search goes.
+    pub touching: f64,
+    /// The curves touch or overlap.
+    pub closed: f64,
+    closest: Closest,
+}
+
+impl<'a> Facing<'a> {
+    /// The locked tooth `steps` places counter-clockwise of the mating's, and the free tooth that faces its `side`.
+    pub fn new(kernel: &PolygonKernel<'a>, pose: &'a Pose, side: Side, steps: i64) -> Facing<'a> {
+        let assembly = kernel.assembly;
+        let locked = assembly.locked();
+        let locked_tooth = assembly
+            .gear(locked)
+            .counter_clockwise(pose.mating().tooth(locked), steps);
+        Facing {
+            assembly,
+            pose,
+            side,
+            locked_tooth,
+            free_tooth: pose.facing_tooth(assembly, side, steps),
+            locked: kernel.locked.half(side),
+            free: kernel.free.half(side),
+            locked_frame: frame(assembly, locked, pose.locked_rotation(), side, locked_tooth),
+        }
+    }
+
+    /// Turns the free gear in until the polygons touch; `None` when they pass each other clear.
+    pub fn search(&self) -> Result<Option<Found>, Error> {
+        let chord = self.locked.polygon.chord();
+        let reach = self.assembly.gear(self.assembly.free()).reach();
+        let to_locked = self.locked_frame.inverse();
+        let (mut opening, end) = self.shared_directions();
+        let mut hint = [0, 0];
+        let mut clear = None;
+        for _ in 0..MOST_STEPS {
+            let pose = to_locked * self.free_frame(opening);
+            let closest = self.locked.shape.closest(&self.free.shape, &pose, hint);
+            hint = closest.segments;
+            // Steps of d − 2δ never arrive at 2δ: 5 % above it is near enough.
+            if clear.is_none() && closest.distance <= 2.1 * chord {
+                clear = Some(opening);
+            }
+            if closest.distance <= STOP * chord {
+                return Ok(Some(self.bracket(
+                    clear.unwrap_or(opening),
+                    opening,
+                    closest,
+                )));
+            }
+            let margin = if clear.is_none() { 2.0 * chord } else { 0.0 };
+            opening -= (closest.distance - margin) / reach;
+            if opening < end {
+                return Ok(None);
+            }
+        }
+        Err(self.lost())
+    }
+
+    /// The opening above which, and the one below which, the half teeth share no direction seen from the free axis.
+    fn shared_directions(&self) -> (f64, f64) {
+        let free = self.assembly.free();
+        let axis = self.assembly.axis(free);
+        let from_mate = UnitComplex::new(-self.assembly.mate_direction(free));
+        let spread = |frame: &Isometry2<f64>, half: &CutHalf| {
+            let directions = half.polygon.points().iter().map(|point| {
+                let seen = from_mate * (frame * point - axis);
+                -self.side.sense() * seen.y.atan2(seen.x)
+            });
+            directions.fold(
+                (f64::INFINITY, f64::NEG_INFINITY),
+                |(least, most), angle| (least.min(angle), most.max(angle)),
+            )
+        };
+        let locked = spread(&self.locked_frame, self.locked);
+        let free = spread(&self.free_frame(0.0), self.free);
+        (locked.1 - free.0, locked.0 - free.1)
+    }
+
+    fn free_frame(&self, opening: f64) -> Isometry2<f64> {
+        let rotation = self.pose.free_rotation() - self.side.sense() * opening;
+        let free = self.assembly.free();
+        frame(self.assembly, free, rotation, self.side, self.free_tooth)
+    }
+
+    fn bracket(&self, clear: f64, touching: f64, closest: Closest) -> Found {
+        let found = Found {
+            clear,
+            touching,
+            closed: touching,
+            closest,
+        };
+        let (_, _, point, normal) = self.place(&found);
+        let arm = point - self.assembly.axis(self.assembly.free());
+        let lever = arm.perp(&normal).abs();
+        let halves = [self.locked, self.free];
+        let hollow = (0..2)
+            .filter(|&i| near_fillet(halves[i], found.closest.segments[i] as usize))
+            .count();
+        // Coordinates up to the centre distance, some dozens of roundings each.
+        let rounding = 64.0 * f64::EPSILON * self.assembly.center_distance();
+        let depth = hollow as f64 * self.locked.polygon.chord() + found.closest.distance + rounding;
+        Found {
+            clear: clear + rounding / lever,
+            closed: touching - depth / lever,
+            ..found
+        }
+    }
+
+    /// The contact by name: teeth, curves, radii, point and normal, with the side's `rotation` and `error`.
+    pub fn contact(&self, found: &Found, rotation: f64, error: f64) -> Contact {
+        let (locked, free, point, normal) = self.place(found);
+        let (wheel, pinion, normal) = match self.assembly.locked() {
+            Member::Wheel => (locked, free, normal),
+            Member::Pinion => (free, locked, -normal),
+        };
+        Contact {
+            rotation,
+            error,
+            wheel,
+            pinion,
+            point,
+            normal,
+        }
+    }
+
+    /// What the locked and the free gear bring to the contact, its point, and the normal out of the locked metal.
+    fn place(&self, found: &Found) -> (Touch, Touch, Point2<f64>, Vector2<f64>) {
+        let Closest {
+            segments, points, ..
+        } = found.closest;
+        let free_frame = self.free_frame(found.touching);
+        let at = [
+            points[0],
+            free_frame.inverse_transform_point(&(self.locked_frame * points[1])),
+        ];
+        let describe = |half: &CutHalf, member: Member, tooth: u32, i: usize| {
+            let gear = self.assembly.gear(member).gear();
+            let (curve, parameter) = half.polygon.locate(segments[i] as usize, &at[i]);
+            let radius = at[i].coords.norm();
+            let corner = radius >= gear.tip_radius() - CORNER;
+            let normal = Profile::new(gear).normal(curve, parameter, self.side);
+            let curve = if corner { Curve::Tip } else { curve };
+            let touch = Touch {
+                tooth,
+                curve,
+                radius,
+            };
+            (touch, normal)
+        };
+        let (locked_member, free_member) = (self.assembly.locked(), self.assembly.free());
+        let (locked, locked_normal) = describe(self.locked, locked_member, self.locked_tooth, 0);
+        let (free, free_normal) = describe(self.free, free_member, self.free_tooth, 1);
+        // A corner has no normal of its own: the other gear's curve gives it.
+        let normal: Vector2<f64> = if locked.curve == Curve::Tip {
+            -(free_frame * free_normal)
+        } else {
+            self.locked_frame * locked_normal
+        };
+        let point = self.locked_frame * nalgebra::center(&points[0], &points[1]);
+        (locked, free, point, normal)
+    }
+
+    fn lost(&self) -> Error {
+        let (wheel_tooth, pinion_tooth) = match self.assembly.locked() {
+            Member::Wheel => (self.locked_tooth, self.free_tooth),
+            Member::Pinion => (self.free_tooth, self.locked_tooth),
+        };
+        Error::ContactLost {
+            wheel_tooth,
+            pinion_tooth,
+            flank: self.side.name(),
+            locked_rotation_rad: self.pose.locked_rotation(),
+            reason: "the safe steps did not come to an end",
+        }
+    }
+}
+
+/// Frame in the picture of the half tooth of `member` on `side` of `tooth`, the gear turned to `rotation`.
+fn frame(
+    assembly: &Assembly,
+    member: Member,
+    rotation: f64,
+    side: Side,
+    tooth: u32,
+) -> Isometry2<f64> {
+    let gear = assembly.gear(member);
+    let tooth_1 = assembly.mate_direction(member) + rotation;
+    let centre = assembly.axis(member) + gear.displacement(tooth_1);
+    let turn = gear.tooth_angle(f64::from(tooth)) + gear.flank_offset(side, tooth);
+    Isometry2::new(centre.coords, tooth_1 + turn)
+}
+
+/// Whether the chord or a neighbour stands for a fillet.
+fn near_fillet(half: &CutHalf, segment: usize) -> bool {
+    let segments = half.polygon.segments();
+    let near = segment.saturating_sub(1)..(segment + 2).min(segments.len());
+    segments[near]
+        .iter()
+        .any(|segment| segment.curve == Curve::Fillet)
+}

@@ -4,6 +4,7 @@
 //! Lengths in mm, angles in radians. A gear's own frame has its geometric
 //! centre at the origin; a tooth's own frame has the tooth's centre line on +x.
 
+mod datum;
 mod deviation;
 mod fillet;
 #[allow(clippy::module_inception)]
@@ -17,6 +18,7 @@ mod side;
 pub mod thickness;
 mod toothing;
 
+pub use datum::Separated;
 pub use deviation::{AsBuilt, Deviations};
 pub use fillet::Fillet;
 pub use gear::{Blank, Gear};

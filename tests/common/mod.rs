@@ -1,0 +1,11 @@
+//! What several test files share: reference data, published cases, random pairs.
+
+#![allow(dead_code, unused_imports)] // each test binary uses its part
+
+pub mod published_case;
+pub mod random_pair;
+mod reference;
+
+pub use reference::{
+    ReferenceContact, ReferencePair, ReferencePose, reference_file, reference_names, reference_pair,
+};

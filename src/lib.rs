@@ -1,4 +1,5 @@
 //! gearlash
+pub mod analytic;
 pub mod error;
 pub mod gear;
 pub mod mesh;

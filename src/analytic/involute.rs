@@ -1,0 +1,80 @@
+//! Model 2: two gears of mean thickness along their common base tangent, K (11)–(17).
+
+use crate::gear::{Gear, involute};
+use crate::pair::{Assembly, Member};
+
+/// All that model 2 needs to know of two gears. Lengths in mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct InvolutePair {
+    /// `r_b1 + r_b2`.
+    base_radii: f64,
+    /// `s_b1 + s_b2`.
+    base_thicknesses: f64,
+    /// `p_b`.
+    base_pitch: f64,
+}
+
+impl InvolutePair {
+    /// Two gears of one module and pressure angle, of their mean thicknesses.
+    pub fn new(wheel: &Gear, pinion: &Gear) -> InvolutePair {
+        InvolutePair {
+            base_radii: wheel.base_radius() + pinion.base_radius(),
+            base_thicknesses: wheel.base_thickness() + pinion.base_thickness(),
+            base_pitch: wheel.toothing().base_pitch(),
+        }
+    }
+
+    /// The gears of `assembly`, of their mean thicknesses.
+    pub fn of(assembly: &Assembly) -> InvolutePair {
+        let gear = |member| assembly.gear(member).gear();
+        InvolutePair::new(gear(Member::Wheel), gear(Member::Pinion))
+    }
+
+    /// The same gears with the thicknesses their profile shifts `x` call for.
+    pub fn nominal(assembly: &Assembly) -> InvolutePair {
+        let nominal = |member| {
+            let blank = assembly.gear(member).gear().blank();
+            blank.nominal_base_thickness()
+        };
+        InvolutePair {
+            base_thicknesses: nominal(Member::Wheel) + nominal(Member::Pinion),
+            ..InvolutePair::of(assembly)
+        }
+    }
+
+    /// Operating pressure angle `α_wt = arccos((r_b1 + r_b2)/a)`, rad, at centre distance `a`, mm.
+    ///
+    /// `None` where the base circles overlap: `a ≤ r_b1 + r_b2`.
+    pub fn operating_pressure_angle(&self, center_distance: f64) -> Option<f64> {
+        (center_distance > self.base_radii).then(|| (self.base_radii / center_distance).acos())
+    }
+
+    /// Normal backlash `j_bn = p_b − s_b1 − s_b2 + 2 (r_b1 + r_b2) inv α_wt`, mm, at centre distance `a`, mm.
+    ///
+    /// Derivation: at `a` the common base tangent is shared by one tooth of each
+    /// gear and the play; winding it onto both base circles adds their two
+    /// `2 r_b inv α_wt` to the base pitch. `None` as
+    /// [`InvolutePair::operating_pressure_angle`].
+    pub fn normal_backlash(&self, center_distance: f64) -> Option<f64> {
+        let alpha = self.operating_pressure_angle(center_distance)?;
+        Some(self.base_pitch - self.base_thicknesses + 2.0 * self.base_radii * involute::inv(alpha))
+    }
+
+    /// Circumferential backlash `j_wt = j_bn/cos α_wt`, mm, on the operating circles of centre distance `a`, mm.
+    ///
+    /// `None` as [`InvolutePair::operating_pressure_angle`].
+    pub fn circumferential_backlash(&self, center_distance: f64) -> Option<f64> {
+        let normal = self.normal_backlash(center_distance)?;
+        Some(normal * center_distance / self.base_radii)
+    }
+
+    /// Centre distance `a`, mm, at which the normal backlash is `j_bn`, mm: the inverse of
+    /// [`InvolutePair::normal_backlash`]; K (17) for `j_bn = 0`.
+    ///
+    /// `None` when the teeth are so thin that there is more play on touching base circles already.
+    pub fn center_distance(&self, normal_backlash: f64) -> Option<f64> {
+        let inv =
+            (normal_backlash + self.base_thicknesses - self.base_pitch) / (2.0 * self.base_radii);
+        (inv > 0.0).then(|| involute::radius_at(involute::roll_of_inv(inv), self.base_radii))
+    }
+}

@@ -1,0 +1,209 @@
+//! One side of model 3: the rotations of the free gear at which facing involutes touch.
+//!
+//! Derivation, in the frame of the line of centres: the locked gear's axis at
+//! the origin, the free gear's at `(a, 0)`, a gear's angles counted from the
+//! direction to its mate; the left side mirrored in the x axis, which makes it a
+//! right side. In complex notation the right flank of a tooth whose centre
+//! stands at `θ` on a gear centred at `C` is
+//!
+//! ```text
+//! P(ξ) = C + r_b E (1 − iξ),   E = e^{i(ξ − ψ_b + θ)},   outward normal −iE,
+//! ```
+//!
+//! `ψ_b` half the tooth on the base circle. Where two flanks touch, the normals
+//! oppose: `E_2 = −E_1`. With `D = C_2 − C_1`, `R = r_b1 + r_b2` and `Σ = r_b1 ξ_1 + r_b2 ξ_2`
+//! equal points say `D = E_1 (R − iΣ)`, so that
+//!
+//! ```text
+//! Σ² = |D|² − R²,   arg E_1 = arg D + atan(Σ/R),
+//! ξ_1 = arg E_1 + ψ_b1 − θ_1,   ξ_2 = (Σ − r_b1 ξ_1)/r_b2,   θ_2 = arg E_1 + ψ_b2 − ξ_2.
+//! ```
+//!
+//! `C_2` turns with the free gear, hence `D` with its rotation `φ`: the last
+//! line is a fixed point `φ = G(φ)`. Differentiating,
+//! `G' = Im(conj(E_1) dD/dφ)/r_b2`, and `|dD/dφ| = e_2`: `|G'| ≤ e_2/r_b2`.
+
+use super::SideContact;
+use crate::gear::{AsBuilt, Side};
+use crate::pair::{Assembly, Pose};
+use nalgebra::{UnitComplex, Vector2};
+use std::f64::consts::TAU;
+use std::ops::RangeInclusive;
+
+/// A roll this part of the tip roll beyond its end still counts as on the involute.
+/// Rolls are sums of a few angles of order 1: their rounding is some 1e-15.
+const END: f64 = 1e-12;
+
+/// One side of a pose, mirrored if left. All angles from the line of centres.
+pub(super) struct OneSide<'a> {
+    assembly: &'a Assembly,
+    pose: &'a Pose,
+    side: Side,
+    /// −1 on the left side: angles change sign in the mirror.
+    mirror: f64,
+    locked: &'a AsBuilt,
+    free: &'a AsBuilt,
+    /// Centre of the free gear's eccentric circle less the centre of the locked outline, mm.
+    between: Vector2<f64>,
+    /// From there to the centre of the free outline, at the nominal rotation, mm.
+    displacement: Vector2<f64>,
+}
+
+/// The common base tangent of one rotation of the free gear.
+struct Line {
+    /// `arg E_1`, rad.
+    direction: f64,
+    /// `Σ`, its length between the two base circles, mm.
+    length: f64,
+}
+
+impl<'a> OneSide<'a> {
+    pub(super) fn new(assembly: &'a Assembly, pose: &'a Pose, side: Side) -> OneSide<'a> {
+        let mirror = -side.sense();
+        let (locked, free) = (
+            assembly.gear(assembly.locked()),
+            assembly.gear(assembly.free()),
+        );
+        let seen = |vector: Vector2<f64>| Vector2::new(vector.x, mirror * vector.y);
+        // The free gear's direction to its mate is −x.
+        OneSide {
+            assembly,
+            pose,
+            side,
+            mirror,
+            locked,
+            free,
+            between: Vector2::new(assembly.center_distance(), 0.0)
+                - seen(locked.displacement(pose.locked_rotation())),
+            displacement: -seen(free.displacement(pose.free_rotation())),
+        }
+    }
+
+    /// Every pair of flanks whose contact lies on both involutes.
+    pub(super) fn contacts(self) -> impl Iterator<Item = SideContact> + 'a {
+        let window = self.window();
+        self.steps(&window)
+            .filter_map(move |steps| self.contact(steps, &window))
+    }
+
+    fn base_radii(&self) -> f64 {
+        self.locked.gear().base_radius() + self.free.gear().base_radius()
+    }
+
+    /// `atan(Σ/R)` and `Σ` of a distance of the outlines' centres; 0 where the base circles overlap.
+    fn tangent(&self, distance: f64) -> (f64, f64) {
+        let base = self.base_radii();
+        let length = ((distance - base) * (distance + base)).max(0.0).sqrt();
+        (length.atan2(base), length)
+    }
+
+    /// With the free gear turned by `turn` beyond its nominal rotation.
+    fn line(&self, turn: f64) -> Line {
+        let d = self.between + UnitComplex::new(turn) * self.displacement;
+        let (angle, length) = self.tangent(d.norm());
+        Line {
+            direction: d.y.atan2(d.x) + angle,
+            length,
+        }
+    }
+
+    /// Angle `θ_1` of the locked tooth `steps` counter-clockwise of the mating's, without its deviation.
+    fn locked_angle(&self, steps: i64) -> f64 {
+        let tooth = f64::from(self.pose.mating().tooth(self.assembly.locked()));
+        let turned = self.pose.locked_rotation() + self.locked.tooth_angle(tooth);
+        self.mirror * (turned + steps as f64 * self.locked.gear().toothing().angular_pitch())
+    }
+
+    /// The range of `θ_1` that can bring the contact onto the locked gear's involute.
+    ///
+    /// Whatever the free gear's rotation, `|D|` stays within `e_2` of its value for `e_2 = 0`, and
+    /// `arg D` within `asin` of their ratio; `ξ_1 = arg E_1 + ψ_b1 − θ_1` does the rest.
+    fn window(&self) -> RangeInclusive<f64> {
+        let gear = self.locked.gear();
+        let (distance, e) = (self.between.norm(), self.free.eccentricity());
+        let direction = self.between.y.atan2(self.between.x) + gear.half_base_angle();
+        let swing = (e / distance).min(1.0).asin();
+        let slack = END * gear.tip_roll();
+        let low = direction - swing + self.tangent(distance - e).0 - gear.tip_roll();
+        let high = direction + swing + self.tangent(distance + e).0 - gear.form_roll();
+        low - slack..=high + slack
+    }
+
+    /// The locked teeth to try, as steps counter-clockwise of the mating's.
+    ///
+    /// Three more at each end: a flank deviates by less than three pitches. ([`AsBuilt::new`]
+    /// keeps pitch deviations below τ/2, every tip above 0, so half a tooth's extra thickness above
+    /// −τ, and every space above 0, so the same below 5τ/2.)
+    fn steps(&self, window: &RangeInclusive<f64>) -> RangeInclusive<i64> {
+        let pitch = self.locked.gear().toothing().angular_pitch();
+        let places = |angle: &f64| {
+            // Far beyond any pose's fraction, and i64 still counts it.
+            (self.mirror * (angle - self.locked_angle(0)) / pitch).clamp(-1e15, 1e15)
+        };
+        let (one, other) = (places(window.start()), places(window.end()));
+        one.min(other).ceil() as i64 - 3..=one.max(other).floor() as i64 + 3
+    }
+
+    /// The contact of the locked tooth `steps` places on, if its `θ_1` is in the window and the contact on both involutes.
+    fn contact(&self, steps: i64, window: &RangeInclusive<f64>) -> Option<SideContact> {
+        let locked_tooth = self
+            .locked
+            .counter_clockwise(self.pose.mating().tooth(self.assembly.locked()), steps);
+        let theta = self.locked_angle(steps)
+            + self.mirror * self.locked.flank_offset(self.side, locked_tooth);
+        if !window.contains(&theta) {
+            return None;
+        }
+        let free_tooth = self.pose.facing_tooth(self.assembly, self.side, steps);
+        // Where the facing flank's tooth stands at the nominal rotation.
+        let nominal = wrapped(
+            self.mirror
+                * (self.pose.free_rotation()
+                    + self.free.tooth_angle(f64::from(free_tooth))
+                    + self.free.flank_offset(self.side, free_tooth)),
+        );
+        let (locked, free) = (self.locked.gear(), self.free.gear());
+        let (locked_base, free_base) = (locked.base_radius(), free.base_radius());
+        let rate = self.free.eccentricity() / free_base;
+        if rate >= 1.0 {
+            return None;
+        }
+        // φ = G(φ): the error after a step is at most its length times rate/(1 − rate). Done when
+        // that is below 1e-16 rad, or when steps no longer shrink: what is left is rounding, unless
+        // the base circles overlap on the way, where G need not contract and 1e-9 rad tells.
+        let (mut turn, mut last) = (0.0, f64::INFINITY);
+        loop {
+            let line = self.line(turn);
+            let locked_roll = line.direction + locked.half_base_angle() - theta;
+            let free_roll = (line.length - locked_base * locked_roll) / free_base;
+            let next = wrapped(line.direction + free.half_base_angle() - free_roll - nominal);
+            let step = (next - turn).abs();
+            turn = next;
+            if step * rate > 1e-16 * (1.0 - rate) && step < last {
+                last = step;
+                continue;
+            }
+            let counts = step * rate < 1e-9
+                && line.length > 0.0
+                && on_involute(self.locked, locked_roll)
+                && on_involute(self.free, free_roll);
+            return counts.then(|| SideContact {
+                rotation: self.pose.free_rotation() + self.mirror * turn,
+                locked_tooth,
+                free_tooth,
+                locked_roll,
+                free_roll,
+            });
+        }
+    }
+}
+
+fn on_involute(gear: &AsBuilt, roll: f64) -> bool {
+    let (form, tip) = (gear.gear().form_roll(), gear.gear().tip_roll());
+    form - END * tip <= roll && roll <= tip + END * tip
+}
+
+/// `angle` in [−π, π].
+fn wrapped(angle: f64) -> f64 {
+    angle - TAU * (angle / TAU).round()
+}

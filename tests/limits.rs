@@ -1,0 +1,126 @@
+//! Limits of a pair against the study's pairs and hand calculation. Published cases: published.rs.
+
+use gearlash::analytic::{InvolutePair, limits};
+use gearlash::gear::{AsBuilt, Blank, Face, Gear, Rack, Toothing, thickness};
+use gearlash::pair::{Assembly, Member};
+
+fn blank(teeth: u32) -> Blank {
+    Blank {
+        toothing: Toothing::new(teeth, 3.0, 20f64.to_radians()).unwrap(),
+        profile_shift: 0.0,
+        rack: Rack::ISO_53_A,
+        tip_diameter: None,
+    }
+}
+
+fn nominal(wheel: u32, pinion: u32, distance: f64) -> Assembly {
+    let gear = |teeth, face| AsBuilt::perfect(Gear::nominal(blank(teeth)).unwrap(), face);
+    Assembly::new(
+        gear(wheel, Face::Front),
+        gear(pinion, Face::Back),
+        distance,
+        Member::Wheel,
+    )
+    .unwrap()
+}
+
+/// 86/21, m 3, at 160.2 mm: clearance exactly the lower limit, K (8) content, backlash −216.426 µm by
+/// formula, and yet the wheel's tip meets the pinion's fillet, whose form radius is 29.668 mm; at
+/// 160.3 mm it no longer does. (Issue 4 of this project states the case and its digits.)
+#[test]
+fn k_8_is_content_where_the_form_circle_is_violated() {
+    let assembly = nominal(86, 21, 160.2);
+    let clearance = limits::radial_clearance(&assembly, Member::Wheel);
+    assert!((clearance - limits::LEAST_CLEARANCE * 3.0).abs() <= limits::MET_WITHIN);
+    let formula = InvolutePair::of(&assembly)
+        .circumferential_backlash(160.2)
+        .unwrap();
+    assert!((formula * 1e3 + 216.426).abs() <= 5e-4, "{formula}");
+    let form_radius = assembly.gear(Member::Pinion).gear().form_radius();
+    assert!((form_radius - 29.668).abs() <= 5e-4, "{form_radius}");
+
+    assert!(limits::non_involute_margin(&assembly, Member::Pinion) > 0.0);
+    assert!(limits::form_margin(&assembly, Member::Pinion) < 0.0);
+    let active = limits::active_root_radius(&assembly, Member::Pinion).unwrap();
+    assert!(active < form_radius);
+    assert!(limits::form_margin(&nominal(86, 21, 160.3), Member::Pinion) > 0.0);
+}
+
+/// By hand for 12/60 at 108 mm: (r_b1 + r_b2) tan 20° = 108 sin 20° = 36.9382 mm against the wheel's
+/// √(93² − 84.5723²) = 38.6849 mm and the pinion's √(21² − 16.9145²) = 12.4459 mm.
+#[test]
+fn k_8_fails_for_a_pinion_of_twelve_teeth() {
+    let assembly = nominal(60, 12, 108.0);
+    let margin = |member| limits::non_involute_margin(&assembly, member);
+    assert!((margin(Member::Pinion) + 1.7467).abs() < 1e-4);
+    assert!((margin(Member::Wheel) - 24.4923).abs() < 1e-4);
+    assert_eq!(limits::active_root_radius(&assembly, Member::Pinion), None);
+}
+
+/// The usable path by hand: between the tips, but no deeper than each form circle.
+#[test]
+fn form_circles_shorten_the_path_of_contact() {
+    for (wheel, pinion, distance, shorter) in [
+        (44, 44, 132.0, false),
+        (86, 21, 160.2, true),
+        (60, 12, 108.0, true),
+    ] {
+        let assembly = nominal(wheel, pinion, distance);
+        let gear = |member| assembly.gear(member).gear();
+        let along = |member: Member, roll: f64| gear(member).base_radius() * roll;
+        let (w, p) = (Member::Wheel, Member::Pinion);
+        // Along the line of action from the wheel's base circle.
+        let length = limits::base_tangent(&assembly);
+        let start = (length - along(p, gear(p).tip_roll())).max(along(w, gear(w).form_roll()));
+        let end = along(w, gear(w).tip_roll()).min(length - along(p, gear(p).form_roll()));
+        let expected = (end - start) / gear(w).toothing().base_pitch();
+        let usable = limits::usable_contact_ratio(&assembly);
+        assert!((usable - expected).abs() < 1e-13, "{usable} {expected}");
+        assert_eq!(usable < limits::contact_ratio(&assembly), shorter);
+    }
+}
+
+/// Tables 3 and 4 at most material, K (15)–(17).
+#[test]
+fn zero_backlash_distance_of_the_rig_from_its_spans() {
+    let gear = |span, face| {
+        let blank = blank(44);
+        let base = thickness::base_from_span(&blank.toothing, 6, span);
+        AsBuilt::perfect(Gear::new(blank, base).unwrap(), face)
+    };
+    let assembly = Assembly::new(
+        gear(50.561, Face::Front),
+        gear(50.567, Face::Back),
+        132.1,
+        Member::Wheel,
+    )
+    .unwrap();
+    let zero = limits::zero_backlash_distance(&assembly).unwrap();
+    // The nominal W_6 = m cos α (5.5 π + z inv α) is 50.55884 mm: these spans are 2.16 and 8.16 µm
+    // longer, and dj_bt/da = 2 sin α puts a_0 0.01033/(2 sin 20°) = 0.0151 mm beyond 132.
+    assert!((zero - 132.0151).abs() < 3e-4, "{zero}");
+    assert!((limits::radial_backlash(&assembly).unwrap() - (132.1 - zero)).abs() < 1e-15);
+    let drawing = limits::nominal_zero_backlash_distance(&assembly).unwrap();
+    assert!((drawing - 132.0).abs() < 1e-12, "{drawing}");
+}
+
+/// s_a = d_a (π/(2 z) + inv α − inv α_a), evaluated apart for z 44, m 3: 2.301882517 mm.
+#[test]
+fn tip_thickness_of_the_rig_gear() {
+    let gear = Gear::nominal(blank(44)).unwrap();
+    assert!((limits::tip_thickness(&gear) - 2.301882517047529).abs() < 1e-13);
+}
+
+/// Base circles that touch leave no play-free distance to teeth this thin.
+#[test]
+fn no_zero_backlash_distance_for_very_thin_teeth() {
+    let gear = |face| {
+        let blank = blank(44);
+        let base = blank.nominal_base_thickness() - 2.0;
+        AsBuilt::perfect(Gear::new(blank, base).unwrap(), face)
+    };
+    let assembly =
+        Assembly::new(gear(Face::Front), gear(Face::Back), 130.0, Member::Wheel).unwrap();
+    assert_eq!(limits::zero_backlash_distance(&assembly), None);
+    assert_eq!(limits::radial_backlash(&assembly), None);
+}

@@ -4,3 +4,4 @@ pub mod error;
 pub mod gear;
 pub mod mesh;
 pub mod pair;
+pub mod render;

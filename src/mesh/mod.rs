@@ -3,8 +3,8 @@
 mod contact;
 mod lost_motion;
 mod polygon;
-mod sweep;
+mod scene;
 
 pub use lost_motion::{Contact, LostMotion, Status, Touch};
 pub use polygon::{CutGear, PolygonKernel};
-pub use sweep::{CutPair, SweptPose, sweep};
+pub use scene::{Drawn, LineOfAction, Meeting, Scene};

@@ -1,0 +1,116 @@
+//! A gear where it stands in the picture: its centre, its teeth, its outline round a place.
+
+use super::{AsBuilt, Curve, HalfTooth, Segment, Side};
+use nalgebra::{Point2, UnitComplex};
+use std::f64::consts::PI;
+
+/// A gear on its axis, turned.
+#[derive(Debug, Clone, Copy)]
+pub struct Placed<'a> {
+    as_built: &'a AsBuilt,
+    axis: Point2<f64>,
+    tooth_1: f64,
+}
+
+impl<'a> Placed<'a> {
+    /// `as_built` on `axis` (mm), the undisturbed centre of its tooth 1 turned to the direction `tooth_1`, rad.
+    pub fn new(as_built: &'a AsBuilt, axis: Point2<f64>, tooth_1: f64) -> Placed<'a> {
+        Placed {
+            as_built,
+            axis,
+            tooth_1,
+        }
+    }
+
+    /// The gear.
+    pub fn as_built(&self) -> &'a AsBuilt {
+        self.as_built
+    }
+
+    /// The same gear turned on by `angle`, rad.
+    pub fn turned(&self, angle: f64) -> Placed<'a> {
+        Placed::new(self.as_built, self.axis, self.tooth_1 + angle)
+    }
+
+    /// Rotation axis, mm.
+    pub fn axis(&self) -> Point2<f64> {
+        self.axis
+    }
+
+    /// Centre of the outline, beside the axis by the eccentricity, mm.
+    pub fn centre(&self) -> Point2<f64> {
+        self.axis + self.as_built.displacement(self.tooth_1)
+    }
+
+    /// Direction of a tooth's undisturbed centre as seen from [`Placed::centre`], rad.
+    pub fn direction(&self, tooth: u32) -> f64 {
+        self.tooth_1 + self.as_built.tooth_angle(f64::from(tooth))
+    }
+
+    /// The teeth that reach into the disc of radius `reach` (mm) about `place`, and some beside
+    /// them, counter-clockwise. All `z` when the disc holds the centre or reaches round it.
+    pub fn teeth_near(&self, place: Point2<f64>, reach: f64) -> Vec<u32> {
+        let toothing = self.as_built.gear().toothing();
+        let pitch = toothing.angular_pitch();
+        let to_place = place - self.centre();
+        let distance = to_place.norm();
+        // Two pitches more: half a tooth, half a pitch a flank may be off its place, and one to spare.
+        let half_angle = if distance > reach {
+            (reach / distance).asin() + 2.0 * pitch
+        } else {
+            PI
+        };
+        let teeth = i64::from(toothing.teeth());
+        if half_angle >= PI {
+            return (0..teeth)
+                .map(|step| self.as_built.counter_clockwise(1, step))
+                .collect();
+        }
+        let from_1 = to_place.y.atan2(to_place.x) - self.tooth_1;
+        let first = ((from_1 - half_angle) / pitch).ceil() as i64;
+        let last = ((from_1 + half_angle) / pitch).floor() as i64;
+        (first..=last.min(first + teeth - 1))
+            .map(|step| self.as_built.counter_clockwise(1, step))
+            .collect()
+    }
+
+    /// A closed counter-clockwise polygon, mm, that is the gear's metal within the disc of radius `reach` about `place`.
+    ///
+    /// Every chord of the outline is within `chord` mm of its curve. Where not
+    /// all teeth are needed the polygon is closed through the gear's centre, outside the disc.
+    pub fn outline_near(&self, place: Point2<f64>, reach: f64, chord: f64) -> Vec<Point2<f64>> {
+        let teeth = self.teeth_near(place, reach);
+        let [right, left] =
+            Side::BOTH.map(|side| HalfTooth::new(self.as_built.gear(), side, chord));
+        let mut outline = Vec::new();
+        for &tooth in &teeth {
+            let points = right.points().iter().rev();
+            outline.extend(points.map(self.place(Side::Right, tooth)));
+            let points = left.points().iter();
+            outline.extend(points.map(self.place(Side::Left, tooth)));
+        }
+        if teeth.len() < self.as_built.gear().toothing().teeth() as usize {
+            outline.push(self.centre());
+        }
+        outline
+    }
+
+    /// A flank from the tip corner to the root land: involute and fillet, mm, chords within `chord` mm.
+    pub fn flank(&self, side: Side, tooth: u32, chord: f64) -> Vec<Point2<f64>> {
+        let half = HalfTooth::new(self.as_built.gear(), side, chord);
+        let is_land = |segment: &Segment| matches!(segment.curve, Curve::Tip | Curve::Root);
+        let segments = half.segments();
+        let first = segments.iter().take_while(|s| is_land(s)).count();
+        let last = segments.len() - segments.iter().rev().take_while(|s| is_land(s)).count();
+        let points = half.points()[first..=last].iter();
+        points.map(self.place(side, tooth)).collect()
+    }
+
+    /// From the frame of a tooth to the picture, for the half tooth of `side`.
+    fn place(&self, side: Side, tooth: u32) -> impl Fn(&Point2<f64>) -> Point2<f64> + use<> {
+        let offset = self.as_built.flank_offset(side, tooth);
+        let turn = UnitComplex::new(self.direction(tooth) + offset);
+        let centre = self.centre();
+        move |point| centre + turn * point.coords
+    }
+}

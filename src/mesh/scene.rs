@@ -1,0 +1,225 @@
+//! What a picture of one pose shows, in mm of the picture frame: both gears where they stand,
+//! their contacts, the lines of action.
+//!
+//! The free gear is drawn in contact on the mating's flank, so that all of the
+//! lost motion lies open on the other side. A pose without lost motion is drawn at the nominal rotation.
+
+use super::{Contact, LostMotion, Status};
+use crate::gear::{Placed, Side};
+use crate::pair::{Assembly, Member, Pose};
+use nalgebra::{Point2, Rotation2, UnitComplex, Vector2};
+use std::f64::consts::TAU;
+
+/// Where the free gear is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Drawn {
+    /// In contact on this flank.
+    AtContact(Side),
+    /// At the pose's nominal rotation, for want of a lost motion.
+    Nominal,
+}
+
+/// The two points of a contact, apart unless the gears are drawn in that contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Meeting {
+    /// The flanks that meet.
+    pub side: Side,
+    /// The contact they meet in.
+    pub contact: Contact,
+    /// The locked gear's point, mm.
+    pub on_locked: Point2<f64>,
+    /// The free gear's point as drawn, mm.
+    pub on_free: Point2<f64>,
+    /// Unit normal out of the locked gear's metal.
+    pub normal: Vector2<f64>,
+    /// Turn of the free gear from here to the contact, rad, counter-clockwise; 0 when drawn in it.
+    pub turn: f64,
+    /// The same as a length along the free gear's base circle, mm; negative where the flanks overlap.
+    pub gap: f64,
+}
+
+/// The line on which involutes touch on one side: the common tangent of both base circles.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LineOfAction {
+    /// Its flanks.
+    pub side: Side,
+    /// Where it touches the wheel's and the pinion's base circle, mm.
+    pub ends: [Point2<f64>; 2],
+    /// The path of contact, between the tip circles; `None` out of mesh.
+    pub path: Option<[Point2<f64>; 2]>,
+}
+
+/// The pose as drawn.
+#[derive(Debug, Clone)]
+pub struct Scene<'a> {
+    assembly: &'a Assembly,
+    wheel: Placed<'a>,
+    pinion: Placed<'a>,
+    drawn: Drawn,
+    meetings: Vec<Meeting>,
+    lost_motion: &'a LostMotion,
+}
+
+impl<'a> Scene<'a> {
+    /// The scene of `pose` with its `lost_motion`.
+    pub fn new(assembly: &'a Assembly, pose: &Pose, lost_motion: &'a LostMotion) -> Scene<'a> {
+        let flank = pose.mating().flank;
+        let on = |side| match side {
+            Side::Right => lost_motion.right,
+            Side::Left => lost_motion.left,
+        };
+        let (drawn, rotation) = match (lost_motion.angle(), on(flank)) {
+            (Some(_), Some(contact)) => (Drawn::AtContact(flank), contact.rotation),
+            _ => (Drawn::Nominal, pose.free_rotation()),
+        };
+        let place = |member| {
+            let turned = match member == assembly.locked() {
+                true => pose.locked_rotation(),
+                false => rotation,
+            };
+            Placed::new(
+                assembly.gear(member),
+                assembly.axis(member),
+                assembly.mate_direction(member) + turned,
+            )
+        };
+        Scene {
+            assembly,
+            wheel: place(Member::Wheel),
+            pinion: place(Member::Pinion),
+            drawn,
+            meetings: Side::BOTH
+                .into_iter()
+                .filter_map(|side| Some(Meeting::new(assembly, side, on(side)?, rotation)))
+                .collect(),
+            lost_motion,
+        }
+    }
+
+    /// The pair.
+    pub fn assembly(&self) -> &'a Assembly {
+        self.assembly
+    }
+
+    /// One of the gears as it stands.
+    pub fn placed(&self, member: Member) -> &Placed<'a> {
+        match member {
+            Member::Wheel => &self.wheel,
+            Member::Pinion => &self.pinion,
+        }
+    }
+
+    /// Where the free gear is drawn.
+    pub fn drawn(&self) -> Drawn {
+        self.drawn
+    }
+
+    /// The contacts there are, right first.
+    pub fn meetings(&self) -> &[Meeting] {
+        &self.meetings
+    }
+
+    /// The room between the two flanks of `meeting`, a closed polygon in mm with chords within
+    /// `chord` mm; empty where they overlap.
+    ///
+    /// Of each flank it takes what lies inside the mate's tip circle once they are in contact.
+    pub fn room_between(&self, meeting: &Meeting, chord: f64) -> Vec<Point2<f64>> {
+        if meeting.gap <= 0.0 {
+            return Vec::new();
+        }
+        let at_contact = |member| match member == self.assembly.free() {
+            true => self.placed(member).turned(meeting.turn),
+            false => *self.placed(member),
+        };
+        let flank = |member: Member, tooth| {
+            let (placed, mate) = (at_contact(member), at_contact(member.mate()));
+            let tip = mate.as_built().gear().tip_radius();
+            let is_inside = |point: &Point2<f64>| (point - mate.centre()).norm() <= tip;
+            let met = placed.flank(meeting.side, tooth, chord);
+            let drawn = self.placed(member).flank(meeting.side, tooth, chord);
+            let pairs = drawn.into_iter().zip(met);
+            pairs
+                .filter(|(_, met)| is_inside(met))
+                .map(|(drawn, _)| drawn)
+                .collect::<Vec<_>>()
+        };
+        // Both run from tip to root, and each one's tip is near the other's root.
+        let mut room = flank(Member::Wheel, meeting.contact.wheel.tooth);
+        room.extend(flank(Member::Pinion, meeting.contact.pinion.tooth));
+        room
+    }
+
+    /// How the pose ended.
+    pub fn status(&self) -> Status {
+        self.lost_motion.status()
+    }
+
+    /// Circumferential backlash `j_wt = φ_j r_w` of the free gear and the bound on its error, mm.
+    pub fn circumferential_backlash(&self) -> Option<(f64, f64)> {
+        let radius = self.assembly.operating_pitch_radius(self.assembly.free());
+        Some((
+            self.lost_motion.angle()? * radius,
+            self.lost_motion.error()? * radius,
+        ))
+    }
+
+    /// The operating pitch point, mm.
+    pub fn pitch_point(&self) -> Point2<f64> {
+        Point2::new(self.assembly.operating_pitch_radius(Member::Wheel), 0.0)
+    }
+
+    /// The line of action of `side`; `None` where eccentric base circles overlap.
+    ///
+    /// The centres lie `D` apart; the tangent that crosses between the circles leaves each at
+    /// the angle `acos((r_b1 + r_b2)/D)` from the centres' line: towards +y on the wheel for
+    /// right flanks, whose normal out of the wheel points clockwise. A tip circle cuts it `√(r_a² − r_b²)` from its own end.
+    pub fn line_of_action(&self, side: Side) -> Option<LineOfAction> {
+        let between = self.pinion.centre() - self.wheel.centre();
+        let distance = between.norm();
+        let [(base_1, reach_1), (base_2, reach_2)] = [&self.wheel, &self.pinion].map(|placed| {
+            let gear = placed.as_built().gear();
+            (gear.base_radius(), gear.base_radius() * gear.tip_roll())
+        });
+        let bases = base_1 + base_2;
+        if distance <= bases {
+            return None;
+        }
+        let radial =
+            UnitComplex::new(-side.sense() * (bases / distance).acos()) * (between / distance);
+        let ends = [
+            self.wheel.centre() + base_1 * radial,
+            self.pinion.centre() - base_2 * radial,
+        ];
+        let length = ((distance - bases) * (distance + bases)).sqrt();
+        let (from, to) = ((length - reach_2).max(0.0), reach_1.min(length));
+        let at = |s: f64| ends[0] + (ends[1] - ends[0]) * (s / length);
+        Some(LineOfAction {
+            side,
+            ends,
+            path: (from < to).then(|| [at(from), at(to)]),
+        })
+    }
+}
+
+impl Meeting {
+    fn new(assembly: &Assembly, side: Side, contact: Contact, rotation: f64) -> Meeting {
+        let turn = contact.rotation - rotation;
+        let turn = turn - TAU * (turn / TAU).round();
+        let free = assembly.axis(assembly.free());
+        Meeting {
+            side,
+            contact,
+            on_locked: contact.point,
+            on_free: match turn {
+                0.0 => contact.point,
+                _ => free + Rotation2::new(-turn) * (contact.point - free),
+            },
+            normal: match assembly.locked() {
+                Member::Wheel => contact.normal,
+                Member::Pinion => -contact.normal,
+            },
+            turn,
+            gap: side.sense() * turn * assembly.gear(assembly.free()).gear().base_radius(),
+        }
+    }
+}

@@ -1,0 +1,105 @@
+//! What the lines, marks and colours mean.
+
+use super::gears::{BASE_DASH, CENTRES_DASH, PITCH_DASH};
+use super::labels;
+use super::marks::{arrow, dot};
+use super::page::{ACTION, Frame, GAP, GREY, INK, OVERLAP, PATH, Spot, line, text};
+use svg::node::Node;
+use svg::node::element::Group;
+
+/// Room for a sample, units of the sheet.
+const SAMPLE: f64 = 36.0;
+
+/// Rows of samples with their names, no wider than `room`, the first sample's left end at `at`;
+/// the colours of `gap` and `overlap` where there is one.
+pub fn draw(at: Spot, room: f64, gap: bool, overlap: bool) -> Group {
+    let dashed = |x: f64, y: f64, dash: &str| {
+        Group::new().add(line(&[[x, y], [x + SAMPLE, y]], GREY, 1.1).set("stroke-dasharray", dash))
+    };
+    let swatch = |x: f64, y: f64, fills: &[&str]| {
+        let frame = Frame {
+            left: x + 4.0,
+            top: y - 6.0,
+            right: x + SAMPLE - 4.0,
+            bottom: y + 6.0,
+        };
+        fills.iter().fold(Group::new(), |group, fill| {
+            group.add(
+                frame
+                    .rectangle()
+                    .set("fill", *fill)
+                    .set("stroke", INK)
+                    .set("stroke-width", "0.80"),
+            )
+        })
+    };
+    type Sample<'a> = Box<dyn Fn(f64, f64) -> Group + 'a>;
+    let mut samples: Vec<(&str, Sample)> = vec![
+        (
+            "contact, normal out of the locked gear",
+            Box::new(|x, y| {
+                Group::new()
+                    .add(arrow([x + 5.0, y], [x + SAMPLE, y], 1.8))
+                    .add(dot([x + 5.0, y], 4.0, true))
+            }),
+        ),
+        (
+            "points that meet as the free gear turns",
+            Box::new(|x, y| {
+                Group::new().add(dot([x + 8.0, y], 4.0, false)).add(dot(
+                    [x + SAMPLE - 8.0, y],
+                    4.0,
+                    false,
+                ))
+            }),
+        ),
+        (
+            "line of action, path of contact",
+            Box::new(|x, y| {
+                Group::new()
+                    .add(line(&[[x + 8.0, y], [x + SAMPLE - 8.0, y]], PATH, 6.0))
+                    .add(line(&[[x, y], [x + SAMPLE, y]], ACTION, 1.2))
+            }),
+        ),
+        ("gap", Box::new(|x, y| swatch(x, y, &[GAP]))),
+        (
+            "overlap",
+            Box::new(|x, y| swatch(x, y, &[OVERLAP, "url(#hatch)"])),
+        ),
+        (
+            "operating pitch circle",
+            Box::new(|x, y| dashed(x, y, PITCH_DASH)),
+        ),
+        ("base circle", Box::new(|x, y| dashed(x, y, BASE_DASH))),
+        (
+            "line of centres",
+            Box::new(|x, y| dashed(x, y, CENTRES_DASH)),
+        ),
+    ];
+    samples.retain(|(name, _)| match *name {
+        "gap" => gap,
+        "overlap" => overlap,
+        _ => true,
+    });
+    let mut group = Group::new();
+    let [mut x, mut y] = at;
+    for (name, sample) in &samples {
+        let width = SAMPLE + 8.0 + labels::width(name, 13.0);
+        if x + width > at[0] + room {
+            [x, y] = [at[0], y + 25.0];
+        }
+        let mut words = text(name, [x + SAMPLE + 8.0, y + 4.5], 13.0, true);
+        words.assign("fill", INK);
+        group = group.add(sample(x, y)).add(words);
+        x += width + 16.0;
+    }
+    let mut note = text(
+        "scales hold in print on A4",
+        [at[0] + room, y + 4.5],
+        13.0,
+        true,
+    );
+    note.assign("text-anchor", "end");
+    note.assign("fill", GREY);
+    group.add(note)
+}

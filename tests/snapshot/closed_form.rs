@@ -1,0 +1,106 @@
+//! Perfect gears, whose lost motion stands in closed form.
+
+use gearlash::gear::{AsBuilt, Blank, Curve, Face, Gear, Rack, Side, Toothing, involute};
+use gearlash::mesh::{Contact, LostMotion, Touch};
+use gearlash::pair::{Assembly, Mating, Member, Pose};
+use nalgebra::{Point2, UnitComplex, Vector2};
+use std::f64::consts::TAU;
+
+/// A pair of full-depth gears of 20°, wheel front, pinion back.
+pub fn pair(teeth: [u32; 2], module: f64, center_distance: f64, locked: Member) -> Assembly {
+    let [wheel, pinion] = teeth.map(|teeth| {
+        Gear::nominal(Blank {
+            toothing: Toothing::new(teeth, module, 20f64.to_radians()).unwrap(),
+            profile_shift: 0.0,
+            rack: Rack::ISO_53_A,
+            tip_diameter: None,
+        })
+        .unwrap()
+    });
+    Assembly::new(
+        AsBuilt::perfect(wheel, Face::Front),
+        AsBuilt::perfect(pinion, Face::Back),
+        center_distance,
+        locked,
+    )
+    .unwrap()
+}
+
+/// A pose.
+pub fn pose(assembly: &Assembly, teeth: [u32; 2], flank: Side, fraction: f64) -> Pose {
+    let mating = Mating {
+        wheel_tooth: teeth[0],
+        pinion_tooth: teeth[1],
+        flank,
+        fraction,
+    };
+    Pose::new(assembly, mating)
+}
+
+/// `j_bn = p_b − s_b1 − s_b2 + 2 (r_b1 + r_b2) inv α_wt`, mm (design section 5, model 2).
+pub fn j_bn(assembly: &Assembly) -> f64 {
+    let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|m| assembly.gear(m).gear());
+    wheel.toothing().base_pitch() - wheel.base_thickness() - pinion.base_thickness()
+        + 2.0
+            * (wheel.base_radius() + pinion.base_radius())
+            * involute::inv(assembly.operating_pressure_angle())
+}
+
+/// Lost motion of perfect gears. Both contacts lie on the lines of action; the mating's flanks meet at
+/// the nominal rotation, `j_bn` lies open on the other side. Of the pairs that tie, the one nearest the pitch point.
+pub fn lost_motion(assembly: &Assembly, pose: &Pose) -> LostMotion {
+    let flank = pose.mating().flank;
+    let free = assembly.gear(assembly.free()).gear();
+    let contact = |side: Side| {
+        let open = side.sense() * j_bn(assembly) / free.base_radius();
+        let turn = if side == flank { 0.0 } else { open };
+        contact(assembly, pose, side, pose.free_rotation() + turn)
+    };
+    LostMotion {
+        right: Some(contact(Side::Right)),
+        left: Some(contact(Side::Left)),
+    }
+}
+
+fn contact(assembly: &Assembly, pose: &Pose, side: Side, rotation: f64) -> Contact {
+    let alpha = assembly.operating_pressure_angle();
+    let touch = |member: Member| {
+        let as_built = assembly.gear(member);
+        let gear = as_built.gear();
+        let turned = if member == assembly.locked() {
+            pose.locked_rotation()
+        } else {
+            rotation
+        };
+        // The flank of a tooth whose centre stands at θ starts on the base circle at θ ± ψ_b and
+        // crosses its line of action, which leaves the base circle at ∓α, at the roll ξ = α + ψ_b ± θ.
+        let roll = |tooth: u32| {
+            let theta = turned + as_built.tooth_angle(f64::from(tooth));
+            let theta = theta - (theta / TAU).round() * TAU;
+            alpha + gear.half_base_angle() + side.sense() * theta
+        };
+        let off = |tooth: u32| (roll(tooth) - alpha.tan()).abs();
+        let tooth = (1..=gear.toothing().teeth())
+            .min_by(|a, b| off(*a).total_cmp(&off(*b)))
+            .unwrap();
+        let touch = Touch {
+            tooth,
+            curve: Curve::Involute,
+            radius: involute::radius_at(roll(tooth), gear.base_radius()),
+        };
+        (touch, roll(tooth) * gear.base_radius())
+    };
+    let (wheel, along) = touch(Member::Wheel);
+    let (pinion, _) = touch(Member::Pinion);
+    let radial = UnitComplex::new(-side.sense() * alpha) * Vector2::x();
+    let normal = side.sense() * Vector2::new(-radial.y, radial.x);
+    let base = assembly.gear(Member::Wheel).gear().base_radius();
+    Contact {
+        rotation,
+        error: 1e-9,
+        wheel,
+        pinion,
+        point: Point2::from(base * radial + along * normal),
+        normal,
+    }
+}

@@ -1,5 +1,7 @@
 //! gearlash
 pub mod error;
 pub mod gear;
+pub mod input;
 pub mod mesh;
 pub mod pair;
+pub mod study;

@@ -51,7 +51,7 @@ impl Drawing<'_> {
                 };
                 let key = match AsBuilt::new(gear.clone(), face, &thickness_alone) {
                     Err(_) => "thickness.per_tooth_um",
-                    Ok(_) => "pitch.right_um",
+                    Ok(_) => "pitch",
                 };
                 let way_out = "check unit (µm) and sign of the values";
                 self.table.problem(key, error.to_string(), way_out)

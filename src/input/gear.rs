@@ -160,8 +160,20 @@ impl GearPart {
         };
         self.as_built = Some(drawing.as_built(&gears, face, &deviations, problems)?);
 
-        let mut echo = json!({
-            "teeth": teeth,
+        let mut echo = self.echo_of(&drawing, face, &runout);
+        echo["thickness"]["per_tooth_um"] = json!(per_tooth);
+        if let Some(Some(sheet)) = sheet {
+            echo["pitch"] = sheet.echo();
+        }
+        self.echo = Some(echo);
+        Some(())
+    }
+
+    /// As in the pair file, without the lists of one value a tooth.
+    fn echo_of(&self, drawing: &Drawing, face: Face, runout: &Runout) -> Value {
+        let blank = &drawing.blank;
+        json!({
+            "teeth": self.teeth,
             "module_mm": self.module_mm,
             "pressure_angle_deg": self.pressure_angle_deg,
             "profile_shift": blank.profile_shift,
@@ -174,13 +186,7 @@ impl GearPart {
             },
             "thickness": drawing.statement.echo(),
             "runout": runout.echo(),
-        });
-        echo["thickness"]["per_tooth_um"] = json!(per_tooth);
-        if let Some(Some(sheet)) = sheet {
-            echo["pitch"] = sheet.echo();
-        }
-        self.echo = Some(echo);
-        Some(())
+        })
     }
 }
 

@@ -1,15 +1,16 @@
 //! From a pair file to a [`Study`]: every key of the interface, every problem at once.
 //!
-//! A file becomes a tree of values ([`source`], [`node`]); each table is read
-//! by type and range ([`table`], [`entry`]); what is good goes on to the
-//! geometry, whose refusals are traced back to the keys they come from
-//! ([`faults`]). Nothing here computes what a gear is.
+//! A file becomes a tree of values (`source`, `node`); each table is read by
+//! type and range (`table`, `entry`); what is good goes on to the geometry,
+//! whose refusals are traced back to the keys they come from (`faults`).
+//! Nothing here computes what a gear is.
 
 mod assembly;
 mod entry;
 mod faults;
 mod gear;
 mod measured;
+mod measured_row;
 mod nearest;
 mod node;
 mod options;

@@ -61,20 +61,11 @@ impl Sweep {
             return None;
         }
         let mut alone = Some(());
-        for (name, mate, there, example) in [
-            ("fraction", "mating", with_mating, "mating = [[1, 1]]"),
-            (
-                "steps_per_pitch",
-                "revolutions",
-                with_revolutions,
-                "revolutions = \"wheel\"",
-            ),
-            (
-                "start",
-                "revolutions",
-                with_revolutions,
-                "revolutions = \"wheel\"",
-            ),
+        let revolutions = ("revolutions", with_revolutions, "revolutions = \"wheel\"");
+        for (name, (mate, there, example)) in [
+            ("fraction", ("mating", with_mating, "mating = [[1, 1]]")),
+            ("steps_per_pitch", revolutions),
+            ("start", revolutions),
         ] {
             if table.has(name) && !there {
                 problems.add(table.problem(
@@ -89,7 +80,7 @@ impl Sweep {
             let matings = matings(&table, teeth, problems);
             let fractions = fractions(&table, problems);
             alone?;
-            Sweep::of_matings(matings?, fractions?)
+            Some(Sweep::of_matings(matings?, fractions?))
         } else if with_revolutions || !file.has("sweep") {
             let revolution = table.choice_or_first("revolutions", &REVOLUTIONS, problems);
             let steps = match table.optional("steps_per_pitch") {
@@ -104,7 +95,8 @@ impl Sweep {
                 absent => absent.map(|_| (1, 1)),
             };
             alone?;
-            Sweep::of_revolution(revolution?, steps?, start?, (teeth.0?, teeth.1?))
+            let teeth = (teeth.0?, teeth.1?);
+            Some(Sweep::of_revolution(revolution?, steps?, start?, teeth))
         } else {
             alone?;
             table.need("mating", "one of `mating` and `revolutions`", problems);
@@ -112,11 +104,11 @@ impl Sweep {
         }
     }
 
-    fn of_matings(matings: Vec<(u32, u32)>, fractions: Vec<f64>) -> Option<Sweep> {
-        Some(Sweep {
+    fn of_matings(matings: Vec<(u32, u32)>, fractions: Vec<f64>) -> Sweep {
+        Sweep {
             echo: json!({ "mating": matings, "fraction": fractions }),
             plan: SweepPlan::Matings { matings, fractions },
-        })
+        }
     }
 
     fn of_revolution(
@@ -124,19 +116,19 @@ impl Sweep {
         steps_per_pitch: u32,
         start: (u32, u32),
         (wheel, pinion): (u32, u32),
-    ) -> Option<Sweep> {
+    ) -> Sweep {
         let (name, pitches) = match revolution {
             Revolutions::Wheel => ("wheel", u64::from(wheel)),
             Revolutions::Hunting => ("hunting", SweepPlan::hunting_pitches(wheel, pinion)),
         };
-        Some(Sweep {
+        Sweep {
             echo: json!({ "revolutions": name, "steps_per_pitch": steps_per_pitch, "start": start }),
             plan: SweepPlan::Revolution {
                 pitches,
                 steps_per_pitch,
                 start,
             },
-        })
+        }
     }
 }
 

@@ -166,8 +166,8 @@ fn deviations_that_leave_no_tip_or_no_space() {
             list(20, "0")
         )),
         &[problem(
-            "wheel.pitch.right_um",
-            "[4200",
+            "wheel.pitch",
+            "kind = \"cumulative\"",
             &["above 0"],
             "unit",
         )],

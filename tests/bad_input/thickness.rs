@@ -166,6 +166,23 @@ fn pin_below_the_tip() {
     );
 }
 
+/// A 5 mm pin reaches down to 56.5352; a dedendum of 0.3 leaves a root of 60 − 2 · 0.9 = 58.2.
+#[test]
+fn pin_in_the_root() {
+    expect(
+        &wheel(
+            "rack = { dedendum = 0.3, root_radius = 0 }\n\
+             thickness.over_pins = { pin_mm = 5, mm = 66.53522592287428 }",
+        ),
+        &[problem(
+            "wheel.thickness.over_pins.pin_mm",
+            "5",
+            &["diameter 56.5352 mm", "root circle 58.2000 mm"],
+            "over pins of about",
+        )],
+    );
+}
+
 #[test]
 fn pins_inside_the_base_circle() {
     expect(

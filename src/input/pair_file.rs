@@ -97,8 +97,6 @@ impl<'a> PairFile<'a> {
             "wheel": self.wheel.echo?,
             "pinion": self.pinion.echo?,
             "assembly": AssemblyPart::echo(&center_distances, locked, &bearings),
-            "accuracy": accuracy.echo(),
-            "compare": compare.echo(),
         });
         if let Some(measured) = &measured {
             echo["measured"] = measured.echo();
@@ -106,6 +104,8 @@ impl<'a> PairFile<'a> {
         if let Some(sweep) = &sweep {
             echo["sweep"] = sweep.echo.clone();
         }
+        echo["accuracy"] = accuracy.echo();
+        echo["compare"] = compare.echo();
         Some(Study {
             title,
             stem: self.stem,

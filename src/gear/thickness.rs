@@ -62,6 +62,17 @@ pub fn pins_from_base(toothing: &Toothing, pin: f64, base_thickness: f64) -> f64
     2.0 * opposite(toothing) * pin_centre_radius(toothing, pin, base_thickness) + pin
 }
 
+/// Diameter `D_M` of the pin that touches the flanks of a space at roll `ξ`, between teeth of `base_thickness`.
+///
+/// The pin's centre has the roll `ξ_K = ξ + D_M/d_b` and `inv α_K = ξ_K − atan ξ_K =
+/// (D_M − p_b + s_b)/d_b`, so `atan ξ_K = ξ + (p_b − s_b)/d_b`. No pin (not positive,
+/// or not finite) where that is a right angle or more.
+pub fn pin_touching(toothing: &Toothing, roll: f64, base_thickness: f64) -> f64 {
+    let base_diameter = 2.0 * toothing.base_radius();
+    let centre = (roll + (toothing.base_pitch() - base_thickness) / base_diameter).tan();
+    base_diameter * (centre - roll)
+}
+
 /// `s_b` from the thickness allowance `A_s` (transverse, at the reference circle): `s_b,nominal + A_s cos α`.
 pub fn base_from_allowance(toothing: &Toothing, nominal_base: f64, allowance: f64) -> f64 {
     nominal_base + allowance * toothing.pressure_angle().cos()

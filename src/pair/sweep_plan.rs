@@ -44,16 +44,37 @@ impl SweepPlan {
         steps_per_pitch: u32,
         start: (u32, u32),
     ) -> SweepPlan {
-        let wheel = u64::from(teeth(assembly, Member::Wheel));
-        let pinion = u64::from(teeth(assembly, Member::Pinion));
+        SweepPlan::Revolution {
+            pitches: SweepPlan::hunting_pitches(
+                teeth(assembly, Member::Wheel),
+                teeth(assembly, Member::Pinion),
+            ),
+            steps_per_pitch,
+            start,
+        }
+    }
+
+    /// Pitches of a hunting cycle: lcm(z_1, z_2).
+    pub fn hunting_pitches(wheel_teeth: u32, pinion_teeth: u32) -> u64 {
+        let (wheel, pinion) = (u64::from(wheel_teeth), u64::from(pinion_teeth));
         let (mut a, mut b) = (wheel, pinion);
         while b != 0 {
             (a, b) = (b, a % b);
         }
-        SweepPlan::Revolution {
-            pitches: wheel / a * pinion,
-            steps_per_pitch,
-            start,
+        wheel / a.max(1) * pinion
+    }
+
+    /// Number of poses of one run.
+    pub fn poses(&self) -> u64 {
+        match self {
+            SweepPlan::Matings { matings, fractions } => {
+                2 * matings.len() as u64 * fractions.len() as u64
+            }
+            SweepPlan::Revolution {
+                pitches,
+                steps_per_pitch,
+                ..
+            } => pitches * u64::from(*steps_per_pitch),
         }
     }
 

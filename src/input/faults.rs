@@ -1,0 +1,201 @@
+//! Which key of a gear's table a [`GearError`] comes from, and the way out.
+
+use super::problems::Problems;
+use super::stated::Stated;
+use super::table::Table;
+use super::thickness::Statement;
+use crate::error::{GearError, Problem};
+use crate::gear::{AsBuilt, Blank, Deviations, Face, Gear, thickness};
+
+/// A gear as drawn, and the table that drew it.
+pub struct Drawing<'a> {
+    /// `[wheel]` or `[pinion]`.
+    pub table: &'a Table<'a>,
+    /// What it says of the blank, the tip diameter filled in.
+    pub blank: Blank,
+    /// What it says of the thickness.
+    pub statement: Statement,
+}
+
+impl Drawing<'_> {
+    /// The gear in one or both materials, its thickness measurement checked against it.
+    pub fn gears(&self, problems: &mut Problems) -> Option<Stated<Gear>> {
+        let blank = &self.blank;
+        let round = blank.rack.check_tip_round(&blank.toothing);
+        problems.keep(round.map_err(|error| self.fault(error)))?;
+        let base = self.statement.base_thickness(blank);
+        let base = problems.keep(base.map_err(|error| self.pins_inside_base(error)))?;
+        let gears = base.try_map(|&base| Gear::new(*blank, base));
+        let gears = problems.keep(gears.map_err(|error| self.fault(error)))?;
+        let checked = gears.try_map(|gear| {
+            let check = self.statement.check(gear);
+            check.map_err(|error| self.off_involute(error, gear))
+        });
+        problems.keep(checked)?;
+        Some(gears)
+    }
+
+    /// The gears with `deviations`.
+    pub fn as_built(
+        &self,
+        gears: &Stated<Gear>,
+        face: Face,
+        deviations: &Deviations,
+        problems: &mut Problems,
+    ) -> Option<Stated<AsBuilt>> {
+        let as_built = gears.try_map(|gear| {
+            AsBuilt::new(gear.clone(), face, deviations).map_err(|error| {
+                let thickness_alone = Deviations {
+                    pitch: None,
+                    ..deviations.clone()
+                };
+                let key = match AsBuilt::new(gear.clone(), face, &thickness_alone) {
+                    Err(_) => "thickness.per_tooth_um",
+                    Ok(_) => "pitch",
+                };
+                let way_out = "check unit (µm) and sign of the values";
+                self.table.problem(key, error.to_string(), way_out)
+            })
+        });
+        problems.keep(as_built)
+    }
+
+    /// The key that makes the tooth what it is: the thickness where a nominal tooth would do.
+    fn shape_key(&self, otherwise: &'static str) -> &'static str {
+        match self.statement.key() {
+            Some(key) if Gear::nominal(self.blank).is_ok() => key,
+            _ => otherwise,
+        }
+    }
+
+    /// A problem of the whole tooth: blame the thickness, or `otherwise` with its way out.
+    fn shape(&self, reason: String, otherwise: &'static str, way_out: String) -> Problem {
+        let key = self.shape_key(otherwise);
+        let way_out = if key == otherwise {
+            way_out
+        } else {
+            let nominal = self.statement.nominal(&self.blank);
+            format!("check the measurement: {nominal}")
+        };
+        self.table.problem(key, reason, way_out)
+    }
+
+    fn fault(&self, error: GearError) -> Problem {
+        let reason = error.to_string();
+        // What moves the tip: the first of these that was given.
+        let tip_key = ["tip_diameter_mm", "profile_shift", "rack.addendum"]
+            .into_iter()
+            .find(|key| self.table.has(key))
+            .unwrap_or("profile_shift");
+        let tip_given = tip_key == "tip_diameter_mm";
+        match error {
+            // Rounded down: what is printed fits.
+            GearError::TipRoundTooLarge { most, .. } if most >= 0.0 => self.table.problem(
+                "rack.root_radius",
+                format!("too large for the tool's tip, allowed is up to {most:.6} modules with this dedendum and pressure angle"),
+                format!(
+                    "reduce it to {:.4} or less, or reduce rack.dedendum",
+                    (1e4 * most).floor() / 1e4
+                ),
+            ),
+            GearError::TipRoundTooLarge { .. } => self.table.problem(
+                "rack.root_radius",
+                "no round is small enough: with this dedendum and pressure angle the tool's tip is pointed",
+                "reduce rack.dedendum",
+            ),
+            GearError::Pointed {
+                pointed_diameter_mm,
+                ..
+            } => {
+                let below = format!("below {pointed_diameter_mm:.3} mm");
+                let way_out = if tip_given {
+                    format!("give a tip diameter {below}")
+                } else {
+                    format!("reduce it, or give a tip_diameter_mm {below}")
+                };
+                self.shape(reason, tip_key, way_out)
+            }
+            GearError::NoInvolute {
+                form_diameter_mm, ..
+            } => {
+                let way_out = if tip_given {
+                    format!("give a tip diameter above {form_diameter_mm:.3} mm")
+                } else {
+                    "give a greater profile shift, addendum or number of teeth".to_owned()
+                };
+                self.shape(reason, tip_key, way_out)
+            }
+            GearError::NoSpace { .. } => {
+                let rack = &self.blank.rack;
+                let toothing = &self.blank.toothing;
+                let depth = toothing.module() * (rack.dedendum() - self.blank.profile_shift);
+                let root = toothing.reference_radius() - depth;
+                if root > 0.0 {
+                    let way_out = "reduce the profile shift".to_owned();
+                    self.shape(reason, "profile_shift", way_out)
+                } else {
+                    self.shape(
+                        format!("the root radius would be {root:.4} mm, allowed is above 0"),
+                        "rack.dedendum",
+                        "reduce the dedendum, or give a greater profile shift".to_owned(),
+                    )
+                }
+            }
+            GearError::OutOfRange { value, .. } => self.shape(
+                format!("makes the base tooth thickness {value:.4} mm, allowed is above 0"),
+                "profile_shift",
+                "give a greater profile shift".to_owned(),
+            ),
+            _ => self.shape(
+                reason,
+                "profile_shift",
+                "reduce the profile shift, or give the rack more dedendum".to_owned(),
+            ),
+        }
+    }
+
+    fn pins_inside_base(&self, error: GearError) -> Problem {
+        let key = match self.statement {
+            Statement::OverPins { mm, .. } if mm.is_band() => "thickness.over_pins.min_mm",
+            _ => "thickness.over_pins.mm",
+        };
+        let base = 2.0 * self.blank.toothing.base_radius();
+        let nominal = self.statement.nominal(&self.blank);
+        self.table.problem(
+            key,
+            format!("{error} (the base diameter is {base:.4} mm)"),
+            format!("check the measurement: {nominal}"),
+        )
+    }
+
+    fn off_involute(&self, error: GearError, gear: &Gear) -> Problem {
+        let reason = error.to_string();
+        if let Statement::Span { .. } = self.statement {
+            let fits = |teeth: &u32| thickness::check_span(gear, *teeth).is_ok();
+            let teeth = gear.toothing().teeth();
+            let way_out = match ((2..=teeth).find(fits), (2..=teeth).rev().find(fits)) {
+                (Some(few), Some(many)) if few < many => {
+                    format!("measure over {few} … {many} teeth, and give that span")
+                }
+                (Some(only), _) => format!("measure over {only} teeth, and give that span"),
+                _ => "no span fits this gear: measure over pins".to_owned(),
+            };
+            return self.table.problem("thickness.span.teeth", reason, way_out);
+        }
+        let (form, tip) = (gear.form_roll(), gear.tip_roll());
+        // Halfway up the involute first; a pin that touches higher is larger and stands out further.
+        let fitting = [0.5, 0.6, 0.7, 0.8, 0.9]
+            .map(|part| {
+                let roll = form + part * (tip - form);
+                thickness::pin_touching(gear.toothing(), roll, gear.base_thickness())
+            })
+            .into_iter()
+            .find(|&pin| pin > 0.0 && thickness::check_pins(gear, pin).is_ok());
+        let way_out = match fitting {
+            Some(pin) => format!("measure over pins of about {pin:.3} mm, and give that dimension"),
+            None => "measure over other pins, or give the span".to_owned(),
+        };
+        let key = "thickness.over_pins.pin_mm";
+        self.table.problem(key, reason, way_out)
+    }
+}

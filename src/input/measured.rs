@@ -1,0 +1,190 @@
+//! `[measured]`: what a rig measured, in a CSV file beside the pair file.
+
+use super::measured_row::Fields;
+use super::nearest::nearest;
+use super::problems::Problems;
+use super::source;
+use super::table::Table;
+use crate::error::Problem;
+use crate::study::MeasuredRow;
+use serde_json::{Value, json};
+use std::collections::HashSet;
+use std::path::{Path, PathBuf};
+
+pub const KEYS: &[&str] = &["file"];
+/// The columns, all needed, in any order.
+pub const COLUMNS: [&str; 8] = [
+    "center_distance_mm",
+    "wheel_tooth",
+    "pinion_tooth",
+    "measured_right_um",
+    "measured_left_um",
+    "predicted_min_um",
+    "predicted_max_um",
+    "source",
+];
+
+/// The file and its rows, each with its line.
+#[derive(Debug)]
+pub struct Measured {
+    /// As written in the pair file.
+    file: String,
+    /// Where that is.
+    path: PathBuf,
+    pub rows: Vec<(u64, MeasuredRow)>,
+}
+
+impl Measured {
+    /// Reads the file named in `[measured]`; a relative path starts at the folder of `pair_file`.
+    pub fn read(
+        table: &Table,
+        pair_file: &Path,
+        teeth: (Option<u32>, Option<u32>),
+        problems: &mut Problems,
+    ) -> Option<Measured> {
+        let entry = table.need("file", "the name of a CSV file", problems)?;
+        let file = problems.keep(entry.text("give the name of a CSV file"))?;
+        let mut measured = Measured {
+            file: file.to_owned(),
+            path: pair_file.parent().unwrap_or(Path::new("")).join(file),
+            rows: Vec::new(),
+        };
+        let text = problems.keep(
+            source::text(&measured.path)
+                .map_err(|problem| measured.problem(problem.reason, problem.way_out)),
+        )?;
+        let mut bad = Problems::of_list();
+        measured.rows = measured.parse(&text, teeth, &mut bad).unwrap_or_default();
+        let good = bad.is_empty();
+        problems.add_list("measured.file", bad);
+        good.then_some(measured)
+    }
+
+    /// Each centre distance once, in order of first appearance, with its first line.
+    pub fn distances(&self) -> Vec<(u64, f64)> {
+        let mut seen = HashSet::new();
+        let firsts = self
+            .rows
+            .iter()
+            .map(|(line, row)| (*line, row.center_distance));
+        firsts.filter(|(_, mm)| seen.insert(mm.to_bits())).collect()
+    }
+
+    /// The rows.
+    pub fn into_rows(self) -> Vec<MeasuredRow> {
+        self.rows.into_iter().map(|(_, row)| row).collect()
+    }
+
+    /// As in the pair file.
+    pub fn echo(&self) -> Value {
+        json!({ "file": self.file })
+    }
+
+    /// A problem in the file.
+    fn problem(&self, reason: impl std::fmt::Display, way_out: impl Into<String>) -> Problem {
+        Problem {
+            key: "measured.file".to_owned(),
+            value: Some(format!("{:?}", self.file)),
+            reason: format!("{}: {reason}", self.path.display()),
+            way_out: way_out.into(),
+        }
+    }
+
+    /// A problem of one line.
+    pub fn problem_at(&self, line: u64, reason: &str, way_out: &str) -> Problem {
+        self.problem(format!("line {line}: {reason}"), way_out)
+    }
+
+    fn parse(
+        &self,
+        text: &str,
+        teeth: (Option<u32>, Option<u32>),
+        problems: &mut Problems,
+    ) -> Option<Vec<(u64, MeasuredRow)>> {
+        let mut reader = csv::ReaderBuilder::new()
+            .flexible(true)
+            .trim(csv::Trim::All)
+            .from_reader(text.as_bytes());
+        let headers = problems.keep(reader.headers().cloned().map_err(|error| {
+            self.problem_at(
+                1,
+                &error.to_string(),
+                "write the names of the columns there",
+            )
+        }))?;
+        let columns = self.columns(&headers, problems)?;
+        let mut rows = Vec::new();
+        for record in reader.records() {
+            let record = match record {
+                Ok(record) => record,
+                Err(error) => {
+                    problems.add(self.problem(error, "correct the line"));
+                    break;
+                }
+            };
+            let line = record.position().map_or(0, |start| line_of(text, start));
+            if record.len() != headers.len() {
+                problems.add(self.problem_at(
+                    line,
+                    &format!(
+                        "{} values, the header names {} columns",
+                        record.len(),
+                        headers.len()
+                    ),
+                    "separate values by commas and write numbers with a point",
+                ));
+                continue;
+            }
+            let fields = Fields {
+                measured: self,
+                line,
+                values: columns.map(|column| record.get(column).unwrap_or_default()),
+            };
+            rows.extend(fields.row(teeth, problems).map(|row| (line, row)));
+        }
+        if rows.is_empty() && problems.is_empty() {
+            problems.add(self.problem("no rows, needed is at least one", "add what was measured"));
+        }
+        Some(rows)
+    }
+
+    /// Where each of [`COLUMNS`] stands.
+    fn columns(&self, headers: &csv::StringRecord, problems: &mut Problems) -> Option<[usize; 8]> {
+        let way_out = "name the columns in line 1, separated by commas, in any order";
+        for (place, name) in headers.iter().enumerate() {
+            if !COLUMNS.contains(&name) {
+                let near = nearest(name, &COLUMNS).map_or("", |(near, _)| near);
+                problems.add(self.problem_at(
+                    1,
+                    &format!(
+                        "unknown column {name:?}, allowed are {}",
+                        COLUMNS.join(", ")
+                    ),
+                    &format!("did you mean {near}? {way_out}"),
+                ));
+            } else if headers.iter().take(place).any(|earlier| earlier == name) {
+                problems.add(self.problem_at(1, &format!("column {name} twice"), "remove one"));
+            }
+        }
+        let places = COLUMNS.map(|name| headers.iter().position(|header| header == name));
+        for (name, _) in COLUMNS
+            .iter()
+            .zip(places)
+            .filter(|(_, place)| place.is_none())
+        {
+            problems.add(self.problem_at(1, &format!("column {name} is missing"), way_out));
+        }
+        let mut columns = [0; 8];
+        for (column, place) in columns.iter_mut().zip(places) {
+            *column = place?;
+        }
+        problems.is_empty().then_some(columns)
+    }
+}
+
+/// The line on which a record stands; its position is that of the blank lines before it.
+fn line_of(text: &str, start: &csv::Position) -> u64 {
+    let rest = text.get(start.byte() as usize..).unwrap_or_default();
+    let blank = rest.bytes().take_while(|&b| b == b'\r' || b == b'\n');
+    start.line() + blank.filter(|&b| b == b'\n').count() as u64
+}

@@ -1,0 +1,40 @@
+//! Lists of one value a tooth.
+
+use super::entry::Limits;
+use super::problems::Problems;
+use super::table::Table;
+
+const PER_TOOTH: Limits = Limits {
+    allowed: "a number of µm, −1e7 … 1e7",
+    holds: |um| um.abs() <= 1e7,
+    way_out: "give what each tooth is thicker than the mean, negative when thinner",
+};
+/// `per_tooth_um` of `[thickness]`, empty or one value a tooth, µm.
+pub fn thickness(table: &Table, teeth: Option<u32>, problems: &mut Problems) -> Option<Vec<f64>> {
+    let list = table.numbers("per_tooth_um", &PER_TOOTH, problems)?;
+    one_a_tooth(table, "per_tooth_um", list, teeth, problems)
+}
+
+/// `list`, when it is empty or has one value a tooth.
+pub fn one_a_tooth(
+    table: &Table,
+    name: &str,
+    list: Vec<f64>,
+    teeth: Option<u32>,
+    problems: &mut Problems,
+) -> Option<Vec<f64>> {
+    match teeth {
+        Some(teeth) if !list.is_empty() && list.len() != teeth as usize => {
+            problems.add(table.problem(
+                name,
+                format!(
+                    "length {}, needed is {teeth}: one value a tooth",
+                    list.len()
+                ),
+                "give them in ascending tooth number, tooth 1 first",
+            ));
+            None
+        }
+        _ => Some(list),
+    }
+}

@@ -1,0 +1,71 @@
+//! The problems of a pair file, collected so that the user sees all of them at once.
+
+use crate::error::Problem;
+
+/// How many problems of one list are told one by one; of the rest only the number.
+/// Tuned: they fit a screen beside other problems.
+const TOLD_OF_A_LIST: usize = 12;
+
+/// Problems in the order in which they were met.
+#[derive(Debug)]
+pub struct Problems {
+    told: Vec<Problem>,
+    most: usize,
+    untold: usize,
+}
+
+impl Problems {
+    /// None yet, and no limit.
+    pub fn new() -> Problems {
+        Problems {
+            told: Vec::new(),
+            most: usize::MAX,
+            untold: 0,
+        }
+    }
+
+    /// None yet, for the elements of one list: only the first dozen will be told.
+    pub fn of_list() -> Problems {
+        Problems {
+            most: TOLD_OF_A_LIST,
+            ..Problems::new()
+        }
+    }
+
+    /// Adds one.
+    pub fn add(&mut self, problem: Problem) {
+        if self.told.len() < self.most {
+            self.told.push(problem);
+        } else {
+            self.untold += 1;
+        }
+    }
+
+    /// The value, or `None` with its problem added.
+    pub fn keep<T>(&mut self, result: Result<T, Problem>) -> Option<T> {
+        result.map_err(|problem| self.add(problem)).ok()
+    }
+
+    /// Adds those of the list at `key`.
+    pub fn add_list(&mut self, key: &str, list: Problems) {
+        self.told.extend(list.told);
+        if list.untold > 0 {
+            self.told.push(Problem {
+                key: key.to_owned(),
+                value: None,
+                reason: format!("{} more problems like the last one", list.untold),
+                way_out: "mend those above first".to_owned(),
+            });
+        }
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.told.is_empty()
+    }
+
+    /// All that are told.
+    pub fn into_list(self) -> Vec<Problem> {
+        self.told
+    }
+}

@@ -1,0 +1,119 @@
+//! From a path to text, and from text to a tree of values.
+
+use super::node::Node;
+use crate::error::Problem;
+use std::fs::File;
+use std::io::{ErrorKind, Read};
+use std::path::Path;
+
+/// Largest file read: 16 MiB. Pitch and thickness of two gears of 10 000 teeth need one.
+const MOST_BYTES: u64 = 16 << 20;
+
+/// The text of the file at `path`, without byte order mark.
+///
+/// # Errors
+/// One problem, its key empty: not there, a folder, over 16 MiB, unreadable, not UTF-8.
+pub fn text(path: &Path) -> Result<String, Problem> {
+    let cannot = |error: std::io::Error| match error.kind() {
+        ErrorKind::NotFound => whole_file("there is no such file", "check name and folder"),
+        _ => whole_file(
+            format!("cannot be read: {error}"),
+            "make it a file you may read",
+        ),
+    };
+    let metadata = std::fs::metadata(path).map_err(cannot)?;
+    if metadata.is_dir() {
+        return Err(whole_file("is a folder", "name the file in it"));
+    }
+    let too_large = |size: String| {
+        whole_file(
+            format!("{size}, allowed is up to 16 MiB"),
+            "check that this is the file you mean",
+        )
+    };
+    if metadata.len() > MOST_BYTES {
+        let mebibytes = metadata.len() as f64 / f64::from(1 << 20);
+        return Err(too_large(format!("has {mebibytes:.1} MiB")));
+    }
+    // A pipe has no length beforehand.
+    let mut bytes = Vec::new();
+    File::open(path)
+        .and_then(|file| file.take(MOST_BYTES + 1).read_to_end(&mut bytes))
+        .map_err(cannot)?;
+    if bytes.len() as u64 > MOST_BYTES {
+        return Err(too_large("has more than 16 MiB".to_owned()));
+    }
+    let text = String::from_utf8(bytes).map_err(|error| {
+        let good = error.utf8_error().valid_up_to();
+        let line = 1 + error.as_bytes()[..good]
+            .iter()
+            .filter(|&&b| b == b'\n')
+            .count();
+        whole_file(
+            format!("line {line}: not UTF-8 text"),
+            "save the file as UTF-8",
+        )
+    })?;
+    Ok(match text.strip_prefix('\u{feff}') {
+        Some(rest) => rest.to_owned(),
+        None => text,
+    })
+}
+
+/// The keys and values of a pair file: TOML or JSON by its extension, by its first character when that says neither.
+///
+/// # Errors
+/// One problem, its key empty, with line and column of the syntax error.
+pub fn parse(path: &Path, text: &str) -> Result<Vec<(String, Node)>, Problem> {
+    let extension = path.extension().unwrap_or_default();
+    let json = extension.eq_ignore_ascii_case("json")
+        || !extension.eq_ignore_ascii_case("toml") && text.trim_start().starts_with('{');
+    let node = if json {
+        serde_json::from_str(text).map_err(|error| {
+            whole_file(
+                format!("not JSON: {error}"),
+                "correct it there, or give TOML a name that ends in .toml",
+            )
+        })?
+    } else {
+        let table: toml::Table = toml::from_str(text).map_err(|error| {
+            let start = error.span().map_or(0, |span| span.start);
+            let (line, column) = line_and_column(text, start);
+            whole_file(
+                format!("not TOML: {} at line {line} column {column}", error.message()),
+                "correct it there (a name in quotes, a number with a point), or give JSON a name that ends in .json",
+            )
+        })?;
+        toml::Value::Table(table).into()
+    };
+    match node {
+        Node::Table(entries) => Ok(entries),
+        other => Err(whole_file(
+            format!("holds {}, allowed is an object of keys", other.kind()),
+            "write { \"wheel\": { … }, … }",
+        )),
+    }
+}
+
+/// Line and column, from 1, of the byte `offset` of `text`.
+fn line_and_column(text: &str, offset: usize) -> (usize, usize) {
+    let before: &[u8] = text.as_bytes().get(..offset).unwrap_or(text.as_bytes());
+    let line_start = before
+        .iter()
+        .rposition(|&b| b == b'\n')
+        .map_or(0, |at| at + 1);
+    let line = 1 + before.iter().filter(|&&b| b == b'\n').count();
+    let column = 1 + String::from_utf8_lossy(&before[line_start..])
+        .chars()
+        .count();
+    (line, column)
+}
+
+fn whole_file(reason: impl Into<String>, way_out: &str) -> Problem {
+    Problem {
+        key: String::new(),
+        value: None,
+        reason: reason.into(),
+        way_out: way_out.to_owned(),
+    }
+}

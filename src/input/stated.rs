@@ -1,0 +1,132 @@
+//! One value, or one at least and one at most material.
+
+use super::entry::Limits;
+use super::problems::Problems;
+use super::table::Table;
+use serde_json::{Map, Value};
+
+/// What a pair file states about a toleranced quantity.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Stated<T> {
+    /// A single value.
+    Single(T),
+    /// `min` and `max`: thinnest and thickest teeth.
+    Band {
+        /// At least material.
+        least: T,
+        /// At most material.
+        most: T,
+    },
+}
+
+impl<T> Stated<T> {
+    /// The value at most material.
+    pub fn most(&self) -> &T {
+        match self {
+            Stated::Single(value) | Stated::Band { most: value, .. } => value,
+        }
+    }
+
+    /// The value at least material.
+    pub fn least(&self) -> &T {
+        match self {
+            Stated::Single(value) | Stated::Band { least: value, .. } => value,
+        }
+    }
+
+    /// Whether it has two values.
+    pub fn is_band(&self) -> bool {
+        matches!(self, Stated::Band { .. })
+    }
+
+    /// `make` of each value, most material first; the first error ends it.
+    pub fn try_map<U, E>(&self, mut make: impl FnMut(&T) -> Result<U, E>) -> Result<Stated<U>, E> {
+        Ok(match self {
+            Stated::Single(value) => Stated::Single(make(value)?),
+            Stated::Band { least, most } => {
+                let most = make(most)?;
+                Stated::Band {
+                    least: make(least)?,
+                    most,
+                }
+            }
+        })
+    }
+}
+
+/// The three keys under which a value may be stated.
+pub struct Keys {
+    /// The single value; `None` where it stands without a table.
+    pub single: Option<&'static str>,
+    /// The least value.
+    pub min: &'static str,
+    /// The greatest value.
+    pub max: &'static str,
+}
+
+impl Stated<f64> {
+    /// Reads a single value, or min and max together, from `table`.
+    pub fn read(
+        table: &Table,
+        keys: &Keys,
+        limits: &Limits,
+        problems: &mut Problems,
+    ) -> Option<Stated<f64>> {
+        let &Keys { single, min, max } = keys;
+        let either = match single {
+            Some(single) => format!("`{single}` alone, or `{min}` and `{max}`"),
+            None => format!("`{min}` and `{max}`"),
+        };
+        if let Some(single) = single.filter(|single| table.has(single)) {
+            if let Some(second) = [min, max].into_iter().find(|name| table.has(name)) {
+                problems.add(table.problem(
+                    single,
+                    format!("stands beside {second}, allowed is {either}"),
+                    "remove one or the other",
+                ));
+                return None;
+            }
+            return table.number(single, limits, problems).map(Stated::Single);
+        }
+        for (given, absent) in [(min, max), (max, min)] {
+            if table.has(given) && !table.has(absent) {
+                problems.add(table.problem(
+                    given,
+                    format!("stands without {absent}, allowed is {either}"),
+                    format!("add `{absent}`, or give a single value"),
+                ));
+                return None;
+            }
+        }
+        if !table.has(min) {
+            // Names the single value where there is one: the commonest case.
+            table.need(single.unwrap_or(min), &either, problems);
+            return None;
+        }
+        let least = table.number(min, limits, problems);
+        let most = table.number(max, limits, problems);
+        let (least, most) = (least?, most?);
+        if least > most {
+            problems.add(table.problem(
+                min,
+                format!("greater than {max} = {most:?}, allowed is up to {max}"),
+                "swap the two",
+            ));
+            return None;
+        }
+        Some(Stated::Band { least, most })
+    }
+
+    /// Writes the value back under its keys.
+    pub fn echo(&self, keys: &Keys, into: &mut Map<String, Value>) {
+        match *self {
+            Stated::Single(value) => {
+                into.insert(keys.single.unwrap_or_default().to_owned(), value.into());
+            }
+            Stated::Band { least, most } => {
+                into.insert(keys.min.to_owned(), least.into());
+                into.insert(keys.max.to_owned(), most.into());
+            }
+        }
+    }
+}

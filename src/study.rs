@@ -1,0 +1,137 @@
+//! What a pair file asks for: two gears as measured, where they stand, which poses to run.
+//!
+//! Made by [`crate::input::read`], which checks everything first. Lengths in mm
+//! unless the name says µm.
+
+use crate::error::GearError;
+use crate::gear::{AsBuilt, Side};
+use crate::pair::{Assembly, Mating, Member, SweepPlan};
+use std::collections::HashMap;
+
+/// Which end of the thickness tolerance a run takes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Material {
+    /// Both gears thickest.
+    Most,
+    /// Both gears thinnest.
+    Least,
+    /// Both gears have a single thickness.
+    AsMeasured,
+}
+
+impl Material {
+    /// `most`, `least` or `as-measured`, as results name it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Material::Most => "most",
+            Material::Least => "least",
+            Material::AsMeasured => "as-measured",
+        }
+    }
+}
+
+/// One measurement on a rig, and what was predicted for it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MeasuredRow {
+    /// Centre distance `a`, mm.
+    pub center_distance: f64,
+    /// Wheel tooth of the mating.
+    pub wheel_tooth: u32,
+    /// Pinion tooth of the mating.
+    pub pinion_tooth: u32,
+    /// Circumferential backlash measured at the right flanks, µm.
+    pub right_um: f64,
+    /// The same at the left flanks.
+    pub left_um: f64,
+    /// Lower limit predicted, µm.
+    pub predicted_min_um: f64,
+    /// Upper limit predicted, µm.
+    pub predicted_max_um: f64,
+    /// Where the row comes from; may be empty.
+    pub source: String,
+}
+
+/// A pair file, understood.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Study {
+    /// Title; the file stem when the file has none.
+    pub title: String,
+    /// File stem, the name of the folder for results.
+    pub stem: String,
+    /// Wheel and pinion of each material: `AsMeasured` alone, or `Most` and `Least`.
+    pub materials: Vec<(Material, AsBuilt, AsBuilt)>,
+    /// The gear that stands still.
+    pub locked: Member,
+    /// Centre distances `a`, mm, distinct, in the order of the file (or of first appearance in `measured`).
+    pub center_distances: Vec<f64>,
+    /// `c`, mm: radial clearance of both bearings together.
+    pub bearing_clearance: f64,
+    /// The poses of every run; `None`: exactly the rows of `measured`.
+    pub sweep: Option<SweepPlan>,
+    /// Measured rows in the order of their file; empty when there is none.
+    pub measured: Vec<MeasuredRow>,
+    /// Chordal error of the polygons, mm.
+    pub chord: f64,
+    /// Tolerance of a comparison, µm of `j_wt`.
+    pub tolerance_um: f64,
+    /// Whether contact off the line of action passes a comparison.
+    pub allow_off_line_contact: bool,
+    /// The input as understood: keys as in a pair file, defaults filled in. Read as a pair file
+    /// (beside the same measured file) it gives the same study.
+    pub echo: serde_json::Value,
+    /// What the user should know, for standard error.
+    pub warnings: Vec<String>,
+}
+
+/// One run: a pair as assembled and the matings to pose it in.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RunPlan {
+    /// Which thickness.
+    pub material: Material,
+    /// The pair.
+    pub assembly: Assembly,
+    /// In order.
+    pub matings: Vec<Mating>,
+}
+
+impl Study {
+    /// Every centre distance with every material, the materials of the first distance first.
+    ///
+    /// # Errors
+    /// None for a study that was read; a pair that cannot be assembled otherwise.
+    pub fn runs(&self) -> Result<Vec<RunPlan>, GearError> {
+        let mut measured = self.measured_matings();
+        let mut runs = Vec::with_capacity(self.center_distances.len() * self.materials.len());
+        for &a in &self.center_distances {
+            let rows = measured.remove(&a.to_bits()).unwrap_or_default();
+            for (material, wheel, pinion) in &self.materials {
+                let assembly = Assembly::new(wheel.clone(), pinion.clone(), a, self.locked)?;
+                let matings = match &self.sweep {
+                    Some(plan) => plan.matings(&assembly),
+                    None => rows.clone(),
+                };
+                runs.push(RunPlan {
+                    material: *material,
+                    assembly,
+                    matings,
+                });
+            }
+        }
+        Ok(runs)
+    }
+
+    /// A right-flank and a left-flank pose of each measured row, by the bits of its centre distance.
+    fn measured_matings(&self) -> HashMap<u64, Vec<Mating>> {
+        let mut matings: HashMap<u64, Vec<Mating>> = HashMap::new();
+        for row in &self.measured {
+            let of_distance = matings.entry(row.center_distance.to_bits()).or_default();
+            of_distance.extend(Side::BOTH.map(|flank| Mating {
+                wheel_tooth: row.wheel_tooth,
+                pinion_tooth: row.pinion_tooth,
+                flank,
+                fraction: 0.0,
+            }));
+        }
+        matings
+    }
+}

@@ -193,6 +193,9 @@ pub enum Error {
     /// A command-line value that does not suit the file.
     #[error("{0}")]
     Usage(String),
+    /// A pair that cannot be assembled, asked for outside a pair file.
+    #[error(transparent)]
+    Gear(#[from] GearError),
     /// A result that cannot be written.
     #[error("{}: cannot be written: {source}; choose another place with -o", path.display())]
     Output {

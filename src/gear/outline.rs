@@ -8,6 +8,7 @@
 
 use super::{Curve, Gear, Profile, Side};
 use nalgebra::Point2;
+use std::ops::Range;
 
 /// One chord of a half tooth.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,12 +36,28 @@ impl HalfTooth {
     /// A land narrower than a chord still gets one; a land without length gets none.
     pub fn new(gear: &Gear, side: Side, chord: f64) -> HalfTooth {
         let profile = Profile::new(gear);
+        let whole = Curve::ALL.map(|curve| (curve, profile.range(curve)));
+        HalfTooth::of_pieces(gear, side, chord, &whole)
+    }
+
+    /// Cuts the stretch of `self` that the chords `window` (not empty) stand for anew, within `chord` mm.
+    pub fn recut(&self, gear: &Gear, window: Range<usize>, chord: f64) -> HalfTooth {
+        let mut pieces: Vec<(Curve, (f64, f64))> = Vec::new();
+        for &Segment { curve, parameters } in &self.segments[window] {
+            match pieces.last_mut() {
+                Some((last, range)) if *last == curve => range.1 = parameters[1],
+                _ => pieces.push((curve, (parameters[0], parameters[1]))),
+            }
+        }
+        HalfTooth::of_pieces(gear, self.side, chord, &pieces)
+    }
+
+    fn of_pieces(gear: &Gear, side: Side, chord: f64, pieces: &[(Curve, (f64, f64))]) -> HalfTooth {
+        let profile = Profile::new(gear);
         let mut points = Vec::new();
         let mut segments = Vec::new();
-        for curve in Curve::ALL {
-            let (start, end) = profile.range(curve);
-            let length = (end - start).abs();
-            if length == 0.0 {
+        for &(curve, (start, end)) in pieces {
+            if start == end {
                 continue;
             }
             let mut cuts = cut(start.min(end), start.max(end), |t| {

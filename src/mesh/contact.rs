@@ -14,6 +14,7 @@ use parry2d_f64::partitioning::BvhNode;
 use parry2d_f64::query::PointQueryWithLocation;
 use parry2d_f64::shape::{Polyline, Segment};
 use std::cell::Cell;
+use std::ops::Range;
 
 /// A polyline ready for distance queries.
 pub struct Shape {
@@ -66,6 +67,31 @@ impl Shape {
         best
     }
 
+    /// The stretches of segments of `self` and of `other` outside which nothing is within `margin` of
+    /// the other shape; `None` when nothing is.
+    pub fn near(
+        &self,
+        other: &Shape,
+        pose: &Isometry2<f64>,
+        margin: f64,
+    ) -> Option<[Range<usize>; 2]> {
+        let pose = Pose2::from(*pose);
+        let within = |ours: &BvhNode, theirs: &BvhNode| gap(ours, theirs, &pose) <= margin;
+        let mut found: Option<[Range<usize>; 2]> = None;
+        let ours = self.polyline.bvh();
+        for (ours, theirs) in ours.leaf_pairs(other.polyline.bvh(), within) {
+            if self.leaf(other, &pose, [ours, theirs]).distance > margin {
+                continue;
+            }
+            let pair = [ours as usize, theirs as usize].map(|i| i..i + 1);
+            found = Some(match found {
+                None => pair,
+                Some([a, b]) => [join(a, &pair[0]), join(b, &pair[1])],
+            });
+        }
+        found
+    }
+
     /// Closest approach of one segment of each.
     fn leaf(&self, other: &Shape, pose: &Pose2, segments: [u32; 2]) -> Closest {
         let ours = self.polyline.segment(segments[0]);
@@ -92,6 +118,19 @@ impl Shape {
             ],
         }
     }
+}
+
+/// A lower bound on the distance of what two nodes hold, the second at `pose` in the first's frame.
+fn gap(ours: &BvhNode, theirs: &BvhNode, pose: &Pose2) -> f64 {
+    let theirs = theirs.aabb().transform_by(pose);
+    let apart = (ours.center() - theirs.center()).abs()
+        - (ours.maxs() - ours.mins()) / 2.0
+        - theirs.half_extents();
+    apart.max(Vector::ZERO).length()
+}
+
+fn join(a: Range<usize>, b: &Range<usize>) -> Range<usize> {
+    a.start.min(b.start)..a.end.max(b.end)
 }
 
 fn project(segment: &Segment, point: Vector) -> Vector {

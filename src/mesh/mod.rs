@@ -4,7 +4,9 @@ mod contact;
 mod lost_motion;
 mod polygon;
 mod scene;
+mod sweep;
 
 pub use lost_motion::{Contact, LostMotion, Status, Touch};
 pub use polygon::{CutGear, PolygonKernel};
 pub use scene::{Drawn, LineOfAction, Meeting, Scene};
+pub use sweep::{CutPair, SweptPose, sweep};

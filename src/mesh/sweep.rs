@@ -23,6 +23,13 @@ pub struct SweptPose {
     pub with_clearance: Option<[Option<f64>; 2]>,
 }
 
+impl SweptPose {
+    /// `j_wt`, mm, at the two ends of the bearing clearance; `backlash` twice where there is none.
+    pub fn range(&self) -> [Option<f64>; 2] {
+        self.with_clearance.unwrap_or([self.backlash; 2])
+    }
+}
+
 /// The gears of one material, cut once for all centre distances.
 pub struct CutPair {
     wheel: CutGear,
@@ -36,6 +43,16 @@ impl CutPair {
             wheel: CutGear::new(wheel, chord),
             pinion: CutGear::new(pinion, chord),
         }
+    }
+
+    /// The polygon method on `assembly`, which must be of these gears.
+    pub fn kernel<'a>(&'a self, assembly: &'a Assembly) -> PolygonKernel<'a> {
+        PolygonKernel::new(assembly, &self.wheel, &self.pinion)
+    }
+
+    /// The same, cut finer round each contact: right to about a picometre.
+    pub fn refined_kernel<'a>(&'a self, assembly: &'a Assembly) -> PolygonKernel<'a> {
+        PolygonKernel::refined(assembly, &self.wheel, &self.pinion)
     }
 }
 
@@ -54,10 +71,7 @@ pub fn sweep(
     clearance: f64,
     tick: &(dyn Fn() -> ControlFlow<()> + Sync),
 ) -> Result<Vec<SweptPose>, Error> {
-    let apart = |distance: f64| {
-        let moved = assembly.at(assembly.center_distance() + distance);
-        moved.map_err(|reason| Error::Usage(reason.to_string()))
-    };
+    let apart = |distance: f64| assembly.at(assembly.center_distance() + distance);
     let ends = match clearance > 0.0 {
         true => Some([apart(-clearance)?, apart(clearance)?]),
         false => None,
@@ -90,8 +104,7 @@ pub fn sweep(
 
 fn at(assembly: &Assembly, cut: &CutPair, mating: &Mating) -> Result<(Pose, LostMotion), Error> {
     let pose = Pose::new(assembly, *mating);
-    let kernel = PolygonKernel::new(assembly, &cut.wheel, &cut.pinion);
-    Ok((pose, kernel.lost_motion(&pose)?))
+    Ok((pose, cut.kernel(assembly).lost_motion(&pose)?))
 }
 
 /// `j_wt = φ_j r_w` of the free gear, mm.

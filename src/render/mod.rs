@@ -1,7 +1,8 @@
-//! Pictures. The renderer computes nothing about gears: it takes results and draws them.
+//! Pictures, tables and files. The renderer computes nothing about gears: it takes results and draws them.
 
 mod caption;
 mod clip;
+pub mod comparison;
 mod gears;
 mod inset;
 mod labels;
@@ -10,8 +11,13 @@ mod link;
 mod main_view;
 mod marks;
 mod page;
+mod result;
 mod scale;
 mod snapshot;
+mod table;
 mod view;
 
+pub use comparison::ComparedPair;
+pub use result::{ResultFile, result_file};
 pub use snapshot::{Snapshot, snapshot};
+pub use table::simulation as simulation_table;

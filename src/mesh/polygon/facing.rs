@@ -35,8 +35,13 @@ const MOST_STEPS: usize = 100_000;
 /// A radius this near the tip circle, mm, is the tip corner (the reference data's own rule).
 const CORNER: f64 = 1e-7;
 
+/// Each re-cut is this much finer: some thirty chords over the stretch that may still touch (tuned:
+/// 1e-2 takes more re-cuts, 1e-4 more chords; both are slower).
+const FINER: f64 = 1e-3;
+
 /// A pair of half teeth of one side. The opening `u`, rad, is how far the free gear is turned
 /// from its nominal rotation in the sense away from contact: of two pairs, the one that touches at the greater opening is tighter.
+#[derive(Clone, Copy)]
 pub(super) struct Facing<'a> {
     assembly: &'a Assembly,
     pose: &'a Pose,
@@ -49,6 +54,7 @@ pub(super) struct Facing<'a> {
 }
 
 /// Where a pair touches.
+#[derive(Clone, Copy)]
 pub(super) struct Found {
     /// The curves are clear of each other at every opening from the start down to this one.
     pub clear: f64,
@@ -56,7 +62,17 @@ pub(super) struct Found {
     pub touching: f64,
     /// The curves touch or overlap.
     pub closed: f64,
-    closest: Closest,
+    place: Place,
+}
+
+/// What touches, and where in the picture.
+#[derive(Clone, Copy)]
+struct Place {
+    locked: Touch,
+    free: Touch,
+    point: Point2<f64>,
+    /// Out of the locked gear's metal.
+    normal: Vector2<f64>,
 }
 
 impl<'a> Facing<'a> {
@@ -81,10 +97,61 @@ impl<'a> Facing<'a> {
 
     /// Turns the free gear in until the polygons touch; `None` when they pass each other clear.
     pub fn search(&self) -> Result<Option<Found>, Error> {
+        let (start, end) = self.shared_directions();
+        self.turn_in(start, end)
+    }
+
+    /// Cuts the stretches that may still touch finer and searches again, until chords are within `finest`.
+    ///
+    /// Between the ends of the bracket no point moves farther than `R` times its width. What is farther
+    /// from the other polygon than that and both chordal errors touches nothing in the bracket: only the rest is cut again.
+    pub fn refine(&self, mut found: Found, finest: f64) -> Result<Found, Error> {
+        let mut chord = self.locked.polygon.chord();
+        let mut cut: Option<[CutHalf; 2]> = None;
+        while chord > finest {
+            let coarse = match &cut {
+                None => *self,
+                Some([locked, free]) => Facing {
+                    locked,
+                    free,
+                    ..*self
+                },
+            };
+            let width = (found.clear - found.touching).max(found.touching - found.closed);
+            let margin = 2.0 * chord + self.reach() * width;
+            let pose = self.locked_frame.inverse() * self.free_frame(found.touching);
+            let near = coarse.locked.shape.near(&coarse.free.shape, &pose, margin);
+            let [locked, free] = near.ok_or_else(|| self.lost(NOTHING_NEAR))?;
+            chord = (chord * FINER).max(finest);
+            let again = |half: &CutHalf, member, window| {
+                let gear = self.assembly.gear(member).gear();
+                CutHalf::new(half.polygon.recut(gear, window, chord))
+            };
+            let finer = [
+                again(coarse.locked, self.assembly.locked(), locked),
+                again(coarse.free, self.assembly.free(), free),
+            ];
+            let fine = Facing {
+                locked: &finer[0],
+                free: &finer[1],
+                ..*self
+            };
+            // Inscribed polygons touch a little after their curves.
+            let end = found.closed - (found.clear - found.closed);
+            let again = fine.turn_in(found.clear, end)?;
+            found = again.ok_or_else(|| self.lost(PASSED))?;
+            cut = Some(finer);
+        }
+        Ok(found)
+    }
+
+    /// Steps from the opening `start`, where nothing touches, until the polygons do, or to `end`.
+    fn turn_in(&self, start: f64, end: f64) -> Result<Option<Found>, Error> {
         let chord = self.locked.polygon.chord();
-        let reach = self.assembly.gear(self.assembly.free()).reach();
+        // Below its own rounding a distance says nothing.
+        let stop = (STOP * chord).max(self.rounding() / 8.0);
         let to_locked = self.locked_frame.inverse();
-        let (mut opening, end) = self.shared_directions();
+        let mut opening = start;
         let mut hint = [0, 0];
         let mut clear = None;
         for _ in 0..MOST_STEPS {
@@ -95,20 +162,29 @@ impl<'a> Facing<'a> {
             if clear.is_none() && closest.distance <= 2.1 * chord {
                 clear = Some(opening);
             }
-            if closest.distance <= STOP * chord {
-                return Ok(Some(self.bracket(
-                    clear.unwrap_or(opening),
-                    opening,
-                    closest,
-                )));
+            if closest.distance <= stop {
+                let clear = clear.unwrap_or(opening);
+                return Ok(Some(self.bracket(clear, opening, &closest)));
             }
             let margin = if clear.is_none() { 2.0 * chord } else { 0.0 };
-            opening -= (closest.distance - margin) / reach;
+            opening -= (closest.distance - margin) / self.reach();
             if opening < end {
                 return Ok(None);
             }
         }
-        Err(self.lost())
+        Err(self.lost(ENDLESS))
+    }
+
+    /// Greatest radius `R` of the free gear about its axis, mm.
+    fn reach(&self) -> f64 {
+        self.assembly.gear(self.assembly.free()).reach()
+    }
+
+    /// Rounding of a distance, mm: coordinates up to the centre distance, and radii turned by angles
+    /// of the size of both rotations, some dozens of operations on each.
+    fn rounding(&self) -> f64 {
+        let turned = self.pose.locked_rotation().abs() + self.pose.free_rotation().abs();
+        64.0 * f64::EPSILON * (self.assembly.center_distance() + self.reach() * turned)
     }
 
     /// The opening above which, and the one below which, the half teeth share no direction seen from the free axis.
@@ -137,33 +213,32 @@ impl<'a> Facing<'a> {
         frame(self.assembly, free, rotation, self.side, self.free_tooth)
     }
 
-    fn bracket(&self, clear: f64, touching: f64, closest: Closest) -> Found {
-        let found = Found {
-            clear,
-            touching,
-            closed: touching,
-            closest,
-        };
-        let (_, _, point, normal) = self.place(&found);
-        let arm = point - self.assembly.axis(self.assembly.free());
-        let lever = arm.perp(&normal).abs();
+    fn bracket(&self, clear: f64, touching: f64, closest: &Closest) -> Found {
+        let place = self.place(touching, closest);
+        let arm = place.point - self.assembly.axis(self.assembly.free());
+        let lever = arm.perp(&place.normal).abs();
         let halves = [self.locked, self.free];
         let hollow = (0..2)
-            .filter(|&i| near_fillet(halves[i], found.closest.segments[i] as usize))
+            .filter(|&i| near_fillet(halves[i], closest.segments[i] as usize))
             .count();
-        // Coordinates up to the centre distance, some dozens of roundings each.
-        let rounding = 64.0 * f64::EPSILON * self.assembly.center_distance();
-        let depth = hollow as f64 * self.locked.polygon.chord() + found.closest.distance + rounding;
+        let rounding = self.rounding();
+        let depth = hollow as f64 * self.locked.polygon.chord() + closest.distance + rounding;
         Found {
             clear: clear + rounding / lever,
+            touching,
             closed: touching - depth / lever,
-            ..found
+            place,
         }
     }
 
     /// The contact by name: teeth, curves, radii, point and normal, with the side's `rotation` and `error`.
     pub fn contact(&self, found: &Found, rotation: f64, error: f64) -> Contact {
-        let (locked, free, point, normal) = self.place(found);
+        let Place {
+            locked,
+            free,
+            point,
+            normal,
+        } = found.place;
         let (wheel, pinion, normal) = match self.assembly.locked() {
             Member::Wheel => (locked, free, normal),
             Member::Pinion => (free, locked, -normal),
@@ -178,12 +253,11 @@ impl<'a> Facing<'a> {
         }
     }
 
-    /// What the locked and the free gear bring to the contact, its point, and the normal out of the locked metal.
-    fn place(&self, found: &Found) -> (Touch, Touch, Point2<f64>, Vector2<f64>) {
+    fn place(&self, touching: f64, closest: &Closest) -> Place {
         let Closest {
             segments, points, ..
-        } = found.closest;
-        let free_frame = self.free_frame(found.touching);
+        } = *closest;
+        let free_frame = self.free_frame(touching);
         let at = [
             points[0],
             free_frame.inverse_transform_point(&(self.locked_frame * points[1])),
@@ -211,11 +285,15 @@ impl<'a> Facing<'a> {
         } else {
             self.locked_frame * locked_normal
         };
-        let point = self.locked_frame * nalgebra::center(&points[0], &points[1]);
-        (locked, free, point, normal)
+        Place {
+            locked,
+            free,
+            point: self.locked_frame * nalgebra::center(&points[0], &points[1]),
+            normal,
+        }
     }
 
-    fn lost(&self) -> Error {
+    fn lost(&self, reason: &'static str) -> Error {
         let (wheel_tooth, pinion_tooth) = match self.assembly.locked() {
             Member::Wheel => (self.locked_tooth, self.free_tooth),
             Member::Pinion => (self.free_tooth, self.locked_tooth),
@@ -225,10 +303,14 @@ impl<'a> Facing<'a> {
             pinion_tooth,
             flank: self.side.name(),
             locked_rotation_rad: self.pose.locked_rotation(),
-            reason: "the safe steps did not come to an end",
+            reason,
         }
     }
 }
+
+const ENDLESS: &str = "the safe steps did not come to an end";
+const NOTHING_NEAR: &str = "no stretch of the outlines is left that could touch";
+const PASSED: &str = "finer polygons passed the contact that coarser ones had found";
 
 /// Frame in the picture of the half tooth of `member` on `side` of `tooth`, the gear turned to `rotation`.
 fn frame(

@@ -147,9 +147,16 @@ impl GearPart {
         let runout = runout?;
         let runout_fits = runout.check(table, &gears, problems).is_some();
         let (per_tooth, face) = (per_tooth?, face?);
-        let deviations = Deviations {
+        let pitch = pitch?;
+        let separated = match (&sheet, &pitch) {
+            (Some(Some(sheet)), Some(pitch)) => {
+                sheet.separate(pitch, gears.most(), table, problems)?
+            }
+            _ => None,
+        };
+        let mut deviations = Deviations {
             per_tooth: per_tooth.iter().map(|um| um / 1000.0).collect(),
-            pitch: pitch?,
+            pitch,
             // One that does not fit is told; the rest is checked without it.
             eccentricity: if runout_fits {
                 runout.eccentricity()
@@ -158,6 +165,18 @@ impl GearPart {
             },
             high_tooth: runout.high_tooth.unwrap_or(1.0),
         };
+        if let Some(separated) = separated {
+            self.warnings.push(format!(
+                "{}: the datum-axis values contain an eccentricity of {:.3} µm towards tooth {:.2}, which is taken as the gear's \
+                 (a first harmonic of its own pitch cannot be told from it)",
+                table.path_of("pitch"),
+                1000.0 * separated.eccentricity,
+                separated.high_tooth,
+            ));
+            deviations.eccentricity = separated.eccentricity;
+            deviations.high_tooth = separated.high_tooth;
+            deviations.pitch = Some(separated.pitch);
+        }
         self.as_built = Some(drawing.as_built(&gears, face, &deviations, problems)?);
 
         let mut echo = self.echo_of(&drawing, face, &runout);

@@ -5,8 +5,7 @@ use super::per_tooth::one_a_tooth;
 use super::problems::Problems;
 use super::runout::Runout;
 use super::table::Table;
-use crate::error::Problem;
-use crate::gear::{Pitch, Side, Toothing};
+use crate::gear::{Gear, Pitch, Separated, Side, Toothing};
 use serde_json::{Value, json};
 use std::f64::consts::PI;
 
@@ -118,18 +117,38 @@ impl PitchSheet {
             pitch = pitch.read_as_material();
         }
         self.check_half_pitch(gear, &pitch, toothing, problems)?;
-        if self.axis == Axis::Datum {
-            if runout.total_um > 0.0 {
-                problems.add(gear.problem(
-                    "pitch.axis",
-                    "pitch measured about the datum axis already contains the eccentricity, and [runout] would count it twice",
-                    "drop the runout, or write axis = \"own\" if the values are free of eccentricity",
-                ));
-                return None;
-            }
-            pitch = problems.keep(free_of_eccentricity(pitch, toothing, gear))?;
+        if self.axis == Axis::Datum && runout.total_um > 0.0 {
+            problems.add(gear.problem(
+                "pitch.axis",
+                "pitch measured about the datum axis already contains the eccentricity, and [runout] would count it twice",
+                "drop the runout, or write axis = \"own\" if the values are free of eccentricity",
+            ));
+            return None;
         }
         Some(pitch)
+    }
+
+    /// Takes the eccentricity out of `pitch` where it was measured about the datum axis; `None` where not.
+    ///
+    /// `of` is the gear at either material: its thickness only says where on a tooth its flanks stand.
+    pub fn separate(
+        &self,
+        pitch: &Pitch,
+        of: &Gear,
+        gear: &Table,
+        problems: &mut Problems,
+    ) -> Option<Option<Separated>> {
+        if self.axis == Axis::Own {
+            return Some(None);
+        }
+        let separated = pitch.separate_eccentricity(of).map_err(|error| {
+            gear.problem(
+                "pitch.axis",
+                error.to_string(),
+                "check the values, or write axis = \"own\" if they are free of eccentricity",
+            )
+        });
+        problems.keep(separated).map(Some)
     }
 
     fn check_half_pitch(
@@ -206,17 +225,4 @@ fn name_of<T: PartialEq>(value: T, names: &[(&'static str, T)]) -> &'static str 
         .iter()
         .find(|(_, choice)| *choice == value)
         .map_or("", |&(name, _)| name)
-}
-
-/// Takes the eccentricity out of pitch measured about the datum axis.
-fn free_of_eccentricity(
-    _pitch: Pitch,
-    _toothing: &Toothing,
-    gear: &Table,
-) -> Result<Pitch, Problem> {
-    Err(gear.problem(
-        "pitch.axis",
-        "pitch measured about the datum axis cannot be read yet, allowed is \"own\"",
-        "give values that are free of eccentricity",
-    ))
 }

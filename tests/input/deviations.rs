@@ -114,3 +114,54 @@ fn single_pitches_that_do_not_close_are_warned_of() {
     );
     assert!(warnings[0].contains("sum to -2.50 µm"), "{}", warnings[0]);
 }
+
+/// Issue 5: pitch about the datum axis contains the eccentricity. First order (design section 6):
+/// F_R = −e sin(ψ − α)/cos α, F_L = −e sin(ψ + α)/cos α, ψ from the high tooth to the flank.
+#[test]
+fn eccentricity_is_found_in_datum_axis_pitch() {
+    let (teeth, e_um, high): (u32, f64, f64) = (44, 20.0, 12.5);
+    let pitch_angle = std::f64::consts::TAU / f64::from(teeth);
+    let alpha = 20f64.to_radians();
+    // Half a nominal tooth: a quarter of the pitch.
+    let flank = |ahead: f64| -> Vec<f64> {
+        let place =
+            |tooth: u32| (f64::from(tooth) - high) * pitch_angle + ahead * pitch_angle / 4.0;
+        (1..=teeth)
+            .map(|tooth| -e_um * (place(tooth) - ahead * alpha).sin() / alpha.cos())
+            .collect()
+    };
+    let gear = format!(
+        "teeth = {teeth}\nmodule_mm = 3\npressure_angle_deg = 20\npitch = {{ kind = \"cumulative\", axis = \"datum\", right_um = {:?}, left_um = {:?} }}",
+        flank(1.0),
+        flank(-1.0)
+    );
+    let text = format!(
+        "[wheel]\n{gear}\n[pinion]\nteeth = 44\nmodule_mm = 3\npressure_angle_deg = 20\n[assembly]\ncenter_distance_mm = 132.2\n"
+    );
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("datum.toml");
+    std::fs::write(&file, text).unwrap();
+    let study = gearlash::input::read(&file).unwrap();
+    let wheel = &study.materials[0].1;
+    // Second order: e²/r = 6e-3 µm.
+    assert!(
+        (wheel.eccentricity() * 1e3 - e_um).abs() < 0.01,
+        "{}",
+        wheel.eccentricity()
+    );
+    assert!(
+        (wheel.high_tooth() - high).abs() < 0.01,
+        "{}",
+        wheel.high_tooth()
+    );
+    for tooth in 1..=teeth {
+        let own_um = wheel.flank_offset(gearlash::gear::Side::Right, tooth) * 66.0 * 1e3;
+        assert!(own_um.abs() < 0.01, "tooth {tooth}: {own_um} µm left");
+    }
+    assert!(
+        study
+            .warnings
+            .iter()
+            .any(|warning| warning.contains("eccentricity of 20.0"))
+    );
+}

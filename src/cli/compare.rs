@@ -1,0 +1,100 @@
+//! `gearlash compare`: the referee in a CI run.
+
+use super::progress::Progress;
+use super::{print, warn};
+use crate::compare::{compare, tolerance_um};
+use crate::error::Error;
+use crate::input;
+use crate::render::{ComparedPair, comparison};
+use crate::simulate::{pose_count, simulate};
+use clap::ValueEnum;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// Compare simulated with analytic backlash; exit 1 when they disagree
+///
+/// Model 3 (line of action) gates: a pose fails when |simulated − model 3| exceeds tolerance + error
+/// bound. Contact off the line of action (tip corner, fillet, root) makes a real pair tighter than the
+/// formula; that fails too, named as such, unless the pair file says allow_off_line_contact = true.
+#[derive(clap::Args)]
+pub(super) struct Args {
+    /// Pair files (TOML or JSON)
+    #[arg(required = true)]
+    pairs: Vec<PathBuf>,
+    /// Tolerance of j_wt in µm [default: the pair file's, or 0.1]
+    #[arg(long, value_name = "T")]
+    tolerance_um: Option<f64>,
+    /// What to print
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Format {
+    /// A line a run
+    Text,
+    /// The same, for programs
+    Json,
+    /// JUnit XML: a suite a file, a case a run
+    Junit,
+    /// GitHub annotations
+    Github,
+}
+
+/// Runs the command.
+pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
+    if let Some(tolerance) = args.tolerance_um
+        && !(tolerance >= 0.0 && tolerance.is_finite())
+    {
+        return Err(Error::Usage(format!(
+            "--tolerance-um {tolerance}: a tolerance is a number of µm, 0 or more"
+        )));
+    }
+    let mut studies = Vec::new();
+    let mut faults = Vec::new();
+    for path in &args.pairs {
+        match input::read(path) {
+            Ok(study) => {
+                warn(path, &study.warnings);
+                studies.push((path, study));
+            }
+            Err(error) => faults.push(error.to_string()),
+        }
+    }
+    if !faults.is_empty() {
+        return Err(Error::Usage(faults.join("\n")));
+    }
+    let mut poses = 0;
+    for (_, study) in &studies {
+        poses += pose_count(study)?;
+    }
+    let progress = Progress::start(poses);
+    let mut pairs = Vec::new();
+    for (path, study) in studies {
+        let tolerance_um = tolerance_um(&study, args.tolerance_um);
+        let runs = simulate(&study, &|| progress.tick())?;
+        pairs.push(ComparedPair {
+            file: path.display().to_string(),
+            title: study.title,
+            tolerance_um,
+            allow_off_line: study.allow_off_line_contact,
+            runs: compare(runs, tolerance_um),
+        });
+    }
+    progress.finish()?;
+    let unwritable =
+        |error: String| Error::Usage(format!("the outcome cannot be written: {error}"));
+    print(&match args.format {
+        Format::Text => comparison::text(&pairs),
+        Format::Json => comparison::json(&pairs).map_err(|error| unwritable(error.to_string()))?,
+        Format::Junit => {
+            comparison::junit(&pairs).map_err(|error| unwritable(error.to_string()))?
+        }
+        Format::Github => comparison::github(&pairs),
+    });
+    Ok(if pairs.iter().all(ComparedPair::passes) {
+        ExitCode::SUCCESS
+    } else {
+        ExitCode::from(1)
+    })
+}

@@ -1,0 +1,65 @@
+//! The command line: one file a command.
+
+mod compare;
+mod progress;
+mod simulate;
+mod snapshot;
+
+use crate::error::Error;
+use clap::{Parser, Subcommand};
+use std::process::ExitCode;
+
+/// Backlash of a measured gear pair, found by turning one gear's true outline against the other's.
+///
+/// A pair file (TOML, or JSON with the same keys) states two gears, what was measured on them, and how
+/// they are assembled. gearlash builds the real tooth outlines, locks one gear and turns the other to
+/// right-flank and to left-flank contact. The angle between is the lost motion; as an arc of the
+/// operating pitch circle it is the circumferential backlash j_wt. Negative: the pair interferes.
+#[derive(Parser)]
+#[command(name = "gearlash", version, max_term_width = 100, after_help = EXIT_CODES)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+const EXIT_CODES: &str = "\
+Exit codes: 0 done; 1 a comparison failed; 2 bad input or usage (nothing is written then).
+Results go to standard output and to files; progress, warnings and errors to standard error.
+
+Example:
+  gearlash simulate fixtures/karba_44x44.toml
+  gearlash snapshot fixtures/karba_44x44.toml --mating 11,11 --flank right";
+
+#[derive(Subcommand)]
+enum Command {
+    /// Find the lost motion at every pose a pair file asks for
+    Simulate(simulate::Args),
+    /// Compare simulated with analytic backlash; exit 1 when they disagree
+    Compare(compare::Args),
+    /// Draw the contact at one pose as SVG
+    Snapshot(snapshot::Args),
+}
+
+/// Runs the command line of this process.
+///
+/// # Errors
+/// Whatever keeps a command from doing its work; the process ends with 2 then.
+pub fn run() -> Result<ExitCode, Error> {
+    match Cli::parse().command {
+        Command::Simulate(args) => simulate::run(&args),
+        Command::Compare(args) => compare::run(&args),
+        Command::Snapshot(args) => snapshot::run(&args),
+    }
+}
+
+/// Prints to standard output. A reader that has gone away (`| head`) is no error.
+fn print(text: &str) {
+    use std::io::Write;
+    let _ = std::io::stdout().lock().write_all(text.as_bytes());
+}
+
+fn warn(file: &std::path::Path, warnings: &[String]) {
+    for warning in warnings {
+        eprintln!("warning: {}: {warning}", file.display());
+    }
+}

@@ -1,0 +1,115 @@
+//! `gearlash simulate`: the main job.
+
+use super::progress::Progress;
+use super::{print, warn};
+use crate::compare::{ComparedRun, compare};
+use crate::error::Error;
+use crate::input;
+use crate::measured::measured_matings;
+use crate::output::OutputFolder;
+use crate::render::{self, Snapshot};
+use crate::simulate::{pose_count, simulate};
+use crate::study::Study;
+use clap::ValueEnum;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// Find the lost motion at every pose a pair file asks for
+///
+/// Prints a table and writes DIR/result.json, DIR/result.csv and, for each run (a centre distance and a
+/// material), snapshots of the pose with the least and with the greatest backlash.
+#[derive(clap::Args)]
+pub(super) struct Args {
+    /// The pair file (TOML or JSON)
+    pair: PathBuf,
+    /// What to print; with json or csv nothing else is printed, and nothing written without -o
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+    /// Folder for results and pictures [default: out/<file stem>]
+    #[arg(short, long, value_name = "DIR")]
+    output: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+enum Format {
+    /// A readable table
+    Text,
+    /// The whole result
+    Json,
+    /// A row a pose
+    Csv,
+}
+
+/// Runs the command.
+pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
+    let study = input::read(&args.pair)?;
+    warn(&args.pair, &study.warnings);
+    let folder = match (&args.output, args.format) {
+        (Some(folder), _) => Some(folder.clone()),
+        (None, Format::Text) => Some(PathBuf::from("out").join(&study.stem)),
+        (None, Format::Json | Format::Csv) => None,
+    };
+    // Before the simulation, not after it.
+    let folder = folder
+        .map(|path| OutputFolder::prepare(&path))
+        .transpose()?;
+
+    let progress = Progress::start(pose_count(&study)?);
+    let runs = simulate(&study, &|| progress.tick())?;
+    progress.finish()?;
+    let runs = compare(runs, study.tolerance_um);
+
+    let result = render::result_file(&study, &runs);
+    let unwritable = |error: &dyn std::error::Error| {
+        Error::Usage(format!("the result cannot be written as text: {error}"))
+    };
+    let json = result.to_json().map_err(|error| unwritable(&error))?;
+    let csv = result.to_csv().map_err(|error| unwritable(&error))?;
+    match args.format {
+        Format::Text => {
+            let measured = measured_matings(&study, &runs);
+            print(&render::simulation_table(&study, &runs, &measured));
+        }
+        Format::Json => print(&json),
+        Format::Csv => print(&csv),
+    }
+    if let Some(folder) = folder {
+        let mut files = vec![
+            ("result.json".to_owned(), json),
+            ("result.csv".to_owned(), csv),
+        ];
+        files.extend(snapshots(&study, &runs));
+        let count = files.len();
+        let path = folder.write(&files)?;
+        if args.format == Format::Text {
+            print(&format!("\n{count} files in {}\n", path.display()));
+        }
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Snapshots of each run's least and greatest pose.
+fn snapshots(study: &Study, runs: &[ComparedRun]) -> Vec<(String, String)> {
+    let mut files = Vec::new();
+    for run in runs {
+        let Some((least, greatest)) = run.extremes() else {
+            continue;
+        };
+        for (which, pose) in [("least", least), ("greatest", greatest)] {
+            let name = format!(
+                "a{}_{}_{which}.svg",
+                run.run.assembly.center_distance(),
+                run.run.material.name()
+            );
+            let picture = render::snapshot(&Snapshot {
+                title: &study.title,
+                assembly: &run.run.assembly,
+                pose: &pose.swept.pose,
+                material: run.run.material.name(),
+                lost_motion: &pose.swept.lost_motion,
+            });
+            files.push((name, picture));
+        }
+    }
+    files
+}

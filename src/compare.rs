@@ -1,0 +1,204 @@
+//! Simulated against analytic backlash, and the verdict that gates a CI run.
+//!
+//! Model 3 (line of action) is exact where involutes touch inside both gears' tip and form circles, so
+//! there it must agree. Where a tip corner or a fillet touches instead, a real
+//! pair has less backlash than the formula says: the formula is wrong about this
+//! pair, and that is a finding of its own.
+
+use crate::analytic::{Analytic, evaluate};
+use crate::gear::Curve;
+use crate::mesh::{Contact, LostMotion, Status, SweptPose};
+use crate::simulate::Run;
+use crate::study::Study;
+
+/// What the comparison says of one pose.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Verdict {
+    /// Within tolerance + error bound, or nothing to compare on either side.
+    Agrees,
+    /// The simulation lies below because a tip, a fillet or a root touches off the line of action.
+    OffLine,
+    /// The simulation lies below though involutes touch.
+    Below,
+    /// The simulation lies above model 3: never right.
+    Above,
+}
+
+impl Verdict {
+    /// The verdict in words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Verdict::Agrees => "agrees",
+            Verdict::OffLine => "off-line contact",
+            Verdict::Below => "below the formula",
+            Verdict::Above => "above the formula",
+        }
+    }
+}
+
+/// A pose with its analytic values. Lengths in mm, all as `j_wt`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ComparedPose {
+    /// What was simulated.
+    pub swept: SweptPose,
+    /// Model 1, Michalec.
+    pub michalec: Option<f64>,
+    /// Model 2, involute.
+    pub involute: Option<f64>,
+    /// Model 3, line of action.
+    pub line_of_action: Option<f64>,
+    /// What gates.
+    pub verdict: Verdict,
+}
+
+/// A run with its analytic values.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ComparedRun {
+    /// What was simulated; its poses moved to `poses`.
+    pub run: Run,
+    /// In order.
+    pub poses: Vec<ComparedPose>,
+}
+
+impl ComparedRun {
+    /// How many poses have this verdict.
+    pub fn count(&self, verdict: Verdict) -> usize {
+        self.poses
+            .iter()
+            .filter(|pose| pose.verdict == verdict)
+            .count()
+    }
+
+    /// Whether the run passes: everything agrees, or lies off the line where that is allowed.
+    pub fn passes(&self, allow_off_line: bool) -> bool {
+        self.poses.iter().all(|pose| match pose.verdict {
+            Verdict::Agrees => true,
+            Verdict::OffLine => allow_off_line,
+            Verdict::Below | Verdict::Above => false,
+        })
+    }
+
+    /// Simulated minus model 3, mm, of the pose where it is largest in amount.
+    pub fn worst(&self) -> Option<(&ComparedPose, f64)> {
+        let differences = self.poses.iter().filter_map(|pose| {
+            let difference = pose.swept.backlash? - pose.line_of_action?;
+            Some((pose, difference))
+        });
+        differences.reduce(|worst, next| {
+            if next.1.abs() > worst.1.abs() {
+                next
+            } else {
+                worst
+            }
+        })
+    }
+
+    /// The run in numbers.
+    pub fn summary(&self) -> Summary {
+        let all = |value: fn(&ComparedPose) -> Option<f64>| self.poses.iter().filter_map(value);
+        let backlash = |pose: &ComparedPose| pose.swept.backlash;
+        let count = all(backlash).count();
+        Summary {
+            min: all(backlash).reduce(f64::min),
+            max: all(backlash).reduce(f64::max),
+            mean: (count > 0).then(|| all(backlash).sum::<f64>() / count as f64),
+            with_clearance: [
+                all(|pose| pose.swept.range()[0]).reduce(f64::min),
+                all(|pose| pose.swept.range()[1]).reduce(f64::max),
+            ],
+            off_involute: all(|pose| Some((pose.swept.backlash? - pose.involute?).abs()))
+                .reduce(f64::max),
+            off_line_of_action: self.worst().map(|(_, difference)| difference.abs()),
+        }
+    }
+
+    /// The poses with the least and the greatest backlash, the first of equals.
+    pub fn extremes(&self) -> Option<(&ComparedPose, &ComparedPose)> {
+        let values = || {
+            let poses = self.poses.iter();
+            poses.filter_map(|pose| Some((pose, pose.swept.backlash?)))
+        };
+        let least = values().reduce(|least, next| if next.1 < least.1 { next } else { least })?;
+        let most = values().reduce(|most, next| if next.1 > most.1 { next } else { most })?;
+        Some((least.0, most.0))
+    }
+}
+
+/// What a run comes to. Lengths in mm, as `j_wt`; `None` where no pose has the value.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Summary {
+    /// Least backlash.
+    pub min: Option<f64>,
+    /// Greatest backlash.
+    pub max: Option<f64>,
+    /// Mean over the poses that have one.
+    pub mean: Option<f64>,
+    /// Least at `a − c`, greatest at `a + c`.
+    pub with_clearance: [Option<f64>; 2],
+    /// Largest amount of simulated minus model 2.
+    pub off_involute: Option<f64>,
+    /// Largest amount of simulated minus model 3.
+    pub off_line_of_action: Option<f64>,
+}
+
+/// Adds the analytic values to `runs` and judges them with `tolerance_um`.
+pub fn compare(runs: Vec<Run>, tolerance_um: f64) -> Vec<ComparedRun> {
+    let compared = |mut run: Run| {
+        let poses = std::mem::take(&mut run.poses);
+        let poses = poses
+            .into_iter()
+            .map(|swept| {
+                let analytic: Analytic = evaluate(&run.assembly, &swept.pose);
+                let line_of_action = analytic.line_of_action.backlash(&run.assembly);
+                ComparedPose {
+                    verdict: judge(&swept, line_of_action, tolerance_um * 1e-3),
+                    michalec: analytic.michalec,
+                    involute: analytic.involute,
+                    line_of_action,
+                    swept,
+                }
+            })
+            .collect();
+        ComparedRun { run, poses }
+    };
+    runs.into_iter().map(compared).collect()
+}
+
+/// The tolerance in force: the command line's, or else the pair file's.
+pub fn tolerance_um(study: &Study, given: Option<f64>) -> f64 {
+    given.unwrap_or(study.tolerance_um)
+}
+
+fn judge(swept: &SweptPose, formula: Option<f64>, tolerance: f64) -> Verdict {
+    let simulated = swept.backlash.zip(swept.error_bound);
+    match (simulated, formula) {
+        (Some((simulated, bound)), Some(formula)) => {
+            let difference = simulated - formula;
+            if difference.abs() <= tolerance + bound {
+                Verdict::Agrees
+            } else if difference > 0.0 {
+                Verdict::Above
+            } else if touches_off_line(&swept.lost_motion) {
+                Verdict::OffLine
+            } else {
+                Verdict::Below
+            }
+        }
+        // The formula has no pair of involutes in reach of each other: what touches is something else.
+        (Some(_), None) => Verdict::OffLine,
+        (None, Some(_)) if swept.lost_motion.status() == Status::Jammed => Verdict::OffLine,
+        (None, Some(_)) => Verdict::Above,
+        (None, None) => Verdict::Agrees,
+    }
+}
+
+/// Whether a tip, fillet or root takes part in either contact.
+pub fn touches_off_line(lost_motion: &LostMotion) -> bool {
+    let off = |contact: &Contact| {
+        contact.wheel.curve != Curve::Involute || contact.pinion.curve != Curve::Involute
+    };
+    [&lost_motion.right, &lost_motion.left]
+        .into_iter()
+        .flatten()
+        .any(off)
+}

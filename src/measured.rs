@@ -1,0 +1,93 @@
+//! A rig's measured backlash beside the predicted and the simulated band, mating by mating.
+
+use crate::compare::{ComparedPose, ComparedRun};
+use crate::study::{Material, MeasuredRow, Study};
+
+/// A band of backlash, µm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Band {
+    /// At most material, unless there is only one.
+    pub min_um: f64,
+    /// At least material.
+    pub max_um: f64,
+}
+
+impl Band {
+    /// Where `value_um` lies: −1 below, 0 inside (ends included), 1 above.
+    pub fn side_of(&self, value_um: f64) -> i8 {
+        i8::from(value_um > self.max_um) - i8::from(value_um < self.min_um)
+    }
+}
+
+/// A measured mating and the bands it should lie in. Bands are means of the right-flank and the
+/// left-flank pose; `None` where a pose has no value or was not run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MeasuredMating {
+    /// As read.
+    pub row: MeasuredRow,
+    /// As printed beside the measurement.
+    pub printed: Band,
+    /// Model 2.
+    pub analytic: Option<Band>,
+    /// Simulated.
+    pub simulated: Option<Band>,
+    /// Simulated, from most material at `a − c` to least material at `a + c`.
+    pub with_clearance: Option<Band>,
+}
+
+/// The measured matings of `study`, in the order of their file, with what `runs` says of each.
+pub fn measured_matings(study: &Study, runs: &[ComparedRun]) -> Vec<MeasuredMating> {
+    let of_row = |row: &MeasuredRow| {
+        let mean = |material: Material, value: &dyn Fn(&ComparedPose) -> Option<f64>| {
+            mean_um(runs, row, material, value)
+        };
+        let band = |least: &dyn Fn(&ComparedPose) -> Option<f64>,
+                    most: &dyn Fn(&ComparedPose) -> Option<f64>| {
+            let (thick, thin) = match study.materials.len() {
+                1 => (Material::AsMeasured, Material::AsMeasured),
+                _ => (Material::Most, Material::Least),
+            };
+            Some(Band {
+                min_um: mean(thick, least)?,
+                max_um: mean(thin, most)?,
+            })
+        };
+        let simulated = |pose: &ComparedPose| pose.swept.backlash;
+        let clearance = |end: usize| move |pose: &ComparedPose| pose.swept.range()[end];
+        MeasuredMating {
+            printed: Band {
+                min_um: row.predicted_min_um,
+                max_um: row.predicted_max_um,
+            },
+            analytic: band(&|pose| pose.involute, &|pose| pose.involute),
+            simulated: band(&simulated, &simulated),
+            with_clearance: band(&clearance(0), &clearance(1)),
+            row: row.clone(),
+        }
+    };
+    study.measured.iter().map(of_row).collect()
+}
+
+/// Mean over the two poses of `row`'s mating, µm.
+fn mean_um(
+    runs: &[ComparedRun],
+    row: &MeasuredRow,
+    material: Material,
+    value: &dyn Fn(&ComparedPose) -> Option<f64>,
+) -> Option<f64> {
+    let run = runs.iter().find(|compared| {
+        compared.run.material == material
+            && compared.run.assembly.center_distance() == row.center_distance
+    })?;
+    let of_mating = run.poses.iter().filter(|pose| {
+        let mating = pose.swept.pose.mating();
+        (mating.wheel_tooth, mating.pinion_tooth) == (row.wheel_tooth, row.pinion_tooth)
+            && mating.fraction == 0.0
+    });
+    let (mut sum, mut count) = (0.0, 0);
+    for pose in of_mating {
+        sum += value(pose)?;
+        count += 1;
+    }
+    (count > 0).then(|| sum / f64::from(count) * 1e3)
+}

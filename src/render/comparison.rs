@@ -1,0 +1,260 @@
+//! The outcome of `compare`: text, JSON, JUnit XML, GitHub annotations.
+
+use super::table::where_it_is;
+use crate::compare::{ComparedRun, Verdict};
+use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
+use serde::Serialize;
+use std::fmt::Write;
+
+/// One compared pair file.
+#[derive(Debug)]
+pub struct ComparedPair {
+    /// The file as named on the command line.
+    pub file: String,
+    /// Its title.
+    pub title: String,
+    /// Tolerance in force, µm.
+    pub tolerance_um: f64,
+    /// Whether off-line contact passes.
+    pub allow_off_line: bool,
+    /// Every run.
+    pub runs: Vec<ComparedRun>,
+}
+
+impl ComparedPair {
+    /// Whether every run passes.
+    pub fn passes(&self) -> bool {
+        self.runs.iter().all(|run| run.passes(self.allow_off_line))
+    }
+
+    /// One run's name and what is wrong with it; `None` when it passes.
+    fn failure(&self, run: &ComparedRun) -> Option<String> {
+        if run.passes(self.allow_off_line) {
+            return None;
+        }
+        let mut parts = Vec::new();
+        for verdict in [Verdict::Above, Verdict::Below, Verdict::OffLine] {
+            let count = run.count(verdict);
+            if count > 0 && !(verdict == Verdict::OffLine && self.allow_off_line) {
+                parts.push(format!(
+                    "{count} of {} poses: {}",
+                    run.poses.len(),
+                    verdict.name()
+                ));
+            }
+        }
+        let worst = run.worst().map_or(String::new(), |(pose, difference)| {
+            format!(
+                "; largest difference {:+.4} µm at {} (tolerance {} + bound {:.4} µm)",
+                difference * 1e3,
+                where_it_is(pose),
+                self.tolerance_um,
+                pose.swept.error_bound.unwrap_or(0.0) * 1e3,
+            )
+        });
+        Some(parts.join(", ") + &worst)
+    }
+}
+
+fn run_name(run: &ComparedRun) -> String {
+    format!(
+        "a = {:.3} mm, {}",
+        run.run.assembly.center_distance(),
+        run.run.material.name()
+    )
+}
+
+/// Plain text: a line a run, failures explained, a verdict a file.
+pub fn text(pairs: &[ComparedPair]) -> String {
+    let mut text = String::new();
+    for pair in pairs {
+        let _ = writeln!(text, "{} — {}", pair.file, pair.title);
+        for run in &pair.runs {
+            let difference = match run.worst() {
+                Some((_, difference)) => {
+                    format!("simulated − model 3 up to {:+.4} µm", difference * 1e3)
+                }
+                None => "nothing to compare".to_owned(),
+            };
+            let verdict = match pair.failure(run) {
+                None => "ok".to_owned(),
+                Some(reason) => format!("FAIL  {reason}"),
+            };
+            let _ = writeln!(
+                text,
+                "  {}: {} poses, {difference}  {verdict}",
+                run_name(run),
+                run.poses.len()
+            );
+            let off = run.count(Verdict::OffLine);
+            if off > 0 && pair.allow_off_line {
+                let _ = writeln!(
+                    text,
+                    "    {off} poses touch off the line of action (allowed by the pair file)"
+                );
+            }
+        }
+        let verdict = if pair.passes() { "agree" } else { "DISAGREE" };
+        let _ = writeln!(
+            text,
+            "  {verdict} within {} µm + error bound",
+            pair.tolerance_um
+        );
+    }
+    text
+}
+
+#[derive(Serialize)]
+struct JsonReport<'a> {
+    gearlash: &'static str,
+    passed: bool,
+    pairs: Vec<JsonPair<'a>>,
+}
+
+#[derive(Serialize)]
+struct JsonPair<'a> {
+    file: &'a str,
+    title: &'a str,
+    tolerance_um: f64,
+    allow_off_line_contact: bool,
+    passed: bool,
+    runs: Vec<JsonRun>,
+}
+
+#[derive(Serialize)]
+struct JsonRun {
+    center_distance_mm: f64,
+    material: &'static str,
+    poses: usize,
+    passed: bool,
+    off_line: usize,
+    below: usize,
+    above: usize,
+    max_deviation_um: JsonDeviation,
+    worst: Option<JsonWorst>,
+}
+
+#[derive(Serialize)]
+struct JsonDeviation {
+    involute: Option<f64>,
+    line_of_action: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct JsonWorst {
+    wheel_tooth: u32,
+    pinion_tooth: u32,
+    flank: &'static str,
+    fraction: f64,
+    difference_um: f64,
+    error_bound_um: Option<f64>,
+}
+
+/// The same as JSON.
+pub fn json(pairs: &[ComparedPair]) -> Result<String, serde_json::Error> {
+    let report = JsonReport {
+        gearlash: env!("CARGO_PKG_VERSION"),
+        passed: pairs.iter().all(ComparedPair::passes),
+        pairs: pairs.iter().map(json_pair).collect(),
+    };
+    Ok(serde_json::to_string_pretty(&report)? + "\n")
+}
+
+fn json_pair(pair: &ComparedPair) -> JsonPair<'_> {
+    let run = |run: &ComparedRun| {
+        let summary = run.summary();
+        JsonRun {
+            center_distance_mm: run.run.assembly.center_distance(),
+            material: run.run.material.name(),
+            poses: run.poses.len(),
+            passed: run.passes(pair.allow_off_line),
+            off_line: run.count(Verdict::OffLine),
+            below: run.count(Verdict::Below),
+            above: run.count(Verdict::Above),
+            max_deviation_um: JsonDeviation {
+                involute: summary.off_involute.map(|length| length * 1e3),
+                line_of_action: summary.off_line_of_action.map(|length| length * 1e3),
+            },
+            worst: run.worst().map(|(pose, difference)| {
+                let mating = pose.swept.pose.mating();
+                JsonWorst {
+                    wheel_tooth: mating.wheel_tooth,
+                    pinion_tooth: mating.pinion_tooth,
+                    flank: mating.flank.name(),
+                    fraction: mating.fraction,
+                    difference_um: difference * 1e3,
+                    error_bound_um: pose.swept.error_bound.map(|length| length * 1e3),
+                }
+            }),
+        }
+    };
+    JsonPair {
+        file: &pair.file,
+        title: &pair.title,
+        tolerance_um: pair.tolerance_um,
+        allow_off_line_contact: pair.allow_off_line,
+        passed: pair.passes(),
+        runs: pair.runs.iter().map(run).collect(),
+    }
+}
+
+/// JUnit XML: a suite a file, a case a run.
+pub fn junit(pairs: &[ComparedPair]) -> Result<String, quick_junit::SerializeError> {
+    let mut report = Report::new("gearlash compare");
+    for pair in pairs {
+        let mut suite = TestSuite::new(pair.file.as_str());
+        for run in &pair.runs {
+            let status = match pair.failure(run) {
+                None => TestCaseStatus::success(),
+                Some(reason) => {
+                    let mut status = TestCaseStatus::non_success(NonSuccessKind::Failure);
+                    status.set_message(reason);
+                    status
+                }
+            };
+            let mut case = TestCase::new(run_name(run), status);
+            case.set_classname(pair.title.as_str());
+            suite.add_test_case(case);
+        }
+        report.add_test_suite(suite);
+    }
+    report.to_string()
+}
+
+/// GitHub workflow commands: an error a failing run, a notice a passing file.
+pub fn github(pairs: &[ComparedPair]) -> String {
+    let mut text = String::new();
+    for pair in pairs {
+        for run in &pair.runs {
+            if let Some(reason) = pair.failure(run) {
+                let _ = writeln!(
+                    text,
+                    "::error file={},title={}::{}",
+                    escape_property(&pair.file),
+                    escape_property(&format!("gearlash compare: {}", run_name(run))),
+                    escape(&reason)
+                );
+            }
+        }
+        if pair.passes() {
+            let _ = writeln!(
+                text,
+                "::notice file={},title=gearlash compare::simulated and analytic backlash agree within {} µm + error bound",
+                escape_property(&pair.file),
+                pair.tolerance_um
+            );
+        }
+    }
+    text
+}
+
+/// Escapes as GitHub's workflow commands ask for: `%`, CR and LF in data, `:` and `,` too in properties.
+fn escape(text: &str) -> String {
+    text.replace('%', "%25")
+        .replace('\r', "%0D")
+        .replace('\n', "%0A")
+}
+
+fn escape_property(text: &str) -> String {
+    escape(text).replace(':', "%3A").replace(',', "%2C")
+}

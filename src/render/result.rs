@@ -1,0 +1,300 @@
+//! The result as JSON and CSV: the keys of the interface, units in their names.
+
+use crate::compare::{ComparedPose, ComparedRun, Summary};
+use crate::mesh::{Contact, Touch};
+use crate::pair::Member;
+use crate::study::Study;
+use serde::Serialize;
+use std::f64::consts::TAU;
+
+/// The whole result of a study.
+#[derive(Debug, Serialize)]
+pub struct ResultFile<'a> {
+    gearlash: &'static str,
+    pair: &'a serde_json::Value,
+    runs: Vec<RunRecord>,
+}
+
+#[derive(Debug, Serialize)]
+struct RunRecord {
+    center_distance_mm: f64,
+    material: &'static str,
+    operating_pressure_angle_deg: f64,
+    poses: Vec<PoseRecord>,
+    summary: SummaryRecord,
+}
+
+#[derive(Debug, Serialize)]
+struct PoseRecord {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    wheel_rotation_rad: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pinion_rotation_rad: Option<f64>,
+    mating: MatingRecord,
+    right_rad: Option<f64>,
+    left_rad: Option<f64>,
+    lost_motion_rad: Option<f64>,
+    j_wt_um: Option<f64>,
+    j_t_um: Option<f64>,
+    j_bn_um: Option<f64>,
+    j_wt_range_um: [Option<f64>; 2],
+    error_bound_um: Option<f64>,
+    status: &'static str,
+    right: Option<ContactRecord>,
+    left: Option<ContactRecord>,
+    analytic: AnalyticRecord,
+}
+
+#[derive(Debug, Serialize)]
+struct MatingRecord {
+    wheel_tooth: u32,
+    pinion_tooth: u32,
+    flank: &'static str,
+    fraction: f64,
+}
+
+#[derive(Debug, Serialize)]
+struct ContactRecord {
+    wheel_tooth: u32,
+    pinion_tooth: u32,
+    wheel_curve: &'static str,
+    pinion_curve: &'static str,
+    wheel_radius_mm: f64,
+    pinion_radius_mm: f64,
+    point_mm: [f64; 2],
+    normal: [f64; 2],
+}
+
+#[derive(Debug, Serialize)]
+struct AnalyticRecord {
+    michalec_um: Option<f64>,
+    involute_um: Option<f64>,
+    line_of_action_um: Option<f64>,
+}
+
+#[derive(Debug, Serialize)]
+struct SummaryRecord {
+    min_j_wt_um: Option<f64>,
+    max_j_wt_um: Option<f64>,
+    mean_j_wt_um: Option<f64>,
+    with_bearing_clearance: BandRecord,
+    max_deviation_um: DeviationRecord,
+}
+
+#[derive(Debug, Serialize)]
+struct BandRecord {
+    min_j_wt_um: Option<f64>,
+    max_j_wt_um: Option<f64>,
+}
+
+#[derive(Debug, Serialize)]
+struct DeviationRecord {
+    involute: Option<f64>,
+    line_of_action: Option<f64>,
+}
+
+/// The result of `study` as it is written.
+pub fn result_file<'a>(study: &'a Study, runs: &[ComparedRun]) -> ResultFile<'a> {
+    ResultFile {
+        gearlash: env!("CARGO_PKG_VERSION"),
+        pair: &study.echo,
+        runs: runs.iter().map(run_record).collect(),
+    }
+}
+
+impl ResultFile<'_> {
+    /// As JSON, one line end at the end. Numbers read back to the same f64.
+    pub fn to_json(&self) -> Result<String, serde_json::Error> {
+        let mut text = serde_json::to_string_pretty(self)?;
+        text.push('\n');
+        Ok(text)
+    }
+
+    /// As CSV: a row a pose, columns named like the JSON keys; empty where a value is null.
+    pub fn to_csv(&self) -> Result<String, csv::Error> {
+        let mut writer = csv::Writer::from_writer(Vec::new());
+        for run in &self.runs {
+            for pose in &run.poses {
+                writer.serialize(CsvRow::new(run, pose))?;
+            }
+        }
+        let bytes = writer.into_inner().map_err(|error| error.into_error())?;
+        Ok(String::from_utf8_lossy(&bytes).into_owned())
+    }
+}
+
+fn um(length: f64) -> f64 {
+    length * 1e3
+}
+
+fn run_record(compared: &ComparedRun) -> RunRecord {
+    let assembly = &compared.run.assembly;
+    let poses: Vec<PoseRecord> = compared
+        .poses
+        .iter()
+        .map(|pose| pose_record(compared, pose))
+        .collect();
+    RunRecord {
+        center_distance_mm: assembly.center_distance(),
+        material: compared.run.material.name(),
+        operating_pressure_angle_deg: assembly.operating_pressure_angle().to_degrees(),
+        summary: summary_record(&compared.summary()),
+        poses,
+    }
+}
+
+fn pose_record(compared: &ComparedRun, pose: &ComparedPose) -> PoseRecord {
+    let assembly = &compared.run.assembly;
+    let free = assembly.gear(assembly.free()).gear();
+    let swept = &pose.swept;
+    let mating = swept.pose.mating();
+    let angle = swept.lost_motion.angle();
+    let rotation =
+        |member: Member| (assembly.locked() == member).then(|| swept.pose.locked_rotation());
+    // Nothing of a jammed or unmeshed pose is a number.
+    let contact = |contact: &Option<Contact>| angle.and(contact.as_ref()).map(contact_record);
+    let right = angle
+        .and(swept.lost_motion.right)
+        .map(|c| principal(c.rotation));
+    PoseRecord {
+        wheel_rotation_rad: rotation(Member::Wheel),
+        pinion_rotation_rad: rotation(Member::Pinion),
+        mating: MatingRecord {
+            wheel_tooth: mating.wheel_tooth,
+            pinion_tooth: mating.pinion_tooth,
+            flank: mating.flank.name(),
+            fraction: mating.fraction,
+        },
+        right_rad: right,
+        left_rad: right.zip(angle).map(|(right, angle)| right + angle),
+        lost_motion_rad: angle,
+        j_wt_um: swept.backlash.map(um),
+        j_t_um: angle.map(|phi| um(phi * free.toothing().reference_radius())),
+        j_bn_um: angle.map(|phi| um(phi * free.base_radius())),
+        j_wt_range_um: swept.range().map(|end| end.map(um)),
+        error_bound_um: angle.and(swept.error_bound).map(um),
+        status: swept.lost_motion.status().name(),
+        right: contact(&swept.lost_motion.right),
+        left: contact(&swept.lost_motion.left),
+        analytic: AnalyticRecord {
+            michalec_um: pose.michalec.map(um),
+            involute_um: pose.involute.map(um),
+            line_of_action_um: pose.line_of_action.map(um),
+        },
+    }
+}
+
+/// The same rotation in (−π, π].
+fn principal(rotation: f64) -> f64 {
+    let turned = rotation - TAU * (rotation / TAU).round();
+    if turned <= -std::f64::consts::PI {
+        turned + TAU
+    } else {
+        turned
+    }
+}
+
+fn contact_record(contact: &Contact) -> ContactRecord {
+    let Touch {
+        tooth,
+        curve,
+        radius,
+    } = contact.wheel;
+    ContactRecord {
+        wheel_tooth: tooth,
+        pinion_tooth: contact.pinion.tooth,
+        wheel_curve: curve.name(),
+        pinion_curve: contact.pinion.curve.name(),
+        wheel_radius_mm: radius,
+        pinion_radius_mm: contact.pinion.radius,
+        point_mm: [contact.point.x, contact.point.y],
+        normal: [contact.normal.x, contact.normal.y],
+    }
+}
+
+fn summary_record(summary: &Summary) -> SummaryRecord {
+    SummaryRecord {
+        min_j_wt_um: summary.min.map(um),
+        max_j_wt_um: summary.max.map(um),
+        mean_j_wt_um: summary.mean.map(um),
+        with_bearing_clearance: BandRecord {
+            min_j_wt_um: summary.with_clearance[0].map(um),
+            max_j_wt_um: summary.with_clearance[1].map(um),
+        },
+        max_deviation_um: DeviationRecord {
+            involute: summary.off_involute.map(um),
+            line_of_action: summary.off_line_of_action.map(um),
+        },
+    }
+}
+
+/// One pose as a flat row.
+#[derive(Debug, Serialize)]
+struct CsvRow {
+    center_distance_mm: f64,
+    material: &'static str,
+    wheel_tooth: u32,
+    pinion_tooth: u32,
+    flank: &'static str,
+    fraction: f64,
+    wheel_rotation_rad: Option<f64>,
+    pinion_rotation_rad: Option<f64>,
+    right_rad: Option<f64>,
+    left_rad: Option<f64>,
+    lost_motion_rad: Option<f64>,
+    j_wt_um: Option<f64>,
+    j_t_um: Option<f64>,
+    j_bn_um: Option<f64>,
+    j_wt_range_min_um: Option<f64>,
+    j_wt_range_max_um: Option<f64>,
+    error_bound_um: Option<f64>,
+    status: &'static str,
+    right_wheel_tooth: Option<u32>,
+    right_pinion_tooth: Option<u32>,
+    right_wheel_curve: Option<&'static str>,
+    right_pinion_curve: Option<&'static str>,
+    left_wheel_tooth: Option<u32>,
+    left_pinion_tooth: Option<u32>,
+    left_wheel_curve: Option<&'static str>,
+    left_pinion_curve: Option<&'static str>,
+    michalec_um: Option<f64>,
+    involute_um: Option<f64>,
+    line_of_action_um: Option<f64>,
+}
+
+impl CsvRow {
+    fn new(run: &RunRecord, pose: &PoseRecord) -> CsvRow {
+        let (right, left) = (pose.right.as_ref(), pose.left.as_ref());
+        CsvRow {
+            center_distance_mm: run.center_distance_mm,
+            material: run.material,
+            wheel_tooth: pose.mating.wheel_tooth,
+            pinion_tooth: pose.mating.pinion_tooth,
+            flank: pose.mating.flank,
+            fraction: pose.mating.fraction,
+            wheel_rotation_rad: pose.wheel_rotation_rad,
+            pinion_rotation_rad: pose.pinion_rotation_rad,
+            right_rad: pose.right_rad,
+            left_rad: pose.left_rad,
+            lost_motion_rad: pose.lost_motion_rad,
+            j_wt_um: pose.j_wt_um,
+            j_t_um: pose.j_t_um,
+            j_bn_um: pose.j_bn_um,
+            j_wt_range_min_um: pose.j_wt_range_um[0],
+            j_wt_range_max_um: pose.j_wt_range_um[1],
+            error_bound_um: pose.error_bound_um,
+            status: pose.status,
+            right_wheel_tooth: right.map(|c| c.wheel_tooth),
+            right_pinion_tooth: right.map(|c| c.pinion_tooth),
+            right_wheel_curve: right.map(|c| c.wheel_curve),
+            right_pinion_curve: right.map(|c| c.pinion_curve),
+            left_wheel_tooth: left.map(|c| c.wheel_tooth),
+            left_pinion_tooth: left.map(|c| c.pinion_tooth),
+            left_wheel_curve: left.map(|c| c.wheel_curve),
+            left_pinion_curve: left.map(|c| c.pinion_curve),
+            michalec_um: pose.analytic.michalec_um,
+            involute_um: pose.analytic.involute_um,
+            line_of_action_um: pose.analytic.line_of_action_um,
+        }
+    }
+}

@@ -1,0 +1,258 @@
+//! The result as text for a terminal. Lengths in µm unless the heading says mm.
+
+use crate::compare::{ComparedPose, ComparedRun, Verdict};
+use crate::measured::{Band, MeasuredMating};
+use crate::mesh::Contact;
+use crate::study::Study;
+use comfy_table::{CellAlignment, Table, presets};
+use std::fmt::Write;
+
+/// Poses up to this many are listed one by one; more are summed up (tuned: what a screen shows).
+const MOST_LISTED: usize = 40;
+
+/// The text `simulate` prints.
+pub fn simulation(study: &Study, runs: &[ComparedRun], measured: &[MeasuredMating]) -> String {
+    let mut text = format!("{}\n\n", study.title);
+    if !measured.is_empty() {
+        text += &measured_table(measured);
+        text += &measured_count(study, measured);
+        text.push('\n');
+    }
+    let poses: usize = runs.iter().map(|run| run.poses.len()).sum();
+    if measured.is_empty() && poses <= MOST_LISTED {
+        text += &pose_table(runs);
+        text.push('\n');
+    }
+    text += &run_table(study, runs);
+    text += &off_line_note(runs);
+    text
+}
+
+fn table(headings: &[&str]) -> Table {
+    let mut table = Table::new();
+    table.load_style(presets::NOTHING);
+    table.set_header(headings);
+    for column in table.column_iter_mut() {
+        column.set_cell_alignment(CellAlignment::Right);
+    }
+    table
+}
+
+fn finish(table: &Table) -> String {
+    let lines: Vec<String> = table
+        .lines()
+        .map(|line| line.trim_end().to_owned())
+        .collect();
+    lines.join("\n") + "\n"
+}
+
+/// One decimal, or a dash.
+fn um(length_mm: Option<f64>, decimals: usize) -> String {
+    match length_mm {
+        // Adding zero turns a rounded −0.0 into 0.0.
+        Some(length) => {
+            let shown = format!("{:.decimals$}", length * 1e3);
+            if shown
+                .trim_start_matches('-')
+                .chars()
+                .all(|c| c == '0' || c == '.')
+            {
+                shown.trim_start_matches('-').to_owned()
+            } else {
+                shown
+            }
+        }
+        None => "–".to_owned(),
+    }
+}
+
+fn band(band: Option<Band>) -> String {
+    match band {
+        Some(band) => format!(
+            "{} … {}",
+            um(Some(band.min_um * 1e-3), 1),
+            um(Some(band.max_um * 1e-3), 1)
+        ),
+        None => "–".to_owned(),
+    }
+}
+
+fn measured_table(measured: &[MeasuredMating]) -> String {
+    let mut table = table(&[
+        "mating",
+        "a mm",
+        "printed band",
+        "analytic band",
+        "simulated band",
+        "right",
+        "left",
+    ]);
+    for mating in measured {
+        let marked = |value: f64| {
+            let mark = match mating.printed.side_of(value) {
+                0 => ' ',
+                1 => '↑',
+                _ => '↓',
+            };
+            format!("{value} {mark}")
+        };
+        table.add_row(vec![
+            format!("{},{}", mating.row.wheel_tooth, mating.row.pinion_tooth),
+            format!("{:.3}", mating.row.center_distance),
+            band(Some(mating.printed)),
+            band(mating.analytic),
+            band(mating.simulated),
+            marked(mating.row.right_um),
+            marked(mating.row.left_um),
+        ]);
+    }
+    finish(&table)
+}
+
+fn measured_count(study: &Study, measured: &[MeasuredMating]) -> String {
+    let values = || {
+        measured
+            .iter()
+            .flat_map(|m| [(m, m.row.right_um), (m, m.row.left_um)])
+    };
+    let total = values().count();
+    let sides: Vec<i8> = values()
+        .map(|(m, value)| m.printed.side_of(value))
+        .collect();
+    let of = |side: i8| sides.iter().filter(|&&s| s == side).count();
+    let mut text = format!(
+        "\n{} of {total} measured values lie inside the printed band: {} below it (↓), {} above it (↑).\n",
+        of(0),
+        of(-1),
+        of(1),
+    );
+    if study.bearing_clearance > 0.0 {
+        let inside = values()
+            .filter(|(m, value)| {
+                m.with_clearance
+                    .is_some_and(|band| band.side_of(*value) == 0)
+            })
+            .count();
+        let _ = writeln!(
+            text,
+            "With the bearing clearance taken in (a ± {:.3} mm), {inside} of {total} lie inside the simulated band.",
+            study.bearing_clearance
+        );
+    }
+    text += "Bands run from most to least material; analytic (model 2) and simulated are means of the right-flank and the left-flank pose. All in µm of j_wt.\n";
+    text
+}
+
+fn pose_table(runs: &[ComparedRun]) -> String {
+    let mut table = table(&[
+        "a mm",
+        "material",
+        "mating",
+        "flank",
+        "j_wt",
+        "± bound",
+        "status",
+        "right contact",
+        "left contact",
+        "Michalec",
+        "involute",
+        "line of action",
+    ]);
+    for compared in runs {
+        for pose in &compared.poses {
+            let mating = pose.swept.pose.mating();
+            let beyond = match mating.fraction {
+                0.0 => String::new(),
+                fraction => format!(" +{fraction}"),
+            };
+            let contact = |contact: &Option<Contact>| match contact {
+                Some(contact) if pose.swept.backlash.is_some() => format!(
+                    "{},{} {}-{}",
+                    contact.wheel.tooth,
+                    contact.pinion.tooth,
+                    contact.wheel.curve.name(),
+                    contact.pinion.curve.name()
+                ),
+                _ => "–".to_owned(),
+            };
+            table.add_row(vec![
+                format!("{:.3}", compared.run.assembly.center_distance()),
+                compared.run.material.name().to_owned(),
+                format!("{},{}{beyond}", mating.wheel_tooth, mating.pinion_tooth),
+                mating.flank.name().to_owned(),
+                um(pose.swept.backlash, 3),
+                um(pose.swept.error_bound, 4),
+                pose.swept.lost_motion.status().name().to_owned(),
+                contact(&pose.swept.lost_motion.right),
+                contact(&pose.swept.lost_motion.left),
+                um(pose.michalec, 3),
+                um(pose.involute, 3),
+                um(pose.line_of_action, 3),
+            ]);
+        }
+    }
+    finish(&table)
+}
+
+fn run_table(study: &Study, runs: &[ComparedRun]) -> String {
+    let mut headings = vec![
+        "a mm", "material", "poses", "least", "at", "mean", "greatest", "at",
+    ];
+    let clearance = format!("a ± {:.3} mm", study.bearing_clearance);
+    if study.bearing_clearance > 0.0 {
+        headings.push(&clearance);
+    }
+    headings.extend(["off model 2", "off model 3"]);
+    let mut table = table(&headings);
+    for compared in runs {
+        let summary = compared.summary();
+        let at = |pose: Option<&ComparedPose>| pose.map_or("–".to_owned(), where_it_is);
+        let (least, most) = compared.extremes().unzip();
+        let mut row = vec![
+            format!("{:.3}", compared.run.assembly.center_distance()),
+            compared.run.material.name().to_owned(),
+            compared.poses.len().to_string(),
+            um(summary.min, 3),
+            at(least),
+            um(summary.mean, 3),
+            um(summary.max, 3),
+            at(most),
+        ];
+        if study.bearing_clearance > 0.0 {
+            let [near, far] = summary.with_clearance;
+            row.push(format!("{} … {}", um(near, 1), um(far, 1)));
+        }
+        row.extend([
+            um(summary.off_involute, 3),
+            um(summary.off_line_of_action, 3),
+        ]);
+        table.add_row(row);
+    }
+    finish(&table)
+}
+
+/// A pose in a word: mating, flank, fraction.
+pub(super) fn where_it_is(pose: &ComparedPose) -> String {
+    let mating = pose.swept.pose.mating();
+    let beyond = match mating.fraction {
+        0.0 => String::new(),
+        fraction => format!("+{fraction}"),
+    };
+    format!(
+        "{},{}{beyond} {}",
+        mating.wheel_tooth,
+        mating.pinion_tooth,
+        mating.flank.name()
+    )
+}
+
+fn off_line_note(runs: &[ComparedRun]) -> String {
+    let total: usize = runs.iter().map(|run| run.poses.len()).sum();
+    let off: usize = runs.iter().map(|run| run.count(Verdict::OffLine)).sum();
+    if off == 0 {
+        return String::new();
+    }
+    format!(
+        "\nIn {off} of {total} poses a tooth corner, fillet or root touches off the line of action: the pair has less backlash there than model 3 says.\n"
+    )
+}

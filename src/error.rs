@@ -179,7 +179,7 @@ impl fmt::Display for Problem {
     }
 }
 
-/// What a command ends with when it cannot do its work. All exit with 2.
+/// What a command ends with when it cannot do its work.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
     /// All problems of one input file.
@@ -220,9 +220,39 @@ pub enum Error {
         /// What the search saw.
         reason: &'static str,
     },
+    /// A pose whose result polygons do not bear out: a fault of gearlash. Exit 1.
+    #[error(
+        "certificate failed at mating {wheel_tooth},{pinion_tooth}, {flank} flank, fraction {fraction}, centre distance {center_distance_mm} mm: on the {side} side {reason}"
+    )]
+    CertificateFailed {
+        /// The mating's wheel tooth.
+        wheel_tooth: u32,
+        /// The mating's pinion tooth.
+        pinion_tooth: u32,
+        /// The mating's flank.
+        flank: &'static str,
+        /// The mating's fraction.
+        fraction: f64,
+        /// Centre distance, mm.
+        center_distance_mm: f64,
+        /// The side of the contact in question.
+        side: &'static str,
+        /// What was seen.
+        reason: String,
+    },
     /// Ctrl-C.
     #[error("interrupted; nothing was written")]
     Interrupted,
+}
+
+impl Error {
+    /// What the process ends with: 1 when a result did not hold, 2 when there was none to be had.
+    pub fn exit_code(&self) -> u8 {
+        match self {
+            Error::CertificateFailed { .. } => 1,
+            _ => 2,
+        }
+    }
 }
 
 fn list(file: &std::path::Path, problems: &[Problem]) -> String {

@@ -4,9 +4,8 @@
 //! of two of them at once and the projection of a point on a segment. It does
 //! not give the distance of two segments: that one compares with an absolute
 //! epsilon and takes short, nearly parallel segments for parallel. In the plane
-//! the distance of two segments that do not cross is that of an end of one to
-//! the other, so four projections do. Half teeth that cross are outside what
-//! this answers: the caller must come from where they are apart, in safe steps.
+//! the distance of two segments is that of an end of one to the other, so four
+//! projections do, or zero where they cross.
 
 use nalgebra::{Isometry2, Point2};
 use parry2d_f64::math::{Pose2, Vector};
@@ -21,7 +20,7 @@ pub struct Shape {
     polyline: Polyline,
 }
 
-/// The closest approach of two shapes that do not cross.
+/// The closest approach of two shapes; at the distance zero where they cross.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Closest {
     /// Distance, in the unit of the shapes. Right to the rounding of the coordinates.
@@ -49,15 +48,9 @@ impl Shape {
         let pose = Pose2::from(*pose);
         let mut best = self.leaf(other, &pose, hint);
         let bound = Cell::new(best.distance);
-        let within = |ours: &BvhNode, theirs: &BvhNode| {
-            let theirs = theirs.aabb().transform_by(&pose);
-            let gap = (ours.center() - theirs.center()).abs()
-                - (ours.maxs() - ours.mins()) / 2.0
-                - theirs.half_extents();
-            gap.max(Vector::ZERO).length() < bound.get()
-        };
-        let pairs = self.polyline.bvh().leaf_pairs(other.polyline.bvh(), within);
-        for (ours, theirs) in pairs {
+        let nearer = |ours: &BvhNode, theirs: &BvhNode| gap(ours, theirs, &pose) < bound.get();
+        let ours = self.polyline.bvh();
+        for (ours, theirs) in ours.leaf_pairs(other.polyline.bvh(), nearer) {
             let found = self.leaf(other, &pose, [ours, theirs]);
             if found.distance < best.distance {
                 best = found;
@@ -109,8 +102,12 @@ impl Shape {
                 best = *candidate;
             }
         }
+        let distance = match cross(&ours, &theirs) {
+            true => 0.0,
+            false => (best.0 - best.1).length(),
+        };
         Closest {
-            distance: (best.0 - best.1).length(),
+            distance,
             segments,
             points: [
                 Point2::new(best.0.x, best.0.y),
@@ -127,6 +124,15 @@ fn gap(ours: &BvhNode, theirs: &BvhNode, pose: &Pose2) -> f64 {
         - (ours.maxs() - ours.mins()) / 2.0
         - theirs.half_extents();
     apart.max(Vector::ZERO).length()
+}
+
+/// Whether the ends of each segment lie strictly on both sides of the other.
+fn cross(a: &Segment, b: &Segment) -> bool {
+    let sides = |line: &Segment, ends: &Segment| {
+        let along = line.b - line.a;
+        along.perp_dot(ends.a - line.a) * along.perp_dot(ends.b - line.a)
+    };
+    sides(a, b) < 0.0 && sides(b, a) < 0.0
 }
 
 fn join(a: Range<usize>, b: &Range<usize>) -> Range<usize> {

@@ -7,6 +7,6 @@ mod scene;
 mod sweep;
 
 pub use lost_motion::{Contact, LostMotion, Status, Touch};
-pub use polygon::{CutGear, PolygonKernel};
+pub use polygon::{Certifier, CutGear, PolygonKernel};
 pub use scene::{Drawn, LineOfAction, Meeting, Scene};
 pub use sweep::{CutPair, SweptPose, sweep};

@@ -24,6 +24,7 @@ use crate::mesh::contact::Closest;
 use crate::mesh::lost_motion::{Contact, Touch};
 use crate::pair::{Assembly, Member, Pose};
 use nalgebra::{Isometry2, Point2, UnitComplex, Vector2};
+use std::ops::Range;
 
 /// The search ends at this part of the chordal error: it adds a thousandth to the error.
 const STOP: f64 = 1e-3;
@@ -37,7 +38,7 @@ const CORNER: f64 = 1e-7;
 
 /// Each re-cut is this much finer: some thirty chords over the stretch that may still touch (tuned:
 /// 1e-2 takes more re-cuts, 1e-4 more chords; both are slower).
-const FINER: f64 = 1e-3;
+pub(super) const FINER: f64 = 1e-3;
 
 /// A pair of half teeth of one side. The opening `u`, rad, is how far the free gear is turned
 /// from its nominal rotation in the sense away from contact: of two pairs, the one that touches at the greater opening is tighter.
@@ -106,48 +107,62 @@ impl<'a> Facing<'a> {
     /// Between the ends of the bracket no point moves farther than `R` times its width. What is farther
     /// from the other polygon than that and both chordal errors touches nothing in the bracket: only the rest is cut again.
     pub fn refine(&self, mut found: Found, finest: f64) -> Result<Found, Error> {
-        let mut chord = self.locked.polygon.chord();
+        let mut chord = self.chord();
         let mut cut: Option<[CutHalf; 2]> = None;
         while chord > finest {
-            let coarse = match &cut {
-                None => *self,
-                Some([locked, free]) => Facing {
-                    locked,
-                    free,
-                    ..*self
-                },
-            };
+            let coarse = self.on(&cut);
             let width = (found.clear - found.touching).max(found.touching - found.closed);
             let margin = 2.0 * chord + self.reach() * width;
-            let pose = self.locked_frame.inverse() * self.free_frame(found.touching);
-            let near = coarse.locked.shape.near(&coarse.free.shape, &pose, margin);
-            let [locked, free] = near.ok_or_else(|| self.lost(NOTHING_NEAR))?;
+            let near = coarse.near(found.touching, margin);
+            let near = near.ok_or_else(|| self.lost(NOTHING_NEAR))?;
             chord = (chord * FINER).max(finest);
-            let again = |half: &CutHalf, member, window| {
-                let gear = self.assembly.gear(member).gear();
-                CutHalf::new(half.polygon.recut(gear, window, chord))
-            };
-            let finer = [
-                again(coarse.locked, self.assembly.locked(), locked),
-                again(coarse.free, self.assembly.free(), free),
-            ];
-            let fine = Facing {
-                locked: &finer[0],
-                free: &finer[1],
-                ..*self
-            };
+            cut = Some(coarse.recut(near, chord));
             // Inscribed polygons touch a little after their curves.
             let end = found.closed - (found.clear - found.closed);
-            let again = fine.turn_in(found.clear, end)?;
+            let again = self.on(&cut).turn_in(found.clear, end)?;
             found = again.ok_or_else(|| self.lost(PASSED))?;
-            cut = Some(finer);
         }
         Ok(found)
     }
 
+    /// The same pair, on polygons cut again.
+    pub fn on<'b>(&'b self, cut: &'b Option<[CutHalf; 2]>) -> Facing<'b> {
+        match cut {
+            None => *self,
+            Some([locked, free]) => Facing {
+                locked,
+                free,
+                ..*self
+            },
+        }
+    }
+
+    /// The stretches of chords within `margin` of the other half tooth at `opening`; `None` when nothing is.
+    pub fn near(&self, opening: f64, margin: f64) -> Option<[Range<usize>; 2]> {
+        let pose = self.locked_frame.inverse() * self.free_frame(opening);
+        self.locked.shape.near(&self.free.shape, &pose, margin)
+    }
+
+    /// The curves behind stretches of chords, cut again within `chord`.
+    pub fn recut(&self, [locked, free]: [Range<usize>; 2], chord: f64) -> [CutHalf; 2] {
+        let again = |half: &CutHalf, member, stretch| {
+            let gear = self.assembly.gear(member).gear();
+            CutHalf::new(half.polygon.recut(gear, stretch, chord))
+        };
+        [
+            again(self.locked, self.assembly.locked(), locked),
+            again(self.free, self.assembly.free(), free),
+        ]
+    }
+
+    /// Chordal error of the polygons, mm.
+    pub fn chord(&self) -> f64 {
+        self.locked.polygon.chord()
+    }
+
     /// Steps from the opening `start`, where nothing touches, until the polygons do, or to `end`.
     fn turn_in(&self, start: f64, end: f64) -> Result<Option<Found>, Error> {
-        let chord = self.locked.polygon.chord();
+        let chord = self.chord();
         // Below its own rounding a distance says nothing.
         let stop = (STOP * chord).max(self.rounding() / 8.0);
         let to_locked = self.locked_frame.inverse();
@@ -176,13 +191,13 @@ impl<'a> Facing<'a> {
     }
 
     /// Greatest radius `R` of the free gear about its axis, mm.
-    fn reach(&self) -> f64 {
+    pub fn reach(&self) -> f64 {
         self.assembly.gear(self.assembly.free()).reach()
     }
 
     /// Rounding of a distance, mm: coordinates up to the centre distance, and radii turned by angles
     /// of the size of both rotations, some dozens of operations on each.
-    fn rounding(&self) -> f64 {
+    pub fn rounding(&self) -> f64 {
         let turned = self.pose.locked_rotation().abs() + self.pose.free_rotation().abs();
         64.0 * f64::EPSILON * (self.assembly.center_distance() + self.reach() * turned)
     }
@@ -222,7 +237,7 @@ impl<'a> Facing<'a> {
             .filter(|&i| near_fillet(halves[i], closest.segments[i] as usize))
             .count();
         let rounding = self.rounding();
-        let depth = hollow as f64 * self.locked.polygon.chord() + closest.distance + rounding;
+        let depth = hollow as f64 * self.chord() + closest.distance + rounding;
         Found {
             clear: clear + rounding / lever,
             touching,

@@ -5,6 +5,7 @@
 //! facing half teeth within reach is searched on its own (`facing`); the
 //! side's contact is the tightest.
 
+mod certificate;
 mod facing;
 
 use super::contact::Shape;
@@ -12,6 +13,7 @@ use super::lost_motion::{Contact, LostMotion};
 use crate::error::Error;
 use crate::gear::{AsBuilt, HalfTooth, Side};
 use crate::pair::{Assembly, Member, Pose};
+pub use certificate::Certifier;
 use facing::{Facing, Found};
 use nalgebra::Point2;
 use std::f64::consts::PI;
@@ -78,12 +80,9 @@ impl<'a> PolygonKernel<'a> {
     }
 
     /// The same, with the polygons cut again ever finer round each contact, down to what f64 resolves.
-    ///
-    /// Chords within 512 ulps of the centre distance (1.5e-11 mm at 132 mm) are as fine as is of use: a
-    /// point of a gear is known to some dozens.
     pub fn refined(assembly: &'a Assembly, wheel: &'a CutGear, pinion: &'a CutGear) -> Self {
         PolygonKernel {
-            finest: 512.0 * f64::EPSILON * assembly.center_distance(),
+            finest: finest_chord(assembly),
             ..PolygonKernel::new(assembly, wheel, pinion)
         }
     }
@@ -134,6 +133,12 @@ impl<'a> PolygonKernel<'a> {
             .map(|(facing, bracket)| facing.contact(bracket, rotation, error))
             .min_by(|a, b| off(a).total_cmp(&off(b))))
     }
+}
+
+/// Chordal error, mm, below which finer polygons tell no more: 512 ulps of the centre distance
+/// (1.5e-11 mm at 132 mm); a point of a gear is known to some dozens.
+fn finest_chord(assembly: &Assembly) -> f64 {
+    512.0 * f64::EPSILON * assembly.center_distance()
 }
 
 /// Places of the locked teeth, counted counter-clockwise from the mating's, that the free gear can reach.

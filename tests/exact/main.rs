@@ -1,0 +1,5 @@
+//! The exact method against everything outside it: the reference poses, closed forms, a
+//! brute-force search, and the hard cases.
+
+mod reference;
+mod reference_poses;

@@ -1,5 +1,8 @@
 //! The exact method against everything outside it: the reference poses, closed forms, a
 //! brute-force search, and the hard cases.
 
+mod brute;
+mod campaign;
+mod random;
 mod reference;
 mod reference_poses;

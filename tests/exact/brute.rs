@@ -176,8 +176,9 @@ fn climb(one: &Half, other: &Half, sign: f64, margin: f64, best: &mut Option<f64
                 let (at_c, at_d) = (gap(&c), gap(&d));
                 offer(at_c);
                 offer(at_d);
-                // Out of reach counts as lower.
-                if at_c > at_d || (at_c == at_d && a.rho > b.rho) {
+                // Out of reach counts as lower; where both are, sample k is not.
+                let lost = at_d == f64::NEG_INFINITY && at_c == f64::NEG_INFINITY;
+                if at_c > at_d || (lost && k == i) {
                     high = d.t;
                 } else {
                     low = c.t;

@@ -3,6 +3,8 @@
 
 mod brute;
 mod campaign;
+mod hard;
+mod perfect;
 mod random;
 mod reference;
 mod reference_poses;

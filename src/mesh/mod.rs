@@ -1,11 +1,13 @@
 //! What two gears do: contact of their outlines, lost motion, sweeps of poses.
 
 mod contact;
+mod exact;
 mod lost_motion;
 mod polygon;
 mod scene;
 mod sweep;
 
+pub use exact::ExactKernel;
 pub use lost_motion::{Contact, LostMotion, Status, Touch};
 pub use polygon::{Certifier, CutGear, PolygonKernel};
 pub use scene::{Drawn, LineOfAction, Meeting, Scene};

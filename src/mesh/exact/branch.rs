@@ -1,0 +1,309 @@
+//! Branch and bound over any pair of curves: slow, and right for plain reasons.
+//!
+//! Two half teeth are put where the pose puts them, positions counted from the
+//! free gear's axis. Points `P` of the locked and `Q` of the free one meet when
+//! `|P| = |Q| = ρ`, at the free gear's rotation `arg(P · conj Q)`, the *gap*;
+//! the right side's contact is the greatest gap. A node is a pair of arcs. With
+//! `σ = ρ dθ/dρ = tan ψ`, `ψ` the angle between tangent and radius, the gap over
+//! `ln ρ` has the slope `σ_locked − σ_free`. So:
+//!
+//! - a node whose radii do not overlap, or whose greatest gap is below one already found, is empty;
+//! - where both arcs rise or fall in `ρ` and their `ψ` do not overlap, the gap is monotone: its
+//!   greatest value stands at an end of the common radii, and one evaluation settles the node;
+//! - where they do overlap the gap exceeds that at one radius by at most (slope) × (length in ln ρ):
+//!   second order in the arc's length, so a smooth maximum is closed after a few dozen nodes;
+//! - anything else is cut in two.
+//!
+//! All bounds come from the distance and turn of the curve from its middle ([`Shape::spread`]);
+//! nothing is assumed of the curves' shape.
+
+use super::shape::{C, Sample, Shape};
+use crate::gear::Curve;
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// Nodes after which a pair counts as lost. Ordinary pairs take some hundreds, the worst of the
+/// campaign (`examples/exact_campaign.rs`) some thousands.
+const MOST_NODES: usize = 400_000;
+
+/// A half tooth where the pose puts it: `centre + direction · P`, from the free gear's axis.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Placed<'a> {
+    pub shape: &'a Shape,
+    pub centre: C,
+    pub direction: C,
+}
+
+impl Placed<'_> {
+    pub fn at(&self, curve: Curve, t: f64) -> Sample {
+        let sample = self.shape.at(curve, t);
+        Sample {
+            point: self.centre + self.direction * sample.point,
+            normal: self.direction * sample.normal,
+        }
+    }
+}
+
+/// Where two half teeth meet.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Hit {
+    /// Gap, rad: the free gear's rotation, counted as the caller's `origin` does.
+    pub gap: f64,
+    /// Bound on what branching left out, rad.
+    pub slack: f64,
+    /// Curve and parameter on the locked gear.
+    pub locked: (Curve, f64),
+    /// Curve and parameter on the free gear.
+    pub free: (Curve, f64),
+}
+
+/// Two curves that [`MOST_NODES`] did not settle, the locked gear's first.
+#[derive(Debug)]
+pub(super) struct Unsettled(Curve, Curve);
+
+impl Unsettled {
+    /// In words, for the error message.
+    pub fn reason(&self) -> &'static str {
+        const REASONS: [[&str; 4]; 4] = [
+            [
+                "locked tip land on free tip land: not settled",
+                "locked tip land on free involute: not settled",
+                "locked tip land on free fillet: not settled",
+                "locked tip land on free root land: not settled",
+            ],
+            [
+                "locked involute on free tip land: not settled",
+                "locked involute on free involute: not settled",
+                "locked involute on free fillet: not settled",
+                "locked involute on free root land: not settled",
+            ],
+            [
+                "locked fillet on free tip land: not settled",
+                "locked fillet on free involute: not settled",
+                "locked fillet on free fillet: not settled",
+                "locked fillet on free root land: not settled",
+            ],
+            [
+                "locked root land on free tip land: not settled",
+                "locked root land on free involute: not settled",
+                "locked root land on free fillet: not settled",
+                "locked root land on free root land: not settled",
+            ],
+        ];
+        REASONS[self.0 as usize][self.1 as usize]
+    }
+}
+
+/// A piece of a curve and what is known of it.
+#[derive(Debug, Clone, Copy)]
+struct Arc {
+    curve: Curve,
+    low: f64,
+    high: f64,
+    middle: C,
+    /// Distance from the middle within which it lies.
+    reach: f64,
+    /// Angle within which it is seen from the axis, to either side of the middle.
+    swing: f64,
+    radii: (f64, f64),
+    /// Bounds of `ψ` where the arc is monotone in `ρ`, and whether `ρ` rises with the parameter.
+    slope: Option<(f64, f64, bool)>,
+}
+
+impl Arc {
+    fn new(placed: &Placed, curve: Curve, low: f64, high: f64) -> Arc {
+        let sample = placed.at(curve, 0.5 * (low + high));
+        let (reach, bend) = placed.shape.spread(curve, low, high);
+        let radius = sample.point.norm();
+        let swing = if reach < radius {
+            (reach / radius).asin()
+        } else {
+            PI
+        };
+        // z = tangent/radius direction; of its two senses the one of rising ρ.
+        let z = C::i() * sample.normal * sample.point.conj();
+        let psi = (z.im * z.re.signum()).atan2(z.re.abs());
+        let play = bend + swing;
+        let mut arc = Arc {
+            curve,
+            low,
+            high,
+            middle: sample.point,
+            reach,
+            swing,
+            radii: (radius - reach, radius + reach),
+            slope: None,
+        };
+        if low == high {
+            arc.slope = Some((0.0, 0.0, true));
+        } else if psi.abs() + play < FRAC_PI_2 {
+            let ends = [low, high].map(|t| placed.at(curve, t).point.norm());
+            arc.radii = (ends[0].min(ends[1]), ends[0].max(ends[1]));
+            arc.slope = Some((psi - play, psi + play, ends[0] <= ends[1]));
+        }
+        arc
+    }
+
+    fn cut(&self, placed: &Placed) -> [Arc; 2] {
+        let middle = 0.5 * (self.low + self.high);
+        [
+            Arc::new(placed, self.curve, self.low, middle),
+            Arc::new(placed, self.curve, middle, self.high),
+        ]
+    }
+
+    /// The parameter at radius `rho` of a monotone arc; at or beyond an end, that end.
+    fn at_radius(&self, placed: &Placed, rho: f64, rising: bool) -> f64 {
+        let (inner, outer) = if rising {
+            (self.low, self.high)
+        } else {
+            (self.high, self.low)
+        };
+        if rho <= self.radii.0 {
+            inner
+        } else if rho >= self.radii.1 {
+            outer
+        } else {
+            invert(placed, self.curve, rho, inner, outer)
+        }
+    }
+}
+
+/// The parameter between `inner` and `outer` at which `curve` has the radius `rho`, `|P|` rising from one to the other.
+///
+/// Newton's method on `|P|² − ρ²`, halved whenever it leaves its bracket. It
+/// ends when the step or the rest is lost in rounding.
+pub(super) fn invert(
+    placed: &Placed,
+    curve: Curve,
+    rho: f64,
+    mut inner: f64,
+    mut outer: f64,
+) -> f64 {
+    let mut t = 0.5 * (inner + outer);
+    for _ in 0..128 {
+        let sample = placed.at(curve, t);
+        let rest = sample.point.norm_sqr() - rho * rho;
+        if rest <= 0.0 {
+            inner = t;
+        }
+        if rest >= 0.0 {
+            outer = t;
+        }
+        // d|P|²/dt = 2 P·(i n) speed.
+        let along = sample.point.im * sample.normal.re - sample.point.re * sample.normal.im;
+        let newton = t - rest / (2.0 * along * placed.shape.speed(curve, t));
+        let inside = newton > inner.min(outer) && newton < inner.max(outer);
+        let next = if inside {
+            newton
+        } else {
+            0.5 * (inner + outer)
+        };
+        let step = (next - t).abs();
+        t = next;
+        if step <= 2.0 * f64::EPSILON * t.abs() || rest == 0.0 {
+            break;
+        }
+    }
+    t
+}
+
+/// The greatest gap of two half teeth, if it exceeds `floor`, over all their curves.
+///
+/// `origin` is the free gear's direction from which gaps count, so that they are small angles.
+pub(super) fn search(
+    locked: &Placed,
+    free: &Placed,
+    origin: C,
+    floor: f64,
+) -> Result<Option<Hit>, Unsettled> {
+    let mut best: Option<Hit> = None;
+    let mut level = floor;
+    let mut nodes = Vec::new();
+    for ours in Curve::ALL {
+        for theirs in Curve::ALL {
+            if let Some(free_arc) = free_arc(free, theirs) {
+                let (low, high) = locked.shape.range(ours);
+                nodes.push((Arc::new(locked, ours, low, high), free_arc));
+            }
+        }
+    }
+    let mut count = 0;
+    while let Some((ours, theirs)) = nodes.pop() {
+        count += 1;
+        if count > MOST_NODES {
+            return Err(Unsettled(ours.curve, theirs.curve));
+        }
+        let inner = ours.radii.0.max(theirs.radii.0);
+        let outer = ours.radii.1.min(theirs.radii.1);
+        let play = ours.swing + theirs.swing;
+        let middle_gap = (ours.middle * theirs.middle.conj() * origin).arg();
+        if inner > outer || (play < PI && middle_gap + play <= level) {
+            continue;
+        }
+        let mut record = |t: f64, u: f64, slack: f64| {
+            let (p, q) = (locked.at(ours.curve, t), free.at(theirs.curve, u));
+            let gap = (p.point * q.point.conj() * origin).arg();
+            if gap > level {
+                level = gap;
+                best = Some(Hit {
+                    gap,
+                    slack,
+                    locked: (ours.curve, t),
+                    free: (theirs.curve, u),
+                });
+            }
+            gap
+        };
+        if let (Some(a), Some(b)) = (ours.slope, theirs.slope) {
+            let mut meet = |rho: f64, slack: f64| {
+                record(
+                    ours.at_radius(locked, rho, a.2),
+                    theirs.at_radius(free, rho, b.2),
+                    slack,
+                )
+            };
+            if a.0 >= b.1 {
+                meet(outer, 0.0);
+                continue;
+            }
+            if a.1 <= b.0 {
+                meet(inner, 0.0);
+                continue;
+            }
+            let slope = (a.1.tan() - b.0.tan()).max(b.1.tan() - a.0.tan());
+            let rise = slope * (outer - inner) / inner;
+            let gap = meet(0.5 * (inner + outer), f64::EPSILON);
+            if gap + rise <= level + f64::EPSILON {
+                continue;
+            }
+        } else if play <= 2.0 * f64::EPSILON {
+            record(
+                0.5 * (ours.low + ours.high),
+                0.5 * (theirs.low + theirs.high),
+                play,
+            );
+            continue;
+        }
+        if theirs.low == theirs.high || ours.reach >= theirs.reach {
+            nodes.extend(ours.cut(locked).map(|arc| (arc, theirs)));
+        } else {
+            nodes.extend(theirs.cut(free).map(|arc| (ours, arc)));
+        }
+    }
+    Ok(best)
+}
+
+/// The whole of one curve of the free gear. About its own centre a land has one radius, on which
+/// only its end farthest clockwise can touch: of the tip land the corner (which ends the involute
+/// too), of the root land the middle of the space.
+fn free_arc(free: &Placed, curve: Curve) -> Option<Arc> {
+    let (low, high) = free.shape.range(curve);
+    if free.centre != C::ZERO {
+        return Some(Arc::new(free, curve, low, high));
+    }
+    match curve {
+        Curve::Tip => None,
+        Curve::Root => Some(Arc::new(free, curve, high, high)),
+        Curve::Involute | Curve::Fillet => Some(Arc::new(free, curve, low, high)),
+    }
+}

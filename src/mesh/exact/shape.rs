@@ -1,0 +1,170 @@
+//! The half tooth all teeth of a gear share, in a form that is quick to evaluate.
+//!
+//! The same four curves and parameters as [`crate::gear::Profile`], written for
+//! the right-hand half in complex numbers, point and normal from one sine and
+//! cosine; a unit test holds the two together. The left-hand half is the mirror
+//! image, and the exact method solves the left side as the mirrored right side.
+
+use crate::gear::{Curve, Gear, involute};
+use nalgebra::Complex;
+use std::f64::consts::PI;
+
+/// Point or vector of the plane.
+pub(super) type C = Complex<f64>;
+
+/// `e^{i angle}`.
+pub(super) fn turn(angle: f64) -> C {
+    let (sin, cos) = angle.sin_cos();
+    C::new(cos, sin)
+}
+
+/// A point of a curve, mm, and the unit normal there, out of the metal.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Sample {
+    pub point: C,
+    pub normal: C,
+}
+
+/// The right-hand half tooth, its centre line on +x.
+#[derive(Debug, Clone)]
+pub(super) struct Shape {
+    pub base: f64,
+    pub half_base: f64,
+    pub tip_radius: f64,
+    pub root_radius: f64,
+    pub tip_roll: f64,
+    pub form_roll: f64,
+    tip_half_angle: f64,
+    /// `r`.
+    pub pitch_radius: f64,
+    /// `h_0`.
+    pub depth: f64,
+    /// `ρ`.
+    pub round: f64,
+    root_angle: f64,
+    pub fillet_end: f64,
+    half_pitch: f64,
+    /// Whether the fillet meets the involute in an edge.
+    pub undercut: bool,
+}
+
+impl Shape {
+    pub fn new(gear: &Gear) -> Shape {
+        let (toothing, rack, fillet) = (gear.toothing(), &gear.blank().rack, gear.fillet());
+        let module = toothing.module();
+        Shape {
+            base: gear.base_radius(),
+            half_base: gear.half_base_angle(),
+            tip_radius: gear.tip_radius(),
+            root_radius: gear.root_radius(),
+            tip_roll: gear.tip_roll(),
+            form_roll: gear.form_roll(),
+            tip_half_angle: gear.half_angle_at_roll(gear.tip_roll()),
+            pitch_radius: toothing.reference_radius(),
+            depth: (rack.dedendum() - rack.root_radius() - gear.generating_shift()) * module,
+            round: rack.root_radius() * module,
+            root_angle: fillet.root_angle(),
+            fillet_end: fillet.end(),
+            half_pitch: PI / f64::from(toothing.teeth()),
+            undercut: fillet.end() < PI / 2.0 - toothing.pressure_angle(),
+        }
+    }
+
+    /// Parameters of a curve's two ends, the lesser first. Equal ends: the curve has no length.
+    pub fn range(&self, curve: Curve) -> (f64, f64) {
+        match curve {
+            Curve::Tip => (0.0, self.tip_half_angle),
+            Curve::Involute => (self.form_roll, self.tip_roll),
+            Curve::Fillet => (0.0, self.fillet_end),
+            // A full tip round leaves no land; what rounding leaves of it is none either.
+            Curve::Root => (
+                (-self.root_angle).min(self.half_pitch * (1.0 - 1e-14)),
+                self.half_pitch,
+            ),
+        }
+    }
+
+    /// Point and normal of `curve` at parameter `t`.
+    pub fn at(&self, curve: Curve, t: f64) -> Sample {
+        match curve {
+            Curve::Tip | Curve::Root => {
+                let normal = turn(-t);
+                let radius = if curve == Curve::Tip {
+                    self.tip_radius
+                } else {
+                    self.root_radius
+                };
+                Sample {
+                    point: normal * radius,
+                    normal,
+                }
+            }
+            // P = r_b E (1 − iξ), n = −iE.
+            Curve::Involute => {
+                let e = turn(t - self.half_base);
+                let normal = C::new(e.im, -e.re);
+                Sample {
+                    point: (e + normal * t) * self.base,
+                    normal,
+                }
+            }
+            // P = E (r − L e^{−iγ}), n = E e^{−iγ}, E = e^{i(root − h_0 tan γ/r)}, L = h_0/cos γ + ρ.
+            Curve::Fillet => {
+                let (sin, cos) = t.sin_cos();
+                let e = turn(self.root_angle - self.depth * sin / (cos * self.pitch_radius));
+                let normal = e * C::new(cos, -sin);
+                Sample {
+                    point: e * self.pitch_radius - normal * (self.depth / cos + self.round),
+                    normal,
+                }
+            }
+        }
+    }
+
+    /// `(d, w)`: every point of `curve` with parameter in `[low, high]` lies within `d` of the middle
+    /// one, and its normal within the angle `w` of the middle one's.
+    ///
+    /// `d` is the length of the longer half, `w` the turn of the normal over it.
+    /// Involute: length `r_b ξ²/2`, turn `ξ`. Fillet: `dP/dγ = S`, turn `q`
+    /// ([`crate::gear::Fillet`]); both rise with `γ` once `h_0` is taken by its amount.
+    pub fn spread(&self, curve: Curve, low: f64, high: f64) -> (f64, f64) {
+        let half = 0.5 * (high - low);
+        match curve {
+            Curve::Tip => (self.tip_radius * half, half),
+            Curve::Root => (self.root_radius * half, half),
+            Curve::Involute => (0.5 * self.base * half * (high + 0.5 * (low + high)), half),
+            Curve::Fillet => {
+                let c = 1.0 / high.cos();
+                let depth = self.depth.abs();
+                let lift = depth * c * c / self.pitch_radius;
+                let speed = self.round + lift * (self.round + depth * c);
+                (speed * half, (1.0 + lift) * half)
+            }
+        }
+    }
+
+    /// `dP/dt = i n · speed`, with its sign.
+    pub fn speed(&self, curve: Curve, t: f64) -> f64 {
+        match curve {
+            Curve::Tip => -self.tip_radius,
+            Curve::Root => -self.root_radius,
+            // dP/dξ = r_b ξ E = r_b ξ · i n.
+            Curve::Involute => self.base * t,
+            Curve::Fillet => {
+                let c = 1.0 / t.cos();
+                let lift = self.depth * c * c / self.pitch_radius;
+                self.round + lift * (self.round + self.depth * c)
+            }
+        }
+    }
+
+    /// Radius about the gear's own centre, mm.
+    pub fn radius(&self, curve: Curve, t: f64) -> f64 {
+        match curve {
+            Curve::Tip => self.tip_radius,
+            Curve::Root => self.root_radius,
+            Curve::Involute => involute::radius_at(t, self.base),
+            Curve::Fillet => self.at(curve, t).point.norm(),
+        }
+    }
+}

@@ -1,0 +1,114 @@
+//! Random poses against brute force.
+
+use crate::{brute, random};
+use gearlash::gear::Curve;
+use gearlash::mesh::ExactKernel;
+use gearlash::pair::{Assembly, Mating, Pose};
+use random::Random;
+
+/// What a campaign met.
+#[derive(Default, Debug)]
+pub struct Tally {
+    pub poses: usize,
+    pub sides: usize,
+    pub off_involute: usize,
+    pub tip_on_involute: usize,
+    pub tip_on_fillet: usize,
+    pub fillet: usize,
+    pub lands: usize,
+    pub eccentric: usize,
+    pub none: usize,
+    pub statuses: [usize; 4],
+    pub worst_um: f64,
+}
+
+/// One pose both ways; panics on the first difference above 1e-6 µm at the operating pitch circle.
+pub fn compare(assembly: &Assembly, mating: Mating, tally: &mut Tally, seed: u64) {
+    let pose = Pose::new(assembly, mating);
+    let what = || {
+        format!(
+            "seed {seed}: {mating:?}, a {}, locked {:?}, {}",
+            assembly.center_distance(),
+            assembly.locked(),
+            brute::describe(assembly)
+        )
+    };
+    let found = ExactKernel::new(assembly)
+        .lost_motion(&pose)
+        .unwrap_or_else(|lost| panic!("{lost}: {}", what()));
+    let expected = brute::rotations(assembly, &pose);
+    let radius_um = 1000.0 * assembly.operating_pitch_radius(assembly.free());
+    tally.poses += 1;
+    tally.eccentric += usize::from(assembly.gear(assembly.free()).eccentricity() > 0.0);
+    tally.statuses[found.status() as usize] += 1;
+    for (contact, expected) in [found.right, found.left].iter().zip(expected) {
+        tally.sides += 1;
+        let (Some(contact), Some(expected)) = (contact, expected) else {
+            assert!(
+                contact.is_none() && expected.is_none(),
+                "{contact:?} {expected:?} {}",
+                what()
+            );
+            tally.none += 1;
+            continue;
+        };
+        let turn = contact.rotation - pose.free_rotation() - expected;
+        let off = (turn - std::f64::consts::TAU * (turn / std::f64::consts::TAU).round()).abs()
+            * radius_um;
+        // The nominal rotation of a pose a thousand pitches on is itself rounded to 1e-13 rad.
+        let nominal = pose.free_rotation().abs() * f64::EPSILON * radius_um;
+        assert!(
+            off <= 1e-6 + nominal,
+            "off by {off:e} µm (turn {turn}): {contact:?} {expected} {}",
+            what()
+        );
+        tally.worst_um = tally.worst_um.max(off);
+        match (contact.wheel.curve, contact.pinion.curve) {
+            (Curve::Involute, Curve::Involute) => continue,
+            (Curve::Root, _) | (_, Curve::Root) | (Curve::Tip, Curve::Tip) => tally.lands += 1,
+            (Curve::Tip, Curve::Involute) | (Curve::Involute, Curve::Tip) => {
+                tally.tip_on_involute += 1
+            }
+            (Curve::Tip, Curve::Fillet) | (Curve::Fillet, Curve::Tip) => tally.tip_on_fillet += 1,
+            _ => tally.fillet += 1,
+        }
+        tally.off_involute += 1;
+    }
+}
+
+/// `count` poses, a new pair each.
+pub fn run(count: u64, first_seed: u64) -> Tally {
+    let mut tally = Tally::default();
+    for seed in first_seed..first_seed + count {
+        let mut random = Random(seed);
+        let assembly = random::pair(&mut random, random::WILD);
+        let mating = random::mating(&mut random, &assembly);
+        compare(&assembly, mating, &mut tally, seed);
+    }
+    tally
+}
+
+/// Source: brute force on the curves themselves. A quarter of the contacts and more lies off the
+/// line of action; half the free gears are eccentric.
+#[test]
+fn random_poses_against_brute_force() {
+    let tally = run(300, 1);
+    println!("{tally:?}");
+    assert!(4 * tally.off_involute >= tally.sides);
+    assert!(5 * tally.eccentric >= 2 * tally.poses);
+}
+
+/// The same, long.
+#[test]
+#[ignore = "minutes"]
+fn many_random_poses_against_brute_force() {
+    let count = std::env::var("POSES")
+        .ok()
+        .and_then(|text| text.parse().ok())
+        .unwrap_or(20_000);
+    let first = std::env::var("SEED")
+        .ok()
+        .and_then(|text| text.parse().ok())
+        .unwrap_or(1_000);
+    println!("{:?}", run(count, first));
+}

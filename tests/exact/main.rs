@@ -1,0 +1,10 @@
+//! The exact method against everything outside it: the reference poses, closed forms, a
+//! brute-force search, and the hard cases.
+
+mod brute;
+mod campaign;
+mod hard;
+mod perfect;
+mod random;
+mod reference;
+mod reference_poses;

@@ -1,4 +1,45 @@
-//! gearlash
+//! Backlash of a measured gear pair, found by turning one gear's true outline against the other's.
+//!
+//! A pair file states two spur gears, what was *measured* on them, and how they are put together. gearlash
+//! builds the real tooth outlines (involutes, generated fillets, undercut, every tooth where it was
+//! measured to be), locks one gear and turns the other to right-flank and to left-flank contact. The angle
+//! between is the lost motion, signed: negative means that the pair cannot be assembled.
+//!
+//! The way through the crate, each stage importing only earlier ones:
+//!
+//! ```text
+//! input → study → gear → pair → mesh → simulate → compare → render → cli
+//!                         └──→ analytic ──────────┘
+//! ```
+//!
+//! [`analytic`] shares nothing with [`mesh`] but gears, deviations and poses: their agreement means something.
+//! Lengths are mm and angles radians inside; names at the edge carry their unit (`_um`, `_mm`, `_deg`).
+//!
+//! ```
+//! use gearlash::gear::{AsBuilt, Blank, Face, Gear, Rack, Side, Toothing};
+//! use gearlash::mesh::{ExactKernel, Status};
+//! use gearlash::pair::{Assembly, Mating, Member, Pose};
+//!
+//! // Two gears of module 3, 20°, with 44 teeth, 0.1 mm farther apart than play-free.
+//! let toothing = Toothing::new(44, 3.0, 20f64.to_radians())?;
+//! let blank = Blank { toothing, profile_shift: 0.0, rack: Rack::ISO_53_A, tip_diameter: None };
+//! let gear = Gear::nominal(blank)?;
+//! let wheel = AsBuilt::perfect(gear.clone(), Face::Front);
+//! let pinion = AsBuilt::perfect(gear, Face::Back);
+//! let assembly = Assembly::new(wheel, pinion, 132.1, Member::Wheel)?;
+//!
+//! // Tooth 11 of the wheel mates with tooth 11 of the pinion at their right flanks.
+//! let mating = Mating { wheel_tooth: 11, pinion_tooth: 11, flank: Side::Right, fraction: 0.0 };
+//! let pose = Pose::new(&assembly, mating);
+//! let found = ExactKernel::new(&assembly).lost_motion(&pose)?;
+//! assert_eq!(found.status(), Status::Clear);
+//!
+//! // j_wt = φ_j r_w; published for this pair: 0.0730569413863697 mm.
+//! let j_wt = found.angle().unwrap() * assembly.operating_pitch_radius(Member::Pinion);
+//! assert!((j_wt - 0.0730569413863697).abs() < 1e-9);
+//! # Ok::<(), gearlash::error::Error>(())
+//! ```
+
 pub mod analytic;
 pub mod cli;
 pub mod compare;
@@ -9,6 +50,7 @@ pub mod measured;
 pub mod mesh;
 pub mod output;
 pub mod pair;
+pub mod phases;
 pub mod render;
 pub mod simulate;
 pub mod study;

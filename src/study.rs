@@ -90,12 +90,38 @@ pub struct RunPlan {
     pub material: Material,
     /// The pair.
     pub assembly: Assembly,
+    /// Wheel and pinion tooth that name the assembly phase, where phases are run apart.
+    pub phase: Option<(u32, u32)>,
     /// In order.
     pub matings: Vec<Mating>,
 }
 
 impl Study {
-    /// Every centre distance with every material, the materials of the first distance first.
+    /// The same study at other centre distances, mm.
+    ///
+    /// # Errors
+    /// [`GearError::BaseCirclesOverlap`], at a distance or, with bearing clearance, at `a − c`;
+    /// [`GearError::OutOfRange`] for a study that runs exactly its measured rows.
+    pub fn at(mut self, center_distances: Vec<f64>) -> Result<Study, GearError> {
+        if self.sweep.is_none() {
+            return Err(GearError::OutOfRange {
+                what: "number of other centre distances",
+                value: center_distances.len() as f64,
+                allowed: "none: without [sweep] exactly the rows of [measured] are run, at theirs",
+            });
+        }
+        for (_, wheel, pinion) in &self.materials {
+            for a in &center_distances {
+                let closest = a - self.bearing_clearance;
+                Assembly::new(wheel.clone(), pinion.clone(), closest, self.locked)?;
+            }
+        }
+        self.echo["assembly"]["center_distance_mm"] = serde_json::json!(center_distances);
+        self.center_distances = center_distances;
+        Ok(self)
+    }
+
+    /// Every centre distance with every material, the materials of the first distance first, phase by phase.
     ///
     /// # Errors
     /// None for a study that was read; a pair that cannot be assembled otherwise.
@@ -106,15 +132,24 @@ impl Study {
             let rows = measured.remove(&a.to_bits()).unwrap_or_default();
             for (material, wheel, pinion) in &self.materials {
                 let assembly = Assembly::new(wheel.clone(), pinion.clone(), a, self.locked)?;
-                let matings = match &self.sweep {
-                    Some(plan) => plan.matings(&assembly),
-                    None => rows.clone(),
+                let parts = match &self.sweep {
+                    Some(plan) => plan.parts(),
+                    None => Vec::new(),
                 };
-                runs.push(RunPlan {
-                    material: *material,
-                    assembly,
-                    matings,
-                });
+                let mut add = |phase, matings| {
+                    runs.push(RunPlan {
+                        material: *material,
+                        assembly: assembly.clone(),
+                        phase,
+                        matings,
+                    });
+                };
+                if self.sweep.is_none() {
+                    add(None, rows.clone());
+                }
+                for (phase, plan) in parts {
+                    add(phase, plan.matings(&assembly));
+                }
             }
         }
         Ok(runs)

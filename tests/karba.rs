@@ -2,16 +2,21 @@
 
 use gearlash::compare::{ComparedRun, compare};
 use gearlash::measured::measured_matings;
+use gearlash::mesh::Method;
 use gearlash::study::Study;
 use std::ops::ControlFlow;
 use std::path::Path;
 
 fn run(fixture: &str) -> (Study, Vec<ComparedRun>) {
+    run_by(fixture, Method::Exact { certify: true })
+}
+
+fn run_by(fixture: &str, method: Method) -> (Study, Vec<ComparedRun>) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("fixtures")
         .join(fixture);
     let study = gearlash::input::read(&path).unwrap();
-    let runs = gearlash::simulate::simulate(&study, &|| ControlFlow::Continue(())).unwrap();
+    let runs = gearlash::simulate::simulate(&study, method, &|| ControlFlow::Continue(())).unwrap();
     let tolerance = study.tolerance_um;
     (study, compare(runs, tolerance))
 }

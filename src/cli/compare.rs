@@ -1,5 +1,6 @@
 //! `gearlash compare`: the referee in a CI run.
 
+use super::method::{MethodArgs, agreement};
 use super::progress::Progress;
 use super::{print, warn};
 use crate::compare::{compare, tolerance_um};
@@ -27,6 +28,8 @@ pub(super) struct Args {
     /// What to print
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
+    #[command(flatten)]
+    method: MethodArgs,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -72,7 +75,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let mut pairs = Vec::new();
     for (path, study) in studies {
         let tolerance_um = tolerance_um(&study, args.tolerance_um);
-        let runs = simulate(&study, &|| progress.tick())?;
+        let runs = simulate(&study, args.method.method(), &|| progress.tick())?;
         pairs.push(ComparedPair {
             file: path.display().to_string(),
             title: study.title,
@@ -92,7 +95,8 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         }
         Format::Github => comparison::github(&pairs),
     });
-    Ok(if pairs.iter().all(ComparedPair::passes) {
+    let agree = agreement(pairs.iter().flat_map(|pair| &pair.runs));
+    Ok(if agree && pairs.iter().all(ComparedPair::passes) {
         ExitCode::SUCCESS
     } else {
         ExitCode::from(1)

@@ -1,6 +1,8 @@
 //! The command line: one file a command.
 
 mod compare;
+mod distances;
+mod method;
 mod progress;
 mod simulate;
 mod snapshot;

@@ -1,5 +1,7 @@
 //! `gearlash simulate`: the main job.
 
+use super::distances::{self, Distances};
+use super::method::{MethodArgs, agreement};
 use super::progress::Progress;
 use super::{print, warn};
 use crate::compare::{ComparedRun, compare};
@@ -28,6 +30,11 @@ pub(super) struct Args {
     /// Folder for results and pictures [default: out/<file stem>]
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
+    /// Other centre distances than the pair file's, mm: one, or a scan FROM..TO:STEP
+    #[arg(long, value_name = "A", value_parser = distances::parse)]
+    center_distance: Option<Distances>,
+    #[command(flatten)]
+    method: MethodArgs,
 }
 
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
@@ -42,8 +49,12 @@ enum Format {
 
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
-    let study = input::read(&args.pair)?;
+    let mut study = input::read(&args.pair)?;
     warn(&args.pair, &study.warnings);
+    if let Some(Distances(distances)) = &args.center_distance {
+        let moved = study.at(distances.clone());
+        study = moved.map_err(|reason| Error::Usage(format!("--center-distance: {reason}")))?;
+    }
     let folder = match (&args.output, args.format) {
         (Some(folder), _) => Some(folder.clone()),
         (None, Format::Text) => Some(PathBuf::from("out").join(&study.stem)),
@@ -55,7 +66,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         .transpose()?;
 
     let progress = Progress::start(pose_count(&study)?);
-    let runs = simulate(&study, &|| progress.tick())?;
+    let runs = simulate(&study, args.method.method(), &|| progress.tick())?;
     progress.finish()?;
     let runs = compare(runs, study.tolerance_um);
 
@@ -85,7 +96,10 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             print(&format!("\n{count} files in {}\n", path.display()));
         }
     }
-    Ok(ExitCode::SUCCESS)
+    Ok(match agreement(&runs) {
+        true => ExitCode::SUCCESS,
+        false => ExitCode::from(1),
+    })
 }
 
 /// Snapshots of each run's least and greatest pose.

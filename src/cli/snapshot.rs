@@ -4,7 +4,7 @@ use super::{print, warn};
 use crate::error::Error;
 use crate::gear::Side;
 use crate::input;
-use crate::mesh::CutPair;
+use crate::mesh::{Certifier, CutPair, ExactKernel};
 use crate::output::OutputFolder;
 use crate::pair::{Assembly, Mating, Member, Pose};
 use crate::render::{self, Snapshot};
@@ -89,8 +89,9 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     };
     let pose = Pose::new(&assembly, mating);
     let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|member| assembly.gear(member));
+    let lost_motion = ExactKernel::new(&assembly).lost_motion(&pose)?;
     let cut = CutPair::new(wheel, pinion, study.chord);
-    let lost_motion = cut.kernel(&assembly).lost_motion(&pose)?;
+    Certifier::new(cut.kernel(&assembly)).check(&pose, &lost_motion)?;
     let picture = render::snapshot(&Snapshot {
         title: &study.title,
         assembly: &assembly,

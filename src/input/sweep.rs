@@ -14,6 +14,7 @@ pub const KEYS: &[&str] = &[
     "revolutions",
     "steps_per_pitch",
     "start",
+    "phases",
 ];
 /// Poses of a whole study: their results fill a few GB.
 pub const MOST_POSES: u64 = 10_000_000;
@@ -35,6 +36,8 @@ const REVOLUTIONS: [(&str, Revolutions); 2] = [
     ("hunting", Revolutions::Hunting),
 ];
 
+const PHASES: [(&str, ()); 1] = [("all", ())];
+
 /// The poses of every run, and how the pair file says it.
 #[derive(Debug)]
 pub struct Sweep {
@@ -51,20 +54,31 @@ impl Sweep {
     ) -> Option<Sweep> {
         let table = file.table("sweep", KEYS, problems)?;
         let there = |name| table.has(name) || table.is_mistyped(name);
-        let (with_mating, with_revolutions) = (there("mating"), there("revolutions"));
-        if with_mating && with_revolutions {
+        let kinds = ["mating", "revolutions", "phases"];
+        let given: Vec<&str> = kinds.into_iter().filter(|name| there(name)).collect();
+        if let [first, others @ ..] = &given[..]
+            && let Some(second) = others.first()
+        {
             problems.add(table.problem(
-                "revolutions",
-                "stands beside mating, allowed is one of mating and revolutions",
+                second,
+                format!("stands beside {first}, allowed is one of mating, revolutions and phases"),
                 "remove one or the other",
             ));
             return None;
         }
+        let [with_mating, with_revolutions, with_phases] = kinds.map(there);
         let mut alone = Some(());
         let revolutions = ("revolutions", with_revolutions, "revolutions = \"wheel\"");
         for (name, (mate, there, example)) in [
             ("fraction", ("mating", with_mating, "mating = [[1, 1]]")),
-            ("steps_per_pitch", revolutions),
+            (
+                "steps_per_pitch",
+                (
+                    "revolutions or phases",
+                    with_revolutions || with_phases,
+                    revolutions.2,
+                ),
+            ),
             ("start", revolutions),
         ] {
             if table.has(name) && !there {
@@ -83,13 +97,7 @@ impl Sweep {
             Some(Sweep::of_matings(matings?, fractions?))
         } else if with_revolutions || !file.has("sweep") {
             let revolution = table.choice_or_first("revolutions", &REVOLUTIONS, problems);
-            let steps = match table.optional("steps_per_pitch") {
-                Some(Some(entry)) => {
-                    let way_out = "give how many poses a pitch gets, 16 by default";
-                    problems.keep(entry.whole(1..=1000, way_out))
-                }
-                absent => absent.map(|_| DEFAULT_STEPS),
-            };
+            let steps = steps_per_pitch(&table, problems);
             let start = match table.optional("start") {
                 Some(Some(entry)) => problems.keep(pair_of_teeth(&entry, teeth)),
                 absent => absent.map(|_| (1, 1)),
@@ -97,9 +105,26 @@ impl Sweep {
             alone?;
             let teeth = (teeth.0?, teeth.1?);
             Some(Sweep::of_revolution(revolution?, steps?, start?, teeth))
+        } else if with_phases {
+            let all = table.choice_or_first("phases", &PHASES, problems);
+            let steps = steps_per_pitch(&table, problems);
+            alone?;
+            all?;
+            let steps_per_pitch = steps?;
+            Some(Sweep {
+                echo: json!({ "phases": "all", "steps_per_pitch": steps_per_pitch }),
+                plan: SweepPlan::Phases {
+                    steps_per_pitch,
+                    teeth: (teeth.0?, teeth.1?),
+                },
+            })
         } else {
             alone?;
-            table.need("mating", "one of `mating` and `revolutions`", problems);
+            table.need(
+                "mating",
+                "one of `mating`, `revolutions` and `phases`",
+                problems,
+            );
             None
         }
     }
@@ -129,6 +154,16 @@ impl Sweep {
                 start,
             },
         }
+    }
+}
+
+fn steps_per_pitch(table: &Table, problems: &mut Problems) -> Option<u32> {
+    match table.optional("steps_per_pitch") {
+        Some(Some(entry)) => {
+            let way_out = "give how many poses a pitch gets, 16 by default";
+            problems.keep(entry.whole(1..=1000, way_out))
+        }
+        absent => absent.map(|_| DEFAULT_STEPS),
     }
 }
 

@@ -1,24 +1,29 @@
 //! Distance between two half teeth. The only file that names parry.
 //!
-//! parry gives the polylines, their bounding volume hierarchies, the traversal
-//! of two of them at once and the projection of a point on a segment. It does
-//! not give the distance of two segments: that one compares with an absolute
+//! parry gives segments, their bounding volume hierarchies, the traversal of
+//! two of them at once and the projection of a point on a segment. It does not give the distance of two segments: that one compares with an absolute
 //! epsilon and takes short, nearly parallel segments for parallel. In the plane
 //! the distance of two segments is that of an end of one to the other, so four
 //! projections do, or zero where they cross.
 
 use nalgebra::{Isometry2, Point2};
+use parry2d_f64::bounding_volume::Aabb;
 use parry2d_f64::math::{Pose2, Vector};
-use parry2d_f64::partitioning::BvhNode;
+use parry2d_f64::partitioning::{Bvh, BvhBuildStrategy, BvhNode};
 use parry2d_f64::query::PointQueryWithLocation;
-use parry2d_f64::shape::{Polyline, Segment};
+use parry2d_f64::shape::Segment;
 use std::cell::Cell;
 use std::ops::Range;
 
 /// A polyline ready for distance queries.
 pub struct Shape {
-    polyline: Polyline,
+    segments: Vec<Segment>,
+    /// Of all segments; `None` where they are so few that going through all is faster.
+    hierarchy: Option<Bvh>,
 }
+
+/// Up to this many segments all are gone through (tuned: 16 to 64 are alike).
+const FEW: usize = 32;
 
 /// The closest approach of two shapes; at the distance zero where they cross.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,29 +39,36 @@ pub struct Closest {
 impl Shape {
     /// The open polyline through `points`, at least two.
     pub fn new(points: &[Point2<f64>]) -> Shape {
-        let vertices = points.iter().map(|p| Vector::new(p.x, p.y)).collect();
+        let vertex = |p: &Point2<f64>| Vector::new(p.x, p.y);
+        let segments: Vec<Segment> = points
+            .windows(2)
+            .map(|ends| Segment::new(vertex(&ends[0]), vertex(&ends[1])))
+            .collect();
+        let hierarchy = (segments.len() > FEW).then(|| {
+            let boxes: Vec<Aabb> = segments.iter().map(|s| s.local_aabb()).collect();
+            Bvh::from_leaves(BvhBuildStrategy::Binned, &boxes)
+        });
         Shape {
-            polyline: Polyline::new(vertices, None),
+            segments,
+            hierarchy,
         }
     }
 
     /// Closest approach of `self` and `other`, which stands at `pose` in the frame of `self`.
     ///
     /// `hint`, the segments of an earlier answer nearby, makes it fast and changes nothing else:
-    /// its distance is an upper bound, below which both hierarchies are searched.
+    /// its distance is an upper bound, below which everything is searched.
     pub fn closest(&self, other: &Shape, pose: &Isometry2<f64>, hint: [u32; 2]) -> Closest {
         let pose = Pose2::from(*pose);
         let mut best = self.leaf(other, &pose, hint);
         let bound = Cell::new(best.distance);
-        let nearer = |ours: &BvhNode, theirs: &BvhNode| gap(ours, theirs, &pose) < bound.get();
-        let ours = self.polyline.bvh();
-        for (ours, theirs) in ours.leaf_pairs(other.polyline.bvh(), nearer) {
-            let found = self.leaf(other, &pose, [ours, theirs]);
+        self.pairs(other, &pose, &bound, |pair| {
+            let found = self.leaf(other, &pose, pair);
             if found.distance < best.distance {
                 best = found;
                 bound.set(found.distance);
             }
-        }
+        });
         best
     }
 
@@ -69,27 +81,48 @@ impl Shape {
         margin: f64,
     ) -> Option<[Range<usize>; 2]> {
         let pose = Pose2::from(*pose);
-        let within = |ours: &BvhNode, theirs: &BvhNode| gap(ours, theirs, &pose) <= margin;
         let mut found: Option<[Range<usize>; 2]> = None;
-        let ours = self.polyline.bvh();
-        for (ours, theirs) in ours.leaf_pairs(other.polyline.bvh(), within) {
-            if self.leaf(other, &pose, [ours, theirs]).distance > margin {
-                continue;
+        self.pairs(other, &pose, &Cell::new(margin), |pair| {
+            if self.leaf(other, &pose, pair).distance <= margin {
+                let pair = pair.map(|i| i as usize..i as usize + 1);
+                found = Some(match found.take() {
+                    None => pair,
+                    Some([a, b]) => [join(a, &pair[0]), join(b, &pair[1])],
+                });
             }
-            let pair = [ours as usize, theirs as usize].map(|i| i..i + 1);
-            found = Some(match found {
-                None => pair,
-                Some([a, b]) => [join(a, &pair[0]), join(b, &pair[1])],
-            });
-        }
+        });
         found
+    }
+
+    /// Calls `visit` with every pair of segments that may be within `bound` of each other, and some others.
+    fn pairs(
+        &self,
+        other: &Shape,
+        pose: &Pose2,
+        bound: &Cell<f64>,
+        mut visit: impl FnMut([u32; 2]),
+    ) {
+        if let (Some(ours), Some(theirs)) = (&self.hierarchy, &other.hierarchy) {
+            let near = |a: &BvhNode, b: &BvhNode| gap(&a.aabb(), &b.aabb(), pose) <= bound.get();
+            ours.leaf_pairs(theirs, near)
+                .for_each(|(a, b)| visit([a, b]));
+            return;
+        }
+        let boxes: Vec<Aabb> = self.segments.iter().map(|s| s.local_aabb()).collect();
+        for (j, theirs) in other.segments.iter().enumerate() {
+            let theirs = theirs.transformed(pose).local_aabb();
+            for (i, ours) in boxes.iter().enumerate() {
+                if apart(ours, &theirs) <= bound.get() {
+                    visit([i as u32, j as u32]);
+                }
+            }
+        }
     }
 
     /// Closest approach of one segment of each.
     fn leaf(&self, other: &Shape, pose: &Pose2, segments: [u32; 2]) -> Closest {
-        let ours = self.polyline.segment(segments[0]);
-        let theirs = other.polyline.segment(segments[1]);
-        let theirs = Segment::new(pose * theirs.a, pose * theirs.b);
+        let ours = self.segments[segments[0] as usize];
+        let theirs = other.segments[segments[1] as usize].transformed(pose);
         let candidates = [
             (ours.a, project(&theirs, ours.a)),
             (ours.b, project(&theirs, ours.b)),
@@ -117,13 +150,17 @@ impl Shape {
     }
 }
 
-/// A lower bound on the distance of what two nodes hold, the second at `pose` in the first's frame.
-fn gap(ours: &BvhNode, theirs: &BvhNode, pose: &Pose2) -> f64 {
-    let theirs = theirs.aabb().transform_by(pose);
-    let apart = (ours.center() - theirs.center()).abs()
-        - (ours.maxs() - ours.mins()) / 2.0
-        - theirs.half_extents();
-    apart.max(Vector::ZERO).length()
+/// A lower bound on the distance of what two boxes hold, the second at `pose` in the first's frame.
+fn gap(ours: &Aabb, theirs: &Aabb, pose: &Pose2) -> f64 {
+    apart(ours, &theirs.transform_by(pose))
+}
+
+/// Distance of two boxes.
+fn apart(a: &Aabb, b: &Aabb) -> f64 {
+    (a.mins - b.maxs)
+        .max(b.mins - a.maxs)
+        .max(Vector::ZERO)
+        .length()
 }
 
 /// Whether the ends of each segment lie strictly on both sides of the other.

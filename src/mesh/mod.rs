@@ -11,4 +11,4 @@ pub use exact::ExactKernel;
 pub use lost_motion::{Contact, LostMotion, Status, Touch};
 pub use polygon::{Certifier, CutGear, PolygonKernel};
 pub use scene::{Drawn, LineOfAction, Meeting, Scene};
-pub use sweep::{CutPair, SweptPose, sweep};
+pub use sweep::{CutPair, Method, SweptPose, sweep};

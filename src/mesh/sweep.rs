@@ -1,12 +1,27 @@
 //! Many poses of one assembly, in parallel and in order.
 
+use super::exact::ExactKernel;
 use super::lost_motion::LostMotion;
-use super::polygon::{CutGear, PolygonKernel};
+use super::polygon::{Certifier, CutGear, PolygonKernel};
 use crate::error::Error;
 use crate::gear::AsBuilt;
-use crate::pair::{Assembly, Mating, Member, Pose};
+use crate::pair::{Assembly, Mating, Pose};
 use rayon::prelude::*;
 use std::ops::ControlFlow;
+
+/// How lost motion is found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Method {
+    /// On the smooth curves.
+    Exact {
+        /// Whether polygons must bear out each rotation found.
+        certify: bool,
+    },
+    /// On polygons cut ever finer round each contact.
+    Polygon,
+    /// By both; the exact result is kept, and how far the other lies off.
+    Both,
+}
 
 /// One pose of a sweep and what was found there.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,6 +36,8 @@ pub struct SweptPose {
     pub error_bound: Option<f64>,
     /// `j_wt`, mm, at `a − c` and at `a + c`, `c` the sum of both bearing clearances; `None` without clearance.
     pub with_clearance: Option<[Option<f64>; 2]>,
+    /// With [`Method::Both`]: `j_wt` on polygons minus the exact one, mm; infinite when only one method has a value.
+    pub polygon_difference: Option<f64>,
 }
 
 impl SweptPose {
@@ -56,63 +73,115 @@ impl CutPair {
     }
 }
 
+/// One assembly, ready to be asked for poses.
+struct Solver<'a> {
+    assembly: &'a Assembly,
+    exact: Option<ExactKernel>,
+    polygon: Option<PolygonKernel<'a>>,
+    certifier: Option<Certifier<'a>>,
+}
+
+impl<'a> Solver<'a> {
+    fn new(assembly: &'a Assembly, cut: &'a CutPair, method: Method) -> Solver<'a> {
+        let certify = method == Method::Exact { certify: true };
+        let exact = method != Method::Polygon;
+        let polygon = matches!(method, Method::Polygon | Method::Both);
+        Solver {
+            assembly,
+            exact: exact.then(|| ExactKernel::new(assembly)),
+            polygon: polygon.then(|| cut.refined_kernel(assembly)),
+            certifier: certify.then(|| Certifier::new(cut.kernel(assembly))),
+        }
+    }
+
+    /// The contacts at `pose`, and how far the polygon method lies off where both are asked for.
+    fn lost_motion(&self, pose: &Pose) -> Result<(LostMotion, Option<f64>), Error> {
+        let exact = self.exact.as_ref().map(|kernel| kernel.lost_motion(pose));
+        let polygon = self.polygon.as_ref().map(|kernel| kernel.lost_motion(pose));
+        match (exact.transpose()?, polygon.transpose()?) {
+            (Some(exact), Some(polygon)) => {
+                let difference = match (self.backlash(&exact), self.backlash(&polygon)) {
+                    (Some(exact), Some(polygon)) => polygon - exact,
+                    (None, None) => 0.0,
+                    _ => f64::INFINITY,
+                };
+                Ok((exact, Some(difference)))
+            }
+            (Some(found), None) | (None, Some(found)) => {
+                if let Some(certifier) = &self.certifier {
+                    certifier.check(pose, &found)?;
+                }
+                Ok((found, None))
+            }
+            // A solver is made with at least one method.
+            (None, None) => Err(Error::Usage("no method to find lost motion by".to_owned())),
+        }
+    }
+
+    /// `j_wt = φ_j r_w` of the free gear, mm.
+    fn backlash(&self, lost_motion: &LostMotion) -> Option<f64> {
+        Some(lost_motion.angle()? * self.pitch_radius())
+    }
+
+    fn pitch_radius(&self) -> f64 {
+        self.assembly.operating_pitch_radius(self.assembly.free())
+    }
+
+    fn backlash_at(&self, mating: &Mating) -> Result<Option<f64>, Error> {
+        let (found, _) = self.lost_motion(&Pose::new(self.assembly, *mating))?;
+        Ok(self.backlash(&found))
+    }
+}
+
 /// The lost motion of `assembly` at each of `matings`, in their order, whatever the number of threads.
 ///
 /// `cut` are the gears of `assembly`; `clearance` is the sum `c` of both radial
 /// bearing clearances, mm. `tick` is called after each pose, from any thread; a break ends the sweep.
 ///
 /// # Errors
-/// The first pose, in order, whose contact was lost; [`Error::Interrupted`] after a break; a centre
-/// distance `a − c` at which the base circles overlap.
+/// The first pose, in order, whose contact was lost or whose certificate failed; [`Error::Interrupted`]
+/// after a break; a centre distance `a − c` at which the base circles overlap.
 pub fn sweep(
     assembly: &Assembly,
     cut: &CutPair,
+    method: Method,
     matings: &[Mating],
     clearance: f64,
     tick: &(dyn Fn() -> ControlFlow<()> + Sync),
 ) -> Result<Vec<SweptPose>, Error> {
     let apart = |distance: f64| assembly.at(assembly.center_distance() + distance);
-    let ends = match clearance > 0.0 {
+    let moved = match clearance > 0.0 {
         true => Some([apart(-clearance)?, apart(clearance)?]),
         false => None,
     };
+    let here = Solver::new(assembly, cut, method);
+    let ends = moved
+        .as_ref()
+        .map(|ends| ends.each_ref().map(|end| Solver::new(end, cut, method)));
     let poses: Vec<Result<SweptPose, Error>> = matings
         .par_iter()
         .map(|mating| {
-            let (pose, lost_motion) = at(assembly, cut, mating)?;
+            let pose = Pose::new(assembly, *mating);
+            let (lost_motion, polygon_difference) = here.lost_motion(&pose)?;
             let with_clearance = match &ends {
                 None => None,
-                Some([near, far]) => Some([
-                    backlash(near, &at(near, cut, mating)?.1),
-                    backlash(far, &at(far, cut, mating)?.1),
-                ]),
+                Some([near, far]) => Some([near.backlash_at(mating)?, far.backlash_at(mating)?]),
             };
             if tick().is_break() {
                 return Err(Error::Interrupted);
             }
+            let backlash = here.backlash(&lost_motion);
             Ok(SweptPose {
                 pose,
                 lost_motion,
-                backlash: backlash(assembly, &lost_motion),
-                error_bound: lost_motion.error().map(|e| e * pitch_radius(assembly)),
+                backlash,
+                error_bound: backlash
+                    .and(lost_motion.error())
+                    .map(|e| e * here.pitch_radius()),
                 with_clearance,
+                polygon_difference,
             })
         })
         .collect();
     poses.into_iter().collect()
-}
-
-fn at(assembly: &Assembly, cut: &CutPair, mating: &Mating) -> Result<(Pose, LostMotion), Error> {
-    let pose = Pose::new(assembly, *mating);
-    Ok((pose, cut.kernel(assembly).lost_motion(&pose)?))
-}
-
-/// `j_wt = φ_j r_w` of the free gear, mm.
-fn backlash(assembly: &Assembly, lost_motion: &LostMotion) -> Option<f64> {
-    Some(lost_motion.angle()? * pitch_radius(assembly))
-}
-
-fn pitch_radius(assembly: &Assembly) -> f64 {
-    let free: Member = assembly.free();
-    assembly.operating_pitch_radius(free)
 }

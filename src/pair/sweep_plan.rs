@@ -22,6 +22,13 @@ pub enum SweepPlan {
         /// Mating (right flank) of the first pose.
         start: (u32, u32),
     },
+    /// Every assembly phase, each over its full period of lcm(z_1, z_2) pitches.
+    Phases {
+        /// Poses a pitch.
+        steps_per_pitch: u32,
+        /// `z_1` and `z_2`.
+        teeth: (u32, u32),
+    },
 }
 
 impl SweepPlan {
@@ -54,17 +61,47 @@ impl SweepPlan {
         }
     }
 
-    /// Pitches of a hunting cycle: lcm(z_1, z_2).
-    pub fn hunting_pitches(wheel_teeth: u32, pinion_teeth: u32) -> u64 {
-        let (wheel, pinion) = (u64::from(wheel_teeth), u64::from(pinion_teeth));
-        let (mut a, mut b) = (wheel, pinion);
+    /// Assembly phases of two gears: gcd(z_1, z_2), the ways to put them together that differ.
+    pub fn phase_count(wheel_teeth: u32, pinion_teeth: u32) -> u32 {
+        let (mut a, mut b) = (wheel_teeth, pinion_teeth);
         while b != 0 {
             (a, b) = (b, a % b);
         }
-        wheel / a.max(1) * pinion
+        a.max(1)
     }
 
-    /// Number of poses of one run.
+    /// Pitches of a hunting cycle: lcm(z_1, z_2).
+    pub fn hunting_pitches(wheel_teeth: u32, pinion_teeth: u32) -> u64 {
+        let phases = SweepPlan::phase_count(wheel_teeth, pinion_teeth);
+        u64::from(wheel_teeth / phases) * u64::from(pinion_teeth)
+    }
+
+    /// The runs this plan makes of one pair as assembled: one, or one a phase, named by the teeth that mate.
+    ///
+    /// Phases (1, 1), (1, 2), … (1, gcd) are all there are: tooth 1 of the wheel meets every gcd-th pinion tooth.
+    pub fn parts(&self) -> Vec<(Option<(u32, u32)>, SweepPlan)> {
+        let &SweepPlan::Phases {
+            steps_per_pitch,
+            teeth,
+        } = self
+        else {
+            return vec![(None, self.clone())];
+        };
+        let phase = |pinion_tooth| {
+            let start = (1, pinion_tooth);
+            let period = SweepPlan::Revolution {
+                pitches: SweepPlan::hunting_pitches(teeth.0, teeth.1),
+                steps_per_pitch,
+                start,
+            };
+            (Some(start), period)
+        };
+        (1..=SweepPlan::phase_count(teeth.0, teeth.1))
+            .map(phase)
+            .collect()
+    }
+
+    /// Number of poses of one pair as assembled.
     pub fn poses(&self) -> u64 {
         match self {
             SweepPlan::Matings { matings, fractions } => {
@@ -75,6 +112,10 @@ impl SweepPlan {
                 steps_per_pitch,
                 ..
             } => pitches * u64::from(*steps_per_pitch),
+            SweepPlan::Phases {
+                steps_per_pitch,
+                teeth,
+            } => u64::from(teeth.0) * u64::from(teeth.1) * u64::from(*steps_per_pitch),
         }
     }
 
@@ -115,6 +156,10 @@ impl SweepPlan {
                         }
                     })
                     .collect()
+            }
+            SweepPlan::Phases { .. } => {
+                let parts = self.parts().into_iter();
+                parts.flat_map(|(_, part)| part.matings(assembly)).collect()
             }
         }
     }

@@ -19,9 +19,18 @@ pub struct ResultFile<'a> {
 struct RunRecord {
     center_distance_mm: f64,
     material: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    phase: Option<PhaseRecord>,
     operating_pressure_angle_deg: f64,
     poses: Vec<PoseRecord>,
     summary: SummaryRecord,
+}
+
+/// The mating that names an assembly phase, where phases are run apart.
+#[derive(Debug, Clone, Copy, Serialize)]
+struct PhaseRecord {
+    wheel_tooth: u32,
+    pinion_tooth: u32,
 }
 
 #[derive(Debug, Serialize)]
@@ -137,6 +146,13 @@ fn run_record(compared: &ComparedRun) -> RunRecord {
     RunRecord {
         center_distance_mm: assembly.center_distance(),
         material: compared.run.material.name(),
+        phase: compared
+            .run
+            .phase
+            .map(|(wheel_tooth, pinion_tooth)| PhaseRecord {
+                wheel_tooth,
+                pinion_tooth,
+            }),
         operating_pressure_angle_deg: assembly.operating_pressure_angle().to_degrees(),
         summary: summary_record(&compared.summary()),
         poses,
@@ -233,6 +249,8 @@ fn summary_record(summary: &Summary) -> SummaryRecord {
 struct CsvRow {
     center_distance_mm: f64,
     material: &'static str,
+    phase_wheel_tooth: Option<u32>,
+    phase_pinion_tooth: Option<u32>,
     wheel_tooth: u32,
     pinion_tooth: u32,
     flank: &'static str,
@@ -268,6 +286,8 @@ impl CsvRow {
         CsvRow {
             center_distance_mm: run.center_distance_mm,
             material: run.material,
+            phase_wheel_tooth: run.phase.map(|phase| phase.wheel_tooth),
+            phase_pinion_tooth: run.phase.map(|phase| phase.pinion_tooth),
             wheel_tooth: pose.mating.wheel_tooth,
             pinion_tooth: pose.mating.pinion_tooth,
             flank: pose.mating.flank,

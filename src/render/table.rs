@@ -3,6 +3,7 @@
 use crate::compare::{ComparedPose, ComparedRun, Verdict};
 use crate::measured::{Band, MeasuredMating};
 use crate::mesh::Contact;
+use crate::phases::{PhaseGroup, phase_groups, variation};
 use crate::study::Study;
 use comfy_table::{CellAlignment, Table, presets};
 use std::fmt::Write;
@@ -23,7 +24,13 @@ pub fn simulation(study: &Study, runs: &[ComparedRun], measured: &[MeasuredMatin
         text += &pose_table(runs);
         text.push('\n');
     }
-    text += &run_table(study, runs);
+    let groups = phase_groups(runs);
+    if groups.is_empty() {
+        text += &run_table(study, runs);
+    }
+    for group in &groups {
+        text += &phase_table(group);
+    }
     text += &off_line_note(runs);
     text
 }
@@ -192,6 +199,61 @@ fn pose_table(runs: &[ComparedRun]) -> String {
         }
     }
     finish(&table)
+}
+
+fn phase_table(group: &PhaseGroup) -> String {
+    let mating = |run: &ComparedRun| {
+        let (wheel, pinion) = run.run.phase.unwrap_or((1, 1));
+        format!("{wheel},{pinion}")
+    };
+    let mut table = table(&[
+        "phase",
+        "least",
+        "at",
+        "mean",
+        "greatest",
+        "at",
+        "variation",
+    ]);
+    for run in &group.runs {
+        let summary = run.summary();
+        let at = |pose: Option<&ComparedPose>| pose.map_or("–".to_owned(), where_it_is);
+        let (least, most) = run.extremes().unzip();
+        table.add_row(vec![
+            mating(run),
+            um(summary.min, 3),
+            at(least),
+            um(summary.mean, 3),
+            um(summary.max, 3),
+            at(most),
+            um(variation(run), 3),
+        ]);
+    }
+    let Some(first) = group.runs.first() else {
+        return String::new();
+    };
+    let mut text = format!(
+        "centre distance {:.3} mm, material {}\n\n{}",
+        first.run.assembly.center_distance(),
+        first.run.material.name(),
+        finish(&table)
+    );
+    text += &match (group.best, group.worst) {
+        _ if group.runs.len() == 1 => {
+            "There is only one assembly phase: the tooth numbers have no common divisor, every tooth meets every tooth.\n".to_owned()
+        }
+        (Some(best), Some(worst)) => format!(
+            "Best phase {}: mark wheel tooth {} and pinion tooth {} together (least variation, {} µm); worst {} ({} µm).\n",
+            mating(best),
+            best.run.phase.map_or(1, |phase| phase.0),
+            best.run.phase.map_or(1, |phase| phase.1),
+            um(variation(best), 3),
+            mating(worst),
+            um(variation(worst), 3),
+        ),
+        _ => "No phase has backlash at every pose.\n".to_owned(),
+    };
+    text + "\n"
 }
 
 fn run_table(study: &Study, runs: &[ComparedRun]) -> String {

@@ -1,0 +1,77 @@
+//! `--center-distance` of `simulate`: one centre distance, or a scan.
+
+/// Centre distances asked for on the command line, mm.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Distances(pub Vec<f64>);
+
+/// As many as a pair file may have.
+const MOST: f64 = 10_000.0;
+
+/// `132.1`, or `132.0..132.4:0.01`: from, to (included), step.
+///
+/// Values are rounded to the decimals that were typed, so that 132.0 + 3 · 0.01 is 132.03.
+pub(super) fn parse(text: &str) -> Result<Distances, String> {
+    const FORM: &str = "a centre distance in mm, or a scan FROM..TO:STEP such as 132.0..132.4:0.01";
+    let number = |text: &str| {
+        let value: f64 = text.trim().parse().ok()?;
+        (value.is_finite() && value > 0.0).then_some(value)
+    };
+    let Some((from, rest)) = text.split_once("..") else {
+        return number(text)
+            .map(|a| Distances(vec![a]))
+            .ok_or_else(|| FORM.to_owned());
+    };
+    let (to, step) = rest.split_once(':').ok_or(FORM)?;
+    let (Some(first), Some(last), Some(width)) = (number(from), number(to), number(step)) else {
+        return Err(FORM.to_owned());
+    };
+    if last < first {
+        return Err(format!(
+            "the scan ends at {last}, before it starts at {first}; {FORM}"
+        ));
+    }
+    // A step that ends within a thousandth of TO reaches it.
+    let steps = ((last - first) / width + 1e-3).floor();
+    if steps >= MOST {
+        return Err(format!(
+            "{} centre distances, allowed are up to {MOST}: take a wider step",
+            steps + 1.0
+        ));
+    }
+    let decimals = [from, step].map(|text| text.trim().split_once('.').map_or(0, |(_, d)| d.len()));
+    let scale = 10f64.powi(decimals[0].max(decimals[1]).min(12) as i32);
+    let value = |i: u32| ((first + f64::from(i) * width) * scale).round() / scale;
+    Ok(Distances((0..=steps as u32).map(value).collect()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_scan_has_round_values_and_both_ends() {
+        let Distances(scan) = parse("132.0..132.4:0.01").unwrap();
+        assert_eq!(scan.len(), 41);
+        assert_eq!((scan[0], scan[3], scan[40]), (132.0, 132.03, 132.4));
+        assert_eq!(parse("132.1"), Ok(Distances(vec![132.1])));
+        assert_eq!(parse("1..2:0.3").unwrap().0, [1.0, 1.3, 1.6, 1.9]);
+    }
+
+    #[test]
+    fn what_is_not_a_scan() {
+        for text in [
+            "",
+            "x",
+            "-1",
+            "nan",
+            "132..",
+            "132..131:0.1",
+            "1..2",
+            "1..2:0",
+            "1..2:-1",
+            "1..9:1e-5",
+        ] {
+            assert!(parse(text).is_err(), "{text}");
+        }
+    }
+}

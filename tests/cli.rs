@@ -90,7 +90,7 @@ fn the_main_job_prints_tables_5_and_6() {
             .arg(fixture("karba_44x44.toml")),
     );
     assert!(text.contains(
-        "63 of 72 measured values lie inside the printed band: 9 below it (↓), 0 above it (↑)."
+        "63 of 72 measured values lie inside the predicted band: 9 below it (↓), 0 above it (↑)."
     ));
     assert!(text.contains("72 of 72 lie inside the simulated band"));
     insta::assert_snapshot!("karba_44x44", text);

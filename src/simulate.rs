@@ -31,7 +31,7 @@ pub fn pose_count(study: &Study) -> Result<usize, Error> {
 /// good from any; a tenth or ten times of this takes a third longer).
 const CERTIFICATE_CHORD: f64 = 3e-4;
 
-/// Simulates every run of `study` by `method`. `tick` is called after each pose, from any thread; a break ends the work.
+/// Simulates every run of `study` by `method`. `tick` is called as each pose begins, from any thread; a break ends the work.
 ///
 /// # Errors
 /// A contact that was lost, a certificate that failed, or [`Error::Interrupted`].

@@ -54,6 +54,8 @@ pub(super) struct Hit {
     pub locked: (Curve, f64),
     /// Curve and parameter on the free gear.
     pub free: (Curve, f64),
+    /// The locked gear's point.
+    pub point: C,
 }
 
 /// Two curves that [`MOST_NODES`] did not settle, the locked gear's first.
@@ -163,23 +165,24 @@ impl Arc {
         } else if rho >= self.radii.1 {
             outer
         } else {
-            invert(placed, self.curve, rho, inner, outer)
+            let middle = 0.5 * (inner + outer);
+            invert(placed, self.curve, rho, [inner, outer], middle)
         }
     }
 }
 
 /// The parameter between `inner` and `outer` at which `curve` has the radius `rho`, `|P|` rising from one to the other.
 ///
-/// Newton's method on `|P|² − ρ²`, halved whenever it leaves its bracket. It
+/// Newton's method on `|P|² − ρ²` from `start`, halved whenever it leaves its bracket. It
 /// ends when the step or the rest is lost in rounding.
 pub(super) fn invert(
     placed: &Placed,
     curve: Curve,
     rho: f64,
-    mut inner: f64,
-    mut outer: f64,
+    [mut inner, mut outer]: [f64; 2],
+    start: f64,
 ) -> f64 {
-    let mut t = 0.5 * (inner + outer);
+    let mut t = start;
     for _ in 0..128 {
         let sample = placed.at(curve, t);
         let rest = sample.point.norm_sqr() - rho * rho;
@@ -250,6 +253,7 @@ pub(super) fn search(
                     slack,
                     locked: (ours.curve, t),
                     free: (theirs.curve, u),
+                    point: p.point,
                 });
             }
             gap

@@ -75,8 +75,18 @@ fn measure(criterion: &mut Criterion, name: &str, teeth: u32, assembly: &Assembl
 fn lost_motion(criterion: &mut Criterion) {
     for teeth in [20, 44, 100, 300, 1000] {
         let reference = 3.0 * f64::from(teeth);
-        measure(criterion, "exact/perfect", teeth, &perfect(teeth, reference + 0.1));
-        measure(criterion, "exact/deviated", teeth, &wild(teeth, reference + 0.1));
+        measure(
+            criterion,
+            "exact/perfect",
+            teeth,
+            &perfect(teeth, reference + 0.1),
+        );
+        measure(
+            criterion,
+            "exact/deviated",
+            teeth,
+            &wild(teeth, reference + 0.1),
+        );
     }
 }
 

@@ -210,7 +210,28 @@ pub(super) fn invert(
     t
 }
 
-/// The greatest gap of two half teeth, if it exceeds `floor`, over all their curves.
+/// A set of pairs of curves, the locked gear's first.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(super) struct Curves([[bool; 4]; 4]);
+
+impl Curves {
+    /// Every pair.
+    pub const ALL: Curves = Curves([[true; 4]; 4]);
+
+    pub fn add(&mut self, locked: Curve, free: Curve) {
+        self.0[locked as usize][free as usize] = true;
+    }
+
+    pub fn add_unless(&mut self, settled: bool, locked: Curve, free: Curve) {
+        self.0[locked as usize][free as usize] |= !settled;
+    }
+
+    pub fn is_empty(self) -> bool {
+        self == Curves::default()
+    }
+}
+
+/// The greatest gap of two half teeth over `curves`, if it reaches `floor`.
 ///
 /// `origin` is the free gear's direction from which gaps count, so that they are small angles.
 pub(super) fn search(
@@ -218,17 +239,20 @@ pub(super) fn search(
     free: &Placed,
     origin: C,
     floor: f64,
+    curves: Curves,
 ) -> Result<Option<Hit>, Unsettled> {
     let mut best: Option<Hit> = None;
     let mut level = floor;
     let mut nodes = Vec::new();
-    for ours in Curve::ALL {
-        for theirs in Curve::ALL {
-            if let Some(free_arc) = free_arc(free, theirs) {
-                let (low, high) = locked.shape.range(ours);
-                nodes.push((Arc::new(locked, ours, low, high), free_arc));
-            }
+    let frees = Curve::ALL.map(|curve| free_arc(free, curve));
+    for (ours, row) in Curve::ALL.into_iter().zip(curves.0) {
+        if row == [false; 4] {
+            continue;
         }
+        let (low, high) = locked.shape.range(ours);
+        let arc = Arc::new(locked, ours, low, high);
+        let theirs = frees.iter().zip(row).filter(|(_, wanted)| *wanted);
+        nodes.extend(theirs.filter_map(|(free, _)| Some((arc, (*free)?))));
     }
     let mut count = 0;
     while let Some((ours, theirs)) = nodes.pop() {

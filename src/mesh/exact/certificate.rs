@@ -1,4 +1,4 @@
-//! When a pair of gears needs no search.
+//! Which pairs of curves need no search.
 //!
 //! The polar gap of two half teeth is continuous along their common radii; its
 //! slope over `ln ρ` is `σ_locked − σ_free`, and where it vanishes its second
@@ -8,27 +8,38 @@
 //! - on the line of action, where both are involutes (κ_1 + κ_2 > 0, one stationary point at most), or
 //! - at a corner: the tip corner of either gear, or the joint of an undercut fillet, an edge too,
 //!
-//! provided that within reach of each other
+//! on those pairs of curves for which, within reach of each other,
 //!
-//! 1. no root land takes part, and both flanks are monotone in `ρ` (the normal never meets the axis);
+//! 1. both are monotone in `ρ` (the normal never meets the axis). A locked involute may turn back
+//!    towards its tip: what lies behind the turn has the radii of what lies before it at lesser angles,
+//!    and the gap rises from the turn on;
 //! 2. a fillet is hollower than the involute opposite is convex, and no fillet is convex: then the
 //!    gap has minima only there. (At a smooth joint slopes agree: a gap that rises towards it rises on.)
-//! 3. a tip land runs so nearly round the axis, compared with the flank opposite, that the gap
-//!    rises along it towards its corner.
+//! 3. a tip land runs so nearly round the axis, compared with the curve opposite, that the gap
+//!    rises along it towards its corner;
+//! 4. a root land is out of reach.
 //!
-//! These are checked once for all poses, with the locked outline's centre anywhere within its
-//! eccentricity `e_L` of its axis. A pair that fails one is left to branch and bound.
+//! This is checked once for all poses, with the locked outline's centre anywhere within its
+//! eccentricity `e_L` of its axis. Pairs of curves that fail are *open*: left to branch and bound.
 
+use super::branch::Curves;
 use super::facing::lens_half;
 use super::shape::Shape;
-use crate::gear::{Curve, involute};
+use crate::gear::Curve::{self, Fillet, Involute, Root, Tip};
+use crate::gear::involute;
+use std::f64::consts::PI;
 
-/// What the corner search needs to know of a certified pair.
+/// What is known of a pair of gears at every pose.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Certificate {
-    /// Least `γ` of the locked and of the free fillet that can be reached; `None`: none of the fillet.
+    /// Pairs of curves that must be searched.
+    pub open: Curves,
+    /// Least `γ` of the locked and of the free fillet that can be reached; `None` where
+    /// none can or the search takes care of it.
     pub locked_fillet: Option<f64>,
     pub free_fillet: Option<f64>,
+    /// Whether a locked involute may turn back.
+    pub turns_back: bool,
 }
 
 /// The two gears' half teeth, eccentricities, and the centre distance.
@@ -41,137 +52,192 @@ pub(super) struct Setting<'a> {
 }
 
 impl Setting<'_> {
-    /// The certificate, where all conditions hold.
+    /// The locked outline's centre at its nearest: the widest lens, the least slopes.
+    fn near(&self) -> f64 {
+        self.distance - self.locked_off
+    }
+
+    /// Greatest radius of the free gear, least radius of the locked one, about the free axis.
+    fn outmost(&self) -> f64 {
+        self.free.tip_radius + self.free_off
+    }
+
+    fn inmost(&self) -> f64 {
+        self.near() - self.locked.tip_radius
+    }
+
+    /// The certificate; `None` where not even involutes can do without a search.
     pub fn certify(&self) -> Option<Certificate> {
-        let (ours, theirs) = (self.locked, self.free);
-        // The locked outline's centre at its nearest: the widest lens, the least slopes.
-        let near = self.distance - self.locked_off;
-        let inmost = near - ours.tip_radius;
-        let outmost = theirs.tip_radius + self.free_off;
-        if !(inmost > self.free_off && near > outmost && theirs.base > self.free_off) {
+        let (ours, theirs, near) = (self.locked, self.free, self.near());
+        if !(self.inmost() > self.free_off && theirs.base > self.free_off) {
             return None;
         }
-        let free_fillet = reached(theirs, inmost - self.free_off)?;
-        let locked_fillet = reached(ours, near - outmost)?;
-        let half = lens_half(ours.tip_radius, outmost, near)?;
+        let half = lens_half(ours.tip_radius, self.outmost(), near)?;
+        // The free involute's arm X = Q × n is r_b + C·E, |C| = e_F. The locked one's E stands at
+        // (polar angle) + atan ξ from the line of centres, X = D cos − r_b.
+        if !(ours.base < near && half < (ours.base / near).acos()) {
+            return None;
+        }
+        let arm = near * (half + ours.tip_roll.atan()).cos() - ours.base;
 
-        // 1. Free flank: X = Q × n is r_b + C·E on the involute, C × n − r sin γ on the fillet, |C| = e_F.
-        if free_fillet.is_some_and(|gamma| !(theirs.pitch_radius * gamma.sin() > self.free_off)) {
-            return None;
+        let mut open = Curves::default();
+        let free_reach = reached(theirs, self.inmost() - self.free_off);
+        let locked_reach = reached(ours, near - self.outmost());
+        for curve in Curve::ALL {
+            open.add_unless(free_reach != Reach::Root, curve, Root);
+            open.add_unless(locked_reach != Reach::Root, Root, curve);
         }
-        // Locked involute: E stands at (polar angle) + atan ξ from the line of centres, X = D cos − r_b.
-        let steepest = half + ours.tip_roll.atan();
-        let mut least_arm = near * steepest.cos() - ours.base;
-        if let Some(gamma) = locked_fillet {
-            least_arm = least_arm.min(self.fillet_arm(gamma, half, near));
-        }
-        if !(least_arm > 1e-9 * near) {
-            return None;
-        }
-
-        // 2. An involute opposite a fillet is no nearer to its base circle than this roll.
-        let hollow = |fillet: &Shape, gamma: Option<f64>, involute: &Shape, radius: f64| {
-            gamma.is_none()
-                || greatest_fillet_radius(fillet).is_some_and(|greatest| {
-                    involute.base * involute::roll_at(radius, involute.base)
-                        > greatest * (1.0 + 1e-9)
-                })
+        let free_fillet = match free_reach {
+            Reach::Fillet(gamma) if theirs.pitch_radius * gamma.sin() > self.free_off => {
+                Some(gamma)
+            }
+            _ => None,
         };
-        let (form, mate_form) = (ours.form_radius(), theirs.form_radius());
-        if !hollow(theirs, free_fillet, ours, near - mate_form - self.free_off)
-            || !hollow(ours, locked_fillet, theirs, near - form - self.free_off)
-        {
-            return None;
+        let fillet_arm = match locked_reach {
+            Reach::Fillet(gamma) => self.fillet_arm(gamma).map(|arm| (gamma, arm)),
+            _ => None,
+        };
+        // 1. and 2.
+        let form_near = near - self.free_off;
+        let free_good = free_reach == Reach::Involute
+            || free_fillet.is_some() && hollow(theirs, ours, form_near - theirs.form_radius());
+        let locked_good = locked_reach == Reach::Involute
+            || fillet_arm.is_some() && hollow(ours, theirs, form_near - ours.form_radius());
+        open.add_unless(free_good, Involute, Fillet);
+        open.add_unless(locked_good, Fillet, Involute);
+        open.add_unless(free_good && locked_good, Fillet, Fillet);
+        // 3.
+        self.open_lands(
+            &mut open,
+            half,
+            arm,
+            fillet_arm.map(|(_, arm)| arm),
+            free_fillet,
+        );
+        if locked_reach != Reach::Involute && fillet_arm.is_none() && self.free_off > 0.0 {
+            open.add(Fillet, Tip);
         }
-
-        // 3. Locked tip land at the angle b from the line of centres: σ = (D cos b − r_a)/(D sin b), falling in b.
-        let land = |b: f64| (near * b.cos() - ours.tip_radius) / (near * b.sin());
-        // Seen from an axis e off, ψ shifts by asin(e/ρ) at most.
-        let shift = (self.free_off / inmost).asin();
-        if !((theirs.tip_roll.atan() + shift).tan() < land(half)) {
-            return None;
-        }
-        if let Some(gamma) = free_fillet {
-            let sample = theirs.at(Curve::Fillet, gamma);
-            let psi = (sample.normal.re * sample.point.re + sample.normal.im * sample.point.im)
-                .atan2(
-                    (sample.normal.im * sample.point.re - sample.normal.re * sample.point.im).abs(),
-                );
-            let half = lens_half(ours.tip_radius, mate_form + self.free_off, near);
-            if half.is_some_and(|half| !((psi + shift).tan() < land(half))) {
-                return None;
-            }
-        }
-        // Free tip land: |σ| ≥ (r_a − e)/e. Locked |σ| ≤ ρ/X on the flank, ρ/(D sin b) on the land,
-        // b the angle at which it crosses the free tip circle at its nearest.
-        if self.free_off > 0.0 {
-            let far = self.distance + self.locked_off;
-            let tip = theirs.tip_radius - self.free_off;
-            let cos = (ours.tip_radius * ours.tip_radius + far * far - tip * tip)
-                / (2.0 * far * ours.tip_radius);
-            if !(cos < 1.0) {
-                return None;
-            }
-            let arm = least_arm.min(near * cos.max(0.0).acos().sin());
-            if !(outmost / arm < tip / self.free_off) {
-                return None;
-            }
+        if free_reach != Reach::Involute && free_fillet.is_none() {
+            open.add(Tip, Fillet);
         }
         Some(Certificate {
-            locked_fillet,
+            open,
+            locked_fillet: fillet_arm.map(|(gamma, _)| gamma),
             free_fillet,
+            turns_back: !(arm > 1e-9 * near),
         })
     }
 
+    /// Opens the pairs in which a tip land does not run round the axis nearly enough.
+    fn open_lands(
+        &self,
+        open: &mut Curves,
+        half: f64,
+        arm: f64,
+        fillet_arm: Option<f64>,
+        free_fillet: Option<f64>,
+    ) {
+        let (ours, theirs, near) = (self.locked, self.free, self.near());
+        // The locked land at the angle b from the line of centres: σ = (D cos b − r_a)/(D sin b), falling in b.
+        let land = |b: f64| (near * b.cos() - ours.tip_radius) / (near * b.sin());
+        // Seen from an axis e off, ψ shifts by asin(e/ρ) at most.
+        let shift = (self.free_off / self.inmost()).asin();
+        let steepest = (theirs.tip_roll.atan() + shift).tan();
+        open.add_unless(steepest < land(half), Tip, Involute);
+        if let Some(gamma) = free_fillet {
+            let sample = theirs.at(Fillet, gamma);
+            let z = sample.normal.conj() * sample.point;
+            let psi = z.re.atan2(z.im.abs());
+            let within = lens_half(ours.tip_radius, theirs.form_radius() + self.free_off, near);
+            let good = within.is_none_or(|within| (psi + shift).tan() < land(within));
+            open.add_unless(good, Tip, Fillet);
+        }
+        // The free land, where it is not quite round: |σ| ≥ (r_a − e)/e. Locked |σ| ≤ ρ/X on the flank,
+        // ρ/(D sin b) on the land, b the angle at which it crosses the free tip circle at its nearest.
+        if self.free_off == 0.0 {
+            return;
+        }
+        let (tip, far) = (
+            theirs.tip_radius - self.free_off,
+            self.distance + self.locked_off,
+        );
+        let cos = (ours.tip_radius * ours.tip_radius + far * far - tip * tip)
+            / (2.0 * far * ours.tip_radius);
+        let crossing = if cos < 1.0 {
+            near * cos.max(0.0).acos().sin()
+        } else {
+            0.0
+        };
+        let rounder_than = |arm: f64| self.outmost() * self.free_off < tip * arm;
+        open.add_unless(rounder_than(crossing), Tip, Tip);
+        open.add_unless(rounder_than(arm), Involute, Tip);
+        if let Some(arm) = fillet_arm {
+            open.add_unless(rounder_than(arm), Fillet, Tip);
+        }
+    }
+
     /// Least `X = D sin(γ − η) − r sin γ` of the locked fillet from `gamma` up, `η` the angle of its
-    /// pitch point `E` from the line of centres.
+    /// pitch point `E` from the line of centres; `None` unless positive.
     ///
     /// `E` stands within `asin(L/r)` of the point. At fixed `η` X is a sine of `γ`, at fixed `γ` one of
     /// `η`: where it is positive it is concave, so its least value stands at a corner of the box.
-    fn fillet_arm(&self, gamma: f64, half: f64, near: f64) -> f64 {
-        let shape = self.locked;
-        let reach = shape.depth.abs() / shape.fillet_end.cos() + shape.round;
-        let eta = half + (reach / shape.pitch_radius).min(1.0).asin();
+    fn fillet_arm(&self, gamma: f64) -> Option<f64> {
+        let (shape, near) = (self.locked, self.near());
+        let half = lens_half(shape.form_radius(), self.outmost(), near)?;
+        let reach = shape.depth / shape.fillet_end.cos() + shape.round;
+        let behind = (reach.abs() / shape.pitch_radius).min(1.0).asin();
+        // On a fillet of h_0 ≥ 0 the point stands ahead of E, towards the tooth.
+        let ahead = if shape.depth >= 0.0 { 0.0 } else { behind };
         let mut least = f64::INFINITY;
         for gamma in [gamma, shape.fillet_end] {
-            for eta in [-eta, eta] {
-                if !(gamma - eta > 0.0 && gamma - eta < std::f64::consts::PI) {
-                    return f64::NEG_INFINITY;
+            for eta in [-half - behind, half + ahead] {
+                if !(gamma - eta > 0.0 && gamma - eta < PI) {
+                    return None;
                 }
                 least = least.min(near * (gamma - eta).sin() - shape.pitch_radius * gamma.sin());
             }
         }
-        least
+        (least > 1e-9 * near).then_some(least)
     }
 }
 
-/// `γ` of the fillet at `radius`; `Some(None)` when `radius` lies above the fillet, `None` when at or below its root.
-fn reached(shape: &Shape, radius: f64) -> Option<Option<f64>> {
+/// How far down a half tooth the mate can reach.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Reach {
+    Involute,
+    /// To this `γ` of the fillet.
+    Fillet(f64),
+    Root,
+}
+
+fn reached(shape: &Shape, radius: f64) -> Reach {
     if radius >= shape.form_radius() {
-        return Some(None);
+        return Reach::Involute;
     }
     if !(radius > shape.root_radius) {
-        return None;
+        return Reach::Root;
     }
     // |P| rises with γ; the lower end of the last bracket is on the safe side.
     let (mut low, mut high) = (0.0, shape.fillet_end);
     for _ in 0..40 {
         let middle = 0.5 * (low + high);
-        if shape.at(Curve::Fillet, middle).point.norm() < radius {
+        if shape.at(Fillet, middle).point.norm() < radius {
             low = middle;
         } else {
             high = middle;
         }
     }
-    Some(Some(low))
+    Reach::Fillet(low)
 }
 
-/// Greatest radius of curvature of the fillet, `ρ + h_0² c³/(r + h_0 c²)`, `c = 1/cos γ`; `None` where it is not hollow.
+/// Whether `fillet` is hollower everywhere than the mate's involute is convex from `radius` outwards.
 ///
-/// From `S/q` ([`crate::gear::Fillet`]). Rises with `c` while `r + h_0 c² > 0`, which is also when it is hollow.
-fn greatest_fillet_radius(shape: &Shape) -> Option<f64> {
-    let c = 1.0 / shape.fillet_end.cos();
-    let hollow = shape.pitch_radius + shape.depth * c * c;
-    (hollow > 1e-9 * shape.pitch_radius)
-        .then(|| shape.round + shape.depth * shape.depth * c * c * c / hollow)
+/// The fillet's radius of curvature `S/q = ρ + h_0² c³/(r + h_0 c²)`, `c = 1/cos γ` ([`crate::gear::Fillet`]),
+/// rises with `c` while `r + h_0 c² > 0`, which is also when it is hollow.
+fn hollow(fillet: &Shape, mate: &Shape, radius: f64) -> bool {
+    let c = 1.0 / fillet.fillet_end.cos();
+    let q = fillet.pitch_radius + fillet.depth * c * c;
+    let least = mate.base * involute::roll_at(radius, mate.base);
+    q > 1e-9 * fillet.pitch_radius
+        && least > (1.0 + 1e-9) * (fillet.round + fillet.depth * fillet.depth * c * c * c / q)
 }

@@ -5,45 +5,39 @@
 //! the mate's tip, on its land.
 
 use super::branch::{Placed, invert};
-use super::shape::C;
+use super::shape::{C, turn};
 use crate::gear::{Curve, involute};
 use std::f64::consts::TAU;
 
 /// Curve, parameter and point where `half` has the radius `rho` about the free axis.
 ///
-/// `fillet` is the least `γ` that can be reached, `None` where the fillet cannot be; `near` is a point
-/// of the half tooth's own frame near the one sought. `Ok(None)`: the half tooth has no such point.
-/// `Err`: the radius lies beyond what the certificate allows for.
+/// `fillet` is the least `γ` that can be reached; `near` is a point of the half tooth's own frame near
+/// the one sought. `None`: the half tooth has no such point, or the search has it.
 pub(super) fn meet(
     half: &Placed,
     fillet: Option<f64>,
     rho: f64,
     near: C,
-) -> Result<Option<(Curve, f64, C)>, Beyond> {
+) -> Option<(Curve, f64, C)> {
     let shape = half.shape;
-    let tip = half.at(Curve::Involute, shape.tip_roll).point.norm();
-    let form = half.at(Curve::Involute, shape.form_roll).point.norm();
+    let tip_roll = outer_roll(half);
+    let tip = half.at(Curve::Involute, tip_roll).point.norm();
+    let form = half.centre + half.direction * shape.joint;
+    let form = form.norm_sqr().sqrt();
     // ρ rises from tip to root on the locked gear, falls on the free one.
     let inward = (form - tip).signum();
     let (curve, t) = if (rho - tip) * inward < 0.0 {
-        let Some(t) = on_land(half, rho) else {
-            return Ok(None);
-        };
-        (Curve::Tip, t)
+        (Curve::Tip, on_land(half, rho)?)
     } else if (rho - form) * inward <= 0.0 {
         let radius = near.norm_sqr().sqrt();
-        let start = involute::roll_at(radius, shape.base).clamp(shape.form_roll, shape.tip_roll);
-        let bracket = bracket(shape.form_roll, shape.tip_roll, inward);
+        let start = involute::roll_at(radius, shape.base).clamp(shape.form_roll, tip_roll);
+        let bracket = bracket(shape.form_roll, tip_roll, inward);
         (
             Curve::Involute,
             invert(half, Curve::Involute, rho, bracket, start),
         )
     } else {
-        let least = fillet.ok_or(Beyond)?;
-        let deepest = half.at(Curve::Fillet, least).point.norm();
-        if (rho - deepest) * inward > 0.0 {
-            return Err(Beyond);
-        }
+        let least = fillet?;
         let bracket = bracket(least, shape.fillet_end, inward);
         let start = 0.5 * (least + shape.fillet_end);
         (
@@ -51,12 +45,31 @@ pub(super) fn meet(
             invert(half, Curve::Fillet, rho, bracket, start),
         )
     };
-    Ok(Some((curve, t, half.at(curve, t).point)))
+    Some((curve, t, half.at(curve, t).point))
 }
 
-/// A corner below the fillet's certified part.
-#[derive(Debug)]
-pub(super) struct Beyond;
+/// The roll down from which the involute is monotone in `ρ`: its tip's, unless it turns back.
+///
+/// The normal `−iE` meets the axis where `E` stands `acos(r_b/D)` from the direction to it.
+fn outer_roll(half: &Placed) -> f64 {
+    let shape = half.shape;
+    let distance = half.centre.norm_sqr().sqrt();
+    if distance <= shape.base {
+        return shape.tip_roll;
+    }
+    let e = half.direction * turn(shape.tip_roll - shape.half_base);
+    let beyond = (-e * half.centre.conj()).arg() - (shape.base / distance).acos();
+    if beyond > 0.0 {
+        (shape.tip_roll - beyond).max(shape.form_roll)
+    } else {
+        shape.tip_roll
+    }
+}
+
+/// Whether a locked involute turns back before its tip: `X = Q × n ≤ 0` there.
+pub(super) fn turns_back(locked: &Placed) -> bool {
+    outer_roll(locked) < locked.shape.tip_roll
+}
 
 /// Ends of a parameter range, that of lesser `ρ` first, where `ρ` falls with the parameter if `inward` is positive.
 fn bracket(low: f64, high: f64, inward: f64) -> [f64; 2] {

@@ -3,9 +3,9 @@
 //! At the greatest gap found so far most corners stand clear of the mate's metal, which a table
 //! of lines shows ([`super::envelope`]); only the rest are put on the curves.
 
-use super::branch::{Hit, Placed, Unsettled};
+use super::branch::{Hit, Placed, Unsettled, search};
 use super::certificate::{Certificate, Setting};
-use super::corner::{Beyond, meet, own_frame};
+use super::corner::{meet, own_frame, turns_back};
 use super::envelope::{Envelope, Place};
 use super::facing::Stand;
 use super::line::Swerve;
@@ -29,17 +29,27 @@ pub(super) struct Shortcut {
 /// The pair that touches first.
 ///
 /// # Errors
-/// As [`plain::touching`], which it falls back on where the certificate does not reach.
+/// The step whose pair could not be settled.
 pub(super) fn touching(stand: &Stand) -> Result<Option<Touching>, (i64, Unsettled)> {
-    if let Some(shortcut) = &stand.facing.shortcut {
-        let mut ties = Ties::new(stand.facing);
-        if stand.on_line(&shortcut.swerve, &mut ties)
-            && stand.on_corners(shortcut, &mut ties).is_ok()
-        {
-            return Ok(ties.choose());
+    let Some(shortcut) = &stand.facing.shortcut else {
+        return plain::touching(stand);
+    };
+    let mut ties = Ties::new(stand.facing);
+    if !stand.on_line(&shortcut.swerve, &mut ties) {
+        return plain::touching(stand);
+    }
+    stand.on_corners(shortcut, &mut ties);
+    let open = shortcut.certificate.open;
+    if !open.is_empty() {
+        for step in stand.steps() {
+            let (locked, free) = (stand.locked(step), stand.free(step));
+            let found = search(&locked, &free, stand.origin, ties.level(), open);
+            if let Some(hit) = found.map_err(|lost| (step, lost))? {
+                ties.offer(step, hit);
+            }
         }
     }
-    plain::touching(stand)
+    Ok(ties.choose())
 }
 
 impl Shortcut {
@@ -74,38 +84,25 @@ impl Shortcut {
 
 impl Stand<'_> {
     /// Offers every corner whose gap may exceed what `ties` holds: tip corners, and undercut joints.
-    fn on_corners(&self, shortcut: &Shortcut, ties: &mut Ties) -> Result<(), Beyond> {
+    fn on_corners(&self, shortcut: &Shortcut, ties: &mut Ties) {
         let mut level = Level::new(self, ties);
         for step in self.steps() {
             let (locked, free) = (self.locked(step), self.free(step));
-            for (curve_end, point) in locked.shape.corners() {
-                self.locked_corner(
-                    shortcut,
-                    &locked,
-                    &free,
-                    (curve_end, point),
-                    &level,
-                    |hit| {
-                        ties.admits(hit.gap).then(|| ties.offer(step, hit));
-                    },
-                )?;
-                level.follow(self, ties);
+            let mut offer = |hit: Option<Hit>, level: &mut Level| {
+                if let Some(hit) = hit.filter(|hit| ties.admits(hit.gap)) {
+                    ties.offer(step, hit);
+                    level.follow(self, ties);
+                }
+            };
+            for corner in locked.shape.corners() {
+                let hit = self.locked_corner(shortcut, &locked, &free, corner, &level);
+                offer(hit, &mut level);
             }
-            for (curve_end, point) in free.shape.corners() {
-                self.free_corner(
-                    shortcut,
-                    &locked,
-                    &free,
-                    (curve_end, point),
-                    &level,
-                    |hit| {
-                        ties.admits(hit.gap).then(|| ties.offer(step, hit));
-                    },
-                )?;
-                level.follow(self, ties);
+            for corner in free.shape.corners() {
+                let hit = self.free_corner(shortcut, &locked, &free, corner, &level);
+                offer(hit, &mut level);
             }
         }
-        Ok(())
     }
 
     fn locked_corner(
@@ -115,29 +112,26 @@ impl Stand<'_> {
         free: &Placed,
         (roll, corner): (f64, C),
         level: &Level,
-        mut offer: impl FnMut(Hit),
-    ) -> Result<(), Beyond> {
+    ) -> Option<Hit> {
         let point = locked.centre + locked.direction * corner;
         let near = own_frame(free, point * level.rotation.conj());
         if level.known {
             let outmost = free.shape.tip_radius + shortcut.free_off;
             match shortcut.free.place(near) {
-                Place::Clear => return Ok(()),
-                Place::Above if point.norm_sqr() > outmost * outmost => return Ok(()),
+                Place::Clear => return None,
+                Place::Above if point.norm_sqr() > outmost * outmost => return None,
                 Place::Above | Place::Unsure => {}
             }
         }
         let rho = point.norm_sqr().sqrt();
-        if let Some((curve, t, mate)) = meet(free, shortcut.certificate.free_fillet, rho, near)? {
-            offer(Hit {
-                gap: (point * mate.conj() * self.origin).arg(),
-                slack: 0.0,
-                locked: (Curve::Involute, roll),
-                free: (curve, t),
-                point,
-            });
-        }
-        Ok(())
+        let (curve, t, mate) = meet(free, shortcut.certificate.free_fillet, rho, near)?;
+        Some(Hit {
+            gap: (point * mate.conj() * self.origin).arg(),
+            slack: 0.0,
+            locked: (Curve::Involute, roll),
+            free: (curve, t),
+            point,
+        })
     }
 
     fn free_corner(
@@ -147,29 +141,27 @@ impl Stand<'_> {
         free: &Placed,
         (roll, corner): (f64, C),
         level: &Level,
-        mut offer: impl FnMut(Hit),
-    ) -> Result<(), Beyond> {
+    ) -> Option<Hit> {
         let mate = free.centre + free.direction * corner;
         let near = own_frame(locked, mate * level.rotation);
-        if level.known {
+        // Past a flank that turns back a clear point may still lie behind it.
+        let behind = shortcut.certificate.turns_back && turns_back(locked);
+        if level.known && !behind {
             match shortcut.locked.place(near) {
-                Place::Clear => return Ok(()),
-                Place::Above if mate.norm_sqr() < square_of_least(locked) => return Ok(()),
+                Place::Clear => return None,
+                Place::Above if mate.norm_sqr() < square_of_least(locked) => return None,
                 Place::Above | Place::Unsure => {}
             }
         }
         let rho = mate.norm_sqr().sqrt();
-        let met = meet(locked, shortcut.certificate.locked_fillet, rho, near)?;
-        if let Some((curve, t, point)) = met {
-            offer(Hit {
-                gap: (point * mate.conj() * self.origin).arg(),
-                slack: 0.0,
-                locked: (curve, t),
-                free: (Curve::Involute, roll),
-                point,
-            });
-        }
-        Ok(())
+        let (curve, t, point) = meet(locked, shortcut.certificate.locked_fillet, rho, near)?;
+        Some(Hit {
+            gap: (point * mate.conj() * self.origin).arg(),
+            slack: 0.0,
+            locked: (curve, t),
+            free: (Curve::Involute, roll),
+            point,
+        })
     }
 }
 

@@ -82,7 +82,10 @@ impl ExactKernel {
 
     /// Whether this pair needs no search: its contacts are on the line of action or at corners.
     pub fn is_direct(&self) -> bool {
-        self.right.shortcut.is_some()
+        self.right
+            .shortcut
+            .as_ref()
+            .is_some_and(|shortcut| shortcut.certificate.open.is_empty())
     }
 
     fn with(

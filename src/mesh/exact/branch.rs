@@ -54,6 +54,8 @@ pub(super) struct Hit {
     pub locked: (Curve, f64),
     /// Curve and parameter on the free gear.
     pub free: (Curve, f64),
+    /// The locked gear's point.
+    pub point: C,
 }
 
 /// Two curves that [`MOST_NODES`] did not settle, the locked gear's first.
@@ -163,23 +165,24 @@ impl Arc {
         } else if rho >= self.radii.1 {
             outer
         } else {
-            invert(placed, self.curve, rho, inner, outer)
+            let middle = 0.5 * (inner + outer);
+            invert(placed, self.curve, rho, [inner, outer], middle)
         }
     }
 }
 
 /// The parameter between `inner` and `outer` at which `curve` has the radius `rho`, `|P|` rising from one to the other.
 ///
-/// Newton's method on `|P|² − ρ²`, halved whenever it leaves its bracket. It
+/// Newton's method on `|P|² − ρ²` from `start`, halved whenever it leaves its bracket. It
 /// ends when the step or the rest is lost in rounding.
 pub(super) fn invert(
     placed: &Placed,
     curve: Curve,
     rho: f64,
-    mut inner: f64,
-    mut outer: f64,
+    [mut inner, mut outer]: [f64; 2],
+    start: f64,
 ) -> f64 {
-    let mut t = 0.5 * (inner + outer);
+    let mut t = start;
     for _ in 0..128 {
         let sample = placed.at(curve, t);
         let rest = sample.point.norm_sqr() - rho * rho;
@@ -207,7 +210,28 @@ pub(super) fn invert(
     t
 }
 
-/// The greatest gap of two half teeth, if it exceeds `floor`, over all their curves.
+/// A set of pairs of curves, the locked gear's first.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(super) struct Curves([[bool; 4]; 4]);
+
+impl Curves {
+    /// Every pair.
+    pub const ALL: Curves = Curves([[true; 4]; 4]);
+
+    pub fn add(&mut self, locked: Curve, free: Curve) {
+        self.0[locked as usize][free as usize] = true;
+    }
+
+    pub fn add_unless(&mut self, settled: bool, locked: Curve, free: Curve) {
+        self.0[locked as usize][free as usize] |= !settled;
+    }
+
+    pub fn is_empty(self) -> bool {
+        self == Curves::default()
+    }
+}
+
+/// The greatest gap of two half teeth over `curves`, if it reaches `floor`.
 ///
 /// `origin` is the free gear's direction from which gaps count, so that they are small angles.
 pub(super) fn search(
@@ -215,17 +239,20 @@ pub(super) fn search(
     free: &Placed,
     origin: C,
     floor: f64,
+    curves: Curves,
 ) -> Result<Option<Hit>, Unsettled> {
     let mut best: Option<Hit> = None;
     let mut level = floor;
     let mut nodes = Vec::new();
-    for ours in Curve::ALL {
-        for theirs in Curve::ALL {
-            if let Some(free_arc) = free_arc(free, theirs) {
-                let (low, high) = locked.shape.range(ours);
-                nodes.push((Arc::new(locked, ours, low, high), free_arc));
-            }
+    let frees = Curve::ALL.map(|curve| free_arc(free, curve));
+    for (ours, row) in Curve::ALL.into_iter().zip(curves.0) {
+        if row == [false; 4] {
+            continue;
         }
+        let (low, high) = locked.shape.range(ours);
+        let arc = Arc::new(locked, ours, low, high);
+        let theirs = frees.iter().zip(row).filter(|(_, wanted)| *wanted);
+        nodes.extend(theirs.filter_map(|(free, _)| Some((arc, (*free)?))));
     }
     let mut count = 0;
     while let Some((ours, theirs)) = nodes.pop() {
@@ -250,6 +277,7 @@ pub(super) fn search(
                     slack,
                     locked: (ours.curve, t),
                     free: (theirs.curve, u),
+                    point: p.point,
                 });
             }
             gap

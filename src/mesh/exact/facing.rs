@@ -9,7 +9,8 @@
 //! *Steps* count places counter-clockwise from the locked tooth nearest to the line of
 //! centres; the free tooth facing it lies as many steps clockwise of its own.
 
-use super::branch::{Hit, Placed};
+use super::branch::Placed;
+use super::fast::Shortcut;
 use super::shape::{C, turn};
 use super::teeth::{Teeth, reduced};
 use crate::gear::{AsBuilt, Side};
@@ -20,11 +21,7 @@ use std::ops::RangeInclusive;
 /// Pairs whose gaps differ by less than this at the free gear's base circle touch together.
 ///
 /// A thousand times the rounding of ordinary gears, and below what any result claims.
-const TIE_MM: f64 = 1e-9;
-
-/// Of pairs that tie, contacts whose distances from the pitch point differ by less count as
-/// equally near: far above rounding, far below a base pitch.
-const EQUALLY_NEAR_MM: f64 = 1e-6;
+pub(super) const TIE_MM: f64 = 1e-9;
 
 /// Both gears' half teeth of one side.
 #[derive(Debug, Clone)]
@@ -36,6 +33,8 @@ pub(super) struct Facing {
     pub distance: f64,
     /// Half teeth whose centre line lies within these angles of the line of centres can reach the mate.
     window: Option<(f64, f64)>,
+    /// For pairs that need no search.
+    pub shortcut: Option<Shortcut>,
 }
 
 impl Facing {
@@ -50,11 +49,15 @@ impl Facing {
             free: Teeth::new(free, side),
             distance: assembly.center_distance(),
             window: None,
+            shortcut: None,
         };
-        facing.window = lens(locked, free, facing.distance).map(|half| {
+        facing.window = window_half(locked, free, facing.distance).map(|half| {
             let (least, most) = facing.locked.extremes;
             (-half - most, half + facing.locked.pitch / 2.0 - least)
         });
+        // A tie below the greatest gap must not be ruled out: both gears' points move by less than this.
+        let reach = facing.distance + locked.reach();
+        facing.shortcut = Shortcut::new(assembly, 2.0 * facing.tie() * reach);
         facing
     }
 
@@ -73,6 +76,7 @@ impl Facing {
         let free_place = self.free.place(free_tooth, beyond - steps);
         let ahead = reduced(rotation + self.locked.angle(locked_place));
         let turned = turn(rotation);
+        let origin = turn(self.free.angle(free_place));
         Stand {
             facing: self,
             turned,
@@ -80,8 +84,15 @@ impl Facing {
             ahead,
             locked_place,
             free_place,
-            origin: turn(self.free.angle(free_place)),
+            origin,
+            free_centre: self.free.displacement * origin.conj(),
         }
+    }
+
+    /// The operating pitch point.
+    pub fn pitch_point(&self) -> C {
+        let (base, mate) = (self.free.shape.base, self.locked.shape.base);
+        C::from(self.distance * base / (base + mate))
     }
 
     /// Tie tolerance, rad.
@@ -104,25 +115,32 @@ impl Facing {
 
 /// Half the angle at the locked axis within which the locked gear's teeth can reach into the free
 /// gear's tip circle, both about their rotation axes; `None` when they cannot.
-fn lens(locked: &AsBuilt, free: &AsBuilt, distance: f64) -> Option<f64> {
-    let (ours, theirs) = (locked.reach(), free.reach());
-    if ours + theirs < distance {
-        return None;
-    }
+fn window_half(locked: &AsBuilt, free: &AsBuilt, distance: f64) -> Option<f64> {
+    let half = lens_half(locked.reach(), free.reach(), distance)?;
     // The nearest point of the free gear's circle; the rest of the lens lies farther out.
-    let nearest = distance - theirs;
+    let nearest = distance - free.reach();
     if nearest <= locked.eccentricity() {
         return Some(PI);
     }
+    Some(half + (locked.eccentricity() / nearest).asin())
+}
+
+/// Half the angle at the centre of a circle of radius `ours` under which its overlap with a circle of
+/// radius `theirs`, `distance` away, is seen; `None` without overlap.
+pub(super) fn lens_half(ours: f64, theirs: f64, distance: f64) -> Option<f64> {
+    if ours + theirs < distance {
+        return None;
+    }
+    if theirs >= distance {
+        return Some(PI);
+    }
     let tangent = distance * distance - theirs * theirs;
-    let half = if ours * ours >= tangent {
+    Some(if ours * ours >= tangent {
         (theirs / distance).asin()
     } else {
-        ((ours * ours + tangent) / (2.0 * distance * ours))
-            .min(1.0)
-            .acos()
-    };
-    Some(half + (locked.eccentricity() / nearest).asin())
+        let cos = (ours * ours + tangent) / (2.0 * distance * ours);
+        cos.min(1.0).acos()
+    })
 }
 
 /// The half teeth of one side at one pose.
@@ -139,6 +157,8 @@ pub(super) struct Stand<'a> {
     free_place: usize,
     /// Direction of the free tooth of step 0 at rotation 0.
     pub origin: C,
+    /// Centre of the free outline at gap 0.
+    pub free_centre: C,
 }
 
 impl<'a> Stand<'a> {
@@ -190,35 +210,4 @@ impl<'a> Stand<'a> {
     pub fn rotation(&self, gap: f64) -> f64 {
         gap - self.facing.free.angle(self.free_place)
     }
-
-    /// Of hits that tie with the greatest gap, the one to name: nearest to the operating pitch
-    /// point, of equally near ones the first counter-clockwise of the locked gear as this frame sees it.
-    pub fn choose(&self, hits: &[(i64, Hit)]) -> Option<Touching> {
-        let greatest = hits.iter().map(|(_, hit)| hit.gap).reduce(f64::max)?;
-        let level = greatest - self.facing.tie();
-        let (base, mate) = (self.facing.free.shape.base, self.facing.locked.shape.base);
-        let pitch_point = C::from(self.facing.distance * base / (base + mate));
-        let mut chosen: Option<(f64, Touching)> = None;
-        for &(step, hit) in hits.iter().filter(|(_, hit)| hit.gap >= level) {
-            let point = self.locked(step).at(hit.locked.0, hit.locked.1).point;
-            let away = (point - pitch_point).norm();
-            if chosen.is_none_or(|(least, _)| away < least - EQUALLY_NEAR_MM) {
-                let touching = Touching {
-                    step,
-                    hit,
-                    greatest,
-                };
-                chosen = Some((away, touching));
-            }
-        }
-        chosen.map(|(_, touching)| touching)
-    }
-}
-
-/// The pair that touches, and the greatest gap of all pairs.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Touching {
-    pub step: i64,
-    pub hit: Hit,
-    pub greatest: f64,
 }

@@ -1,7 +1,8 @@
 //! From a pair that touches, in the frame of [`super::facing`], to a [`Contact`] in the picture.
 
-use super::facing::{Stand, Touching};
+use super::facing::Stand;
 use super::shape::{C, Sample, Shape};
+use super::ties::Touching;
 use crate::gear::{Curve, Side};
 use crate::mesh::lost_motion::{Contact, Touch};
 use crate::pair::Member;

@@ -46,13 +46,17 @@ pub(super) struct Shape {
     half_pitch: f64,
     /// Whether the fillet meets the involute in an edge.
     pub undercut: bool,
+    /// The tip corner.
+    pub corner: C,
+    /// The joint of involute and fillet.
+    pub joint: C,
 }
 
 impl Shape {
     pub fn new(gear: &Gear) -> Shape {
         let (toothing, rack, fillet) = (gear.toothing(), &gear.blank().rack, gear.fillet());
         let module = toothing.module();
-        Shape {
+        let mut shape = Shape {
             base: gear.base_radius(),
             half_base: gear.half_base_angle(),
             tip_radius: gear.tip_radius(),
@@ -67,7 +71,18 @@ impl Shape {
             fillet_end: fillet.end(),
             half_pitch: PI / f64::from(toothing.teeth()),
             undercut: fillet.end() < PI / 2.0 - toothing.pressure_angle(),
-        }
+            corner: C::ZERO,
+            joint: C::ZERO,
+        };
+        shape.corner = shape.at(Curve::Involute, shape.tip_roll).point;
+        shape.joint = shape.at(Curve::Involute, shape.form_roll).point;
+        shape
+    }
+
+    /// Rolls and points of the corners: the tip's, and the joint where it is an edge.
+    pub fn corners(&self) -> impl Iterator<Item = (f64, C)> + use<> {
+        let joint = self.undercut.then_some((self.form_roll, self.joint));
+        std::iter::once((self.tip_roll, self.corner)).chain(joint)
     }
 
     /// Parameters of a curve's two ends, the lesser first. Equal ends: the curve has no length.
@@ -156,6 +171,11 @@ impl Shape {
                 self.round + lift * (self.round + self.depth * c)
             }
         }
+    }
+
+    /// Root form radius.
+    pub fn form_radius(&self) -> f64 {
+        involute::radius_at(self.form_roll, self.base)
     }
 
     /// Radius about the gear's own centre, mm.

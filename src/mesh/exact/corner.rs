@@ -9,24 +9,18 @@ use super::shape::{C, turn};
 use crate::gear::{Curve, involute};
 use std::f64::consts::TAU;
 
-/// Curve, parameter and point where `half` has the radius `rho` about the free axis.
+/// Curve and parameter where `half` has the radius `rho` about the free axis.
 ///
 /// `fillet` is the least `γ` that can be reached; `near` is a point of the half tooth's own frame near
 /// the one sought. `None`: the half tooth has no such point, or the search has it.
-pub(super) fn meet(
-    half: &Placed,
-    fillet: Option<f64>,
-    rho: f64,
-    near: C,
-) -> Option<(Curve, f64, C)> {
+pub(super) fn meet(half: &Placed, fillet: Option<f64>, rho: f64, near: C) -> Option<(Curve, f64)> {
     let shape = half.shape;
     let tip_roll = outer_roll(half);
     let tip = half.at(Curve::Involute, tip_roll).point.norm();
-    let form = half.centre + half.direction * shape.joint;
-    let form = form.norm_sqr().sqrt();
+    let form = half.own_to_axis(shape.joint);
     // ρ rises from tip to root on the locked gear, falls on the free one.
     let inward = (form - tip).signum();
-    let (curve, t) = if (rho - tip) * inward < 0.0 {
+    Some(if (rho - tip) * inward < 0.0 {
         (Curve::Tip, on_land(half, rho)?)
     } else if (rho - form) * inward <= 0.0 {
         let radius = near.norm_sqr().sqrt();
@@ -44,8 +38,7 @@ pub(super) fn meet(
             Curve::Fillet,
             invert(half, Curve::Fillet, rho, bracket, start),
         )
-    };
-    Some((curve, t, half.at(curve, t).point))
+    })
 }
 
 /// The roll down from which the involute is monotone in `ρ`: its tip's, unless it turns back.
@@ -103,9 +96,4 @@ fn on_land(half: &Placed, rho: f64) -> Option<f64> {
         .into_iter()
         .filter(|t| (0.0..=corner).contains(t))
         .reduce(f64::max)
-}
-
-/// The point of a half tooth's own frame that stands at `point`.
-pub(super) fn own_frame(half: &Placed, point: C) -> C {
-    (point - half.centre) * half.direction.conj()
 }

@@ -14,11 +14,12 @@
 //! A step on moves `λ` by `τ_L` and `μ` by `−τ_F`, and `r_bL τ_L = r_bF τ_F`: all
 //! pairs share this equation up to `w = r_bL δ_L + r_bF δ_F`, `δ` the offsets of their
 //! flanks, and the pair of least `w` is the tightest. With an eccentric free gear `B`
-//! depends on the gap `μ`: the right-hand side has the slope `(−T B·B' + Σ B×B')/(|B|² r_bF)`,
-//! at most `e_F/r_bF < 1` by amount, so Newton's method converges from anywhere.
+//! depends on the gap `μ`: the right-hand side `G(μ)` has the slope
+//! `(−T B·B' + Σ B×B')/(|B|² r_bF)`, at most `e_F/r_bF < 1` by amount, so Newton's method
+//! converges from anywhere.
 
-use super::branch::Hit;
-use super::facing::Stand;
+use super::facing::{Facing, Stand};
+use super::hit::Hit;
 use super::shape::{C, turn};
 use super::ties::Ties;
 use crate::gear::Curve;
@@ -29,13 +30,12 @@ const ROLL_PLAY: f64 = 1e-10;
 /// The common tangent of both base circles at one place of both centres.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Line {
+    /// `B`.
+    between: C,
     /// `arg B + α`.
     angle: f64,
     /// `T`.
     length: f64,
-    /// `T + iΣ`, of length |B|; its angle is a right angle less α.
-    tangent: C,
-    between: C,
 }
 
 impl Line {
@@ -47,10 +47,69 @@ impl Line {
         }
         let length = square.sqrt();
         Some(Line {
+            between,
             angle: between.im.atan2(between.re) + length.atan2(sum),
             length,
-            tangent: C::new(length, sum),
-            between,
+        })
+    }
+
+    /// The line after `B` moved by `by`, to first order.
+    fn moved(&self, by: C, sum: f64) -> Line {
+        let z = self.between.conj() * by;
+        let stretch = z.re / self.length;
+        Line {
+            between: self.between + by,
+            angle: self.angle + (z.im + sum * stretch) / self.between.norm_sqr(),
+            length: self.length + stretch,
+        }
+    }
+
+    /// `dG/dμ` where `B` moves at `rate`, times `r_bF`.
+    fn slope(&self, rate: C, sum: f64) -> f64 {
+        let z = self.between.conj() * rate;
+        (sum * z.im - self.length * z.re) / self.between.norm_sqr()
+    }
+}
+
+/// How the line of action may move, for one pair of gears.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Swerve {
+    /// The line itself, where both outlines are centred on their axes.
+    fixed: Option<Line>,
+    /// The line of centred outlines, to start from.
+    centred: Line,
+    /// Whether the free outline is off its axis.
+    moves: bool,
+    /// Bounds on the turn of the line and on the change of its length, by the error of the gap it was taken at.
+    turning: f64,
+    stretching: f64,
+    /// Bound on half the second derivative of `G`.
+    curl: f64,
+}
+
+impl Swerve {
+    /// `None` where the base circles may overlap.
+    ///
+    /// With `|B| ≥ b`: `d(arg B + α)/dμ` is at most `e (1 + Σ/T)/b` and `dT/dμ` at most `e |B|/T ≤ e b/T(b)`, while
+    /// a gap is off by at most the change `G` makes to it over `1 − e/r_b`. The slope of `G` is `(e/r_b)`
+    /// times a sine; its own derivative at most `(e/r_b)` times the turn of `B'` and of the line.
+    pub fn new(facing: &Facing, locked_off: f64, off: f64) -> Option<Swerve> {
+        let (base, sum) = (facing.free.shape.base, facing.sum());
+        let least = facing.distance - locked_off - off;
+        let centred = Line::new(C::from(facing.distance), sum)?;
+        if !(least > sum && base > off) {
+            return None;
+        }
+        let length = ((least - sum) * (least + sum)).sqrt();
+        let shrink = 1.0 - off / base;
+        let turn = off * (1.0 + sum / length) / least;
+        Some(Swerve {
+            fixed: (locked_off == 0.0 && off == 0.0).then_some(centred),
+            centred,
+            moves: off > 0.0,
+            turning: turn / shrink,
+            stretching: off * least / length / shrink,
+            curl: 0.5 * (off / base) * (1.0 + turn) / shrink,
         })
     }
 }
@@ -58,8 +117,9 @@ impl Line {
 /// A pair that may touch on the line of action.
 #[derive(Debug, Clone, Copy)]
 struct Pair {
-    /// `λ − ψ_bL` and the offset part of `μ − ψ_bF`.
+    /// `λ − ψ_bL`.
     locked_base: f64,
+    /// `μ − ψ_bF` less the gap.
     free_base: f64,
 }
 
@@ -71,12 +131,11 @@ impl Stand<'_> {
         Pair {
             locked_base: self.ahead + steps * locked.pitch + locked.offset(ours)
                 - locked.shape.half_base,
-            free_base: free.offset(theirs) - steps * free.pitch - free.shape.half_base,
+            free_base: free.offset(theirs)
+                - self.free_offset
+                - steps * free.pitch
+                - free.shape.half_base,
         }
-    }
-
-    fn sum(&self) -> f64 {
-        self.facing.locked.shape.base + self.facing.free.shape.base
     }
 
     /// `B` and its derivative by the gap, at the gap `mu`.
@@ -85,96 +144,111 @@ impl Stand<'_> {
         (self.centre - off, C::new(off.im, -off.re))
     }
 
-    /// `μ` by the right-hand side of the equation.
+    /// `G`: `μ` by the equation above.
     fn gap(&self, line: &Line, pair: &Pair) -> f64 {
-        let (ours, theirs) = (self.facing.locked.shape.base, self.facing.free.shape.base);
-        (self.sum() * line.angle - line.length - ours * pair.locked_base) / theirs - pair.free_base
-    }
-
-    /// The gap of `pair` and the line there, from the gap `first` by the line at gap 0.
-    fn settle(&self, pair: &Pair, swerve: &Swerve, first: f64) -> Option<(f64, Line)> {
-        let (base, sum) = (self.facing.free.shape.base, self.sum());
-        let mut mu = first;
-        // Contraction by e/r_b alone would take 400 steps for the worst e/r_b, 0.9; Newton takes two or three.
-        for _ in 0..60 {
-            let (between, rate) = self.between(mu);
-            let line = Line::new(between, sum)?;
-            let slope = (-line.length * (between.re * rate.re + between.im * rate.im)
-                + sum * (between.re * rate.im - between.im * rate.re))
-                / (between.norm_sqr() * base);
-            let step = (self.gap(&line, pair) - mu) / (1.0 - slope);
-            mu += step;
-            if swerve.curl * step * step < 0.25 * f64::EPSILON {
-                return Some((mu, Line::new(self.between(mu).0, sum)?));
-            }
-        }
-        None
+        let facing = self.facing;
+        (facing.sum() * line.angle - line.length - facing.locked.shape.base * pair.locked_base)
+            * facing.per_free_base
+            - pair.free_base
     }
 
     /// Rolls `(ξ_L, ξ_F)` of `pair` on `line`.
     fn rolls(&self, line: &Line, pair: &Pair) -> (f64, f64) {
-        let (ours, theirs) = (self.facing.locked.shape.base, self.facing.free.shape.base);
         let locked = line.angle - pair.locked_base;
-        (locked, (line.length - ours * locked) / theirs)
+        let rest = line.length - self.facing.locked.shape.base * locked;
+        (locked, rest * self.facing.per_free_base)
     }
 
-    /// Whether both rolls lie on the involutes, give or take `play`.
-    fn on_path(&self, (locked, free): (f64, f64), play: f64) -> bool {
+    /// Whether both rolls lie on the involutes, give or take the plays.
+    fn on_path(&self, rolls: (f64, f64), plays: (f64, f64)) -> bool {
         let (ours, theirs) = (&self.facing.locked.shape, &self.facing.free.shape);
-        locked >= ours.form_roll - play
-            && locked <= ours.tip_roll + play
-            && free >= theirs.form_roll - play * ours.base / theirs.base - ROLL_PLAY
-            && free <= theirs.tip_roll + play * ours.base / theirs.base + ROLL_PLAY
+        rolls.0 >= ours.form_roll - plays.0
+            && rolls.0 <= ours.tip_roll + plays.0
+            && rolls.1 >= theirs.form_roll - plays.1
+            && rolls.1 <= theirs.tip_roll + plays.1
+    }
+
+    /// The gap of `pair` and the line there, from the gap `first`.
+    fn settle(&self, pair: &Pair, swerve: &Swerve, first: f64) -> Option<(f64, Line)> {
+        let sum = self.facing.sum();
+        let mut mu = first;
+        // Two or three steps; sixty would do by bisection's pace.
+        for _ in 0..60 {
+            let (between, rate) = self.between(mu);
+            let line = Line::new(between, sum)?;
+            let slope = line.slope(rate, sum) * self.facing.per_free_base;
+            let step = (self.gap(&line, pair) - mu) / (1.0 - slope);
+            mu += step;
+            // What the step leaves is its square times the curl; the line moves on by its linear part.
+            if swerve.curl.max(swerve.turning) * step * step < 0.125 * f64::EPSILON {
+                return Some((mu, line.moved(rate * step, sum)));
+            }
+        }
+        None
     }
 
     fn hit(&self, gap: f64, line: &Line, pair: &Pair) -> Hit {
         let (ours, theirs) = (&self.facing.locked.shape, &self.facing.free.shape);
         let (locked, free) = self.rolls(line, pair);
         let locked = locked.clamp(ours.form_roll, ours.tip_roll);
-        // E = −e^{i (arg B + α)} at the locked gear: P = C_L + r_b E (1 − iξ).
-        let e =
-            -line.between * C::new(line.tangent.im, line.tangent.re) / (line.between.norm_sqr());
+        let free = free.clamp(theirs.form_roll, theirs.tip_roll);
+        // E = −e^{i (arg B + α)} at the locked gear, cos α = Σ/|B|: P = C_L + r_b E (1 − iξ), n = −iE.
+        let e = -line.between * C::new(self.facing.sum(), line.length) / line.between.norm_sqr();
+        let point = self.centre + e * C::new(ours.base, -ours.base * locked);
+        let normal = C::new(e.im, -e.re);
+        let z = point.conj() * normal;
         Hit {
             gap,
             slack: 0.0,
+            slope: -z.re / z.im,
             locked: (Curve::Involute, locked),
-            free: (
-                Curve::Involute,
-                free.clamp(theirs.form_roll, theirs.tip_roll),
-            ),
-            point: self.centre + e * C::new(1.0, -locked) * ours.base,
+            free: (Curve::Involute, free),
+            point,
+            normal,
         }
     }
 
-    /// Offers every pair that touches on the line of action and may be the tightest within `tie`.
+    /// Offers every pair that touches on the line of action and may be the tightest within a tie.
     ///
     /// False when one did not settle: then nothing is known.
     pub(super) fn on_line(&self, swerve: &Swerve, ties: &mut Ties) -> bool {
-        let Some(start) = Line::new(self.centre - self.free_centre, self.sum()) else {
-            return false;
+        // The gap the pair of step 0 has between centred outlines: a good place to take the line at.
+        let (guess, start) = match swerve.fixed {
+            Some(line) => (0.0, line),
+            None => {
+                let guess = self.gap(&swerve.centred, &self.pair(0));
+                match Line::new(self.between(guess).0, self.facing.sum()) {
+                    Some(line) => (guess, line),
+                    None => return false,
+                }
+            }
         };
+        let ratio = self.facing.locked.shape.base * self.facing.per_free_base;
         let mut tightest = f64::NEG_INFINITY;
         for step in self.steps() {
             let pair = self.pair(step);
             let first = self.gap(&start, &pair);
-            // Gaps of any two pairs differ in the same sense as these, by a half to any factor.
+            // Between two pairs the true gaps differ in the same sense, by a factor of 1/2 … ∞.
             if first < tightest - 2.0 * ties.width() {
                 continue;
             }
-            let play = ROLL_PLAY + swerve.turning * first.abs();
-            if !self.on_path(self.rolls(&start, &pair), play) {
+            let error = (first - guess).abs();
+            let play = swerve.turning * error;
+            let free_play = ratio * play + swerve.stretching * self.facing.per_free_base * error;
+            let plays = (play + ROLL_PLAY, free_play + ROLL_PLAY);
+            if !self.on_path(self.rolls(&start, &pair), plays) {
                 continue;
             }
-            let (gap, line) = if swerve.turning == 0.0 {
-                (first, start)
-            } else {
+            let (gap, line) = if swerve.moves {
                 let Some(settled) = self.settle(&pair, swerve, first) else {
                     return false;
                 };
-                if !self.on_path(self.rolls(&settled.1, &pair), ROLL_PLAY) {
+                if !self.on_path(self.rolls(&settled.1, &pair), (ROLL_PLAY, ROLL_PLAY)) {
                     continue;
                 }
                 settled
+            } else {
+                (first, start)
             };
             tightest = tightest.max(first);
             if ties.admits(gap) {
@@ -182,35 +256,5 @@ impl Stand<'_> {
             }
         }
         true
-    }
-}
-
-/// How an eccentric free gear moves the line of action.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Swerve {
-    /// Bound on the turn of the line between gap 0 and a pair's own gap, by that pair's gap as gap 0 has it.
-    turning: f64,
-    /// Bound on half the second derivative of the equation's right-hand side.
-    curl: f64,
-}
-
-impl Swerve {
-    /// For centres at least `least` apart, eccentricity `off` of the free gear of base radius `base`,
-    /// and the sum `sum` of base radii; `None` where the base circles may overlap.
-    ///
-    /// `d(arg B + α)/dμ` is at most `e (1/|B| + Σ/(|B| T))`, and `|μ| ≤ |first|/(1 − e/r_b)`.
-    /// The slope `(−T B·B' + Σ B×B')/(|B|² r_b)` is `(e/r_b)` times a sine; its own derivative at most
-    /// `(e/r_b)(1 + e (1 + Σ/T)/|B|)`.
-    pub fn new(least: f64, off: f64, base: f64, sum: f64) -> Option<Swerve> {
-        if !(least > sum && base > off) {
-            return None;
-        }
-        let length = ((least - sum) * (least + sum)).sqrt();
-        let turn = off * (1.0 + sum / length) / least;
-        let ratio = off / base;
-        Some(Swerve {
-            turning: turn / (1.0 - ratio),
-            curl: 0.5 * ratio * (1.0 + turn) / (1.0 - ratio),
-        })
     }
 }

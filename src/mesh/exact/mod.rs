@@ -25,6 +25,7 @@ mod corner;
 mod envelope;
 mod facing;
 mod fast;
+mod hit;
 mod line;
 mod plain;
 mod report;
@@ -38,7 +39,9 @@ use crate::gear::Side;
 use crate::pair::{Assembly, Member, Pose};
 use branch::Unsettled;
 use facing::{Facing, Stand};
+use shape::turn;
 use std::f64::consts::{PI, TAU};
+use teeth::reduced;
 use ties::Touching;
 
 /// Lost motion of one assembly on its exact curves.
@@ -93,10 +96,12 @@ impl ExactKernel {
         pose: &Pose,
         method: impl Fn(&Stand) -> Result<Option<Touching>, (i64, Unsettled)>,
     ) -> Result<LostMotion, Error> {
-        let locked_tooth = pose.mating().tooth(self.free.mate());
-        let free_tooth = pose.mating().tooth(self.free);
+        let mating = pose.mating();
+        let teeth = (mating.tooth(self.free.mate()), mating.tooth(self.free));
+        let rotation = reduced(pose.locked_rotation());
+        let turned = turn(rotation);
         let contact = |facing: &Facing| -> Result<Option<Contact>, Error> {
-            let stand = facing.stand(pose, locked_tooth, free_tooth);
+            let stand = facing.stand(pose, teeth, rotation, turned);
             match method(&stand) {
                 Ok(touching) => {
                     Ok(touching.map(|touching| report::contact(&stand, &touching, self.free)))

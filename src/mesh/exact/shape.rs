@@ -45,11 +45,10 @@ pub(super) struct Shape {
     pub fillet_end: f64,
     half_pitch: f64,
     /// Whether the fillet meets the involute in an edge.
-    pub undercut: bool,
-    /// The tip corner.
-    pub corner: C,
+    undercut: bool,
     /// The joint of involute and fillet.
     pub joint: C,
+    corners: [(f64, C); 2],
 }
 
 impl Shape {
@@ -71,18 +70,18 @@ impl Shape {
             fillet_end: fillet.end(),
             half_pitch: PI / f64::from(toothing.teeth()),
             undercut: fillet.end() < PI / 2.0 - toothing.pressure_angle(),
-            corner: C::ZERO,
             joint: C::ZERO,
+            corners: [(0.0, C::ZERO); 2],
         };
-        shape.corner = shape.at(Curve::Involute, shape.tip_roll).point;
-        shape.joint = shape.at(Curve::Involute, shape.form_roll).point;
+        shape.corners = [shape.tip_roll, shape.form_roll]
+            .map(|roll| (roll, shape.at(Curve::Involute, roll).point));
+        shape.joint = shape.corners[1].1;
         shape
     }
 
     /// Rolls and points of the corners: the tip's, and the joint where it is an edge.
-    pub fn corners(&self) -> impl Iterator<Item = (f64, C)> + use<> {
-        let joint = self.undercut.then_some((self.form_roll, self.joint));
-        std::iter::once((self.tip_roll, self.corner)).chain(joint)
+    pub fn corners(&self) -> &[(f64, C)] {
+        &self.corners[..1 + usize::from(self.undercut)]
     }
 
     /// Parameters of a curve's two ends, the lesser first. Equal ends: the curve has no length.
@@ -183,8 +182,18 @@ impl Shape {
         match curve {
             Curve::Tip => self.tip_radius,
             Curve::Root => self.root_radius,
-            Curve::Involute => involute::radius_at(t, self.base),
-            Curve::Fillet => self.at(curve, t).point.norm(),
+            Curve::Involute => self.base * (1.0 + t * t).sqrt(),
+            Curve::Fillet => self.at(curve, t).point.norm_sqr().sqrt(),
+        }
+    }
+
+    /// Whether it is a point without one normal: the tip corner, an undercut joint, or the middle of a
+    /// root land (where the half tooth ends).
+    pub fn is_corner(&self, (curve, t): (Curve, f64)) -> bool {
+        match curve {
+            Curve::Tip | Curve::Root => t == self.range(curve).1,
+            Curve::Involute => t >= self.tip_roll || self.undercut && t <= self.form_roll,
+            Curve::Fillet => self.undercut && t >= self.fillet_end,
         }
     }
 }

@@ -1,12 +1,15 @@
 //! The greatest gap so far, and every pair that ties with it.
 
-use super::branch::Hit;
 use super::facing::Facing;
+use super::hit::Hit;
 use super::shape::C;
 
 /// Of pairs that tie, contacts whose distances from the pitch point differ by less count as
 /// equally near: far above rounding, far below a base pitch.
 const EQUALLY_NEAR_MM: f64 = 1e-6;
+
+/// Hits kept without an allocation: a contact ratio of four.
+const FEW: usize = 4;
 
 /// Hits whose gaps lie within a tie of the greatest.
 #[derive(Debug, Clone)]
@@ -14,16 +17,20 @@ pub(super) struct Ties {
     width: f64,
     pitch_point: C,
     greatest: f64,
-    hits: Vec<(i64, Hit)>,
+    few: [Option<(i64, Hit)>; FEW],
+    count: usize,
+    more: Vec<(i64, Hit)>,
 }
 
 impl Ties {
     pub fn new(facing: &Facing) -> Ties {
         Ties {
-            width: facing.tie(),
-            pitch_point: facing.pitch_point(),
+            width: facing.tie,
+            pitch_point: facing.pitch_point,
             greatest: f64::NEG_INFINITY,
-            hits: Vec::new(),
+            few: [None; FEW],
+            count: 0,
+            more: Vec::new(),
         }
     }
 
@@ -48,32 +55,49 @@ impl Ties {
 
     /// Takes the hit of a step.
     pub fn offer(&mut self, step: i64, hit: Hit) {
+        if hit.gap > self.greatest + self.width {
+            self.count = 0;
+            self.more.clear();
+        }
         self.greatest = self.greatest.max(hit.gap);
-        self.hits.push((step, hit));
+        if self.count < FEW {
+            self.few[self.count] = Some((step, hit));
+            self.count += 1;
+        } else {
+            self.more.push((step, hit));
+        }
     }
 
-    /// Of the hits that tie with the greatest, the one to name: nearest to the operating pitch point,
-    /// of equally near ones the first counter-clockwise of the locked gear as [`super::facing`] sees it.
-    pub fn choose(mut self) -> Option<Touching> {
+    fn hits(&self) -> impl Iterator<Item = &(i64, Hit)> {
         let level = self.level();
-        self.hits.retain(|(_, hit)| hit.gap >= level);
-        // One pair may have been offered by more than one of its curves: its greatest counts.
-        self.hits
-            .sort_by(|(a, one), (b, other)| a.cmp(b).then(other.gap.total_cmp(&one.gap)));
-        self.hits.dedup_by_key(|(step, _)| *step);
-        let mut chosen: Option<(f64, Touching)> = None;
-        for &(step, hit) in &self.hits {
-            let away = (hit.point - self.pitch_point).norm_sqr().sqrt();
-            if chosen.is_none_or(|(least, _)| away < least - EQUALLY_NEAR_MM) {
-                let touching = Touching {
-                    step,
-                    hit,
-                    greatest: self.greatest,
-                };
-                chosen = Some((away, touching));
+        let few = self.few[..self.count].iter().flatten();
+        few.chain(&self.more)
+            .filter(move |(_, hit)| hit.gap >= level)
+    }
+
+    /// Of the hits that tie with the greatest, the one to name: nearest to the operating pitch point, of equally
+    /// near ones the first counter-clockwise of the locked gear as [`super::facing`] sees it. Of one pair's hits its greatest.
+    pub fn choose(&self) -> Option<Touching> {
+        let away = |hit: &Hit| (hit.point - self.pitch_point).norm_sqr().sqrt();
+        let mut chosen: Option<&(i64, Hit)> = None;
+        for one in self.hits() {
+            let better = match chosen {
+                None => true,
+                Some(other) if other.0 == one.0 => one.1.gap > other.1.gap,
+                Some(other) => {
+                    let gain = away(&other.1) - away(&one.1);
+                    gain > EQUALLY_NEAR_MM || (gain >= -EQUALLY_NEAR_MM && one.0 < other.0)
+                }
+            };
+            if better {
+                chosen = Some(one);
             }
         }
-        chosen.map(|(_, touching)| touching)
+        chosen.map(|&(step, hit)| Touching {
+            step,
+            hit,
+            greatest: self.greatest,
+        })
     }
 }
 

@@ -9,7 +9,7 @@ use gearlash::analytic::InvolutePair;
 use gearlash::gear::{
     AsBuilt, Blank, Deviations, Face, Gear, Pitch, Rack, Side, Toothing, thickness,
 };
-use gearlash::mesh::{Contact, CutPair, ExactKernel, LostMotion, Status, Touch};
+use gearlash::mesh::{Certifier, Contact, CutPair, ExactKernel, LostMotion, Status, Touch};
 use gearlash::pair::{Assembly, Mating, Member, Pose};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
@@ -306,7 +306,7 @@ fn numbers(
     }
 }
 
-/// What both methods say about one pose.
+/// What both methods and the certificate say about one pose.
 struct Outcome {
     status: Status,
     curves: Vec<String>,
@@ -327,13 +327,14 @@ impl Outcome {
         let polygon = cut.refined_kernel(assembly).lost_motion(&pose);
         let exact = exact.map_err(|error| format!("exact: {error}"))?;
         let polygon = polygon.map_err(|error| format!("polygon: {error}"))?;
+        let certificate = Certifier::new(cut.kernel(assembly)).check(&pose, &exact);
         let difference_um = difference_um(assembly, &exact, &polygon);
         let fault = if exact.status() != polygon.status() {
             Some("the statuses differ".to_owned())
         } else if difference_um > AGREEMENT_UM {
             Some(format!("{difference_um:.2e} µm apart"))
         } else {
-            None
+            certificate.err().map(|error| error.to_string())
         };
         let counts = matches!(exact.status(), Status::Clear | Status::Interference);
         let contacts = [exact.right, exact.left].into_iter().flatten();

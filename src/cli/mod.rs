@@ -1,5 +1,6 @@
 //! The command line: one file a command.
 
+mod check;
 mod compare;
 mod distances;
 mod method;
@@ -25,7 +26,7 @@ struct Cli {
 }
 
 const EXIT_CODES: &str = "\
-Exit codes: 0 done; 1 a comparison failed; 2 bad input or usage (nothing is written then).
+Exit codes: 0 done; 1 a comparison or a check failed; 2 bad input or usage (nothing is written then).
 Results go to standard output and to files; progress, warnings and errors to standard error.
 
 Example:
@@ -38,6 +39,8 @@ enum Command {
     Simulate(simulate::Args),
     /// Compare simulated with analytic backlash; exit 1 when they disagree
     Compare(compare::Args),
+    /// Check a pair: interference, clearances, limits; exit 1 when a check fails
+    Check(check::Args),
     /// Draw the contact at one pose as SVG
     Snapshot(snapshot::Args),
 }
@@ -50,6 +53,7 @@ pub fn run() -> Result<ExitCode, Error> {
     match Cli::parse().command {
         Command::Simulate(args) => simulate::run(&args),
         Command::Compare(args) => compare::run(&args),
+        Command::Check(args) => check::run(&args),
         Command::Snapshot(args) => snapshot::run(&args),
     }
 }

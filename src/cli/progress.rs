@@ -4,6 +4,7 @@ use crate::error::Error;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
 
 static INTERRUPTED: AtomicBool = AtomicBool::new(false);
 
@@ -22,6 +23,26 @@ impl Progress {
             bar.set_style(style);
         }
         Progress { bar }
+    }
+
+    /// A sign of life for work whose length is not known beforehand, with what is being done.
+    pub fn working() -> Progress {
+        let _ = ctrlc::set_handler(|| INTERRUPTED.store(true, Ordering::Relaxed));
+        let bar = ProgressBar::new_spinner();
+        if let Ok(style) = ProgressStyle::with_template("{spinner} {msg}") {
+            bar.set_style(style);
+        }
+        bar.enable_steady_tick(Duration::from_millis(100));
+        Progress { bar }
+    }
+
+    /// Says what is being done now; an error when the user wants to stop.
+    pub fn now(&self, doing: &str) -> Result<(), Error> {
+        self.bar.set_message(doing.to_owned());
+        match self.tick() {
+            ControlFlow::Continue(()) => Ok(()),
+            ControlFlow::Break(()) => Err(Error::Interrupted),
+        }
     }
 
     /// One pose begun; a break when the user wants to stop.

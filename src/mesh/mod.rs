@@ -1,5 +1,6 @@
 //! What two gears do: contact of their outlines, lost motion, sweeps of poses.
 
+mod class;
 mod contact;
 mod exact;
 mod lost_motion;
@@ -7,6 +8,7 @@ mod polygon;
 mod scene;
 mod sweep;
 
+pub use class::{ContactClass, ContactKind, Moment, PoseClass};
 pub use exact::ExactKernel;
 pub use lost_motion::{Contact, LostMotion, Status, Touch};
 pub use polygon::{Certifier, CutGear, PolygonKernel};

@@ -24,6 +24,25 @@ impl Mating {
             Member::Pinion => self.pinion_tooth,
         }
     }
+
+    /// The mating `pitches` beyond (before, where negative), named by the teeth of the last whole pitch: `0 ≤ fraction < 1`.
+    pub fn onward(&self, assembly: &Assembly, pitches: f64) -> Mating {
+        let beyond = self.fraction + pitches;
+        let whole = beyond.floor();
+        // Ascending numbers stand counter-clockwise on a gear that shows its back.
+        let steps = (assembly.gear(assembly.locked()).face().ascending() * whole) as i64;
+        let (wheel_steps, pinion_steps) = match assembly.locked() {
+            Member::Wheel => (steps, -steps),
+            Member::Pinion => (-steps, steps),
+        };
+        let (wheel, pinion) = (assembly.gear(Member::Wheel), assembly.gear(Member::Pinion));
+        Mating {
+            wheel_tooth: wheel.counter_clockwise(self.wheel_tooth, wheel_steps),
+            pinion_tooth: pinion.counter_clockwise(self.pinion_tooth, pinion_steps),
+            flank: self.flank,
+            fraction: beyond - whole,
+        }
+    }
 }
 
 /// A pose: both gears' rotations and the teeth that mate there.

@@ -144,16 +144,16 @@ impl SweepPlan {
                 start,
             } => {
                 let steps = u64::from(steps_per_pitch);
+                let first = Mating {
+                    wheel_tooth: start.0,
+                    pinion_tooth: start.1,
+                    flank: Side::Right,
+                    fraction: 0.0,
+                };
                 (0..pitches * steps)
-                    .map(|step| {
-                        let (whole, part) = (step / steps, step % steps);
-                        let (wheel_tooth, pinion_tooth) = onward(assembly, start, whole);
-                        Mating {
-                            wheel_tooth,
-                            pinion_tooth,
-                            flank: Side::Right,
-                            fraction: part as f64 / steps as f64,
-                        }
+                    .map(|step| Mating {
+                        fraction: (step % steps) as f64 / steps as f64,
+                        ..first.onward(assembly, (step / steps) as f64)
                     })
                     .collect()
             }
@@ -167,26 +167,4 @@ impl SweepPlan {
 
 fn teeth(assembly: &Assembly, member: Member) -> u32 {
     assembly.gear(member).gear().toothing().teeth()
-}
-
-/// The mating `pitches` after `start`, the locked gear's teeth ascending.
-fn onward(assembly: &Assembly, start: (u32, u32), pitches: u64) -> (u32, u32) {
-    let locked = assembly.gear(assembly.locked());
-    let cycle =
-        u64::from(teeth(assembly, Member::Wheel)) * u64::from(teeth(assembly, Member::Pinion));
-    let pitches = (pitches % cycle) as i64;
-    // Ascending numbers stand counter-clockwise on a gear that shows its back.
-    let steps = locked.face().ascending() as i64 * pitches;
-    let (wheel_steps, pinion_steps) = match assembly.locked() {
-        Member::Wheel => (steps, -steps),
-        Member::Pinion => (-steps, steps),
-    };
-    (
-        assembly
-            .gear(Member::Wheel)
-            .counter_clockwise(start.0, wheel_steps),
-        assembly
-            .gear(Member::Pinion)
-            .counter_clockwise(start.1, pinion_steps),
-    )
 }

@@ -1,6 +1,7 @@
 //! Pictures, tables and files. The renderer computes nothing about gears: it takes results and draws them.
 
 mod caption;
+pub mod check;
 mod clip;
 pub mod comparison;
 mod gears;
@@ -9,6 +10,7 @@ mod labels;
 mod legend;
 mod link;
 mod main_view;
+mod map;
 mod marks;
 mod page;
 mod result;
@@ -18,6 +20,7 @@ mod table;
 mod view;
 
 pub use comparison::ComparedPair;
+pub use map::{map_csv, map_picture};
 pub use result::{ResultFile, result_file};
 pub use snapshot::{Snapshot, snapshot};
 pub use table::simulation as simulation_table;

@@ -1,8 +1,10 @@
 //! The result as JSON and CSV: the keys of the interface, units in their names.
 
 use crate::compare::{ComparedPose, ComparedRun, Summary};
-use crate::mesh::{Contact, Touch};
-use crate::pair::Member;
+use crate::diagnosis::{ContactCount, Worst};
+use crate::gear::Side;
+use crate::mesh::{Contact, ContactClass, PoseClass, Touch};
+use crate::pair::{Assembly, Mating, Member};
 use crate::study::Study;
 use serde::Serialize;
 use std::f64::consts::TAU;
@@ -49,12 +51,13 @@ struct PoseRecord {
     j_wt_range_um: [Option<f64>; 2],
     error_bound_um: Option<f64>,
     status: &'static str,
+    class: &'static str,
     right: Option<ContactRecord>,
     left: Option<ContactRecord>,
     analytic: AnalyticRecord,
 }
 
-#[derive(Debug, Serialize)]
+#[derive(Debug, Clone, Serialize)]
 struct MatingRecord {
     wheel_tooth: u32,
     pinion_tooth: u32,
@@ -62,7 +65,7 @@ struct MatingRecord {
     fraction: f64,
 }
 
-#[derive(Debug, Serialize)]
+#[derive(Debug, Clone, Serialize)]
 struct ContactRecord {
     wheel_tooth: u32,
     pinion_tooth: u32,
@@ -72,6 +75,11 @@ struct ContactRecord {
     pinion_radius_mm: f64,
     point_mm: [f64; 2],
     normal: [f64; 2],
+    class: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    tip_gear: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    tip_moment: Option<&'static str>,
 }
 
 #[derive(Debug, Serialize)]
@@ -88,6 +96,7 @@ struct SummaryRecord {
     mean_j_wt_um: Option<f64>,
     with_bearing_clearance: BandRecord,
     max_deviation_um: DeviationRecord,
+    contact: ContactCountRecord,
 }
 
 #[derive(Debug, Serialize)]
@@ -154,7 +163,7 @@ fn run_record(compared: &ComparedRun) -> RunRecord {
                 pinion_tooth,
             }),
         operating_pressure_angle_deg: assembly.operating_pressure_angle().to_degrees(),
-        summary: summary_record(&compared.summary()),
+        summary: summary_record(&compared.summary(), &ContactCount::of(compared)),
         poses,
     }
 }
@@ -168,19 +177,17 @@ fn pose_record(compared: &ComparedRun, pose: &ComparedPose) -> PoseRecord {
     let rotation =
         |member: Member| (assembly.locked() == member).then(|| swept.pose.locked_rotation());
     // Nothing of a jammed or unmeshed pose is a number.
-    let contact = |contact: &Option<Contact>| angle.and(contact.as_ref()).map(contact_record);
+    let contact = |side, contact: &Option<Contact>| {
+        let contact = angle.and(contact.as_ref())?;
+        Some(contact_record(assembly, side, contact))
+    };
     let right = angle
         .and(swept.lost_motion.right)
         .map(|c| principal(c.rotation));
     PoseRecord {
         wheel_rotation_rad: rotation(Member::Wheel),
         pinion_rotation_rad: rotation(Member::Pinion),
-        mating: MatingRecord {
-            wheel_tooth: mating.wheel_tooth,
-            pinion_tooth: mating.pinion_tooth,
-            flank: mating.flank.name(),
-            fraction: mating.fraction,
-        },
+        mating: mating_record(mating),
         right_rad: right,
         left_rad: right.zip(angle).map(|(right, angle)| right + angle),
         lost_motion_rad: angle,
@@ -190,8 +197,9 @@ fn pose_record(compared: &ComparedRun, pose: &ComparedPose) -> PoseRecord {
         j_wt_range_um: swept.range().map(|end| end.map(um)),
         error_bound_um: angle.and(swept.error_bound).map(um),
         status: swept.lost_motion.status().name(),
-        right: contact(&swept.lost_motion.right),
-        left: contact(&swept.lost_motion.left),
+        class: PoseClass::of(assembly, &swept.lost_motion).name(),
+        right: contact(Side::Right, &swept.lost_motion.right),
+        left: contact(Side::Left, &swept.lost_motion.left),
         analytic: AnalyticRecord {
             michalec_um: pose.michalec.map(um),
             involute_um: pose.involute.map(um),
@@ -210,7 +218,8 @@ fn principal(rotation: f64) -> f64 {
     }
 }
 
-fn contact_record(contact: &Contact) -> ContactRecord {
+fn contact_record(assembly: &Assembly, side: Side, contact: &Contact) -> ContactRecord {
+    let class = ContactClass::of(assembly, side, contact);
     let Touch {
         tooth,
         curve,
@@ -225,10 +234,13 @@ fn contact_record(contact: &Contact) -> ContactRecord {
         pinion_radius_mm: contact.pinion.radius,
         point_mm: [contact.point.x, contact.point.y],
         normal: [contact.normal.x, contact.normal.y],
+        class: class.kind.name(),
+        tip_gear: class.tip.map(Member::name),
+        tip_moment: class.moment.map(|moment| moment.name()),
     }
 }
 
-fn summary_record(summary: &Summary) -> SummaryRecord {
+fn summary_record(summary: &Summary, contact: &ContactCount) -> SummaryRecord {
     SummaryRecord {
         min_j_wt_um: summary.min.map(um),
         max_j_wt_um: summary.max.map(um),
@@ -241,6 +253,66 @@ fn summary_record(summary: &Summary) -> SummaryRecord {
             involute: summary.off_involute.map(um),
             line_of_action: summary.off_line_of_action.map(um),
         },
+        contact: contact_count_record(contact),
+    }
+}
+
+/// What touched over a run; `classes` counts poses by the graver of their contacts.
+#[derive(Debug, Clone, Serialize)]
+pub(super) struct ContactCountRecord {
+    classes: serde_json::Map<String, serde_json::Value>,
+    least_loss_um: Option<f64>,
+    mean_loss_um: Option<f64>,
+    worst_loss_um: Option<f64>,
+    worst: Option<WorstRecord>,
+}
+
+/// The pose that loses most, and the tooth pair whose contact costs it.
+#[derive(Debug, Clone, Serialize)]
+struct WorstRecord {
+    center_distance_mm: f64,
+    material: &'static str,
+    mating: MatingRecord,
+    class: &'static str,
+    j_wt_um: f64,
+    formula_um: f64,
+    side: &'static str,
+    contact: ContactRecord,
+}
+
+pub(super) fn contact_count_record(count: &ContactCount) -> ContactCountRecord {
+    let classes = count.classes.iter();
+    let classes = classes.map(|(class, n)| (class.name().to_owned(), (*n).into()));
+    let loss = count.loss.as_ref();
+    ContactCountRecord {
+        classes: classes.collect(),
+        least_loss_um: loss.map(|loss| um(loss.least)),
+        mean_loss_um: loss.map(|loss| um(loss.mean)),
+        worst_loss_um: loss.map(|loss| um(loss.worst.loss)),
+        worst: loss.map(|loss| worst_record(&loss.worst)),
+    }
+}
+
+fn worst_record(worst: &Worst) -> WorstRecord {
+    let mating = worst.pose.mating();
+    WorstRecord {
+        center_distance_mm: worst.assembly.center_distance(),
+        material: worst.material.name(),
+        mating: mating_record(mating),
+        class: worst.class.name(),
+        j_wt_um: um(worst.backlash),
+        formula_um: um(worst.backlash + worst.loss),
+        side: worst.side.name(),
+        contact: contact_record(&worst.assembly, worst.side, &worst.contact),
+    }
+}
+
+fn mating_record(mating: &Mating) -> MatingRecord {
+    MatingRecord {
+        wheel_tooth: mating.wheel_tooth,
+        pinion_tooth: mating.pinion_tooth,
+        flank: mating.flank.name(),
+        fraction: mating.fraction,
     }
 }
 
@@ -267,6 +339,7 @@ struct CsvRow {
     j_wt_range_max_um: Option<f64>,
     error_bound_um: Option<f64>,
     status: &'static str,
+    class: &'static str,
     right_wheel_tooth: Option<u32>,
     right_pinion_tooth: Option<u32>,
     right_wheel_curve: Option<&'static str>,
@@ -304,6 +377,7 @@ impl CsvRow {
             j_wt_range_max_um: pose.j_wt_range_um[1],
             error_bound_um: pose.error_bound_um,
             status: pose.status,
+            class: pose.class,
             right_wheel_tooth: right.map(|c| c.wheel_tooth),
             right_pinion_tooth: right.map(|c| c.pinion_tooth),
             right_wheel_curve: right.map(|c| c.wheel_curve),

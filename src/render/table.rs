@@ -41,7 +41,7 @@ j_wt in µm, simulated; \"at\": mating, fraction of a pitch beyond it, flank. Of
 difference to the involute and to the line-of-action formula. Negative backlash: interference.
 ";
 
-fn table(headings: &[&str]) -> Table {
+pub(super) fn table(headings: &[&str]) -> Table {
     let mut table = Table::new();
     table.load_style(presets::NOTHING);
     table.set_header(headings);
@@ -51,7 +51,7 @@ fn table(headings: &[&str]) -> Table {
     table
 }
 
-fn finish(table: &Table) -> String {
+pub(super) fn finish(table: &Table) -> String {
     let lines: Vec<String> = table
         .lines()
         .map(|line| line.trim_end().to_owned())

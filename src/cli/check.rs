@@ -1,0 +1,132 @@
+//! `gearlash check`: does the pair interfere, where, why, and what does it cost.
+
+use super::method::{MethodArgs, agreement};
+use super::progress::Progress;
+use super::{print, warn};
+use crate::compare::compare;
+use crate::diagnosis::{Diagnosis, Verdict, diagnose, map};
+use crate::error::Error;
+use crate::input;
+use crate::output::OutputFolder;
+use crate::render;
+use crate::simulate::{pose_count, simulate};
+use crate::study::Study;
+use clap::ValueEnum;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// Check a pair: clearances, interference, backlash and limits, by formula and on the outlines
+///
+/// Each check has its value by formula, the value measured on the outlines over the poses the pair file
+/// asks for, its limit, margin and verdict. A limit is met within 1e-9 mm. Where the poses lose backlash
+/// that no formula sees, the worst of them is named.
+#[derive(clap::Args)]
+pub(super) struct Args {
+    /// The pair file (TOML or JSON)
+    pair: PathBuf,
+    /// What to print
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+    /// Also map what touches over centre distance and mesh phase, as map_<material>.svg and .csv
+    #[arg(long)]
+    map: bool,
+    /// Folder for the map [default: out/<file stem>]
+    #[arg(short, long, value_name = "DIR", requires = "map")]
+    output: Option<PathBuf>,
+    #[command(flatten)]
+    method: MethodArgs,
+}
+
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+enum Format {
+    /// A readable table
+    Text,
+    /// Every check of each centre distance and material
+    Json,
+}
+
+/// Runs the command.
+pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
+    let study = input::read(&args.pair)?;
+    warn(&args.pair, &study.warnings);
+    let folder = || match &args.output {
+        Some(folder) => folder.clone(),
+        None => PathBuf::from("out").join(&study.stem),
+    };
+    let folder = args
+        .map
+        .then(|| OutputFolder::prepare(&folder()))
+        .transpose()?;
+
+    let progress = Progress::start(pose_count(&study)?);
+    let runs = simulate(&study, args.method.method(), &|| progress.tick())?;
+    progress.finish()?;
+    let runs = compare(runs, study.tolerance_um);
+    let progress = Progress::working();
+    let diagnosis = diagnose(&study, &runs, &mut |doing| progress.now(doing))?;
+    let maps = match &folder {
+        Some(_) => {
+            progress.now("map")?;
+            maps(&study, &diagnosis, &progress)?
+        }
+        None => Vec::new(),
+    };
+    progress.finish()?;
+
+    print(&match args.format {
+        Format::Text => render::check::text(&study, &diagnosis),
+        Format::Json => render::check::json(&study, &diagnosis)
+            .map_err(|error| Error::Usage(format!("the checks cannot be written: {error}")))?,
+    });
+    if let Some(folder) = folder {
+        let path = folder.write(&maps)?;
+        if args.format == Format::Text {
+            print(&format!("\n{} files in {}\n", maps.len(), path.display()));
+        }
+    }
+    let holds = agreement(&runs) && diagnosis.verdict() != Verdict::Fail;
+    Ok(match holds {
+        true => ExitCode::SUCCESS,
+        false => ExitCode::from(1),
+    })
+}
+
+/// A map of each material, at the study's first centre distance.
+fn maps(
+    study: &Study,
+    diagnosis: &Diagnosis,
+    progress: &Progress,
+) -> Result<Vec<(String, String)>, Error> {
+    let mut files = Vec::new();
+    let mut drawn = Vec::new();
+    for group in &diagnosis.groups {
+        let material = group.material;
+        let Some(zero) = group.zero.filter(|_| !drawn.contains(&material)) else {
+            continue;
+        };
+        drawn.push(material);
+        let map = map(group, zero.pose, &|| progress.tick())?;
+        let caption = format!(
+            "{} and {} teeth, material {}: what touches, over one pitch from the pose with the least backlash",
+            group
+                .assembly
+                .gear(crate::pair::Member::Wheel)
+                .gear()
+                .toothing()
+                .teeth(),
+            group
+                .assembly
+                .gear(crate::pair::Member::Pinion)
+                .gear()
+                .toothing()
+                .teeth(),
+            material.name(),
+        );
+        let picture = render::map_picture(&map, &study.title, &caption);
+        let csv = render::map_csv(&map)
+            .map_err(|error| Error::Usage(format!("the map cannot be written: {error}")))?;
+        files.push((format!("map_{}.svg", material.name()), picture));
+        files.push((format!("map_{}.csv", material.name()), csv));
+    }
+    Ok(files)
+}

@@ -1,0 +1,64 @@
+//! A pair on a bench whose centre distance can be moved.
+
+use crate::error::Error;
+use crate::mesh::{ExactKernel, LostMotion, PoseClass, Status};
+use crate::pair::{Assembly, Mating, Member, Pose};
+use rayon::prelude::*;
+
+/// The pair at one centre distance.
+pub(super) struct Bench {
+    pub assembly: Assembly,
+    kernel: ExactKernel,
+}
+
+impl Bench {
+    /// The gears of `assembly` at `distance`, mm.
+    pub fn new(assembly: &Assembly, distance: f64) -> Result<Bench, Error> {
+        let assembly = assembly.at(distance)?;
+        Ok(Bench {
+            kernel: ExactKernel::new(&assembly),
+            assembly,
+        })
+    }
+
+    pub fn lost_motion(&self, mating: &Mating) -> Result<LostMotion, Error> {
+        self.kernel.lost_motion(&Pose::new(&self.assembly, *mating))
+    }
+
+    pub fn class(&self, mating: &Mating) -> Result<PoseClass, Error> {
+        Ok(PoseClass::of(&self.assembly, &self.lost_motion(mating)?))
+    }
+
+    /// Normal backlash `j_bn = φ_j r_b`, mm; −∞ when jammed, +∞ out of mesh.
+    pub fn play(&self, mating: &Mating) -> Result<f64, Error> {
+        let found = self.lost_motion(mating)?;
+        let base = self
+            .assembly
+            .gear(self.assembly.free())
+            .gear()
+            .base_radius();
+        Ok(match (found.status(), found.angle()) {
+            (_, Some(angle)) => angle * base,
+            (Status::Jammed, None) => f64::NEG_INFINITY,
+            (_, None) => f64::INFINITY,
+        })
+    }
+
+    /// [`Bench::play`] of each mating, in order.
+    pub fn plays(&self, matings: &[Mating]) -> Result<Vec<f64>, Error> {
+        let plays: Vec<_> = matings.par_iter().map(|mating| self.play(mating)).collect();
+        plays.into_iter().collect()
+    }
+}
+
+/// Centre distances between which two gears can touch at all, mm: from touching base circles (a
+/// millionth of them apart) to tips that do not reach each other.
+pub(super) fn reach(assembly: &Assembly) -> [f64; 2] {
+    let members = [Member::Wheel, Member::Pinion];
+    let base: f64 = members
+        .map(|m| assembly.gear(m).gear().base_radius())
+        .iter()
+        .sum();
+    let tips: f64 = members.map(|m| assembly.gear(m).reach()).iter().sum();
+    [base * (1.0 + 1e-6), tips]
+}

@@ -1,0 +1,66 @@
+//! One check of a pair: by formula, as measured on the outlines, against its limit.
+
+use crate::analytic::limits;
+use crate::pair::Member;
+
+/// What a check says.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Verdict {
+    /// The limit is kept.
+    Pass,
+    /// Kept, but not what is recommended; or the formula and the outlines disagree, and the outlines are kind.
+    Warn,
+    /// The limit is not kept.
+    Fail,
+}
+
+impl Verdict {
+    /// `pass`, `warn` or `fail`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Verdict::Pass => "pass",
+            Verdict::Warn => "warn",
+            Verdict::Fail => "fail",
+        }
+    }
+
+    /// `otherwise` unless `kept`.
+    pub(super) fn unless(kept: bool, otherwise: Verdict) -> Verdict {
+        match kept {
+            true => Verdict::Pass,
+            false => otherwise,
+        }
+    }
+}
+
+/// Whether a margin counts as kept: within [`limits::MET_WITHIN`].
+pub(super) fn met(margin: f64) -> bool {
+    margin >= -limits::MET_WITHIN
+}
+
+/// One check of one pair as assembled.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Check {
+    /// Its name for programs.
+    pub id: &'static str,
+    /// Its name for people.
+    pub title: &'static str,
+    /// The gear in question, where the check is of one gear.
+    pub gear: Option<Member>,
+    /// By formula, in `unit`; `None` where it has no value.
+    pub analytic: Option<f64>,
+    /// On the outlines, in `unit`; `None` where it cannot be measured or was not met.
+    pub measured: Option<f64>,
+    /// What it is held against, in `unit`.
+    pub limit: Option<f64>,
+    /// How far the limit is kept, in `unit`; negative where it is not. Of the less favourable of the two values.
+    pub margin: Option<f64>,
+    /// `mm`, `m` (modules), `%`, or `1` for a pure number.
+    pub unit: &'static str,
+    /// What follows.
+    pub verdict: Verdict,
+    /// More numbers, each with its unit in its name.
+    pub details: Vec<(&'static str, f64)>,
+    /// What a reader should know: where, on which teeth.
+    pub note: String,
+}

@@ -1,0 +1,162 @@
+//! What touches over centre distance and mesh phase.
+
+use super::bench::{Bench, reach};
+use super::checks::Group;
+use super::onset::form_onset;
+use crate::analytic::limits;
+use crate::error::Error;
+use crate::mesh::PoseClass;
+use crate::pair::{Assembly, Mating, Member};
+use rayon::prelude::*;
+use std::ops::ControlFlow;
+
+/// Rows and columns (tuned: what can be told apart on a sheet).
+const ROWS: u32 = 60;
+const COLUMNS: u32 = 60;
+/// Room above and below what is shown, modules.
+const ROOM: f64 = 0.05;
+
+/// A grid of poses.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Map {
+    /// Mating of the first column; the columns go on from it by one pitch.
+    pub start: Mating,
+    /// Centre distances of the rows, mm, rising.
+    pub distances: Vec<f64>,
+    /// Fractions of a pitch of the columns.
+    pub fractions: Vec<f64>,
+    /// Row by row.
+    pub cells: Vec<MapCell>,
+    /// What is drawn across, from the least centre distance up.
+    pub limits: Vec<Limit>,
+}
+
+/// One pose.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MapCell {
+    /// What touches.
+    pub class: PoseClass,
+    /// `j_wt`, mm.
+    pub backlash: Option<f64>,
+}
+
+/// A centre distance that means something.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Limit {
+    /// What.
+    pub name: String,
+    /// Where, mm.
+    pub distance: f64,
+}
+
+/// The map of `group`'s pair over one pitch from `start`. `tick` is called after each row; a break ends it.
+///
+/// # Errors
+/// A contact that was lost; [`Error::Interrupted`].
+pub fn map(
+    group: &Group,
+    start: Mating,
+    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+) -> Result<Map, Error> {
+    let assembly = &group.assembly;
+    let limits = limits_of(group);
+    let module = assembly.gear(Member::Wheel).gear().toothing().module();
+    let [nearest, farthest] = reach(assembly);
+    let ends = |pick: fn(f64, f64) -> f64| limits.iter().map(|limit| limit.distance).reduce(pick);
+    let middle = assembly.center_distance();
+    let low = (ends(f64::min).unwrap_or(middle) - ROOM * module).max(nearest);
+    let high = (ends(f64::max).unwrap_or(middle) + ROOM * module).min(farthest);
+    let distances: Vec<f64> = (0..ROWS)
+        .map(|row| low + (high - low) * (f64::from(row) + 0.5) / f64::from(ROWS))
+        .collect();
+    let fractions: Vec<f64> = (0..COLUMNS)
+        .map(|column| f64::from(column) / f64::from(COLUMNS))
+        .collect();
+    let rows: Vec<Result<Vec<MapCell>, Error>> = distances
+        .par_iter()
+        .map(|&distance| {
+            let bench = Bench::new(assembly, distance)?;
+            let radius = bench.assembly.operating_pitch_radius(bench.assembly.free());
+            let cells: Result<Vec<MapCell>, Error> = fractions
+                .iter()
+                .map(|&fraction| {
+                    let mating = start.onward(&bench.assembly, fraction);
+                    let found = bench.lost_motion(&mating)?;
+                    Ok(MapCell {
+                        class: PoseClass::of(&bench.assembly, &found),
+                        backlash: found.angle().map(|angle| angle * radius),
+                    })
+                })
+                .collect();
+            match tick() {
+                ControlFlow::Continue(()) => cells,
+                ControlFlow::Break(()) => Err(Error::Interrupted),
+            }
+        })
+        .collect();
+    let mut cells = Vec::new();
+    for row in rows {
+        cells.extend(row?);
+    }
+    Ok(Map {
+        start,
+        distances,
+        fractions,
+        cells,
+        limits,
+    })
+}
+
+fn limits_of(group: &Group) -> Vec<Limit> {
+    let assembly: &Assembly = &group.assembly;
+    let a = assembly.center_distance();
+    let module = assembly.gear(Member::Wheel).gear().toothing().module();
+    let limit = |name: &str, distance: f64| Limit {
+        name: name.to_owned(),
+        distance,
+    };
+    let mut limits = vec![limit("a of the pair", a)];
+    let zero = limits::zero_backlash_distance(assembly);
+    limits.extend(zero.map(|zero| limit("zero backlash, K (17)", zero)));
+    limits.extend(
+        group
+            .zero
+            .map(|zero| limit("zero backlash, measured", zero.distance)),
+    );
+    limits.extend(
+        group
+            .onset
+            .map(|onset| limit("non-involute contact, measured", onset.distance)),
+    );
+    // The gear that is endangered first.
+    let governing = |value: fn(&Assembly, Member) -> f64| {
+        f64::max(
+            value(assembly, Member::Wheel),
+            value(assembly, Member::Pinion),
+        )
+    };
+    limits.push(limit("tip at form circle", governing(form_onset)));
+    limits.push(limit("tip at base circle, K (8)", governing(base_onset)));
+    // a − r_a − r_f falls short of the clearance asked for by so much.
+    let least = f64::min(
+        limits::radial_clearance(assembly, Member::Wheel),
+        limits::radial_clearance(assembly, Member::Pinion),
+    );
+    for modules in [limits::LEAST_CLEARANCE, limits::RECOMMENDED_CLEARANCE] {
+        limits.push(limit(
+            &format!("radial clearance {modules} m"),
+            a - least + modules * module,
+        ));
+    }
+    let [nearest, _] = reach(assembly);
+    limits.retain(|limit| limit.distance >= nearest);
+    limits.sort_by(|a, b| a.distance.total_cmp(&b.distance));
+    limits
+}
+
+/// Centre distance, mm, below which K (8) is violated on `member`: the mate's tip on the base tangent's end.
+fn base_onset(assembly: &Assembly, member: Member) -> f64 {
+    let gear = assembly.gear(member).gear();
+    let mate = assembly.gear(member.mate()).gear();
+    limits::tip_tangent(mate).hypot(gear.base_radius() + mate.base_radius())
+}

@@ -1,0 +1,209 @@
+//! What kind of contact a contact is: on the line of action, or what met what beside it.
+//!
+//! The formulas know involutes that touch on the line of action. Everything else has a name here, in
+//! order of how much it means: a tip corner on a flank comes with any deviation near hand-over, a
+//! fillet or a root must not be touched at all.
+
+use super::lost_motion::{Contact, LostMotion, Status, Touch};
+use crate::gear::{Curve, Side};
+use crate::pair::{Assembly, Member};
+use std::f64::consts::FRAC_PI_2;
+
+/// A contact this near to the form circle of an undercut flank, mm, is its edge's: the width within
+/// which results name a tip corner, too.
+const EDGE_MM: f64 = 1e-7;
+
+/// The curves that meet, in order of gravity.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum ContactKind {
+    /// Involute on involute, on the line of action.
+    Involute,
+    /// A tip corner on the mate's involute, off the line of action.
+    TipInvolute,
+    /// Two tip corners.
+    TipTip,
+    /// The edge that undercut leaves at the form circle, on anything but a root.
+    Edge,
+    /// A fillet on an involute or a fillet.
+    Fillet,
+    /// A tip on its mate's fillet.
+    TipFillet,
+    /// A root land takes part.
+    Root,
+}
+
+impl ContactKind {
+    /// All, in order.
+    pub const ALL: [ContactKind; 7] = [
+        ContactKind::Involute,
+        ContactKind::TipInvolute,
+        ContactKind::TipTip,
+        ContactKind::Edge,
+        ContactKind::Fillet,
+        ContactKind::TipFillet,
+        ContactKind::Root,
+    ];
+
+    /// The name results use.
+    pub fn name(self) -> &'static str {
+        match self {
+            ContactKind::Involute => "involute-involute",
+            ContactKind::TipInvolute => "tip-involute",
+            ContactKind::TipTip => "tip-tip",
+            ContactKind::Edge => "undercut-edge",
+            ContactKind::Fillet => "involute-fillet",
+            ContactKind::TipFillet => "tip-fillet",
+            ContactKind::Root => "root",
+        }
+    }
+
+    /// Whether it reaches below an involute: what K (8) is to exclude.
+    pub fn is_non_involute(self) -> bool {
+        self >= ContactKind::Edge
+    }
+}
+
+/// When in the mesh of its teeth a tip corner touches, the gears turning as in a sweep.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Moment {
+    /// Before the teeth reach the line of action.
+    Premature,
+    /// After they have left it.
+    Late,
+}
+
+impl Moment {
+    /// `premature` or `late`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Moment::Premature => "premature",
+            Moment::Late => "late",
+        }
+    }
+
+    /// When the tip of `member` touches in `side` contact.
+    ///
+    /// A right flank faces clockwise. Turning counter-clockwise its gear is pushed
+    /// by the mate and comes into mesh tip first; turning clockwise it pushes, and its tip is the last to leave.
+    /// In a sweep the locked gear turns so that ascending teeth come into mesh, against the sense in which they ascend.
+    pub fn of(assembly: &Assembly, side: Side, member: Member) -> Moment {
+        let locked = -assembly.gear(assembly.locked()).face().ascending();
+        let sense = match member == assembly.locked() {
+            true => locked,
+            false => -locked,
+        };
+        match sense * side.sense() < 0.0 {
+            true => Moment::Premature,
+            false => Moment::Late,
+        }
+    }
+}
+
+/// The class of one contact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct ContactClass {
+    /// What meets.
+    pub kind: ContactKind,
+    /// The gear whose tip takes part, where just one does.
+    pub tip: Option<Member>,
+    /// When that tip touches; known of a tip alone.
+    pub moment: Option<Moment>,
+}
+
+impl ContactClass {
+    /// The class of the `side` contact `contact` of `assembly`.
+    pub fn of(assembly: &Assembly, side: Side, contact: &Contact) -> ContactClass {
+        let touches = [
+            (Member::Wheel, contact.wheel),
+            (Member::Pinion, contact.pinion),
+        ];
+        let any = |curve| touches.iter().any(|(_, touch)| touch.curve == curve);
+        let mut tips = touches
+            .iter()
+            .filter(|(_, touch)| touch.curve == Curve::Tip)
+            .map(|(member, _)| *member);
+        let (tip, second) = (tips.next(), tips.next());
+        let edge = || {
+            touches
+                .iter()
+                .any(|(m, touch)| is_edge(assembly, *m, touch))
+        };
+        let kind = if any(Curve::Root) {
+            ContactKind::Root
+        } else if any(Curve::Fillet) {
+            match tip {
+                Some(_) => ContactKind::TipFillet,
+                None => ContactKind::Fillet,
+            }
+        } else if edge() {
+            ContactKind::Edge
+        } else {
+            match (tip, second) {
+                (None, _) => ContactKind::Involute,
+                (Some(_), None) => ContactKind::TipInvolute,
+                (Some(_), Some(_)) => ContactKind::TipTip,
+            }
+        };
+        let tip = tip.filter(|_| second.is_none());
+        ContactClass {
+            kind,
+            tip,
+            moment: tip.map(|member| Moment::of(assembly, side, member)),
+        }
+    }
+}
+
+/// Whether a touch is of the edge between fillet and involute, which only undercut leaves.
+fn is_edge(assembly: &Assembly, member: Member, touch: &Touch) -> bool {
+    let gear = assembly.gear(member).gear();
+    let undercut = gear.fillet().end() < FRAC_PI_2 - gear.toothing().pressure_angle();
+    undercut && touch.curve == Curve::Involute && touch.radius <= gear.form_radius() + EDGE_MM
+}
+
+/// The class of a pose: the graver of its two contacts, or why it has none.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum PoseClass {
+    /// Out of mesh.
+    NoContact,
+    /// Both sides touch; this is the graver contact.
+    Contact(ContactKind),
+    /// A tip sits in a root.
+    Jammed,
+}
+
+impl PoseClass {
+    /// The class of `lost_motion`, found on `assembly`.
+    pub fn of(assembly: &Assembly, lost_motion: &LostMotion) -> PoseClass {
+        let kind = |side, contact: &Option<Contact>| {
+            let contact = contact.as_ref()?;
+            Some(ContactClass::of(assembly, side, contact).kind)
+        };
+        let kinds = (
+            kind(Side::Right, &lost_motion.right),
+            kind(Side::Left, &lost_motion.left),
+        );
+        match (lost_motion.status(), kinds) {
+            (Status::Jammed, _) => PoseClass::Jammed,
+            (_, (Some(right), Some(left))) => PoseClass::Contact(right.max(left)),
+            _ => PoseClass::NoContact,
+        }
+    }
+
+    /// The name results use: the kind's, `jammed` or `no-contact`.
+    pub fn name(self) -> &'static str {
+        match self {
+            PoseClass::NoContact => "no-contact",
+            PoseClass::Contact(kind) => kind.name(),
+            PoseClass::Jammed => "jammed",
+        }
+    }
+
+    /// Whether something below an involute is touched.
+    pub fn is_non_involute(self) -> bool {
+        match self {
+            PoseClass::NoContact => false,
+            PoseClass::Contact(kind) => kind.is_non_involute(),
+            PoseClass::Jammed => true,
+        }
+    }
+}

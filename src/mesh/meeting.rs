@@ -23,8 +23,8 @@ pub struct Meeting {
     pub turn: f64,
     /// The same as a length along the free gear's base circle, mm; negative where the flanks overlap.
     pub gap: f64,
-    /// The same along the contact's normal, mm: `gap` where involutes meet, whose normals touch the
-    /// base circle; else the turn times the normal's distance from the free gear's axis.
+    /// The same along the contact's normal, mm: the turn times the normal's distance from the free gear's
+    /// axis. `gap` where involutes without eccentricity meet, whose normals touch the base circle.
     pub along_normal: f64,
 }
 

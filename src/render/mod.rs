@@ -10,6 +10,8 @@ mod legend;
 mod link;
 mod main_view;
 mod marks;
+mod met;
+mod overlap_label;
 mod page;
 mod result;
 mod scale;

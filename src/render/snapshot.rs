@@ -5,11 +5,12 @@
 
 use super::gears::Look;
 use super::labels::Occupied;
+use super::legend::Shown;
 use super::link::Link;
 use super::marks::{self, IN_MAIN};
 use super::page::{Frame, HEIGHT, UNITS_PER_MM, WIDTH, line, text};
 use super::view::View;
-use super::{caption, gears, inset, legend, main_view, scale};
+use super::{caption, gears, inset, legend, main_view, met, scale};
 use crate::gear::Side;
 use crate::mesh::{LostMotion, Meeting, Scene, Status};
 use crate::pair::{Assembly, Member, Pose};
@@ -36,6 +37,7 @@ const MESH: Look = Look {
     id: "mesh",
     sides: &Side::BOTH,
     outlines_last: false,
+    band: met::BANDS[0],
 };
 /// The mesh zone's frame.
 const MAIN: Frame = Frame {
@@ -65,7 +67,11 @@ pub fn snapshot(view: &Snapshot) -> String {
     let scene = Scene::new(view.assembly, view.pose, view.lost_motion);
     let main = main_view::view(&scene, MAIN);
     let mut occupied = Occupied::default();
-    let drawn = gears::draw(&scene, &main, &MESH, &mut occupied);
+    let look = Look {
+        outlines_last: scene.status() == Status::Jammed,
+        ..MESH
+    };
+    let drawn = gears::draw(&scene, &main, &look, &mut occupied);
     let mut over = Group::new().set("clip-path", "url(#mesh-frame)");
     let mut links = Vec::new();
     let mut insets = Group::new();
@@ -102,8 +108,7 @@ pub fn snapshot(view: &Snapshot) -> String {
     let links = links
         .iter()
         .fold(Group::new(), |group, link| group.add(link.draw(&taken)));
-    let gap = scene.meetings().iter().any(|meeting| meeting.gap > 0.0);
-    let overlap = matches!(scene.status(), Status::Interference | Status::Jammed);
+    let shown = shown(&scene);
     let sheet = SVG::new()
         .set("viewBox", format!("0 0 {WIDTH} {HEIGHT}"))
         .set("width", format!("{}mm", WIDTH / UNITS_PER_MM))
@@ -131,10 +136,9 @@ pub fn snapshot(view: &Snapshot) -> String {
         .add(numbers)
         .add(scale::bar([MAIN.left, MAIN.bottom + 16.0], main.scale()))
         .add(legend::draw(
-            [MAIN.left, 780.0],
+            [MAIN.left, 772.0],
             WIDTH - 2.0 * MAIN.left,
-            gap,
-            overlap,
+            &shown,
         ));
     format!("{sheet}\n")
 }
@@ -160,6 +164,20 @@ fn slots<'s>(scene: &'s Scene, main: &View) -> Vec<(Option<&'s Meeting>, Side, F
         .zip(INSETS)
         .map(|((meeting, side), frame)| (meeting, side, frame))
         .collect()
+}
+
+fn shown(scene: &Scene) -> Shown {
+    let meetings = scene.meetings();
+    let members = [Member::Wheel, Member::Pinion];
+    let touches = meetings
+        .iter()
+        .flat_map(|m| members.map(|member| m.touch(member)));
+    Shown {
+        gap: meetings.iter().any(|meeting| meeting.gap > 0.0),
+        overlap: matches!(scene.status(), Status::Interference | Status::Jammed),
+        met: touches.map(|touch| touch.curve).collect(),
+        limits: meetings.iter().any(|m| !met::below_form(m).is_empty()),
+    }
 }
 
 /// The gears' names over the mesh zone.

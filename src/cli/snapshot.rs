@@ -4,12 +4,15 @@ use super::{print, warn, worst};
 use crate::error::Error;
 use crate::gear::Side;
 use crate::input;
-use crate::mesh::{Certifier, CutPair, ExactKernel, LostMotion};
+use crate::mesh::{
+    Certifier, CutPair, ExactKernel, Exaggeration, LostMotion, Method, SweptPose, sweep,
+};
 use crate::output::OutputFolder;
 use crate::pair::{Assembly, Mating, Member, Pose};
 use crate::render::{self, Snapshot};
 use crate::study::{Material, Study};
 use clap::ValueEnum;
+use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -44,6 +47,12 @@ pub(super) struct Args {
     /// Which end of the thickness tolerances [default: most, where there are two; with --worst both]
     #[arg(long, value_enum)]
     material: Option<End>,
+    /// Draw the deviations (thickness, pitch, eccentricity) this many times as large, before perfect teeth
+    #[arg(long, value_name = "FACTOR")]
+    exaggerate: Option<f64>,
+    /// Turn the gears through a pitch from this pose on, in contact: an animated SVG for a browser
+    #[arg(long, conflicts_with = "exaggerate")]
+    animate: bool,
     /// The picture [default: out/<file stem>/snapshot_….svg or worst_….svg]; - for standard output
     #[arg(short, long, value_name = "FILE.svg")]
     output: Option<PathBuf>,
@@ -72,19 +81,24 @@ fn teeth(text: &str) -> Result<(u32, u32), String> {
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let study = input::read(&args.pair)?;
     warn(&args.pair, &study.warnings);
-    let (title, stem) = (study.title.clone(), study.stem.clone());
+    let (title, stem, chord) = (study.title.clone(), study.stem.clone(), study.chord);
     let subject = subject(args, study)?;
     let target = match &args.output {
         Some(file) => file.clone(),
         None => PathBuf::from("out").join(stem).join(&subject.file),
     };
-    let picture = render::snapshot(&Snapshot {
+    let view = Snapshot {
         title: &title,
         assembly: &subject.assembly,
         pose: &subject.pose,
         material: subject.material.name(),
         lost_motion: &subject.lost_motion,
-    });
+    };
+    let picture = match args.exaggerate {
+        None if args.animate => render::animation(&view, &pitch(&subject, chord)?),
+        None => render::snapshot(&view),
+        Some(factor) => render::exaggerated(&view, &exaggeration(&subject.assembly, factor)?),
+    };
     write(&target, picture)
 }
 
@@ -140,6 +154,51 @@ fn subject(args: &Args, study: Study) -> Result<Subject, Error> {
         assembly,
         pose,
         lost_motion,
+    })
+}
+
+/// Steps of an animation: ten a second.
+const STEPS: u32 = 60;
+
+/// What is found at every step through a pitch from the subject's pose on, both ends included.
+fn pitch(subject: &Subject, chord: f64) -> Result<Vec<SweptPose>, Error> {
+    let assembly = &subject.assembly;
+    let matings: Vec<Mating> = (0..=STEPS)
+        .map(|step| Mating {
+            fraction: subject.pose.mating().fraction + f64::from(step) / f64::from(STEPS),
+            ..*subject.pose.mating()
+        })
+        .collect();
+    let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|member| assembly.gear(member));
+    let cut = CutPair::new(wheel, pinion, chord);
+    let method = Method::Exact { certify: true };
+    sweep(assembly, &cut, method, &matings, 0.0, &|| {
+        ControlFlow::Continue(())
+    })
+}
+
+/// Factors to fall back on, and the range of those allowed.
+const FACTORS: [f64; 16] = [
+    100_000.0, 50_000.0, 20_000.0, 10_000.0, 5000.0, 2000.0, 1000.0, 500.0, 200.0, 100.0, 50.0,
+    20.0, 10.0, 5.0, 2.0, 1.0,
+];
+
+/// Both gears with their deviations `factor` times as large; an error names the factor that would do.
+fn exaggeration(assembly: &Assembly, factor: f64) -> Result<Exaggeration<'_>, Error> {
+    if !(factor >= FACTORS[15] && factor <= FACTORS[0]) {
+        return Err(Error::Usage(format!(
+            "--exaggerate {factor}: a factor between 1 and {}",
+            FACTORS[0]
+        )));
+    }
+    Exaggeration::new(assembly, factor).map_err(|reason| {
+        let fits =
+            |smaller: &f64| *smaller < factor && Exaggeration::new(assembly, *smaller).is_ok();
+        let advice = match FACTORS.into_iter().find(fits) {
+            Some(smaller) => format!("; {smaller} would do"),
+            None => String::new(),
+        };
+        Error::Usage(format!("--exaggerate {factor}: {reason}{advice}"))
     })
 }
 

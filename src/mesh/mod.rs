@@ -2,6 +2,7 @@
 
 mod contact;
 mod exact;
+mod exaggeration;
 mod lost_motion;
 mod meeting;
 mod overlap;
@@ -10,6 +11,7 @@ mod scene;
 mod sweep;
 
 pub use exact::ExactKernel;
+pub use exaggeration::{Exaggeration, Found};
 pub use lost_motion::{Contact, LostMotion, Status, Touch};
 pub use meeting::Meeting;
 pub use overlap::Overlap;

@@ -117,7 +117,7 @@ pub fn draw(scene: &Scene, view: &View, look: &Look, occupied: &mut Occupied) ->
 }
 
 /// Pitch and base circles, line of centres, lines of action with the paths of contact.
-fn lines_over(
+pub fn lines_over(
     scene: &Scene,
     view: &View,
     sides: &[Side],

@@ -39,7 +39,7 @@ pub fn bands(scene: &Scene, meeting: &Meeting, view: &View, id: &str, width: f64
         let placed = scene.placed(member);
         let points = placed.curve(meeting.side, touch.tooth, touch.curve, view.chord());
         let spots: Vec<Spot> = points.iter().map(|point| view.spot(*point)).collect();
-        for run in clip::runs(&spots, &wide) {
+        for run in clip::parts(&spots, &wide) {
             let clip = format!("url(#{id}-{}-clip)", member.name());
             group = group.add(band(&run, width, colour, dashes).set("clip-path", clip));
         }

@@ -1,8 +1,10 @@
 //! Pictures, tables and files. The renderer computes nothing about gears: it takes results and draws them.
 
+mod animation;
 mod caption;
 mod clip;
 pub mod comparison;
+mod exaggerated;
 mod gears;
 mod inset;
 mod labels;
@@ -19,7 +21,9 @@ mod snapshot;
 mod table;
 mod view;
 
+pub use animation::animation;
 pub use comparison::ComparedPair;
+pub use exaggerated::exaggerated;
 pub use result::{ResultFile, result_file};
 pub use snapshot::{Snapshot, snapshot};
 pub use table::simulation as simulation_table;

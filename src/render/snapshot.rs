@@ -40,14 +40,14 @@ const MESH: Look = Look {
     band: met::BANDS[0],
 };
 /// The mesh zone's frame.
-const MAIN: Frame = Frame {
+pub const MAIN: Frame = Frame {
     left: 30.0,
     top: 142.0,
     right: 610.0,
     bottom: 730.0,
 };
 /// The insets' frames, the upper one first.
-const INSETS: [Frame; 2] = [
+pub const INSETS: [Frame; 2] = [
     Frame {
         left: 662.0,
         top: 162.0,
@@ -181,7 +181,7 @@ fn shown(scene: &Scene) -> Shown {
 }
 
 /// The gears' names over the mesh zone.
-fn names(scene: &Scene) -> Group {
+pub fn names(scene: &Scene) -> Group {
     let name = |member: Member| {
         let role = match member == scene.assembly().locked() {
             true => "locked",
@@ -210,7 +210,7 @@ fn names(scene: &Scene) -> Group {
 }
 
 /// Dark diagonal lines, so that an overlap shows without colour.
-fn hatch() -> Definitions {
+pub fn hatch() -> Definitions {
     Definitions::new().add(
         Pattern::new()
             .set("id", "hatch")

@@ -55,7 +55,7 @@ pub fn deviated(distance: f64, fraction: f64) -> (Assembly, Pose) {
             rack: Rack::ISO_53_A,
             tip_diameter: None,
         });
-        let pitch = Pitch::new(wave(teeth, 0.04, 0.3), wave(teeth, 0.03, 1.1));
+        let pitch = Pitch::from_cumulative(&wave(teeth, 0.04, 0.3), &wave(teeth, 0.03, 1.1));
         let deviations = Deviations {
             per_tooth: wave(teeth, 0.02, 2.0),
             pitch: Some(pitch),

@@ -3,7 +3,8 @@
 //! Used by `examples/campaign.rs` and `tests/campaign.rs`. A pair is drawn as numbers of a pair file, so
 //! that any pose can be printed and run again. What is drawn leans towards the awkward: undercut
 //! teeth, alternating pitch deviations (hand-over on tip corners), eccentric axes, tips deep in roots, tips
-//! that hardly reach. Centre distances stay below about a metre: beyond it f64 does not hold a picometre.
+//! that hardly reach. Centre distances stay below about 300 mm: tips that graze each other magnify
+//! the rounding of coordinates a thousandfold, and at a metre that is more than a picometre.
 
 use gearlash::analytic::InvolutePair;
 use gearlash::gear::{
@@ -69,7 +70,7 @@ struct Numbers {
 
 impl Numbers {
     fn build(&self) -> Option<AsBuilt> {
-        let mm = |list: &[f64]| list.iter().map(|um| um * 1e-3).collect::<Vec<f64>>();
+        let mm = |list: &[f64]| list.iter().map(|um| um / 1e3).collect::<Vec<f64>>();
         let blank = Blank {
             toothing: Toothing::new(
                 self.teeth,
@@ -84,13 +85,13 @@ impl Numbers {
         let base = thickness::base_from_allowance(
             &blank.toothing,
             blank.nominal_base_thickness(),
-            self.allowance_um * 1e-3,
+            self.allowance_um / 1e3,
         );
         let pitch = !self.right_um.is_empty();
         let deviations = Deviations {
             per_tooth: mm(&self.per_tooth_um),
             pitch: pitch.then(|| Pitch::from_cumulative(&mm(&self.right_um), &mm(&self.left_um))),
-            eccentricity: self.runout_um * 1e-3 / 2.0,
+            eccentricity: self.runout_um / 1e3 / 2.0,
             high_tooth: self.high_tooth,
         };
         AsBuilt::new(Gear::new(blank, base).ok()?, self.face, &deviations).ok()
@@ -172,7 +173,7 @@ impl Drawn {
         // An undercut gear's mate may have any number of teeth.
         style.teeth = (7.0, 1001.0);
         let second = random.log_within(style.teeth.0, style.teeth.1) as u32;
-        let most = 2000.0 / f64::from(first + second);
+        let most = 600.0 / f64::from(first + second);
         let module = random.log_within(0.05, 20.0f64.min(most));
         let alpha = random.within(14.5, 28.0);
         let addendum = random.within(0.8, 1.25);

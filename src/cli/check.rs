@@ -108,8 +108,18 @@ fn maps(
         let map = map(group, zero.pose, &|| progress.tick())?;
         let caption = format!(
             "{} and {} teeth, material {}: what touches, over one pitch from the pose with the least backlash",
-            group.assembly.gear(crate::pair::Member::Wheel).gear().toothing().teeth(),
-            group.assembly.gear(crate::pair::Member::Pinion).gear().toothing().teeth(),
+            group
+                .assembly
+                .gear(crate::pair::Member::Wheel)
+                .gear()
+                .toothing()
+                .teeth(),
+            group
+                .assembly
+                .gear(crate::pair::Member::Pinion)
+                .gear()
+                .toothing()
+                .teeth(),
             material.name(),
         );
         let picture = render::map_picture(&map, &study.title, &caption);

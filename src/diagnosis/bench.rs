@@ -32,7 +32,11 @@ impl Bench {
     /// Normal backlash `j_bn = φ_j r_b`, mm; −∞ when jammed, +∞ out of mesh.
     pub fn play(&self, mating: &Mating) -> Result<f64, Error> {
         let found = self.lost_motion(mating)?;
-        let base = self.assembly.gear(self.assembly.free()).gear().base_radius();
+        let base = self
+            .assembly
+            .gear(self.assembly.free())
+            .gear()
+            .base_radius();
         Ok(match (found.status(), found.angle()) {
             (_, Some(angle)) => angle * base,
             (Status::Jammed, None) => f64::NEG_INFINITY,

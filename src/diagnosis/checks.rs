@@ -329,6 +329,10 @@ impl Here<'_> {
         let below = self
             .contacts()
             .filter(|(side, contact)| self.is_below(member, *side, contact));
+        let mut pairs = std::collections::HashSet::new();
+        let below = below.inspect(|(_, c)| {
+            pairs.insert((c.wheel.tooth, c.pinion.tooth));
+        });
         let lowest = below.reduce(|lowest, next| {
             match touch(next.1, member).radius < touch(lowest.1, member).radius {
                 true => next,
@@ -337,7 +341,8 @@ impl Here<'_> {
         });
         lowest.map_or(String::new(), |(_, contact)| {
             format!(
-                ", lowest at wheel {} {}, pinion {} {}",
+                " by {} tooth pairs, lowest at wheel {} {}, pinion {} {}",
+                pairs.len(),
                 contact.wheel.tooth,
                 contact.wheel.curve.name(),
                 contact.pinion.tooth,
@@ -465,9 +470,7 @@ impl Here<'_> {
         let least = poses()
             .filter_map(|pose| pose.swept.backlash)
             .reduce(f64::min);
-        let jammed = self
-            .contact
-            .of_class(|class| class == PoseClass::Jammed);
+        let jammed = self.contact.of_class(|class| class == PoseClass::Jammed);
         let measured = least.map(|least| pitch - least);
         let margin = pitch - measured.map_or(analytic, |measured| measured.max(analytic));
         Check {
@@ -480,7 +483,10 @@ impl Here<'_> {
             margin: Some(margin),
             unit: "mm",
             verdict: Verdict::unless(met(margin) && jammed == 0, Verdict::Fail),
-            details: least.map(|least| ("least_j_wt_um", least * 1e3)).into_iter().collect(),
+            details: least
+                .map(|least| ("least_j_wt_um", least * 1e3))
+                .into_iter()
+                .collect(),
             note: match jammed {
                 0 => least.map_or(String::new(), |least| {
                     format!("least j_wt {:.3} µm", least * 1e3)
@@ -496,8 +502,8 @@ impl Here<'_> {
         let (toothing, rack) = (gear.toothing(), &gear.blank().rack);
         let least = limits::least_shift_without_undercut(toothing, rack);
         // r sin α − (h_0/sin α + ρ) is (x_E − x_E,least) m/sin α.
-        let margin = (gear.generating_shift() - least) * toothing.module()
-            / toothing.pressure_angle().sin();
+        let margin =
+            (gear.generating_shift() - least) * toothing.module() / toothing.pressure_angle().sin();
         let profile = Profile::new(gear);
         let joint = |curve, t| profile.normal(curve, t, Side::Right);
         let (fillet, involute) = (
@@ -570,12 +576,12 @@ impl Here<'_> {
             as_built.flank_offset(Side::Left, tooth) - as_built.flank_offset(Side::Right, tooth)
         };
         let teeth = 1..=gear.toothing().teeth();
-        let thinnest = teeth.reduce(|thinnest, tooth| {
-            match widening(tooth) < widening(thinnest) {
+        let thinnest = teeth.reduce(
+            |thinnest, tooth| match widening(tooth) < widening(thinnest) {
                 true => tooth,
                 false => thinnest,
-            }
-        });
+            },
+        );
         let measured = thinnest.map(|tooth| analytic + gear.tip_radius() * widening(tooth));
         let least = measured.map_or(analytic, |measured| measured.min(analytic));
         let limit = LEAST_TIP * self.module();

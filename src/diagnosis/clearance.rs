@@ -194,9 +194,8 @@ fn between_arcs(distance: f64, first: (f64, [f64; 2]), second: (f64, [f64; 2])) 
         return distance - radius - mate_radius;
     }
     // Direction from one centre to a point at `angle` on the other's circle, which stands opposite.
-    let seen = |radius: f64, angle: f64| {
-        (-radius * angle.sin()).atan2(distance - radius * angle.cos())
-    };
+    let seen =
+        |radius: f64, angle: f64| (-radius * angle.sin()).atan2(distance - radius * angle.cos());
     for _ in 0..100 {
         let next_mate = seen(radius, angle).clamp(mate_start, mate_end);
         let next = seen(mate_radius, next_mate).clamp(start, end);

@@ -128,8 +128,10 @@ fn close(
 /// Those of `matings` that touch below an involute at `distance`, in order.
 fn touching(assembly: &Assembly, distance: f64, matings: &[Mating]) -> Result<Vec<Mating>, Error> {
     let bench = Bench::new(assembly, distance)?;
-    let classes: Vec<Result<PoseClass, Error>> =
-        matings.par_iter().map(|mating| bench.class(mating)).collect();
+    let classes: Vec<Result<PoseClass, Error>> = matings
+        .par_iter()
+        .map(|mating| bench.class(mating))
+        .collect();
     let mut touching = Vec::new();
     for (class, mating) in classes.into_iter().zip(matings) {
         if class?.is_non_involute() {

@@ -84,7 +84,9 @@ pub fn zero_distance(
     }
     let at = Bench::new(assembly, last[1])?.lost_motion(&found.1)?;
     let teeth = [at.right, at.left].map(|contact| {
-        contact.map_or((0, 0), |contact| (contact.wheel.tooth, contact.pinion.tooth))
+        contact.map_or((0, 0), |contact| {
+            (contact.wheel.tooth, contact.pinion.tooth)
+        })
     });
     Ok(Some(ZeroDistance {
         distance: 0.5 * (last[0] + last[1]),

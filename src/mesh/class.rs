@@ -123,7 +123,11 @@ impl ContactClass {
             .filter(|(_, touch)| touch.curve == Curve::Tip)
             .map(|(member, _)| *member);
         let (tip, second) = (tips.next(), tips.next());
-        let edge = || touches.iter().any(|(m, touch)| is_edge(assembly, *m, touch));
+        let edge = || {
+            touches
+                .iter()
+                .any(|(m, touch)| is_edge(assembly, *m, touch))
+        };
         let kind = if any(Curve::Root) {
             ContactKind::Root
         } else if any(Curve::Fillet) {

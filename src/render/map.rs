@@ -111,7 +111,9 @@ pub fn map_csv(map: &Map) -> Result<String, csv::Error> {
         .iter()
         .flat_map(|a| map.fractions.iter().map(move |fraction| (a, fraction)));
     for ((distance, fraction), cell) in places.zip(&map.cells) {
-        let backlash = cell.backlash.map_or(String::new(), |j| (j * 1e3).to_string());
+        let backlash = cell
+            .backlash
+            .map_or(String::new(), |j| (j * 1e3).to_string());
         writer.write_record([
             distance.to_string(),
             fraction.to_string(),
@@ -176,7 +178,11 @@ fn axes(map: &Map) -> Group {
     for quarter in 0..=4 {
         let fraction = f64::from(quarter) / 4.0;
         let x = FIELD.left + fraction * FIELD.width();
-        group.append(line(&[[x, FIELD.bottom], [x, FIELD.bottom + 5.0]], INK, 1.0));
+        group.append(line(
+            &[[x, FIELD.bottom], [x, FIELD.bottom + 5.0]],
+            INK,
+            1.0,
+        ));
         let mut label = text(&format!("{fraction}"), [x, FIELD.bottom + 20.0], 12.0, true);
         label.assign("text-anchor", "middle");
         group.append(label);
@@ -224,29 +230,46 @@ fn limits(map: &Map) -> Group {
         .iter()
         .rev()
         .map(|limit| {
-            let label = format!("{:.4}  {}", limit.distance, limit.name);
+            let label = format!("{:.4} {}", limit.distance, limit.name);
             (height_of(map, limit.distance), label)
         })
         .collect();
+    let inside = |y: f64| y <= FIELD.bottom;
     let mut heights: Vec<f64> = named.iter().map(|(y, _)| *y).collect();
     // Down past the one above, then up from the bottom.
     for i in 1..heights.len() {
         heights[i] = heights[i].max(heights[i - 1] + APART);
     }
-    let mut lowest = FIELD.bottom;
+    let mut lowest = FIELD.bottom + 2.0 * APART;
     for height in heights.iter_mut().rev() {
         *height = height.min(lowest);
         lowest = *height - APART;
     }
     for ((y, label), at) in named.iter().zip(heights) {
+        if !inside(*y) {
+            let label = format!("{label}: below the map");
+            group.append(grey(&label, [FIELD.right + 25.0, at + 4.0], 12.0));
+            continue;
+        }
         let own = label.contains("a of the pair");
-        let mut across = line(&[[FIELD.left, *y], [FIELD.right, *y]], INK, if own { 2.0 } else { 1.0 });
+        let mut across = line(
+            &[[FIELD.left, *y], [FIELD.right, *y]],
+            INK,
+            if own { 2.0 } else { 1.0 },
+        );
         if !own {
             across = across.set("stroke-dasharray", "6 3");
         }
+        // Light under dark: the line shows on any shade.
+        let halo = line(&[[FIELD.left, *y], [FIELD.right, *y]], "#ffffff", 3.0);
+        group.append(halo.set("stroke-opacity", "0.60"));
         group.append(across);
         group.append(line(
-            &[[FIELD.right, *y], [FIELD.right + 12.0, at], [FIELD.right + 20.0, at]],
+            &[
+                [FIELD.right, *y],
+                [FIELD.right + 12.0, at],
+                [FIELD.right + 20.0, at],
+            ],
             GREY,
             0.8,
         ));

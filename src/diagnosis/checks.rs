@@ -329,6 +329,10 @@ impl Here<'_> {
         let below = self
             .contacts()
             .filter(|(side, contact)| self.is_below(member, *side, contact));
+        let mut pairs = std::collections::HashSet::new();
+        let below = below.inspect(|(_, c)| {
+            pairs.insert((c.wheel.tooth, c.pinion.tooth));
+        });
         let lowest = below.reduce(|lowest, next| {
             match touch(next.1, member).radius < touch(lowest.1, member).radius {
                 true => next,
@@ -337,7 +341,8 @@ impl Here<'_> {
         });
         lowest.map_or(String::new(), |(_, contact)| {
             format!(
-                ", lowest at wheel {} {}, pinion {} {}",
+                " by {} tooth pairs, lowest at wheel {} {}, pinion {} {}",
+                pairs.len(),
                 contact.wheel.tooth,
                 contact.wheel.curve.name(),
                 contact.pinion.tooth,

@@ -27,7 +27,7 @@ pub struct Map {
     pub fractions: Vec<f64>,
     /// Row by row.
     pub cells: Vec<MapCell>,
-    /// What is drawn across, from the least centre distance up.
+    /// What is drawn across, from the least centre distance up; some may lie below the rows.
     pub limits: Vec<Limit>,
 }
 
@@ -64,7 +64,10 @@ pub fn map(
     let [nearest, farthest] = reach(assembly);
     let ends = |pick: fn(f64, f64) -> f64| limits.iter().map(|limit| limit.distance).reduce(pick);
     let middle = assembly.center_distance();
-    let low = (ends(f64::min).unwrap_or(middle) - ROOM * module).max(nearest);
+    // Not far below tips that stand in roots: there is nothing but jam.
+    let jam = middle - least_clearance(assembly);
+    let lowest = ends(f64::min).unwrap_or(middle).max(jam).min(middle);
+    let low = (lowest - ROOM * module).max(nearest);
     let high = (ends(f64::max).unwrap_or(middle) + ROOM * module).min(farthest);
     let distances: Vec<f64> = (0..ROWS)
         .map(|row| low + (high - low) * (f64::from(row) + 0.5) / f64::from(ROWS))
@@ -138,10 +141,7 @@ fn limits_of(group: &Group) -> Vec<Limit> {
     limits.push(limit("tip at form circle", governing(form_onset)));
     limits.push(limit("tip at base circle, K (8)", governing(base_onset)));
     // a − r_a − r_f falls short of the clearance asked for by so much.
-    let least = f64::min(
-        limits::radial_clearance(assembly, Member::Wheel),
-        limits::radial_clearance(assembly, Member::Pinion),
-    );
+    let least = least_clearance(assembly);
     for modules in [limits::LEAST_CLEARANCE, limits::RECOMMENDED_CLEARANCE] {
         limits.push(limit(
             &format!("radial clearance {modules} m"),
@@ -152,6 +152,13 @@ fn limits_of(group: &Group) -> Vec<Limit> {
     limits.retain(|limit| limit.distance >= nearest);
     limits.sort_by(|a, b| a.distance.total_cmp(&b.distance));
     limits
+}
+
+fn least_clearance(assembly: &Assembly) -> f64 {
+    f64::min(
+        limits::radial_clearance(assembly, Member::Wheel),
+        limits::radial_clearance(assembly, Member::Pinion),
+    )
 }
 
 /// Centre distance, mm, below which K (8) is violated on `member`: the mate's tip on the base tangent's end.

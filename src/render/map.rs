@@ -230,21 +230,27 @@ fn limits(map: &Map) -> Group {
         .iter()
         .rev()
         .map(|limit| {
-            let label = format!("{:.4}  {}", limit.distance, limit.name);
+            let label = format!("{:.4} {}", limit.distance, limit.name);
             (height_of(map, limit.distance), label)
         })
         .collect();
+    let inside = |y: f64| y <= FIELD.bottom;
     let mut heights: Vec<f64> = named.iter().map(|(y, _)| *y).collect();
     // Down past the one above, then up from the bottom.
     for i in 1..heights.len() {
         heights[i] = heights[i].max(heights[i - 1] + APART);
     }
-    let mut lowest = FIELD.bottom;
+    let mut lowest = FIELD.bottom + 2.0 * APART;
     for height in heights.iter_mut().rev() {
         *height = height.min(lowest);
         lowest = *height - APART;
     }
     for ((y, label), at) in named.iter().zip(heights) {
+        if !inside(*y) {
+            let label = format!("{label}: below the map");
+            group.append(grey(&label, [FIELD.right + 25.0, at + 4.0], 12.0));
+            continue;
+        }
         let own = label.contains("a of the pair");
         let mut across = line(
             &[[FIELD.left, *y], [FIELD.right, *y]],
@@ -254,6 +260,9 @@ fn limits(map: &Map) -> Group {
         if !own {
             across = across.set("stroke-dasharray", "6 3");
         }
+        // Light under dark: the line shows on any shade.
+        let halo = line(&[[FIELD.left, *y], [FIELD.right, *y]], "#ffffff", 3.0);
+        group.append(halo.set("stroke-opacity", "0.60"));
         group.append(across);
         group.append(line(
             &[

@@ -164,7 +164,10 @@ fn newcomer(assembly: &Assembly, pose: &Pose) -> (f64, f64) {
     let locked = frame(Member::Wheel, pose.locked_rotation());
     let is_free = |rotation: f64| {
         let free = frame(Member::Pinion, rotation);
-        query::distance(&locked, &wheel, &free, &pinion).unwrap() > 0.0
+        query::distance(&locked, &wheel, &free, &pinion)
+            .unwrap()
+            .distance
+            > 0.0
     };
     let start = Instant::now();
     let ends = [-1.0, 1.0].map(|sense| {
@@ -207,7 +210,12 @@ fn main() {
     let (perfect, wild) = (pair([44, 44], true), pair([44, 44], false));
     let (exact_perfect, exact_wild) = (exact(&perfect), exact(&wild));
     row("exact, 44/44 perfect", exact_perfect * 1e6, "µs", "≤ 0.6");
-    row("exact, 44/44 deviated, eccentric", exact_wild * 1e6, "µs", "≤ 1.2");
+    row(
+        "exact, 44/44 deviated, eccentric",
+        exact_wild * 1e6,
+        "µs",
+        "≤ 1.2",
+    );
     for (what, assembly, exact) in [
         ("perfect", &perfect, exact_perfect),
         ("deviated, eccentric", &wild, exact_wild),
@@ -220,14 +228,29 @@ fn main() {
 
     let revolution = SweepPlan::wheel_revolution(&wild, 16, (1, 1)).matings(&wild);
     let one = swept(&wild, &revolution, true, 1);
-    row("revolution 44/44, 16 a pitch, certified, 1 core", one * 1e3, "ms", "≤ 50");
+    row(
+        "revolution 44/44, 16 a pitch, certified, 1 core",
+        one * 1e3,
+        "ms",
+        "≤ 50",
+    );
     let two = swept(&wild, &revolution, true, 2);
-    row("one thread over two, that revolution", one / two, "", "≥ 1.8");
+    row(
+        "one thread over two, that revolution",
+        one / two,
+        "",
+        "≥ 1.8",
+    );
     let hunting = pair([86, 21], false);
     let cycle = SweepPlan::hunting_cycle(&hunting, 16, (1, 1)).matings(&hunting);
     let one = swept(&hunting, &cycle, false, 1);
     let two = swept(&hunting, &cycle, false, 2);
-    row("hunting cycle 86/21, 16 a pitch, uncertified, 2 cores", two * 1e3, "ms", "≤ 50");
+    row(
+        "hunting cycle 86/21, 16 a pitch, uncertified, 2 cores",
+        two * 1e3,
+        "ms",
+        "≤ 50",
+    );
     row("one thread over two, that cycle", one / two, "", "≥ 1.8");
 
     for (kind, is_perfect) in [("perfect", true), ("deviated, eccentric", false)] {
@@ -244,7 +267,17 @@ fn main() {
     let (angle, seconds) = newcomer(&perfect, &pose);
     let found = ExactKernel::new(&perfect).lost_motion(&pose).unwrap();
     let off = (angle - found.angle().unwrap()).abs() * 66.0;
-    row("newcomer's bisection, 44/44 perfect, 1e-6 mm chords", seconds, "s", "");
+    row(
+        "newcomer's bisection, 44/44 perfect, 1e-6 mm chords",
+        seconds,
+        "s",
+        "",
+    );
     row("the same, off by", off * 1e3, "µm", "");
-    row("newcomer over exact", seconds / exact_perfect, "", "≥ 1000000");
+    row(
+        "newcomer over exact",
+        seconds / exact_perfect,
+        "",
+        "≥ 1000000",
+    );
 }

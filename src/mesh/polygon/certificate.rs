@@ -81,7 +81,7 @@ impl<'a> Certifier<'a> {
     fn touches_nothing(&self, pose: &Pose, side: Side) -> Result<Result<(), String>, Error> {
         for steps in steps_in_reach(self.kernel.assembly, pose) {
             let facing = Facing::new(&self.kernel, pose, side, steps);
-            if facing.search()?.is_some() {
+            if facing.search(finest_chord(self.kernel.assembly))?.is_some() {
                 return Ok(Err(format!("a pair {steps} teeth on does touch")));
             }
         }

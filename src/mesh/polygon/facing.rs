@@ -71,6 +71,15 @@ pub(super) struct Found {
     place: Place,
 }
 
+/// How turning in ended.
+enum Turned {
+    Touching(Found),
+    /// The polygons passed each other within both chordal errors.
+    Near,
+    /// The curves passed each other clear.
+    Clear,
+}
+
 /// What touches, and where in the picture.
 #[derive(Clone, Copy)]
 struct Place {
@@ -101,10 +110,23 @@ impl<'a> Facing<'a> {
         }
     }
 
-    /// Turns the free gear in until the polygons touch; `None` when they pass each other clear.
-    pub fn search(&self) -> Result<Option<Found>, Error> {
+    /// Turns the free gear in until the polygons touch; `None` when the curves pass each other clear.
+    ///
+    /// Polygons that pass within both chordal errors prove nothing: whole half teeth are cut finer, down to `finest`.
+    pub fn search(&self, finest: f64) -> Result<Option<Found>, Error> {
         let (start, end) = self.shared_directions();
-        self.turn_in(start, end)
+        let mut cut: Option<[CutHalf; 2]> = None;
+        loop {
+            let on = self.on(&cut);
+            match on.turn_in(start, end)? {
+                Turned::Touching(found) => return Ok(Some(found)),
+                Turned::Near if on.chord() > finest => {
+                    let whole = [on.locked, on.free].map(|half| 0..half.polygon.segments().len());
+                    cut = Some(on.recut(whole, (on.chord() * FINER).max(finest)));
+                }
+                Turned::Near | Turned::Clear => return Ok(None),
+            }
+        }
     }
 
     /// Cuts the stretches that may still touch finer and searches again, until chords are within `finest`.
@@ -126,7 +148,10 @@ impl<'a> Facing<'a> {
             // Inscribed polygons touch a little after their curves.
             let end = found.closed - (found.clear - found.closed);
             let again = self.on(&cut).turn_in(found.clear, end)?;
-            found = again.ok_or_else(|| self.lost(PASSED))?;
+            let Turned::Touching(touching) = again else {
+                return Err(self.lost(PASSED));
+            };
+            found = touching;
         }
         Ok(found)
     }
@@ -167,7 +192,7 @@ impl<'a> Facing<'a> {
     }
 
     /// Steps from the opening `start`, where nothing touches, until the polygons do, or to `end`.
-    fn turn_in(&self, start: f64, end: f64) -> Result<Option<Found>, Error> {
+    fn turn_in(&self, start: f64, end: f64) -> Result<Turned, Error> {
         let chord = self.chord();
         // Below its own rounding a distance says nothing.
         let stop = (STOP * chord).max(self.rounding() / 8.0);
@@ -185,12 +210,15 @@ impl<'a> Facing<'a> {
             }
             if closest.distance <= stop {
                 let clear = clear.unwrap_or(opening);
-                return Ok(Some(self.bracket(clear, opening, &closest)));
+                return Ok(Turned::Touching(self.bracket(clear, opening, &closest)));
             }
             let margin = if clear.is_none() { 2.0 * chord } else { 0.0 };
             opening -= (closest.distance - margin) / self.reach();
             if opening < end {
-                return Ok(None);
+                return Ok(match clear {
+                    Some(_) => Turned::Near,
+                    None => Turned::Clear,
+                });
             }
         }
         Err(self.lost(ENDLESS))

@@ -298,10 +298,10 @@ fn a_tip_just_touches_a_root_land() {
         (touching + 1e-3, Status::Clear),
     ] {
         let assembly = Assembly::new(high.clone(), mate.clone(), distance, Member::Wheel).unwrap();
-        // Tooth 1 points at the mate after the pose's own offset is taken back.
-        let back =
+        // Tooth 1 points at the mate once the pose's own half tooth is taken back.
+        let half_tooth =
             assembly.operating_half_angle(Member::Wheel) / high.gear().toothing().angular_pitch();
-        let result = by_both(&assembly, back);
+        let result = by_both(&assembly, -half_tooth);
         assert_eq!(result.status(), expected, "{result:?}");
     }
 }

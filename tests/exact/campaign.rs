@@ -92,7 +92,7 @@ pub fn run(count: u64, first_seed: u64) -> Tally {
 /// line of action; half the free gears are eccentric.
 #[test]
 fn random_poses_against_brute_force() {
-    let tally = run(300, 1);
+    let tally = run(150, 1);
     println!("{tally:?}");
     assert!(4 * tally.off_involute >= tally.sides);
     assert!(5 * tally.eccentric >= 2 * tally.poses);
@@ -147,8 +147,9 @@ fn quick_against_search(count: u64, first_seed: u64, kind: random::Kind) -> usiz
                 let names = |contact: &gearlash::mesh::Contact| {
                     [contact.wheel, contact.pinion].map(|touch| (touch.tooth, touch.curve))
                 };
-                let ends = (one.wheel.radius - other.wheel.radius).abs() > 1e-6;
-                assert!(names(&one) == names(&other) || !ends, "{}", what());
+                // Within a hair of a curve's end either name is right.
+                let apart = (one.wheel.radius - other.wheel.radius).abs() > 1e-6;
+                assert!(names(&one) == names(&other) || !apart, "{}", what());
             }
         }
     }
@@ -160,14 +161,14 @@ fn quick_against_search(count: u64, first_seed: u64, kind: random::Kind) -> usiz
 /// perfect ones: wild pairs, and ordinary ones.
 #[test]
 fn the_quick_path_finds_what_the_search_finds() {
-    quick_against_search(600, 50_000, random::WILD);
+    quick_against_search(300, 50_000, random::WILD);
     let ordinary = random::Kind {
         teeth: (12.0, 300.0),
         deviation: 3.0,
         shift: (0.0, 0.2),
     };
-    let direct = quick_against_search(400, 60_000, ordinary);
-    println!("{direct}");
+    // Most ordinary pairs need no search: else this would compare the search with itself.
+    assert!(quick_against_search(200, 60_000, ordinary) > 170);
 }
 
 /// The same, long.
@@ -178,5 +179,9 @@ fn the_quick_path_finds_what_the_search_finds_in_many_poses() {
         .ok()
         .and_then(|text| text.parse().ok())
         .unwrap_or(20_000);
-    quick_against_search(count, 1_000_000, random::WILD);
+    let first = std::env::var("SEED")
+        .ok()
+        .and_then(|text| text.parse().ok())
+        .unwrap_or(1_000_000);
+    quick_against_search(count, first, random::WILD);
 }

@@ -122,7 +122,7 @@ fn as_built(random: &mut Random, gear: Gear, deviation: f64, style: f64) -> Opti
     let module = gear.toothing().module();
     // Ordinary: 10 µm of pitch and thickness, 20 µm of runout at module 3.
     let scale = deviation * random.unit() * 0.003 * module;
-    let mut list = |random: &mut Random, alternating: bool| -> Vec<f64> {
+    let list = |random: &mut Random, alternating: bool| -> Vec<f64> {
         (0..teeth)
             .map(|k| {
                 let sign = if alternating && k % 2 == 0 { 2.0 } else { 0.0 };

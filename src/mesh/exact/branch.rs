@@ -14,77 +14,18 @@
 //!   second order in the arc's length, so a smooth maximum is closed after a few dozen nodes;
 //! - anything else is cut in two.
 //!
-//! All bounds come from the distance and turn of the curve from its middle ([`Shape::spread`]);
+//! All bounds come from the distance and turn of the curve from its middle ([`super::shape::Shape::spread`]);
 //! nothing is assumed of the curves' shape.
 
+use super::curves::{Curves, Unsettled};
 use super::hit::Hit;
-use super::shape::{C, Sample, Shape};
+use super::placed::{Placed, invert};
+use super::shape::C;
 use crate::gear::Curve;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// Nodes after which a pair counts as lost. Ordinary pairs take some hundreds, the worst of the
-/// campaign (`examples/exact_campaign.rs`) some thousands.
+/// Nodes after which a pair counts as lost: far above what any pair of the tests takes.
 const MOST_NODES: usize = 400_000;
-
-/// A half tooth where the pose puts it: `centre + direction · P`, from the free gear's axis.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Placed<'a> {
-    pub shape: &'a Shape,
-    pub centre: C,
-    pub direction: C,
-}
-
-impl Placed<'_> {
-    /// Radius about the free axis of a point of the half tooth's own frame.
-    pub fn own_to_axis(&self, point: C) -> f64 {
-        (self.centre + self.direction * point).norm_sqr().sqrt()
-    }
-
-    pub fn at(&self, curve: Curve, t: f64) -> Sample {
-        let sample = self.shape.at(curve, t);
-        Sample {
-            point: self.centre + self.direction * sample.point,
-            normal: self.direction * sample.normal,
-        }
-    }
-}
-
-/// Two curves that [`MOST_NODES`] did not settle, the locked gear's first.
-#[derive(Debug)]
-pub(super) struct Unsettled(Curve, Curve);
-
-impl Unsettled {
-    /// In words, for the error message.
-    pub fn reason(&self) -> &'static str {
-        const REASONS: [[&str; 4]; 4] = [
-            [
-                "locked tip land on free tip land: not settled",
-                "locked tip land on free involute: not settled",
-                "locked tip land on free fillet: not settled",
-                "locked tip land on free root land: not settled",
-            ],
-            [
-                "locked involute on free tip land: not settled",
-                "locked involute on free involute: not settled",
-                "locked involute on free fillet: not settled",
-                "locked involute on free root land: not settled",
-            ],
-            [
-                "locked fillet on free tip land: not settled",
-                "locked fillet on free involute: not settled",
-                "locked fillet on free fillet: not settled",
-                "locked fillet on free root land: not settled",
-            ],
-            [
-                "locked root land on free tip land: not settled",
-                "locked root land on free involute: not settled",
-                "locked root land on free fillet: not settled",
-                "locked root land on free root land: not settled",
-            ],
-        ];
-        REASONS[self.0 as usize][self.1 as usize]
-    }
-}
 
 /// A piece of a curve and what is known of it.
 #[derive(Debug, Clone, Copy)]
@@ -159,66 +100,6 @@ impl Arc {
             let middle = 0.5 * (inner + outer);
             invert(placed, self.curve, rho, [inner, outer], middle)
         }
-    }
-}
-
-/// The parameter between `inner` and `outer` at which `curve` has the radius `rho`, `|P|` rising from one to the other.
-///
-/// Newton's method on `|P|² − ρ²` from `start`, halved whenever it leaves its bracket. It
-/// ends when the step or the rest is lost in rounding.
-pub(super) fn invert(
-    placed: &Placed,
-    curve: Curve,
-    rho: f64,
-    [mut inner, mut outer]: [f64; 2],
-    start: f64,
-) -> f64 {
-    let mut t = start;
-    for _ in 0..128 {
-        let sample = placed.at(curve, t);
-        let rest = sample.point.norm_sqr() - rho * rho;
-        if rest <= 0.0 {
-            inner = t;
-        }
-        if rest >= 0.0 {
-            outer = t;
-        }
-        // d|P|²/dt = 2 P·(i n) speed.
-        let along = sample.point.im * sample.normal.re - sample.point.re * sample.normal.im;
-        let newton = t - rest / (2.0 * along * placed.shape.speed(curve, t));
-        let inside = newton > inner.min(outer) && newton < inner.max(outer);
-        let next = if inside {
-            newton
-        } else {
-            0.5 * (inner + outer)
-        };
-        let step = (next - t).abs();
-        t = next;
-        if step <= 2.0 * f64::EPSILON * t.abs() || rest == 0.0 {
-            break;
-        }
-    }
-    t
-}
-
-/// A set of pairs of curves, the locked gear's first.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub(super) struct Curves([[bool; 4]; 4]);
-
-impl Curves {
-    /// Every pair.
-    pub const ALL: Curves = Curves([[true; 4]; 4]);
-
-    pub fn add(&mut self, locked: Curve, free: Curve) {
-        self.0[locked as usize][free as usize] = true;
-    }
-
-    pub fn add_unless(&mut self, settled: bool, locked: Curve, free: Curve) {
-        self.0[locked as usize][free as usize] |= !settled;
-    }
-
-    pub fn is_empty(self) -> bool {
-        self == Curves::default()
     }
 }
 

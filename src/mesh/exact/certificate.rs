@@ -22,7 +22,7 @@
 //! This is checked once for all poses, with the locked outline's centre anywhere within its
 //! eccentricity `e_L` of its axis. Pairs of curves that fail are *open*: left to branch and bound.
 
-use super::branch::Curves;
+use super::curves::Curves;
 use super::facing::lens_half;
 use super::shape::Shape;
 use crate::gear::Curve::{self, Fillet, Involute, Root, Tip};

@@ -4,7 +4,7 @@
 //! radius is met once on the flank, found by one monotone inversion, and, beyond
 //! the mate's tip, on its land.
 
-use super::branch::{Placed, invert};
+use super::placed::{Placed, invert};
 use super::shape::{C, turn};
 use crate::gear::{Curve, involute};
 use std::f64::consts::TAU;

@@ -9,8 +9,8 @@
 //! *Steps* count places counter-clockwise from the locked tooth nearest to the line of
 //! centres; the free tooth facing it lies as many steps clockwise of its own.
 
-use super::branch::Placed;
 use super::fast::Shortcut;
+use super::placed::Placed;
 use super::shape::C;
 use super::teeth::{Teeth, nearest, reduced};
 use crate::gear::{AsBuilt, Side};
@@ -35,10 +35,11 @@ pub(super) struct Facing {
     window: Option<(f64, f64)>,
     /// For pairs that need little or no search.
     pub shortcut: Option<Shortcut>,
-    /// `1/r_bF`.
+    /// `1/r_bF` and `1/r_bL`.
     pub per_free_base: f64,
+    pub per_locked_base: f64,
     /// Pitches of the locked gear a radian.
-    per_pitch: f64,
+    pub per_pitch: f64,
     /// Tie tolerance, rad.
     pub tie: f64,
     /// The operating pitch point.
@@ -59,6 +60,7 @@ impl Facing {
             window: None,
             shortcut: None,
             per_free_base: 1.0 / free.gear().base_radius(),
+            per_locked_base: 1.0 / locked.gear().base_radius(),
             per_pitch: 1.0 / locked.gear().toothing().angular_pitch(),
             tie: 0.0,
             pitch_point: C::from(assembly.operating_pitch_radius(assembly.free())),
@@ -69,10 +71,14 @@ impl Facing {
             let (least, most) = facing.locked.extremes;
             (-half - most, half + facing.locked.pitch / 2.0 - least)
         });
-        // A tie below the greatest gap must not be ruled out: both gears' points move by less than this.
-        let reach = facing.distance + locked.reach();
-        facing.shortcut = Shortcut::new(&facing, assembly, 2.0 * facing.tie * reach);
         facing
+    }
+
+    /// What spares searching; the same for both sides.
+    pub fn find_shortcut(&self, assembly: &Assembly) -> Option<Shortcut> {
+        // A tie below the greatest gap must not be ruled out: both gears' points move by less than this.
+        let reach = self.distance + self.locked.shape.tip_radius;
+        Shortcut::new(self, assembly, 4.0 * self.tie * reach)
     }
 
     /// Puts the teeth where `pose` has them: `rotation` is the locked gear's, reduced, and `turned` `e^{i rotation}`,

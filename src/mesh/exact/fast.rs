@@ -3,13 +3,15 @@
 //! At the greatest gap found so far most corners stand clear of the mate's metal, which a table
 //! of lines shows ([`super::envelope`]); only the rest are put on the curves.
 
-use super::branch::{Placed, Unsettled, search};
+use super::branch::search;
 use super::certificate::{Certificate, Setting};
 use super::corner::{meet, turns_back};
-use super::envelope::{Envelope, Place};
+use super::curves::Unsettled;
+use super::envelope::Envelope;
 use super::facing::{Facing, Stand};
 use super::hit::Hit;
 use super::line::Swerve;
+use super::placed::Placed;
 use super::plain;
 use super::shape::{C, turn};
 use super::ties::{Ties, Touching};
@@ -85,67 +87,72 @@ impl Stand<'_> {
     fn on_corners(&self, shortcut: &Shortcut, ties: &mut Ties) {
         let mut level = Level::new(self, ties);
         let (ours, theirs) = (&self.facing.locked, &self.facing.free);
-        let Certificate {
-            locked_fillet,
-            free_fillet,
-            ..
-        } = shortcut.certificate;
-        let outmost = theirs.shape.tip_radius + shortcut.free_off;
         for step in self.steps() {
             let (locked_place, free_place) = self.places(step);
-            let mut seen = level.direction * ours.direction(locked_place);
             let facing = theirs.direction(free_place);
-            for &(roll, corner) in ours.shape.corners() {
-                let near = (level.centre + seen * corner) * facing.conj();
-                if level.known {
-                    let above = || (near + facing.conj() * theirs.displacement).norm_sqr();
-                    match shortcut.free.place(near) {
-                        Place::Clear => continue,
-                        Place::Above if above() > outmost * outmost => continue,
-                        Place::Above | Place::Unsure => {}
-                    }
+            let seen = level.direction * ours.direction(locked_place);
+            let (centre, known) = (level.centre, level.known);
+            for &corner in ours.shape.corners() {
+                let near = (centre + seen * corner.1) * facing.conj();
+                if !(known && shortcut.free.clears(near)) {
+                    self.locked_corner(shortcut, step, (corner, near), &mut level, ties);
                 }
-                let (locked, free) = (self.locked(step), self.free(step));
-                let rho = locked.own_to_axis(corner);
-                let Some(met) = meet(&free, free_fillet, rho, near) else {
-                    continue;
-                };
-                let edge = (&locked, (Curve::Involute, roll));
-                level.offer(
-                    self,
-                    ties,
-                    step,
-                    Hit::new(edge, (&free, met), self.origin, 0.0),
-                );
-                seen = level.direction * ours.direction(locked_place);
             }
-            for &(roll, corner) in theirs.shape.corners() {
-                let near = (facing * corner - level.centre) * seen.conj();
-                if level.known {
-                    let locked = || self.locked(step);
-                    let radius = || self.free(step).own_to_axis(corner);
-                    match shortcut.locked.place(near) {
-                        // Past a flank that turns back a clear point may still lie behind it.
-                        _ if shortcut.certificate.turns_back && turns_back(&locked()) => {}
-                        Place::Clear => continue,
-                        Place::Above if radius() < least_radius(&locked()) => continue,
-                        Place::Above | Place::Unsure => {}
-                    }
+            for &corner in theirs.shape.corners() {
+                let near = (facing * corner.1 - centre) * seen.conj();
+                let clear = known && shortcut.locked.clears(near);
+                if !clear || shortcut.certificate.turns_back {
+                    self.free_corner(shortcut, step, (corner, near, clear), &mut level, ties);
                 }
-                let (locked, free) = (self.locked(step), self.free(step));
-                let rho = free.own_to_axis(corner);
-                let Some(met) = meet(&locked, locked_fillet, rho, near) else {
-                    continue;
-                };
-                let edge = (&free, (Curve::Involute, roll));
-                level.offer(
-                    self,
-                    ties,
-                    step,
-                    Hit::new((&locked, met), edge, self.origin, 0.0),
-                );
-                seen = level.direction * ours.direction(locked_place);
             }
+        }
+    }
+
+    /// A corner of the locked gear that the envelope does not show clear.
+    #[cold]
+    fn locked_corner(
+        &self,
+        shortcut: &Shortcut,
+        step: i64,
+        ((roll, corner), near): ((f64, C), C),
+        level: &mut Level,
+        ties: &mut Ties,
+    ) {
+        let (locked, free) = (self.locked(step), self.free(step));
+        let rho = locked.own_to_axis(corner);
+        let outmost = free.shape.tip_radius + shortcut.free_off;
+        if level.known && shortcut.free.is_beyond_tip(near) && rho > outmost {
+            return;
+        }
+        if let Some(met) = meet(&free, shortcut.certificate.free_fillet, rho, near) {
+            let edge = (&locked, (Curve::Involute, roll));
+            let hit = Hit::new(edge, (&free, met), self.origin, 0.0);
+            level.offer(self, ties, step, hit);
+        }
+    }
+
+    /// A corner of the free gear that the envelope does not show clear, or may wrongly.
+    #[cold]
+    fn free_corner(
+        &self,
+        shortcut: &Shortcut,
+        step: i64,
+        ((roll, corner), near, clear): ((f64, C), C, bool),
+        level: &mut Level,
+        ties: &mut Ties,
+    ) {
+        let (locked, free) = (self.locked(step), self.free(step));
+        let rho = free.own_to_axis(corner);
+        // Past a flank that turns back a clear point may still lie behind it.
+        let trusted = level.known && !(shortcut.certificate.turns_back && turns_back(&locked));
+        let over = || shortcut.locked.is_beyond_tip(near) && rho < least_radius(&locked);
+        if trusted && (clear || over()) {
+            return;
+        }
+        if let Some(met) = meet(&locked, shortcut.certificate.locked_fillet, rho, near) {
+            let edge = (&free, (Curve::Involute, roll));
+            let hit = Hit::new((&locked, met), edge, self.origin, 0.0);
+            level.offer(self, ties, step, hit);
         }
     }
 }

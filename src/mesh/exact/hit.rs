@@ -1,6 +1,6 @@
 //! Where two half teeth meet.
 
-use super::branch::Placed;
+use super::placed::Placed;
 use super::shape::{C, Sample};
 use crate::gear::Curve;
 

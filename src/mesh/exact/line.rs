@@ -18,24 +18,21 @@
 //! `(−T B·B' + Σ B×B')/(|B|² r_bF)`, at most `e_F/r_bF < 1` by amount, so Newton's method
 //! converges from anywhere.
 
-use super::facing::{Facing, Stand};
-use super::hit::Hit;
-use super::shape::{C, turn};
-use super::ties::Ties;
-use crate::gear::Curve;
+use super::facing::Facing;
+use super::shape::C;
 
 /// Rolls this far beyond an involute's end count as on it: contact moves off the line by the square of it.
-const ROLL_PLAY: f64 = 1e-10;
+pub(super) const ROLL_PLAY: f64 = 1e-10;
 
 /// The common tangent of both base circles at one place of both centres.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Line {
     /// `B`.
-    between: C,
+    pub between: C,
     /// `arg B + α`.
-    angle: f64,
+    pub angle: f64,
     /// `T`.
-    length: f64,
+    pub length: f64,
 }
 
 impl Line {
@@ -54,7 +51,7 @@ impl Line {
     }
 
     /// The line after `B` moved by `by`, to first order.
-    fn moved(&self, by: C, sum: f64) -> Line {
+    pub fn moved(&self, by: C, sum: f64) -> Line {
         let z = self.between.conj() * by;
         let stretch = z.re / self.length;
         Line {
@@ -65,7 +62,7 @@ impl Line {
     }
 
     /// `dG/dμ` where `B` moves at `rate`, times `r_bF`.
-    fn slope(&self, rate: C, sum: f64) -> f64 {
+    pub fn slope(&self, rate: C, sum: f64) -> f64 {
         let z = self.between.conj() * rate;
         (sum * z.im - self.length * z.re) / self.between.norm_sqr()
     }
@@ -75,16 +72,16 @@ impl Line {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Swerve {
     /// The line itself, where both outlines are centred on their axes.
-    fixed: Option<Line>,
+    pub fixed: Option<Line>,
     /// The line of centred outlines, to start from.
-    centred: Line,
+    pub centred: Line,
     /// Whether the free outline is off its axis.
-    moves: bool,
+    pub moves: bool,
     /// Bounds on the turn of the line and on the change of its length, by the error of the gap it was taken at.
-    turning: f64,
+    pub turning: f64,
     stretching: f64,
     /// Bound on half the second derivative of `G`.
-    curl: f64,
+    pub curl: f64,
 }
 
 impl Swerve {
@@ -114,147 +111,20 @@ impl Swerve {
     }
 }
 
-/// A pair that may touch on the line of action.
-#[derive(Debug, Clone, Copy)]
-struct Pair {
-    /// `λ − ψ_bL`.
-    locked_base: f64,
-    /// `μ − ψ_bF` less the gap.
-    free_base: f64,
-}
-
-impl Stand<'_> {
-    fn pair(&self, step: i64) -> Pair {
-        let (locked, free) = (&self.facing.locked, &self.facing.free);
-        let (ours, theirs) = self.places(step);
-        let steps = step as f64;
-        Pair {
-            locked_base: self.ahead + steps * locked.pitch + locked.offset(ours)
-                - locked.shape.half_base,
-            free_base: free.offset(theirs)
-                - self.free_offset
-                - steps * free.pitch
-                - free.shape.half_base,
-        }
-    }
-
-    /// `B` and its derivative by the gap, at the gap `mu`.
-    fn between(&self, mu: f64) -> (C, C) {
-        let off = self.free_centre * turn(mu);
-        (self.centre - off, C::new(off.im, -off.re))
-    }
-
-    /// `G`: `μ` by the equation above.
-    fn gap(&self, line: &Line, pair: &Pair) -> f64 {
-        let facing = self.facing;
-        (facing.sum() * line.angle - line.length - facing.locked.shape.base * pair.locked_base)
-            * facing.per_free_base
-            - pair.free_base
-    }
-
-    /// Rolls `(ξ_L, ξ_F)` of `pair` on `line`.
-    fn rolls(&self, line: &Line, pair: &Pair) -> (f64, f64) {
-        let locked = line.angle - pair.locked_base;
-        let rest = line.length - self.facing.locked.shape.base * locked;
-        (locked, rest * self.facing.per_free_base)
-    }
-
-    /// Whether both rolls lie on the involutes, give or take the plays.
-    fn on_path(&self, rolls: (f64, f64), plays: (f64, f64)) -> bool {
-        let (ours, theirs) = (&self.facing.locked.shape, &self.facing.free.shape);
-        rolls.0 >= ours.form_roll - plays.0
-            && rolls.0 <= ours.tip_roll + plays.0
-            && rolls.1 >= theirs.form_roll - plays.1
-            && rolls.1 <= theirs.tip_roll + plays.1
-    }
-
-    /// The gap of `pair` and the line there, from the gap `first`.
-    fn settle(&self, pair: &Pair, swerve: &Swerve, first: f64) -> Option<(f64, Line)> {
-        let sum = self.facing.sum();
-        let mut mu = first;
-        // Two or three steps; sixty would do by bisection's pace.
-        for _ in 0..60 {
-            let (between, rate) = self.between(mu);
-            let line = Line::new(between, sum)?;
-            let slope = line.slope(rate, sum) * self.facing.per_free_base;
-            let step = (self.gap(&line, pair) - mu) / (1.0 - slope);
-            mu += step;
-            // What the step leaves is its square times the curl; the line moves on by its linear part.
-            if swerve.curl.max(swerve.turning) * step * step < 0.125 * f64::EPSILON {
-                return Some((mu, line.moved(rate * step, sum)));
-            }
-        }
-        None
-    }
-
-    fn hit(&self, gap: f64, line: &Line, pair: &Pair) -> Hit {
-        let (ours, theirs) = (&self.facing.locked.shape, &self.facing.free.shape);
-        let (locked, free) = self.rolls(line, pair);
-        let locked = locked.clamp(ours.form_roll, ours.tip_roll);
-        let free = free.clamp(theirs.form_roll, theirs.tip_roll);
-        // E = −e^{i (arg B + α)} at the locked gear, cos α = Σ/|B|: P = C_L + r_b E (1 − iξ), n = −iE.
-        let e = -line.between * C::new(self.facing.sum(), line.length) / line.between.norm_sqr();
-        let point = self.centre + e * C::new(ours.base, -ours.base * locked);
-        let normal = C::new(e.im, -e.re);
-        let z = point.conj() * normal;
-        Hit {
-            gap,
-            slack: 0.0,
-            slope: -z.re / z.im,
-            locked: (Curve::Involute, locked),
-            free: (Curve::Involute, free),
-            point,
-            normal,
-        }
-    }
-
-    /// Offers every pair that touches on the line of action and may be the tightest within a tie.
+impl Swerve {
+    /// Plays of both rolls on a line taken at a gap that is `error` off for the pair of step 0.
     ///
-    /// False when one did not settle: then nothing is known.
-    pub(super) fn on_line(&self, swerve: &Swerve, ties: &mut Ties) -> bool {
-        // The gap the pair of step 0 has between centred outlines: a good place to take the line at.
-        let (guess, start) = match swerve.fixed {
-            Some(line) => (0.0, line),
-            None => {
-                let guess = self.gap(&swerve.centred, &self.pair(0));
-                match Line::new(self.between(guess).0, self.facing.sum()) {
-                    Some(line) => (guess, line),
-                    None => return false,
-                }
-            }
-        };
-        let ratio = self.facing.locked.shape.base * self.facing.per_free_base;
-        let mut tightest = f64::NEG_INFINITY;
-        for step in self.steps() {
-            let pair = self.pair(step);
-            let first = self.gap(&start, &pair);
-            // Between two pairs the true gaps differ in the same sense, by a factor of 1/2 … ∞.
-            if first < tightest - 2.0 * ties.width() {
-                continue;
-            }
-            let error = (first - guess).abs();
-            let play = swerve.turning * error;
-            let free_play = ratio * play + swerve.stretching * self.facing.per_free_base * error;
-            let plays = (play + ROLL_PLAY, free_play + ROLL_PLAY);
-            if !self.on_path(self.rolls(&start, &pair), plays) {
-                continue;
-            }
-            let (gap, line) = if swerve.moves {
-                let Some(settled) = self.settle(&pair, swerve, first) else {
-                    return false;
-                };
-                if !self.on_path(self.rolls(&settled.1, &pair), (ROLL_PLAY, ROLL_PLAY)) {
-                    continue;
-                }
-                settled
-            } else {
-                (first, start)
-            };
-            tightest = tightest.max(first);
-            if ties.admits(gap) {
-                ties.offer(step, self.hit(gap, &line, &pair));
-            }
+    /// Another pair's gap differs from its by no more than all offsets do.
+    pub fn plays(&self, facing: &Facing, error: f64) -> (f64, f64) {
+        if !self.moves {
+            return (ROLL_PLAY, ROLL_PLAY);
         }
-        true
+        let spread = |(low, high): (f64, f64)| high - low;
+        let ratio = facing.locked.shape.base * facing.per_free_base;
+        let error =
+            error + 2.0 * (ratio * spread(facing.locked.extremes) + spread(facing.free.extremes));
+        let play = self.turning * error;
+        let free_play = ratio * play + self.stretching * facing.per_free_base * error;
+        (play + ROLL_PLAY, free_play + ROLL_PLAY)
     }
 }

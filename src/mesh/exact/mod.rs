@@ -22,11 +22,14 @@
 mod branch;
 mod certificate;
 mod corner;
+mod curves;
 mod envelope;
 mod facing;
 mod fast;
 mod hit;
 mod line;
+mod path;
+mod placed;
 mod plain;
 mod report;
 mod shape;
@@ -37,7 +40,7 @@ use super::lost_motion::{Contact, LostMotion};
 use crate::error::Error;
 use crate::gear::Side;
 use crate::pair::{Assembly, Member, Pose};
-use branch::Unsettled;
+use curves::Unsettled;
 use facing::{Facing, Stand};
 use shape::turn;
 use std::f64::consts::{PI, TAU};
@@ -57,9 +60,14 @@ pub struct ExactKernel {
 impl ExactKernel {
     /// The kernel of `assembly`.
     pub fn new(assembly: &Assembly) -> ExactKernel {
+        let mut right = Facing::new(assembly, Side::Right);
+        let mut left = Facing::new(assembly, Side::Left);
+        // Of both gears the left half teeth mirror the right ones.
+        right.shortcut = right.find_shortcut(assembly);
+        left.shortcut = right.shortcut.clone();
         ExactKernel {
-            right: Facing::new(assembly, Side::Right),
-            left: Facing::new(assembly, Side::Left),
+            right,
+            left,
             free: assembly.free(),
         }
     }

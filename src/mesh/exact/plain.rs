@@ -1,6 +1,7 @@
 //! The plain path: branch and bound over every facing pair, nothing left out.
 
-use super::branch::{Curves, Unsettled, search};
+use super::branch::search;
+use super::curves::{Curves, Unsettled};
 use super::facing::Stand;
 use super::ties::{Ties, Touching};
 
@@ -8,6 +9,7 @@ use super::ties::{Ties, Touching};
 ///
 /// # Errors
 /// The step whose pair could not be settled.
+#[cold]
 pub(super) fn touching(stand: &Stand) -> Result<Option<Touching>, (i64, Unsettled)> {
     let mut ties = Ties::new(stand.facing);
     for step in stand.steps() {

@@ -197,3 +197,48 @@ impl Shape {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gear::{Blank, Profile, Rack, Side, Toothing};
+
+    /// The two ways of writing the curves agree, undercut and `h_0 < 0` included.
+    #[test]
+    fn the_curves_are_those_of_the_profile() {
+        for (teeth, shift) in [(9, -0.1), (44, 0.0), (200, 1.2)] {
+            let gear = Gear::nominal(Blank {
+                toothing: Toothing::new(teeth, 2.0, 20f64.to_radians()).unwrap(),
+                profile_shift: shift,
+                rack: Rack::ISO_53_A,
+                tip_diameter: None,
+            })
+            .unwrap();
+            let (shape, profile) = (Shape::new(&gear), Profile::new(&gear));
+            assert_eq!(shape.undercut, teeth == 9);
+            for curve in Curve::ALL {
+                let (low, high) = shape.range(curve);
+                for k in 0..=10 {
+                    let t = low + (high - low) * f64::from(k) / 10.0;
+                    let sample = shape.at(curve, t);
+                    let point = profile.point(curve, t, Side::Right);
+                    let normal = profile.normal(curve, t, Side::Right);
+                    let near = 1e-13 * gear.tip_radius();
+                    assert!((sample.point - C::new(point.x, point.y)).norm() < near);
+                    assert!((sample.normal - C::new(normal.x, normal.y)).norm() < 1e-13);
+                    assert!((shape.radius(curve, t) - sample.point.norm()).abs() < near);
+                    // dP/dt = i n · speed, by a central difference.
+                    let step = 1e-5;
+                    let rise = shape.at(curve, t + step).point - shape.at(curve, t - step).point;
+                    let slope = C::i() * sample.normal * shape.speed(curve, t);
+                    assert!((rise / (2.0 * step) - slope).norm() < 1e-6 * gear.tip_radius());
+                    let (reach, bend) = shape.spread(curve, low, high);
+                    let middle = shape.at(curve, 0.5 * (low + high));
+                    assert!((sample.point - middle.point).norm() <= reach * (1.0 + 1e-12));
+                    let turned = (sample.normal * middle.normal.conj()).arg().abs();
+                    assert!(turned <= bend * (1.0 + 1e-12) + 1e-15);
+                }
+            }
+        }
+    }
+}

@@ -155,3 +155,61 @@ pub(super) fn reduced(angle: f64) -> f64 {
 pub(super) fn nearest(value: f64) -> i64 {
     (value + 0.5f64.copysign(value)) as i64
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gear::{Blank, Face, Gear, Rack, Toothing};
+    use std::f64::consts::PI;
+
+    fn teeth(face: Face, side: Side) -> (AsBuilt, Teeth) {
+        let blank = Blank {
+            toothing: Toothing::new(17, 2.0, 20f64.to_radians()).unwrap(),
+            profile_shift: 0.0,
+            rack: Rack::ISO_53_A,
+            tip_diameter: None,
+        };
+        let gear = AsBuilt::perfect(Gear::nominal(blank).unwrap(), face);
+        let teeth = Teeth::new(&gear, side);
+        (gear, teeth)
+    }
+
+    /// Places against `AsBuilt::counter_clockwise`, seen in the mirror on the left.
+    #[test]
+    fn places_count_counter_clockwise() {
+        for face in [Face::Front, Face::Back] {
+            for side in Side::BOTH {
+                let (gear, teeth) = teeth(face, side);
+                for tooth in 1..=17 {
+                    for steps in -40..=40 {
+                        let expected = gear.counter_clockwise(tooth, steps * -side.sense() as i64);
+                        let place = teeth.place(tooth, steps);
+                        assert_eq!(teeth.number(place), expected);
+                        assert_eq!(teeth.beside(teeth.place(tooth, 0), steps), place);
+                    }
+                }
+            }
+        }
+    }
+
+    /// A tooth and side takes at most 128 bytes (issue 3); here 24.
+    #[test]
+    fn a_tooth_takes_24_bytes_a_side() {
+        let (_, teeth) = teeth(Face::Front, Side::Right);
+        let bytes =
+            size_of_val(teeth.offsets.as_slice()) + size_of_val(teeth.directions.as_slice());
+        assert_eq!(bytes, 17 * 24);
+    }
+
+    /// sin and cos of the C library reduce exactly: an outside source.
+    #[test]
+    fn angles_are_reduced_without_loss() {
+        for k in 1..2000 {
+            let angle = f64::from(k * k) * 0.987;
+            let there = reduced(angle);
+            assert!(there.abs() <= PI + 1e-9);
+            assert!((turn(there) - turn(angle)).norm() < 5e-16, "{angle}");
+            assert_eq!(reduced(-angle), -there);
+        }
+    }
+}

@@ -1,0 +1,61 @@
+//! Pairs of curves, as sets and as what an error names.
+
+use crate::gear::Curve;
+
+/// A set of pairs of curves, the locked gear's first.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(super) struct Curves(pub [[bool; 4]; 4]);
+
+impl Curves {
+    /// Every pair.
+    pub const ALL: Curves = Curves([[true; 4]; 4]);
+
+    pub fn add(&mut self, locked: Curve, free: Curve) {
+        self.0[locked as usize][free as usize] = true;
+    }
+
+    pub fn add_unless(&mut self, settled: bool, locked: Curve, free: Curve) {
+        self.0[locked as usize][free as usize] |= !settled;
+    }
+
+    pub fn is_empty(self) -> bool {
+        self == Curves::default()
+    }
+}
+
+/// Two curves whose search did not end, the locked gear's first.
+#[derive(Debug)]
+pub(super) struct Unsettled(pub Curve, pub Curve);
+
+impl Unsettled {
+    /// In words, for the error message.
+    pub fn reason(&self) -> &'static str {
+        const REASONS: [[&str; 4]; 4] = [
+            [
+                "locked tip land on free tip land: not settled",
+                "locked tip land on free involute: not settled",
+                "locked tip land on free fillet: not settled",
+                "locked tip land on free root land: not settled",
+            ],
+            [
+                "locked involute on free tip land: not settled",
+                "locked involute on free involute: not settled",
+                "locked involute on free fillet: not settled",
+                "locked involute on free root land: not settled",
+            ],
+            [
+                "locked fillet on free tip land: not settled",
+                "locked fillet on free involute: not settled",
+                "locked fillet on free fillet: not settled",
+                "locked fillet on free root land: not settled",
+            ],
+            [
+                "locked root land on free tip land: not settled",
+                "locked root land on free involute: not settled",
+                "locked root land on free fillet: not settled",
+                "locked root land on free root land: not settled",
+            ],
+        ];
+        REASONS[self.0 as usize][self.1 as usize]
+    }
+}

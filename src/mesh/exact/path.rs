@@ -1,0 +1,166 @@
+//! Which pairs touch on the line of action at a pose; [`super::line`] has the equations.
+
+use super::facing::Stand;
+use super::hit::Hit;
+use super::line::{Line, ROLL_PLAY, Swerve};
+use super::shape::{C, turn};
+use super::ties::Ties;
+use crate::gear::Curve;
+use std::ops::Range;
+
+/// A pair that may touch on the line of action.
+#[derive(Debug, Clone, Copy)]
+struct Pair {
+    /// `λ − ψ_bL`.
+    locked_base: f64,
+    /// `μ − ψ_bF` less the gap.
+    free_base: f64,
+}
+
+impl Stand<'_> {
+    fn pair(&self, step: i64) -> Pair {
+        let (locked, free) = (&self.facing.locked, &self.facing.free);
+        let (ours, theirs) = self.places(step);
+        let steps = step as f64;
+        Pair {
+            locked_base: self.ahead + steps * locked.pitch + locked.offset(ours)
+                - locked.shape.half_base,
+            free_base: free.offset(theirs)
+                - self.free_offset
+                - steps * free.pitch
+                - free.shape.half_base,
+        }
+    }
+
+    /// `B` and its derivative by the gap, at the gap `mu`.
+    fn between(&self, mu: f64) -> (C, C) {
+        let off = self.free_centre * turn(mu);
+        (self.centre - off, C::new(off.im, -off.re))
+    }
+
+    /// `G`: `μ` by the equation above.
+    fn gap(&self, line: &Line, pair: &Pair) -> f64 {
+        let facing = self.facing;
+        (facing.sum() * line.angle - line.length - facing.locked.shape.base * pair.locked_base)
+            * facing.per_free_base
+            - pair.free_base
+    }
+
+    /// Rolls `(ξ_L, ξ_F)` of `pair` on `line`.
+    fn rolls(&self, line: &Line, pair: &Pair) -> (f64, f64) {
+        let locked = line.angle - pair.locked_base;
+        let rest = line.length - self.facing.locked.shape.base * locked;
+        (locked, rest * self.facing.per_free_base)
+    }
+
+    /// Whether both rolls lie on the involutes, give or take the plays.
+    fn on_path(&self, rolls: (f64, f64), plays: (f64, f64)) -> bool {
+        let (ours, theirs) = (&self.facing.locked.shape, &self.facing.free.shape);
+        rolls.0 >= ours.form_roll - plays.0
+            && rolls.0 <= ours.tip_roll + plays.0
+            && rolls.1 >= theirs.form_roll - plays.1
+            && rolls.1 <= theirs.tip_roll + plays.1
+    }
+
+    /// Steps whose rolls on `line` may lie on the involutes, give or take the plays.
+    fn steps_on(&self, line: &Line, plays: (f64, f64)) -> Range<i64> {
+        let facing = self.facing;
+        let (ours, theirs) = (&facing.locked.shape, &facing.free.shape);
+        let opposite = |roll: f64| (line.length - theirs.base * roll) * facing.per_locked_base;
+        let free_play = plays.1 * theirs.base * facing.per_locked_base;
+        let least = (ours.form_roll - plays.0).max(opposite(theirs.tip_roll) - free_play);
+        let most = (ours.tip_roll + plays.0).min(opposite(theirs.form_roll) + free_play);
+        // ξ_L = arg B + α − (λ_0 + s τ + δ − ψ_b), δ anywhere between the extremes.
+        let (low, high) = facing.locked.extremes;
+        let first = (line.angle - self.ahead + ours.half_base - most - high) * facing.per_pitch;
+        let last = (line.angle - self.ahead + ours.half_base - least - low) * facing.per_pitch;
+        // The cast cuts towards zero: never a step too few.
+        let all = self.steps();
+        (first as i64).max(all.start)..(last as i64 + 1).min(all.end)
+    }
+
+    /// The gap of `pair` and the line there, from the gap `first`.
+    fn settle(&self, pair: &Pair, swerve: &Swerve, first: f64) -> Option<(f64, Line)> {
+        let sum = self.facing.sum();
+        let mut mu = first;
+        // Two or three steps; sixty would do by bisection's pace.
+        for _ in 0..60 {
+            let (between, rate) = self.between(mu);
+            let line = Line::new(between, sum)?;
+            let slope = line.slope(rate, sum) * self.facing.per_free_base;
+            let step = (self.gap(&line, pair) - mu) / (1.0 - slope);
+            mu += step;
+            // What the step leaves is its square times the curl; the line moves on by its linear part.
+            if swerve.curl.max(swerve.turning) * step * step < 0.125 * f64::EPSILON {
+                return Some((mu, line.moved(rate * step, sum)));
+            }
+        }
+        None
+    }
+
+    fn hit(&self, gap: f64, line: &Line, pair: &Pair) -> Hit {
+        let (ours, theirs) = (&self.facing.locked.shape, &self.facing.free.shape);
+        let (locked, free) = self.rolls(line, pair);
+        let locked = locked.clamp(ours.form_roll, ours.tip_roll);
+        let free = free.clamp(theirs.form_roll, theirs.tip_roll);
+        // E = −e^{i (arg B + α)} at the locked gear, cos α = Σ/|B|: P = C_L + r_b E (1 − iξ), n = −iE.
+        let e = -line.between * C::new(self.facing.sum(), line.length) / line.between.norm_sqr();
+        let point = self.centre + e * C::new(ours.base, -ours.base * locked);
+        let normal = C::new(e.im, -e.re);
+        let z = point.conj() * normal;
+        Hit {
+            gap,
+            slack: 0.0,
+            slope: -z.re / z.im,
+            locked: (Curve::Involute, locked),
+            free: (Curve::Involute, free),
+            point,
+            normal,
+        }
+    }
+
+    /// Offers every pair that touches on the line of action and may be the tightest within a tie.
+    ///
+    /// False when one did not settle: then nothing is known.
+    pub(super) fn on_line(&self, swerve: &Swerve, ties: &mut Ties) -> bool {
+        // The gap the pair of step 0 has between centred outlines: a good place to take the line at.
+        let (guess, start) = match swerve.fixed {
+            Some(line) => (0.0, line),
+            None => {
+                let guess = self.gap(&swerve.centred, &self.pair(0));
+                match Line::new(self.between(guess).0, self.facing.sum()) {
+                    Some(line) => (guess, line),
+                    None => return false,
+                }
+            }
+        };
+        let plays = swerve.plays(self.facing, (self.gap(&start, &self.pair(0)) - guess).abs());
+        let mut tightest = f64::NEG_INFINITY;
+        for step in self.steps_on(&start, plays) {
+            let pair = self.pair(step);
+            let first = self.gap(&start, &pair);
+            // Between two pairs the true gaps differ in the same sense, by a factor of 1/2 … ∞.
+            if first < tightest - 2.0 * ties.width()
+                || !self.on_path(self.rolls(&start, &pair), plays)
+            {
+                continue;
+            }
+            let (gap, line) = if swerve.moves {
+                let Some(settled) = self.settle(&pair, swerve, first) else {
+                    return false;
+                };
+                if !self.on_path(self.rolls(&settled.1, &pair), (ROLL_PLAY, ROLL_PLAY)) {
+                    continue;
+                }
+                settled
+            } else {
+                (first, start)
+            };
+            tightest = tightest.max(first);
+            if ties.admits(gap) {
+                ties.offer(step, self.hit(gap, &line, &pair));
+            }
+        }
+        true
+    }
+}

@@ -112,15 +112,23 @@ impl ComparedRun {
         }
     }
 
-    /// The poses with the least and the greatest backlash, the first of equals.
+    /// The poses with the least and the greatest backlash; of those that their error bounds cannot tell
+    /// apart, the first.
     pub fn extremes(&self) -> Option<(&ComparedPose, &ComparedPose)> {
-        let values = || {
-            let poses = self.poses.iter();
-            poses.filter_map(|pose| Some((pose, pose.swept.backlash?)))
+        let first = |sign: f64| {
+            let values = || {
+                let poses = self.poses.iter();
+                poses.filter_map(|pose| {
+                    Some((pose, pose.swept.backlash? * sign, pose.swept.error_bound?))
+                })
+            };
+            let least = values()
+                .map(|(_, value, bound)| value + bound)
+                .reduce(f64::min)?;
+            let found = values().find(|(_, value, bound)| value - bound <= least);
+            found.map(|(pose, ..)| pose)
         };
-        let least = values().reduce(|least, next| if next.1 < least.1 { next } else { least })?;
-        let most = values().reduce(|most, next| if next.1 > most.1 { next } else { most })?;
-        Some((least.0, most.0))
+        Some((first(1.0)?, first(-1.0)?))
     }
 }
 

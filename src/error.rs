@@ -246,10 +246,12 @@ pub enum Error {
 }
 
 impl Error {
-    /// What the process ends with: 1 when a result did not hold, 2 when there was none to be had.
+    /// What the process ends with: 1 when a result did not hold, 2 when there was none to be had, 130
+    /// (128 + SIGINT, as shells count) after Ctrl-C.
     pub fn exit_code(&self) -> u8 {
         match self {
             Error::CertificateFailed { .. } => 1,
+            Error::Interrupted => 130,
             _ => 2,
         }
     }

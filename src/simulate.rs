@@ -1,7 +1,7 @@
 //! From what a pair file asks for to what was found: every run of a study.
 
 use crate::error::Error;
-use crate::mesh::{CutPair, Method, SweptPose, sweep};
+use crate::mesh::{CutPair, Method, Status, SweptPose, sweep};
 use crate::pair::Assembly;
 use crate::study::{Material, Study};
 use std::ops::ControlFlow;
@@ -31,7 +31,7 @@ pub fn pose_count(study: &Study) -> Result<usize, Error> {
 /// good from any; a tenth or ten times of this takes a third longer).
 const CERTIFICATE_CHORD: f64 = 3e-4;
 
-/// Simulates every run of `study` by `method`. `tick` is called after each pose, from any thread; a break ends the work.
+/// Simulates every run of `study` by `method`. `tick` is called as each pose begins, from any thread; a break ends the work.
 ///
 /// # Errors
 /// A contact that was lost, a certificate that failed, or [`Error::Interrupted`].
@@ -67,4 +67,20 @@ pub fn simulate(
         });
     }
     Ok(runs)
+}
+
+/// The worst pose of all `runs`, and its run: the first that is jammed, or else the first of those with
+/// the least `j_wt`; `None` when no pose is in mesh.
+pub fn worst(runs: &[Run]) -> Option<(&Run, &SweptPose)> {
+    let poses = runs
+        .iter()
+        .flat_map(|run| run.poses.iter().map(move |pose| (run, pose)));
+    let amount = |pose: &SweptPose| match pose.lost_motion.status() {
+        Status::Jammed => Some(f64::NEG_INFINITY),
+        _ => pose.backlash,
+    };
+    let in_mesh = poses.filter_map(|(run, pose)| Some((amount(pose)?, run, pose)));
+    in_mesh
+        .reduce(|worst, next| if next.0 < worst.0 { next } else { worst })
+        .map(|(_, run, pose)| (run, pose))
 }

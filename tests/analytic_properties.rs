@@ -2,9 +2,9 @@
 
 mod common;
 
-use common::random_pair::{Case, ROUNDING, case};
+use common::random_pair::{ROUNDING, case};
 use gearlash::analytic::{InvolutePair, LineOfAction, effective_center_distance, evaluate, limits};
-use gearlash::gear::{Side, involute};
+use gearlash::gear::involute;
 use gearlash::pair::{Mating, Member, Pose};
 use proptest::prelude::*;
 
@@ -39,17 +39,7 @@ proptest! {
     /// Wheel and pinion exchanged, the locked gear with them: the picture turned by half a turn.
     #[test]
     fn swapping_the_gears_changes_nothing(case in case()) {
-        let swapped = Case {
-            wheel: case.pinion.clone(),
-            pinion: case.wheel.clone(),
-            locked: case.locked.mate(),
-            mating: Mating {
-                wheel_tooth: case.mating.pinion_tooth,
-                pinion_tooth: case.mating.wheel_tooth,
-                ..case.mating
-            },
-            ..case.clone()
-        };
+        let swapped = case.swapped();
         same(case.backlash(1.0), swapped.backlash(1.0))?;
         prop_assert_eq!(case.evaluate(1.0).1.line_of_action, swapped.evaluate(1.0).1.line_of_action);
     }
@@ -61,29 +51,14 @@ proptest! {
 
     #[test]
     fn renumbering_the_teeth_changes_nothing(case in case(), by in (0u32..17, 0u32..17)) {
-        let renumbered = Case {
-            wheel: case.wheel.renumbered(by.0),
-            pinion: case.pinion.renumbered(by.1),
-            mating: Mating {
-                wheel_tooth: case.wheel.renumber(case.mating.wheel_tooth, by.0),
-                pinion_tooth: case.pinion.renumber(case.mating.pinion_tooth, by.1),
-                ..case.mating
-            },
-            ..case.clone()
-        };
+        let renumbered = case.renumbered(by.0, by.1);
         same(case.backlash(1.0), renumbered.backlash(1.0))?;
     }
 
     /// Seen from behind: faces and flanks swap, right and left contact change places.
     #[test]
     fn a_mirrored_pair_is_the_pair_seen_from_behind(case in case()) {
-        let flank = match case.mating.flank { Side::Right => Side::Left, Side::Left => Side::Right };
-        let mirrored = Case {
-            wheel: case.wheel.mirrored(),
-            pinion: case.pinion.mirrored(),
-            mating: Mating { flank, ..case.mating },
-            ..case.clone()
-        };
+        let mirrored = case.mirrored();
         same(case.backlash(1.0), mirrored.backlash(1.0))?;
         let (front, behind) = (case.evaluate(1.0).1, mirrored.evaluate(1.0).1);
         let (right, left) = (front.line_of_action.right.unwrap(), behind.line_of_action.left.unwrap());

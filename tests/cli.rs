@@ -53,6 +53,18 @@ fn small(folder: &Path) -> PathBuf {
     file
 }
 
+/// What `simulate FILE --format json` prints, and the same parsed.
+fn simulated(folder: &Path, arguments: &[&str]) -> (String, Value) {
+    let text = output(
+        gearlash(folder)
+            .arg("simulate")
+            .args(arguments)
+            .args(["--format", "json"]),
+    );
+    let result = serde_json::from_str(&text).unwrap();
+    (text, result)
+}
+
 fn empty_folder() -> tempfile::TempDir {
     tempfile::tempdir().unwrap()
 }
@@ -90,7 +102,7 @@ fn the_main_job_prints_tables_5_and_6() {
             .arg(fixture("karba_44x44.toml")),
     );
     assert!(text.contains(
-        "63 of 72 measured values lie inside the printed band: 9 below it (↓), 0 above it (↑)."
+        "63 of 72 measured values lie inside the predicted band: 9 below it (↓), 0 above it (↑)."
     ));
     assert!(text.contains("72 of 72 lie inside the simulated band"));
     insta::assert_snapshot!("karba_44x44", text);
@@ -118,14 +130,8 @@ fn table_2_as_text() {
 #[test]
 fn json_goes_to_standard_output_alone_and_writes_nothing() {
     let folder = empty_folder();
-    let file = small(folder.path());
-    let text = output(
-        gearlash(folder.path())
-            .arg("simulate")
-            .arg(&file)
-            .args(["--format", "json"]),
-    );
-    let result: Value = serde_json::from_str(&text).unwrap();
+    small(folder.path());
+    let (_, result) = simulated(folder.path(), &["small.toml"]);
     assert_eq!(result["gearlash"], env!("CARGO_PKG_VERSION"));
     // Two centre distances and two materials; two matings, two flanks, two fractions.
     assert_eq!(result["runs"].as_array().unwrap().len(), 4);
@@ -155,40 +161,8 @@ fn rounded(value: &Value) -> String {
 #[test]
 fn csv_has_a_row_a_pose() {
     let folder = empty_folder();
-    let file = small(folder.path());
-    let text = output(
-        gearlash(folder.path())
-            .arg("simulate")
-            .arg(&file)
-            .args(["--format", "csv"]),
-    );
-    let mut reader = csv::Reader::from_reader(text.as_bytes());
-    let j_wt = reader
-        .headers()
-        .unwrap()
-        .iter()
-        .position(|name| name == "j_wt_um")
-        .unwrap();
-    let values: Vec<f64> = reader
-        .records()
-        .map(|record| record.unwrap()[j_wt].parse().unwrap())
-        .collect();
-    assert_eq!(values.len(), 32);
-    assert_eq!(files(folder.path()), ["small.toml"]);
-}
-
-/// Numbers read back to the same f64, and j_wt, j_t and j_bn are one angle on three circles.
-#[test]
-fn the_three_backlashes_are_one_angle() {
-    let folder = empty_folder();
-    let file = small(folder.path());
-    let text = output(
-        gearlash(folder.path())
-            .arg("simulate")
-            .arg(&file)
-            .args(["--format", "json"]),
-    );
-    let result: Value = serde_json::from_str(&text).unwrap();
+    small(folder.path());
+    let (_, result) = simulated(folder.path(), &["small.toml"]);
     for run in result["runs"].as_array().unwrap() {
         let a = run["center_distance_mm"].as_f64().unwrap();
         for pose in run["poses"].as_array().unwrap() {
@@ -527,4 +501,95 @@ fn jammed_and_out_of_mesh_are_results() {
         }
         output(gearlash(folder.path()).args(["simulate", "pair.toml"]));
     }
+}
+
+/// Issue 3: a scan over centre distance; without play the backlash rises by 2 tan α_wt a millimetre and more.
+#[test]
+fn a_scan_over_centre_distance() {
+    let folder = empty_folder();
+    small(folder.path());
+    let mut command = gearlash(folder.path());
+    command.args(["simulate", "small.toml", "--format", "json"]);
+    let text = output(command.args(["--center-distance", "37.3..37.4:0.05"]));
+    let result: Value = serde_json::from_str(&text).unwrap();
+    let runs = result["runs"].as_array().unwrap();
+    let distances: Vec<f64> = runs
+        .iter()
+        .map(|run| run["center_distance_mm"].as_f64().unwrap())
+        .collect();
+    assert_eq!(distances, [37.3, 37.3, 37.35, 37.35, 37.4, 37.4]);
+    let least = |i: usize| runs[i]["summary"]["min_j_wt_um"].as_f64().unwrap();
+    assert!(least(0) < least(2) && least(2) < least(4));
+    assert_eq!(
+        result["pair"]["assembly"]["center_distance_mm"],
+        serde_json::json!([37.3, 37.35, 37.4])
+    );
+    // Measured rows have distances of their own; base circles must stay apart.
+    gearlash(folder.path())
+        .arg("simulate")
+        .arg(fixture("karba_44x44.toml"))
+        .args(["--center-distance", "132.0..132.1:0.1"])
+        .assert()
+        .code(2)
+        .stderr(predicate::str::contains("--center-distance"));
+    gearlash(folder.path())
+        .args(["simulate", "small.toml", "--center-distance", "30..40:1"])
+        .assert()
+        .code(2)
+        .stderr(predicate::str::contains("base circles"));
+    assert_eq!(files(folder.path()), ["small.toml"]);
+}
+
+/// Issue 3: both methods on one study; the largest difference is printed and decides.
+#[test]
+fn both_methods_agree_to_a_picometre() {
+    let folder = empty_folder();
+    small(folder.path());
+    for arguments in [
+        vec!["simulate", "small.toml", "--format", "json"],
+        vec!["compare", "small.toml"],
+    ] {
+        gearlash(folder.path())
+            .args(arguments)
+            .args(["--method", "both"])
+            .assert()
+            .code(0)
+            .stderr(predicate::str::contains("exact and polygon method agree"));
+    }
+}
+
+/// Design section 6: gcd(z_1, z_2) assembly phases; coprime pairs have one.
+#[test]
+fn assembly_phases_are_run_apart() {
+    let folder = empty_folder();
+    let phases = |wheel: u32, pinion: u32| {
+        let text = format!(
+            "[wheel]\nteeth = {wheel}\nmodule_mm = 2\npressure_angle_deg = 20\nrunout = {{ total_um = 30, high_tooth = 2 }}\n\
+             [pinion]\nteeth = {pinion}\nmodule_mm = 2\npressure_angle_deg = 20\nrunout = {{ total_um = 20, high_tooth = 5 }}\n\
+             [assembly]\ncenter_distance_mm = {}\n[sweep]\nphases = \"all\"\nsteps_per_pitch = 2\n",
+            f64::from(wheel + pinion) + 0.1
+        );
+        std::fs::write(folder.path().join("phases.toml"), text).unwrap();
+        let text = output(gearlash(folder.path()).args(["simulate", "phases.toml"]));
+        let json =
+            output(gearlash(folder.path()).args(["simulate", "phases.toml", "--format", "json"]));
+        (text, serde_json::from_str::<Value>(&json).unwrap())
+    };
+    let (text, result) = phases(18, 12);
+    let runs = result["runs"].as_array().unwrap();
+    assert_eq!(runs.len(), 6);
+    for (i, run) in runs.iter().enumerate() {
+        assert_eq!(run["phase"]["pinion_tooth"], i + 1);
+        // lcm(18, 12) pitches of two steps.
+        assert_eq!(run["poses"].as_array().unwrap().len(), 72);
+    }
+    assert!(
+        text.contains("Best phase 1,") && text.contains("mark wheel tooth 1 and pinion tooth"),
+        "{text}"
+    );
+    // JSON, CSV, and two snapshots a phase.
+    assert_eq!(files(&folder.path().join("out/phases")).len(), 14);
+    let (text, result) = phases(18, 13);
+    assert_eq!(result["runs"].as_array().unwrap().len(), 1);
+    assert!(text.contains("only one assembly phase"), "{text}");
 }

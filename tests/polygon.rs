@@ -3,9 +3,9 @@
 mod common;
 
 use common::{ReferenceContact, ReferencePose, reference_names, reference_pair};
-use gearlash::gear::Side;
-use gearlash::mesh::{Certifier, Contact, CutPair, LostMotion};
-use gearlash::pair::{Assembly, Member, Pose};
+use gearlash::gear::{AsBuilt, Blank, Face, Gear, Rack, Side, Toothing};
+use gearlash::mesh::{Certifier, Contact, CutPair, LostMotion, Status};
+use gearlash::pair::{Assembly, Mating, Member, Pose};
 
 /// µm of `j_wt` a radian of the free gear.
 fn um(assembly: &Assembly) -> f64 {
@@ -187,4 +187,35 @@ fn the_certificate_tells_right_from_wrong() {
         }
     }
     println!("{:?} a certificate", spent / poses);
+}
+
+/// A tip land on the end of a root land, z 9/78 (pose 41 of the first campaign's seed 1). The root land's
+/// end was taken for a smooth place whose normal passes through the axis: its bracket reached half a turn, and
+/// cutting all that is within half a turn again never ended.
+#[test]
+fn a_tip_land_on_the_end_of_a_root_land_ends() {
+    let gear = |teeth, shift, face| {
+        let blank = Blank {
+            toothing: Toothing::new(teeth, 3.0, 15.4f64.to_radians()).unwrap(),
+            profile_shift: shift,
+            rack: Rack::new(0.89, 1.17, 0.045).unwrap(),
+            tip_diameter: None,
+        };
+        AsBuilt::perfect(Gear::nominal(blank).unwrap(), face)
+    };
+    let (wheel, pinion) = (gear(9, 0.12, Face::Front), gear(78, 0.56, Face::Back));
+    let deep = wheel.gear().root_radius() + pinion.gear().tip_radius() - 0.5;
+    let assembly = Assembly::new(wheel, pinion, deep, Member::Pinion).unwrap();
+    let cut = cut(&assembly, 0.3);
+    for k in 0..32 {
+        let mating = Mating {
+            wheel_tooth: 1,
+            pinion_tooth: 1,
+            flank: Side::Left,
+            fraction: f64::from(k) / 32.0,
+        };
+        let pose = Pose::new(&assembly, mating);
+        let found = cut.refined_kernel(&assembly).lost_motion(&pose).unwrap();
+        assert_eq!(found.status(), Status::Jammed);
+    }
 }

@@ -7,6 +7,7 @@ mod method;
 mod progress;
 mod simulate;
 mod snapshot;
+mod worst;
 
 use crate::error::Error;
 use clap::{Parser, Subcommand};
@@ -31,7 +32,8 @@ Results go to standard output and to files; progress, warnings and errors to sta
 
 Example:
   gearlash simulate fixtures/karba_44x44.toml
-  gearlash snapshot fixtures/karba_44x44.toml --mating 11,11 --flank right";
+  gearlash snapshot fixtures/karba_44x44.toml --mating 11,11 --flank right
+  gearlash snapshot fixtures/karba_44x44.toml --worst";
 
 #[derive(Subcommand)]
 enum Command {

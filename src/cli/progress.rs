@@ -45,7 +45,7 @@ impl Progress {
         }
     }
 
-    /// One pose done; a break when the user wants to stop.
+    /// One pose begun; a break when the user wants to stop.
     pub fn tick(&self) -> ControlFlow<()> {
         self.bar.inc(1);
         if INTERRUPTED.load(Ordering::Relaxed) {

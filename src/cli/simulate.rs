@@ -19,7 +19,7 @@ use std::process::ExitCode;
 /// Find the lost motion at every pose a pair file asks for
 ///
 /// Prints a table and writes DIR/result.json, DIR/result.csv and, for each run (a centre distance and a
-/// material), snapshots of the pose with the least and with the greatest backlash.
+/// material), snapshots of the pose with the least (…_min.svg) and with the greatest backlash (…_max.svg).
 #[derive(clap::Args)]
 pub(super) struct Args {
     /// The pair file (TOML or JSON)
@@ -109,9 +109,12 @@ fn snapshots(study: &Study, runs: &[ComparedRun]) -> Vec<(String, String)> {
         let Some((least, greatest)) = run.extremes() else {
             continue;
         };
-        for (which, pose) in [("least", least), ("greatest", greatest)] {
+        let phase = run.run.phase.map_or(String::new(), |(wheel, pinion)| {
+            format!("_phase{wheel}-{pinion}")
+        });
+        for (which, pose) in [("min", least), ("max", greatest)] {
             let name = format!(
-                "a{}_{}_{which}.svg",
+                "a{}_{}{phase}_{which}.svg",
                 run.run.assembly.center_distance(),
                 run.run.material.name()
             );

@@ -1,15 +1,18 @@
 //! `gearlash snapshot`: one contact as a picture.
 
-use super::{print, warn};
+use super::{print, warn, worst};
 use crate::error::Error;
 use crate::gear::Side;
 use crate::input;
-use crate::mesh::{Certifier, CutPair, ExactKernel};
+use crate::mesh::{
+    Certifier, CutPair, ExactKernel, Exaggeration, LostMotion, Method, SweptPose, sweep,
+};
 use crate::output::OutputFolder;
 use crate::pair::{Assembly, Mating, Member, Pose};
 use crate::render::{self, Snapshot};
 use crate::study::{Material, Study};
 use clap::ValueEnum;
+use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -23,10 +26,13 @@ pub(super) struct Args {
     pair: PathBuf,
     /// Wheel tooth and pinion tooth that mate, such as 11,11
     #[arg(long, value_name = "W,P", value_parser = teeth)]
-    mating: (u32, u32),
+    mating: Option<(u32, u32)>,
     /// Flank, seen from the front, that passes through the operating pitch point
     #[arg(long, value_enum)]
-    flank: Flank,
+    flank: Option<Flank>,
+    /// The pose with the least backlash of all the pair file asks for, instead of --mating and --flank
+    #[arg(long, conflicts_with_all = ["mating", "flank", "fraction"])]
+    worst: bool,
     /// Pitches beyond that pose
     #[arg(
         long,
@@ -35,13 +41,19 @@ pub(super) struct Args {
         allow_negative_numbers = true
     )]
     fraction: f64,
-    /// Centre distance in mm [default: the first of the pair file]
+    /// Centre distance in mm [default: the first of the pair file; with --worst all]
     #[arg(long, value_name = "A")]
     center_distance: Option<f64>,
-    /// Which end of the thickness tolerances [default: most, where there are two]
+    /// Which end of the thickness tolerances [default: most, where there are two; with --worst both]
     #[arg(long, value_enum)]
     material: Option<End>,
-    /// The picture [default: out/<file stem>/snapshot_….svg]; - for standard output
+    /// Draw the deviations (thickness, pitch, eccentricity) this many times as large, before perfect teeth
+    #[arg(long, value_name = "FACTOR")]
+    exaggerate: Option<f64>,
+    /// Turn the gears through a pitch from this pose on, in contact: an animated SVG for a browser
+    #[arg(long, conflicts_with = "exaggerate")]
+    animate: bool,
+    /// The picture [default: out/<file stem>/snapshot_….svg or worst_….svg]; - for standard output
     #[arg(short, long, value_name = "FILE.svg")]
     output: Option<PathBuf>,
 }
@@ -69,36 +81,129 @@ fn teeth(text: &str) -> Result<(u32, u32), String> {
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let study = input::read(&args.pair)?;
     warn(&args.pair, &study.warnings);
+    let (title, stem, chord) = (study.title.clone(), study.stem.clone(), study.chord);
+    let subject = subject(args, study)?;
+    let target = match &args.output {
+        Some(file) => file.clone(),
+        None => PathBuf::from("out").join(stem).join(&subject.file),
+    };
+    let view = Snapshot {
+        title: &title,
+        assembly: &subject.assembly,
+        pose: &subject.pose,
+        material: subject.material.name(),
+        lost_motion: &subject.lost_motion,
+    };
+    let picture = match args.exaggerate {
+        None if args.animate => render::animation(&view, &pitch(&subject, chord)?),
+        None => render::snapshot(&view),
+        Some(factor) => render::exaggerated(&view, &exaggeration(&subject.assembly, factor)?),
+    };
+    write(&target, picture)
+}
+
+/// What is drawn, and the name of its file.
+struct Subject {
+    material: Material,
+    assembly: Assembly,
+    pose: Pose,
+    lost_motion: LostMotion,
+    file: String,
+}
+
+/// The pose asked for, or the worst.
+fn subject(args: &Args, study: Study) -> Result<Subject, Error> {
+    if args.worst {
+        let material = args.material.map(|end| material(end, &study)).transpose()?;
+        let (run, pose) = worst::find(study, args.center_distance, material)?;
+        let (distance, end) = (run.assembly.center_distance(), run.material.name());
+        return Ok(Subject {
+            file: format!("worst_a{distance}_{end}.svg"),
+            material: run.material,
+            assembly: run.assembly,
+            pose: pose.pose,
+            lost_motion: pose.lost_motion,
+        });
+    }
+    let (Some(teeth), Some(flank)) = (args.mating, args.flank) else {
+        return Err(Error::Usage(
+            "which pose? give --mating W,P and --flank right|left, or --worst".to_owned(),
+        ));
+    };
     let (material, assembly) = assembly(args, &study)?;
-    let flank = match args.flank {
+    let flank = match flank {
         Flank::Right => Side::Right,
         Flank::Left => Side::Left,
     };
-    let mating = mating(args, &assembly, flank)?;
-    let name = format!(
-        "snapshot_{}_{}_{}_a{}_{}.svg",
-        mating.wheel_tooth,
-        mating.pinion_tooth,
-        flank.name(),
-        assembly.center_distance(),
-        material.name()
-    );
-    let target = match &args.output {
-        Some(file) => file.clone(),
-        None => PathBuf::from("out").join(&study.stem).join(name),
-    };
+    let mating = mating(teeth, args.fraction, &assembly, flank)?;
     let pose = Pose::new(&assembly, mating);
     let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|member| assembly.gear(member));
     let lost_motion = ExactKernel::new(&assembly).lost_motion(&pose)?;
     let cut = CutPair::new(wheel, pinion, study.chord);
     Certifier::new(cut.kernel(&assembly)).check(&pose, &lost_motion)?;
-    let picture = render::snapshot(&Snapshot {
-        title: &study.title,
-        assembly: &assembly,
-        pose: &pose,
-        material: material.name(),
-        lost_motion: &lost_motion,
-    });
+    Ok(Subject {
+        file: format!(
+            "snapshot_{}_{}_{}_a{}_{}.svg",
+            mating.wheel_tooth,
+            mating.pinion_tooth,
+            flank.name(),
+            assembly.center_distance(),
+            material.name()
+        ),
+        material,
+        assembly,
+        pose,
+        lost_motion,
+    })
+}
+
+/// Steps of an animation: ten a second.
+const STEPS: u32 = 60;
+
+/// What is found at every step through a pitch from the subject's pose on, both ends included.
+fn pitch(subject: &Subject, chord: f64) -> Result<Vec<SweptPose>, Error> {
+    let assembly = &subject.assembly;
+    let matings: Vec<Mating> = (0..=STEPS)
+        .map(|step| Mating {
+            fraction: subject.pose.mating().fraction + f64::from(step) / f64::from(STEPS),
+            ..*subject.pose.mating()
+        })
+        .collect();
+    let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|member| assembly.gear(member));
+    let cut = CutPair::new(wheel, pinion, chord);
+    let method = Method::Exact { certify: true };
+    sweep(assembly, &cut, method, &matings, 0.0, &|| {
+        ControlFlow::Continue(())
+    })
+}
+
+/// Factors to fall back on, and the range of those allowed.
+const FACTORS: [f64; 16] = [
+    100_000.0, 50_000.0, 20_000.0, 10_000.0, 5000.0, 2000.0, 1000.0, 500.0, 200.0, 100.0, 50.0,
+    20.0, 10.0, 5.0, 2.0, 1.0,
+];
+
+/// Both gears with their deviations `factor` times as large; an error names the factor that would do.
+fn exaggeration(assembly: &Assembly, factor: f64) -> Result<Exaggeration<'_>, Error> {
+    if !(factor >= FACTORS[15] && factor <= FACTORS[0]) {
+        return Err(Error::Usage(format!(
+            "--exaggerate {factor}: a factor between 1 and {}",
+            FACTORS[0]
+        )));
+    }
+    Exaggeration::new(assembly, factor).map_err(|reason| {
+        let fits =
+            |smaller: &f64| *smaller < factor && Exaggeration::new(assembly, *smaller).is_ok();
+        let advice = match FACTORS.into_iter().find(fits) {
+            Some(smaller) => format!("; {smaller} would do"),
+            None => String::new(),
+        };
+        Error::Usage(format!("--exaggerate {factor}: {reason}{advice}"))
+    })
+}
+
+/// Writes the picture to `target` and prints where it is; to standard output when that is `-`.
+fn write(target: &Path, picture: String) -> Result<ExitCode, Error> {
     if target == Path::new("-") {
         print(&picture);
         return Ok(ExitCode::SUCCESS);
@@ -114,18 +219,24 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     Ok(ExitCode::SUCCESS)
 }
 
+/// The material of `study` that `--material` names.
+fn material(end: End, study: &Study) -> Result<Material, Error> {
+    match (end, study.materials.len()) {
+        (End::Most, 2) => Ok(Material::Most),
+        (End::Least, 2) => Ok(Material::Least),
+        _ => Err(Error::Usage(
+            "--material: this pair file states one thickness a gear; leave the option out"
+                .to_owned(),
+        )),
+    }
+}
+
 /// The gears at the material and centre distance asked for.
 fn assembly(args: &Args, study: &Study) -> Result<(Material, Assembly), Error> {
-    let wanted = match (args.material, study.materials.len()) {
-        (None, 1) => Material::AsMeasured,
-        (None, _) | (Some(End::Most), 2) => Material::Most,
-        (Some(End::Least), 2) => Material::Least,
-        (Some(_), _) => {
-            return Err(Error::Usage(
-                "--material: this pair file states one thickness a gear; leave the option out"
-                    .to_owned(),
-            ));
-        }
+    let wanted = match args.material {
+        Some(end) => material(end, study)?,
+        None if study.materials.len() == 1 => Material::AsMeasured,
+        None => Material::Most,
     };
     let first = study.center_distances.first().copied();
     let Some(distance) = args.center_distance.or(first) else {
@@ -153,8 +264,12 @@ fn assembly(args: &Args, study: &Study) -> Result<(Material, Assembly), Error> {
         .map_err(|reason| Error::Usage(format!("--center-distance {distance}: {reason}")))
 }
 
-fn mating(args: &Args, assembly: &Assembly, flank: Side) -> Result<Mating, Error> {
-    let (wheel_tooth, pinion_tooth) = args.mating;
+fn mating(
+    (wheel_tooth, pinion_tooth): (u32, u32),
+    fraction: f64,
+    assembly: &Assembly,
+    flank: Side,
+) -> Result<Mating, Error> {
     for (member, tooth) in [(Member::Wheel, wheel_tooth), (Member::Pinion, pinion_tooth)] {
         let teeth = assembly.gear(member).gear().toothing().teeth();
         if !(1..=teeth).contains(&tooth) {
@@ -164,16 +279,15 @@ fn mating(args: &Args, assembly: &Assembly, flank: Side) -> Result<Mating, Error
             )));
         }
     }
-    if !(args.fraction.abs() <= 1000.0) {
+    if !(fraction.abs() <= 1000.0) {
         return Err(Error::Usage(format!(
-            "--fraction {}: a number of pitches between -1000 and 1000",
-            args.fraction
+            "--fraction {fraction}: a number of pitches between -1000 and 1000"
         )));
     }
     Ok(Mating {
         wheel_tooth,
         pinion_tooth,
         flank,
-        fraction: args.fraction,
+        fraction,
     })
 }

@@ -110,6 +110,34 @@ impl AsBuilt {
         }
     }
 
+    /// This gear with its deviations `factor` times as large, for a picture: from the perfect gear of nominal
+    /// thickness on, mean thickness, per-tooth thickness, pitch and eccentricity. Root and fillet are the nominal gear's,
+    /// and turn with their flank.
+    ///
+    /// # Errors
+    /// As [`Gear::new`] for the perfect gear; a factor that leaves a tooth without tip, a space without room
+    /// or a runout of the tooth depth.
+    pub fn exaggerated(&self, factor: f64) -> Result<AsBuilt, GearError> {
+        let gear = Gear::nominal(*self.gear.blank())?;
+        let thicker = self.gear.half_base_angle() - gear.half_base_angle();
+        let enlarged = |list: &[f64], side: Side| {
+            let offsets = list.iter();
+            offsets
+                .map(|offset| factor * (offset + side.sense() * thicker))
+                .collect()
+        };
+        let exaggerated = AsBuilt {
+            right: enlarged(&self.right, Side::Right),
+            left: enlarged(&self.left, Side::Left),
+            eccentricity: factor * self.eccentricity,
+            gear,
+            ..*self
+        };
+        exaggerated.check_runout()?;
+        exaggerated.check_teeth()?;
+        Ok(exaggerated)
+    }
+
     fn offsets(&mut self, side: Side) -> &mut Vec<f64> {
         match side {
             Side::Right => &mut self.right,

@@ -106,6 +106,21 @@ impl<'a> Placed<'a> {
         points.map(self.place(side, tooth)).collect()
     }
 
+    /// One curve of a flank, tip end first, mm, chords within `chord` mm; empty where it has no length.
+    pub fn curve(&self, side: Side, tooth: u32, curve: Curve, chord: f64) -> Vec<Point2<f64>> {
+        let half = HalfTooth::new(self.as_built.gear(), side, chord);
+        let segments = half.segments();
+        let Some(first) = segments.iter().position(|s| s.curve == curve) else {
+            return Vec::new();
+        };
+        let count = segments[first..]
+            .iter()
+            .take_while(|s| s.curve == curve)
+            .count();
+        let points = half.points()[first..=first + count].iter();
+        points.map(self.place(side, tooth)).collect()
+    }
+
     /// From the frame of a tooth to the picture, for the half tooth of `side`.
     fn place(&self, side: Side, tooth: u32) -> impl Fn(&Point2<f64>) -> Point2<f64> + use<> {
         let offset = self.as_built.flank_offset(side, tooth);

@@ -3,14 +3,20 @@
 mod class;
 mod contact;
 mod exact;
+mod exaggeration;
 mod lost_motion;
+mod meeting;
+mod overlap;
 mod polygon;
 mod scene;
 mod sweep;
 
 pub use class::{ContactClass, ContactKind, Moment, PoseClass};
 pub use exact::ExactKernel;
+pub use exaggeration::{Exaggeration, Found};
 pub use lost_motion::{Contact, LostMotion, Status, Touch};
+pub use meeting::Meeting;
+pub use overlap::Overlap;
 pub use polygon::{Certifier, CutGear, PolygonKernel};
-pub use scene::{Drawn, LineOfAction, Meeting, Scene};
+pub use scene::{Drawn, LineOfAction, Scene};
 pub use sweep::{CutPair, Method, SweptPose, sweep};

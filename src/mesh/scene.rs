@@ -4,11 +4,11 @@
 //! The free gear is drawn in contact on the mating's flank, so that all of the
 //! lost motion lies open on the other side. A pose without lost motion is drawn at the nominal rotation.
 
-use super::{Contact, LostMotion, Status};
+use super::overlap::{Overlap, overlaps};
+use super::{LostMotion, Meeting, Status};
 use crate::gear::{Placed, Side};
 use crate::pair::{Assembly, Member, Pose};
-use nalgebra::{Point2, Rotation2, UnitComplex, Vector2};
-use std::f64::consts::TAU;
+use nalgebra::{Point2, UnitComplex, center};
 
 /// Where the free gear is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -17,25 +17,6 @@ pub enum Drawn {
     AtContact(Side),
     /// At the pose's nominal rotation, for want of a lost motion.
     Nominal,
-}
-
-/// The two points of a contact, apart unless the gears are drawn in that contact.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Meeting {
-    /// The flanks that meet.
-    pub side: Side,
-    /// The contact they meet in.
-    pub contact: Contact,
-    /// The locked gear's point, mm.
-    pub on_locked: Point2<f64>,
-    /// The free gear's point as drawn, mm.
-    pub on_free: Point2<f64>,
-    /// Unit normal out of the locked gear's metal.
-    pub normal: Vector2<f64>,
-    /// Turn of the free gear from here to the contact, rad, counter-clockwise; 0 when drawn in it.
-    pub turn: f64,
-    /// The same as a length along the free gear's base circle, mm; negative where the flanks overlap.
-    pub gap: f64,
 }
 
 /// The line on which involutes touch on one side: the common tangent of both base circles.
@@ -48,6 +29,11 @@ pub struct LineOfAction {
     /// The path of contact, between the tip circles; `None` out of mesh.
     pub path: Option<[Point2<f64>; 2]>,
 }
+
+/// Chordal error of an overlap's outline, in depths.
+const FINE: f64 = 1.0 / 2000.0;
+/// How far round a contact its overlap is looked for, modules: a tooth is 2.25 deep.
+const REACH: f64 = 3.0;
 
 /// The pose as drawn.
 #[derive(Debug, Clone)]
@@ -149,6 +135,26 @@ impl<'a> Scene<'a> {
         room
     }
 
+    /// The metal both gears claim at `meeting`, nearest its points; `None` where they do not overlap there.
+    ///
+    /// Of outlines with chords within a two-thousandth of the depth, which leaves the area of a thin
+    /// piece right to a few thousandths.
+    pub fn overlap(&self, meeting: &Meeting) -> Option<Overlap> {
+        if meeting.gap >= 0.0 {
+            return None;
+        }
+        let module = self.wheel.as_built().gear().toothing().module();
+        let chord = (-meeting.along_normal * FINE).clamp(1e-8 * module, 1e-5 * module);
+        let place = center(&meeting.on_locked, &meeting.on_free);
+        let outline = |placed: &Placed| placed.outline_near(place, REACH * module, chord);
+        let pieces = overlaps(&outline(&self.wheel), &outline(&self.pinion));
+        // Where flanks only touch, their chords may cross by both chordal errors.
+        let real = pieces
+            .into_iter()
+            .filter(|piece| piece.width() > 2.0 * chord);
+        real.min_by(|a, b| a.distance(place).total_cmp(&b.distance(place)))
+    }
+
     /// How the pose ended.
     pub fn status(&self) -> Status {
         self.lost_motion.status()
@@ -198,28 +204,5 @@ impl<'a> Scene<'a> {
             ends,
             path: (from < to).then(|| [at(from), at(to)]),
         })
-    }
-}
-
-impl Meeting {
-    fn new(assembly: &Assembly, side: Side, contact: Contact, rotation: f64) -> Meeting {
-        let turn = contact.rotation - rotation;
-        let turn = turn - TAU * (turn / TAU).round();
-        let free = assembly.axis(assembly.free());
-        Meeting {
-            side,
-            contact,
-            on_locked: contact.point,
-            on_free: match turn {
-                0.0 => contact.point,
-                _ => free + Rotation2::new(-turn) * (contact.point - free),
-            },
-            normal: match assembly.locked() {
-                Member::Wheel => contact.normal,
-                Member::Pinion => -contact.normal,
-            },
-            turn,
-            gap: side.sense() * turn * assembly.gear(assembly.free()).gear().base_radius(),
-        }
     }
 }

@@ -136,7 +136,7 @@ impl<'a> Solver<'a> {
 /// The lost motion of `assembly` at each of `matings`, in their order, whatever the number of threads.
 ///
 /// `cut` are the gears of `assembly`; `clearance` is the sum `c` of both radial
-/// bearing clearances, mm. `tick` is called after each pose, from any thread; a break ends the sweep.
+/// bearing clearances, mm. `tick` is called as each pose begins, from any thread; a break ends the sweep.
 ///
 /// # Errors
 /// The first pose, in order, whose contact was lost or whose certificate failed; [`Error::Interrupted`]
@@ -161,15 +161,15 @@ pub fn sweep(
     let poses: Vec<Result<SweptPose, Error>> = matings
         .par_iter()
         .map(|mating| {
+            if tick().is_break() {
+                return Err(Error::Interrupted);
+            }
             let pose = Pose::new(assembly, *mating);
             let (lost_motion, polygon_difference) = here.lost_motion(&pose)?;
             let with_clearance = match &ends {
                 None => None,
                 Some([near, far]) => Some([near.backlash_at(mating)?, far.backlash_at(mating)?]),
             };
-            if tick().is_break() {
-                return Err(Error::Interrupted);
-            }
             let backlash = here.backlash(&lost_motion);
             Ok(SweptPose {
                 pose,

@@ -11,6 +11,15 @@ use svg::node::element::Group;
 
 /// Title, mating and result, from `left` on and no wider than `room`.
 pub fn draw(view: &Snapshot, scene: &Scene, left: f64, room: f64) -> Group {
+    let result = result_line(scene);
+    let size = f64::min(16.0, 16.0 * room / labels::width(&result, 16.0));
+    let mut result = text(&result, [left, 97.0], size, false);
+    result.assign("fill", INK);
+    heading(view, left, room).add(result)
+}
+
+/// Title and mating.
+pub fn heading(view: &Snapshot, left: f64, room: f64) -> Group {
     let mut title = text(
         &labels::shortened(view.title, 24.0, room),
         [left, 46.0],
@@ -21,11 +30,7 @@ pub fn draw(view: &Snapshot, scene: &Scene, left: f64, room: f64) -> Group {
     let pose = labels::shortened(&pose_line(view), 16.0, room);
     let mut pose = text(&pose, [left, 73.0], 16.0, true);
     pose.assign("fill", GREY);
-    let result = result_line(scene);
-    let size = f64::min(16.0, 16.0 * room / labels::width(&result, 16.0));
-    let mut result = text(&result, [left, 97.0], size, false);
-    result.assign("fill", INK);
-    Group::new().add(title).add(pose).add(result)
+    Group::new().add(title).add(pose)
 }
 
 fn pose_line(view: &Snapshot) -> String {

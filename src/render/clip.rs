@@ -64,6 +64,21 @@ pub fn runs(points: &[Spot], frame: &Frame) -> Vec<Vec<Spot>> {
     runs
 }
 
+/// The parts of an open line inside `frame`, cut at its edge.
+pub fn parts(points: &[Spot], frame: &Frame) -> Vec<Vec<Spot>> {
+    let mut parts: Vec<Vec<Spot>> = Vec::new();
+    for pair in points.windows(2) {
+        let Some([from, to]) = segment(pair[0], pair[1], frame) else {
+            continue;
+        };
+        match parts.last_mut() {
+            Some(part) if part.last() == Some(&from) => part.push(to),
+            _ => parts.push(vec![from, to]),
+        }
+    }
+    parts
+}
+
 fn inside(spot: Spot, (axis, limit, sign): Edge) -> bool {
     sign * (spot[axis] - limit) >= 0.0
 }

@@ -1,11 +1,11 @@
 //! Both gears in one view: metal, gap, overlap, circles, lines of action.
 
-use super::clip;
 use super::labels::Occupied;
 use super::page::{ACTION, GAP, GREY, INK, OVERLAP, PATH, PINION, Spot, WHEEL, line, path_data};
 use super::view::{MARGIN, View};
+use super::{clip, met};
 use crate::gear::Side;
-use crate::mesh::Scene;
+use crate::mesh::{Meeting, Scene};
 use crate::pair::Member;
 use svg::node::element::{ClipPath, Definitions, Group, Path, Use};
 
@@ -24,6 +24,8 @@ pub struct Look<'a> {
     pub sides: &'a [Side],
     /// Whether outlines are drawn over an overlap, or it over them.
     pub outlines_last: bool,
+    /// Width of the bands on the curves that met.
+    pub band: f64,
 }
 
 /// Draws the gears of `scene` into `view`.
@@ -82,6 +84,7 @@ pub fn draw(scene: &Scene, view: &View, look: &Look, occupied: &mut Occupied) ->
     for (name, fill) in names.iter().zip([WHEEL, PINION]) {
         group = group.add(metal_of(name).set("fill", fill));
     }
+    let shown = |meeting: &&Meeting| look.sides.contains(&meeting.side);
     let outlines = names.each_ref().map(|name| {
         metal_of(name)
             .set("fill", "none")
@@ -95,19 +98,26 @@ pub fn draw(scene: &Scene, view: &View, look: &Look, occupied: &mut Occupied) ->
             .set("fill", fill)
             .set("clip-path", format!("url(#{}-clip)", names[0]))
     });
+    let met = scene.meetings().iter().filter(shown);
+    let bands = met.fold(Group::new(), |bands, meeting| {
+        bands.add(met::bands(scene, meeting, view, id, look.band))
+    });
+    let [outlines, overlap] =
+        [outlines, overlap].map(|layers| layers.into_iter().fold(Group::new(), Group::add));
     let layers = match look.outlines_last {
-        true => [overlap, outlines],
-        false => [outlines, overlap],
+        true => [overlap, bands, outlines],
+        false => [bands, outlines, overlap],
     };
-    group = layers.into_iter().flatten().fold(group, Group::add);
-    Gears {
-        group: lines_over(scene, view, look.sides, group, occupied),
-        metal,
+    group = layers.into_iter().fold(group, Group::add);
+    group = lines_over(scene, view, look.sides, group, occupied);
+    for meeting in scene.meetings().iter().filter(shown) {
+        group = group.add(met::limits(scene, meeting, view, occupied));
     }
+    Gears { group, metal }
 }
 
 /// Pitch and base circles, line of centres, lines of action with the paths of contact.
-fn lines_over(
+pub fn lines_over(
     scene: &Scene,
     view: &View,
     sides: &[Side],

@@ -7,7 +7,7 @@ use super::main_view::centred;
 use super::marks::{self, IN_INSET};
 use super::page::{Frame, GREY, Spot, UNITS_PER_MM, text};
 use super::view::View;
-use super::{gears, scale};
+use super::{gears, met, overlap_label, scale};
 use crate::gear::Side;
 use crate::mesh::{Drawn, Meeting, Scene, Touch};
 use nalgebra::{Point2, center};
@@ -50,11 +50,13 @@ pub fn draw(scene: &Scene, meeting: &Meeting, view: &View) -> Group {
         id,
         sides: &[meeting.side],
         outlines_last: true,
+        band: met::BANDS[1],
     };
     let gears = gears::draw(scene, view, &look, &mut occupied);
     let mark = marks::draw(meeting, view, IN_INSET, &mut occupied)
         .set("clip-path", format!("url(#{id}-frame)"));
-    let mut group = Group::new().add(gears.group).add(mark);
+    let label = overlap_label::draw(scene, meeting, view, &mut occupied);
+    let mut group = Group::new().add(gears.group).add(mark).add(label);
     let names = [
         ("wheel", meeting.contact.wheel),
         ("pinion", meeting.contact.pinion),

@@ -81,6 +81,13 @@ impl Occupied {
         self.boxes.push(frame);
     }
 
+    /// Whether a line meets any box.
+    pub fn crosses_frame(&self, line: &[Spot; 2]) -> bool {
+        let [from, to] = *line;
+        let boxes = &mut self.boxes.iter();
+        boxes.any(|taken| clip::segment(from, to, taken).is_some())
+    }
+
     /// Whether nothing lies in `room` or within [`CLEAR`] of it.
     pub fn is_free(&self, room: &Frame) -> bool {
         self.is_clear(room, CLEAR)

@@ -1,18 +1,32 @@
 //! What the lines, marks and colours mean.
 
 use super::gears::{BASE_DASH, CENTRES_DASH, PITCH_DASH};
-use super::labels;
 use super::marks::{arrow, dot};
+use super::met::FORM_DASH;
 use super::page::{ACTION, Frame, GAP, GREY, INK, OVERLAP, PATH, Spot, line, text};
+use super::{labels, met};
+use crate::gear::Curve;
 use svg::node::Node;
 use svg::node::element::Group;
 
 /// Room for a sample, units of the sheet.
 const SAMPLE: f64 = 36.0;
 
-/// Rows of samples with their names, no wider than `room`, the first sample's left end at `at`;
-/// the colours of `gap` and `overlap` where there is one.
-pub fn draw(at: Spot, room: f64, gap: bool, overlap: bool) -> Group {
+/// What of the things that are not in every picture is in this one.
+#[derive(Debug, Clone, Default)]
+pub struct Shown {
+    /// A gap.
+    pub gap: bool,
+    /// An overlap.
+    pub overlap: bool,
+    /// The kinds of curve that met.
+    pub met: Vec<Curve>,
+    /// Form circle and base tangent point.
+    pub limits: bool,
+}
+
+/// Rows of samples with their names, no wider than `room`, the first sample's left end at `at`.
+pub fn draw(at: Spot, room: f64, shown: &Shown) -> Group {
     let dashed = |x: f64, y: f64, dash: &str| {
         Group::new().add(line(&[[x, y], [x + SAMPLE, y]], GREY, 1.1).set("stroke-dasharray", dash))
     };
@@ -71,16 +85,33 @@ pub fn draw(at: Spot, room: f64, gap: bool, overlap: bool) -> Group {
             Box::new(|x, y| dashed(x, y, PITCH_DASH)),
         ),
         ("base circle", Box::new(|x, y| dashed(x, y, BASE_DASH))),
+        ("form circle", Box::new(|x, y| dashed(x, y, FORM_DASH))),
+        (
+            "base tangent point",
+            Box::new(|x, y| Group::new().add(met::diamond([x + 0.5 * SAMPLE, y]))),
+        ),
         (
             "line of centres",
             Box::new(|x, y| dashed(x, y, CENTRES_DASH)),
         ),
     ];
     samples.retain(|(name, _)| match *name {
-        "gap" => gap,
-        "overlap" => overlap,
+        "gap" => shown.gap,
+        "overlap" => shown.overlap,
+        "form circle" | "base tangent point" => shown.limits,
         _ => true,
     });
+    for curve in Curve::ALL {
+        if shown.met.contains(&curve) {
+            let name = match curve {
+                Curve::Involute => "involute that met",
+                Curve::Fillet => "fillet that met",
+                Curve::Tip => "tip that met",
+                Curve::Root => "root that met",
+            };
+            samples.push((name, Box::new(move |x, y| met::sample(x, y, SAMPLE, curve))));
+        }
+    }
     let mut group = Group::new();
     let [mut x, mut y] = at;
     for (name, sample) in &samples {
@@ -93,12 +124,11 @@ pub fn draw(at: Spot, room: f64, gap: bool, overlap: bool) -> Group {
         group = group.add(sample(x, y)).add(words);
         x += width + 16.0;
     }
-    let mut note = text(
-        "scales hold in print on A4",
-        [at[0] + room, y + 4.5],
-        13.0,
-        true,
-    );
+    const NOTE: &str = "scales hold in print on A4";
+    if x + labels::width(NOTE, 13.0) > at[0] + room {
+        y += 25.0;
+    }
+    let mut note = text(NOTE, [at[0] + room, y + 4.5], 13.0, true);
     note.assign("text-anchor", "end");
     note.assign("fill", GREY);
     group.add(note)

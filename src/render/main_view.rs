@@ -16,6 +16,8 @@ use svg::node::element::Group;
 const PITCHES: f64 = 1.5;
 /// Room kept round what must be seen, modules.
 const BORDER: f64 = 1.0;
+/// How far off a base tangent point is brought into view, modules: two pitches, a third more than is shown anyway.
+const NEAR: f64 = 6.3;
 /// Size of tooth numbers.
 const SIZE: f64 = 15.0;
 
@@ -45,6 +47,15 @@ pub fn view(scene: &Scene, frame: Frame) -> View {
         .filter_map(|side| scene.line_of_action(*side))
     {
         action.path.iter().flatten().copied().for_each(&mut include);
+        let meetings = scene.meetings().iter();
+        for meeting in meetings.filter(|meeting| meeting.side == action.side) {
+            let is_limit = [Member::Wheel, Member::Pinion].map(|m| meeting.is_below_form_circle(m));
+            let ends = action.ends.into_iter().zip(is_limit);
+            // Tangent points of large gears lie too far off to be worth the smaller scale.
+            let is_near = |end: &Point2<f64>| (end - middle).norm() <= NEAR * module;
+            ends.filter(|(end, is_limit)| *is_limit && is_near(end))
+                .for_each(|(end, _)| include(end));
+        }
     }
     let fits = f64::min(0.5 * frame.width() / half.x, 0.5 * frame.height() / half.y);
     View::new(

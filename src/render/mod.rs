@@ -1,9 +1,11 @@
 //! Pictures, tables and files. The renderer computes nothing about gears: it takes results and draws them.
 
+mod animation;
 mod caption;
 pub mod check;
 mod clip;
 pub mod comparison;
+mod exaggerated;
 mod gears;
 mod inset;
 mod labels;
@@ -12,6 +14,8 @@ mod link;
 mod main_view;
 mod map;
 mod marks;
+mod met;
+mod overlap_label;
 mod page;
 mod result;
 mod scale;
@@ -19,7 +23,9 @@ mod snapshot;
 mod table;
 mod view;
 
+pub use animation::animation;
 pub use comparison::ComparedPair;
+pub use exaggerated::exaggerated;
 pub use map::{map_csv, map_picture};
 pub use result::{ResultFile, result_file};
 pub use snapshot::{Snapshot, snapshot};

@@ -5,11 +5,12 @@
 
 use super::gears::Look;
 use super::labels::Occupied;
+use super::legend::Shown;
 use super::link::Link;
 use super::marks::{self, IN_MAIN};
 use super::page::{Frame, HEIGHT, UNITS_PER_MM, WIDTH, line, text};
 use super::view::View;
-use super::{caption, gears, inset, legend, main_view, scale};
+use super::{caption, gears, inset, legend, main_view, met, scale};
 use crate::gear::Side;
 use crate::mesh::{LostMotion, Meeting, Scene, Status};
 use crate::pair::{Assembly, Member, Pose};
@@ -36,16 +37,17 @@ const MESH: Look = Look {
     id: "mesh",
     sides: &Side::BOTH,
     outlines_last: false,
+    band: met::BANDS[0],
 };
 /// The mesh zone's frame.
-const MAIN: Frame = Frame {
+pub const MAIN: Frame = Frame {
     left: 30.0,
     top: 142.0,
     right: 610.0,
     bottom: 730.0,
 };
 /// The insets' frames, the upper one first.
-const INSETS: [Frame; 2] = [
+pub const INSETS: [Frame; 2] = [
     Frame {
         left: 662.0,
         top: 162.0,
@@ -65,7 +67,11 @@ pub fn snapshot(view: &Snapshot) -> String {
     let scene = Scene::new(view.assembly, view.pose, view.lost_motion);
     let main = main_view::view(&scene, MAIN);
     let mut occupied = Occupied::default();
-    let drawn = gears::draw(&scene, &main, &MESH, &mut occupied);
+    let look = Look {
+        outlines_last: scene.status() == Status::Jammed,
+        ..MESH
+    };
+    let drawn = gears::draw(&scene, &main, &look, &mut occupied);
     let mut over = Group::new().set("clip-path", "url(#mesh-frame)");
     let mut links = Vec::new();
     let mut insets = Group::new();
@@ -102,8 +108,7 @@ pub fn snapshot(view: &Snapshot) -> String {
     let links = links
         .iter()
         .fold(Group::new(), |group, link| group.add(link.draw(&taken)));
-    let gap = scene.meetings().iter().any(|meeting| meeting.gap > 0.0);
-    let overlap = matches!(scene.status(), Status::Interference | Status::Jammed);
+    let shown = shown(&scene);
     let sheet = SVG::new()
         .set("viewBox", format!("0 0 {WIDTH} {HEIGHT}"))
         .set("width", format!("{}mm", WIDTH / UNITS_PER_MM))
@@ -131,10 +136,9 @@ pub fn snapshot(view: &Snapshot) -> String {
         .add(numbers)
         .add(scale::bar([MAIN.left, MAIN.bottom + 16.0], main.scale()))
         .add(legend::draw(
-            [MAIN.left, 780.0],
+            [MAIN.left, 772.0],
             WIDTH - 2.0 * MAIN.left,
-            gap,
-            overlap,
+            &shown,
         ));
     format!("{sheet}\n")
 }
@@ -162,8 +166,22 @@ fn slots<'s>(scene: &'s Scene, main: &View) -> Vec<(Option<&'s Meeting>, Side, F
         .collect()
 }
 
+fn shown(scene: &Scene) -> Shown {
+    let meetings = scene.meetings();
+    let members = [Member::Wheel, Member::Pinion];
+    let touches = meetings
+        .iter()
+        .flat_map(|m| members.map(|member| m.touch(member)));
+    Shown {
+        gap: meetings.iter().any(|meeting| meeting.gap > 0.0),
+        overlap: matches!(scene.status(), Status::Interference | Status::Jammed),
+        met: touches.map(|touch| touch.curve).collect(),
+        limits: meetings.iter().any(|m| !met::below_form(m).is_empty()),
+    }
+}
+
 /// The gears' names over the mesh zone.
-fn names(scene: &Scene) -> Group {
+pub fn names(scene: &Scene) -> Group {
     let name = |member: Member| {
         let role = match member == scene.assembly().locked() {
             true => "locked",
@@ -192,7 +210,7 @@ fn names(scene: &Scene) -> Group {
 }
 
 /// Dark diagonal lines, so that an overlap shows without colour.
-fn hatch() -> Definitions {
+pub fn hatch() -> Definitions {
     Definitions::new().add(
         Pattern::new()
             .set("id", "hatch")

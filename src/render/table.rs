@@ -27,6 +27,7 @@ pub fn simulation(study: &Study, runs: &[ComparedRun], measured: &[MeasuredMatin
     let groups = phase_groups(runs);
     if groups.is_empty() {
         text += &run_table(study, runs);
+        text += RUN_LEGEND;
     }
     for group in &groups {
         text += &phase_table(group);
@@ -34,6 +35,11 @@ pub fn simulation(study: &Study, runs: &[ComparedRun], measured: &[MeasuredMatin
     text += &off_line_note(runs);
     text
 }
+
+const RUN_LEGEND: &str = "\
+j_wt in µm, simulated; \"at\": mating, fraction of a pitch beyond it, flank. Off model 2, 3: largest
+difference to the involute and to the line-of-action formula. Negative backlash: interference.
+";
 
 pub(super) fn table(headings: &[&str]) -> Table {
     let mut table = Table::new();
@@ -88,10 +94,10 @@ fn measured_table(measured: &[MeasuredMating]) -> String {
     let mut table = table(&[
         "mating",
         "a mm",
-        "printed band",
-        "analytic band",
-        "simulated band",
-        "right",
+        "predicted (printed)",
+        "analytic",
+        "simulated",
+        "measured right",
         "left",
     ]);
     for mating in measured {
@@ -128,7 +134,7 @@ fn measured_count(study: &Study, measured: &[MeasuredMating]) -> String {
         .collect();
     let of = |side: i8| sides.iter().filter(|&&s| s == side).count();
     let mut text = format!(
-        "\n{} of {total} measured values lie inside the printed band: {} below it (↓), {} above it (↑).\n",
+        "\n{} of {total} measured values lie inside the predicted band: {} below it (↓), {} above it (↑).\n",
         of(0),
         of(-1),
         of(1),
@@ -146,7 +152,11 @@ fn measured_count(study: &Study, measured: &[MeasuredMating]) -> String {
             study.bearing_clearance
         );
     }
-    text += "Bands run from most to least material; analytic (model 2) and simulated are means of the right-flank and the left-flank pose. All in µm of j_wt.\n";
+    text += "\
+Backlash j_wt in µm. Bands run from most to least material. Predicted: as printed beside the
+measurement. Analytic: model 2 (involute); simulated: on the tooth outlines; both are means of the
+mating's right-flank and left-flank pose. ↓ ↑: measured below or above the predicted band.
+";
     text
 }
 
@@ -188,7 +198,9 @@ fn pose_table(runs: &[ComparedRun]) -> String {
                 format!("{},{}{beyond}", mating.wheel_tooth, mating.pinion_tooth),
                 mating.flank.name().to_owned(),
                 um(pose.swept.backlash, 3),
-                um(pose.swept.error_bound, 4),
+                pose.swept
+                    .error_bound
+                    .map_or("–".to_owned(), |bound| format!("{:.0e}", bound * 1e3)),
                 pose.swept.lost_motion.status().name().to_owned(),
                 contact(&pose.swept.lost_motion.right),
                 contact(&pose.swept.lost_motion.left),

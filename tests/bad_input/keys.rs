@@ -103,15 +103,19 @@ fn a_mistyped_key_has_no_consequences() {
 }
 
 #[test]
-fn keys_of_later_versions_are_unknown() {
+fn phases_stand_alone() {
     expect(
         &and("[sweep]\nmating = [[1, 1]]\nphases = \"all\""),
         &[problem(
             "sweep.phases",
             "\"all\"",
-            &["unknown key"],
-            "remove it",
+            &["stands beside mating"],
+            "remove one or the other",
         )],
+    );
+    expect(
+        &and("[sweep]\nphases = \"some\""),
+        &[problem("sweep.phases", "\"some\"", &["\"all\""], "")],
     );
 }
 

@@ -64,7 +64,7 @@ fn keys_that_do_not_go_together() {
         &[problem(
             "sweep.revolutions",
             "\"wheel\"",
-            &["one of mating and revolutions"],
+            &["one of mating, revolutions and phases"],
             "remove",
         )],
     );

@@ -104,6 +104,53 @@ impl Case {
         Assembly::new(wheel, pinion, distance, self.locked)
     }
 
+    /// Wheel and pinion exchanged, the locked gear with them: the picture turned by half a turn.
+    pub fn swapped(&self) -> Case {
+        Case {
+            wheel: self.pinion.clone(),
+            pinion: self.wheel.clone(),
+            locked: self.locked.mate(),
+            mating: Mating {
+                wheel_tooth: self.mating.pinion_tooth,
+                pinion_tooth: self.mating.wheel_tooth,
+                ..self.mating
+            },
+            ..self.clone()
+        }
+    }
+
+    /// Teeth renumbered by these amounts, taken around.
+    pub fn renumbered(&self, wheel_by: u32, pinion_by: u32) -> Case {
+        let by = (wheel_by % self.wheel.teeth, pinion_by % self.pinion.teeth);
+        Case {
+            wheel: self.wheel.renumbered(by.0),
+            pinion: self.pinion.renumbered(by.1),
+            mating: Mating {
+                wheel_tooth: self.wheel.renumber(self.mating.wheel_tooth, by.0),
+                pinion_tooth: self.pinion.renumber(self.mating.pinion_tooth, by.1),
+                ..self.mating
+            },
+            ..self.clone()
+        }
+    }
+
+    /// Seen from behind: faces and flanks swap.
+    pub fn mirrored(&self) -> Case {
+        let flank = match self.mating.flank {
+            Side::Right => Side::Left,
+            Side::Left => Side::Right,
+        };
+        Case {
+            wheel: self.wheel.mirrored(),
+            pinion: self.pinion.mirrored(),
+            mating: Mating {
+                flank,
+                ..self.mating
+            },
+            ..self.clone()
+        }
+    }
+
     pub fn evaluate(&self, scale: f64) -> (Assembly, Analytic) {
         let assembly = self.assemble(scale);
         let analytic = evaluate(&assembly, &Pose::new(&assembly, self.mating));

@@ -198,3 +198,33 @@ fn every_other_key_is_taken_over() {
     assert_eq!(study.tolerance_um, 0.5);
     assert!(study.allow_off_line_contact);
 }
+
+/// The pair file that README shows, and with every key that it shows commented out but the contradicting ones.
+#[test]
+fn the_pair_file_of_the_readme_is_one() {
+    let readme = fs::read_to_string("README.md").unwrap();
+    let text = readme
+        .split("```toml")
+        .nth(1)
+        .unwrap()
+        .split("```")
+        .next()
+        .unwrap();
+    let study = study(text);
+    assert_eq!(study.title, "My pair");
+    assert_eq!(study.center_distances, [132.21, 132.15]);
+    assert_eq!(study.materials.len(), 2);
+    let more = text
+        .replace("# [accuracy]", "[accuracy]")
+        .replace("# chord", "chord");
+    let more = more
+        .replace("# [compare]", "[compare]")
+        .replace("# tolerance", "tolerance");
+    let more = more
+        .replace("# allow_off", "allow_off")
+        .replace("# fraction", "fraction");
+    let more = more
+        .replace("# tip_diameter", "tip_diameter")
+        .replace("# locked", "locked");
+    assert_eq!(self::study(&more).tolerance_um, 0.1);
+}

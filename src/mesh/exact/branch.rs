@@ -17,6 +17,7 @@
 //! All bounds come from the distance and turn of the curve from its middle ([`Shape::spread`]);
 //! nothing is assumed of the curves' shape.
 
+use super::hit::Hit;
 use super::shape::{C, Sample, Shape};
 use crate::gear::Curve;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -34,6 +35,11 @@ pub(super) struct Placed<'a> {
 }
 
 impl Placed<'_> {
+    /// Radius about the free axis of a point of the half tooth's own frame.
+    pub fn own_to_axis(&self, point: C) -> f64 {
+        (self.centre + self.direction * point).norm_sqr().sqrt()
+    }
+
     pub fn at(&self, curve: Curve, t: f64) -> Sample {
         let sample = self.shape.at(curve, t);
         Sample {
@@ -41,19 +47,6 @@ impl Placed<'_> {
             normal: self.direction * sample.normal,
         }
     }
-}
-
-/// Where two half teeth meet.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Hit {
-    /// Gap, rad: the free gear's rotation, counted as the caller's `origin` does.
-    pub gap: f64,
-    /// Bound on what branching left out, rad.
-    pub slack: f64,
-    /// Curve and parameter on the locked gear.
-    pub locked: (Curve, f64),
-    /// Curve and parameter on the free gear.
-    pub free: (Curve, f64),
 }
 
 /// Two curves that [`MOST_NODES`] did not settle, the locked gear's first.
@@ -163,23 +156,24 @@ impl Arc {
         } else if rho >= self.radii.1 {
             outer
         } else {
-            invert(placed, self.curve, rho, inner, outer)
+            let middle = 0.5 * (inner + outer);
+            invert(placed, self.curve, rho, [inner, outer], middle)
         }
     }
 }
 
 /// The parameter between `inner` and `outer` at which `curve` has the radius `rho`, `|P|` rising from one to the other.
 ///
-/// Newton's method on `|P|² − ρ²`, halved whenever it leaves its bracket. It
+/// Newton's method on `|P|² − ρ²` from `start`, halved whenever it leaves its bracket. It
 /// ends when the step or the rest is lost in rounding.
 pub(super) fn invert(
     placed: &Placed,
     curve: Curve,
     rho: f64,
-    mut inner: f64,
-    mut outer: f64,
+    [mut inner, mut outer]: [f64; 2],
+    start: f64,
 ) -> f64 {
-    let mut t = 0.5 * (inner + outer);
+    let mut t = start;
     for _ in 0..128 {
         let sample = placed.at(curve, t);
         let rest = sample.point.norm_sqr() - rho * rho;
@@ -207,7 +201,28 @@ pub(super) fn invert(
     t
 }
 
-/// The greatest gap of two half teeth, if it exceeds `floor`, over all their curves.
+/// A set of pairs of curves, the locked gear's first.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(super) struct Curves([[bool; 4]; 4]);
+
+impl Curves {
+    /// Every pair.
+    pub const ALL: Curves = Curves([[true; 4]; 4]);
+
+    pub fn add(&mut self, locked: Curve, free: Curve) {
+        self.0[locked as usize][free as usize] = true;
+    }
+
+    pub fn add_unless(&mut self, settled: bool, locked: Curve, free: Curve) {
+        self.0[locked as usize][free as usize] |= !settled;
+    }
+
+    pub fn is_empty(self) -> bool {
+        self == Curves::default()
+    }
+}
+
+/// The greatest gap of two half teeth over `curves`, if it reaches `floor`.
 ///
 /// `origin` is the free gear's direction from which gaps count, so that they are small angles.
 pub(super) fn search(
@@ -215,17 +230,20 @@ pub(super) fn search(
     free: &Placed,
     origin: C,
     floor: f64,
+    curves: Curves,
 ) -> Result<Option<Hit>, Unsettled> {
     let mut best: Option<Hit> = None;
     let mut level = floor;
     let mut nodes = Vec::new();
-    for ours in Curve::ALL {
-        for theirs in Curve::ALL {
-            if let Some(free_arc) = free_arc(free, theirs) {
-                let (low, high) = locked.shape.range(ours);
-                nodes.push((Arc::new(locked, ours, low, high), free_arc));
-            }
+    let frees = Curve::ALL.map(|curve| free_arc(free, curve));
+    for (ours, row) in Curve::ALL.into_iter().zip(curves.0) {
+        if row == [false; 4] {
+            continue;
         }
+        let (low, high) = locked.shape.range(ours);
+        let arc = Arc::new(locked, ours, low, high);
+        let theirs = frees.iter().zip(row).filter(|(_, wanted)| *wanted);
+        nodes.extend(theirs.filter_map(|(free, _)| Some((arc, (*free)?))));
     }
     let mut count = 0;
     while let Some((ours, theirs)) = nodes.pop() {
@@ -241,18 +259,17 @@ pub(super) fn search(
             continue;
         }
         let mut record = |t: f64, u: f64, slack: f64| {
-            let (p, q) = (locked.at(ours.curve, t), free.at(theirs.curve, u));
-            let gap = (p.point * q.point.conj() * origin).arg();
-            if gap > level {
-                level = gap;
-                best = Some(Hit {
-                    gap,
-                    slack,
-                    locked: (ours.curve, t),
-                    free: (theirs.curve, u),
-                });
+            let hit = Hit::new(
+                (locked, (ours.curve, t)),
+                (free, (theirs.curve, u)),
+                origin,
+                slack,
+            );
+            if hit.gap > level {
+                level = hit.gap;
+                best = Some(hit);
             }
-            gap
+            hit.gap
         };
         if let (Some(a), Some(b)) = (ours.slope, theirs.slope) {
             let mut meet = |rho: f64, slack: f64| {

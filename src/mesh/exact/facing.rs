@@ -9,22 +9,19 @@
 //! *Steps* count places counter-clockwise from the locked tooth nearest to the line of
 //! centres; the free tooth facing it lies as many steps clockwise of its own.
 
-use super::branch::{Hit, Placed};
-use super::shape::{C, turn};
-use super::teeth::{Teeth, reduced};
+use super::branch::Placed;
+use super::fast::Shortcut;
+use super::shape::C;
+use super::teeth::{Teeth, nearest, reduced};
 use crate::gear::{AsBuilt, Side};
 use crate::pair::{Assembly, Pose};
 use std::f64::consts::PI;
-use std::ops::RangeInclusive;
+use std::ops::Range;
 
 /// Pairs whose gaps differ by less than this at the free gear's base circle touch together.
 ///
 /// A thousand times the rounding of ordinary gears, and below what any result claims.
 const TIE_MM: f64 = 1e-9;
-
-/// Of pairs that tie, contacts whose distances from the pitch point differ by less count as
-/// equally near: far above rounding, far below a base pitch.
-const EQUALLY_NEAR_MM: f64 = 1e-6;
 
 /// Both gears' half teeth of one side.
 #[derive(Debug, Clone)]
@@ -36,6 +33,16 @@ pub(super) struct Facing {
     pub distance: f64,
     /// Half teeth whose centre line lies within these angles of the line of centres can reach the mate.
     window: Option<(f64, f64)>,
+    /// For pairs that need little or no search.
+    pub shortcut: Option<Shortcut>,
+    /// `1/r_bF`.
+    pub per_free_base: f64,
+    /// Pitches of the locked gear a radian.
+    per_pitch: f64,
+    /// Tie tolerance, rad.
+    pub tie: f64,
+    /// The operating pitch point.
+    pub pitch_point: C,
 }
 
 impl Facing {
@@ -50,43 +57,56 @@ impl Facing {
             free: Teeth::new(free, side),
             distance: assembly.center_distance(),
             window: None,
+            shortcut: None,
+            per_free_base: 1.0 / free.gear().base_radius(),
+            per_pitch: 1.0 / locked.gear().toothing().angular_pitch(),
+            tie: 0.0,
+            pitch_point: C::from(assembly.operating_pitch_radius(assembly.free())),
         };
-        facing.window = lens(locked, free, facing.distance).map(|half| {
+        let base = facing.free.shape.base;
+        facing.tie = TIE_MM / base + 2.0 * facing.rounding(base, 1.0);
+        facing.window = window_half(locked, free, facing.distance).map(|half| {
             let (least, most) = facing.locked.extremes;
             (-half - most, half + facing.locked.pitch / 2.0 - least)
         });
+        // A tie below the greatest gap must not be ruled out: both gears' points move by less than this.
+        let reach = facing.distance + locked.reach();
+        facing.shortcut = Shortcut::new(&facing, assembly, 2.0 * facing.tie * reach);
         facing
     }
 
-    /// Puts the teeth where `pose` has them.
-    pub fn stand(&self, pose: &Pose, locked_tooth: u32, free_tooth: u32) -> Stand<'_> {
-        let mirror = -self.side.sense();
-        let rotation = reduced(mirror * pose.locked_rotation());
+    /// Puts the teeth where `pose` has them: `rotation` is the locked gear's, reduced, and `turned` `e^{i rotation}`,
+    /// both as the picture counts them.
+    pub fn stand(&self, pose: &Pose, teeth: (u32, u32), rotation: f64, turned: C) -> Stand<'_> {
+        let (mirror, turned) = match self.side {
+            Side::Right => (1.0, turned),
+            Side::Left => (-1.0, turned.conj()),
+        };
         // Whole turns matter: a free gear with another number of teeth faces it with another tooth
         // each turn. The raw rotation counts them.
-        let pitch = self.locked.pitch;
-        let raw = mirror * pose.locked_rotation() + self.locked.pitches_to(locked_tooth) * pitch;
-        let steps = -(raw / pitch).round() as i64;
-        let locked_place = self.locked.place(locked_tooth, steps);
-        // Facing place, in the mirrored frame: see `Pose::facing_tooth`.
+        let pitches = mirror * pose.locked_rotation() * self.per_pitch;
+        let steps = -nearest(pitches + self.locked.pitches_to(teeth.0));
+        let locked_place = self.locked.place(teeth.0, steps);
+        // The facing place, in the mirrored frame: see `Pose::facing_tooth`.
         let beyond = i64::from(pose.mating().flank != self.side);
-        let free_place = self.free.place(free_tooth, beyond - steps);
-        let ahead = reduced(rotation + self.locked.angle(locked_place));
-        let turned = turn(rotation);
+        let free_place = self.free.place(teeth.1, beyond - steps);
+        let origin = self.free.direction(free_place);
         Stand {
             facing: self,
             turned,
             centre: C::from(self.distance) - turned * self.locked.displacement,
-            ahead,
+            ahead: reduced(mirror * rotation + self.locked.angle(locked_place)),
             locked_place,
             free_place,
-            origin: turn(self.free.angle(free_place)),
+            origin,
+            free_offset: self.free.offset(free_place),
+            free_centre: self.free.displacement * origin.conj(),
         }
     }
 
-    /// Tie tolerance, rad.
-    pub fn tie(&self) -> f64 {
-        TIE_MM / self.free.shape.base + 2.0 * self.rounding(self.free.shape.base, 1.0)
+    /// `Σ`, the sum of the base radii.
+    pub fn sum(&self) -> f64 {
+        self.locked.shape.base + self.free.shape.base
     }
 
     /// Bound on the rounding of a gap, rad, whose contact lies at `radius` from the free axis and
@@ -104,25 +124,32 @@ impl Facing {
 
 /// Half the angle at the locked axis within which the locked gear's teeth can reach into the free
 /// gear's tip circle, both about their rotation axes; `None` when they cannot.
-fn lens(locked: &AsBuilt, free: &AsBuilt, distance: f64) -> Option<f64> {
-    let (ours, theirs) = (locked.reach(), free.reach());
-    if ours + theirs < distance {
-        return None;
-    }
+fn window_half(locked: &AsBuilt, free: &AsBuilt, distance: f64) -> Option<f64> {
+    let half = lens_half(locked.reach(), free.reach(), distance)?;
     // The nearest point of the free gear's circle; the rest of the lens lies farther out.
-    let nearest = distance - theirs;
+    let nearest = distance - free.reach();
     if nearest <= locked.eccentricity() {
         return Some(PI);
     }
+    Some(half + (locked.eccentricity() / nearest).asin())
+}
+
+/// Half the angle at the centre of a circle of radius `ours` under which its overlap with a circle of
+/// radius `theirs`, `distance` away, is seen; `None` without overlap.
+pub(super) fn lens_half(ours: f64, theirs: f64, distance: f64) -> Option<f64> {
+    if ours + theirs < distance {
+        return None;
+    }
+    if theirs >= distance {
+        return Some(PI);
+    }
     let tangent = distance * distance - theirs * theirs;
-    let half = if ours * ours >= tangent {
+    Some(if ours * ours >= tangent {
         (theirs / distance).asin()
     } else {
-        ((ours * ours + tangent) / (2.0 * distance * ours))
-            .min(1.0)
-            .acos()
-    };
-    Some(half + (locked.eccentricity() / nearest).asin())
+        let cos = (ours * ours + tangent) / (2.0 * distance * ours);
+        cos.min(1.0).acos()
+    })
 }
 
 /// The half teeth of one side at one pose.
@@ -137,23 +164,25 @@ pub(super) struct Stand<'a> {
     pub ahead: f64,
     locked_place: usize,
     free_place: usize,
-    /// Direction of the free tooth of step 0 at rotation 0.
+    /// Direction of the free half tooth of step 0 at rotation 0, from which gaps count, and its offset.
     pub origin: C,
+    pub free_offset: f64,
+    /// Centre of the free outline at gap 0.
+    pub free_centre: C,
 }
 
 impl<'a> Stand<'a> {
     /// Steps whose locked half tooth can reach the free gear; empty when none can.
-    pub fn steps(&self) -> RangeInclusive<i64> {
+    pub fn steps(&self) -> Range<i64> {
         let Some((low, high)) = self.facing.window else {
-            #[allow(clippy::reversed_empty_ranges)]
-            return 1..=0;
+            return 0..0;
         };
-        let pitch = self.facing.locked.pitch;
-        // Never more than once round.
+        let per_pitch = self.facing.per_pitch;
+        // Never more than once round. The cast cuts towards zero: at worst a tooth too many.
         let half = (self.facing.locked.count() - 1) / 2;
-        let first = ((low - self.ahead) / pitch).ceil() as i64;
-        let last = ((high - self.ahead) / pitch).floor() as i64;
-        first.max(-half)..=last.min(half + 1)
+        let first = ((low - self.ahead) * per_pitch) as i64;
+        let last = ((high - self.ahead) * per_pitch) as i64;
+        first.max(-half)..last.min(half + 1) + 1
     }
 
     /// Places of the locked and the free tooth of a step.
@@ -188,37 +217,6 @@ impl<'a> Stand<'a> {
 
     /// The free gear's rotation at a gap, in this (mirrored) frame.
     pub fn rotation(&self, gap: f64) -> f64 {
-        gap - self.facing.free.angle(self.free_place)
+        gap - (self.facing.free.angle(self.free_place) + self.free_offset)
     }
-
-    /// Of hits that tie with the greatest gap, the one to name: nearest to the operating pitch
-    /// point, of equally near ones the first counter-clockwise of the locked gear as this frame sees it.
-    pub fn choose(&self, hits: &[(i64, Hit)]) -> Option<Touching> {
-        let greatest = hits.iter().map(|(_, hit)| hit.gap).reduce(f64::max)?;
-        let level = greatest - self.facing.tie();
-        let (base, mate) = (self.facing.free.shape.base, self.facing.locked.shape.base);
-        let pitch_point = C::from(self.facing.distance * base / (base + mate));
-        let mut chosen: Option<(f64, Touching)> = None;
-        for &(step, hit) in hits.iter().filter(|(_, hit)| hit.gap >= level) {
-            let point = self.locked(step).at(hit.locked.0, hit.locked.1).point;
-            let away = (point - pitch_point).norm();
-            if chosen.is_none_or(|(least, _)| away < least - EQUALLY_NEAR_MM) {
-                let touching = Touching {
-                    step,
-                    hit,
-                    greatest,
-                };
-                chosen = Some((away, touching));
-            }
-        }
-        chosen.map(|(_, touching)| touching)
-    }
-}
-
-/// The pair that touches, and the greatest gap of all pairs.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Touching {
-    pub step: i64,
-    pub hit: Hit,
-    pub greatest: f64,
 }

@@ -20,19 +20,29 @@
 //! `right.rotation` lies in (−π, π], `left.rotation` continues from it.
 
 mod branch;
+mod certificate;
+mod corner;
+mod envelope;
 mod facing;
+mod fast;
+mod hit;
+mod line;
 mod plain;
 mod report;
 mod shape;
 mod teeth;
+mod ties;
 
 use super::lost_motion::{Contact, LostMotion};
 use crate::error::Error;
 use crate::gear::Side;
 use crate::pair::{Assembly, Member, Pose};
 use branch::Unsettled;
-use facing::{Facing, Stand, Touching};
+use facing::{Facing, Stand};
+use shape::turn;
 use std::f64::consts::{PI, TAU};
+use teeth::reduced;
+use ties::Touching;
 
 /// Lost motion of one assembly on its exact curves.
 ///
@@ -61,7 +71,24 @@ impl ExactKernel {
     /// # Errors
     /// [`Error::ContactLost`] when a pair of flanks cannot be resolved; never a pair left out.
     pub fn lost_motion(&self, pose: &Pose) -> Result<LostMotion, Error> {
+        self.with(pose, fast::touching)
+    }
+
+    /// The same by branch and bound over all pairs and curves, no case told apart: a thousand times
+    /// slower, to check [`ExactKernel::lost_motion`] by.
+    ///
+    /// # Errors
+    /// As [`ExactKernel::lost_motion`].
+    pub fn lost_motion_by_search(&self, pose: &Pose) -> Result<LostMotion, Error> {
         self.with(pose, plain::touching)
+    }
+
+    /// Whether this pair needs no search: its contacts are on the line of action or at corners.
+    pub fn is_direct(&self) -> bool {
+        self.right
+            .shortcut
+            .as_ref()
+            .is_some_and(|shortcut| shortcut.certificate.open.is_empty())
     }
 
     fn with(
@@ -69,10 +96,12 @@ impl ExactKernel {
         pose: &Pose,
         method: impl Fn(&Stand) -> Result<Option<Touching>, (i64, Unsettled)>,
     ) -> Result<LostMotion, Error> {
-        let locked_tooth = pose.mating().tooth(self.free.mate());
-        let free_tooth = pose.mating().tooth(self.free);
+        let mating = pose.mating();
+        let teeth = (mating.tooth(self.free.mate()), mating.tooth(self.free));
+        let rotation = reduced(pose.locked_rotation());
+        let turned = turn(rotation);
         let contact = |facing: &Facing| -> Result<Option<Contact>, Error> {
-            let stand = facing.stand(pose, locked_tooth, free_tooth);
+            let stand = facing.stand(pose, teeth, rotation, turned);
             match method(&stand) {
                 Ok(touching) => {
                     Ok(touching.map(|touching| report::contact(&stand, &touching, self.free)))

@@ -1,7 +1,8 @@
 //! From a pair that touches, in the frame of [`super::facing`], to a [`Contact`] in the picture.
 
-use super::facing::{Stand, Touching};
-use super::shape::{C, Sample, Shape};
+use super::facing::Stand;
+use super::shape::{C, Shape};
+use super::ties::Touching;
 use crate::gear::{Curve, Side};
 use crate::mesh::lost_motion::{Contact, Touch};
 use crate::pair::Member;
@@ -11,32 +12,11 @@ use std::f64::consts::PI;
 /// A contact this near to the tip circle is the tip corner's: the rule of the reference data.
 const CORNER_MM: f64 = 1e-7;
 
-/// The contact of `touching`; its rotation counts as [`Stand::rotation`], mirrored back, and is not yet normalised.
+/// The contact of `touching`; its rotation is not yet normalised.
 pub(super) fn contact(stand: &Stand, touching: &Touching, free: Member) -> Contact {
-    let facing = stand.facing;
-    let hit = &touching.hit;
-    let (ours, theirs) = (stand.locked(touching.step), stand.free(touching.step));
-    let p = ours.at(hit.locked.0, hit.locked.1);
-    let q = theirs.at(hit.free.0, hit.free.1);
-    let corners = [
-        is_corner(&facing.locked.shape, hit.locked),
-        is_corner(&facing.free.shape, hit.free),
-    ];
-    let slope = match corners {
-        [true, _] => slope(&q),
-        [false, true] => slope(&p),
-        [false, false] => slope(&p).abs().max(slope(&q).abs()),
-    };
-    let error = facing.rounding(p.point.norm(), slope) + hit.slack;
-    // Out of the locked metal. A corner has no normal: there the other curve's counts, and where
-    // two corners meet the direction in which they do.
-    let turned = p.point * q.point.conj() / p.point.norm_sqr();
-    let outward = match corners {
-        [true, true] => p.point * C::i() / p.point.norm(),
-        [true, false] => -q.normal * turned,
-        _ => p.normal,
-    };
-    let outward = outward / outward.norm();
+    let (facing, hit) = (stand.facing, &touching.hit);
+    let radius = hit.point.norm_sqr().sqrt();
+    let error = facing.rounding(radius, hit.slope) + hit.slack;
     let (locked_place, free_place) = stand.places(touching.step);
     let locked = touch(
         &facing.locked.shape,
@@ -48,10 +28,16 @@ pub(super) fn contact(stand: &Stand, touching: &Touching, free: Member) -> Conta
         Side::Right => z,
         Side::Left => z.conj(),
     };
-    let (point, outward) = (mirror(p.point), mirror(outward));
+    // The frame of `facing` is the picture with a free wheel, the picture turned half round with a free pinion.
+    let (point, out_of_locked) = (mirror(hit.point), mirror(hit.normal));
     let (wheel, pinion, point, normal) = match free {
-        Member::Pinion => (locked, mated, C::from(facing.distance) - point, -outward),
-        Member::Wheel => (mated, locked, point, -outward),
+        Member::Pinion => (
+            locked,
+            mated,
+            C::from(facing.distance) - point,
+            -out_of_locked,
+        ),
+        Member::Wheel => (mated, locked, point, -out_of_locked),
     };
     Contact {
         rotation: -facing.side.sense() * stand.rotation(touching.greatest),
@@ -60,21 +46,6 @@ pub(super) fn contact(stand: &Stand, touching: &Touching, free: Member) -> Conta
         pinion,
         point: Point2::new(point.re, point.im),
         normal: Vector2::new(normal.re, normal.im),
-    }
-}
-
-/// `σ = ρ dθ/dρ`.
-fn slope(sample: &Sample) -> f64 {
-    let z = C::i() * sample.normal * sample.point.conj();
-    z.im / z.re
-}
-
-/// The tip corner, and the middle of a root land: the ends of a half tooth's flank.
-fn is_corner(shape: &Shape, (curve, t): (Curve, f64)) -> bool {
-    match curve {
-        Curve::Tip | Curve::Root => t == shape.range(curve).1,
-        Curve::Involute => t >= shape.tip_roll,
-        Curve::Fillet => false,
     }
 }
 

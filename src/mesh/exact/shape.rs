@@ -45,14 +45,17 @@ pub(super) struct Shape {
     pub fillet_end: f64,
     half_pitch: f64,
     /// Whether the fillet meets the involute in an edge.
-    pub undercut: bool,
+    undercut: bool,
+    /// The joint of involute and fillet.
+    pub joint: C,
+    corners: [(f64, C); 2],
 }
 
 impl Shape {
     pub fn new(gear: &Gear) -> Shape {
         let (toothing, rack, fillet) = (gear.toothing(), &gear.blank().rack, gear.fillet());
         let module = toothing.module();
-        Shape {
+        let mut shape = Shape {
             base: gear.base_radius(),
             half_base: gear.half_base_angle(),
             tip_radius: gear.tip_radius(),
@@ -67,7 +70,18 @@ impl Shape {
             fillet_end: fillet.end(),
             half_pitch: PI / f64::from(toothing.teeth()),
             undercut: fillet.end() < PI / 2.0 - toothing.pressure_angle(),
-        }
+            joint: C::ZERO,
+            corners: [(0.0, C::ZERO); 2],
+        };
+        shape.corners = [shape.tip_roll, shape.form_roll]
+            .map(|roll| (roll, shape.at(Curve::Involute, roll).point));
+        shape.joint = shape.corners[1].1;
+        shape
+    }
+
+    /// Rolls and points of the corners: the tip's, and the joint where it is an edge.
+    pub fn corners(&self) -> &[(f64, C)] {
+        &self.corners[..1 + usize::from(self.undercut)]
     }
 
     /// Parameters of a curve's two ends, the lesser first. Equal ends: the curve has no length.
@@ -158,13 +172,28 @@ impl Shape {
         }
     }
 
+    /// Root form radius.
+    pub fn form_radius(&self) -> f64 {
+        involute::radius_at(self.form_roll, self.base)
+    }
+
     /// Radius about the gear's own centre, mm.
     pub fn radius(&self, curve: Curve, t: f64) -> f64 {
         match curve {
             Curve::Tip => self.tip_radius,
             Curve::Root => self.root_radius,
-            Curve::Involute => involute::radius_at(t, self.base),
-            Curve::Fillet => self.at(curve, t).point.norm(),
+            Curve::Involute => self.base * (1.0 + t * t).sqrt(),
+            Curve::Fillet => self.at(curve, t).point.norm_sqr().sqrt(),
+        }
+    }
+
+    /// Whether it is a point without one normal: the tip corner, an undercut joint, or the middle of a
+    /// root land (where the half tooth ends).
+    pub fn is_corner(&self, (curve, t): (Curve, f64)) -> bool {
+        match curve {
+            Curve::Tip | Curve::Root => t == self.range(curve).1,
+            Curve::Involute => t >= self.tip_roll || self.undercut && t <= self.form_roll,
+            Curve::Fillet => self.undercut && t >= self.fillet_end,
         }
     }
 }

@@ -65,7 +65,19 @@ impl Teeth {
 
     /// The place `steps` counter-clockwise of that of tooth number `tooth`.
     pub fn place(&self, tooth: u32, steps: i64) -> usize {
-        (self.ascending * (i64::from(tooth) - 1) + steps).rem_euclid(self.count()) as usize
+        let place = self.ascending * (i64::from(tooth) - 1) + steps;
+        // Nearly always within a turn or two: a division is slower.
+        let (mut place, count) = (place, self.count());
+        if place.abs() > 4 * count {
+            place %= count;
+        }
+        while place < 0 {
+            place += count;
+        }
+        while place >= count {
+            place -= count;
+        }
+        place as usize
     }
 
     /// Pitches from tooth 1 to `tooth`, counter-clockwise positive, whole turns kept.
@@ -88,7 +100,12 @@ impl Teeth {
 
     /// The tooth number at a place.
     pub fn number(&self, place: usize) -> u32 {
-        (self.ascending * place as i64).rem_euclid(self.count()) as u32 + 1
+        let steps = if self.ascending > 0 || place == 0 {
+            place
+        } else {
+            self.offsets.len() - place
+        };
+        steps as u32 + 1
     }
 
     /// Angle of a place from tooth 1, in (−π, π].
@@ -129,6 +146,12 @@ pub(super) fn reduced(angle: f64) -> f64 {
     if angle.abs() <= TAU / 2.0 {
         return angle;
     }
-    let turns = (angle / TAU).round();
+    let turns = nearest(angle / TAU) as f64;
     ((angle - turns * PARTS[0]) - turns * PARTS[1]) - turns * PARTS[2]
+}
+
+/// The whole number nearest to `value`, which is far from 2^63. (`f64::round` is a call into the
+/// C library on the baseline processor.)
+pub(super) fn nearest(value: f64) -> i64 {
+    (value + 0.5f64.copysign(value)) as i64
 }

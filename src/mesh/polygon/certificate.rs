@@ -53,8 +53,9 @@ impl<'a> Certifier<'a> {
         let mut touching = false;
         for steps in steps_in_reach(assembly, pose) {
             let facing = Facing::new(&self.kernel, pose, side, steps);
-            // Clear polygons are 2δ apart; half of that again and the rounding leave no doubt.
-            let little = contact.error + (3.0 * finest + facing.rounding()) / lever;
+            // Clear polygons are 2δ apart, and a fillet's chords stand up to δ in front of it;
+            // another δ and the rounding leave no doubt.
+            let little = contact.error + (4.0 * finest + facing.rounding()) / lever;
             match seen(&facing, [opening + little, opening - little], finest) {
                 Seen::Clear => {}
                 Seen::Touch => touching = true,
@@ -80,7 +81,7 @@ impl<'a> Certifier<'a> {
     fn touches_nothing(&self, pose: &Pose, side: Side) -> Result<Result<(), String>, Error> {
         for steps in steps_in_reach(self.kernel.assembly, pose) {
             let facing = Facing::new(&self.kernel, pose, side, steps);
-            if facing.search()?.is_some() {
+            if facing.search(finest_chord(self.kernel.assembly))?.is_some() {
                 return Ok(Err(format!("a pair {steps} teeth on does touch")));
             }
         }

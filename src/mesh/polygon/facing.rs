@@ -19,11 +19,12 @@
 
 use super::{CutHalf, PolygonKernel};
 use crate::error::Error;
-use crate::gear::{Curve, Profile, Side};
+use crate::gear::{Curve, Gear, Profile, Side};
 use crate::mesh::contact::Closest;
 use crate::mesh::lost_motion::{Contact, Touch};
 use crate::pair::{Assembly, Member, Pose};
 use nalgebra::{Isometry2, Point2, UnitComplex, Vector2};
+use std::f64::consts::PI;
 use std::ops::Range;
 
 /// The search ends at this part of the chordal error: it adds a thousandth to the error.
@@ -38,7 +39,11 @@ const CORNER: f64 = 1e-7;
 
 /// Each re-cut is this much finer: some thirty chords over the stretch that may still touch (tuned:
 /// 1e-2 takes more re-cuts, 1e-4 more chords; both are slower).
-pub(super) const FINER: f64 = 1e-3;
+const FINER: f64 = 1e-3;
+
+/// A stretch of more chords than this is cut ten times finer only: curves that nestle against each other,
+/// or a normal nearly through the axis, leave long ones, and all pairs of their chords are gone through.
+const LONG: usize = 32;
 
 /// A pair of half teeth of one side. The opening `u`, rad, is how far the free gear is turned
 /// from its nominal rotation in the sense away from contact: of two pairs, the one that touches at the greater opening is tighter.
@@ -64,6 +69,15 @@ pub(super) struct Found {
     /// The curves touch or overlap.
     pub closed: f64,
     place: Place,
+}
+
+/// How turning in ended.
+enum Turned {
+    Touching(Found),
+    /// The polygons passed each other within both chordal errors.
+    Near,
+    /// The curves passed each other clear.
+    Clear,
 }
 
 /// What touches, and where in the picture.
@@ -96,10 +110,23 @@ impl<'a> Facing<'a> {
         }
     }
 
-    /// Turns the free gear in until the polygons touch; `None` when they pass each other clear.
-    pub fn search(&self) -> Result<Option<Found>, Error> {
+    /// Turns the free gear in until the polygons touch; `None` when the curves pass each other clear.
+    ///
+    /// Polygons that pass within both chordal errors prove nothing: whole half teeth are cut finer, down to `finest`.
+    pub fn search(&self, finest: f64) -> Result<Option<Found>, Error> {
         let (start, end) = self.shared_directions();
-        self.turn_in(start, end)
+        let mut cut: Option<[CutHalf; 2]> = None;
+        loop {
+            let on = self.on(&cut);
+            match on.turn_in(start, end)? {
+                Turned::Touching(found) => return Ok(Some(found)),
+                Turned::Near if on.chord() > finest => {
+                    let whole = [on.locked, on.free].map(|half| 0..half.polygon.segments().len());
+                    cut = Some(on.recut(whole, (on.chord() * FINER).max(finest)));
+                }
+                Turned::Near | Turned::Clear => return Ok(None),
+            }
+        }
     }
 
     /// Cuts the stretches that may still touch finer and searches again, until chords are within `finest`.
@@ -115,12 +142,16 @@ impl<'a> Facing<'a> {
             let margin = 2.0 * chord + self.reach() * width;
             let near = coarse.near(found.touching, margin);
             let near = near.ok_or_else(|| self.lost(NOTHING_NEAR))?;
-            chord = (chord * FINER).max(finest);
+            let long = near.iter().any(|stretch| stretch.len() > LONG);
+            chord = (chord * if long { 0.1 } else { FINER }).max(finest);
             cut = Some(coarse.recut(near, chord));
             // Inscribed polygons touch a little after their curves.
             let end = found.closed - (found.clear - found.closed);
             let again = self.on(&cut).turn_in(found.clear, end)?;
-            found = again.ok_or_else(|| self.lost(PASSED))?;
+            let Turned::Touching(touching) = again else {
+                return Err(self.lost(PASSED));
+            };
+            found = touching;
         }
         Ok(found)
     }
@@ -161,7 +192,7 @@ impl<'a> Facing<'a> {
     }
 
     /// Steps from the opening `start`, where nothing touches, until the polygons do, or to `end`.
-    fn turn_in(&self, start: f64, end: f64) -> Result<Option<Found>, Error> {
+    fn turn_in(&self, start: f64, end: f64) -> Result<Turned, Error> {
         let chord = self.chord();
         // Below its own rounding a distance says nothing.
         let stop = (STOP * chord).max(self.rounding() / 8.0);
@@ -179,12 +210,15 @@ impl<'a> Facing<'a> {
             }
             if closest.distance <= stop {
                 let clear = clear.unwrap_or(opening);
-                return Ok(Some(self.bracket(clear, opening, &closest)));
+                return Ok(Turned::Touching(self.bracket(clear, opening, &closest)));
             }
             let margin = if clear.is_none() { 2.0 * chord } else { 0.0 };
             opening -= (closest.distance - margin) / self.reach();
             if opening < end {
-                return Ok(None);
+                return Ok(match clear {
+                    Some(_) => Turned::Near,
+                    None => Turned::Clear,
+                });
             }
         }
         Err(self.lost(ENDLESS))
@@ -231,7 +265,8 @@ impl<'a> Facing<'a> {
     fn bracket(&self, clear: f64, touching: f64, closest: &Closest) -> Found {
         let place = self.place(touching, closest);
         let arm = place.point - self.assembly.axis(self.assembly.free());
-        let lever = arm.perp(&place.normal).abs();
+        // Half a turn is as far as a bracket means anything.
+        let turned = |depth: f64| (depth / arm.perp(&place.normal).abs()).min(PI);
         let halves = [self.locked, self.free];
         let hollow = (0..2)
             .filter(|&i| near_fillet(halves[i], closest.segments[i] as usize))
@@ -239,9 +274,9 @@ impl<'a> Facing<'a> {
         let rounding = self.rounding();
         let depth = hollow as f64 * self.chord() + closest.distance + rounding;
         Found {
-            clear: clear + rounding / lever,
+            clear: clear + turned(rounding),
             touching,
-            closed: touching - depth / lever,
+            closed: touching - turned(depth),
             place,
         }
     }
@@ -281,29 +316,34 @@ impl<'a> Facing<'a> {
             let gear = self.assembly.gear(member).gear();
             let (curve, parameter) = half.polygon.locate(segments[i] as usize, &at[i]);
             let radius = at[i].coords.norm();
-            let corner = radius >= gear.tip_radius() - CORNER;
             let normal = Profile::new(gear).normal(curve, parameter, self.side);
-            let curve = if corner { Curve::Tip } else { curve };
+            let edge = is_edge(gear, curve, parameter, radius);
+            let on_tip_circle = radius >= gear.tip_radius() - CORNER;
             let touch = Touch {
                 tooth,
-                curve,
+                curve: if on_tip_circle { Curve::Tip } else { curve },
                 radius,
             };
-            (touch, normal)
+            (touch, (!edge).then_some(normal))
         };
         let (locked_member, free_member) = (self.assembly.locked(), self.assembly.free());
         let (locked, locked_normal) = describe(self.locked, locked_member, self.locked_tooth, 0);
         let (free, free_normal) = describe(self.free, free_member, self.free_tooth, 1);
-        // A corner has no normal of its own: the other gear's curve gives it.
-        let normal: Vector2<f64> = if locked.curve == Curve::Tip {
-            -(free_frame * free_normal)
-        } else {
-            self.locked_frame * locked_normal
+        let point = self.locked_frame * nalgebra::center(&points[0], &points[1]);
+        // An edge has no normal of its own: the other gear's curve gives it, and of
+        // two edges the direction in which they meet.
+        let normal: Vector2<f64> = match (locked_normal, free_normal) {
+            (Some(normal), _) => self.locked_frame * normal,
+            (None, Some(normal)) => -(free_frame * normal),
+            (None, None) => {
+                let arm = (point - self.assembly.axis(free_member)).normalize();
+                self.side.sense() * Vector2::new(arm.y, -arm.x)
+            }
         };
         Place {
             locked,
             free,
-            point: self.locked_frame * nalgebra::center(&points[0], &points[1]),
+            point,
             normal,
         }
     }
@@ -340,6 +380,18 @@ fn frame(
     let centre = assembly.axis(member) + gear.displacement(tooth_1);
     let turn = gear.tooth_angle(f64::from(tooth)) + gear.flank_offset(side, tooth);
     Isometry2::new(centre.coords, tooth_1 + turn)
+}
+
+/// Whether a half tooth ends at the place: its tip corner, or the middle of the space.
+fn is_edge(gear: &Gear, curve: Curve, parameter: f64, radius: f64) -> bool {
+    let profile = Profile::new(gear);
+    let (root_start, root_end) = profile.range(Curve::Root);
+    match curve {
+        Curve::Tip => parameter >= profile.range(Curve::Tip).1 - CORNER / radius,
+        Curve::Involute => radius >= gear.tip_radius() - CORNER,
+        Curve::Fillet => root_start >= root_end && radius <= gear.root_radius() + CORNER,
+        Curve::Root => parameter >= root_end - CORNER / radius,
+    }
 }
 
 /// Whether the chord or a neighbour stands for a fillet.

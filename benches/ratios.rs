@@ -1,0 +1,283 @@
+//! What issue 3 asks of the kernel, as ratios taken side by side in one run. How to read it: benches/README.md.
+//!
+//! `cargo bench --bench ratios`. Every time is the least of several rounds: what else the machine does adds time, never takes it.
+
+use gearlash::analytic::LineOfAction;
+use gearlash::gear::{
+    AsBuilt, Blank, Deviations, Face, Gear, HalfTooth, Pitch, Rack, Side, Toothing,
+};
+use gearlash::mesh::{Certifier, CutPair, ExactKernel, Method, sweep};
+use gearlash::pair::{Assembly, Mating, Member, Pose, SweepPlan};
+use nalgebra::{Isometry2, Point2, Vector2};
+use parry2d_f64::math::{Pose2, Vector};
+use parry2d_f64::query;
+use parry2d_f64::shape::Polyline;
+use std::hint::black_box;
+use std::ops::ControlFlow;
+use std::time::{Duration, Instant};
+
+/// Rounds of which the fastest counts.
+const ROUNDS: usize = 7;
+
+/// Chord of the newcomer's polygons, mm.
+const NEWCOMER_CHORD: f64 = 1e-6;
+
+/// The newcomer bisects until the bracket is this narrow, rad.
+const NEWCOMER_WIDTH: f64 = 1e-9;
+
+fn gear(teeth: u32) -> Gear {
+    Gear::nominal(Blank {
+        toothing: Toothing::new(teeth, 3.0, 20f64.to_radians()).unwrap(),
+        profile_shift: 0.0,
+        rack: Rack::ISO_53_A,
+        tip_diameter: None,
+    })
+    .unwrap()
+}
+
+/// Pitch deviation of ±8 µm without pattern and a runout of 20 µm: ordinary at module 3.
+fn deviated(teeth: u32, face: Face) -> AsBuilt {
+    let list = |start: u32| -> Vec<f64> {
+        (0..teeth)
+            .map(|k| 0.008 * (f64::from((k * 7919 + start) % 1000) / 500.0 - 1.0))
+            .collect()
+    };
+    let deviations = Deviations {
+        pitch: Some(Pitch::from_cumulative(&list(17), &list(443))),
+        eccentricity: 0.010,
+        high_tooth: 5.5,
+        ..Deviations::default()
+    };
+    AsBuilt::new(gear(teeth), face, &deviations).unwrap()
+}
+
+/// 0.1 mm beyond the play-free distance.
+fn pair(teeth: [u32; 2], perfect: bool) -> Assembly {
+    let build = |teeth, face| match perfect {
+        true => AsBuilt::perfect(gear(teeth), face),
+        false => deviated(teeth, face),
+    };
+    let distance = 1.5 * f64::from(teeth[0] + teeth[1]) + 0.1;
+    let (wheel, pinion) = (build(teeth[0], Face::Front), build(teeth[1], Face::Back));
+    Assembly::new(wheel, pinion, distance, Member::Wheel).unwrap()
+}
+
+fn cut(assembly: &Assembly) -> CutPair {
+    let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|m| assembly.gear(m));
+    CutPair::new(wheel, pinion, 1e-3)
+}
+
+/// Some 300 poses of a revolution, no two alike: none is warm.
+fn poses(assembly: &Assembly) -> Vec<Pose> {
+    let teeth = assembly.gear(Member::Wheel).gear().toothing().teeth();
+    (0..308)
+        .map(|k| {
+            let mating = Mating {
+                wheel_tooth: 1,
+                pinion_tooth: 1,
+                flank: Side::Right,
+                fraction: f64::from(k * teeth) / 308.0,
+            };
+            Pose::new(assembly, mating)
+        })
+        .collect()
+}
+
+fn fastest(mut work: impl FnMut()) -> Duration {
+    let once = |work: &mut dyn FnMut()| {
+        let start = Instant::now();
+        work();
+        start.elapsed()
+    };
+    (0..ROUNDS).map(|_| once(&mut work)).min().unwrap()
+}
+
+/// Seconds a pose.
+fn a_pose(poses: &[Pose], mut work: impl FnMut(&Pose)) -> f64 {
+    let all = fastest(|| poses.iter().for_each(|pose| work(black_box(pose))));
+    all.as_secs_f64() / poses.len() as f64
+}
+
+fn exact(assembly: &Assembly) -> f64 {
+    let kernel = ExactKernel::new(assembly);
+    a_pose(&poses(assembly), |pose| {
+        black_box(kernel.lost_motion(pose).unwrap());
+    })
+}
+
+fn model_3(assembly: &Assembly) -> f64 {
+    a_pose(&poses(assembly), |pose| {
+        black_box(LineOfAction::new(assembly, pose));
+    })
+}
+
+fn certificate(assembly: &Assembly) -> f64 {
+    let (cut, kernel) = (cut(assembly), ExactKernel::new(assembly));
+    let certifier = Certifier::new(cut.kernel(assembly));
+    let poses = poses(assembly);
+    let found: Vec<_> = poses
+        .iter()
+        .map(|pose| kernel.lost_motion(pose).unwrap())
+        .collect();
+    let all = fastest(|| {
+        for (pose, found) in poses.iter().zip(&found) {
+            certifier.check(pose, found).unwrap();
+        }
+    });
+    all.as_secs_f64() / poses.len() as f64
+}
+
+/// The whole outline of a gear as parry sees it, in the gear's own frame, tooth 1 on +x.
+fn whole_gear(gear: &AsBuilt) -> Polyline {
+    let mut points = Vec::new();
+    let halves = Side::BOTH.map(|side| HalfTooth::new(gear.gear(), side, NEWCOMER_CHORD));
+    let teeth = gear.gear().toothing().teeth();
+    for step in 0..i64::from(teeth) {
+        let tooth = gear.counter_clockwise(1, step);
+        for (side, half) in Side::BOTH.into_iter().zip(&halves) {
+            let turn = gear.tooth_angle(f64::from(tooth)) + gear.flank_offset(side, tooth);
+            let frame = Isometry2::new(Vector2::zeros(), turn);
+            let place = |point: &Point2<f64>| {
+                let point = frame * point;
+                Vector::new(point.x, point.y)
+            };
+            // Counter-clockwise: the right half from space to tip, the left one from tip to space.
+            match side {
+                Side::Right => points.extend(half.points().iter().rev().map(place)),
+                Side::Left => points.extend(half.points().iter().map(place)),
+            }
+        }
+    }
+    Polyline::new(points, None)
+}
+
+/// Both rotations by bisection with parry's `distance` of whole gears, rad, and the time it took.
+///
+/// What one writes who has parry and no theory: a rotation is free when the distance is positive.
+fn newcomer(assembly: &Assembly, pose: &Pose) -> (f64, f64) {
+    let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|m| whole_gear(assembly.gear(m)));
+    let frame = |member: Member, rotation: f64| {
+        let tooth_1 = assembly.mate_direction(member) + rotation;
+        let centre = assembly.axis(member) + assembly.gear(member).displacement(tooth_1);
+        Pose2::from(Isometry2::new(centre.coords, tooth_1))
+    };
+    let locked = frame(Member::Wheel, pose.locked_rotation());
+    let is_free = |rotation: f64| {
+        let free = frame(Member::Pinion, rotation);
+        query::distance(&locked, &wheel, &free, &pinion)
+            .unwrap()
+            .distance
+            > 0.0
+    };
+    let start = Instant::now();
+    let ends = [-1.0, 1.0].map(|sense| {
+        // Clear at the nominal rotation turned on by half the backlash, closed a degree farther.
+        let middle = ExactKernel::new(assembly).lost_motion(pose).unwrap();
+        let middle = (middle.right.unwrap().rotation + middle.left.unwrap().rotation) / 2.0;
+        let (mut clear, mut closed) = (middle, middle + sense * 0.005);
+        while (closed - clear).abs() > NEWCOMER_WIDTH {
+            let rotation = 0.5 * (clear + closed);
+            if is_free(rotation) {
+                clear = rotation;
+            } else {
+                closed = rotation;
+            }
+        }
+        clear
+    });
+    (ends[1] - ends[0], start.elapsed().as_secs_f64())
+}
+
+/// Seconds for a whole sweep on `threads` threads.
+fn swept(assembly: &Assembly, matings: &[Mating], certify: bool, threads: usize) -> f64 {
+    let cut = cut(assembly);
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
+    let pool = pool.build().unwrap();
+    let on = || ControlFlow::Continue(());
+    let method = Method::Exact { certify };
+    let time = fastest(|| {
+        pool.install(|| black_box(sweep(assembly, &cut, method, matings, 0.0, &on)).unwrap());
+    });
+    time.as_secs_f64()
+}
+
+fn row(what: &str, found: f64, unit: &str, wanted: &str) {
+    println!("{what:<58} {found:>14.3} {unit:<3} {wanted}");
+}
+
+fn main() {
+    println!("{:<58} {:>14}     wanted", "what", "found");
+    let (perfect, wild) = (pair([44, 44], true), pair([44, 44], false));
+    let (exact_perfect, exact_wild) = (exact(&perfect), exact(&wild));
+    row("exact, 44/44 perfect", exact_perfect * 1e6, "µs", "≤ 0.6");
+    row(
+        "exact, 44/44 deviated, eccentric",
+        exact_wild * 1e6,
+        "µs",
+        "≤ 1.2",
+    );
+    for (what, assembly, exact) in [
+        ("perfect", &perfect, exact_perfect),
+        ("deviated, eccentric", &wild, exact_wild),
+    ] {
+        let ratio = exact / model_3(assembly);
+        row(&format!("exact over model 3, {what}"), ratio, "", "≤ 10");
+        let micro = certificate(assembly) * 1e6;
+        row(&format!("certificate, {what}"), micro, "µs", "≤ 50");
+    }
+
+    let revolution = SweepPlan::wheel_revolution(&wild, 16, (1, 1)).matings(&wild);
+    let one = swept(&wild, &revolution, true, 1);
+    row(
+        "revolution 44/44, 16 a pitch, certified, 1 core",
+        one * 1e3,
+        "ms",
+        "≤ 50",
+    );
+    let two = swept(&wild, &revolution, true, 2);
+    row(
+        "one thread over two, that revolution",
+        one / two,
+        "",
+        "≥ 1.8",
+    );
+    let hunting = pair([86, 21], false);
+    let cycle = SweepPlan::hunting_cycle(&hunting, 16, (1, 1)).matings(&hunting);
+    let one = swept(&hunting, &cycle, false, 1);
+    let two = swept(&hunting, &cycle, false, 2);
+    row(
+        "hunting cycle 86/21, 16 a pitch, uncertified, 2 cores",
+        two * 1e3,
+        "ms",
+        "≤ 50",
+    );
+    row("one thread over two, that cycle", one / two, "", "≥ 1.8");
+
+    for (kind, is_perfect) in [("perfect", true), ("deviated, eccentric", false)] {
+        let least = exact(&pair([10, 10], is_perfect));
+        for teeth in [30, 100, 300, 1000] {
+            let growth = exact(&pair([teeth; 2], is_perfect)) / least;
+            let root = (f64::from(teeth) / 10.0).sqrt();
+            let what = format!("z = {teeth} over z = 10, over √z, {kind}");
+            row(&what, growth / root, "", "≤ 1");
+        }
+    }
+
+    let pose = poses(&perfect)[0];
+    let (angle, seconds) = newcomer(&perfect, &pose);
+    let found = ExactKernel::new(&perfect).lost_motion(&pose).unwrap();
+    let off = (angle - found.angle().unwrap()).abs() * 66.0;
+    row(
+        "newcomer's bisection, 44/44 perfect, 1e-6 mm chords",
+        seconds,
+        "s",
+        "",
+    );
+    row("the same, off by", off * 1e3, "µm", "");
+    row(
+        "newcomer over exact",
+        seconds / exact_perfect,
+        "",
+        "≥ 1000000",
+    );
+}

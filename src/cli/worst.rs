@@ -1,0 +1,93 @@
+//! `snapshot --worst`: the pose with the least backlash of all a pair file asks for.
+
+use super::progress::Progress;
+use crate::analytic::evaluate;
+use crate::error::Error;
+use crate::mesh::{Method, SweptPose};
+use crate::simulate::{Run, pose_count, simulate, worst};
+use crate::study::{Material, Study};
+
+/// Runs `study` at `distance` and with `material` alone where they are given, says on standard error which
+/// pose is the worst, and returns it alone in its run.
+pub(super) fn find(
+    study: Study,
+    distance: Option<f64>,
+    material: Option<Material>,
+) -> Result<(Run, SweptPose), Error> {
+    let study = narrowed(study, distance, material)?;
+    let poses = pose_count(&study)?;
+    let progress = Progress::start(poses);
+    let method = Method::Exact { certify: true };
+    let runs = simulate(&study, method, &|| progress.tick())?;
+    progress.finish()?;
+    let Some((run, pose)) = worst(&runs) else {
+        return Err(Error::Usage(format!(
+            "--worst: none of the {poses} poses is in mesh; nothing can be called the worst"
+        )));
+    };
+    eprintln!("worst of {poses} poses: {}", in_words(run, pose));
+    Ok((run.clone(), pose.clone()))
+}
+
+fn narrowed(
+    mut study: Study,
+    distance: Option<f64>,
+    material: Option<Material>,
+) -> Result<Study, Error> {
+    if let Some(material) = material {
+        study.materials.retain(|gears| gears.0 == material);
+    }
+    let Some(distance) = distance else {
+        return match study.center_distances.is_empty() {
+            true => Err(Error::Usage(
+                "--worst: the pair file has no centre distance; give one with --center-distance"
+                    .to_owned(),
+            )),
+            false => Ok(study),
+        };
+    };
+    // Measured rows are run at their own distances.
+    if study.sweep.is_none() && study.center_distances.contains(&distance) {
+        study.center_distances = vec![distance];
+        return Ok(study);
+    }
+    let moved = study.at(vec![distance]);
+    moved.map_err(|reason| Error::Usage(format!("--center-distance {distance}: {reason}")))
+}
+
+fn in_words(run: &Run, pose: &SweptPose) -> String {
+    let mating = pose.pose.mating();
+    let beyond = match mating.fraction {
+        0.0 => String::new(),
+        fraction => format!(" {fraction:+} pitch"),
+    };
+    let um = |length: f64| format!("{:.3} µm", length * 1e3);
+    let found = match pose.backlash {
+        None => "jammed, a tip sits in a root".to_owned(),
+        Some(backlash) => {
+            let formula = evaluate(&run.assembly, &pose.pose).line_of_action;
+            match formula.backlash(&run.assembly) {
+                Some(formula) => format!(
+                    "j_wt = {} (line of action: {}, lost to other contact: {})",
+                    um(backlash),
+                    um(formula),
+                    // Rounding of two equal results is no loss.
+                    um(if formula - backlash < 1e-9 {
+                        0.0
+                    } else {
+                        formula - backlash
+                    })
+                ),
+                None => format!("j_wt = {} (no involute contact)", um(backlash)),
+            }
+        }
+    };
+    format!(
+        "wheel {} – pinion {} at {} flank{beyond}, centre distance {} mm, material {}: {found}",
+        mating.wheel_tooth,
+        mating.pinion_tooth,
+        mating.flank.name(),
+        run.assembly.center_distance(),
+        run.material.name()
+    )
+}

@@ -1,0 +1,243 @@
+//! Which pairs of curves need no search.
+//!
+//! The polar gap of two half teeth is continuous along their common radii; its
+//! slope over `ln ρ` is `σ_locked − σ_free`, and where it vanishes its second
+//! derivative has the sign of `−(κ_1 + κ_2)` (κ + for convex): the curves touch
+//! there with opposite normals. So its greatest value stands
+//!
+//! - on the line of action, where both are involutes (κ_1 + κ_2 > 0, one stationary point at most), or
+//! - at a corner: the tip corner of either gear, or the joint of an undercut fillet, an edge too,
+//!
+//! on those pairs of curves for which, within reach of each other,
+//!
+//! 1. both are monotone in `ρ` (the normal never meets the axis). A locked involute may turn back
+//!    towards its tip: what lies behind the turn has the radii of what lies before it at lesser angles,
+//!    and the gap rises from the turn on;
+//! 2. a fillet is hollower than the involute opposite is convex, and no fillet is convex: then the
+//!    gap has minima only there. (At a smooth joint slopes agree: a gap that rises towards it rises on.)
+//! 3. a tip land runs so nearly round the axis, compared with the curve opposite, that the gap
+//!    rises along it towards its corner;
+//! 4. a root land is out of reach.
+//!
+//! This is checked once for all poses, with the locked outline's centre anywhere within its
+//! eccentricity `e_L` of its axis. Pairs of curves that fail are *open*: left to branch and bound.
+
+use super::branch::Curves;
+use super::facing::lens_half;
+use super::shape::Shape;
+use crate::gear::Curve::{self, Fillet, Involute, Root, Tip};
+use crate::gear::involute;
+use std::f64::consts::PI;
+
+/// What is known of a pair of gears at every pose.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Certificate {
+    /// Pairs of curves that must be searched.
+    pub open: Curves,
+    /// Least `γ` of the locked and of the free fillet that can be reached; `None` where
+    /// none can or the search takes care of it.
+    pub locked_fillet: Option<f64>,
+    pub free_fillet: Option<f64>,
+    /// Whether a locked involute may turn back.
+    pub turns_back: bool,
+}
+
+/// The two gears' half teeth, eccentricities, and the centre distance.
+pub(super) struct Setting<'a> {
+    pub locked: &'a Shape,
+    pub free: &'a Shape,
+    pub locked_off: f64,
+    pub free_off: f64,
+    pub distance: f64,
+}
+
+impl Setting<'_> {
+    /// The locked outline's centre at its nearest: the widest lens, the least slopes.
+    fn near(&self) -> f64 {
+        self.distance - self.locked_off
+    }
+
+    /// Greatest radius of the free gear, least radius of the locked one, about the free axis.
+    fn outmost(&self) -> f64 {
+        self.free.tip_radius + self.free_off
+    }
+
+    fn inmost(&self) -> f64 {
+        self.near() - self.locked.tip_radius
+    }
+
+    /// The certificate; `None` where not even involutes can do without a search.
+    pub fn certify(&self) -> Option<Certificate> {
+        let (ours, theirs, near) = (self.locked, self.free, self.near());
+        if !(self.inmost() > self.free_off && theirs.base > self.free_off) {
+            return None;
+        }
+        let half = lens_half(ours.tip_radius, self.outmost(), near)?;
+        // The free involute's arm X = Q × n is r_b + C·E, |C| = e_F. The locked one's E stands at
+        // (polar angle) + atan ξ from the line of centres, X = D cos − r_b.
+        if !(ours.base < near && half < (ours.base / near).acos()) {
+            return None;
+        }
+        let arm = near * (half + ours.tip_roll.atan()).cos() - ours.base;
+
+        let mut open = Curves::default();
+        let free_reach = reached(theirs, self.inmost() - self.free_off);
+        let locked_reach = reached(ours, near - self.outmost());
+        for curve in Curve::ALL {
+            open.add_unless(free_reach != Reach::Root, curve, Root);
+            open.add_unless(locked_reach != Reach::Root, Root, curve);
+        }
+        let free_fillet = match free_reach {
+            Reach::Fillet(gamma) if theirs.pitch_radius * gamma.sin() > self.free_off => {
+                Some(gamma)
+            }
+            _ => None,
+        };
+        let fillet_arm = match locked_reach {
+            Reach::Fillet(gamma) => self.fillet_arm(gamma).map(|arm| (gamma, arm)),
+            _ => None,
+        };
+        // 1. and 2.
+        let form_near = near - self.free_off;
+        let free_good = free_reach == Reach::Involute
+            || free_fillet.is_some() && hollow(theirs, ours, form_near - theirs.form_radius());
+        let locked_good = locked_reach == Reach::Involute
+            || fillet_arm.is_some() && hollow(ours, theirs, form_near - ours.form_radius());
+        open.add_unless(free_good, Involute, Fillet);
+        open.add_unless(locked_good, Fillet, Involute);
+        open.add_unless(free_good && locked_good, Fillet, Fillet);
+        // 3.
+        self.open_lands(
+            &mut open,
+            half,
+            arm,
+            fillet_arm.map(|(_, arm)| arm),
+            free_fillet,
+        );
+        if locked_reach != Reach::Involute && fillet_arm.is_none() && self.free_off > 0.0 {
+            open.add(Fillet, Tip);
+        }
+        if free_reach != Reach::Involute && free_fillet.is_none() {
+            open.add(Tip, Fillet);
+        }
+        Some(Certificate {
+            open,
+            locked_fillet: fillet_arm.map(|(gamma, _)| gamma),
+            free_fillet,
+            turns_back: !(arm > 1e-9 * near),
+        })
+    }
+
+    /// Opens the pairs in which a tip land does not run round the axis nearly enough.
+    fn open_lands(
+        &self,
+        open: &mut Curves,
+        half: f64,
+        arm: f64,
+        fillet_arm: Option<f64>,
+        free_fillet: Option<f64>,
+    ) {
+        let (ours, theirs, near) = (self.locked, self.free, self.near());
+        // The locked land at the angle b from the line of centres: σ = (D cos b − r_a)/(D sin b), falling in b.
+        let land = |b: f64| (near * b.cos() - ours.tip_radius) / (near * b.sin());
+        // Seen from an axis e off, ψ shifts by asin(e/ρ) at most.
+        let shift = (self.free_off / self.inmost()).asin();
+        let steepest = (theirs.tip_roll.atan() + shift).tan();
+        open.add_unless(steepest < land(half), Tip, Involute);
+        if let Some(gamma) = free_fillet {
+            let sample = theirs.at(Fillet, gamma);
+            let z = sample.normal.conj() * sample.point;
+            let psi = z.re.atan2(z.im.abs());
+            let within = lens_half(ours.tip_radius, theirs.form_radius() + self.free_off, near);
+            let good = within.is_none_or(|within| (psi + shift).tan() < land(within));
+            open.add_unless(good, Tip, Fillet);
+        }
+        // The free land, where it is not quite round: |σ| ≥ (r_a − e)/e. Locked |σ| ≤ ρ/X on the flank,
+        // ρ/(D sin b) on the land, b the angle at which it crosses the free tip circle at its nearest.
+        if self.free_off == 0.0 {
+            return;
+        }
+        let (tip, far) = (
+            theirs.tip_radius - self.free_off,
+            self.distance + self.locked_off,
+        );
+        let cos = (ours.tip_radius * ours.tip_radius + far * far - tip * tip)
+            / (2.0 * far * ours.tip_radius);
+        let crossing = if cos < 1.0 {
+            near * cos.max(0.0).acos().sin()
+        } else {
+            0.0
+        };
+        let rounder_than = |arm: f64| self.outmost() * self.free_off < tip * arm;
+        open.add_unless(rounder_than(crossing), Tip, Tip);
+        open.add_unless(rounder_than(arm), Involute, Tip);
+        if let Some(arm) = fillet_arm {
+            open.add_unless(rounder_than(arm), Fillet, Tip);
+        }
+    }
+
+    /// Least `X = D sin(γ − η) − r sin γ` of the locked fillet from `gamma` up, `η` the angle of its
+    /// pitch point `E` from the line of centres; `None` unless positive.
+    ///
+    /// `E` stands within `asin(L/r)` of the point. At fixed `η` X is a sine of `γ`, at fixed `γ` one of
+    /// `η`: where it is positive it is concave, so its least value stands at a corner of the box.
+    fn fillet_arm(&self, gamma: f64) -> Option<f64> {
+        let (shape, near) = (self.locked, self.near());
+        let half = lens_half(shape.form_radius(), self.outmost(), near)?;
+        let reach = shape.depth / shape.fillet_end.cos() + shape.round;
+        let behind = (reach.abs() / shape.pitch_radius).min(1.0).asin();
+        // On a fillet of h_0 ≥ 0 the point stands ahead of E, towards the tooth.
+        let ahead = if shape.depth >= 0.0 { 0.0 } else { behind };
+        let mut least = f64::INFINITY;
+        for gamma in [gamma, shape.fillet_end] {
+            for eta in [-half - behind, half + ahead] {
+                if !(gamma - eta > 0.0 && gamma - eta < PI) {
+                    return None;
+                }
+                least = least.min(near * (gamma - eta).sin() - shape.pitch_radius * gamma.sin());
+            }
+        }
+        (least > 1e-9 * near).then_some(least)
+    }
+}
+
+/// How far down a half tooth the mate can reach.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Reach {
+    Involute,
+    /// To this `γ` of the fillet.
+    Fillet(f64),
+    Root,
+}
+
+fn reached(shape: &Shape, radius: f64) -> Reach {
+    if radius >= shape.form_radius() {
+        return Reach::Involute;
+    }
+    if !(radius > shape.root_radius) {
+        return Reach::Root;
+    }
+    // |P| rises with γ; the lower end of the last bracket is on the safe side.
+    let (mut low, mut high) = (0.0, shape.fillet_end);
+    for _ in 0..40 {
+        let middle = 0.5 * (low + high);
+        if shape.at(Fillet, middle).point.norm() < radius {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    Reach::Fillet(low)
+}
+
+/// Whether `fillet` is hollower everywhere than the mate's involute is convex from `radius` outwards.
+///
+/// The fillet's radius of curvature `S/q = ρ + h_0² c³/(r + h_0 c²)`, `c = 1/cos γ` ([`crate::gear::Fillet`]),
+/// rises with `c` while `r + h_0 c² > 0`, which is also when it is hollow.
+fn hollow(fillet: &Shape, mate: &Shape, radius: f64) -> bool {
+    let c = 1.0 / fillet.fillet_end.cos();
+    let q = fillet.pitch_radius + fillet.depth * c * c;
+    let least = mate.base * involute::roll_at(radius, mate.base);
+    q > 1e-9 * fillet.pitch_radius
+        && least > (1.0 + 1e-9) * (fillet.round + fillet.depth * fillet.depth * c * c * c / q)
+}

@@ -1,0 +1,99 @@
+//! A corner of one half tooth on the curves of the other, of a certified pair.
+//!
+//! The corner keeps its radius about the free axis. On the mate's half tooth that
+//! radius is met once on the flank, found by one monotone inversion, and, beyond
+//! the mate's tip, on its land.
+
+use super::branch::{Placed, invert};
+use super::shape::{C, turn};
+use crate::gear::{Curve, involute};
+use std::f64::consts::TAU;
+
+/// Curve and parameter where `half` has the radius `rho` about the free axis.
+///
+/// `fillet` is the least `γ` that can be reached; `near` is a point of the half tooth's own frame near
+/// the one sought. `None`: the half tooth has no such point, or the search has it.
+pub(super) fn meet(half: &Placed, fillet: Option<f64>, rho: f64, near: C) -> Option<(Curve, f64)> {
+    let shape = half.shape;
+    let tip_roll = outer_roll(half);
+    let tip = half.at(Curve::Involute, tip_roll).point.norm();
+    let form = half.own_to_axis(shape.joint);
+    // ρ rises from tip to root on the locked gear, falls on the free one.
+    let inward = (form - tip).signum();
+    Some(if (rho - tip) * inward < 0.0 {
+        (Curve::Tip, on_land(half, rho)?)
+    } else if (rho - form) * inward <= 0.0 {
+        let radius = near.norm_sqr().sqrt();
+        let start = involute::roll_at(radius, shape.base).clamp(shape.form_roll, tip_roll);
+        let bracket = bracket(shape.form_roll, tip_roll, inward);
+        (
+            Curve::Involute,
+            invert(half, Curve::Involute, rho, bracket, start),
+        )
+    } else {
+        let least = fillet?;
+        let bracket = bracket(least, shape.fillet_end, inward);
+        let start = 0.5 * (least + shape.fillet_end);
+        (
+            Curve::Fillet,
+            invert(half, Curve::Fillet, rho, bracket, start),
+        )
+    })
+}
+
+/// The roll down from which the involute is monotone in `ρ`: its tip's, unless it turns back.
+///
+/// The normal `−iE` meets the axis where `E` stands `acos(r_b/D)` from the direction to it.
+fn outer_roll(half: &Placed) -> f64 {
+    let shape = half.shape;
+    let distance = half.centre.norm_sqr().sqrt();
+    if distance <= shape.base {
+        return shape.tip_roll;
+    }
+    let e = half.direction * turn(shape.tip_roll - shape.half_base);
+    let beyond = (-e * half.centre.conj()).arg() - (shape.base / distance).acos();
+    if beyond > 0.0 {
+        (shape.tip_roll - beyond).max(shape.form_roll)
+    } else {
+        shape.tip_roll
+    }
+}
+
+/// Whether a locked involute turns back before its tip: `X = Q × n ≤ 0` there.
+pub(super) fn turns_back(locked: &Placed) -> bool {
+    outer_roll(locked) < locked.shape.tip_roll
+}
+
+/// Ends of a parameter range, that of lesser `ρ` first, where `ρ` falls with the parameter if `inward` is positive.
+fn bracket(low: f64, high: f64, inward: f64) -> [f64; 2] {
+    if inward > 0.0 {
+        [high, low]
+    } else {
+        [low, high]
+    }
+}
+
+/// Parameter at which the tip land has the radius `rho`; of two, the one nearer to the corner,
+/// behind which the other lies.
+///
+/// On the circle `|C + r_a e^{iβ}| = ρ`: `cos(β − arg C) = (ρ² − |C|² − r_a²)/(2 |C| r_a)`.
+fn on_land(half: &Placed, rho: f64) -> Option<f64> {
+    let shape = half.shape;
+    let (centre, radius) = (half.centre, shape.tip_radius);
+    let distance = centre.norm();
+    let cos = (rho * rho - distance * distance - radius * radius) / (2.0 * distance * radius);
+    if !(cos.abs() <= 1.0) {
+        return None;
+    }
+    let (_, corner) = shape.range(Curve::Tip);
+    // From the tooth's centre line, clockwise positive.
+    let middle = (half.direction * centre.conj()).arg();
+    [cos.acos(), -cos.acos()]
+        .map(|beta| {
+            let t = middle - beta;
+            t - TAU * (t / TAU).round()
+        })
+        .into_iter()
+        .filter(|t| (0.0..=corner).contains(t))
+        .reduce(f64::max)
+}

@@ -1,0 +1,209 @@
+//! The quick path for a certified pair: the line of action first, then the corners it may have missed.
+//!
+//! At the greatest gap found so far most corners stand clear of the mate's metal, which a table
+//! of lines shows ([`super::envelope`]); only the rest are put on the curves.
+
+use super::branch::{Placed, Unsettled, search};
+use super::certificate::{Certificate, Setting};
+use super::corner::{meet, turns_back};
+use super::envelope::{Envelope, Place};
+use super::facing::{Facing, Stand};
+use super::hit::Hit;
+use super::line::Swerve;
+use super::plain;
+use super::shape::{C, turn};
+use super::ties::{Ties, Touching};
+use crate::gear::Curve;
+use crate::pair::Assembly;
+
+/// What a certified pair needs besides its teeth.
+#[derive(Debug, Clone)]
+pub(super) struct Shortcut {
+    pub certificate: Certificate,
+    pub swerve: Swerve,
+    pub locked: Envelope,
+    pub free: Envelope,
+    /// Eccentricity of the free gear.
+    free_off: f64,
+}
+
+/// The pair that touches first.
+///
+/// # Errors
+/// The step whose pair could not be settled.
+pub(super) fn touching(stand: &Stand) -> Result<Option<Touching>, (i64, Unsettled)> {
+    let Some(shortcut) = &stand.facing.shortcut else {
+        return plain::touching(stand);
+    };
+    let mut ties = Ties::new(stand.facing);
+    if !stand.on_line(&shortcut.swerve, &mut ties) {
+        return plain::touching(stand);
+    }
+    stand.on_corners(shortcut, &mut ties);
+    let open = shortcut.certificate.open;
+    if !open.is_empty() {
+        for step in stand.steps() {
+            let (locked, free) = (stand.locked(step), stand.free(step));
+            let found = search(&locked, &free, stand.origin, ties.level(), open);
+            if let Some(hit) = found.map_err(|lost| (step, lost))? {
+                ties.offer(step, hit);
+            }
+        }
+    }
+    Ok(ties.choose())
+}
+
+impl Shortcut {
+    /// The shortcut of a pair of gears; `None` for one that must be searched all through.
+    /// Points that clear the mate by less than `margin` mm count as touching.
+    pub fn new(facing: &Facing, assembly: &Assembly, margin: f64) -> Option<Shortcut> {
+        let ours = assembly.gear(assembly.locked());
+        let theirs = assembly.gear(assembly.free());
+        let setting = Setting {
+            locked: &facing.locked.shape,
+            free: &facing.free.shape,
+            locked_off: ours.eccentricity(),
+            free_off: theirs.eccentricity(),
+            distance: facing.distance,
+        };
+        Some(Shortcut {
+            certificate: setting.certify()?,
+            free_off: setting.free_off,
+            swerve: Swerve::new(facing, setting.locked_off, setting.free_off)?,
+            locked: Envelope::new(ours.gear(), margin),
+            free: Envelope::new(theirs.gear(), margin),
+        })
+    }
+}
+
+impl Stand<'_> {
+    /// Offers every corner whose gap may exceed what `ties` holds: tip corners, and undercut joints.
+    ///
+    /// With `R` the free gear's rotation at the greatest gap so far, a locked point `C_L + D_L p` stands at
+    /// `(R* (C_L + D_L p) − C_F) D_F*` in the free tooth's own frame, `C_F` and `D_F` at rotation 0, and a free point
+    /// at `(R (C_F + D_F p) − C_L) D_L*` in the locked one's.
+    fn on_corners(&self, shortcut: &Shortcut, ties: &mut Ties) {
+        let mut level = Level::new(self, ties);
+        let (ours, theirs) = (&self.facing.locked, &self.facing.free);
+        let Certificate {
+            locked_fillet,
+            free_fillet,
+            ..
+        } = shortcut.certificate;
+        let outmost = theirs.shape.tip_radius + shortcut.free_off;
+        for step in self.steps() {
+            let (locked_place, free_place) = self.places(step);
+            let mut seen = level.direction * ours.direction(locked_place);
+            let facing = theirs.direction(free_place);
+            for &(roll, corner) in ours.shape.corners() {
+                let near = (level.centre + seen * corner) * facing.conj();
+                if level.known {
+                    let above = || (near + facing.conj() * theirs.displacement).norm_sqr();
+                    match shortcut.free.place(near) {
+                        Place::Clear => continue,
+                        Place::Above if above() > outmost * outmost => continue,
+                        Place::Above | Place::Unsure => {}
+                    }
+                }
+                let (locked, free) = (self.locked(step), self.free(step));
+                let rho = locked.own_to_axis(corner);
+                let Some(met) = meet(&free, free_fillet, rho, near) else {
+                    continue;
+                };
+                let edge = (&locked, (Curve::Involute, roll));
+                level.offer(
+                    self,
+                    ties,
+                    step,
+                    Hit::new(edge, (&free, met), self.origin, 0.0),
+                );
+                seen = level.direction * ours.direction(locked_place);
+            }
+            for &(roll, corner) in theirs.shape.corners() {
+                let near = (facing * corner - level.centre) * seen.conj();
+                if level.known {
+                    let locked = || self.locked(step);
+                    let radius = || self.free(step).own_to_axis(corner);
+                    match shortcut.locked.place(near) {
+                        // Past a flank that turns back a clear point may still lie behind it.
+                        _ if shortcut.certificate.turns_back && turns_back(&locked()) => {}
+                        Place::Clear => continue,
+                        Place::Above if radius() < least_radius(&locked()) => continue,
+                        Place::Above | Place::Unsure => {}
+                    }
+                }
+                let (locked, free) = (self.locked(step), self.free(step));
+                let rho = free.own_to_axis(corner);
+                let Some(met) = meet(&locked, locked_fillet, rho, near) else {
+                    continue;
+                };
+                let edge = (&free, (Curve::Involute, roll));
+                level.offer(
+                    self,
+                    ties,
+                    step,
+                    Hit::new((&locked, met), edge, self.origin, 0.0),
+                );
+                seen = level.direction * ours.direction(locked_place);
+            }
+        }
+    }
+}
+
+/// Both gears as the free one sees them at the greatest gap so far.
+struct Level {
+    greatest: f64,
+    /// False before the first hit: nothing can be ruled out.
+    known: bool,
+    /// `R* C_L − C_F`.
+    centre: C,
+    /// `−R*` times the locked gear's rotation.
+    direction: C,
+}
+
+impl Level {
+    fn new(stand: &Stand, ties: &Ties) -> Level {
+        let mut level = Level {
+            greatest: 0.0,
+            known: false,
+            centre: C::ZERO,
+            direction: C::ZERO,
+        };
+        level.set(stand, ties.greatest());
+        level
+    }
+
+    fn set(&mut self, stand: &Stand, greatest: f64) {
+        self.known = greatest > f64::NEG_INFINITY;
+        self.greatest = greatest;
+        let gap = if self.known { greatest } else { 0.0 };
+        let back = turn(-gap) * stand.origin;
+        self.centre = back * stand.centre - stand.facing.free.displacement;
+        self.direction = -back * stand.turned;
+    }
+
+    fn offer(&mut self, stand: &Stand, ties: &mut Ties, step: i64, hit: Hit) {
+        if ties.admits(hit.gap) {
+            ties.offer(step, hit);
+            if ties.greatest() > self.greatest {
+                self.set(stand, ties.greatest());
+            }
+        }
+    }
+}
+
+/// A locked half tooth's least radius about the free axis, on its tip land: at an end of it,
+/// or where it crosses the line of centres.
+fn least_radius(locked: &Placed) -> f64 {
+    let ends = [
+        locked.shape.corners()[0].1,
+        C::from(locked.shape.tip_radius),
+    ]
+    .map(|end| locked.direction * end);
+    let side = ends.map(|end| end.re * locked.centre.im - end.im * locked.centre.re);
+    if side[0] * side[1] <= 0.0 {
+        return locked.centre.norm_sqr().sqrt() - locked.shape.tip_radius;
+    }
+    let squares = ends.map(|end| (locked.centre + end).norm_sqr());
+    squares[0].min(squares[1]).sqrt()
+}

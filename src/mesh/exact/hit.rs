@@ -1,0 +1,64 @@
+//! Where two half teeth meet.
+
+use super::branch::Placed;
+use super::shape::{C, Sample};
+use crate::gear::Curve;
+
+/// A common point of a locked and a free half tooth.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Hit {
+    /// Gap, rad: the free gear's rotation, counted from the caller's `origin`.
+    pub gap: f64,
+    /// Bound on what a search left out, rad.
+    pub slack: f64,
+    /// `σ = ρ dθ/dρ` of the curve that decides how rounding shifts the gap.
+    pub slope: f64,
+    /// Curve and parameter on the locked gear.
+    pub locked: (Curve, f64),
+    /// Curve and parameter on the free gear.
+    pub free: (Curve, f64),
+    /// The locked gear's point.
+    pub point: C,
+    /// Unit normal there, out of the locked metal.
+    pub normal: C,
+}
+
+impl Hit {
+    /// The hit at one parameter each.
+    ///
+    /// A corner has no normal: there the other curve's counts, and where two corners meet the
+    /// direction in which they do. Likewise with `σ`; of two smooth curves the steeper counts.
+    pub fn new(
+        (ours, locked): (&Placed, (Curve, f64)),
+        (theirs, free): (&Placed, (Curve, f64)),
+        origin: C,
+        slack: f64,
+    ) -> Hit {
+        let p = ours.at(locked.0, locked.1);
+        let q = theirs.at(free.0, free.1);
+        let turned = p.point * q.point.conj();
+        let size = turned.norm_sqr().sqrt();
+        let corners = [ours.shape.is_corner(locked), theirs.shape.is_corner(free)];
+        let (normal, slope) = match corners {
+            [true, true] => (p.point * C::i() / p.point.norm_sqr().sqrt(), 0.0),
+            [true, false] => (-q.normal * turned / size, slope(&q)),
+            [false, true] => (p.normal, slope(&p)),
+            [false, false] => (p.normal, slope(&p).abs().max(slope(&q).abs())),
+        };
+        Hit {
+            gap: (turned * origin).arg(),
+            slack,
+            slope,
+            locked,
+            free,
+            point: p.point,
+            normal,
+        }
+    }
+}
+
+/// `σ = ρ dθ/dρ = −Y/X`, `X = Q × n`, `Y = Q · n`.
+pub(super) fn slope(sample: &Sample) -> f64 {
+    let z = sample.point.conj() * sample.normal;
+    -z.re / z.im
+}

@@ -1,0 +1,110 @@
+//! The greatest gap so far, and every pair that ties with it.
+
+use super::facing::Facing;
+use super::hit::Hit;
+use super::shape::C;
+
+/// Of pairs that tie, contacts whose distances from the pitch point differ by less count as
+/// equally near: far above rounding, far below a base pitch.
+const EQUALLY_NEAR_MM: f64 = 1e-6;
+
+/// Hits kept without an allocation: a contact ratio of four.
+const FEW: usize = 4;
+
+/// Hits whose gaps lie within a tie of the greatest.
+#[derive(Debug, Clone)]
+pub(super) struct Ties {
+    width: f64,
+    pitch_point: C,
+    greatest: f64,
+    few: [Option<(i64, Hit)>; FEW],
+    count: usize,
+    more: Vec<(i64, Hit)>,
+}
+
+impl Ties {
+    pub fn new(facing: &Facing) -> Ties {
+        Ties {
+            width: facing.tie,
+            pitch_point: facing.pitch_point,
+            greatest: f64::NEG_INFINITY,
+            few: [None; FEW],
+            count: 0,
+            more: Vec::new(),
+        }
+    }
+
+    /// Tie tolerance, rad.
+    pub fn width(&self) -> f64 {
+        self.width
+    }
+
+    pub fn greatest(&self) -> f64 {
+        self.greatest
+    }
+
+    /// The least gap that still matters.
+    pub fn level(&self) -> f64 {
+        self.greatest - self.width
+    }
+
+    /// Whether a hit of this gap matters.
+    pub fn admits(&self, gap: f64) -> bool {
+        gap >= self.level()
+    }
+
+    /// Takes the hit of a step.
+    pub fn offer(&mut self, step: i64, hit: Hit) {
+        if hit.gap > self.greatest + self.width {
+            self.count = 0;
+            self.more.clear();
+        }
+        self.greatest = self.greatest.max(hit.gap);
+        if self.count < FEW {
+            self.few[self.count] = Some((step, hit));
+            self.count += 1;
+        } else {
+            self.more.push((step, hit));
+        }
+    }
+
+    fn hits(&self) -> impl Iterator<Item = &(i64, Hit)> {
+        let level = self.level();
+        let few = self.few[..self.count].iter().flatten();
+        few.chain(&self.more)
+            .filter(move |(_, hit)| hit.gap >= level)
+    }
+
+    /// Of the hits that tie with the greatest, the one to name: nearest to the operating pitch point, of equally
+    /// near ones the first counter-clockwise of the locked gear as [`super::facing`] sees it. Of one pair's hits its greatest.
+    pub fn choose(&self) -> Option<Touching> {
+        let away = |hit: &Hit| (hit.point - self.pitch_point).norm_sqr().sqrt();
+        let mut chosen: Option<&(i64, Hit)> = None;
+        for one in self.hits() {
+            let better = match chosen {
+                None => true,
+                Some(other) if other.0 == one.0 => one.1.gap > other.1.gap,
+                Some(other) => {
+                    let gain = away(&other.1) - away(&one.1);
+                    gain > EQUALLY_NEAR_MM || (gain >= -EQUALLY_NEAR_MM && one.0 < other.0)
+                }
+            };
+            if better {
+                chosen = Some(one);
+            }
+        }
+        chosen.map(|&(step, hit)| Touching {
+            step,
+            hit,
+            greatest: self.greatest,
+        })
+    }
+}
+
+/// The pair that touches, and the greatest gap of all pairs.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Touching {
+    pub step: i64,
+    pub hit: Hit,
+    pub greatest: f64,
+}

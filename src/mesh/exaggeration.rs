@@ -1,0 +1,133 @@
+//! Deviations made large enough to see: each gear with its deviations multiplied, beside the perfect one.
+//!
+//! A picture only. The gears stand at a pose's nominal rotations; their outlines are not in contact.
+
+use crate::error::GearError;
+use crate::gear::{AsBuilt, HalfTooth, Placed, Side};
+use crate::pair::{Assembly, Member, Pose};
+use nalgebra::Point2;
+
+/// What was measured on one gear. Lengths in mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Found {
+    /// Eccentricity `e`, and the tooth it points to.
+    pub eccentricity: (f64, f64),
+    /// Least and greatest place of any flank off the perfect gear's, along the reference circle, plus = more metal.
+    pub flanks: [f64; 2],
+}
+
+/// Both gears exaggerated, and as they should be.
+#[derive(Debug, Clone)]
+pub struct Exaggeration<'a> {
+    assembly: &'a Assembly,
+    factor: f64,
+    drawn: [AsBuilt; 2],
+    perfect: [AsBuilt; 2],
+}
+
+const MEMBERS: [Member; 2] = [Member::Wheel, Member::Pinion];
+
+impl<'a> Exaggeration<'a> {
+    /// The gears of `assembly` with their deviations `factor` times as large.
+    ///
+    /// # Errors
+    /// As [`AsBuilt::exaggerated`].
+    pub fn new(assembly: &'a Assembly, factor: f64) -> Result<Exaggeration<'a>, GearError> {
+        let both = |factor: f64| -> Result<[AsBuilt; 2], GearError> {
+            let [wheel, pinion] = MEMBERS.map(|m| assembly.gear(m).exaggerated(factor));
+            Ok([wheel?, pinion?])
+        };
+        Ok(Exaggeration {
+            assembly,
+            factor,
+            drawn: both(factor)?,
+            perfect: both(0.0)?,
+        })
+    }
+
+    /// How many times as large deviations are.
+    pub fn factor(&self) -> f64 {
+        self.factor
+    }
+
+    /// One gear at the nominal rotation of `pose`: exaggerated, and perfect.
+    pub fn placed(&self, pose: &Pose, member: Member) -> [Placed<'_>; 2] {
+        let rotation = match member == self.assembly.locked() {
+            true => pose.locked_rotation(),
+            false => pose.free_rotation(),
+        };
+        let tooth_1 = self.assembly.mate_direction(member) + rotation;
+        let which = usize::from(member == Member::Pinion);
+        [&self.drawn[which], &self.perfect[which]]
+            .map(|gear| Placed::new(gear, self.assembly.axis(member), tooth_1))
+    }
+
+    /// The outline of a gear of [`Exaggeration::placed`] as [`Placed::outline_near`] has it, without the loops that
+    /// neighbouring fillets make where exaggeration lets them cross.
+    pub fn outline_near(
+        placed: &Placed,
+        place: Point2<f64>,
+        reach: f64,
+        chord: f64,
+    ) -> Vec<Point2<f64>> {
+        let half = HalfTooth::new(placed.as_built().gear(), Side::Right, chord);
+        let outline = placed.outline_near(place, reach, chord);
+        without_loops(outline, half.points().len())
+    }
+
+    /// What was found on one gear.
+    pub fn found(&self, member: Member) -> Found {
+        let teeth = 1..=self.assembly.gear(member).gear().toothing().teeth();
+        let places = teeth.flat_map(|tooth| self.flanks_of(member, tooth));
+        let (least, most) = places.fold((f64::INFINITY, f64::NEG_INFINITY), |range, place| {
+            (range.0.min(place), range.1.max(place))
+        });
+        let gear = self.assembly.gear(member);
+        Found {
+            eccentricity: (gear.eccentricity(), gear.high_tooth()),
+            flanks: [least, most],
+        }
+    }
+
+    /// How far a tooth's right and left flank lie off their perfect places, mm along the reference
+    /// circle, plus = more metal.
+    pub fn flanks_of(&self, member: Member, tooth: u32) -> [f64; 2] {
+        let drawn = &self.drawn[usize::from(member == Member::Pinion)];
+        let radius = drawn.gear().toothing().reference_radius();
+        Side::BOTH.map(|side| side.sense() * drawn.flank_offset(side, tooth) * radius / self.factor)
+    }
+}
+
+/// `points` without the loops of up to `longest` chords that an open line through them makes.
+fn without_loops(points: Vec<Point2<f64>>, longest: usize) -> Vec<Point2<f64>> {
+    let mut kept = Vec::with_capacity(points.len());
+    let mut from = 0;
+    while from + 1 < points.len() {
+        kept.push(points[from]);
+        let here = [points[from], points[from + 1]];
+        let last = (from + longest).min(points.len() - 2);
+        // The far end first: the loop of a loop goes with it.
+        let crossing = (from + 2..=last)
+            .rev()
+            .find_map(|to| Some((to, crossing(here, [points[to], points[to + 1]])?)));
+        from = match crossing {
+            Some((to, at)) => {
+                kept.push(at);
+                to + 1
+            }
+            None => from + 1,
+        };
+    }
+    kept.extend(points.get(from));
+    kept
+}
+
+/// Where two segments cross, ends not counted.
+fn crossing(a: [Point2<f64>; 2], b: [Point2<f64>; 2]) -> Option<Point2<f64>> {
+    let beside =
+        |line: &[Point2<f64>; 2], point: Point2<f64>| (line[1] - line[0]).perp(&(point - line[0]));
+    let of_a = a.map(|end| beside(&b, end));
+    let of_b = b.map(|end| beside(&a, end));
+    let cross = of_a[0] * of_a[1] < 0.0 && of_b[0] * of_b[1] < 0.0;
+    cross.then(|| a[0] + (a[1] - a[0]) * (of_a[0] / (of_a[0] - of_a[1])))
+}

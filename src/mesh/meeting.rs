@@ -1,0 +1,67 @@
+//! The two points of a contact, where the gears stand in a picture.
+
+use super::{Contact, Touch};
+use crate::gear::{Curve, Side};
+use crate::pair::{Assembly, Member};
+use nalgebra::{Point2, Rotation2, Vector2};
+use std::f64::consts::TAU;
+
+/// The two points of a contact, apart unless the gears are drawn in that contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Meeting {
+    /// The flanks that meet.
+    pub side: Side,
+    /// The contact they meet in.
+    pub contact: Contact,
+    /// The locked gear's point, mm.
+    pub on_locked: Point2<f64>,
+    /// The free gear's point as drawn, mm.
+    pub on_free: Point2<f64>,
+    /// Unit normal out of the locked gear's metal.
+    pub normal: Vector2<f64>,
+    /// Turn of the free gear from here to the contact, rad, counter-clockwise; 0 when drawn in it.
+    pub turn: f64,
+    /// The same as a length along the free gear's base circle, mm; negative where the flanks overlap.
+    pub gap: f64,
+    /// The same along the contact's normal, mm: the turn times the normal's distance from the free gear's
+    /// axis. `gap` where involutes without eccentricity meet, whose normals touch the base circle.
+    pub along_normal: f64,
+}
+
+impl Meeting {
+    pub(super) fn new(assembly: &Assembly, side: Side, contact: Contact, rotation: f64) -> Meeting {
+        let turn = contact.rotation - rotation;
+        let turn = turn - TAU * (turn / TAU).round();
+        let free = assembly.axis(assembly.free());
+        let lever = (contact.point - free).perp(&contact.normal).abs();
+        Meeting {
+            side,
+            contact,
+            on_locked: contact.point,
+            on_free: match turn {
+                0.0 => contact.point,
+                _ => free + Rotation2::new(-turn) * (contact.point - free),
+            },
+            normal: match assembly.locked() {
+                Member::Wheel => contact.normal,
+                Member::Pinion => -contact.normal,
+            },
+            turn,
+            gap: side.sense() * turn * assembly.gear(assembly.free()).gear().base_radius(),
+            along_normal: side.sense() * turn * lever,
+        }
+    }
+
+    /// What one gear brings to the contact.
+    pub fn touch(&self, member: Member) -> &Touch {
+        match member {
+            Member::Wheel => &self.contact.wheel,
+            Member::Pinion => &self.contact.pinion,
+        }
+    }
+
+    /// Whether the contact lies on a fillet or a root of `member`.
+    pub fn is_below_form_circle(&self, member: Member) -> bool {
+        matches!(self.touch(member).curve, Curve::Fillet | Curve::Root)
+    }
+}

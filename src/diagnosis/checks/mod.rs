@@ -1,0 +1,195 @@
+//! Every check of a pair (design section 7), for each centre distance and material.
+
+mod clearance;
+mod interference;
+mod limits;
+mod off_line;
+
+use super::check::{Check, Verdict};
+use super::contact_count::ContactCount;
+use super::onset::{Onset, non_involute_onset};
+use super::zero_distance::{ZeroDistance, zero_distance};
+use crate::compare::ComparedRun;
+use crate::error::Error;
+use crate::gear::{Gear, Side};
+use crate::mesh::{Contact, Touch};
+use crate::pair::{Assembly, Mating, Member};
+use crate::study::{Material, Study};
+
+const MEMBERS: [Member; 2] = [Member::Wheel, Member::Pinion];
+
+/// All that is to be said of a study's pair.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Diagnosis {
+    /// Each centre distance and material, in the order of the study.
+    pub groups: Vec<Group>,
+    /// What touched over all runs.
+    pub contact: ContactCount,
+}
+
+/// The pair at one centre distance and of one material.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Group {
+    /// As assembled.
+    pub assembly: Assembly,
+    /// Which thickness.
+    pub material: Material,
+    /// Every check.
+    pub checks: Vec<Check>,
+    /// What touched over its poses.
+    pub contact: ContactCount,
+    /// `a_0` measured: of the material, the same at each centre distance.
+    pub zero: Option<ZeroDistance>,
+    /// Onset of non-involute contact: of the material, the same at each centre distance.
+    pub onset: Option<Onset>,
+}
+
+impl Diagnosis {
+    /// The gravest verdict.
+    pub fn verdict(&self) -> Verdict {
+        let checks = self.groups.iter().flat_map(|group| &group.checks);
+        checks
+            .map(|check| check.verdict)
+            .max()
+            .unwrap_or(Verdict::Pass)
+    }
+}
+
+/// Checks the pair of `study`, whose `runs` were simulated and compared.
+///
+/// `step` is called before each search over the poses of a material, with what is looked for.
+///
+/// # Errors
+/// A contact that was lost.
+pub fn diagnose(
+    study: &Study,
+    runs: &[ComparedRun],
+    step: &mut dyn FnMut(&str) -> Result<(), Error>,
+) -> Result<Diagnosis, Error> {
+    let mut groups: Vec<Group> = Vec::new();
+    let mut searched: Vec<(Material, Option<ZeroDistance>, Option<Onset>)> = Vec::new();
+    let key = |run: &ComparedRun| (run.run.assembly.center_distance(), run.run.material);
+    for runs_here in runs.chunk_by(|a, b| key(a) == key(b)) {
+        let Some(first) = runs_here.first() else {
+            continue;
+        };
+        let (assembly, material) = (&first.run.assembly, first.run.material);
+        let known = searched.iter().find(|entry| entry.0 == material).copied();
+        let (_, zero, onset) = match known {
+            Some(known) => known,
+            None => {
+                let matings = matings(runs.iter().filter(|run| run.run.material == material));
+                step("zero-backlash centre distance")?;
+                let zero = zero_distance(assembly, &matings)?;
+                step("onset of non-involute contact")?;
+                let onset = non_involute_onset(assembly, &matings)?;
+                searched.push((material, zero, onset));
+                (material, zero, onset)
+            }
+        };
+        step("radial clearance")?;
+        let contact = ContactCount::sum(runs_here);
+        let here = Here {
+            assembly,
+            runs: runs_here,
+            contact: &contact,
+            allow_off_line: study.allow_off_line_contact,
+        };
+        groups.push(Group {
+            assembly: assembly.clone(),
+            material,
+            checks: here.checks(zero.as_ref(), onset.as_ref()),
+            contact,
+            zero,
+            onset,
+        });
+    }
+    Ok(Diagnosis {
+        groups,
+        contact: ContactCount::sum(runs),
+    })
+}
+
+/// The matings of `runs`, each once, in order.
+fn matings<'a>(runs: impl Iterator<Item = &'a ComparedRun>) -> Vec<Mating> {
+    let mut met = std::collections::HashSet::new();
+    let poses = runs.flat_map(|run| &run.poses);
+    let matings = poses.map(|pose| *pose.swept.pose.mating());
+    matings
+        .filter(|m| met.insert((m.wheel_tooth, m.pinion_tooth, m.flank, m.fraction.to_bits())))
+        .collect()
+}
+
+/// One pair as assembled, with what was found for it.
+struct Here<'a> {
+    assembly: &'a Assembly,
+    runs: &'a [ComparedRun],
+    contact: &'a ContactCount,
+    allow_off_line: bool,
+}
+
+impl Here<'_> {
+    fn checks(&self, zero: Option<&ZeroDistance>, onset: Option<&Onset>) -> Vec<Check> {
+        let mut checks = Vec::new();
+        checks.extend(MEMBERS.map(|member| self.clearance(member)));
+        checks.extend(MEMBERS.map(|member| self.k_8(member)));
+        checks.extend(MEMBERS.map(|member| self.form(member)));
+        checks.push(self.onset(onset));
+        checks.push(self.off_line());
+        checks.push(self.zero(zero));
+        checks.push(self.backlash());
+        checks.extend(MEMBERS.map(|member| self.undercut(member)));
+        checks.push(self.contact_ratio());
+        checks.extend(MEMBERS.map(|member| self.tip(member)));
+        checks
+    }
+
+    fn gear(&self, member: Member) -> &Gear {
+        self.assembly.gear(member).gear()
+    }
+
+    fn module(&self) -> f64 {
+        self.gear(Member::Wheel).toothing().module()
+    }
+
+    fn matings(&self) -> Vec<Mating> {
+        matings(self.runs.iter())
+    }
+
+    /// Every contact of this pair that has a rotation to it.
+    fn contacts(&self) -> impl Iterator<Item = (Side, &Contact)> {
+        let poses = self.runs.iter().flat_map(|run| &run.poses);
+        poses.flat_map(|pose| {
+            let found = &pose.swept.lost_motion;
+            let right = found.right.as_ref().map(|c| (Side::Right, c));
+            right
+                .into_iter()
+                .chain(found.left.as_ref().map(|c| (Side::Left, c)))
+        })
+    }
+}
+
+fn touch(contact: &Contact, member: Member) -> Touch {
+    match member {
+        Member::Wheel => contact.wheel,
+        Member::Pinion => contact.pinion,
+    }
+}
+
+fn percent(part: usize, whole: usize) -> f64 {
+    match whole {
+        0 => 0.0,
+        _ => 100.0 * part as f64 / whole as f64,
+    }
+}
+
+/// A pose in a word: mating, flank, fraction.
+fn place(mating: &Mating) -> String {
+    format!(
+        "{},{} {} +{:.4}",
+        mating.wheel_tooth,
+        mating.pinion_tooth,
+        mating.flank.name(),
+        mating.fraction
+    )
+}

@@ -29,7 +29,7 @@ const CHART: Frame = Frame {
     left: 730.0,
     top: INSETS[0].top,
     right: 1146.0,
-    bottom: 560.0,
+    bottom: 700.0,
 };
 const MEMBERS: [Member; 2] = [Member::Wheel, Member::Pinion];
 
@@ -54,6 +54,16 @@ pub fn animation(view: &Snapshot, steps: &[SweptPose]) -> String {
         }
     }
     let (numbers, _) = main_view::tooth_numbers(&first, &main, mating, &mut occupied);
+    let turning = |(member, numbers)| {
+        let axis = main.spot(first.placed(member).axis());
+        let motion = rotation(&turns(&scenes, member), axis);
+        Group::new().add(motion).add(numbers)
+    };
+    let numbers = MEMBERS.into_iter().zip(numbers).map(turning);
+    let numbers = numbers.fold(
+        Group::new().set("clip-path", "url(#mesh-frame)"),
+        Group::add,
+    );
     let sheet = SVG::new()
         .set("viewBox", format!("0 0 {WIDTH} {HEIGHT}"))
         .set("width", format!("{}mm", WIDTH / UNITS_PER_MM))
@@ -117,27 +127,7 @@ fn metal(first: &Scene, scenes: &[Scene], view: &View, occupied: &mut Occupied) 
         let spots: Vec<Spot> = outline.iter().map(|point| view.spot(*point)).collect();
         let polygon = clip::polygon(&spots, &frame.grown(MARGIN + moved));
         occupied.line(&polygon);
-        // y is down on the sheet: clockwise is positive there.
-        let values: Vec<String> = turns
-            .iter()
-            .map(|turn| {
-                format!(
-                    "{:.4} {} {}",
-                    -turn.to_degrees(),
-                    number(axis[0]),
-                    number(axis[1])
-                )
-            })
-            .collect();
-        let values = values.join(";").replace("-0.0000", "0.0000");
-        let motion = || {
-            AnimateTransform::new()
-                .set("attributeName", "transform")
-                .set("type", "rotate")
-                .set("dur", DURATION)
-                .set("repeatCount", "indefinite")
-                .set("values", values.as_str())
-        };
+        let motion = || rotation(&turns, axis);
         let name = member.name();
         let shape = || Use::new().set("href", format!("#{name}"));
         definitions = definitions
@@ -170,26 +160,47 @@ fn metal(first: &Scene, scenes: &[Scene], view: &View, occupied: &mut Occupied) 
                 .set("stroke-linejoin", "round")
                 .set("clip-path", format!("url(#{name}-clip)")),
         );
-        let overlap = ["wheel-turning"].map(|clip| {
-            [OVERLAP, "url(#hatch)"].into_iter().fold(
-                Group::new().set("clip-path", format!("url(#{clip})")),
-                |group, fill| group.add(Group::new().add(motion()).add(shape().set("fill", fill))),
-            )
-        });
-        turned.push((gear, outline, overlap));
+        turned.push((gear, outline));
     }
     let mut group = Group::new()
         .set("clip-path", "url(#mesh-frame)")
         .add(definitions);
-    let (mut outlines, mut overlaps) = (Group::new(), Group::new());
-    for (member, (gear, outline, [overlap])) in MEMBERS.into_iter().zip(turned) {
+    let mut outlines = Group::new();
+    for (gear, outline) in turned {
         group = group.add(gear);
         outlines = outlines.add(outline);
-        if member == Member::Pinion {
-            overlaps = overlaps.add(overlap);
-        }
     }
-    group.add(overlaps).add(outlines)
+    group.add(outlines).add(overlap(scenes, view))
+}
+
+/// The pinion's metal once more, where the wheel's is too.
+fn overlap(scenes: &[Scene], view: &View) -> Group {
+    let pinion = Member::Pinion;
+    let axis = view.spot(scenes[0].placed(pinion).axis());
+    let turns = turns(scenes, pinion);
+    let layers = [OVERLAP, "url(#hatch)"].map(|fill| {
+        let shape = Use::new().set("href", format!("#{}", pinion.name()));
+        Group::new()
+            .add(rotation(&turns, axis))
+            .add(shape.set("fill", fill))
+    });
+    let clip = Group::new().set("clip-path", "url(#wheel-turning)");
+    layers.into_iter().fold(clip, Group::add)
+}
+
+/// Turns about `axis`, a place of the sheet.
+fn rotation(turns: &[f64], axis: Spot) -> AnimateTransform {
+    // y is down on the sheet: clockwise is positive there.
+    let [x, y] = axis.map(number);
+    let value =
+        |turn: &f64| format!("{:.4} {x} {y}", -turn.to_degrees()).replace("-0.0000 ", "0.0000 ");
+    let values: Vec<String> = turns.iter().map(value).collect();
+    AnimateTransform::new()
+        .set("attributeName", "transform")
+        .set("type", "rotate")
+        .set("dur", DURATION)
+        .set("repeatCount", "indefinite")
+        .set("values", values.join(";"))
 }
 
 /// How far a gear has turned at each step since the first, rad.
@@ -323,7 +334,7 @@ fn chart(steps: &[SweptPose]) -> Group {
             )
             .add(label(
                 &caption::micrometres(value),
-                [CHART.left - 8.0, y + 4.5],
+                [CHART.left - 12.0, y + 4.5],
                 "end",
             ));
     }
@@ -359,13 +370,13 @@ fn key() -> Group {
     let [x, y] = [MAIN.left, 780.0];
     let mut group = Group::new()
         .add(dot([x + 8.0, y], 4.0, true))
-        .add(dot([x + 178.0, y], 4.0, false))
-        .add(dot([x + 194.0, y], 4.0, false));
+        .add(dot([x + 214.0, y], 4.0, false))
+        .add(dot([x + 230.0, y], 4.0, false));
     for (words, left) in [
         ("where the gears touch", 20.0),
         (
             "points of the other flanks that would meet · lines and circles as in a snapshot",
-            206.0,
+            242.0,
         ),
     ] {
         let mut words = text(words, [x + left, y + 4.5], 13.0, true);

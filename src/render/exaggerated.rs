@@ -31,7 +31,8 @@ pub fn exaggerated(view: &Snapshot, gears: &Exaggeration) -> String {
         view.pose.mating().wheel_tooth,
         view.pose.mating().pinion_tooth,
     ];
-    let (numbers, _) = main_view::tooth_numbers(&scene, &main, mating, &mut occupied);
+    let ([wheel_numbers, pinion_numbers], _) =
+        main_view::tooth_numbers(&scene, &main, mating, &mut occupied);
     let mut sheet = SVG::new()
         .set("viewBox", format!("0 0 {WIDTH} {HEIGHT}"))
         .set("width", format!("{}mm", WIDTH / UNITS_PER_MM))
@@ -48,7 +49,8 @@ pub fn exaggerated(view: &Snapshot, gears: &Exaggeration) -> String {
         .add(names(&scene))
         .add(mesh)
         .add(MAIN.border())
-        .add(numbers);
+        .add(wheel_numbers)
+        .add(pinion_numbers);
     for ((member, tooth), frame) in MEMBERS.into_iter().zip(mating).zip(INSETS) {
         sheet = sheet.add(whole(view, gears, member, tooth, frame));
     }

@@ -99,7 +99,7 @@ pub fn snapshot(view: &Snapshot) -> String {
             ));
     }
     let mating = view.pose.mating();
-    let (numbers, taken) = main_view::tooth_numbers(
+    let ([wheel_numbers, pinion_numbers], taken) = main_view::tooth_numbers(
         &scene,
         &main,
         [mating.wheel_tooth, mating.pinion_tooth],
@@ -133,7 +133,8 @@ pub fn snapshot(view: &Snapshot) -> String {
         .add(over)
         .add(links)
         .add(insets)
-        .add(numbers)
+        .add(wheel_numbers)
+        .add(pinion_numbers)
         .add(scale::bar([MAIN.left, MAIN.bottom + 16.0], main.scale()))
         .add(legend::draw(
             [MAIN.left, 772.0],

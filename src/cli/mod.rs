@@ -3,6 +3,7 @@
 mod compare;
 mod distances;
 mod method;
+mod pictures;
 mod progress;
 mod simulate;
 mod snapshot;

@@ -13,12 +13,15 @@ mod link;
 mod main_view;
 mod marks;
 mod met;
+mod motion;
 mod overlap_label;
 mod page;
+mod pitch_chart;
 mod result;
 mod scale;
 mod snapshot;
 mod table;
+mod turning;
 mod view;
 
 pub use animation::animation;

@@ -108,7 +108,7 @@ pub fn snapshot(view: &Snapshot) -> String {
     let links = links
         .iter()
         .fold(Group::new(), |group, link| group.add(link.draw(&taken)));
-    let shown = shown(&scene);
+    let shown = shown(&scene, &main);
     let sheet = SVG::new()
         .set("viewBox", format!("0 0 {WIDTH} {HEIGHT}"))
         .set("width", format!("{}mm", WIDTH / UNITS_PER_MM))
@@ -167,7 +167,8 @@ fn slots<'s>(scene: &'s Scene, main: &View) -> Vec<(Option<&'s Meeting>, Side, F
         .collect()
 }
 
-fn shown(scene: &Scene) -> Shown {
+/// What the legend must explain.
+fn shown(scene: &Scene, main: &View) -> Shown {
     let meetings = scene.meetings();
     let members = [Member::Wheel, Member::Pinion];
     let touches = meetings
@@ -177,7 +178,10 @@ fn shown(scene: &Scene) -> Shown {
         gap: meetings.iter().any(|meeting| meeting.gap > 0.0),
         overlap: matches!(scene.status(), Status::Interference | Status::Jammed),
         met: touches.map(|touch| touch.curve).collect(),
-        limits: meetings.iter().any(|m| !met::below_form(m).is_empty()),
+        form: meetings.iter().any(|m| !met::below_form(m).is_empty()),
+        tangent: meetings
+            .iter()
+            .any(|m| !met::tangent_points(scene, m, main).is_empty()),
     }
 }
 

@@ -32,7 +32,7 @@ const FACTORS: [f64; 16] = [
 
 /// Both gears with their deviations `factor` times as large; an error names the factor that would do.
 pub(super) fn exaggeration(assembly: &Assembly, factor: f64) -> Result<Exaggeration<'_>, Error> {
-    if !(factor >= FACTORS[15] && factor <= FACTORS[0]) {
+    if !(FACTORS[15]..=FACTORS[0]).contains(&factor) {
         return Err(Error::Usage(format!(
             "--exaggerate {factor}: a factor between 1 and {}",
             FACTORS[0]

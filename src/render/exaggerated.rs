@@ -204,8 +204,8 @@ fn whole(view: &Snapshot, gears: &Exaggeration, member: Member, tooth: u32, fram
             true => format!("towards tooth {}", (high * 100.0).round() / 100.0),
             false => String::new(),
         },
-        "flanks off their perfect place,".to_owned(),
-        "µm on the reference circle, + more metal:".to_owned(),
+        "flanks off their perfect place, µm".to_owned(),
+        "(reference circle, + more metal):".to_owned(),
         format!(
             "all teeth {} … {}",
             um(found.flanks[0]),

@@ -69,18 +69,22 @@ pub fn simulate(
     Ok(runs)
 }
 
-/// The worst pose of all `runs`, and its run: the first that is jammed, or else the first of those with
-/// the least `j_wt`; `None` when no pose is in mesh.
+/// The worst pose of all `runs`, and its run: the first that is jammed, or else the one with the least
+/// `j_wt`, of several within their error bounds the first; `None` when no pose is in mesh.
 pub fn worst(runs: &[Run]) -> Option<(&Run, &SweptPose)> {
-    let poses = runs
-        .iter()
-        .flat_map(|run| run.poses.iter().map(move |pose| (run, pose)));
-    let amount = |pose: &SweptPose| match pose.lost_motion.status() {
-        Status::Jammed => Some(f64::NEG_INFINITY),
-        _ => pose.backlash,
+    let poses = || {
+        runs.iter()
+            .flat_map(|run| run.poses.iter().map(move |pose| (run, pose)))
     };
-    let in_mesh = poses.filter_map(|(run, pose)| Some((amount(pose)?, run, pose)));
-    in_mesh
-        .reduce(|worst, next| if next.0 < worst.0 { next } else { worst })
-        .map(|(_, run, pose)| (run, pose))
+    let jammed = |pose: &SweptPose| pose.lost_motion.status() == Status::Jammed;
+    if let Some(first) = poses().find(|(_, pose)| jammed(pose)) {
+        return Some(first);
+    }
+    let bounds = |pose: &SweptPose| Some((pose.backlash?, pose.error_bound.unwrap_or(0.0)));
+    // The least that a backlash may at most be: whatever may lie as low cannot be told from it.
+    let highest = poses()
+        .filter_map(|(_, pose)| bounds(pose))
+        .map(|(b, e)| b + e);
+    let limit = highest.reduce(f64::min)?;
+    poses().find(|(_, pose)| bounds(pose).is_some_and(|(b, e)| b - e <= limit))
 }

@@ -4,6 +4,7 @@ mod check;
 mod compare;
 mod distances;
 mod method;
+mod pictures;
 mod progress;
 mod simulate;
 mod snapshot;

@@ -1,18 +1,16 @@
 //! `gearlash snapshot`: one contact as a picture.
 
+use super::pictures::{exaggeration, pitch};
 use super::{print, warn, worst};
 use crate::error::Error;
 use crate::gear::Side;
 use crate::input;
-use crate::mesh::{
-    Certifier, CutPair, ExactKernel, Exaggeration, LostMotion, Method, SweptPose, sweep,
-};
+use crate::mesh::{Certifier, CutPair, ExactKernel, LostMotion};
 use crate::output::OutputFolder;
 use crate::pair::{Assembly, Mating, Member, Pose};
 use crate::render::{self, Snapshot};
 use crate::study::{Material, Study};
 use clap::ValueEnum;
-use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -95,7 +93,9 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         lost_motion: &subject.lost_motion,
     };
     let picture = match args.exaggerate {
-        None if args.animate => render::animation(&view, &pitch(&subject, chord)?),
+        None if args.animate => {
+            render::animation(&view, &pitch(&subject.assembly, &subject.pose, chord)?)
+        }
         None => render::snapshot(&view),
         Some(factor) => render::exaggerated(&view, &exaggeration(&subject.assembly, factor)?),
     };
@@ -154,51 +154,6 @@ fn subject(args: &Args, study: Study) -> Result<Subject, Error> {
         assembly,
         pose,
         lost_motion,
-    })
-}
-
-/// Steps of an animation: ten a second.
-const STEPS: u32 = 60;
-
-/// What is found at every step through a pitch from the subject's pose on, both ends included.
-fn pitch(subject: &Subject, chord: f64) -> Result<Vec<SweptPose>, Error> {
-    let assembly = &subject.assembly;
-    let matings: Vec<Mating> = (0..=STEPS)
-        .map(|step| Mating {
-            fraction: subject.pose.mating().fraction + f64::from(step) / f64::from(STEPS),
-            ..*subject.pose.mating()
-        })
-        .collect();
-    let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|member| assembly.gear(member));
-    let cut = CutPair::new(wheel, pinion, chord);
-    let method = Method::Exact { certify: true };
-    sweep(assembly, &cut, method, &matings, 0.0, &|| {
-        ControlFlow::Continue(())
-    })
-}
-
-/// Factors to fall back on, and the range of those allowed.
-const FACTORS: [f64; 16] = [
-    100_000.0, 50_000.0, 20_000.0, 10_000.0, 5000.0, 2000.0, 1000.0, 500.0, 200.0, 100.0, 50.0,
-    20.0, 10.0, 5.0, 2.0, 1.0,
-];
-
-/// Both gears with their deviations `factor` times as large; an error names the factor that would do.
-fn exaggeration(assembly: &Assembly, factor: f64) -> Result<Exaggeration<'_>, Error> {
-    if !(factor >= FACTORS[15] && factor <= FACTORS[0]) {
-        return Err(Error::Usage(format!(
-            "--exaggerate {factor}: a factor between 1 and {}",
-            FACTORS[0]
-        )));
-    }
-    Exaggeration::new(assembly, factor).map_err(|reason| {
-        let fits =
-            |smaller: &f64| *smaller < factor && Exaggeration::new(assembly, *smaller).is_ok();
-        let advice = match FACTORS.into_iter().find(fits) {
-            Some(smaller) => format!("; {smaller} would do"),
-            None => String::new(),
-        };
-        Error::Usage(format!("--exaggerate {factor}: {reason}{advice}"))
     })
 }
 

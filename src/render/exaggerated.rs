@@ -31,7 +31,8 @@ pub fn exaggerated(view: &Snapshot, gears: &Exaggeration) -> String {
         view.pose.mating().wheel_tooth,
         view.pose.mating().pinion_tooth,
     ];
-    let (numbers, _) = main_view::tooth_numbers(&scene, &main, mating, &mut occupied);
+    let ([wheel_numbers, pinion_numbers], _) =
+        main_view::tooth_numbers(&scene, &main, mating, &mut occupied);
     let mut sheet = SVG::new()
         .set("viewBox", format!("0 0 {WIDTH} {HEIGHT}"))
         .set("width", format!("{}mm", WIDTH / UNITS_PER_MM))
@@ -48,7 +49,8 @@ pub fn exaggerated(view: &Snapshot, gears: &Exaggeration) -> String {
         .add(names(&scene))
         .add(mesh)
         .add(MAIN.border())
-        .add(numbers);
+        .add(wheel_numbers)
+        .add(pinion_numbers);
     for ((member, tooth), frame) in MEMBERS.into_iter().zip(mating).zip(INSETS) {
         sheet = sheet.add(whole(view, gears, member, tooth, frame));
     }
@@ -202,8 +204,8 @@ fn whole(view: &Snapshot, gears: &Exaggeration, member: Member, tooth: u32, fram
             true => format!("towards tooth {}", (high * 100.0).round() / 100.0),
             false => String::new(),
         },
-        "flanks off their perfect place,".to_owned(),
-        "µm on the reference circle, + more metal:".to_owned(),
+        "flanks off their perfect place, µm".to_owned(),
+        "(reference circle, + more metal):".to_owned(),
         format!(
             "all teeth {} … {}",
             um(found.flanks[0]),

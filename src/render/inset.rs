@@ -61,7 +61,8 @@ pub fn draw(scene: &Scene, meeting: &Meeting, view: &View) -> Group {
         ("wheel", meeting.contact.wheel),
         ("pinion", meeting.contact.pinion),
     ];
-    for ((name, touch), metal) in names.iter().zip(&gears.metal) {
+    let [wheel, pinion] = &gears.metal;
+    for ((name, touch), metal) in names.iter().zip([[wheel, pinion], [pinion, wheel]]) {
         let name = format!("{name} {}", touch.tooth);
         if let Some(room) = place(&name, metal, view, &occupied) {
             occupied.frame(room);
@@ -127,8 +128,8 @@ fn capital(side: Side) -> &'static str {
     }
 }
 
-/// A free place for `name` on `metal`, as near to the middle as leaves it well clear, or clear at all.
-fn place(name: &str, metal: &[Spot], view: &View, occupied: &Occupied) -> Option<Frame> {
+/// A free place for `name` on the first `metal` and off the other, as near to the middle as leaves it well clear, or clear at all.
+fn place(name: &str, metal: [&Vec<Spot>; 2], view: &View, occupied: &Occupied) -> Option<Frame> {
     let inner = view.frame().grown(-8.0);
     let middle = view.frame().middle();
     let size = labels::room(name, SIZE, middle);
@@ -137,7 +138,7 @@ fn place(name: &str, metal: &[Spot], view: &View, occupied: &Occupied) -> Option
         |low: f64, high: f64| (0..=16).map(move |i| low + (high - low) * f64::from(i) / 16.0);
     let spots: Vec<Spot> = steps(inner.top + dy, inner.bottom - dy)
         .flat_map(|y| steps(inner.left + dx, inner.right - dx).map(move |x| [x, y]))
-        .filter(|spot| holds(metal, *spot))
+        .filter(|spot| holds(metal[0], *spot) && !holds(metal[1], *spot))
         .collect();
     let far = |spot: &Spot| (spot[0] - middle[0]).hypot(spot[1] - middle[1]);
     [16.0, 8.0, labels::CLEAR].into_iter().find_map(|clear| {

@@ -21,8 +21,10 @@ pub struct Shown {
     pub overlap: bool,
     /// The kinds of curve that met.
     pub met: Vec<Curve>,
-    /// Form circle and base tangent point.
-    pub limits: bool,
+    /// A form circle.
+    pub form: bool,
+    /// A base tangent point.
+    pub tangent: bool,
 }
 
 /// Rows of samples with their names, no wider than `room`, the first sample's left end at `at`.
@@ -98,7 +100,8 @@ pub fn draw(at: Spot, room: f64, shown: &Shown) -> Group {
     samples.retain(|(name, _)| match *name {
         "gap" => shown.gap,
         "overlap" => shown.overlap,
-        "form circle" | "base tangent point" => shown.limits,
+        "form circle" => shown.form,
+        "base tangent point" => shown.tangent,
         _ => true,
     });
     for curve in Curve::ALL {

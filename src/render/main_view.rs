@@ -65,7 +65,7 @@ pub fn view(scene: &Scene, frame: Frame) -> View {
     )
 }
 
-/// Numbers the teeth in view, those that mate in bold; their rooms are taken in `occupied` and returned.
+/// Numbers the teeth in view, the wheel's and the pinion's, those that mate in bold; their rooms are taken in `occupied` and returned.
 ///
 /// A gear's numbers stand on one circle: of some round its root the first on which the most find
 /// room. What finds none is left out, but for the mating teeth, which look farther. Teeth no
@@ -75,11 +75,12 @@ pub fn tooth_numbers(
     view: &View,
     mating: [u32; 2],
     occupied: &mut Occupied,
-) -> (Group, Vec<Frame>) {
-    let mut group = Group::new();
+) -> ([Group; 2], Vec<Frame>) {
+    let mut groups = [Group::new(), Group::new()];
     let mut taken = Vec::new();
     let inside = view.frame().grown(-6.0);
-    for (member, mating) in [Member::Wheel, Member::Pinion].into_iter().zip(mating) {
+    let members = [Member::Wheel, Member::Pinion].into_iter().zip(mating);
+    for ((member, mating), group) in members.zip(&mut groups) {
         let placed = scene.placed(member);
         let gear = placed.as_built().gear();
         let teeth = placed.teeth_near(view.middle(), view.reach());
@@ -125,11 +126,11 @@ pub fn tooth_numbers(
             if let Some(room) = room {
                 occupied.frame(room);
                 taken.push(room);
-                group = group.add(centred(&tooth.to_string(), &room, SIZE, tooth == mating));
+                group.append(centred(&tooth.to_string(), &room, SIZE, tooth == mating));
             }
         }
     }
-    (group, taken)
+    (groups, taken)
 }
 
 /// A text in the middle of its room.

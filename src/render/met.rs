@@ -8,7 +8,7 @@ use super::labels::Occupied;
 use super::marks::around;
 use super::page::{Frame, GREY, INK, Spot, line, path_data};
 use super::view::{MARGIN, View};
-use crate::gear::{Curve, Side};
+use crate::gear::Curve;
 use crate::mesh::{Meeting, Scene};
 use crate::pair::Member;
 use svg::node::element::{Group, Path};
@@ -71,12 +71,9 @@ pub fn limits(scene: &Scene, meeting: &Meeting, view: &View, occupied: &mut Occu
             group = group.add(line(&run, INK, 1.6).set("stroke-dasharray", FORM_DASH));
         }
     }
-    for at in tangent_points(scene, meeting.side, &below_form(meeting)) {
-        let spot = view.spot(at);
-        if view.frame().grown(-8.0).holds(&around(spot, 0.0)) {
-            occupied.frame(around(spot, 6.0));
-            group = group.add(diamond(spot));
-        }
+    for spot in tangent_points(scene, meeting, view) {
+        occupied.frame(around(spot, 6.0));
+        group = group.add(diamond(spot));
     }
     group
 }
@@ -89,12 +86,17 @@ pub fn below_form(meeting: &Meeting) -> Vec<Member> {
         .collect()
 }
 
-fn tangent_points(scene: &Scene, side: Side, members: &[Member]) -> Vec<nalgebra::Point2<f64>> {
-    let Some(action) = scene.line_of_action(side) else {
+/// The base tangent points to show, those in view.
+pub fn tangent_points(scene: &Scene, meeting: &Meeting, view: &View) -> Vec<Spot> {
+    let Some(action) = scene.line_of_action(meeting.side) else {
         return Vec::new();
     };
-    let end = |member: &Member| action.ends[usize::from(*member == Member::Pinion)];
-    members.iter().map(end).collect()
+    let members = below_form(meeting).into_iter();
+    let ends = members.map(|member| action.ends[usize::from(member == Member::Pinion)]);
+    let inner = view.frame().grown(-8.0);
+    ends.map(|end| view.spot(end))
+        .filter(|spot| inner.holds(&around(*spot, 0.0)))
+        .collect()
 }
 
 /// The mark of a base tangent point.

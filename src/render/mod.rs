@@ -15,12 +15,15 @@ mod main_view;
 mod map;
 mod marks;
 mod met;
+mod motion;
 mod overlap_label;
 mod page;
+mod pitch_chart;
 mod result;
 mod scale;
 mod snapshot;
 mod table;
+mod turning;
 mod view;
 
 pub use animation::animation;

@@ -99,7 +99,7 @@ pub fn snapshot(view: &Snapshot) -> String {
             ));
     }
     let mating = view.pose.mating();
-    let (numbers, taken) = main_view::tooth_numbers(
+    let ([wheel_numbers, pinion_numbers], taken) = main_view::tooth_numbers(
         &scene,
         &main,
         [mating.wheel_tooth, mating.pinion_tooth],
@@ -108,7 +108,7 @@ pub fn snapshot(view: &Snapshot) -> String {
     let links = links
         .iter()
         .fold(Group::new(), |group, link| group.add(link.draw(&taken)));
-    let shown = shown(&scene);
+    let shown = shown(&scene, &main);
     let sheet = SVG::new()
         .set("viewBox", format!("0 0 {WIDTH} {HEIGHT}"))
         .set("width", format!("{}mm", WIDTH / UNITS_PER_MM))
@@ -133,7 +133,8 @@ pub fn snapshot(view: &Snapshot) -> String {
         .add(over)
         .add(links)
         .add(insets)
-        .add(numbers)
+        .add(wheel_numbers)
+        .add(pinion_numbers)
         .add(scale::bar([MAIN.left, MAIN.bottom + 16.0], main.scale()))
         .add(legend::draw(
             [MAIN.left, 772.0],
@@ -166,7 +167,8 @@ fn slots<'s>(scene: &'s Scene, main: &View) -> Vec<(Option<&'s Meeting>, Side, F
         .collect()
 }
 
-fn shown(scene: &Scene) -> Shown {
+/// What the legend must explain.
+fn shown(scene: &Scene, main: &View) -> Shown {
     let meetings = scene.meetings();
     let members = [Member::Wheel, Member::Pinion];
     let touches = meetings
@@ -176,7 +178,10 @@ fn shown(scene: &Scene) -> Shown {
         gap: meetings.iter().any(|meeting| meeting.gap > 0.0),
         overlap: matches!(scene.status(), Status::Interference | Status::Jammed),
         met: touches.map(|touch| touch.curve).collect(),
-        limits: meetings.iter().any(|m| !met::below_form(m).is_empty()),
+        form: meetings.iter().any(|m| !met::below_form(m).is_empty()),
+        tangent: meetings
+            .iter()
+            .any(|m| !met::tangent_points(scene, m, main).is_empty()),
     }
 }
 

@@ -1,6 +1,8 @@
 //! The contact snapshot and the scene it is drawn from.
 
+mod animated;
 mod closed_form;
+mod exaggerated;
 mod picture;
 mod scene;
 mod solved;
@@ -98,25 +100,36 @@ fn jammed() -> (Assembly, Pose, LostMotion) {
     (assembly, at, lost)
 }
 
+/// Every text is on the sheet, off every other text, and clear of the lines and frames round it.
+fn check_labels(name: &str, svg: &str) {
+    let picture = read(svg);
+    let sheet = [0.0, 0.0, 1188.0, 840.0];
+    for (i, (text, room)) in picture.texts.iter().enumerate() {
+        assert!(within(room, &sheet), "{name}: {text} leaves the sheet");
+        for (other, its_room) in &picture.texts[..i] {
+            assert!(!overlap(room, its_room), "{name}: {text} on {other}");
+        }
+        // What stands inside a frame must clear every line; what stands outside, every frame.
+        let inside = picture.frames.iter().any(|frame| within(room, frame));
+        let in_view = |line: &&[[f64; 2]; 2]| inside && meets(line, room);
+        let mut lines = picture.lines.iter().chain(
+            picture
+                .turning
+                .iter()
+                .filter(|_| within(room, &[30.0, 142.0, 610.0, 730.0])),
+        );
+        let hit = lines.find(in_view);
+        assert!(hit.is_none(), "{name}: {text} at {room:?} on {hit:?}");
+        let outside = |frame: &&[f64; 4]| !within(room, frame) && overlap(room, frame);
+        let hit = picture.frames.iter().find(outside);
+        assert!(hit.is_none(), "{name}: {text} across {hit:?}");
+    }
+}
+
 #[test]
 fn labels_keep_clear_of_each_other_and_of_the_drawing() {
     for (name, svg) in PICTURES.iter() {
-        let picture = read(svg);
-        let sheet = [0.0, 0.0, 1188.0, 840.0];
-        for (i, (text, room)) in picture.texts.iter().enumerate() {
-            assert!(within(room, &sheet), "{name}: {text} leaves the sheet");
-            for (other, its_room) in &picture.texts[..i] {
-                assert!(!overlap(room, its_room), "{name}: {text} on {other}");
-            }
-            // What stands inside a frame must clear every line; what stands outside, every frame.
-            let inside = picture.frames.iter().any(|frame| within(room, frame));
-            let in_view = |line: &&[[f64; 2]; 2]| inside && meets(line, room);
-            let hit = picture.lines.iter().find(in_view);
-            assert!(hit.is_none(), "{name}: {text} at {room:?} on {hit:?}");
-            let outside = |frame: &&[f64; 4]| !within(room, frame) && overlap(room, frame);
-            let hit = picture.frames.iter().find(outside);
-            assert!(hit.is_none(), "{name}: {text} across {hit:?}");
-        }
+        check_labels(name, svg);
     }
 }
 
@@ -283,4 +296,12 @@ fn a_small_pair_as_svg() {
     let assembly = pair([17, 12], 2.0, 29.1, Member::Wheel);
     let at = pose(&assembly, [3, 5], Side::Right, 0.0);
     insta::assert_snapshot!(draw(&assembly, &at, &lost_motion(&assembly, &at)));
+}
+
+#[test]
+fn a_small_interference_as_svg() {
+    let assembly = pair([17, 12], 2.0, 28.9, Member::Wheel);
+    let at = pose(&assembly, [3, 5], Side::Right, 0.0);
+    let solved = solved::Solved::new("Tight", assembly, at);
+    insta::assert_snapshot!(solved.draw());
 }

@@ -11,6 +11,8 @@ pub struct Picture {
     /// Frames, solid or dashed: rectangles with an outline.
     pub frames: Vec<Box>,
     pub lines: Vec<[[f64; 2]; 2]>,
+    /// Outlines of turning gears, which are seen in the first frame of the sheet only and reach beyond it.
+    pub turning: Vec<[[f64; 2]; 2]>,
     /// Contact points: centre, radius, filled.
     pub dots: Vec<([f64; 2], f64, bool)>,
 }
@@ -26,6 +28,7 @@ pub fn read(svg: &str) -> Picture {
         texts: Vec::new(),
         frames: Vec::new(),
         lines: Vec::new(),
+        turning: Vec::new(),
         dots: Vec::new(),
     };
     for node in document.descendants() {
@@ -52,9 +55,12 @@ pub fn read(svg: &str) -> Picture {
                     })
                     .collect();
                 assert!(points.iter().flatten().all(|x| x.is_finite()));
-                picture
-                    .lines
-                    .extend(points.windows(2).map(|pair| [pair[0], pair[1]]));
+                let turns = matches!(node.attribute("id"), Some("wheel" | "pinion"));
+                let lines = match turns {
+                    true => &mut picture.turning,
+                    false => &mut picture.lines,
+                };
+                lines.extend(points.windows(2).map(|pair| [pair[0], pair[1]]));
             }
             _ => {}
         }

@@ -243,3 +243,10 @@ fn the_tip_on_the_fillet_is_shown_as_what_it_is() {
     let words: Vec<_> = plain.iter().map(|(text, _)| text.as_str()).collect();
     assert!(words.contains(&"involute that met") && !words.contains(&"form circle"));
 }
+
+/// A small perfect pair with play.
+pub fn nominal() -> Solved {
+    let assembly = pair([17, 12], 2.0, 29.1, Member::Wheel);
+    let at = pose(&assembly, [3, 5], Side::Right, 0.0);
+    Solved::new("perfect", assembly, at)
+}

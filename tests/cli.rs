@@ -84,10 +84,17 @@ fn files(folder: &Path) -> Vec<String> {
 fn help_names_every_command_and_the_exit_codes() {
     let folder = empty_folder();
     let help = output(gearlash(folder.path()).arg("--help"));
-    for word in ["simulate", "compare", "snapshot", "Exit codes", "Example"] {
+    for word in [
+        "simulate",
+        "compare",
+        "check",
+        "snapshot",
+        "Exit codes",
+        "Example",
+    ] {
         assert!(help.contains(word), "{word} in {help}");
     }
-    for command in ["simulate", "compare", "snapshot"] {
+    for command in ["simulate", "compare", "check", "snapshot"] {
         let help = output(gearlash(folder.path()).args([command, "--help"]));
         assert!(help.contains("pair file"), "{help}");
     }

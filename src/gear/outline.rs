@@ -66,6 +66,8 @@ impl HalfTooth {
             if start < end {
                 cuts.reverse();
             }
+            points.reserve(cuts.len());
+            segments.reserve(cuts.len());
             if points.is_empty() {
                 points.push(profile.point(curve, cuts[0], side));
             }
@@ -134,11 +136,12 @@ fn cut(low: f64, high: f64, step: impl Fn(f64) -> f64) -> Vec<f64> {
     let pieces = ((high - low) / step(high)).ceil();
     if pieces <= FEW {
         let width = (high - low) / pieces;
-        let mut cuts: Vec<f64> = (0..pieces as u32)
-            .map(|i| high - f64::from(i) * width)
-            .collect();
-        cuts.push(low);
-        return cuts;
+        let pieces = pieces as u32;
+        let at = |i| match i < pieces {
+            true => high - f64::from(i) * width,
+            false => low,
+        };
+        return (0..=pieces).map(at).collect();
     }
     let mut cuts = vec![high];
     let mut t = high;

@@ -13,9 +13,9 @@ use crate::gear::Side;
 use crate::mesh::lost_motion::{Contact, LostMotion};
 use crate::pair::Pose;
 
-/// Each re-cut is this much finer: half a dozen chords over the stretch in question (tuned: 3e-2 and 1e-2
-/// take fewer re-cuts of more chords, and the certificate up to half as long again).
-const FINER: f64 = 1e-1;
+/// Each re-cut is this much finer: some ten chords over the stretch in question (tuned: 1e-1 and 1e-2
+/// take a tenth longer).
+const FINER: f64 = 3e-2;
 
 /// Checks rotations on the polygons of a kernel.
 pub struct Certifier<'a> {

@@ -1,13 +1,19 @@
 //! The result as JSON and CSV: the keys of the interface, units in their names.
 
 use crate::compare::{ComparedPose, ComparedRun, Summary};
-use crate::diagnosis::{ContactCount, Worst};
+use crate::diagnosis::ContactCount;
 use crate::gear::Side;
 use crate::mesh::{Contact, ContactClass, PoseClass, Touch};
 use crate::pair::{Assembly, Mating, Member};
 use crate::study::Study;
 use serde::Serialize;
 use std::f64::consts::TAU;
+
+mod contacts;
+mod csv_row;
+
+pub(super) use contacts::{ContactCountRecord, contact_count_record};
+use csv_row::CsvRow;
 
 /// The whole result of a study.
 #[derive(Debug, Serialize)]
@@ -257,138 +263,11 @@ fn summary_record(summary: &Summary, contact: &ContactCount) -> SummaryRecord {
     }
 }
 
-/// What touched over a run; `classes` counts poses by the graver of their contacts.
-#[derive(Debug, Clone, Serialize)]
-pub(super) struct ContactCountRecord {
-    classes: serde_json::Map<String, serde_json::Value>,
-    least_loss_um: Option<f64>,
-    mean_loss_um: Option<f64>,
-    worst_loss_um: Option<f64>,
-    worst: Option<WorstRecord>,
-}
-
-/// The pose that loses most, and the tooth pair whose contact costs it.
-#[derive(Debug, Clone, Serialize)]
-struct WorstRecord {
-    center_distance_mm: f64,
-    material: &'static str,
-    mating: MatingRecord,
-    class: &'static str,
-    j_wt_um: f64,
-    formula_um: f64,
-    side: &'static str,
-    contact: ContactRecord,
-}
-
-pub(super) fn contact_count_record(count: &ContactCount) -> ContactCountRecord {
-    let classes = count.classes.iter();
-    let classes = classes.map(|(class, n)| (class.name().to_owned(), (*n).into()));
-    let loss = count.loss.as_ref();
-    ContactCountRecord {
-        classes: classes.collect(),
-        least_loss_um: loss.map(|loss| um(loss.least)),
-        mean_loss_um: loss.map(|loss| um(loss.mean)),
-        worst_loss_um: loss.map(|loss| um(loss.worst.loss)),
-        worst: loss.map(|loss| worst_record(&loss.worst)),
-    }
-}
-
-fn worst_record(worst: &Worst) -> WorstRecord {
-    let mating = worst.pose.mating();
-    WorstRecord {
-        center_distance_mm: worst.assembly.center_distance(),
-        material: worst.material.name(),
-        mating: mating_record(mating),
-        class: worst.class.name(),
-        j_wt_um: um(worst.backlash),
-        formula_um: um(worst.backlash + worst.loss),
-        side: worst.side.name(),
-        contact: contact_record(&worst.assembly, worst.side, &worst.contact),
-    }
-}
-
 fn mating_record(mating: &Mating) -> MatingRecord {
     MatingRecord {
         wheel_tooth: mating.wheel_tooth,
         pinion_tooth: mating.pinion_tooth,
         flank: mating.flank.name(),
         fraction: mating.fraction,
-    }
-}
-
-/// One pose as a flat row.
-#[derive(Debug, Serialize)]
-struct CsvRow {
-    center_distance_mm: f64,
-    material: &'static str,
-    phase_wheel_tooth: Option<u32>,
-    phase_pinion_tooth: Option<u32>,
-    wheel_tooth: u32,
-    pinion_tooth: u32,
-    flank: &'static str,
-    fraction: f64,
-    wheel_rotation_rad: Option<f64>,
-    pinion_rotation_rad: Option<f64>,
-    right_rad: Option<f64>,
-    left_rad: Option<f64>,
-    lost_motion_rad: Option<f64>,
-    j_wt_um: Option<f64>,
-    j_t_um: Option<f64>,
-    j_bn_um: Option<f64>,
-    j_wt_range_min_um: Option<f64>,
-    j_wt_range_max_um: Option<f64>,
-    error_bound_um: Option<f64>,
-    status: &'static str,
-    class: &'static str,
-    right_wheel_tooth: Option<u32>,
-    right_pinion_tooth: Option<u32>,
-    right_wheel_curve: Option<&'static str>,
-    right_pinion_curve: Option<&'static str>,
-    left_wheel_tooth: Option<u32>,
-    left_pinion_tooth: Option<u32>,
-    left_wheel_curve: Option<&'static str>,
-    left_pinion_curve: Option<&'static str>,
-    michalec_um: Option<f64>,
-    involute_um: Option<f64>,
-    line_of_action_um: Option<f64>,
-}
-
-impl CsvRow {
-    fn new(run: &RunRecord, pose: &PoseRecord) -> CsvRow {
-        let (right, left) = (pose.right.as_ref(), pose.left.as_ref());
-        CsvRow {
-            center_distance_mm: run.center_distance_mm,
-            material: run.material,
-            phase_wheel_tooth: run.phase.map(|phase| phase.wheel_tooth),
-            phase_pinion_tooth: run.phase.map(|phase| phase.pinion_tooth),
-            wheel_tooth: pose.mating.wheel_tooth,
-            pinion_tooth: pose.mating.pinion_tooth,
-            flank: pose.mating.flank,
-            fraction: pose.mating.fraction,
-            wheel_rotation_rad: pose.wheel_rotation_rad,
-            pinion_rotation_rad: pose.pinion_rotation_rad,
-            right_rad: pose.right_rad,
-            left_rad: pose.left_rad,
-            lost_motion_rad: pose.lost_motion_rad,
-            j_wt_um: pose.j_wt_um,
-            j_t_um: pose.j_t_um,
-            j_bn_um: pose.j_bn_um,
-            j_wt_range_min_um: pose.j_wt_range_um[0],
-            j_wt_range_max_um: pose.j_wt_range_um[1],
-            error_bound_um: pose.error_bound_um,
-            status: pose.status,
-            class: pose.class,
-            right_wheel_tooth: right.map(|c| c.wheel_tooth),
-            right_pinion_tooth: right.map(|c| c.pinion_tooth),
-            right_wheel_curve: right.map(|c| c.wheel_curve),
-            right_pinion_curve: right.map(|c| c.pinion_curve),
-            left_wheel_tooth: left.map(|c| c.wheel_tooth),
-            left_pinion_tooth: left.map(|c| c.pinion_tooth),
-            left_wheel_curve: left.map(|c| c.wheel_curve),
-            left_pinion_curve: left.map(|c| c.pinion_curve),
-            michalec_um: pose.analytic.michalec_um,
-            involute_um: pose.analytic.involute_um,
-            line_of_action_um: pose.analytic.line_of_action_um,
-        }
     }
 }

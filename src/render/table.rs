@@ -1,12 +1,16 @@
 //! The result as text for a terminal. Lengths in µm unless the heading says mm.
 
+mod measured;
+mod phases;
+
 use crate::compare::{ComparedPose, ComparedRun, Verdict};
-use crate::measured::{Band, MeasuredMating};
+use crate::measured::MeasuredMating;
 use crate::mesh::Contact;
-use crate::phases::{PhaseGroup, phase_groups, variation};
+use crate::phases::phase_groups;
 use crate::study::Study;
 use comfy_table::{CellAlignment, Table, presets};
-use std::fmt::Write;
+use measured::{measured_count, measured_table};
+use phases::phase_table;
 
 /// Poses up to this many are listed one by one; more are summed up (tuned: what a screen shows).
 const MOST_LISTED: usize = 40;
@@ -79,87 +83,6 @@ fn um(length_mm: Option<f64>, decimals: usize) -> String {
     }
 }
 
-fn band(band: Option<Band>) -> String {
-    match band {
-        Some(band) => format!(
-            "{} … {}",
-            um(Some(band.min_um * 1e-3), 1),
-            um(Some(band.max_um * 1e-3), 1)
-        ),
-        None => "–".to_owned(),
-    }
-}
-
-fn measured_table(measured: &[MeasuredMating]) -> String {
-    let mut table = table(&[
-        "mating",
-        "a mm",
-        "predicted (printed)",
-        "analytic",
-        "simulated",
-        "measured right",
-        "left",
-    ]);
-    for mating in measured {
-        let marked = |value: f64| {
-            let mark = match mating.printed.side_of(value) {
-                0 => ' ',
-                1 => '↑',
-                _ => '↓',
-            };
-            format!("{value} {mark}")
-        };
-        table.add_row(vec![
-            format!("{},{}", mating.row.wheel_tooth, mating.row.pinion_tooth),
-            format!("{:.3}", mating.row.center_distance),
-            band(Some(mating.printed)),
-            band(mating.analytic),
-            band(mating.simulated),
-            marked(mating.row.right_um),
-            marked(mating.row.left_um),
-        ]);
-    }
-    finish(&table)
-}
-
-fn measured_count(study: &Study, measured: &[MeasuredMating]) -> String {
-    let values = || {
-        measured
-            .iter()
-            .flat_map(|m| [(m, m.row.right_um), (m, m.row.left_um)])
-    };
-    let total = values().count();
-    let sides: Vec<i8> = values()
-        .map(|(m, value)| m.printed.side_of(value))
-        .collect();
-    let of = |side: i8| sides.iter().filter(|&&s| s == side).count();
-    let mut text = format!(
-        "\n{} of {total} measured values lie inside the predicted band: {} below it (↓), {} above it (↑).\n",
-        of(0),
-        of(-1),
-        of(1),
-    );
-    if study.bearing_clearance > 0.0 {
-        let inside = values()
-            .filter(|(m, value)| {
-                m.with_clearance
-                    .is_some_and(|band| band.side_of(*value) == 0)
-            })
-            .count();
-        let _ = writeln!(
-            text,
-            "With the bearing clearance taken in (a ± {:.3} mm), {inside} of {total} lie inside the simulated band.",
-            study.bearing_clearance
-        );
-    }
-    text += "\
-Backlash j_wt in µm. Bands run from most to least material. Predicted: as printed beside the
-measurement. Analytic: model 2 (involute); simulated: on the tooth outlines; both are means of the
-mating's right-flank and left-flank pose. ↓ ↑: measured below or above the predicted band.
-";
-    text
-}
-
 fn pose_table(runs: &[ComparedRun]) -> String {
     let mut table = table(&[
         "a mm",
@@ -211,61 +134,6 @@ fn pose_table(runs: &[ComparedRun]) -> String {
         }
     }
     finish(&table)
-}
-
-fn phase_table(group: &PhaseGroup) -> String {
-    let mating = |run: &ComparedRun| {
-        let (wheel, pinion) = run.run.phase.unwrap_or((1, 1));
-        format!("{wheel},{pinion}")
-    };
-    let mut table = table(&[
-        "phase",
-        "least",
-        "at",
-        "mean",
-        "greatest",
-        "at",
-        "variation",
-    ]);
-    for run in &group.runs {
-        let summary = run.summary();
-        let at = |pose: Option<&ComparedPose>| pose.map_or("–".to_owned(), where_it_is);
-        let (least, most) = run.extremes().unzip();
-        table.add_row(vec![
-            mating(run),
-            um(summary.min, 3),
-            at(least),
-            um(summary.mean, 3),
-            um(summary.max, 3),
-            at(most),
-            um(variation(run), 3),
-        ]);
-    }
-    let Some(first) = group.runs.first() else {
-        return String::new();
-    };
-    let mut text = format!(
-        "centre distance {:.3} mm, material {}\n\n{}",
-        first.run.assembly.center_distance(),
-        first.run.material.name(),
-        finish(&table)
-    );
-    text += &match (group.best, group.worst) {
-        _ if group.runs.len() == 1 => {
-            "There is only one assembly phase: the tooth numbers have no common divisor, every tooth meets every tooth.\n".to_owned()
-        }
-        (Some(best), Some(worst)) => format!(
-            "Best phase {}: mark wheel tooth {} and pinion tooth {} together (least variation, {} µm); worst {} ({} µm).\n",
-            mating(best),
-            best.run.phase.map_or(1, |phase| phase.0),
-            best.run.phase.map_or(1, |phase| phase.1),
-            um(variation(best), 3),
-            mating(worst),
-            um(variation(worst), 3),
-        ),
-        _ => "No phase has backlash at every pose.\n".to_owned(),
-    };
-    text + "\n"
 }
 
 fn run_table(study: &Study, runs: &[ComparedRun]) -> String {

@@ -17,13 +17,16 @@
 //! the contact point `h` deeper; `h` is `δ` for each fillet that may take part,
 //! and the distance at which the search stopped.
 
+mod place;
+
 use super::{CutHalf, PolygonKernel};
 use crate::error::Error;
-use crate::gear::{Curve, Gear, Profile, Side};
+use crate::gear::{Curve, Side};
 use crate::mesh::contact::Closest;
-use crate::mesh::lost_motion::{Contact, Touch};
+use crate::mesh::lost_motion::Contact;
 use crate::pair::{Assembly, Member, Pose};
-use nalgebra::{Isometry2, Point2, UnitComplex, Vector2};
+use nalgebra::{Isometry2, UnitComplex};
+use place::Place;
 use std::f64::consts::PI;
 use std::ops::Range;
 
@@ -33,9 +36,6 @@ const STOP: f64 = 1e-3;
 /// Steps before a search is given up as a fault. Tips that pass each other at the distance `d` take
 /// longest, about (tip thickness)/d; the slowest seen took hundreds.
 const MOST_STEPS: usize = 100_000;
-
-/// A radius this near the tip circle, mm, is the tip corner (the reference data's own rule).
-const CORNER: f64 = 1e-7;
 
 /// Each re-cut is this much finer: some thirty chords over the stretch that may still touch (tuned:
 /// 1e-2 takes more re-cuts, 1e-4 more chords; both are slower).
@@ -78,16 +78,6 @@ enum Turned {
     Near,
     /// The curves passed each other clear.
     Clear,
-}
-
-/// What touches, and where in the picture.
-#[derive(Clone, Copy)]
-struct Place {
-    locked: Touch,
-    free: Touch,
-    point: Point2<f64>,
-    /// Out of the locked gear's metal.
-    normal: Vector2<f64>,
 }
 
 impl<'a> Facing<'a> {
@@ -303,51 +293,6 @@ impl<'a> Facing<'a> {
         }
     }
 
-    fn place(&self, touching: f64, closest: &Closest) -> Place {
-        let Closest {
-            segments, points, ..
-        } = *closest;
-        let free_frame = self.free_frame(touching);
-        let at = [
-            points[0],
-            free_frame.inverse_transform_point(&(self.locked_frame * points[1])),
-        ];
-        let describe = |half: &CutHalf, member: Member, tooth: u32, i: usize| {
-            let gear = self.assembly.gear(member).gear();
-            let (curve, parameter) = half.polygon.locate(segments[i] as usize, &at[i]);
-            let radius = at[i].coords.norm();
-            let normal = Profile::new(gear).normal(curve, parameter, self.side);
-            let edge = is_edge(gear, curve, parameter, radius);
-            let on_tip_circle = radius >= gear.tip_radius() - CORNER;
-            let touch = Touch {
-                tooth,
-                curve: if on_tip_circle { Curve::Tip } else { curve },
-                radius,
-            };
-            (touch, (!edge).then_some(normal))
-        };
-        let (locked_member, free_member) = (self.assembly.locked(), self.assembly.free());
-        let (locked, locked_normal) = describe(self.locked, locked_member, self.locked_tooth, 0);
-        let (free, free_normal) = describe(self.free, free_member, self.free_tooth, 1);
-        let point = self.locked_frame * nalgebra::center(&points[0], &points[1]);
-        // An edge has no normal of its own: the other gear's curve gives it, and of
-        // two edges the direction in which they meet.
-        let normal: Vector2<f64> = match (locked_normal, free_normal) {
-            (Some(normal), _) => self.locked_frame * normal,
-            (None, Some(normal)) => -(free_frame * normal),
-            (None, None) => {
-                let arm = (point - self.assembly.axis(free_member)).normalize();
-                self.side.sense() * Vector2::new(arm.y, -arm.x)
-            }
-        };
-        Place {
-            locked,
-            free,
-            point,
-            normal,
-        }
-    }
-
     fn lost(&self, reason: &'static str) -> Error {
         let (wheel_tooth, pinion_tooth) = match self.assembly.locked() {
             Member::Wheel => (self.locked_tooth, self.free_tooth),
@@ -380,18 +325,6 @@ fn frame(
     let centre = assembly.axis(member) + gear.displacement(tooth_1);
     let turn = gear.tooth_angle(f64::from(tooth)) + gear.flank_offset(side, tooth);
     Isometry2::new(centre.coords, tooth_1 + turn)
-}
-
-/// Whether a half tooth ends at the place: its tip corner, or the middle of the space.
-fn is_edge(gear: &Gear, curve: Curve, parameter: f64, radius: f64) -> bool {
-    let profile = Profile::new(gear);
-    let (root_start, root_end) = profile.range(Curve::Root);
-    match curve {
-        Curve::Tip => parameter >= profile.range(Curve::Tip).1 - CORNER / radius,
-        Curve::Involute => radius >= gear.tip_radius() - CORNER,
-        Curve::Fillet => root_start >= root_end && radius <= gear.root_radius() + CORNER,
-        Curve::Root => parameter >= root_end - CORNER / radius,
-    }
 }
 
 /// Whether the chord or a neighbour stands for a fillet.

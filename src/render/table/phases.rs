@@ -1,0 +1,60 @@
+//! Assembly phases, and which teeth to mark together.
+
+use super::{finish, table, um, where_it_is};
+use crate::compare::{ComparedPose, ComparedRun};
+use crate::phases::{PhaseGroup, variation};
+
+pub(super) fn phase_table(group: &PhaseGroup) -> String {
+    let mating = |run: &ComparedRun| {
+        let (wheel, pinion) = run.run.phase.unwrap_or((1, 1));
+        format!("{wheel},{pinion}")
+    };
+    let mut table = table(&[
+        "phase",
+        "least",
+        "at",
+        "mean",
+        "greatest",
+        "at",
+        "variation",
+    ]);
+    for run in &group.runs {
+        let summary = run.summary();
+        let at = |pose: Option<&ComparedPose>| pose.map_or("–".to_owned(), where_it_is);
+        let (least, most) = run.extremes().unzip();
+        table.add_row(vec![
+            mating(run),
+            um(summary.min, 3),
+            at(least),
+            um(summary.mean, 3),
+            um(summary.max, 3),
+            at(most),
+            um(variation(run), 3),
+        ]);
+    }
+    let Some(first) = group.runs.first() else {
+        return String::new();
+    };
+    let mut text = format!(
+        "centre distance {:.3} mm, material {}\n\n{}",
+        first.run.assembly.center_distance(),
+        first.run.material.name(),
+        finish(&table)
+    );
+    text += &match (group.best, group.worst) {
+        _ if group.runs.len() == 1 => {
+            "There is only one assembly phase: the tooth numbers have no common divisor, every tooth meets every tooth.\n".to_owned()
+        }
+        (Some(best), Some(worst)) => format!(
+            "Best phase {}: mark wheel tooth {} and pinion tooth {} together (least variation, {} µm); worst {} ({} µm).\n",
+            mating(best),
+            best.run.phase.map_or(1, |phase| phase.0),
+            best.run.phase.map_or(1, |phase| phase.1),
+            um(variation(best), 3),
+            mating(worst),
+            um(variation(worst), 3),
+        ),
+        _ => "No phase has backlash at every pose.\n".to_owned(),
+    };
+    text + "\n"
+}

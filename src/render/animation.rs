@@ -7,7 +7,7 @@ use super::gears::lines_over;
 use super::labels::Occupied;
 use super::marks::{around, dot};
 use super::motion::{course, motion, rotation};
-use super::page::{GREY, HEIGHT, INK, Spot, UNITS_PER_MM, WIDTH, text};
+use super::page::{GREY, INK, Spot, WIDTH, blank_sheet, text};
 use super::snapshot::{MAIN, Snapshot, hatch, names};
 use super::turning::{metal, turns};
 use super::view::View;
@@ -16,7 +16,7 @@ use crate::gear::Side;
 use crate::mesh::{Meeting, Scene, SweptPose};
 use crate::pair::Member;
 use svg::node::Node;
-use svg::node::element::{Group, Rectangle, SVG};
+use svg::node::element::Group;
 
 const MEMBERS: [Member; 2] = [Member::Wheel, Member::Pinion];
 
@@ -51,18 +51,8 @@ pub fn animation(view: &Snapshot, steps: &[SweptPose]) -> String {
         Group::new().set("clip-path", "url(#mesh-frame)"),
         Group::add,
     );
-    let sheet = SVG::new()
-        .set("viewBox", format!("0 0 {WIDTH} {HEIGHT}"))
-        .set("width", format!("{}mm", WIDTH / UNITS_PER_MM))
-        .set("height", format!("{}mm", HEIGHT / UNITS_PER_MM))
-        .set("font-family", "sans-serif")
+    let sheet = blank_sheet()
         .add(hatch())
-        .add(
-            Rectangle::new()
-                .set("width", "100%")
-                .set("height", "100%")
-                .set("fill", "white"),
-        )
         .add(caption::draw(
             view,
             &first,

@@ -5,8 +5,7 @@ use super::clip;
 use super::labels::{self, Occupied};
 use super::main_view;
 use super::page::{
-    Frame, GREY, HEIGHT, INK, OVERLAP, PINION, Spot, UNITS_PER_MM, WHEEL, WIDTH, line, path_data,
-    text,
+    Frame, GREY, INK, OVERLAP, PINION, Spot, WHEEL, WIDTH, blank_sheet, line, path_data, text,
 };
 use super::snapshot::{INSETS, MAIN, Snapshot, names};
 use super::view::{MARGIN, View};
@@ -14,7 +13,7 @@ use crate::gear::Placed;
 use crate::mesh::{Exaggeration, Scene};
 use crate::pair::Member;
 use svg::node::Node;
-use svg::node::element::{ClipPath, Definitions, Group, Path, Rectangle, SVG, Use};
+use svg::node::element::{ClipPath, Definitions, Group, Path, Use};
 
 /// Perfect teeth.
 const GHOST_DASH: &str = "5 3";
@@ -33,17 +32,7 @@ pub fn exaggerated(view: &Snapshot, gears: &Exaggeration) -> String {
     ];
     let ([wheel_numbers, pinion_numbers], _) =
         main_view::tooth_numbers(&scene, &main, mating, &mut occupied);
-    let mut sheet = SVG::new()
-        .set("viewBox", format!("0 0 {WIDTH} {HEIGHT}"))
-        .set("width", format!("{}mm", WIDTH / UNITS_PER_MM))
-        .set("height", format!("{}mm", HEIGHT / UNITS_PER_MM))
-        .set("font-family", "sans-serif")
-        .add(
-            Rectangle::new()
-                .set("width", "100%")
-                .set("height", "100%")
-                .set("fill", "white"),
-        )
+    let mut sheet = blank_sheet()
         .add(caption::heading(view, MAIN.left, WIDTH - 2.0 * MAIN.left))
         .add(warning(gears))
         .add(names(&scene))

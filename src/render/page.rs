@@ -5,7 +5,7 @@
 //! green and red are easily mistaken, and those two differ in lightness and hatching.
 
 use svg::node::Blob;
-use svg::node::element::{Element, Path, Rectangle};
+use svg::node::element::{Element, Path, Rectangle, SVG};
 use svg::node::{Node, Text};
 
 /// Sheet width, units of 0.25 mm.
@@ -31,6 +31,21 @@ pub const OVERLAP: &str = "#e0402c";
 pub const ACTION: &str = "#0072b2";
 /// Band of the path of contact.
 pub const PATH: &str = "#9ccbe8";
+
+/// An empty white sheet, true to size in print.
+pub fn blank_sheet() -> SVG {
+    SVG::new()
+        .set("viewBox", format!("0 0 {WIDTH} {HEIGHT}"))
+        .set("width", format!("{}mm", WIDTH / UNITS_PER_MM))
+        .set("height", format!("{}mm", HEIGHT / UNITS_PER_MM))
+        .set("font-family", "sans-serif")
+        .add(
+            Rectangle::new()
+                .set("width", "100%")
+                .set("height", "100%")
+                .set("fill", "white"),
+        )
+}
 
 /// A point of the sheet: right, down.
 pub type Spot = [f64; 2];

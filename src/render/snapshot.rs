@@ -8,14 +8,14 @@ use super::labels::Occupied;
 use super::legend::Shown;
 use super::link::Link;
 use super::marks::{self, IN_MAIN};
-use super::page::{Frame, HEIGHT, UNITS_PER_MM, WIDTH, line, text};
+use super::page::{Frame, WIDTH, blank_sheet, line, text};
 use super::view::View;
 use super::{caption, gears, inset, legend, main_view, met, scale};
 use crate::gear::Side;
 use crate::mesh::{LostMotion, Meeting, Scene, Status};
 use crate::pair::{Assembly, Member, Pose};
 use svg::node::Node;
-use svg::node::element::{Definitions, Group, Pattern, Rectangle, SVG};
+use svg::node::element::{Definitions, Group, Pattern};
 
 /// What a snapshot shows.
 #[derive(Debug, Clone, Copy)]
@@ -109,18 +109,8 @@ pub fn snapshot(view: &Snapshot) -> String {
         .iter()
         .fold(Group::new(), |group, link| group.add(link.draw(&taken)));
     let shown = shown(&scene, &main);
-    let sheet = SVG::new()
-        .set("viewBox", format!("0 0 {WIDTH} {HEIGHT}"))
-        .set("width", format!("{}mm", WIDTH / UNITS_PER_MM))
-        .set("height", format!("{}mm", HEIGHT / UNITS_PER_MM))
-        .set("font-family", "sans-serif")
+    let sheet = blank_sheet()
         .add(hatch())
-        .add(
-            Rectangle::new()
-                .set("width", "100%")
-                .set("height", "100%")
-                .set("fill", "white"),
-        )
         .add(caption::draw(
             view,
             &scene,

@@ -33,17 +33,23 @@ impl Here<'_> {
             unit: "mm",
             verdict: Verdict::unless(margin.is_none_or(met), Verdict::Fail),
             details,
-            note: zero.map_or(String::new(), |zero| {
-                let [right, left] = zero.teeth;
-                format!(
-                    "worst pose {}: wheel, pinion {},{} right and {},{} left",
-                    place(&zero.mating),
-                    right.0,
-                    right.1,
-                    left.0,
-                    left.1
-                )
-            }),
+            note: {
+                let of_nominal = nominal.map_or(String::new(), |nominal| {
+                    format!("{nominal:.4} of nominal thickness")
+                });
+                let worst = zero.map_or(String::new(), |zero| {
+                    let [right, left] = zero.teeth;
+                    format!(
+                        "; worst pose {}: wheel, pinion {},{} right and {},{} left",
+                        place(&zero.mating),
+                        right.0,
+                        right.1,
+                        left.0,
+                        left.1
+                    )
+                });
+                of_nominal + &worst
+            },
         }
     }
 

@@ -27,10 +27,6 @@ pub fn pose_count(study: &Study) -> Result<usize, Error> {
     Ok(study.runs()?.iter().map(|run| run.matings.len()).sum())
 }
 
-/// Chordal error, in modules, of the polygons that a certificate starts from (tuned for speed: it is as
-/// good from any; a tenth or ten times of this takes a third longer).
-const CERTIFICATE_CHORD: f64 = 3e-4;
-
 /// Simulates every run of `study` by `method`. `tick` is called as each pose begins, from any thread; a break ends the work.
 ///
 /// # Errors
@@ -42,12 +38,9 @@ pub fn simulate(
 ) -> Result<Vec<Run>, Error> {
     let cut = |material: Material| {
         let gears = study.materials.iter().find(|gears| gears.0 == material);
-        gears.map(|(_, wheel, pinion)| {
-            let chord = match method {
-                Method::Exact { .. } => CERTIFICATE_CHORD * wheel.gear().toothing().module(),
-                Method::Polygon | Method::Both => study.chord,
-            };
-            CutPair::new(wheel, pinion, chord)
+        gears.map(|(_, wheel, pinion)| match method {
+            Method::Exact { .. } => CutPair::for_certificates(wheel, pinion),
+            Method::Polygon | Method::Both => CutPair::new(wheel, pinion, study.chord),
         })
     };
     let cuts = [Material::Most, Material::Least, Material::AsMeasured].map(|m| (m, cut(m)));

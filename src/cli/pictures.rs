@@ -9,7 +9,7 @@ use std::ops::ControlFlow;
 const STEPS: u32 = 60;
 
 /// What is found at every step through a pitch from `pose` on, both ends included.
-pub(super) fn pitch(assembly: &Assembly, pose: &Pose, chord: f64) -> Result<Vec<SweptPose>, Error> {
+pub(super) fn pitch(assembly: &Assembly, pose: &Pose) -> Result<Vec<SweptPose>, Error> {
     let matings: Vec<Mating> = (0..=STEPS)
         .map(|step| Mating {
             fraction: pose.mating().fraction + f64::from(step) / f64::from(STEPS),
@@ -17,7 +17,7 @@ pub(super) fn pitch(assembly: &Assembly, pose: &Pose, chord: f64) -> Result<Vec<
         })
         .collect();
     let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|member| assembly.gear(member));
-    let cut = CutPair::new(wheel, pinion, chord);
+    let cut = CutPair::for_certificates(wheel, pinion);
     let method = Method::Exact { certify: true };
     sweep(assembly, &cut, method, &matings, 0.0, &|| {
         ControlFlow::Continue(())

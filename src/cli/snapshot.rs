@@ -79,7 +79,7 @@ fn teeth(text: &str) -> Result<(u32, u32), String> {
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let study = input::read(&args.pair)?;
     warn(&args.pair, &study.warnings);
-    let (title, stem, chord) = (study.title.clone(), study.stem.clone(), study.chord);
+    let (title, stem) = (study.title.clone(), study.stem.clone());
     let subject = subject(args, study)?;
     let target = match &args.output {
         Some(file) => file.clone(),
@@ -93,9 +93,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         lost_motion: &subject.lost_motion,
     };
     let picture = match args.exaggerate {
-        None if args.animate => {
-            render::animation(&view, &pitch(&subject.assembly, &subject.pose, chord)?)
-        }
+        None if args.animate => render::animation(&view, &pitch(&subject.assembly, &subject.pose)?),
         None => render::snapshot(&view),
         Some(factor) => render::exaggerated(&view, &exaggeration(&subject.assembly, factor)?),
     };
@@ -139,7 +137,7 @@ fn subject(args: &Args, study: Study) -> Result<Subject, Error> {
     let pose = Pose::new(&assembly, mating);
     let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|member| assembly.gear(member));
     let lost_motion = ExactKernel::new(&assembly).lost_motion(&pose)?;
-    let cut = CutPair::new(wheel, pinion, study.chord);
+    let cut = CutPair::for_certificates(wheel, pinion);
     Certifier::new(cut.kernel(&assembly)).check(&pose, &lost_motion)?;
     Ok(Subject {
         file: format!(

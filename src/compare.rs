@@ -7,7 +7,7 @@
 
 use crate::analytic::{Analytic, evaluate};
 use crate::gear::Curve;
-use crate::mesh::{Contact, LostMotion, Status, SweptPose};
+use crate::mesh::{Contact, LostMotion, Status, SweptPose, first_least};
 use crate::simulate::Run;
 use crate::study::Study;
 
@@ -116,17 +116,9 @@ impl ComparedRun {
     /// apart, the first.
     pub fn extremes(&self) -> Option<(&ComparedPose, &ComparedPose)> {
         let first = |sign: f64| {
-            let values = || {
-                let poses = self.poses.iter();
-                poses.filter_map(|pose| {
-                    Some((pose, pose.swept.backlash? * sign, pose.swept.error_bound?))
-                })
-            };
-            let least = values()
-                .map(|(_, value, bound)| value + bound)
-                .reduce(f64::min)?;
-            let found = values().find(|(_, value, bound)| value - bound <= least);
-            found.map(|(pose, ..)| pose)
+            first_least(self.poses.iter().filter_map(|pose| {
+                Some((pose, pose.swept.backlash? * sign, pose.swept.error_bound?))
+            }))
         };
         Some((first(1.0)?, first(-1.0)?))
     }

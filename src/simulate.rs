@@ -1,7 +1,7 @@
 //! From what a pair file asks for to what was found: every run of a study.
 
 use crate::error::Error;
-use crate::mesh::{CutPair, Method, Status, SweptPose, sweep};
+use crate::mesh::{CutPair, Method, Status, SweptPose, first_least, sweep};
 use crate::pair::Assembly;
 use crate::study::{Material, Study};
 use std::ops::ControlFlow;
@@ -73,11 +73,7 @@ pub fn worst(runs: &[Run]) -> Option<(&Run, &SweptPose)> {
     if let Some(first) = poses().find(|(_, pose)| jammed(pose)) {
         return Some(first);
     }
-    let bounds = |pose: &SweptPose| Some((pose.backlash?, pose.error_bound.unwrap_or(0.0)));
-    // The least that a backlash may at most be: whatever may lie as low cannot be told from it.
-    let highest = poses()
-        .filter_map(|(_, pose)| bounds(pose))
-        .map(|(b, e)| b + e);
-    let limit = highest.reduce(f64::min)?;
-    poses().find(|(_, pose)| bounds(pose).is_some_and(|(b, e)| b - e <= limit))
+    first_least(
+        poses().filter_map(|(run, pose)| Some(((run, pose), pose.backlash?, pose.error_bound?))),
+    )
 }

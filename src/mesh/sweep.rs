@@ -47,6 +47,15 @@ impl SweptPose {
     }
 }
 
+/// The first of `items` (each with a value and a bound on its error) that cannot be told from the least.
+pub fn first_least<T>(items: impl Iterator<Item = (T, f64, f64)> + Clone) -> Option<T> {
+    // The least that a value may at most be: whatever may lie as low cannot be told from it.
+    let highest = items.clone().map(|(_, value, bound)| value + bound);
+    let limit = highest.reduce(f64::min)?;
+    let mut low = items.filter(|(_, value, bound)| value - bound <= limit);
+    low.next().map(|(item, ..)| item)
+}
+
 /// Chordal error, in modules, of the polygons that a certificate starts from (tuned for speed: it is as
 /// good from any; a tenth or ten times of this takes a third longer).
 const CERTIFICATE_CHORD: f64 = 3e-4;

@@ -8,6 +8,7 @@ mod pictures;
 mod progress;
 mod simulate;
 mod snapshot;
+mod target;
 mod worst;
 
 use crate::error::Error;

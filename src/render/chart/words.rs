@@ -39,7 +39,7 @@ pub(super) fn course_words(course: &Course) -> String {
         None => String::new(),
     };
     format!(
-        "centre distance {} mm · {over} from mating {}·{} (wheel·pinion tooth) on{phase}",
+        "a = {} mm · {over} from mating {}·{} on{phase}",
         course.center_distance, course.start.0, course.start.1
     )
 }

@@ -43,8 +43,8 @@ pub fn difference(
     if let Some(y) = range(both.chain([0.0]), [0.1; 2], 1e-3) {
         legend.push(entry("minus model 1, Michalec", Look::Left, Sample::Line));
         legend.push(entry("minus model 2, involute", Look::Plain, Sample::Line));
-        let mut marks = of(models[0], Look::Left);
-        marks.extend(of(models[1], Look::Plain));
+        let mut marks = of(models[1], Look::Plain);
+        marks.extend(of(models[0], Look::Left));
         panels.push(Panel {
             title: "minus models 1 and 2".to_owned(),
             x: Axis {
@@ -73,7 +73,7 @@ pub fn difference(
         prefix,
         title,
         subtitle: &format!(
-            "simulated − analytic j_wt, right flanks, a line a material · {}",
+            "simulated − formula, right flanks · {}",
             course_words(course)
         ),
     };

@@ -86,7 +86,8 @@ pub fn distance(prefix: &str, title: &str, curve: &OverDistance) -> Result<Chart
         height: 380.0,
         marks,
     };
-    interference(&mut panel);
+    // The bands come from below on the left.
+    interference(&mut panel, x[0]);
     let (wheel, pinion) = curve.mating;
     let heading = Heading {
         prefix,

@@ -72,7 +72,8 @@ pub fn revolution(prefix: &str, title: &str, course: &Course) -> Result<Chart, E
             width: 1.6,
         }));
     }
-    interference(&mut panel);
+    let busy = course.least.as_ref().map_or(0.0, |least| least.x);
+    interference(&mut panel, busy);
     for (word, extreme, shift) in [
         ("least", &course.least, 16.0),
         ("greatest", &course.greatest, -16.0),

@@ -18,7 +18,7 @@ const FINE: f64 = 10.0;
 /// Left and right edge of the header.
 const SIDES: [f64; 2] = [16.0, 784.0];
 /// Room of the y axis' numbers and name.
-const Y_AXIS: f64 = 62.0;
+const Y_AXIS: f64 = 70.0;
 /// Room of the x axis' numbers and name.
 const X_AXIS: f64 = 42.0;
 /// Height of a row of the legend.
@@ -168,8 +168,7 @@ fn draw_mark(chart: &mut Context, mark: &Mark, plot: &Plot) -> Drawn {
             look,
             opacity,
         } => {
-            let [low, high] = [low, high].map(|points| thin::runs(points, column));
-            for (low, high) in low.into_iter().zip(high) {
+            for [low, high] in thin::bands(low, high, column) {
                 let outline: Vec<(f64, f64)> =
                     high.into_iter().chain(low.into_iter().rev()).collect();
                 let colour = look.colour().mix(*opacity);
@@ -183,6 +182,11 @@ fn draw_mark(chart: &mut Context, mark: &Mark, plot: &Plot) -> Drawn {
         } => {
             let stroke = look.colour().stroke_width(fine(*width) as u32);
             for run in thin::runs(points, column) {
+                if let [alone] = run[..] {
+                    let spot = Circle::new(alone, fine(*width), look.colour().filled());
+                    chart.draw_series([spot])?;
+                    continue;
+                }
                 match dash(look.dash(), &run, plot) {
                     None => chart.draw_series([PathElement::new(run, stroke)])?,
                     Some([on, off]) => chart.draw_series(DashedLineSeries::new(

@@ -137,7 +137,7 @@ fn what_does_not_suit_is_exit_2_and_writes_nothing() {
         ),
         (
             &["--kind", "difference", "--center-distance", "159.6"],
-            "--center-distance",
+            "jammed or out of mesh",
         ),
     ] {
         chart(&folder, &pair, arguments)

@@ -42,9 +42,10 @@ pub(super) fn panel(
     height: f64,
     series: &[BarSeries],
 ) -> Option<Panel> {
-    let values = series.iter().flat_map(|bars| &bars.values).flatten();
+    let values = || series.iter().flat_map(|bars| &bars.values).flatten();
+    values().next()?;
     // A tenth of a unit at least: zeros stay on a line.
-    let y = range(values.copied().chain([0.0]), [0.08; 2], 0.1)?;
+    let y = range(values().copied().chain([0.0]), [0.08; 2], 0.1)?;
     let teeth = series.iter().map(|bars| bars.values.len()).max()?;
     let ends = [0.4, teeth as f64 + 0.6];
     let width = 0.8 / series.len() as f64;
@@ -66,12 +67,7 @@ pub(super) fn panel(
             });
         }
     }
-    if series
-        .iter()
-        .flat_map(|bars| &bars.values)
-        .flatten()
-        .all(|value| *value == 0.0)
-    {
+    if values().all(|value| *value == 0.0) {
         marks.push(Mark::Text {
             at: [0.5 * (ends[0] + ends[1]), 0.0],
             shift: [0.0, -10.0],
@@ -81,7 +77,10 @@ pub(super) fn panel(
     }
     Some(Panel {
         title: title.to_owned(),
-        x: Axis::new(x_axis, ends),
+        x: Axis {
+            teeth: u32::try_from(teeth).ok(),
+            ..Axis::new(x_axis, ends)
+        },
         y: Axis::new(y_axis, y),
         height,
         marks,

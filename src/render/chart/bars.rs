@@ -5,6 +5,9 @@ use super::panel::{Anchor, Axis, Entry, Mark, Panel, Sample, range};
 use super::{Chart, Heading, sheet};
 use crate::error::Error;
 
+/// Teeth beyond which lines stand for bars: narrower than a unit, two flanks' bars cannot be told apart.
+const MOST_BARS: usize = 350;
+
 /// One series of a bar chart.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BarSeries<'a> {
@@ -55,16 +58,10 @@ pub(super) fn panel(
         width: 1.0,
     }];
     for (place, bars) in series.iter().enumerate() {
-        for (index, value) in bars.values.iter().enumerate() {
-            let Some(value) = *value else {
-                continue;
-            };
-            let left = index as f64 + 0.6 + place as f64 * width;
-            marks.push(Mark::Bar {
-                x: [left, left + width],
-                y: [value.min(0.0), value.max(0.0)],
-                look: bars.look,
-            });
+        let left = 0.6 + place as f64 * width;
+        match teeth > MOST_BARS {
+            true => marks.push(curve(bars)),
+            false => marks.extend(rods(bars, [left, left + width])),
         }
     }
     if values().all(|value| *value == 0.0) {
@@ -85,4 +82,26 @@ pub(super) fn panel(
         height,
         marks,
     })
+}
+
+/// Bars from `x[0]` to `x[1]` for tooth 1, a tooth further for each next.
+fn rods(bars: &BarSeries, x: [f64; 2]) -> impl Iterator<Item = Mark> {
+    let known = bars.values.iter().enumerate();
+    known.filter_map(move |(index, value)| {
+        let value = (*value)?;
+        Some(Mark::Bar {
+            x: x.map(|x| x + index as f64),
+            y: [value.min(0.0), value.max(0.0)],
+            look: bars.look,
+        })
+    })
+}
+
+fn curve(bars: &BarSeries) -> Mark {
+    let teeth = (1..).map(f64::from);
+    Mark::Line {
+        points: teeth.zip(bars.values.iter().copied()).collect(),
+        look: bars.look,
+        width: 1.0,
+    }
 }

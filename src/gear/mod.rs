@@ -10,6 +10,7 @@ mod displaced;
 mod fillet;
 #[allow(clippy::module_inception)]
 mod gear;
+mod grade;
 pub mod involute;
 mod outline;
 mod pins;
@@ -27,6 +28,7 @@ pub use datum::Separated;
 pub use deviation::{AsBuilt, Deviations};
 pub use fillet::Fillet;
 pub use gear::{Blank, Gear};
+pub use grade::{GRADE_SOURCE, GRADES, Graded};
 pub use outline::{HalfTooth, Segment};
 pub use pins::PinReadings;
 pub use pitch::Pitch;

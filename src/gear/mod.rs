@@ -11,6 +11,7 @@ mod fillet;
 #[allow(clippy::module_inception)]
 mod gear;
 mod grade;
+mod identity;
 pub mod involute;
 mod outline;
 mod pins;

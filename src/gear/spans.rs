@@ -57,6 +57,11 @@ impl Spans {
         })
     }
 
+    /// Whether spans over `k` teeth at all `z` teeth determine each tooth: whether `L = z/gcd(z, k − 1)` is odd.
+    pub fn determine(z: u32, k: u32) -> bool {
+        !cycle(z, k).is_multiple_of(2)
+    }
+
     /// `k`.
     pub fn teeth(&self) -> u32 {
         self.k
@@ -88,9 +93,8 @@ impl Spans {
     /// [`GearError::WrongLength`].
     pub fn per_tooth(&self, known: &Deviations) -> Result<Option<PerTooth>, GearError> {
         let (z, step) = (self.toothing.teeth(), self.k - 1);
-        let cycles = gcd(z, step);
-        let length = z / cycles;
-        if !self.readings.all_round() || length.is_multiple_of(2) {
+        let length = cycle(z, self.k);
+        if !self.readings.all_round() || !Spans::determine(z, self.k) {
             return Ok(None);
         }
         let shifts = FlankShifts::new(&self.toothing, known)?;
@@ -102,7 +106,7 @@ impl Spans {
         let cos = self.toothing.pressure_angle().cos();
         let on = |index: usize| (index + step as usize) % z as usize;
         let mut thickness = vec![0.0; z as usize];
-        for first in 0..cycles as usize {
+        for first in 0..(z / length) as usize {
             let mut sum = 0.0;
             let mut at = first;
             for n in 0..length {
@@ -144,6 +148,11 @@ impl Spans {
         super::thickness::base_from_span(&self.toothing, self.k, span)
             - self.toothing.pressure_angle().cos() * apart
     }
+}
+
+/// `L`: the teeth of a cycle of steps of `k − 1`.
+fn cycle(z: u32, k: u32) -> u32 {
+    z / gcd(z, k.saturating_sub(1)).max(1)
 }
 
 fn gcd(a: u32, b: u32) -> u32 {

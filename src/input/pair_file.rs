@@ -119,6 +119,7 @@ impl<'a> PairFile<'a> {
             tolerance_um: compare.tolerance_um,
             allow_off_line_contact: compare.allow_off_line_contact,
             echo,
+            notes: [self.wheel.notes, self.pinion.notes],
             warnings,
         })
     }

@@ -6,6 +6,7 @@
 //! Nothing here computes what a gear is.
 
 mod assembly;
+mod data_file;
 mod entry;
 mod faults;
 mod gear;
@@ -19,6 +20,7 @@ mod per_tooth;
 mod pitch;
 mod problems;
 mod runout;
+mod sheet;
 mod source;
 mod stated;
 mod sweep;

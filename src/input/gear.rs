@@ -13,7 +13,7 @@ use super::table::Table;
 use super::thickness::{self, Statement};
 use super::{all_round, contradictions, eccentricity};
 use crate::error::GearError;
-use crate::gear::{AsBuilt, Blank, Face, Rack, Toothing};
+use crate::gear::{AsBuilt, Blank, Deviations, Face, Rack, Toothing};
 use crate::notes::GearNotes;
 use serde_json::{Value, json};
 
@@ -155,7 +155,12 @@ impl GearPart {
             statement: statement?,
             under: "thickness",
         };
-        let (per_tooth_um, runout, pitch) = (per_tooth?, runout?, pitch?);
+        let runout = runout?;
+        let (Some(per_tooth_um), Some(pitch)) = (per_tooth, pitch) else {
+            // Whatever else is wrong is told, too.
+            let gears = drawing.gears(&Deviations::default(), problems)?;
+            return runout.check(table, &gears, problems);
+        };
         let measured = pitch.clone();
         let sheets = Sheets {
             per_tooth: per_tooth_um.iter().map(|um| um / 1000.0).collect(),

@@ -2,6 +2,7 @@
 
 use super::node::Node;
 use super::problems::Problems;
+use super::sheet::{Column, Coverage, Sheet, Wanted};
 use super::table::Table;
 use super::thickness::LENGTH;
 use crate::error::GearError;
@@ -18,14 +19,18 @@ pub struct Readings {
 }
 
 impl Readings {
-    /// Reads `mm = [ … ]` and the places under `place_key`, which may be left out where every tooth has its reading;
-    /// `Some(None)` where `mm` is no list.
+    /// Reads `mm = [ … ]` and the places under `place_key`, which may be left out where every tooth has its reading, or
+    /// the `column` of a file; `Some(None)` where `mm` is no list and there is no file.
     pub fn read(
         table: &Table,
         place_key: &'static str,
+        column: Column,
         teeth: Option<u32>,
         problems: &mut Problems,
     ) -> Option<Option<Readings>> {
+        if table.has("file") {
+            return Readings::of_file(table, place_key, column, teeth, problems).map(Some);
+        }
         let is_list = table
             .get("mm")
             .is_some_and(|entry| matches!(entry.node(), Node::List(_)));
@@ -36,8 +41,8 @@ impl Readings {
             {
                 problems.add(table.problem(
                     name,
-                    "goes with readings all round, mm = [ … ]",
-                    "give the readings as a list, or remove it",
+                    "goes with readings all round, mm = [ … ] or file = \"…\"",
+                    "give the readings as a list or in a file, or remove it",
                 ));
                 return None;
             }
@@ -65,6 +70,34 @@ impl Readings {
         }
         let places = Readings::places(table, place_key, mm.len(), teeth?, problems)?;
         Some(Some(Readings { places, mm }))
+    }
+
+    fn of_file(
+        table: &Table,
+        place_key: &'static str,
+        column: Column,
+        teeth: Option<u32>,
+        problems: &mut Problems,
+    ) -> Option<Readings> {
+        let beside = ["mm", "min_mm", "max_mm", place_key];
+        if let Some(second) = beside.into_iter().find(|name| table.has(name)) {
+            problems.add(table.problem(
+                "file",
+                format!("stands beside {second}, allowed is one of them"),
+                "remove one or the other",
+            ));
+            return None;
+        }
+        let wanted = Wanted {
+            columns: [column],
+            teeth,
+            coverage: Coverage::SomeTeeth,
+        };
+        let sheet = Sheet::read(table, &wanted, problems)?;
+        Some(Readings {
+            places: sheet.rows.iter().map(|row| row.tooth).collect(),
+            mm: sheet.values(0),
+        })
     }
 
     fn places(

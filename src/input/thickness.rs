@@ -4,6 +4,7 @@ use super::entry::{Limits, quoted};
 use super::node::Node;
 use super::problems::Problems;
 use super::readings::Readings;
+use super::sheet::Column;
 use super::stated::{Keys, Stated};
 use super::table::Table;
 use serde_json::{Map, Value, json};
@@ -24,8 +25,10 @@ const SPAN_KEYS: &[&str] = &[
     "max_mm",
     "first_tooth",
     "per_tooth",
+    "file",
+    "sheet",
 ];
-const PIN_KEYS: &[&str] = &["pin_mm", "mm", "min_mm", "max_mm", "space"];
+const PIN_KEYS: &[&str] = &["pin_mm", "mm", "min_mm", "max_mm", "space", "file", "sheet"];
 
 pub const LENGTH: Limits = Limits {
     allowed: "a number of mm above 0 and up to 1e9",
@@ -113,7 +116,7 @@ impl Statement {
             None => Some(true),
         };
         Some(
-            match Readings::read(&span, "first_tooth", teeth, problems)? {
+            match Readings::read(&span, "first_tooth", Column::Span, teeth, problems)? {
                 Some(readings) => Statement::Spans {
                     teeth: k?,
                     readings,
@@ -130,19 +133,21 @@ impl Statement {
     fn read_pins(table: &Table, teeth: Option<u32>, problems: &mut Problems) -> Option<Statement> {
         let pins = table.table("over_pins", PIN_KEYS, problems)?;
         let pin_mm = pins.number("pin_mm", &LENGTH, problems);
-        Some(match Readings::read(&pins, "space", teeth, problems)? {
-            Some(readings) => Statement::Pins {
-                pin_mm: pin_mm?,
-                readings,
-            },
-            None => {
-                let mm = Stated::read(&pins, &MEASURED, &LENGTH, problems);
-                Statement::OverPins {
+        Some(
+            match Readings::read(&pins, "space", Column::OverPins, teeth, problems)? {
+                Some(readings) => Statement::Pins {
                     pin_mm: pin_mm?,
-                    mm: mm?,
+                    readings,
+                },
+                None => {
+                    let mm = Stated::read(&pins, &MEASURED, &LENGTH, problems);
+                    Statement::OverPins {
+                        pin_mm: pin_mm?,
+                        mm: mm?,
+                    }
                 }
-            }
-        })
+            },
+        )
     }
 
     /// The key it stands under, below that of the thickness; `None` when nothing is stated.

@@ -31,6 +31,14 @@ impl Readings {
         if table.has("file") {
             return Readings::of_file(table, place_key, column, teeth, problems).map(Some);
         }
+        if table.has("sheet") {
+            problems.add(table.problem(
+                "sheet",
+                "there is no `file`",
+                "add the file, or remove it",
+            ));
+            return None;
+        }
         let is_list = table
             .get("mm")
             .is_some_and(|entry| matches!(entry.node(), Node::List(_)));

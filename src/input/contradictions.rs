@@ -40,7 +40,7 @@ pub fn told(
         }
         told.extend(twice(drawing, sheet, own, &flanks.stated.per_tooth));
     }
-    told.extend(spans.and_then(|spans| refused(drawing, &spans, &flanks.stated)));
+    told.extend(spans.and_then(|spans| refused(drawing, &spans, flanks)));
     told
 }
 
@@ -131,7 +131,8 @@ fn twice(
 ///
 /// Regression of what the spans show beside the pitch on what the stated thickness makes of them: the
 /// slope is 1 where they agree. Below 1/2 the spans are more even with nothing stated.
-fn refused(drawing: &Drawing, spans: &Spans, stated: &Deviations) -> Option<String> {
+fn refused(drawing: &Drawing, spans: &Spans, flanks: &Flanks) -> Option<String> {
+    let stated = &flanks.stated;
     if stated.per_tooth.is_empty() {
         return None;
     }
@@ -163,9 +164,13 @@ fn refused(drawing: &Drawing, spans: &Spans, stated: &Deviations) -> Option<Stri
     let deviation = (left / (pairs.len() - 2) as f64 / said).sqrt();
     (slope + CERTAIN * deviation < 0.5).then(|| {
         format!(
-            "{}: the spans do not show it (they show {:.0} % of it): check its sign and tooth numbers, or leave it out; the spans count",
+            "{}: the spans do not show it (they show {:.0} % of it): check its sign and tooth numbers, or leave it out; {}",
             drawing.table.path_of("thickness.per_tooth_um"),
-            100.0 * slope
+            100.0 * slope,
+            match flanks.all_round.and_then(|note| note.amplification) {
+                Some(_) => "the spans count",
+                None => "it counts all the same",
+            }
         )
     })
 }

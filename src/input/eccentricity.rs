@@ -31,9 +31,9 @@ pub fn check(
             "drop the runout, or say in [pitch] which counts: eccentricity = \"pitch\" or \"runout\"; \
              write axis = \"own\" if the values are free of eccentricity",
         ),
-        (true, Some(Counts::Runout)) if !gear.has("runout") => (
+        (true, Some(Counts::Runout)) if runout.stated().is_none() => (
             "pitch.eccentricity",
-            "no runout is stated",
+            "no runout is stated, or no high tooth of it",
             "add [runout] with total_um and high_tooth, or write eccentricity = \"pitch\"",
         ),
         (false, Some(_)) => (

@@ -22,8 +22,6 @@ pub struct Runout {
     pub total_um: f64,
     /// `None` only when there is no runout.
     pub high_tooth: Option<f64>,
-    /// Whether the pair file has it.
-    given: bool,
 }
 
 impl Runout {
@@ -50,7 +48,6 @@ impl Runout {
         Some(Runout {
             total_um,
             high_tooth,
-            given: true,
         })
     }
 
@@ -102,11 +99,11 @@ impl Runout {
         self.total_um / 2000.0
     }
 
-    /// The eccentricity, where a runout is stated; its tooth is 1 where there is none of it.
+    /// The eccentricity, where a runout is stated with its high tooth.
     pub fn stated(&self) -> Option<Eccentricity> {
-        self.given.then(|| Eccentricity {
+        self.high_tooth.map(|high_tooth| Eccentricity {
             um: self.total_um / 2.0,
-            high_tooth: self.high_tooth.unwrap_or(1.0),
+            high_tooth,
         })
     }
 

@@ -68,7 +68,3 @@ fn place(gear: &AsBuilt, side: Side, tooth: u32) -> f64 {
     let angle = side.sense() * gear.gear().half_base_angle() + gear.flank_offset(side, tooth);
     gear.gear().base_radius() * angle
 }
-
-fn um(list: &[f64]) -> Vec<f64> {
-    list.iter().map(|mm| 1000.0 * mm).collect()
-}

@@ -60,7 +60,7 @@ impl Readings {
 /// the next number, by `δ/2` and the left one by `−δ/2`. The gear's own flanks: the
 /// reference face decides nothing here.
 #[derive(Debug, Clone, PartialEq)]
-pub struct FlankShifts {
+pub(super) struct FlankShifts {
     right: Vec<f64>,
     left: Vec<f64>,
 }
@@ -70,7 +70,10 @@ impl FlankShifts {
     ///
     /// # Errors
     /// [`GearError::WrongLength`].
-    pub fn new(toothing: &Toothing, deviations: &Deviations) -> Result<FlankShifts, GearError> {
+    pub(super) fn new(
+        toothing: &Toothing,
+        deviations: &Deviations,
+    ) -> Result<FlankShifts, GearError> {
         let teeth = toothing.teeth();
         let shifts = |side: Side| {
             let mut shifts = vec![0.0; teeth as usize];

@@ -5,12 +5,13 @@ use super::flanks::Flanks;
 use super::pitch::PitchSheet;
 use crate::gear::{Deviations, Pitch, Spans};
 
-/// The probability below which flanks that go against each other count as turned round. Tuned: unrelated
-/// curves are warned of once in a thousand gears or less; a z = 20 gear whose flanks have nine tenths of their
-/// energy in common, one of them turned round, is found.
+/// The probability below which flanks that go against each other count as turned round. Tuned: of unrelated curves, white
+/// or random walks, at most 2 in 4000 were suspected; of curves with common waves of up to 5 µm and noise of
+/// ±1 µm, one of them turned round, 84 % were found at z = 20 and 91 % at z = 44.
 const UNRELATED: f64 = 1e-3;
-/// How many times less must be left of the spans by one sign of the left flank than by the other. Tuned: noise
-/// alone comes there in 3 of 1000 gears with 7 readings and never with 20.
+/// How many times less energy must be left in the spans by one sign of the left flank than by the other. Tuned:
+/// noise `ε` alone comes there only within 30° of one direction of as many dimensions as there are readings, the
+/// change of sign being as large as `ε` besides; 1 in 400 with 7 readings, none with 20.
 const CLEARER: f64 = 4.0;
 /// Fewest spans that are asked which sign they bear out.
 const FEWEST_SPANS: usize = 7;
@@ -20,7 +21,7 @@ const SAME: f64 = 0.2;
 /// Standard deviations by which the spans must refuse the stated thickness.
 const CERTAIN: f64 = 3.0;
 
-/// Everything that contradicts: `measured` is the pitch as on the sheet.
+/// Everything that contradicts; of the pitch `sheet`, its curves as measured.
 pub fn told(
     drawing: &Drawing,
     sheet: Option<(&PitchSheet, &Pitch)>,

@@ -1,5 +1,7 @@
 //! `[wheel]` and `[pinion]`: from the keys of one gear to the gear as built.
 
+mod rack;
+
 use super::cross_check::CrossCheck;
 use super::entry::Limits;
 use super::faults::Drawing;
@@ -13,8 +15,7 @@ use super::stated::Stated;
 use super::table::Table;
 use super::thickness::{self, Statement};
 use super::{all_round, contradictions, eccentricity};
-use crate::error::GearError;
-use crate::gear::{AsBuilt, Blank, Deviations, Face, Rack, Toothing};
+use crate::gear::{AsBuilt, Blank, Deviations, Face, Toothing};
 use crate::notes::GearNotes;
 use serde_json::{Value, json};
 
@@ -30,7 +31,6 @@ const KEYS: &[&str] = &[
     "runout",
     "pitch",
 ];
-const RACK_KEYS: &[&str] = &["addendum", "dedendum", "root_radius"];
 const FACES: [(&str, Face); 2] = [("front", Face::Front), ("back", Face::Back)];
 
 const MODULE: Limits = Limits {
@@ -52,16 +52,6 @@ const TIP_DIAMETER: Limits = Limits {
     allowed: "a number of mm above 0 and up to 1e9",
     holds: |mm| mm > 0.0 && mm <= 1e9,
     way_out: "give the tip diameter, or leave it out to have it follow from addendum and profile shift",
-};
-const DEPTH: Limits = Limits {
-    allowed: "a number of modules above 0 and up to 10",
-    holds: |modules| modules > 0.0 && modules <= 10.0,
-    way_out: "give it in modules; ISO 53 A has addendum 1.0 and dedendum 1.25",
-};
-const ROOT_RADIUS: Limits = Limits {
-    allowed: "a number of modules, 0 up to the dedendum",
-    holds: |modules| modules >= 0.0,
-    way_out: "give the tool's tip round in modules; ISO 53 A has 0.38",
 };
 
 /// What is good of one gear.
@@ -119,7 +109,7 @@ impl GearPart {
             Some(Some(entry)) => problems.keep(entry.number(&TIP_DIAMETER)).map(Some),
             absent => absent.map(|_| None),
         };
-        let rack = rack(table, problems);
+        let rack = rack::read(table, problems);
         let thickness = table.table("thickness", thickness::KEYS, problems);
         let statement = thickness
             .as_ref()
@@ -248,27 +238,5 @@ fn toothing(
             error.to_string(),
             "correct the gear's basic data",
         )
-    }))
-}
-
-fn rack(gear: &Table, problems: &mut Problems) -> Option<Rack> {
-    let table = gear.table("rack", RACK_KEYS, problems)?;
-    let standard = Rack::ISO_53_A;
-    let addendum = table.number_or("addendum", standard.addendum(), &DEPTH, problems);
-    let dedendum = table.number_or("dedendum", standard.dedendum(), &DEPTH, problems);
-    let root_radius = table.number_or(
-        "root_radius",
-        standard.root_radius(),
-        &ROOT_RADIUS,
-        problems,
-    );
-    let rack = Rack::new(addendum?, dedendum?, root_radius?);
-    problems.keep(rack.map_err(|error| match error {
-        GearError::OutOfRange { value, allowed, .. } => table.problem(
-            "root_radius",
-            format!("{value} is out of range, allowed is {allowed}"),
-            "reduce it, or give a greater dedendum",
-        ),
-        other => table.problem("root_radius", other.to_string(), "correct the rack"),
     }))
 }

@@ -1,14 +1,14 @@
 //! `[pitch]`: pitch deviation of both flanks as the inspection sheet states it.
 
+mod curves;
+
 use super::eccentricity::{COUNTS, Counts};
 use super::entry::Limits;
 use super::per_tooth::one_a_tooth;
 use super::problems::Problems;
 use super::sheet::{Column, Coverage, Header, Sheet, Wanted};
 use super::table::Table;
-use crate::gear::{Pitch, Side, Toothing};
 use serde_json::{Value, json};
-use std::f64::consts::PI;
 
 pub const KEYS: &[&str] = &[
     "kind",
@@ -26,10 +26,6 @@ const DEVIATION: Limits = Limits {
     holds: |um| um.abs() <= 1e7,
     way_out: "give a deviation for every tooth, measured at the reference circle",
 };
-
-/// Sheets round single pitch deviations to 0.1 µm: half of that a tooth, 0.05 µm, may be left in
-/// their sum; more is a slip, or not a list of single deviations.
-const ROUNDING_UM: f64 = 0.05;
 
 /// What a pitch value counts from.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -180,26 +176,6 @@ impl PitchSheet {
         &self.header
     }
 
-    /// The cumulative curves about the gear's own centre, each within half a pitch.
-    pub fn curves(
-        &self,
-        gear: &Table,
-        toothing: &Toothing,
-        problems: &mut Problems,
-    ) -> Option<Pitch> {
-        let mm = |um: &[f64]| -> Vec<f64> { um.iter().map(|um| um / 1000.0).collect() };
-        let (right, left) = (mm(&self.right_um), mm(&self.left_um));
-        let mut pitch = match self.kind {
-            Kind::Cumulative => Pitch::from_cumulative(&right, &left),
-            Kind::Single => Pitch::from_single(&right, &left),
-        };
-        if self.sense == Sense::Material {
-            pitch = pitch.read_as_material();
-        }
-        self.check_half_pitch(gear, &pitch, toothing, problems)?;
-        Some(pitch)
-    }
-
     /// Whether the values were measured about the datum axis.
     pub fn is_datum(&self) -> bool {
         self.axis == Axis::Datum
@@ -216,63 +192,6 @@ impl PitchSheet {
             Sense::Numbers => name_of(Sense::Material, &SENSES),
             Sense::Material => name_of(Sense::Numbers, &SENSES),
         }
-    }
-
-    fn check_half_pitch(
-        &self,
-        gear: &Table,
-        pitch: &Pitch,
-        toothing: &Toothing,
-        problems: &mut Problems,
-    ) -> Option<()> {
-        let half = PI * toothing.module() / 2.0;
-        let mut good = Some(());
-        for (side, name) in [
-            (Side::Right, "pitch.right_um"),
-            (Side::Left, "pitch.left_um"),
-        ] {
-            let worst = pitch
-                .flank(side)
-                .iter()
-                .enumerate()
-                .max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
-            if let Some((index, f)) = worst.filter(|(_, f)| !(f.abs() < half)) {
-                problems.add(gear.problem(
-                    name,
-                    format!(
-                        "tooth {} stands {:.1} µm from the mean, allowed is less than half a pitch, {:.1} µm",
-                        index + 1,
-                        1000.0 * f,
-                        1000.0 * half
-                    ),
-                    "check the unit (µm) and whether the values are single or cumulative",
-                ));
-                good = None;
-            }
-        }
-        good
-    }
-
-    /// A warning for each flank whose single pitches do not close the circle.
-    pub fn warnings(&self, gear: &Table) -> Vec<String> {
-        if self.kind != Kind::Single {
-            return Vec::new();
-        }
-        let flanks = [("right_um", &self.right_um), ("left_um", &self.left_um)];
-        flanks
-            .into_iter()
-            .filter_map(|(name, um)| {
-                let sum: f64 = um.iter().sum();
-                let rounding = ROUNDING_UM * um.len() as f64;
-                (sum.abs() > rounding).then(|| {
-                    format!(
-                        "{}.{name}: the single pitch deviations sum to {sum:.2} µm instead of 0 (rounding leaves up to {rounding:.2} µm); \
-                         the rest is shared out evenly over the teeth",
-                        gear.path_of("pitch")
-                    )
-                })
-            })
-            .collect()
     }
 
     /// As in the pair file.

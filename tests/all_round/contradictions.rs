@@ -54,42 +54,39 @@ fn negative(list: &[f64]) -> Vec<f64> {
     list.iter().map(|f| -f).collect()
 }
 
-/// How often in a thousand flanks count as turned round, 1e-3 being the limit that is stated.
+const GEARS: usize = 4000;
+
+/// How many gears out of [`GEARS`] have flanks that count as turned round, 1e-3 being the limit that is stated.
+fn suspected(name: &str, dice: &mut Dice, flanks: impl Fn(&mut Dice) -> [Vec<f64>; 2]) -> usize {
+    let suspect = |_: &usize| {
+        let [right, left] = flanks(dice);
+        Pitch::from_cumulative(&right, &left).opposition() < 1e-3
+    };
+    let count = (0..GEARS).filter(suspect).count();
+    println!("{name}: {count} of {GEARS}");
+    count
+}
+
 #[test]
 fn unrelated_flanks_are_hardly_ever_suspected() {
-    const GEARS: usize = 4000;
     let mut dice = Dice(TestRunner::deterministic());
-    let mut suspected = |name: &str, mut flanks: Box<dyn FnMut(&mut Dice) -> [Vec<f64>; 2]>| {
-        let count = (0..GEARS)
-            .filter(|_| {
-                let [right, left] = flanks(&mut dice);
-                Pitch::from_cumulative(&right, &left).opposition() < 1e-3
-            })
-            .count();
-        println!("{name}: {count} of {GEARS}");
-        count
-    };
     for z in [7, 20, 44] {
-        assert!(
-            suspected("white", Box::new(move |d| [d.list(z, 5.0), d.list(z, 5.0)])) <= GEARS / 1000
-        );
-        assert!(
-            suspected("random walks", Box::new(move |d| [d.walk(z), d.walk(z)])) <= GEARS / 1000
-        );
+        let white = suspected("white", &mut dice, |d| [d.list(z, 5.0), d.list(z, 5.0)]);
+        let walks = suspected("random walks", &mut dice, |d| [d.walk(z), d.walk(z)]);
+        assert!(white.max(walks) <= GEARS / 1000, "z {z}: {white}, {walks}");
     }
+}
+
+#[test]
+fn flanks_that_a_tool_cut_are_told_from_turned_ones() {
+    let mut dice = Dice(TestRunner::deterministic());
     for (z, share) in [(20, 0.8), (44, 0.9)] {
-        assert_eq!(suspected("real", Box::new(move |d| d.real(z, 2.0))), 0);
-        let found = suspected(
-            "real, turned",
-            Box::new(move |d| {
-                let [right, left] = d.real(z, 1.0);
-                [right, negative(&left)]
-            }),
-        );
-        assert!(
-            found as f64 > share * GEARS as f64,
-            "z {z}: {found} of {GEARS}"
-        );
+        assert_eq!(suspected("real", &mut dice, |d| d.real(z, 2.0)), 0);
+        let found = suspected("real, turned", &mut dice, |d| {
+            let [right, left] = d.real(z, 1.0);
+            [right, negative(&left)]
+        });
+        assert!(found as f64 > share * GEARS as f64, "z {z}: {found}");
     }
 }
 

@@ -151,7 +151,6 @@ fn eccentricity_comes_back_whatever_else_the_pitch_holds() {
         worst_um < 1e-6 && worst_rad < 1e-6,
         "{worst_um} µm, {worst_rad} rad"
     );
-    // What separates the exact reading from F of both flanks: the mean of a flank's curve is free.
     assert!(worst_own_um < 1e-6, "{worst_own_um}");
 }
 

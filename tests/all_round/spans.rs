@@ -64,7 +64,7 @@ proptest! {
         let gear = recipe.build(1.0).unwrap();
         let z = recipe.teeth;
         // No thickness alternates along the steps of k − 1 when z/gcd(z, k − 1) is odd.
-        let odd = |k: u32| (1..=z).find(|n| n * (k - 1) % z == 0).unwrap() % 2 == 1;
+        let odd = |k: u32| (1..=z).find(|n| (n * (k - 1)).is_multiple_of(z)).unwrap() % 2 == 1;
         let k = (1..=z).find(|&k| odd(k) && thickness::check_span(gear.gear(), k).is_ok());
         prop_assume!(k.is_some());
         let k = k.unwrap();

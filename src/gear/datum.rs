@@ -148,20 +148,8 @@ fn tooth_towards(gear: &Gear, e: Vector2<f64>) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::displaced::read;
+    use super::super::displaced::{read, tests::gear};
     use super::*;
-    use crate::gear::{Blank, Rack, Toothing};
-
-    fn gear(teeth: u32) -> Gear {
-        let toothing = Toothing::new(teeth, 3.0, 20f64.to_radians()).unwrap();
-        Gear::nominal(Blank {
-            toothing,
-            profile_shift: 0.0,
-            rack: Rack::ISO_53_A,
-            tip_diameter: None,
-        })
-        .unwrap()
-    }
 
     /// What is put in (read exactly) comes out: issue 5 asks 1e-6 µm and 1e-6 rad.
     #[test]

@@ -75,11 +75,11 @@ pub(super) fn read(
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
     use crate::gear::{Blank, Rack, Toothing};
 
-    fn gear(teeth: u32) -> Gear {
+    pub(in crate::gear) fn gear(teeth: u32) -> Gear {
         let toothing = Toothing::new(teeth, 3.0, 20f64.to_radians()).unwrap();
         Gear::nominal(Blank {
             toothing,

@@ -6,18 +6,24 @@
 
 mod datum;
 mod deviation;
+mod displaced;
 mod fillet;
 #[allow(clippy::module_inception)]
 mod gear;
 mod grade;
+mod identity;
 mod inspection;
 pub mod involute;
 mod outline;
+mod pins;
 mod pitch;
 mod placed;
 mod profile;
 mod rack;
+mod readings;
+mod runout;
 mod side;
+mod spans;
 pub mod thickness;
 mod toothing;
 
@@ -28,9 +34,14 @@ pub use gear::{Blank, Gear};
 pub use grade::{GRADE_SOURCE, GRADES, Graded};
 pub use inspection::Inspection;
 pub use outline::{HalfTooth, Segment};
+pub use pins::PinReadings;
 pub use pitch::Pitch;
 pub use placed::Placed;
 pub use profile::{Curve, Profile};
 pub use rack::Rack;
+use readings::FlankShifts;
+pub use readings::Readings;
+pub use runout::RunoutFit;
 pub use side::{Face, Side};
+pub use spans::{PerTooth, Spans};
 pub use toothing::Toothing;

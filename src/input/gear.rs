@@ -1,16 +1,22 @@
 //! `[wheel]` and `[pinion]`: from the keys of one gear to the gear as built.
 
+mod rack;
+
+use super::cross_check::CrossCheck;
 use super::entry::Limits;
 use super::faults::Drawing;
+use super::flanks::{Flanks, Sheets};
 use super::per_tooth;
 use super::pitch::PitchSheet;
 use super::problems::Problems;
 use super::runout::Runout;
+use super::sheet::Drawn;
 use super::stated::Stated;
 use super::table::Table;
 use super::thickness::{self, Statement};
-use crate::error::GearError;
-use crate::gear::{AsBuilt, Blank, Deviations, Face, Rack, Toothing};
+use super::{all_round, contradictions, eccentricity};
+use crate::gear::{AsBuilt, Blank, Deviations, Face, Toothing};
+use crate::notes::GearNotes;
 use serde_json::{Value, json};
 
 const KEYS: &[&str] = &[
@@ -25,7 +31,6 @@ const KEYS: &[&str] = &[
     "runout",
     "pitch",
 ];
-const RACK_KEYS: &[&str] = &["addendum", "dedendum", "root_radius"];
 const FACES: [(&str, Face); 2] = [("front", Face::Front), ("back", Face::Back)];
 
 const MODULE: Limits = Limits {
@@ -48,16 +53,6 @@ const TIP_DIAMETER: Limits = Limits {
     holds: |mm| mm > 0.0 && mm <= 1e9,
     way_out: "give the tip diameter, or leave it out to have it follow from addendum and profile shift",
 };
-const DEPTH: Limits = Limits {
-    allowed: "a number of modules above 0 and up to 10",
-    holds: |modules| modules > 0.0 && modules <= 10.0,
-    way_out: "give it in modules; ISO 53 A has addendum 1.0 and dedendum 1.25",
-};
-const ROOT_RADIUS: Limits = Limits {
-    allowed: "a number of modules, 0 up to the dedendum",
-    holds: |modules| modules >= 0.0,
-    way_out: "give the tool's tip round in modules; ISO 53 A has 0.38",
-};
 
 /// What is good of one gear.
 #[derive(Debug, Default)]
@@ -74,6 +69,8 @@ pub struct GearPart {
     pub as_built: Option<Stated<AsBuilt>>,
     /// As in the pair file, defaults filled in.
     pub echo: Option<Value>,
+    /// What its statements say of each other.
+    pub notes: GearNotes,
     /// What the user should know.
     pub warnings: Vec<String>,
 }
@@ -112,7 +109,7 @@ impl GearPart {
             Some(Some(entry)) => problems.keep(entry.number(&TIP_DIAMETER)).map(Some),
             absent => absent.map(|_| None),
         };
-        let rack = rack(table, problems);
+        let rack = rack::read(table, problems);
         let thickness = table.table("thickness", thickness::KEYS, problems);
         let statement = thickness
             .as_ref()
@@ -120,14 +117,22 @@ impl GearPart {
         let per_tooth = thickness
             .as_ref()
             .and_then(|table| per_tooth::thickness(table, teeth, problems));
+        let cross_check = thickness
+            .as_ref()
+            .and_then(|table| CrossCheck::read(table, statement.as_ref(), teeth, problems));
         let runout = Runout::read(table, teeth, problems);
         let sheet = PitchSheet::read(table, teeth, problems);
 
+        if let Some(runout) = &runout {
+            self.warnings.extend(runout.warning.clone());
+        }
         let pitch = match (&sheet, &self.toothing, &runout) {
             (Some(None), ..) => Some(None),
             (Some(Some(sheet)), Some(toothing), Some(runout)) => {
-                self.warnings = sheet.warnings(table);
-                sheet.curves(table, toothing, runout, problems).map(Some)
+                self.warnings.extend(sheet.warnings(table));
+                let curves = sheet.curves(table, toothing, problems);
+                let once = eccentricity::check(table, sheet, runout, problems);
+                once.and(curves).map(|pitch| Some((sheet, pitch)))
             }
             _ => None,
         };
@@ -138,50 +143,60 @@ impl GearPart {
             tip_diameter: tip_diameter?,
         };
         blank.tip_diameter = Some(2.0 * blank.tip_radius());
+        let drawn = Drawn {
+            blank: &blank,
+            pressure_angle_deg: self.pressure_angle_deg?,
+        };
+        let pitch_header = sheet.iter().flatten().map(PitchSheet::header);
+        for header in pitch_header.chain(runout.iter().map(|runout| &runout.header)) {
+            header.check(&drawn, problems);
+        }
         let drawing = Drawing {
             table,
             blank,
             statement: statement?,
+            under: "thickness",
         };
-        let gears = drawing.gears(problems)?;
         let runout = runout?;
-        let runout_fits = runout.check(table, &gears, problems).is_some();
-        let (per_tooth, face) = (per_tooth?, face?);
-        let pitch = pitch?;
-        let separated = match (&sheet, &pitch) {
-            (Some(Some(sheet)), Some(pitch)) => {
-                sheet.separate(pitch, gears.most(), table, problems)?
-            }
-            _ => None,
+        let (Some(per_tooth_um), Some(pitch)) = (per_tooth, pitch) else {
+            // Whatever else is wrong is told, too.
+            let gears = drawing.gears(&Deviations::default(), problems)?;
+            return runout.check(table, &gears, problems);
         };
-        let mut deviations = Deviations {
-            per_tooth: per_tooth.iter().map(|um| um / 1000.0).collect(),
+        let measured = pitch.clone();
+        let sheets = Sheets {
+            per_tooth: per_tooth_um.iter().map(|um| um / 1000.0).collect(),
+            runout: &runout,
             pitch,
-            // One that does not fit is told; the rest is checked without it.
-            eccentricity: if runout_fits {
-                runout.eccentricity()
-            } else {
-                0.0
-            },
-            high_tooth: runout.high_tooth.unwrap_or(1.0),
         };
-        if let Some(separated) = separated {
-            self.warnings.push(format!(
-                "{}: the datum-axis values contain an eccentricity of {:.3} µm towards tooth {:.2}, which is taken as the gear's \
-                 (a first harmonic of its own pitch cannot be told from it)",
-                table.path_of("pitch"),
-                1000.0 * separated.eccentricity,
-                separated.high_tooth,
-            ));
-            deviations.eccentricity = separated.eccentricity;
-            deviations.high_tooth = separated.high_tooth;
-            deviations.pitch = Some(separated.pitch);
+        let flanks = Flanks::settle(&drawing, sheets, problems)?;
+        let (face, cross_check) = (face?, cross_check?);
+        if let Some(note) = &flanks.eccentricity {
+            self.warnings.push(eccentricity::told(table, note));
         }
-        self.as_built = Some(drawing.as_built(&gears, face, &deviations, problems)?);
+        self.warnings.extend(all_round::told(&drawing, &flanks));
+        let measured = measured.as_ref().map(|(sheet, pitch)| (*sheet, pitch));
+        self.warnings
+            .extend(contradictions::told(&drawing, measured, &flanks));
+        self.notes = GearNotes {
+            eccentricity: flanks.eccentricity,
+            all_round: flanks.all_round,
+            thickness: None,
+        };
+        if let Some(check) = &cross_check {
+            let compared = check.compare(&drawing, &flanks.gears, &flanks.deviations, problems)?;
+            self.warnings.push(check.told(&drawing, &compared));
+            self.notes.thickness = Some(compared);
+        }
+        let deviations = &flanks.deviations;
+        self.as_built = Some(drawing.as_built(&flanks.gears, face, deviations, problems)?);
 
         let mut echo = self.echo_of(&drawing, face, &runout);
-        echo["thickness"]["per_tooth_um"] = json!(per_tooth);
-        if let Some(Some(sheet)) = sheet {
+        echo["thickness"]["per_tooth_um"] = json!(per_tooth_um);
+        if let Some(check) = &cross_check {
+            echo["thickness"]["cross_check"] = check.echo();
+        }
+        if let Some((sheet, _)) = measured {
             echo["pitch"] = sheet.echo();
         }
         self.echo = Some(echo);
@@ -223,27 +238,5 @@ fn toothing(
             error.to_string(),
             "correct the gear's basic data",
         )
-    }))
-}
-
-fn rack(gear: &Table, problems: &mut Problems) -> Option<Rack> {
-    let table = gear.table("rack", RACK_KEYS, problems)?;
-    let standard = Rack::ISO_53_A;
-    let addendum = table.number_or("addendum", standard.addendum(), &DEPTH, problems);
-    let dedendum = table.number_or("dedendum", standard.dedendum(), &DEPTH, problems);
-    let root_radius = table.number_or(
-        "root_radius",
-        standard.root_radius(),
-        &ROOT_RADIUS,
-        problems,
-    );
-    let rack = Rack::new(addendum?, dedendum?, root_radius?);
-    problems.keep(rack.map_err(|error| match error {
-        GearError::OutOfRange { value, allowed, .. } => table.problem(
-            "root_radius",
-            format!("{value} is out of range, allowed is {allowed}"),
-            "reduce it, or give a greater dedendum",
-        ),
-        other => table.problem("root_radius", other.to_string(), "correct the rack"),
     }))
 }

@@ -35,11 +35,12 @@ pub struct PairFile<'a> {
 impl<'a> PairFile<'a> {
     /// Reads every table of the file at `path`.
     pub fn read(
-        path: &Path,
+        path: &'a Path,
         entries: &'a [(String, Node)],
         problems: &mut Problems,
     ) -> PairFile<'a> {
-        let table = Table::new("", entries, KEYS, problems);
+        let folder = path.parent().unwrap_or(Path::new(""));
+        let table = Table::new("", folder, entries, KEYS, problems);
         let stem = path.file_stem().unwrap_or_default().to_string_lossy();
         let title = match table.optional("title") {
             Some(Some(entry)) => problems
@@ -60,7 +61,7 @@ impl<'a> PairFile<'a> {
             measured: if with_measured {
                 table
                     .table("measured", measured::KEYS, problems)
-                    .and_then(|table| Measured::read(&table, path, teeth, problems))
+                    .and_then(|table| Measured::read(&table, teeth, problems))
                     .map(Some)
             } else {
                 Some(None)
@@ -119,6 +120,7 @@ impl<'a> PairFile<'a> {
             tolerance_um: compare.tolerance_um,
             allow_off_line_contact: compare.allow_off_line_contact,
             echo,
+            notes: [self.wheel.notes, self.pinion.notes],
             warnings,
         })
     }

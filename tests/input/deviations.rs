@@ -104,7 +104,7 @@ fn single_pitches_that_do_not_close_are_warned_of() {
             list(left)
         ))
     };
-    assert_eq!(pitch("1.0", "-0.9").warnings, [""; 0]);
+    assert_eq!(pitch("1.0", "0.9").warnings, [""; 0]);
     let warnings = pitch("0", "-2.5").warnings;
     assert_eq!(warnings.len(), 1);
     assert!(

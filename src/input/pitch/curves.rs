@@ -1,0 +1,90 @@
+//! From the values of a pitch sheet to the cumulative curves.
+
+use super::{Kind, PitchSheet, Sense};
+use crate::gear::{Pitch, Side, Toothing};
+use crate::input::problems::Problems;
+use crate::input::table::Table;
+use std::f64::consts::PI;
+
+/// Sheets round single pitch deviations to 0.1 µm: half of that a tooth, 0.05 µm, may be left in
+/// their sum; more is a slip, or not a list of single deviations.
+const ROUNDING_UM: f64 = 0.05;
+
+impl PitchSheet {
+    /// The cumulative curves about the gear's own centre, each within half a pitch.
+    pub fn curves(
+        &self,
+        gear: &Table,
+        toothing: &Toothing,
+        problems: &mut Problems,
+    ) -> Option<Pitch> {
+        let mm = |um: &[f64]| -> Vec<f64> { um.iter().map(|um| um / 1000.0).collect() };
+        let (right, left) = (mm(&self.right_um), mm(&self.left_um));
+        let mut pitch = match self.kind {
+            Kind::Cumulative => Pitch::from_cumulative(&right, &left),
+            Kind::Single => Pitch::from_single(&right, &left),
+        };
+        if self.sense == Sense::Material {
+            pitch = pitch.read_as_material();
+        }
+        self.check_half_pitch(gear, &pitch, toothing, problems)?;
+        Some(pitch)
+    }
+
+    fn check_half_pitch(
+        &self,
+        gear: &Table,
+        pitch: &Pitch,
+        toothing: &Toothing,
+        problems: &mut Problems,
+    ) -> Option<()> {
+        let half = PI * toothing.module() / 2.0;
+        let mut good = Some(());
+        for (side, name) in [
+            (Side::Right, "pitch.right_um"),
+            (Side::Left, "pitch.left_um"),
+        ] {
+            let worst = pitch
+                .flank(side)
+                .iter()
+                .enumerate()
+                .max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
+            if let Some((index, f)) = worst.filter(|(_, f)| !(f.abs() < half)) {
+                problems.add(gear.problem(
+                    name,
+                    format!(
+                        "tooth {} stands {:.1} µm from the mean, allowed is less than half a pitch, {:.1} µm",
+                        index + 1,
+                        1000.0 * f,
+                        1000.0 * half
+                    ),
+                    "check the unit (µm) and whether the values are single or cumulative",
+                ));
+                good = None;
+            }
+        }
+        good
+    }
+
+    /// A warning for each flank whose single pitches do not close the circle.
+    pub fn warnings(&self, gear: &Table) -> Vec<String> {
+        if self.kind != Kind::Single {
+            return Vec::new();
+        }
+        let flanks = [("right_um", &self.right_um), ("left_um", &self.left_um)];
+        flanks
+            .into_iter()
+            .filter_map(|(name, um)| {
+                let sum: f64 = um.iter().sum();
+                let rounding = ROUNDING_UM * um.len() as f64;
+                (sum.abs() > rounding).then(|| {
+                    format!(
+                        "{}.{name}: the single pitch deviations sum to {sum:.2} µm instead of 0 (rounding leaves up to {rounding:.2} µm); \
+                         the rest is shared out evenly over the teeth",
+                        gear.path_of("pitch")
+                    )
+                })
+            })
+            .collect()
+    }
+}

@@ -1,0 +1,214 @@
+//! Data that contradict the file, both ways, and data that do not.
+
+use super::*;
+use gearlash::gear::Pitch;
+use proptest::collection::vec;
+use proptest::strategy::{Strategy, ValueTree};
+use proptest::test_runner::TestRunner;
+use std::f64::consts::TAU;
+
+struct Dice(TestRunner);
+
+impl Dice {
+    /// Uniform values, µm.
+    fn list(&mut self, count: usize, most: f64) -> Vec<f64> {
+        vec(-most..most, count)
+            .new_tree(&mut self.0)
+            .unwrap()
+            .current()
+    }
+
+    /// A random walk round the gear that closes.
+    fn walk(&mut self, count: usize) -> Vec<f64> {
+        let steps = self.list(count, 1.0);
+        let mean = steps.iter().sum::<f64>() / count as f64;
+        let mut at = 0.0;
+        steps
+            .iter()
+            .map(|step| {
+                at += step - mean;
+                at
+            })
+            .collect()
+    }
+
+    /// Waves of 1 to 3 a revolution, up to 5 µm, and noise.
+    fn real(&mut self, count: usize, noise: f64) -> [Vec<f64>; 2] {
+        let waves = self.list(6, 5.0);
+        let common: Vec<f64> = (0..count)
+            .map(|i| {
+                let turn = TAU * i as f64 / count as f64;
+                (1..=3)
+                    .map(|h| waves[h - 1] * (h as f64 * turn + waves[h + 2]).sin())
+                    .sum()
+            })
+            .collect();
+        [0, 1].map(|_| {
+            let noise = self.list(count, noise);
+            common.iter().zip(noise).map(|(c, n)| c + n).collect()
+        })
+    }
+}
+
+fn negative(list: &[f64]) -> Vec<f64> {
+    list.iter().map(|f| -f).collect()
+}
+
+const GEARS: usize = 4000;
+
+/// How many gears out of [`GEARS`] have flanks that count as turned round, 1e-3 being the limit that is stated.
+fn suspected(name: &str, dice: &mut Dice, flanks: impl Fn(&mut Dice) -> [Vec<f64>; 2]) -> usize {
+    let suspect = |_: &usize| {
+        let [right, left] = flanks(dice);
+        Pitch::from_cumulative(&right, &left).opposition() < 1e-3
+    };
+    let count = (0..GEARS).filter(suspect).count();
+    println!("{name}: {count} of {GEARS}");
+    count
+}
+
+#[test]
+fn unrelated_flanks_are_hardly_ever_suspected() {
+    let mut dice = Dice(TestRunner::deterministic());
+    for z in [7, 20, 44] {
+        let white = suspected("white", &mut dice, |d| [d.list(z, 5.0), d.list(z, 5.0)]);
+        let walks = suspected("random walks", &mut dice, |d| [d.walk(z), d.walk(z)]);
+        assert!(white.max(walks) <= GEARS / 1000, "z {z}: {white}, {walks}");
+    }
+}
+
+#[test]
+fn flanks_that_a_tool_cut_are_told_from_turned_ones() {
+    let mut dice = Dice(TestRunner::deterministic());
+    for (z, share) in [(20, 0.8), (44, 0.9)] {
+        assert_eq!(suspected("real", &mut dice, |d| d.real(z, 2.0)), 0);
+        let found = suspected("real, turned", &mut dice, |d| {
+            let [right, left] = d.real(z, 1.0);
+            [right, negative(&left)]
+        });
+        assert!(found as f64 > share * GEARS as f64, "z {z}: {found}");
+    }
+}
+
+fn pitch(sense: &str, right: &[f64], left: &[f64]) -> String {
+    format!(
+        "teeth = {}\nmodule_mm = 3\npitch = {{ kind = \"cumulative\", sense = {sense:?}, right_um = {right:?}, left_um = {left:?} }}\n",
+        right.len()
+    )
+}
+
+#[test]
+fn a_left_flank_that_is_turned_round_is_told() {
+    let [right, left] = Dice(TestRunner::deterministic()).real(44, 0.5);
+    let turned = negative(&left);
+    assert_eq!(pair(&pitch("numbers", &right, &left)).warnings, [""; 0]);
+    assert_eq!(pair(&pitch("material", &right, &turned)).warnings, [""; 0]);
+    for (sense, left, other) in [
+        ("numbers", &turned, "material"),
+        ("material", &left, "numbers"),
+    ] {
+        let warnings = pair(&pitch(sense, &right, left)).warnings;
+        assert_eq!(warnings.len(), 1, "{warnings:?}");
+        assert!(
+            warnings[0].starts_with("wheel.pitch.left_um: "),
+            "{}",
+            warnings[0]
+        );
+        assert!(
+            warnings[0].contains(&format!("write sense = \"{other}\"")),
+            "{}",
+            warnings[0]
+        );
+    }
+}
+
+/// Flanks that go against each other on purpose: spans bear out the one sign or the other.
+/// W_6 = 15π cos α + s_b + cos α (F_R,i+5 − F_L,i), 1 µm of noise.
+#[test]
+fn spans_say_which_sign_is_meant() {
+    let mut dice = Dice(TestRunner::deterministic());
+    let [right, left] = dice.real(44, 0.5);
+    let turned = negative(&left);
+    let noise = dice.list(44, 1.0);
+    let spans: Vec<f64> = (0..44)
+        .map(|i| {
+            let um = 20f64.to_radians().cos() * (right[(i + 5) % 44] - turned[i]);
+            50.55 + 1e-3 * (um + noise[i])
+        })
+        .collect();
+    let with_spans = |sense: &str, left: &[f64]| {
+        let keys = pitch(sense, &right, left);
+        let study = pair(&format!(
+            "{keys}thickness.span = {{ teeth = 6, mm = {spans:?}, per_tooth = false }}"
+        ));
+        study.warnings
+    };
+    assert_eq!(with_spans("numbers", &turned), [""; 0]);
+    let warnings = with_spans("numbers", &left);
+    assert!(
+        warnings.len() == 1 && warnings[0].contains("write sense = \"material\""),
+        "{warnings:?}"
+    );
+}
+
+#[test]
+fn thickness_that_is_said_twice() {
+    let mut dice = Dice(TestRunner::deterministic());
+    let [right, left] = dice.real(44, 4.0);
+    let mean = |list: &[f64]| list.iter().sum::<f64>() / 44.0;
+    let thicker = |sign: f64| -> Vec<f64> {
+        let flanks = right.iter().zip(&left);
+        flanks
+            .map(|(r, l)| r - mean(&right) - sign * (l - mean(&left)))
+            .collect()
+    };
+    let unrelated = dice.list(44, 5.0);
+    let noise = dice.list(44, 0.5);
+    let with_noise: Vec<f64> = thicker(1.0).iter().zip(noise).map(|(t, n)| t + n).collect();
+    for (per_tooth, words) in [
+        (unrelated, None),
+        (
+            with_noise,
+            Some("says the same as the pitch of both flanks"),
+        ),
+        (negative(&thicker(1.0)), Some("takes back the thickness")),
+        (thicker(-1.0), Some("write pitch.sense = \"material\"")),
+    ] {
+        let keys = pitch("numbers", &right, &left);
+        let study = pair(&format!(
+            "{keys}thickness = {{ allowance_um = -50, per_tooth_um = {per_tooth:?} }}"
+        ));
+        match words {
+            None => assert_eq!(study.warnings, [""; 0]),
+            Some(words) => {
+                assert_eq!(study.warnings.len(), 1, "{:?}", study.warnings);
+                assert!(study.warnings[0].contains(words), "{}", study.warnings[0]);
+            }
+        }
+    }
+}
+
+/// (δ_i + δ_i+5) cos α/2 in the spans, the sign of the stated thickness right and wrong.
+#[test]
+fn thickness_that_the_spans_do_not_show() {
+    let mut dice = Dice(TestRunner::deterministic());
+    let (per_tooth, noise) = (dice.list(44, 8.0), dice.list(44, 2.0));
+    let spans: Vec<f64> = (0..44)
+        .map(|i| {
+            let um = 20f64.to_radians().cos() * (per_tooth[i] + per_tooth[(i + 5) % 44]) / 2.0;
+            50.55 + 1e-3 * (um + noise[i])
+        })
+        .collect();
+    let with = |per_tooth: &[f64]| {
+        let study = pair(&format!(
+            "teeth = 44\nmodule_mm = 3\nthickness = {{ per_tooth_um = {per_tooth:?}, span = {{ teeth = 6, mm = {spans:?}, per_tooth = false }} }}"
+        ));
+        study.warnings
+    };
+    assert_eq!(with(&per_tooth), [""; 0]);
+    let warnings = with(&negative(&per_tooth));
+    assert!(
+        warnings.len() == 1 && warnings[0].contains("the spans do not show it"),
+        "{warnings:?}"
+    );
+}

@@ -227,7 +227,7 @@ fn a_runout_that_differs_between_the_blocks() {
     let table = text.replacen(row, &format!("{rest} 99.0"), 1);
     let keys = "runout = { file = \"p.txt\", at = \"space\" }";
     let told = problems("p.txt", table.as_bytes(), 44, keys).join("\n");
-    assert!(told.contains("line 64: Fr of tooth 7 is "), "{told}");
+    assert!(told.contains("line 67: Fr of tooth 7 is "), "{told}");
     let keys = "thickness.per_tooth_um = { file = \"p.txt\" }";
     let told = problems("p.txt", text.as_bytes(), 44, keys).join("\n");
     assert!(

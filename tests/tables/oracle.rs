@@ -9,7 +9,7 @@ pub type Rows = BTreeMap<u32, Vec<f64>>;
 pub fn delimited(bytes: &[u8], teeth: u32, words: &[[&str; 2]]) -> Option<Rows> {
     let text = String::from_utf8_lossy(bytes).replace(['"', '\u{feff}'], "");
     let mut lines = text.lines().filter(|line| !line.trim().is_empty());
-    let header = lines.next()?.to_lowercase();
+    let header = lines.next()?.to_lowercase().replace(' ', "");
     let delimiter = [';', ',', '\t']
         .into_iter()
         .find(|sign| header.contains(*sign))?;
@@ -19,7 +19,7 @@ pub fn delimited(bytes: &[u8], teeth: u32, words: &[[&str; 2]]) -> Option<Rows> 
             .iter()
             .position(|name| words.iter().any(|word| name.contains(word)))
     };
-    let tooth = place(&["tooth no", "zahn"])
+    let tooth = place(&["toothno", "zahn"])
         .or_else(|| names.iter().position(|name| name.trim() == "tooth"))?;
     let places: Vec<usize> = words
         .iter()

@@ -16,7 +16,10 @@ fn problems(name: &str, table: &[u8], teeth: u32, keys: &str) -> Vec<String> {
         Err(problems) => problems,
     };
     let message = |problem: &Problem| {
-        let at = problem.reason.find(name).unwrap_or(0);
+        // Without the folder, which every run has anew.
+        let at = problem.reason.find(".csv: ").map_or(0, |end| {
+            problem.reason[..end].rfind('/').map_or(0, |at| at + 1)
+        });
         format!(
             "{}: {}; {}",
             problem.key,
@@ -119,12 +122,7 @@ fn keys() {
         "thickness.per_tooth_um = { file = \"p.csv\", at = 1 }",
         "thickness.per_tooth_um = { }",
     ];
-    insta::assert_snapshot!(
-        cases
-            .map(told)
-            .join("\n")
-            .replace("q.csv: there", "q.csv: there")
-    );
+    insta::assert_snapshot!(cases.map(told).join("\n"));
 }
 
 /// The rest is told in one line: 44 problems of one kind are one mistake.
@@ -166,7 +164,6 @@ fn protocols() {
         .lines()
         .find(|line| line.trim().starts_with("7 "))
         .unwrap();
-    let cell = row.rsplitn(3, ' ').nth(0).unwrap();
     let cases = [
         (": 44\n", ": 45\n"),
         (": 3.000", ": 3.250"),
@@ -185,11 +182,8 @@ fn protocols() {
         (row, "7 -2147483.648 0 0"),
         (row, "8 0.0 0.0 0.0"),
         (row, "remark"),
-        (row, &format!("{}{cell}", row.replace(cell, ""))),
     ];
-    let told = cases[..17]
-        .iter()
-        .map(|(from, to)| protocol(from, to, "single"));
+    let told = cases.iter().map(|(from, to)| protocol(from, to, "single"));
     insta::assert_snapshot!(told.collect::<Vec<_>>().join("\n"));
 }
 

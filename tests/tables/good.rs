@@ -122,7 +122,11 @@ fn runout_is_the_first_harmonic_of_the_readings() {
         assert_eq!(echo["total_um"], 2000.0 * wheel.eccentricity());
         assert_eq!(echo["high_tooth"], wheel.high_tooth());
         assert_eq!(study.warnings.len(), 1);
-        for words in ["wheel.runout.file: ", "3.300 µm towards tooth 33.25", "6.596 µm"] {
+        for words in [
+            "wheel.runout.file: ",
+            "3.300 µm towards tooth 33.25",
+            "6.596 µm",
+        ] {
             assert!(study.warnings[0].contains(words), "{}", study.warnings[0]);
         }
     }

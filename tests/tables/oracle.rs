@@ -9,7 +9,10 @@ pub type Rows = BTreeMap<u32, Vec<f64>>;
 pub fn delimited(bytes: &[u8], teeth: u32, words: &[[&str; 2]]) -> Option<Rows> {
     let text = String::from_utf8_lossy(bytes).replace(['"', '\u{feff}'], "");
     let mut lines = text.lines().filter(|line| !line.trim().is_empty());
-    let header = lines.next()?.to_lowercase().replace(' ', "");
+    let header = lines
+        .next()?
+        .to_lowercase()
+        .replace([' ', '-', '_', '.'], "");
     let delimiter = [';', ',', '\t']
         .into_iter()
         .find(|sign| header.contains(*sign))?;

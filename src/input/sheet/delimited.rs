@@ -1,6 +1,7 @@
 //! CSV, as machines and spreadsheets write it: separated by commas, semicolons or tabs.
 
-use super::grid::{Cell, Grid, Line};
+use super::cell::Cell;
+use super::grid::{Grid, Line};
 use super::number::Decimal;
 use crate::input::data_file::{DataFile, line_of};
 use crate::input::problems::Problems;

@@ -1,26 +1,13 @@
 //! A table as cells, and the step from cells to numbers.
 
+use super::cell::Cell;
 use super::column::{self, Named};
-use super::number::{self, Decimal, Written};
+use super::number::{Decimal, Written};
 use super::{Row, Wanted};
 use crate::error::Problem;
 use crate::input::data_file::DataFile;
 use crate::input::entry::whole_in;
-use crate::input::node::Node;
 use crate::input::problems::Problems;
-
-/// One cell.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Cell {
-    /// Nothing, or only white space.
-    Empty,
-    /// Text without white space around it; in a text file numbers are text too.
-    Text(String),
-    /// A number of a workbook.
-    Number(f64),
-    /// Anything else of a workbook, in words.
-    Other(String),
-}
 
 /// One line of cells.
 #[derive(Debug, Clone, PartialEq)]
@@ -276,46 +263,6 @@ impl Grid {
             good = None;
         }
         good
-    }
-}
-
-impl Cell {
-    /// As it stands there, for a message; long ones cut.
-    fn shown(&self) -> String {
-        match self {
-            Cell::Empty => "empty".to_owned(),
-            Cell::Text(text) => Node::Text(text.clone()).shown(),
-            Cell::Number(number) => number.to_string(),
-            Cell::Other(words) => words.clone(),
-        }
-    }
-
-    /// As a column's name.
-    fn name(&self) -> String {
-        match self {
-            Cell::Text(text) => text.clone(),
-            other => other.shown(),
-        }
-    }
-
-    fn tooth(&self) -> Option<u32> {
-        match self {
-            Cell::Text(text) => number::tooth(text),
-            // The cast saturates.
-            Cell::Number(number) => (number.fract() == 0.0).then_some(*number as u32),
-            Cell::Empty | Cell::Other(_) => None,
-        }
-    }
-
-    fn number(&self) -> Option<Written<'_>> {
-        match self {
-            Cell::Text(text) => number::written(text),
-            Cell::Number(number) => number.is_finite().then_some(Written {
-                value: *number,
-                ..Written::default()
-            }),
-            Cell::Empty | Cell::Other(_) => None,
-        }
     }
 }
 

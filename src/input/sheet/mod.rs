@@ -6,6 +6,7 @@
 //! passed over: whatever is not understood is a problem with its line.
 
 mod by_tooth;
+mod cell;
 mod column;
 mod delimited;
 mod grid;

@@ -3,7 +3,8 @@
 //! Numbers must be numbers: text that looks like one has lost its decimal sign's meaning, and a date may have
 //! been one (`1.2` to a German Excel). Both are problems with a way out.
 
-use super::grid::{Cell, Grid, Line};
+use super::cell::Cell;
+use super::grid::{Grid, Line};
 use crate::input::data_file::DataFile;
 use crate::input::problems::Problems;
 use calamine::{DataRef, Reader, Xlsx};

@@ -8,7 +8,7 @@
 //! The way through the crate, each stage importing only earlier ones:
 //!
 //! ```text
-//! input → study → gear → pair → mesh → simulate → compare → diagnosis → render → cli
+//! input → study → gear → pair → mesh → simulate → compare → diagnosis → gauge → render → cli
 //!                         └──→ analytic ──────────┘
 //! ```
 //!
@@ -45,6 +45,7 @@ pub mod cli;
 pub mod compare;
 pub mod diagnosis;
 pub mod error;
+pub mod gauge;
 pub mod gear;
 pub mod input;
 pub mod measured;

@@ -3,11 +3,14 @@
 mod check;
 mod compare;
 mod distances;
+mod init;
 mod method;
 mod pictures;
 mod progress;
+mod schema;
 mod simulate;
 mod snapshot;
+mod target;
 mod worst;
 
 use crate::error::Error;
@@ -46,6 +49,10 @@ enum Command {
     Check(check::Args),
     /// Draw the contact at one pose as SVG
     Snapshot(snapshot::Args),
+    /// Write a commented pair file to begin with
+    Init(init::Args),
+    /// Print the JSON Schema of pair files, for editors
+    Schema(schema::Args),
 }
 
 /// Runs the command line of this process.
@@ -58,6 +65,8 @@ pub fn run() -> Result<ExitCode, Error> {
         Command::Compare(args) => compare::run(&args),
         Command::Check(args) => check::run(&args),
         Command::Snapshot(args) => snapshot::run(&args),
+        Command::Init(args) => init::run(&args),
+        Command::Schema(args) => schema::run(&args),
     }
 }
 

@@ -1,17 +1,17 @@
 //! `gearlash snapshot`: one contact as a picture.
 
 use super::pictures::{exaggeration, pitch};
-use super::{print, warn, worst};
+use super::target::Target;
+use super::{warn, worst};
 use crate::error::Error;
 use crate::gear::Side;
 use crate::input;
 use crate::mesh::{Certifier, CutPair, ExactKernel, LostMotion};
-use crate::output::OutputFolder;
 use crate::pair::{Assembly, Mating, Member, Pose};
 use crate::render::{self, Snapshot};
 use crate::study::{Material, Study};
 use clap::ValueEnum;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 /// Draw the contact at one pose as SVG
@@ -97,7 +97,8 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         None => render::snapshot(&view),
         Some(factor) => render::exaggerated(&view, &exaggeration(&subject.assembly, factor)?),
     };
-    write(&target, picture)
+    Target::prepare(target)?.write(picture)?;
+    Ok(ExitCode::SUCCESS)
 }
 
 /// What is drawn, and the name of its file.
@@ -153,23 +154,6 @@ fn subject(args: &Args, study: Study) -> Result<Subject, Error> {
         pose,
         lost_motion,
     })
-}
-
-/// Writes the picture to `target` and prints where it is; to standard output when that is `-`.
-fn write(target: &Path, picture: String) -> Result<ExitCode, Error> {
-    if target == Path::new("-") {
-        print(&picture);
-        return Ok(ExitCode::SUCCESS);
-    }
-    let missing_name = || Error::Usage(format!("-o {}: this names no file", target.display()));
-    let file = target.file_name().ok_or_else(missing_name)?;
-    let folder = match target.parent() {
-        Some(folder) if !folder.as_os_str().is_empty() => folder,
-        _ => Path::new("."),
-    };
-    OutputFolder::prepare(folder)?.write(&[(file.to_string_lossy().into_owned(), picture)])?;
-    print(&format!("{}\n", target.display()));
-    Ok(ExitCode::SUCCESS)
 }
 
 /// The material of `study` that `--material` names.

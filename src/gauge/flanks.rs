@@ -5,10 +5,11 @@
 //! the eccentricity as well.
 
 use super::Unmeasured;
-use super::runout::range;
+use super::runout::{mean, range};
 use super::workpiece::Workpiece;
 use crate::gear::{Pitch, Side};
 use nalgebra::{Point2, UnitComplex, Vector2};
+use std::f64::consts::FRAC_PI_2;
 
 /// What the measuring circle is centred on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -74,6 +75,21 @@ pub struct ThicknessReadings {
     pub arcs: Vec<f64>,
     /// Bound on the error of each, mm.
     pub error: f64,
+    /// What the drawing says, `s = m (π/2 + 2 x tan α)`, mm.
+    pub nominal: f64,
+}
+
+impl ThicknessReadings {
+    /// Mean thickness, mm.
+    pub fn mean(&self) -> f64 {
+        mean(self.arcs.iter().copied())
+    }
+
+    /// Each tooth's thickness less the mean, mm.
+    pub fn deviations(&self) -> Vec<f64> {
+        let mean = self.mean();
+        self.arcs.iter().map(|arc| arc - mean).collect()
+    }
 }
 
 /// Polar angles of every flank's crossing about the circle's centre, each from its tooth's
@@ -108,7 +124,10 @@ pub(super) fn thickness(work: &Workpiece) -> Result<ThicknessReadings, Unmeasure
     let Crossings { angles, error } = crossings(work, PitchAxis::Own)?;
     let [right, left] = &angles;
     let teeth = right.iter().zip(left);
+    let blank = work.as_built.gear().blank();
+    let alpha = blank.toothing.pressure_angle();
     Ok(ThicknessReadings {
+        nominal: blank.toothing.module() * (FRAC_PI_2 + 2.0 * blank.profile_shift * alpha.tan()),
         radius: radius(work),
         arcs: teeth
             .map(|(right, left)| radius(work) * (left - right))

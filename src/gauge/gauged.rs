@@ -3,6 +3,7 @@
 use super::Unmeasured;
 use super::eccentricity::{Eccentricity, eccentricity};
 use super::flanks::{PitchAxis, PitchReadings, ThicknessReadings, pitch, thickness};
+use super::formula::{Formula, formula};
 use super::pins::{Pins, pins};
 use super::roll::{Roll, roll};
 use super::runout::{RunoutReadings, runout};
@@ -59,6 +60,8 @@ pub struct Gauged {
     pub eccentricity: Eccentricity,
     /// Double-flank roll test.
     pub roll: Result<Roll, Unmeasured>,
+    /// What the formulas say.
+    pub formula: Formula,
 }
 
 /// Measures `gear`. `tick` is called as each pose of the roll test begins, from any thread; a break ends the work.
@@ -78,15 +81,29 @@ pub fn gauge(
         let teeth = 1..=gear.gear().toothing().teeth();
         teeth.map(|tooth| seat(&work, tooth, diameter)).collect()
     };
+    let spans = spans(&work, k);
+    let pins = seats(pin).and_then(|seats| pins(&work, pin, seats));
+    let runout = seats(ball).map(|seats| runout(&work, ball, seats));
+    let roll = roll(gear, settings.master_teeth, settings.steps_per_pitch, tick)?;
+    let diameters = [
+        pins.as_ref().ok().map(|p| p.diameter),
+        runout.as_ref().ok().map(|r| r.diameter),
+    ];
     Ok(Gauged {
-        spans: spans(&work, k),
-        pins: seats(pin).and_then(|seats| pins(&work, pin, seats)),
-        runout: seats(ball).map(|seats| runout(&work, ball, seats)),
+        formula: formula(
+            gear,
+            spans.as_ref().ok().map(|spans| spans.teeth),
+            diameters,
+            roll.as_ref().ok(),
+        ),
+        spans,
+        pins,
+        runout,
         pitch_own: pitch(&work, PitchAxis::Own),
         pitch_datum: pitch(&work, PitchAxis::Datum),
         thickness: thickness(&work),
         eccentricity: eccentricity(&work),
-        roll: roll(gear, settings.master_teeth, settings.steps_per_pitch, tick)?,
+        roll,
     })
 }
 

@@ -8,6 +8,7 @@
 
 mod eccentricity;
 mod flanks;
+mod formula;
 mod gauged;
 mod master;
 mod pins;
@@ -20,6 +21,7 @@ mod workpiece;
 
 pub use eccentricity::Eccentricity;
 pub use flanks::{PitchAxis, PitchReadings, ThicknessReadings};
+pub use formula::Formula;
 pub use gauged::{Gauged, Settings, gauge, usual_pin, usual_span};
 pub use pins::{OverPins, Pins};
 pub use roll::{Roll, RollPose};

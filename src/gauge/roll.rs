@@ -5,7 +5,7 @@
 
 use super::Unmeasured;
 use super::master::master;
-use super::runout::range;
+use super::runout::{mean, range};
 use crate::analytic::InvolutePair;
 use crate::diagnosis::play_free_distance;
 use crate::error::Error;
@@ -65,8 +65,7 @@ impl Roll {
 
     /// Mean `a''`, mm.
     pub fn mean(&self) -> f64 {
-        let sum: f64 = self.poses.iter().map(|pose| pose.distance).sum();
-        sum / self.poses.len() as f64
+        mean(self.poses.iter().map(|pose| pose.distance))
     }
 }
 

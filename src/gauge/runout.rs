@@ -35,8 +35,14 @@ impl RunoutReadings {
 
     /// Mean radius, mm.
     pub fn mean(&self) -> f64 {
-        let sum: f64 = self.readings.iter().map(|reading| reading.radius).sum();
-        sum / self.readings.len() as f64
+        mean(self.readings.iter().map(|reading| reading.radius))
+    }
+
+    /// What a dial shows that is set to zero at the mean: each radius less the mean, mm.
+    pub fn deviations(&self) -> Vec<f64> {
+        let mean = self.mean();
+        let readings = self.readings.iter();
+        readings.map(|reading| reading.radius - mean).collect()
     }
 }
 
@@ -51,6 +57,12 @@ pub(super) fn runout(work: &Workpiece, diameter: f64, seats: Vec<Seat>) -> Runou
         diameter,
         readings: seats.into_iter().map(read).collect(),
     }
+}
+
+/// Arithmetic mean; NaN of none, which no gear has.
+pub(super) fn mean(values: impl ExactSizeIterator<Item = f64>) -> f64 {
+    let count = values.len();
+    values.sum::<f64>() / count as f64
 }
 
 /// Greatest less least, 0 of none.

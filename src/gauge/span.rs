@@ -7,6 +7,7 @@
 //! reading is the greatest, and the anvils stand in the middle of the plateau.
 
 use super::Unmeasured;
+use super::runout::mean;
 use super::workpiece::Workpiece;
 use crate::gear::{Curve, Profile, Side};
 use crate::mesh::Touch;
@@ -32,6 +33,13 @@ pub struct Spans {
     pub teeth: u32,
     /// By first tooth, from tooth 1.
     pub readings: Vec<Span>,
+}
+
+impl Spans {
+    /// Mean span, mm.
+    pub fn mean(&self) -> f64 {
+        mean(self.readings.iter().map(|span| span.length))
+    }
 }
 
 /// Rocking steps; the first direction is right by symmetry unless a flank is not the other's mirror image.

@@ -3,6 +3,7 @@
 mod as_built;
 mod perfect;
 mod roll;
+mod round_trip;
 
 use gearlash::gauge::{Gauged, Settings, gauge};
 use gearlash::gear::{AsBuilt, Blank, Deviations, Face, Gear, Pitch, Rack, Toothing};

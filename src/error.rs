@@ -148,6 +148,9 @@ pub enum GearError {
         /// `r_b1 + r_b2`.
         least_mm: f64,
     },
+    /// Readings all round that no gear has.
+    #[error("{0}")]
+    Readings(&'static str),
     /// Datum-axis pitch data whose eccentricity cannot be separated.
     #[error("{0}")]
     DatumPitch(&'static str),

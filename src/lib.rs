@@ -50,6 +50,7 @@ pub mod gear;
 pub mod input;
 pub mod measured;
 pub mod mesh;
+pub mod notes;
 pub mod output;
 pub mod pair;
 pub mod phases;

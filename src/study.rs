@@ -5,6 +5,7 @@
 
 use crate::error::GearError;
 use crate::gear::{AsBuilt, Side};
+use crate::notes::GearNotes;
 use crate::pair::{Assembly, Mating, Member, SweepPlan};
 use std::collections::HashMap;
 
@@ -79,6 +80,8 @@ pub struct Study {
     /// The input as understood: keys as in a pair file, defaults filled in. Read as a pair file
     /// (beside the same measured file) it gives the same study.
     pub echo: serde_json::Value,
+    /// What the statements about the wheel and about the pinion say of each other.
+    pub notes: [GearNotes; 2],
     /// What the user should know, for standard error.
     pub warnings: Vec<String>,
 }

@@ -7,9 +7,10 @@
 //! jointly. A first harmonic of the gear's own pitch has the same shape: no
 //! such data can tell the two apart, and all of it counts as eccentricity.
 
-use super::{Gear, Pitch, Side, involute};
+use super::displaced::own_deviation;
+use super::{Gear, Pitch, Side};
 use crate::error::GearError;
-use nalgebra::{Complex, Vector2};
+use nalgebra::Vector2;
 
 /// A gear's own pitch deviation and the eccentricity separated from it.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,6 +33,32 @@ impl Pitch {
     /// # Errors
     /// [`GearError::WrongLength`]; [`GearError::DatumPitch`] when no eccentricity explains the data.
     pub fn separate_eccentricity(&self, gear: &Gear) -> Result<Separated, GearError> {
+        self.take_out(gear, Vector2::zeros(), true)
+    }
+
+    /// Datum-axis data of `gear` without the exact effect of an `eccentricity` known from elsewhere, mm, towards
+    /// `high_tooth`. What is left, a first harmonic included, is the gear's own pitch.
+    ///
+    /// # Errors
+    /// As [`Pitch::separate_eccentricity`].
+    pub fn without_eccentricity(
+        &self,
+        gear: &Gear,
+        eccentricity: f64,
+        high_tooth: f64,
+    ) -> Result<Pitch, GearError> {
+        let (sin, cos) = ((high_tooth - 1.0) * gear.toothing().angular_pitch()).sin_cos();
+        let known = eccentricity * Vector2::new(cos, sin);
+        Ok(self.take_out(gear, known, false)?.pitch)
+    }
+
+    /// Takes the eccentricity `e` out of the data; corrects it until nothing of its sine is left when it is `sought`.
+    fn take_out(
+        &self,
+        gear: &Gear,
+        mut e: Vector2<f64>,
+        sought: bool,
+    ) -> Result<Separated, GearError> {
         let teeth = gear.toothing().teeth();
         for side in Side::BOTH {
             let found = self.flank(side).len();
@@ -45,7 +72,6 @@ impl Pitch {
         }
         // Rounding of the readings is some ulps of the radius; no correction falls below it.
         let settled = 1e-13 * gear.toothing().reference_radius();
-        let mut e = Vector2::zeros();
         // A sheet's curves count from their own means; the readings themselves stand this far off.
         let mut means = [0.0; 2];
         for _ in 0..MOST_CORRECTIONS {
@@ -60,19 +86,15 @@ impl Pitch {
                 correction += left;
                 own[i] = deviations;
             }
+            if !sought {
+                correction = Vector2::zeros();
+            }
             e += correction;
             if correction.norm() <= settled && drift <= settled {
-                let tooth = e.y.atan2(e.x) / gear.toothing().angular_pitch();
-                let high_tooth = 1.0 + tooth.rem_euclid(f64::from(teeth));
                 return Ok(Separated {
                     pitch: Pitch::from_cumulative(&own[0], &own[1]),
                     eccentricity: e.norm(),
-                    // rem_euclid of a tiny negative number rounds up to z itself.
-                    high_tooth: if high_tooth < f64::from(teeth) + 1.0 {
-                        high_tooth
-                    } else {
-                        1.0
-                    },
+                    high_tooth: tooth_towards(gear, e),
                 });
             }
         }
@@ -111,69 +133,22 @@ impl Pitch {
     }
 }
 
-/// The own deviation of a flank at `place` whose datum-axis reading is `reading`, mm.
-///
-/// A flank turned by `F/r` and moved by `e` reads `F` plus an effect that hardly depends on `F`
-/// (by `e/r`), so substituting converges.
-fn own_deviation(
-    gear: &Gear,
-    ahead: f64,
-    place: f64,
-    reading: f64,
-    e: Vector2<f64>,
-) -> Result<f64, GearError> {
-    let mut own = reading;
-    for _ in 0..MOST_CORRECTIONS {
-        let next = own + reading - read(gear, ahead, place, own, e)?;
-        let change = (next - own).abs();
-        own = next;
-        if change <= 1e-14 * gear.toothing().reference_radius() {
-            break;
-        }
+/// The tooth (fractional) a displacement points to, `1 ≤ … < z + 1`.
+fn tooth_towards(gear: &Gear, e: Vector2<f64>) -> f64 {
+    let teeth = f64::from(gear.toothing().teeth());
+    let tooth = e.y.atan2(e.x) / gear.toothing().angular_pitch();
+    let high_tooth = 1.0 + tooth.rem_euclid(teeth);
+    // rem_euclid of a tiny negative number rounds up to z itself.
+    if high_tooth < teeth + 1.0 {
+        high_tooth
+    } else {
+        1.0
     }
-    Ok(own)
-}
-
-/// What a machine reads, mm, for a flank with the own deviation `own` when the outline is displaced by `e`.
-///
-/// The involute `r_b E (1 ± iξ)`, `E = e^{i(β ∓ ξ)}`, meets the reference circle about the axis where
-/// `|P + e| = r`. Newton's method in the roll, from the undisturbed crossing `ξ = tan α`.
-fn read(gear: &Gear, ahead: f64, place: f64, own: f64, e: Vector2<f64>) -> Result<f64, GearError> {
-    let toothing = gear.toothing();
-    let (r, base) = (toothing.reference_radius(), toothing.base_radius());
-    let alpha = toothing.pressure_angle();
-    let e = Complex::new(e.x, e.y);
-    // Everything is seen from the undisturbed crossing, so that the angle read is a small one.
-    let e = e * Complex::from_polar(1.0, -place);
-    let origin = ahead * involute::inv(alpha) + own / r;
-    let mut xi = alpha.tan();
-    for _ in 0..MOST_CORRECTIONS {
-        let turn = Complex::from_polar(1.0, origin - ahead * xi);
-        let point = turn * Complex::new(base, ahead * base * xi) + e;
-        // dP/dξ = r_b ξ E.
-        let slope = (point.conj() * turn).re * base * xi / point.norm();
-        let step = (point.norm() - r) / slope;
-        if !step.is_finite() || xi - step <= 0.0 {
-            break;
-        }
-        xi -= step;
-        if step.abs() <= 1e-15 {
-            return Ok(r * point.arg());
-        }
-    }
-    // Newton may flutter in the last bit; the residual decides.
-    let point =
-        Complex::from_polar(1.0, origin - ahead * xi) * Complex::new(base, ahead * base * xi) + e;
-    if (point.norm() - r).abs() <= 1e-13 * r {
-        return Ok(r * point.arg());
-    }
-    Err(GearError::DatumPitch(
-        "the eccentricity moves the measuring circle off the involute",
-    ))
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::displaced::read;
     use super::*;
     use crate::gear::{Blank, Rack, Toothing};
 
@@ -186,19 +161,6 @@ mod tests {
             tip_diameter: None,
         })
         .unwrap()
-    }
-
-    /// design.md section 6: F_R = −e sin(ψ − α)/cos α, F_L = −e sin(ψ + α)/cos α to first order.
-    #[test]
-    fn reads_the_first_order_sine() {
-        let gear = gear(44);
-        let alpha = gear.toothing().pressure_angle();
-        let e = 1e-4;
-        for (ahead, place) in [(1.0, 0.7), (-1.0, 0.7), (1.0, 3.0), (-1.0, -2.0)] {
-            let exact = read(&gear, ahead, place, 0.0, Vector2::new(e, 0.0)).unwrap();
-            let first = -e * (place - ahead * alpha).sin() / alpha.cos();
-            assert!((exact - first).abs() < 10.0 * e * e / gear.toothing().reference_radius());
-        }
     }
 
     /// What is put in (read exactly) comes out: issue 5 asks 1e-6 µm and 1e-6 rad.

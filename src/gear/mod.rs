@@ -6,17 +6,22 @@
 
 mod datum;
 mod deviation;
+mod displaced;
 mod fillet;
 #[allow(clippy::module_inception)]
 mod gear;
 mod grade;
+mod identity;
 pub mod involute;
 mod outline;
+mod pins;
 mod pitch;
 mod placed;
 mod profile;
 mod rack;
+mod readings;
 mod side;
+mod spans;
 pub mod thickness;
 mod toothing;
 
@@ -26,9 +31,12 @@ pub use fillet::Fillet;
 pub use gear::{Blank, Gear};
 pub use grade::{GRADE_SOURCE, GRADES, Graded};
 pub use outline::{HalfTooth, Segment};
+pub use pins::PinReadings;
 pub use pitch::Pitch;
 pub use placed::Placed;
 pub use profile::{Curve, Profile};
 pub use rack::Rack;
+pub use readings::{FlankShifts, Readings};
 pub use side::{Face, Side};
+pub use spans::{PerTooth, Spans};
 pub use toothing::Toothing;

@@ -15,15 +15,19 @@ pub struct Drawing<'a> {
     pub blank: Blank,
     /// What it says of the thickness.
     pub statement: Statement,
+    /// The table of that statement, below the gear's.
+    pub under: &'static str,
 }
 
 impl Drawing<'_> {
     /// The gear in one or both materials, its thickness measurement checked against it.
-    pub fn gears(&self, problems: &mut Problems) -> Option<Stated<Gear>> {
+    ///
+    /// `known` is what its readings all round contain beside the mean thickness.
+    pub fn gears(&self, known: &Deviations, problems: &mut Problems) -> Option<Stated<Gear>> {
         let blank = &self.blank;
         let round = blank.rack.check_tip_round(&blank.toothing);
         problems.keep(round.map_err(|error| self.fault(error)))?;
-        let base = self.statement.base_thickness(blank);
+        let base = self.statement.base_thickness(blank, known);
         let base = problems.keep(base.map_err(|error| self.pins_inside_base(error)))?;
         let gears = base.try_map(|&base| Gear::new(*blank, base));
         let gears = problems.keep(gears.map_err(|error| self.fault(error)))?;
@@ -50,6 +54,7 @@ impl Drawing<'_> {
                     ..deviations.clone()
                 };
                 let key = match AsBuilt::new(gear.clone(), face, &thickness_alone) {
+                    Err(_) if matches!(self.statement, Statement::Spans { .. }) => "thickness.span",
                     Err(_) => "thickness.per_tooth_um",
                     Ok(_) => "pitch",
                 };
@@ -61,10 +66,10 @@ impl Drawing<'_> {
     }
 
     /// The key that makes the tooth what it is: the thickness where a nominal tooth would do.
-    fn shape_key(&self, otherwise: &'static str) -> &'static str {
+    fn shape_key(&self, otherwise: &str) -> String {
         match self.statement.key() {
-            Some(key) if Gear::nominal(self.blank).is_ok() => key,
-            _ => otherwise,
+            Some(key) if Gear::nominal(self.blank).is_ok() => format!("{}.{key}", self.under),
+            _ => otherwise.to_owned(),
         }
     }
 
@@ -77,7 +82,7 @@ impl Drawing<'_> {
             let nominal = self.statement.nominal(&self.blank);
             format!("check the measurement: {nominal}")
         };
-        self.table.problem(key, reason, way_out)
+        self.table.problem(&key, reason, way_out)
     }
 
     fn fault(&self, error: GearError) -> Problem {
@@ -156,13 +161,13 @@ impl Drawing<'_> {
 
     fn pins_inside_base(&self, error: GearError) -> Problem {
         let key = match self.statement {
-            Statement::OverPins { mm, .. } if mm.is_band() => "thickness.over_pins.min_mm",
-            _ => "thickness.over_pins.mm",
+            Statement::OverPins { mm, .. } if mm.is_band() => "over_pins.min_mm",
+            _ => "over_pins.mm",
         };
         let base = 2.0 * self.blank.toothing.base_radius();
         let nominal = self.statement.nominal(&self.blank);
         self.table.problem(
-            key,
+            &format!("{}.{key}", self.under),
             format!("{error} (the base diameter is {base:.4} mm)"),
             format!("check the measurement: {nominal}"),
         )
@@ -170,7 +175,7 @@ impl Drawing<'_> {
 
     fn off_involute(&self, error: GearError, gear: &Gear) -> Problem {
         let reason = error.to_string();
-        if let Statement::Span { .. } = self.statement {
+        if let Statement::Span { .. } | Statement::Spans { .. } = self.statement {
             let fits = |teeth: &u32| thickness::check_span(gear, *teeth).is_ok();
             let teeth = gear.toothing().teeth();
             let way_out = match ((2..=teeth).find(fits), (2..=teeth).rev().find(fits)) {
@@ -180,7 +185,8 @@ impl Drawing<'_> {
                 (Some(only), _) => format!("measure over {only} teeth, and give that span"),
                 _ => "no span fits this gear: measure over pins".to_owned(),
             };
-            return self.table.problem("thickness.span.teeth", reason, way_out);
+            let key = format!("{}.span.teeth", self.under);
+            return self.table.problem(&key, reason, way_out);
         }
         let (form, tip) = (gear.form_roll(), gear.tip_roll());
         // Halfway up the involute first; a pin that touches higher is larger and stands out further.
@@ -195,7 +201,7 @@ impl Drawing<'_> {
             Some(pin) => format!("measure over pins of about {pin:.3} mm, and give that dimension"),
             None => "measure over other pins, or give the span".to_owned(),
         };
-        let key = "thickness.over_pins.pin_mm";
-        self.table.problem(key, reason, way_out)
+        let key = format!("{}.over_pins.pin_mm", self.under);
+        self.table.problem(&key, reason, way_out)
     }
 }

@@ -1,7 +1,9 @@
 //! `[wheel]` and `[pinion]`: from the keys of one gear to the gear as built.
 
+use super::cross_check::CrossCheck;
 use super::entry::Limits;
 use super::faults::Drawing;
+use super::flanks::{Flanks, Sheets};
 use super::per_tooth;
 use super::pitch::PitchSheet;
 use super::problems::Problems;
@@ -9,8 +11,10 @@ use super::runout::Runout;
 use super::stated::Stated;
 use super::table::Table;
 use super::thickness::{self, Statement};
+use super::{all_round, contradictions, eccentricity};
 use crate::error::GearError;
 use crate::gear::{AsBuilt, Blank, Deviations, Face, Rack, Toothing};
+use crate::notes::GearNotes;
 use serde_json::{Value, json};
 
 const KEYS: &[&str] = &[
@@ -74,6 +78,8 @@ pub struct GearPart {
     pub as_built: Option<Stated<AsBuilt>>,
     /// As in the pair file, defaults filled in.
     pub echo: Option<Value>,
+    /// What its statements say of each other.
+    pub notes: GearNotes,
     /// What the user should know.
     pub warnings: Vec<String>,
 }
@@ -120,6 +126,9 @@ impl GearPart {
         let per_tooth = thickness
             .as_ref()
             .and_then(|table| per_tooth::thickness(table, teeth, problems));
+        let cross_check = thickness
+            .as_ref()
+            .and_then(|table| CrossCheck::read(table, statement.as_ref(), teeth, problems));
         let runout = Runout::read(table, teeth, problems);
         let sheet = PitchSheet::read(table, teeth, problems);
 
@@ -127,7 +136,9 @@ impl GearPart {
             (Some(None), ..) => Some(None),
             (Some(Some(sheet)), Some(toothing), Some(runout)) => {
                 self.warnings = sheet.warnings(table);
-                sheet.curves(table, toothing, runout, problems).map(Some)
+                let curves = sheet.curves(table, toothing, problems);
+                let once = eccentricity::check(table, sheet, runout, problems);
+                once.and(curves).map(|pitch| Some((sheet, pitch)))
             }
             _ => None,
         };
@@ -142,46 +153,48 @@ impl GearPart {
             table,
             blank,
             statement: statement?,
+            under: "thickness",
         };
-        let gears = drawing.gears(problems)?;
         let runout = runout?;
-        let runout_fits = runout.check(table, &gears, problems).is_some();
-        let (per_tooth, face) = (per_tooth?, face?);
-        let pitch = pitch?;
-        let separated = match (&sheet, &pitch) {
-            (Some(Some(sheet)), Some(pitch)) => {
-                sheet.separate(pitch, gears.most(), table, problems)?
-            }
-            _ => None,
+        let (Some(per_tooth_um), Some(pitch)) = (per_tooth, pitch) else {
+            // Whatever else is wrong is told, too.
+            let gears = drawing.gears(&Deviations::default(), problems)?;
+            return runout.check(table, &gears, problems);
         };
-        let mut deviations = Deviations {
-            per_tooth: per_tooth.iter().map(|um| um / 1000.0).collect(),
+        let measured = pitch.clone();
+        let sheets = Sheets {
+            per_tooth: per_tooth_um.iter().map(|um| um / 1000.0).collect(),
+            runout: &runout,
             pitch,
-            // One that does not fit is told; the rest is checked without it.
-            eccentricity: if runout_fits {
-                runout.eccentricity()
-            } else {
-                0.0
-            },
-            high_tooth: runout.high_tooth.unwrap_or(1.0),
         };
-        if let Some(separated) = separated {
-            self.warnings.push(format!(
-                "{}: the datum-axis values contain an eccentricity of {:.3} µm towards tooth {:.2}, which is taken as the gear's \
-                 (a first harmonic of its own pitch cannot be told from it)",
-                table.path_of("pitch"),
-                1000.0 * separated.eccentricity,
-                separated.high_tooth,
-            ));
-            deviations.eccentricity = separated.eccentricity;
-            deviations.high_tooth = separated.high_tooth;
-            deviations.pitch = Some(separated.pitch);
+        let flanks = Flanks::settle(&drawing, sheets, problems)?;
+        let (face, cross_check) = (face?, cross_check?);
+        if let Some(note) = &flanks.eccentricity {
+            self.warnings.push(eccentricity::told(table, note));
         }
-        self.as_built = Some(drawing.as_built(&gears, face, &deviations, problems)?);
+        self.warnings.extend(all_round::told(&drawing, &flanks));
+        let measured = measured.as_ref().map(|(sheet, pitch)| (*sheet, pitch));
+        self.warnings
+            .extend(contradictions::told(&drawing, measured, &flanks));
+        self.notes = GearNotes {
+            eccentricity: flanks.eccentricity,
+            all_round: flanks.all_round,
+            thickness: None,
+        };
+        if let Some(check) = &cross_check {
+            let compared = check.compare(&drawing, &flanks.gears, &flanks.deviations, problems)?;
+            self.warnings.push(check.told(&drawing, &compared));
+            self.notes.thickness = Some(compared);
+        }
+        let deviations = &flanks.deviations;
+        self.as_built = Some(drawing.as_built(&flanks.gears, face, deviations, problems)?);
 
         let mut echo = self.echo_of(&drawing, face, &runout);
-        echo["thickness"]["per_tooth_um"] = json!(per_tooth);
-        if let Some(Some(sheet)) = sheet {
+        echo["thickness"]["per_tooth_um"] = json!(per_tooth_um);
+        if let Some(check) = &cross_check {
+            echo["thickness"]["cross_check"] = check.echo();
+        }
+        if let Some((sheet, _)) = measured {
             echo["pitch"] = sheet.echo();
         }
         self.echo = Some(echo);

@@ -21,7 +21,8 @@ pub fn read(
     entries: &[(String, Node)],
     problems: &mut Problems,
 ) -> Option<GearsStudy> {
-    let table = Table::new("", entries, KEYS, problems);
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let table = Table::new("", folder, entries, KEYS, problems);
     let (stem, title) = names(&table, path, problems);
     let part = GearPart::read(&table, "gear", problems);
     let gear = part.as_built?;

@@ -1,15 +1,14 @@
 //! `[measured]`: what a rig measured, in a CSV file beside the pair file.
 
+use super::data_file::{DataFile, line_of};
 use super::measured_row::Fields;
 use super::nearest::nearest;
 use super::problems::Problems;
-use super::source;
 use super::table::Table;
 use crate::error::Problem;
 use crate::study::MeasuredRow;
 use serde_json::{Value, json};
 use std::collections::HashSet;
-use std::path::{Path, PathBuf};
 
 pub const KEYS: &[&str] = &["file"];
 /// The columns, all needed, in any order.
@@ -27,32 +26,22 @@ pub const COLUMNS: [&str; 8] = [
 /// The file and its rows, each with its line.
 #[derive(Debug)]
 pub struct Measured {
-    /// As written in the pair file.
-    file: String,
-    /// Where that is.
-    path: PathBuf,
+    file: DataFile,
     pub rows: Vec<(u64, MeasuredRow)>,
 }
 
 impl Measured {
-    /// Reads the file named in `[measured]`; a relative path starts at the folder of `pair_file`.
+    /// Reads the file named in `[measured]`.
     pub fn read(
         table: &Table,
-        pair_file: &Path,
         teeth: (Option<u32>, Option<u32>),
         problems: &mut Problems,
     ) -> Option<Measured> {
-        let entry = table.need("file", "the name of a CSV file", problems)?;
-        let file = problems.keep(entry.text("give the name of a CSV file"))?;
         let mut measured = Measured {
-            file: file.to_owned(),
-            path: pair_file.parent().unwrap_or(Path::new("")).join(file),
+            file: DataFile::of(table, "the name of a CSV file", problems)?,
             rows: Vec::new(),
         };
-        let text = problems.keep(
-            source::text(&measured.path)
-                .map_err(|problem| measured.problem(problem.reason, problem.way_out)),
-        )?;
+        let text = problems.keep(measured.file.text())?;
         let mut bad = Problems::of_list();
         measured.rows = measured.parse(&text, teeth, &mut bad).unwrap_or_default();
         let good = bad.is_empty();
@@ -77,22 +66,12 @@ impl Measured {
 
     /// As in the pair file.
     pub fn echo(&self) -> Value {
-        json!({ "file": self.file })
-    }
-
-    /// A problem in the file.
-    fn problem(&self, reason: impl std::fmt::Display, way_out: impl Into<String>) -> Problem {
-        Problem {
-            key: "measured.file".to_owned(),
-            value: Some(format!("{:?}", self.file)),
-            reason: format!("{}: {reason}", self.path.display()),
-            way_out: way_out.into(),
-        }
+        json!({ "file": self.file.name() })
     }
 
     /// A problem of one line.
     pub fn problem_at(&self, line: u64, reason: &str, way_out: &str) -> Problem {
-        self.problem(format!("line {line}: {reason}"), way_out)
+        self.file.problem_at(line, reason, way_out)
     }
 
     fn parse(
@@ -118,7 +97,7 @@ impl Measured {
             let record = match record {
                 Ok(record) => record,
                 Err(error) => {
-                    problems.add(self.problem(error, "correct the line"));
+                    problems.add(self.file.problem(error, "correct the line"));
                     break;
                 }
             };
@@ -143,7 +122,10 @@ impl Measured {
             rows.extend(fields.row(teeth, problems).map(|row| (line, row)));
         }
         if rows.is_empty() && problems.is_empty() {
-            problems.add(self.problem("no rows, needed is at least one", "add what was measured"));
+            problems.add(
+                self.file
+                    .problem("no rows, needed is at least one", "add what was measured"),
+            );
         }
         Some(rows)
     }
@@ -180,11 +162,4 @@ impl Measured {
         }
         problems.is_empty().then_some(columns)
     }
-}
-
-/// The line on which a record stands; its position is that of the blank lines before it.
-fn line_of(text: &str, start: &csv::Position) -> u64 {
-    let rest = text.get(start.byte() as usize..).unwrap_or_default();
-    let blank = rest.bytes().take_while(|&b| b == b'\r' || b == b'\n');
-    start.line() + blank.filter(|&b| b == b'\n').count() as u64
 }

@@ -5,9 +5,15 @@
 //! whose refusals are traced back to the keys they come from (`faults`).
 //! Nothing here computes what a gear is.
 
+mod all_round;
 mod assembly;
+mod contradictions;
+mod cross_check;
+mod data_file;
+mod eccentricity;
 mod entry;
 mod faults;
+mod flanks;
 mod gear;
 mod gear_file;
 mod measured;
@@ -19,12 +25,15 @@ mod pair_file;
 mod per_tooth;
 mod pitch;
 mod problems;
+mod readings;
 mod runout;
+mod sheet;
 mod source;
 mod stated;
 mod sweep;
 mod table;
 mod thickness;
+mod tooth;
 
 use crate::error::Error;
 use crate::study::{GearsStudy, Study};

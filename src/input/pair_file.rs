@@ -35,11 +35,12 @@ pub struct PairFile<'a> {
 impl<'a> PairFile<'a> {
     /// Reads every table of the file at `path`.
     pub fn read(
-        path: &Path,
+        path: &'a Path,
         entries: &'a [(String, Node)],
         problems: &mut Problems,
     ) -> PairFile<'a> {
-        let table = Table::new("", entries, KEYS, problems);
+        let folder = path.parent().unwrap_or(Path::new(""));
+        let table = Table::new("", folder, entries, KEYS, problems);
         let (stem, title) = names(&table, path, problems);
         let wheel = GearPart::read(&table, "wheel", problems);
         let pinion = GearPart::read(&table, "pinion", problems);
@@ -54,7 +55,7 @@ impl<'a> PairFile<'a> {
             measured: if with_measured {
                 table
                     .table("measured", measured::KEYS, problems)
-                    .and_then(|table| Measured::read(&table, path, teeth, problems))
+                    .and_then(|table| Measured::read(&table, teeth, problems))
                     .map(Some)
             } else {
                 Some(None)
@@ -113,6 +114,7 @@ impl<'a> PairFile<'a> {
             tolerance_um: compare.tolerance_um,
             allow_off_line_contact: compare.allow_off_line_contact,
             echo,
+            notes: [self.wheel.notes, self.pinion.notes],
             warnings,
         })
     }

@@ -1,15 +1,22 @@
 //! `[pitch]`: pitch deviation of both flanks as the inspection sheet states it.
 
+use super::eccentricity::{COUNTS, Counts};
 use super::entry::Limits;
 use super::per_tooth::one_a_tooth;
 use super::problems::Problems;
-use super::runout::Runout;
 use super::table::Table;
-use crate::gear::{Gear, Pitch, Separated, Side, Toothing};
+use crate::gear::{Pitch, Side, Toothing};
 use serde_json::{Value, json};
 use std::f64::consts::PI;
 
-pub const KEYS: &[&str] = &["kind", "axis", "sense", "right_um", "left_um"];
+pub const KEYS: &[&str] = &[
+    "kind",
+    "axis",
+    "sense",
+    "eccentricity",
+    "right_um",
+    "left_um",
+];
 
 const DEVIATION: Limits = Limits {
     allowed: "a number of µm, −1e7 … 1e7",
@@ -49,6 +56,7 @@ pub struct PitchSheet {
     kind: Kind,
     axis: Axis,
     sense: Sense,
+    counts: Option<Counts>,
     right_um: Vec<f64>,
     left_um: Vec<f64>,
 }
@@ -63,6 +71,10 @@ impl PitchSheet {
         let table = gear.table("pitch", KEYS, problems)?;
         let axis = table.choice_or_first("axis", &AXES, problems);
         let sense = table.choice_or_first("sense", &SENSES, problems);
+        let counts = match table.optional("eccentricity")? {
+            Some(entry) => problems.keep(entry.choice(&COUNTS)).map(Some),
+            None => Some(None),
+        };
         let right = table.numbers("right_um", &DEVIATION, problems);
         let left = table.numbers("left_um", &DEVIATION, problems);
         let lengths = [&right, &left].map(|list| list.as_ref().map(Vec::len));
@@ -93,9 +105,18 @@ impl PitchSheet {
             kind: kind?,
             axis: axis?,
             sense: sense?,
+            counts: counts?,
             right_um: right?,
             left_um: left?,
         };
+        if let (true, Some(_)) = (sheet.right_um.is_empty(), counts?) {
+            problems.add(table.problem(
+                "eccentricity",
+                "there are no pitch values that could contain one",
+                "remove it, or give right_um and left_um",
+            ));
+            return None;
+        }
         Some((!sheet.right_um.is_empty()).then_some(sheet))
     }
 
@@ -104,7 +125,6 @@ impl PitchSheet {
         &self,
         gear: &Table,
         toothing: &Toothing,
-        runout: &Runout,
         problems: &mut Problems,
     ) -> Option<Pitch> {
         let mm = |um: &[f64]| -> Vec<f64> { um.iter().map(|um| um / 1000.0).collect() };
@@ -117,38 +137,25 @@ impl PitchSheet {
             pitch = pitch.read_as_material();
         }
         self.check_half_pitch(gear, &pitch, toothing, problems)?;
-        if self.axis == Axis::Datum && runout.total_um > 0.0 {
-            problems.add(gear.problem(
-                "pitch.axis",
-                "pitch measured about the datum axis already contains the eccentricity, and [runout] would count it twice",
-                "drop the runout, or write axis = \"own\" if the values are free of eccentricity",
-            ));
-            return None;
-        }
         Some(pitch)
     }
 
-    /// Takes the eccentricity out of `pitch` where it was measured about the datum axis; `None` where not.
-    ///
-    /// `of` is the gear at either material: its thickness only says where on a tooth its flanks stand.
-    pub fn separate(
-        &self,
-        pitch: &Pitch,
-        of: &Gear,
-        gear: &Table,
-        problems: &mut Problems,
-    ) -> Option<Option<Separated>> {
-        if self.axis == Axis::Own {
-            return Some(None);
+    /// Whether the values were measured about the datum axis.
+    pub fn is_datum(&self) -> bool {
+        self.axis == Axis::Datum
+    }
+
+    /// Which eccentricity counts, where the file says so.
+    pub fn counts(&self) -> Option<Counts> {
+        self.counts
+    }
+
+    /// The `sense` that reads the left flank the other way round.
+    pub fn other_sense(&self) -> &'static str {
+        match self.sense {
+            Sense::Numbers => name_of(Sense::Material, &SENSES),
+            Sense::Material => name_of(Sense::Numbers, &SENSES),
         }
-        let separated = pitch.separate_eccentricity(of).map_err(|error| {
-            gear.problem(
-                "pitch.axis",
-                error.to_string(),
-                "check the values, or write axis = \"own\" if they are free of eccentricity",
-            )
-        });
-        problems.keep(separated).map(Some)
     }
 
     fn check_half_pitch(
@@ -210,13 +217,17 @@ impl PitchSheet {
 
     /// As in the pair file.
     pub fn echo(&self) -> Value {
-        json!({
+        let mut echo = json!({
             "kind": name_of(self.kind, &KINDS),
             "axis": name_of(self.axis, &AXES),
             "sense": name_of(self.sense, &SENSES),
             "right_um": self.right_um,
             "left_um": self.left_um,
-        })
+        });
+        if let Some(counts) = self.counts {
+            echo["eccentricity"] = json!(name_of(counts, &COUNTS));
+        }
+        echo
     }
 }
 

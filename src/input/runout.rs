@@ -5,6 +5,7 @@ use super::problems::Problems;
 use super::stated::Stated;
 use super::table::Table;
 use crate::gear::Gear;
+use crate::notes::Eccentricity;
 use serde_json::{Map, Value, json};
 
 pub const KEYS: &[&str] = &["total_um", "high_tooth"];
@@ -21,6 +22,8 @@ pub struct Runout {
     pub total_um: f64,
     /// `None` only when there is no runout.
     pub high_tooth: Option<f64>,
+    /// Whether the pair file has it.
+    given: bool,
 }
 
 impl Runout {
@@ -47,6 +50,7 @@ impl Runout {
         Some(Runout {
             total_um,
             high_tooth,
+            given: true,
         })
     }
 
@@ -96,6 +100,14 @@ impl Runout {
     /// Eccentricity `e = F_r/2`, mm.
     pub fn eccentricity(&self) -> f64 {
         self.total_um / 2000.0
+    }
+
+    /// The eccentricity, where a runout is stated; its tooth is 1 where there is none of it.
+    pub fn stated(&self) -> Option<Eccentricity> {
+        self.given.then(|| Eccentricity {
+            um: self.total_um / 2.0,
+            high_tooth: self.high_tooth.unwrap_or(1.0),
+        })
     }
 
     /// As in the pair file.

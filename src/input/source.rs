@@ -9,11 +9,11 @@ use std::path::Path;
 /// Largest file read: 16 MiB. Pitch and thickness of two gears of 10 000 teeth need one.
 const MOST_BYTES: u64 = 16 << 20;
 
-/// The text of the file at `path`, without byte order mark.
+/// The bytes of the file at `path`.
 ///
 /// # Errors
-/// One problem, its key empty: not there, a folder, over 16 MiB, unreadable, not UTF-8.
-pub fn text(path: &Path) -> Result<String, Problem> {
+/// One problem, its key empty: not there, a folder, over 16 MiB, unreadable.
+pub fn bytes(path: &Path) -> Result<Vec<u8>, Problem> {
     let cannot = |error: std::io::Error| match error.kind() {
         ErrorKind::NotFound => whole_file("there is no such file", "check name and folder"),
         _ => whole_file(
@@ -43,7 +43,15 @@ pub fn text(path: &Path) -> Result<String, Problem> {
     if bytes.len() as u64 > MOST_BYTES {
         return Err(too_large("has more than 16 MiB".to_owned()));
     }
-    let text = String::from_utf8(bytes).map_err(|error| {
+    Ok(bytes)
+}
+
+/// The text of the file at `path`, without byte order mark.
+///
+/// # Errors
+/// One problem, its key empty: those of [`bytes`]; not UTF-8.
+pub fn text(path: &Path) -> Result<String, Problem> {
+    let text = String::from_utf8(bytes(path)?).map_err(|error| {
         let good = error.utf8_error().valid_up_to();
         let line = 1 + error.as_bytes()[..good]
             .iter()

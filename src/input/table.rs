@@ -10,26 +10,31 @@ use super::node::Node;
 use super::problems::Problems;
 use crate::error::Problem;
 use std::ops::RangeInclusive;
+use std::path::Path;
 
 /// A table and the dotted path it stands under, empty for the whole file.
 #[derive(Debug, Clone)]
 pub struct Table<'a> {
     path: String,
+    /// The pair file's: where the files it names are.
+    folder: &'a Path,
     entries: &'a [(String, Node)],
     /// Known keys that an unknown one almost spells: not missing, but mistyped.
     mistyped: Vec<&'static str>,
 }
 
 impl<'a> Table<'a> {
-    /// The table at `path`; every key that is not `known` is a problem.
+    /// The table at `path` of a pair file in `folder`; every key that is not `known` is a problem.
     pub fn new(
         path: &str,
+        folder: &'a Path,
         entries: &'a [(String, Node)],
         known: &'static [&'static str],
         problems: &mut Problems,
     ) -> Table<'a> {
         let mut table = Table {
             path: path.to_owned(),
+            folder,
             entries,
             mistyped: Vec::new(),
         };
@@ -55,6 +60,11 @@ impl<'a> Table<'a> {
         }
         problems.add_list(path, unknown);
         table
+    }
+
+    /// The folder of the pair file.
+    pub fn folder(&self) -> &'a Path {
+        self.folder
     }
 
     /// The dotted `path` below this table, seen from the file.
@@ -206,7 +216,8 @@ impl<'a> Table<'a> {
                 }
             },
         };
-        Some(Table::new(&self.path_of(name), entries, known, problems))
+        let path = self.path_of(name);
+        Some(Table::new(&path, self.folder, entries, known, problems))
     }
 }
 

@@ -1,12 +1,12 @@
-//! `[thickness]`: one statement of the mean tooth thickness, and what is added per tooth.
+//! `[thickness]`: one statement of the mean tooth thickness.
 
 use super::entry::{Limits, quoted};
 use super::node::Node;
 use super::problems::Problems;
+use super::readings::Readings;
+use super::sheet::Column;
 use super::stated::{Keys, Stated};
 use super::table::Table;
-use crate::error::GearError;
-use crate::gear::{Blank, Gear, thickness};
 use serde_json::{Map, Value, json};
 
 pub const KEYS: &[&str] = &[
@@ -15,10 +15,22 @@ pub const KEYS: &[&str] = &[
     "allowance_um",
     "base_thickness_mm",
     "per_tooth_um",
+    "cross_check",
 ];
 const STATEMENTS: &[&str] = KEYS.split_at(4).0;
+const SPAN_KEYS: &[&str] = &[
+    "teeth",
+    "mm",
+    "min_mm",
+    "max_mm",
+    "first_tooth",
+    "per_tooth",
+    "file",
+    "sheet",
+];
+const PIN_KEYS: &[&str] = &["pin_mm", "mm", "min_mm", "max_mm", "space", "file", "sheet"];
 
-const LENGTH: Limits = Limits {
+pub const LENGTH: Limits = Limits {
     allowed: "a number of mm above 0 and up to 1e9",
     holds: |mm| mm > 0.0 && mm <= 1e9,
     way_out: "give the measured length in mm",
@@ -40,7 +52,7 @@ const BARE: Keys = Keys {
 };
 
 /// How the pair file states the mean thickness.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Statement {
     /// Not at all: nominal.
     Nominal,
@@ -48,6 +60,14 @@ pub enum Statement {
     Span { teeth: u32, mm: Stated<f64> },
     /// `M_dK` in mm over pins of diameter `D_M`, mm.
     OverPins { pin_mm: f64, mm: Stated<f64> },
+    /// `W_k` all round, at first teeth; `per_tooth`: they give each tooth's thickness, too.
+    Spans {
+        teeth: u32,
+        readings: Readings,
+        per_tooth: bool,
+    },
+    /// `M_dK` all round, at spaces.
+    Pins { pin_mm: f64, readings: Readings },
     /// `A_s` in µm, transverse at the reference circle.
     Allowance(Stated<f64>),
     /// `s_b` in mm.
@@ -76,26 +96,8 @@ impl Statement {
             return None;
         }
         match given.first().copied() {
-            Some("span") => {
-                let span = table.table("span", &["teeth", "mm", "min_mm", "max_mm"], problems)?;
-                let most = teeth.unwrap_or(10_000);
-                let teeth = span.whole("teeth", 1..=most, "count the teeth spanned", problems);
-                let mm = Stated::read(&span, &MEASURED, &LENGTH, problems);
-                Some(Statement::Span {
-                    teeth: teeth?,
-                    mm: mm?,
-                })
-            }
-            Some("over_pins") => {
-                let pins =
-                    table.table("over_pins", &["pin_mm", "mm", "min_mm", "max_mm"], problems)?;
-                let pin_mm = pins.number("pin_mm", &LENGTH, problems);
-                let mm = Stated::read(&pins, &MEASURED, &LENGTH, problems);
-                Some(Statement::OverPins {
-                    pin_mm: pin_mm?,
-                    mm: mm?,
-                })
-            }
+            Some("span") => Statement::read_span(table, teeth, problems),
+            Some("over_pins") => Statement::read_pins(table, teeth, problems),
             Some("allowance_um") => {
                 bare(table, "allowance_um", &ALLOWANCE, problems).map(Statement::Allowance)
             }
@@ -105,70 +107,57 @@ impl Statement {
         }
     }
 
-    /// The key it stands under, below the gear's; `None` when nothing is stated.
+    fn read_span(table: &Table, teeth: Option<u32>, problems: &mut Problems) -> Option<Statement> {
+        let span = table.table("span", SPAN_KEYS, problems)?;
+        let most = teeth.unwrap_or(10_000);
+        let k = span.whole("teeth", 1..=most, "count the teeth spanned", problems);
+        let per_tooth = match span.optional("per_tooth")? {
+            Some(entry) => problems.keep(entry.flag()),
+            None => Some(true),
+        };
+        Some(
+            match Readings::read(&span, "first_tooth", Column::Span, teeth, problems)? {
+                Some(readings) => Statement::Spans {
+                    teeth: k?,
+                    readings,
+                    per_tooth: per_tooth?,
+                },
+                None => {
+                    let mm = Stated::read(&span, &MEASURED, &LENGTH, problems);
+                    Statement::Span { teeth: k?, mm: mm? }
+                }
+            },
+        )
+    }
+
+    fn read_pins(table: &Table, teeth: Option<u32>, problems: &mut Problems) -> Option<Statement> {
+        let pins = table.table("over_pins", PIN_KEYS, problems)?;
+        let pin_mm = pins.number("pin_mm", &LENGTH, problems);
+        Some(
+            match Readings::read(&pins, "space", Column::OverPins, teeth, problems)? {
+                Some(readings) => Statement::Pins {
+                    pin_mm: pin_mm?,
+                    readings,
+                },
+                None => {
+                    let mm = Stated::read(&pins, &MEASURED, &LENGTH, problems);
+                    Statement::OverPins {
+                        pin_mm: pin_mm?,
+                        mm: mm?,
+                    }
+                }
+            },
+        )
+    }
+
+    /// The key it stands under, below that of the thickness; `None` when nothing is stated.
     pub fn key(&self) -> Option<&'static str> {
         match self {
             Statement::Nominal => None,
-            Statement::Span { .. } => Some("thickness.span"),
-            Statement::OverPins { .. } => Some("thickness.over_pins"),
-            Statement::Allowance(_) => Some("thickness.allowance_um"),
-            Statement::Base(_) => Some("thickness.base_thickness_mm"),
-        }
-    }
-
-    /// Mean base tooth thickness `s_b`, mm.
-    ///
-    /// # Errors
-    /// A dimension over pins whose pins would sit inside the base circle.
-    pub fn base_thickness(&self, blank: &Blank) -> Result<Stated<f64>, GearError> {
-        let toothing = &blank.toothing;
-        let nominal = blank.nominal_base_thickness();
-        match self {
-            Statement::Nominal => Ok(Stated::Single(nominal)),
-            Statement::Span { teeth, mm } => {
-                mm.try_map(|&mm| Ok(thickness::base_from_span(toothing, *teeth, mm)))
-            }
-            Statement::OverPins { pin_mm, mm } => {
-                mm.try_map(|&mm| thickness::base_from_pins(toothing, *pin_mm, mm))
-            }
-            Statement::Allowance(um) => um.try_map(|&um| {
-                Ok(thickness::base_from_allowance(
-                    toothing,
-                    nominal,
-                    um / 1000.0,
-                ))
-            }),
-            Statement::Base(mm) => Ok(*mm),
-        }
-    }
-
-    /// Whether the measurement touches `gear` where it measures its thickness.
-    ///
-    /// # Errors
-    /// A span or a pin that does not touch the involute, a pin below the tip or in the root.
-    pub fn check(&self, gear: &Gear) -> Result<(), GearError> {
-        match *self {
-            Statement::Span { teeth, .. } => thickness::check_span(gear, teeth),
-            Statement::OverPins { pin_mm, .. } => thickness::check_pins(gear, pin_mm),
-            _ => Ok(()),
-        }
-    }
-
-    /// What the nominal tooth would measure: "nominal is 50.6 mm".
-    pub fn nominal(&self, blank: &Blank) -> String {
-        let toothing = &blank.toothing;
-        let base = blank.nominal_base_thickness();
-        match *self {
-            Statement::Nominal | Statement::Base(_) => format!("nominal is {base:.4} mm"),
-            Statement::Span { teeth, .. } => {
-                let span = thickness::span_from_base(toothing, teeth, base);
-                format!("nominal over {teeth} teeth is {span:.4} mm")
-            }
-            Statement::OverPins { pin_mm, .. } => {
-                let over = thickness::pins_from_base(toothing, pin_mm, base);
-                format!("nominal over pins of {pin_mm} mm is {over:.4} mm")
-            }
-            Statement::Allowance(_) => "nominal is 0 µm".to_owned(),
+            Statement::Span { .. } | Statement::Spans { .. } => Some("span"),
+            Statement::OverPins { .. } | Statement::Pins { .. } => Some("over_pins"),
+            Statement::Allowance(_) => Some("allowance_um"),
+            Statement::Base(_) => Some("base_thickness_mm"),
         }
     }
 
@@ -185,6 +174,21 @@ impl Statement {
             Statement::OverPins { pin_mm, mm } => {
                 let mut pins = Map::from_iter([("pin_mm".to_owned(), json!(pin_mm))]);
                 mm.echo(&MEASURED, &mut pins);
+                ("over_pins", Value::Object(pins))
+            }
+            Statement::Spans {
+                teeth,
+                readings,
+                per_tooth,
+            } => {
+                let mut span = Map::from_iter([("teeth".to_owned(), json!(teeth))]);
+                readings.echo("first_tooth", &mut span);
+                span.insert("per_tooth".to_owned(), json!(per_tooth));
+                ("span", Value::Object(span))
+            }
+            Statement::Pins { pin_mm, readings } => {
+                let mut pins = Map::from_iter([("pin_mm".to_owned(), json!(pin_mm))]);
+                readings.echo("space", &mut pins);
                 ("over_pins", Value::Object(pins))
             }
             Statement::Allowance(um) => ("allowance_um", bare_echo(um)),

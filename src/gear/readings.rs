@@ -1,0 +1,108 @@
+//! Readings taken all round a gear, and where the flanks they touch stand.
+
+use super::{Deviations, Side, Toothing};
+use crate::error::GearError;
+use std::collections::HashSet;
+
+/// Lengths read at stated places: each place at most once, at least one.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Readings {
+    teeth: u32,
+    /// Place, from 1, and length, mm.
+    list: Vec<(u32, f64)>,
+}
+
+impl Readings {
+    /// `list` of a place (a tooth number, `1..=z`) and a length, mm, on a gear of `toothing`.
+    ///
+    /// # Errors
+    /// [`GearError::Readings`]: none, a place outside `1..=z`, a place twice, a length that is not finite.
+    pub fn new(toothing: &Toothing, list: Vec<(u32, f64)>) -> Result<Readings, GearError> {
+        let mut seen = HashSet::new();
+        let teeth = toothing.teeth();
+        if list.is_empty() {
+            return Err(GearError::Readings("there is no reading"));
+        }
+        for (place, mm) in &list {
+            if !(1..=teeth).contains(place) {
+                return Err(GearError::Readings("a reading is at no tooth of the gear"));
+            }
+            if !seen.insert(place) {
+                return Err(GearError::Readings("two readings are at one tooth"));
+            }
+            if !mm.is_finite() {
+                return Err(GearError::Readings("a reading is not finite"));
+            }
+        }
+        Ok(Readings { teeth, list })
+    }
+
+    /// Place and length, mm, in the order given.
+    pub fn list(&self) -> &[(u32, f64)] {
+        &self.list
+    }
+
+    /// Whether there is one at every tooth.
+    pub fn all_round(&self) -> bool {
+        self.list.len() == self.teeth as usize
+    }
+
+    /// Mean of `of` over all readings.
+    pub(super) fn mean(&self, of: impl Fn(u32, f64) -> f64) -> f64 {
+        let sum: f64 = self.list.iter().map(|&(place, mm)| of(place, mm)).sum();
+        sum / self.list.len() as f64
+    }
+}
+
+/// How far each flank stands beyond its undisturbed place along ascending numbers, mm at the reference circle.
+///
+/// A pitch deviation moves a flank by `F`; a thickness `δ` moves the right flank, the one towards
+/// the next number, by `δ/2` and the left one by `−δ/2`. The gear's own flanks: the
+/// reference face decides nothing here.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FlankShifts {
+    right: Vec<f64>,
+    left: Vec<f64>,
+}
+
+impl FlankShifts {
+    /// Those of `deviations`, their eccentricity left aside.
+    ///
+    /// # Errors
+    /// [`GearError::WrongLength`].
+    pub fn new(toothing: &Toothing, deviations: &Deviations) -> Result<FlankShifts, GearError> {
+        let teeth = toothing.teeth();
+        let shifts = |side: Side| {
+            let mut shifts = vec![0.0; teeth as usize];
+            let thickness = (!deviations.per_tooth.is_empty()).then_some(&deviations.per_tooth[..]);
+            let pitch = deviations.pitch.as_ref().map(|pitch| pitch.flank(side));
+            // Right flanks stand at the ascending end of their tooth.
+            let half = -side.sense() / 2.0;
+            for (what, list, factor) in [("per_tooth", thickness, half), ("pitch", pitch, 1.0)] {
+                let Some(list) = list else { continue };
+                if list.len() != shifts.len() {
+                    let found = list.len();
+                    return Err(GearError::WrongLength { what, found, teeth });
+                }
+                for (shift, value) in shifts.iter_mut().zip(list) {
+                    *shift += factor * value;
+                }
+            }
+            Ok(shifts)
+        };
+        Ok(FlankShifts {
+            right: shifts(Side::Right)?,
+            left: shifts(Side::Left)?,
+        })
+    }
+
+    /// That of the `own` flank of the tooth `steps` on from `tooth` (from 1), numbers taken round past `z`.
+    pub(super) fn at(&self, own: Side, tooth: u32, steps: u32) -> f64 {
+        let list = match own {
+            Side::Right => &self.right,
+            Side::Left => &self.left,
+        };
+        let index = (tooth as usize + steps as usize).saturating_sub(1) % list.len().max(1);
+        list.get(index).copied().unwrap_or(0.0)
+    }
+}

@@ -1,0 +1,160 @@
+//! Spans all round: mean base thickness, and each tooth's own thickness where the readings determine it.
+//!
+//! The span *at tooth i* is that over the `k` teeth `i … i + k − 1`, numbers ascending and
+//! taken round past `z`. It runs along a base tangent from the left flank of `i` to the right flank of
+//! `i + k − 1`; a flank that stands `x` (at the reference circle) beyond its place moves its end by
+//! `x cos α`. With pitch deviation `F` and per-tooth thickness `δ` (own derivation, beside K (15)):
+//!
+//! ```text
+//! W_k,i = (k − 1) p_b + s_b + cos α (F_R,i+k−1 − F_L,i) + cos α (δ_i + δ_i+k−1)/2
+//! ```
+//!
+//! The eccentricity does not enter. With all `z` spans and `k > 1`, the `δ` follow from
+//! `(δ_i + δ_i+k−1)/2`: the steps of `k − 1` teeth close to `gcd(z, k − 1)` cycles of
+//! `L = z/gcd(z, k − 1)` teeth, and round a cycle
+//! `δ_i = c_i − c_i+1 + c_i+2 − … + c_i+L−1` when `L` is odd. When `L` is even, a thickness that alternates
+//! along the cycle shows in no span. (The Fourier transform says the same: the eigenvalues have the
+//! amounts `|cos(π (k − 1) j/z)|`, none of them 0 exactly when no `2 (k − 1) j ≡ z (mod 2 z)`.)
+
+use super::{Deviations, FlankShifts, Readings, Side, Toothing};
+use crate::error::GearError;
+
+/// Spans `W_k` over `k` teeth, at stated first teeth.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Spans {
+    toothing: Toothing,
+    k: u32,
+    readings: Readings,
+}
+
+/// What each tooth is thicker than the mean by spans all round.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PerTooth {
+    /// `δ` at the reference circle, mm, tooth 1 first; mean 0.
+    pub thickness: Vec<f64>,
+    /// `L`: an error of the readings comes into a tooth's base thickness up to `L`-fold; when it is random
+    /// from reading to reading, `√L`-fold.
+    pub amplification: u32,
+}
+
+impl Spans {
+    /// Spans over `k` teeth, `1..=z`, read at their first teeth.
+    ///
+    /// # Errors
+    /// [`GearError::OutOfRange`] for `k`.
+    pub fn new(toothing: &Toothing, k: u32, readings: Readings) -> Result<Spans, GearError> {
+        if !(1..=toothing.teeth()).contains(&k) {
+            return Err(GearError::OutOfRange {
+                what: "number of teeth spanned",
+                value: f64::from(k),
+                allowed: "1 … number of teeth",
+            });
+        }
+        Ok(Spans {
+            toothing: *toothing,
+            k,
+            readings,
+        })
+    }
+
+    /// Whether spans over `k` teeth at all `z` teeth determine each tooth: whether `L = z/gcd(z, k − 1)` is odd.
+    pub fn determine(z: u32, k: u32) -> bool {
+        !cycle(z, k).is_multiple_of(2)
+    }
+
+    /// `k`.
+    pub fn teeth(&self) -> u32 {
+        self.k
+    }
+
+    /// The readings, each at its first tooth.
+    pub fn readings(&self) -> &Readings {
+        &self.readings
+    }
+
+    /// Mean base thickness `s_b`, mm: the one with which the gear, with the deviations `known` of it, has the readings' mean.
+    ///
+    /// # Errors
+    /// [`GearError::WrongLength`].
+    pub fn base_thickness(&self, known: &Deviations) -> Result<f64, GearError> {
+        let shifts = FlankShifts::new(&self.toothing, known)?;
+        Ok(self
+            .readings
+            .mean(|tooth, span| self.base_at(&shifts, tooth, span)))
+    }
+
+    /// The thickness of each tooth beyond mean and `known` that gives every reading; `None` where the readings
+    /// do not determine it: fewer than `z`, or an even `L`.
+    ///
+    /// Along a cycle `δ_i+k−1 = 2 c_i − δ_i`, which carries an error on without growth: that of rounding
+    /// is at most `3 L` ulps of the greatest `c_i`.
+    ///
+    /// # Errors
+    /// [`GearError::WrongLength`].
+    pub fn per_tooth(&self, known: &Deviations) -> Result<Option<PerTooth>, GearError> {
+        let (z, step) = (self.toothing.teeth(), self.k - 1);
+        let length = cycle(z, self.k);
+        if !self.readings.all_round() || !Spans::determine(z, self.k) {
+            return Ok(None);
+        }
+        let shifts = FlankShifts::new(&self.toothing, known)?;
+        let mean = self.base_thickness(known)?;
+        let mut beyond = vec![0.0; z as usize];
+        for &(tooth, span) in self.readings.list() {
+            beyond[tooth as usize - 1] = self.base_at(&shifts, tooth, span) - mean;
+        }
+        let cos = self.toothing.pressure_angle().cos();
+        let on = |index: usize| (index + step as usize) % z as usize;
+        let mut thickness = vec![0.0; z as usize];
+        for first in 0..(z / length) as usize {
+            let mut sum = 0.0;
+            let mut at = first;
+            for n in 0..length {
+                let sign = if n.is_multiple_of(2) { 1.0 } else { -1.0 };
+                sum += sign * beyond[at];
+                at = on(at);
+            }
+            for _ in 0..length {
+                thickness[at] = sum / cos;
+                sum = 2.0 * beyond[at] - sum;
+                at = on(at);
+            }
+        }
+        Ok(Some(PerTooth {
+            thickness,
+            amplification: length,
+        }))
+    }
+
+    /// What each reading is beyond the readings' mean, and what the deviations `of` say it is, mm, in the order of the readings.
+    ///
+    /// # Errors
+    /// [`GearError::WrongLength`].
+    pub fn beside(&self, of: &Deviations) -> Result<Vec<(f64, f64)>, GearError> {
+        let shifts = FlankShifts::new(&self.toothing, of)?;
+        let read = self.readings.mean(|_, span| span);
+        let said = |tooth, span| span - self.base_at(&shifts, tooth, span);
+        let mean = self.readings.mean(said);
+        let list = self.readings.list().iter();
+        Ok(list
+            .map(|&(tooth, span)| (span - read, said(tooth, span) - mean))
+            .collect())
+    }
+
+    /// `s_b` by one reading alone, the shifts of its flanks taken out.
+    fn base_at(&self, shifts: &FlankShifts, first: u32, span: f64) -> f64 {
+        let step = self.k - 1;
+        let apart = shifts.at(Side::Right, first, step) - shifts.at(Side::Left, first, 0);
+        super::thickness::base_from_span(&self.toothing, self.k, span)
+            - self.toothing.pressure_angle().cos() * apart
+    }
+}
+
+/// `L`: the teeth of a cycle of steps of `k − 1`.
+fn cycle(z: u32, k: u32) -> u32 {
+    z / gcd(z, k.saturating_sub(1)).max(1)
+}
+
+fn gcd(a: u32, b: u32) -> u32 {
+    if b == 0 { a } else { gcd(b, a % b) }
+}

@@ -1,0 +1,142 @@
+//! `[thickness.cross_check]`: a second statement about the thickness, compared and never built.
+
+use super::entry::Limits;
+use super::faults::Drawing;
+use super::problems::Problems;
+use super::stated::Stated;
+use super::table::Table;
+use super::thickness::Statement;
+use crate::gear::{Deviations, Gear};
+use crate::notes::ThicknessStatements;
+use serde_json::{Value, json};
+
+const KEYS: &[&str] = &[
+    "span",
+    "over_pins",
+    "allowance_um",
+    "base_thickness_mm",
+    "tolerance_um",
+];
+/// Tuned: two readings of 1 µm each, and what a pin's own diameter adds. Above it lies a slip of a
+/// micrometer's thimble line, 10 µm; below it the rounding of printed lengths, 0.5 µm each.
+const TOLERANCE_UM: f64 = 3.0;
+const TOLERANCE: Limits = Limits {
+    allowed: "a number of µm, 0 or more",
+    holds: |um| um >= 0.0,
+    way_out: "give how far the two may lie apart as base thickness",
+};
+
+/// The second statement.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CrossCheck {
+    statement: Statement,
+    tolerance_um: f64,
+}
+
+impl CrossCheck {
+    /// Where it stands, below the gear's table.
+    pub const UNDER: &str = "thickness.cross_check";
+
+    /// Reads it from `[thickness]`; `Some(None)` when there is none.
+    pub fn read(
+        thickness: &Table,
+        counts: Option<&Statement>,
+        teeth: Option<u32>,
+        problems: &mut Problems,
+    ) -> Option<Option<CrossCheck>> {
+        if thickness.optional("cross_check")?.is_none() {
+            return Some(None);
+        }
+        let table = thickness.table("cross_check", KEYS, problems)?;
+        if table.has("span.per_tooth") {
+            problems.add(table.problem(
+                "span.per_tooth",
+                "needless: a cross-check never changes a tooth",
+                "remove it",
+            ));
+            return None;
+        }
+        let statement = Statement::read(&table, teeth, problems);
+        let tolerance = table.number_or("tolerance_um", TOLERANCE_UM, &TOLERANCE, problems);
+        let (statement, tolerance_um) = (statement?, tolerance?);
+        if statement == Statement::Nominal {
+            problems.add(thickness.problem(
+                "cross_check",
+                "states no thickness",
+                "add span, over_pins, allowance_um or base_thickness_mm to it, or remove it",
+            ));
+            return None;
+        }
+        if counts? == &Statement::Nominal {
+            problems.add(thickness.problem(
+                "cross_check",
+                "there is no other statement to compare it with",
+                "state the thickness that counts beside it (allowance_um = 0 for the nominal one), or move it up to [thickness]",
+            ));
+            return None;
+        }
+        Some(Some(CrossCheck {
+            statement,
+            tolerance_um,
+        }))
+    }
+
+    /// Compares it with `gears`, which have the deviations `known`.
+    pub fn compare(
+        &self,
+        drawing: &Drawing,
+        gears: &Stated<Gear>,
+        known: &Deviations,
+        problems: &mut Problems,
+    ) -> Option<ThicknessStatements> {
+        let second = Drawing {
+            table: drawing.table,
+            blank: drawing.blank,
+            statement: self.statement.clone(),
+            under: CrossCheck::UNDER,
+        };
+        let cross = second.gears(known, problems)?;
+        let range =
+            |gears: &Stated<Gear>| [gears.least(), gears.most()].map(|gear| gear.base_thickness());
+        Some(ThicknessStatements::new(
+            range(gears),
+            range(&cross),
+            self.tolerance_um,
+        ))
+    }
+
+    /// What the user should know of the comparison.
+    pub fn told(&self, drawing: &Drawing, compared: &ThicknessStatements) -> String {
+        let range = |[least, most]: [f64; 2]| {
+            if least == most {
+                format!("{least:.6} mm")
+            } else {
+                format!("{least:.6} … {most:.6} mm")
+            }
+        };
+        let verdict = if compared.agree() {
+            "they agree".to_owned()
+        } else {
+            format!(
+                "they lie {:.1} µm apart, {:.1} µm is allowed: check both measurements, the pins and the number of teeth spanned",
+                compared.gap_um, compared.tolerance_um
+            )
+        };
+        format!(
+            "{}: base thickness {} by {}, {} by {}, difference {:.2} µm: {verdict}",
+            drawing.table.path_of(CrossCheck::UNDER),
+            range(compared.counts),
+            drawing.statement.key().unwrap_or_default(),
+            range(compared.cross),
+            self.statement.key().unwrap_or_default(),
+            compared.difference_um,
+        )
+    }
+
+    /// As in the pair file.
+    pub fn echo(&self) -> Value {
+        let mut echo = self.statement.echo();
+        echo.insert("tolerance_um".to_owned(), json!(self.tolerance_um));
+        Value::Object(echo)
+    }
+}

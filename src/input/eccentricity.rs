@@ -1,0 +1,113 @@
+//! Which eccentricity a gear has: that of `[runout]`, or that of pitch about the datum axis.
+
+use super::pitch::PitchSheet;
+use super::problems::Problems;
+use super::runout::Runout;
+use super::table::Table;
+use crate::error::GearError;
+use crate::gear::{Gear, Pitch};
+use crate::notes::{Eccentricity, EccentricityNote};
+
+/// Of `[pitch] eccentricity`: which one counts where pitch and runout both state it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Counts {
+    Pitch,
+    Runout,
+}
+
+pub const COUNTS: [(&str, Counts); 2] = [("pitch", Counts::Pitch), ("runout", Counts::Runout)];
+
+/// Checks that the eccentricity of `sheet` and of `runout` count once.
+pub fn check(
+    gear: &Table,
+    sheet: &PitchSheet,
+    runout: &Runout,
+    problems: &mut Problems,
+) -> Option<()> {
+    let (key, reason, way_out) = match (sheet.is_datum(), sheet.counts()) {
+        (true, None) if runout.total_um > 0.0 => (
+            "pitch.axis",
+            "pitch measured about the datum axis already contains the eccentricity, and [runout] would count it twice",
+            "drop the runout, or say in [pitch] which counts: eccentricity = \"pitch\" or \"runout\"; \
+             write axis = \"own\" if the values are free of eccentricity",
+        ),
+        (true, Some(Counts::Runout)) if !gear.has("runout") => (
+            "pitch.eccentricity",
+            "no runout is stated",
+            "add [runout] with total_um and high_tooth, or write eccentricity = \"pitch\"",
+        ),
+        (false, Some(_)) => (
+            "pitch.eccentricity",
+            "goes with axis = \"datum\" only: values about the gear's own axis contain no eccentricity",
+            "remove it, or write axis = \"datum\"",
+        ),
+        _ => return Some(()),
+    };
+    problems.add(gear.problem(key, reason, way_out));
+    None
+}
+
+/// Own pitch and eccentricity of `gear`, from datum-axis `readings`.
+///
+/// # Errors
+/// [`GearError::DatumPitch`] where an eccentricity moves the measuring circle off the involute.
+pub fn separate(
+    readings: &Pitch,
+    gear: &Gear,
+    counts: Option<Counts>,
+    runout: &Runout,
+) -> Result<(Pitch, EccentricityNote), GearError> {
+    let separated = readings.separate_eccentricity(gear)?;
+    let in_pitch = Eccentricity {
+        um: 1000.0 * separated.eccentricity,
+        high_tooth: separated.high_tooth,
+    };
+    let stated = counts.and(runout.stated());
+    let stated_counts = counts == Some(Counts::Runout);
+    let pitch = match stated {
+        Some(stated) if stated_counts => {
+            readings.without_eccentricity(gear, runout.eccentricity(), stated.high_tooth)?
+        }
+        _ => separated.pitch,
+    };
+    let angle = |stated: Eccentricity| {
+        (stated.high_tooth - in_pitch.high_tooth) * gear.toothing().angular_pitch()
+    };
+    let note = EccentricityNote {
+        in_pitch,
+        stated,
+        stated_counts,
+        difference_um: stated.map(|stated| {
+            let (sin, cos) = angle(stated).sin_cos();
+            (stated.um * cos - in_pitch.um).hypot(stated.um * sin)
+        }),
+    };
+    Ok((pitch, note))
+}
+
+/// What the user should know of it.
+pub fn told(gear: &Table, note: &EccentricityNote) -> String {
+    let shown = |e: Eccentricity| format!("{:.3} µm towards tooth {:.2}", e.um, e.high_tooth);
+    let found = shown(note.in_pitch);
+    let pitch = gear.path_of("pitch");
+    match (note.stated, note.difference_um) {
+        (Some(stated), Some(apart)) if note.stated_counts => format!(
+            "{pitch}: the datum-axis values contain an eccentricity of {found}; that of [runout], {}, {apart:.3} µm from it, counts and is \
+             taken out of them, and what is left of a first harmonic counts as the gear's own pitch",
+            shown(stated),
+        ),
+        (stated, apart) => {
+            let beside = match (stated, apart) {
+                (Some(stated), Some(apart)) => format!(
+                    "; [runout] says {}, {apart:.3} µm from it, which is not used",
+                    shown(stated)
+                ),
+                _ => String::new(),
+            };
+            format!(
+                "{pitch}: the datum-axis values contain an eccentricity of {found}, which is taken as the gear's \
+                 (a first harmonic of its own pitch cannot be told from it){beside}"
+            )
+        }
+    }
+}

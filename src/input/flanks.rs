@@ -1,0 +1,118 @@
+//! The flanks of a gear as its sheets state them, and the mean thickness that goes with them.
+
+use super::eccentricity;
+use super::faults::Drawing;
+use super::pitch::PitchSheet;
+use super::problems::Problems;
+use super::runout::Runout;
+use super::stated::Stated;
+use crate::gear::{Deviations, Gear, Pitch};
+use crate::notes::{AllRoundNote, EccentricityNote};
+
+/// What the tables of one gear say of its flanks.
+pub struct Sheets<'a> {
+    /// Stated thickness of each tooth beyond the mean, mm; may be empty.
+    pub per_tooth: Vec<f64>,
+    pub runout: &'a Runout,
+    /// The sheet and its curves, as measured.
+    pub pitch: Option<(&'a PitchSheet, Pitch)>,
+}
+
+/// The gear in one or both materials, and where its flanks stand.
+pub struct Flanks {
+    pub gears: Stated<Gear>,
+    /// What the sheets state, the eccentricity taken out of the pitch; without what spans add.
+    pub stated: Deviations,
+    /// All there is.
+    pub deviations: Deviations,
+    pub eccentricity: Option<EccentricityNote>,
+    pub all_round: Option<AllRoundNote>,
+}
+
+/// Each round of mean thickness and eccentricity leaves about `e/r` of the error.
+const MOST_ROUNDS: usize = 50;
+
+impl Flanks {
+    /// Of datum-axis pitch the eccentricity is taken out, which takes the mean thickness (where on a tooth its
+    /// flanks stand); readings all round give the mean thickness once the pitch is known. So the two take turns.
+    pub fn settle(drawing: &Drawing, sheets: Sheets, problems: &mut Problems) -> Option<Flanks> {
+        let (datum, own) = match sheets.pitch {
+            Some((sheet, pitch)) if sheet.is_datum() => (Some((sheet, pitch)), None),
+            own => (None, own.map(|(_, pitch)| pitch)),
+        };
+        let runout = sheets.runout;
+        let mut stated = Deviations {
+            per_tooth: sheets.per_tooth,
+            pitch: own,
+            eccentricity: runout.eccentricity(),
+            high_tooth: runout.high_tooth.unwrap_or(1.0),
+        };
+        let mut gears = drawing.gears(&stated, problems)?;
+        if runout.check(drawing.table, &gears, problems).is_none() {
+            // It is told; the rest is checked without it.
+            stated.eccentricity = 0.0;
+        }
+        let mut note = None;
+        let mut settled = datum.is_none();
+        if let Some((sheet, readings)) = &datum {
+            // Rounding of the thickness is some ulps of the radius.
+            let rounding = 1e-13 * drawing.blank.toothing.reference_radius();
+            for _ in 0..MOST_ROUNDS {
+                let parts = eccentricity::separate(readings, gears.most(), sheet.counts(), runout);
+                let parts = parts.map_err(|error| {
+                    let way_out =
+                        "check the values, or write axis = \"own\" if they are free of eccentricity";
+                    drawing.table.problem("pitch.axis", error.to_string(), way_out)
+                });
+                let (pitch, found) = problems.keep(parts)?;
+                stated.pitch = Some(pitch);
+                note = Some(found);
+                let next = drawing.gears(&stated, problems)?;
+                let change = next.most().base_thickness() - gears.most().base_thickness();
+                gears = next;
+                if change.abs() <= rounding {
+                    settled = true;
+                    break;
+                }
+            }
+        }
+        if !settled {
+            problems.add(drawing.table.problem(
+                "pitch.axis",
+                "no eccentricity goes with the stated thickness",
+                "check the pitch values and the readings of the thickness",
+            ));
+            return None;
+        }
+        if let Some(found) = note.filter(|note| !note.stated_counts) {
+            stated.eccentricity = found.in_pitch.um / 1000.0;
+            stated.high_tooth = found.in_pitch.high_tooth;
+        }
+        let found = drawing
+            .statement
+            .per_tooth(&drawing.blank.toothing, &stated);
+        let found = problems.keep(found.map_err(|error| {
+            let way_out = "check the readings";
+            drawing
+                .table
+                .problem("thickness.span", error.to_string(), way_out)
+        }))?;
+        let mut deviations = stated.clone();
+        if let Some(found) = &found {
+            deviations.per_tooth.resize(found.thickness.len(), 0.0);
+            for (thickness, more) in deviations.per_tooth.iter_mut().zip(&found.thickness) {
+                *thickness += more;
+            }
+        }
+        Some(Flanks {
+            gears,
+            stated,
+            deviations,
+            eccentricity: note,
+            all_round: drawing.statement.readings().map(|readings| AllRoundNote {
+                readings: readings.count(),
+                amplification: found.map(|found| found.amplification),
+            }),
+        })
+    }
+}

@@ -1,0 +1,186 @@
+//! The columns a table may have: their names in plain words, and their units.
+
+use crate::input::entry::Limits;
+
+/// A column of values beside the tooth.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Column {
+    /// Pitch deviation of the right flank, µm.
+    Right,
+    /// Pitch deviation of the left flank, µm.
+    Left,
+    /// What the tooth is thicker than the mean, µm.
+    Thickness,
+    /// Radial runout reading, µm.
+    Runout,
+    /// Span `W_k`, mm.
+    Span,
+    /// Dimension over pins `M_dK`, mm.
+    OverPins,
+}
+
+const DEVIATION: Limits = Limits {
+    allowed: "a number of µm, −1e7 … 1e7",
+    holds: |um| um.abs() <= 1e7,
+    way_out: "correct the line",
+};
+const LENGTH: Limits = Limits {
+    allowed: "a number of mm above 0 and up to 1e9",
+    holds: |mm| mm > 0.0 && mm <= 1e9,
+    way_out: "correct the line",
+};
+
+/// Names of the column of tooth numbers.
+const TOOTH: &[&str] = &[
+    "tooth",
+    "tooth no",
+    "tooth number",
+    "zahn",
+    "zahn nr",
+    "zahnnummer",
+];
+
+/// Units that a header may name, each as written there and as meant.
+const UNITS: [(&str, &str); 8] = [
+    ("um", "µm"),
+    ("µm", "µm"),
+    // The Greek letter, where the line above has the micro sign.
+    ("μm", "µm"),
+    ("mm", "mm"),
+    ("nm", "nm"),
+    ("m", "m"),
+    ("in", "in"),
+    ("inch", "in"),
+];
+
+impl Column {
+    /// Its names, the first of them for messages; white space, case, `-`, `_` and `.` do not count.
+    pub fn names(self) -> &'static [&'static str] {
+        match self {
+            Column::Right => &[
+                "right",
+                "right flank",
+                "rechts",
+                "rechte Flanke",
+                "rechte Zahnflanke",
+            ],
+            Column::Left => &[
+                "left",
+                "left flank",
+                "links",
+                "linke Flanke",
+                "linke Zahnflanke",
+            ],
+            Column::Thickness => &["thickness", "tooth thickness", "Dicke", "Zahndicke"],
+            Column::Runout => &["runout", "Fr", "Rundlauf", "Rundlaufabweichung"],
+            Column::Span => &["span", "Wk", "Zahnweite"],
+            Column::OverPins => &[
+                "over pins",
+                "pins",
+                "MdK",
+                "Zweirollenmaß",
+                "Zweirollenmass",
+            ],
+        }
+    }
+
+    /// Its unit.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Column::Span | Column::OverPins => "mm",
+            _ => "µm",
+        }
+    }
+
+    /// What its values may be.
+    pub fn limits(self) -> &'static Limits {
+        match self {
+            Column::Span | Column::OverPins => &LENGTH,
+            _ => &DEVIATION,
+        }
+    }
+}
+
+/// What one cell of the header names.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Named {
+    /// The tooth number.
+    Tooth,
+    /// The wanted column of this place.
+    Wanted(usize),
+    /// Something else: why it does not fit, and the way out.
+    Wrong(String, String),
+}
+
+/// What the header cell `text` names among `wanted`.
+pub fn named(text: &str, wanted: &[Column]) -> Named {
+    let (name, unit) = name_and_unit(text);
+    let is = |names: &[&str]| names.iter().any(|known| plain(known) == plain(name));
+    let (found, needed) = if is(TOOTH) {
+        (Named::Tooth, None)
+    } else if let Some(place) = wanted.iter().position(|column| is(column.names())) {
+        (Named::Wanted(place), Some(wanted[place].unit()))
+    } else {
+        return Named::Wrong(
+            format!("unknown column {text:?}, allowed are {}", headings(wanted)),
+            "correct its name, or remove the column".to_owned(),
+        );
+    };
+    let Some(unit) = unit else { return found };
+    let meant = UNITS
+        .iter()
+        .find(|(written, _)| *written == unit.to_lowercase());
+    match (meant, needed) {
+        (Some((_, meant)), Some(needed)) if *meant == needed => found,
+        (_, Some(needed)) => Named::Wrong(
+            format!("column {text:?} is in {unit}, allowed is {needed}"),
+            format!("convert its values to {needed} and name it \"{name} ({needed})\""),
+        ),
+        (_, None) => Named::Wrong(
+            format!("column {text:?} has a unit, a tooth number has none"),
+            format!("name it \"{name}\""),
+        ),
+    }
+}
+
+/// "tooth, left (µm) and right (µm)".
+pub fn headings(wanted: &[Column]) -> String {
+    let columns: Vec<String> = wanted
+        .iter()
+        .map(|column| format!("{} ({})", column.names()[0], column.unit()))
+        .collect();
+    match columns.split_last() {
+        Some((last, [])) => format!("tooth and {last}"),
+        Some((last, rest)) => format!("tooth, {} and {last}", rest.join(", ")),
+        None => "tooth".to_owned(),
+    }
+}
+
+/// A heading apart: `left (µm)`, `left [µm]`, `left_um` and `left µm` all have a unit.
+fn name_and_unit(text: &str) -> (&str, Option<&str>) {
+    let text = text.trim();
+    for (open, close) in [('(', ')'), ('[', ']')] {
+        if let Some((name, unit)) = text
+            .strip_suffix(close)
+            .and_then(|rest| rest.split_once(open))
+        {
+            return (name.trim(), Some(unit.trim()));
+        }
+    }
+    let last = text.rsplit_once(|c: char| c == '_' || c.is_whitespace());
+    match last {
+        Some((name, unit)) if UNITS.iter().any(|(known, _)| *known == unit.to_lowercase()) => {
+            (name.trim(), Some(unit))
+        }
+        _ => (text, None),
+    }
+}
+
+/// `name` without what does not count.
+fn plain(name: &str) -> String {
+    let counts = |c: &char| !c.is_whitespace() && !matches!(c, '-' | '_' | '.');
+    name.chars()
+        .filter(counts)
+        .flat_map(char::to_lowercase)
+        .collect()
+}

@@ -1,0 +1,102 @@
+//! Inspection tables in files of their own: one row a tooth, as CSV or text.
+//!
+//! A file becomes a grid of cells ([`delimited`]); the header names the columns
+//! ([`column`]); the cells become numbers ([`number`]); the rows are put in
+//! order of the teeth ([`by_tooth`]). Nothing is padded, replaced, guessed or
+//! passed over: whatever is not understood is a problem with its line.
+
+mod by_tooth;
+mod column;
+mod delimited;
+mod grid;
+mod number;
+
+use super::data_file::DataFile;
+use super::problems::Problems;
+use super::table::Table;
+pub use column::Column;
+
+/// Keys that name a table; others may stand beside them.
+pub const KEYS: &[&str] = &["file", "sheet"];
+
+/// What a reader needs of a table.
+#[derive(Debug, Clone, Copy)]
+pub struct Wanted<const N: usize> {
+    /// The columns beside the tooth, in the order in which the values come back.
+    pub columns: [Column; N],
+    /// `z`, where it is known.
+    pub teeth: Option<u32>,
+    /// Which teeth must be there.
+    pub coverage: Coverage,
+}
+
+/// Which teeth a table must have.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Coverage {
+    /// Every tooth, exactly once.
+    EveryTooth,
+    /// Some teeth, each at most once.
+    SomeTeeth,
+}
+
+/// A table as read, its rows by ascending tooth.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sheet<const N: usize> {
+    file: DataFile,
+    /// At least one.
+    pub rows: Vec<Row<N>>,
+}
+
+/// What a table says of one tooth.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Row<const N: usize> {
+    /// The line it stands in.
+    pub line: u64,
+    /// The tooth.
+    pub tooth: u32,
+    /// The values, in the order of [`Wanted::columns`] and in their units.
+    pub values: [f64; N],
+}
+
+impl<const N: usize> Sheet<N> {
+    /// Reads the file that `table` names under `file`, a relative path from the pair file's folder.
+    ///
+    /// All that is wrong is added to `problems`, under the key of `file` and with line numbers.
+    pub fn read(table: &Table, wanted: &Wanted<N>, problems: &mut Problems) -> Option<Sheet<N>> {
+        let file = DataFile::of(
+            table,
+            "the name of a table, such as \"pitch.csv\"",
+            problems,
+        )?;
+        let mut bad = Problems::of_list();
+        let rows = rows(&file, wanted, &mut bad);
+        let good = bad.is_empty();
+        problems.add_list(file.key(), bad);
+        let rows = rows.filter(|_| good)?;
+        Some(Sheet { file, rows })
+    }
+
+    /// The values of one column, by ascending tooth.
+    pub fn values(&self, column: usize) -> Vec<f64> {
+        self.rows
+            .iter()
+            .filter_map(|row| row.values.get(column).copied())
+            .collect()
+    }
+
+    /// The file.
+    pub fn file(&self) -> &DataFile {
+        &self.file
+    }
+}
+
+fn rows<const N: usize>(
+    file: &DataFile,
+    wanted: &Wanted<N>,
+    problems: &mut Problems,
+) -> Option<Vec<Row<N>>> {
+    let text = problems.keep(file.text())?;
+    let grid = delimited::read(file, &text, problems)?;
+    let rows = grid.rows(file, wanted, problems)?;
+    by_tooth::ordered(file, rows, wanted, problems)
+}

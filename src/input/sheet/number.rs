@@ -1,0 +1,98 @@
+//! Numbers as tables write them: with a decimal point or a decimal comma, never both.
+//!
+//! `1,234` may be one and a bit, or a thousand and a bit. Which sign is the
+//! decimal one is therefore settled for the whole table: by its delimiter (a
+//! comma between columns leaves the point; German Excel writes `;` between
+//! columns because its decimal sign is the comma), or by a number that cannot
+//! have thousands separators, such as `0,5` or `12.34`. Where neither settles
+//! it, the number is a problem.
+
+/// A sign that may stand between whole and fraction.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Decimal {
+    /// `1.5`
+    Point,
+    /// `1,5`
+    Comma,
+}
+
+impl Decimal {
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Decimal::Point => "point",
+            Decimal::Comma => "comma",
+        }
+    }
+
+    /// As written.
+    pub fn sign(self) -> char {
+        match self {
+            Decimal::Point => '.',
+            Decimal::Comma => ',',
+        }
+    }
+}
+
+/// A number that is written well.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Written<'a> {
+    /// As written.
+    pub text: &'a str,
+    /// The number, if its decimal sign is one.
+    pub value: f64,
+    /// Its decimal sign; `None` without one.
+    pub decimal: Option<Decimal>,
+    /// Whether that sign could separate thousands: one to three digits before, three behind.
+    pub may_be_thousands: bool,
+    /// Half a unit of the last digit written.
+    pub rounding: f64,
+}
+
+/// `text` as a number: a sign, digits, at most one decimal sign between digits, an exponent.
+///
+/// `None` for anything else, `nan`, `inf` and what overflows to it included.
+pub fn written(text: &str) -> Option<Written<'_>> {
+    let unsigned = text.strip_prefix(['-', '+']).unwrap_or(text);
+    let (mantissa, exponent) = match unsigned.split_once(['e', 'E']) {
+        Some((mantissa, exponent)) => (mantissa, Some(exponent)),
+        None => (unsigned, None),
+    };
+    let digits = |text: &str| !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit());
+    let power: i32 = match exponent {
+        Some(exponent) if digits(exponent.strip_prefix(['-', '+']).unwrap_or(exponent)) => {
+            exponent.parse().ok()?
+        }
+        Some(_) => return None,
+        None => 0,
+    };
+    let decimal = match mantissa.find(['.', ',']).map(|at| mantissa.as_bytes()[at]) {
+        Some(b'.') => Some(Decimal::Point),
+        Some(_) => Some(Decimal::Comma),
+        None => None,
+    };
+    let (whole, fraction) = match decimal {
+        Some(decimal) => mantissa.split_once(decimal.sign())?,
+        None => (mantissa, ""),
+    };
+    if !digits(whole) || decimal.is_some() && !digits(fraction) {
+        return None;
+    }
+    let value: f64 = text.replace(',', ".").parse().ok()?;
+    value.is_finite().then_some(Written {
+        text,
+        value,
+        decimal,
+        may_be_thousands: fraction.len() == 3
+            && whole.len() <= 3
+            && !whole.starts_with('0')
+            && exponent.is_none(),
+        rounding: 0.5 * 10f64.powi(power.saturating_sub(fraction.len() as i32)),
+    })
+}
+
+/// The tooth number `text`: digits only.
+pub fn tooth(text: &str) -> Option<u32> {
+    let digits = text.bytes().all(|b| b.is_ascii_digit());
+    digits.then(|| text.parse().ok())?
+}

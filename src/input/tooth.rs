@@ -1,0 +1,123 @@
+//! What a statement of the thickness says of the gear: the tooth it means, and where it was measured.
+
+use super::readings::Readings;
+use super::stated::Stated;
+use super::thickness::Statement;
+use crate::error::GearError;
+use crate::gear::{Blank, Deviations, Gear, PerTooth, PinReadings, Spans, Toothing, thickness};
+
+impl Statement {
+    /// Spans all round, where these are stated.
+    ///
+    /// # Errors
+    /// None for a statement that was read for this toothing.
+    pub fn spans(&self, toothing: &Toothing) -> Result<Option<Spans>, GearError> {
+        match self {
+            Statement::Spans {
+                teeth, readings, ..
+            } => Spans::new(toothing, *teeth, readings.on(toothing)?).map(Some),
+            _ => Ok(None),
+        }
+    }
+
+    /// Its readings, where it has them all round.
+    pub fn readings(&self) -> Option<&Readings> {
+        match self {
+            Statement::Spans { readings, .. } | Statement::Pins { readings, .. } => Some(readings),
+            _ => None,
+        }
+    }
+
+    /// Each tooth's thickness beyond the mean and `known`, where spans all round are to give and do determine it.
+    ///
+    /// # Errors
+    /// [`GearError::WrongLength`] for lists of another gear.
+    pub fn per_tooth(
+        &self,
+        toothing: &Toothing,
+        known: &Deviations,
+    ) -> Result<Option<PerTooth>, GearError> {
+        match self {
+            Statement::Spans {
+                per_tooth: true, ..
+            } => match self.spans(toothing)? {
+                Some(spans) => spans.per_tooth(known),
+                None => Ok(None),
+            },
+            _ => Ok(None),
+        }
+    }
+
+    /// Mean base tooth thickness `s_b`, mm, of a gear with the deviations `known`.
+    ///
+    /// # Errors
+    /// A dimension over pins whose pins would sit inside the base circle.
+    pub fn base_thickness(
+        &self,
+        blank: &Blank,
+        known: &Deviations,
+    ) -> Result<Stated<f64>, GearError> {
+        let toothing = &blank.toothing;
+        let nominal = blank.nominal_base_thickness();
+        match self {
+            Statement::Nominal => Ok(Stated::Single(nominal)),
+            Statement::Span { teeth, mm } => {
+                mm.try_map(|&mm| Ok(thickness::base_from_span(toothing, *teeth, mm)))
+            }
+            Statement::OverPins { pin_mm, mm } => {
+                mm.try_map(|&mm| thickness::base_from_pins(toothing, *pin_mm, mm))
+            }
+            Statement::Spans {
+                teeth, readings, ..
+            } => Spans::new(toothing, *teeth, readings.on(toothing)?)?
+                .base_thickness(known)
+                .map(Stated::Single),
+            Statement::Pins { pin_mm, readings } => {
+                let pins = PinReadings::new(toothing, *pin_mm, readings.on(toothing)?);
+                pins.base_thickness(known).map(Stated::Single)
+            }
+            Statement::Allowance(um) => um.try_map(|&um| {
+                Ok(thickness::base_from_allowance(
+                    toothing,
+                    nominal,
+                    um / 1000.0,
+                ))
+            }),
+            Statement::Base(mm) => Ok(*mm),
+        }
+    }
+
+    /// Whether the measurement touches `gear` where it measures its thickness.
+    ///
+    /// # Errors
+    /// A span or a pin that does not touch the involute, a pin below the tip or in the root.
+    pub fn check(&self, gear: &Gear) -> Result<(), GearError> {
+        match *self {
+            Statement::Span { teeth, .. } | Statement::Spans { teeth, .. } => {
+                thickness::check_span(gear, teeth)
+            }
+            Statement::OverPins { pin_mm, .. } | Statement::Pins { pin_mm, .. } => {
+                thickness::check_pins(gear, pin_mm)
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// What the nominal tooth would measure: "nominal is 50.6 mm".
+    pub fn nominal(&self, blank: &Blank) -> String {
+        let toothing = &blank.toothing;
+        let base = blank.nominal_base_thickness();
+        match *self {
+            Statement::Nominal | Statement::Base(_) => format!("nominal is {base:.4} mm"),
+            Statement::Span { teeth, .. } | Statement::Spans { teeth, .. } => {
+                let span = thickness::span_from_base(toothing, teeth, base);
+                format!("nominal over {teeth} teeth is {span:.4} mm")
+            }
+            Statement::OverPins { pin_mm, .. } | Statement::Pins { pin_mm, .. } => {
+                let over = thickness::pins_from_base(toothing, pin_mm, base);
+                format!("nominal over pins of {pin_mm} mm is {over:.4} mm")
+            }
+            Statement::Allowance(_) => "nominal is 0 µm".to_owned(),
+        }
+    }
+}

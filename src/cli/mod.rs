@@ -1,8 +1,10 @@
 //! The command line: one file a command.
 
+mod chart;
 mod check;
 mod compare;
 mod distances;
+mod drawing;
 mod gauge;
 mod init;
 mod method;
@@ -38,7 +40,8 @@ Results go to standard output and to files; progress, warnings and errors to sta
 Example:
   gearlash simulate fixtures/karba_44x44.toml
   gearlash snapshot fixtures/karba_44x44.toml --mating 11,11 --flank right
-  gearlash snapshot fixtures/karba_44x44.toml --worst";
+  gearlash snapshot fixtures/karba_44x44.toml --worst
+  gearlash chart fixtures/karba_44x44.toml --kind distance --mating 44,44";
 
 #[derive(Subcommand)]
 enum Command {
@@ -56,6 +59,8 @@ enum Command {
     Init(init::Args),
     /// Print the JSON Schema of pair files, for editors
     Schema(schema::Args),
+    /// Draw backlash over teeth or centre distance, or a gear's deviations, as SVG
+    Chart(chart::Args),
 }
 
 /// Runs the command line of this process.
@@ -71,6 +76,7 @@ pub fn run() -> Result<ExitCode, Error> {
         Command::Gauge(args) => gauge::run(&args),
         Command::Init(args) => init::run(&args),
         Command::Schema(args) => schema::run(&args),
+        Command::Chart(args) => chart::run(&args),
     }
 }
 

@@ -8,6 +8,7 @@ use super::per_tooth;
 use super::pitch::PitchSheet;
 use super::problems::Problems;
 use super::runout::Runout;
+use super::sheet::Drawn;
 use super::stated::Stated;
 use super::table::Table;
 use super::thickness::{self, Statement};
@@ -132,10 +133,13 @@ impl GearPart {
         let runout = Runout::read(table, teeth, problems);
         let sheet = PitchSheet::read(table, teeth, problems);
 
+        if let Some(runout) = &runout {
+            self.warnings.extend(runout.warning.clone());
+        }
         let pitch = match (&sheet, &self.toothing, &runout) {
             (Some(None), ..) => Some(None),
             (Some(Some(sheet)), Some(toothing), Some(runout)) => {
-                self.warnings = sheet.warnings(table);
+                self.warnings.extend(sheet.warnings(table));
                 let curves = sheet.curves(table, toothing, problems);
                 let once = eccentricity::check(table, sheet, runout, problems);
                 once.and(curves).map(|pitch| Some((sheet, pitch)))
@@ -149,6 +153,14 @@ impl GearPart {
             tip_diameter: tip_diameter?,
         };
         blank.tip_diameter = Some(2.0 * blank.tip_radius());
+        let drawn = Drawn {
+            blank: &blank,
+            pressure_angle_deg: self.pressure_angle_deg?,
+        };
+        let pitch_header = sheet.iter().flatten().map(PitchSheet::header);
+        for header in pitch_header.chain(runout.iter().map(|runout| &runout.header)) {
+            header.check(&drawn, problems);
+        }
         let drawing = Drawing {
             table,
             blank,

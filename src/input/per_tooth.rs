@@ -1,7 +1,9 @@
 //! Lists of one value a tooth.
 
 use super::entry::Limits;
+use super::node::Node;
 use super::problems::Problems;
+use super::sheet::{self, Column, Coverage, Sheet, Wanted};
 use super::table::Table;
 
 const PER_TOOTH: Limits = Limits {
@@ -9,8 +11,18 @@ const PER_TOOTH: Limits = Limits {
     holds: |um| um.abs() <= 1e7,
     way_out: "give what each tooth is thicker than the mean, negative when thinner",
 };
-/// `per_tooth_um` of `[thickness]`, empty or one value a tooth, µm.
+
+/// `per_tooth_um` of `[thickness]`, listed or in a file: empty or one value a tooth, µm.
 pub fn thickness(table: &Table, teeth: Option<u32>, problems: &mut Problems) -> Option<Vec<f64>> {
+    if let Some(Node::Table(_)) = table.get("per_tooth_um").map(|entry| entry.node()) {
+        let named = table.table("per_tooth_um", sheet::KEYS, problems)?;
+        let wanted = Wanted {
+            columns: [Column::Thickness],
+            teeth,
+            coverage: Coverage::EveryTooth,
+        };
+        return Some(Sheet::read(&named, &wanted, problems)?.values(0));
+    }
     let list = table.numbers("per_tooth_um", &PER_TOOTH, problems)?;
     one_a_tooth(table, "per_tooth_um", list, teeth, problems)
 }

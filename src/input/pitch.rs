@@ -4,6 +4,7 @@ use super::eccentricity::{COUNTS, Counts};
 use super::entry::Limits;
 use super::per_tooth::one_a_tooth;
 use super::problems::Problems;
+use super::sheet::{Column, Coverage, Header, Sheet, Wanted};
 use super::table::Table;
 use crate::gear::{Pitch, Side, Toothing};
 use serde_json::{Value, json};
@@ -16,6 +17,8 @@ pub const KEYS: &[&str] = &[
     "eccentricity",
     "right_um",
     "left_um",
+    "file",
+    "sheet",
 ];
 
 const DEVIATION: Limits = Limits {
@@ -28,9 +31,12 @@ const DEVIATION: Limits = Limits {
 /// their sum; more is a slip, or not a list of single deviations.
 const ROUNDING_UM: f64 = 0.05;
 
+/// What a pitch value counts from.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Kind {
+pub enum Kind {
+    /// `F`: from the first tooth, or any one place.
     Cumulative,
+    /// `f`: from the tooth before.
     Single,
 }
 
@@ -59,6 +65,8 @@ pub struct PitchSheet {
     counts: Option<Counts>,
     right_um: Vec<f64>,
     left_um: Vec<f64>,
+    /// What the file they come from says of the gear.
+    header: Header,
 }
 
 impl PitchSheet {
@@ -75,6 +83,20 @@ impl PitchSheet {
             Some(entry) => problems.keep(entry.choice(&COUNTS)).map(Some),
             None => Some(None),
         };
+        if table.has("file") {
+            let kind = Self::read_kind(&table, problems);
+            let (flanks, header) = Self::read_file(&table, kind, teeth, problems)?;
+            let [right_um, left_um] = flanks;
+            return Some(Some(PitchSheet {
+                kind: kind?,
+                axis: axis?,
+                sense: sense?,
+                counts: counts?,
+                right_um,
+                left_um,
+                header,
+            }));
+        }
         let right = table.numbers("right_um", &DEVIATION, problems);
         let left = table.numbers("left_um", &DEVIATION, problems);
         let lengths = [&right, &left].map(|list| list.as_ref().map(Vec::len));
@@ -94,10 +116,7 @@ impl PitchSheet {
         let kind = if lengths == [Some(0), Some(0)] && table.optional("kind")?.is_none() {
             Some(Kind::Cumulative)
         } else {
-            let needed = "\"cumulative\" or \"single\"";
-            table
-                .need("kind", needed, problems)
-                .and_then(|entry| problems.keep(entry.choice(&KINDS)))
+            Self::read_kind(&table, problems)
         };
         let right = right.and_then(|um| one_a_tooth(&table, "right_um", um, teeth, problems));
         let left = left.and_then(|um| one_a_tooth(&table, "left_um", um, teeth, problems));
@@ -108,6 +127,7 @@ impl PitchSheet {
             counts: counts?,
             right_um: right?,
             left_um: left?,
+            header: Header::default(),
         };
         if let (true, Some(_)) = (sheet.right_um.is_empty(), counts?) {
             problems.add(table.problem(
@@ -118,6 +138,46 @@ impl PitchSheet {
             return None;
         }
         Some((!sheet.right_um.is_empty()).then_some(sheet))
+    }
+
+    fn read_kind(table: &Table, problems: &mut Problems) -> Option<Kind> {
+        let needed = "\"cumulative\" or \"single\"";
+        let entry = table.need("kind", needed, problems)?;
+        problems.keep(entry.choice(&KINDS))
+    }
+
+    /// Both flanks' values from the file that `table` names, right first.
+    fn read_file(
+        table: &Table,
+        kind: Option<Kind>,
+        teeth: Option<u32>,
+        problems: &mut Problems,
+    ) -> Option<([Vec<f64>; 2], Header)> {
+        let listed = ["right_um", "left_um"]
+            .into_iter()
+            .find(|name| table.has(name));
+        if let Some(listed) = listed {
+            problems.add(table.problem(
+                "file",
+                format!("stands beside {listed}, allowed is one of file and the lists"),
+                "remove one or the other",
+            ));
+            return None;
+        }
+        // A kind that is wrong is told already; the file is read for its own problems.
+        let kind = kind.unwrap_or(Kind::Cumulative);
+        let wanted = Wanted {
+            columns: [Column::Right(kind), Column::Left(kind)],
+            teeth,
+            coverage: Coverage::EveryTooth,
+        };
+        let sheet = Sheet::read(table, &wanted, problems)?;
+        Some(([sheet.values(0), sheet.values(1)], sheet.header))
+    }
+
+    /// What the file they come from says of the gear.
+    pub fn header(&self) -> &Header {
+        &self.header
     }
 
     /// The cumulative curves about the gear's own centre, each within half a pitch.

@@ -2,13 +2,17 @@
 
 use super::entry::Limits;
 use super::problems::Problems;
+use super::sheet::{Column, Coverage, Header, Sheet, Wanted};
 use super::stated::Stated;
 use super::table::Table;
-use crate::gear::Gear;
+use crate::gear::{Gear, RunoutFit};
 use crate::notes::Eccentricity;
 use serde_json::{Map, Value, json};
 
-pub const KEYS: &[&str] = &["total_um", "high_tooth"];
+pub const KEYS: &[&str] = &["total_um", "high_tooth", "file", "sheet", "at"];
+
+/// Where a reading was taken, in pitches beyond the centre of the tooth of its number.
+const PLACES: [(&str, f64); 2] = [("tooth", 0.0), ("space", 0.5)];
 
 const TOTAL: Limits = Limits {
     allowed: "a number of µm, 0 or more, less than the tooth depth",
@@ -17,13 +21,17 @@ const TOTAL: Limits = Limits {
 };
 
 /// Runout `F_r`, µm, and the tooth towards which the teeth are displaced.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Runout {
     pub total_um: f64,
     /// `None` only when there is no runout.
     pub high_tooth: Option<f64>,
     /// Whether the pair file has it.
     given: bool,
+    /// What the file it comes from says of the gear.
+    pub header: Header,
+    /// What was made of readings.
+    pub warning: Option<String>,
 }
 
 impl Runout {
@@ -32,6 +40,17 @@ impl Runout {
         let table = gear.table("runout", KEYS, problems)?;
         if !gear.has("runout") {
             return Some(Runout::default());
+        }
+        if table.has("file") {
+            return Runout::read_file(&table, teeth, problems);
+        }
+        if table.has("at") {
+            problems.add(table.problem(
+                "at",
+                "stands without file, allowed is at only with file",
+                "add `file`, or remove at",
+            ));
+            return None;
         }
         let total_um = table.number("total_um", &TOTAL, problems);
         let high_tooth = Runout::read_high_tooth(&table, teeth, problems);
@@ -51,6 +70,50 @@ impl Runout {
             total_um,
             high_tooth,
             given: true,
+            ..Runout::default()
+        })
+    }
+
+    /// The first harmonic of the readings in the file that `table` names.
+    fn read_file(table: &Table, teeth: Option<u32>, problems: &mut Problems) -> Option<Runout> {
+        let stated = ["total_um", "high_tooth"]
+            .into_iter()
+            .find(|name| table.has(name));
+        if let Some(stated) = stated {
+            problems.add(table.problem(
+                "file",
+                format!("stands beside {stated}, allowed is one of file and the values"),
+                "remove one or the other",
+            ));
+            return None;
+        }
+        let needed = "\"tooth\" (at its centre line) or \"space\" (between it and the next number)";
+        let at = table
+            .need("at", needed, problems)
+            .and_then(|entry| problems.keep(entry.choice(&PLACES)));
+        let wanted = Wanted {
+            columns: [Column::Runout],
+            teeth,
+            coverage: Coverage::EveryTooth,
+        };
+        let sheet = Sheet::read(table, &wanted, problems)?;
+        let fit = RunoutFit::new(&sheet.values(0), at?);
+        let total_um = 2.0 * fit.eccentricity;
+        Some(Runout {
+            total_um,
+            given: true,
+            high_tooth: (total_um > 0.0).then_some(fit.high_tooth),
+            header: sheet.header,
+            warning: Some(format!(
+                "{}: the readings' first harmonic is an eccentricity of {:.3} µm towards tooth {:.2}, which is taken as the gear's; \
+                 F_r, their range, is {:.3} µm; up to {:.3} µm of a reading is neither mean nor first harmonic and is not used \
+                 (pitch data say it)",
+                table.path_of("file"),
+                fit.eccentricity,
+                fit.high_tooth,
+                fit.range,
+                fit.rest,
+            )),
         })
     }
 

@@ -8,10 +8,10 @@ use crate::input::problems::Problems;
 const NAMED: usize = 10;
 
 /// `rows` by ascending tooth; a tooth given twice or missing is a problem.
-pub fn ordered<const N: usize>(
+pub fn ordered<const N: usize, const M: usize>(
     file: &DataFile,
     mut rows: Vec<Row<N>>,
-    wanted: &Wanted<N>,
+    wanted: &Wanted<M>,
     problems: &mut Problems,
 ) -> Option<Vec<Row<N>>> {
     let Some(last) = rows.iter().map(|row| row.line).max() else {

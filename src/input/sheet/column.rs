@@ -1,14 +1,15 @@
 //! The columns a table may have: their names in plain words, and their units.
 
 use crate::input::entry::Limits;
+use crate::input::pitch::Kind;
 
 /// A column of values beside the tooth.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Column {
     /// Pitch deviation of the right flank, µm.
-    Right,
+    Right(Kind),
     /// Pitch deviation of the left flank, µm.
-    Left,
+    Left(Kind),
     /// What the tooth is thicker than the mean, µm.
     Thickness,
     /// Radial runout reading, µm.
@@ -57,14 +58,14 @@ impl Column {
     /// Its names, the first of them for messages; white space, case, `-`, `_` and `.` do not count.
     pub fn names(self) -> &'static [&'static str] {
         match self {
-            Column::Right => &[
+            Column::Right(_) => &[
                 "right",
                 "right flank",
                 "rechts",
                 "rechte Flanke",
                 "rechte Zahnflanke",
             ],
-            Column::Left => &[
+            Column::Left(_) => &[
                 "left",
                 "left flank",
                 "links",

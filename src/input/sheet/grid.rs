@@ -16,6 +16,10 @@ pub enum Cell {
     Empty,
     /// Text without white space around it; in a text file numbers are text too.
     Text(String),
+    /// A number of a workbook.
+    Number(f64),
+    /// Anything else of a workbook, in words.
+    Other(String),
 }
 
 /// One line of cells.
@@ -111,8 +115,11 @@ impl Grid {
             good = None;
         };
         for (place, cell) in self.header.cells.iter().enumerate() {
-            let Cell::Text(text) = cell else { continue };
-            let slot = match column::named(text, &wanted.columns) {
+            if *cell == Cell::Empty {
+                continue;
+            }
+            let text = cell.name();
+            let slot = match column::named(&text, &wanted.columns) {
                 Named::Tooth => &mut tooth,
                 Named::Wanted(index) => &mut places[index],
                 Named::Wrong(reason, way_out) => {
@@ -278,20 +285,36 @@ impl Cell {
         match self {
             Cell::Empty => "empty".to_owned(),
             Cell::Text(text) => Node::Text(text.clone()).shown(),
+            Cell::Number(number) => number.to_string(),
+            Cell::Other(words) => words.clone(),
+        }
+    }
+
+    /// As a column's name.
+    fn name(&self) -> String {
+        match self {
+            Cell::Text(text) => text.clone(),
+            other => other.shown(),
         }
     }
 
     fn tooth(&self) -> Option<u32> {
         match self {
             Cell::Text(text) => number::tooth(text),
-            Cell::Empty => None,
+            // The cast saturates.
+            Cell::Number(number) => (number.fract() == 0.0).then_some(*number as u32),
+            Cell::Empty | Cell::Other(_) => None,
         }
     }
 
     fn number(&self) -> Option<Written<'_>> {
         match self {
             Cell::Text(text) => number::written(text),
-            Cell::Empty => None,
+            Cell::Number(number) => number.is_finite().then_some(Written {
+                value: *number,
+                ..Written::default()
+            }),
+            Cell::Empty | Cell::Other(_) => None,
         }
     }
 }

@@ -1,6 +1,6 @@
-//! Inspection tables in files of their own: one row a tooth, as CSV or text.
+//! Inspection tables in files of their own: CSV, `.xlsx`, or a measuring machine's protocol.
 //!
-//! A file becomes a grid of cells ([`delimited`]); the header names the columns
+//! A file becomes a grid of cells ([`delimited`], [`workbook`]; a [`protocol`] has its own rows); the header names the columns
 //! ([`column`]); the cells become numbers ([`number`]); the rows are put in
 //! order of the teeth ([`by_tooth`]). Nothing is padded, replaced, guessed or
 //! passed over: whatever is not understood is a problem with its line.
@@ -9,12 +9,17 @@ mod by_tooth;
 mod column;
 mod delimited;
 mod grid;
+mod header;
 mod number;
+mod protocol;
+mod text;
+mod workbook;
 
 use super::data_file::DataFile;
 use super::problems::Problems;
 use super::table::Table;
 pub use column::Column;
+pub use header::{Drawn, Header};
 
 /// Keys that name a table; others may stand beside them.
 pub const KEYS: &[&str] = &["file", "sheet"];
@@ -42,7 +47,8 @@ pub enum Coverage {
 /// A table as read, its rows by ascending tooth.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sheet<const N: usize> {
-    file: DataFile,
+    /// What it says of the gear beside the rows.
+    pub header: Header,
     /// At least one.
     pub rows: Vec<Row<N>>,
 }
@@ -69,34 +75,49 @@ impl<const N: usize> Sheet<N> {
             problems,
         )?;
         let mut bad = Problems::of_list();
-        let rows = rows(&file, wanted, &mut bad);
+        let read = read(&file, table, wanted, &mut bad);
         let good = bad.is_empty();
         problems.add_list(file.key(), bad);
-        let rows = rows.filter(|_| good)?;
-        Some(Sheet { file, rows })
+        let (rows, header) = read.filter(|_| good)?;
+        Some(Sheet { header, rows })
     }
 
     /// The values of one column, by ascending tooth.
     pub fn values(&self, column: usize) -> Vec<f64> {
-        self.rows
-            .iter()
-            .filter_map(|row| row.values.get(column).copied())
-            .collect()
-    }
-
-    /// The file.
-    pub fn file(&self) -> &DataFile {
-        &self.file
+        let value = |row: &Row<N>| row.values.get(column).copied();
+        self.rows.iter().filter_map(value).collect()
     }
 }
 
-fn rows<const N: usize>(
+/// The rows by ascending tooth, and the header lines of a protocol.
+fn read<const N: usize>(
     file: &DataFile,
+    table: &Table,
     wanted: &Wanted<N>,
     problems: &mut Problems,
-) -> Option<Vec<Row<N>>> {
-    let text = problems.keep(file.text())?;
-    let grid = delimited::read(file, &text, problems)?;
+) -> Option<(Vec<Row<N>>, Header)> {
+    let bytes = problems.keep(file.bytes())?;
+    let sheet = match table.get("sheet") {
+        Some(entry) => Some(problems.keep(entry.text("give the name of the sheet"))?),
+        None => None,
+    };
+    let grid = if workbook::is_one(file, &bytes) {
+        workbook::read(file, bytes, sheet, problems)?
+    } else {
+        if sheet.is_some() {
+            problems.add(table.problem(
+                "sheet",
+                "the file is no workbook, allowed is sheet only with .xlsx",
+                "remove it",
+            ));
+        }
+        let text = text::decode(file, &bytes, problems)?;
+        if protocol::is_one(&text) {
+            return protocol::read(file, &text, wanted, problems);
+        }
+        delimited::read(file, &text, problems)?
+    };
     let rows = grid.rows(file, wanted, problems)?;
-    by_tooth::ordered(file, rows, wanted, problems)
+    let rows = by_tooth::ordered(file, rows, wanted, problems)?;
+    Some((rows, Header::default()))
 }

@@ -1,0 +1,156 @@
+//! `.xlsx` workbooks: the one sheet with content, or the one that is named.
+//!
+//! Numbers must be numbers: text that looks like one has lost its decimal sign's meaning, and a date may have
+//! been one (`1.2` to a German Excel). Both are problems with a way out.
+
+use super::grid::{Cell, Grid, Line};
+use crate::input::data_file::DataFile;
+use crate::input::problems::Problems;
+use calamine::{DataRef, Reader, Xlsx};
+use std::collections::BTreeMap;
+use std::io::Cursor;
+
+/// Columns that a table may reach: far beyond its few own, and what bounds the memory of a stray cell.
+const MOST_COLUMNS: u32 = 100;
+/// Cells read of a sheet: a hundred times those of 10 000 teeth.
+const MOST_CELLS: usize = 1_000_000;
+
+type Workbook = Xlsx<Cursor<Vec<u8>>>;
+/// By row and column, from 0.
+type Cells = BTreeMap<u32, BTreeMap<u32, Cell>>;
+
+/// Whether it is one: by its name, or because it begins as a zip archive does.
+pub fn is_one(file: &DataFile, bytes: &[u8]) -> bool {
+    let extension = file.path().extension().unwrap_or_default();
+    extension.eq_ignore_ascii_case("xlsx") || bytes.starts_with(b"PK\x03\x04")
+}
+
+/// The cells of the sheet called `name`, or of the only one with content.
+pub fn read(
+    file: &DataFile,
+    bytes: Vec<u8>,
+    name: Option<&str>,
+    problems: &mut Problems,
+) -> Option<Grid> {
+    let unreadable = |error: String| {
+        file.problem(
+            format!("cannot be read as an .xlsx workbook: {error}"),
+            "open it in a spreadsheet and save it anew as .xlsx or CSV",
+        )
+    };
+    let workbook = Workbook::new(Cursor::new(bytes));
+    let mut workbook = problems.keep(workbook.map_err(|error| unreadable(error.to_string())))?;
+    let names = workbook.sheet_names();
+    let listed = |names: &[String]| {
+        let quoted: Vec<String> = names.iter().map(|name| format!("{name:?}")).collect();
+        quoted.join(", ")
+    };
+    if let Some(name) = name.filter(|name| !names.iter().any(|known| known == name)) {
+        problems.add(file.problem(
+            format!("has no sheet {name:?}, its sheets are {}", listed(&names)),
+            "correct the name",
+        ));
+        return None;
+    }
+    let mut filled = Vec::new();
+    for sheet in names
+        .into_iter()
+        .filter(|sheet| name.is_none_or(|name| name == sheet))
+    {
+        let cells = cells(&mut workbook, &sheet).map_err(unreadable);
+        let cells = problems.keep(cells)?;
+        if !cells.is_empty() {
+            filled.push((sheet, cells));
+        }
+    }
+    if filled.len() > 1 {
+        let names: Vec<String> = filled.into_iter().map(|(name, _)| name).collect();
+        problems.add(file.problem(
+            format!(
+                "has {} sheets with content: {}",
+                names.len(),
+                listed(&names)
+            ),
+            format!("say which one: sheet = {:?}", names[0]),
+        ));
+        return None;
+    }
+    let Some((_, cells)) = filled.pop() else {
+        problems.add(file.problem("is empty", "give a header and a row for each tooth"));
+        return None;
+    };
+    grid(cells)
+}
+
+/// The cells of a sheet that have content.
+fn cells(workbook: &mut Workbook, sheet: &str) -> Result<Cells, String> {
+    let place =
+        |row: u32, column: u32| format!("row {} column {} of sheet {sheet:?}", row + 1, column + 1);
+    let mut reader = workbook
+        .worksheet_cells_reader(sheet)
+        .map_err(|error| error.to_string())?;
+    let mut cells = Cells::new();
+    let mut count = 0;
+    while let Some(cell) = reader.next_cell().map_err(|error| error.to_string())? {
+        let (row, column) = cell.get_position();
+        let content = match cell.get_value() {
+            DataRef::Empty => continue,
+            DataRef::Float(number) => Cell::Number(*number),
+            DataRef::Int(number) => Cell::Number(*number as f64),
+            DataRef::String(text) => text_cell(text),
+            DataRef::SharedString(text) => text_cell(text),
+            DataRef::Bool(flag) => Cell::Other(format!("the truth value {flag}")),
+            DataRef::Error(error) => Cell::Other(format!("the error {error}")),
+            _ => Cell::Other(
+                "a date or time (format the cells as numbers before entering them)".to_owned(),
+            ),
+        };
+        if content == Cell::Empty {
+            continue;
+        }
+        count += 1;
+        if column >= MOST_COLUMNS || count > MOST_CELLS {
+            return Err(format!("{} lies beyond any table", place(row, column)));
+        }
+        if cells
+            .entry(row)
+            .or_default()
+            .insert(column, content)
+            .is_some()
+        {
+            return Err(format!("{} has two contents", place(row, column)));
+        }
+    }
+    Ok(cells)
+}
+
+fn text_cell(text: &str) -> Cell {
+    match text.trim() {
+        "" => Cell::Empty,
+        text => Cell::Text(text.to_owned()),
+    }
+}
+
+/// The first row is the header; text below it is no number.
+fn grid(cells: Cells) -> Option<Grid> {
+    let columns = cells.first_key_value()?.1.last_key_value()?.0 + 1;
+    let lines = cells
+        .into_iter()
+        .enumerate()
+        .map(|(index, (row, mut cells))| {
+            let width = cells
+                .last_key_value()
+                .map_or(columns, |(last, _)| columns.max(last + 1));
+            let mut take = |column| match cells.remove(&column).unwrap_or(Cell::Empty) {
+                Cell::Text(text) if index > 0 => {
+                    Cell::Other(format!("the text {text:?} (turn it into a number there)"))
+                }
+                cell => cell,
+            };
+            Line {
+                number: u64::from(row) + 1,
+                cells: (0..width).map(&mut take).collect(),
+            }
+        });
+    Grid::of(lines.collect(), None)
+}

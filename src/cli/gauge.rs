@@ -6,7 +6,7 @@ use crate::error::Error;
 use crate::gauge::{Settings, gauge};
 use crate::input;
 use crate::output::OutputFolder;
-use crate::render::gauge::{GaugedGear, csv_files, gear_file, json, teeth_csv, text};
+use crate::render::gauge::{GaugedGear, charts, csv_files, gear_file, json, teeth_csv, text};
 use crate::study::{GearsStudy, Material};
 use clap::ValueEnum;
 use std::path::PathBuf;
@@ -15,8 +15,8 @@ use std::process::ExitCode;
 /// Measure a gear on the model as the shop does: span, pins, runout, pitch, thickness, roll test
 ///
 /// Anvils, pins, balls, measuring circles and a perfect master gear are brought to the outline of the gear
-/// as built. Writes the readings of each gear and material into DIR as CSV, and a gear file
-/// gauge_<gear>.toml that states them.
+/// as built. Writes the readings of each gear and material into DIR as CSV, a chart of each, and a gear
+/// file gauge_<gear>.toml that states them.
 #[derive(clap::Args)]
 pub(super) struct Args {
     /// A pair file, or a gear file: `title` and one [gear] with the keys of [wheel] (TOML or JSON)
@@ -132,6 +132,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         let mut files = Vec::new();
         for gauged in &gears {
             files.extend(csv_files(gauged).map_err(|error| unwritable(&error))?);
+            files.extend(charts(gauged)?);
             files.push((format!("{}.toml", gauged.stem()), gear_file(gauged)));
         }
         let path = folder.write(&files)?;

@@ -6,6 +6,7 @@
 //! one anvil lies on both.
 
 use super::Unmeasured;
+use super::runout::mean;
 use super::seat::Seat;
 use super::workpiece::Workpiece;
 
@@ -33,6 +34,13 @@ pub struct Pins {
     pub two: Vec<OverPins>,
     /// Over three pins, by the tooth before the single one; empty for an even number of teeth.
     pub three: Vec<OverPins>,
+}
+
+impl Pins {
+    /// Mean over two pins, mm.
+    pub fn mean(&self) -> f64 {
+        mean(self.two.iter().map(|over| over.length))
+    }
 }
 
 /// Measures over pins of `diameter`, resting at `seats`.

@@ -4,7 +4,6 @@
 //! alone, or it would count twice.
 
 use super::GaugedGear;
-use crate::gear::Side;
 use serde_json::Value;
 use std::fmt::Write;
 
@@ -33,9 +32,9 @@ pub fn gear_file(gauged: &GaugedGear) -> String {
     if let Ok(spans) = &readings.spans {
         let _ = write!(
             text,
-            "\n[gear.thickness]                # mean of the spans all round\nspan = {{ teeth = {}, mm = {:?} }}\n",
+            "\n[gear.thickness]                # the mean: the pitch carries how it varies\nspan = {{ teeth = {}, file = \"{}_spans.csv\", per_tooth = false }}\n",
             spans.teeth,
-            spans.mean(),
+            gauged.stem(),
         );
     } else if let Ok(thickness) = &readings.thickness {
         let _ = write!(
@@ -51,13 +50,12 @@ pub fn gear_file(gauged: &GaugedGear) -> String {
         2e3 * eccentricity.amount,
         eccentricity.high_tooth,
     );
-    if let Ok(pitch) = &readings.pitch_own {
-        text += "\n[gear.pitch]                    # carries the variation of thickness, too\nkind = \"cumulative\"\naxis = \"own\"\n";
-        for (name, side) in [("right_um", Side::Right), ("left_um", Side::Left)] {
-            let values = pitch.cumulative.flank(side).iter();
-            let values: Vec<String> = values.map(|mm| format!("{:?}", mm * 1e3)).collect();
-            let _ = writeln!(text, "{name} = [{}]", values.join(", "));
-        }
+    if readings.pitch_own.is_ok() {
+        let _ = write!(
+            text,
+            "\n[gear.pitch]                    # carries the variation of thickness, too\nkind = \"cumulative\"\naxis = \"own\"\nfile = \"{}_pitch_own.csv\"\n",
+            gauged.stem(),
+        );
     }
     text
 }

@@ -1,5 +1,6 @@
 //! What the gauges read, as text, JSON, CSV and as a gear file that states it.
 
+mod charts;
 mod csv_files;
 mod gear_file;
 mod json;
@@ -10,6 +11,7 @@ use crate::gear::AsBuilt;
 use crate::study::Material;
 use serde_json::Value;
 
+pub use charts::charts;
 pub use csv_files::{csv_files, teeth_csv};
 pub use gear_file::gear_file;
 pub use json::json;

@@ -27,7 +27,7 @@ fn table(name: &str, teeth: u32, face: &str, seed: u64) -> String {
     )
 }
 
-const ASSEMBLY: &str = "[assembly]\ncenter_distance_mm = [97.9, 97.8]\n[sweep]\nrevolutions = \"wheel\"\nsteps_per_pitch = 16\n";
+const ASSEMBLY: &str = "[assembly]\ncenter_distance_mm = [97.9, 97.75]\n[sweep]\nrevolutions = \"wheel\"\nsteps_per_pitch = 16\n";
 
 fn backlash(study: &Study) -> Vec<f64> {
     let go_on = || ControlFlow::Continue(());

@@ -8,7 +8,7 @@
 //! The way through the crate, each stage importing only earlier ones:
 //!
 //! ```text
-//! input → study → gear → pair → mesh → simulate → compare → curves, diagnosis → render → cli
+//! input → study → gear → pair → mesh → simulate → compare → curves, diagnosis → gauge → render → cli
 //!                         └──→ analytic ──────────┘
 //! ```
 //!
@@ -46,6 +46,7 @@ pub mod compare;
 pub mod curves;
 pub mod diagnosis;
 pub mod error;
+pub mod gauge;
 pub mod gear;
 pub mod input;
 pub mod measured;

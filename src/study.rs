@@ -86,6 +86,74 @@ pub struct Study {
     pub warnings: Vec<String>,
 }
 
+/// One gear of a file, for what needs no mate.
+#[derive(Debug, Clone, PartialEq)]
+pub struct GearStudy {
+    /// `wheel` or `pinion` of a pair file, `gear` of a gear file.
+    pub name: &'static str,
+    /// In the thicknesses it states: `AsMeasured` alone, or `Most` and `Least`.
+    pub materials: Vec<(Material, AsBuilt)>,
+    /// Its table as understood, defaults filled in.
+    pub echo: serde_json::Value,
+}
+
+impl GearStudy {
+    /// `k` of the span that states the thickness.
+    pub fn span_teeth(&self) -> Option<u32> {
+        let teeth = self.echo["thickness"]["span"]["teeth"].as_u64()?;
+        u32::try_from(teeth).ok()
+    }
+
+    /// `D_M`, mm, of the dimension over pins that states the thickness.
+    pub fn pin(&self) -> Option<f64> {
+        self.echo["thickness"]["over_pins"]["pin_mm"].as_f64()
+    }
+}
+
+/// The gears of a gear file or a pair file.
+///
+/// Made by [`crate::input::read_gears`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct GearsStudy {
+    /// Title; the file stem when the file has none.
+    pub title: String,
+    /// File stem, the name of the folder for results.
+    pub stem: String,
+    /// One gear, or wheel and pinion.
+    pub gears: Vec<GearStudy>,
+    /// What the user should know, for standard error.
+    pub warnings: Vec<String>,
+}
+
+impl From<Study> for GearsStudy {
+    fn from(study: Study) -> GearsStudy {
+        let gear = |name: &'static str, of: fn(&(Material, AsBuilt, AsBuilt)) -> &AsBuilt| {
+            let mut materials: Vec<(Material, AsBuilt)> = Vec::new();
+            for pair in &study.materials {
+                // A gear with a single thickness has it in both materials of its pair.
+                match materials.first_mut() {
+                    Some(first) if first.1 == *of(pair) => first.0 = Material::AsMeasured,
+                    _ => materials.push((pair.0, of(pair).clone())),
+                }
+            }
+            GearStudy {
+                name,
+                materials,
+                echo: study.echo[name].clone(),
+            }
+        };
+        GearsStudy {
+            gears: vec![
+                gear("wheel", |pair| &pair.1),
+                gear("pinion", |pair| &pair.2),
+            ],
+            title: study.title,
+            stem: study.stem,
+            warnings: study.warnings,
+        }
+    }
+}
+
 /// One run: a pair as assembled and the matings to pose it in.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RunPlan {

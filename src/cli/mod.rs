@@ -5,6 +5,7 @@ mod check;
 mod compare;
 mod distances;
 mod drawing;
+mod gauge;
 mod init;
 mod method;
 mod pictures;
@@ -52,6 +53,8 @@ enum Command {
     Check(check::Args),
     /// Draw the contact at one pose as SVG
     Snapshot(snapshot::Args),
+    /// Measure a gear on the model as the shop does: span, pins, runout, pitch, roll test
+    Gauge(gauge::Args),
     /// Write a commented pair file to begin with
     Init(init::Args),
     /// Print the JSON Schema of pair files, for editors
@@ -70,6 +73,7 @@ pub fn run() -> Result<ExitCode, Error> {
         Command::Compare(args) => compare::run(&args),
         Command::Check(args) => check::run(&args),
         Command::Snapshot(args) => snapshot::run(&args),
+        Command::Gauge(args) => gauge::run(&args),
         Command::Init(args) => init::run(&args),
         Command::Schema(args) => schema::run(&args),
         Command::Chart(args) => chart::run(&args),

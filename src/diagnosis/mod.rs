@@ -23,4 +23,4 @@ pub use clearance::{RadialClearance, radial_clearance};
 pub use contact_count::{ContactCount, Loss, Worst};
 pub use map::{Limit, Map, MapCell, map};
 pub use onset::{Onset, form_onset, non_involute_onset};
-pub use zero_distance::{ZeroDistance, zero_distance};
+pub use zero_distance::{ZeroDistance, play_free_distance, zero_distance};

@@ -98,6 +98,24 @@ pub fn zero_distance(
     }))
 }
 
+/// The centre distance, mm, at which the pose of `mating` has no play: a bracket about it at most 1e-10 mm wide,
+/// the play negative at its first end and not at its second. `guess`, mm, is where the search starts.
+///
+/// The mating stands for a pose at every distance ([`crate::pair::Pose`]). `None` where there is none between
+/// touching base circles and tips that pass each other.
+///
+/// # Errors
+/// A contact that was lost.
+pub fn play_free_distance(
+    assembly: &Assembly,
+    guess: f64,
+    mating: &Mating,
+) -> Result<Option<[f64; 2]>, Error> {
+    root(assembly, guess, |distance| {
+        Bench::new(assembly, distance)?.play(mating)
+    })
+}
+
 /// Indices of values no higher than their neighbours in the list, the lowest first.
 fn local_minima(values: &[f64]) -> Vec<usize> {
     let count = values.len();

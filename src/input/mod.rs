@@ -15,6 +15,7 @@ mod entry;
 mod faults;
 mod flanks;
 mod gear;
+mod gear_file;
 mod measured;
 mod measured_row;
 mod nearest;
@@ -35,7 +36,8 @@ mod thickness;
 mod tooth;
 
 use crate::error::Error;
-use crate::study::Study;
+use crate::study::{GearsStudy, Study};
+use node::Node;
 use pair_file::PairFile;
 use problems::Problems;
 use std::path::Path;
@@ -48,13 +50,37 @@ pub const PAIR_SCHEMA: &str = include_str!("pair_schema.json");
 /// # Errors
 /// [`Error::Input`] with all problems of the file, each with key, value, what is allowed and what to do.
 pub fn read(path: &Path) -> Result<Study, Error> {
+    with_entries(path, |entries, problems| {
+        PairFile::read(path, entries, problems).study(problems)
+    })
+}
+
+/// Reads the gears of the file at `path`: a gear file (`title` and one `[gear]` with the keys of `[wheel]`), or a pair file.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_gears(path: &Path) -> Result<GearsStudy, Error> {
+    with_entries(path, |entries, problems| {
+        if gear_file::is_one(entries) {
+            return gear_file::read(path, entries, problems);
+        }
+        let pair = PairFile::read(path, entries, problems).study(problems);
+        pair.map(GearsStudy::from)
+    })
+}
+
+/// What `understand` makes of the entries of the file at `path`, when nothing was wrong.
+fn with_entries<T>(
+    path: &Path,
+    understand: impl FnOnce(&[(String, Node)], &mut Problems) -> Option<T>,
+) -> Result<T, Error> {
     let mut problems = Problems::new();
     let entries = source::text(path).and_then(|text| source::parse(path, &text));
-    let study = problems
+    let understood = problems
         .keep(entries)
-        .and_then(|entries| PairFile::read(path, &entries, &mut problems).study(&mut problems));
-    match study {
-        Some(study) if problems.is_empty() => Ok(study),
+        .and_then(|entries| understand(&entries, &mut problems));
+    match understood {
+        Some(understood) if problems.is_empty() => Ok(understood),
         _ => Err(Error::Input {
             file: path.to_owned(),
             problems: problems.into_list(),

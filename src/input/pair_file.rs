@@ -41,13 +41,7 @@ impl<'a> PairFile<'a> {
     ) -> PairFile<'a> {
         let folder = path.parent().unwrap_or(Path::new(""));
         let table = Table::new("", folder, entries, KEYS, problems);
-        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-        let title = match table.optional("title") {
-            Some(Some(entry)) => problems
-                .keep(entry.text("write the title in quotes"))
-                .map(str::to_owned),
-            absent => absent.map(|_| stem.to_string()),
-        };
+        let (stem, title) = names(&table, path, problems);
         let wheel = GearPart::read(&table, "wheel", problems);
         let pinion = GearPart::read(&table, "pinion", problems);
         let teeth = (wheel.teeth, pinion.teeth);
@@ -75,7 +69,7 @@ impl<'a> PairFile<'a> {
             compare: Compare::read(&table, problems),
             table,
             title,
-            stem: stem.into_owned(),
+            stem,
             wheel,
             pinion,
         }
@@ -211,6 +205,18 @@ impl<'a> PairFile<'a> {
         ));
         None
     }
+}
+
+/// The stem of the file at `path`, and its title, the stem where it has none.
+pub fn names(table: &Table, path: &Path, problems: &mut Problems) -> (String, Option<String>) {
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    let title = match table.optional("title") {
+        Some(Some(entry)) => problems
+            .keep(entry.text("write the title in quotes"))
+            .map(str::to_owned),
+        absent => absent.map(|_| stem.to_string()),
+    };
+    (stem.into_owned(), title)
 }
 
 fn materials(wheel: &GearPart, pinion: &GearPart) -> Option<Vec<(Material, AsBuilt, AsBuilt)>> {

@@ -22,6 +22,17 @@ pub struct Shape {
     hierarchy: Option<Bvh>,
 }
 
+/// The place of a shape nearest to a point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Nearest {
+    /// Distance, in the unit of the shape. Right to the rounding of the coordinates.
+    pub distance: f64,
+    /// Segment `i` runs from vertex `i` to `i + 1`.
+    pub segment: usize,
+    /// The nearest point.
+    pub at: Point2<f64>,
+}
+
 /// Up to this many segments all are gone through (tuned: 16 to 64 are alike).
 const FEW: usize = 32;
 
@@ -92,6 +103,40 @@ impl Shape {
             }
         });
         found
+    }
+
+    /// The place of `self` nearest to `point`, which may stand on either side of it; of several the first.
+    ///
+    /// Goes through all segments: for coarse polygons and short stretches.
+    pub fn nearest(&self, point: &Point2<f64>) -> Nearest {
+        let mut best = self.to_segment(0, point);
+        for segment in 1..self.segments.len() {
+            let found = self.to_segment(segment, point);
+            if found.distance < best.distance {
+                best = found;
+            }
+        }
+        best
+    }
+
+    /// The stretch of segments outside which nothing is within `margin` of `point`; empty when nothing is.
+    pub fn near_point(&self, point: &Point2<f64>, margin: f64) -> Range<usize> {
+        let near = |segment: &usize| self.to_segment(*segment, point).distance <= margin;
+        let mut within = (0..self.segments.len()).filter(near);
+        let Some(first) = within.next() else {
+            return 0..0;
+        };
+        first..within.next_back().unwrap_or(first) + 1
+    }
+
+    fn to_segment(&self, segment: usize, point: &Point2<f64>) -> Nearest {
+        let point = Vector::new(point.x, point.y);
+        let at = project(&self.segments[segment], point);
+        Nearest {
+            distance: (at - point).length(),
+            segment,
+            at: Point2::new(at.x, at.y),
+        }
     }
 
     /// Calls `visit` with every pair of segments that may be within `bound` of each other, and some others.

@@ -11,6 +11,8 @@ mod polygon;
 mod scene;
 mod sweep;
 
+pub(crate) use contact::Shape;
+
 pub use class::{ContactClass, ContactKind, Moment, PoseClass};
 pub use exact::ExactKernel;
 pub use exaggeration::{Exaggeration, Found};

@@ -7,6 +7,7 @@ pub mod check;
 mod clip;
 pub mod comparison;
 mod exaggerated;
+pub mod gauge;
 mod gears;
 mod inset;
 mod labels;

@@ -1,0 +1,185 @@
+//! `gearlash gauge`: measures a gear on the model as the shop does.
+
+use super::progress::Progress;
+use super::{print, warn};
+use crate::error::Error;
+use crate::gauge::{Settings, gauge};
+use crate::input;
+use crate::output::OutputFolder;
+use crate::render::gauge::{GaugedGear, charts, csv_files, gear_file, json, teeth_csv, text};
+use crate::study::{GearsStudy, Material};
+use clap::ValueEnum;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// Measure a gear on the model as the shop does: span, pins, runout, pitch, thickness, roll test
+///
+/// Anvils, pins, balls, measuring circles and a perfect master gear are brought to the outline of the gear
+/// as built. Writes the readings of each gear and material into DIR as CSV, a chart of each, and a gear
+/// file gauge_<gear>.toml that states them.
+#[derive(clap::Args)]
+pub(super) struct Args {
+    /// A pair file, or a gear file: `title` and one [gear] with the keys of [wheel] (TOML or JSON)
+    file: PathBuf,
+    /// Only this gear of a pair
+    #[arg(long, value_enum)]
+    gear: Option<GearName>,
+    /// Only this end of the thickness tolerance
+    #[arg(long, value_enum)]
+    material: Option<MaterialName>,
+    /// Teeth spanned [default: as the file states the thickness, else contact near mid-height]
+    #[arg(long, value_name = "K", value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    span_teeth: Option<u32>,
+    /// Diameter of the pins, mm [default: as the file states the thickness, else contact near mid-height]
+    #[arg(long, value_name = "D", value_parser = diameter)]
+    pin_mm: Option<f64>,
+    /// Diameter of the ball for the runout, mm [default: the pin's]
+    #[arg(long, value_name = "D", value_parser = diameter)]
+    ball_mm: Option<f64>,
+    /// Teeth of the master gear [default: 30, or as many as the gear's tips need]
+    #[arg(long, value_name = "Z", value_parser = clap::value_parser!(u32).range(3..=10_000))]
+    master_teeth: Option<u32>,
+    /// Poses a pitch of the roll test
+    #[arg(long, value_name = "N", default_value_t = 16, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    steps_per_pitch: u32,
+    /// What to print; with json or csv nothing else is printed, and nothing written without -o
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+    /// Folder for the readings [default: out/<file stem>]
+    #[arg(short, long, value_name = "DIR")]
+    output: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum GearName {
+    /// Gear 1
+    Wheel,
+    /// Gear 2
+    Pinion,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum MaterialName {
+    /// Teeth at their thickest
+    Most,
+    /// Teeth at their thinnest
+    Least,
+}
+
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+enum Format {
+    /// A readable table
+    Text,
+    /// Every reading
+    Json,
+    /// A row a tooth
+    Csv,
+}
+
+/// A diameter in mm.
+fn diameter(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(mm) if mm > 0.0 && mm <= 1e6 => Ok(mm),
+        _ => Err("a number of mm above 0 and up to 1e6 is needed".to_owned()),
+    }
+}
+
+/// Runs the command.
+pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
+    let study = input::read_gears(&args.file)?;
+    warn(&args.file, &study.warnings);
+    let chosen = choose(args, &study)?;
+    let folder = match (&args.output, args.format) {
+        (Some(folder), _) => Some(folder.clone()),
+        (None, Format::Text) => Some(PathBuf::from("out").join(&study.stem)),
+        (None, Format::Json | Format::Csv) => None,
+    };
+    let folder = folder
+        .map(|path| OutputFolder::prepare(&path))
+        .transpose()?;
+
+    let progress = Progress::working();
+    let mut gears = Vec::new();
+    for (gear, material, as_built) in chosen {
+        progress.now(&format!("{} {}", gear.name, material.name()))?;
+        let settings = Settings {
+            span_teeth: args.span_teeth.or(gear.span_teeth()),
+            pin: args.pin_mm.or(gear.pin()),
+            ball: args.ball_mm,
+            master_teeth: args.master_teeth,
+            steps_per_pitch: args.steps_per_pitch,
+        };
+        gears.push(GaugedGear {
+            title: &study.title,
+            name: gear.name,
+            material,
+            gear: as_built,
+            echo: &gear.echo,
+            gauged: gauge(as_built, &settings, &|| progress.tick())?,
+        });
+    }
+    progress.finish()?;
+
+    let unwritable = |error: &dyn std::error::Error| {
+        Error::Usage(format!("the readings cannot be written as text: {error}"))
+    };
+    print(&match args.format {
+        Format::Text => text(&study.title, &gears),
+        Format::Json => json(&study.title, &gears).map_err(|error| unwritable(&error))?,
+        Format::Csv => teeth_csv(&gears).map_err(|error| unwritable(&error))?,
+    });
+    if let Some(folder) = folder {
+        let mut files = Vec::new();
+        for gauged in &gears {
+            files.extend(csv_files(gauged).map_err(|error| unwritable(&error))?);
+            files.extend(charts(gauged)?);
+            files.push((format!("{}.toml", gauged.stem()), gear_file(gauged)));
+        }
+        let path = folder.write(&files)?;
+        if args.format == Format::Text {
+            print(&format!("\n{} files in {}\n", files.len(), path.display()));
+        }
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// The gears and materials asked for, in the order of the file.
+fn choose<'a>(
+    args: &Args,
+    study: &'a GearsStudy,
+) -> Result<
+    Vec<(
+        &'a crate::study::GearStudy,
+        Material,
+        &'a crate::gear::AsBuilt,
+    )>,
+    Error,
+> {
+    let name = args.gear.map(|gear| match gear {
+        GearName::Wheel => "wheel",
+        GearName::Pinion => "pinion",
+    });
+    let material = args.material.map(|material| match material {
+        MaterialName::Most => Material::Most,
+        MaterialName::Least => Material::Least,
+    });
+    let mut chosen = Vec::new();
+    for gear in &study.gears {
+        if name.is_some_and(|name| name != gear.name) {
+            continue;
+        }
+        for (of, as_built) in &gear.materials {
+            // A single thickness is both ends of its tolerance.
+            if material.is_none_or(|material| *of == material || *of == Material::AsMeasured) {
+                chosen.push((gear, *of, as_built));
+            }
+        }
+    }
+    match (chosen.is_empty(), name) {
+        (true, Some(name)) => Err(Error::Usage(format!(
+            "--gear {name}: {} has one gear only; leave --gear out",
+            args.file.display()
+        ))),
+        _ => Ok(chosen),
+    }
+}

@@ -1,0 +1,172 @@
+//! Where the flanks cross the measuring circle: pitch of both flanks and tooth thickness.
+//!
+//! The measuring circle is the reference circle. About the gear's own centre it shows the gear's own pitch
+//! deviation; about the rotation axis, as a machine does that holds the gear by its datum,
+//! the eccentricity as well.
+
+use super::Unmeasured;
+use super::runout::{mean, range};
+use super::workpiece::Workpiece;
+use crate::gear::{Pitch, Side};
+use nalgebra::{Point2, UnitComplex, Vector2};
+use std::f64::consts::FRAC_PI_2;
+
+/// What the measuring circle is centred on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PitchAxis {
+    /// The gear's own centre.
+    Own,
+    /// The rotation axis.
+    Datum,
+}
+
+impl PitchAxis {
+    /// `own` or `datum`, as a pair file has it.
+    pub fn name(self) -> &'static str {
+        match self {
+            PitchAxis::Own => "own",
+            PitchAxis::Datum => "datum",
+        }
+    }
+}
+
+/// Pitch deviation of both of a gear's own flanks as read on the measuring circle.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PitchReadings {
+    /// Centre of the circle.
+    pub axis: PitchAxis,
+    /// Cumulative deviation `F`, mm, along ascending numbers, each flank about its mean.
+    pub cumulative: Pitch,
+    /// Bound on the error of each value, mm.
+    pub error: f64,
+}
+
+impl PitchReadings {
+    /// Single deviations `f_i = F_i − F_{i−1}` of a gear's own flank, mm.
+    pub fn single(&self, own: Side) -> Vec<f64> {
+        let curve = self.cumulative.flank(own);
+        let before = curve.iter().cycle().skip(curve.len().saturating_sub(1));
+        curve
+            .iter()
+            .zip(before)
+            .map(|(f, before)| f - before)
+            .collect()
+    }
+
+    /// Greatest single deviation `f_p`, mm, by amount.
+    pub fn greatest_single(&self, own: Side) -> f64 {
+        self.single(own)
+            .into_iter()
+            .fold(0.0, |most, f| f64::max(most, f.abs()))
+    }
+
+    /// Total cumulative deviation `F_p`, mm: the range of `F`.
+    pub fn total(&self, own: Side) -> f64 {
+        range(self.cumulative.flank(own).iter().copied())
+    }
+}
+
+/// Tooth thickness all round.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ThicknessReadings {
+    /// Radius of the measuring circle, mm.
+    pub radius: f64,
+    /// Thickness of each tooth, mm, an arc of that circle about the gear's own centre, not a chord.
+    pub arcs: Vec<f64>,
+    /// Bound on the error of each, mm.
+    pub error: f64,
+    /// What the drawing says, `s = m (π/2 + 2 x tan α)`, mm.
+    pub nominal: f64,
+}
+
+impl ThicknessReadings {
+    /// Mean thickness, mm.
+    pub fn mean(&self) -> f64 {
+        mean(self.arcs.iter().copied())
+    }
+
+    /// Each tooth's thickness less the mean, mm.
+    pub fn deviations(&self) -> Vec<f64> {
+        let mean = self.mean();
+        self.arcs.iter().map(|arc| arc - mean).collect()
+    }
+}
+
+/// Polar angles of every flank's crossing about the circle's centre, each from its tooth's
+/// undisturbed centre line, and the greatest error as an arc.
+struct Crossings {
+    angles: [Vec<f64>; 2],
+    error: f64,
+}
+
+/// Reads the pitch of both flanks about `axis`.
+pub(super) fn pitch(work: &Workpiece, axis: PitchAxis) -> Result<PitchReadings, Unmeasured> {
+    let crossings = crossings(work, axis)?;
+    let face = work.as_built.face();
+    let scale = face.ascending() * radius(work);
+    let curve = |own: Side| -> Vec<f64> {
+        let angles = match face.seen_from_front(own) {
+            Side::Right => &crossings.angles[0],
+            Side::Left => &crossings.angles[1],
+        };
+        angles.iter().map(|angle| scale * angle).collect()
+    };
+    Ok(PitchReadings {
+        axis,
+        cumulative: Pitch::from_cumulative(&curve(Side::Right), &curve(Side::Left)),
+        // The value's own, and that of the mean.
+        error: 2.0 * crossings.error,
+    })
+}
+
+/// Reads the thickness of every tooth.
+pub(super) fn thickness(work: &Workpiece) -> Result<ThicknessReadings, Unmeasured> {
+    let Crossings { angles, error } = crossings(work, PitchAxis::Own)?;
+    let [right, left] = &angles;
+    let teeth = right.iter().zip(left);
+    let blank = work.as_built.gear().blank();
+    let alpha = blank.toothing.pressure_angle();
+    Ok(ThicknessReadings {
+        nominal: blank.toothing.module() * (FRAC_PI_2 + 2.0 * blank.profile_shift * alpha.tan()),
+        radius: radius(work),
+        arcs: teeth
+            .map(|(right, left)| radius(work) * (left - right))
+            .collect(),
+        error: 2.0 * error,
+    })
+}
+
+fn radius(work: &Workpiece) -> f64 {
+    work.as_built.gear().toothing().reference_radius()
+}
+
+fn crossings(work: &Workpiece, axis: PitchAxis) -> Result<Crossings, Unmeasured> {
+    let gear = work.as_built;
+    let displacement = match axis {
+        PitchAxis::Own => Vector2::zeros(),
+        PitchAxis::Datum => gear.displacement(0.0),
+    };
+    let mut found = Crossings {
+        angles: [Vec::new(), Vec::new()],
+        error: 0.0,
+    };
+    for tooth in 1..=gear.gear().toothing().teeth() {
+        // Seen along the tooth's undisturbed centre line.
+        let along = UnitComplex::new(-gear.tooth_angle(f64::from(tooth)));
+        let centre = Point2::from(along * -displacement);
+        for (side, angles) in Side::BOTH.into_iter().zip(&mut found.angles) {
+            let turn = work.turn(side, tooth, 0.0);
+            let crossing = work.crossing(side, turn.inverse() * centre, radius(work));
+            let Some((at, error)) = crossing else {
+                return Err(Unmeasured(format!(
+                    "the reference circle of {} mm does not cross the involute of tooth {tooth}",
+                    2.0 * radius(work)
+                )));
+            };
+            let arm = turn * at - centre;
+            angles.push(arm.y.atan2(arm.x));
+            found.error = found.error.max(error);
+        }
+    }
+    Ok(found)
+}

@@ -1,0 +1,52 @@
+//! What formulas say of a gear of the mean thickness, without deviations: to set beside the readings.
+
+use super::roll::Roll;
+use crate::analytic::InvolutePair;
+use crate::gear::{AsBuilt, thickness};
+use std::f64::consts::PI;
+
+/// Values by formula. Lengths in mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Formula {
+    /// `W_k = (k − 1) p_b + s_b`.
+    pub span: Option<f64>,
+    /// `M_dK` over two pins.
+    pub over_two: Option<f64>,
+    /// `M_dK = r_K (1 + cos(π/z)) + D_M` over three pins: the two stand `π/z` beside the opposite direction.
+    pub over_three: Option<f64>,
+    /// Radius `r_K` of the ball's centre.
+    pub ball_centre: Option<f64>,
+    /// Arc thickness at the reference circle, `s_b/cos α − 2 r inv α`.
+    pub thickness: f64,
+    /// Centre distance without play against the master.
+    pub distance: Option<f64>,
+    /// `F_r = F_i'' = 2 e`: to first order what a pure eccentricity makes.
+    pub runout: f64,
+}
+
+/// The formulas for `gear`, measured over `k` teeth, pins of `pin` and balls of `ball`, against the master of `roll`.
+pub(super) fn formula(
+    gear: &AsBuilt,
+    k: Option<u32>,
+    [pin, ball]: [Option<f64>; 2],
+    roll: Option<&Roll>,
+) -> Formula {
+    let runout = 2.0 * gear.eccentricity();
+    let gear = gear.gear();
+    let toothing = gear.toothing();
+    let s_b = gear.base_thickness();
+    let centre = |diameter| thickness::pin_centre_radius(toothing, diameter, s_b);
+    let odd = !toothing.teeth().is_multiple_of(2);
+    let both = 1.0 + (PI / f64::from(toothing.teeth())).cos();
+    let alpha = toothing.pressure_angle();
+    Formula {
+        span: k.map(|k| thickness::span_from_base(toothing, k, s_b)),
+        over_two: pin.map(|pin| thickness::pins_from_base(toothing, pin, s_b)),
+        over_three: pin.filter(|_| odd).map(|pin| both * centre(pin) + pin),
+        ball_centre: ball.map(centre),
+        thickness: s_b / alpha.cos()
+            - 2.0 * toothing.reference_radius() * crate::gear::involute::inv(alpha),
+        distance: roll.and_then(|roll| InvolutePair::new(gear, &roll.master).center_distance(0.0)),
+        runout,
+    }
+}

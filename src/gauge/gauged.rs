@@ -1,0 +1,140 @@
+//! Every gauge on one gear.
+
+use super::Unmeasured;
+use super::eccentricity::{Eccentricity, eccentricity};
+use super::flanks::{PitchAxis, PitchReadings, ThicknessReadings, pitch, thickness};
+use super::formula::{Formula, formula};
+use super::pins::{Pins, pins};
+use super::roll::{Roll, roll};
+use super::runout::{RunoutReadings, runout};
+use super::seat::{Seat, seat};
+use super::span::{Spans, spans};
+use super::workpiece::Workpiece;
+use crate::error::Error;
+use crate::gear::{AsBuilt, Gear, involute, thickness as formula};
+use std::ops::ControlFlow;
+
+/// How to measure; what is `None` follows from the gear.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Settings {
+    /// `k`, teeth spanned; default: contact near mid-height.
+    pub span_teeth: Option<u32>,
+    /// `D_M`, mm; default: the pin that touches near mid-height, rounded up.
+    pub pin: Option<f64>,
+    /// Ball for the runout, mm; default: the pin.
+    pub ball: Option<f64>,
+    /// Teeth of the master gear.
+    pub master_teeth: Option<u32>,
+    /// Poses a pitch of the roll test.
+    pub steps_per_pitch: u32,
+}
+
+impl Default for Settings {
+    fn default() -> Settings {
+        Settings {
+            span_teeth: None,
+            pin: None,
+            ball: None,
+            master_teeth: None,
+            steps_per_pitch: 16,
+        }
+    }
+}
+
+/// What the gauges read on one gear. Lengths in mm; each reading carries the bound on its error.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Gauged {
+    /// `W_k`.
+    pub spans: Result<Spans, Unmeasured>,
+    /// `M_dK`.
+    pub pins: Result<Pins, Unmeasured>,
+    /// `F_r`.
+    pub runout: Result<RunoutReadings, Unmeasured>,
+    /// The gear's own pitch deviation.
+    pub pitch_own: Result<PitchReadings, Unmeasured>,
+    /// The same about the rotation axis.
+    pub pitch_datum: Result<PitchReadings, Unmeasured>,
+    /// Tooth thickness at the reference circle.
+    pub thickness: Result<ThicknessReadings, Unmeasured>,
+    /// The tip circle's centre.
+    pub eccentricity: Eccentricity,
+    /// Double-flank roll test.
+    pub roll: Result<Roll, Unmeasured>,
+    /// What the formulas say.
+    pub formula: Formula,
+}
+
+/// Measures `gear`. `tick` is called as each pose of the roll test begins, from any thread; a break ends the work.
+///
+/// # Errors
+/// A contact that the exact kernel lost; [`Error::Interrupted`].
+pub fn gauge(
+    gear: &AsBuilt,
+    settings: &Settings,
+    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+) -> Result<Gauged, Error> {
+    let work = Workpiece::new(gear);
+    let k = settings.span_teeth.unwrap_or(usual_span(gear.gear()));
+    let pin = settings.pin.unwrap_or(usual_pin(gear.gear()));
+    let ball = settings.ball.unwrap_or(pin);
+    let seats = |diameter: f64| -> Result<Vec<Seat>, Unmeasured> {
+        let teeth = 1..=gear.gear().toothing().teeth();
+        teeth.map(|tooth| seat(&work, tooth, diameter)).collect()
+    };
+    let spans = spans(&work, k);
+    let pins = seats(pin).and_then(|seats| pins(&work, pin, seats));
+    let runout = seats(ball).map(|seats| runout(&work, ball, seats));
+    let roll = roll(gear, settings.master_teeth, settings.steps_per_pitch, tick)?;
+    let diameters = [
+        pins.as_ref().ok().map(|p| p.diameter),
+        runout.as_ref().ok().map(|r| r.diameter),
+    ];
+    Ok(Gauged {
+        formula: formula(
+            gear,
+            spans.as_ref().ok().map(|spans| spans.teeth),
+            diameters,
+            roll.as_ref().ok(),
+        ),
+        spans,
+        pins,
+        runout,
+        pitch_own: pitch(&work, PitchAxis::Own),
+        pitch_datum: pitch(&work, PitchAxis::Datum),
+        thickness: thickness(&work),
+        eccentricity: eccentricity(&work),
+        roll,
+    })
+}
+
+/// Roll at the middle of the active flank's height.
+fn mid_roll(gear: &Gear) -> f64 {
+    involute::roll_at(
+        0.5 * (gear.form_radius() + gear.tip_radius()),
+        gear.base_radius(),
+    )
+}
+
+/// `k` whose symmetric contact, `W_k = (k − 1) p_b + s_b = 2 r_b ξ`, lies nearest to mid-height
+/// (for a gear without shift the usual `z α/π + 0.5`).
+pub fn usual_span(gear: &Gear) -> u32 {
+    let line = 2.0 * gear.base_radius() * mid_roll(gear);
+    let steps = (line - gear.base_thickness()) / gear.toothing().base_pitch();
+    // A count of steps far below 2^32; the cast takes what is negative as 0.
+    (steps.round() as u32 + 1).clamp(1, gear.toothing().teeth() / 2)
+}
+
+/// Diameter `D_M`, mm, of the pin that touches at mid-height, rounded up to a quarter of the module's decade
+/// (0.25 mm from 1 mm to below 10 mm).
+pub fn usual_pin(gear: &Gear) -> f64 {
+    let touching = formula::pin_touching(gear.toothing(), mid_roll(gear), gear.base_thickness());
+    // Whole quarters over a power of ten: the decimal number as one would write it.
+    let places = 10f64.powf(2.0 - gear.toothing().module().log10().floor());
+    let rounded = 25.0 * (touching * places / 25.0).ceil() / places;
+    // No pin touches there where the space's flanks run parallel or open inwards.
+    if rounded.is_finite() && rounded > 0.0 {
+        rounded
+    } else {
+        2.0 * gear.toothing().module()
+    }
+}

@@ -1,0 +1,72 @@
+//! The perfect master gear of the double-flank roll test.
+
+use super::Unmeasured;
+use crate::analytic::InvolutePair;
+use crate::error::GearError;
+use crate::gear::{AsBuilt, Blank, Gear, Rack, Toothing, involute};
+use std::f64::consts::FRAC_PI_4;
+
+/// Teeth of a master that the user does not choose: the least number from here on whose involute
+/// reaches as deep as the gear's tips (a usual size of master gears; below it undercut comes near).
+const FEWEST: u32 = 30;
+/// The number at which that search ends: a larger master hardly reaches deeper.
+const MOST: u32 = 200;
+/// Part of the module by which tips keep off the ends of involutes, beside the eccentricity.
+const MARGIN: f64 = 0.05;
+/// Parts of the greatest dedendum a pointed tool would cut.
+const POINTED: f64 = 0.95;
+
+/// A master for `gear`: of its module and pressure angle, `x = 0`, of nominal thickness.
+///
+/// Its tips reach just down to the gear's active flank at tight mesh, one module beyond its reference circle at most;
+/// the tool that cuts it has no tip round and is deep enough for the gear's tips.
+pub(super) fn master(gear: &AsBuilt, teeth: Option<u32>) -> Result<Gear, Unmeasured> {
+    let failed = |error: GearError| Unmeasured(format!("no master gear: {error}"));
+    if let Some(teeth) = teeth {
+        return Ok(with_teeth(gear, teeth).map_err(failed)?.0);
+    }
+    let mut last = with_teeth(gear, MOST).map_err(failed)?.0;
+    for teeth in FEWEST..MOST {
+        if let Ok((master, true)) = with_teeth(gear, teeth) {
+            last = master;
+            break;
+        }
+    }
+    Ok(last)
+}
+
+/// The master with this many teeth, and whether the gear's tips stay on its involute.
+fn with_teeth(as_built: &AsBuilt, teeth: u32) -> Result<(Gear, bool), GearError> {
+    let gear = as_built.gear();
+    let of = gear.toothing();
+    let module = of.module();
+    let toothing = Toothing::new(teeth, module, of.pressure_angle())?;
+    let dedendum =
+        (gear.blank().rack.addendum() + 0.25).min(POINTED * FRAC_PI_4 / of.pressure_angle().tan());
+    let blank = |addendum: f64| -> Result<Blank, GearError> {
+        Ok(Blank {
+            toothing,
+            profile_shift: 0.0,
+            rack: Rack::new(addendum, dedendum, 0.0)?,
+            tip_diameter: None,
+        })
+    };
+    let trial = Gear::nominal(blank(0.25)?)?;
+    let base = trial.base_radius();
+    let bases = gear.base_radius() + base;
+    let distance = InvolutePair::new(gear, &trial).center_distance(0.0);
+    let no_mesh = GearError::OutOfRange {
+        what: "base tooth thickness (mm)",
+        value: gear.base_thickness(),
+        allowed: "thick enough to mesh with a master gear without play",
+    };
+    // The line of action between both base circles; each tip cuts it from its own end.
+    let line = bases * involute::roll_at(distance.ok_or(no_mesh)?, bases);
+    let margin = MARGIN * module + 2.0 * as_built.eccentricity();
+    let reach = line - gear.base_radius() * gear.form_roll() - margin;
+    let deepest = (base.hypot(reach.max(0.0)) - toothing.reference_radius()) / module;
+    let master = Gear::nominal(blank(deepest.min(1.0))?)?;
+    let left = line - gear.base_radius() * gear.tip_roll() - margin;
+    let on_involute = left >= base * master.form_roll();
+    Ok((master, on_involute))
+}

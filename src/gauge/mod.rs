@@ -1,0 +1,31 @@
+//! The gauge on the model: measures a gear as built as the shop does.
+//!
+//! Anvils, pins, balls, measuring circles and a master gear are brought to the outline itself, polygons cut
+//! ever finer round each contact; no reading is computed from the gear's deviations. What went in
+//! must come out: that is what the tests compare.
+//!
+//! Readings are in mm and named as the gear's own: teeth by number, flanks seen on the reference face.
+
+mod eccentricity;
+mod flanks;
+mod formula;
+mod gauged;
+mod master;
+mod pins;
+mod roll;
+mod runout;
+mod seat;
+mod span;
+mod unmeasured;
+mod workpiece;
+
+pub use eccentricity::Eccentricity;
+pub use flanks::{PitchAxis, PitchReadings, ThicknessReadings};
+pub use formula::Formula;
+pub use gauged::{Gauged, Settings, gauge, usual_pin, usual_span};
+pub use pins::{OverPins, Pins};
+pub use roll::{Roll, RollPose};
+pub use runout::{BallReading, RunoutReadings};
+pub use seat::Seat;
+pub use span::{Span, Spans};
+pub use unmeasured::Unmeasured;

@@ -1,0 +1,73 @@
+//! Runout `F_r`: a ball in every space, read from the rotation axis.
+
+use super::seat::Seat;
+use super::workpiece::Workpiece;
+
+/// The ball in one space.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BallReading {
+    /// How it lies: the space after this seat's tooth, and what it touches.
+    pub seat: Seat,
+    /// Distance of its centre from the rotation axis, mm.
+    pub radius: f64,
+}
+
+/// Readings all round.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RunoutReadings {
+    /// Ball diameter, mm.
+    pub diameter: f64,
+    /// By the tooth before the space.
+    pub readings: Vec<BallReading>,
+}
+
+impl RunoutReadings {
+    /// `F_r`, mm: greatest less least radius.
+    pub fn total(&self) -> f64 {
+        range(self.readings.iter().map(|reading| reading.radius))
+    }
+
+    /// Bound on the error of `F_r`, mm.
+    pub fn error(&self) -> f64 {
+        let errors = self.readings.iter().map(|reading| reading.seat.error);
+        2.0 * errors.fold(0.0, f64::max)
+    }
+
+    /// Mean radius, mm.
+    pub fn mean(&self) -> f64 {
+        mean(self.readings.iter().map(|reading| reading.radius))
+    }
+
+    /// What a dial shows that is set to zero at the mean: each radius less the mean, mm.
+    pub fn deviations(&self) -> Vec<f64> {
+        let mean = self.mean();
+        let readings = self.readings.iter();
+        readings.map(|reading| reading.radius - mean).collect()
+    }
+}
+
+/// Reads the balls of `diameter` at `seats`.
+pub(super) fn runout(work: &Workpiece, diameter: f64, seats: Vec<Seat>) -> RunoutReadings {
+    let displacement = work.as_built.displacement(0.0);
+    let read = |seat: Seat| BallReading {
+        radius: (seat.centre + displacement).coords.norm(),
+        seat,
+    };
+    RunoutReadings {
+        diameter,
+        readings: seats.into_iter().map(read).collect(),
+    }
+}
+
+/// Arithmetic mean; NaN of none, which no gear has.
+pub(super) fn mean(values: impl ExactSizeIterator<Item = f64>) -> f64 {
+    let count = values.len();
+    values.sum::<f64>() / count as f64
+}
+
+/// Greatest less least, 0 of none.
+pub(super) fn range(values: impl Iterator<Item = f64> + Clone) -> f64 {
+    let most = values.clone().fold(f64::NEG_INFINITY, f64::max);
+    let least = values.fold(f64::INFINITY, f64::min);
+    (most - least).max(0.0)
+}

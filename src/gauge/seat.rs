@@ -1,0 +1,101 @@
+//! Where a pin or ball rests in a tooth space.
+//!
+//! Its centre stands half its diameter from both flanks of the space. The distance of a point to an outline
+//! has the unit vector from the nearest place as its gradient, so Newton's method on the two distances
+//! converges squarely; it starts on the tip circle, in the middle of the space. Fillets, root and tip corners are part of the
+//! half teeth that are asked; a ball that is stopped there says so.
+
+use super::Unmeasured;
+use super::workpiece::{Place, Workpiece};
+use crate::gear::{Curve, Side};
+use crate::mesh::Touch;
+use nalgebra::{Matrix2, Point2, UnitComplex, Vector2};
+
+/// A pin or ball at rest.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Seat {
+    /// The space after this tooth, towards the next number.
+    pub tooth: u32,
+    /// The pin's centre, mm, about the gear's own centre; the undisturbed tooth 1 stands on +x.
+    pub centre: Point2<f64>,
+    /// Bound on the error of the centre, mm.
+    pub error: f64,
+    /// What it touches: own right flank of `tooth`, own left flank of the next.
+    pub touched: [Touch; 2],
+}
+
+/// Newton steps: a dozen are many.
+const MOST_STEPS: usize = 60;
+/// Longest step, modules: distances have no sign, so a step must not pass through a tooth.
+const LONGEST: f64 = 0.25;
+
+/// Lays a pin of `diameter` into the space after `tooth`.
+pub(super) fn seat(work: &Workpiece, tooth: u32, diameter: f64) -> Result<Seat, Unmeasured> {
+    let face = work.as_built.face();
+    let gear = work.as_built.gear();
+    let radius = 0.5 * diameter;
+    let half = 0.5 * face.ascending();
+    let ends = [
+        (face.seen_from_front(Side::Right), tooth, half),
+        (
+            face.seen_from_front(Side::Left),
+            work.after(tooth, 1),
+            -half,
+        ),
+    ];
+    // Seen from the middle of the space.
+    let turns = ends.map(|(side, tooth, pitches)| work.turn(side, tooth, pitches));
+    let query = |centre: Point2<f64>| {
+        [0, 1].map(|i: usize| {
+            let (place, distance) = work.nearest(ends[i].0, turns[i].inverse() * centre);
+            (place, distance, (centre - turns[i] * place.at) / distance)
+        })
+    };
+    let seated = |centre: Point2<f64>, error: f64, places: [Place; 2]| {
+        let to_tooth_1 = UnitComplex::new(work.as_built.tooth_angle(f64::from(tooth) + 0.5));
+        Seat {
+            tooth,
+            centre: to_tooth_1 * centre,
+            error,
+            touched: [0, 1].map(|i: usize| Touch {
+                tooth: ends[i].1,
+                curve: places[i].curve,
+                radius: places[i].at.coords.norm(),
+            }),
+        }
+    };
+    // A ball that reaches the root land with room on both sides rests on that alone.
+    let on_root = Point2::new(gear.root_radius() + radius, 0.0);
+    let found = query(on_root);
+    if found.iter().all(|f| f.1 >= radius - work.bound()) {
+        let mut places = found.map(|f| f.0);
+        for place in &mut places {
+            place.curve = Curve::Root;
+        }
+        return Ok(seated(on_root, work.bound(), places));
+    }
+    let longest = LONGEST * gear.toothing().module();
+    let mut centre = Point2::new(gear.tip_radius(), 0.0);
+    for _ in 0..MOST_STEPS {
+        let found = query(centre);
+        let gradients = Matrix2::from_rows(&[found[0].2.transpose(), found[1].2.transpose()]);
+        let lack = Vector2::new(radius - found[0].1, radius - found[1].1);
+        let Some(step) = gradients.try_inverse().map(|inverse| inverse * lack) else {
+            break;
+        };
+        let length = step.norm();
+        if !length.is_finite() {
+            break;
+        }
+        centre += step * (longest / length).min(1.0);
+        if length <= work.bound() {
+            // Each distance is within the bound, and a centre between two gradients of the determinant D moves
+            // by at most √2 · √2/|D| as much.
+            let error = length + 2.0 * work.bound() / gradients.determinant().abs();
+            return Ok(seated(centre, error, found.map(|f| f.0)));
+        }
+    }
+    Err(Unmeasured(format!(
+        "a ball of {diameter} mm finds no rest in the space after tooth {tooth}"
+    )))
+}

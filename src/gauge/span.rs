@@ -1,0 +1,107 @@
+//! Span `W_k`: two parallel anvils closed on the flanks of `k` teeth.
+//!
+//! Both anvils are plane and reach down to the form circle; a space is narrow, so only the flank that bounds the
+//! teeth spanned can touch an anvil. Closed, they read the distance between the two places touched, along
+//! their common normal. Rocking them leaves that distance alone while both touch involutes (the contacts move
+//! along one line of action), and lets it fall once an anvil tilts over a tip corner or leaves the involute's lower end: the
+//! reading is the greatest, and the anvils stand in the middle of the plateau.
+
+use super::Unmeasured;
+use super::runout::mean;
+use super::workpiece::Workpiece;
+use crate::gear::{Curve, Profile, Side};
+use crate::mesh::Touch;
+use std::f64::consts::PI;
+
+/// One span.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Span {
+    /// First of the teeth spanned, in ascending numbers.
+    pub first_tooth: u32,
+    /// `W_k`, mm.
+    pub length: f64,
+    /// Bound on its error, mm.
+    pub error: f64,
+    /// What the anvils touched: the first tooth's own left flank, the last one's own right flank.
+    pub touched: [Touch; 2],
+}
+
+/// `W_k` at every first tooth.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Spans {
+    /// `k`.
+    pub teeth: u32,
+    /// By first tooth, from tooth 1.
+    pub readings: Vec<Span>,
+}
+
+impl Spans {
+    /// Mean span, mm.
+    pub fn mean(&self) -> f64 {
+        mean(self.readings.iter().map(|span| span.length))
+    }
+}
+
+/// Rocking steps; the first direction is right by symmetry unless a flank is not the other's mirror image.
+const MOST_ROCKS: usize = 20;
+
+/// Measures the span over `k` teeth all round.
+pub(super) fn spans(work: &Workpiece, k: u32) -> Result<Spans, Unmeasured> {
+    let toothing = work.as_built.gear().toothing();
+    if k == 0 || f64::from(k) * toothing.angular_pitch() > PI {
+        return Err(Unmeasured(format!(
+            "a span over {k} of {} teeth: allowed is 1 up to half of them",
+            toothing.teeth()
+        )));
+    }
+    let readings = (1..=toothing.teeth()).map(|first| span(work, k, first));
+    Ok(Spans {
+        teeth: k,
+        readings: readings.collect::<Result<_, _>>()?,
+    })
+}
+
+fn span(work: &Workpiece, k: u32, first_tooth: u32) -> Result<Span, Unmeasured> {
+    let face = work.as_built.face();
+    let gear = work.as_built.gear();
+    let last_tooth = work.after(first_tooth, k - 1);
+    let half = 0.5 * f64::from(k - 1) * face.ascending();
+    // Seen from the middle of the teeth spanned; the flanks' sides are the picture's.
+    let ends = [
+        (face.seen_from_front(Side::Left), first_tooth, half),
+        (face.seen_from_front(Side::Right), last_tooth, -half),
+    ];
+    let turns = ends.map(|(side, tooth, pitches)| work.turn(side, tooth, pitches));
+    let corner = |i: usize| {
+        let corner = Profile::new(gear).point(Curve::Involute, gear.tip_roll(), ends[i].0);
+        turns[i] * corner
+    };
+    // Two flanks that mirror each other are touched alike by anvils square to the line between their tip corners.
+    let mut along = (corner(0) - corner(1)).normalize();
+    for _ in 0..MOST_ROCKS {
+        let places = [0, 1].map(|i: usize| {
+            let outward = if i == 0 { along } else { -along };
+            work.foremost(ends[i].0, turns[i].inverse() * outward)
+        });
+        let join = turns[0] * places[0].at - turns[1] * places[1].at;
+        let length = along.dot(&join);
+        // Each place stands at most a chord behind its curve. No direction reads more than the distance of the places it touches.
+        if join.norm() - length <= work.bound() {
+            let touch = |i: usize| Touch {
+                tooth: ends[i].1,
+                curve: places[i].curve,
+                radius: places[i].at.coords.norm(),
+            };
+            return Ok(Span {
+                first_tooth,
+                length,
+                error: 2.0 * work.bound(),
+                touched: [touch(0), touch(1)],
+            });
+        }
+        along = join.normalize();
+    }
+    Err(Unmeasured(format!(
+        "the anvils found no hold on the teeth from {first_tooth} to {last_tooth}"
+    )))
+}

@@ -1,0 +1,6 @@
+//! Why a gauge has no reading.
+
+/// A measurement that this gear does not allow. A result, not a fault: the other gauges still read.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("{0}")]
+pub struct Unmeasured(pub String);

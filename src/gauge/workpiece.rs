@@ -1,0 +1,205 @@
+//! The gear under the gauges: its outline cut coarsely, and again ever finer where something touches.
+//!
+//! All teeth share two half teeth; a query is put in the frame of the half tooth (see
+//! [`HalfTooth`]), already turned there by its caller. A coarse polygon tells which
+//! stretch may touch; that stretch is cut again, until chords are as near their curve as f64 tells.
+
+use crate::gear::{AsBuilt, Curve, HalfTooth, Side};
+use crate::mesh::Shape;
+use nalgebra::{Point2, UnitComplex, Vector2};
+use std::ops::Range;
+
+/// Chordal error of the first polygons, modules (tuned: some thirty chords a half tooth).
+const COARSE: f64 = 1e-3;
+/// Each re-cut is this much finer: some thirty chords over the stretch in question (tuned, as in the polygon method).
+const FINER: f64 = 1e-3;
+/// A radius this near the tip circle, mm, is the tip corner: the width that results elsewhere use, too.
+const CORNER: f64 = 1e-7;
+
+/// A place of the outline that something touched, in the frame of its half tooth.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Place {
+    pub at: Point2<f64>,
+    pub curve: Curve,
+}
+
+/// A gear as built on the bench.
+pub(super) struct Workpiece<'a> {
+    pub as_built: &'a AsBuilt,
+    /// Right and left, whole.
+    halves: [Cut; 2],
+    /// Their tip lands and involutes alone.
+    flanks: [HalfTooth; 2],
+}
+
+struct Cut {
+    polygon: HalfTooth,
+    shape: Shape,
+}
+
+impl Cut {
+    fn new(polygon: HalfTooth) -> Cut {
+        Cut {
+            shape: Shape::new(polygon.points()),
+            polygon,
+        }
+    }
+}
+
+impl<'a> Workpiece<'a> {
+    pub fn new(as_built: &'a AsBuilt) -> Workpiece<'a> {
+        let gear = as_built.gear();
+        let chord = COARSE * gear.toothing().module();
+        let halves = Side::BOTH.map(|side| HalfTooth::new(gear, side, chord));
+        let flanks = [0, 1].map(|i: usize| {
+            let above = |curve| matches!(curve, Curve::Tip | Curve::Involute);
+            let segments = halves[i].segments().iter();
+            let count = segments.take_while(|s| above(s.curve)).count();
+            halves[i].recut(gear, 0..count, chord)
+        });
+        Workpiece {
+            as_built,
+            halves: halves.map(Cut::new),
+            flanks,
+        }
+    }
+
+    /// Chordal error, mm, of the finest polygons: 64 ulps of the greatest radius, below which points are not known better.
+    fn finest(&self) -> f64 {
+        64.0 * f64::EPSILON * self.as_built.reach()
+    }
+
+    /// Bound, mm, on the error of a place: the finest chords, and as much for the rounding of coordinates and turns.
+    pub fn bound(&self) -> f64 {
+        2.0 * self.finest()
+    }
+
+    /// Rotation of the half tooth of `side` of `tooth` in a frame whose +x points `pitches` counter-clockwise
+    /// of the undisturbed centre of `tooth`.
+    pub fn turn(&self, side: Side, tooth: u32, pitches: f64) -> UnitComplex<f64> {
+        let pitch = self.as_built.gear().toothing().angular_pitch();
+        UnitComplex::new(self.as_built.flank_offset(side, tooth) - pitches * pitch)
+    }
+
+    /// The middle of the tip land, in the frame of the half tooth of `side`.
+    pub fn tip_land(&self, side: Side) -> Point2<f64> {
+        self.halves[index(side)].polygon.points()[0]
+    }
+
+    /// The tooth `steps` ascending numbers after `tooth`.
+    pub fn after(&self, tooth: u32, steps: u32) -> u32 {
+        let teeth = self.as_built.gear().toothing().teeth();
+        (tooth - 1 + steps) % teeth + 1
+    }
+
+    /// Where a plane face of outward normal `along` that closes on the flank of `side` touches it: tip land or involute.
+    ///
+    /// The face ends at the form circle. Vertices lie on their curve and chords within `δ` of it, so a chord
+    /// whose ends both stand more than `δ` behind the foremost vertex has no part in the contact.
+    pub fn foremost(&self, side: Side, along: Vector2<f64>) -> Place {
+        let gear = self.as_built.gear();
+        let mut cut: Option<HalfTooth> = None;
+        loop {
+            let polygon = cut.as_ref().unwrap_or(&self.flanks[index(side)]);
+            let ahead: Vec<f64> = polygon
+                .points()
+                .iter()
+                .map(|p| along.dot(&p.coords))
+                .collect();
+            let (mut best, mut most) = (0, f64::NEG_INFINITY);
+            for (i, &value) in ahead.iter().enumerate() {
+                if value > most {
+                    (best, most) = (i, value);
+                }
+            }
+            let chord = polygon.chord();
+            if chord <= self.finest() {
+                let at = polygon.points()[best];
+                let last = polygon.segments().len() - 1;
+                let curve = polygon.segments()[best.min(last)].curve;
+                return self.place(at, curve);
+            }
+            let near = |i: &usize| ahead[*i].max(ahead[*i + 1]) >= most - chord;
+            let window = stretch((0..polygon.segments().len()).filter(near));
+            cut = Some(polygon.recut(gear, window, (chord * FINER).max(self.finest())));
+        }
+    }
+
+    /// The place of the half tooth of `side` nearest to `point`, and its distance, mm.
+    pub fn nearest(&self, side: Side, point: Point2<f64>) -> (Place, f64) {
+        let gear = self.as_built.gear();
+        let mut cut: Option<Cut> = None;
+        loop {
+            let on = cut.as_ref().unwrap_or(&self.halves[index(side)]);
+            let found = on.shape.nearest(&point);
+            let chord = on.polygon.chord();
+            if chord <= self.finest() {
+                let (curve, _) = on.polygon.locate(found.segment, &found.at);
+                return (self.place(found.at, curve), found.distance);
+            }
+            // The curve is at most δ farther than its nearest chord, and any chord at most δ farther than its curve.
+            let window = on.shape.near_point(&point, found.distance + 2.0 * chord);
+            let finer = (chord * FINER).max(self.finest());
+            cut = Some(Cut::new(on.polygon.recut(gear, window, finer)));
+        }
+    }
+
+    /// Where the involute of `side` crosses the circle of `radius` about `centre`, and the bound on the
+    /// error along that circle, mm; `None` where it does not cross.
+    ///
+    /// Along the circle the crossing moves by `δ/cos` when its chord moves by `δ` across, `cos` between the chord's normal
+    /// and the circle. On a chord of length `h` the squared distance is taken as linear: off by `h²/(8 radius)`, far below `δ`.
+    pub fn crossing(
+        &self,
+        side: Side,
+        centre: Point2<f64>,
+        radius: f64,
+    ) -> Option<(Point2<f64>, f64)> {
+        let gear = self.as_built.gear();
+        let excess = |p: &Point2<f64>| {
+            let distance = (p - centre).norm();
+            (distance - radius) * (distance + radius)
+        };
+        let mut cut: Option<HalfTooth> = None;
+        loop {
+            let polygon = cut.as_ref().unwrap_or(&self.flanks[index(side)]);
+            let points = polygon.points();
+            let crosses = |i: &usize| {
+                polygon.segments()[*i].curve == Curve::Involute
+                    && excess(&points[*i]) >= 0.0
+                    && excess(&points[*i + 1]) < 0.0
+            };
+            let i = (0..polygon.segments().len()).find(crosses)?;
+            if polygon.chord() <= self.finest() {
+                let ends = [excess(&points[i]), excess(&points[i + 1])];
+                let chord = points[i + 1] - points[i];
+                let at = points[i] + ends[0] / (ends[0] - ends[1]) * chord;
+                let cos = chord.normalize().dot(&(at - centre).normalize()).abs();
+                return Some((at, self.bound() / cos));
+            }
+            let finer = (polygon.chord() * FINER).max(self.finest());
+            cut = Some(polygon.recut(gear, i..i + 1, finer));
+        }
+    }
+
+    fn place(&self, at: Point2<f64>, curve: Curve) -> Place {
+        let on_tip_circle = at.coords.norm() >= self.as_built.gear().tip_radius() - CORNER;
+        Place {
+            at,
+            curve: if on_tip_circle { Curve::Tip } else { curve },
+        }
+    }
+}
+
+fn index(side: Side) -> usize {
+    match side {
+        Side::Right => 0,
+        Side::Left => 1,
+    }
+}
+
+/// From the first to the last of `indices`, which ascend.
+fn stretch(mut indices: impl DoubleEndedIterator<Item = usize>) -> Range<usize> {
+    let first = indices.next().unwrap_or(0);
+    first..indices.next_back().unwrap_or(first) + 1
+}

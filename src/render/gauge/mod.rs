@@ -1,0 +1,57 @@
+//! What the gauges read, as text, JSON, CSV and as a gear file that states it.
+
+mod charts;
+mod csv_files;
+mod gear_file;
+mod json;
+mod text;
+
+use crate::gauge::Gauged;
+use crate::gear::AsBuilt;
+use crate::study::Material;
+use serde_json::Value;
+
+pub use charts::charts;
+pub use csv_files::{csv_files, teeth_csv};
+pub use gear_file::gear_file;
+pub use json::json;
+pub use text::text;
+
+/// One gear in one material and what the gauges read on it.
+#[derive(Debug)]
+pub struct GaugedGear<'a> {
+    /// Title of the file.
+    pub title: &'a str,
+    /// `wheel`, `pinion` or `gear`.
+    pub name: &'static str,
+    /// Which thickness.
+    pub material: Material,
+    /// The gear.
+    pub gear: &'a AsBuilt,
+    /// Its table as understood.
+    pub echo: &'a Value,
+    /// The readings.
+    pub gauged: Gauged,
+}
+
+impl GaugedGear<'_> {
+    /// How its files begin: `gauge_wheel`, with the material where there are two.
+    pub fn stem(&self) -> String {
+        match self.material {
+            Material::AsMeasured => format!("gauge_{}", self.name),
+            material => format!("gauge_{}_{}", self.name, material.name()),
+        }
+    }
+
+    /// The gear in a few words.
+    fn words(&self) -> String {
+        let toothing = self.gear.gear().toothing();
+        format!(
+            "{}, {} teeth, module {} mm, material {}",
+            self.name,
+            toothing.teeth(),
+            toothing.module(),
+            self.material.name()
+        )
+    }
+}

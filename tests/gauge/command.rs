@@ -1,0 +1,181 @@
+//! `gearlash gauge` as a user and as a script runs it.
+
+use assert_cmd::Command;
+use serde_json::Value;
+use std::path::Path;
+
+const GEAR: &str = "\
+title = \"a <gear>\"
+[gear]
+teeth = 21
+module_mm = 3.0
+pressure_angle_deg = 20.0
+thickness.over_pins = { pin_mm = 5.25, min_mm = 70.1, max_mm = 70.171 }
+runout = { total_um = 12.0, high_tooth = 3.5 }
+";
+
+fn gauge(folder: &Path, arguments: &[&str]) -> Command {
+    let mut command = Command::cargo_bin("gearlash").unwrap();
+    command.current_dir(folder).arg("gauge").args(arguments);
+    command
+}
+
+fn folder() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("one.toml"), GEAR).unwrap();
+    let pair = GEAR.replace("[gear]", "[wheel]")
+        + "[pinion]\nteeth = 20\nmodule_mm = 3.0\npressure_angle_deg = 20.0\nreference_face = \"back\"\n[assembly]\ncenter_distance_mm = 61.6\n";
+    std::fs::write(folder.path().join("pair.toml"), pair).unwrap();
+    folder
+}
+
+fn stdout(command: &mut Command) -> String {
+    String::from_utf8(command.assert().success().get_output().stdout.clone()).unwrap()
+}
+
+/// The pins as the file states the thickness: both materials read back what was stated, to the micrometre's millionth.
+#[test]
+fn json_reads_what_the_file_states() {
+    let folder = folder();
+    let text = stdout(&mut gauge(folder.path(), &["one.toml", "--format", "json"]));
+    assert!(
+        !folder.path().join("out").exists(),
+        "nothing is written without -o"
+    );
+    let all: Value = serde_json::from_str(&text).unwrap();
+    for (gear, stated) in [(0, 70.171), (1, 70.1)] {
+        let gear = &all["gears"][gear];
+        assert_eq!(gear["pins"]["pin_mm"], 5.25);
+        for over in gear["pins"]["two"].as_array().unwrap() {
+            assert!((over["mm"].as_f64().unwrap() - stated).abs() < 1e-9);
+        }
+        assert_eq!(gear["runout"]["readings"].as_array().unwrap().len(), 21);
+        assert!((gear["eccentricity"]["high_tooth"].as_f64().unwrap() - 3.5).abs() < 1e-6);
+        assert_eq!(gear["roll"]["poses"].as_array().unwrap().len(), 21 * 16);
+    }
+    assert_eq!(
+        text,
+        stdout(&mut gauge(folder.path(), &["one.toml", "--format", "json"])),
+        "the same bytes"
+    );
+}
+
+#[test]
+fn csv_has_a_row_a_tooth_of_the_gears_asked_for() {
+    let folder = folder();
+    let rows = |arguments: &[&str]| {
+        let quick = ["pair.toml", "--format", "csv", "--steps-per-pitch", "1"];
+        stdout(&mut gauge(folder.path(), &[&quick[..], arguments].concat()))
+            .lines()
+            .count()
+            - 1
+    };
+    // Two materials of the wheel, one of the pinion.
+    assert_eq!(rows(&[]), 2 * 21 + 20);
+    assert_eq!(rows(&["--gear", "wheel"]), 2 * 21);
+    assert_eq!(rows(&["--material", "least"]), 21 + 20);
+    assert_eq!(rows(&["--gear", "pinion", "--material", "most"]), 20);
+}
+
+/// A table, a CSV and a chart of each gauge; every SVG is well-formed, the title escaped.
+#[test]
+fn writes_readings_charts_and_a_gear_file() {
+    let folder = folder();
+    let text = stdout(&mut gauge(
+        folder.path(),
+        &["one.toml", "--material", "most"],
+    ));
+    for row in [
+        "span W_3",
+        "M_dK, two pins 5.25 mm",
+        "M_dK, three pins 5.25 mm",
+        "thickness s",
+        "ball 5.25 mm",
+        "a'', master z",
+    ] {
+        assert!(text.contains(row), "{row}: {text}");
+    }
+    assert!(
+        !text.contains("not measured") && !text.contains("not the involute"),
+        "{text}"
+    );
+    let written = |name: &str| folder.path().join(format!("out/one/gauge_gear_most{name}"));
+    for gauge in [
+        "spans",
+        "pins",
+        "runout",
+        "pitch_own",
+        "pitch_datum",
+        "thickness",
+        "roll",
+    ] {
+        assert!(written(&format!("_{gauge}.csv")).is_file(), "{gauge}");
+        let svg = std::fs::read_to_string(written(&format!("_{gauge}.svg"))).unwrap();
+        let document = roxmltree::Document::parse(&svg).unwrap();
+        let title = document
+            .descendants()
+            .find(|node| node.has_tag_name("title"))
+            .unwrap();
+        assert_eq!(title.text(), Some("a <gear>"), "{gauge}");
+    }
+    gauge(
+        folder.path(),
+        &[written(".toml").to_str().unwrap(), "-o", "again"],
+    )
+    .assert()
+    .success();
+}
+
+/// What is wrong is told with key and way out, exit 2, and nothing is written.
+#[test]
+fn bad_input_is_told() {
+    let folder = folder();
+    let wrong = [
+        (GEAR.replace("teeth = 21", "teeth = 2"), "gear.teeth = 2"),
+        (
+            GEAR.to_owned() + "[assembly]\n",
+            "unknown key, allowed here is `title` or `gear`",
+        ),
+        (
+            GEAR.replace("high_tooth = 3.5", "high_tooth = 23"),
+            "gear.runout.high_tooth",
+        ),
+    ];
+    for (file, told) in &wrong {
+        std::fs::write(folder.path().join("bad.toml"), file).unwrap();
+        let mut command = gauge(folder.path(), &["bad.toml"]);
+        command
+            .assert()
+            .code(2)
+            .stderr(predicates::str::contains(*told));
+    }
+    for arguments in [
+        &["one.toml", "--gear", "wheel"][..],
+        &["one.toml", "--pin-mm", "-1"],
+        &["one.toml", "--pin-mm", "NaN"],
+        &["one.toml", "--span-teeth", "0"],
+        &["one.toml", "--master-teeth", "2"],
+        &["none.toml"],
+    ] {
+        gauge(folder.path(), arguments).assert().code(2);
+    }
+    assert!(!folder.path().join("out").exists());
+    // A gauge that does not fit is a result: told, and the others read.
+    let text = stdout(&mut gauge(
+        folder.path(),
+        &[
+            "one.toml",
+            "--span-teeth",
+            "15",
+            "--pin-mm",
+            "1",
+            "--steps-per-pitch",
+            "1",
+        ],
+    ));
+    assert!(
+        text.contains("not measured, span") && text.contains("not measured, over pins"),
+        "{text}"
+    );
+    assert!(text.contains("balls touch the root"), "{text}");
+}

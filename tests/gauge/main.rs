@@ -1,0 +1,84 @@
+//! The gauge against formulas, published values and the deviations that were put in. Lengths in mm.
+
+mod as_built;
+mod command;
+mod perfect;
+mod roll;
+mod round_trip;
+
+use gearlash::gauge::{Gauged, Settings, gauge};
+use gearlash::gear::{AsBuilt, Blank, Deviations, Face, Gear, Pitch, Rack, Toothing};
+use std::ops::ControlFlow;
+
+/// Issue 5: 1e-6 µm.
+const PICOMETRE: f64 = 1e-9;
+
+fn blank(teeth: u32, module: f64, alpha_deg: f64, profile_shift: f64) -> Blank {
+    Blank {
+        toothing: Toothing::new(teeth, module, alpha_deg.to_radians()).unwrap(),
+        profile_shift,
+        rack: Rack::ISO_53_A,
+        tip_diameter: None,
+    }
+}
+
+fn measure(gear: &AsBuilt, settings: Settings) -> Gauged {
+    gauge(gear, &settings, &|| ControlFlow::Continue(())).unwrap()
+}
+
+/// A few poses of the roll test only: for tests of the other gauges.
+fn quick() -> Settings {
+    Settings {
+        steps_per_pitch: 1,
+        ..Settings::default()
+    }
+}
+
+/// Reproducible values between −1 and 1, with mean zero.
+fn made_up(count: u32, seed: u64) -> Vec<f64> {
+    let mut state = seed;
+    let values = (0..count).map(|_| {
+        // Knuth's MMIX generator.
+        state = state
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
+        (state >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+    });
+    let values: Vec<f64> = values.collect();
+    let mean = values.iter().sum::<f64>() / f64::from(count);
+    values.into_iter().map(|value| value - mean).collect()
+}
+
+fn scaled(values: &[f64], by: f64) -> Vec<f64> {
+    values.iter().map(|value| value * by).collect()
+}
+
+/// A gear with deviations of every kind: per-tooth thickness ±8 µm, pitch ±12 µm.
+struct Made {
+    gear: AsBuilt,
+    per_tooth: Vec<f64>,
+    right: Vec<f64>,
+    left: Vec<f64>,
+}
+
+fn made(teeth: u32, face: Face, eccentricity: f64) -> Made {
+    let per_tooth = scaled(&made_up(teeth, 1), 8e-3);
+    let (right, left) = (
+        scaled(&made_up(teeth, 2), 12e-3),
+        scaled(&made_up(teeth, 3), 12e-3),
+    );
+    let blank = blank(teeth, 3.0, 20.0, 0.1);
+    let gear = Gear::new(blank, blank.nominal_base_thickness() - 0.04).unwrap();
+    let deviations = Deviations {
+        per_tooth: per_tooth.clone(),
+        pitch: Some(Pitch::from_cumulative(&right, &left)),
+        eccentricity,
+        high_tooth: 5.25,
+    };
+    Made {
+        gear: AsBuilt::new(gear, face, &deviations).unwrap(),
+        per_tooth,
+        right,
+        left,
+    }
+}

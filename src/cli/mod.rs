@@ -1,9 +1,11 @@
 //! The command line: one file a command.
 
+mod chart;
 mod check;
 mod compare;
 mod distances;
 mod init;
+mod drawing;
 mod method;
 mod pictures;
 mod progress;
@@ -37,7 +39,8 @@ Results go to standard output and to files; progress, warnings and errors to sta
 Example:
   gearlash simulate fixtures/karba_44x44.toml
   gearlash snapshot fixtures/karba_44x44.toml --mating 11,11 --flank right
-  gearlash snapshot fixtures/karba_44x44.toml --worst";
+  gearlash snapshot fixtures/karba_44x44.toml --worst
+  gearlash chart fixtures/karba_44x44.toml --kind distance --mating 44,44";
 
 #[derive(Subcommand)]
 enum Command {
@@ -53,6 +56,8 @@ enum Command {
     Init(init::Args),
     /// Print the JSON Schema of pair files, for editors
     Schema(schema::Args),
+    /// Draw backlash over teeth or centre distance, or a gear's deviations, as SVG
+    Chart(chart::Args),
 }
 
 /// Runs the command line of this process.
@@ -67,6 +72,7 @@ pub fn run() -> Result<ExitCode, Error> {
         Command::Snapshot(args) => snapshot::run(&args),
         Command::Init(args) => init::run(&args),
         Command::Schema(args) => schema::run(&args),
+        Command::Chart(args) => chart::run(&args),
     }
 }
 

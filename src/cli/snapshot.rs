@@ -1,5 +1,6 @@
 //! `gearlash snapshot`: one contact as a picture.
 
+use super::drawing::{End, material, teeth};
 use super::pictures::{exaggeration, pitch};
 use super::target::Target;
 use super::{warn, worst};
@@ -60,19 +61,6 @@ pub(super) struct Args {
 enum Flank {
     Right,
     Left,
-}
-
-#[derive(Clone, Copy, ValueEnum)]
-enum End {
-    Most,
-    Least,
-}
-
-fn teeth(text: &str) -> Result<(u32, u32), String> {
-    let parsed = text.split_once(',').and_then(|(wheel, pinion)| {
-        Some((wheel.trim().parse().ok()?, pinion.trim().parse().ok()?))
-    });
-    parsed.ok_or_else(|| "two tooth numbers are needed, wheel,pinion, such as 11,11".to_owned())
 }
 
 /// Runs the command.
@@ -154,18 +142,6 @@ fn subject(args: &Args, study: Study) -> Result<Subject, Error> {
         pose,
         lost_motion,
     })
-}
-
-/// The material of `study` that `--material` names.
-fn material(end: End, study: &Study) -> Result<Material, Error> {
-    match (end, study.materials.len()) {
-        (End::Most, 2) => Ok(Material::Most),
-        (End::Least, 2) => Ok(Material::Least),
-        _ => Err(Error::Usage(
-            "--material: this pair file states one thickness a gear; leave the option out"
-                .to_owned(),
-        )),
-    }
 }
 
 /// The gears at the material and centre distance asked for.

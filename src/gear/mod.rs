@@ -10,6 +10,7 @@ mod fillet;
 #[allow(clippy::module_inception)]
 mod gear;
 mod grade;
+mod inspection;
 pub mod involute;
 mod outline;
 mod pitch;
@@ -25,6 +26,7 @@ pub use deviation::{AsBuilt, Deviations};
 pub use fillet::Fillet;
 pub use gear::{Blank, Gear};
 pub use grade::{GRADE_SOURCE, GRADES, Graded};
+pub use inspection::Inspection;
 pub use outline::{HalfTooth, Segment};
 pub use pitch::Pitch;
 pub use placed::Placed;

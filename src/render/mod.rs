@@ -26,6 +26,7 @@ mod snapshot;
 mod table;
 mod turning;
 mod view;
+pub mod viewer;
 
 pub use animation::animation;
 pub use comparison::ComparedPair;

@@ -3,12 +3,14 @@
 mod chart;
 mod check;
 mod compare;
+mod date;
 mod distances;
 mod init;
 mod drawing;
 mod method;
 mod pictures;
 mod progress;
+mod report;
 mod schema;
 mod simulate;
 mod snapshot;
@@ -58,6 +60,8 @@ enum Command {
     Schema(schema::Args),
     /// Draw backlash over teeth or centre distance, or a gear's deviations, as SVG
     Chart(chart::Args),
+    /// Write the whole result as one HTML page
+    Report(report::Args),
 }
 
 /// Runs the command line of this process.
@@ -73,6 +77,7 @@ pub fn run() -> Result<ExitCode, Error> {
         Command::Init(args) => init::run(&args),
         Command::Schema(args) => schema::run(&args),
         Command::Chart(args) => chart::run(&args),
+        Command::Report(args) => report::run(&args),
     }
 }
 

@@ -196,6 +196,9 @@ pub enum Error {
     /// A pair that cannot be assembled, asked for outside a pair file.
     #[error(transparent)]
     Gear(#[from] GearError),
+    /// A chart that cannot be drawn.
+    #[error("the chart cannot be drawn: {0}")]
+    Chart(String),
     /// A result that cannot be written.
     #[error("{}: cannot be written: {source}; choose another place with -o", path.display())]
     Output {

@@ -8,7 +8,7 @@
 //! The way through the crate, each stage importing only earlier ones:
 //!
 //! ```text
-//! input → study → gear → pair → mesh → simulate → compare → diagnosis → render → cli
+//! input → study → gear → pair → mesh → simulate → compare → curves, diagnosis → render → cli
 //!                         └──→ analytic ──────────┘
 //! ```
 //!
@@ -43,6 +43,7 @@
 pub mod analytic;
 pub mod cli;
 pub mod compare;
+pub mod curves;
 pub mod diagnosis;
 pub mod error;
 pub mod gear;

@@ -35,57 +35,81 @@ pub struct MeasuredMating {
     pub with_clearance: Option<Band>,
 }
 
+/// A mating's bands; means of the right-flank and the left-flank pose; `None` where a pose has no value or was not run.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bands {
+    /// Model 2.
+    pub analytic: Option<Band>,
+    /// Simulated.
+    pub simulated: Option<Band>,
+    /// Simulated, from most material at `a − c` to least material at `a + c`.
+    pub with_clearance: Option<Band>,
+}
+
 /// The measured matings of `study`, in the order of their file, with what `runs` says of each.
 pub fn measured_matings(study: &Study, runs: &[ComparedRun]) -> Vec<MeasuredMating> {
     let of_row = |row: &MeasuredRow| {
-        let mean = |material: Material, value: &dyn Fn(&ComparedPose) -> Option<f64>| {
-            mean_um(runs, row, material, value)
-        };
-        let band = |least: &dyn Fn(&ComparedPose) -> Option<f64>,
-                    most: &dyn Fn(&ComparedPose) -> Option<f64>| {
-            let (thick, thin) = match study.materials.len() {
-                1 => (Material::AsMeasured, Material::AsMeasured),
-                _ => (Material::Most, Material::Least),
-            };
-            Some(Band {
-                min_um: mean(thick, least)?,
-                max_um: mean(thin, most)?,
-            })
-        };
-        let simulated = |pose: &ComparedPose| pose.swept.backlash;
-        let clearance = |end: usize| move |pose: &ComparedPose| pose.swept.range()[end];
+        let mating = (row.wheel_tooth, row.pinion_tooth);
+        let bands = bands(study, runs, row.center_distance, mating);
         MeasuredMating {
             printed: Band {
                 min_um: row.predicted_min_um,
                 max_um: row.predicted_max_um,
             },
-            analytic: band(&|pose| pose.involute, &|pose| pose.involute),
-            simulated: band(&simulated, &simulated),
-            with_clearance: band(&clearance(0), &clearance(1)),
+            analytic: bands.analytic,
+            simulated: bands.simulated,
+            with_clearance: bands.with_clearance,
             row: row.clone(),
         }
     };
     study.measured.iter().map(of_row).collect()
 }
 
-/// Mean over the two poses of `row`'s mating, µm.
-fn mean_um(
+/// What `runs` says of `mating` (wheel and pinion tooth) at `center_distance`, mm.
+pub fn bands(
+    study: &Study,
     runs: &[ComparedRun],
-    row: &MeasuredRow,
-    material: Material,
+    center_distance: f64,
+    mating: (u32, u32),
+) -> Bands {
+    let of_mating = |pose: &&ComparedPose| {
+        let here = pose.swept.pose.mating();
+        (here.wheel_tooth, here.pinion_tooth) == mating && here.fraction == 0.0
+    };
+    let mean = |material: Material, value: &dyn Fn(&ComparedPose) -> Option<f64>| {
+        let run = runs.iter().find(|compared| {
+            compared.run.material == material
+                && compared.run.assembly.center_distance() == center_distance
+        })?;
+        mean_um(run.poses.iter().filter(of_mating), value)
+    };
+    let band = |least: &dyn Fn(&ComparedPose) -> Option<f64>,
+                most: &dyn Fn(&ComparedPose) -> Option<f64>| {
+        let (thick, thin) = match study.materials.len() {
+            1 => (Material::AsMeasured, Material::AsMeasured),
+            _ => (Material::Most, Material::Least),
+        };
+        Some(Band {
+            min_um: mean(thick, least)?,
+            max_um: mean(thin, most)?,
+        })
+    };
+    let simulated = |pose: &ComparedPose| pose.swept.backlash;
+    let clearance = |end: usize| move |pose: &ComparedPose| pose.swept.range()[end];
+    Bands {
+        analytic: band(&|pose| pose.involute, &|pose| pose.involute),
+        simulated: band(&simulated, &simulated),
+        with_clearance: band(&clearance(0), &clearance(1)),
+    }
+}
+
+/// Mean over `poses`, µm; `None` where one has no value or there is none.
+fn mean_um<'a>(
+    poses: impl Iterator<Item = &'a ComparedPose>,
     value: &dyn Fn(&ComparedPose) -> Option<f64>,
 ) -> Option<f64> {
-    let run = runs.iter().find(|compared| {
-        compared.run.material == material
-            && compared.run.assembly.center_distance() == row.center_distance
-    })?;
-    let of_mating = run.poses.iter().filter(|pose| {
-        let mating = pose.swept.pose.mating();
-        (mating.wheel_tooth, mating.pinion_tooth) == (row.wheel_tooth, row.pinion_tooth)
-            && mating.fraction == 0.0
-    });
     let (mut sum, mut count) = (0.0, 0);
-    for pose in of_mating {
+    for pose in poses {
         sum += value(pose)?;
         count += 1;
     }

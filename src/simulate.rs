@@ -3,7 +3,7 @@
 use crate::error::Error;
 use crate::mesh::{CutPair, Method, Status, SweptPose, first_least, sweep};
 use crate::pair::Assembly;
-use crate::study::{Material, Study};
+use crate::study::{Material, RunPlan, Study};
 use std::ops::ControlFlow;
 
 /// One centre distance, material and, where they are run apart, assembly phase.
@@ -36,6 +36,19 @@ pub fn simulate(
     method: Method,
     tick: &(dyn Fn() -> ControlFlow<()> + Sync),
 ) -> Result<Vec<Run>, Error> {
+    simulate_plans(study, study.runs()?, method, tick)
+}
+
+/// Simulates `plans` with the gears, clearance and chord of `study`; else as [`simulate`].
+///
+/// # Errors
+/// As [`simulate`].
+pub fn simulate_plans(
+    study: &Study,
+    plans: Vec<RunPlan>,
+    method: Method,
+    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+) -> Result<Vec<Run>, Error> {
     let cut = |material: Material| {
         let gears = study.materials.iter().find(|gears| gears.0 == material);
         gears.map(|(_, wheel, pinion)| match method {
@@ -45,7 +58,7 @@ pub fn simulate(
     };
     let cuts = [Material::Most, Material::Least, Material::AsMeasured].map(|m| (m, cut(m)));
     let mut runs = Vec::new();
-    for plan in study.runs()? {
+    for plan in plans {
         let cut = cuts.iter().find(|(material, _)| *material == plan.material);
         let Some((_, Some(cut))) = cut else {
             continue;

@@ -1,8 +1,10 @@
 //! The command line: one file a command.
 
+mod chart;
 mod check;
 mod compare;
 mod distances;
+mod drawing;
 mod method;
 mod pictures;
 mod progress;
@@ -34,7 +36,8 @@ Results go to standard output and to files; progress, warnings and errors to sta
 Example:
   gearlash simulate fixtures/karba_44x44.toml
   gearlash snapshot fixtures/karba_44x44.toml --mating 11,11 --flank right
-  gearlash snapshot fixtures/karba_44x44.toml --worst";
+  gearlash snapshot fixtures/karba_44x44.toml --worst
+  gearlash chart fixtures/karba_44x44.toml --kind distance --mating 44,44";
 
 #[derive(Subcommand)]
 enum Command {
@@ -46,6 +49,8 @@ enum Command {
     Check(check::Args),
     /// Draw the contact at one pose as SVG
     Snapshot(snapshot::Args),
+    /// Draw backlash over teeth or centre distance, or a gear's deviations, as SVG
+    Chart(chart::Args),
 }
 
 /// Runs the command line of this process.
@@ -58,6 +63,7 @@ pub fn run() -> Result<ExitCode, Error> {
         Command::Compare(args) => compare::run(&args),
         Command::Check(args) => check::run(&args),
         Command::Snapshot(args) => snapshot::run(&args),
+        Command::Chart(args) => chart::run(&args),
     }
 }
 

@@ -1,17 +1,17 @@
 //! `gearlash snapshot`: one contact as a picture.
 
+use super::drawing::{End, material, teeth, write};
 use super::pictures::{exaggeration, pitch};
-use super::{print, warn, worst};
+use super::{warn, worst};
 use crate::error::Error;
 use crate::gear::Side;
 use crate::input;
 use crate::mesh::{Certifier, CutPair, ExactKernel, LostMotion};
-use crate::output::OutputFolder;
 use crate::pair::{Assembly, Mating, Member, Pose};
 use crate::render::{self, Snapshot};
 use crate::study::{Material, Study};
 use clap::ValueEnum;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 /// Draw the contact at one pose as SVG
@@ -60,19 +60,6 @@ pub(super) struct Args {
 enum Flank {
     Right,
     Left,
-}
-
-#[derive(Clone, Copy, ValueEnum)]
-enum End {
-    Most,
-    Least,
-}
-
-fn teeth(text: &str) -> Result<(u32, u32), String> {
-    let parsed = text.split_once(',').and_then(|(wheel, pinion)| {
-        Some((wheel.trim().parse().ok()?, pinion.trim().parse().ok()?))
-    });
-    parsed.ok_or_else(|| "two tooth numbers are needed, wheel,pinion, such as 11,11".to_owned())
 }
 
 /// Runs the command.
@@ -153,35 +140,6 @@ fn subject(args: &Args, study: Study) -> Result<Subject, Error> {
         pose,
         lost_motion,
     })
-}
-
-/// Writes the picture to `target` and prints where it is; to standard output when that is `-`.
-fn write(target: &Path, picture: String) -> Result<ExitCode, Error> {
-    if target == Path::new("-") {
-        print(&picture);
-        return Ok(ExitCode::SUCCESS);
-    }
-    let missing_name = || Error::Usage(format!("-o {}: this names no file", target.display()));
-    let file = target.file_name().ok_or_else(missing_name)?;
-    let folder = match target.parent() {
-        Some(folder) if !folder.as_os_str().is_empty() => folder,
-        _ => Path::new("."),
-    };
-    OutputFolder::prepare(folder)?.write(&[(file.to_string_lossy().into_owned(), picture)])?;
-    print(&format!("{}\n", target.display()));
-    Ok(ExitCode::SUCCESS)
-}
-
-/// The material of `study` that `--material` names.
-fn material(end: End, study: &Study) -> Result<Material, Error> {
-    match (end, study.materials.len()) {
-        (End::Most, 2) => Ok(Material::Most),
-        (End::Least, 2) => Ok(Material::Least),
-        _ => Err(Error::Usage(
-            "--material: this pair file states one thickness a gear; leave the option out"
-                .to_owned(),
-        )),
-    }
 }
 
 /// The gears at the material and centre distance asked for.

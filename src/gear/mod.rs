@@ -9,6 +9,7 @@ mod deviation;
 mod fillet;
 #[allow(clippy::module_inception)]
 mod gear;
+mod inspection;
 pub mod involute;
 mod outline;
 mod pitch;
@@ -23,6 +24,7 @@ pub use datum::Separated;
 pub use deviation::{AsBuilt, Deviations};
 pub use fillet::Fillet;
 pub use gear::{Blank, Gear};
+pub use inspection::Inspection;
 pub use outline::{HalfTooth, Segment};
 pub use pitch::Pitch;
 pub use placed::Placed;

@@ -2,6 +2,7 @@
 
 mod animation;
 mod caption;
+pub mod chart;
 pub mod check;
 mod clip;
 pub mod comparison;

@@ -1,0 +1,236 @@
+//! A run's poses as curves over the teeth.
+
+use super::wheel_teeth;
+use crate::compare::{ComparedPose, ComparedRun};
+use crate::gear::Side;
+use crate::mesh::{Contact, first_least};
+use crate::pair::{Assembly, Mating, Member};
+use crate::study::Material;
+
+/// All curves of one centre distance and phase.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Course {
+    /// `a`, mm.
+    pub center_distance: f64,
+    /// The assembly phase, where phases are run apart.
+    pub phase: Option<(u32, u32)>,
+    /// First and last place: wheel teeth, or pitches since the first pose.
+    pub span: [f64; 2],
+    /// Number of wheel teeth where places are tooth numbers (those beyond it start again at 1);
+    /// `None` where they are pitches since the first pose.
+    pub teeth: Option<u32>,
+    /// Wheel and pinion tooth of the first pose.
+    pub start: (u32, u32),
+    /// Material by material, right flank before left.
+    pub lines: Vec<CourseLine>,
+    /// The least backlash of all lines.
+    pub least: Option<Extreme>,
+    /// The greatest.
+    pub greatest: Option<Extreme>,
+}
+
+/// The poses of one material and flank.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CourseLine {
+    /// Which thickness.
+    pub material: Material,
+    /// The flank that passes through the pitch point, seen from the front.
+    pub flank: Side,
+    /// In the order of the run's poses of this flank.
+    pub points: Vec<CoursePoint>,
+}
+
+/// One pose of a curve; values in µm of `j_wt`, `None` where there is none.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CoursePoint {
+    /// Place: the wheel tooth at the pitch point and the part of a pitch beyond it, or pitches since the first pose.
+    pub x: f64,
+    /// Simulated.
+    pub simulated_um: Option<f64>,
+    /// Bound on its error.
+    pub error_bound_um: Option<f64>,
+    /// Simulated minus model 1, Michalec.
+    pub off_michalec_um: Option<f64>,
+    /// Simulated minus model 2, involute.
+    pub off_involute_um: Option<f64>,
+    /// Simulated minus model 3, line of action.
+    pub off_line_of_action_um: Option<f64>,
+}
+
+/// The pose with the least or the greatest backlash, and what binds there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Extreme {
+    /// Its place.
+    pub x: f64,
+    /// `j_wt`, µm.
+    pub backlash_um: f64,
+    /// Its line's material.
+    pub material: Material,
+    /// Its line's flank.
+    pub flank: Side,
+    /// Wheel and pinion tooth whose right flanks touch.
+    pub right: (u32, u32),
+    /// Wheel and pinion tooth whose left flanks touch.
+    pub left: (u32, u32),
+}
+
+/// The curves of `runs`, one course a centre distance and phase, in their order.
+///
+/// A run's poses of one flank must go from pitch to pitch, as those of a revolution do.
+pub fn courses(runs: &[ComparedRun]) -> Vec<Course> {
+    let key = |run: &ComparedRun| (run.run.assembly.center_distance(), run.run.phase);
+    let mut places: Vec<(f64, Option<(u32, u32)>)> = Vec::new();
+    for run in runs {
+        if !places.contains(&key(run)) {
+            places.push(key(run));
+        }
+    }
+    let of_place = |place| {
+        let here = runs.iter().filter(|run| key(run) == place).collect();
+        course(place, here)
+    };
+    places.into_iter().map(of_place).collect()
+}
+
+fn course((center_distance, phase): (f64, Option<(u32, u32)>), runs: Vec<&ComparedRun>) -> Course {
+    let mut lines = Vec::new();
+    let mut placed: Vec<(f64, Material, &ComparedPose)> = Vec::new();
+    let (mut span, mut teeth, mut start) = ([0.0, 1.0], None, (1, 1));
+    for run in runs {
+        let assembly = &run.run.assembly;
+        for flank in Side::BOTH {
+            let of_flank = |pose: &&ComparedPose| pose.swept.pose.mating().flank == flank;
+            let poses: Vec<&ComparedPose> = run.poses.iter().filter(of_flank).collect();
+            if poses.is_empty() {
+                continue;
+            }
+            let scale = Scale::of(assembly, || {
+                poses.iter().map(|pose| pose.swept.pose.mating())
+            });
+            (span, teeth) = (scale.span(), scale.teeth);
+            if let Some(first) = poses.first().map(|pose| pose.swept.pose.mating()) {
+                start = (first.wheel_tooth, first.pinion_tooth);
+            }
+            let x: Vec<f64> = scale
+                .pitches(poses.iter().map(|pose| pose.swept.pose.mating()))
+                .collect();
+            let points = x.iter().zip(&poses);
+            placed.extend(
+                points
+                    .clone()
+                    .map(|(x, pose)| (*x, run.run.material, *pose)),
+            );
+            lines.push(CourseLine {
+                material: run.run.material,
+                flank,
+                points: points.map(|(x, pose)| point(*x, pose)).collect(),
+            });
+        }
+    }
+    let extreme = |sign: f64| {
+        let known = placed.iter().filter_map(|placed| {
+            let swept = &placed.2.swept;
+            Some((placed, sign * swept.backlash?, swept.error_bound?))
+        });
+        let (x, material, pose) = first_least(known)?;
+        let lost_motion = &pose.swept.lost_motion;
+        let teeth = |contact: &Contact| (contact.wheel.tooth, contact.pinion.tooth);
+        Some(Extreme {
+            x: *x,
+            backlash_um: pose.swept.backlash? * 1e3,
+            material: *material,
+            flank: pose.swept.pose.mating().flank,
+            right: teeth(lost_motion.right.as_ref()?),
+            left: teeth(lost_motion.left.as_ref()?),
+        })
+    };
+    Course {
+        center_distance,
+        phase,
+        span,
+        teeth,
+        start,
+        least: extreme(1.0),
+        greatest: extreme(-1.0),
+        lines,
+    }
+}
+
+fn point(x: f64, pose: &ComparedPose) -> CoursePoint {
+    let swept = &pose.swept;
+    let off = |model: Option<f64>| Some((swept.backlash? - model?) * 1e3);
+    CoursePoint {
+        x,
+        simulated_um: swept.backlash.map(|mm| mm * 1e3),
+        error_bound_um: swept.error_bound.map(|mm| mm * 1e3),
+        off_michalec_um: off(pose.michalec),
+        off_involute_um: off(pose.involute),
+        off_line_of_action_um: off(pose.line_of_action),
+    }
+}
+
+/// How many pitches `matings`, one after the other, go over; the last step counts whole.
+pub(super) fn pitches<'a>(matings: impl Iterator<Item = &'a Mating>) -> f64 {
+    places(matings).last().unwrap_or(0.0).floor() + 1.0
+}
+
+/// Pitches from the first mating's tooth to each of `matings`: one more with each change of teeth.
+fn places<'a>(matings: impl Iterator<Item = &'a Mating>) -> impl Iterator<Item = f64> {
+    matings.scan((None, 0u32), |(last, whole), mating| {
+        let teeth = (mating.wheel_tooth, mating.pinion_tooth);
+        if last.is_some_and(|last| last != teeth) {
+            *whole += 1;
+        }
+        *last = Some(teeth);
+        Some(f64::from(*whole) + mating.fraction)
+    })
+}
+
+/// From pitches to places.
+struct Scale {
+    start: f64,
+    sense: f64,
+    pitches: f64,
+    teeth: Option<u32>,
+}
+
+impl Scale {
+    fn of<'a, I: Iterator<Item = &'a Mating>>(
+        assembly: &Assembly,
+        matings: impl Fn() -> I,
+    ) -> Scale {
+        let pitches = pitches(matings());
+        let teeth = wheel_teeth(assembly);
+        let first = matings().next().map_or(1, |mating| mating.wheel_tooth);
+        if pitches > f64::from(teeth) {
+            return Scale {
+                start: 0.0,
+                sense: 1.0,
+                pitches,
+                teeth: None,
+            };
+        }
+        // Ascending teeth of the locked gear come into mesh; on its mate numbers ascend with them
+        // where the two faces look opposite ways.
+        let ascending = |member| assembly.gear(member).face().ascending();
+        let sense = match assembly.locked() {
+            Member::Wheel => 1.0,
+            Member::Pinion => -ascending(Member::Wheel) * ascending(Member::Pinion),
+        };
+        Scale {
+            start: f64::from(first),
+            sense,
+            pitches,
+            teeth: Some(teeth),
+        }
+    }
+
+    fn pitches<'a>(&self, matings: impl Iterator<Item = &'a Mating>) -> impl Iterator<Item = f64> {
+        places(matings).map(|pitches| self.start + self.sense * pitches)
+    }
+
+    fn span(&self) -> [f64; 2] {
+        let end = self.start + self.sense * self.pitches;
+        [self.start.min(end), self.start.max(end)]
+    }
+}

@@ -1,0 +1,100 @@
+//! What charts show, computed: backlash over the teeth and over the centre distance.
+//!
+//! In a curve over the teeth each pose stands where its flank passes through the operating pitch point. A
+//! right-flank and a left-flank pose of one tooth are two rotations, half a pitch or so apart: the two curves of a
+//! gear without pitch deviations are one curve, shifted. Values in µm of `j_wt`, centre distances in mm.
+
+mod course;
+mod over_distance;
+
+pub use course::{Course, CourseLine, CoursePoint, Extreme, courses};
+pub use over_distance::{DistancePoint, OverDistance, over_distance, over_distance_pose_count};
+
+use crate::compare::{ComparedRun, compare};
+use crate::error::Error;
+use crate::gear::Side;
+use crate::mesh::Method;
+use crate::pair::{Assembly, Mating, Member, SweepPlan};
+use crate::simulate::simulate_plans;
+use crate::study::{RunPlan, Study};
+use std::ops::ControlFlow;
+
+/// Poses a pitch where the study does not sweep itself.
+const STEPS_PER_PITCH: u32 = 16;
+
+/// The runs behind curves over the teeth: each centre distance, material and phase.
+///
+/// Where the study sweeps a revolution, its own poses; else one wheel revolution from the study's first
+/// mating on, at 16 steps a pitch. Up to one wheel revolution the left-flank poses of the same matings and
+/// fractions follow the right-flank ones. (Over more pitches, as in a hunting cycle, half a pitch of shift
+/// cannot be seen, and there are right-flank poses alone.)
+///
+/// # Errors
+/// As [`crate::simulate::simulate`].
+pub fn revolution(
+    study: &Study,
+    method: Method,
+    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+) -> Result<Vec<ComparedRun>, Error> {
+    let runs = simulate_plans(study, revolution_plans(study)?, method, tick)?;
+    Ok(compare(runs, study.tolerance_um))
+}
+
+/// How many poses [`revolution`] will take.
+///
+/// # Errors
+/// As [`Study::runs`].
+pub fn revolution_pose_count(study: &Study) -> Result<usize, Error> {
+    let plans = revolution_plans(study)?;
+    Ok(plans.iter().map(|plan| plan.matings.len()).sum())
+}
+
+/// `study` with a sweep over whole revolutions: its own, or else one wheel revolution from its first mating on,
+/// at 16 steps a pitch. Unlike a study of measured rows it can be had [`Study::at`] other centre distances.
+pub fn swept(mut study: Study) -> Study {
+    let sweeps = matches!(
+        study.sweep,
+        Some(SweepPlan::Revolution { .. } | SweepPlan::Phases { .. })
+    );
+    if let Some((_, wheel, _)) = study.materials.first()
+        && !sweeps
+    {
+        study.sweep = Some(SweepPlan::Revolution {
+            pitches: u64::from(wheel.gear().toothing().teeth()),
+            steps_per_pitch: STEPS_PER_PITCH,
+            start: first_mating(&study),
+        });
+    }
+    study
+}
+
+fn revolution_plans(study: &Study) -> Result<Vec<RunPlan>, Error> {
+    let mut plans = swept(study.clone()).runs()?;
+    for plan in &mut plans {
+        let teeth = wheel_teeth(&plan.assembly);
+        if course::pitches(plan.matings.iter()) <= f64::from(teeth) {
+            let left = plan.matings.clone().into_iter().map(|mating| Mating {
+                flank: Side::Left,
+                ..mating
+            });
+            plan.matings.extend(left);
+        }
+    }
+    Ok(plans)
+}
+
+/// The mating the study names first.
+fn first_mating(study: &Study) -> (u32, u32) {
+    let of_sweep = match &study.sweep {
+        Some(SweepPlan::Matings { matings, .. }) => matings.first().copied(),
+        Some(SweepPlan::Revolution { start, .. }) => Some(*start),
+        Some(SweepPlan::Phases { .. }) | None => None,
+    };
+    let row = study.measured.first();
+    let of_row = row.map(|row| (row.wheel_tooth, row.pinion_tooth));
+    of_sweep.or(of_row).unwrap_or((1, 1))
+}
+
+fn wheel_teeth(assembly: &Assembly) -> u32 {
+    assembly.gear(Member::Wheel).gear().toothing().teeth()
+}

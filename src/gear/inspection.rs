@@ -1,0 +1,82 @@
+//! What an inspection sheet shows of a gear as built.
+
+use super::{AsBuilt, Side};
+
+/// Pitch, thickness and runout tooth by tooth, tooth 1 first. Lengths in mm at the reference circle, `right` and
+/// `left` the gear's *own* flanks, the sense that of ascending numbers, about the gear's own centre.
+///
+/// It follows from where [`AsBuilt`] has its flanks, so a tooth that is thicker than the mean shows in the pitch of
+/// both flanks too, as it does on a measuring machine.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Inspection {
+    right: Vec<f64>,
+    left: Vec<f64>,
+    thickness: Vec<f64>,
+    runout: Vec<f64>,
+}
+
+impl Inspection {
+    /// Reads `gear`.
+    pub fn of(gear: &AsBuilt) -> Inspection {
+        let toothing = gear.gear().toothing();
+        let r = toothing.reference_radius();
+        let teeth = || 1..=toothing.teeth();
+        let ascending = gear.face().ascending();
+        let cumulative = |own: Side| {
+            let front = gear.face().seen_from_front(own);
+            let place = |tooth| ascending * r * gear.flank_offset(front, tooth);
+            let mean = teeth().map(place).sum::<f64>() / f64::from(toothing.teeth());
+            teeth().map(|tooth| place(tooth) - mean).collect()
+        };
+        let thickness = |tooth| {
+            r * (gear.flank_offset(Side::Left, tooth) - gear.flank_offset(Side::Right, tooth))
+        };
+        let runout = |tooth| {
+            let from_high = (f64::from(tooth) - gear.high_tooth()) * toothing.angular_pitch();
+            gear.eccentricity() * from_high.cos()
+        };
+        Inspection {
+            right: cumulative(Side::Right),
+            left: cumulative(Side::Left),
+            thickness: teeth().map(thickness).collect(),
+            runout: teeth().map(runout).collect(),
+        }
+    }
+
+    /// Cumulative pitch deviation `F_i` of the gear's own `side` flanks, about their mean.
+    pub fn cumulative(&self, side: Side) -> &[f64] {
+        match side {
+            Side::Right => &self.right,
+            Side::Left => &self.left,
+        }
+    }
+
+    /// Single pitch deviation `f_i = F_i − F_(i−1)`; that of tooth 1 counts from the last tooth.
+    pub fn single(&self, side: Side) -> Vec<f64> {
+        let cumulative = self.cumulative(side);
+        let before = cumulative.last().into_iter().chain(cumulative);
+        cumulative.iter().zip(before).map(|(f, b)| f - b).collect()
+    }
+
+    /// Total cumulative pitch deviation `F_p`: the range of `F_i`.
+    pub fn total_cumulative(&self, side: Side) -> f64 {
+        let values = || self.cumulative(side).iter().copied();
+        values().fold(f64::MIN, f64::max) - values().fold(f64::MAX, f64::min)
+    }
+
+    /// Single pitch deviation `f_p`: the largest amount of `f_i`.
+    pub fn largest_single(&self, side: Side) -> f64 {
+        let amounts = self.single(side).into_iter().map(f64::abs);
+        amounts.fold(0.0, f64::max)
+    }
+
+    /// Tooth thickness minus the gear's mean thickness as stated.
+    pub fn thickness(&self) -> &[f64] {
+        &self.thickness
+    }
+
+    /// Radial displacement of each tooth by the eccentricity `e`: `e cos` of its angle from the high tooth.
+    pub fn runout(&self) -> &[f64] {
+        &self.runout
+    }
+}

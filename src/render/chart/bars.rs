@@ -1,0 +1,75 @@
+//! Bars, one place a tooth.
+
+use super::paint::Look;
+use super::panel::{Axis, Entry, Mark, Panel, Sample, range};
+use super::{Chart, Heading, sheet};
+use crate::error::Error;
+
+/// One series of a bar chart.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BarSeries<'a> {
+    /// As the legend names it.
+    pub name: &'a str,
+    /// One value a tooth, from tooth 1 on.
+    pub values: Vec<Option<f64>>,
+    /// How it is drawn.
+    pub look: Look,
+}
+
+/// A bar chart of `series` over tooth numbers, side by side; `y_axis` names quantity and unit.
+///
+/// # Errors
+/// [`Error::Chart`] when no series has a value.
+pub fn bars(heading: &Heading, y_axis: &str, series: &[BarSeries]) -> Result<Chart, Error> {
+    let panel = panel("tooth", y_axis, 340.0, series)
+        .ok_or_else(|| Error::Chart("there are no values to draw".to_owned()))?;
+    sheet::draw(heading, &legend(series), &[panel])
+}
+
+/// The legend of bars.
+pub(super) fn legend(series: &[BarSeries]) -> Vec<Entry> {
+    let entry = |bars: &BarSeries| Entry {
+        name: bars.name.to_owned(),
+        look: bars.look,
+        sample: Sample::Bar,
+    };
+    series.iter().map(entry).collect()
+}
+
+/// Bars from zero; `None` without any value.
+pub(super) fn panel(
+    x_axis: &str,
+    y_axis: &str,
+    height: f64,
+    series: &[BarSeries],
+) -> Option<Panel> {
+    let values = series.iter().flat_map(|bars| &bars.values).flatten();
+    // A tenth of a unit at least: zeros stay on a line.
+    let y = range(values.copied().chain([0.0]), [0.08; 2], 0.1)?;
+    let teeth = series.iter().map(|bars| bars.values.len()).max()?;
+    let width = 0.8 / series.len() as f64;
+    let mut marks = vec![Mark::Line {
+        points: vec![(0.0, Some(0.0)), (teeth as f64 + 1.0, Some(0.0))],
+        look: Look::Plain,
+        width: 1.0,
+    }];
+    for (place, bars) in series.iter().enumerate() {
+        for (index, value) in bars.values.iter().enumerate() {
+            let Some(value) = *value else {
+                continue;
+            };
+            let left = index as f64 + 0.6 + place as f64 * width;
+            marks.push(Mark::Bar {
+                x: [left, left + width],
+                y: [value.min(0.0), value.max(0.0)],
+                look: bars.look,
+            });
+        }
+    }
+    Some(Panel {
+        x: Axis::new(x_axis, [0.0, teeth as f64 + 1.0]),
+        y: Axis::new(y_axis, y),
+        height,
+        marks,
+    })
+}

@@ -1,0 +1,160 @@
+//! Simulation minus formula over the teeth.
+
+use super::paint::Look;
+use super::panel::{Anchor, Axis, Mark, Panel, Point, Sample, range};
+use super::words::{course_axis, course_words, entry};
+use super::{Chart, Heading, sheet};
+use crate::curves::{Course, CourseLine, CoursePoint};
+use crate::error::Error;
+use crate::gear::Side;
+
+/// Simulated minus analytic backlash of the right-flank poses at one centre distance, a line a material: models 1
+/// and 2 in the upper panel, model 3 with the error bound of the simulation in the lower, on an axis of its own.
+///
+/// # Errors
+/// [`Error::Chart`] when no pose has both values.
+pub fn difference(
+    prefix: &str,
+    title: &str,
+    course: &Course,
+    tolerance_um: f64,
+) -> Result<Chart, Error> {
+    let lines = || course.lines.iter().filter(|line| line.flank == Side::Right);
+    let of = |model: fn(&CoursePoint) -> Option<f64>, look: Look| {
+        let lines = lines().map(move |line| Mark::Line {
+            points: points(line, model, 1.0),
+            look,
+            width: 1.6,
+        });
+        lines.collect::<Vec<Mark>>()
+    };
+    let models: [fn(&CoursePoint) -> Option<f64>; 2] =
+        [|point| point.off_michalec_um, |point| point.off_involute_um];
+    let all = |model: fn(&CoursePoint) -> Option<f64>| {
+        let points = lines().flat_map(|line| &line.points);
+        points.filter_map(model)
+    };
+    let mut panels = Vec::new();
+    let mut legend = Vec::new();
+    let both = models.into_iter().flat_map(all);
+    if let Some(y) = range(both.chain([0.0]), [0.1; 2], 1e-3) {
+        legend.push(entry("minus model 1, Michalec", Look::Left, Sample::Line));
+        legend.push(entry("minus model 2, involute", Look::Plain, Sample::Line));
+        let mut marks = of(models[0], Look::Left);
+        marks.extend(of(models[1], Look::Plain));
+        panels.push(Panel {
+            x: course_axis(course),
+            y: Axis::new("models 1 and 2, µm", y),
+            height: 230.0,
+            marks,
+        });
+    }
+    if let Some(lower) = line_of_action(course, tolerance_um) {
+        legend.push(entry(
+            "minus model 3, line of action",
+            Look::Right,
+            Sample::Line,
+        ));
+        legend.push(entry(
+            "error bound of the simulation",
+            Look::Limit,
+            Sample::Band(0.25),
+        ));
+        panels.push(lower);
+    }
+    let heading = Heading {
+        prefix,
+        title,
+        subtitle: &format!("simulated minus analytic j_wt · {}", course_words(course)),
+    };
+    sheet::draw(&heading, &legend, &panels)
+}
+
+/// The panel of model 3.
+fn line_of_action(course: &Course, tolerance_um: f64) -> Option<Panel> {
+    let lines = || course.lines.iter().filter(|line| line.flank == Side::Right);
+    let all = || lines().flat_map(|line| &line.points);
+    let largest = all()
+        .filter_map(|point| point.off_line_of_action_um)
+        .chain(all().filter_map(|point| point.error_bound_um))
+        .map(f64::abs)
+        .reduce(f64::max)?;
+    let (unit, name) = unit(largest);
+    let off = |point: &CoursePoint| point.off_line_of_action_um;
+    let bound = |point: &CoursePoint| point.error_bound_um;
+    let mut marks = Vec::new();
+    for line in lines() {
+        marks.push(Mark::Band {
+            low: points(line, bound, -1.0 / unit),
+            high: points(line, bound, 1.0 / unit),
+            look: Look::Limit,
+            opacity: 0.25,
+        });
+    }
+    for line in lines() {
+        marks.push(Mark::Line {
+            points: points(line, off, 1.0 / unit),
+            look: Look::Right,
+            width: 1.6,
+        });
+    }
+    let values = all().filter_map(off);
+    let bounds = all().filter_map(bound).flat_map(|bound| [-bound, bound]);
+    let y = range(
+        values.chain(bounds).map(|value| value / unit),
+        [0.18; 2],
+        0.1,
+    )?;
+    let tolerance = tolerance_um / unit;
+    let within = y[0] < -tolerance && y[1] > tolerance;
+    let words = match y[0] < -tolerance || y[1] > tolerance {
+        true => {
+            for limit in [-tolerance, tolerance] {
+                if within || (y[0] < limit && limit < y[1]) {
+                    marks.push(Mark::Line {
+                        points: course.span.map(|x| (x, Some(limit))).to_vec(),
+                        look: Look::Limit,
+                        width: 1.2,
+                    });
+                }
+            }
+            format!("tolerance ±{tolerance_um} µm: short dashes")
+        }
+        false => format!("tolerance ±{tolerance_um} µm: far outside this axis"),
+    };
+    marks.push(Mark::Text {
+        at: [course.span[0], y[1]],
+        shift: [8.0, 10.0],
+        text: words,
+        anchor: Anchor::Start,
+    });
+    Some(Panel {
+        x: course_axis(course),
+        y: Axis::new(&format!("model 3, {name}"), y),
+        height: 230.0,
+        marks,
+    })
+}
+
+fn points(
+    line: &CourseLine,
+    value: impl Fn(&CoursePoint) -> Option<f64>,
+    factor: f64,
+) -> Vec<Point> {
+    let points = line.points.iter();
+    points
+        .map(|point| (point.x, value(point).map(|value| value * factor)))
+        .collect()
+}
+
+/// A power of a thousandth of a micrometre that suits values up to `largest`, and its name.
+fn unit(largest: f64) -> (f64, &'static str) {
+    let units = [
+        (1.0, "µm"),
+        (1e-3, "10⁻³ µm"),
+        (1e-6, "10⁻⁶ µm"),
+        (1e-9, "10⁻⁹ µm"),
+    ];
+    let suits = |unit: &&(f64, &str)| largest >= 0.1 * unit.0;
+    *units.iter().find(suits).unwrap_or(&(1e-12, "10⁻¹² µm"))
+}

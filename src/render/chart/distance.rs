@@ -1,0 +1,117 @@
+//! Backlash over the centre distance, as Figures 20–21 of the study the project started from.
+
+use super::paint::Look;
+use super::panel::{Axis, Mark, Panel, Point, Sample, range};
+use super::words::{entry, interference};
+use super::{Chart, Heading, sheet};
+use crate::curves::{DistancePoint, OverDistance};
+use crate::error::Error;
+use crate::measured::Band;
+
+/// Fill of the band with and without bearing clearance.
+const FILLS: [f64; 2] = [0.14, 0.22];
+
+/// One mating's backlash over the centre distance: simulated and analytic band, the band with bearing clearance,
+/// and the measured values.
+///
+/// # Errors
+/// [`Error::Chart`] when there is neither a value nor a measurement.
+pub fn distance(prefix: &str, title: &str, curve: &OverDistance) -> Result<Chart, Error> {
+    let line = |band: fn(&DistancePoint) -> Option<Band>, end: fn(Band) -> f64| -> Vec<Point> {
+        let points = curve.points.iter();
+        points
+            .map(|point| (point.center_distance, band(point).map(end)))
+            .collect()
+    };
+    let ends = |band| {
+        [
+            line(band, |band| band.min_um),
+            line(band, |band| band.max_um),
+        ]
+    };
+    let simulated = ends(|point| point.bands.simulated);
+    let analytic = ends(|point| point.bands.analytic);
+    let with_clearance = ends(|point| point.bands.with_clearance);
+    let measured = |side: fn(&crate::study::MeasuredRow) -> f64| -> Vec<Point> {
+        let rows = curve.measured.iter();
+        rows.map(|row| (row.center_distance, Some(side(row))))
+            .collect()
+    };
+    let (right, left) = (measured(|row| row.right_um), measured(|row| row.left_um));
+    let mut marks = Vec::new();
+    let mut legend = Vec::new();
+    if curve.clearance > 0.0 {
+        marks.extend(band(&with_clearance, Look::Limit, FILLS[0]));
+        let name = format!("with bearing clearance (a ± {} mm)", curve.clearance);
+        legend.push(entry(&name, Look::Limit, Sample::LineInBand(FILLS[0])));
+    }
+    marks.extend(band(&simulated, Look::Plain, FILLS[1]));
+    let name = "simulated, most to least material";
+    legend.push(entry(name, Look::Plain, Sample::LineInBand(FILLS[1])));
+    marks.extend(outline(&analytic, Look::Third));
+    legend.push(entry("by formula (model 2)", Look::Third, Sample::Line));
+    for (name, points, look) in [
+        ("measured, right flanks", &right, Look::Right),
+        ("measured, left flanks", &left, Look::Left),
+    ] {
+        if !points.is_empty() {
+            legend.push(entry(name, look, Sample::Dot));
+            marks.push(Mark::Dots {
+                points: points.clone(),
+                look,
+            });
+        }
+    }
+    let drawn = [&simulated, &analytic, &with_clearance]
+        .into_iter()
+        .flatten();
+    let values = drawn
+        .chain([&right, &left])
+        .flatten()
+        .filter_map(|point| point.1);
+    let x = range(
+        curve.points.iter().map(|point| point.center_distance),
+        [0.0; 2],
+        1e-6,
+    );
+    let (Some(x), Some(y)) = (x, range(values, [0.05; 2], 1.0)) else {
+        return Err(Error::Chart(
+            "the mating is jammed or out of mesh at every centre distance".to_owned(),
+        ));
+    };
+    let mut panel = Panel {
+        x: Axis::new("centre distance a, mm", x),
+        y: Axis::new("circumferential backlash j_wt, µm", y),
+        height: 380.0,
+        marks,
+    };
+    interference(&mut panel);
+    let (wheel, pinion) = curve.mating;
+    let heading = Heading {
+        prefix,
+        title,
+        subtitle: &format!(
+            "mating {wheel}·{pinion} (wheel·pinion tooth) · bands: means of the right-flank and the left-flank pose"
+        ),
+    };
+    sheet::draw(&heading, &legend, &[panel])
+}
+
+fn band([low, high]: &[Vec<Point>; 2], look: Look, opacity: f64) -> [Mark; 3] {
+    let fill = Mark::Band {
+        low: low.clone(),
+        high: high.clone(),
+        look,
+        opacity,
+    };
+    let [low, high] = outline(&[low.clone(), high.clone()], look);
+    [fill, low, high]
+}
+
+fn outline(ends: &[Vec<Point>; 2], look: Look) -> [Mark; 2] {
+    ends.clone().map(|points| Mark::Line {
+        points,
+        look,
+        width: 1.4,
+    })
+}

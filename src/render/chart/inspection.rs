@@ -1,0 +1,72 @@
+//! One gear's deviations tooth by tooth, as an inspection sheet shows them.
+
+use super::bars::{BarSeries, legend, panel};
+use super::paint::Look;
+use super::words::micrometres;
+use super::{Chart, Heading, sheet};
+use crate::error::Error;
+use crate::gear::{Inspection, Side};
+
+/// Height of a panel.
+const PANEL: f64 = 168.0;
+
+/// Single and cumulative pitch of both flanks, thickness and runout of `gear` (its name).
+///
+/// # Errors
+/// [`Error::Chart`]: none for a gear that has teeth.
+pub fn inspection(
+    prefix: &str,
+    title: &str,
+    gear: &str,
+    inspection: &Inspection,
+) -> Result<Chart, Error> {
+    let flanks = [
+        (Side::Right, "right flanks", Look::Right),
+        (Side::Left, "left flanks", Look::Left),
+    ];
+    let pitch = |values: fn(&Inspection, Side) -> Vec<f64>| {
+        flanks.map(|(side, name, look)| series(name, &values(inspection, side), look))
+    };
+    let single = pitch(|inspection, side| inspection.single(side));
+    let cumulative = pitch(|inspection, side| inspection.cumulative(side).to_vec());
+    let thickness = [series(
+        "thickness, runout",
+        inspection.thickness(),
+        Look::Plain,
+    )];
+    let runout = [series("runout", inspection.runout(), Look::Plain)];
+    let panels: [(&str, &[BarSeries]); 4] = [
+        ("single pitch f, µm", &single),
+        ("cumulative pitch F, µm", &cumulative),
+        ("thickness − mean, µm", &thickness),
+        ("runout, radial, µm", &runout),
+    ];
+    let tooth = format!("tooth of the {gear}");
+    let panels: Vec<_> = panels
+        .iter()
+        .filter_map(|(name, series)| panel(&tooth, name, PANEL, series))
+        .collect();
+    let mut names = legend(&single);
+    names.extend(legend(&thickness));
+    let both = |value: fn(&Inspection, Side) -> f64| {
+        Side::BOTH.map(|side| micrometres(value(inspection, side) * 1e3))
+    };
+    let [right, left] = both(Inspection::largest_single);
+    let [total_right, total_left] = both(Inspection::total_cumulative);
+    let heading = Heading {
+        prefix,
+        title,
+        subtitle: &format!(
+            "{gear} · about its own centre, + along ascending numbers · f_p right {right}, left {left} µm · F_p right {total_right}, left {total_left} µm"
+        ),
+    };
+    sheet::draw(&heading, &names, &panels)
+}
+
+fn series<'a>(name: &'a str, values_mm: &[f64], look: Look) -> BarSeries<'a> {
+    BarSeries {
+        name,
+        values: values_mm.iter().map(|mm| Some(mm * 1e3)).collect(),
+        look,
+    }
+}

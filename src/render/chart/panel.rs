@@ -1,0 +1,118 @@
+//! What a chart is made of: panels with two axes and marks, in data coordinates.
+
+use super::paint::Look;
+
+/// A value over a place; `None` where there is none: lines have a gap there.
+pub(super) type Point = (f64, Option<f64>);
+
+/// One axis.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Axis {
+    /// Quantity and unit.
+    pub name: String,
+    /// Data at both ends.
+    pub range: [f64; 2],
+    /// Where the axis goes over tooth numbers: how many teeth there are. Numbers beyond start again.
+    pub teeth: Option<u32>,
+}
+
+impl Axis {
+    pub fn new(name: &str, range: [f64; 2]) -> Axis {
+        Axis {
+            name: name.to_owned(),
+            range,
+            teeth: None,
+        }
+    }
+}
+
+/// Where a text stands from its place.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Anchor {
+    Start,
+    Middle,
+    End,
+}
+
+/// What is drawn into a panel, in this order.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Mark {
+    /// A ground between two values of y over the whole width.
+    Ground { y: [f64; 2] },
+    /// The room between two lines.
+    Band {
+        low: Vec<Point>,
+        high: Vec<Point>,
+        look: Look,
+        opacity: f64,
+    },
+    /// A line; its dash may differ from its look's.
+    Line {
+        points: Vec<Point>,
+        look: Look,
+        width: f64,
+    },
+    /// Single values.
+    Dots { points: Vec<Point>, look: Look },
+    /// A bar between two corners; filled, or its outline.
+    Bar {
+        x: [f64; 2],
+        y: [f64; 2],
+        look: Look,
+    },
+    /// A text, moved right and down by `shift` units.
+    Text {
+        at: [f64; 2],
+        shift: [f64; 2],
+        text: String,
+        anchor: Anchor,
+    },
+}
+
+/// One plot of a chart.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Panel {
+    pub x: Axis,
+    pub y: Axis,
+    /// Height with its axis, units.
+    pub height: f64,
+    pub marks: Vec<Mark>,
+}
+
+/// What the legend shows beside a name.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Sample {
+    Line,
+    Band(f64),
+    LineInBand(f64),
+    Dot,
+    Bar,
+}
+
+/// One entry of the legend.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Entry {
+    pub name: String,
+    pub look: Look,
+    pub sample: Sample,
+}
+
+/// An axis range round all `values`, with `margin` (a part of the range) on both sides, at least `least` wide.
+pub(super) fn range(
+    values: impl Iterator<Item = f64>,
+    margin: [f64; 2],
+    least: f64,
+) -> Option<[f64; 2]> {
+    let ends = values.fold(None, |ends: Option<[f64; 2]>, value| match ends {
+        None => Some([value, value]),
+        Some([low, high]) => Some([low.min(value), high.max(value)]),
+    });
+    let [low, high] = ends?;
+    let width = high - low;
+    let missing = 0.5 * (least - width).max(0.0);
+    let width = width.max(least);
+    Some([
+        low - missing - margin[0] * width,
+        high + missing + margin[1] * width,
+    ])
+}

@@ -1,0 +1,131 @@
+//! Backlash over the teeth, as Figures 17–19 of the study the project started from.
+
+use super::paint::Look;
+use super::panel::{Anchor, Axis, Mark, Panel, Point, Sample, range};
+use super::words::{course_axis, course_words, entry, interference, micrometres};
+use super::{Chart, Heading, sheet};
+use crate::curves::{Course, CourseLine, Extreme};
+use crate::error::Error;
+use crate::gear::Side;
+use crate::study::Material;
+
+/// How strongly a band is filled.
+const FILL: f64 = 0.2;
+
+/// Backlash over the teeth at one centre distance: a band a flank, from most to least material, with the teeth
+/// that bind where it is least and greatest.
+///
+/// # Errors
+/// [`Error::Chart`]: none for a course that has poses.
+pub fn revolution(prefix: &str, title: &str, course: &Course) -> Result<Chart, Error> {
+    let values = || {
+        let points = course.lines.iter().flat_map(|line| &line.points);
+        points.filter_map(|point| point.simulated_um)
+    };
+    // Room for the labels above and below; at least a micrometre, so that rounding is no curve.
+    let y = range(values(), [0.16, 0.16], 1.0);
+    let mut panel = Panel {
+        x: course_axis(course),
+        y: Axis::new(
+            "circumferential backlash j_wt, µm",
+            y.unwrap_or([-1.0, 1.0]),
+        ),
+        height: 360.0,
+        marks: Vec::new(),
+    };
+    let mut legend = Vec::new();
+    for (flank, look) in [(Side::Right, Look::Right), (Side::Left, Look::Left)] {
+        let of = |material: Material| {
+            let mut lines = course.lines.iter();
+            lines.find(|line| (line.flank, line.material) == (flank, material))
+        };
+        let name = format!("{} flank at the pitch point", flank.name());
+        let (most, least) = (of(Material::Most), of(Material::Least));
+        if let (Some(most), Some(least)) = (most, least) {
+            panel.marks.push(Mark::Band {
+                low: points(most),
+                high: points(least),
+                look,
+                opacity: FILL,
+            });
+            let name = format!("{name}: most material (below) to least (above)");
+            legend.push(entry(&name, look, Sample::LineInBand(FILL)));
+        } else if let Some(line) = most.or(least).or(of(Material::AsMeasured)) {
+            let name = match line.material {
+                Material::AsMeasured => name,
+                material => format!("{name}, {} material", material.name()),
+            };
+            legend.push(entry(&name, look, Sample::Line));
+        }
+        let lines = course.lines.iter().filter(|line| line.flank == flank);
+        panel.marks.extend(lines.map(|line| Mark::Line {
+            points: points(line),
+            look,
+            width: 1.6,
+        }));
+    }
+    interference(&mut panel);
+    for (word, extreme, shift) in [
+        ("least", &course.least, 16.0),
+        ("greatest", &course.greatest, -16.0),
+    ] {
+        let Some(extreme) = extreme else {
+            continue;
+        };
+        panel
+            .marks
+            .extend(label(word, extreme, shift, panel.x.range));
+    }
+    if y.is_none() {
+        panel.marks.push(Mark::Text {
+            at: [0.5 * (panel.x.range[0] + panel.x.range[1]), 0.0],
+            shift: [0.0; 2],
+            text: "no value: jammed or out of mesh".to_owned(),
+            anchor: Anchor::Middle,
+        });
+    }
+    let gaps = |line: &CourseLine| line.points.iter().any(|point| point.simulated_um.is_none());
+    let gaps = match y.is_some() && course.lines.iter().any(gaps) {
+        true => " · gaps: jammed or out of mesh",
+        false => "",
+    };
+    let heading = Heading {
+        prefix,
+        title,
+        subtitle: &format!("{}{gaps}", course_words(course)),
+    };
+    sheet::draw(&heading, &legend, &[panel])
+}
+
+fn points(line: &CourseLine) -> Vec<Point> {
+    let points = line.points.iter();
+    points.map(|point| (point.x, point.simulated_um)).collect()
+}
+
+/// A cross at an extreme and what binds there.
+fn label(word: &str, extreme: &Extreme, shift: f64, [left, right]: [f64; 2]) -> [Mark; 2] {
+    let part = (extreme.x - left) / (right - left);
+    let anchor = match part {
+        _ if part < 0.3 => Anchor::Start,
+        _ if part > 0.7 => Anchor::End,
+        _ => Anchor::Middle,
+    };
+    let teeth = |(wheel, pinion): (u32, u32)| format!("{wheel}·{pinion}");
+    [
+        Mark::Dots {
+            points: vec![(extreme.x, Some(extreme.backlash_um))],
+            look: Look::Plain,
+        },
+        Mark::Text {
+            at: [extreme.x, extreme.backlash_um],
+            shift: [0.0, shift],
+            text: format!(
+                "{word} {} µm: right flanks {}, left flanks {} touch",
+                micrometres(extreme.backlash_um),
+                teeth(extreme.right),
+                teeth(extreme.left)
+            ),
+            anchor,
+        },
+    ]
+}

@@ -1,0 +1,81 @@
+//! Numbers and phrases that several charts share.
+
+use super::paint::Look;
+use super::panel::{Anchor, Axis, Entry, Mark, Panel, Sample};
+use crate::curves::Course;
+
+/// µm with one decimal and a true minus sign.
+pub(super) fn micrometres(value: f64) -> String {
+    let text = format!("{value:.1}");
+    match text.strip_prefix('-') {
+        Some("0.0") => "0.0".to_owned(),
+        Some(digits) => format!("−{digits}"),
+        None => text,
+    }
+}
+
+/// The axis of a course, with its number of teeth.
+pub(super) fn course_axis(course: &Course) -> Axis {
+    let name = match course.teeth {
+        Some(_) => "wheel tooth at the pitch point",
+        None => "pitches from the first pose",
+    };
+    Axis {
+        teeth: course.teeth,
+        ..Axis::new(name, course.span)
+    }
+}
+
+/// Centre distance, start and phase of a course.
+pub(super) fn course_words(course: &Course) -> String {
+    let over = match course.teeth {
+        Some(teeth) if course.span[1] - course.span[0] >= f64::from(teeth) => {
+            "one wheel revolution".to_owned()
+        }
+        _ => format!("{} pitches", course.span[1] - course.span[0]),
+    };
+    let phase = match course.phase {
+        Some((wheel, pinion)) => format!(" · phase {wheel}·{pinion}"),
+        None => String::new(),
+    };
+    format!(
+        "centre distance {} mm · {over} from mating {}·{} (wheel·pinion tooth) on{phase}",
+        course.center_distance, course.start.0, course.start.1
+    )
+}
+
+/// Zero line, and the ground below it where the axis reaches there.
+pub(super) fn interference(panel: &mut Panel) {
+    let ([left, _], [low, high]) = (panel.x.range, panel.y.range);
+    if low >= 0.0 {
+        return;
+    }
+    panel.marks.insert(
+        0,
+        Mark::Ground {
+            y: [low, high.min(0.0)],
+        },
+    );
+    if high > 0.0 {
+        panel.marks.push(Mark::Line {
+            points: panel.x.range.map(|x| (x, Some(0.0))).to_vec(),
+            look: Look::Plain,
+            width: 1.0,
+        });
+    }
+    panel.marks.push(Mark::Text {
+        at: [left, low],
+        shift: [8.0, -10.0],
+        text: "interference".to_owned(),
+        anchor: Anchor::Start,
+    });
+}
+
+/// The legend's entry of a line or band.
+pub(super) fn entry(name: &str, look: Look, sample: Sample) -> Entry {
+    Entry {
+        name: name.to_owned(),
+        look,
+        sample,
+    }
+}

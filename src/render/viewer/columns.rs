@@ -2,10 +2,11 @@
 
 use super::precision::{Precision, rounded, two_digits_up};
 use super::readout;
-use crate::compare::ComparedRun;
+use crate::compare::{ComparedPose, ComparedRun};
 use crate::gear::Side;
 use crate::mesh::{Contact, SweptPose};
-use crate::pair::{Assembly, Member, SweepPlan};
+use crate::curves::{Course, CourseLine};
+use crate::pair::{Assembly, Member};
 use crate::study::Study;
 use serde::Serialize;
 
@@ -32,8 +33,9 @@ struct RunColumns {
     /// Which of the outlines.
     outlines: usize,
     pitch_radius_mm: [f64; 2],
-    /// In a revolution: pitches between two poses.
-    step: Option<f64>,
+    /// Id of the chart, and each pose's place on its horizontal axis.
+    chart: Option<String>,
+    chart_x: Vec<f64>,
     mating: [Vec<u32>; 2],
     left_flank: Vec<u8>,
     fraction: Vec<f64>,
@@ -63,13 +65,14 @@ impl Columns {
     pub fn new(
         study: &Study,
         runs: &[ComparedRun],
+        charts: &[(&str, &Course)],
         start: [usize; 2],
         precision: Precision,
     ) -> Columns {
         let mut classes = Vec::new();
         let runs = runs
             .iter()
-            .map(|run| RunColumns::new(study, run, precision, &mut classes));
+            .map(|run| RunColumns::new(study, run, charts, precision, &mut classes));
         Columns {
             free: study.locked.mate().name(),
             runs: runs.collect(),
@@ -83,9 +86,13 @@ impl RunColumns {
     fn new(
         study: &Study,
         run: &ComparedRun,
+        charts: &[(&str, &Course)],
         precision: Precision,
         classes: &mut Vec<String>,
     ) -> RunColumns {
+        let key = (run.run.assembly.center_distance(), run.run.phase);
+        let mut charts = charts.iter();
+        let chart = charts.find(|(_, course)| (course.center_distance, course.phase) == key);
         let assembly = &run.run.assembly;
         let poses = || run.poses.iter().map(|pose| &pose.swept);
         let mating = |member| poses().map(|pose| pose.pose.mating().tooth(member)).collect();
@@ -104,20 +111,11 @@ impl RunColumns {
             pitch_radius_mm: [Member::Wheel, Member::Pinion].map(|member| {
                 rounded(assembly.operating_pitch_radius(member), precision.decimals)
             }),
-            step: match study.sweep {
-                Some(
-                    SweepPlan::Revolution {
-                        steps_per_pitch, ..
-                    }
-                    | SweepPlan::Phases {
-                        steps_per_pitch, ..
-                    },
-                ) => Some(1.0 / f64::from(steps_per_pitch)),
-                _ => None,
-            },
+            chart: chart.map(|(id, _)| (*id).to_owned()),
+            chart_x: chart.map_or(Vec::new(), |(_, course)| places(run, course)),
             mating: [Member::Wheel, Member::Pinion].map(mating),
             left_flank: poses()
-                .map(|pose| u8::from(pose.pose.mating().flank == Side::Left))
+                .map(|pose| u8::from(is_left(pose)))
                 .collect(),
             fraction: poses().map(|pose| rounded(pose.pose.mating().fraction, 6)).collect(),
             locked_deg: poses().map(|pose| degrees(pose.pose.locked_rotation())).collect(),
@@ -159,6 +157,21 @@ impl Contacts {
         self.y_mm.push(contact.map(|c| place(c.point.y)));
         self.normal_deg.push(contact.map(|c| normal_degrees(c)));
     }
+}
+
+/// Each pose's place in the curves of `course`, where the poses of a flank follow each other.
+fn places(run: &ComparedRun, course: &Course) -> Vec<f64> {
+    let mut lines = Side::BOTH.map(|flank| {
+        let of_run = move |line: &&CourseLine| (line.material, line.flank) == (run.run.material, flank);
+        let points = course.lines.iter().filter(of_run).flat_map(|line| &line.points);
+        points.map(|point| rounded(point.x, 6))
+    });
+    let of_flank = |pose: &ComparedPose| lines[usize::from(is_left(&pose.swept))].next();
+    run.poses.iter().filter_map(of_flank).collect()
+}
+
+fn is_left(pose: &SweptPose) -> bool {
+    pose.pose.mating().flank == Side::Left
 }
 
 /// Which of the study's materials `run` has, in their order.

@@ -13,8 +13,10 @@ mod precision;
 mod readout;
 
 use crate::compare::ComparedRun;
+use crate::curves::Course;
 use crate::mesh::{Status, first_least};
 use crate::study::Study;
+use columns::Columns;
 use precision::Precision;
 use std::fmt::Write;
 
@@ -25,19 +27,22 @@ const CONTROLS: &str = include_str!("controls.html");
 
 /// The part of a page that shows the mesh of `runs`: HTML to stand in the body once; empty without a pose.
 ///
-/// A chart follows when an element round its `<svg>` has `data-viewer-runs`, the numbers of
-/// the runs it shows (from 0, apart by spaces), and the `<svg>` has `data-left`, `-right`, `-top`, `-bottom`,
-/// `-x0` and `-x1`.
+/// `charts` are curves over the teeth of these runs, each with the id of its chart's `<svg>` in the page: a
+/// cursor goes along in it, and a click there leads to the nearest pose.
 ///
 /// # Errors
 /// None for results of a simulation: the columns are numbers and names.
-pub fn fragment(study: &Study, runs: &[ComparedRun]) -> Result<String, serde_json::Error> {
+pub fn fragment(
+    study: &Study,
+    runs: &[ComparedRun],
+    charts: &[(&str, &Course)],
+) -> Result<String, serde_json::Error> {
     let Some(start) = worst(runs) else {
         return Ok(String::new());
     };
     let (run, pose) = (&runs[start[0]], &runs[start[0]].poses[start[1]]);
     let precision = Precision::of(&run.run.assembly);
-    let data = serde_json::to_string(&columns::Columns::new(study, runs, start, precision))?;
+    let data = serde_json::to_string(&Columns::new(study, runs, charts, start, precision))?;
     let mut html = String::from("<div class=\"viewer\" id=\"viewer\">\n");
     html.push_str(CONTROLS);
     html.push_str(&drawing::draw(study, run, pose, precision));

@@ -44,7 +44,8 @@ pub fn draw(run: &ComparedRun, number: usize) -> String {
     let mating = pose.swept.pose.mating();
     let fraction = match mating.fraction {
         0.0 => String::new(),
-        fraction => format!(" + {} pitch", decimals(fraction, 0, 6)),
+        fraction if fraction > 0.0 => format!(" + {} pitch", decimals(fraction, 0, 6)),
+        fraction => format!(" − {} pitch", decimals(-fraction, 0, 6)),
     };
     let contact = |side| match touching(&pose.swept, side) {
         None => "none".to_owned(),

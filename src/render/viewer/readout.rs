@@ -58,7 +58,9 @@ pub fn draw(run: &ComparedRun, number: usize) -> String {
     };
     let (j_wt, bound) = (
         pose.swept.backlash.map(|j| j * 1e3),
-        pose.swept.error_bound.map(|bound| two_digits_up(bound * 1e3)),
+        pose.swept
+            .error_bound
+            .map(|bound| two_digits_up(bound * 1e3)),
     );
     let shown = j_wt.map_or("none".to_owned(), |j| format!("{} µm", micrometres(j)));
     let full = j_wt.map_or(String::new(), |j| format!("{j}"));

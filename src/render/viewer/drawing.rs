@@ -18,8 +18,8 @@ use svg::node::element::{ClipPath, Definitions, Group, Path, SVG, Use};
 const MEMBERS: [Member; 2] = [Member::Wheel, Member::Pinion];
 /// Width over height of the picture.
 const ASPECT: f64 = 1.25;
-/// Half the height shown first, modules: one and a half pitches and some room, as in a snapshot.
-const HALF_HEIGHT: f64 = 6.0;
+/// Half the height shown first, modules: more than one and a half pitches, as in a snapshot.
+const HALF_HEIGHT: f64 = 5.0;
 /// Room kept round whole gears, modules.
 const BORDER: f64 = 2.0;
 

@@ -13,7 +13,9 @@ const NORMAL: f64 = 12.0;
 /// Half the arms of the cross on an axis, modules.
 const CROSS: f64 = 1.0;
 /// Size of a tooth number, modules.
-const NUMBER: f64 = 0.9;
+const NUMBER: f64 = 0.75;
+/// How far inside the root circle a tooth's number stands, modules: clear of contacts and circles.
+const INSIDE: f64 = 0.6;
 
 /// A thin grey line.
 pub fn line() -> Path {
@@ -34,11 +36,8 @@ pub fn axis(module: f64) -> Path {
 /// The number of every tooth of a gear on the origin, upright where the tooth points at the mate.
 pub fn numbers(gear: &Placed, member: Member, module: f64, precision: Precision) -> Group {
     let teeth = gear.as_built().gear().toothing().teeth();
-    let (root, tip) = (
-        gear.as_built().gear().root_radius(),
-        gear.as_built().gear().tip_radius(),
-    );
-    let radius = rounded(0.5 * (root + tip), precision.decimals);
+    let root = gear.as_built().gear().root_radius();
+    let radius = rounded(root - INSIDE * module, precision.decimals);
     let centre = gear.centre();
     let [x, y] = [centre.x, centre.y].map(|value| rounded(value, precision.decimals));
     let at_mate = match member {

@@ -11,7 +11,8 @@ use crate::study::Material;
 
 /// What the marks mean.
 pub const LEGEND: &str = "Filled dot: the gears touch. Open dots: the two points of the other flanks that will meet. \
-    Blue: normals at the contacts, between involutes the line of action. Dash-dotted: operating pitch circles.";
+    Blue: normals at the contacts, between involutes the line of action. \
+    Red, where teeth overlap: metal of both gears. Dash-dotted: operating pitch circles.";
 
 /// A run by centre distance, material and phase.
 pub fn run(run: &ComparedRun) -> String {
@@ -80,7 +81,7 @@ pub fn draw(run: &ComparedRun, number: usize) -> String {
             ),
         ),
         ("status", "Status", status(pose.swept.lost_motion.status())),
-        ("bound", "Error of j_wt", bound),
+        ("bound", "Error of <i>j</i><sub>wt</sub>", bound),
         ("right", "Right contact", contact(Side::Right)),
         ("left", "Left contact", contact(Side::Left)),
     ];

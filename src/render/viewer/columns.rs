@@ -3,9 +3,9 @@
 use super::precision::{Precision, rounded, two_digits_up};
 use super::readout;
 use crate::compare::{ComparedPose, ComparedRun};
+use crate::curves::{Course, CourseLine};
 use crate::gear::Side;
 use crate::mesh::{Contact, SweptPose};
-use crate::curves::{Course, CourseLine};
 use crate::pair::{Assembly, Member};
 use crate::study::Study;
 use serde::Serialize;
@@ -95,7 +95,11 @@ impl RunColumns {
         let chart = charts.find(|(_, course)| (course.center_distance, course.phase) == key);
         let assembly = &run.run.assembly;
         let poses = || run.poses.iter().map(|pose| &pose.swept);
-        let mating = |member| poses().map(|pose| pose.pose.mating().tooth(member)).collect();
+        let mating = |member| {
+            poses()
+                .map(|pose| pose.pose.mating().tooth(member))
+                .collect()
+        };
         let mut contacts = |side| {
             let mut columns = Contacts::default();
             for pose in poses() {
@@ -108,24 +112,29 @@ impl RunColumns {
             label: readout::run(run),
             center_distance_mm: assembly.center_distance(),
             outlines: outlines(study, run),
-            pitch_radius_mm: [Member::Wheel, Member::Pinion].map(|member| {
-                rounded(assembly.operating_pitch_radius(member), precision.decimals)
-            }),
+            pitch_radius_mm: [Member::Wheel, Member::Pinion]
+                .map(|member| rounded(assembly.operating_pitch_radius(member), precision.decimals)),
             chart: chart.map(|(id, _)| (*id).to_owned()),
             chart_x: chart.map_or(Vec::new(), |(_, course)| places(run, course)),
             mating: [Member::Wheel, Member::Pinion].map(mating),
-            left_flank: poses()
-                .map(|pose| u8::from(is_left(pose)))
+            left_flank: poses().map(|pose| u8::from(is_left(pose))).collect(),
+            fraction: poses()
+                .map(|pose| rounded(pose.pose.mating().fraction, 6))
                 .collect(),
-            fraction: poses().map(|pose| rounded(pose.pose.mating().fraction, 6)).collect(),
-            locked_deg: poses().map(|pose| degrees(pose.pose.locked_rotation())).collect(),
+            locked_deg: poses()
+                .map(|pose| degrees(pose.pose.locked_rotation()))
+                .collect(),
             free_deg: poses().map(|pose| degrees(free_rotation(pose))).collect(),
-            lost_motion_deg: poses().map(|pose| pose.lost_motion.angle().map(degrees)).collect(),
+            lost_motion_deg: poses()
+                .map(|pose| pose.lost_motion.angle().map(degrees))
+                .collect(),
             j_wt_um: poses().map(|pose| pose.backlash.map(|j| j * 1e3)).collect(),
             error_bound_um: poses()
                 .map(|pose| pose.error_bound.map(|bound| two_digits_up(bound * 1e3)))
                 .collect(),
-            status: poses().map(|pose| pose.lost_motion.status().name()).collect(),
+            status: poses()
+                .map(|pose| pose.lost_motion.status().name())
+                .collect(),
             right,
             left,
         }
@@ -162,8 +171,13 @@ impl Contacts {
 /// Each pose's place in the curves of `course`, where the poses of a flank follow each other.
 fn places(run: &ComparedRun, course: &Course) -> Vec<f64> {
     let mut lines = Side::BOTH.map(|flank| {
-        let of_run = move |line: &&CourseLine| (line.material, line.flank) == (run.run.material, flank);
-        let points = course.lines.iter().filter(of_run).flat_map(|line| &line.points);
+        let of_run =
+            move |line: &&CourseLine| (line.material, line.flank) == (run.run.material, flank);
+        let points = course
+            .lines
+            .iter()
+            .filter(of_run)
+            .flat_map(|line| &line.points);
         points.map(|point| rounded(point.x, 6))
     });
     let of_flank = |pose: &ComparedPose| lines[usize::from(is_left(&pose.swept))].next();
@@ -188,7 +202,9 @@ pub fn touching(pose: &SweptPose, side: Side) -> Option<&Contact> {
         Side::Right => &pose.lost_motion.right,
         Side::Left => &pose.lost_motion.left,
     };
-    contact.as_ref().filter(|_| pose.lost_motion.angle().is_some())
+    contact
+        .as_ref()
+        .filter(|_| pose.lost_motion.angle().is_some())
 }
 
 /// Where the free gear is drawn first: in right-flank contact, or else at its nominal rotation.
@@ -203,5 +219,8 @@ pub fn degrees(rotation: f64) -> f64 {
 
 /// Direction of a contact's normal, degrees.
 pub fn normal_degrees(contact: &Contact) -> f64 {
-    rounded(contact.normal.y.atan2(contact.normal.x).to_degrees(), NORMAL)
+    rounded(
+        contact.normal.y.atan2(contact.normal.x).to_degrees(),
+        NORMAL,
+    )
 }

@@ -18,8 +18,8 @@ use svg::node::element::{ClipPath, Definitions, Group, Path, SVG, Use};
 const MEMBERS: [Member; 2] = [Member::Wheel, Member::Pinion];
 /// Width over height of the picture.
 const ASPECT: f64 = 1.25;
-/// Half the height shown first, modules: one and a half pitches and some room, as in a snapshot.
-const HALF_HEIGHT: f64 = 6.0;
+/// Half the height shown first, modules: more than one and a half pitches, as in a snapshot.
+const HALF_HEIGHT: f64 = 5.0;
 /// Room kept round whole gears, modules.
 const BORDER: f64 = 2.0;
 
@@ -67,7 +67,10 @@ pub fn draw(study: &Study, run: &ComparedRun, pose: &ComparedPose, precision: Pr
         let radius = assembly.operating_pitch_radius(member);
         line()
             .set("id", format!("viewer-pitch-{}", member.name()))
-            .set("transform", format!("translate({} 0)", assembly.axis(member).x))
+            .set(
+                "transform",
+                format!("translate({} 0)", assembly.axis(member).x),
+            )
             .set("d", circle(rounded(radius, precision.decimals)))
             .set("stroke-dasharray", "14 3 2 3")
     };
@@ -75,7 +78,10 @@ pub fn draw(study: &Study, run: &ComparedRun, pose: &ComparedPose, precision: Pr
     let picture = Group::new().set("transform", "scale(1 -1)");
     let picture = gears.into_iter().fold(picture, Group::add);
     let picture = picture.add(overlap).add(centres);
-    let picture = MEMBERS.map(pitch_circle).into_iter().fold(picture, Group::add);
+    let picture = MEMBERS
+        .map(pitch_circle)
+        .into_iter()
+        .fold(picture, Group::add);
     let marks = Side::BOTH.map(|side| marks(assembly, pose, side, precision));
     let picture = marks.into_iter().fold(picture, Group::add);
     let [home, whole] = views(assembly, module);
@@ -103,7 +109,10 @@ fn at_origin<'a>(assembly: &Assembly, gear: &'a AsBuilt, member: Member) -> Plac
 fn definitions(study: &Study, assembly: &Assembly, precision: Precision) -> Definitions {
     let materials = study.materials.iter().enumerate();
     let gears = materials.flat_map(|(number, (_, wheel, pinion))| {
-        [(number, Member::Wheel, wheel), (number, Member::Pinion, pinion)]
+        [
+            (number, Member::Wheel, wheel),
+            (number, Member::Pinion, pinion),
+        ]
     });
     gears.fold(Definitions::new(), |definitions, (number, member, gear)| {
         let placed = at_origin(assembly, gear, member);
@@ -125,8 +134,13 @@ fn views(assembly: &Assembly, module: f64) -> [String; 2] {
     let view = |middle: f64, half_width: f64, half_height: f64| {
         let half_height = f64::max(half_height, half_width / ASPECT);
         let half_width = half_height * ASPECT;
-        let [x, y, width, height] =
-            [middle - half_width, -half_height, 2.0 * half_width, 2.0 * half_height].map(|v| rounded(v, 4));
+        let [x, y, width, height] = [
+            middle - half_width,
+            -half_height,
+            2.0 * half_width,
+            2.0 * half_height,
+        ]
+        .map(|v| rounded(v, 4));
         format!("{x} {y} {width} {height}")
     };
     let border = BORDER * module;

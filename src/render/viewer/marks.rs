@@ -13,7 +13,9 @@ const NORMAL: f64 = 12.0;
 /// Half the arms of the cross on an axis, modules.
 const CROSS: f64 = 1.0;
 /// Size of a tooth number, modules.
-const NUMBER: f64 = 0.9;
+const NUMBER: f64 = 0.75;
+/// How far inside the root circle a tooth's number stands, modules: clear of contacts and circles.
+const INSIDE: f64 = 0.6;
 
 /// A thin grey line.
 pub fn line() -> Path {
@@ -34,8 +36,8 @@ pub fn axis(module: f64) -> Path {
 /// The number of every tooth of a gear on the origin, upright where the tooth points at the mate.
 pub fn numbers(gear: &Placed, member: Member, module: f64, precision: Precision) -> Group {
     let teeth = gear.as_built().gear().toothing().teeth();
-    let (root, tip) = (gear.as_built().gear().root_radius(), gear.as_built().gear().tip_radius());
-    let radius = rounded(0.5 * (root + tip), precision.decimals);
+    let root = gear.as_built().gear().root_radius();
+    let radius = rounded(root - INSIDE * module, precision.decimals);
     let centre = gear.centre();
     let [x, y] = [centre.x, centre.y].map(|value| rounded(value, precision.decimals));
     let at_mate = match member {
@@ -81,14 +83,26 @@ pub fn marks(assembly: &Assembly, pose: &ComparedPose, side: Side, precision: Pr
     let name = side.name();
     let normal = stroke(ACTION, "1.2")
         .set("id", format!("viewer-normal-{name}"))
-        .set("transform", format!("rotate({})", contact.map_or(0.0, normal_degrees)))
+        .set(
+            "transform",
+            format!("rotate({})", contact.map_or(0.0, normal_degrees)),
+        )
         .set("d", format!("M-{half} 0H{half}"));
     let dot = |id: &str, open: bool| {
-        let dot = Group::new()
-            .set("id", format!("viewer-{id}-{name}"))
-            .set("class", if open { "viewer-dot viewer-open" } else { "viewer-dot" });
+        let dot = Group::new().set("id", format!("viewer-{id}-{name}")).set(
+            "class",
+            if open {
+                "viewer-dot viewer-open"
+            } else {
+                "viewer-dot"
+            },
+        );
         dot.add(point(INK, "10").set("transform", place.as_str()))
-            .add(point("white", "6").set("transform", place.as_str()).set("class", "viewer-hole"))
+            .add(
+                point("white", "6")
+                    .set("transform", place.as_str())
+                    .set("class", "viewer-hole"),
+            )
     };
     let open = side == Side::Left;
     let group = Group::new().set("id", format!("viewer-{name}-contact"));
@@ -112,5 +126,7 @@ fn stroke(colour: &str, width: &str) -> Path {
 
 /// A dot of constant size: a round cap without a line.
 fn point(colour: &str, size: &str) -> Path {
-    stroke(colour, size).set("stroke-linecap", "round").set("d", "M0 0h0")
+    stroke(colour, size)
+        .set("stroke-linecap", "round")
+        .set("d", "M0 0h0")
 }

@@ -75,8 +75,9 @@ fn worst(runs: &[ComparedRun]) -> Option<[usize; 2]> {
         })
     };
     let jammed = poses().find(|(_, pose)| pose.lost_motion.status() == Status::Jammed);
-    let least =
-        || first_least(poses().filter_map(|(at, pose)| Some((at, pose.backlash?, pose.error_bound?))));
+    let least = || {
+        first_least(poses().filter_map(|(at, pose)| Some((at, pose.backlash?, pose.error_bound?))))
+    };
     let first = || poses().next().map(|(at, _)| at);
     jammed.map(|(at, _)| at).or_else(least).or_else(first)
 }

@@ -73,7 +73,9 @@ pub fn two_digits_up(value: f64) -> f64 {
     }
     let text = format!("{value:.15e}");
     let parts = text.split_once('e');
-    let parts = parts.and_then(|(digits, power)| Some((digits.parse::<f64>().ok()?, power.parse::<i32>().ok()?)));
+    let parts = parts.and_then(|(digits, power)| {
+        Some((digits.parse::<f64>().ok()?, power.parse::<i32>().ok()?))
+    });
     let up = parts.and_then(|(digits, power)| {
         // What has two digits stays: 1e-14 is above the rounding of a product.
         let tenths = (digits * 10.0 * (1.0 - 1e-14)).ceil();
@@ -88,7 +90,13 @@ mod tests {
 
     #[test]
     fn bounds_are_rounded_up_and_kept_when_short() {
-        for (value, shown) in [(1.301e-9, 1.4e-9), (1.4e-9, 1.4e-9), (0.0, 0.0), (9.91, 10.0), (2.0, 2.0)] {
+        for (value, shown) in [
+            (1.301e-9, 1.4e-9),
+            (1.4e-9, 1.4e-9),
+            (0.0, 0.0),
+            (9.91, 10.0),
+            (2.0, 2.0),
+        ] {
             assert_eq!(two_digits_up(value), shown);
         }
     }

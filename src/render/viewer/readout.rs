@@ -11,7 +11,8 @@ use crate::study::Material;
 
 /// What the marks mean.
 pub const LEGEND: &str = "Filled dot: the gears touch. Open dots: the two points of the other flanks that will meet. \
-    Blue: normals at the contacts, between involutes the line of action. Dash-dotted: operating pitch circles.";
+    Blue: normals at the contacts, between involutes the line of action. \
+    Red, where teeth overlap: metal of both gears. Dash-dotted: operating pitch circles.";
 
 /// A run by centre distance, material and phase.
 pub fn run(run: &ComparedRun) -> String {
@@ -58,7 +59,9 @@ pub fn draw(run: &ComparedRun, number: usize) -> String {
     };
     let (j_wt, bound) = (
         pose.swept.backlash.map(|j| j * 1e3),
-        pose.swept.error_bound.map(|bound| two_digits_up(bound * 1e3)),
+        pose.swept
+            .error_bound
+            .map(|bound| two_digits_up(bound * 1e3)),
     );
     let shown = j_wt.map_or("none".to_owned(), |j| format!("{} µm", micrometres(j)));
     let full = j_wt.map_or(String::new(), |j| format!("{j}"));
@@ -78,7 +81,7 @@ pub fn draw(run: &ComparedRun, number: usize) -> String {
             ),
         ),
         ("status", "Status", status(pose.swept.lost_motion.status())),
-        ("bound", "Error of j_wt", bound),
+        ("bound", "Error of <i>j</i><sub>wt</sub>", bound),
         ("right", "Right contact", contact(Side::Right)),
         ("left", "Left contact", contact(Side::Left)),
     ];

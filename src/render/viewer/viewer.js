@@ -136,6 +136,13 @@
   function look(to) {
     view = to;
     picture.setAttribute("viewBox", view.join(" "));
+    showScale();
+  }
+
+  // How many millimetres the picture is wide on the screen.
+  function showScale() {
+    const wide = picture.getBoundingClientRect().width / picture.getScreenCTM().a;
+    byId("scale").textContent = `${wide.toPrecision(3)} mm wide`;
   }
 
   // `at`: the place that stays where it is, in units of the viewBox.
@@ -274,4 +281,6 @@
   // A browser may keep a radio as it was before a reload.
   shown.side = root.querySelector("[name=viewer-side]:checked")?.value ?? "right";
   chooseRun(shown.run, shown.pose);
+  showScale();
+  addEventListener("resize", showScale);
 })();

@@ -33,6 +33,7 @@ reference_face = "back"
 [pinion.thickness]
 allowance_um = -50
 [pinion.pitch]
+kind = "cumulative"
 right_um = [0, 1, 2, 1, 0, -1, -2, -1, 0]
 left_um = [1, 2, 1, 0, -1, -2, -1, 0, 0]
 

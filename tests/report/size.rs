@@ -16,7 +16,7 @@ fn pair([wheel, pinion]: [u32; 2], a: f64, revolutions: &str) -> String {
         format!(
             "[{name}]\nteeth = {teeth}\nmodule_mm = 3.0\npressure_angle_deg = 20.0\n\
              thickness = {{ allowance_um = -60 }}\nrunout = {{ total_um = 10, high_tooth = 2 }}\n\
-             [{name}.pitch]\nright_um = [{}]\nleft_um = [{}]\n",
+             [{name}.pitch]\nkind = \"cumulative\"\nright_um = [{}]\nleft_um = [{}]\n",
             wave(0.0),
             wave(0.7)
         )

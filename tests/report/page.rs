@@ -89,9 +89,8 @@ fn the_pages_of_the_fixtures() {
 
 /// Two gears of module 2 without deviations.
 fn plain(a: f64) -> String {
-    let gear = |name: &str| {
-        format!("[{name}]\nteeth = 20\nmodule_mm = 2.0\npressure_angle_deg = 20.0\n")
-    };
+    let gear =
+        |name: &str| format!("[{name}]\nteeth = 20\nmodule_mm = 2.0\npressure_angle_deg = 20.0\n");
     format!(
         "{}{}[assembly]\ncenter_distance_mm = {a}\n[sweep]\nmating = [[1, 1]]\n",
         gear("wheel"),

@@ -21,9 +21,14 @@ type Property = (
 
 /// What follows from the drawing and the measured thickness, lengths in mm.
 const DERIVED: [Property; 7] = [
-    ("x", "E", "generating profile shift coefficient", "–", 5, |g| {
-        g.gear().generating_shift()
-    }),
+    (
+        "x",
+        "E",
+        "generating profile shift coefficient",
+        "–",
+        5,
+        |g| g.gear().generating_shift(),
+    ),
     ("d", "", "reference diameter", "mm", 4, |g| {
         2.0 * g.gear().toothing().reference_radius()
     }),
@@ -154,13 +159,14 @@ fn shortest(number: f64, decimals: usize) -> String {
 fn assembly(page: &Page) -> Markup {
     let study = page.report.study;
     let clearance = &study.echo["assembly"]["bearing_clearance_mm"];
-    let distances: Vec<String> = study.center_distances.iter().map(|a| distance(*a)).collect();
+    let distances: Vec<String> = study
+        .center_distances
+        .iter()
+        .map(|a| distance(*a))
+        .collect();
     let angles = page.report.runs.iter();
     let angles = angles.map(|run| run.run.assembly.operating_pressure_angle().to_degrees());
-    let (least, most) = (
-        angles.clone().reduce(f64::min),
-        angles.reduce(f64::max),
-    );
+    let (least, most) = (angles.clone().reduce(f64::min), angles.reduce(f64::max));
     let angle = match least == most {
         true => value(least, 4),
         false => format!("{} … {}", value(least, 4), value(most, 4)),
@@ -224,7 +230,9 @@ fn thickness(stated: &Value) -> String {
             ("allowance_um", value) => format!("allowance {} µm", bare(value)),
             ("base_thickness_mm", value) => format!("base thickness {} mm", bare(value)),
             ("per_tooth_um", Value::Array(values)) if values.is_empty() => continue,
-            ("per_tooth_um", Value::Array(values)) => format!("{} values tooth by tooth", values.len()),
+            ("per_tooth_um", Value::Array(values)) => {
+                format!("{} values tooth by tooth", values.len())
+            }
             (other, value) => format!("{other} {}", words(value)),
         });
     }

@@ -104,6 +104,7 @@ fn a_jammed_pair_and_one_out_of_mesh() {
     let jammed = page(&plain(39.0));
     checked(&jammed);
     assert!(jammed.contains("Does not assemble at a = 39.000 mm"));
+    assert!(jammed.contains("Jammed, a tip in a root, wheel 1 with pinion 1"));
     let apart = page(&plain(44.5));
     checked(&apart);
     assert!(apart.contains("Out of mesh at a = 44.500 mm"));

@@ -8,7 +8,7 @@
 //! The way through the crate, each stage importing only earlier ones:
 //!
 //! ```text
-//! input → study → gear → pair → mesh → simulate → compare → curves, diagnosis → render → cli
+//! input → study → gear → pair → mesh → simulate → compare → outcome, curves, diagnosis → render → cli
 //!                         └──→ analytic ──────────┘
 //! ```
 //!
@@ -50,6 +50,7 @@ pub mod gear;
 pub mod input;
 pub mod measured;
 pub mod mesh;
+pub mod outcome;
 pub mod output;
 pub mod pair;
 pub mod phases;

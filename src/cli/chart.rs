@@ -1,9 +1,10 @@
 //! `gearlash chart`: curves and bars as SVG.
 
 use super::distances::{self, Distances};
-use super::drawing::{End, material, teeth, write};
+use super::drawing::{End, material, teeth};
 use super::method::{MethodArgs, agreement};
 use super::progress::Progress;
+use super::target::Target;
 use super::warn;
 use crate::curves::{self, Course};
 use crate::error::Error;
@@ -78,9 +79,9 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         Some(file) => file.clone(),
         None => PathBuf::from("out").join(stem).join(drawn.file),
     };
-    let written = write(&target, drawn.chart.svg)?;
+    Target::prepare(target)?.write(drawn.chart.svg)?;
     Ok(if drawn.agrees {
-        written
+        ExitCode::SUCCESS
     } else {
         ExitCode::from(1)
     })

@@ -3,13 +3,18 @@
 mod chart;
 mod check;
 mod compare;
+mod date;
 mod distances;
+mod init;
 mod drawing;
 mod method;
 mod pictures;
 mod progress;
+mod report;
+mod schema;
 mod simulate;
 mod snapshot;
+mod target;
 mod worst;
 
 use crate::error::Error;
@@ -49,8 +54,14 @@ enum Command {
     Check(check::Args),
     /// Draw the contact at one pose as SVG
     Snapshot(snapshot::Args),
+    /// Write a commented pair file to begin with
+    Init(init::Args),
+    /// Print the JSON Schema of pair files, for editors
+    Schema(schema::Args),
     /// Draw backlash over teeth or centre distance, or a gear's deviations, as SVG
     Chart(chart::Args),
+    /// Write the whole result as one HTML page
+    Report(report::Args),
 }
 
 /// Runs the command line of this process.
@@ -63,7 +74,10 @@ pub fn run() -> Result<ExitCode, Error> {
         Command::Compare(args) => compare::run(&args),
         Command::Check(args) => check::run(&args),
         Command::Snapshot(args) => snapshot::run(&args),
+        Command::Init(args) => init::run(&args),
+        Command::Schema(args) => schema::run(&args),
         Command::Chart(args) => chart::run(&args),
+        Command::Report(args) => report::run(&args),
     }
 }
 

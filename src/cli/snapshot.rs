@@ -1,7 +1,8 @@
 //! `gearlash snapshot`: one contact as a picture.
 
-use super::drawing::{End, material, teeth, write};
+use super::drawing::{End, material, teeth};
 use super::pictures::{exaggeration, pitch};
+use super::target::Target;
 use super::{warn, worst};
 use crate::error::Error;
 use crate::gear::Side;
@@ -84,7 +85,8 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         None => render::snapshot(&view),
         Some(factor) => render::exaggerated(&view, &exaggeration(&subject.assembly, factor)?),
     };
-    write(&target, picture)
+    Target::prepare(target)?.write(picture)?;
+    Ok(ExitCode::SUCCESS)
 }
 
 /// What is drawn, and the name of its file.

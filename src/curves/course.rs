@@ -186,6 +186,18 @@ fn places<'a>(matings: impl Iterator<Item = &'a Mating>) -> impl Iterator<Item =
     })
 }
 
+/// The sense in which wheel tooth numbers come into mesh: +1 ascending, −1 descending.
+///
+/// Ascending teeth of the locked gear come into mesh; on its mate numbers ascend with them where the two faces
+/// look opposite ways.
+pub(super) fn wheel_sense(assembly: &Assembly) -> f64 {
+    let ascending = |member| assembly.gear(member).face().ascending();
+    match assembly.locked() {
+        Member::Wheel => 1.0,
+        Member::Pinion => -ascending(Member::Wheel) * ascending(Member::Pinion),
+    }
+}
+
 /// From pitches to places.
 struct Scale {
     start: f64,
@@ -210,16 +222,9 @@ impl Scale {
                 teeth: None,
             };
         }
-        // Ascending teeth of the locked gear come into mesh; on its mate numbers ascend with them
-        // where the two faces look opposite ways.
-        let ascending = |member| assembly.gear(member).face().ascending();
-        let sense = match assembly.locked() {
-            Member::Wheel => 1.0,
-            Member::Pinion => -ascending(Member::Wheel) * ascending(Member::Pinion),
-        };
         Scale {
             start: f64::from(first),
-            sense,
+            sense: wheel_sense(assembly),
             pitches,
             teeth: Some(teeth),
         }

@@ -24,8 +24,8 @@ const STEPS_PER_PITCH: u32 = 16;
 
 /// The runs behind curves over the teeth: each centre distance, material and phase.
 ///
-/// Where the study sweeps a revolution, its own poses; else one wheel revolution from the study's first
-/// mating on, at 16 steps a pitch. Up to one wheel revolution the left-flank poses of the same matings and
+/// Where the study sweeps a revolution, its own poses; else one wheel revolution from wheel tooth 1 on, in the
+/// assembly phase of the study's first mating, at 16 steps a pitch. Up to one wheel revolution the left-flank poses of the same matings and
 /// fractions follow the right-flank ones. (Over more pitches, as in a hunting cycle, half a pitch of shift
 /// cannot be seen, and there are right-flank poses alone.)
 ///
@@ -49,8 +49,8 @@ pub fn revolution_pose_count(study: &Study) -> Result<usize, Error> {
     Ok(plans.iter().map(|plan| plan.matings.len()).sum())
 }
 
-/// `study` with a sweep over whole revolutions: its own, or else one wheel revolution from its first mating on,
-/// at 16 steps a pitch. Unlike a study of measured rows it can be had [`Study::at`] other centre distances.
+/// `study` with a sweep over whole revolutions: its own, or else one wheel revolution from wheel
+/// tooth 1 on, in the assembly phase of its first mating, at 16 steps a pitch. Unlike a study of measured rows it can be had [`Study::at`] other centre distances.
 pub fn swept(mut study: Study) -> Study {
     let sweeps = matches!(
         study.sweep,
@@ -62,7 +62,7 @@ pub fn swept(mut study: Study) -> Study {
         study.sweep = Some(SweepPlan::Revolution {
             pitches: u64::from(wheel.gear().toothing().teeth()),
             steps_per_pitch: STEPS_PER_PITCH,
-            start: first_mating(&study),
+            start: from_tooth_1(&study),
         });
     }
     study
@@ -93,6 +93,27 @@ fn first_mating(study: &Study) -> (u32, u32) {
     let row = study.measured.first();
     let of_row = row.map(|row| (row.wheel_tooth, row.pinion_tooth));
     of_sweep.or(of_row).unwrap_or((1, 1))
+}
+
+/// The mating of wheel tooth 1 in the assembly phase of the study's first mating.
+fn from_tooth_1(study: &Study) -> (u32, u32) {
+    let (wheel_tooth, pinion_tooth) = first_mating(study);
+    let mating = Mating {
+        wheel_tooth,
+        pinion_tooth,
+        flank: Side::Right,
+        fraction: 0.0,
+    };
+    let first = study.materials.first().zip(study.center_distances.first());
+    let assembly = first.and_then(|((_, wheel, pinion), a)| {
+        Assembly::new(wheel.clone(), pinion.clone(), *a, study.locked).ok()
+    });
+    let Some(assembly) = assembly else {
+        return (wheel_tooth, pinion_tooth);
+    };
+    let back = f64::from(wheel_tooth - 1) * course::wheel_sense(&assembly);
+    let start = mating.onward(&assembly, -back);
+    (start.wheel_tooth, start.pinion_tooth)
 }
 
 fn wheel_teeth(assembly: &Assembly) -> u32 {

@@ -9,6 +9,7 @@ mod deviation;
 mod fillet;
 #[allow(clippy::module_inception)]
 mod gear;
+mod grade;
 mod inspection;
 pub mod involute;
 mod outline;
@@ -24,6 +25,7 @@ pub use datum::Separated;
 pub use deviation::{AsBuilt, Deviations};
 pub use fillet::Fillet;
 pub use gear::{Blank, Gear};
+pub use grade::{GRADE_SOURCE, GRADES, Graded};
 pub use inspection::Inspection;
 pub use outline::{HalfTooth, Segment};
 pub use pitch::Pitch;

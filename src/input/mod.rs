@@ -31,6 +31,9 @@ use pair_file::PairFile;
 use problems::Problems;
 use std::path::Path;
 
+/// The JSON Schema (draft 07) of pair files: every key, its type and range. [`read`] checks more than it can say.
+pub const PAIR_SCHEMA: &str = include_str!("pair_schema.json");
+
 /// Reads the pair file at `path`: TOML, or JSON with the same keys.
 ///
 /// # Errors

@@ -1,7 +1,7 @@
 //! Bars, one place a tooth.
 
 use super::paint::Look;
-use super::panel::{Axis, Entry, Mark, Panel, Sample, range};
+use super::panel::{Anchor, Axis, Entry, Mark, Panel, Sample, range};
 use super::{Chart, Heading, sheet};
 use crate::error::Error;
 
@@ -21,7 +21,7 @@ pub struct BarSeries<'a> {
 /// # Errors
 /// [`Error::Chart`] when no series has a value.
 pub fn bars(heading: &Heading, y_axis: &str, series: &[BarSeries]) -> Result<Chart, Error> {
-    let panel = panel("tooth", y_axis, 340.0, series)
+    let panel = panel(["", "tooth", y_axis], 340.0, series)
         .ok_or_else(|| Error::Chart("there are no values to draw".to_owned()))?;
     sheet::draw(heading, &legend(series), &[panel])
 }
@@ -36,10 +36,9 @@ pub(super) fn legend(series: &[BarSeries]) -> Vec<Entry> {
     series.iter().map(entry).collect()
 }
 
-/// Bars from zero; `None` without any value.
+/// Bars from zero under a title, with the names of both axes; `None` without any value.
 pub(super) fn panel(
-    x_axis: &str,
-    y_axis: &str,
+    [title, x_axis, y_axis]: [&str; 3],
     height: f64,
     series: &[BarSeries],
 ) -> Option<Panel> {
@@ -47,9 +46,10 @@ pub(super) fn panel(
     // A tenth of a unit at least: zeros stay on a line.
     let y = range(values.copied().chain([0.0]), [0.08; 2], 0.1)?;
     let teeth = series.iter().map(|bars| bars.values.len()).max()?;
+    let ends = [0.4, teeth as f64 + 0.6];
     let width = 0.8 / series.len() as f64;
     let mut marks = vec![Mark::Line {
-        points: vec![(0.0, Some(0.0)), (teeth as f64 + 1.0, Some(0.0))],
+        points: vec![(ends[0], Some(0.0)), (ends[1], Some(0.0))],
         look: Look::Plain,
         width: 1.0,
     }];
@@ -66,8 +66,22 @@ pub(super) fn panel(
             });
         }
     }
+    if series
+        .iter()
+        .flat_map(|bars| &bars.values)
+        .flatten()
+        .all(|value| *value == 0.0)
+    {
+        marks.push(Mark::Text {
+            at: [0.5 * (ends[0] + ends[1]), 0.0],
+            shift: [0.0, -10.0],
+            text: "none".to_owned(),
+            anchor: Anchor::Middle,
+        });
+    }
     Some(Panel {
-        x: Axis::new(x_axis, [0.0, teeth as f64 + 1.0]),
+        title: title.to_owned(),
+        x: Axis::new(x_axis, ends),
         y: Axis::new(y_axis, y),
         height,
         marks,

@@ -8,6 +8,9 @@ use crate::curves::{Course, CourseLine, CoursePoint};
 use crate::error::Error;
 use crate::gear::Side;
 
+/// Fill of the error bound.
+const BOUND: f64 = 0.16;
+
 /// Simulated minus analytic backlash of the right-flank poses at one centre distance, a line a material: models 1
 /// and 2 in the upper panel, model 3 with the error bound of the simulation in the lower, on an axis of its own.
 ///
@@ -40,11 +43,15 @@ pub fn difference(
     if let Some(y) = range(both.chain([0.0]), [0.1; 2], 1e-3) {
         legend.push(entry("minus model 1, Michalec", Look::Left, Sample::Line));
         legend.push(entry("minus model 2, involute", Look::Plain, Sample::Line));
-        let mut marks = of(models[0], Look::Left);
-        marks.extend(of(models[1], Look::Plain));
+        let mut marks = of(models[1], Look::Plain);
+        marks.extend(of(models[0], Look::Left));
         panels.push(Panel {
-            x: course_axis(course),
-            y: Axis::new("models 1 and 2, µm", y),
+            title: "minus models 1 and 2".to_owned(),
+            x: Axis {
+                name: String::new(),
+                ..course_axis(course)
+            },
+            y: Axis::new("µm", y),
             height: 230.0,
             marks,
         });
@@ -58,14 +65,17 @@ pub fn difference(
         legend.push(entry(
             "error bound of the simulation",
             Look::Limit,
-            Sample::Band(0.25),
+            Sample::Band(BOUND),
         ));
         panels.push(lower);
     }
     let heading = Heading {
         prefix,
         title,
-        subtitle: &format!("simulated minus analytic j_wt · {}", course_words(course)),
+        subtitle: &format!(
+            "simulated − formula, right flanks · {}",
+            course_words(course)
+        ),
     };
     sheet::draw(&heading, &legend, &panels)
 }
@@ -88,7 +98,7 @@ fn line_of_action(course: &Course, tolerance_um: f64) -> Option<Panel> {
             low: points(line, bound, -1.0 / unit),
             high: points(line, bound, 1.0 / unit),
             look: Look::Limit,
-            opacity: 0.25,
+            opacity: BOUND,
         });
     }
     for line in lines() {
@@ -106,11 +116,10 @@ fn line_of_action(course: &Course, tolerance_um: f64) -> Option<Panel> {
         0.1,
     )?;
     let tolerance = tolerance_um / unit;
-    let within = y[0] < -tolerance && y[1] > tolerance;
     let words = match y[0] < -tolerance || y[1] > tolerance {
         true => {
             for limit in [-tolerance, tolerance] {
-                if within || (y[0] < limit && limit < y[1]) {
+                if y[0] < limit && limit < y[1] {
                     marks.push(Mark::Line {
                         points: course.span.map(|x| (x, Some(limit))).to_vec(),
                         look: Look::Limit,
@@ -129,8 +138,9 @@ fn line_of_action(course: &Course, tolerance_um: f64) -> Option<Panel> {
         anchor: Anchor::Start,
     });
     Some(Panel {
+        title: "minus model 3, on an axis of its own".to_owned(),
         x: course_axis(course),
-        y: Axis::new(&format!("model 3, {name}"), y),
+        y: Axis::new(name, y),
         height: 230.0,
         marks,
     })

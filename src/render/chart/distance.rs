@@ -1,7 +1,7 @@
 //! Backlash over the centre distance, as Figures 20–21 of the study the project started from.
 
 use super::paint::Look;
-use super::panel::{Axis, Mark, Panel, Point, Sample, range};
+use super::panel::{Axis, Mark, Panel, Point, Sample, backlash_range, range};
 use super::words::{entry, interference};
 use super::{Chart, Heading, sheet};
 use crate::curves::{DistancePoint, OverDistance};
@@ -74,18 +74,20 @@ pub fn distance(prefix: &str, title: &str, curve: &OverDistance) -> Result<Chart
         [0.0; 2],
         1e-6,
     );
-    let (Some(x), Some(y)) = (x, range(values, [0.05; 2], 1.0)) else {
+    let (Some(x), Some(y)) = (x, backlash_range(values)) else {
         return Err(Error::Chart(
             "the mating is jammed or out of mesh at every centre distance".to_owned(),
         ));
     };
     let mut panel = Panel {
+        title: String::new(),
         x: Axis::new("centre distance a, mm", x),
         y: Axis::new("circumferential backlash j_wt, µm", y),
         height: 380.0,
         marks,
     };
-    interference(&mut panel);
+    // The bands come from below on the left.
+    interference(&mut panel, x[0]);
     let (wheel, pinion) = curve.mating;
     let heading = Heading {
         prefix,

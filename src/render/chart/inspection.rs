@@ -35,16 +35,16 @@ pub fn inspection(
         Look::Plain,
     )];
     let runout = [series("runout", inspection.runout(), Look::Plain)];
-    let panels: [(&str, &[BarSeries]); 4] = [
-        ("single pitch f, µm", &single),
-        ("cumulative pitch F, µm", &cumulative),
-        ("thickness − mean, µm", &thickness),
-        ("runout, radial, µm", &runout),
-    ];
     let tooth = format!("tooth of the {gear}");
+    let panels: [(&str, &str, &[BarSeries]); 4] = [
+        ("single pitch deviation f", "", &single),
+        ("cumulative pitch deviation F", "", &cumulative),
+        ("tooth thickness − mean", "", &thickness),
+        ("runout, radial", &tooth, &runout),
+    ];
     let panels: Vec<_> = panels
         .iter()
-        .filter_map(|(name, series)| panel(&tooth, name, PANEL, series))
+        .filter_map(|(title, x_axis, series)| panel([title, x_axis, "µm"], PANEL, series))
         .collect();
     let mut names = legend(&single);
     names.extend(legend(&thickness));
@@ -57,7 +57,7 @@ pub fn inspection(
         prefix,
         title,
         subtitle: &format!(
-            "{gear} · about its own centre, + along ascending numbers · f_p right {right}, left {left} µm · F_p right {total_right}, left {total_left} µm"
+            "{gear} · f_p right {right}, left {left} µm · F_p right {total_right}, left {total_left} µm · + along ascending numbers"
         ),
     };
     sheet::draw(&heading, &names, &panels)

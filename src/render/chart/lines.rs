@@ -60,6 +60,7 @@ pub fn lines(
         })
         .collect();
     let panel = Panel {
+        title: String::new(),
         x: Axis::new(x_axis, x),
         y: Axis::new(y_axis, y),
         height: 340.0,

@@ -72,6 +72,8 @@ pub(super) enum Mark {
 /// One plot of a chart.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Panel {
+    /// What stands above the plot; may be empty.
+    pub title: String,
     pub x: Axis,
     pub y: Axis,
     /// Height with its axis, units.
@@ -95,6 +97,22 @@ pub(super) struct Entry {
     pub name: String,
     pub look: Look,
     pub sample: Sample,
+}
+
+/// An axis range for backlash, µm, with room for a label at both ends. Where no value is negative it ends at
+/// zero; else there is room for the word below the zero line.
+pub(super) fn backlash_range(values: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
+    // At least a micrometre, so that rounding is no curve.
+    let mut least = f64::INFINITY;
+    let [low, high] = range(
+        values.inspect(|value| least = least.min(*value)),
+        [0.16; 2],
+        1.0,
+    )?;
+    Some(match least >= 0.0 {
+        true => [low.max(0.0), high],
+        false => [low.min(-0.1 * high), high],
+    })
 }
 
 /// An axis range round all `values`, with `margin` (a part of the range) on both sides, at least `least` wide.

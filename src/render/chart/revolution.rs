@@ -1,7 +1,7 @@
 //! Backlash over the teeth, as Figures 17–19 of the study the project started from.
 
 use super::paint::Look;
-use super::panel::{Anchor, Axis, Mark, Panel, Point, Sample, range};
+use super::panel::{Anchor, Axis, Mark, Panel, Point, Sample, backlash_range};
 use super::words::{course_axis, course_words, entry, interference, micrometres};
 use super::{Chart, Heading, sheet};
 use crate::curves::{Course, CourseLine, Extreme};
@@ -22,9 +22,9 @@ pub fn revolution(prefix: &str, title: &str, course: &Course) -> Result<Chart, E
         let points = course.lines.iter().flat_map(|line| &line.points);
         points.filter_map(|point| point.simulated_um)
     };
-    // Room for the labels above and below; at least a micrometre, so that rounding is no curve.
-    let y = range(values(), [0.16, 0.16], 1.0);
+    let y = backlash_range(values());
     let mut panel = Panel {
+        title: String::new(),
         x: course_axis(course),
         y: Axis::new(
             "circumferential backlash j_wt, µm",
@@ -34,7 +34,11 @@ pub fn revolution(prefix: &str, title: &str, course: &Course) -> Result<Chart, E
         marks: Vec::new(),
     };
     let mut legend = Vec::new();
-    for (flank, look) in [(Side::Right, Look::Right), (Side::Left, Look::Left)] {
+    // Only one band is filled: the two lie over each other where there are no pitch deviations.
+    for (flank, look, fill) in [
+        (Side::Right, Look::Right, true),
+        (Side::Left, Look::Left, false),
+    ] {
         let of = |material: Material| {
             let mut lines = course.lines.iter();
             lines.find(|line| (line.flank, line.material) == (flank, material))
@@ -42,14 +46,18 @@ pub fn revolution(prefix: &str, title: &str, course: &Course) -> Result<Chart, E
         let name = format!("{} flank at the pitch point", flank.name());
         let (most, least) = (of(Material::Most), of(Material::Least));
         if let (Some(most), Some(least)) = (most, least) {
-            panel.marks.push(Mark::Band {
-                low: points(most),
-                high: points(least),
-                look,
-                opacity: FILL,
-            });
+            let mut sample = Sample::Line;
+            if fill {
+                panel.marks.push(Mark::Band {
+                    low: points(most),
+                    high: points(least),
+                    look,
+                    opacity: FILL,
+                });
+                sample = Sample::LineInBand(FILL);
+            }
             let name = format!("{name}: most material (below) to least (above)");
-            legend.push(entry(&name, look, Sample::LineInBand(FILL)));
+            legend.push(entry(&name, look, sample));
         } else if let Some(line) = most.or(least).or(of(Material::AsMeasured)) {
             let name = match line.material {
                 Material::AsMeasured => name,
@@ -64,7 +72,8 @@ pub fn revolution(prefix: &str, title: &str, course: &Course) -> Result<Chart, E
             width: 1.6,
         }));
     }
-    interference(&mut panel);
+    let busy = course.least.as_ref().map_or(0.0, |least| least.x);
+    interference(&mut panel, busy);
     for (word, extreme, shift) in [
         ("least", &course.least, 16.0),
         ("greatest", &course.greatest, -16.0),
@@ -105,10 +114,10 @@ fn points(line: &CourseLine) -> Vec<Point> {
 /// A cross at an extreme and what binds there.
 fn label(word: &str, extreme: &Extreme, shift: f64, [left, right]: [f64; 2]) -> [Mark; 2] {
     let part = (extreme.x - left) / (right - left);
-    let anchor = match part {
-        _ if part < 0.3 => Anchor::Start,
-        _ if part > 0.7 => Anchor::End,
-        _ => Anchor::Middle,
+    let (anchor, across) = match part {
+        _ if part < 0.3 => (Anchor::Start, 7.0),
+        _ if part > 0.7 => (Anchor::End, -7.0),
+        _ => (Anchor::Middle, 0.0),
     };
     let teeth = |(wheel, pinion): (u32, u32)| format!("{wheel}·{pinion}");
     [
@@ -118,7 +127,7 @@ fn label(word: &str, extreme: &Extreme, shift: f64, [left, right]: [f64; 2]) -> 
         },
         Mark::Text {
             at: [extreme.x, extreme.backlash_um],
-            shift: [0.0, shift],
+            shift: [across, shift],
             text: format!(
                 "{word} {} µm: right flanks {}, left flanks {} touch",
                 micrometres(extreme.backlash_um),

@@ -18,7 +18,7 @@ const FINE: f64 = 10.0;
 /// Left and right edge of the header.
 const SIDES: [f64; 2] = [16.0, 784.0];
 /// Room of the y axis' numbers and name.
-const Y_AXIS: f64 = 66.0;
+const Y_AXIS: f64 = 62.0;
 /// Room of the x axis' numbers and name.
 const X_AXIS: f64 = 42.0;
 /// Height of a row of the legend.
@@ -87,8 +87,11 @@ fn plot_all(
     for panel in panels {
         let to = from + panel.height;
         let area = root.clone().shrink(
-            (0, fine(from)),
-            (fine(WIDTH) as u32, fine(panel.height) as u32),
+            spot(SIDES[0] - 6.0, from),
+            (
+                fine(WIDTH - SIDES[0] + 6.0) as u32,
+                fine(panel.height) as u32,
+            ),
         );
         plots.push(draw_panel(&area, panel)?);
         from = to;
@@ -100,9 +103,9 @@ fn plot_all(
 fn draw_panel(area: &Area, panel: &Panel) -> Result<Plot, DrawingAreaErrorKind<std::io::Error>> {
     let (x, y) = (&panel.x, &panel.y);
     let mut chart = ChartBuilder::on(area)
-        .margin_top(fine(8.0))
+        .margin_top(fine(if panel.title.is_empty() { 8.0 } else { 24.0 }))
         .margin_right(fine(WIDTH - SIDES[1]))
-        .x_label_area_size(fine(X_AXIS))
+        .x_label_area_size(fine(if x.name.is_empty() { 22.0 } else { X_AXIS }))
         .y_label_area_size(fine(Y_AXIS))
         .build_cartesian_2d(x.range[0]..x.range[1], y.range[0]..y.range[1])?;
     for mark in &panel.marks {
@@ -111,15 +114,16 @@ fn draw_panel(area: &Area, panel: &Panel) -> Result<Plot, DrawingAreaErrorKind<s
             chart.draw_series([Rectangle::new(corners, INTERFERENCE.filled())])?;
         }
     }
-    let numbers = |axis: &Axis| {
+    let labels = [12, (panel.height / 32.0) as usize];
+    let numbers = |axis: &Axis, labels: usize| {
         let axis = axis.clone();
-        move |value: &f64| number(&axis, *value)
+        move |value: &f64| number(&axis, labels, *value)
     };
-    let (x_numbers, y_numbers) = (numbers(x), numbers(y));
+    let (x_numbers, y_numbers) = (numbers(x, labels[0]), numbers(y, labels[1]));
     chart
         .configure_mesh()
-        .x_labels(12)
-        .y_labels((panel.height / 32.0) as usize)
+        .x_labels(labels[0])
+        .y_labels(labels[1])
         .x_max_light_lines(0)
         .y_max_light_lines(0)
         .bold_line_style(GRID.stroke_width(fine(0.8) as u32))
@@ -144,6 +148,10 @@ fn draw_panel(area: &Area, panel: &Panel) -> Result<Plot, DrawingAreaErrorKind<s
         x: x.range,
         y: y.range,
     };
+    let title = style(13.0, &INK, HPos::Left, VPos::Bottom);
+    let base = area.get_base_pixel();
+    let above = (left - base.0, top - base.1 - fine(3.0));
+    area.draw(&Text::new(plain(&panel.title), above, title))?;
     for mark in &panel.marks {
         draw_mark(&mut chart, mark, &plot)?;
     }
@@ -202,7 +210,7 @@ fn draw_mark(chart: &mut Context, mark: &Mark, plot: &Plot) -> Drawn {
             } else {
                 chart.draw_series([Rectangle::new(corners, look.colour().mix(0.25).filled())])?;
             }
-            chart.draw_series([Rectangle::new(corners, outline)])?;
+            chart.draw_series([PathElement::new(closed(corners).to_vec(), outline)])?;
         }
         Mark::Text {
             at,
@@ -252,14 +260,7 @@ fn dot(area: &Area, (x, y): (i32, i32), look: Look) -> Drawn {
         Shape::Square => {
             let corners = [(x - r, y - r), (x + r, y + r)];
             area.draw(&Rectangle::new(corners, WHITE.filled()))?;
-            let outline = [
-                (x - r, y - r),
-                (x + r, y - r),
-                (x + r, y + r),
-                (x - r, y + r),
-                (x - r, y - r),
-            ];
-            area.draw(&PathElement::new(outline.to_vec(), stroke))
+            area.draw(&PathElement::new(closed(corners).to_vec(), stroke))
         }
         Shape::Cross => {
             for tilt in [-r, r] {
@@ -297,7 +298,7 @@ fn legend_entry(root: &Area, entry: &Entry, [x, y]: [f64; 2]) -> Drawn {
             let opacity = if entry.look == Look::Left { 0.25 } else { 1.0 };
             root.draw(&Rectangle::new(boxed, colour.mix(opacity).filled()))?;
             let outline = colour.stroke_width(fine(1.0) as u32);
-            root.draw(&Rectangle::new(boxed, outline))?;
+            root.draw(&PathElement::new(closed(boxed).to_vec(), outline))?;
         }
         Sample::Dot => dot(root, spot(x + 15.0, y), entry.look)?,
         Sample::Line => {}
@@ -318,27 +319,25 @@ fn legend_entry(root: &Area, entry: &Entry, [x, y]: [f64; 2]) -> Drawn {
     root.draw(&Text::new(plain(&entry.name), spot(x + 36.0, y), words))
 }
 
-/// A tick's number: a tooth, or a value with as many decimals as the range needs.
-fn number(axis: &Axis, value: f64) -> String {
+/// A tick's number: a tooth, or a value with as many decimals as the step of at most `labels` ticks needs.
+fn number(axis: &Axis, labels: usize, value: f64) -> String {
     if let Some(teeth) = axis.teeth {
         let tooth = (value.round() as i64 - 1).rem_euclid(i64::from(teeth.max(1))) + 1;
         return format!("{tooth}");
     }
+    // Steps are 1, 2 or 5 times a power of ten.
+    let least = (axis.range[1] - axis.range[0]) / labels as f64;
     let mut decimals = 0;
-    let mut step = (axis.range[1] - axis.range[0]) / 20.0;
-    while step < 0.5 && decimals < 12 {
-        step *= 10.0;
+    let mut decade = 1.0;
+    while 0.5 * decade > least && decimals < 12 {
+        decade *= 0.1;
         decimals += 1;
     }
     let text = format!("{value:.decimals$}");
-    let text = match text.contains('.') {
-        true => text.trim_end_matches('0').trim_end_matches('.'),
-        false => &text,
-    };
     match text.strip_prefix('-') {
-        Some("0") => "0".to_owned(),
+        Some(digits) if digits.chars().all(|c| "0.".contains(c)) => digits.to_owned(),
         Some(digits) => format!("−{digits}"),
-        None => text.to_owned(),
+        None => text,
     }
 }
 
@@ -348,6 +347,11 @@ fn style(size: f64, colour: &'static RGBColor, across: HPos, up: VPos) -> TextSt
     TextStyle::from(font)
         .color(colour)
         .pos(Pos::new(across, up))
+}
+
+/// A rectangle as a line: the backend draws an unfilled one without a width.
+fn closed<T: Copy>([(x0, y0), (x1, y1)]: [(T, T); 2]) -> [(T, T); 5] {
+    [(x0, y0), (x1, y0), (x1, y1), (x0, y1), (x0, y0)]
 }
 
 fn fine(units: f64) -> i32 {

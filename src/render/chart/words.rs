@@ -39,14 +39,18 @@ pub(super) fn course_words(course: &Course) -> String {
         None => String::new(),
     };
     format!(
-        "centre distance {} mm · {over} from mating {}·{} (wheel·pinion tooth) on{phase}",
+        "a = {} mm · {over} from mating {}·{} on{phase}",
         course.center_distance, course.start.0, course.start.1
     )
 }
 
-/// Zero line, and the ground below it where the axis reaches there.
-pub(super) fn interference(panel: &mut Panel) {
-    let ([left, _], [low, high]) = (panel.x.range, panel.y.range);
+/// Zero line, and the ground below it where the axis reaches there; its name stands away from `busy`, a place on x.
+pub(super) fn interference(panel: &mut Panel, busy: f64) {
+    let ([left, right], [low, high]) = (panel.x.range, panel.y.range);
+    let (corner, shift, anchor) = match busy < 0.5 * (left + right) {
+        true => (right, -8.0, Anchor::End),
+        false => (left, 8.0, Anchor::Start),
+    };
     if low >= 0.0 {
         return;
     }
@@ -64,10 +68,10 @@ pub(super) fn interference(panel: &mut Panel) {
         });
     }
     panel.marks.push(Mark::Text {
-        at: [left, low],
-        shift: [8.0, -10.0],
+        at: [corner, low],
+        shift: [shift, -10.0],
         text: "interference".to_owned(),
-        anchor: Anchor::Start,
+        anchor,
     });
 }
 

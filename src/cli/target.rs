@@ -1,0 +1,49 @@
+//! Where one file goes: `-o FILE`, or `-` for standard output.
+
+use super::print;
+use crate::error::Error;
+use crate::output::OutputFolder;
+use std::path::{Path, PathBuf};
+
+/// A place for one file, tried before the work begins.
+pub(super) struct Target {
+    path: PathBuf,
+    /// `None`: standard output.
+    place: Option<(OutputFolder, String)>,
+}
+
+impl Target {
+    /// Makes the folder of `path` where it is missing and tries to write in it.
+    ///
+    /// # Errors
+    /// [`Error::Usage`] for a path that names no file; [`Error::Output`].
+    pub(super) fn prepare(path: PathBuf) -> Result<Target, Error> {
+        if path == Path::new("-") {
+            return Ok(Target { path, place: None });
+        }
+        let missing_name = || Error::Usage(format!("-o {}: this names no file", path.display()));
+        let file = path.file_name().ok_or_else(missing_name)?;
+        let name = file.to_string_lossy().into_owned();
+        let folder = match path.parent() {
+            Some(folder) if !folder.as_os_str().is_empty() => folder,
+            _ => Path::new("."),
+        };
+        let place = Some((OutputFolder::prepare(folder)?, name));
+        Ok(Target { path, place })
+    }
+
+    /// Writes `content` in one piece and prints where it is.
+    ///
+    /// # Errors
+    /// [`Error::Output`]; what was there stays.
+    pub(super) fn write(self, content: String) -> Result<(), Error> {
+        match self.place {
+            None => print(&content),
+            Some((folder, name)) => {
+                folder.write(&[(name, content)])?;
+                print(&format!("{}\n", self.path.display()));
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,157 @@
+//! Accuracy grades of measured pitch and runout, after ISO 1328-1:2013.
+//!
+//! The formulas are those published in several open implementations; the
+//! standard itself was not consulted. They hold for `5 ≤ z ≤ 1000`,
+//! `5 mm ≤ d ≤ 15 000 mm`, `0.5 mm ≤ m ≤ 70 mm` and grades 1 … 11.
+
+use super::Toothing;
+use crate::error::GearError;
+use std::ops::RangeInclusive;
+
+/// Where grades come from: to stand beside every grade shown.
+pub const GRADE_SOURCE: &str = "after ISO 1328-1:2013, formulas as published in several open implementations, standard not consulted";
+
+/// The grades there are, the finest first.
+pub const GRADES: RangeInclusive<u32> = 1..=11;
+
+/// What a grade limits.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Graded {
+    /// Single pitch deviation `f_p`, the largest amount.
+    SinglePitch,
+    /// Total cumulative pitch deviation `F_p`, the range.
+    TotalPitch,
+    /// Runout `F_r`.
+    Runout,
+}
+
+impl Graded {
+    /// All three.
+    pub const ALL: [Graded; 3] = [Graded::SinglePitch, Graded::TotalPitch, Graded::Runout];
+
+    /// Tolerance of `toothing` at grade `A`, mm, as a drawing states it: rounded.
+    ///
+    /// # Errors
+    /// [`GearError::OutOfRange`] outside the ranges of the formulas.
+    pub fn tolerance(self, toothing: &Toothing, grade: u32) -> Result<f64, GearError> {
+        Ok(rounded(self.unrounded(toothing, grade)?) * 1e-3)
+    }
+
+    /// The finest grade that admits `measured`, mm; `None` beyond the last.
+    ///
+    /// # Errors
+    /// As [`Graded::tolerance`].
+    pub fn grade(self, toothing: &Toothing, measured: f64) -> Result<Option<u32>, GearError> {
+        for grade in GRADES {
+            if measured <= self.tolerance(toothing, grade)? {
+                return Ok(Some(grade));
+            }
+        }
+        Ok(None)
+    }
+
+    /// µm: `f_pT = (0.001 d + 0.4 m + 5) √2^(A−5)`, `F_pT = (0.002 d + 0.55 √d + 0.7 m + 12) √2^(A−5)`,
+    /// `F_rT = 0.9 F_pT`, with `d` and `m` in mm.
+    fn unrounded(self, toothing: &Toothing, grade: u32) -> Result<f64, GearError> {
+        let d = 2.0 * toothing.reference_radius();
+        let m = toothing.module();
+        let within = |what, value: f64, range: RangeInclusive<f64>, allowed| {
+            let inside = range.contains(&value);
+            inside.then_some(()).ok_or(GearError::OutOfRange {
+                what,
+                value,
+                allowed,
+            })
+        };
+        let teeth = f64::from(toothing.teeth());
+        within("teeth, to be graded,", teeth, 5.0..=1000.0, "5 … 1000")?;
+        within(
+            "reference diameter, to be graded,",
+            d,
+            5.0..=15_000.0,
+            "5 … 15 000 mm",
+        )?;
+        within("module, to be graded,", m, 0.5..=70.0, "0.5 … 70 mm")?;
+        within("accuracy grade", f64::from(grade), 1.0..=11.0, "1 … 11")?;
+        let step = 2f64.sqrt().powf(f64::from(grade) - 5.0);
+        let total = (0.002 * d + 0.55 * d.sqrt() + 0.7 * m + 12.0) * step;
+        Ok(match self {
+            Graded::SinglePitch => (0.001 * d + 0.4 * m + 5.0) * step,
+            Graded::TotalPitch => total,
+            Graded::Runout => 0.9 * total,
+        })
+    }
+}
+
+/// Above 10 µm to whole ones, above 5 to halves, else to tenths.
+fn rounded(um: f64) -> f64 {
+    if um > 10.0 {
+        um.round()
+    } else if um > 5.0 {
+        (2.0 * um).round() / 2.0
+    } else {
+        (10.0 * um).round() / 10.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn toothing(teeth: u32, module: f64) -> Toothing {
+        Toothing::new(teeth, module, 20f64.to_radians()).unwrap()
+    }
+
+    /// Issue 5, item 6: m 3, z 40, A 6: 8.94 → 9.0 and 28.80 → 29 µm.
+    #[test]
+    fn gives_the_worked_example() {
+        let gear = toothing(40, 3.0);
+        for (graded, exact, shown) in [
+            (Graded::SinglePitch, 8.94, 9.0),
+            (Graded::TotalPitch, 28.80, 29.0),
+            (Graded::Runout, 25.92, 26.0),
+        ] {
+            assert!((graded.unrounded(&gear, 6).unwrap() - exact).abs() < 0.005);
+            assert!((graded.tolerance(&gear, 6).unwrap() * 1e3 - shown).abs() < 1e-9);
+        }
+    }
+
+    /// The rule of rounding at its borders.
+    #[test]
+    fn rounds_by_size() {
+        for (um, shown) in [
+            (4.94, 4.9),
+            (5.0, 5.0),
+            (5.2, 5.0),
+            (5.26, 5.5),
+            (9.74, 9.5),
+            (10.2, 10.0),
+            (10.5, 11.0),
+        ] {
+            assert_eq!(rounded(um), shown, "{um}");
+        }
+    }
+
+    #[test]
+    fn finds_the_finest_grade_that_admits() {
+        let gear = toothing(40, 3.0);
+        let grade = |um: f64| Graded::SinglePitch.grade(&gear, um * 1e-3).unwrap();
+        assert_eq!(grade(0.0), Some(1));
+        assert_eq!(grade(8.9), Some(6));
+        assert_eq!(grade(9.1), Some(7));
+        assert_eq!(grade(51.0), Some(11));
+        assert_eq!(grade(1000.0), None);
+    }
+
+    #[test]
+    fn refuses_what_the_formulas_do_not_cover() {
+        for (teeth, module) in [(4, 3.0), (1001, 1.0), (5, 0.9), (300, 60.0), (40, 0.4)] {
+            let gear = toothing(teeth, module);
+            for graded in Graded::ALL {
+                assert!(graded.tolerance(&gear, 6).is_err(), "{teeth} {module}");
+            }
+        }
+        assert!(Graded::Runout.tolerance(&toothing(40, 3.0), 12).is_err());
+        assert!(Graded::Runout.tolerance(&toothing(40, 3.0), 0).is_err());
+    }
+}

@@ -1,0 +1,185 @@
+//! `gearlash schema` and `gearlash init`: what editors are told is what the reader accepts.
+
+use assert_cmd::Command;
+use serde_json::{Value, json};
+use std::collections::BTreeSet;
+use std::path::Path;
+
+fn gearlash(folder: &Path, arguments: &[&str]) -> Command {
+    let mut command = Command::cargo_bin("gearlash").unwrap();
+    command.current_dir(folder).args(arguments);
+    command
+}
+
+fn schema() -> Value {
+    let folder = tempfile::tempdir().unwrap();
+    let output = gearlash(folder.path(), &["schema"]).output().unwrap();
+    assert!(output.status.success());
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+/// A TOML file as the JSON value an editor checks.
+fn value(toml: &str) -> Value {
+    let table: toml::Table = toml.parse().unwrap();
+    serde_json::to_value(table).unwrap()
+}
+
+/// Every place of the schema where keys are named: path from the top, keys. `wheel` stands for both gears.
+fn tables(schema: &Value, node: &Value, path: &str, found: &mut Vec<(String, BTreeSet<String>)>) {
+    if let Some(Value::String(target)) = node.get("$ref") {
+        let target = schema.pointer(target.trim_start_matches('#')).unwrap();
+        return tables(schema, target, path, found);
+    }
+    for alternative in node["anyOf"].as_array().into_iter().flatten() {
+        tables(schema, alternative, path, found);
+    }
+    if let Some(Value::Object(keys)) = node.get("properties") {
+        found.push((path.to_owned(), keys.keys().cloned().collect()));
+        for (key, inner) in keys.iter().filter(|(key, _)| *key != "pinion") {
+            let below = match path {
+                "" => key.clone(),
+                _ => format!("{path}.{key}"),
+            };
+            tables(schema, inner, &below, found);
+        }
+    }
+}
+
+/// The smallest pair file.
+fn smallest() -> Value {
+    let gear = json!({ "teeth": 20, "module_mm": 2.0, "pressure_angle_deg": 20.0 });
+    json!({ "wheel": gear, "pinion": gear, "assembly": { "center_distance_mm": 40.3 } })
+}
+
+/// The reader names the keys it allows when it meets one it does not know: those of the schema, everywhere.
+#[test]
+fn the_schema_has_the_keys_the_reader_allows() {
+    let schema = schema();
+    let mut found = Vec::new();
+    tables(&schema, &schema, "", &mut found);
+    assert!(found.len() > 12, "{found:?}");
+    let folder = tempfile::tempdir().unwrap();
+    for (path, keys) in found {
+        let mut pair = smallest();
+        let mut place = &mut pair;
+        for key in path.split('.').filter(|key| !key.is_empty()) {
+            place = &mut place[key];
+        }
+        place["qqqqqqqqqqqq"] = json!(1);
+        let file = folder.path().join("pair.json");
+        std::fs::write(&file, pair.to_string()).unwrap();
+        let output = gearlash(
+            folder.path(),
+            &["simulate", "pair.json", "--format", "json"],
+        )
+        .output()
+        .unwrap();
+        assert_eq!(output.status.code(), Some(2), "{path}");
+        let errors = String::from_utf8(output.stderr).unwrap();
+        let line = errors.lines().find(|line| line.contains("qqqqqqqqqqqq"));
+        let allowed = line
+            .and_then(|line| line.split_once("allowed here is "))
+            .expect(&errors);
+        let allowed = allowed.1.split(';').next().unwrap();
+        let allowed: BTreeSet<String> = allowed
+            .split('`')
+            .skip(1)
+            .step_by(2)
+            .map(str::to_owned)
+            .collect();
+        assert_eq!(allowed, keys, "{path}: the reader's, the schema's");
+    }
+}
+
+/// Every pair file of the repository, and the one `init` writes.
+#[test]
+fn the_schema_accepts_good_pair_files() {
+    let validator = jsonschema::validator_for(&schema()).unwrap();
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures");
+    let mut count = 0;
+    for folder in [root.clone(), root.join("reference/lost_motion")] {
+        for entry in std::fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path
+                .extension()
+                .is_some_and(|extension| extension == "toml")
+            {
+                let pair = value(&std::fs::read_to_string(&path).unwrap());
+                let faults: Vec<String> = validator
+                    .iter_errors(&pair)
+                    .map(|fault| fault.to_string())
+                    .collect();
+                assert!(faults.is_empty(), "{}: {faults:?}", path.display());
+                count += 1;
+            }
+        }
+    }
+    assert!(count >= 20, "{count}");
+    let folder = tempfile::tempdir().unwrap();
+    let output = gearlash(folder.path(), &["init", "-"]).output().unwrap();
+    assert!(validator.is_valid(&value(&String::from_utf8(output.stdout).unwrap())));
+}
+
+#[test]
+fn the_schema_refuses_what_the_reader_refuses() {
+    let validator = jsonschema::validator_for(&schema()).unwrap();
+    assert!(validator.is_valid(&smallest()));
+    let faults: [(&str, Value); 8] = [
+        ("/wheel/teeth", json!(2)),
+        ("/wheel/teeth", json!("20")),
+        ("/wheel/module_mm", json!(0.001)),
+        ("/wheel/pressure_angle_deg", json!(50)),
+        ("/wheel/reference_face", json!("left")),
+        ("/wheel/thickness", json!({ "span": { "mm": 50.0 } })),
+        ("/assembly/center_distance_mm", json!(-1)),
+        ("/title", json!(1)),
+    ];
+    let folder = tempfile::tempdir().unwrap();
+    for (pointer, fault) in faults {
+        let mut pair = smallest();
+        let (parent, key) = pointer.rsplit_once('/').unwrap();
+        pair.pointer_mut(parent).unwrap()[key] = fault;
+        assert!(!validator.is_valid(&pair), "{pair}");
+        let file = folder.path().join("pair.json");
+        std::fs::write(&file, pair.to_string()).unwrap();
+        let output = gearlash(
+            folder.path(),
+            &["simulate", "pair.json", "--format", "json"],
+        )
+        .output()
+        .unwrap();
+        assert_eq!(output.status.code(), Some(2), "{pair}");
+    }
+}
+
+/// The file `init` writes runs as it stands, and is not written over.
+#[test]
+fn init_writes_a_pair_file_that_runs() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = gearlash(folder.path(), &["init"]).output().unwrap();
+    assert!(output.status.success());
+    assert_eq!(String::from_utf8(output.stdout).unwrap(), "pair.toml\n");
+    let written = std::fs::read_to_string(folder.path().join("pair.toml")).unwrap();
+    let run = gearlash(
+        folder.path(),
+        &["simulate", "pair.toml", "--format", "json"],
+    )
+    .output()
+    .unwrap();
+    assert!(run.status.success());
+    assert!(run.stderr.is_empty(), "no warning: {run:?}");
+    let result: Value = serde_json::from_slice(&run.stdout).unwrap();
+    assert_eq!(result["runs"].as_array().unwrap().len(), 4);
+
+    let again = gearlash(folder.path(), &["init"]).output().unwrap();
+    assert_eq!(again.status.code(), Some(2));
+    assert!(
+        String::from_utf8(again.stderr)
+            .unwrap()
+            .contains("pair.toml: there is such a file")
+    );
+    assert_eq!(
+        std::fs::read_to_string(folder.path().join("pair.toml")).unwrap(),
+        written
+    );
+}

@@ -25,6 +25,8 @@ pub struct OverDistance {
     pub mating: (u32, u32),
     /// Radial clearance `c` of both bearings together, mm.
     pub clearance: f64,
+    /// Whether the bands have two ends: most and least material.
+    pub two_materials: bool,
     /// In ascending order of centre distance.
     pub points: Vec<DistancePoint>,
     /// The measured rows of the mating, in the order of their file.
@@ -92,6 +94,7 @@ pub fn over_distance(
     Ok(OverDistance {
         mating,
         clearance: study.bearing_clearance,
+        two_materials: study.materials.len() > 1,
         points: distances.iter().map(point).collect(),
         measured: study.measured.iter().filter(of_mating).cloned().collect(),
     })

@@ -46,7 +46,10 @@ pub fn distance(prefix: &str, title: &str, curve: &OverDistance) -> Result<Chart
         legend.push(entry(&name, Look::Limit, Sample::LineInBand(FILLS[0])));
     }
     marks.extend(band(&simulated, Look::Plain, FILLS[1]));
-    let name = "simulated, most to least material";
+    let name = match curve.two_materials {
+        true => "simulated, most to least material",
+        false => "simulated",
+    };
     legend.push(entry(name, Look::Plain, Sample::LineInBand(FILLS[1])));
     marks.extend(outline(&analytic, Look::Third));
     legend.push(entry("by formula (model 2)", Look::Third, Sample::Line));
@@ -93,7 +96,7 @@ pub fn distance(prefix: &str, title: &str, curve: &OverDistance) -> Result<Chart
         prefix,
         title,
         subtitle: &format!(
-            "mating {wheel}·{pinion} (wheel·pinion tooth) · bands: means of the right-flank and the left-flank pose"
+            "mating {wheel}·{pinion} (wheel·pinion tooth) · lines: means of the right-flank and the left-flank pose"
         ),
     };
     sheet::draw(&heading, &legend, &[panel])

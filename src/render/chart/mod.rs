@@ -11,12 +11,15 @@
 //! its prefix, so that several can stand in one page.
 
 mod bars;
+mod brush;
 mod difference;
 mod distance;
 mod inspection;
+mod legend;
 mod lines;
 mod paint;
 mod panel;
+mod plot;
 mod revolution;
 mod sheet;
 mod thin;

@@ -26,10 +26,7 @@ pub fn revolution(prefix: &str, title: &str, course: &Course) -> Result<Chart, E
     let mut panel = Panel {
         title: String::new(),
         x: course_axis(course),
-        y: Axis::new(
-            "circumferential backlash j_wt, µm",
-            y.unwrap_or([-1.0, 1.0]),
-        ),
+        y: Axis::new("circumferential backlash j_wt, µm", y.unwrap_or([0.0, 1.0])),
         height: 360.0,
         marks: Vec::new(),
     };
@@ -74,20 +71,26 @@ pub fn revolution(prefix: &str, title: &str, course: &Course) -> Result<Chart, E
     }
     let busy = course.least.as_ref().map_or(0.0, |least| least.x);
     interference(&mut panel, busy);
-    for (word, extreme, shift) in [
-        ("least", &course.least, 16.0),
-        ("greatest", &course.greatest, -16.0),
-    ] {
-        let Some(extreme) = extreme else {
-            continue;
-        };
-        panel
-            .marks
-            .extend(label(word, extreme, shift, panel.x.range));
+    match (&course.least, &course.greatest) {
+        // One pose is both where the error bounds tell no two apart.
+        (Some(least), Some(greatest)) if least == greatest => panel.marks.push(Mark::Text {
+            at: [panel.x.range[0], least.backlash_um],
+            shift: [8.0, -14.0],
+            text: format!("{} µm everywhere", micrometres(least.backlash_um)),
+            anchor: Anchor::Start,
+        }),
+        (Some(least), Some(greatest)) => {
+            for (word, extreme, shift) in [("least", least, 16.0), ("greatest", greatest, -16.0)] {
+                panel
+                    .marks
+                    .extend(label(word, extreme, shift, panel.x.range));
+            }
+        }
+        _ => {}
     }
     if y.is_none() {
         panel.marks.push(Mark::Text {
-            at: [0.5 * (panel.x.range[0] + panel.x.range[1]), 0.0],
+            at: [0.5 * (panel.x.range[0] + panel.x.range[1]), 0.5],
             shift: [0.0; 2],
             text: "no value: jammed or out of mesh".to_owned(),
             anchor: Anchor::Middle,

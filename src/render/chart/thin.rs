@@ -15,6 +15,22 @@ pub(super) fn runs(points: &[Point], column: f64) -> Vec<Vec<(f64, f64)>> {
     .collect()
 }
 
+/// Both edges of a band, run by run, where it has both; thinned like [`runs`].
+pub(super) fn bands(
+    low: &[Point],
+    high: &[Point],
+    column: f64,
+) -> impl Iterator<Item = [Vec<(f64, f64)>; 2]> {
+    let both = low.iter().zip(high);
+    let both = both.map(|(low, high)| match low.1.is_some() && high.1.is_some() {
+        true => (*low, *high),
+        false => ((low.0, None), (high.0, None)),
+    });
+    let (low, high): (Vec<Point>, Vec<Point>) = both.unzip();
+    let edges = runs(&low, column).into_iter().zip(runs(&high, column));
+    edges.map(|(low, high)| [low, high])
+}
+
 fn representatives(column: &[(f64, f64)]) -> Vec<(f64, f64)> {
     if column.len() <= 4 {
         return column.to_vec();
@@ -38,4 +54,57 @@ fn representatives(column: &[(f64, f64)]) -> Vec<(f64, f64)> {
     kept.sort_unstable();
     kept.dedup();
     kept.into_iter().map(|index| column[index]).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        /// The outline of a thinned line is that of the line: every column keeps its ends and extremes.
+        #[test]
+        fn no_column_loses_an_extreme(values in prop::collection::vec(-9.0..9.0f64, 1..400), column in 0.5..50.0f64) {
+            let points: Vec<Point> = values.iter().enumerate().map(|(x, y)| (x as f64, Some(*y))).collect();
+            let thinned = runs(&points, column).concat();
+            prop_assert!(thinned.is_sorted_by(|a, b| a.0 < b.0));
+            for (x, _) in &points {
+                let here = |x: &f64| (x / column).floor();
+                let of = |(a, y): (f64, f64)| (here(&a) == here(x)).then_some(y);
+                let all: Vec<f64> = points.iter().filter_map(|&(a, y)| of((a, y?))).collect();
+                let kept: Vec<f64> = thinned.iter().filter_map(|&point| of(point)).collect();
+                prop_assert!(kept.len() <= 4);
+                for pick in [f64::min, f64::max] {
+                    let end = |list: &[f64]| list.iter().copied().reduce(pick);
+                    prop_assert_eq!(end(&all), end(&kept));
+                }
+                prop_assert_eq!((all.first(), all.last()), (kept.first(), kept.last()));
+            }
+        }
+    }
+
+    #[test]
+    fn a_gap_parts_a_line_and_both_edges_of_a_band() {
+        let low = [
+            (0.0, Some(1.0)),
+            (1.0, None),
+            (2.0, Some(1.0)),
+            (3.0, Some(2.0)),
+        ];
+        let high = [
+            (0.0, Some(3.0)),
+            (1.0, Some(3.0)),
+            (2.0, None),
+            (3.0, Some(4.0)),
+        ];
+        assert_eq!(
+            runs(&low, 1.0),
+            [vec![(0.0, 1.0)], vec![(2.0, 1.0), (3.0, 2.0)]]
+        );
+        let bands: Vec<_> = bands(&low, &high, 1.0).collect();
+        assert_eq!(
+            bands,
+            [[[(0.0, 1.0)], [(0.0, 3.0)]], [[(3.0, 2.0)], [(3.0, 4.0)]]]
+        );
+    }
 }

@@ -2,8 +2,7 @@
 
 use super::Page;
 use super::words::distance;
-use crate::compare::ComparedRun;
-use crate::curves::{Course, courses};
+use crate::curves::Course;
 use crate::error::Error;
 use crate::gear::Inspection;
 use crate::render::chart::{self, Chart};
@@ -13,15 +12,40 @@ use maud::{Markup, PreEscaped, html};
 const MOST_COURSES: usize = 12;
 
 /// Backlash over the teeth: the centre distance with the least backlash, the others to be opened.
-///
-/// `viewed` are the runs that the mesh view shows.
-pub(super) fn revolutions(page: &Page, viewed: &[&ComparedRun]) -> Result<Markup, Error> {
+pub(super) fn revolutions(page: &Page) -> Result<Markup, Error> {
     let draw = |number: usize, course: &Course| {
-        let title = format!("Backlash over the teeth at a = {} mm", distance(course.center_distance));
-        let drawn = chart::revolution(&format!("revolution{number}"), &title, course)?;
-        Ok(figure(&drawn, &viewer_runs(course, viewed)))
+        let title = format!(
+            "Backlash over the teeth at a = {} mm",
+            distance(course.center_distance)
+        );
+        Ok(figure(&chart::revolution(&id(number), &title, course)?))
     };
     over_teeth(page, "Backlash over the teeth at the other centre distances", draw)
+}
+
+/// Id of the chart of a course.
+fn id(number: usize) -> String {
+    format!("revolution{number}")
+}
+
+/// The courses whose charts stand in the page, each with the chart's id.
+pub(super) fn charted<'p>(page: &'p Page) -> Vec<(String, &'p Course)> {
+    let drawn = drawn(page);
+    drawn
+        .into_iter()
+        .map(|number| (id(number), &page.courses[number]))
+        .collect()
+}
+
+/// The numbers of those courses: the one with the least backlash first.
+fn drawn(page: &Page) -> Vec<usize> {
+    let backlash = |number: &usize| {
+        let least = page.courses[*number].least;
+        least.map_or(f64::INFINITY, |least| least.backlash_um)
+    };
+    let least = (0..page.courses.len()).min_by(|a, b| backlash(a).total_cmp(&backlash(b)));
+    let others = (0..page.courses.len()).filter(|number| Some(*number) != least);
+    least.into_iter().chain(others).take(MOST_COURSES).collect()
 }
 
 /// Simulation minus formula over the teeth, likewise.
@@ -38,7 +62,7 @@ pub(super) fn difference(page: &Page) -> Result<Markup, Error> {
             true => {
                 let prefix = format!("difference{number}");
                 let drawn = chart::difference(&prefix, &title, course, tolerance)?;
-                Ok(figure(&drawn, ""))
+                Ok(figure(&drawn))
             }
         }
     };
@@ -51,40 +75,24 @@ fn over_teeth(
     others: &str,
     draw: impl Fn(usize, &Course) -> Result<Markup, Error>,
 ) -> Result<Markup, Error> {
-    let courses = courses(page.report.revolution);
-    let backlash = |course: &Course| course.least.map_or(f64::INFINITY, |least| least.backlash_um);
-    let least = courses.iter().enumerate();
-    let least = least.reduce(|least, next| match backlash(next.1) < backlash(least.1) {
-        true => next,
-        false => least,
-    });
-    let Some((first, course)) = least else {
+    let drawn = drawn(page);
+    let left_out = page.courses.len() - drawn.len();
+    let draw = |number: usize| draw(number, &page.courses[number]);
+    let Some((first, rest)) = drawn.split_first() else {
         return Ok(html! {});
     };
-    let rest = courses.iter().enumerate().filter(|(number, _)| *number != first);
-    let rest: Vec<_> = rest.take(MOST_COURSES - 1).collect();
-    let left_out = courses.len() - 1 - rest.len();
     Ok(html! {
-        (draw(first, course)?)
+        (draw(*first)?)
         @if !rest.is_empty() {
             details {
                 summary { (others) }
-                @for (number, course) in rest { (draw(number, course)?) }
+                @for number in rest { (draw(*number)?) }
                 @if left_out > 0 {
                     p.note { (left_out) " more by " code { "gearlash chart --center-distance" } "." }
                 }
             }
         }
     })
-}
-
-/// The places in `viewed` of the runs that `course` shows.
-fn viewer_runs(course: &Course, viewed: &[&ComparedRun]) -> String {
-    let shown = viewed.iter().enumerate().filter(|(_, run)| {
-        run.run.assembly.center_distance() == course.center_distance && run.run.phase == course.phase
-    });
-    let places: Vec<String> = shown.map(|(place, _)| place.to_string()).collect();
-    places.join(" ")
 }
 
 /// Backlash over the centre distance.
@@ -96,7 +104,7 @@ pub(super) fn over_distance(page: &Page) -> Result<Markup, Error> {
         return Ok(html! {});
     }
     let title = format!("Backlash over the centre distance, teeth {wheel} and {pinion}");
-    Ok(figure(&chart::distance("distance", &title, curve)?, ""))
+    Ok(figure(&chart::distance("distance", &title, curve)?))
 }
 
 /// Pitch, thickness and runout of each gear, tooth by tooth.
@@ -107,7 +115,7 @@ pub(super) fn inspections(page: &Page) -> Result<Markup, Error> {
     let draw = |name: &str, gear| {
         let title = format!("Deviations of the {name}, tooth by tooth");
         let drawn = chart::inspection(&format!("inspection-{name}"), &title, name, &Inspection::of(gear))?;
-        Ok::<Markup, Error>(figure(&drawn, ""))
+        Ok::<Markup, Error>(figure(&drawn))
     };
     Ok(html! {
         (draw("wheel", wheel)?)
@@ -115,8 +123,6 @@ pub(super) fn inspections(page: &Page) -> Result<Markup, Error> {
     })
 }
 
-/// A chart; one with `runs` moves with the mesh view.
-fn figure(chart: &Chart, runs: &str) -> Markup {
-    let runs = (!runs.is_empty()).then_some(runs);
-    html! { figure.chart data-viewer-runs=[runs] { (PreEscaped(&chart.svg)) } }
+fn figure(chart: &Chart) -> Markup {
+    html! { figure.chart { (PreEscaped(&chart.svg)) } }
 }

@@ -18,7 +18,7 @@ mod verdict;
 mod words;
 
 use crate::compare::ComparedRun;
-use crate::curves::OverDistance;
+use crate::curves::{Course, OverDistance, courses};
 use crate::diagnosis::Diagnosis;
 use crate::error::Error;
 use crate::measured::MeasuredMating;
@@ -80,6 +80,7 @@ struct Page<'a> {
     all: Vec<&'a ComparedRun>,
     whole: Outcome<'a>,
     distances: Vec<AtDistance<'a>>,
+    courses: Vec<Course>,
 }
 
 /// The page of `report`, in UTF-8.
@@ -91,6 +92,7 @@ pub fn report(report: &Report) -> Result<String, Error> {
     let page = Page {
         whole: Outcome::of(&all),
         distances: by_distance(&all),
+        courses: courses(report.revolution),
         all,
         report,
     };

@@ -1,7 +1,7 @@
 //! Backlash over the teeth and over the centre distance, and the mesh itself.
 
 use super::Page;
-use super::figures::{over_distance, revolutions};
+use super::figures::{charted, over_distance, revolutions};
 use super::words::{distance, material, um};
 use crate::compare::ComparedRun;
 use crate::error::Error;
@@ -19,7 +19,9 @@ pub(super) fn section(page: &Page) -> Result<Markup, Error> {
         true => Cow::Borrowed(page.report.revolution),
         false => viewed.iter().map(|run| (*run).clone()).collect(),
     };
-    let mesh = viewer::fragment(page.report.study, &runs)
+    let charts = charted(page);
+    let charts: Vec<_> = charts.iter().map(|(id, course)| (id.as_str(), *course)).collect();
+    let mesh = viewer::fragment(page.report.study, &runs, &charts)
         .map_err(|error| Error::Chart(format!("the poses cannot be written: {error}")))?;
     let left_out = page.report.revolution.len() - viewed.len();
     Ok(html! {
@@ -27,7 +29,7 @@ pub(super) fn section(page: &Page) -> Result<Markup, Error> {
             h2 { "Backlash and mesh" }
             (materials(page))
             h3 { "Over the teeth" }
-            (revolutions(page, &viewed)?)
+            (revolutions(page)?)
             h3 { "The mesh" }
             (PreEscaped(mesh))
             @if left_out > 0 {

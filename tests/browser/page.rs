@@ -55,6 +55,11 @@ pub fn open(browser: &Chromium, site: &Site) -> Tab {
     tab
 }
 
+/// Unfolds what the page shows on demand.
+pub fn unfold(tab: &mut Tab) {
+    tab.eval("document.querySelectorAll('details').forEach((details) => { details.open = true; })");
+}
+
 /// What an element of the viewer says.
 pub fn said(tab: &mut Tab, name: &str) -> String {
     tab.text(&format!(

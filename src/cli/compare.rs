@@ -2,6 +2,7 @@
 
 use super::method::{MethodArgs, agreement};
 use super::progress::Progress;
+use super::target::Target;
 use super::{print, warn};
 use crate::compare::{compare, tolerance_um};
 use crate::error::Error;
@@ -9,7 +10,8 @@ use crate::input;
 use crate::render::{ComparedPair, comparison};
 use crate::simulate::{pose_count, simulate};
 use clap::ValueEnum;
-use std::path::PathBuf;
+use std::io::Write;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 /// Compare simulated with analytic backlash; exit 1 when they disagree
@@ -28,6 +30,11 @@ pub(super) struct Args {
     /// What to print
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
+    /// Also write the outcome as a Markdown table
+    ///
+    /// With --format github it goes to the step summary ($GITHUB_STEP_SUMMARY), too.
+    #[arg(long, value_name = "FILE")]
+    markdown: Option<PathBuf>,
     #[command(flatten)]
     method: MethodArgs,
 }
@@ -53,6 +60,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             "--tolerance-um {tolerance}: a tolerance is a number of µm, 0 or more"
         )));
     }
+    let markdown = args.markdown.clone().map(Target::prepare).transpose()?;
     let mut studies = Vec::new();
     let mut faults = Vec::new();
     for path in &args.pairs {
@@ -95,10 +103,28 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         }
         Format::Github => comparison::github(&pairs),
     });
+    if let Some(target) = markdown {
+        target.write_silently(comparison::markdown(&pairs))?;
+    }
+    if let (Format::Github, Some(summary)) = (args.format, std::env::var_os("GITHUB_STEP_SUMMARY"))
+    {
+        append(Path::new(&summary), &comparison::markdown(&pairs))?;
+    }
     let agree = agreement(pairs.iter().flat_map(|pair| &pair.runs));
     Ok(if agree && pairs.iter().all(ComparedPair::passes) {
         ExitCode::SUCCESS
     } else {
         ExitCode::from(1)
     })
+}
+
+/// Adds to a step summary what earlier steps have left room for.
+fn append(summary: &Path, text: &str) -> Result<(), Error> {
+    let mut options = std::fs::OpenOptions::new();
+    let file = options.append(true).create(true).open(summary);
+    file.and_then(|mut file| file.write_all(text.as_bytes()))
+        .map_err(|source| Error::Output {
+            path: summary.to_owned(),
+            source,
+        })
 }

@@ -37,11 +37,24 @@ impl Target {
     /// # Errors
     /// [`Error::Output`]; what was there stays.
     pub(super) fn write(self, content: String) -> Result<(), Error> {
+        let shown = self
+            .place
+            .is_some()
+            .then(|| format!("{}\n", self.path.display()));
+        self.write_silently(content)?;
+        print(&shown.unwrap_or_default());
+        Ok(())
+    }
+
+    /// The same, for a command whose standard output is its outcome.
+    ///
+    /// # Errors
+    /// As [`Target::write`].
+    pub(super) fn write_silently(self, content: String) -> Result<(), Error> {
         match self.place {
             None => print(&content),
             Some((folder, name)) => {
                 folder.write(&[(name, content)])?;
-                print(&format!("{}\n", self.path.display()));
             }
         }
         Ok(())

@@ -1,10 +1,14 @@
-//! The outcome of `compare`: text, JSON, JUnit XML, GitHub annotations.
+//! The outcome of `compare`: text, JSON, JUnit XML, GitHub annotations, Markdown.
+
+mod markdown;
 
 use super::table::where_it_is;
 use crate::compare::{ComparedRun, Verdict};
 use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
 use serde::Serialize;
 use std::fmt::Write;
+
+pub use markdown::markdown;
 
 /// One compared pair file.
 #[derive(Debug)]

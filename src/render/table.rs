@@ -63,8 +63,8 @@ pub(super) fn finish(table: &Table) -> String {
     lines.join("\n") + "\n"
 }
 
-/// One decimal, or a dash.
-fn um(length_mm: Option<f64>, decimals: usize) -> String {
+/// µm, or a dash.
+pub(super) fn um(length_mm: Option<f64>, decimals: usize) -> String {
     match length_mm {
         // Adding zero turns a rounded −0.0 into 0.0.
         Some(length) => {
@@ -173,12 +173,12 @@ fn run_table(study: &Study, runs: &[ComparedRun]) -> String {
     finish(&table)
 }
 
-/// A pose in a word: mating, flank, fraction.
+/// A pose in a word: mating, fraction to four decimals, flank.
 pub(super) fn where_it_is(pose: &ComparedPose) -> String {
     let mating = pose.swept.pose.mating();
     let beyond = match mating.fraction {
         0.0 => String::new(),
-        fraction => format!("+{fraction}"),
+        fraction => format!("+{}", (fraction * 1e4).round() / 1e4),
     };
     format!(
         "{},{}{beyond} {}",

@@ -48,7 +48,7 @@ fn row(several: bool, group: &Group, check: &Check) -> Markup {
     html! {
         tr {
             td.fail[bad] { (check.verdict.name()) }
-            th scope="row" { (check.title) }
+            th.text scope="row" { (check.title) }
             td { (check.gear.map_or("", Member::name)) }
             @if several {
                 td.n { (distance(group.assembly.center_distance())) }
@@ -58,7 +58,7 @@ fn row(several: bool, group: &Group, check: &Check) -> Markup {
                 td.n { (value(number, 4)) }
             }
             td { (unit(check.unit)) }
-            td { (check.note) }
+            td.text[!check.note.is_empty()] { (check.note) }
         }
     }
 }

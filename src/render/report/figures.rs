@@ -114,12 +114,21 @@ pub(super) fn inspections(page: &Page) -> Result<Markup, Error> {
     };
     let draw = |name: &str, gear| {
         let title = format!("Deviations of the {name}, tooth by tooth");
-        let drawn = chart::inspection(&format!("inspection-{name}"), &title, name, &Inspection::of(gear))?;
+        let prefix = format!("inspection-{name}");
+        let drawn = chart::inspection(&prefix, &title, name, &Inspection::of(gear))?;
         Ok::<Markup, Error>(figure(&drawn))
     };
+    let stated = |gear: &str| {
+        let echo = &page.report.study.echo[gear];
+        let per_tooth = echo["thickness"]["per_tooth_um"].as_array();
+        !echo["pitch"].is_null() || per_tooth.is_some_and(|values| !values.is_empty())
+    };
     Ok(html! {
-        (draw("wheel", wheel)?)
-        (draw("pinion", pinion)?)
+        details open[stated("wheel") || stated("pinion")] {
+            summary { "Deviations tooth by tooth" }
+            (draw("wheel", wheel)?)
+            (draw("pinion", pinion)?)
+        }
     })
 }
 

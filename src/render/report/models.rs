@@ -2,7 +2,7 @@
 
 use super::figures::difference;
 use super::Page;
-use super::words::um;
+use super::words::fine;
 use crate::compare::Verdict;
 use crate::error::Error;
 use crate::outcome::{MODELS, count, deviation};
@@ -55,8 +55,8 @@ pub(super) fn section(page: &Page) -> Result<Markup, Error> {
                                 th.w scope="row" { (name) }
                                 td { (knows) }
                                 td.n { (deviation.map_or(0, |deviation| deviation.poses)) }
-                                td.n { (um(deviation.map(|deviation| deviation.mean), 4)) }
-                                td.n { (um(deviation.map(|deviation| deviation.largest), 4)) }
+                                td.n { (fine(deviation.map(|deviation| deviation.mean))) }
+                                td.n { (fine(deviation.map(|deviation| deviation.largest))) }
                             }
                         }
                     }

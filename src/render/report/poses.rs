@@ -21,6 +21,10 @@ pub(super) fn section(page: &Page) -> Result<Markup, Error> {
             @if let Some(greatest) = whole.greatest {
                 (figure(page, "greatest", "Greatest backlash", greatest)?)
             }
+            @if let Some((most, loss)) = most_lost(page) {
+                (figure(page, "lost", &format!("Most lost to contact off the line of action, {} µm", um(Some(loss), 3)), most)?)
+            }
+            p.note { "Bars of length are true; the ratios beside them hold on the A4 sheet of " code { "gearlash snapshot" } "." }
             @if !others.is_empty() {
                 details {
                     summary { "Least backlash at the other centre distances" }
@@ -31,6 +35,24 @@ pub(super) fn section(page: &Page) -> Result<Markup, Error> {
             }
         }
     })
+}
+
+/// The pose that loses most to what no formula sees, where that is more than the tolerance and not drawn yet.
+fn most_lost<'a>(page: &Page<'a>) -> Option<(Found<'a>, f64)> {
+    let loss = page.report.diagnosis.contact.loss.as_ref()?;
+    let worst = &loss.worst;
+    let is_worst = |found: &Found| {
+        let run = &found.run.run;
+        run.material == worst.material
+            && run.assembly.center_distance() == worst.assembly.center_distance()
+            && found.pose.swept.pose == worst.pose
+    };
+    let runs = page.report.runs.iter();
+    let mut all = runs.flat_map(|run| run.poses.iter().map(move |pose| Found { run, pose }));
+    let found = all.find(is_worst)?;
+    let drawn = [page.whole.least, page.whole.greatest];
+    let known = drawn.iter().flatten().any(is_worst);
+    (worst.loss > page.report.study.tolerance_um * 1e-3 && !known).then_some((found, worst.loss))
 }
 
 /// The least poses of the other centre distances, where they are few.

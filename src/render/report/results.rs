@@ -6,6 +6,7 @@ use super::words::{distance, material, um};
 use crate::compare::ComparedRun;
 use crate::error::Error;
 use crate::outcome::Outcome;
+use crate::phases::{phase_groups, variation};
 use crate::render::viewer;
 use maud::{Markup, PreEscaped, html};
 use std::borrow::Cow;
@@ -28,6 +29,7 @@ pub(super) fn section(page: &Page) -> Result<Markup, Error> {
         section id="backlash" {
             h2 { "Backlash and mesh" }
             (materials(page))
+            (phases(page))
             h3 { "Over the teeth" }
             (revolutions(page)?)
             h3 { "The mesh" }
@@ -90,6 +92,45 @@ fn materials(page: &Page) -> Markup {
                         (counts(of))
                     }
                 } }
+            }
+        }
+    }
+}
+
+/// Which teeth to mark together, where phases are run apart.
+fn phases(page: &Page) -> Markup {
+    let groups = phase_groups(page.report.runs);
+    let cells = |run: Option<&ComparedRun>| {
+        let phase = run.and_then(|run| run.run.phase);
+        html! {
+            td { (phase.map_or("–".to_owned(), |(wheel, pinion)| format!("{wheel}·{pinion}"))) }
+            td.n { (um(run.and_then(variation), 3)) }
+        }
+    };
+    html! {
+        @if !groups.is_empty() {
+            div.scroll tabindex="0" role="region" aria-label="Assembly phases" {
+                table {
+                    caption { "Assembly phases: teeth to mark together (wheel·pinion), and how much backlash then varies, µm" }
+                    thead { tr {
+                        th.n scope="col" { i { "a" } " mm" }
+                        th scope="col" { "material" }
+                        th.n scope="col" { "phases" }
+                        th scope="col" { "best" } th.n scope="col" { "varies by" }
+                        th scope="col" { "worst" } th.n scope="col" { "varies by" }
+                    } }
+                    tbody { @for group in &groups {
+                        tr {
+                            @if let Some(run) = group.runs.first() {
+                                th.n scope="row" { (distance(run.run.assembly.center_distance())) }
+                                td.w { (material(run.run.material)) }
+                            }
+                            td.n { (group.runs.len()) }
+                            (cells(group.best))
+                            (cells(group.worst))
+                        }
+                    } }
+                }
             }
         }
     }

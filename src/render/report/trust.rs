@@ -2,7 +2,7 @@
 
 use super::Page;
 use super::measured::sentence;
-use super::words::{bound, j_wt, um, value};
+use super::words::{bound, fine, j_wt, written};
 use crate::compare::{Verdict, touches_off_line};
 use crate::mesh::Method;
 use crate::outcome::{MODELS, count, deviation};
@@ -83,10 +83,15 @@ fn formula(page: &Page) -> Markup {
     let [.., line_of_action] = MODELS;
     html! {
         "The line-of-action formula, which shares nothing with the simulation but the gears’ data, agrees within "
-        (value(Some(page.report.study.tolerance_um), 3)) " µm at " (agrees) " of " (page.whole.poses) " poses"
+        (written(page.report.study.tolerance_um)) " µm at " (agrees) " of " (page.whole.poses) " poses"
         @if let Some(deviation) = deviation(&page.all, line_of_action) {
-            "; the largest difference is " (um(Some(deviation.largest), 4)) " µm"
+            "; the largest difference is " (fine(Some(deviation.largest))) " µm"
         }
-        ". At " (off) " poses a tip corner, a fillet or a root takes part in a contact."
+        ". "
+        @match off {
+            0 => "Only involutes touch, at every pose.",
+            1 => "At one pose a tip corner, a fillet or a root takes part in a contact.",
+            _ => { "At " (off) " poses a tip corner, a fillet or a root takes part in a contact." }
+        }
     }
 }

@@ -40,18 +40,49 @@ pub(super) fn distance(mm: f64) -> String {
     }
 }
 
-/// An error bound in µm: one digit, rounded up.
+/// An error bound, given in mm, in µm: one digit, rounded up.
 pub(super) fn bound(mm: f64) -> String {
     let um = mm * 1e3;
     if !(um > 0.0 && um.is_finite()) {
         return "0".to_owned();
     }
     let power = um.log10().floor();
-    // What a product's rounding adds to a whole digit is none.
+    // What rounding of a product adds to a whole digit is none.
     let digit = (um / 10f64.powf(power) * (1.0 - 1e-12)).ceil();
-    match (digit, power) {
-        (10.0, _) => format!("1e{}", power + 1.0),
-        _ => format!("{digit}e{power}"),
+    match digit {
+        10.0 => scientific(1.0, power + 1.0),
+        _ => scientific(digit, power),
+    }
+}
+
+/// `digit · 10^power` with raised digits, or as it is where that is short.
+fn scientific(digit: f64, power: f64) -> String {
+    if (-3.0..=3.0).contains(&power) {
+        return format!("{}", digit * 10f64.powf(power));
+    }
+    let power = format!("{power}");
+    let raised = power.chars().map(|c| match c {
+        '-' => '⁻',
+        '1' => '¹',
+        '2' => '²',
+        '3' => '³',
+        '4'..='9' => char::from_u32('⁴' as u32 + c as u32 - '4' as u32).unwrap_or(c),
+        _ => '⁰',
+    });
+    format!("{digit}·10{}", raised.collect::<String>())
+}
+
+/// A difference, given in mm, in µm: four decimals, or its size where they would show none of it.
+pub(super) fn fine(length: Option<f64>) -> String {
+    match length {
+        Some(mm) if mm != 0.0 && mm.abs() < 5e-7 => {
+            let um = mm.abs() * 1e3;
+            let power = um.log10().floor();
+            let sign = if mm < 0.0 { "−" } else { "" };
+            let digit = (um / 10f64.powf(power)).round();
+            format!("{sign}{}", scientific(digit, power))
+        }
+        other => um(other, 4),
     }
 }
 
@@ -147,10 +178,13 @@ mod tests {
 
     #[test]
     fn a_bound_is_rounded_up() {
-        assert_eq!(bound(3.14e-12), "4e-9");
-        assert_eq!(bound(1e-12), "1e-9");
-        assert_eq!(bound(9.5e-12), "1e-8");
+        assert_eq!(bound(3.14e-12), "4·10⁻⁹");
+        assert_eq!(bound(1e-12), "1·10⁻⁹");
+        assert_eq!(bound(9.5e-12), "1·10⁻⁸");
+        assert_eq!(bound(3.2e-5), "0.04");
         assert_eq!(bound(0.0), "0");
+        assert_eq!(fine(Some(-2.2e-15)), "−2·10⁻¹²");
+        assert_eq!(fine(Some(-2.25218e-2)), "−22.5218");
     }
 
     #[test]

@@ -1,0 +1,111 @@
+//! The outcome of `compare` as GitHub-flavoured Markdown: the table a reviewer wants.
+
+use super::{ComparedPair, run_name};
+use crate::compare::{ComparedPose, ComparedRun, Verdict};
+use crate::render::table::{um, where_it_is};
+use std::fmt::Write;
+
+const HEADINGS: [&str; 8] = [
+    "run",
+    "poses",
+    "least j_wt µm",
+    "greatest j_wt µm",
+    "off model 2 µm",
+    "off model 3 µm",
+    "touch off the line of action",
+    "verdict",
+];
+
+/// A heading with the verdict, and for each pair a table with a row a run; what failed in words below it.
+pub fn markdown(pairs: &[ComparedPair]) -> String {
+    let failing = pairs.iter().filter(|pair| !pair.passes()).count();
+    let verdict = match failing {
+        0 => format!(
+            "✅ simulated and analytic backlash agree ({} of {0} pairs)",
+            pairs.len()
+        ),
+        _ => format!(
+            "❌ simulated and analytic backlash disagree in {failing} of {} pairs",
+            pairs.len()
+        ),
+    };
+    let mut text = format!("## gearlash compare: {verdict}\n");
+    for pair in pairs {
+        let _ = write!(
+            text,
+            "\n### {} {}\n\n{} · tolerance {} µm + error bound",
+            mark(pair.passes()),
+            escape(&pair.title),
+            escape(&pair.file),
+            pair.tolerance_um,
+        );
+        text += match pair.allow_off_line {
+            true => " · contact off the line of action allowed\n\n",
+            false => "\n\n",
+        };
+        let _ = writeln!(text, "| {} |", HEADINGS.join(" | "));
+        text += "| :-- | --: | --: | --: | --: | --: | --: | :-- |\n";
+        for run in &pair.runs {
+            let _ = writeln!(text, "| {} |", row(pair, run).join(" | "));
+        }
+        for run in &pair.runs {
+            if let Some(reason) = pair.failure(run) {
+                let _ = writeln!(text, "\n**{}**: {}", run_name(run), escape(&reason));
+            }
+        }
+    }
+    let _ = writeln!(
+        text,
+        "\nBacklash `j_wt` at the operating pitch circle, at its mating; negative: interference. Off model 2 and 3: \
+         largest difference to the involute and to the line-of-action formula; model 3 gates. gearlash {}.",
+        env!("CARGO_PKG_VERSION")
+    );
+    text
+}
+
+fn row(pair: &ComparedPair, run: &ComparedRun) -> Vec<String> {
+    let summary = run.summary();
+    let (least, greatest) = run.extremes().unzip();
+    let at = |length, pose: Option<&ComparedPose>| match pose {
+        Some(pose) => format!("{} at {}", um(length, 3), where_it_is(pose)),
+        None => "–".to_owned(),
+    };
+    let passes = run.passes(pair.allow_off_line);
+    vec![
+        run_name(run),
+        run.poses.len().to_string(),
+        at(summary.min, least),
+        at(summary.max, greatest),
+        um(summary.off_involute, 3),
+        match summary.off_line_of_action {
+            // Rounding alone: its size, rather than 0.000.
+            Some(length) if length < 1e-6 => format!("{:.1e}", length * 1e3),
+            length => um(length, 3),
+        },
+        run.count(Verdict::OffLine).to_string(),
+        format!("{} {}", mark(passes), if passes { "ok" } else { "FAIL" }),
+    ]
+}
+
+fn mark(passes: bool) -> &'static str {
+    if passes { "✅" } else { "❌" }
+}
+
+/// Text that Markdown takes as nothing but text, on one line.
+fn escape(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => escaped += "&amp;",
+            '<' => escaped += "&lt;",
+            '>' => escaped += "&gt;",
+            '\\' | '`' | '*' | '_' | '[' | ']' | '|' | '~' | '#' | '!' | '@' => {
+                escaped.push('\\');
+                escaped.push(c);
+            }
+            c if c.is_control() => escaped.push(' '),
+            c => escaped.push(c),
+        }
+    }
+    escaped
+}

@@ -1,7 +1,7 @@
 //! The mesh: what the page shows is what the result says, and every control does its work.
 
 use crate::chromium::{Chromium, Tab};
-use crate::page::{Site, open, said};
+use crate::page::{Site, open, said, unfold};
 use serde_json::{Value, json};
 
 /// Shows a pose by the controls' own events.
@@ -298,6 +298,7 @@ pub fn dragging_and_shifted_arrows_pan(browser: &Chromium, site: &Site) {
 
 pub fn a_click_in_the_chart_leads_to_the_pose(browser: &Chromium, site: &Site) {
     let mut tab = open(browser, site);
+    unfold(&mut tab);
     // A right-flank pose of each material: its place by the chart's frame, its curve by its backlash.
     for (run, pose) in [(0, 40), (1, 97), (2, 12), (3, 130)] {
         go(&mut tab, run, 0);

@@ -3,7 +3,7 @@
 use crate::chromium::{Chromium, Tab};
 use assert_cmd::Command;
 use serde_json::{Value, json};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 const PAIR: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/browser/pair.toml");
 
@@ -20,7 +20,8 @@ impl Site {
     pub fn make() -> Site {
         let folder = tempfile::tempdir().expect("a folder");
         let page = folder.path().join("report.html");
-        harness(&page);
+        let file = page.to_str().expect("a path of plain letters");
+        gearlash(&["report", PAIR, "-o", file]);
         let result = gearlash(&["simulate", PAIR, "--format", "json"]);
         let result = serde_json::from_slice(&result).expect("the result is JSON");
         Site {
@@ -47,45 +48,16 @@ fn gearlash(arguments: &[&str]) -> Vec<u8> {
         .clone()
 }
 
-fn harness(page: &Path) {
-    use gearlash::curves;
-    let study = gearlash::input::read(Path::new(PAIR)).unwrap();
-    let method = gearlash::mesh::Method::Exact { certify: false };
-    let go = || std::ops::ControlFlow::Continue(());
-    let runs = curves::revolution(&study, method, &go).unwrap();
-    let courses = curves::courses(&runs);
-    let charts: Vec<_> = courses
-        .iter()
-        .enumerate()
-        .map(|(i, course)| (format!("chart-{i}"), course))
-        .collect();
-    let ids: Vec<_> = charts
-        .iter()
-        .map(|(id, course)| (id.as_str(), *course))
-        .collect();
-    let mut html = format!(
-        "<!DOCTYPE html><html lang=en><head><meta charset=utf-8><meta name=viewport content='width=device-width'><title>t</title><style>@page {{ size: A4; margin: 15mm }} body {{ font-family: sans-serif; max-width: 60em; margin: auto; padding: 0 1em }} figure {{ margin: 1em 0 }} svg {{ max-width: 100%; height: auto }}\n{}</style></head><body>",
-        gearlash::render::viewer::STYLE
-    );
-    for (id, course) in &ids {
-        html += &format!(
-            "<figure>{}</figure>",
-            gearlash::render::chart::revolution(id, "t", course)
-                .unwrap()
-                .svg
-        );
-    }
-    html += "<figure>";
-    html += &gearlash::render::viewer::fragment(&study, &runs, &ids).unwrap();
-    html += "</figure></body></html>";
-    std::fs::write(page, html).unwrap();
-}
-
 /// A tab with the page in a window of a desk.
 pub fn open(browser: &Chromium, site: &Site) -> Tab {
     let mut tab = browser.tab(1280, 900);
     tab.open(&site.page);
     tab
+}
+
+/// Unfolds what the page shows on demand.
+pub fn unfold(tab: &mut Tab) {
+    tab.eval("document.querySelectorAll('details').forEach((details) => { details.open = true; })");
 }
 
 /// What an element of the viewer says.

@@ -1,7 +1,7 @@
 //! The page on paper and in windows of three widths.
 
 use crate::chromium::Chromium;
-use crate::page::{Site, open};
+use crate::page::{Site, open, unfold};
 use data_encoding::BASE64;
 use serde_json::{Value, json};
 use std::path::Path;
@@ -34,6 +34,7 @@ pub fn prints_whole_figures_on_a4(browser: &Chromium, site: &Site) {
             "{sides:?}"
         );
     }
+    unfold(&mut tab);
     // CSS pixels are a 96th of an inch; margins of 15 mm at most are left round 180 × 267 mm.
     let [width, height] = [180.0, 267.0].map(|mm| mm / 25.4 * 96.0);
     let metrics =

@@ -5,7 +5,7 @@ use super::readout;
 use crate::compare::{ComparedPose, ComparedRun};
 use crate::curves::{Course, CourseLine};
 use crate::gear::Side;
-use crate::mesh::{Contact, SweptPose};
+use crate::mesh::{Contact, Status, SweptPose};
 use crate::pair::{Assembly, Member};
 use crate::study::Study;
 use serde::Serialize;
@@ -15,12 +15,21 @@ pub const DEGREES: usize = 6;
 /// Decimals of a normal's direction in degrees: 0.1 µm along the longest line drawn at module 3.
 pub const NORMAL: usize = 3;
 
+const STATUSES: [Status; 4] = [
+    Status::Clear,
+    Status::Interference,
+    Status::Jammed,
+    Status::NoContact,
+];
+
 /// All runs.
 #[derive(Serialize)]
 pub struct Columns {
     free: &'static str,
     /// What [`Contacts::class`] counts.
     classes: Vec<String>,
+    /// What [`RunColumns::status`] counts.
+    statuses: [&'static str; 4],
     runs: Vec<RunColumns>,
     /// Run and pose shown first.
     start: [usize; 2],
@@ -45,7 +54,7 @@ struct RunColumns {
     lost_motion_deg: Vec<Option<f64>>,
     j_wt_um: Vec<Option<f64>>,
     error_bound_um: Vec<Option<f64>>,
-    status: Vec<&'static str>,
+    status: Vec<usize>,
     right: Contacts,
     left: Contacts,
 }
@@ -77,6 +86,7 @@ impl Columns {
             free: study.locked.mate().name(),
             runs: runs.collect(),
             classes,
+            statuses: STATUSES.map(Status::name),
             start,
         }
     }
@@ -133,7 +143,10 @@ impl RunColumns {
                 .map(|pose| pose.error_bound.map(|bound| two_digits_up(bound * 1e3)))
                 .collect(),
             status: poses()
-                .map(|pose| pose.lost_motion.status().name())
+                .filter_map(|pose| {
+                    let status = pose.lost_motion.status();
+                    STATUSES.iter().position(|known| *known == status)
+                })
                 .collect(),
             right,
             left,

@@ -66,7 +66,7 @@
     const flank = value("left_flank") ? "left" : "right";
     set("run", run().label);
     set("pose", `${shown.pose + 1} of ${poses()}: wheel tooth ${wheel} with pinion tooth ${pinion}, ${flank} flank${beyond}`);
-    set("status", value("status").replace("_", " "));
+    set("status", data.statuses[value("status")].replace("_", " "));
     const backlash = value("j_wt_um");
     const output = byId("backlash");
     output.textContent = backlash === null ? "none" : micrometres(backlash) + " µm";

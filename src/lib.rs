@@ -8,7 +8,7 @@
 //! The way through the crate, each stage importing only earlier ones:
 //!
 //! ```text
-//! input → study → gear → pair → mesh → simulate → compare → curves, diagnosis → gauge → render → cli
+//! input → study → gear → pair → mesh → simulate → compare → outcome, curves, diagnosis → gauge → render → cli
 //!                         └──→ analytic ──────────┘
 //! ```
 //!
@@ -52,6 +52,7 @@ pub mod input;
 pub mod measured;
 pub mod mesh;
 pub mod notes;
+pub mod outcome;
 pub mod output;
 pub mod pair;
 pub mod phases;

@@ -65,6 +65,23 @@ pub fn measured_matings(study: &Study, runs: &[ComparedRun]) -> Vec<MeasuredMati
     study.measured.iter().map(of_row).collect()
 }
 
+/// How many measured values, right and left of each mating, lie below, inside and above its band; those without a
+/// band are not counted.
+pub fn sides(measured: &[MeasuredMating], band: fn(&MeasuredMating) -> Option<Band>) -> [usize; 3] {
+    let mut sides = [0; 3];
+    for mating in measured {
+        let Some(band) = band(mating) else { continue };
+        for value in [mating.row.right_um, mating.row.left_um] {
+            match band.side_of(value) {
+                0 => sides[1] += 1,
+                1 => sides[2] += 1,
+                _ => sides[0] += 1,
+            }
+        }
+    }
+    sides
+}
+
 /// What `runs` says of `mating` (wheel and pinion tooth) at `center_distance`, mm.
 pub fn bands(
     study: &Study,

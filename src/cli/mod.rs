@@ -3,6 +3,7 @@
 mod chart;
 mod check;
 mod compare;
+mod date;
 mod distances;
 mod drawing;
 mod gauge;
@@ -10,6 +11,7 @@ mod init;
 mod method;
 mod pictures;
 mod progress;
+mod report;
 mod schema;
 mod simulate;
 mod snapshot;
@@ -55,12 +57,14 @@ enum Command {
     Snapshot(snapshot::Args),
     /// Measure a gear on the model as the shop does: span, pins, runout, pitch, roll test
     Gauge(gauge::Args),
+    /// Draw backlash over teeth or centre distance, or a gear's deviations, as SVG
+    Chart(chart::Args),
+    /// Write the whole result as one HTML page
+    Report(report::Args),
     /// Write a commented pair file to begin with
     Init(init::Args),
     /// Print the JSON Schema of pair files, for editors
     Schema(schema::Args),
-    /// Draw backlash over teeth or centre distance, or a gear's deviations, as SVG
-    Chart(chart::Args),
 }
 
 /// Runs the command line of this process.
@@ -77,6 +81,7 @@ pub fn run() -> Result<ExitCode, Error> {
         Command::Init(args) => init::run(&args),
         Command::Schema(args) => schema::run(&args),
         Command::Chart(args) => chart::run(&args),
+        Command::Report(args) => report::run(&args),
     }
 }
 

@@ -97,7 +97,7 @@ pub fn micrometres(mm: f64) -> String {
 }
 
 /// At least `least` and at most `most` decimals, no more than the value has.
-fn decimals(value: f64, least: usize, most: usize) -> String {
+pub fn decimals(value: f64, least: usize, most: usize) -> String {
     let mut text = format!("{value:.most$}");
     let shortest = text.len() - (most - least);
     while text.len() > shortest && text.ends_with('0') {

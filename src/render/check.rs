@@ -126,7 +126,7 @@ pub fn text(study: &Study, diagnosis: &Diagnosis) -> String {
 }
 
 /// Each check of the gravest verdict, then of the least margin, the first of equals.
-fn governing(diagnosis: &Diagnosis) -> Vec<(&Group, &Check)> {
+pub(super) fn governing(diagnosis: &Diagnosis) -> Vec<(&Group, &Check)> {
     let mut governing: Vec<(&Group, &Check)> = Vec::new();
     for group in &diagnosis.groups {
         for check in &group.checks {
@@ -209,7 +209,8 @@ fn plain(text: String) -> String {
     }
 }
 
-fn unit(unit: &'static str) -> &'static str {
+/// A check's unit as it is shown.
+pub(super) fn unit(unit: &'static str) -> &'static str {
     match unit {
         "1" => "",
         unit => unit,

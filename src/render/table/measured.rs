@@ -1,7 +1,7 @@
 //! A rig's measurements beside the bands they should lie in.
 
 use super::{finish, table, um};
-use crate::measured::{Band, MeasuredMating};
+use crate::measured::{Band, MeasuredMating, sides};
 use crate::study::Study;
 use std::fmt::Write;
 
@@ -49,29 +49,13 @@ pub(super) fn measured_table(measured: &[MeasuredMating]) -> String {
 }
 
 pub(super) fn measured_count(study: &Study, measured: &[MeasuredMating]) -> String {
-    let values = || {
-        measured
-            .iter()
-            .flat_map(|m| [(m, m.row.right_um), (m, m.row.left_um)])
-    };
-    let total = values().count();
-    let sides: Vec<i8> = values()
-        .map(|(m, value)| m.printed.side_of(value))
-        .collect();
-    let of = |side: i8| sides.iter().filter(|&&s| s == side).count();
+    let [below, inside, above] = sides(measured, |mating| Some(mating.printed));
+    let total = below + inside + above;
     let mut text = format!(
-        "\n{} of {total} measured values lie inside the predicted band: {} below it (↓), {} above it (↑).\n",
-        of(0),
-        of(-1),
-        of(1),
+        "\n{inside} of {total} measured values lie inside the predicted band: {below} below it (↓), {above} above it (↑).\n",
     );
     if study.bearing_clearance > 0.0 {
-        let inside = values()
-            .filter(|(m, value)| {
-                m.with_clearance
-                    .is_some_and(|band| band.side_of(*value) == 0)
-            })
-            .count();
+        let [_, inside, _] = sides(measured, |mating| mating.with_clearance);
         let _ = writeln!(
             text,
             "With the bearing clearance taken in (a ± {:.3} mm), {inside} of {total} lie inside the simulated band.",

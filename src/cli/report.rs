@@ -1,0 +1,76 @@
+//! `gearlash report`: the whole result as one page.
+
+use super::date::today;
+use super::method::{MethodArgs, agreement};
+use super::progress::Progress;
+use super::target::Target;
+use super::warn;
+use crate::compare::compare;
+use crate::curves;
+use crate::diagnosis::diagnose;
+use crate::error::Error;
+use crate::input;
+use crate::measured::measured_matings;
+use crate::render::{self, Report};
+use crate::simulate::{pose_count, simulate};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// Write a report: one HTML page with verdict, input, checks, curves, formulas and the mesh itself
+///
+/// The page needs no network and no other file, and prints on A4. Beside the poses the pair file asks for it
+/// shows whole revolutions at each centre distance. Its date is that of the environment variable
+/// SOURCE_DATE_EPOCH (seconds since 1970) where set, so that the same input gives the same bytes, or else today.
+#[derive(clap::Args)]
+pub(super) struct Args {
+    /// The pair file (TOML or JSON)
+    pair: PathBuf,
+    /// The page [default: out/<file stem>.html]; - for standard output
+    #[arg(short, long, value_name = "FILE.html")]
+    output: Option<PathBuf>,
+    #[command(flatten)]
+    method: MethodArgs,
+}
+
+/// Runs the command.
+pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
+    let date = today()?;
+    let study = input::read(&args.pair)?;
+    warn(&args.pair, &study.warnings);
+    let target = Target::prepare(match &args.output {
+        Some(file) => file.clone(),
+        None => PathBuf::from("out").join(format!("{}.html", study.stem)),
+    })?;
+    let method = args.method.method();
+    let poses = pose_count(&study)?
+        + curves::revolution_pose_count(&study)?
+        + curves::over_distance_pose_count(&study);
+    let progress = Progress::start(poses);
+    let tick = || progress.tick();
+    let runs = compare(simulate(&study, method, &tick)?, study.tolerance_um);
+    let revolution = curves::revolution(&study, method, &tick)?;
+    let over_distance = curves::over_distance(&study, None, method, &tick)?;
+    progress.finish()?;
+    let progress = Progress::working();
+    let diagnosis = diagnose(&study, &runs, &mut |doing| progress.now(doing))?;
+    progress.now("page")?;
+    let file = args.pair.file_name().unwrap_or_default().to_string_lossy();
+    let page = render::report(&Report {
+        study: &study,
+        file: &file,
+        date: &date,
+        method,
+        runs: &runs,
+        revolution: &revolution,
+        over_distance: &over_distance,
+        measured: &measured_matings(&study, &runs),
+        diagnosis: &diagnosis,
+    })?;
+    progress.finish()?;
+    let agree = agreement(runs.iter().chain(&revolution));
+    target.write(page)?;
+    Ok(match agree {
+        true => ExitCode::SUCCESS,
+        false => ExitCode::from(1),
+    })
+}

@@ -1,0 +1,64 @@
+//! Every check with its margin.
+
+use super::Page;
+use super::words::{distance, material, value};
+use crate::diagnosis::{Check, Group, Verdict};
+use crate::pair::Member;
+use crate::render::check::{governing, unit};
+use maud::{Markup, html};
+
+pub(super) fn section(page: &Page) -> Markup {
+    let diagnosis = page.report.diagnosis;
+    let several = diagnosis.groups.len() > 1;
+    let outcome = match diagnosis.verdict() {
+        Verdict::Pass => "Every check passes.",
+        Verdict::Warn => "No check fails; some values lie beside what is recommended.",
+        Verdict::Fail => "A check fails.",
+    };
+    html! {
+        section id="checks" {
+            h2 { "Checks" }
+            p {
+                (outcome)
+                @if several { " Each check is shown at the centre distance and material that keeps its limit least." }
+            }
+            div.scroll tabindex="0" role="region" aria-label="Checks" {
+                table {
+                    thead { tr {
+                        th scope="col" { "verdict" }
+                        th scope="col" { "check" }
+                        th scope="col" { "gear" }
+                        @if several { th.n scope="col" { i { "a" } " mm" } th scope="col" { "material" } }
+                        th.n scope="col" { "formula" }
+                        th.n scope="col" { "outlines" }
+                        th.n scope="col" { "limit" }
+                        th.n scope="col" { "margin" }
+                        th scope="col" { "unit" }
+                        th scope="col" { "note" }
+                    } }
+                    tbody { @for (group, check) in governing(diagnosis) { (row(several, group, check)) } }
+                }
+            }
+        }
+    }
+}
+
+fn row(several: bool, group: &Group, check: &Check) -> Markup {
+    let bad = check.verdict == Verdict::Fail;
+    html! {
+        tr {
+            td.fail[bad] { (check.verdict.name()) }
+            th.text scope="row" { (check.title) }
+            td { (check.gear.map_or("", Member::name)) }
+            @if several {
+                td.n { (distance(group.assembly.center_distance())) }
+                td.w { (material(group.material)) }
+            }
+            @for number in [check.analytic, check.measured, check.limit, check.margin] {
+                td.n { (value(number, 4)) }
+            }
+            td { (unit(check.unit)) }
+            td.text[!check.note.is_empty()] { (check.note) }
+        }
+    }
+}

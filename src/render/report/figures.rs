@@ -1,0 +1,157 @@
+//! The charts of the page.
+
+use super::Page;
+use super::words::distance;
+use crate::curves::Course;
+use crate::error::Error;
+use crate::gear::Inspection;
+use crate::render::chart::{self, Chart};
+use maud::{Markup, PreEscaped, html};
+
+/// Centre distances and phases whose curves stand in the page (tuned: some 100 kB each).
+const MOST_COURSES: usize = 12;
+
+/// Backlash over the teeth: the centre distance with the least backlash, the others to be opened.
+pub(super) fn revolutions(page: &Page) -> Result<Markup, Error> {
+    let draw = |number: usize, course: &Course| {
+        let title = format!(
+            "Backlash over the teeth at a = {} mm",
+            distance(course.center_distance)
+        );
+        Ok(figure(&chart::revolution(&id(number), &title, course)?))
+    };
+    over_teeth(
+        page,
+        "Backlash over the teeth at the other centre distances",
+        draw,
+    )
+}
+
+/// Id of the chart of a course.
+fn id(number: usize) -> String {
+    format!("revolution{number}")
+}
+
+/// The courses whose charts stand in the page, each with the chart's id.
+pub(super) fn charted<'p>(page: &'p Page) -> Vec<(String, &'p Course)> {
+    let drawn = drawn(page);
+    drawn
+        .into_iter()
+        .map(|number| (id(number), &page.courses[number]))
+        .collect()
+}
+
+/// The numbers of those courses: the one with the least backlash first.
+fn drawn(page: &Page) -> Vec<usize> {
+    let backlash = |number: &usize| {
+        let least = page.courses[*number].least;
+        least.map_or(f64::INFINITY, |least| least.backlash_um)
+    };
+    let least = (0..page.courses.len()).min_by(|a, b| backlash(a).total_cmp(&backlash(b)));
+    let others = (0..page.courses.len()).filter(|number| Some(*number) != least);
+    least.into_iter().chain(others).take(MOST_COURSES).collect()
+}
+
+/// Simulation minus formula over the teeth, likewise.
+pub(super) fn difference(page: &Page) -> Result<Markup, Error> {
+    let tolerance = page.report.study.tolerance_um;
+    let draw = |number: usize, course: &Course| {
+        let title = format!(
+            "Simulation minus formula at a = {} mm",
+            distance(course.center_distance)
+        );
+        let comparable = course.lines.iter().flat_map(|line| &line.points);
+        let comparable = comparable
+            .map(|point| {
+                [
+                    point.off_michalec_um,
+                    point.off_involute_um,
+                    point.off_line_of_action_um,
+                ]
+            })
+            .any(|models| models.iter().any(Option::is_some));
+        match comparable {
+            false => Ok(html! { p { (title) ": no pose has both values." } }),
+            true => {
+                let prefix = format!("difference{number}");
+                let drawn = chart::difference(&prefix, &title, course, tolerance)?;
+                Ok(figure(&drawn))
+            }
+        }
+    };
+    over_teeth(
+        page,
+        "Simulation minus formula at the other centre distances",
+        draw,
+    )
+}
+
+/// `draw` of the course with the least backlash, and of the others in `<details>` under `others`.
+fn over_teeth(
+    page: &Page,
+    others: &str,
+    draw: impl Fn(usize, &Course) -> Result<Markup, Error>,
+) -> Result<Markup, Error> {
+    let drawn = drawn(page);
+    let left_out = page.courses.len() - drawn.len();
+    let draw = |number: usize| draw(number, &page.courses[number]);
+    let Some((first, rest)) = drawn.split_first() else {
+        return Ok(html! {});
+    };
+    Ok(html! {
+        (draw(*first)?)
+        @if !rest.is_empty() {
+            details {
+                summary { (others) }
+                @for number in rest { (draw(*number)?) }
+                @if left_out > 0 {
+                    p.note { (left_out) " more by " code { "gearlash chart --center-distance" } "." }
+                }
+            }
+        }
+    })
+}
+
+/// Backlash over the centre distance.
+pub(super) fn over_distance(page: &Page) -> Result<Markup, Error> {
+    let curve = page.report.over_distance;
+    let (wheel, pinion) = curve.mating;
+    let shown = curve
+        .points
+        .iter()
+        .any(|point| point.bands.simulated.is_some());
+    if !shown && curve.measured.is_empty() {
+        return Ok(html! {});
+    }
+    let title = format!("Backlash over the centre distance, teeth {wheel} and {pinion}");
+    Ok(figure(&chart::distance("distance", &title, curve)?))
+}
+
+/// Pitch, thickness and runout of each gear, tooth by tooth.
+pub(super) fn inspections(page: &Page) -> Result<Markup, Error> {
+    let Some((_, wheel, pinion)) = page.report.study.materials.first() else {
+        return Ok(html! {});
+    };
+    let draw = |name: &str, gear| {
+        let title = format!("Deviations of the {name}, tooth by tooth");
+        let prefix = format!("inspection-{name}");
+        let drawn = chart::inspection(&prefix, &title, name, &Inspection::of(gear))?;
+        Ok::<Markup, Error>(figure(&drawn))
+    };
+    let stated = |gear: &str| {
+        let echo = &page.report.study.echo[gear];
+        let per_tooth = echo["thickness"]["per_tooth_um"].as_array();
+        !echo["pitch"].is_null() || per_tooth.is_some_and(|values| !values.is_empty())
+    };
+    Ok(html! {
+        details open[stated("wheel") || stated("pinion")] {
+            summary { "Deviations tooth by tooth" }
+            (draw("wheel", wheel)?)
+            (draw("pinion", pinion)?)
+        }
+    })
+}
+
+fn figure(chart: &Chart) -> Markup {
+    html! { figure.chart { (PreEscaped(&chart.svg)) } }
+}

@@ -1,0 +1,158 @@
+//! A study as one HTML page, in the manner of a calculation report: for a colleague who never saw the tool.
+//!
+//! The page needs nothing but itself: style, pictures and script stand in it. Built with `maud`: the page is
+//! Rust that the compiler checks, every text is escaped unless said otherwise, and nothing is read or
+//! parsed when it runs.
+
+mod checks;
+mod figures;
+mod inline;
+mod input;
+mod measured;
+mod method;
+mod models;
+mod poses;
+mod results;
+mod stated;
+mod trust;
+mod verdict;
+mod words;
+
+use crate::compare::ComparedRun;
+use crate::curves::{Course, OverDistance, courses};
+use crate::diagnosis::Diagnosis;
+use crate::error::Error;
+use crate::measured::MeasuredMating;
+use crate::mesh::Method;
+use crate::outcome::{AtDistance, Outcome, by_distance};
+use crate::pair::SweepPlan;
+use crate::render::viewer;
+use crate::study::Study;
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+use words::plain;
+
+const STYLE: &str = include_str!("style.css");
+
+/// What a report tells.
+#[derive(Debug, Clone, Copy)]
+pub struct Report<'a> {
+    /// The pair.
+    pub study: &'a Study,
+    /// Name of its file.
+    pub file: &'a str,
+    /// Day of the report, as it shall stand there.
+    pub date: &'a str,
+    /// How lost motion was found.
+    pub method: Method,
+    /// The poses the pair file asks for.
+    pub runs: &'a [ComparedRun],
+    /// Whole revolutions at the same centre distances.
+    pub revolution: &'a [ComparedRun],
+    /// One mating over the centre distance.
+    pub over_distance: &'a OverDistance,
+    /// Measured values beside their bands.
+    pub measured: &'a [MeasuredMating],
+    /// Every check.
+    pub diagnosis: &'a Diagnosis,
+}
+
+impl<'a> Report<'a> {
+    /// Every run that counts, none twice: whole revolutions, and what the pair file asks for beside them.
+    fn all(&self) -> Vec<&'a ComparedRun> {
+        let asked = match self.sweeps() {
+            true => &[],
+            false => self.runs,
+        };
+        self.revolution.iter().chain(asked).collect()
+    }
+
+    /// Whether the pair file itself asks for whole revolutions.
+    fn sweeps(&self) -> bool {
+        matches!(
+            self.study.sweep,
+            Some(SweepPlan::Revolution { .. } | SweepPlan::Phases { .. })
+        )
+    }
+}
+
+/// What the sections of a page share.
+struct Page<'a> {
+    report: &'a Report<'a>,
+    all: Vec<&'a ComparedRun>,
+    whole: Outcome<'a>,
+    distances: Vec<AtDistance<'a>>,
+    courses: Vec<Course>,
+}
+
+/// The page of `report`, in UTF-8.
+///
+/// # Errors
+/// A chart that cannot be drawn or data that cannot be written: none for results of a simulation.
+pub fn report(report: &Report) -> Result<String, Error> {
+    let all = report.all();
+    let page = Page {
+        whole: Outcome::of(&all),
+        distances: by_distance(&all),
+        courses: courses(report.revolution),
+        all,
+        report,
+    };
+    let title = plain(&report.study.title);
+    let style = PreEscaped(format!("\n{STYLE}{}", viewer::STYLE));
+    let markup = html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                meta name="generator" content=(format!("gearlash {}", env!("CARGO_PKG_VERSION")));
+                title { (title) " – backlash" }
+                style { (style) }
+            }
+            body {
+                (head(report, &title))
+                main {
+                    (verdict::section(&page))
+                    (trust::section(&page))
+                    (input::section(&page)?)
+                    (checks::section(&page))
+                    (results::section(&page)?)
+                    (measured::section(&page))
+                    (models::section(&page)?)
+                    (poses::section(&page)?)
+                    (method::section(&page))
+                }
+                footer { p {
+                    "gearlash " (env!("CARGO_PKG_VERSION")) ", " (report.date)
+                    ". The same pair file and version give the same numbers."
+                } }
+            }
+        }
+    };
+    Ok(markup.into_string() + "\n")
+}
+
+fn head(report: &Report, title: &str) -> Markup {
+    html! {
+        header {
+            p.kind { "Backlash of a gear pair · calculation report" }
+            h1 { (title) }
+            dl.about {
+                div { dt { "Pair file" } dd { (plain(report.file)) } }
+                div { dt { "Date" } dd { (report.date) " (UTC)" } }
+                div { dt { "Program" } dd { "gearlash " (env!("CARGO_PKG_VERSION")) } }
+            }
+        }
+        nav aria-label="Contents" {
+            a href="#result" { "Result" }
+            a href="#trust" { "Trust" }
+            a href="#input" { "Input" }
+            a href="#checks" { "Checks" }
+            a href="#backlash" { "Backlash and mesh" }
+            @if !report.measured.is_empty() { a href="#measured" { "Measured" } }
+            a href="#models" { "Formulas" }
+            a href="#poses" { "Worst poses" }
+            a href="#method" { "Method" }
+        }
+    }
+}

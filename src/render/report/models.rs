@@ -1,0 +1,74 @@
+//! The three formulas beside the simulation.
+
+use super::Page;
+use super::figures::difference;
+use super::words::fine;
+use crate::compare::Verdict;
+use crate::error::Error;
+use crate::outcome::{MODELS, count, deviation};
+use maud::{Markup, html};
+
+/// What each formula knows, in the order of [`MODELS`].
+const NAMES: [(&str, &str); 3] = [
+    (
+        "1 Michalec",
+        "mean thickness, eccentricity; linear in the centre distance",
+    ),
+    ("2 involute", "mean thickness, eccentricity at the pose"),
+    (
+        "3 line of action",
+        "every flank’s thickness and pitch, eccentricity; exact while involutes touch",
+    ),
+];
+
+pub(super) fn section(page: &Page) -> Result<Markup, Error> {
+    let verdicts = [
+        (Verdict::Agrees, "agree with model 3"),
+        (
+            Verdict::OffLine,
+            "lie below it, the teeth touching off the line of action",
+        ),
+        (Verdict::Below, "lie below it though involutes touch"),
+        (Verdict::Above, "lie above it"),
+    ];
+    let counts = verdicts.map(|(verdict, words)| (count(&page.all, verdict), words));
+    let counts: Vec<String> = counts
+        .iter()
+        .filter(|(poses, _)| *poses > 0)
+        .map(|(poses, words)| format!("{poses} {words}"))
+        .collect();
+    Ok(html! {
+        section id="models" {
+            h2 { "Formulas beside the simulation" }
+            p {
+                "Of " (page.whole.poses) " poses " (counts.join(", "))
+                " (tolerance " (super::words::written(page.report.study.tolerance_um)) " µm and the error bound)."
+            }
+            div.scroll tabindex="0" role="region" aria-label="Formulas beside the simulation" {
+                table {
+                    caption { "Simulated minus formula, µm" }
+                    thead { tr {
+                        th scope="col" { "model" }
+                        th scope="col" { "what it knows" }
+                        th.n scope="col" { "poses" }
+                        th.n scope="col" { "mean" }
+                        th.n scope="col" { "largest" }
+                    } }
+                    tbody {
+                        @for ((name, knows), model) in NAMES.into_iter().zip(MODELS) {
+                            @let deviation = deviation(&page.all, model);
+                            tr {
+                                th.w scope="row" { (name) }
+                                td { (knows) }
+                                td.n { (deviation.map_or(0, |deviation| deviation.poses)) }
+                                td.n { (fine(deviation.map(|deviation| deviation.mean))) }
+                                td.n { (fine(deviation.map(|deviation| deviation.largest))) }
+                            }
+                        }
+                    }
+                }
+            }
+            (difference(page)?)
+        }
+    })
+}

@@ -1,0 +1,107 @@
+//! The poses with the least and the greatest backlash, drawn.
+
+use super::Page;
+use super::inline::inline;
+use super::words::{distance, material, pose, um};
+use crate::error::Error;
+use crate::mesh::Status;
+use crate::outcome::Found;
+use crate::render::{Snapshot, snapshot};
+use maud::{Markup, PreEscaped, html};
+
+/// Centre distances, beside that of the least pose, whose least pose is drawn too (tuned: some 30 kB each).
+const MOST_DRAWN: usize = 8;
+
+pub(super) fn section(page: &Page) -> Result<Markup, Error> {
+    let whole = &page.whole;
+    let others = others(page);
+    Ok(html! {
+        section id="poses" {
+            h2 { "Worst poses" }
+            @if let Some(jammed) = jammed(page) {
+                (figure(page, "jammed", "Jammed, a tip in a root", jammed)?)
+            }
+            @if let Some(least) = whole.least { (figure(page, "least", "Least backlash", least)?) }
+            @if let Some(greatest) = whole.greatest {
+                (figure(page, "greatest", "Greatest backlash", greatest)?)
+            }
+            @if let Some((most, loss)) = most_lost(page) {
+                (figure(page, "lost", &format!("Most lost to contact off the line of action, {} µm", um(Some(loss), 3)), most)?)
+            }
+            p.note { "Bars of length are true; the ratios beside them hold on the A4 sheet of " code { "gearlash snapshot" } "." }
+            @if !others.is_empty() {
+                details {
+                    summary { "Least backlash at the other centre distances" }
+                    @for (number, least) in others.into_iter().enumerate() {
+                        (figure(page, &format!("least{}", number + 1), "Least backlash", least)?)
+                    }
+                }
+            }
+        }
+    })
+}
+
+/// The first pose that is jammed.
+fn jammed<'a>(page: &Page<'a>) -> Option<Found<'a>> {
+    let runs = page.all.iter().copied();
+    let mut all = runs.flat_map(|run| run.poses.iter().map(move |pose| Found { run, pose }));
+    all.find(|found| found.pose.swept.lost_motion.status() == Status::Jammed)
+}
+
+/// The pose that loses most to what no formula sees, where that is more than the tolerance and not drawn yet.
+fn most_lost<'a>(page: &Page<'a>) -> Option<(Found<'a>, f64)> {
+    let loss = page.report.diagnosis.contact.loss.as_ref()?;
+    let worst = &loss.worst;
+    let is_worst = |found: &Found| {
+        let run = &found.run.run;
+        run.material == worst.material
+            && run.assembly.center_distance() == worst.assembly.center_distance()
+            && found.pose.swept.pose == worst.pose
+    };
+    let runs = page.report.runs.iter();
+    let mut all = runs.flat_map(|run| run.poses.iter().map(move |pose| Found { run, pose }));
+    let found = all.find(is_worst)?;
+    let drawn = [page.whole.least, page.whole.greatest];
+    let known = drawn.iter().flatten().any(is_worst);
+    (worst.loss > page.report.study.tolerance_um * 1e-3 && !known).then_some((found, worst.loss))
+}
+
+/// The least poses of the other centre distances, where they are few.
+fn others<'a>(page: &Page<'a>) -> Vec<Found<'a>> {
+    let distance = |found: Found| found.run.run.assembly.center_distance();
+    let drawn = page.whole.least.map(distance);
+    let least = page.distances.iter().filter_map(|at| at.all.least);
+    let others: Vec<Found> = least
+        .filter(|found| Some(distance(*found)) != drawn)
+        .collect();
+    match others.len() {
+        0..=MOST_DRAWN => others,
+        _ => Vec::new(),
+    }
+}
+
+fn figure(page: &Page, id: &str, what: &str, found: Found) -> Result<Markup, Error> {
+    let run = &found.run.run;
+    let swept = &found.pose.swept;
+    let picture = snapshot(&Snapshot {
+        title: &page.report.study.title,
+        assembly: &run.assembly,
+        pose: &swept.pose,
+        material: run.material.name(),
+        lost_motion: &swept.lost_motion,
+    });
+    let backlash = swept.backlash.map(|mm| format!(": {} µm", um(Some(mm), 3)));
+    let words = format!(
+        "{what}{}, {}, centre distance {} mm, {}.",
+        backlash.unwrap_or_default(),
+        pose(found),
+        distance(run.assembly.center_distance()),
+        material(run.material)
+    );
+    Ok(html! {
+        figure.sheet {
+            (PreEscaped(inline(&picture, id, &words)?))
+            figcaption { (words) }
+        }
+    })
+}

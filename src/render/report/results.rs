@@ -1,0 +1,154 @@
+//! Backlash over the teeth and over the centre distance, and the mesh itself.
+
+use super::Page;
+use super::figures::{charted, over_distance, revolutions};
+use super::words::{distance, material, um};
+use crate::compare::ComparedRun;
+use crate::error::Error;
+use crate::outcome::Outcome;
+use crate::phases::{phase_groups, variation};
+use crate::render::viewer;
+use maud::{Markup, PreEscaped, html};
+use std::borrow::Cow;
+
+/// Poses up to which the mesh view takes a run more (tuned: some 150 bytes each, a page of 8 MB at most).
+const MOST_VIEWED: usize = 30_000;
+
+pub(super) fn section(page: &Page) -> Result<Markup, Error> {
+    let viewed = viewed(page);
+    let runs: Cow<[ComparedRun]> = match viewed.len() == page.report.revolution.len() {
+        true => Cow::Borrowed(page.report.revolution),
+        false => viewed.iter().map(|run| (*run).clone()).collect(),
+    };
+    let charts = charted(page);
+    let charts: Vec<_> = charts
+        .iter()
+        .map(|(id, course)| (id.as_str(), *course))
+        .collect();
+    let mesh = viewer::fragment(page.report.study, &runs, &charts)
+        .map_err(|error| Error::Chart(format!("the poses cannot be written: {error}")))?;
+    let left_out = page.report.revolution.len() - viewed.len();
+    Ok(html! {
+        section id="backlash" {
+            h2 { "Backlash and mesh" }
+            (materials(page))
+            (phases(page))
+            h3 { "Over the teeth" }
+            (revolutions(page)?)
+            h3 { "The mesh" }
+            (PreEscaped(mesh))
+            @if left_out > 0 {
+                p.note { (left_out) " of " (page.report.revolution.len()) " runs are left out here: the page would be too large." }
+            }
+            h3 { "Over the centre distance" }
+            (over_distance(page)?)
+        }
+    })
+}
+
+/// The runs the mesh view shows, in order: all, or the one with the least backlash and as many more as there is room for.
+fn viewed<'a>(page: &Page<'a>) -> Vec<&'a ComparedRun> {
+    let revolution = page.report.revolution;
+    let least = page.whole.least.map(|found| found.run);
+    let is_least = |run: &ComparedRun| least.is_some_and(|least| std::ptr::eq(least, run));
+    let first = revolution.iter().find(|run| is_least(run));
+    let first = first.or(revolution.first());
+    let mut room = MOST_VIEWED.saturating_sub(first.map_or(0, |run| run.poses.len()));
+    let fits = |run: &&ComparedRun| {
+        if first.is_some_and(|first| std::ptr::eq(first, *run)) {
+            return run.poses.len() <= MOST_VIEWED;
+        }
+        let fits = run.poses.len() <= room;
+        if fits {
+            room -= run.poses.len();
+        }
+        fits
+    };
+    revolution.iter().filter(fits).collect()
+}
+
+/// Each centre distance and material.
+fn materials(page: &Page) -> Markup {
+    let rows = page
+        .distances
+        .iter()
+        .flat_map(|at| at.materials.iter().map(move |(end, of)| (at, *end, of)));
+    html! {
+        div.scroll tabindex="0" role="region" aria-label="Backlash of each centre distance and material" {
+            table {
+                caption { "Each centre distance and material, µm" }
+                thead { tr {
+                    th.n scope="col" { i { "a" } " mm" }
+                    th scope="col" { "material" }
+                    th.n scope="col" { "poses" }
+                    th.n scope="col" { "least" }
+                    th.n scope="col" { "mean" }
+                    th.n scope="col" { "greatest" }
+                    th.n scope="col" { "interfering" }
+                    th.n scope="col" { "jammed" }
+                    th.n scope="col" { "out of mesh" }
+                } }
+                tbody { @for (at, end, of) in rows {
+                    tr {
+                        th.n scope="row" { (distance(at.center_distance)) }
+                        td.w { (material(end)) }
+                        (counts(of))
+                    }
+                } }
+            }
+        }
+    }
+}
+
+/// Which teeth to mark together, where phases are run apart.
+fn phases(page: &Page) -> Markup {
+    let groups = phase_groups(page.report.runs);
+    let cells = |run: Option<&ComparedRun>| {
+        let phase = run.and_then(|run| run.run.phase);
+        html! {
+            td { (phase.map_or("–".to_owned(), |(wheel, pinion)| format!("{wheel}·{pinion}"))) }
+            td.n { (um(run.and_then(variation), 3)) }
+        }
+    };
+    html! {
+        @if !groups.is_empty() {
+            div.scroll tabindex="0" role="region" aria-label="Assembly phases" {
+                table {
+                    caption { "Assembly phases: teeth to mark together (wheel·pinion), and how much backlash then varies, µm" }
+                    thead { tr {
+                        th.n scope="col" { i { "a" } " mm" }
+                        th scope="col" { "material" }
+                        th.n scope="col" { "phases" }
+                        th scope="col" { "best" } th.n scope="col" { "varies by" }
+                        th scope="col" { "worst" } th.n scope="col" { "varies by" }
+                    } }
+                    tbody { @for group in &groups {
+                        tr {
+                            @if let Some(run) = group.runs.first() {
+                                th.n scope="row" { (distance(run.run.assembly.center_distance())) }
+                                td.w { (material(run.run.material)) }
+                            }
+                            td.n { (group.runs.len()) }
+                            (cells(group.best))
+                            (cells(group.worst))
+                        }
+                    } }
+                }
+            }
+        }
+    }
+}
+
+fn counts(of: &Outcome) -> Markup {
+    let backlash =
+        |found: Option<crate::outcome::Found>| um(found.and_then(|f| f.pose.swept.backlash), 3);
+    html! {
+        td.n { (of.poses) }
+        td.n { (backlash(of.least)) }
+        td.n { (um(of.mean, 3)) }
+        td.n { (backlash(of.greatest)) }
+        td.n { (of.interfering) }
+        td.n { (of.jammed) }
+        td.n { (of.apart) }
+    }
+}

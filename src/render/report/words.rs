@@ -1,0 +1,194 @@
+//! How numbers, symbols and the user's words get into the page.
+
+use crate::mesh::Contact;
+use crate::outcome::Found;
+use crate::study::Material;
+use maud::{Markup, html};
+
+/// A length given in mm as µm, with a true minus sign, never `−0.00`; a dash for none.
+pub(super) fn um(length: Option<f64>, decimals: usize) -> String {
+    value(length.map(|mm| mm * 1e3), decimals)
+}
+
+/// A number with so many decimals, likewise.
+pub(super) fn value(number: Option<f64>, decimals: usize) -> String {
+    let Some(number) = number else {
+        return "–".to_owned();
+    };
+    let text = format!("{number:.decimals$}");
+    match text.strip_prefix('-') {
+        Some(digits) if digits.chars().all(|c| c == '0' || c == '.') => digits.to_owned(),
+        Some(digits) => format!("−{digits}"),
+        None => text,
+    }
+}
+
+/// As short as reads back to the same number: what a user wrote.
+pub(super) fn written(number: f64) -> String {
+    let text = format!("{number}");
+    text.strip_prefix('-')
+        .map_or_else(|| text.clone(), |digits| format!("−{digits}"))
+}
+
+/// A centre distance in mm: three decimals, or as many as it has.
+pub(super) fn distance(mm: f64) -> String {
+    let (short, full) = (format!("{mm:.3}"), format!("{mm}"));
+    if short.len() > full.len() {
+        short
+    } else {
+        full
+    }
+}
+
+/// An error bound, given in mm, in µm: one digit, rounded up.
+pub(super) fn bound(mm: f64) -> String {
+    let um = mm * 1e3;
+    if !(um > 0.0 && um.is_finite()) {
+        return "0".to_owned();
+    }
+    let power = um.log10().floor();
+    // What rounding of a product adds to a whole digit is none.
+    let digit = (um / 10f64.powf(power) * (1.0 - 1e-12)).ceil();
+    match digit {
+        10.0 => scientific(1.0, power + 1.0),
+        _ => scientific(digit, power),
+    }
+}
+
+/// `digit · 10^power` with raised digits, or as it is where that is short.
+fn scientific(digit: f64, power: f64) -> String {
+    if (-3.0..=3.0).contains(&power) {
+        return format!("{}", digit * 10f64.powf(power));
+    }
+    let power = format!("{power}");
+    let raised = power.chars().map(|c| match c {
+        '-' => '⁻',
+        '1' => '¹',
+        '2' => '²',
+        '3' => '³',
+        '4'..='9' => char::from_u32('⁴' as u32 + c as u32 - '4' as u32).unwrap_or(c),
+        _ => '⁰',
+    });
+    format!("{digit}·10{}", raised.collect::<String>())
+}
+
+/// A difference, given in mm, in µm: four decimals, or its size where they would show none of it.
+pub(super) fn fine(length: Option<f64>) -> String {
+    match length {
+        Some(mm) if mm != 0.0 && mm.abs() < 5e-7 => {
+            let um = mm.abs() * 1e3;
+            let power = um.log10().floor();
+            let sign = if mm < 0.0 { "−" } else { "" };
+            let digit = (um / 10f64.powf(power)).round();
+            format!("{sign}{}", scientific(digit, power))
+        }
+        other => um(other, 4),
+    }
+}
+
+/// `least … greatest`, in µm.
+pub(super) fn band(ends: [Option<f64>; 2], decimals: usize) -> String {
+    match ends {
+        [None, None] => "–".to_owned(),
+        [least, greatest] => format!("{} … {}", um(least, decimals), um(greatest, decimals)),
+    }
+}
+
+/// `j_wt` as a symbol.
+pub(super) fn j_wt() -> Markup {
+    symbol("j", "wt")
+}
+
+/// A symbol with its index.
+pub(super) fn symbol(letter: &str, index: &str) -> Markup {
+    html! { i { (letter) } @if !index.is_empty() { sub { (index) } } }
+}
+
+/// A material in words.
+pub(super) fn material(material: Material) -> &'static str {
+    match material {
+        Material::Most => "most material",
+        Material::Least => "least material",
+        Material::AsMeasured => "as measured",
+    }
+}
+
+/// Wheel and pinion tooth of a contact.
+fn teeth(contact: &Option<Contact>) -> String {
+    contact.as_ref().map_or("–".to_owned(), |contact| {
+        format!("{}·{}", contact.wheel.tooth, contact.pinion.tooth)
+    })
+}
+
+/// The teeth that touch: right flanks, left flanks; wheel and pinion tooth each.
+pub(super) fn touching(found: Option<Found>) -> [String; 2] {
+    match found {
+        None => ["–".to_owned(), "–".to_owned()],
+        Some(found) => {
+            let lost_motion = &found.pose.swept.lost_motion;
+            [teeth(&lost_motion.right), teeth(&lost_motion.left)]
+        }
+    }
+}
+
+/// A pose in words: mating, flank, fraction.
+pub(super) fn pose(found: Found) -> String {
+    let mating = found.pose.swept.pose.mating();
+    let beyond = match mating.fraction {
+        0.0 => String::new(),
+        fraction => format!(
+            ", {} pitch beyond",
+            crate::render::caption::decimals(fraction, 0, 4)
+        ),
+    };
+    let phase = found.run.run.phase;
+    let phase = phase.map_or(String::new(), |(w, p)| format!(", phase {w}·{p}"));
+    format!(
+        "wheel {} with pinion {} at the {} flank{beyond}{phase}",
+        mating.wheel_tooth,
+        mating.pinion_tooth,
+        mating.flank.name()
+    )
+}
+
+/// The user's words with characters that a page cannot hold (controls, noncharacters) as spaces.
+pub(super) fn plain(text: &str) -> String {
+    let cannot = |c: char| {
+        let code = c as u32;
+        c.is_control() || (0xFDD0..=0xFDEF).contains(&code) || code & 0xFFFE == 0xFFFE
+    };
+    text.chars()
+        .map(|c| if cannot(c) { ' ' } else { c })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_as_they_are_set() {
+        assert_eq!(um(Some(-0.0162741), 2), "−16.27");
+        assert_eq!(um(Some(-1e-9), 2), "0.00");
+        assert_eq!(um(None, 2), "–");
+        assert_eq!(distance(132.04), "132.040");
+        assert_eq!(distance(132.12345), "132.12345");
+        assert_eq!(distance(160.0), "160.000");
+    }
+
+    #[test]
+    fn a_bound_is_rounded_up() {
+        assert_eq!(bound(3.14e-12), "4·10⁻⁹");
+        assert_eq!(bound(1e-12), "1·10⁻⁹");
+        assert_eq!(bound(9.5e-12), "1·10⁻⁸");
+        assert_eq!(bound(3.2e-5), "0.04");
+        assert_eq!(bound(0.0), "0");
+        assert_eq!(fine(Some(-2.2e-15)), "−2·10⁻¹²");
+        assert_eq!(fine(Some(-2.25218e-2)), "−22.5218");
+    }
+
+    #[test]
+    fn what_no_page_can_hold_becomes_a_space() {
+        assert_eq!(plain("a\u{0}b\u{FDD0}c\u{1FFFF}<d>"), "a b c <d>");
+    }
+}

@@ -1,0 +1,83 @@
+//! The mesh in a page: both gears as built, to be zoomed, panned and stepped through the poses of a run.
+//!
+//! The page gets an SVG of the worst pose, complete without a script, the results in columns, and `viewer.js`,
+//! which only sets transforms and texts from those columns. Where gears stand, what touches and of
+//! which class are read from the results. What is shown is rounded: outlines and contact points
+//! to [`precision::Precision`], rotations to 1e-6°; `j_wt` is the result's own f64.
+
+mod columns;
+mod drawing;
+mod marks;
+mod outline;
+mod precision;
+mod readout;
+
+use crate::compare::ComparedRun;
+use crate::curves::Course;
+use crate::mesh::{Status, first_least};
+use crate::study::Study;
+use columns::Columns;
+use precision::Precision;
+use std::fmt::Write;
+
+/// The style sheet, for the head of the page.
+pub const STYLE: &str = include_str!("viewer.css");
+const SCRIPT: &str = include_str!("viewer.js");
+const CONTROLS: &str = include_str!("controls.html");
+
+/// The part of a page that shows the mesh of `runs`: HTML to stand in the body once; empty without a pose.
+///
+/// `charts` are curves over the teeth of these runs, each with the id of its chart's `<svg>` in the page: a
+/// cursor goes along in it, and a click there leads to the nearest pose.
+///
+/// # Errors
+/// None for results of a simulation: the columns are numbers and names.
+pub fn fragment(
+    study: &Study,
+    runs: &[ComparedRun],
+    charts: &[(&str, &Course)],
+) -> Result<String, serde_json::Error> {
+    let Some(start) = worst(runs) else {
+        return Ok(String::new());
+    };
+    let (run, pose) = (&runs[start[0]], &runs[start[0]].poses[start[1]]);
+    let precision = Precision::of(&run.run.assembly);
+    let data = serde_json::to_string(&Columns::new(study, runs, charts, start, precision))?;
+    let mut html = String::from("<div class=\"viewer\" id=\"viewer\">\n");
+    html.push_str(CONTROLS);
+    html.push_str(&drawing::draw(study, run, pose, precision));
+    html.push_str(&readout::draw(run, start[1]));
+    let _ = writeln!(
+        html,
+        "<p class=\"viewer-note\">{} Outlines: chords within {} µm of the curves, places to {} µm, rotations to 1e-6°.</p>\n\
+         <noscript><p class=\"viewer-note\">This is the worst pose. With JavaScript every pose can be looked at.</p></noscript>",
+        readout::LEGEND,
+        precision.chord_um(),
+        precision.place_um(),
+    );
+    // `<` occurs in strings alone, where JSON may write it so: nothing can end the element early.
+    let _ = writeln!(
+        html,
+        "<script type=\"application/json\" id=\"viewer-data\">{}</script>\n<script>\n{SCRIPT}</script>\n</div>",
+        data.replace('<', "\\u003c")
+    );
+    Ok(html)
+}
+
+/// Run and pose, from 0, of the worst pose: the first that is jammed, or else the one with the least backlash;
+/// the first of all when none is in mesh.
+fn worst(runs: &[ComparedRun]) -> Option<[usize; 2]> {
+    let poses = || {
+        let numbered = runs.iter().enumerate();
+        numbered.flat_map(|(r, run)| {
+            let poses = run.poses.iter().enumerate();
+            poses.map(move |(p, pose)| ([r, p], &pose.swept))
+        })
+    };
+    let jammed = poses().find(|(_, pose)| pose.lost_motion.status() == Status::Jammed);
+    let least = || {
+        first_least(poses().filter_map(|(at, pose)| Some((at, pose.backlash?, pose.error_bound?))))
+    };
+    let first = || poses().next().map(|(at, _)| at);
+    jammed.map(|(at, _)| at).or_else(least).or_else(first)
+}

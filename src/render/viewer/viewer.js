@@ -1,0 +1,286 @@
+"use strict";
+// Steps the mesh through the poses of a run, zooms and pans it, and keeps the chart's cursor with it. Everything about
+// gears (rotations, contacts, classes, backlash) comes from the columns in #viewer-data; this file
+// only sets transforms and texts. Angles are degrees counter-clockwise, lengths mm, y up.
+(() => {
+  const byId = (name) => document.getElementById("viewer-" + name);
+  const data = JSON.parse(byId("data").textContent);
+  const root = document.getElementById("viewer");
+  const picture = byId("picture");
+  const slider = byId("slider");
+  const members = ["wheel", "pinion"];
+  const sides = ["right", "left"];
+
+  // ---- what is shown: a run, a pose of it, and the contact the free gear is held in
+  const shown = { run: data.start[0], pose: data.start[1], side: "right" };
+  const run = () => data.runs[shown.run];
+  const poses = () => run().status.length;
+  const value = (column) => run()[column][shown.pose];
+
+  function show() {
+    const lost = value("lost_motion_deg") ?? 0;
+    const free = value("free_deg") + (shown.side === "left" ? lost : 0);
+    const axes = { wheel: 0, pinion: run().center_distance_mm };
+    for (const member of members) {
+      const turn = member === data.free ? free : value("locked_deg");
+      const place = `translate(${axes[member]} 0) rotate(${turn})`;
+      byId(member).setAttribute("transform", place);
+      byId(member === "wheel" ? "clip-shape" : "overlap").setAttribute("transform", place);
+    }
+    root.querySelectorAll(".viewer-met").forEach((number) => number.classList.remove("viewer-met"));
+    for (const side of sides) showContact(side, lost, axes[data.free]);
+    slider.value = shown.pose;
+    slider.setAttribute("aria-valuetext", `pose ${shown.pose + 1} of ${poses()}`);
+    showText();
+    showCursor();
+  }
+
+  // The points on the two gears are one where they touch; else the free gear's has the lost motion to go.
+  function showContact(side, lost, axis) {
+    const contact = run()[side];
+    const [x, y] = [contact.x_mm[shown.pose], contact.y_mm[shown.pose]];
+    byId(side + "-contact").setAttribute("display", x === null ? "none" : "inline");
+    if (x === null) return;
+    const touches = side === shown.side;
+    const back = touches ? 0 : side === "left" ? -lost : lost;
+    const place = `translate(${x} ${y})`;
+    byId("normal-" + side).parentNode.setAttribute("transform", place);
+    byId("normal-" + side).setAttribute("transform", `rotate(${contact.normal_deg[shown.pose]})`);
+    for (const gear of ["locked", "free"]) {
+      const dot = byId(`${gear}-${side}`);
+      dot.classList.toggle("viewer-open", !touches);
+      for (const part of dot.children) part.setAttribute("transform", place);
+    }
+    byId("free-" + side).setAttribute("transform", `rotate(${back} ${axis} 0)`);
+    for (const member of members) {
+      byId(`${member}-tooth-${contact[member][shown.pose]}`)?.classList.add("viewer-met");
+    }
+  }
+
+  // ---- texts, in the words of readout.rs
+  function showText() {
+    const set = (name, text) => { byId(name).textContent = text; };
+    const fraction = value("fraction");
+    const beyond = fraction === 0 ? "" : ` ${fraction > 0 ? "+" : "−"} ${Math.abs(fraction)} pitch`;
+    const [wheel, pinion] = run().mating.map((teeth) => teeth[shown.pose]);
+    const flank = value("left_flank") ? "left" : "right";
+    set("run", run().label);
+    set("pose", `${shown.pose + 1} of ${poses()}: wheel tooth ${wheel} with pinion tooth ${pinion}, ${flank} flank${beyond}`);
+    set("status", data.statuses[value("status")].replace("_", " "));
+    const backlash = value("j_wt_um");
+    const output = byId("backlash");
+    output.textContent = backlash === null ? "none" : micrometres(backlash) + " µm";
+    output.dataset.um = backlash ?? "";
+    output.title = backlash === null ? "" : backlash + " µm";
+    const bound = value("error_bound_um");
+    set("bound", bound === null ? "none" : `≤ ${bound.toExponential().replace("e+", "e")} µm`);
+    for (const side of sides) {
+      const contact = run()[side];
+      const [w, p, kind] = [contact.wheel, contact.pinion, contact.class].map((column) => column[shown.pose]);
+      set(side, w === null ? "none" : `wheel tooth ${w} on pinion tooth ${p}, ${data.classes[kind]}`);
+    }
+  }
+
+  function micrometres(um) {
+    const text = um.toFixed(3);
+    return text === "-0.000" ? "0.000" : text.replace("-", "−");
+  }
+
+  // ---- stepping
+  function choosePose(pose) {
+    shown.pose = Math.min(Math.max(pose, 0), poses() - 1);
+    show();
+  }
+
+  function chooseRun(number, pose) {
+    shown.run = number;
+    byId("runs").value = number;
+    slider.max = poses() - 1;
+    root.querySelectorAll("[data-outline]").forEach((use) => {
+      use.setAttribute("href", `#viewer-${use.dataset.outline}-${run().outlines}`);
+    });
+    members.forEach((member, i) => {
+      const r = run().pitch_radius_mm[i];
+      const circle = byId("pitch-" + member);
+      circle.setAttribute("d", `M${r} 0A${r} ${r} 0 1 1 -${r} 0A${r} ${r} 0 1 1 ${r} 0Z`);
+      circle.setAttribute("transform", `translate(${i * run().center_distance_mm} 0)`);
+    });
+    byId("centres").setAttribute("d", `M0 0H${run().center_distance_mm}`);
+    choosePose(pose);
+  }
+
+  let playing = null;
+  const MILLISECONDS_A_POSE = 80;
+  function play(on) {
+    clearInterval(playing);
+    playing = on ? setInterval(() => choosePose((shown.pose + 1) % poses()), MILLISECONDS_A_POSE) : null;
+    const button = byId("play");
+    button.textContent = on ? "Pause" : "Play";
+    button.setAttribute("aria-pressed", on);
+    // A screen reader cannot keep up with a running picture.
+    byId("backlash").setAttribute("aria-live", on ? "off" : "polite");
+  }
+
+  function step(by) {
+    play(false);
+    choosePose(shown.pose + by);
+  }
+
+  // ---- zoom and pan: the viewBox
+  const box = (text) => text.split(" ").map(Number);
+  const [home, whole] = [box(picture.dataset.home), box(picture.dataset.whole)];
+  const NARROWEST = home[2] / 2000;
+  const WIDEST = whole[2] * 2;
+  let view = home;
+
+  function look(to) {
+    view = to;
+    picture.setAttribute("viewBox", view.join(" "));
+    showScale();
+  }
+
+  // How many millimetres the picture is wide on the screen.
+  function showScale() {
+    const wide = picture.getBoundingClientRect().width / picture.getScreenCTM().a;
+    byId("scale").textContent = `${wide.toPrecision(3)} mm wide`;
+  }
+
+  // `at`: the place that stays where it is, in units of the viewBox.
+  function zoom(factor, at = [view[0] + view[2] / 2, view[1] + view[3] / 2]) {
+    const width = Math.min(Math.max(view[2] / factor, NARROWEST), WIDEST);
+    const part = width / view[2];
+    look([at[0] + (view[0] - at[0]) * part, at[1] + (view[1] - at[1]) * part, width, view[3] * part]);
+  }
+
+  function pan(right, down) {
+    look([view[0] + right, view[1] + down, view[2], view[3]]);
+  }
+
+  function placeIn(svg, event) {
+    const place = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM().inverse());
+    return [place.x, place.y];
+  }
+
+  const pointers = new Map();
+  const spread = () => {
+    const [a, b] = [...pointers.values()];
+    return Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY);
+  };
+
+  function drag(event) {
+    const before = pointers.get(event.pointerId);
+    if (!before) return;
+    if (pointers.size === 1) {
+      const [from, to] = [placeIn(picture, before), placeIn(picture, event)];
+      pan(from[0] - to[0], from[1] - to[1]);
+    }
+    const apart = pointers.size === 2 ? spread() : 0;
+    pointers.set(event.pointerId, event);
+    if (pointers.size === 2) {
+      const [a, b] = [...pointers.values()].map((pointer) => placeIn(picture, pointer));
+      zoom(spread() / apart, [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2]);
+    }
+  }
+
+  picture.addEventListener("pointerdown", (event) => {
+    if (event.button !== 0) return;
+    pointers.set(event.pointerId, event);
+    picture.setPointerCapture(event.pointerId);
+  });
+  picture.addEventListener("pointermove", drag);
+  for (const end of ["pointerup", "pointercancel"]) {
+    picture.addEventListener(end, (event) => pointers.delete(event.pointerId));
+  }
+  picture.addEventListener("wheel", (event) => {
+    event.preventDefault();
+    zoom(Math.exp(-Math.sign(event.deltaY) * 0.2), placeIn(picture, event));
+  }, { passive: false });
+
+  // ---- keys: anywhere in the viewer, but arrows stay with the slider and the lists
+  const ZOOM = 1.5;
+  const keys = {
+    "+": () => zoom(ZOOM), "=": () => zoom(ZOOM), "-": () => zoom(1 / ZOOM), "0": () => look(home),
+    ArrowLeft: () => step(-1), ArrowRight: () => step(1),
+  };
+  const shifted = {
+    "+": keys["+"],
+    ArrowLeft: () => pan(-view[2] / 10, 0), ArrowRight: () => pan(view[2] / 10, 0),
+    ArrowUp: () => pan(0, -view[3] / 10), ArrowDown: () => pan(0, view[3] / 10),
+  };
+  root.addEventListener("keydown", (event) => {
+    const typed = event.target.matches("input, select") && event.key.startsWith("Arrow");
+    const act = (event.shiftKey ? shifted : keys)[event.key];
+    if (!act || typed || event.ctrlKey || event.altKey || event.metaKey) return;
+    event.preventDefault();
+    act();
+  });
+
+  // ---- charts: a cursor at the pose, and a click to the nearest pose
+  const charts = new Map();
+  data.runs.forEach((each, number) => {
+    const svg = each.chart && document.getElementById(each.chart);
+    if (svg) charts.set(svg, [...(charts.get(svg) ?? []), number]);
+  });
+  const cursor = document.createElementNS("http://www.w3.org/2000/svg", "line");
+  cursor.setAttribute("class", "viewer-cursor");
+
+  const frame = (svg) => Object.fromEntries(
+    ["left", "right", "top", "bottom", "x0", "x1", "y0", "y1"].map((name) => [name, Number(svg.dataset[name])]));
+
+  function showCursor() {
+    const svg = run().chart && document.getElementById(run().chart);
+    if (!svg) return cursor.remove();
+    const f = frame(svg);
+    const x = f.left + (value("chart_x") - f.x0) / (f.x1 - f.x0) * (f.right - f.left);
+    for (const [name, at] of [["x1", x], ["x2", x], ["y1", f.top], ["y2", f.bottom]]) cursor.setAttribute(name, at);
+    svg.append(cursor);
+  }
+
+  // Nearest across; of several poses there, the one whose backlash is nearest to the click.
+  function jump(svg, event) {
+    const f = frame(svg);
+    const [left, down] = placeIn(svg, event);
+    const x = f.x0 + (left - f.left) / (f.right - f.left) * (f.x1 - f.x0);
+    const y = f.y0 + (f.bottom - down) / (f.bottom - f.top) * (f.y1 - f.y0);
+    let best = { across: Infinity, up: Infinity };
+    for (const number of charts.get(svg)) {
+      const { chart_x, j_wt_um } = data.runs[number];
+      chart_x.forEach((place, pose) => {
+        const across = Math.abs(place - x);
+        const up = j_wt_um[pose] === null ? Infinity : Math.abs(j_wt_um[pose] - y);
+        const nearer = across < best.across || (across === best.across && up < best.up);
+        if (nearer) best = { number, pose, across, up };
+      });
+    }
+    play(false);
+    chooseRun(best.number, best.pose);
+  }
+
+  for (const svg of charts.keys()) {
+    svg.classList.add("viewer-charted");
+    svg.addEventListener("click", (event) => jump(svg, event));
+  }
+
+  // ---- controls
+  data.runs.forEach((each, number) => byId("runs").add(new Option(each.label, number)));
+  byId("runs").addEventListener("change", (event) => chooseRun(Number(event.target.value), shown.pose));
+  slider.addEventListener("input", () => { play(false); choosePose(Number(slider.value)); });
+  root.querySelectorAll("[name=viewer-side]").forEach((radio) => radio.addEventListener("change", () => {
+    shown.side = radio.value;
+    show();
+  }));
+  const clicks = {
+    back: () => step(-1), on: () => step(1), play: () => play(playing === null),
+    in: () => zoom(ZOOM), out: () => zoom(1 / ZOOM), home: () => look(home), whole: () => look(whole),
+  };
+  for (const [name, act] of Object.entries(clicks)) byId(name).addEventListener("click", act);
+  picture.setAttribute("tabindex", "0");
+  picture.setAttribute("role", "application");
+  root.classList.add("viewer-js");
+  byId("controls").hidden = false;
+  // A browser may keep a radio as it was before a reload.
+  shown.side = root.querySelector("[name=viewer-side]:checked")?.value ?? "right";
+  chooseRun(shown.run, shown.pose);
+  showScale();
+  addEventListener("resize", showScale);
+})();

@@ -1,0 +1,88 @@
+//! The report's page in a real browser: headless Chromium, started once, a tab a test.
+//!
+//! Where none is found these tests are shown as ignored, with a line that says why; `CHROME` names one that is not on the path.
+
+mod chromium;
+mod mesh;
+mod page;
+mod paper;
+
+use chromium::Chromium;
+use libtest_mimic::{Arguments, Trial};
+use page::Site;
+use std::sync::{Arc, OnceLock};
+
+/// What every test gets: the browser and the pages, made when the first test asks.
+type Test = fn(&Chromium, &Site);
+
+const TESTS: [(&str, Test); 12] = [
+    (
+        "opens_from_disk_without_errors",
+        page::opens_from_disk_without_errors,
+    ),
+    (
+        "says_the_same_without_script",
+        page::says_the_same_without_script,
+    ),
+    (
+        "slider_and_arrow_keys_turn_the_gears",
+        mesh::slider_and_arrow_keys_turn_the_gears,
+    ),
+    ("backlash_is_the_results", mesh::backlash_is_the_results),
+    (
+        "the_free_gear_goes_from_contact_to_contact",
+        mesh::the_free_gear_goes_from_contact_to_contact,
+    ),
+    ("a_run_can_be_chosen", mesh::a_run_can_be_chosen),
+    (
+        "play_advances_until_paused",
+        mesh::play_advances_until_paused,
+    ),
+    (
+        "buttons_wheel_and_keys_zoom",
+        mesh::buttons_wheel_and_keys_zoom,
+    ),
+    (
+        "dragging_and_shifted_arrows_pan",
+        mesh::dragging_and_shifted_arrows_pan,
+    ),
+    (
+        "a_click_in_the_chart_leads_to_the_pose",
+        mesh::a_click_in_the_chart_leads_to_the_pose,
+    ),
+    (
+        "prints_whole_figures_on_a4",
+        paper::prints_whole_figures_on_a4,
+    ),
+    (
+        "fits_wide_and_narrow_windows",
+        paper::fits_wide_and_narrow_windows,
+    ),
+];
+
+fn main() {
+    let mut arguments = Arguments::from_args();
+    // One browser; its tabs would only wait for each other.
+    arguments.test_threads.get_or_insert(1);
+    let program = chromium::find();
+    if program.is_none() {
+        println!(
+            "\nbrowser tests skipped: no Chromium found (looked on PATH for chromium, chromium-browser and google-chrome; CHROME names another)"
+        );
+    }
+    let stage: Arc<OnceLock<(Chromium, Site)>> = Arc::default();
+    let trials = TESTS.map(|(name, test)| {
+        let (stage, program) = (Arc::clone(&stage), program.clone());
+        let run = move || {
+            let program = program.ok_or("no Chromium")?;
+            let (browser, site) = stage.get_or_init(|| (Chromium::start(&program), Site::make()));
+            test(browser, site);
+            Ok(())
+        };
+        Trial::test(name, run).with_ignored_flag(chromium::find().is_none())
+    });
+    let conclusion = libtest_mimic::run(&arguments, trials.into());
+    // Ends the browser, which `exit` would leave running.
+    drop(stage);
+    conclusion.exit();
+}

@@ -1,0 +1,337 @@
+//! The mesh: what the page shows is what the result says, and every control does its work.
+
+use crate::chromium::{Chromium, Tab};
+use crate::page::{Site, open, said, unfold};
+use serde_json::{Value, json};
+
+/// Shows a pose by the controls' own events.
+fn go(tab: &mut Tab, run: usize, pose: usize) {
+    tab.eval(&format!(
+        "for (const [name, value, event] of [['runs', {run}, 'change'], ['slider', {pose}, 'input']]) {{ \
+         const control = document.getElementById('viewer-' + name); control.value = value; \
+         control.dispatchEvent(new Event(event, {{ bubbles: true }})); }}"
+    ));
+}
+
+/// The rotation in a gear's transform, degrees.
+fn turned(tab: &mut Tab, member: &str) -> f64 {
+    let transform = tab.text(&format!(
+        "document.getElementById('viewer-{member}').getAttribute('transform')"
+    ));
+    let rotation = transform
+        .rsplit_once("rotate(")
+        .expect("a gear is turned")
+        .1;
+    rotation.trim_end_matches(')').parse().expect("an angle")
+}
+
+fn assert_angle(shown: f64, expected_rad: &Value, what: &str) {
+    let expected = expected_rad.as_f64().expect("a rotation").to_degrees();
+    let off = (shown - expected + 180.0).rem_euclid(360.0) - 180.0;
+    // Shown to 1e-6°; the free gear's left contact is the sum of two such numbers.
+    assert!(
+        off.abs() < 1.1e-6,
+        "{what}: {shown}° instead of {expected}°"
+    );
+}
+
+fn assert_stands(tab: &mut Tab, expected: &Value) {
+    let (wheel, pinion) = (turned(tab, "wheel"), turned(tab, "pinion"));
+    assert_angle(wheel, &expected["wheel_rotation_rad"], "wheel");
+    assert_angle(pinion, &expected["right_rad"], "pinion");
+}
+
+fn number_shown(tab: &mut Tab) -> f64 {
+    tab.number("Number(document.getElementById('viewer-slider').value)")
+}
+
+pub fn slider_and_arrow_keys_turn_the_gears(browser: &Chromium, site: &Site) {
+    let mut tab = open(browser, site);
+    go(&mut tab, 0, 10);
+    assert_stands(&mut tab, site.pose(0, 10));
+    let before = turned(&mut tab, "wheel");
+    tab.eval("document.getElementById('viewer-slider').focus()");
+    tab.key("ArrowRight", false);
+    assert_eq!(number_shown(&mut tab), 11.0);
+    assert_stands(&mut tab, site.pose(0, 11));
+    assert!((turned(&mut tab, "wheel") - before).abs() > 1.0);
+    tab.eval("document.getElementById('viewer-picture').focus()");
+    for (key, pose) in [("ArrowLeft", 10), ("ArrowLeft", 9), ("ArrowRight", 10)] {
+        tab.key(key, false);
+        assert_eq!(number_shown(&mut tab), f64::from(pose));
+        assert_stands(&mut tab, site.pose(0, pose as usize));
+    }
+    for (button, pose) in [("on", 11), ("back", 10)] {
+        tab.click(&format!("#viewer-{button}"));
+        assert_stands(&mut tab, site.pose(0, pose));
+    }
+    // No pose before the first.
+    go(&mut tab, 0, 0);
+    tab.eval("document.getElementById('viewer-picture').focus()");
+    tab.key("ArrowLeft", false);
+    assert_stands(&mut tab, site.pose(0, 0));
+}
+
+pub fn backlash_is_the_results(browser: &Chromium, site: &Site) {
+    let mut tab = open(browser, site);
+    let mut negative = 0;
+    for run in 0..4 {
+        for pose in [0, 1, 7, 33, 80, 121, 159] {
+            go(&mut tab, run, pose);
+            let expected = site.pose(run, pose);
+            let j_wt = expected["j_wt_um"].as_f64().expect("a backlash");
+            negative += i32::from(j_wt < 0.0);
+            let shown = said(&mut tab, "backlash");
+            assert_eq!(shown, format!("{j_wt:.3} µm").replace('-', "−"));
+            let whole = tab.text("document.getElementById('viewer-backlash').dataset.um");
+            assert_eq!(whole.parse(), Ok(j_wt));
+            assert_eq!(
+                said(&mut tab, "status"),
+                expected["status"].as_str().expect("a status")
+            );
+            let bound = said(&mut tab, "bound");
+            let bound = bound.trim_start_matches("≤ ").trim_end_matches(" µm");
+            let bound: f64 = bound.parse().expect("a bound");
+            let exact = expected["error_bound_um"].as_f64().expect("a bound");
+            assert!(
+                bound >= exact && bound <= 1.1 * exact,
+                "{bound} for {exact}"
+            );
+            for side in ["right", "left"] {
+                let contact = &expected[side];
+                let teeth = format!(
+                    "wheel tooth {} on pinion tooth {}, ",
+                    contact["wheel_tooth"], contact["pinion_tooth"]
+                );
+                let shown = said(&mut tab, side);
+                let class = shown
+                    .strip_prefix(&teeth)
+                    .unwrap_or_else(|| panic!("{shown}: not {teeth}"));
+                assert!(
+                    class.starts_with(contact["class"].as_str().expect("a class")),
+                    "{class}"
+                );
+                let place = tab.text(&format!(
+                    "document.querySelector('#viewer-locked-{side} path').getAttribute('transform')"
+                ));
+                let place = place.trim_start_matches("translate(").trim_end_matches(')');
+                for (axis, shown) in place.split(' ').enumerate() {
+                    let shown: f64 = shown.parse().expect("a place");
+                    let exact = contact["point_mm"][axis].as_f64().expect("a place");
+                    assert!((shown - exact).abs() <= 0.51e-4, "{shown} for {exact}");
+                }
+            }
+        }
+    }
+    assert!(negative > 0, "an interference is among them");
+}
+
+pub fn the_free_gear_goes_from_contact_to_contact(browser: &Chromium, site: &Site) {
+    let mut tab = open(browser, site);
+    go(&mut tab, 1, 20);
+    let expected = site.pose(1, 20);
+    assert_eq!(
+        tab.eval("document.getElementById('viewer-free-right').classList.contains('viewer-open')"),
+        json!(false)
+    );
+    tab.click("[name=viewer-side][value=left]");
+    let free = turned(&mut tab, "pinion");
+    assert_angle(free, &expected["left_rad"], "pinion at left contact");
+    assert_eq!(
+        tab.eval("document.getElementById('viewer-free-right').classList.contains('viewer-open')"),
+        json!(true)
+    );
+    assert_eq!(
+        tab.eval("document.getElementById('viewer-free-left').classList.contains('viewer-open')"),
+        json!(false)
+    );
+    tab.click("[name=viewer-side][value=right]");
+    assert_stands(&mut tab, expected);
+}
+
+pub fn a_run_can_be_chosen(browser: &Chromium, site: &Site) {
+    let mut tab = open(browser, site);
+    let labels = tab
+        .eval("[...document.getElementById('viewer-runs').options].map((option) => option.text)");
+    let expected = [
+        "a = 50.000 mm, most material",
+        "a = 50.000 mm, least material",
+        "a = 49.900 mm, most material",
+        "a = 49.900 mm, least material",
+    ];
+    assert_eq!(labels, json!(expected));
+    for (run, label) in expected.iter().enumerate() {
+        go(&mut tab, run, 5);
+        assert_eq!(said(&mut tab, "run"), *label);
+        assert_stands(&mut tab, site.pose(run, 5));
+        let outline = tab.text("document.querySelector('#viewer-pinion use').getAttribute('href')");
+        assert_eq!(outline, format!("#viewer-pinion-{}", run % 2));
+        let axis = tab.text("document.getElementById('viewer-pinion').getAttribute('transform')");
+        let distance = &site.result["runs"][run]["center_distance_mm"];
+        let distance = distance.as_f64().expect("a distance");
+        assert!(
+            axis.starts_with(&format!("translate({distance} 0)")),
+            "{axis}"
+        );
+    }
+}
+
+pub fn play_advances_until_paused(browser: &Chromium, site: &Site) {
+    let mut tab = open(browser, site);
+    go(&mut tab, 0, 3);
+    tab.click("#viewer-play");
+    assert_eq!(said(&mut tab, "play"), "Pause");
+    tab.until("Number(document.getElementById('viewer-slider').value) >= 6");
+    tab.click("#viewer-play");
+    assert_eq!(said(&mut tab, "play"), "Play");
+    let stopped = number_shown(&mut tab);
+    std::thread::sleep(std::time::Duration::from_millis(400));
+    assert_eq!(number_shown(&mut tab), stopped);
+    assert_stands(&mut tab, site.pose(0, stopped as usize));
+}
+
+/// Left, top, width, height of what the picture shows.
+fn view(tab: &mut Tab) -> [f64; 4] {
+    let text = tab.text("document.getElementById('viewer-picture').getAttribute('viewBox')");
+    let numbers: Vec<f64> = text
+        .split(' ')
+        .map(|n| n.parse().expect("a number"))
+        .collect();
+    numbers.try_into().expect("a viewBox has four numbers")
+}
+
+pub fn buttons_wheel_and_keys_zoom(browser: &Chromium, site: &Site) {
+    let mut tab = open(browser, site);
+    let home = view(&mut tab);
+    let middle = |v: [f64; 4]| [v[0] + v[2] / 2.0, v[1] + v[3] / 2.0];
+    let near = |a: f64, b: f64| (a - b).abs() < 1e-9 * home[2];
+    tab.click("#viewer-in");
+    let nearer = view(&mut tab);
+    assert!(near(nearer[2], home[2] / 1.5) && near(nearer[3], home[3] / 1.5));
+    assert!(near(middle(nearer)[0], middle(home)[0]) && near(middle(nearer)[1], middle(home)[1]));
+    tab.click("#viewer-out");
+    assert!(near(view(&mut tab)[2], home[2]));
+    tab.eval("document.getElementById('viewer-picture').focus()");
+    tab.key("+", false);
+    assert!(near(view(&mut tab)[2], home[2] / 1.5));
+    tab.key("-", false);
+    tab.key("-", false);
+    assert!(near(view(&mut tab)[2], home[2] * 1.5));
+    tab.key("0", false);
+    assert_eq!(view(&mut tab), home);
+    // The wheel keeps the place under the pointer.
+    let at = tab.middle("#viewer-picture");
+    let at = [at[0] + 100.0, at[1] - 60.0];
+    let under = format!(
+        "(() => {{ const p = new DOMPoint({}, {}).matrixTransform(document.getElementById('viewer-picture').getScreenCTM().inverse()); return p.x; }})()",
+        at[0], at[1]
+    );
+    let before = tab.number(&under);
+    let scrolled = tab.number("window.scrollY");
+    tab.mouse("mouseWheel", at, -120.0);
+    tab.until(&format!(
+        "document.getElementById('viewer-picture').viewBox.baseVal.width < {}",
+        0.9 * home[2]
+    ));
+    // The page counts in single precision here.
+    assert!((tab.number(&under) - before).abs() < 1e-4 * home[2]);
+    assert_eq!(tab.number("window.scrollY"), scrolled);
+    tab.mouse("mouseWheel", at, 120.0);
+    tab.until(&format!(
+        "document.getElementById('viewer-picture').viewBox.baseVal.width > {}",
+        0.99 * home[2]
+    ));
+    tab.click("#viewer-whole");
+    let whole = view(&mut tab);
+    // Tip radii of 22 and 32 mm and what the gears stand off their axes.
+    assert!(whole[0] < -22.0 && whole[0] + whole[2] > 50.0 + 32.0 && whole[3] > 64.0);
+    tab.click("#viewer-home");
+    assert_eq!(view(&mut tab), home);
+}
+
+pub fn dragging_and_shifted_arrows_pan(browser: &Chromium, site: &Site) {
+    let mut tab = open(browser, site);
+    let home = view(&mut tab);
+    let scale = tab.number("document.getElementById('viewer-picture').getScreenCTM().a");
+    let at = tab.middle("#viewer-picture");
+    tab.mouse("mousePressed", at, 0.0);
+    for part in [0.5, 1.0] {
+        tab.mouse(
+            "mouseMoved",
+            [at[0] + 80.0 * part, at[1] - 50.0 * part],
+            0.0,
+        );
+    }
+    tab.mouse("mouseReleased", [at[0] + 80.0, at[1] - 50.0], 0.0);
+    let dragged = view(&mut tab);
+    assert!(
+        (dragged[0] - (home[0] - 80.0 / scale)).abs() < 1e-3 * home[2],
+        "{dragged:?}"
+    );
+    assert!(
+        (dragged[1] - (home[1] + 50.0 / scale)).abs() < 1e-3 * home[2],
+        "{dragged:?}"
+    );
+    tab.mouse("mouseMoved", at, 0.0);
+    assert_eq!(view(&mut tab), dragged);
+    tab.key("0", false);
+    let pose = number_shown(&mut tab);
+    for (key, right, down) in [
+        ("ArrowRight", 0.1, 0.0),
+        ("ArrowDown", 0.1, 0.1),
+        ("ArrowLeft", 0.0, 0.1),
+        ("ArrowUp", 0.0, 0.0),
+    ] {
+        tab.key(key, true);
+        let moved = view(&mut tab);
+        assert!(
+            (moved[0] - (home[0] + right * home[2])).abs() < 1e-9 * home[2],
+            "{key}: {moved:?}"
+        );
+        assert!(
+            (moved[1] - (home[1] + down * home[3])).abs() < 1e-9 * home[3],
+            "{key}: {moved:?}"
+        );
+    }
+    assert_eq!(number_shown(&mut tab), pose);
+}
+
+pub fn a_click_in_the_chart_leads_to_the_pose(browser: &Chromium, site: &Site) {
+    let mut tab = open(browser, site);
+    unfold(&mut tab);
+    // A right-flank pose of each material: its place by the chart's frame, its curve by its backlash.
+    for (run, pose) in [(0, 40), (1, 97), (2, 12), (3, 130)] {
+        go(&mut tab, run, 0);
+        let chart = "[...document.querySelectorAll('svg')].find((svg) => svg.querySelector('.viewer-cursor'))";
+        tab.eval(&format!("{chart}.scrollIntoView({{ block: 'center' }})"));
+        let expected = site.pose(run, pose);
+        let mating = &expected["mating"];
+        // Before tooth 1 comes again, a wheel tooth and a fraction are a place.
+        let x = mating["wheel_tooth"].as_f64().expect("a tooth")
+            + mating["fraction"].as_f64().expect("a fraction");
+        let at = tab.eval(&format!(
+            "(() => {{ const svg = {chart}, d = svg.dataset, at = (v, a, b, from, to) => +from + (v - a) / (b - a) * (to - from); \
+             const p = new DOMPoint(at({x}, d.x0, d.x1, d.left, d.right), at({}, d.y0, d.y1, d.bottom, d.top)).matrixTransform(svg.getScreenCTM()); \
+             return [p.x, p.y]; }})()",
+            expected["j_wt_um"]
+        ));
+        let at = [0, 1].map(|i| at[i].as_f64().expect("a place"));
+        tab.click_at(at);
+        assert_eq!(number_shown(&mut tab), pose as f64);
+        assert_eq!(
+            tab.eval("Number(document.getElementById('viewer-runs').value)"),
+            json!(run)
+        );
+        assert_stands(&mut tab, expected);
+        let cursor = tab.number("(() => { const b = document.querySelector('.viewer-cursor').getBoundingClientRect(); return b.x + b.width / 2; })()");
+        assert!(
+            (cursor - at[0]).abs() < 1.0,
+            "cursor at {cursor}, click at {}",
+            at[0]
+        );
+        assert_eq!(
+            tab.number("document.querySelectorAll('.viewer-cursor').length"),
+            1.0
+        );
+    }
+}

@@ -1,0 +1,130 @@
+//! The pages under test, and what holds of a page as a whole.
+
+use crate::chromium::{Chromium, Tab};
+use assert_cmd::Command;
+use serde_json::{Value, json};
+use std::path::PathBuf;
+
+const PAIR: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/browser/pair.toml");
+
+/// A report on disk, and the result of the same pair.
+pub struct Site {
+    pub page: PathBuf,
+    /// What `simulate --format json` says.
+    pub result: Value,
+    _folder: tempfile::TempDir,
+}
+
+impl Site {
+    /// Runs the program on the test pair.
+    pub fn make() -> Site {
+        let folder = tempfile::tempdir().expect("a folder");
+        let page = folder.path().join("report.html");
+        let file = page.to_str().expect("a path of plain letters");
+        gearlash(&["report", PAIR, "-o", file]);
+        let result = gearlash(&["simulate", PAIR, "--format", "json"]);
+        let result = serde_json::from_slice(&result).expect("the result is JSON");
+        Site {
+            page,
+            result,
+            _folder: folder,
+        }
+    }
+
+    /// A pose of the result.
+    pub fn pose(&self, run: usize, pose: usize) -> &Value {
+        &self.result["runs"][run]["poses"][pose]
+    }
+}
+
+fn gearlash(arguments: &[&str]) -> Vec<u8> {
+    let mut command = Command::cargo_bin("gearlash").expect("the program is built");
+    command
+        .args(arguments)
+        .assert()
+        .success()
+        .get_output()
+        .stdout
+        .clone()
+}
+
+/// A tab with the page in a window of a desk.
+pub fn open(browser: &Chromium, site: &Site) -> Tab {
+    let mut tab = browser.tab(1280, 900);
+    tab.open(&site.page);
+    tab
+}
+
+/// Unfolds what the page shows on demand.
+pub fn unfold(tab: &mut Tab) {
+    tab.eval("document.querySelectorAll('details').forEach((details) => { details.open = true; })");
+}
+
+/// What an element of the viewer says.
+pub fn said(tab: &mut Tab, name: &str) -> String {
+    tab.text(&format!(
+        "document.getElementById('viewer-{name}').textContent"
+    ))
+}
+
+pub fn opens_from_disk_without_errors(browser: &Chromium, site: &Site) {
+    let mut tab = open(browser, site);
+    tab.until("document.getElementById('viewer').classList.contains('viewer-js')");
+    for name in [
+        "Runtime.exceptionThrown",
+        "Runtime.consoleAPICalled",
+        "Log.entryAdded",
+        "Page.javascriptDialogOpening",
+    ] {
+        assert!(
+            tab.events(name).is_empty(),
+            "{name}: {:?}",
+            tab.events(name)
+        );
+    }
+    for request in tab.events("Network.requestWillBeSent") {
+        let url = request["params"]["request"]["url"]
+            .as_str()
+            .expect("a request has an address");
+        assert!(url.starts_with("file://"), "the page asks for {url}");
+    }
+    assert_eq!(
+        tab.eval("document.getElementById('viewer-controls').hidden"),
+        json!(false)
+    );
+}
+
+/// The picture and the texts of the first pose come from Rust, those after from the script: one must not
+/// differ from the other.
+pub fn says_the_same_without_script(browser: &Chromium, site: &Site) {
+    let parts = "JSON.stringify([...document.querySelectorAll('#viewer-picture [transform], #viewer-picture [d], .viewer dd, .viewer output')]\
+                 .filter((e) => !e.closest('defs path'))\
+                 .map((e) => [e.id, e.getAttribute('transform'), e.tagName === 'path' && e.getAttribute('d'), e.children.length ? '' : e.textContent]))";
+    let mut with = open(browser, site);
+    let mut without = browser.tab(1280, 900);
+    without.call(
+        "Emulation.setScriptExecutionDisabled",
+        json!({ "value": true }),
+    );
+    without.open(&site.page);
+    assert_eq!(
+        without.eval("document.getElementById('viewer-controls').hidden"),
+        json!(true)
+    );
+    assert!(
+        without.number("document.querySelector('.viewer noscript').getBoundingClientRect().height")
+            > 0.0
+    );
+    let (drawn, set) = (without.text(parts), with.text(parts));
+    assert!(drawn.len() > 2000, "parts are found");
+    assert_eq!(drawn, set);
+    let least = site.result["runs"].as_array().expect("runs").iter();
+    let least = least
+        .filter_map(|run| run["summary"]["min_j_wt_um"].as_f64())
+        .fold(f64::INFINITY, f64::min);
+    let shown: f64 = without
+        .text("document.getElementById('viewer-backlash').dataset.um")
+        .parse()
+        .expect("a number");
+    assert!(shown <= least, "{shown} µm is no worse than {least} µm");
+}

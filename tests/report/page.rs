@@ -1,0 +1,111 @@
+//! The page as parsers see it.
+
+use crate::command::{SMALL, fixture, page};
+use scraper::{Html, Selector};
+use std::collections::HashSet;
+
+/// Everything that holds of every page; the page, parsed.
+fn checked(page: &str) -> Html {
+    let document = Html::parse_document(page);
+    assert!(document.errors.is_empty(), "{:?}", document.errors);
+    let ids = all(&document, "[id]", "id");
+    let distinct: HashSet<&String> = ids.iter().collect();
+    assert_eq!(distinct.len(), ids.len(), "an id stands there twice");
+    for reference in references(&document) {
+        assert!(distinct.contains(&reference), "#{reference} is nowhere");
+    }
+    let svgs = svgs(page);
+    assert!(svgs.len() >= 4, "{} pictures", svgs.len());
+    for svg in svgs {
+        roxmltree::Document::parse(svg).unwrap();
+    }
+    for name in ["src", "srcset", "data", "poster", "action"] {
+        let found = all(&document, &format!("[{name}]"), name);
+        assert!(found.is_empty(), "{found:?}");
+    }
+    assert!(all(&document, "link, base, iframe, object, embed, img", "").is_empty());
+    // Names of vocabularies are no addresses.
+    let rest = page.replace("http://www.w3.org/2000/svg", "");
+    assert!(!rest.contains("http://") && !rest.contains("https://"));
+    assert!(!rest.contains("@import"));
+    document
+}
+
+/// The attribute `name` of all elements that match `selector`.
+fn all(document: &Html, selector: &str, name: &str) -> Vec<String> {
+    let selector = Selector::parse(selector).unwrap();
+    let elements = document.select(&selector);
+    elements
+        .map(|element| element.attr(name).unwrap_or_default().to_owned())
+        .collect()
+}
+
+/// What `href="#…"`, `url(#…)` and `aria-labelledby` refer to.
+fn references(document: &Html) -> Vec<String> {
+    let mut found = all(document, "[aria-labelledby]", "aria-labelledby");
+    let every = Selector::parse("*").unwrap();
+    for element in document.select(&every) {
+        for (name, value) in element.value().attrs() {
+            if name == "href" {
+                found.push(value.strip_prefix('#').unwrap().to_owned());
+            } else if let Some((_, after)) = value.split_once("url(#") {
+                found.push(after.split_once(')').unwrap().0.to_owned());
+            }
+        }
+    }
+    assert!(found.len() > 10);
+    found
+}
+
+/// Each picture as it stands in the page.
+fn svgs(page: &str) -> Vec<&str> {
+    page.match_indices("<svg")
+        .map(|(start, _)| {
+            let length = page[start..].find("</svg>").unwrap();
+            &page[start..start + length + "</svg>".len()]
+        })
+        .collect()
+}
+
+#[test]
+fn every_kind_of_deviation() {
+    let page = page(SMALL);
+    let document = checked(&page);
+    // The title is text, in head, heading and pictures; a control character, which no page may hold, is a space.
+    let heading = Selector::parse("h1").unwrap();
+    let heading: String = document.select(&heading).next().unwrap().text().collect();
+    assert_eq!(heading, "<script>alert(\"1\")</script> & a  bell");
+    assert!(page.contains("<title>&lt;script&gt;"));
+    assert!(!page.contains("<script>alert"));
+    assert_eq!(all(&document, "script", "type").len(), 2, "data and viewer");
+}
+
+#[test]
+fn the_pages_of_the_fixtures() {
+    for name in ["karba_86x21.toml", "tip_on_fillet_86x21.toml"] {
+        checked(&fixture(name));
+    }
+}
+
+/// Two gears of module 2 without deviations.
+fn plain(a: f64) -> String {
+    let gear =
+        |name: &str| format!("[{name}]\nteeth = 20\nmodule_mm = 2.0\npressure_angle_deg = 20.0\n");
+    format!(
+        "{}{}[assembly]\ncenter_distance_mm = {a}\n[sweep]\nmating = [[1, 1]]\n",
+        gear("wheel"),
+        gear("pinion")
+    )
+}
+
+#[test]
+fn a_jammed_pair_and_one_out_of_mesh() {
+    // d_a = 44, d_f = 35: a tip sits in a root below a = 39.5; tips pass each other above 44.
+    let jammed = page(&plain(39.0));
+    checked(&jammed);
+    assert!(jammed.contains("Does not assemble at a = 39.000 mm"));
+    assert!(jammed.contains("Jammed, a tip in a root, wheel 1 with pinion 1"));
+    let apart = page(&plain(44.5));
+    checked(&apart);
+    assert!(apart.contains("Out of mesh at a = 44.500 mm"));
+}

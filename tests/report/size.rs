@@ -1,0 +1,45 @@
+//! How large a page gets (issue 6): 704 poses up to 2 MB, 28 896 up to 8 MB.
+
+use crate::command::page_with;
+
+/// z₁ and z₂ at `a` and a sweep over `revolutions`, 16 poses a pitch, with runout and pitch deviations that make every
+/// pose another.
+fn pair([wheel, pinion]: [u32; 2], a: f64, revolutions: &str) -> String {
+    let gear = |name: &str, teeth: u32| {
+        let wave = |ahead: f64| {
+            let value = |i: u32| {
+                let turn = f64::from(i) / f64::from(teeth) * std::f64::consts::TAU;
+                format!("{:.2}", 3.0 * (3.0 * turn + ahead).sin())
+            };
+            (0..teeth).map(value).collect::<Vec<_>>().join(", ")
+        };
+        format!(
+            "[{name}]\nteeth = {teeth}\nmodule_mm = 3.0\npressure_angle_deg = 20.0\n\
+             thickness = {{ allowance_um = -60 }}\nrunout = {{ total_um = 10, high_tooth = 2 }}\n\
+             [{name}.pitch]\nkind = \"cumulative\"\nright_um = [{}]\nleft_um = [{}]\n",
+            wave(0.0),
+            wave(0.7)
+        )
+    };
+    format!(
+        "{}{}[assembly]\ncenter_distance_mm = {a}\n[sweep]\nrevolutions = \"{revolutions}\"\n",
+        gear("wheel", wheel),
+        gear("pinion", pinion)
+    )
+}
+
+#[test]
+fn one_revolution_of_44_teeth() {
+    let page = page_with(&pair([44, 44], 132.1, "wheel"), &["--no-certify"]);
+    // 704 right-flank poses, and as many left-flank ones for the curves.
+    assert!(page.contains("Over 1408 poses"));
+    assert!(page.len() <= 2_000_000, "{} bytes", page.len());
+}
+
+#[test]
+fn a_hunting_cycle_of_86_and_21_teeth() {
+    let page = page_with(&pair([86, 21], 160.6, "hunting"), &["--no-certify"]);
+    assert!(page.contains("Over 28896 poses"));
+    assert!(page.len() <= 8_000_000, "{} bytes", page.len());
+    assert!(page.contains("id=\"viewer-data\""), "the mesh is in it");
+}

@@ -132,7 +132,10 @@ fn bad_input_is_told() {
     let folder = folder();
     let wrong = [
         (GEAR.replace("teeth = 21", "teeth = 2"), "gear.teeth = 2"),
-        (GEAR.to_owned() + "[assembly]\n", "unknown key, allowed here is `title` or `gear`"),
+        (
+            GEAR.to_owned() + "[assembly]\n",
+            "unknown key, allowed here is `title` or `gear`",
+        ),
         (
             GEAR.replace("high_tooth = 3.5", "high_tooth = 23"),
             "gear.runout.high_tooth",

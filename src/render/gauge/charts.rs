@@ -122,7 +122,7 @@ pub fn charts(gauged: &GaugedGear) -> Result<Vec<(String, String)>, Error> {
             look: Look::Plain,
             dots: false,
         };
-        let axis = "pitches from tooth 1, numbered as the teeth come into mesh";
+        let axis = "tooth of the gear at the master";
         let chart = lines(&heading, axis, "µm", &[line])?;
         files.push((format!("{}_roll.svg", gauged.stem()), chart.svg));
     }

@@ -67,10 +67,7 @@ pub fn measured_matings(study: &Study, runs: &[ComparedRun]) -> Vec<MeasuredMati
 
 /// How many measured values, right and left of each mating, lie below, inside and above its band; those without a
 /// band are not counted.
-pub fn sides(
-    measured: &[MeasuredMating],
-    band: fn(&MeasuredMating) -> Option<Band>,
-) -> [usize; 3] {
+pub fn sides(measured: &[MeasuredMating], band: fn(&MeasuredMating) -> Option<Band>) -> [usize; 3] {
     let mut sides = [0; 3];
     for mating in measured {
         let Some(band) = band(mating) else { continue };

@@ -89,12 +89,13 @@ fn help_names_every_command_and_the_exit_codes() {
         "compare",
         "check",
         "snapshot",
+        "chart",
         "Exit codes",
         "Example",
     ] {
         assert!(help.contains(word), "{word} in {help}");
     }
-    for command in ["simulate", "compare", "check", "snapshot"] {
+    for command in ["simulate", "compare", "check", "snapshot", "chart"] {
         let help = output(gearlash(folder.path()).args([command, "--help"]));
         assert!(help.contains("pair file"), "{help}");
     }

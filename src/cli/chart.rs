@@ -2,7 +2,7 @@
 
 use super::distances::{self, Distances};
 use super::drawing::{End, material, teeth};
-use super::method::{MethodArgs, agreement};
+use super::method::{MethodArgs, agreement, agreement_within};
 use super::progress::Progress;
 use super::target::Target;
 use super::warn;
@@ -205,7 +205,7 @@ fn over_distance(args: &Args, study: &Study) -> Result<Drawn, Error> {
     Ok(Drawn {
         chart: chart::distance("chart", &study.title, &curve)?,
         file: format!("chart_distance_{wheel}_{pinion}.svg"),
-        agrees: true,
+        agrees: agreement_within(curve.polygon_difference),
     })
 }
 

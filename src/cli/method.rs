@@ -44,7 +44,12 @@ impl MethodArgs {
 pub(super) fn agreement<'a>(runs: impl IntoIterator<Item = &'a ComparedRun>) -> bool {
     let poses = runs.into_iter().flat_map(|run| &run.poses);
     let differences = poses.filter_map(|pose| pose.swept.polygon_difference);
-    let Some(largest) = differences.map(f64::abs).reduce(f64::max) else {
+    agreement_within(differences.map(f64::abs).reduce(f64::max))
+}
+
+/// The same of the largest difference, mm; `None` where one method alone was asked for.
+pub(super) fn agreement_within(largest: Option<f64>) -> bool {
+    let Some(largest) = largest else {
         return true;
     };
     let passes = largest <= AGREEMENT;

@@ -31,6 +31,8 @@ pub struct OverDistance {
     pub points: Vec<DistancePoint>,
     /// The measured rows of the mating, in the order of their file.
     pub measured: Vec<MeasuredRow>,
+    /// With [`Method::Both`]: the largest difference between the two methods, mm.
+    pub polygon_difference: Option<f64>,
 }
 
 /// The bands at one centre distance, from most to least material.
@@ -90,10 +92,13 @@ pub fn over_distance(
         center_distance: a,
         bands: bands(study, &runs, a, mating),
     };
+    let poses = runs.iter().flat_map(|run| &run.poses);
+    let differences = poses.filter_map(|pose| pose.swept.polygon_difference);
     let of_mating = |row: &&MeasuredRow| (row.wheel_tooth, row.pinion_tooth) == mating;
     Ok(OverDistance {
         mating,
         clearance: study.bearing_clearance,
+        polygon_difference: differences.map(f64::abs).reduce(f64::max),
         two_materials: study.materials.len() > 1,
         points: distances.iter().map(point).collect(),
         measured: study.measured.iter().filter(of_mating).cloned().collect(),

@@ -95,6 +95,29 @@ fn lines_of_several_looks_stand_where_their_points_are() {
     assert!(chart.svg.contains("a &amp; b"));
 }
 
+/// A bar for each of 10 000 teeth would be a few megabytes and narrower than a pixel.
+#[test]
+fn ten_thousand_teeth_are_a_thinned_line() {
+    let values = (0..10_000)
+        .map(|i| Some(f64::from(i % 97) - 40.0))
+        .collect();
+    let series = [BarSeries {
+        name: "right",
+        values,
+        look: Look::Right,
+    }];
+    let chart = bars(&heading(), "µm", &series).unwrap();
+    assert!(chart.svg.len() < 300_000);
+    let document = Document::parse(&chart.svg).unwrap();
+    let drawn = polylines(&document, RIGHT).concat();
+    let heights = drawn
+        .iter()
+        .map(|spot| spot.1)
+        .filter(|y| *y > chart.plot.top);
+    let top = heights.fold(f64::MAX, f64::min);
+    assert!((top - place(&chart.plot, (1.0, 56.0)).1).abs() < HALF);
+}
+
 #[test]
 fn nothing_to_draw_is_an_error() {
     let none = BarSeries {

@@ -137,7 +137,7 @@ fn what_does_not_suit_is_exit_2_and_writes_nothing() {
         ),
         (
             &["--kind", "difference", "--center-distance", "159.6"],
-            "--center-distance",
+            "jammed or out of mesh",
         ),
     ] {
         chart(&folder, &pair, arguments)
@@ -147,6 +147,17 @@ fn what_does_not_suit_is_exit_2_and_writes_nothing() {
             .stderr(predicate::str::contains(message));
     }
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
+}
+
+/// `--method both` is judged for curves over the distance, too.
+#[test]
+fn both_methods_are_compared() {
+    let folder = TempDir::new().unwrap();
+    let arguments = ["--kind", "distance", "--method", "both", "-o", "c.svg"];
+    chart(&folder, &fixture("karba_86x21.toml"), &arguments)
+        .assert()
+        .success()
+        .stderr(predicate::str::contains("exact and polygon method agree"));
 }
 
 /// Issue 6: the synthetic values say so in title and chart.

@@ -46,9 +46,9 @@ fn pitch_of_either_face_comes_back() {
             assert!((found.total_cumulative(side) - range).abs() < 2.0 * ROUNDING);
         }
         // A right flank ahead of its left one, along ascending numbers, is thickness.
-        for i in 0..12 {
-            let thicker = curves[0][i] - curves[1][i];
-            assert!((found.thickness()[i] - thicker).abs() < 2.0 * ROUNDING);
+        let ahead = curves[0].iter().zip(&curves[1]);
+        for (thicker, (right, left)) in found.thickness().iter().zip(ahead) {
+            assert!((thicker - (right - left)).abs() < 2.0 * ROUNDING);
         }
     }
 }

@@ -15,7 +15,7 @@ fn checked(page: &str) -> Html {
         assert!(distinct.contains(&reference), "#{reference} is nowhere");
     }
     let svgs = svgs(page);
-    assert!(svgs.len() >= 6, "{} pictures", svgs.len());
+    assert!(svgs.len() >= 4, "{} pictures", svgs.len());
     for svg in svgs {
         roxmltree::Document::parse(svg).unwrap();
     }
@@ -53,7 +53,7 @@ fn references(document: &Html) -> Vec<String> {
             }
         }
     }
-    assert!(found.len() > 20);
+    assert!(found.len() > 10);
     found
 }
 
@@ -89,9 +89,8 @@ fn the_pages_of_the_fixtures() {
 
 /// Two gears of module 2 without deviations.
 fn plain(a: f64) -> String {
-    let gear = |name: &str| {
-        format!("[{name}]\nteeth = 20\nmodule_mm = 2.0\npressure_angle_deg = 20.0\n")
-    };
+    let gear =
+        |name: &str| format!("[{name}]\nteeth = 20\nmodule_mm = 2.0\npressure_angle_deg = 20.0\n");
     format!(
         "{}{}[assembly]\ncenter_distance_mm = {a}\n[sweep]\nmating = [[1, 1]]\n",
         gear("wheel"),
@@ -105,6 +104,7 @@ fn a_jammed_pair_and_one_out_of_mesh() {
     let jammed = page(&plain(39.0));
     checked(&jammed);
     assert!(jammed.contains("Does not assemble at a = 39.000 mm"));
+    assert!(jammed.contains("Jammed, a tip in a root, wheel 1 with pinion 1"));
     let apart = page(&plain(44.5));
     checked(&apart);
     assert!(apart.contains("Out of mesh at a = 44.500 mm"));

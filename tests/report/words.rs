@@ -35,7 +35,10 @@ fn backlash_of_table_2() {
         ("160.550", "76.49"),
     ] {
         let cells = row(&document, "#result", a);
-        assert_eq!([&cells[1], &cells[2], &cells[5]], ["yes", backlash, backlash]);
+        assert_eq!(
+            [&cells[1], &cells[2], &cells[5]],
+            ["yes", backlash, backlash]
+        );
     }
     let answer = text(&select(&document, ".answer")[0]);
     assert!(answer.starts_with(

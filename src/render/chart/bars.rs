@@ -5,6 +5,9 @@ use super::panel::{Anchor, Axis, Entry, Mark, Panel, Sample, range};
 use super::{Chart, Heading, sheet};
 use crate::error::Error;
 
+/// Teeth beyond which lines stand for bars: narrower than a unit, two flanks' bars cannot be told apart.
+const MOST_BARS: usize = 350;
+
 /// One series of a bar chart.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BarSeries<'a> {
@@ -42,9 +45,10 @@ pub(super) fn panel(
     height: f64,
     series: &[BarSeries],
 ) -> Option<Panel> {
-    let values = series.iter().flat_map(|bars| &bars.values).flatten();
+    let values = || series.iter().flat_map(|bars| &bars.values).flatten();
+    values().next()?;
     // A tenth of a unit at least: zeros stay on a line.
-    let y = range(values.copied().chain([0.0]), [0.08; 2], 0.1)?;
+    let y = range(values().copied().chain([0.0]), [0.08; 2], 0.1)?;
     let teeth = series.iter().map(|bars| bars.values.len()).max()?;
     let ends = [0.4, teeth as f64 + 0.6];
     let width = 0.8 / series.len() as f64;
@@ -54,24 +58,13 @@ pub(super) fn panel(
         width: 1.0,
     }];
     for (place, bars) in series.iter().enumerate() {
-        for (index, value) in bars.values.iter().enumerate() {
-            let Some(value) = *value else {
-                continue;
-            };
-            let left = index as f64 + 0.6 + place as f64 * width;
-            marks.push(Mark::Bar {
-                x: [left, left + width],
-                y: [value.min(0.0), value.max(0.0)],
-                look: bars.look,
-            });
+        let left = 0.6 + place as f64 * width;
+        match teeth > MOST_BARS {
+            true => marks.push(curve(bars)),
+            false => marks.extend(rods(bars, [left, left + width])),
         }
     }
-    if series
-        .iter()
-        .flat_map(|bars| &bars.values)
-        .flatten()
-        .all(|value| *value == 0.0)
-    {
+    if values().all(|value| *value == 0.0) {
         marks.push(Mark::Text {
             at: [0.5 * (ends[0] + ends[1]), 0.0],
             shift: [0.0, -10.0],
@@ -81,9 +74,34 @@ pub(super) fn panel(
     }
     Some(Panel {
         title: title.to_owned(),
-        x: Axis::new(x_axis, ends),
+        x: Axis {
+            teeth: u32::try_from(teeth).ok(),
+            ..Axis::new(x_axis, ends)
+        },
         y: Axis::new(y_axis, y),
         height,
         marks,
     })
+}
+
+/// Bars from `x[0]` to `x[1]` for tooth 1, a tooth further for each next.
+fn rods(bars: &BarSeries, x: [f64; 2]) -> impl Iterator<Item = Mark> {
+    let known = bars.values.iter().enumerate();
+    known.filter_map(move |(index, value)| {
+        let value = (*value)?;
+        Some(Mark::Bar {
+            x: x.map(|x| x + index as f64),
+            y: [value.min(0.0), value.max(0.0)],
+            look: bars.look,
+        })
+    })
+}
+
+fn curve(bars: &BarSeries) -> Mark {
+    let teeth = (1..).map(f64::from);
+    Mark::Line {
+        points: teeth.zip(bars.values.iter().copied()).collect(),
+        look: bars.look,
+        width: 1.0,
+    }
 }

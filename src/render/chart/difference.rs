@@ -39,8 +39,10 @@ pub fn difference(
     };
     let mut panels = Vec::new();
     let mut legend = Vec::new();
-    let both = models.into_iter().flat_map(all);
-    if let Some(y) = range(both.chain([0.0]), [0.1; 2], 1e-3) {
+    // Zero is always in sight.
+    let both = || models.into_iter().flat_map(all);
+    let zero = both().next().map(|_| 0.0);
+    if let Some(y) = range(both().chain(zero), [0.1; 2], 1e-3) {
         legend.push(entry("minus model 1, Michalec", Look::Left, Sample::Line));
         legend.push(entry("minus model 2, involute", Look::Plain, Sample::Line));
         let mut marks = of(models[1], Look::Plain);
@@ -69,6 +71,12 @@ pub fn difference(
         ));
         panels.push(lower);
     }
+    if panels.is_empty() {
+        return Err(Error::Chart(format!(
+            "no pose at centre distance {} mm has both a simulated and an analytic value: jammed or out of mesh",
+            course.center_distance
+        )));
+    }
     let heading = Heading {
         prefix,
         title,
@@ -84,8 +92,9 @@ pub fn difference(
 fn line_of_action(course: &Course, tolerance_um: f64) -> Option<Panel> {
     let lines = || course.lines.iter().filter(|line| line.flank == Side::Right);
     let all = || lines().flat_map(|line| &line.points);
-    let largest = all()
-        .filter_map(|point| point.off_line_of_action_um)
+    let known = || all().filter_map(|point| point.off_line_of_action_um);
+    known().next()?;
+    let largest = known()
         .chain(all().filter_map(|point| point.error_bound_um))
         .map(f64::abs)
         .reduce(f64::max)?;

@@ -2,9 +2,10 @@
 //!
 //! Axes, grids, ticks and marks are drawn by `plotters` with its SVG backend alone. Of the plotting crates looked
 //! at (plotters, kuva, poloto, charts-rs, plotly, charming) it is the one that is widely used and kept by more
-//! than one person, writes text as `<text>` without asking for fonts, needs no browser and no script, and costs
-//! nothing here: the benches' `criterion` brings it anyway. Its backend counts whole pixels, so a chart is
-//! drawn ten times as large and scaled back: places are true to a tenth of a unit of the `viewBox`.
+//! than one person (its repository takes in others' work in 2026), writes text as `<text>` without asking for
+//! fonts, needs no browser and no script, and costs nothing here: the benches' `criterion` brings it anyway. Its
+//! backend counts whole pixels, so a chart is drawn ten times as large and scaled back: places are true to a
+//! tenth of a unit of the `viewBox`.
 //!
 //! Colours are Okabe and Ito's, right flanks solid and dark, left flanks dashed, so that they are told apart in
 //! black and white too. The same input gives the same bytes. A chart has no ids but those that start with

@@ -34,7 +34,12 @@ pub(super) fn draw(area: &Area, panel: &Panel) -> Drawn<Plot> {
             chart.draw_series([Rectangle::new(corners, INTERFERENCE.filled())])?;
         }
     }
-    let labels = [12, (panel.height / 32.0) as usize];
+    // No ticks between two teeth.
+    let across = match x.teeth {
+        Some(_) => usize::clamp((x.range[1] - x.range[0]) as usize, 1, 12),
+        None => 12,
+    };
+    let labels = [across, (panel.height / 32.0) as usize];
     let numbers = |axis: &Axis, labels: usize| {
         let axis = axis.clone();
         move |value: &f64| number(&axis, labels, *value)

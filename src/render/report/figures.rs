@@ -20,7 +20,11 @@ pub(super) fn revolutions(page: &Page) -> Result<Markup, Error> {
         );
         Ok(figure(&chart::revolution(&id(number), &title, course)?))
     };
-    over_teeth(page, "Backlash over the teeth at the other centre distances", draw)
+    over_teeth(
+        page,
+        "Backlash over the teeth at the other centre distances",
+        draw,
+    )
 }
 
 /// Id of the chart of a course.
@@ -52,10 +56,19 @@ fn drawn(page: &Page) -> Vec<usize> {
 pub(super) fn difference(page: &Page) -> Result<Markup, Error> {
     let tolerance = page.report.study.tolerance_um;
     let draw = |number: usize, course: &Course| {
-        let title = format!("Simulation minus formula at a = {} mm", distance(course.center_distance));
+        let title = format!(
+            "Simulation minus formula at a = {} mm",
+            distance(course.center_distance)
+        );
         let comparable = course.lines.iter().flat_map(|line| &line.points);
         let comparable = comparable
-            .map(|point| [point.off_michalec_um, point.off_involute_um, point.off_line_of_action_um])
+            .map(|point| {
+                [
+                    point.off_michalec_um,
+                    point.off_involute_um,
+                    point.off_line_of_action_um,
+                ]
+            })
             .any(|models| models.iter().any(Option::is_some));
         match comparable {
             false => Ok(html! { p { (title) ": no pose has both values." } }),
@@ -66,7 +79,11 @@ pub(super) fn difference(page: &Page) -> Result<Markup, Error> {
             }
         }
     };
-    over_teeth(page, "Simulation minus formula at the other centre distances", draw)
+    over_teeth(
+        page,
+        "Simulation minus formula at the other centre distances",
+        draw,
+    )
 }
 
 /// `draw` of the course with the least backlash, and of the others in `<details>` under `others`.
@@ -99,7 +116,10 @@ fn over_teeth(
 pub(super) fn over_distance(page: &Page) -> Result<Markup, Error> {
     let curve = page.report.over_distance;
     let (wheel, pinion) = curve.mating;
-    let shown = curve.points.iter().any(|point| point.bands.simulated.is_some());
+    let shown = curve
+        .points
+        .iter()
+        .any(|point| point.bands.simulated.is_some());
     if !shown && curve.measured.is_empty() {
         return Ok(html! {});
     }

@@ -2,7 +2,8 @@
 
 use super::Page;
 use super::figures::inspections;
-use super::words::{distance, plain, symbol, value, written};
+use super::stated::{high_tooth, pitch, runout, thickness, words};
+use super::words::{distance, plain, symbol, value};
 use crate::error::Error;
 use crate::gear::AsBuilt;
 use crate::pair::Member;
@@ -21,9 +22,14 @@ type Property = (
 
 /// What follows from the drawing and the measured thickness, lengths in mm.
 const DERIVED: [Property; 7] = [
-    ("x", "E", "generating profile shift coefficient", "–", 5, |g| {
-        g.gear().generating_shift()
-    }),
+    (
+        "x",
+        "E",
+        "generating profile shift coefficient",
+        "–",
+        5,
+        |g| g.gear().generating_shift(),
+    ),
     ("d", "", "reference diameter", "mm", 4, |g| {
         2.0 * g.gear().toothing().reference_radius()
     }),
@@ -154,13 +160,14 @@ fn shortest(number: f64, decimals: usize) -> String {
 fn assembly(page: &Page) -> Markup {
     let study = page.report.study;
     let clearance = &study.echo["assembly"]["bearing_clearance_mm"];
-    let distances: Vec<String> = study.center_distances.iter().map(|a| distance(*a)).collect();
+    let distances: Vec<String> = study
+        .center_distances
+        .iter()
+        .map(|a| distance(*a))
+        .collect();
     let angles = page.report.runs.iter();
     let angles = angles.map(|run| run.run.assembly.operating_pressure_angle().to_degrees());
-    let (least, most) = (
-        angles.clone().reduce(f64::min),
-        angles.reduce(f64::max),
-    );
+    let (least, most) = (angles.clone().reduce(f64::min), angles.reduce(f64::max));
     let angle = match least == most {
         true => value(least, 4),
         false => format!("{} … {}", value(least, 4), value(most, 4)),
@@ -179,79 +186,5 @@ fn assembly(page: &Page) -> Markup {
                 }
             }
         }
-    }
-}
-
-/// A value of the pair file.
-fn words(value: &Value) -> String {
-    match value {
-        Value::Null => "–".to_owned(),
-        Value::String(text) => plain(text),
-        Value::Number(number) => number.as_f64().map_or_else(|| number.to_string(), written),
-        other => plain(&other.to_string()),
-    }
-}
-
-/// `key`, or `min … max`.
-fn single_or_band(table: &Value, [single, min, max]: [&str; 3]) -> String {
-    match &table[single] {
-        Value::Null => format!("{} … {}", words(&table[min]), words(&table[max])),
-        one => words(one),
-    }
-}
-
-fn thickness(stated: &Value) -> String {
-    const MEASURED: [&str; 3] = ["mm", "min_mm", "max_mm"];
-    const BARE: [&str; 3] = ["", "min", "max"];
-    let bare = |value: &Value| match value {
-        Value::Object(_) => single_or_band(value, BARE),
-        one => words(one),
-    };
-    let mut parts = Vec::new();
-    for (key, value) in stated.as_object().into_iter().flatten() {
-        parts.push(match (key.as_str(), value) {
-            ("span", span) => format!(
-                "span over {} teeth {} mm",
-                words(&span["teeth"]),
-                single_or_band(span, MEASURED)
-            ),
-            ("over_pins", pins) => format!(
-                "over pins of {} mm {} mm",
-                words(&pins["pin_mm"]),
-                single_or_band(pins, MEASURED)
-            ),
-            ("allowance_um", value) if value.as_f64() == Some(0.0) => "nominal".to_owned(),
-            ("allowance_um", value) => format!("allowance {} µm", bare(value)),
-            ("base_thickness_mm", value) => format!("base thickness {} mm", bare(value)),
-            ("per_tooth_um", Value::Array(values)) if values.is_empty() => continue,
-            ("per_tooth_um", Value::Array(values)) => format!("{} values tooth by tooth", values.len()),
-            (other, value) => format!("{other} {}", words(value)),
-        });
-    }
-    parts.join(", ")
-}
-
-fn runout(stated: &Value) -> String {
-    match &stated["total_um"] {
-        Value::Null => "0".to_owned(),
-        total => words(total),
-    }
-}
-
-fn high_tooth(stated: &Value) -> String {
-    words(&stated["high_tooth"])
-}
-
-fn pitch(stated: &Value) -> String {
-    let values = |flank: &str| stated[flank].as_array().map_or(0, Vec::len);
-    match values("right_um") + values("left_um") {
-        0 => "not given".to_owned(),
-        _ => format!(
-            "{}, {} axis, {} + {} values",
-            words(&stated["kind"]),
-            words(&stated["axis"]),
-            values("right_um"),
-            values("left_um")
-        ),
     }
 }

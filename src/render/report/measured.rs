@@ -82,7 +82,11 @@ fn row(mating: &MeasuredMating, clearance: bool) -> Markup {
 
 fn band(band: Option<Band>) -> String {
     band.map_or("–".to_owned(), |band| {
-        format!("{} … {}", value(Some(band.min_um), 1), value(Some(band.max_um), 1))
+        format!(
+            "{} … {}",
+            value(Some(band.min_um), 1),
+            value(Some(band.max_um), 1)
+        )
     })
 }
 

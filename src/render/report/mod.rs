@@ -13,6 +13,7 @@ mod method;
 mod models;
 mod poses;
 mod results;
+mod stated;
 mod trust;
 mod verdict;
 mod words;

@@ -1,7 +1,7 @@
 //! The three formulas beside the simulation.
 
-use super::figures::difference;
 use super::Page;
+use super::figures::difference;
 use super::words::fine;
 use crate::compare::Verdict;
 use crate::error::Error;
@@ -10,7 +10,10 @@ use maud::{Markup, html};
 
 /// What each formula knows, in the order of [`MODELS`].
 const NAMES: [(&str, &str); 3] = [
-    ("1 Michalec", "mean thickness, eccentricity; linear in the centre distance"),
+    (
+        "1 Michalec",
+        "mean thickness, eccentricity; linear in the centre distance",
+    ),
     ("2 involute", "mean thickness, eccentricity at the pose"),
     (
         "3 line of action",
@@ -21,7 +24,10 @@ const NAMES: [(&str, &str); 3] = [
 pub(super) fn section(page: &Page) -> Result<Markup, Error> {
     let verdicts = [
         (Verdict::Agrees, "agree with model 3"),
-        (Verdict::OffLine, "lie below it, the teeth touching off the line of action"),
+        (
+            Verdict::OffLine,
+            "lie below it, the teeth touching off the line of action",
+        ),
         (Verdict::Below, "lie below it though involutes touch"),
         (Verdict::Above, "lie above it"),
     ];

@@ -4,6 +4,7 @@ use super::Page;
 use super::inline::inline;
 use super::words::{distance, material, pose, um};
 use crate::error::Error;
+use crate::mesh::Status;
 use crate::outcome::Found;
 use crate::render::{Snapshot, snapshot};
 use maud::{Markup, PreEscaped, html};
@@ -17,6 +18,9 @@ pub(super) fn section(page: &Page) -> Result<Markup, Error> {
     Ok(html! {
         section id="poses" {
             h2 { "Worst poses" }
+            @if let Some(jammed) = jammed(page) {
+                (figure(page, "jammed", "Jammed, a tip in a root", jammed)?)
+            }
             @if let Some(least) = whole.least { (figure(page, "least", "Least backlash", least)?) }
             @if let Some(greatest) = whole.greatest {
                 (figure(page, "greatest", "Greatest backlash", greatest)?)
@@ -35,6 +39,13 @@ pub(super) fn section(page: &Page) -> Result<Markup, Error> {
             }
         }
     })
+}
+
+/// The first pose that is jammed.
+fn jammed<'a>(page: &Page<'a>) -> Option<Found<'a>> {
+    let runs = page.all.iter().copied();
+    let mut all = runs.flat_map(|run| run.poses.iter().map(move |pose| Found { run, pose }));
+    all.find(|found| found.pose.swept.lost_motion.status() == Status::Jammed)
 }
 
 /// The pose that loses most to what no formula sees, where that is more than the tolerance and not drawn yet.
@@ -79,9 +90,10 @@ fn figure(page: &Page, id: &str, what: &str, found: Found) -> Result<Markup, Err
         material: run.material.name(),
         lost_motion: &swept.lost_motion,
     });
+    let backlash = swept.backlash.map(|mm| format!(": {} µm", um(Some(mm), 3)));
     let words = format!(
-        "{what}: {} µm, {}, centre distance {} mm, {}.",
-        um(swept.backlash, 3),
+        "{what}{}, {}, centre distance {} mm, {}.",
+        backlash.unwrap_or_default(),
         pose(found),
         distance(run.assembly.center_distance()),
         material(run.material)

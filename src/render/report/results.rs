@@ -21,7 +21,10 @@ pub(super) fn section(page: &Page) -> Result<Markup, Error> {
         false => viewed.iter().map(|run| (*run).clone()).collect(),
     };
     let charts = charted(page);
-    let charts: Vec<_> = charts.iter().map(|(id, course)| (id.as_str(), *course)).collect();
+    let charts: Vec<_> = charts
+        .iter()
+        .map(|(id, course)| (id.as_str(), *course))
+        .collect();
     let mesh = viewer::fragment(page.report.study, &runs, &charts)
         .map_err(|error| Error::Chart(format!("the poses cannot be written: {error}")))?;
     let left_out = page.report.revolution.len() - viewed.len();
@@ -137,7 +140,8 @@ fn phases(page: &Page) -> Markup {
 }
 
 fn counts(of: &Outcome) -> Markup {
-    let backlash = |found: Option<crate::outcome::Found>| um(found.and_then(|f| f.pose.swept.backlash), 3);
+    let backlash =
+        |found: Option<crate::outcome::Found>| um(found.and_then(|f| f.pose.swept.backlash), 3);
     html! {
         td.n { (of.poses) }
         td.n { (backlash(of.least)) }

@@ -33,7 +33,9 @@ fn disagreeing(page: &Page) -> usize {
 
 fn answer(page: &Page) -> String {
     match (disagreeing(page), count(&page.all, Verdict::OffLine)) {
-        (0, 0) => "Yes, for the gears as measured: simulation and formula agree at every pose.".to_owned(),
+        (0, 0) => {
+            "Yes, for the gears as measured: simulation and formula agree at every pose.".to_owned()
+        }
         (0, off) => format!(
             "Yes, for the gears as measured: simulation and formula agree at every pose but {off}, where the teeth touch off the line of action and the formula does not hold."
         ),

@@ -60,7 +60,10 @@ fn places(at: &[&AtDistance], number: usize) -> String {
     };
     match number {
         1 => format!("at a = {named} mm"),
-        _ => format!("at a = {named} mm{more} ({} of {number} centre distances)", at.len()),
+        _ => format!(
+            "at a = {named} mm{more} ({} of {number} centre distances)",
+            at.len()
+        ),
     }
 }
 
@@ -156,7 +159,9 @@ fn poses(page: &Page) -> String {
     let turned: usize = report.revolution.iter().map(|run| run.poses.len()).sum();
     let asked: usize = report.runs.iter().map(|run| run.poses.len()).sum();
     match report.sweeps() {
-        true => format!("Over {turned} poses: the sweep of the pair file at each centre distance and material."),
+        true => format!(
+            "Over {turned} poses: the sweep of the pair file at each centre distance and material."
+        ),
         false => format!(
             "Over {} poses: {turned} of whole wheel revolutions at 16 poses a pitch, and the {asked} that the pair file asks for.",
             turned + asked

@@ -1,0 +1,84 @@
+//! What a pair file states of a gear, in words.
+
+use super::words::{plain, written};
+use serde_json::Value;
+
+/// A value of the pair file.
+pub(super) fn words(value: &Value) -> String {
+    match value {
+        Value::Null => "–".to_owned(),
+        Value::String(text) => plain(text),
+        Value::Number(number) => number.as_f64().map_or_else(|| number.to_string(), written),
+        other => plain(&other.to_string()),
+    }
+}
+
+/// `key`, or `min … max`.
+fn single_or_band(table: &Value, [single, min, max]: [&str; 3]) -> String {
+    match &table[single] {
+        Value::Null => format!("{} … {}", words(&table[min]), words(&table[max])),
+        one => words(one),
+    }
+}
+
+/// The tooth thickness, as it was measured or given.
+pub(super) fn thickness(stated: &Value) -> String {
+    const MEASURED: [&str; 3] = ["mm", "min_mm", "max_mm"];
+    const BARE: [&str; 3] = ["", "min", "max"];
+    let bare = |value: &Value| match value {
+        Value::Object(_) => single_or_band(value, BARE),
+        one => words(one),
+    };
+    let mut parts = Vec::new();
+    for (key, value) in stated.as_object().into_iter().flatten() {
+        parts.push(match (key.as_str(), value) {
+            ("span", span) => format!(
+                "span over {} teeth {} mm",
+                words(&span["teeth"]),
+                single_or_band(span, MEASURED)
+            ),
+            ("over_pins", pins) => format!(
+                "over pins of {} mm {} mm",
+                words(&pins["pin_mm"]),
+                single_or_band(pins, MEASURED)
+            ),
+            ("allowance_um", value) if value.as_f64() == Some(0.0) => "nominal".to_owned(),
+            ("allowance_um", value) => format!("allowance {} µm", bare(value)),
+            ("base_thickness_mm", value) => format!("base thickness {} mm", bare(value)),
+            ("per_tooth_um", Value::Array(values)) if values.is_empty() => continue,
+            ("per_tooth_um", Value::Array(values)) => {
+                format!("{} values tooth by tooth", values.len())
+            }
+            (other, value) => format!("{other} {}", words(value)),
+        });
+    }
+    parts.join(", ")
+}
+
+/// `F_r`, µm.
+pub(super) fn runout(stated: &Value) -> String {
+    match &stated["total_um"] {
+        Value::Null => "0".to_owned(),
+        total => words(total),
+    }
+}
+
+/// The tooth it points to.
+pub(super) fn high_tooth(stated: &Value) -> String {
+    words(&stated["high_tooth"])
+}
+
+/// What kind of pitch deviations, and how many.
+pub(super) fn pitch(stated: &Value) -> String {
+    let values = |flank: &str| stated[flank].as_array().map_or(0, Vec::len);
+    match values("right_um") + values("left_um") {
+        0 => "not given".to_owned(),
+        _ => format!(
+            "{}, {} axis, {} + {} values",
+            words(&stated["kind"]),
+            words(&stated["axis"]),
+            values("right_um"),
+            values("left_um")
+        ),
+    }
+}

@@ -177,7 +177,7 @@ impl Contacts {
         self.class.push(class);
         self.x_mm.push(contact.map(|c| place(c.point.x)));
         self.y_mm.push(contact.map(|c| place(c.point.y)));
-        self.normal_deg.push(contact.map(|c| normal_degrees(c)));
+        self.normal_deg.push(contact.map(normal_degrees));
     }
 }
 

@@ -3,7 +3,7 @@
 //! The page gets an SVG of the worst pose, complete without a script, the results in columns, and `viewer.js`,
 //! which only sets transforms and texts from those columns. Where gears stand, what touches and of
 //! which class are read from the results. What is shown is rounded: outlines and contact points
-//! to [`precision::Precision`], rotations to 1e-6°; `j_wt` is the result's own f64.
+//! as finely as `precision.rs` says, rotations to 1e-6°; `j_wt` is the result's own f64.
 
 mod columns;
 mod drawing;

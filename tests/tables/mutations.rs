@@ -84,12 +84,15 @@ fn mutant(table: &[u8], choice: &mut Choice) -> Vec<u8> {
     lines.concat()
 }
 
+/// The right data of a table for a number of teeth: a list a column; `None` where it is malformed.
+type Oracle = fn(&[u8], u32) -> Option<Vec<Vec<f64>>>;
+
 /// A format: the file's name, the keys that name it, a table of so many teeth, and what its rows say.
 struct Format {
     name: &'static str,
     keys: &'static str,
     table: fn(u32) -> Vec<u8>,
-    oracle: fn(&[u8], u32) -> Option<Vec<Vec<f64>>>,
+    oracle: Oracle,
     /// What gearlash understood, in the same order.
     understood: fn(&Study) -> Vec<Vec<f64>>,
 }

@@ -11,9 +11,11 @@ fn gearlash(folder: &Path, arguments: &[&str]) -> Command {
     command
 }
 
-fn schema() -> Value {
+/// What `gearlash schema` prints with these further arguments.
+fn schema(files: &[&str]) -> Value {
     let folder = tempfile::tempdir().unwrap();
-    let output = gearlash(folder.path(), &["schema"]).output().unwrap();
+    let arguments = [&["schema"], files].concat();
+    let output = gearlash(folder.path(), &arguments).output().unwrap();
     assert!(output.status.success());
     serde_json::from_slice(&output.stdout).unwrap()
 }
@@ -52,15 +54,13 @@ fn smallest() -> Value {
 }
 
 /// The reader names the keys it allows when it meets one it does not know: those of the schema, everywhere.
-#[test]
-fn the_schema_has_the_keys_the_reader_allows() {
-    let schema = schema();
+fn reader_allows(schema: &Value, smallest: &Value, command: &[&str]) {
     let mut found = Vec::new();
-    tables(&schema, &schema, "", &mut found);
+    tables(schema, schema, "", &mut found);
     assert!(found.len() > 12, "{found:?}");
     let folder = tempfile::tempdir().unwrap();
     for (path, keys) in found {
-        let mut pair = smallest();
+        let mut pair = smallest.clone();
         let mut place = &mut pair;
         for key in path.split('.').filter(|key| !key.is_empty()) {
             place = &mut place[key];
@@ -68,12 +68,7 @@ fn the_schema_has_the_keys_the_reader_allows() {
         place["qqqqqqqqqqqq"] = json!(1);
         let file = folder.path().join("pair.json");
         std::fs::write(&file, pair.to_string()).unwrap();
-        let output = gearlash(
-            folder.path(),
-            &["simulate", "pair.json", "--format", "json"],
-        )
-        .output()
-        .unwrap();
+        let output = gearlash(folder.path(), command).output().unwrap();
         assert_eq!(output.status.code(), Some(2), "{path}");
         let errors = String::from_utf8(output.stderr).unwrap();
         let line = errors.lines().find(|line| line.contains("qqqqqqqqqqqq"));
@@ -91,10 +86,39 @@ fn the_schema_has_the_keys_the_reader_allows() {
     }
 }
 
+#[test]
+fn the_schema_has_the_keys_the_reader_allows() {
+    let simulate = ["simulate", "pair.json", "--format", "json"];
+    assert_eq!(schema(&[]), schema(&["pair"]));
+    reader_allows(&schema(&[]), &smallest(), &simulate);
+    let gear = json!({ "gear": smallest()["wheel"] });
+    let gauge = ["gauge", "pair.json", "--format", "json"];
+    reader_allows(&schema(&["gear"]), &gear, &gauge);
+}
+
+/// A gear file is no pair file, and a pair file no gear file.
+#[test]
+fn the_gear_schema_is_that_of_gear_files() {
+    let gears = jsonschema::validator_for(&schema(&["gear"])).unwrap();
+    let wheel = &smallest()["wheel"];
+    assert!(gears.is_valid(&json!({ "gear": wheel, "title": "Wheel" })));
+    let mut few = wheel.clone();
+    few["teeth"] = json!(2);
+    for fault in [
+        json!({ "gear": few }),
+        json!({ "title": "Wheel" }),
+        smallest(),
+    ] {
+        assert!(!gears.is_valid(&fault), "{fault}");
+    }
+    let pairs = jsonschema::validator_for(&schema(&[])).unwrap();
+    assert!(!pairs.is_valid(&json!({ "gear": wheel })));
+}
+
 /// Every pair file of the repository, and the one `init` writes.
 #[test]
 fn the_schema_accepts_good_pair_files() {
-    let validator = jsonschema::validator_for(&schema()).unwrap();
+    let validator = jsonschema::validator_for(&schema(&[])).unwrap();
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures");
     let mut count = 0;
     for folder in [root.clone(), root.join("reference/lost_motion")] {
@@ -122,7 +146,7 @@ fn the_schema_accepts_good_pair_files() {
 
 #[test]
 fn the_schema_refuses_what_the_reader_refuses() {
-    let validator = jsonschema::validator_for(&schema()).unwrap();
+    let validator = jsonschema::validator_for(&schema(&[])).unwrap();
     assert!(validator.is_valid(&smallest()));
     let faults: [(&str, Value); 8] = [
         ("/wheel/teeth", json!(2)),

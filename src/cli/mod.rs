@@ -63,7 +63,7 @@ enum Command {
     Report(report::Args),
     /// Write a commented pair file to begin with
     Init(init::Args),
-    /// Print the JSON Schema of pair files, for editors
+    /// Print the JSON Schema of pair or gear files, for editors
     Schema(schema::Args),
 }
 

@@ -24,6 +24,11 @@ impl Pitch {
     /// the shares `p` of the energy, Chernoff's bound is `P(C ≤ −c) ≤ e^{−λc} Π sinh(λp)/(λp)` for every `λ`. It is taken for the energies of the
     /// cumulative and of the single deviations, and the lesser is doubled.
     pub fn opposition(&self) -> f64 {
+        let [right, left] = Side::BOTH.map(|side| self.flank(side));
+        if together(right, left) >= 0.0 && together(&single(right), &single(left)) >= 0.0 {
+            // No bound is below 1, and the harmonics of thousands of teeth take a while.
+            return 1.0;
+        }
         let harmonics = self.harmonics();
         let cumulative = opposed(harmonics.iter().map(|h| (h.energy, h.together)));
         let z = self.flank(Side::Right).len() as f64;
@@ -58,6 +63,30 @@ impl Pitch {
             })
             .collect()
     }
+}
+
+/// `f_i = F_i − F_{i−1}`.
+fn single(cumulative: &[f64]) -> Vec<f64> {
+    let before = cumulative.iter().cycle();
+    let before = before.skip(cumulative.len().saturating_sub(1));
+    let pairs = cumulative.iter().zip(before);
+    pairs.map(|(now, before)| now - before).collect()
+}
+
+/// `Σ 2 Re(R L*)` over the harmonics below `z/2`: by Parseval `z Σ r l` less the harmonics 0 and `z/2`.
+fn together(right: &[f64], left: &[f64]) -> f64 {
+    let z = right.len();
+    let all: f64 = right.iter().zip(left).map(|(r, l)| r * l).sum();
+    let mean = right.iter().sum::<f64>() * left.iter().sum::<f64>();
+    let alternating = |curve: &[f64]| -> f64 {
+        let signs = [1.0, -1.0].into_iter().cycle();
+        curve.iter().zip(signs).map(|(f, sign)| sign * f).sum()
+    };
+    let middle = match z % 2 {
+        0 => alternating(right) * alternating(left),
+        _ => 0.0,
+    };
+    z as f64 * all - mean - middle
 }
 
 /// One harmonic of both flanks.

@@ -27,6 +27,7 @@ mod pitch;
 mod problems;
 mod readings;
 mod runout;
+mod schema;
 mod sheet;
 mod source;
 mod stated;
@@ -42,8 +43,7 @@ use pair_file::PairFile;
 use problems::Problems;
 use std::path::Path;
 
-/// The JSON Schema (draft 07) of pair files: every key, its type and range. [`read`] checks more than it can say.
-pub const PAIR_SCHEMA: &str = include_str!("pair_schema.json");
+pub use schema::{PAIR_SCHEMA, gear_schema};
 
 /// Reads the pair file at `path`: TOML, or JSON with the same keys.
 ///

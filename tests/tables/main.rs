@@ -1,9 +1,13 @@
 //! Inspection tables in files: each layout gives the study of the same lists written inline, each fault has its line.
 
 mod faults;
+mod formats;
 mod good;
+mod mutant;
+mod mutated_workbooks;
 mod mutations;
 mod oracle;
+mod readings;
 mod workbooks;
 
 use gearlash::error::{Error, Problem};

@@ -32,7 +32,10 @@ pub fn delimited(bytes: &[u8], teeth: u32, words: &[[&str; 2]]) -> Option<Rows> 
     for line in lines {
         let cells: Vec<String> = line
             .split(delimiter)
-            .map(|cell| cell.trim_matches([' ', '\t', '\u{a0}']).replace(',', "."))
+            .map(|cell| {
+                cell.trim_matches([' ', '\t', '\r', '\u{a0}'])
+                    .replace(',', ".")
+            })
             .collect();
         if cells.iter().all(String::is_empty) {
             continue;

@@ -1,8 +1,9 @@
 //! A table as cells, and the step from cells to numbers.
 
 use super::cell::Cell;
-use super::column::{self, Named};
+use super::decimal::{self, Numbers};
 use super::number::{Decimal, Written};
+use super::places::{self, Places};
 use super::{Row, Wanted};
 use crate::error::Problem;
 use crate::input::data_file::DataFile;
@@ -27,19 +28,6 @@ pub struct Grid {
     pub lines: Vec<Line>,
     /// The decimal sign where the format settles it.
     pub decimal: Option<Decimal>,
-}
-
-/// Where the columns stand.
-struct Places<const N: usize> {
-    tooth: usize,
-    wanted: [usize; N],
-}
-
-/// A line whose cells are numbers.
-struct Numbers<'a, const N: usize> {
-    line: u64,
-    tooth: u32,
-    values: [Written<'a>; N],
 }
 
 impl Line {
@@ -67,84 +55,20 @@ impl Grid {
         wanted: &Wanted<N>,
         problems: &mut Problems,
     ) -> Option<Vec<Row<N>>> {
-        let places = self.places(file, wanted, problems)?;
+        let places = places::places(&self.header, file, wanted, problems)?;
         // All lines are read before the first bad one ends it.
         let mut numbers = Vec::new();
         for line in &self.lines {
             numbers.push(self.numbers(file, line, &places, wanted, problems));
         }
         let numbers: Vec<Numbers<'_, N>> = numbers.into_iter().collect::<Option<_>>()?;
-        self.check_decimal_signs(file, &numbers, wanted, problems)?;
+        decimal::check(file, &numbers, wanted, self.decimal, problems)?;
         let rows = numbers.iter().map(|numbers| Row {
             line: numbers.line,
             tooth: numbers.tooth,
             values: numbers.values.map(|written| written.value),
         });
         Some(rows.collect())
-    }
-
-    fn places<const N: usize>(
-        &self,
-        file: &DataFile,
-        wanted: &Wanted<N>,
-        problems: &mut Problems,
-    ) -> Option<Places<N>> {
-        let way_out = format!(
-            "name the columns {} there",
-            column::headings(&wanted.columns)
-        );
-        let line = self.header.number;
-        let mut tooth = None;
-        let mut places = [None; N];
-        let mut good = Some(());
-        let mut wrong = |reason: String, way_out: String| {
-            problems.add(file.problem_at(line, reason, way_out));
-            good = None;
-        };
-        for (place, cell) in self.header.cells.iter().enumerate() {
-            if *cell == Cell::Empty {
-                continue;
-            }
-            let text = cell.name();
-            let slot = match column::named(&text, &wanted.columns) {
-                Named::Tooth => &mut tooth,
-                Named::Wanted(index) => &mut places[index],
-                Named::Wrong(reason, way_out) => {
-                    wrong(reason, way_out);
-                    continue;
-                }
-            };
-            if slot.is_some() {
-                wrong(
-                    format!("column {text:?} is the second of its kind"),
-                    "remove one".to_owned(),
-                );
-            }
-            *slot = Some(place);
-        }
-        // A name that is not understood may be the one that is missing.
-        good?;
-        let names = wanted.columns.map(|column| column.names()[0]);
-        for (name, place) in [("tooth", tooth)]
-            .into_iter()
-            .chain(names.into_iter().zip(places))
-        {
-            if place.is_none() {
-                problems.add(file.problem_at(
-                    line,
-                    format!("column {name} is missing"),
-                    way_out.clone(),
-                ));
-            }
-        }
-        let mut found = [0; N];
-        for (found, place) in found.iter_mut().zip(places) {
-            *found = place?;
-        }
-        Some(Places {
-            tooth: tooth?,
-            wanted: found,
-        })
     }
 
     fn numbers<'a, const N: usize>(
@@ -206,63 +130,6 @@ impl Grid {
             tooth: tooth?,
             values: numbers,
         })
-    }
-
-    /// Reports every number whose decimal sign is not that of the table, or may be none.
-    fn check_decimal_signs<const N: usize>(
-        &self,
-        file: &DataFile,
-        lines: &[Numbers<'_, N>],
-        wanted: &Wanted<N>,
-        problems: &mut Problems,
-    ) -> Option<()> {
-        let with_sign = || {
-            lines.iter().flat_map(|numbers| {
-                let values = numbers.values.iter().zip(wanted.columns);
-                values.filter_map(|(value, column)| {
-                    value
-                        .decimal
-                        .map(|decimal| (numbers.line, column, value, decimal))
-                })
-            })
-        };
-        let settled = self
-            .decimal
-            .filter(|settled| with_sign().any(|(.., sign)| sign == *settled));
-        let Some(sign) = settled.or_else(|| with_sign().next().map(|(.., sign)| sign)) else {
-            return Some(());
-        };
-        let proven = settled.is_some()
-            || with_sign().any(|(_, _, value, found)| found == sign && !value.may_be_thousands);
-        let mut good = Some(());
-        for (line, column, value, found) in with_sign() {
-            let name = column.names()[0];
-            let (reason, way_out) = if found != sign {
-                (
-                    format!(
-                        "{name} {} has a decimal {}, the table's decimal sign is the {}",
-                        value.text,
-                        found.name(),
-                        sign.name()
-                    ),
-                    "write all numbers with one decimal sign and without thousands separators",
-                )
-            } else if !proven && value.may_be_thousands {
-                (
-                    format!(
-                        "{name} {} may have a decimal {} or a thousands separator: nothing in the table tells",
-                        value.text,
-                        sign.name()
-                    ),
-                    "write one digit more or less behind the decimal sign, or save as CSV separated by semicolons (decimal comma) or commas (decimal point)",
-                )
-            } else {
-                continue;
-            };
-            problems.add(file.problem_at(line, reason, way_out));
-            good = None;
-        }
-        good
     }
 }
 

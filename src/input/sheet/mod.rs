@@ -5,14 +5,18 @@
 //! order of the teeth ([`by_tooth`]). Nothing is padded, replaced, guessed or
 //! passed over: whatever is not understood is a problem with its line.
 
+mod block;
 mod by_tooth;
 mod cell;
 mod column;
+mod decimal;
 mod delimited;
 mod grid;
 mod header;
 mod number;
+mod places;
 mod protocol;
+mod story;
 mod text;
 mod workbook;
 

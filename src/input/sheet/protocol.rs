@@ -5,56 +5,20 @@
 //! row a tooth, in µm. Only these and the known header lines are read. Within
 //! a block everything must be a row until a blank line and other text.
 
+use super::block::{Block, Name, names, row, side};
 use super::column::Column;
 use super::header::Header;
-use super::number::{self, Decimal, Written};
-use super::{Row, Wanted, by_tooth};
+use super::number::Written;
+use super::{Row, Wanted, by_tooth, story};
 use crate::gear::Side;
 use crate::input::data_file::DataFile;
 use crate::input::pitch::Kind;
 use crate::input::problems::Problems;
-
-/// What such machines print for a value that was not measured.
-const NOT_MEASURED: [f64; 2] = [-2147483.648, -9999.0];
-
-/// A column of a block.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Name {
-    Tooth,
-    Single,
-    Cumulative,
-    Runout,
-}
-
-const NAMES: [(&str, Name); 4] = [
-    ("Zahn-Nr.", Name::Tooth),
-    ("fp", Name::Single),
-    ("Fp", Name::Cumulative),
-    ("Fr", Name::Runout),
-];
-
-/// The rows of one flank.
-#[derive(Debug)]
-struct Block<'a> {
-    side: Side,
-    /// The line of its head.
-    line: u64,
-    columns: Vec<Name>,
-    rows: Vec<(u64, u32, Vec<Written<'a>>)>,
-}
+use std::collections::HashMap;
 
 /// Whether `text` has the head of a block.
 pub fn is_one(text: &str) -> bool {
     text.lines().any(|line| side(line).is_some())
-}
-
-/// The flank a block's head names.
-fn side(line: &str) -> Option<Side> {
-    match line.trim().trim_end_matches(':').to_lowercase().as_str() {
-        "linke zahnflanke" => Some(Side::Left),
-        "rechte zahnflanke" => Some(Side::Right),
-        _ => None,
-    }
 }
 
 /// The wanted columns, by ascending tooth, and the header lines.
@@ -165,63 +129,6 @@ fn parse<'a>(
     Some((blocks, header))
 }
 
-/// The columns of a block.
-fn names(text: &str) -> Result<Vec<Name>, String> {
-    let mut names = Vec::new();
-    for word in text.split_whitespace() {
-        match NAMES.iter().find(|(known, _)| *known == word) {
-            Some((_, name)) if names.contains(name) => return Err(format!("column {word} twice")),
-            Some((_, name)) => names.push(*name),
-            None => return Err(format!("unknown column {word:?}")),
-        }
-    }
-    if names.first() != Some(&Name::Tooth) {
-        return Err("column Zahn-Nr. is missing".to_owned());
-    }
-    Ok(names)
-}
-
-/// The tooth and the values of a row, those in the order of the columns behind `Zahn-Nr.`.
-fn row<'a>(text: &'a str, columns: &[Name]) -> Result<(u32, Vec<Written<'a>>), String> {
-    let words: Vec<&str> = text.split_whitespace().collect();
-    let (Some(first), true) = (words.first(), words.len() == columns.len()) else {
-        return Err(format!(
-            "{} values, the block has {} columns",
-            words.len(),
-            columns.len()
-        ));
-    };
-    let tooth = number::tooth(first).filter(|&tooth| (1..=10_000).contains(&tooth));
-    let tooth = tooth
-        .ok_or_else(|| format!("Zahn-Nr. is {first:?}, allowed is a whole number from 1 on"))?;
-    let mut values = Vec::new();
-    for word in words.iter().skip(1) {
-        let written =
-            number::written(word).filter(|written| written.decimal != Some(Decimal::Comma));
-        let written = written.filter(|written| written.value.abs() <= 1e7);
-        let written = written.ok_or_else(|| {
-            format!("{word:?}, allowed is a number of µm with a decimal point, −1e7 … 1e7")
-        })?;
-        if NOT_MEASURED.contains(&written.value) {
-            return Err(format!("{word} stands for a value that was not measured"));
-        }
-        values.push(written);
-    }
-    Ok((tooth, values))
-}
-
-impl<'a> Block<'a> {
-    /// The values of a column, with their lines and teeth; `None` when the block does not have it.
-    fn column(&self, name: Name) -> Option<Vec<(u64, u32, Written<'a>)>> {
-        let place = self.columns.iter().position(|column| *column == name)?;
-        let values = self.rows.iter();
-        let value = |(line, tooth, values): &(u64, u32, Vec<Written<'a>>)| {
-            Some((*line, *tooth, *values.get(place.checked_sub(1)?)?))
-        };
-        values.map(value).collect()
-    }
-}
-
 fn pitch(
     file: &DataFile,
     blocks: &[Block],
@@ -256,54 +163,8 @@ fn pitch(
         ));
         return None;
     };
-    check_story(file, block, problems)?;
-    Some(
-        values
-            .iter()
-            .map(|&(line, tooth, value)| Row {
-                line,
-                tooth,
-                values: [value.value],
-            })
-            .collect(),
-    )
-}
-
-/// `f_i = F_i − F_{i−1}`, within half a unit of the last printed digit of each of the three.
-fn check_story(file: &DataFile, block: &Block, problems: &mut Problems) -> Option<()> {
-    let (Some(mut single), Some(mut cumulative)) =
-        (block.column(Name::Single), block.column(Name::Cumulative))
-    else {
-        return Some(());
-    };
-    // Rows twice or missing are told elsewhere.
-    single.sort_by_key(|value| value.1);
-    cumulative.sort_by_key(|value| value.1);
-    let Some(mut before) = cumulative.last().copied() else {
-        return Some(());
-    };
-    let count = cumulative.len() as u32;
-    let mut good = Some(());
-    for ((line, tooth, f), now) in single.into_iter().zip(cumulative) {
-        let difference = now.2.value - before.2.value;
-        let rounding = f.rounding + now.2.rounding + before.2.rounding;
-        let consecutive = now.1 == before.1 + 1 || now.1 == 1 && before.1 == count;
-        // Rounding of the subtraction itself: some ulps of the values.
-        let slack = 1e-12 * (now.2.value.abs() + before.2.value.abs());
-        if consecutive && (f.value - difference).abs() > rounding + slack {
-            problems.add(file.problem_at(
-                line,
-                format!(
-                    "fp of tooth {tooth} is {}, its Fp less that of tooth {} is {difference:.4}: the two columns differ by more than their rounding",
-                    f.text, before.1
-                ),
-                "find the wrong one, or remove the other column from a copy of the protocol",
-            ));
-            good = None;
-        }
-        before = now;
-    }
-    good
+    story::check(file, block, problems)?;
+    Some(rows_of(&values))
 }
 
 /// `Fr` of the blocks that have it; both must say the same.
@@ -317,10 +178,14 @@ fn runout(file: &DataFile, blocks: &[Block], problems: &mut Problems) -> Option<
         return None;
     };
     let mut good = Some(());
+    // The first of two rows of one tooth: that there are two is told elsewhere.
+    let by_tooth: HashMap<u32, f64> = first
+        .iter()
+        .rev()
+        .map(|(_, tooth, value)| (*tooth, value.value))
+        .collect();
     for (line, tooth, value) in columns.iter().skip(1).flatten() {
-        let other = first.iter().find(|(_, same, _)| same == tooth);
-        let other = other.filter(|(_, _, other)| other.value == value.value);
-        if other.is_none() {
+        if by_tooth.get(tooth) != Some(&value.value) {
             problems.add(file.problem_at(
                 *line,
                 format!(
@@ -333,14 +198,15 @@ fn runout(file: &DataFile, blocks: &[Block], problems: &mut Problems) -> Option<
         }
     }
     good?;
-    Some(
-        first
-            .iter()
-            .map(|&(line, tooth, value)| Row {
-                line,
-                tooth,
-                values: [value.value],
-            })
-            .collect(),
-    )
+    Some(rows_of(first))
+}
+
+/// The values of a column as rows of their own.
+fn rows_of(column: &[(u64, u32, Written)]) -> Vec<Row<1>> {
+    let row = |&(line, tooth, value): &(u64, u32, Written)| Row {
+        line,
+        tooth,
+        values: [value.value],
+    };
+    column.iter().map(row).collect()
 }

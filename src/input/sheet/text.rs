@@ -17,9 +17,13 @@ pub fn decode<'a>(
     if let Some((encoding, mark)) = Encoding::for_bom(bytes) {
         let text = encoding.decode_without_bom_handling_and_without_replacement(&bytes[mark..]);
         if text.is_none() {
-            problems.add(file.problem(
+            let readable = encoding.decode_without_bom_handling(&bytes[mark..]).0;
+            let before = readable.split(char::REPLACEMENT_CHARACTER).next();
+            let line = 1 + before.unwrap_or_default().matches('\n').count() as u64;
+            problems.add(file.problem_at(
+                line,
                 format!(
-                    "is not the {} text its byte order mark promises",
+                    "not the {} text that the byte order mark promises",
                     encoding.name()
                 ),
                 "save it as UTF-8",

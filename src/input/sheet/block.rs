@@ -1,0 +1,106 @@
+//! One block of a protocol: its head, its columns, its rows.
+
+use super::number::{self, Decimal, Written};
+use crate::gear::Side;
+
+/// What such machines print for a value that was not measured.
+const NOT_MEASURED: [f64; 2] = [-2147483.648, -9999.0];
+
+/// A column of a block.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Name {
+    /// `Zahn-Nr.`
+    Tooth,
+    /// `fp`: single pitch deviation.
+    Single,
+    /// `Fp`: cumulative pitch deviation.
+    Cumulative,
+    /// `Fr`: runout reading.
+    Runout,
+}
+
+const NAMES: [(&str, Name); 4] = [
+    ("Zahn-Nr.", Name::Tooth),
+    ("fp", Name::Single),
+    ("Fp", Name::Cumulative),
+    ("Fr", Name::Runout),
+];
+
+/// The rows of one flank.
+#[derive(Debug)]
+pub struct Block<'a> {
+    /// Which.
+    pub side: Side,
+    /// The line of its head.
+    pub line: u64,
+    /// Its columns, `Zahn-Nr.` first; none before their line is read.
+    pub columns: Vec<Name>,
+    /// Line, tooth, and the values of the other columns.
+    pub rows: Vec<(u64, u32, Vec<Written<'a>>)>,
+}
+
+/// The flank a block's head names.
+pub fn side(line: &str) -> Option<Side> {
+    match line.trim().trim_end_matches(':').to_lowercase().as_str() {
+        "linke zahnflanke" => Some(Side::Left),
+        "rechte zahnflanke" => Some(Side::Right),
+        _ => None,
+    }
+}
+
+/// The columns of a block.
+pub fn names(text: &str) -> Result<Vec<Name>, String> {
+    let mut names = Vec::new();
+    for word in text.split_whitespace() {
+        match NAMES.iter().find(|(known, _)| *known == word) {
+            Some((_, name)) if names.contains(name) => return Err(format!("column {word} twice")),
+            Some((_, name)) => names.push(*name),
+            None => return Err(format!("unknown column {word:?}")),
+        }
+    }
+    if names.first() != Some(&Name::Tooth) {
+        return Err("column Zahn-Nr. is missing".to_owned());
+    }
+    Ok(names)
+}
+
+/// The tooth and the values of a row, those in the order of the columns behind `Zahn-Nr.`.
+pub fn row<'a>(text: &'a str, columns: &[Name]) -> Result<(u32, Vec<Written<'a>>), String> {
+    let words: Vec<&str> = text.split_whitespace().collect();
+    let (Some(first), true) = (words.first(), words.len() == columns.len()) else {
+        return Err(format!(
+            "{} values, the block has {} columns",
+            words.len(),
+            columns.len()
+        ));
+    };
+    let tooth = number::tooth(first).filter(|&tooth| (1..=10_000).contains(&tooth));
+    let tooth = tooth
+        .ok_or_else(|| format!("Zahn-Nr. is {first:?}, allowed is a whole number from 1 on"))?;
+    let mut values = Vec::new();
+    for word in words.iter().skip(1) {
+        let written =
+            number::written(word).filter(|written| written.decimal != Some(Decimal::Comma));
+        let written = written.filter(|written| written.value.abs() <= 1e7);
+        let written = written.ok_or_else(|| {
+            format!("{word:?}, allowed is a number of µm with a decimal point, −1e7 … 1e7")
+        })?;
+        if NOT_MEASURED.contains(&written.value) {
+            return Err(format!("{word} stands for a value that was not measured"));
+        }
+        values.push(written);
+    }
+    Ok((tooth, values))
+}
+
+impl<'a> Block<'a> {
+    /// The values of a column, with their lines and teeth; `None` when the block does not have it.
+    pub fn column(&self, name: Name) -> Option<Vec<(u64, u32, Written<'a>)>> {
+        let place = self.columns.iter().position(|column| *column == name)?;
+        let values = self.rows.iter();
+        let value = |(line, tooth, values): &(u64, u32, Vec<Written<'a>>)| {
+            Some((*line, *tooth, *values.get(place.checked_sub(1)?)?))
+        };
+        values.map(value).collect()
+    }
+}

@@ -1,0 +1,81 @@
+//! A file with one mistake in it.
+
+/// Numbers for choosing: Knuth's MMIX linear congruential generator, upper bits.
+pub struct Choice(pub u64);
+
+impl Choice {
+    /// From 0 up to `end`, which is not reached.
+    pub fn below(&mut self, end: usize) -> usize {
+        self.0 = self
+            .0
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
+        (self.0 >> 33) as usize % end.max(1)
+    }
+}
+
+/// What is typed or lost by mistake, a line end of old Macs, NUL, half of a UTF-8 character and a byte order mark among it.
+const GARBAGE: &[&[u8]] = &[
+    b"0",
+    b"7",
+    b"-",
+    b"+",
+    b".",
+    b",",
+    b";",
+    b"\t",
+    b" ",
+    b"\"",
+    b"\n",
+    b"\r",
+    b"\0",
+    b"e",
+    b"x",
+    b"nan",
+    b"inf",
+    b"1e9",
+    b"#",
+    b"\xc3",
+    b"\xff",
+    b"\xef\xbb\xbf",
+    b"(mm)",
+    b"1,234",
+    b"1.234.5",
+    b"\n\n",
+    b"0x1",
+    b"1_0",
+];
+
+/// `table` with one mistake in it.
+pub fn mutant(table: &[u8], choice: &mut Choice) -> Vec<u8> {
+    let mut lines: Vec<&[u8]> = table.split_inclusive(|&byte| byte == b'\n').collect();
+    let (a, b) = (choice.below(lines.len()), choice.below(lines.len()));
+    let at = choice.below(table.len());
+    let garbage = GARBAGE[choice.below(GARBAGE.len())];
+    match choice.below(10) {
+        0 => {
+            lines.remove(a);
+        }
+        1 => lines.insert(b, lines[a]),
+        2 => lines.swap(a, b),
+        3 => return table[..at].to_vec(),
+        4 => return [&table[..at], garbage, &table[at..]].concat(),
+        5 => return [&table[..at], garbage, &table[at + 1..]].concat(),
+        6 => return [&table[..at], &table[at + 1..]].concat(),
+        7 => {
+            let delimiters: Vec<usize> = (0..table.len())
+                .filter(|&at| b",;\t".contains(&table[at]))
+                .collect();
+            let at = *delimiters
+                .get(choice.below(delimiters.len()))
+                .unwrap_or(&at);
+            return [&table[..at], garbage, &table[at + 1..]].concat();
+        }
+        8 => lines.insert(a, garbage),
+        _ => {
+            let end = lines.len().min(a + 3);
+            lines.drain(a.min(end)..end);
+        }
+    }
+    lines.concat()
+}

@@ -127,3 +127,27 @@ fn ln_sinh_ratio(x: f64) -> f64 {
         x + (-(-2.0 * x).exp_m1() / (2.0 * x)).ln()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Parseval: what goes together is the same summed over the harmonics and over the teeth, `z` even or odd.
+    #[test]
+    fn the_quick_sum_is_that_of_the_harmonics() {
+        for z in [3u32, 4, 7, 8, 44, 45] {
+            let wave = |i: u32, k: u32| f64::from((i * k * k + 3 * i) % 17) - 8.0;
+            let right: Vec<f64> = (0..z).map(|i| wave(i, 5)).collect();
+            let left: Vec<f64> = (0..z).map(|i| wave(i, 3)).collect();
+            let pitch = Pitch::from_cumulative(&right, &left);
+            let [right, left] = Side::BOTH.map(|side| pitch.flank(side));
+            let quick = together(right, left);
+            let slow: f64 = pitch.harmonics().iter().map(|h| h.together).sum();
+            let size: f64 = pitch.harmonics().iter().map(|h| h.energy).sum();
+            assert!(
+                (quick - slow).abs() <= 1e-12 * size,
+                "z = {z}: {quick}, {slow}"
+            );
+        }
+    }
+}

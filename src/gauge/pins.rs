@@ -6,7 +6,7 @@
 //! one anvil lies on both.
 
 use super::Unmeasured;
-use super::runout::mean;
+use super::spread::mean;
 use super::seat::Seat;
 use super::workpiece::Workpiece;
 

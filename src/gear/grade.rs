@@ -29,6 +29,15 @@ impl Graded {
     /// All three.
     pub const ALL: [Graded; 3] = [Graded::SinglePitch, Graded::TotalPitch, Graded::Runout];
 
+    /// Symbol of the deviation.
+    pub fn symbol(self) -> &'static str {
+        match self {
+            Graded::SinglePitch => "f_p",
+            Graded::TotalPitch => "F_p",
+            Graded::Runout => "F_r",
+        }
+    }
+
     /// Tolerance of `toothing` at grade `A`, mm, as a drawing states it: rounded.
     ///
     /// # Errors

@@ -1,7 +1,7 @@
 //! A short table of each gear.
 
 use super::GaugedGear;
-use crate::gauge::{Gauged, Grade, GradedReading, PitchReadings, Unmeasured};
+use crate::gauge::{Eccentricity, Gauged, Grade, GradedReading, PitchReadings, Unmeasured};
 use crate::gear::{Curve, GRADE_SOURCE, Side};
 use crate::mesh::{ContactKind, PoseClass, Touch};
 use crate::render::table::{finish, table, um};
@@ -25,7 +25,8 @@ pub fn text(title: &str, gears: &[GaugedGear]) -> String {
 const LEGEND: &str = "
 Lengths in mm; range, off and bound in µm. Formula: of the mean thickness, no deviations. Off: mean less formula.
 Ball: its centre from the rotation axis, so its range is F_r. a'': tight mesh with the master, its range is F_i''.
-F_r reads spaces alone: an eccentricity e whose high tooth has no space in line gives less than 2 e, at least 2 e cos(π/z).
+F_r of an eccentricity e alone is 2 e, down to 2 e cos(π/z) where no space is in line with the high tooth;
+pitch and thickness of the teeth add to it.
 Thickness is an arc of the reference circle. Pitch: own, about the gear's own centre; datum, about its rotation axis,
 which is what a standard grades. Grade: the finest that admits the value, with its tolerance; measured and tolerance in µm.
 ";
@@ -122,10 +123,9 @@ fn deviations(read: &Gauged) -> String {
     if let Ok(runout) = &read.runout {
         let _ = writeln!(
             text,
-            "F_r {} µm (2 e = {} µm towards tooth {:.2})",
+            "F_r {} µm ({})",
             um(Some(runout.total()), 3),
-            um(Some(2.0 * read.eccentricity.amount), 3),
-            read.eccentricity.high_tooth,
+            eccentricity(&read.eccentricity),
         );
     }
     if let Ok(roll) = &read.roll {
@@ -142,6 +142,18 @@ fn deviations(read: &Gauged) -> String {
         let _ = writeln!(text, "pitch, {}: {}", pitch.axis.name(), both(pitch));
     }
     text
+}
+
+fn eccentricity(found: &Eccentricity) -> String {
+    if found.amount > 0.0 {
+        format!(
+            "2 e = {} µm towards tooth {:.2}",
+            um(Some(2.0 * found.amount), 3),
+            found.high_tooth
+        )
+    } else {
+        "no eccentricity".to_owned()
+    }
 }
 
 fn both(pitch: &PitchReadings) -> String {

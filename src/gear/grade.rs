@@ -43,7 +43,7 @@ impl Graded {
     /// # Errors
     /// [`GearError::OutOfRange`] outside the ranges of the formulas.
     pub fn tolerance(self, toothing: &Toothing, grade: u32) -> Result<f64, GearError> {
-        Ok(rounded(self.unrounded(toothing, grade)?) * 1e-3)
+        Ok(rounded(self.unrounded(toothing, grade)?) / 1e3)
     }
 
     /// The finest grade that admits `measured`, mm; `None` beyond the last.

@@ -134,10 +134,10 @@ pub fn charts(gauged: &GaugedGear) -> Result<Vec<(String, String)>, Error> {
             (1.0 + i as f64 / steps, Some(1e3 * (pose.distance - mean)))
         };
         let what = format!(
-            "double-flank roll test, {} · F_i'' {:.3} µm, f_i'' {:.3} µm",
-            means(mean, formula.distance),
+            "roll test F_i'' {:.2}, f_i'' {:.2} µm · {}",
             1e3 * roll.total(),
-            1e3 * roll.tooth_to_tooth()
+            1e3 * roll.tooth_to_tooth(),
+            means(mean, formula.distance)
         );
         let heading = Heading {
             prefix: &format!("{}_roll", gauged.stem()),

@@ -5,7 +5,7 @@
 //! the eccentricity as well.
 
 use super::Unmeasured;
-use super::runout::{mean, range};
+use super::spread::{mean, range};
 use super::workpiece::Workpiece;
 use crate::gear::{Pitch, Side};
 use nalgebra::{Point2, UnitComplex, Vector2};

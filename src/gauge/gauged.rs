@@ -4,6 +4,7 @@ use super::Unmeasured;
 use super::eccentricity::{Eccentricity, eccentricity};
 use super::flanks::{PitchAxis, PitchReadings, ThicknessReadings, pitch, thickness};
 use super::formula::{Formula, formula};
+use super::grades::{GradedReading, grades};
 use super::pins::{Pins, pins};
 use super::roll::{Roll, roll};
 use super::runout::{RunoutReadings, runout};
@@ -60,6 +61,8 @@ pub struct Gauged {
     pub eccentricity: Eccentricity,
     /// Double-flank roll test.
     pub roll: Result<Roll, Unmeasured>,
+    /// Pitch and runout against the accuracy grades, as many as were measured.
+    pub grades: Result<Vec<GradedReading>, Unmeasured>,
     /// What the formulas say.
     pub formula: Formula,
 }
@@ -89,7 +92,14 @@ pub fn gauge(
         pins.as_ref().ok().map(|p| p.diameter),
         runout.as_ref().ok().map(|r| r.diameter),
     ];
+    let pitch_own = pitch(&work, PitchAxis::Own);
+    let pitch_datum = pitch(&work, PitchAxis::Datum);
     Ok(Gauged {
+        grades: grades(
+            gear.gear().toothing(),
+            [&pitch_datum, &pitch_own].into_iter().flatten(),
+            runout.as_ref().ok(),
+        ),
         formula: formula(
             gear,
             spans.as_ref().ok().map(|spans| spans.teeth),
@@ -99,8 +109,8 @@ pub fn gauge(
         spans,
         pins,
         runout,
-        pitch_own: pitch(&work, PitchAxis::Own),
-        pitch_datum: pitch(&work, PitchAxis::Datum),
+        pitch_own,
+        pitch_datum,
         thickness: thickness(&work),
         eccentricity: eccentricity(&work),
         roll,

@@ -6,8 +6,8 @@
 //! one anvil lies on both.
 
 use super::Unmeasured;
-use super::runout::mean;
 use super::seat::Seat;
+use super::spread::mean;
 use super::workpiece::Workpiece;
 
 /// One dimension over pins.

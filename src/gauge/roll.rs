@@ -5,7 +5,7 @@
 
 use super::Unmeasured;
 use super::master::master;
-use super::runout::{mean, range};
+use super::spread::{mean, range};
 use crate::analytic::InvolutePair;
 use crate::diagnosis::play_free_distance;
 use crate::error::Error;

@@ -7,7 +7,7 @@
 //! reading is the greatest, and the anvils stand in the middle of the plateau.
 
 use super::Unmeasured;
-use super::runout::mean;
+use super::spread::mean;
 use super::workpiece::Workpiece;
 use crate::gear::{Curve, Profile, Side};
 use crate::mesh::Touch;

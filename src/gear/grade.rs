@@ -29,12 +29,21 @@ impl Graded {
     /// All three.
     pub const ALL: [Graded; 3] = [Graded::SinglePitch, Graded::TotalPitch, Graded::Runout];
 
+    /// Symbol of the deviation.
+    pub fn symbol(self) -> &'static str {
+        match self {
+            Graded::SinglePitch => "f_p",
+            Graded::TotalPitch => "F_p",
+            Graded::Runout => "F_r",
+        }
+    }
+
     /// Tolerance of `toothing` at grade `A`, mm, as a drawing states it: rounded.
     ///
     /// # Errors
     /// [`GearError::OutOfRange`] outside the ranges of the formulas.
     pub fn tolerance(self, toothing: &Toothing, grade: u32) -> Result<f64, GearError> {
-        Ok(rounded(self.unrounded(toothing, grade)?) * 1e-3)
+        Ok(rounded(self.unrounded(toothing, grade)?) / 1e3)
     }
 
     /// The finest grade that admits `measured`, mm; `None` beyond the last.

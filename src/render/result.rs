@@ -11,6 +11,7 @@ use std::f64::consts::TAU;
 
 mod contacts;
 mod csv_row;
+mod notes;
 
 pub(super) use contacts::{ContactCountRecord, contact_count_record};
 use csv_row::CsvRow;
@@ -20,6 +21,8 @@ use csv_row::CsvRow;
 pub struct ResultFile<'a> {
     gearlash: &'static str,
     pair: &'a serde_json::Value,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    notes: Option<serde_json::Value>,
     runs: Vec<RunRecord>,
 }
 
@@ -122,6 +125,7 @@ pub fn result_file<'a>(study: &'a Study, runs: &[ComparedRun]) -> ResultFile<'a>
     ResultFile {
         gearlash: env!("CARGO_PKG_VERSION"),
         pair: &study.echo,
+        notes: notes::notes(study),
         runs: runs.iter().map(run_record).collect(),
     }
 }

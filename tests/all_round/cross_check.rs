@@ -86,3 +86,26 @@ fn cross_checks_that_are_none() {
         assert!(found.reason.contains(words), "{found}");
     }
 }
+
+/// The result file tells the difference as the warning does: W_k states s_b = 6.272528 mm in the middle, M_dK 6.272242 mm.
+#[test]
+fn the_result_file_tells_the_difference() {
+    let folder = TempDir::new().unwrap();
+    let gear = "teeth = 44\nmodule_mm = 3\npressure_angle_deg = 20\n";
+    let file = format!(
+        "[wheel]\n{gear}thickness.span = {{ teeth = 6, min_mm = 50.548, max_mm = 50.561 }}\n\
+         thickness.cross_check.over_pins = {{ pin_mm = 5.25, mm = 139.502 }}\n\
+         [pinion]\n{gear}[assembly]\ncenter_distance_mm = 132.2\n[sweep]\nmating = [[1, 1]]\n"
+    );
+    fs::write(folder.path().join("pair.toml"), file).unwrap();
+    let mut command = assert_cmd::Command::cargo_bin("gearlash").unwrap();
+    command.current_dir(folder.path());
+    let output = command.args(["simulate", "pair.toml", "--format", "json"]);
+    let output = output.assert().success().get_output().stdout.clone();
+    let result: serde_json::Value = serde_json::from_slice(&output).unwrap();
+    let notes = &result["notes"];
+    let told = &notes["wheel"]["cross_check"];
+    assert!((told["difference_um"].as_f64().unwrap() + 0.286).abs() < 2e-3);
+    assert_eq!(told["agree"], true);
+    assert!(notes["pinion"].is_null(), "nothing to tell of it");
+}

@@ -1,7 +1,7 @@
 //! The general charts: lines and bars.
 
 use super::drawn::{HALF, LEFT, RIGHT, apart, place, polylines};
-use gearlash::render::chart::{BarSeries, Heading, LineSeries, Look, bars, lines};
+use gearlash::render::chart::{BarSeries, Heading, LineAxes, LineSeries, Look, bars, lines};
 use roxmltree::Document;
 
 fn heading<'a>() -> Heading<'a> {
@@ -32,14 +32,14 @@ fn series() -> [BarSeries<'static>; 2] {
 
 #[test]
 fn small_bar_chart() {
-    let chart = bars(&heading(), "deviation, µm", &series()).unwrap();
+    let chart = bars(&heading(), ["tooth", "deviation, µm"], &series()).unwrap();
     insta::assert_snapshot!(chart.svg);
 }
 
 /// Bars of a tooth stand side by side about its number, from zero to the value; a missing one is left out.
 #[test]
 fn bars_stand_at_their_teeth() {
-    let chart = bars(&heading(), "deviation, µm", &series()).unwrap();
+    let chart = bars(&heading(), ["tooth", "deviation, µm"], &series()).unwrap();
     let document = Document::parse(&chart.svg).unwrap();
     for (colour, series, from) in [(RIGHT, &series()[0], -0.4), (LEFT, &series()[1], 0.0)] {
         let outlines = polylines(&document, colour).into_iter();
@@ -78,7 +78,7 @@ fn lines_of_several_looks_stand_where_their_points_are() {
         line(Look::Third, false),
         line(Look::Left, true),
     ];
-    let chart = lines(&heading(), "tooth", "M_dK, mm", &all).unwrap();
+    let chart = lines(&heading(), axes(1e-3), &all).unwrap();
     let document = Document::parse(&chart.svg).unwrap();
     let drawn: Vec<_> = polylines(&document, RIGHT)
         .into_iter()
@@ -95,6 +95,30 @@ fn lines_of_several_looks_stand_where_their_points_are() {
     assert!(chart.svg.contains("a &amp; b"));
 }
 
+fn axes(least: f64) -> LineAxes<'static> {
+    LineAxes {
+        x: "tooth",
+        teeth: Some(4),
+        y: "M_dK, mm",
+        least,
+    }
+}
+
+/// Rounding noise does not fill a chart: its axis is as high as said at least.
+#[test]
+fn noise_is_drawn_flat() {
+    let line = LineSeries {
+        name: "a''",
+        points: vec![(1.0, Some(-1e-9)), (2.0, Some(1e-9)), (3.0, Some(0.0))],
+        look: Look::Plain,
+        dots: false,
+    };
+    let chart = lines(&heading(), axes(0.1), &[line]).unwrap();
+    let [low, high] = chart.plot.y;
+    assert!(high - low >= 0.1);
+    assert!((low + high).abs() < 1e-6);
+}
+
 /// A bar for each of 10 000 teeth would be a few megabytes and narrower than a pixel.
 #[test]
 fn ten_thousand_teeth_are_a_thinned_line() {
@@ -106,7 +130,7 @@ fn ten_thousand_teeth_are_a_thinned_line() {
         values,
         look: Look::Right,
     }];
-    let chart = bars(&heading(), "µm", &series).unwrap();
+    let chart = bars(&heading(), ["tooth", "µm"], &series).unwrap();
     assert!(chart.svg.len() < 300_000);
     let document = Document::parse(&chart.svg).unwrap();
     let drawn = polylines(&document, RIGHT).concat();
@@ -125,7 +149,7 @@ fn nothing_to_draw_is_an_error() {
         values: vec![],
         look: Look::Plain,
     };
-    assert!(bars(&heading(), "µm", &[]).is_err());
-    assert!(bars(&heading(), "µm", &[none]).is_err());
-    assert!(lines(&heading(), "x", "y", &[]).is_err());
+    assert!(bars(&heading(), ["tooth", "µm"], &[]).is_err());
+    assert!(bars(&heading(), ["tooth", "µm"], &[none]).is_err());
+    assert!(lines(&heading(), axes(1.0), &[]).is_err());
 }

@@ -103,6 +103,7 @@ fn writes_readings_charts_and_a_gear_file() {
     for gauge in [
         "spans",
         "pins",
+        "three_pins",
         "runout",
         "pitch_own",
         "pitch_datum",
@@ -178,4 +179,69 @@ fn bad_input_is_told() {
         "{text}"
     );
     assert!(text.contains("balls touch the root"), "{text}");
+}
+
+/// Issue 5, item 6, at m = 3, z = 40 (d = 120): at grade 5 f_pT = 0.12 + 1.2 + 5 = 6.32 and
+/// F_pT = 0.24 + 0.55 √120 + 2.1 + 12 = 20.36, so at grade 6 8.94 → 9.0 and 28.80 → 29, F_rT = 25.92 → 26 µm;
+/// at grade 11 f_pT = 6.32 · 8 = 50.56 → 51 and F_pT = 162.9 → 163 µm.
+#[test]
+fn grades_pitch_and_runout() {
+    let folder = folder();
+    let graded = |teeth: u32, module: f64, step: f64, total: f64| -> Value {
+        // One tooth's flanks stand off by `step`: f_p and F_p are that, about any axis there is.
+        let curve = (1..=teeth)
+            .map(|i| if i == 7 { step } else { 0.0 })
+            .collect::<Vec<_>>();
+        let file = format!(
+            "title = \"graded\"\n[gear]\nteeth = {teeth}\nmodule_mm = {module:?}\npressure_angle_deg = 20.0\n\
+             runout = {{ total_um = {total:?}, high_tooth = 1.5 }}\n\
+             pitch = {{ kind = \"cumulative\", right_um = {curve:?}, left_um = {curve:?} }}\n"
+        );
+        std::fs::write(folder.path().join("graded.toml"), file).unwrap();
+        let quick = ["graded.toml", "--format", "json", "--steps-per-pitch", "1"];
+        let all: Value = serde_json::from_str(&stdout(&mut gauge(folder.path(), &quick))).unwrap();
+        all["gears"][0]["grades"].clone()
+    };
+    let row = |grades: &Value, symbol: &str, axis: Value, flank: Value| -> Value {
+        let values = grades["values"].as_array().unwrap();
+        let is = |v: &&Value| v["symbol"] == symbol && v["axis"] == axis && v["flank"] == flank;
+        values.iter().find(is).unwrap().clone()
+    };
+    // On the tolerance itself, above it, and beyond the last grade.
+    for (step, single, total) in [
+        (9.0, (Some(6), 9.0), (Some(3), 10.0)),
+        (9.01, (Some(7), 13.0), (Some(3), 10.0)),
+        (29.0, (Some(10), 36.0), (Some(6), 29.0)),
+        (60.0, (None, 51.0), (Some(9), 81.0)),
+        (170.0, (None, 51.0), (None, 163.0)),
+    ] {
+        let grades = graded(40, 3.0, step, 0.0);
+        assert_eq!(
+            grades["source"],
+            "after ISO 1328-1:2013, formulas as published in several open implementations, standard not consulted"
+        );
+        for (axis, flank) in [
+            ("datum", "right"),
+            ("datum", "left"),
+            ("own", "right"),
+            ("own", "left"),
+        ] {
+            for (symbol, (grade, tolerance)) in [("f_p", single), ("F_p", total)] {
+                let row = row(&grades, symbol, axis.into(), flank.into());
+                assert!((row["measured_um"].as_f64().unwrap() - step).abs() < 1e-6);
+                assert_eq!(row["grade"].as_u64(), grade, "{symbol} {step}");
+                assert!((row["tolerance_um"].as_f64().unwrap() - tolerance).abs() < 1e-9);
+            }
+        }
+    }
+    // An eccentricity towards a space, z even: F_r = 2 e.
+    let grades = graded(40, 3.0, 0.0, 25.9);
+    let runout = row(&grades, "F_r", Value::Null, Value::Null);
+    assert!((runout["measured_um"].as_f64().unwrap() - 25.9).abs() < 1e-3);
+    assert_eq!(runout["grade"], 6);
+    assert!((runout["tolerance_um"].as_f64().unwrap() - 26.0).abs() < 1e-9);
+    // Outside the formulas' range the reason stands there.
+    let none = graded(40, 0.4, 0.0, 0.0);
+    let reason = none["not_measured"].as_str().unwrap();
+    assert!(reason.contains("0.5 … 70 mm"), "{reason}");
 }

@@ -19,12 +19,17 @@ pub struct BarSeries<'a> {
     pub look: Look,
 }
 
-/// A bar chart of `series` over tooth numbers, side by side; `y_axis` names quantity and unit.
+/// A bar chart of `series` over tooth numbers, side by side; the axes name what the numbers count, and
+/// quantity and unit.
 ///
 /// # Errors
 /// [`Error::Chart`] when no series has a value.
-pub fn bars(heading: &Heading, y_axis: &str, series: &[BarSeries]) -> Result<Chart, Error> {
-    let panel = panel(["", "tooth", y_axis], 340.0, series)
+pub fn bars(
+    heading: &Heading,
+    [x_axis, y_axis]: [&str; 2],
+    series: &[BarSeries],
+) -> Result<Chart, Error> {
+    let panel = panel(["", x_axis, y_axis], 340.0, series)
         .ok_or_else(|| Error::Chart("there are no values to draw".to_owned()))?;
     sheet::draw(heading, &legend(series), &[panel])
 }

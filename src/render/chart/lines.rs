@@ -18,22 +18,28 @@ pub struct LineSeries<'a> {
     pub dots: bool,
 }
 
-/// A chart of `series`; `x_axis` and `y_axis` name quantity and unit.
+/// The axes of a line chart.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LineAxes<'a> {
+    /// Quantity and unit.
+    pub x: &'a str,
+    /// Where x goes over tooth numbers: how many there are.
+    pub teeth: Option<u32>,
+    /// Quantity and unit.
+    pub y: &'a str,
+    /// The least height shown, in that unit: below it rounding noise would fill the chart.
+    pub least: f64,
+}
+
+/// A chart of `series`.
 ///
 /// # Errors
 /// [`Error::Chart`] when no series has a value.
-pub fn lines(
-    heading: &Heading,
-    x_axis: &str,
-    y_axis: &str,
-    series: &[LineSeries],
-) -> Result<Chart, Error> {
+pub fn lines(heading: &Heading, axes: LineAxes, series: &[LineSeries]) -> Result<Chart, Error> {
     let points = || series.iter().flat_map(|line| &line.points);
     let x = range(points().map(|point| point.0), [0.02; 2], 1e-9);
     let values = || points().filter_map(|point| point.1);
-    let largest = values().map(f64::abs).fold(0.0, f64::max);
-    // Not a line across rounding noise: at least a thousandth of the values.
-    let y = range(values(), [0.08; 2], f64::max(1e-3 * largest, 1e-12));
+    let y = range(values(), [0.08; 2], axes.least);
     let (Some(x), Some(y)) = (x, y) else {
         return Err(Error::Chart("there are no values to draw".to_owned()));
     };
@@ -61,8 +67,11 @@ pub fn lines(
         .collect();
     let panel = Panel {
         title: String::new(),
-        x: Axis::new(x_axis, x),
-        y: Axis::new(y_axis, y),
+        x: Axis {
+            teeth: axes.teeth,
+            ..Axis::new(axes.x, x)
+        },
+        y: Axis::new(axes.y, y),
         height: 340.0,
         marks: marks.collect(),
     };

@@ -30,7 +30,7 @@ pub use bars::{BarSeries, bars};
 pub use difference::difference;
 pub use distance::distance;
 pub use inspection::inspection;
-pub use lines::{LineSeries, lines};
+pub use lines::{LineAxes, LineSeries, lines};
 pub use paint::Look;
 pub use revolution::revolution;
 

@@ -2,9 +2,15 @@
 
 use super::GaugedGear;
 use crate::error::Error;
-use crate::gauge::PitchReadings;
+use crate::gauge::{PitchAxis, PitchReadings};
 use crate::gear::Side;
-use crate::render::chart::{BarSeries, Heading, LineSeries, Look, bars, lines};
+use crate::render::chart::{BarSeries, Heading, LineAxes, LineSeries, Look, bars, lines};
+
+/// The least height of an axis, µm: far below what a gauge in a shop tells, far above the rounding of readings.
+const LEAST: f64 = 0.1;
+
+/// One series: name, look and lengths in mm.
+type Series = (&'static str, Look, Vec<f64>);
 
 /// The charts of one gear: file name and SVG. What could not be measured has none.
 ///
@@ -12,9 +18,10 @@ use crate::render::chart::{BarSeries, Heading, LineSeries, Look, bars, lines};
 /// [`Error::Chart`]: none for a gear that has teeth.
 pub fn charts(gauged: &GaugedGear) -> Result<Vec<(String, String)>, Error> {
     let read = &gauged.gauged;
+    let formula = &read.formula;
     let mut files = Vec::new();
-    let mut by_tooth = |name: &str, what: String, series: &[(&'static str, Look, Vec<f64>)]| {
-        let bars_of = |(name, look, lengths): &(&'static str, Look, Vec<f64>)| BarSeries {
+    let mut by_tooth = |name: &str, what: String, axes: [&str; 2], series: &[Series]| {
+        let bars_of = |(name, look, lengths): &Series| BarSeries {
             name,
             values: lengths.iter().map(|mm| Some(mm * 1e3)).collect(),
             look: *look,
@@ -29,74 +36,94 @@ pub fn charts(gauged: &GaugedGear) -> Result<Vec<(String, String)>, Error> {
             subtitle: &heading,
         };
         let series: Vec<BarSeries> = series.iter().map(bars_of).collect();
-        files.push((file, bars(&heading, "µm", &series)?.svg));
+        files.push((file, bars(&heading, axes, &series)?.svg));
         Ok::<(), Error>(())
     };
     if let Ok(spans) = &read.spans {
         let lengths: Vec<f64> = spans.readings.iter().map(|span| span.length).collect();
-        let what = format!(
-            "span W_{} from each first tooth, less the mean {:.6} mm",
-            spans.teeth,
-            spans.mean()
-        );
+        let mean = spans.mean();
+        let what = format!("span W_{}, {}", spans.teeth, means(mean, formula.span));
+        let axes = [
+            "first tooth spanned",
+            &format!("W_{} − mean, µm", spans.teeth),
+        ];
         by_tooth(
             "spans",
             what,
-            &[("span", Look::Plain, less(&lengths, spans.mean()))],
+            axes,
+            &[("span", Look::Plain, less(&lengths, mean))],
         )?;
     }
     if let Ok(pins) = &read.pins {
-        let mean = pins.mean();
-        let lengths: Vec<f64> = pins.two.iter().map(|over| over.length).collect();
-        let what = format!(
-            "M_dK over two pins {} mm, less the mean {mean:.6} mm",
-            pins.diameter
-        );
-        by_tooth(
-            "pins",
-            what,
-            &[("over two pins", Look::Plain, less(&lengths, mean))],
-        )?;
+        for (file, count, list, formula, axis) in [
+            (
+                "pins",
+                "two",
+                &pins.two,
+                formula.over_two,
+                "tooth before the first pin",
+            ),
+            (
+                "three_pins",
+                "three",
+                &pins.three,
+                formula.over_three,
+                "tooth before the single pin",
+            ),
+        ] {
+            if list.is_empty() {
+                continue;
+            }
+            let lengths: Vec<f64> = list.iter().map(|over| over.length).collect();
+            let mean = lengths.iter().sum::<f64>() / lengths.len() as f64;
+            let what = format!(
+                "M_dK over {count} pins {} mm, {}",
+                pins.diameter,
+                means(mean, formula)
+            );
+            by_tooth(
+                file,
+                what,
+                [axis, "M_dK − mean, µm"],
+                &[("over pins", Look::Plain, less(&lengths, mean))],
+            )?;
+        }
     }
     if let Ok(runout) = &read.runout {
         let what = format!(
-            "ball {} mm after each tooth, less the mean · F_r {:.3} µm",
+            "ball {} mm in each space, F_r {:.3} µm, 2 e {:.3} µm",
             runout.diameter,
-            1e3 * runout.total()
+            1e3 * runout.total(),
+            2e3 * read.eccentricity.amount
         );
         by_tooth(
             "runout",
             what,
+            ["tooth before the ball", "radius of the ball − mean, µm"],
             &[("ball", Look::Plain, runout.deviations())],
         )?;
     }
     for pitch in [&read.pitch_own, &read.pitch_datum].into_iter().flatten() {
         let flanks = [
-            (
-                "right flanks",
-                Look::Right,
-                pitch.cumulative.flank(Side::Right).to_vec(),
-            ),
-            (
-                "left flanks",
-                Look::Left,
-                pitch.cumulative.flank(Side::Left).to_vec(),
-            ),
+            (Side::Right, "right flanks", Look::Right),
+            (Side::Left, "left flanks", Look::Left),
         ];
         by_tooth(
             &format!("pitch_{}", pitch.axis.name()),
             pitch_words(pitch),
-            &flanks,
+            ["tooth", "cumulative pitch deviation F, µm"],
+            &flanks.map(|(side, name, look)| (name, look, pitch.cumulative.flank(side).to_vec())),
         )?;
     }
     if let Ok(thickness) = &read.thickness {
         let what = format!(
-            "arc thickness at the reference circle, less the mean {:.6} mm",
-            thickness.mean()
+            "arc thickness s at the reference circle, {}",
+            means(thickness.mean(), Some(formula.thickness))
         );
         by_tooth(
             "thickness",
             what,
+            ["tooth", "s − mean, µm"],
             &[("thickness", Look::Plain, thickness.deviations())],
         )?;
     }
@@ -107,9 +134,10 @@ pub fn charts(gauged: &GaugedGear) -> Result<Vec<(String, String)>, Error> {
             (1.0 + i as f64 / steps, Some(1e3 * (pose.distance - mean)))
         };
         let what = format!(
-            "double-flank roll test, a'' less the mean {mean:.6} mm · F_i'' {:.3} µm, f_i'' {:.3} µm",
+            "roll test F_i'' {:.2}, f_i'' {:.2} µm · {}",
             1e3 * roll.total(),
-            1e3 * roll.tooth_to_tooth()
+            1e3 * roll.tooth_to_tooth(),
+            means(mean, formula.distance)
         );
         let heading = Heading {
             prefix: &format!("{}_roll", gauged.stem()),
@@ -122,8 +150,13 @@ pub fn charts(gauged: &GaugedGear) -> Result<Vec<(String, String)>, Error> {
             look: Look::Plain,
             dots: false,
         };
-        let axis = "tooth of the gear at the master";
-        let chart = lines(&heading, axis, "µm", &[line])?;
+        let axes = LineAxes {
+            x: "tooth of the gear at the master",
+            teeth: Some(gauged.gear.gear().toothing().teeth()),
+            y: "a'' − mean, µm",
+            least: LEAST,
+        };
+        let chart = lines(&heading, axes, &[line])?;
         files.push((format!("{}_roll.svg", gauged.stem()), chart.svg));
     }
     Ok(files)
@@ -144,11 +177,20 @@ fn pitch_words(pitch: &PitchReadings) -> String {
             .join(" / ")
     };
     format!(
-        "cumulative pitch F about the {} axis · f_p {}, F_p {} µm (right / left)",
-        pitch.axis.name(),
+        "pitch about {} · f_p {}, F_p {} µm (right / left)",
+        match pitch.axis {
+            PitchAxis::Own => "the gear's own centre",
+            PitchAxis::Datum => "the rotation axis",
+        },
         both(PitchReadings::greatest_single),
         both(PitchReadings::total),
     )
+}
+
+/// The mean, on which the chart's zero stands, and the formula's value.
+fn means(mean: f64, formula: Option<f64>) -> String {
+    let formula = formula.map_or(String::new(), |mm| format!(", formula {mm:.6} mm"));
+    format!("mean {mean:.6} mm{formula}")
 }
 
 fn less(lengths: &[f64], mean: f64) -> Vec<f64> {

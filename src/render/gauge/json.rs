@@ -1,8 +1,8 @@
 //! The readings as JSON.
 
 use super::GaugedGear;
-use crate::gauge::{OverPins, PitchReadings, Unmeasured};
-use crate::gear::Side;
+use crate::gauge::{Grade, GradedReading, OverPins, PitchReadings, Unmeasured};
+use crate::gear::{GRADE_SOURCE, Side};
 use crate::mesh::Touch;
 use serde_json::{Value, json};
 
@@ -64,6 +64,10 @@ fn gear(gauged: &GaugedGear) -> Value {
             "error_bound_um": thickness.error * 1e3,
             "arc_mm": thickness.arcs,
         })),
+        "grades": of(&read.grades, |graded| json!({
+            "source": GRADE_SOURCE,
+            "values": graded.iter().map(grade).collect::<Vec<_>>(),
+        })),
         "roll": of(&read.roll, |roll| json!({
             "master_teeth": roll.master.toothing().teeth(),
             "master_tip_diameter_mm": 2.0 * roll.master.tip_radius(),
@@ -114,6 +118,23 @@ fn pitch(pitch: &PitchReadings) -> Value {
         "error_bound_um": pitch.error * 1e3,
         "right": flank(Side::Right),
         "left": flank(Side::Left),
+    })
+}
+
+/// `grade` is null beyond the last one; the tolerance is then the last one's.
+fn grade(one: &GradedReading) -> Value {
+    let (grade, tolerance) = match one.grade {
+        Grade::Within { grade, tolerance } => (Some(grade), tolerance),
+        Grade::Beyond { tolerance, .. } => (None, tolerance),
+    };
+    json!({
+        "symbol": one.graded.symbol(),
+        "axis": one.pitch.map(|(axis, _)| axis.name()),
+        "flank": one.pitch.map(|(_, side)| side.name()),
+        "measured_um": one.measured * 1e3,
+        "error_bound_um": one.error * 1e3,
+        "grade": grade,
+        "tolerance_um": tolerance * 1e3,
     })
 }
 

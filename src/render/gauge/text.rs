@@ -1,8 +1,8 @@
 //! A short table of each gear.
 
 use super::GaugedGear;
-use crate::gauge::{Gauged, PitchReadings, Unmeasured};
-use crate::gear::{Curve, Side};
+use crate::gauge::{Eccentricity, Gauged, Grade, GradedReading, PitchReadings, Unmeasured};
+use crate::gear::{Curve, GRADE_SOURCE, Side};
 use crate::mesh::{ContactKind, PoseClass, Touch};
 use crate::render::table::{finish, table, um};
 use std::fmt::Write;
@@ -14,16 +14,21 @@ pub fn text(title: &str, gears: &[GaugedGear]) -> String {
         let _ = write!(text, "\n{}\n\n", gauged.words());
         text += &lengths(&gauged.gauged);
         text += &deviations(&gauged.gauged);
+        text += &grades(&gauged.gauged);
         text += &remarks(&gauged.gauged);
     }
     text += LEGEND;
+    let _ = writeln!(text, "Grades: {GRADE_SOURCE}.");
     text
 }
 
 const LEGEND: &str = "
 Lengths in mm; range, off and bound in µm. Formula: of the mean thickness, no deviations. Off: mean less formula.
 Ball: its centre from the rotation axis, so its range is F_r. a'': tight mesh with the master, its range is F_i''.
-Thickness is an arc of the reference circle. Pitch: own, about the gear's own centre; datum, about its rotation axis.
+F_r of an eccentricity e alone is 2 e, down to 2 e cos(π/z) where no space is in line with the high tooth;
+pitch and thickness of the teeth add to it.
+Thickness is an arc of the reference circle. Pitch: own, about the gear's own centre; datum, about its rotation axis,
+which is what a standard grades. Grade: the finest that admits the value, with its tolerance; measured and tolerance in µm.
 ";
 
 /// Lengths with their least, mean and greatest reading.
@@ -118,10 +123,9 @@ fn deviations(read: &Gauged) -> String {
     if let Ok(runout) = &read.runout {
         let _ = writeln!(
             text,
-            "F_r {} µm (2 e = {} µm towards tooth {:.2})",
+            "F_r {} µm ({})",
             um(Some(runout.total()), 3),
-            um(Some(2.0 * read.eccentricity.amount), 3),
-            read.eccentricity.high_tooth,
+            eccentricity(&read.eccentricity),
         );
     }
     if let Ok(roll) = &read.roll {
@@ -140,6 +144,18 @@ fn deviations(read: &Gauged) -> String {
     text
 }
 
+fn eccentricity(found: &Eccentricity) -> String {
+    if found.amount > 0.0 {
+        format!(
+            "2 e = {} µm towards tooth {:.2}",
+            um(Some(2.0 * found.amount), 3),
+            found.high_tooth
+        )
+    } else {
+        "no eccentricity".to_owned()
+    }
+}
+
 fn both(pitch: &PitchReadings) -> String {
     let side = |side: Side| {
         format!(
@@ -150,6 +166,37 @@ fn both(pitch: &PitchReadings) -> String {
         )
     };
     format!("{}; {}", side(Side::Right), side(Side::Left))
+}
+
+/// Accuracy grades, or why there are none.
+fn grades(read: &Gauged) -> String {
+    let graded = match &read.grades {
+        Ok(graded) if graded.is_empty() => return String::new(),
+        Ok(graded) => graded,
+        Err(reason) => return format!("\nno accuracy grades: {reason}\n"),
+    };
+    let mut table = table(&["", "measured", "grade", "tolerance"]);
+    for one in graded {
+        let (grade, tolerance) = match one.grade {
+            Grade::Within { grade, tolerance } => (grade.to_string(), tolerance),
+            Grade::Beyond { last, tolerance } => (format!("beyond {last}"), tolerance),
+        };
+        table.add_row(vec![
+            graded_words(one),
+            um(Some(one.measured), 3),
+            grade,
+            um(Some(tolerance), 1),
+        ]);
+    }
+    format!("\n{}", finish(&table))
+}
+
+fn graded_words(one: &GradedReading) -> String {
+    let symbol = one.graded.symbol();
+    match one.pitch {
+        Some((axis, side)) => format!("{symbol} {}, {} flanks", axis.name(), side.name()),
+        None => symbol.to_owned(),
+    }
 }
 
 /// What was not measured, and what was touched off the involute.

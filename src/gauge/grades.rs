@@ -1,0 +1,89 @@
+//! Pitch and runout as read, against the accuracy grades.
+
+use super::Unmeasured;
+use super::flanks::{PitchAxis, PitchReadings};
+use super::runout::RunoutReadings;
+use crate::error::GearError;
+use crate::gear::{GRADES, Graded, Side, Toothing};
+
+/// One measured value and its grade.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GradedReading {
+    /// What was measured.
+    pub graded: Graded,
+    /// Of which flanks and about which axis; `None` of the runout, which is read from the rotation axis.
+    pub pitch: Option<(PitchAxis, Side)>,
+    /// mm.
+    pub measured: f64,
+    /// Bound on the error of `measured`, mm.
+    pub error: f64,
+    /// The finest grade that admits it.
+    pub grade: Grade,
+}
+
+/// A grade with its tolerance, mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Grade {
+    /// Within this grade.
+    Within {
+        /// `A`.
+        grade: u32,
+        /// Its tolerance.
+        tolerance: f64,
+    },
+    /// Beyond the last grade.
+    Beyond {
+        /// The last one.
+        last: u32,
+        /// Its tolerance.
+        tolerance: f64,
+    },
+}
+
+/// Grades what was measured: about the datum axis, as a standard counts, about the gear's own, and the runout.
+pub(super) fn grades<'a>(
+    toothing: &Toothing,
+    pitches: impl Iterator<Item = &'a PitchReadings>,
+    runout: Option<&RunoutReadings>,
+) -> Result<Vec<GradedReading>, Unmeasured> {
+    let mut list = Vec::new();
+    for read in pitches {
+        for side in Side::BOTH {
+            for (graded, measured) in [
+                (Graded::SinglePitch, read.greatest_single(side)),
+                (Graded::TotalPitch, read.total(side)),
+            ] {
+                // A difference of two values.
+                let error = 2.0 * read.error;
+                list.push((graded, Some((read.axis, side)), measured, error));
+            }
+        }
+    }
+    list.extend(runout.map(|read| (Graded::Runout, None, read.total(), read.error())));
+    let one = |(graded, pitch, measured, error)| -> Result<GradedReading, GearError> {
+        Ok(GradedReading {
+            graded,
+            pitch,
+            measured,
+            error,
+            // What the error alone puts beyond a tolerance is within it.
+            grade: grade(toothing, graded, measured - error)?,
+        })
+    };
+    let read: Result<Vec<GradedReading>, GearError> = list.into_iter().map(one).collect();
+    read.map_err(|error| Unmeasured(error.to_string()))
+}
+
+fn grade(toothing: &Toothing, graded: Graded, measured: f64) -> Result<Grade, GearError> {
+    let last = *GRADES.end();
+    Ok(match graded.grade(toothing, measured)? {
+        Some(grade) => Grade::Within {
+            grade,
+            tolerance: graded.tolerance(toothing, grade)?,
+        },
+        None => Grade::Beyond {
+            last,
+            tolerance: graded.tolerance(toothing, last)?,
+        },
+    })
+}

@@ -70,12 +70,16 @@ pub fn inspection(
     };
     let [right, left] = both(Inspection::largest_single);
     let [total_right, total_left] = both(Inspection::total_cumulative);
+    let subtitle = match deviates(&single) {
+        true => format!(
+            "{gear} · f_p right {right}, left {left} µm · F_p right {total_right}, left {total_left} µm · + along ascending numbers"
+        ),
+        false => format!("{gear} · no pitch deviations"),
+    };
     let heading = Heading {
         prefix,
         title,
-        subtitle: &format!(
-            "{gear} · f_p right {right}, left {left} µm · F_p right {total_right}, left {total_left} µm · + along ascending numbers"
-        ),
+        subtitle: &subtitle,
     };
     sheet::draw(&heading, &names, &shown)
 }

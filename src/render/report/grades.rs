@@ -32,7 +32,7 @@ pub(super) fn table(page: &Page) -> Markup {
                     } }
                 }
             }
-            p.note { "Pitch is graded about the gear’s own centre, free of eccentricity, which the runout shows." }
+            @if graded.iter().any(|(_, of)| values(of) > 1) { p.note { "Pitch is graded about the gear’s own centre, free of eccentricity, which the runout shows." } }
         }
         @for (name, of) in &graded {
             @if let Err(error) = of { p.note { "No accuracy grade for the " (name) ": " (error.to_string()) "." } }
@@ -56,7 +56,7 @@ fn row(gear: &str, value: &GradedValue) -> Markup {
     let (sign, name) = match value.what {
         Graded::SinglePitch => (symbol("f", "p"), "single pitch"),
         Graded::TotalPitch => (symbol("F", "p"), "total cumulative pitch"),
-        Graded::Runout => (symbol("F", "r"), "runout"),
+        Graded::Runout => (symbol("F", "r"), "runout, twice the eccentricity"),
     };
     let flanks = match value.side {
         Some(Side::Right) => ", right flanks",

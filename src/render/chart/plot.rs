@@ -40,8 +40,8 @@ pub(super) fn draw(area: &Area, panel: &Panel) -> Drawn<Plot> {
                 (x, bottom + (top - bottom) * up / size[1])
             };
             let stroke = HATCH.stroke_width(fine(0.7) as u32);
-            let lines = hatch(size).map(|ends| PathElement::new(ends.map(place), stroke));
-            chart.draw_series(lines)?;
+            let line: Vec<(f64, f64)> = hatch(size).map(place).collect();
+            chart.draw_series([PathElement::new(line, stroke)])?;
         }
     }
     // No ticks between two teeth.
@@ -93,13 +93,20 @@ pub(super) fn draw(area: &Area, panel: &Panel) -> Drawn<Plot> {
     Ok(plot)
 }
 
-/// Both ends of lines at 45° across a rectangle of `width` and `height` pixels, from its lower left corner.
-fn hatch([width, height]: [f64; 2]) -> impl Iterator<Item = [[f64; 2]; 2]> {
+/// Lines at 45° across a rectangle of `width` and `height` pixels from its lower left corner, up and down by turns:
+/// one line, which takes less room in the file than many.
+fn hatch([width, height]: [f64; 2]) -> impl Iterator<Item = [f64; 2]> {
     let step = FINE * 9.0;
     let count = ((width + height) / step) as u32;
-    (1..=count).map(move |number| {
+    (1..=count).flat_map(move |number| {
         let foot = f64::from(number) * step - height;
-        [(-foot).max(0.0), height.min(width - foot)].map(|up| [foot + up, up])
+        let ends = [(-foot).max(0.0), height.min(width - foot)].map(|up| [foot + up, up]);
+        let [low, high] = ends;
+        if number % 2 == 0 {
+            [low, high]
+        } else {
+            [high, low]
+        }
     })
 }
 

@@ -42,9 +42,16 @@ impl MethodArgs {
 
 /// Says on standard error how far both methods lie apart, where both were asked for; whether that passes.
 pub(super) fn agreement<'a>(runs: impl IntoIterator<Item = &'a ComparedRun>) -> bool {
+    agreement_within(largest_difference(runs))
+}
+
+/// The largest difference of the two methods over `runs`, mm; `None` where only one was asked for.
+pub(super) fn largest_difference<'a>(
+    runs: impl IntoIterator<Item = &'a ComparedRun>,
+) -> Option<f64> {
     let poses = runs.into_iter().flat_map(|run| &run.poses);
     let differences = poses.filter_map(|pose| pose.swept.polygon_difference);
-    agreement_within(differences.map(f64::abs).reduce(f64::max))
+    differences.map(f64::abs).reduce(f64::max)
 }
 
 /// The same of the largest difference, mm; `None` where one method alone was asked for.

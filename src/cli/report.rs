@@ -1,7 +1,7 @@
 //! `gearlash report`: the whole result as one page.
 
 use super::date::today;
-use super::method::{MethodArgs, agreement};
+use super::method::{MethodArgs, agreement_within, largest_difference};
 use super::progress::Progress;
 use super::target::Target;
 use super::warn;
@@ -67,7 +67,12 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         diagnosis: &diagnosis,
     })?;
     progress.finish()?;
-    let agree = agreement(runs.iter().chain(&revolution));
+    let agree = agreement_within(
+        largest_difference(runs.iter().chain(&revolution))
+            .into_iter()
+            .chain(over_distance.polygon_difference)
+            .reduce(f64::max),
+    );
     target.write(page)?;
     Ok(match agree {
         true => ExitCode::SUCCESS,

@@ -43,6 +43,12 @@ impl Inspection {
         }
     }
 
+    /// Whether any flank lies off its place or the gear is eccentric.
+    pub fn deviates(&self) -> bool {
+        let all = [&self.right, &self.left, &self.thickness, &self.runout];
+        all.into_iter().flatten().any(|value| *value != 0.0)
+    }
+
     /// Cumulative pitch deviation `F_i` of the gear's own `side` flanks, about their mean.
     pub fn cumulative(&self, side: Side) -> &[f64] {
         match side {

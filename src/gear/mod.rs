@@ -11,6 +11,7 @@ mod fillet;
 #[allow(clippy::module_inception)]
 mod gear;
 mod grade;
+mod graded;
 mod identity;
 mod inspection;
 pub mod involute;
@@ -32,6 +33,7 @@ pub use deviation::{AsBuilt, Deviations};
 pub use fillet::Fillet;
 pub use gear::{Blank, Gear};
 pub use grade::{GRADE_SOURCE, GRADES, Graded};
+pub use graded::GradedValue;
 pub use inspection::Inspection;
 pub use outline::{HalfTooth, Segment};
 pub use pins::PinReadings;

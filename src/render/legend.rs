@@ -9,6 +9,9 @@ use crate::gear::Curve;
 use svg::node::Node;
 use svg::node::element::Group;
 
+/// What holds of the printed sheet alone.
+pub(super) const PAPER_NOTE: &str = "scales hold in print on A4";
+
 /// Room for a sample, units of the sheet.
 const SAMPLE: f64 = 36.0;
 
@@ -127,11 +130,10 @@ pub fn draw(at: Spot, room: f64, shown: &Shown) -> Group {
         group = group.add(sample(x, y)).add(words);
         x += width + 16.0;
     }
-    const NOTE: &str = "scales hold in print on A4";
-    if x + labels::width(NOTE, 13.0) > at[0] + room {
+    if x + labels::width(PAPER_NOTE, 13.0) > at[0] + room {
         y += 25.0;
     }
-    let mut note = text(NOTE, [at[0] + room, y + 4.5], 13.0, true);
+    let mut note = text(PAPER_NOTE, [at[0] + room, y + 4.5], 13.0, true);
     note.assign("text-anchor", "end");
     note.assign("fill", GREY);
     group.add(note)

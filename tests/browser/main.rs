@@ -15,7 +15,7 @@ use std::sync::{Arc, OnceLock};
 /// What every test gets: the browser and the pages, made when the first test asks.
 type Test = fn(&Chromium, &Site);
 
-const TESTS: [(&str, Test); 12] = [
+const TESTS: [(&str, Test); 13] = [
     (
         "opens_from_disk_without_errors",
         page::opens_from_disk_without_errors,
@@ -32,6 +32,10 @@ const TESTS: [(&str, Test); 12] = [
     (
         "the_free_gear_goes_from_contact_to_contact",
         mesh::the_free_gear_goes_from_contact_to_contact,
+    ),
+    (
+        "jammed_and_out_of_mesh_poses_are_shown",
+        mesh::jammed_and_out_of_mesh_poses_are_shown,
     ),
     ("a_run_can_be_chosen", mesh::a_run_can_be_chosen),
     (

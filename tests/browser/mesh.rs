@@ -126,6 +126,28 @@ pub fn backlash_is_the_results(browser: &Chromium, site: &Site) {
     assert!(negative > 0, "an interference is among them");
 }
 
+/// Poses without a number: the page says which kind, the gears still stand and turn, nothing goes wrong.
+pub fn jammed_and_out_of_mesh_poses_are_shown(browser: &Chromium, site: &Site) {
+    let mut tab = browser.tab(1280, 900);
+    tab.open(&site.stuck);
+    for (run, status) in [(0, "jammed"), (1, "no contact")] {
+        go(&mut tab, run, 3);
+        assert_eq!(said(&mut tab, "status"), status);
+        assert_eq!(said(&mut tab, "backlash"), "none");
+        let before = turned(&mut tab, "wheel");
+        tab.eval("document.getElementById('viewer-picture').focus()");
+        tab.key("ArrowRight", false);
+        assert_eq!(number_shown(&mut tab), 4.0);
+        let step = (turned(&mut tab, "wheel") - before).abs();
+        // Half of a twentieth of a turn.
+        assert!((step.min(360.0 - step) - 9.0).abs() < 1e-5, "{step}°");
+        let standing = turned(&mut tab, "pinion");
+        assert!(standing.is_finite(), "{standing}");
+    }
+    assert!(tab.events("Runtime.exceptionThrown").is_empty());
+    assert!(tab.events("Runtime.consoleAPICalled").is_empty());
+}
+
 pub fn the_free_gear_goes_from_contact_to_contact(browser: &Chromium, site: &Site) {
     let mut tab = open(browser, site);
     go(&mut tab, 1, 20);

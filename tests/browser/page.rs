@@ -5,6 +5,12 @@ use assert_cmd::Command;
 use serde_json::{Value, json};
 use std::path::PathBuf;
 
+/// d_a = 44, d_f = 35: a tip sits in a root below a = 39.5; tips pass each other above 44.
+const STUCK: &str = "[wheel]\nteeth = 20\nmodule_mm = 2.0\npressure_angle_deg = 20.0\n\
+                     [pinion]\nteeth = 20\nmodule_mm = 2.0\npressure_angle_deg = 20.0\n\
+                     [assembly]\ncenter_distance_mm = [39.0, 44.5]\n\
+                     [sweep]\nrevolutions = \"wheel\"\nsteps_per_pitch = 2\n";
+
 const PAIR: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/browser/pair.toml");
 
 /// A report on disk, and the result of the same pair.
@@ -12,6 +18,8 @@ pub struct Site {
     pub page: PathBuf,
     /// What `simulate --format json` says.
     pub result: Value,
+    /// A report on a pair that is jammed at its first centre distance and out of mesh at its second.
+    pub stuck: PathBuf,
     _folder: tempfile::TempDir,
 }
 
@@ -24,9 +32,16 @@ impl Site {
         gearlash(&["report", PAIR, "-o", file]);
         let result = gearlash(&["simulate", PAIR, "--format", "json"]);
         let result = serde_json::from_slice(&result).expect("the result is JSON");
+        let stuck = folder.path().join("stuck.html");
+        let stuck_pair = folder.path().join("stuck.toml");
+        std::fs::write(&stuck_pair, STUCK).expect("a pair file");
+        let [pair, file] =
+            [&stuck_pair, &stuck].map(|path| path.to_str().expect("a path of plain letters"));
+        gearlash(&["report", pair, "-o", file]);
         Site {
             page,
             result,
+            stuck,
             _folder: folder,
         }
     }

@@ -15,7 +15,8 @@ fn checked(page: &str) -> Html {
         assert!(distinct.contains(&reference), "#{reference} is nowhere");
     }
     let svgs = svgs(page);
-    assert!(svgs.len() >= 4, "{} pictures", svgs.len());
+    // Over the teeth and the mesh: all that a pair has that is out of mesh and without deviations.
+    assert!(svgs.len() >= 2, "{} pictures", svgs.len());
     for svg in svgs {
         roxmltree::Document::parse(svg).unwrap();
     }

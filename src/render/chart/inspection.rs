@@ -2,7 +2,8 @@
 
 use super::bars::{BarSeries, legend, panel};
 use super::paint::Look;
-use super::words::micrometres;
+use super::panel::Sample;
+use super::words::{entry, micrometres};
 use super::{Chart, Heading, sheet};
 use crate::error::Error;
 use crate::gear::{Inspection, Side};
@@ -29,38 +30,58 @@ pub fn inspection(
     };
     let single = pitch(|inspection, side| inspection.single(side));
     let cumulative = pitch(|inspection, side| inspection.cumulative(side).to_vec());
-    let thickness = [series(
-        "thickness, runout",
-        inspection.thickness(),
-        Look::Plain,
-    )];
+    let thickness = [series("thickness", inspection.thickness(), Look::Plain)];
     let runout = [series("runout", inspection.runout(), Look::Plain)];
     let tooth = format!("tooth of the {gear}");
-    let panels: [(&str, &str, &[BarSeries]); 4] = [
-        ("single pitch deviation f", "", &single),
-        ("cumulative pitch deviation F", "", &cumulative),
-        ("tooth thickness − mean", "", &thickness),
-        ("runout, radial", &tooth, &runout),
+    let panels: [(&str, &[BarSeries]); 4] = [
+        ("single pitch deviation f", &single),
+        ("cumulative pitch deviation F", &cumulative),
+        ("tooth thickness − mean", &thickness),
+        ("runout, radial", &runout),
     ];
-    let panels: Vec<_> = panels
+    // Panels without data are left out, but for a gear that has none at all.
+    let perfect = !inspection.deviates();
+    let deviates = |all: &[BarSeries]| {
+        let mut values = all.iter().flat_map(|series| series.values.iter().flatten());
+        perfect || values.any(|value| *value != 0.0)
+    };
+    let mut shown: Vec<_> = panels
         .iter()
-        .filter_map(|(title, x_axis, series)| panel([title, x_axis, "µm"], PANEL, series))
+        .filter(|(_, series)| deviates(series))
+        .filter_map(|(title, series)| panel([title, "", "µm"], PANEL, series))
         .collect();
-    let mut names = legend(&single);
-    names.extend(legend(&thickness));
+    if let Some(last) = shown.last_mut() {
+        last.x.name = tooth;
+    }
+    let mut names = Vec::new();
+    if deviates(&single) {
+        names.extend(legend(&single));
+    }
+    let plain = match (deviates(&thickness), deviates(&runout)) {
+        (true, true) => "thickness, runout",
+        (true, false) => "thickness",
+        (false, _) => "runout",
+    };
+    if deviates(&thickness) || deviates(&runout) {
+        names.push(entry(plain, Look::Plain, Sample::Bar));
+    }
     let both = |value: fn(&Inspection, Side) -> f64| {
         Side::BOTH.map(|side| micrometres(value(inspection, side) * 1e3))
     };
     let [right, left] = both(Inspection::largest_single);
     let [total_right, total_left] = both(Inspection::total_cumulative);
+    let subtitle = match deviates(&single) {
+        true => format!(
+            "{gear} · f_p right {right}, left {left} µm · F_p right {total_right}, left {total_left} µm · + along ascending numbers"
+        ),
+        false => format!("{gear} · no pitch deviations"),
+    };
     let heading = Heading {
         prefix,
         title,
-        subtitle: &format!(
-            "{gear} · f_p right {right}, left {left} µm · F_p right {total_right}, left {total_left} µm · + along ascending numbers"
-        ),
+        subtitle: &subtitle,
     };
-    sheet::draw(&heading, &names, &panels)
+    sheet::draw(&heading, &names, &shown)
 }
 
 fn series<'a>(name: &'a str, values_mm: &[f64], look: Look) -> BarSeries<'a> {

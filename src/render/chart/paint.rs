@@ -8,8 +8,10 @@ pub(super) const INK: RGBColor = RGBColor(0x1b, 0x1f, 0x24);
 pub(super) const GREY: RGBColor = RGBColor(0x56, 0x5d, 0x66);
 /// Grid.
 pub(super) const GRID: RGBColor = RGBColor(0xd5, 0xd9, 0xde);
-/// Ground of negative backlash.
-pub(super) const INTERFERENCE: RGBColor = RGBColor(0xf7, 0xd9, 0xd3);
+/// Ground of negative backlash: lighter than any band, in grey print too, told from paper by its hatch.
+pub(super) const INTERFERENCE: RGBColor = RGBColor(0xfd, 0xf3, 0xf0);
+/// Its hatch.
+pub(super) const HATCH: RGBColor = RGBColor(0xd9, 0x9a, 0x8c);
 
 /// How a series looks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

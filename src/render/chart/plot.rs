@@ -1,7 +1,7 @@
 //! One panel by `plotters`: axes, grid and marks.
 
 use super::brush::{Area, Drawn, FINE, SIDES, WIDTH, closed, dot, fine, plain, style};
-use super::paint::{Dash, GRID, INK, INTERFERENCE, Look};
+use super::paint::{Dash, GRID, HATCH, INK, INTERFERENCE, Look};
 use super::panel::{Anchor, Axis, Mark, Panel};
 use super::{Plot, thin};
 use plotters::coord::types::RangedCoordf64;
@@ -32,6 +32,16 @@ pub(super) fn draw(area: &Area, panel: &Panel) -> Drawn<Plot> {
         if let Mark::Ground { y } = mark {
             let corners = [(x.range[0], y[0]), (x.range[1], y[1])];
             chart.draw_series([Rectangle::new(corners, INTERFERENCE.filled())])?;
+            let [from, to] = corners.map(|corner| chart.backend_coord(&corner));
+            let size = [f64::from(to.0 - from.0), f64::from(from.1 - to.1)];
+            let [[left, bottom], [right, top]] = corners.map(|(x, y)| [x, y]);
+            let place = |[across, up]: [f64; 2]| {
+                let x = left + (right - left) * across / size[0];
+                (x, bottom + (top - bottom) * up / size[1])
+            };
+            let stroke = HATCH.stroke_width(fine(0.7) as u32);
+            let line: Vec<(f64, f64)> = hatch(size).map(place).collect();
+            chart.draw_series([PathElement::new(line, stroke)])?;
         }
     }
     // No ticks between two teeth.
@@ -81,6 +91,23 @@ pub(super) fn draw(area: &Area, panel: &Panel) -> Drawn<Plot> {
         draw_mark(&mut chart, mark, &plot)?;
     }
     Ok(plot)
+}
+
+/// Lines at 45° across a rectangle of `width` and `height` pixels from its lower left corner, up and down by turns:
+/// one line, which takes less room in the file than many.
+fn hatch([width, height]: [f64; 2]) -> impl Iterator<Item = [f64; 2]> {
+    let step = FINE * 9.0;
+    let count = ((width + height) / step) as u32;
+    (1..=count).flat_map(move |number| {
+        let foot = f64::from(number) * step - height;
+        let ends = [(-foot).max(0.0), height.min(width - foot)].map(|up| [foot + up, up]);
+        let [low, high] = ends;
+        if number % 2 == 0 {
+            [low, high]
+        } else {
+            [high, low]
+        }
+    })
 }
 
 fn draw_mark(chart: &mut Context, mark: &Mark, plot: &Plot) -> Drawn<()> {

@@ -34,7 +34,6 @@ pub(super) fn section(page: &Page) -> Markup {
                         th.n scope="col" { "limit" }
                         th.n scope="col" { "margin" }
                         th scope="col" { "unit" }
-                        th scope="col" { "note" }
                     } }
                     tbody { @for (group, check) in governing(diagnosis) { (row(several, group, check)) } }
                 }
@@ -48,7 +47,10 @@ fn row(several: bool, group: &Group, check: &Check) -> Markup {
     html! {
         tr {
             td.fail[bad] { (check.verdict.name()) }
-            th.text scope="row" { (check.title) }
+            th.text scope="row" {
+                (check.title)
+                @if !check.note.is_empty() { div.remark { (check.note) } }
+            }
             td { (check.gear.map_or("", Member::name)) }
             @if several {
                 td.n { (distance(group.assembly.center_distance())) }
@@ -58,7 +60,6 @@ fn row(several: bool, group: &Group, check: &Check) -> Markup {
                 td.n { (value(number, 4)) }
             }
             td { (unit(check.unit)) }
-            td.text[!check.note.is_empty()] { (check.note) }
         }
     }
 }

@@ -22,7 +22,7 @@ pub(super) fn revolutions(page: &Page) -> Result<Markup, Error> {
     };
     over_teeth(
         page,
-        "Backlash over the teeth at the other centre distances",
+        "backlash over the teeth at the other centre distances",
         draw,
     )
 }
@@ -81,7 +81,7 @@ pub(super) fn difference(page: &Page) -> Result<Markup, Error> {
     };
     over_teeth(
         page,
-        "Simulation minus formula at the other centre distances",
+        "simulation minus formula at the other centre distances",
         draw,
     )
 }
@@ -102,12 +102,13 @@ fn over_teeth(
         (draw(*first)?)
         @if !rest.is_empty() {
             details {
-                summary { (others) }
+                summary { "More: " (others) }
                 @for number in rest { (draw(*number)?) }
                 @if left_out > 0 {
                     p.note { (left_out) " more by " code { "gearlash chart --center-distance" } "." }
                 }
             }
+            (not_on_paper(others))
         }
     })
 }
@@ -133,23 +134,27 @@ pub(super) fn inspections(page: &Page) -> Result<Markup, Error> {
         return Ok(html! {});
     };
     let draw = |name: &str, gear| {
+        let inspection = Inspection::of(gear);
+        if !inspection.deviates() {
+            return Ok(html! {
+                p { "No pitch, thickness or runout deviations are given for the teeth of the " (name) "." }
+            });
+        }
         let title = format!("Deviations of the {name}, tooth by tooth");
         let prefix = format!("inspection-{name}");
-        let drawn = chart::inspection(&prefix, &title, name, &Inspection::of(gear))?;
+        let drawn = chart::inspection(&prefix, &title, name, &inspection)?;
         Ok::<Markup, Error>(figure(&drawn))
     };
-    let stated = |gear: &str| {
-        let echo = &page.report.study.echo[gear];
-        let per_tooth = echo["thickness"]["per_tooth_um"].as_array();
-        !echo["pitch"].is_null() || per_tooth.is_some_and(|values| !values.is_empty())
-    };
     Ok(html! {
-        details open[stated("wheel") || stated("pinion")] {
-            summary { "Deviations tooth by tooth" }
-            (draw("wheel", wheel)?)
-            (draw("pinion", pinion)?)
-        }
+        h3 { "Deviations tooth by tooth" }
+        (draw("wheel", wheel)?)
+        (draw("pinion", pinion)?)
     })
+}
+
+/// What stands on paper in place of closed `<details>`.
+pub(super) fn not_on_paper(what: &str) -> Markup {
+    html! { p.paper.note { "Left out on paper: " (what) ". Open it on the screen before printing to have it here." } }
 }
 
 fn figure(chart: &Chart) -> Markup {

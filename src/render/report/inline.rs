@@ -1,6 +1,7 @@
 //! An SVG picture as part of a page: ids of its own, a name for screen readers.
 
 use crate::error::Error;
+use crate::render::legend::PAPER_NOTE;
 use quick_xml::events::{BytesStart, Event};
 use quick_xml::{Reader, Writer};
 
@@ -16,6 +17,8 @@ pub(super) fn inline(svg: &str, prefix: &str, label: &str) -> Result<String, Err
         let event = match reader.read_event().map_err(|e| unreadable(e.to_string()))? {
             Event::Eof => break,
             Event::Decl(_) | Event::DocType(_) => continue,
+            // A page shows pictures at any size.
+            Event::Text(text) if text.trim_ascii() == PAPER_NOTE.as_bytes() => continue,
             Event::Start(tag) => Event::Start(renamed(&tag, prefix, label).map_err(unreadable)?),
             Event::Empty(tag) => Event::Empty(renamed(&tag, prefix, label).map_err(unreadable)?),
             other => other,

@@ -1,9 +1,9 @@
 //! The input as understood: both gears side by side, the assembly, what the user should know.
 
-use super::Page;
 use super::figures::inspections;
 use super::stated::{high_tooth, pitch, runout, thickness, words};
 use super::words::{distance, plain, symbol, value};
+use super::{Page, grades, notes};
 use crate::error::Error;
 use crate::gear::AsBuilt;
 use crate::pair::Member;
@@ -106,6 +106,8 @@ pub(super) fn section(page: &Page) -> Result<Markup, Error> {
             }
             (assembly(page))
             @for warning in &study.warnings { p.warning { strong { "Note: " } (plain(warning)) "." } }
+            (notes::list(page))
+            (grades::table(page))
             (inspections(page)?)
         }
     })

@@ -6,11 +6,13 @@
 
 mod checks;
 mod figures;
+mod grades;
 mod inline;
 mod input;
 mod measured;
 mod method;
 mod models;
+mod notes;
 mod poses;
 mod results;
 mod stated;

@@ -1,6 +1,7 @@
 //! The poses with the least and the greatest backlash, drawn.
 
 use super::Page;
+use super::figures::not_on_paper;
 use super::inline::inline;
 use super::words::{distance, material, pose, um};
 use crate::error::Error;
@@ -11,6 +12,9 @@ use maud::{Markup, PreEscaped, html};
 
 /// Centre distances, beside that of the least pose, whose least pose is drawn too (tuned: some 30 kB each).
 const MOST_DRAWN: usize = 8;
+
+/// The pictures that have to be opened.
+const OTHERS: &str = "least backlash at the other centre distances";
 
 pub(super) fn section(page: &Page) -> Result<Markup, Error> {
     let whole = &page.whole;
@@ -31,11 +35,12 @@ pub(super) fn section(page: &Page) -> Result<Markup, Error> {
             p.note { "Bars of length are true; the ratios beside them hold on the A4 sheet of " code { "gearlash snapshot" } "." }
             @if !others.is_empty() {
                 details {
-                    summary { "Least backlash at the other centre distances" }
+                    summary { "More: " (OTHERS) }
                     @for (number, least) in others.into_iter().enumerate() {
                         (figure(page, &format!("least{}", number + 1), "Least backlash", least)?)
                     }
                 }
+                (not_on_paper(OTHERS))
             }
         }
     })

@@ -55,17 +55,33 @@ pub(super) fn thickness(stated: &Value) -> String {
     parts.join(", ")
 }
 
+/// A value that may have been found from readings: no more than four decimals.
+fn found(value: &Value) -> String {
+    let full = words(value);
+    match value.as_f64() {
+        Some(number) => {
+            let short = written((number * 1e4).round() / 1e4);
+            if short.len() < full.len() {
+                short
+            } else {
+                full
+            }
+        }
+        None => full,
+    }
+}
+
 /// `F_r`, µm.
 pub(super) fn runout(stated: &Value) -> String {
     match &stated["total_um"] {
         Value::Null => "0".to_owned(),
-        total => words(total),
+        total => found(total),
     }
 }
 
 /// The tooth it points to.
 pub(super) fn high_tooth(stated: &Value) -> String {
-    words(&stated["high_tooth"])
+    found(&stated["high_tooth"])
 }
 
 /// What kind of pitch deviations, and how many.

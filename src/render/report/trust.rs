@@ -33,11 +33,16 @@ fn disagreeing(page: &Page) -> usize {
 
 fn answer(page: &Page) -> String {
     match (disagreeing(page), count(&page.all, Verdict::OffLine)) {
+        (0, 0) if page.whole.least.is_none() => {
+            "There is no number to trust: at no pose is the free gear free to turn and held by its mate.".to_owned()
+        }
         (0, 0) => {
             "Yes, for the gears as measured: simulation and formula agree at every pose.".to_owned()
         }
         (0, off) => format!(
-            "Yes, for the gears as measured: simulation and formula agree at every pose but {off}, where the teeth touch off the line of action and the formula does not hold."
+            "Yes, for the gears as measured: simulation and formula agree at {} of {} poses; at the other {off} the teeth touch off the line of action, where the formula does not hold.",
+            count(&page.all, Verdict::Agrees),
+            count(&page.all, Verdict::Agrees) + off
         ),
         (bad, _) => format!(
             "Not without a look: at {bad} poses simulation and formula disagree for no reason found. Please report the pair file."

@@ -4,7 +4,7 @@ use super::Unmeasured;
 use super::flanks::{PitchAxis, PitchReadings};
 use super::runout::RunoutReadings;
 use crate::error::GearError;
-use crate::gear::{GRADES, Graded, Side, Toothing};
+use crate::gear::{Grade, Graded, Side, Toothing};
 
 /// One measured value and its grade.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -19,25 +19,6 @@ pub struct GradedReading {
     pub error: f64,
     /// The finest grade that admits it.
     pub grade: Grade,
-}
-
-/// A grade with its tolerance, mm.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Grade {
-    /// Within this grade.
-    Within {
-        /// `A`.
-        grade: u32,
-        /// Its tolerance.
-        tolerance: f64,
-    },
-    /// Beyond the last grade.
-    Beyond {
-        /// The last one.
-        last: u32,
-        /// Its tolerance.
-        tolerance: f64,
-    },
 }
 
 /// Grades what was measured: about the datum axis, as a standard counts, about the gear's own, and the runout.
@@ -67,23 +48,9 @@ pub(super) fn grades<'a>(
             measured,
             error,
             // What the error alone puts beyond a tolerance is within it.
-            grade: grade(toothing, graded, measured - error)?,
+            grade: graded.grade(toothing, measured - error)?,
         })
     };
     let read: Result<Vec<GradedReading>, GearError> = list.into_iter().map(one).collect();
     read.map_err(|error| Unmeasured(error.to_string()))
-}
-
-fn grade(toothing: &Toothing, graded: Graded, measured: f64) -> Result<Grade, GearError> {
-    let last = *GRADES.end();
-    Ok(match graded.grade(toothing, measured)? {
-        Some(grade) => Grade::Within {
-            grade,
-            tolerance: graded.tolerance(toothing, grade)?,
-        },
-        None => Grade::Beyond {
-            last,
-            tolerance: graded.tolerance(toothing, last)?,
-        },
-    })
 }

@@ -25,7 +25,7 @@ pub use eccentricity::Eccentricity;
 pub use flanks::{PitchAxis, PitchReadings, ThicknessReadings};
 pub use formula::Formula;
 pub use gauged::{Gauged, Settings, gauge, usual_pin, usual_span};
-pub use grades::{Grade, GradedReading};
+pub use grades::GradedReading;
 pub use pins::{OverPins, Pins};
 pub use roll::{Roll, RollPose};
 pub use runout::{BallReading, RunoutReadings};

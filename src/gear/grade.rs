@@ -25,6 +25,25 @@ pub enum Graded {
     Runout,
 }
 
+/// A grade with its tolerance, mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Grade {
+    /// The finest grade that admits the value.
+    Within {
+        /// `A`.
+        grade: u32,
+        /// Its tolerance.
+        tolerance: f64,
+    },
+    /// Coarser than the last grade.
+    Beyond {
+        /// The last one.
+        last: u32,
+        /// Its tolerance.
+        tolerance: f64,
+    },
+}
+
 impl Graded {
     /// All three.
     pub const ALL: [Graded; 3] = [Graded::SinglePitch, Graded::TotalPitch, Graded::Runout];
@@ -46,17 +65,25 @@ impl Graded {
         Ok(rounded(self.unrounded(toothing, grade)?) / 1e3)
     }
 
-    /// The finest grade that admits `measured`, mm; `None` beyond the last.
+    /// The grade of `measured`, mm. A value equal to a tolerance is within it, whichever way its last digits
+    /// were rounded when micrometres became millimetres.
     ///
     /// # Errors
     /// As [`Graded::tolerance`].
-    pub fn grade(self, toothing: &Toothing, measured: f64) -> Result<Option<u32>, GearError> {
+    pub fn grade(self, toothing: &Toothing, measured: f64) -> Result<Grade, GearError> {
+        // Each way of conversion rounds once, by half a unit in the last place at most.
+        let least = measured * (1.0 - f64::EPSILON);
         for grade in GRADES {
-            if measured <= self.tolerance(toothing, grade)? {
-                return Ok(Some(grade));
+            let tolerance = self.tolerance(toothing, grade)?;
+            if least <= tolerance {
+                return Ok(Grade::Within { grade, tolerance });
             }
         }
-        Ok(None)
+        let last = *GRADES.end();
+        Ok(Grade::Beyond {
+            last,
+            tolerance: self.tolerance(toothing, last)?,
+        })
     }
 
     /// µm: `f_pT = (0.001 d + 0.4 m + 5) √2^(A−5)`, `F_pT = (0.002 d + 0.55 √d + 0.7 m + 12) √2^(A−5)`,
@@ -144,12 +171,15 @@ mod tests {
     #[test]
     fn finds_the_finest_grade_that_admits() {
         let gear = toothing(40, 3.0);
-        let grade = |um: f64| Graded::SinglePitch.grade(&gear, um * 1e-3).unwrap();
-        assert_eq!(grade(0.0), Some(1));
-        assert_eq!(grade(8.9), Some(6));
-        assert_eq!(grade(9.1), Some(7));
-        assert_eq!(grade(51.0), Some(11));
-        assert_eq!(grade(1000.0), None);
+        let of = |um: f64| match Graded::SinglePitch.grade(&gear, um * 1e-3).unwrap() {
+            Grade::Within { grade, .. } => Some(grade),
+            Grade::Beyond { .. } => None,
+        };
+        assert_eq!(of(0.0), Some(1));
+        assert_eq!(of(8.9), Some(6));
+        assert_eq!(of(9.1), Some(7));
+        assert_eq!(of(51.0), Some(11));
+        assert_eq!(of(1000.0), None);
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! The accuracy grades of one gear's own deviations.
 
-use super::{AsBuilt, Graded, Inspection, Side};
+use super::{AsBuilt, Grade, Graded, Inspection, Side};
 use crate::error::GearError;
 
 /// A deviation of a gear and the accuracy grade that admits it, after [`super::GRADE_SOURCE`].
@@ -12,8 +12,8 @@ pub struct GradedValue {
     pub side: Option<Side>,
     /// Its amount, mm.
     pub value: f64,
-    /// The finest grade that admits it, and that grade's tolerance in mm; `None`: coarser than all.
-    pub grade: Option<(u32, f64)>,
+    /// Its grade.
+    pub grade: Grade,
 }
 
 impl GradedValue {
@@ -48,16 +48,11 @@ impl GradedValue {
         side: Option<Side>,
         value: f64,
     ) -> Result<GradedValue, GearError> {
-        let toothing = gear.gear().toothing();
-        let grade = match what.grade(toothing, value)? {
-            Some(grade) => Some((grade, what.tolerance(toothing, grade)?)),
-            None => None,
-        };
         Ok(GradedValue {
             what,
             side,
             value,
-            grade,
+            grade: what.grade(gear.gear().toothing(), value)?,
         })
     }
 }

@@ -32,7 +32,7 @@ pub use datum::Separated;
 pub use deviation::{AsBuilt, Deviations};
 pub use fillet::Fillet;
 pub use gear::{Blank, Gear};
-pub use grade::{GRADE_SOURCE, GRADES, Graded};
+pub use grade::{GRADE_SOURCE, GRADES, Grade, Graded};
 pub use graded::GradedValue;
 pub use inspection::Inspection;
 pub use outline::{HalfTooth, Segment};

@@ -1,8 +1,8 @@
 //! The readings as JSON.
 
 use super::GaugedGear;
-use crate::gauge::{Grade, GradedReading, OverPins, PitchReadings, Unmeasured};
-use crate::gear::{GRADE_SOURCE, Side};
+use crate::gauge::{GradedReading, OverPins, PitchReadings, Unmeasured};
+use crate::gear::{GRADE_SOURCE, Grade, Side};
 use crate::mesh::Touch;
 use serde_json::{Value, json};
 

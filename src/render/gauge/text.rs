@@ -1,8 +1,8 @@
 //! A short table of each gear.
 
 use super::GaugedGear;
-use crate::gauge::{Eccentricity, Gauged, Grade, GradedReading, PitchReadings, Unmeasured};
-use crate::gear::{Curve, GRADE_SOURCE, Side};
+use crate::gauge::{Eccentricity, Gauged, GradedReading, PitchReadings, Unmeasured};
+use crate::gear::{Curve, GRADE_SOURCE, Grade, Side};
 use crate::mesh::{ContactKind, PoseClass, Touch};
 use crate::render::table::{finish, table, um};
 use std::fmt::Write;

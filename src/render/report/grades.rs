@@ -3,7 +3,7 @@
 use super::Page;
 use super::words::{symbol, um};
 use crate::error::GearError;
-use crate::gear::{AsBuilt, GRADE_SOURCE, Graded, GradedValue, Side};
+use crate::gear::{AsBuilt, GRADE_SOURCE, Grade, Graded, GradedValue, Side};
 use maud::{Markup, html};
 
 pub(super) fn table(page: &Page) -> Markup {
@@ -32,7 +32,7 @@ pub(super) fn table(page: &Page) -> Markup {
                     } }
                 }
             }
-            @if graded.iter().any(|(_, of)| values(of) > 1) { p.note { "Pitch is graded about the gear’s own centre, free of eccentricity, which the runout shows." } }
+            @if graded.iter().any(|(_, of)| values(of) > 1) { p.note { "Pitch is graded about the gear’s own centre, free of eccentricity, which the runout shows; “gearlash gauge” grades it about the datum axis too." } }
         }
         @for (name, of) in &graded {
             @if let Err(error) = of { p.note { "No accuracy grade for the " (name) ": " (error.to_string()) "." } }
@@ -70,8 +70,8 @@ fn row(gear: &str, value: &GradedValue) -> Markup {
             th scope="row" { (name) (flanks) }
             td.n { (um(Some(value.value), 1)) }
             @match value.grade {
-                Some((grade, tolerance)) => { td.n { (grade) } td.n { (um(Some(tolerance), 1)) } }
-                None => { td.n { "over 11" } td.n { "–" } }
+                Grade::Within { grade, tolerance } => { td.n { (grade) } td.n { (um(Some(tolerance), 1)) } }
+                Grade::Beyond { last, tolerance } => { td.n { "beyond " (last) } td.n { (um(Some(tolerance), 1)) } }
             }
         }
     }

@@ -1,11 +1,11 @@
 //! `gearlash gauge`: measures a gear on the model as the shop does.
 
 use super::progress::Progress;
+use super::results::{Format, ResultsArgs};
 use super::{print, warn};
 use crate::error::Error;
 use crate::gauge::{Settings, gauge};
 use crate::input;
-use crate::output::OutputFolder;
 use crate::render::gauge::{GaugedGear, charts, csv_files, gear_file, json, teeth_csv, text};
 use crate::study::{GearsStudy, Material};
 use clap::ValueEnum;
@@ -42,12 +42,8 @@ pub(super) struct Args {
     /// Poses a pitch of the roll test
     #[arg(long, value_name = "N", default_value_t = 16, value_parser = clap::value_parser!(u32).range(1..=1000))]
     steps_per_pitch: u32,
-    /// What to print; with json or csv nothing else is printed, and nothing written without -o
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    format: Format,
-    /// Folder for the readings [default: out/<file stem>]
-    #[arg(short, long, value_name = "DIR")]
-    output: Option<PathBuf>,
+    #[command(flatten)]
+    results: ResultsArgs,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -66,16 +62,6 @@ enum MaterialName {
     Least,
 }
 
-#[derive(Clone, Copy, PartialEq, ValueEnum)]
-enum Format {
-    /// A readable table
-    Text,
-    /// Every reading
-    Json,
-    /// A row a tooth
-    Csv,
-}
-
 /// A diameter in mm.
 fn diameter(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
@@ -89,14 +75,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let study = input::read_gears(&args.file)?;
     warn(&args.file, &study.warnings);
     let chosen = choose(args, &study)?;
-    let folder = match (&args.output, args.format) {
-        (Some(folder), _) => Some(folder.clone()),
-        (None, Format::Text) => Some(PathBuf::from("out").join(&study.stem)),
-        (None, Format::Json | Format::Csv) => None,
-    };
-    let folder = folder
-        .map(|path| OutputFolder::prepare(&path))
-        .transpose()?;
+    let folder = args.results.folder(&study.stem)?;
 
     let progress = Progress::working();
     let mut gears = Vec::new();
@@ -123,7 +102,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let unwritable = |error: &dyn std::error::Error| {
         Error::Usage(format!("the readings cannot be written as text: {error}"))
     };
-    print(&match args.format {
+    print(&match args.results.format {
         Format::Text => text(&study.title, &gears),
         Format::Json => json(&study.title, &gears).map_err(|error| unwritable(&error))?,
         Format::Csv => teeth_csv(&gears).map_err(|error| unwritable(&error))?,
@@ -135,10 +114,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             files.extend(charts(gauged)?);
             files.push((format!("{}.toml", gauged.stem()), gear_file(gauged)));
         }
-        let path = folder.write(&files)?;
-        if args.format == Format::Text {
-            print(&format!("\n{} files in {}\n", files.len(), path.display()));
-        }
+        args.results.write(folder, &files)?;
     }
     Ok(ExitCode::SUCCESS)
 }

@@ -12,6 +12,7 @@ mod method;
 mod pictures;
 mod progress;
 mod report;
+mod results;
 mod schema;
 mod simulate;
 mod snapshot;
@@ -63,7 +64,7 @@ enum Command {
     Report(report::Args),
     /// Write a commented pair file to begin with
     Init(init::Args),
-    /// Print the JSON Schema of pair or gear files, for editors
+    /// Print the JSON Schema of a pair file or a gear file, for editors
     Schema(schema::Args),
 }
 

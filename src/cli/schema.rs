@@ -6,7 +6,7 @@ use crate::input::{PAIR_SCHEMA, gear_schema};
 use clap::ValueEnum;
 use std::process::ExitCode;
 
-/// Print the JSON Schema of pair or gear files, for editors
+/// Print the JSON Schema of a pair file or a gear file, for editors
 ///
 /// Draft 07. With Taplo (Even Better TOML) write `#:schema ./gearlash.schema.json` into the first line of
 /// a pair file, and `gearlash schema > gearlash.schema.json` beside it. The program checks more than a

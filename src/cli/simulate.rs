@@ -3,16 +3,15 @@
 use super::distances::{self, Distances};
 use super::method::{MethodArgs, agreement};
 use super::progress::Progress;
+use super::results::{Format, ResultsArgs};
 use super::{print, warn};
 use crate::compare::{ComparedRun, compare};
 use crate::error::Error;
 use crate::input;
 use crate::measured::measured_matings;
-use crate::output::OutputFolder;
 use crate::render::{self, Snapshot};
 use crate::simulate::{pose_count, simulate};
 use crate::study::Study;
-use clap::ValueEnum;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -24,27 +23,13 @@ use std::process::ExitCode;
 pub(super) struct Args {
     /// The pair file (TOML or JSON)
     pair: PathBuf,
-    /// What to print; with json or csv nothing else is printed, and nothing written without -o
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    format: Format,
-    /// Folder for results and pictures [default: out/<file stem>]
-    #[arg(short, long, value_name = "DIR")]
-    output: Option<PathBuf>,
     /// Other centre distances than the pair file's, mm: one, or a scan FROM..TO:STEP
     #[arg(long, value_name = "A", value_parser = distances::parse)]
     center_distance: Option<Distances>,
     #[command(flatten)]
+    results: ResultsArgs,
+    #[command(flatten)]
     method: MethodArgs,
-}
-
-#[derive(Clone, Copy, PartialEq, ValueEnum)]
-enum Format {
-    /// A readable table
-    Text,
-    /// The whole result
-    Json,
-    /// A row a pose
-    Csv,
 }
 
 /// Runs the command.
@@ -55,15 +40,8 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         let moved = study.at(distances.clone());
         study = moved.map_err(|reason| Error::Usage(format!("--center-distance: {reason}")))?;
     }
-    let folder = match (&args.output, args.format) {
-        (Some(folder), _) => Some(folder.clone()),
-        (None, Format::Text) => Some(PathBuf::from("out").join(&study.stem)),
-        (None, Format::Json | Format::Csv) => None,
-    };
     // Before the simulation, not after it.
-    let folder = folder
-        .map(|path| OutputFolder::prepare(&path))
-        .transpose()?;
+    let folder = args.results.folder(&study.stem)?;
 
     let progress = Progress::start(pose_count(&study)?);
     let runs = simulate(&study, args.method.method(), &|| progress.tick())?;
@@ -76,7 +54,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     };
     let json = result.to_json().map_err(|error| unwritable(&error))?;
     let csv = result.to_csv().map_err(|error| unwritable(&error))?;
-    match args.format {
+    match args.results.format {
         Format::Text => {
             let measured = measured_matings(&study, &runs);
             print(&render::simulation_table(&study, &runs, &measured));
@@ -90,11 +68,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             ("result.csv".to_owned(), csv),
         ];
         files.extend(snapshots(&study, &runs));
-        let count = files.len();
-        let path = folder.write(&files)?;
-        if args.format == Format::Text {
-            print(&format!("\n{count} files in {}\n", path.display()));
-        }
+        args.results.write(folder, &files)?;
     }
     Ok(match agreement(&runs) {
         true => ExitCode::SUCCESS,

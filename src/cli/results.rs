@@ -1,0 +1,58 @@
+//! What a command prints of its results, and the folder that takes all of them.
+
+use super::print;
+use crate::error::Error;
+use crate::output::OutputFolder;
+use clap::ValueEnum;
+use std::path::{Path, PathBuf};
+
+#[derive(clap::Args)]
+pub(super) struct ResultsArgs {
+    /// What to print; with json or csv nothing else is printed, and nothing written without -o
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub(super) format: Format,
+    /// Folder for results and pictures [default: out/<file stem>]
+    #[arg(short, long, value_name = "DIR")]
+    output: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+pub(super) enum Format {
+    /// A readable table
+    Text,
+    /// The whole result
+    Json,
+    /// One table: a row a pose, or a tooth
+    Csv,
+}
+
+impl ResultsArgs {
+    /// Where the files go, tried before the work begins; `None`: nothing is written.
+    ///
+    /// # Errors
+    /// [`Error::Output`].
+    pub(super) fn folder(&self, stem: &str) -> Result<Option<OutputFolder>, Error> {
+        let path = match (&self.output, self.format) {
+            (Some(folder), _) => folder.clone(),
+            (None, Format::Text) => Path::new("out").join(stem),
+            (None, Format::Json | Format::Csv) => return Ok(None),
+        };
+        OutputFolder::prepare(&path).map(Some)
+    }
+
+    /// Writes `files` and, after a table, says where they are.
+    ///
+    /// # Errors
+    /// [`Error::Output`].
+    pub(super) fn write(
+        &self,
+        folder: OutputFolder,
+        files: &[(String, String)],
+    ) -> Result<(), Error> {
+        let path = folder.write(files)?;
+        if self.format == Format::Text {
+            print(&format!("\n{} files in {}\n", files.len(), path.display()));
+        }
+        Ok(())
+    }
+}

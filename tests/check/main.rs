@@ -1,0 +1,100 @@
+//! Checks of a pair: classes of contact, what they cost, limits by formula and as measured.
+
+mod classes;
+mod command;
+mod distances;
+mod onset;
+
+#[path = "../common/mod.rs"]
+mod common;
+
+use assert_cmd::Command;
+use common::{ReferenceContact, reference_pair};
+use gearlash::analytic::{LineOfAction, SideContact, limits};
+use gearlash::compare::compare;
+use gearlash::diagnosis::{
+    Check, Diagnosis, Verdict, diagnose, non_involute_onset, radial_clearance, zero_distance,
+};
+use gearlash::gear::{AsBuilt, Blank, Deviations, Face, Gear, Rack, Side, Toothing};
+use gearlash::input;
+use gearlash::mesh::{ContactClass, ContactKind, ExactKernel, Method, Moment, PoseClass};
+use gearlash::pair::{Assembly, Mating, Member, Pose, SweepPlan};
+use gearlash::simulate::simulate;
+use gearlash::study::Study;
+use serde_json::Value;
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+
+fn fixture(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("fixtures")
+        .join(name)
+}
+
+fn pair_86_21(distance: f64) -> String {
+    format!(
+        "[wheel]\nteeth = 86\nmodule_mm = 3.0\npressure_angle_deg = 20.0\n\
+         [pinion]\nteeth = 21\nmodule_mm = 3.0\npressure_angle_deg = 20.0\n\
+         [assembly]\ncenter_distance_mm = {distance}\n\
+         [sweep]\nmating = [[1, 1]]\nfraction = [{}]\n",
+        (0..24)
+            .map(|phase| (f64::from(phase) / 24.0).to_string())
+            .collect::<Vec<_>>()
+            .join(", ")
+    )
+}
+
+fn written(text: &str) -> (tempfile::TempDir, PathBuf) {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("pair.toml");
+    std::fs::write(&file, text).unwrap();
+    (folder, file)
+}
+
+fn diagnosed(study: &Study) -> Diagnosis {
+    let runs = simulate(study, Method::Exact { certify: true }, &|| {
+        ControlFlow::Continue(())
+    });
+    let runs = compare(runs.unwrap(), study.tolerance_um);
+    diagnose(study, &runs, &mut |_| Ok(())).unwrap()
+}
+
+fn check<'a>(diagnosis: &'a Diagnosis, id: &str, gear: Option<Member>) -> &'a Check {
+    let mut all = diagnosis.groups.iter().flat_map(|group| &group.checks);
+    all.find(|check| check.id == id && check.gear == gear)
+        .unwrap()
+}
+
+/// Two gears, m 3, 20°, 44 and `pinion` teeth, each with an eccentricity.
+fn eccentric(distance: f64, high: [(f64, f64); 2], pinion: u32) -> Assembly {
+    let gear = |teeth, face, (eccentricity, high_tooth)| {
+        let blank = Blank {
+            toothing: Toothing::new(teeth, 3.0, 20f64.to_radians()).unwrap(),
+            profile_shift: 0.0,
+            rack: Rack::ISO_53_A,
+            tip_diameter: None,
+        };
+        let deviations = Deviations {
+            eccentricity,
+            high_tooth,
+            ..Deviations::default()
+        };
+        AsBuilt::new(Gear::nominal(blank).unwrap(), face, &deviations).unwrap()
+    };
+    Assembly::new(
+        gear(44, Face::Front, high[0]),
+        gear(pinion, Face::Back, high[1]),
+        distance,
+        Member::Wheel,
+    )
+    .unwrap()
+}
+
+fn mating(wheel_tooth: u32, pinion_tooth: u32) -> Mating {
+    Mating {
+        wheel_tooth,
+        pinion_tooth,
+        flank: Side::Right,
+        fraction: 0.0,
+    }
+}

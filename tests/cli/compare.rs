@@ -1,0 +1,87 @@
+//! `compare`: verdicts and their formats.
+
+use super::*;
+
+#[test]
+fn compare_agrees_on_both_fixtures() {
+    let folder = empty_folder();
+    let pairs = [fixture("karba_44x44.toml"), fixture("karba_86x21.toml")];
+    gearlash(folder.path())
+        .arg("compare")
+        .args(&pairs)
+        .assert()
+        .code(0)
+        .stdout(predicate::str::contains("agree within 0.1 µm + error bound").count(2));
+    assert!(files(folder.path()).is_empty());
+}
+
+#[test]
+fn compare_fails_on_contact_off_the_line_unless_allowed() {
+    let folder = empty_folder();
+    let file = folder.path().join("fillet.toml");
+    std::fs::write(&file, ON_THE_FILLET).unwrap();
+    gearlash(folder.path())
+        .args(["compare", "fillet.toml"])
+        .assert()
+        .code(1)
+        .stdout(predicate::str::contains("off-line contact"));
+    std::fs::write(
+        &file,
+        format!("{ON_THE_FILLET}[compare]\nallow_off_line_contact = true\n"),
+    )
+    .unwrap();
+    gearlash(folder.path())
+        .args(["compare", "fillet.toml"])
+        .assert()
+        .code(0)
+        .stdout(predicate::str::contains("allowed by the pair file"));
+}
+
+#[test]
+fn compare_speaks_json_junit_and_github() {
+    let folder = empty_folder();
+    std::fs::write(folder.path().join("fillet.toml"), ON_THE_FILLET).unwrap();
+    small(folder.path());
+    let run = |format: &str| {
+        let assert = gearlash(folder.path())
+            .args(["compare", "small.toml", "fillet.toml", "--format", format])
+            .assert()
+            .code(1);
+        String::from_utf8(assert.get_output().stdout.clone()).unwrap()
+    };
+    let json: Value = serde_json::from_str(&run("json")).unwrap();
+    assert_eq!(json["passed"], false);
+    assert_eq!(json["pairs"][0]["passed"], true);
+    assert_eq!(json["pairs"][1]["passed"], false);
+    let junit = run("junit");
+    let document = roxmltree::Document::parse(&junit).unwrap();
+    let count = |name: &str| {
+        document
+            .descendants()
+            .filter(|node| node.has_tag_name(name))
+            .count()
+    };
+    assert_eq!(
+        (count("testsuite"), count("testcase"), count("failure")),
+        (2, 5, 1)
+    );
+    let github = run("github");
+    assert!(github.contains("::notice file=small.toml,title=gearlash compare::"));
+    assert!(github.contains(
+        "::error file=fillet.toml,title=gearlash compare%3A a = 160.200 mm%2C as-measured::"
+    ));
+}
+
+#[test]
+fn a_tolerance_on_the_command_line_wins() {
+    let folder = empty_folder();
+    std::fs::write(folder.path().join("fillet.toml"), ON_THE_FILLET).unwrap();
+    gearlash(folder.path())
+        .args(["compare", "fillet.toml", "--tolerance-um", "100"])
+        .assert()
+        .code(0);
+    gearlash(folder.path())
+        .args(["compare", "fillet.toml", "--tolerance-um", "-1"])
+        .assert()
+        .code(2);
+}

@@ -1,0 +1,136 @@
+//! Bad usage, bad files, folders that take nothing.
+
+use super::*;
+
+#[test]
+fn bad_usage_ends_with_2_and_writes_nothing() {
+    let folder = empty_folder();
+    let pair = fixture("karba_86x21.toml");
+    let pair = pair.to_str().unwrap();
+    for (arguments, says) in [
+        (
+            vec!["snapshot", pair, "--mating", "87,1", "--flank", "right"],
+            "1 … 86",
+        ),
+        (
+            vec!["snapshot", pair, "--mating", "1", "--flank", "right"],
+            "wheel,pinion",
+        ),
+        (
+            vec!["snapshot", pair, "--mating", "1,1", "--flank", "top"],
+            "right",
+        ),
+        (
+            vec![
+                "snapshot",
+                pair,
+                "--mating",
+                "1,1",
+                "--flank",
+                "left",
+                "--material",
+                "most",
+            ],
+            "--material",
+        ),
+        (
+            vec![
+                "snapshot",
+                pair,
+                "--mating",
+                "1,1",
+                "--flank",
+                "left",
+                "--center-distance",
+                "100",
+            ],
+            "base circles",
+        ),
+        (
+            vec![
+                "snapshot",
+                pair,
+                "--mating",
+                "1,1",
+                "--flank",
+                "left",
+                "--fraction",
+                "nan",
+            ],
+            "--fraction",
+        ),
+        (vec!["simulate", "nowhere.toml"], "nowhere.toml"),
+        (vec!["simulate"], "PAIR"),
+        (vec!["compare"], "PAIRS"),
+        (vec!["measure"], "measure"),
+    ] {
+        gearlash(folder.path())
+            .args(&arguments)
+            .assert()
+            .code(2)
+            .stdout(predicate::str::is_empty())
+            .stderr(predicate::str::contains(says));
+        assert!(files(folder.path()).is_empty(), "{arguments:?}");
+    }
+}
+
+#[test]
+fn all_problems_of_a_file_come_at_once_and_nothing_is_written() {
+    let folder = empty_folder();
+    let bad = SMALL
+        .replace("teeth = 20", "teeth = 2")
+        .replace("total_um = 12.0", "totl_um = 12.0");
+    std::fs::write(folder.path().join("bad.toml"), bad).unwrap();
+    gearlash(folder.path())
+        .args(["simulate", "bad.toml"])
+        .assert()
+        .code(2)
+        .stdout(predicate::str::is_empty())
+        .stderr(predicate::str::contains("wheel.teeth"))
+        .stderr(predicate::str::contains("total_um"));
+    assert_eq!(files(folder.path()), ["bad.toml"]);
+}
+
+/// Found out before the simulation: a file stands where the folder should be.
+#[test]
+fn an_output_folder_that_cannot_be_written() {
+    let folder = empty_folder();
+    small(folder.path());
+    std::fs::write(folder.path().join("taken"), "mine").unwrap();
+    gearlash(folder.path())
+        .args(["simulate", "small.toml", "-o", "taken/results"])
+        .assert()
+        .code(2)
+        .stdout(predicate::str::is_empty())
+        .stderr(predicate::str::contains("cannot be written").and(predicate::str::contains("-o")));
+    assert_eq!(
+        std::fs::read_to_string(folder.path().join("taken")).unwrap(),
+        "mine"
+    );
+    assert_eq!(files(folder.path()), ["small.toml", "taken"]);
+}
+
+/// A failed run leaves earlier results alone, and no empty folder of its own.
+#[test]
+fn a_failed_run_overwrites_nothing() {
+    let folder = empty_folder();
+    small(folder.path());
+    output(gearlash(folder.path()).args(["simulate", "small.toml", "-o", "results"]));
+    let before = std::fs::read_to_string(folder.path().join("results/result.json")).unwrap();
+    std::fs::write(
+        folder.path().join("small.toml"),
+        SMALL.replace("teeth = 17", "teeth = -17"),
+    )
+    .unwrap();
+    gearlash(folder.path())
+        .args(["simulate", "small.toml", "-o", "results"])
+        .assert()
+        .code(2);
+    let after = std::fs::read_to_string(folder.path().join("results/result.json")).unwrap();
+    assert_eq!(before, after);
+    gearlash(folder.path())
+        .args(["simulate", "small.toml", "-o", "new/results"])
+        .assert()
+        .code(2);
+    assert!(!folder.path().join("new").exists());
+}

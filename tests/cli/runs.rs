@@ -1,0 +1,124 @@
+//! Which runs `simulate` makes, and what their poses come to.
+
+use super::*;
+
+/// Tips in roots and gears out of mesh are results: null numbers, exit 0.
+#[test]
+fn jammed_and_out_of_mesh_are_results() {
+    let folder = empty_folder();
+    for (a, status) in [(158.0, "jammed"), (170.0, "no_contact")] {
+        let text = ON_THE_FILLET
+            .replace("160.2", &a.to_string())
+            .replace("[0.0, 0.25, 0.5, 0.75]", "[0.0]");
+        std::fs::write(folder.path().join("pair.toml"), text).unwrap();
+        let text =
+            output(gearlash(folder.path()).args(["simulate", "pair.toml", "--format", "json"]));
+        let result: Value = serde_json::from_str(&text).unwrap();
+        for pose in result["runs"][0]["poses"].as_array().unwrap() {
+            assert_eq!(pose["status"], status, "at {a}");
+            for key in [
+                "right_rad",
+                "left_rad",
+                "lost_motion_rad",
+                "j_wt_um",
+                "j_t_um",
+                "j_bn_um",
+                "error_bound_um",
+            ] {
+                assert!(pose[key].is_null(), "{key} at {a}");
+            }
+        }
+        output(gearlash(folder.path()).args(["simulate", "pair.toml"]));
+    }
+}
+
+/// Issue 3: a scan over centre distance; without play the backlash rises by 2 tan α_wt a millimetre and more.
+#[test]
+fn a_scan_over_centre_distance() {
+    let folder = empty_folder();
+    small(folder.path());
+    let mut command = gearlash(folder.path());
+    command.args(["simulate", "small.toml", "--format", "json"]);
+    let text = output(command.args(["--center-distance", "37.3..37.4:0.05"]));
+    let result: Value = serde_json::from_str(&text).unwrap();
+    let runs = result["runs"].as_array().unwrap();
+    let distances: Vec<f64> = runs
+        .iter()
+        .map(|run| run["center_distance_mm"].as_f64().unwrap())
+        .collect();
+    assert_eq!(distances, [37.3, 37.3, 37.35, 37.35, 37.4, 37.4]);
+    let least = |i: usize| runs[i]["summary"]["min_j_wt_um"].as_f64().unwrap();
+    assert!(least(0) < least(2) && least(2) < least(4));
+    assert_eq!(
+        result["pair"]["assembly"]["center_distance_mm"],
+        serde_json::json!([37.3, 37.35, 37.4])
+    );
+    // Measured rows have distances of their own; base circles must stay apart.
+    gearlash(folder.path())
+        .arg("simulate")
+        .arg(fixture("karba_44x44.toml"))
+        .args(["--center-distance", "132.0..132.1:0.1"])
+        .assert()
+        .code(2)
+        .stderr(predicate::str::contains("--center-distance"));
+    gearlash(folder.path())
+        .args(["simulate", "small.toml", "--center-distance", "30..40:1"])
+        .assert()
+        .code(2)
+        .stderr(predicate::str::contains("base circles"));
+    assert_eq!(files(folder.path()), ["small.toml"]);
+}
+
+/// Issue 3: both methods on one study; the largest difference is printed and decides.
+#[test]
+fn both_methods_agree_to_a_picometre() {
+    let folder = empty_folder();
+    small(folder.path());
+    for arguments in [
+        vec!["simulate", "small.toml", "--format", "json"],
+        vec!["compare", "small.toml"],
+    ] {
+        gearlash(folder.path())
+            .args(arguments)
+            .args(["--method", "both"])
+            .assert()
+            .code(0)
+            .stderr(predicate::str::contains("exact and polygon method agree"));
+    }
+}
+
+/// Design section 6: gcd(z_1, z_2) assembly phases; coprime pairs have one.
+#[test]
+fn assembly_phases_are_run_apart() {
+    let folder = empty_folder();
+    let phases = |wheel: u32, pinion: u32| {
+        let text = format!(
+            "[wheel]\nteeth = {wheel}\nmodule_mm = 2\npressure_angle_deg = 20\nrunout = {{ total_um = 30, high_tooth = 2 }}\n\
+             [pinion]\nteeth = {pinion}\nmodule_mm = 2\npressure_angle_deg = 20\nrunout = {{ total_um = 20, high_tooth = 5 }}\n\
+             [assembly]\ncenter_distance_mm = {}\n[sweep]\nphases = \"all\"\nsteps_per_pitch = 2\n",
+            f64::from(wheel + pinion) + 0.1
+        );
+        std::fs::write(folder.path().join("phases.toml"), text).unwrap();
+        let text = output(gearlash(folder.path()).args(["simulate", "phases.toml"]));
+        let json =
+            output(gearlash(folder.path()).args(["simulate", "phases.toml", "--format", "json"]));
+        (text, serde_json::from_str::<Value>(&json).unwrap())
+    };
+    let (text, result) = phases(18, 12);
+    let runs = result["runs"].as_array().unwrap();
+    assert_eq!(runs.len(), 6);
+    for (i, run) in runs.iter().enumerate() {
+        assert_eq!(run["phase"]["pinion_tooth"], i + 1);
+        // lcm(18, 12) pitches of two steps.
+        assert_eq!(run["poses"].as_array().unwrap().len(), 72);
+    }
+    assert!(
+        text.contains("Best phase 1,") && text.contains("mark wheel tooth 1 and pinion tooth"),
+        "{text}"
+    );
+    // JSON, CSV, and two snapshots a phase.
+    assert_eq!(files(&folder.path().join("out/phases")).len(), 14);
+    let (text, result) = phases(18, 13);
+    assert_eq!(result["runs"].as_array().unwrap().len(), 1);
+    assert!(text.contains("only one assembly phase"), "{text}");
+}

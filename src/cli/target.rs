@@ -16,14 +16,21 @@ impl Target {
     /// Makes the folder of `path` where it is missing and tries to write in it.
     ///
     /// # Errors
-    /// [`Error::Usage`] for a path that names no file; [`Error::Output`].
+    /// [`Error::Usage`] for a path that names no file or a folder; [`Error::Output`].
     pub(super) fn prepare(path: PathBuf) -> Result<Target, Error> {
         if path == Path::new("-") {
             return Ok(Target { path, place: None });
         }
-        let missing_name = || Error::Usage(format!("-o {}: this names no file", path.display()));
-        let file = path.file_name().ok_or_else(missing_name)?;
-        let name = file.to_string_lossy().into_owned();
+        let wrong = |reason| Error::Usage(format!("-o {}: {reason}", path.display()));
+        let file = path
+            .file_name()
+            .ok_or_else(|| wrong("this names no file"))?;
+        if path.is_dir() {
+            return Err(wrong("this is a folder, name a file in it"));
+        }
+        let name = file.to_str();
+        let name = name.ok_or_else(|| wrong("the name is not Unicode"))?;
+        let name = name.to_owned();
         let folder = match path.parent() {
             Some(folder) if !folder.as_os_str().is_empty() => folder,
             _ => Path::new("."),

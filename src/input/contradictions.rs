@@ -3,7 +3,7 @@
 use super::faults::Drawing;
 use super::flanks::Flanks;
 use super::pitch::PitchSheet;
-use crate::gear::{Deviations, Pitch, Spans};
+use crate::gear::{Deviations, Pitch, Side, Spans};
 
 /// The probability below which flanks that go against each other count as turned round. Tuned: of unrelated curves, white
 /// or random walks, at most 2 in 4000 were suspected; of curves with common waves of up to 5 µm and noise of
@@ -35,7 +35,7 @@ pub fn told(
             told.push(format!(
                 "{}: the left flanks go against the right ones, as if their sign were turned round: if + means plus material on both flanks \
                  (or the gear was seen from the other face), write sense = {:?}",
-                drawing.table.path_of("pitch.left_um"),
+                drawing.table.path_of(sheet.key(Side::Left)),
                 sheet.other_sense()
             ));
         }

@@ -160,9 +160,10 @@ impl Drawing<'_> {
     }
 
     fn pins_inside_base(&self, error: GearError) -> Problem {
-        let key = match self.statement {
-            Statement::OverPins { mm, .. } if mm.is_band() => "over_pins.min_mm",
-            _ => "over_pins.mm",
+        let key = match &self.statement {
+            Statement::OverPins { mm, .. } if mm.is_band() => "over_pins.min_mm".to_owned(),
+            Statement::Pins { readings, .. } => format!("over_pins.{}", readings.key()),
+            _ => "over_pins.mm".to_owned(),
         };
         let base = 2.0 * self.blank.toothing.base_radius();
         let nominal = self.statement.nominal(&self.blank);

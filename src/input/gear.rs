@@ -147,9 +147,10 @@ impl GearPart {
             blank: &blank,
             pressure_angle_deg: self.pressure_angle_deg?,
         };
-        let pitch_header = sheet.iter().flatten().map(PitchSheet::header);
+        let pitch_header = sheet.iter().flatten().filter_map(PitchSheet::header);
         for header in pitch_header.chain(runout.iter().map(|runout| &runout.header)) {
             header.check(&drawn, problems);
+            self.warnings.extend_from_slice(header.warnings());
         }
         let drawing = Drawing {
             table,

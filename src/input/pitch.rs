@@ -8,6 +8,7 @@ use super::per_tooth::one_a_tooth;
 use super::problems::Problems;
 use super::sheet::{Column, Coverage, Header, Sheet, Wanted};
 use super::table::Table;
+use crate::gear::Side;
 use serde_json::{Value, json};
 
 pub const KEYS: &[&str] = &[
@@ -61,8 +62,8 @@ pub struct PitchSheet {
     counts: Option<Counts>,
     right_um: Vec<f64>,
     left_um: Vec<f64>,
-    /// What the file they come from says of the gear.
-    header: Header,
+    /// What the file they come from says of the gear; `None`: they are lists.
+    header: Option<Header>,
 }
 
 impl PitchSheet {
@@ -90,7 +91,7 @@ impl PitchSheet {
                 counts: counts?,
                 right_um,
                 left_um,
-                header,
+                header: Some(header),
             }));
         }
         let right = table.numbers("right_um", &DEVIATION, problems);
@@ -123,7 +124,7 @@ impl PitchSheet {
             counts: counts?,
             right_um: right?,
             left_um: left?,
-            header: Header::default(),
+            header: None,
         };
         if let (true, Some(_)) = (sheet.right_um.is_empty(), counts?) {
             problems.add(table.problem(
@@ -172,8 +173,17 @@ impl PitchSheet {
     }
 
     /// What the file they come from says of the gear.
-    pub fn header(&self) -> &Header {
-        &self.header
+    pub fn header(&self) -> Option<&Header> {
+        self.header.as_ref()
+    }
+
+    /// The key, below the gear's table, that gives the values of a flank.
+    pub fn key(&self, side: Side) -> &'static str {
+        match (side, &self.header) {
+            (_, Some(_)) => "pitch.file",
+            (Side::Right, None) => "pitch.right_um",
+            (Side::Left, None) => "pitch.left_um",
+        }
     }
 
     /// Whether the values were measured about the datum axis.

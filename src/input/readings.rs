@@ -16,6 +16,8 @@ use std::collections::HashSet;
 pub struct Readings {
     places: Vec<u32>,
     mm: Vec<f64>,
+    /// The key that gave them: `mm` or `file`.
+    key: &'static str,
 }
 
 impl Readings {
@@ -77,7 +79,11 @@ impl Readings {
             return None;
         }
         let places = Readings::places(table, place_key, mm.len(), teeth?, problems)?;
-        Some(Some(Readings { places, mm }))
+        Some(Some(Readings {
+            places,
+            mm,
+            key: "mm",
+        }))
     }
 
     fn of_file(
@@ -105,6 +111,7 @@ impl Readings {
         Some(Readings {
             places: sheet.rows.iter().map(|row| row.tooth).collect(),
             mm: sheet.values(0),
+            key: "file",
         })
     }
 
@@ -152,6 +159,11 @@ impl Readings {
             return None;
         }
         Some(places)
+    }
+
+    /// The key that gave them: `mm` or `file`.
+    pub fn key(&self) -> &'static str {
+        self.key
     }
 
     /// How many.

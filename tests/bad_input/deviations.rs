@@ -87,7 +87,7 @@ fn pitch_deviation_of_half_a_pitch() {
             "wheel.pitch.right_um",
             "[5000",
             &[
-                "tooth 1 stands 4750.0 µm",
+                "the right flank of tooth 1 stands 4750.0 µm",
                 "less than half a pitch, 4712.4 µm",
             ],
             "single or cumulative",

@@ -134,3 +134,24 @@ fn a_failed_run_overwrites_nothing() {
         .code(2);
     assert!(!folder.path().join("new").exists());
 }
+
+/// `-o` that names a folder is told before the work, not after it.
+#[test]
+fn a_folder_where_a_file_is_needed() {
+    let folder = empty_folder();
+    small(folder.path());
+    std::fs::create_dir(folder.path().join("d")).unwrap();
+    for command in ["report", "snapshot", "chart"] {
+        let mut run = gearlash(folder.path());
+        run.args([command, "small.toml", "-o", "d"]);
+        match command {
+            "snapshot" => run.arg("--worst"),
+            "chart" => run.args(["--kind", "revolution"]),
+            _ => &mut run,
+        };
+        run.assert().code(2).stderr(predicate::str::contains(
+            "-o d: this is a folder, name a file in it",
+        ));
+    }
+    assert_eq!(files(folder.path()), ["d", "small.toml"]);
+}

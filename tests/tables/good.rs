@@ -56,6 +56,8 @@ fn the_writing_does_not_matter() {
         .collect();
     let others = [
         format!("\u{feff}{text}").into_bytes(),
+        format!("sep=,\r\n{text}").into_bytes(),
+        text.replace('-', "\u{2212}").into_bytes(),
         text.replace('\n', "\r\n").into_bytes(),
         tabs.clone().into_bytes(),
         tabs.replace('.', ",").into_bytes(),

@@ -7,6 +7,7 @@ mod mutant;
 mod mutated_workbooks;
 mod mutations;
 mod oracle;
+mod protocols;
 mod readings;
 mod workbooks;
 

@@ -52,7 +52,7 @@ pub fn mutant(table: &[u8], choice: &mut Choice) -> Vec<u8> {
     let (a, b) = (choice.below(lines.len()), choice.below(lines.len()));
     let at = choice.below(table.len());
     let garbage = GARBAGE[choice.below(GARBAGE.len())];
-    match choice.below(10) {
+    match choice.below(11) {
         0 => {
             lines.remove(a);
         }
@@ -72,10 +72,30 @@ pub fn mutant(table: &[u8], choice: &mut Choice) -> Vec<u8> {
             return [&table[..at], garbage, &table[at + 1..]].concat();
         }
         8 => lines.insert(a, garbage),
+        9 => {
+            // A tooth more than there are.
+            let more = next_tooth(&lines);
+            return [&lines.concat()[..], &more[..]].concat();
+        }
         _ => {
             let end = lines.len().min(a + 3);
             lines.drain(a.min(end)..end);
         }
     }
     lines.concat()
+}
+
+/// The last line that has a number by itself, with the next number.
+fn next_tooth(lines: &[&[u8]]) -> Vec<u8> {
+    let rows = lines
+        .iter()
+        .rev()
+        .filter_map(|line| std::str::from_utf8(line).ok());
+    let next = |row: &str| {
+        let whole = |cell: &&str| cell.trim().parse::<u32>().is_ok();
+        let tooth = row.split([';', ',', '\t', ' ']).find(whole)?.trim();
+        let next = (tooth.parse::<u32>().ok()? + 1).to_string();
+        Some(row.replacen(tooth, &next, 1).into_bytes())
+    };
+    rows.map(next).find_map(|row| row).unwrap_or_default()
 }

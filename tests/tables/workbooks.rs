@@ -1,7 +1,8 @@
 //! Workbooks, written by another library than the one that reads them.
 
 use super::*;
-use rust_xlsxwriter::{ExcelDateTime, Format, Workbook};
+use rust_xlsxwriter::{Chart, ChartType, ExcelDateTime, Format, Workbook};
+use std::io::{Read, Write};
 
 /// Pitch of four teeth in the sheet `name`, the cell of the third row and column left to `third`.
 fn sheet(workbook: &mut Workbook, name: &str, third: impl Fn(&mut rust_xlsxwriter::Worksheet)) {
@@ -93,6 +94,57 @@ fn sheets() {
     ];
     let several = cases.map(|keys| told(&mut workbook, keys));
     insta::assert_snapshot!(format!("{one}\n{}", several.join("\n")));
+}
+
+/// Charts on sheets of their own hold no table.
+#[test]
+fn a_chart_sheet_beside_the_table() {
+    let mut workbook = Workbook::new();
+    sheet(&mut workbook, "Pitch", |_| {});
+    let mut chart = Chart::new(ChartType::Line);
+    chart.add_series().set_values("Pitch!$B$2:$B$45");
+    let page = workbook.add_chartsheet();
+    page.insert_chart(0, 0, &chart).unwrap();
+    assert_eq!(told(&mut workbook, ""), "left of tooth 3 is 0.5");
+}
+
+/// A reference that comes round to another cell in 32 bits: row 2^32 + 3 is no row 3.
+#[test]
+fn a_reference_beyond_the_last_cell() {
+    let mut workbook = Workbook::new();
+    sheet(&mut workbook, "Pitch", |_| {});
+    let good = workbook.save_to_buffer().unwrap();
+    for beyond in ["B4294967300", "AAAAAAAAAA4"] {
+        let mut archive = zip::ZipArchive::new(std::io::Cursor::new(&good)).unwrap();
+        let mut changed = zip::ZipWriter::new(std::io::Cursor::new(Vec::new()));
+        for index in 0..archive.len() {
+            let mut part = archive.by_index(index).unwrap();
+            let name = part.name().unwrap().into_owned();
+            let mut text = String::new();
+            part.read_to_string(&mut text).unwrap();
+            changed
+                .start_file(name, zip::write::SimpleFileOptions::default())
+                .unwrap();
+            let text = text.replace("r=\"B4\"", &format!("r=\"{beyond}\""));
+            changed.write_all(text.as_bytes()).unwrap();
+        }
+        let table = changed.finish().unwrap().into_inner();
+        let keys = "pitch = { kind = \"cumulative\", file = \"p.xlsx\" }";
+        let told = read_with("p.xlsx", &table, &pair(44, keys)).unwrap_err();
+        let expected = format!("no spreadsheet has a cell \"{beyond}\"");
+        assert!(told[0].reason.ends_with(&expected), "{told:#?}");
+    }
+}
+
+#[test]
+fn an_old_workbook_says_how_to_save_it() {
+    let keys = "pitch = { kind = \"cumulative\", file = \"p.xls\" }";
+    // The signature of the compound file format, then anything.
+    let old = b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1\0\0\0\0";
+    let told = read_with("p.xls", old, &pair(44, keys)).unwrap_err();
+    assert_eq!(told.len(), 1);
+    assert!(told[0].reason.ends_with("is an old Excel workbook, .xls"));
+    assert_eq!(told[0].way_out, "save it as .xlsx or CSV");
 }
 
 #[test]

@@ -40,10 +40,7 @@ impl PitchSheet {
     ) -> Option<()> {
         let half = PI * toothing.module() / 2.0;
         let mut good = Some(());
-        for (side, name) in [
-            (Side::Right, "pitch.right_um"),
-            (Side::Left, "pitch.left_um"),
-        ] {
+        for side in Side::BOTH {
             let worst = pitch
                 .flank(side)
                 .iter()
@@ -51,9 +48,10 @@ impl PitchSheet {
                 .max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
             if let Some((index, f)) = worst.filter(|(_, f)| !(f.abs() < half)) {
                 problems.add(gear.problem(
-                    name,
+                    self.key(side),
                     format!(
-                        "tooth {} stands {:.1} µm from the mean, allowed is less than half a pitch, {:.1} µm",
+                        "the {} flank of tooth {} stands {:.1} µm from the mean, allowed is less than half a pitch, {:.1} µm",
+                        side.name(),
                         index + 1,
                         1000.0 * f,
                         1000.0 * half
@@ -71,17 +69,18 @@ impl PitchSheet {
         if self.kind != Kind::Single {
             return Vec::new();
         }
-        let flanks = [("right_um", &self.right_um), ("left_um", &self.left_um)];
+        let flanks = [(Side::Right, &self.right_um), (Side::Left, &self.left_um)];
         flanks
             .into_iter()
-            .filter_map(|(name, um)| {
+            .filter_map(|(side, um)| {
                 let sum: f64 = um.iter().sum();
                 let rounding = ROUNDING_UM * um.len() as f64;
                 (sum.abs() > rounding).then(|| {
                     format!(
-                        "{}.{name}: the single pitch deviations sum to {sum:.2} µm instead of 0 (rounding leaves up to {rounding:.2} µm); \
+                        "{}: the single pitch deviations of the {} flanks sum to {sum:.2} µm instead of 0 (rounding leaves up to {rounding:.2} µm); \
                          the rest is shared out evenly over the teeth",
-                        gear.path_of("pitch")
+                        gear.path_of(self.key(side)),
+                        side.name(),
                     )
                 })
             })

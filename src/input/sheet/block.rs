@@ -17,13 +17,16 @@ pub enum Name {
     Cumulative,
     /// `Fr`: runout reading.
     Runout,
+    /// `fu`: difference of neighbouring single pitches, which the others contain.
+    Jump,
 }
 
-const NAMES: [(&str, Name); 4] = [
+const NAMES: [(&str, Name); 5] = [
     ("Zahn-Nr.", Name::Tooth),
     ("fp", Name::Single),
     ("Fp", Name::Cumulative),
     ("Fr", Name::Runout),
+    ("fu", Name::Jump),
 ];
 
 /// The rows of one flank.
@@ -52,6 +55,7 @@ pub fn side(line: &str) -> Option<Side> {
 pub fn names(text: &str) -> Result<Vec<Name>, String> {
     let mut names = Vec::new();
     for word in text.split_whitespace() {
+        let word = word.strip_suffix("[µm]").unwrap_or(word);
         match NAMES.iter().find(|(known, _)| *known == word) {
             Some((_, name)) if names.contains(name) => return Err(format!("column {word} twice")),
             Some((_, name)) => names.push(*name),

@@ -7,7 +7,7 @@ use crate::input::problems::Problems;
 /// How many missing teeth are named one by one. Tuned: a line of a message holds them.
 const NAMED: usize = 10;
 
-/// `rows` by ascending tooth; a tooth given twice or missing is a problem.
+/// `rows` by ascending tooth; a tooth that the gear does not have, given twice or missing is a problem.
 pub fn ordered<const N: usize, const M: usize>(
     file: &DataFile,
     mut rows: Vec<Row<N>>,
@@ -21,6 +21,15 @@ pub fn ordered<const N: usize, const M: usize>(
     // Stable: the first of two rows stays the first.
     rows.sort_by_key(|row| row.tooth);
     let mut good = Some(());
+    let teeth = wanted.teeth.unwrap_or(u32::MAX);
+    for row in rows.iter().filter(|row| row.tooth > teeth) {
+        problems.add(file.problem_at(
+            row.line,
+            format!("tooth {}, allowed is 1 … {teeth}", row.tooth),
+            "remove the line, or correct its number or teeth",
+        ));
+        good = None;
+    }
     let twice = rows
         .windows(2)
         .filter(|pair| pair[0].tooth == pair[1].tooth);

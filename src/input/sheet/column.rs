@@ -40,6 +40,10 @@ const TOOTH: &[&str] = &[
     "zahn nr",
     "zahnnummer",
 ];
+/// Besides, of spans: a span is known by the first tooth it runs over.
+const FIRST_TOOTH: &[&str] = &["first tooth", "erster zahn"];
+/// Besides, of pins: they lie in spaces.
+const SPACE: &[&str] = &["space", "space no", "lücke", "zahnlücke"];
 
 /// Units that a header may name, each as written there and as meant.
 const UNITS: [(&str, &str); 8] = [
@@ -117,7 +121,10 @@ pub enum Named {
 pub fn named(text: &str, wanted: &[Column]) -> Named {
     let (name, unit) = name_and_unit(text);
     let is = |names: &[&str]| names.iter().any(|known| plain(known) == plain(name));
-    let (found, needed) = if is(TOOTH) {
+    let place = is(TOOTH)
+        || is(FIRST_TOOTH) && wanted.contains(&Column::Span)
+        || is(SPACE) && wanted.contains(&Column::OverPins);
+    let (found, needed) = if place {
         (Named::Tooth, None)
     } else if let Some(place) = wanted.iter().position(|column| is(column.names())) {
         (Named::Wanted(place), Some(wanted[place].unit()))

@@ -15,7 +15,8 @@ const DELIMITERS: [(char, &str, Option<Decimal>); 3] = [
     ('\t', "tabs", None),
 ];
 
-/// The cells of `text`; the first line that is not blank is the header.
+/// The cells of `text`; the first line that is not blank is the header, or before it `sep=;` as it tells a spreadsheet
+/// the separator.
 pub fn read(file: &DataFile, text: &str, problems: &mut Problems) -> Option<Grid> {
     let broken = text.split_inclusive('\n').position(|line| {
         let line = line.strip_suffix('\n').unwrap_or(line);
@@ -52,6 +53,9 @@ pub fn read(file: &DataFile, text: &str, problems: &mut Problems) -> Option<Grid
             lines.push(line);
         }
     }
+    if separator(text).is_some() {
+        lines.remove(0);
+    }
     let grid = Grid::of(lines, decimal);
     if grid.is_none() {
         problems.add(file.problem("is empty", "give a header and a row for each tooth"));
@@ -65,14 +69,13 @@ fn delimiter(
     text: &str,
     problems: &mut Problems,
 ) -> Option<(char, Option<Decimal>)> {
-    let header = text
-        .lines()
-        .enumerate()
-        .find(|(_, line)| !line.trim().is_empty());
-    let Some((index, header)) = header else {
+    let Some((index, header)) = first_line(text) else {
         problems.add(file.problem("is empty", "give a header and a row for each tooth"));
         return None;
     };
+    if let Some((delimiter, _, decimal)) = separator(text) {
+        return Some((delimiter, decimal));
+    }
     let outside_quotes: String = header.split('"').step_by(2).collect();
     let found: Vec<_> = DELIMITERS
         .iter()
@@ -92,6 +95,21 @@ fn delimiter(
         "name the columns there, such as tooth;left (µm);right (µm)",
     ));
     None
+}
+
+fn first_line(text: &str) -> Option<(usize, &str)> {
+    let mut lines = text.lines().enumerate();
+    lines.find(|(_, line)| !line.trim().is_empty())
+}
+
+/// What a line `sep=;` before the header says; `None` without one.
+fn separator(text: &str) -> Option<(char, &'static str, Option<Decimal>)> {
+    let said = first_line(text)?
+        .1
+        .trim_end_matches(['\r', ' '])
+        .strip_prefix("sep=")?;
+    let mut known = DELIMITERS.into_iter();
+    known.find(|(delimiter, ..)| said.chars().eq([*delimiter]))
 }
 
 fn cell(text: &str) -> Cell {

@@ -84,7 +84,12 @@ impl Grid {
             problems.add(file.problem_at(
                 line.number,
                 format!("{found} values, the header names {columns} columns"),
-                "give every column one value; in a file separated by commas numbers need a point",
+                match self.decimal {
+                    Some(Decimal::Point) => {
+                        "give every column one value; in a file separated by commas numbers need a point"
+                    }
+                    _ => "give every column one value, and nothing beside them",
+                },
             ));
             return None;
         }

@@ -16,13 +16,14 @@ enum Fact {
     TipDiameter,
 }
 
-/// The labels, as a protocol prints them before their dots, and the key that states the same.
+/// The labels and the key that states the same. `*` is the umlaut, which the code pages of old machines
+/// write as one strange character or as two letters.
 const LABELS: [(&str, Fact, &str); 7] = [
-    ("Zähnezahl", Fact::Teeth, "teeth"),
+    ("Z*hnezahl", Fact::Teeth, "teeth"),
     ("Normalmodul", Fact::Module, "module_mm"),
     ("Eingriffswinkel", Fact::PressureAngle, "pressure_angle_deg"),
     (
-        "Schrägungswinkel",
+        "Schr*gungswinkel",
         Fact::HelixAngle,
         "helix angle (gearlash knows spur gears only)",
     ),
@@ -31,21 +32,32 @@ const LABELS: [(&str, Fact, &str); 7] = [
         Fact::ProfileShift,
         "profile_shift",
     ),
-    ("Kopfkreis", Fact::TipDiameter, "tip_diameter_mm"),
     ("Kopfkreisdurchmesser", Fact::TipDiameter, "tip_diameter_mm"),
+    ("Kopfkreis", Fact::TipDiameter, "tip_diameter_mm"),
 ];
+/// The numbers under which such protocols state them.
+const NUMBERS: [(&str, &str); 5] = [
+    ("21", "Normalmodul"),
+    ("22", "Zähnezahl"),
+    ("24", "Eingriffswinkel"),
+    ("25", "Profilverschiebungsfaktor"),
+    ("27", "Kopfkreis"),
+];
+/// Units that may follow a value.
+const UNITS: [&str; 4] = ["mm", "Grad", "°", "deg"];
 
 /// The header lines of one protocol; those of a plain table are none.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Header {
     said: Vec<Said>,
+    warnings: Vec<String>,
 }
 
 #[derive(Debug, Clone, PartialEq)]
 struct Said {
     file: DataFile,
     line: u64,
-    label: &'static str,
+    label: String,
     fact: Fact,
     key: &'static str,
     value: f64,
@@ -64,26 +76,29 @@ pub struct Drawn<'a> {
 impl Header {
     /// Takes over the line when it is a numbered header line with a known label.
     ///
-    /// `  22 :Zähnezahl.............: 44`: a number, a label with its dots, the value after the last colon.
+    /// `  22 :Zähnezahl.............: 44` or `21 Normalmodul 3.000 mm`: a number, a label, dots or a colon or neither, the value.
     pub fn take(&mut self, file: &DataFile, line: u64, text: &str, problems: &mut Problems) {
         let rest = text.trim_start();
-        let behind = rest.trim_start_matches(|c: char| c.is_ascii_digit());
-        if behind.len() == rest.len() {
+        let behind_number = rest.trim_start_matches(|c: char| c.is_ascii_digit());
+        if behind_number.len() == rest.len() {
             return;
         }
-        let Some((label, value)) = behind.trim_start_matches([' ', '\t', ':']).rsplit_once(':')
-        else {
+        let behind = behind_number.trim_start_matches([' ', '\t', ':']);
+        let Some((label, said, fact, key)) = LABELS.iter().find_map(|&(known, fact, key)| {
+            let length = labelled(behind, known)?;
+            Some((&behind[..length], &behind[length..], fact, key))
+        }) else {
+            let number = &rest[..rest.len() - behind_number.len()];
+            if let Some((_, usual)) = NUMBERS.iter().find(|(known, _)| *known == number) {
+                self.warnings.push(format!(
+                    "{}: {}: line {line} has the number of {usual}, but another label: it is not compared with the pair file",
+                    file.key(),
+                    file.name()
+                ));
+            }
             return;
         };
-        let label = label
-            .split(['.', '[', '(', ':', '…'])
-            .next()
-            .unwrap_or_default()
-            .trim();
-        let Some(&(label, fact, key)) = LABELS.iter().find(|(known, ..)| *known == label) else {
-            return;
-        };
-        let value = value.trim();
+        let value = value_of(said);
         let Some(written) = number::written(value)
             .filter(|written| written.decimal != Some(number::Decimal::Comma))
         else {
@@ -97,12 +112,17 @@ impl Header {
         self.said.push(Said {
             file: file.clone(),
             line,
-            label,
+            label: label.to_owned(),
             fact,
             key,
             value: written.value,
             rounding: written.rounding,
         });
+    }
+
+    /// Header lines that look known and are not.
+    pub fn warnings(&self) -> &[String] {
+        &self.warnings
     }
 
     /// Reports what contradicts the pair file by more than the rounding of the printed value.
@@ -132,4 +152,39 @@ impl Header {
             ));
         }
     }
+}
+
+/// The bytes of `text` that are the label `known`, which no letter follows.
+fn labelled(text: &str, known: &str) -> Option<usize> {
+    let (before, after) = known.split_once('*').unwrap_or((known, ""));
+    let rest = text.strip_prefix(before)?;
+    let rest = match after {
+        "" => rest,
+        after => {
+            let at = rest.find(after)?;
+            if rest[..at].chars().count() > 2 {
+                return None;
+            }
+            &rest[at + after.len()..]
+        }
+    };
+    let ends = !rest.starts_with(|c: char| c.is_alphabetic());
+    ends.then_some(text.len() - rest.len())
+}
+
+/// The value behind a label: after the last colon where there is one, without dots and a bracketed unit before it and
+/// a unit after it.
+fn value_of(rest: &str) -> &str {
+    let value = match rest.rsplit_once(':') {
+        Some((_, value)) => value,
+        None => {
+            let dots = ['.', '…', ' ', '\t'];
+            let rest = rest.trim_start_matches(dots);
+            let unit = rest.strip_prefix('[').and_then(|unit| unit.split_once(']'));
+            unit.map_or(rest, |(_, behind)| behind.trim_start_matches(dots))
+        }
+    };
+    let value = value.trim();
+    let unit = UNITS.iter().find_map(|unit| value.strip_suffix(unit));
+    unit.unwrap_or(value).trim_end()
 }

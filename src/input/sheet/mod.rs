@@ -9,6 +9,7 @@ mod block;
 mod by_tooth;
 mod cell;
 mod column;
+mod container;
 mod decimal;
 mod delimited;
 mod grid;
@@ -28,6 +29,9 @@ pub use header::{Drawn, Header};
 
 /// Keys that name a table; others may stand beside them.
 pub const KEYS: &[&str] = &["file", "sheet"];
+
+/// How the container of `.xls` files begins: what CSV cannot.
+const OLD_WORKBOOK: &[u8] = b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1";
 
 /// What a reader needs of a table.
 #[derive(Debug, Clone, Copy)]
@@ -106,6 +110,11 @@ fn read<const N: usize>(
         Some(entry) => Some(problems.keep(entry.text("give the name of the sheet"))?),
         None => None,
     };
+    if bytes.starts_with(OLD_WORKBOOK) {
+        let way_out = "save it as .xlsx or CSV";
+        problems.add(file.problem("is an old Excel workbook, .xls", way_out));
+        return None;
+    }
     let grid = if workbook::is_one(file, &bytes) {
         workbook::read(file, bytes, sheet, problems)?
     } else {

@@ -7,6 +7,9 @@
 //! have thousands separators, such as `0,5` or `12.34`. Where neither settles
 //! it, the number is a problem.
 
+/// What word processors make of a hyphen before a number.
+const MINUS: char = '\u{2212}';
+
 /// A sign that may stand between whole and fraction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Decimal {
@@ -49,11 +52,12 @@ pub struct Written<'a> {
     pub rounding: f64,
 }
 
-/// `text` as a number: a sign, digits, at most one decimal sign between digits, an exponent.
+/// `text` as a number: a sign (a hyphen or the true minus U+2212), digits, at most one decimal sign between digits,
+/// an exponent.
 ///
 /// `None` for anything else, `nan`, `inf` and what overflows to it included.
 pub fn written(text: &str) -> Option<Written<'_>> {
-    let unsigned = text.strip_prefix(['-', '+']).unwrap_or(text);
+    let unsigned = text.strip_prefix(['-', '+', MINUS]).unwrap_or(text);
     let (mantissa, exponent) = match unsigned.split_once(['e', 'E']) {
         Some((mantissa, exponent)) => (mantissa, Some(exponent)),
         None => (unsigned, None),
@@ -78,7 +82,7 @@ pub fn written(text: &str) -> Option<Written<'_>> {
     if !digits(whole) || decimal.is_some() && !digits(fraction) {
         return None;
     }
-    let value: f64 = text.replace(',', ".").parse().ok()?;
+    let value: f64 = text.replace(',', ".").replace(MINUS, "-").parse().ok()?;
     value.is_finite().then_some(Written {
         text,
         value,

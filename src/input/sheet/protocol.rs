@@ -46,6 +46,16 @@ pub fn read<const N: usize>(
         columns.push(rows.and_then(|rows| by_tooth::ordered(file, rows, wanted, problems)));
     }
     let columns: Vec<Vec<Row<1>>> = columns.into_iter().collect::<Option<_>>()?;
+    // Now that every tooth is there once.
+    if wanted
+        .columns
+        .iter()
+        .any(|column| *column != Column::Runout)
+    {
+        for block in &blocks {
+            story::check(file, block, problems);
+        }
+    }
     let rows = columns.first()?.iter().enumerate().map(|(index, row)| {
         let mut values = [0.0; N];
         for (value, column) in values.iter_mut().zip(&columns) {
@@ -163,7 +173,6 @@ fn pitch(
         ));
         return None;
     };
-    story::check(file, block, problems)?;
     Some(rows_of(&values))
 }
 

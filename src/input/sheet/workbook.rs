@@ -4,10 +4,11 @@
 //! been one (`1.2` to a German Excel). Both are problems with a way out.
 
 use super::cell::Cell;
+use super::container;
 use super::grid::{Grid, Line};
 use crate::input::data_file::DataFile;
 use crate::input::problems::Problems;
-use calamine::{DataRef, Reader, Xlsx};
+use calamine::{DataRef, Reader, SheetType, Xlsx};
 use std::collections::BTreeMap;
 use std::io::Cursor;
 
@@ -39,9 +40,13 @@ pub fn read(
             "open it in a spreadsheet and save it anew as .xlsx or CSV",
         )
     };
+    problems.keep(container::check(&bytes).map_err(unreadable))?;
     let workbook = Workbook::new(Cursor::new(bytes));
     let mut workbook = problems.keep(workbook.map_err(|error| unreadable(error.to_string())))?;
-    let names = workbook.sheet_names();
+    // Charts on sheets of their own hold no cells.
+    let sheets = workbook.sheets_metadata().iter();
+    let sheets = sheets.filter(|sheet| sheet.typ == SheetType::WorkSheet);
+    let names: Vec<String> = sheets.map(|sheet| sheet.name.clone()).collect();
     let listed = |names: &[String]| {
         let quoted: Vec<String> = names.iter().map(|name| format!("{name:?}")).collect();
         quoted.join(", ")

@@ -8,8 +8,10 @@
 //! The way through the crate, each stage importing only earlier ones:
 //!
 //! ```text
-//! input → study → gear → pair → mesh → simulate → compare → outcome, curves, diagnosis → gauge → render → cli
-//!                         └──→ analytic ──────────┘
+//! gear → pair → notes, study ← input (the pair file)
+//!         │       └→ simulate → compare → measured, phases, outcome, curves, diagnosis → gauge → render → cli
+//!         ├→ mesh ───┘             │
+//!         └→ analytic ─────────────┘
 //! ```
 //!
 //! [`analytic`] shares nothing with [`mesh`] but gears, deviations and poses: their agreement means something.

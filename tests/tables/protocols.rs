@@ -150,6 +150,10 @@ fn a_header_line_that_is_not_understood() {
         "{:#?}",
         study.warnings
     );
+    // Rows of another list are none.
+    let header = format!("  22  0.4  1.5\n{}", good());
+    let study = read_as(header.as_bytes(), PITCH).unwrap();
+    assert_eq!(study.warnings, Vec::<String>::new());
 }
 
 /// `fu` is contained in the others; a unit may stand behind a name.

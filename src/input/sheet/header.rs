@@ -89,7 +89,10 @@ impl Header {
             Some((&behind[..length], &behind[length..], fact, key))
         }) else {
             let number = &rest[..rest.len() - behind_number.len()];
-            if let Some((_, usual)) = NUMBERS.iter().find(|(known, _)| *known == number) {
+            let mut numbers = NUMBERS.iter().filter(|(known, _)| *known == number);
+            // A number behind it makes it a row of some other list.
+            let labelled = behind.starts_with(char::is_alphabetic);
+            if let Some((_, usual)) = numbers.next().filter(|_| labelled) {
                 self.warnings.push(format!(
                     "{}: {}: line {line} has the number of {usual}, but another label: it is not compared with the pair file",
                     file.key(),

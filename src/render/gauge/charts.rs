@@ -135,8 +135,8 @@ pub fn charts(gauged: &GaugedGear) -> Result<Vec<(String, String)>, Error> {
         };
         let what = format!(
             "roll test F_i'' {:.2}, f_i'' {:.2} µm · {}",
-            1e3 * roll.total(),
-            1e3 * roll.tooth_to_tooth(),
+            1e3 * roll.total().found,
+            1e3 * roll.tooth_to_tooth().found,
             means(mean, formula.distance)
         );
         let heading = Heading {

@@ -126,7 +126,9 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             }
         }
         // Of an earlier run with another gear, which had what this one has not.
-        let possible = gears.iter().flat_map(|gauged| possible_files(&gauged.stem()));
+        let possible = gears
+            .iter()
+            .flat_map(|gauged| possible_files(&gauged.stem()));
         args.results.write_instead(folder, &files, possible)?;
     }
     Ok(ExitCode::SUCCESS)

@@ -39,7 +39,9 @@ fn centre(points: &[Point2<f64>]) -> Option<(Vector2<f64>, f64)> {
     }
     let inverse = squares.try_inverse()?;
     let found = (inverse * moments).xy();
-    let parts = points.iter().map(|point| (inverse * row(point)).xy().norm());
+    let parts = points
+        .iter()
+        .map(|point| (inverse * row(point)).xy().norm());
     Some((found, parts.sum::<f64>() * (1.0 + found.norm() / first)))
 }
 
@@ -104,7 +106,10 @@ mod tests {
             let mut most: f64 = 0.0;
             for direction in 0..12 {
                 // Outwards where that moves the centre along `along`, inwards elsewhere.
-                let along = Vector2::new((TAU * f64::from(direction) / 12.0).cos(), (TAU * f64::from(direction) / 12.0).sin());
+                let along = Vector2::new(
+                    (TAU * f64::from(direction) / 12.0).cos(),
+                    (TAU * f64::from(direction) / 12.0).sin(),
+                );
                 let delta = 1e-6;
                 let moved = |i: usize| -> Vector2<f64> {
                     let mut one = points.clone();

@@ -49,7 +49,8 @@ impl OverPins {
 
     /// Greatest bound on the error in `list`, mm.
     pub fn error(list: &[OverPins]) -> f64 {
-        list.iter().fold(0.0, |most, over| f64::max(most, over.error))
+        list.iter()
+            .fold(0.0, |most, over| f64::max(most, over.error))
     }
 }
 

@@ -136,12 +136,24 @@ pub(super) fn roll(
     }))
 }
 
+/// The pose of `mating` at `guess`, rolled without play.
+///
+/// A mating stands for a rotation that hardly depends on the distance; it is turned back by what it does, so that poses stand
+/// evenly in rotation.
 fn sample(assembly: &Assembly, guess: f64, mating: &Mating) -> Result<Option<Sample>, Error> {
-    let Some([low, high]) = play_free_distance(assembly, guess, mating)? else {
+    let Some([_, near]) = play_free_distance(assembly, guess, mating)? else {
+        return Ok(None);
+    };
+    let gear = assembly.gear(Member::Wheel);
+    let rotation = Pose::new(assembly, *mating).locked_rotation();
+    let turned = rotation - Pose::new(&assembly.at(near)?, *mating).locked_rotation();
+    let onward = -gear.face().ascending() * turned / gear.gear().toothing().angular_pitch();
+    let mating_there = mating.onward(assembly, onward);
+    let Some([low, high]) = play_free_distance(assembly, near, &mating_there)? else {
         return Ok(None);
     };
     let at = assembly.at(high)?;
-    let pose = Pose::new(&at, *mating);
+    let pose = Pose::new(&at, mating_there);
     let found = ExactKernel::new(&at).lost_motion(&pose)?;
     // Play changes by 2 sin α_wt a unit of distance; the kernel's own error shifts the zero by as much the other way.
     let slope = 2.0 * at.operating_pressure_angle().sin();
@@ -153,7 +165,7 @@ fn sample(assembly: &Assembly, guess: f64, mating: &Mating) -> Result<Option<Sam
         }),
         pose: RollPose {
             mating: *mating,
-            rotation: pose.locked_rotation(),
+            rotation,
             distance: 0.5 * (low + high),
             error: 0.5 * (high - low) + play / slope,
             class: PoseClass::of(&at, &found),

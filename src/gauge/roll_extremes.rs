@@ -10,7 +10,8 @@
 //!    Such a function stays within `(f_0 + f_1)/2 ± L h/2`. (A smooth stretch needs `max(m_0, m_1)` and half their difference; a
 //!    ramp between two level stretches needs what it climbs, doubled in case it takes half of the piece.)
 //! 3. Pieces that may reach beyond an extreme found are halved, until none may by more than [`TOTAL`] for the range of
-//!    the revolution and [`WITHIN_PITCH`] for that within a pitch, or poses have become [`MOST`] times as many. What is left is reported.
+//!    the revolution and [`WITHIN_PITCH`] for that within a pitch, for the
+//!    one before the other, or poses have become [`MOST`] times as many. What is left is reported.
 //!
 //! The assumption is `L`; with it the bracket is proven. The slopes between the poses are not proven
 //! beforehand: something narrower than a halved step that no pose touches would be missed.
@@ -29,7 +30,7 @@ const WITHIN_PITCH: f64 = 1e-5;
 /// Halvings of steps in which the contact changes (tuned: a hundredth of a pitch at the usual 16 poses).
 const HALVINGS: u32 = 3;
 /// Poses in all, times the even ones (tuned: the usual gear takes twice as many).
-const MOST: usize = 6;
+const MOST: usize = 8;
 /// Parts of an even step: places are whole numbers of them.
 const PARTS: u64 = 1 << 30;
 
@@ -61,7 +62,6 @@ pub(super) struct Bracketed {
 }
 
 /// A piece between two neighbouring poses.
-#[derive(Clone, Copy)]
 struct Piece {
     /// Places of its ends.
     from: u64,
@@ -72,6 +72,12 @@ struct Piece {
     within: [f64; 2],
     /// Whether both ends touch alike.
     alike: bool,
+}
+
+impl Piece {
+    fn slack(&self) -> f64 {
+        self.within[1] - self.within[0]
+    }
 }
 
 /// Takes the even poses of `curve` with `take` (step, part of a step beyond it), and as many more as its ranges need.
@@ -99,16 +105,19 @@ pub(super) fn bracketed(
         }
         let pieces = pieces(curve, &samples);
         let ranges = Ranges::of(curve, &pieces);
-        wanted = match round < HALVINGS {
-            true => pieces.iter().filter(|piece| !piece.alike).copied().collect(),
+        let mut halved: Vec<&Piece> = match round < HALVINGS {
+            true => pieces.iter().filter(|piece| !piece.alike).collect(),
             false => ranges.open(&pieces),
-        }
-        .iter()
-        .filter(|piece| piece.to - piece.from > 1)
-        .map(|piece: &Piece| piece.from + (piece.to - piece.from) / 2)
-        .collect();
-        let done = round >= HALVINGS && wanted.is_empty();
-        if done || samples.len() + wanted.len() > MOST * curve.steps {
+        };
+        halved.retain(|piece| piece.to - piece.from > 1);
+        // What reaches farthest first, if not all may be had.
+        halved.sort_by(|one, other| other.slack().total_cmp(&one.slack()));
+        halved.truncate((MOST * curve.steps).saturating_sub(samples.len()));
+        wanted = halved
+            .iter()
+            .map(|piece| piece.from + (piece.to - piece.from) / 2)
+            .collect();
+        if round >= HALVINGS && wanted.is_empty() {
             let (even, between): (Vec<_>, Vec<_>) =
                 samples.iter().partition(|(place, _)| *place % PARTS == 0);
             let poses = |list: Vec<(&u64, &Sample)>| list.iter().map(|(_, s)| s.pose).collect();
@@ -153,14 +162,15 @@ fn pieces(curve: &Curve, samples: &BTreeMap<u64, Sample>) -> Vec<Piece> {
 struct Ranges {
     total: RollRange,
     tooth_to_tooth: RollRange,
-    /// By piece: whether it must be halved.
-    open: Vec<bool>,
+    /// By piece: whether it must be halved for the one or for the other.
+    open: [Vec<bool>; 2],
 }
 
 impl Ranges {
     fn of(curve: &Curve, pieces: &[Piece]) -> Ranges {
         let all = Span::of(pieces.iter());
-        let mut open: Vec<bool> = pieces
+        let mut within = vec![false; pieces.len()];
+        let total: Vec<bool> = pieces
             .iter()
             .map(|piece| {
                 piece.within[0] < all.found[0] - 0.5 * TOTAL
@@ -201,14 +211,14 @@ impl Ranges {
             let mut last = first;
             for (index, _) in reached(first) {
                 let piece = &pieces[index];
-                let slack = piece.within[1] - piece.within[0];
-                let extreme = piece.within[0] <= window.found[0] || piece.within[1] >= window.found[1];
-                open[index] |= extreme && slack > 0.25 * WITHIN_PITCH;
+                let extreme =
+                    piece.within[0] <= window.found[0] || piece.within[1] >= window.found[1];
+                within[index] |= extreme && piece.slack() > 0.25 * WITHIN_PITCH;
                 last = index;
             }
             for index in [first, last] {
                 let [low, high] = pieces[index].ends;
-                open[index] |= high - low > 0.25 * WITHIN_PITCH;
+                within[index] |= high - low > 0.25 * WITHIN_PITCH;
             }
         }
         Ranges {
@@ -220,16 +230,21 @@ impl Ranges {
                 found,
                 missed: most - found,
             },
-            open,
+            open: [total, within],
         }
     }
 
-    fn open(&self, pieces: &[Piece]) -> Vec<Piece> {
-        let marked = pieces.iter().zip(&self.open);
-        marked
-            .filter(|(_, open)| **open)
-            .map(|(piece, _)| *piece)
-            .collect()
+    /// The pieces to halve: for the revolution first, which takes few.
+    fn open<'a>(&self, pieces: &'a [Piece]) -> Vec<&'a Piece> {
+        let of = |open: &[bool]| -> Vec<&'a Piece> {
+            let marked = pieces.iter().zip(open);
+            marked.filter(|(_, open)| **open).map(|(p, _)| p).collect()
+        };
+        let [total, within] = self.open.each_ref().map(|open| of(open));
+        match total.is_empty() {
+            true => within,
+            false => total,
+        }
     }
 }
 
@@ -242,7 +257,8 @@ struct Span {
 impl Span {
     fn of<'a>(pieces: impl Iterator<Item = &'a Piece>) -> Span {
         let nothing = [f64::INFINITY, f64::NEG_INFINITY];
-        let wider = |[low, high]: [f64; 2], other: [f64; 2]| [low.min(other[0]), high.max(other[1])];
+        let wider =
+            |[low, high]: [f64; 2], other: [f64; 2]| [low.min(other[0]), high.max(other[1])];
         let mut span = Span {
             found: nothing,
             within: nothing,

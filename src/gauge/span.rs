@@ -47,7 +47,9 @@ impl Spans {
 
     /// Greatest bound on the error of a reading, mm.
     pub fn error(&self) -> f64 {
-        self.readings.iter().fold(0.0, |most, span| f64::max(most, span.error))
+        self.readings
+            .iter()
+            .fold(0.0, |most, span| f64::max(most, span.error))
     }
 }
 

@@ -8,9 +8,10 @@ pub(super) fn mean(values: impl ExactSizeIterator<Item = f64>) -> f64 {
 
 /// Least and greatest; infinities of none, which no gear has.
 pub(super) fn ends(values: impl Iterator<Item = f64>) -> [f64; 2] {
-    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], value| {
-        [least.min(value), most.max(value)]
-    })
+    values.fold(
+        [f64::INFINITY, f64::NEG_INFINITY],
+        |[least, most], value| [least.min(value), most.max(value)],
+    )
 }
 
 /// Greatest less least, 0 of none.

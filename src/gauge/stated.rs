@@ -48,8 +48,7 @@ pub(super) fn stated(gear: &Gear, read: &Readings) -> Result<StatedThickness, Un
     let cos = toothing.pressure_angle().cos();
     // Base thickness by the flanks.
     let spans = read.spans.as_ref().ok();
-    let by_spans =
-        |spans: &Spans| thickness::base_from_span(toothing, spans.teeth, spans.mean());
+    let by_spans = |spans: &Spans| thickness::base_from_span(toothing, spans.teeth, spans.mean());
     let (base, error) = match (read.thickness, spans) {
         (Ok(arcs), _) => {
             let allowance = arcs.mean() - arcs.nominal;

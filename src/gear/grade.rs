@@ -46,7 +46,11 @@ pub enum Grade {
 
 impl GradedQuantity {
     /// All three.
-    pub const ALL: [GradedQuantity; 3] = [GradedQuantity::SinglePitch, GradedQuantity::TotalPitch, GradedQuantity::Runout];
+    pub const ALL: [GradedQuantity; 3] = [
+        GradedQuantity::SinglePitch,
+        GradedQuantity::TotalPitch,
+        GradedQuantity::Runout,
+    ];
 
     /// Symbol of the deviation.
     pub fn symbol(self) -> &'static str {
@@ -190,7 +194,15 @@ mod tests {
                 assert!(graded.tolerance(&gear, 6).is_err(), "{teeth} {module}");
             }
         }
-        assert!(GradedQuantity::Runout.tolerance(&toothing(40, 3.0), 12).is_err());
-        assert!(GradedQuantity::Runout.tolerance(&toothing(40, 3.0), 0).is_err());
+        assert!(
+            GradedQuantity::Runout
+                .tolerance(&toothing(40, 3.0), 12)
+                .is_err()
+        );
+        assert!(
+            GradedQuantity::Runout
+                .tolerance(&toothing(40, 3.0), 0)
+                .is_err()
+        );
     }
 }

@@ -67,8 +67,18 @@ pub(super) fn columns(read: &Gauged) -> Vec<Column> {
         column("single_pitch_own_right_um", "f own right", 3, f_own_right),
         column("pitch_own_left_um", "F own left", 3, own_left),
         column("pitch_own_right_um", "F own right", 3, own_right),
-        column("single_pitch_datum_left_um", "f datum left", 3, f_datum_left),
-        column("single_pitch_datum_right_um", "f datum right", 3, f_datum_right),
+        column(
+            "single_pitch_datum_left_um",
+            "f datum left",
+            3,
+            f_datum_left,
+        ),
+        column(
+            "single_pitch_datum_right_um",
+            "f datum right",
+            3,
+            f_datum_right,
+        ),
         column("pitch_datum_left_um", "F datum left", 3, datum_left),
         column("pitch_datum_right_um", "F datum right", 3, datum_right),
         column(

@@ -52,7 +52,8 @@ pub(super) fn gear_file(gauged: &GaugedGear) -> Result<String, Unmeasured> {
 }
 
 fn thickness(gauged: &GaugedGear, stated: &StatedThickness) -> String {
-    const HEADING: &str = "\n[gear.thickness]                # the mean: the pitch carries how it varies\n";
+    const HEADING: &str =
+        "\n[gear.thickness]                # the mean: the pitch carries how it varies\n";
     let readings = &gauged.gauged;
     let mut text = HEADING.to_owned();
     if let Err(reason) = &readings.root {

@@ -16,8 +16,13 @@ pub(super) fn lines(read: &Gauged) -> String {
         );
     }
     if let Ok(roll) = &read.roll {
-        let [total, single] = [roll.total(), roll.tooth_to_tooth()]
-            .map(|range| format!("{} µm (+ {:.0e} at most)", um(Some(range.found), 3), 1e3 * range.missed));
+        let [total, single] = [roll.total(), roll.tooth_to_tooth()].map(|range| {
+            format!(
+                "{} µm (+ {:.0e} at most)",
+                um(Some(range.found), 3),
+                1e3 * range.missed
+            )
+        });
         let _ = writeln!(
             text,
             "F_i'' {total}, f_i'' {single}: {} poses a pitch and {} more round the extremes, each ± {:.0e} µm",

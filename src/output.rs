@@ -41,7 +41,20 @@ impl OutputFolder {
     ///
     /// # Errors
     /// [`Error::Output`]; nothing is renamed before everything is written.
-    pub fn write(mut self, files: &[(String, String)]) -> Result<PathBuf, Error> {
+    pub fn write(self, files: &[(String, String)]) -> Result<PathBuf, Error> {
+        self.write_instead(files, &[])
+    }
+
+    /// [`OutputFolder::write`], and when all of them are in place removes the ordinary files named `stale`, where there are
+    /// such. Folders and links of these names stay.
+    ///
+    /// # Errors
+    /// As [`OutputFolder::write`]; a stale file that cannot be removed.
+    pub fn write_instead(
+        mut self,
+        files: &[(String, String)],
+        stale: &[String],
+    ) -> Result<PathBuf, Error> {
         let mut written = Vec::new();
         for (name, content) in files {
             let target = self.path.join(name);
@@ -58,6 +71,13 @@ impl OutputFolder {
                 .map_err(|error| self.failed(&target, error.error))?;
         }
         self.made.clear();
+        for name in stale {
+            let path = self.path.join(name);
+            let ordinary = std::fs::symlink_metadata(&path).is_ok_and(|found| found.is_file());
+            if ordinary {
+                std::fs::remove_file(&path).map_err(|source| self.failed(&path, source))?;
+            }
+        }
         Ok(self.path.clone())
     }
 

@@ -98,16 +98,28 @@ pub struct GearStudy {
 }
 
 impl GearStudy {
-    /// `k` of the span that states the thickness.
+    /// `k` of the span that states the thickness, or else of the one that cross-checks it.
     pub fn span_teeth(&self) -> Option<u32> {
-        let teeth = self.echo["thickness"]["span"]["teeth"].as_u64()?;
+        let teeth = stated(&self.echo, "span", "teeth")?.as_u64()?;
         u32::try_from(teeth).ok()
     }
 
-    /// `D_M`, mm, of the dimension over pins that states the thickness.
+    /// `D_M`, mm, of the dimension over pins that states the thickness, or else of the one that cross-checks it.
     pub fn pin(&self) -> Option<f64> {
-        self.echo["thickness"]["over_pins"]["pin_mm"].as_f64()
+        stated(&self.echo, "over_pins", "pin_mm")?.as_f64()
     }
+}
+
+/// `key` of the `measurement` of a gear's thickness that counts, or else of its cross-check.
+fn stated<'a>(
+    gear: &'a serde_json::Value,
+    measurement: &str,
+    key: &str,
+) -> Option<&'a serde_json::Value> {
+    let thickness = &gear["thickness"];
+    [thickness, &thickness["cross_check"]]
+        .into_iter()
+        .find_map(|statement| statement[measurement].get(key))
 }
 
 /// The gears of a gear file or a pair file.
@@ -168,6 +180,11 @@ pub struct RunPlan {
 }
 
 impl Study {
+    /// `D_M`, mm, of the dimension over pins that states or cross-checks the thickness of `gear`, `wheel` or `pinion`.
+    pub fn pin(&self, gear: &str) -> Option<f64> {
+        stated(&self.echo[gear], "over_pins", "pin_mm")?.as_f64()
+    }
+
     /// The same study at other centre distances, mm.
     ///
     /// # Errors

@@ -6,7 +6,7 @@ use super::{print, warn};
 use crate::error::Error;
 use crate::gauge::{Settings, gauge};
 use crate::input;
-use crate::render::gauge::{GaugedGear, charts, csv_files, gear_file, json, teeth_csv, text};
+use crate::render::gauge::{GaugedGear, charts, csv_files, json, possible_files, teeth_csv, text};
 use crate::study::{GearsStudy, Material};
 use clap::ValueEnum;
 use std::path::PathBuf;
@@ -15,8 +15,10 @@ use std::process::ExitCode;
 /// Measure a gear on the model as the shop does: span, pins, runout, pitch, thickness, roll test
 ///
 /// Anvils, pins, balls, measuring circles and a perfect master gear are brought to the outline of the gear
-/// as built. Writes the readings of each gear and material into DIR as CSV, a chart of each, and a gear
-/// file gauge_<gear>.toml that states them.
+/// as built. Prints least, mean and greatest of each reading; --positions adds a table with a row a tooth.
+/// Writes the readings of each gear and material into DIR as CSV, a chart of each, and a gear file
+/// gauge_<gear>.toml that states them. Files that an earlier run wrote there for the same gear and material are
+/// replaced, those without a successor removed; nothing else is touched.
 #[derive(clap::Args)]
 pub(super) struct Args {
     /// A pair file, or a gear file: `title` and one [gear] with the keys of [wheel] (TOML or JSON)
@@ -42,6 +44,9 @@ pub(super) struct Args {
     /// Poses a pitch of the roll test
     #[arg(long, value_name = "N", default_value_t = 16, value_parser = clap::value_parser!(u32).range(1..=1000))]
     steps_per_pitch: u32,
+    /// Print every reading tooth by tooth, too (with --format csv that is what is printed)
+    #[arg(long)]
+    positions: bool,
     #[command(flatten)]
     results: ResultsArgs,
 }
@@ -103,7 +108,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         Error::Usage(format!("the readings cannot be written as text: {error}"))
     };
     print(&match args.results.format {
-        Format::Text => text(&study.title, &gears),
+        Format::Text => text(&study.title, &gears, args.positions),
         Format::Json => json(&study.title, &gears).map_err(|error| unwritable(&error))?,
         Format::Csv => teeth_csv(&gears).map_err(|error| unwritable(&error))?,
     });
@@ -112,9 +117,19 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         for gauged in &gears {
             files.extend(csv_files(gauged).map_err(|error| unwritable(&error))?);
             files.extend(charts(gauged)?);
-            files.push((format!("{}.toml", gauged.stem()), gear_file(gauged)));
+            match gauged.gear_file() {
+                Ok(file) => files.push(file),
+                Err(reason) => warn(
+                    &args.file,
+                    &[format!("no gear file of the {}: {reason}", gauged.name)],
+                ),
+            }
         }
-        args.results.write(folder, &files)?;
+        // Of an earlier run with another gear, which had what this one has not.
+        let possible = gears
+            .iter()
+            .flat_map(|gauged| possible_files(&gauged.stem()));
+        args.results.write_instead(folder, &files, possible)?;
     }
     Ok(ExitCode::SUCCESS)
 }

@@ -9,10 +9,13 @@ use crate::compare::compare;
 use crate::curves;
 use crate::diagnosis::diagnose;
 use crate::error::Error;
+use crate::gauge::{GradedReading, Unmeasured, graded};
+use crate::gear::Inspection;
 use crate::input;
 use crate::measured::measured_matings;
 use crate::render::{self, Report};
 use crate::simulate::{pose_count, simulate};
+use crate::study::Study;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -53,6 +56,8 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     progress.finish()?;
     let progress = Progress::working();
     let diagnosis = diagnose(&study, &runs, &mut |doing| progress.now(doing))?;
+    progress.now("accuracy grades")?;
+    let grades = grades(&study);
     progress.now("page")?;
     let file = args.pair.file_name().unwrap_or_default().to_string_lossy();
     let page = render::report(&Report {
@@ -65,6 +70,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         over_distance: &over_distance,
         measured: &measured_matings(&study, &runs),
         diagnosis: &diagnosis,
+        grades: &grades,
     })?;
     progress.finish()?;
     let agree = agreement_within(
@@ -78,4 +84,17 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         true => ExitCode::SUCCESS,
         false => ExitCode::from(1),
     })
+}
+
+/// The grades of each gear that has deviations: of the most material where there are two, as the gauge reads that one.
+fn grades(study: &Study) -> Vec<(&'static str, Result<Vec<GradedReading>, Unmeasured>)> {
+    let Some((_, wheel, pinion)) = study.materials.first() else {
+        return Vec::new();
+    };
+    let deviating = [("wheel", wheel), ("pinion", pinion)]
+        .into_iter()
+        .filter(|(_, gear)| Inspection::of(gear).deviates());
+    deviating
+        .map(|(name, gear)| (name, graded(gear, study.pin(name))))
+        .collect()
 }

@@ -49,7 +49,25 @@ impl ResultsArgs {
         folder: OutputFolder,
         files: &[(String, String)],
     ) -> Result<(), Error> {
-        let path = folder.write(files)?;
+        self.write_instead(folder, files, [])
+    }
+
+    /// [`ResultsArgs::write`], and then removes those of the files named `possible`, all of them the
+    /// command's own, that an earlier run left there and this one did not write.
+    ///
+    /// # Errors
+    /// [`Error::Output`].
+    pub(super) fn write_instead(
+        &self,
+        folder: OutputFolder,
+        files: &[(String, String)],
+        possible: impl IntoIterator<Item = String>,
+    ) -> Result<(), Error> {
+        let stale: Vec<String> = possible
+            .into_iter()
+            .filter(|name| files.iter().all(|(written, _)| written != name))
+            .collect();
+        let path = folder.write_instead(files, &stale)?;
         if self.format == Format::Text {
             print(&format!("\n{} files in {}\n", files.len(), path.display()));
         }

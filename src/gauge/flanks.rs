@@ -5,11 +5,10 @@
 //! the eccentricity as well.
 
 use super::Unmeasured;
-use super::spread::{mean, range};
+use super::spread::{ends, mean, range};
 use super::workpiece::Workpiece;
 use crate::gear::{Pitch, Side};
 use nalgebra::{Point2, UnitComplex, Vector2};
-use std::f64::consts::FRAC_PI_2;
 
 /// What the measuring circle is centred on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -60,6 +59,11 @@ impl PitchReadings {
             .fold(0.0, |most, f| f64::max(most, f.abs()))
     }
 
+    /// Least and greatest `F`, mm.
+    pub fn ends(&self, own: Side) -> [f64; 2] {
+        ends(self.cumulative.flank(own).iter().copied())
+    }
+
     /// Total cumulative deviation `F_p`, mm: the range of `F`.
     pub fn total(&self, own: Side) -> f64 {
         range(self.cumulative.flank(own).iter().copied())
@@ -83,6 +87,11 @@ impl ThicknessReadings {
     /// Mean thickness, mm.
     pub fn mean(&self) -> f64 {
         mean(self.arcs.iter().copied())
+    }
+
+    /// Least and greatest thickness, mm.
+    pub fn ends(&self) -> [f64; 2] {
+        ends(self.arcs.iter().copied())
     }
 
     /// Each tooth's thickness less the mean, mm.
@@ -125,9 +134,8 @@ pub(super) fn thickness(work: &Workpiece) -> Result<ThicknessReadings, Unmeasure
     let [right, left] = &angles;
     let teeth = right.iter().zip(left);
     let blank = work.as_built.gear().blank();
-    let alpha = blank.toothing.pressure_angle();
     Ok(ThicknessReadings {
-        nominal: blank.toothing.module() * (FRAC_PI_2 + 2.0 * blank.profile_shift * alpha.tan()),
+        nominal: blank.nominal_thickness(),
         radius: radius(work),
         arcs: teeth
             .map(|(right, left)| radius(work) * (left - right))

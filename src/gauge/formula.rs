@@ -16,6 +16,8 @@ pub struct Formula {
     pub over_three: Option<f64>,
     /// Radius `r_K` of the ball's centre.
     pub ball_centre: Option<f64>,
+    /// Root radius `r_f = r − m (h_fP* − x_E)`.
+    pub root: f64,
     /// Arc thickness at the reference circle, `s_b/cos α − 2 r inv α`.
     pub thickness: f64,
     /// Centre distance without play against the master.
@@ -44,6 +46,7 @@ pub(super) fn formula(
         over_two: pin.map(|pin| thickness::pins_from_base(toothing, pin, s_b)),
         over_three: pin.filter(|_| odd).map(|pin| both * centre(pin) + pin),
         ball_centre: ball.map(centre),
+        root: gear.root_radius(),
         thickness: s_b / alpha.cos()
             - 2.0 * toothing.reference_radius() * crate::gear::involute::inv(alpha),
         distance: roll.and_then(|roll| InvolutePair::new(gear, &roll.master).center_distance(0.0)),

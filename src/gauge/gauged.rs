@@ -7,9 +7,11 @@ use super::formula::{Formula, formula};
 use super::grades::{GradedReading, grades};
 use super::pins::{Pins, pins};
 use super::roll::{Roll, roll};
+use super::root::{RootReading, root};
 use super::runout::{RunoutReadings, runout};
-use super::seat::{Seat, seat};
+use super::seat::seats;
 use super::span::{Spans, spans};
+use super::stated::{Readings, StatedThickness, stated};
 use super::workpiece::Workpiece;
 use crate::error::Error;
 use crate::gear::{AsBuilt, Gear, involute, thickness as formula};
@@ -61,6 +63,10 @@ pub struct Gauged {
     pub eccentricity: Eccentricity,
     /// Double-flank roll test.
     pub roll: Result<Roll, Unmeasured>,
+    /// The root circle.
+    pub root: Result<RootReading, Unmeasured>,
+    /// How a gear file states the tooth thickness; why there can be none otherwise.
+    pub stated: Result<StatedThickness, Unmeasured>,
     /// Pitch and runout against the accuracy grades, as many as were measured.
     pub grades: Result<Vec<GradedReading>, Unmeasured>,
     /// What the formulas say.
@@ -79,14 +85,9 @@ pub fn gauge(
     let work = Workpiece::new(gear);
     let k = settings.span_teeth.unwrap_or(usual_span(gear.gear()));
     let pin = settings.pin.unwrap_or(usual_pin(gear.gear()));
-    let ball = settings.ball.unwrap_or(pin);
-    let seats = |diameter: f64| -> Result<Vec<Seat>, Unmeasured> {
-        let teeth = 1..=gear.gear().toothing().teeth();
-        teeth.map(|tooth| seat(&work, tooth, diameter)).collect()
-    };
     let spans = spans(&work, k);
-    let pins = seats(pin).and_then(|seats| pins(&work, pin, seats));
-    let runout = seats(ball).map(|seats| runout(&work, ball, seats));
+    let pins = seats(&work, pin).and_then(|seats| pins(&work, pin, seats));
+    let runout = runout(&work, settings.ball.unwrap_or(pin));
     let roll = roll(gear, settings.master_teeth, settings.steps_per_pitch, tick)?;
     let diameters = [
         pins.as_ref().ok().map(|p| p.diameter),
@@ -94,7 +95,17 @@ pub fn gauge(
     ];
     let pitch_own = pitch(&work, PitchAxis::Own);
     let pitch_datum = pitch(&work, PitchAxis::Datum);
+    let (thickness, root) = (thickness(&work), root(&work));
     Ok(Gauged {
+        stated: stated(
+            gear.gear(),
+            &Readings {
+                spans: &spans,
+                thickness: &thickness,
+                pitch: &pitch_own,
+                root: &root,
+            },
+        ),
         grades: grades(
             gear.gear().toothing(),
             [&pitch_datum, &pitch_own].into_iter().flatten(),
@@ -111,10 +122,27 @@ pub fn gauge(
         runout,
         pitch_own,
         pitch_datum,
-        thickness: thickness(&work),
+        thickness,
+        root,
         eccentricity: eccentricity(&work),
         roll,
     })
+}
+
+/// Pitch and runout of `gear` as [`gauge`] reads them, with a ball in every space (`ball`, mm; default as in
+/// [`Settings`]), against the accuracy grades.
+///
+/// # Errors
+/// Where the formulas of the grades do not hold for this gear.
+pub fn graded(gear: &AsBuilt, ball: Option<f64>) -> Result<Vec<GradedReading>, Unmeasured> {
+    let work = Workpiece::new(gear);
+    let pitches = [PitchAxis::Datum, PitchAxis::Own].map(|axis| pitch(&work, axis));
+    let runout = runout(&work, ball.unwrap_or(usual_pin(gear.gear())));
+    grades(
+        gear.gear().toothing(),
+        pitches.iter().flatten(),
+        runout.as_ref().ok(),
+    )
 }
 
 /// Roll at the middle of the active flank's height.
@@ -127,7 +155,7 @@ fn mid_roll(gear: &Gear) -> f64 {
 
 /// `k` whose symmetric contact, `W_k = (k − 1) p_b + s_b = 2 r_b ξ`, lies nearest to mid-height
 /// (for a gear without shift the usual `z α/π + 0.5`).
-pub fn usual_span(gear: &Gear) -> u32 {
+fn usual_span(gear: &Gear) -> u32 {
     let line = 2.0 * gear.base_radius() * mid_roll(gear);
     let steps = (line - gear.base_thickness()) / gear.toothing().base_pitch();
     // A count of steps far below 2^32; the cast takes what is negative as 0.
@@ -136,7 +164,7 @@ pub fn usual_span(gear: &Gear) -> u32 {
 
 /// Diameter `D_M`, mm, of the pin that touches at mid-height, rounded up to a quarter of the module's decade
 /// (0.25 mm from 1 mm to below 10 mm).
-pub fn usual_pin(gear: &Gear) -> f64 {
+fn usual_pin(gear: &Gear) -> f64 {
     let touching = formula::pin_touching(gear.toothing(), mid_roll(gear), gear.base_thickness());
     // Whole quarters over a power of ten: the decimal number as one would write it.
     let places = 10f64.powf(2.0 - gear.toothing().module().log10().floor());

@@ -4,13 +4,13 @@ use super::Unmeasured;
 use super::flanks::{PitchAxis, PitchReadings};
 use super::runout::RunoutReadings;
 use crate::error::GearError;
-use crate::gear::{Grade, Graded, Side, Toothing};
+use crate::gear::{Grade, GradedQuantity, Side, Toothing};
 
 /// One measured value and its grade.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GradedReading {
     /// What was measured.
-    pub graded: Graded,
+    pub quantity: GradedQuantity,
     /// Of which flanks and about which axis; `None` of the runout, which is read from the rotation axis.
     pub pitch: Option<(PitchAxis, Side)>,
     /// mm.
@@ -30,25 +30,25 @@ pub(super) fn grades<'a>(
     let mut list = Vec::new();
     for read in pitches {
         for side in Side::BOTH {
-            for (graded, measured) in [
-                (Graded::SinglePitch, read.greatest_single(side)),
-                (Graded::TotalPitch, read.total(side)),
+            for (quantity, measured) in [
+                (GradedQuantity::SinglePitch, read.greatest_single(side)),
+                (GradedQuantity::TotalPitch, read.total(side)),
             ] {
                 // A difference of two values.
                 let error = 2.0 * read.error;
-                list.push((graded, Some((read.axis, side)), measured, error));
+                list.push((quantity, Some((read.axis, side)), measured, error));
             }
         }
     }
-    list.extend(runout.map(|read| (Graded::Runout, None, read.total(), read.error())));
-    let one = |(graded, pitch, measured, error)| -> Result<GradedReading, GearError> {
+    list.extend(runout.map(|read| (GradedQuantity::Runout, None, read.total(), read.error())));
+    let one = |(quantity, pitch, measured, error)| -> Result<GradedReading, GearError> {
         Ok(GradedReading {
-            graded,
+            quantity,
             pitch,
             measured,
             error,
             // What the error alone puts beyond a tolerance is within it.
-            grade: graded.grade(toothing, measured - error)?,
+            grade: quantity.grade(toothing, measured - error)?,
         })
     };
     let read: Result<Vec<GradedReading>, GearError> = list.into_iter().map(one).collect();

@@ -7,7 +7,7 @@
 
 use super::Unmeasured;
 use super::seat::Seat;
-use super::spread::mean;
+use super::spread::{ends, mean};
 use super::workpiece::Workpiece;
 
 /// One dimension over pins.
@@ -36,10 +36,21 @@ pub struct Pins {
     pub three: Vec<OverPins>,
 }
 
-impl Pins {
-    /// Mean over two pins, mm.
-    pub fn mean(&self) -> f64 {
-        mean(self.two.iter().map(|over| over.length))
+impl OverPins {
+    /// Mean of `list`, mm; not of an empty one.
+    pub fn mean(list: &[OverPins]) -> f64 {
+        mean(list.iter().map(|over| over.length))
+    }
+
+    /// Least and greatest of `list`, mm; not of an empty one.
+    pub fn ends(list: &[OverPins]) -> [f64; 2] {
+        ends(list.iter().map(|over| over.length))
+    }
+
+    /// Greatest bound on the error in `list`, mm.
+    pub fn error(list: &[OverPins]) -> f64 {
+        list.iter()
+            .fold(0.0, |most, over| f64::max(most, over.error))
     }
 }
 

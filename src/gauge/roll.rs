@@ -1,18 +1,19 @@
 //! Double-flank roll test: the gear rolled without play against a perfect master gear.
 //!
 //! At each pose the centre distance `a''` is the one at which the exact kernel finds no lost motion,
-//! bracketed to 1e-10 mm. Between poses nothing is known: the ranges are those of the poses taken.
+//! bracketed to 1e-10 mm. Poses an even part of a pitch apart draw the curve; more are taken where it may have
+//! its extremes (see [`super::roll_extremes`]).
 
 use super::Unmeasured;
 use super::master::master;
-use super::spread::{mean, range};
+use super::roll_extremes::{Curve, Sample, bracketed};
+use super::spread::{ends, mean};
 use crate::analytic::InvolutePair;
 use crate::diagnosis::play_free_distance;
 use crate::error::Error;
 use crate::gear::{AsBuilt, Face, Gear};
-use crate::mesh::{ExactKernel, PoseClass};
+use crate::mesh::{Contact, ExactKernel, LostMotion, PoseClass};
 use crate::pair::{Assembly, Mating, Member, Pose, SweepPlan};
-use rayon::prelude::*;
 use std::ops::ControlFlow;
 
 /// One pose of the roll test.
@@ -30,6 +31,15 @@ pub struct RollPose {
     pub class: PoseClass,
 }
 
+/// A range of `a''`, bracketed: between `found` and `found + missed`, but for twice the error of a pose.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RollRange {
+    /// Over the poses taken, mm.
+    pub found: f64,
+    /// What may lie beyond between poses, mm.
+    pub missed: f64,
+}
+
 /// A whole roll test.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Roll {
@@ -37,35 +47,40 @@ pub struct Roll {
     pub master: Gear,
     /// Poses a pitch.
     pub steps_per_pitch: u32,
-    /// One revolution of the gear.
+    /// One revolution of the gear, evenly.
     pub poses: Vec<RollPose>,
+    /// Those taken between for the extremes, in the order of the revolution.
+    pub between: Vec<RollPose>,
+    total: RollRange,
+    tooth_to_tooth: RollRange,
 }
 
 impl Roll {
-    /// `F_i''`, mm: range of `a''` over the revolution.
-    pub fn total(&self) -> f64 {
-        range(self.poses.iter().map(|pose| pose.distance))
+    /// `F_i''`: range of `a''` over the revolution.
+    pub fn total(&self) -> RollRange {
+        self.total
     }
 
-    /// `f_i''`, mm: greatest range of `a''` within one pitch (360°/z).
-    pub fn tooth_to_tooth(&self) -> f64 {
-        let count = self.poses.len();
-        let steps = self.steps_per_pitch as usize;
-        let window = |first: usize| {
-            let within = (first..=first + steps).map(|i| self.poses[i % count].distance);
-            range(within)
-        };
-        (0..count).map(window).fold(0.0, f64::max)
+    /// `f_i''`: greatest range of `a''` within one pitch (360°/z).
+    pub fn tooth_to_tooth(&self) -> RollRange {
+        self.tooth_to_tooth
     }
 
-    /// Bound on the error of both ranges, mm, for the poses taken.
-    pub fn error(&self) -> f64 {
-        2.0 * self.poses.iter().map(|pose| pose.error).fold(0.0, f64::max)
+    /// Greatest bound on the error of a pose, mm.
+    pub fn reading_error(&self) -> f64 {
+        let poses = self.poses.iter().chain(&self.between);
+        poses.map(|pose| pose.error).fold(0.0, f64::max)
     }
 
-    /// Mean `a''`, mm.
+    /// Mean `a''` of the even poses, mm.
     pub fn mean(&self) -> f64 {
         mean(self.poses.iter().map(|pose| pose.distance))
+    }
+
+    /// Least and greatest `a''`, mm.
+    pub fn ends(&self) -> [f64; 2] {
+        let poses = self.poses.iter().chain(&self.between);
+        ends(poses.map(|pose| pose.distance))
     }
 }
 
@@ -94,43 +109,92 @@ pub(super) fn roll(
     let assembly = Assembly::new(gear.clone(), mate, guess, Member::Wheel)?;
     let matings =
         SweepPlan::wheel_revolution(&assembly, steps_per_pitch, (1, 1)).matings(&assembly);
-    let poses: Vec<Result<Option<RollPose>, Error>> = matings
-        .par_iter()
-        .map(|mating| match tick() {
-            ControlFlow::Continue(()) => pose(&assembly, guess, mating),
-            ControlFlow::Break(()) => Err(Error::Interrupted),
-        })
-        .collect();
-    let poses: Option<Vec<RollPose>> = poses.into_iter().collect::<Result<_, Error>>()?;
-    Ok(poses
-        .map(|poses| Roll {
-            master,
-            steps_per_pitch,
-            poses,
-        })
-        .ok_or_else(|| {
-            Unmeasured(
-                "no centre distance brings the gear and the master together without play"
-                    .to_owned(),
-            )
-        }))
+    let take = |step: usize, beyond: f64| match tick() {
+        ControlFlow::Continue(()) => {
+            let mating = matings[step].onward(&assembly, beyond / f64::from(steps_per_pitch));
+            sample(&assembly, guess, &mating)
+        }
+        ControlFlow::Break(()) => Err(Error::Interrupted),
+    };
+    let curve = Curve {
+        steps: matings.len(),
+        steps_per_pitch: steps_per_pitch as usize,
+        step: gear.gear().toothing().angular_pitch() / f64::from(steps_per_pitch),
+    };
+    let Some(rolled) = bracketed(&curve, &take)? else {
+        return Ok(Err(Unmeasured(
+            "no centre distance brings the gear and the master together without play".to_owned(),
+        )));
+    };
+    Ok(Ok(Roll {
+        master,
+        steps_per_pitch,
+        poses: rolled.even,
+        between: rolled.between,
+        total: rolled.total,
+        tooth_to_tooth: rolled.tooth_to_tooth,
+    }))
 }
 
-fn pose(assembly: &Assembly, guess: f64, mating: &Mating) -> Result<Option<RollPose>, Error> {
-    let Some([low, high]) = play_free_distance(assembly, guess, mating)? else {
+/// The pose of `mating` at `guess`, rolled without play.
+///
+/// A mating stands for a rotation that hardly depends on the distance; it is turned back by what it does, so that poses stand
+/// evenly in rotation.
+fn sample(assembly: &Assembly, guess: f64, mating: &Mating) -> Result<Option<Sample>, Error> {
+    let Some([_, near]) = play_free_distance(assembly, guess, mating)? else {
+        return Ok(None);
+    };
+    let gear = assembly.gear(Member::Wheel);
+    let rotation = Pose::new(assembly, *mating).locked_rotation();
+    let turned = rotation - Pose::new(&assembly.at(near)?, *mating).locked_rotation();
+    let onward = -gear.face().ascending() * turned / gear.gear().toothing().angular_pitch();
+    let mating_there = mating.onward(assembly, onward);
+    let Some([low, high]) = play_free_distance(assembly, near, &mating_there)? else {
         return Ok(None);
     };
     let at = assembly.at(high)?;
-    let pose = Pose::new(&at, *mating);
+    let pose = Pose::new(&at, mating_there);
     let found = ExactKernel::new(&at).lost_motion(&pose)?;
     // Play changes by 2 sin α_wt a unit of distance; the kernel's own error shifts the zero by as much the other way.
     let slope = 2.0 * at.operating_pressure_angle().sin();
     let play = found.error().unwrap_or(0.0) * at.gear(Member::Pinion).gear().base_radius();
-    Ok(Some(RollPose {
-        mating: *mating,
-        rotation: pose.locked_rotation(),
-        distance: 0.5 * (low + high),
-        error: 0.5 * (high - low) + play / slope,
-        class: PoseClass::of(&at, &found),
+    Ok(Some(Sample {
+        slope: self::slope(&found, high),
+        touched: [found.right, found.left].map(|contact| {
+            contact.map(|contact| [contact.wheel, contact.pinion].map(|t| (t.tooth, t.curve)))
+        }),
+        pose: RollPose {
+            mating: *mating,
+            rotation,
+            distance: 0.5 * (low + high),
+            error: 0.5 * (high - low) + play / slope,
+            class: PoseClass::of(&at, &found),
+        },
     }))
+}
+
+/// `|da''/dφ|`, mm a radian, while what touches goes on touching.
+///
+/// With the gear turned by `dφ`, the master by `dθ` and its axis moved by `da`, a contact at `p` with the normal `n` stays closed
+/// where `(q × n) dθ + n_x da = (p × n) dφ`, `q` from the master's axis; right and left contact are two such equations
+/// for `dθ` and `da`.
+fn slope(found: &LostMotion, distance: f64) -> f64 {
+    let (Some(right), Some(left)) = (&found.right, &found.left) else {
+        return f64::INFINITY;
+    };
+    let arms = |contact: &Contact| {
+        let mut from_master = contact.point.coords;
+        from_master.x -= distance;
+        (
+            contact.point.coords.perp(&contact.normal),
+            from_master.perp(&contact.normal),
+            contact.normal.x,
+        )
+    };
+    let ((p_r, q_r, x_r), (p_l, q_l, x_l)) = (arms(right), arms(left));
+    let slope = ((q_r * p_l - q_l * p_r) / (q_r * x_l - q_l * x_r)).abs();
+    match slope.is_finite() {
+        true => slope,
+        false => f64::INFINITY,
+    }
 }

@@ -1,7 +1,8 @@
 //! Runout `F_r`: a ball in every space, read from the rotation axis.
 
-use super::seat::Seat;
-use super::spread::{mean, range};
+use super::Unmeasured;
+use super::seat::{Seat, seats};
+use super::spread::{ends, mean, range};
 use super::workpiece::Workpiece;
 
 /// The ball in one space.
@@ -28,10 +29,20 @@ impl RunoutReadings {
         range(self.readings.iter().map(|reading| reading.radius))
     }
 
-    /// Bound on the error of `F_r`, mm.
+    /// Bound on the error of `F_r`, mm: of a difference of two readings.
     pub fn error(&self) -> f64 {
+        2.0 * self.reading_error()
+    }
+
+    /// Greatest bound on the error of a reading, mm.
+    pub fn reading_error(&self) -> f64 {
         let errors = self.readings.iter().map(|reading| reading.seat.error);
-        2.0 * errors.fold(0.0, f64::max)
+        errors.fold(0.0, f64::max)
+    }
+
+    /// Least and greatest radius, mm.
+    pub fn ends(&self) -> [f64; 2] {
+        ends(self.readings.iter().map(|reading| reading.radius))
     }
 
     /// Mean radius, mm.
@@ -47,15 +58,16 @@ impl RunoutReadings {
     }
 }
 
-/// Reads the balls of `diameter` at `seats`.
-pub(super) fn runout(work: &Workpiece, diameter: f64, seats: Vec<Seat>) -> RunoutReadings {
+/// Reads balls of `diameter` in every space.
+pub(super) fn runout(work: &Workpiece, diameter: f64) -> Result<RunoutReadings, Unmeasured> {
+    let seats = seats(work, diameter)?;
     let displacement = work.as_built.displacement(0.0);
     let read = |seat: Seat| BallReading {
         radius: (seat.centre + displacement).coords.norm(),
         seat,
     };
-    RunoutReadings {
+    Ok(RunoutReadings {
         diameter,
         readings: seats.into_iter().map(read).collect(),
-    }
+    })
 }

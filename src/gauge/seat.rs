@@ -29,8 +29,14 @@ const MOST_STEPS: usize = 60;
 /// Longest step, modules: distances have no sign, so a step must not pass through a tooth.
 const LONGEST: f64 = 0.25;
 
+/// Lays a pin of `diameter` into every space.
+pub(super) fn seats(work: &Workpiece, diameter: f64) -> Result<Vec<Seat>, Unmeasured> {
+    let teeth = 1..=work.as_built.gear().toothing().teeth();
+    teeth.map(|tooth| seat(work, tooth, diameter)).collect()
+}
+
 /// Lays a pin of `diameter` into the space after `tooth`.
-pub(super) fn seat(work: &Workpiece, tooth: u32, diameter: f64) -> Result<Seat, Unmeasured> {
+fn seat(work: &Workpiece, tooth: u32, diameter: f64) -> Result<Seat, Unmeasured> {
     let face = work.as_built.face();
     let gear = work.as_built.gear();
     let radius = 0.5 * diameter;

@@ -7,22 +7,21 @@
 //! reading is the greatest, and the anvils stand in the middle of the plateau.
 
 use super::Unmeasured;
-use super::spread::mean;
+use super::spread::{ends, mean};
 use super::workpiece::Workpiece;
 use crate::gear::{Curve, Profile, Side};
 use crate::mesh::Touch;
-use std::f64::consts::PI;
 
 /// One span.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Span {
     /// First of the teeth spanned, in ascending numbers.
     pub first_tooth: u32,
-    /// `W_k`, mm.
+    /// `W_k`, mm; both anvils touch involutes.
     pub length: f64,
     /// Bound on its error, mm.
     pub error: f64,
-    /// What the anvils touched: the first tooth's own left flank, the last one's own right flank.
+    /// Where the anvils touched: the first tooth's own left flank, the last one's own right flank.
     pub touched: [Touch; 2],
 }
 
@@ -40,6 +39,18 @@ impl Spans {
     pub fn mean(&self) -> f64 {
         mean(self.readings.iter().map(|span| span.length))
     }
+
+    /// Least and greatest span, mm.
+    pub fn ends(&self) -> [f64; 2] {
+        ends(self.readings.iter().map(|span| span.length))
+    }
+
+    /// Greatest bound on the error of a reading, mm.
+    pub fn error(&self) -> f64 {
+        self.readings
+            .iter()
+            .fold(0.0, |most, span| f64::max(most, span.error))
+    }
 }
 
 /// Rocking steps; the first direction is right by symmetry unless a flank is not the other's mirror image.
@@ -48,17 +59,51 @@ const MOST_ROCKS: usize = 20;
 /// Measures the span over `k` teeth all round.
 pub(super) fn spans(work: &Workpiece, k: u32) -> Result<Spans, Unmeasured> {
     let toothing = work.as_built.gear().toothing();
-    if k == 0 || f64::from(k) * toothing.angular_pitch() > PI {
+    if k == 0 || k > toothing.teeth() / 2 {
         return Err(Unmeasured(format!(
             "a span over {k} of {} teeth: allowed is 1 up to half of them",
             toothing.teeth()
         )));
     }
     let readings = (1..=toothing.teeth()).map(|first| span(work, k, first));
-    Ok(Spans {
+    let spans = Spans {
         teeth: k,
         readings: readings.collect::<Result<_, _>>()?,
-    })
+    };
+    match off_involute(work, &spans) {
+        None => Ok(spans),
+        Some(reason) => Err(Unmeasured(reason)),
+    }
+}
+
+/// Why `spans` are none: a span is measured where both anvils touch involutes between the form circle and the tip corner.
+fn off_involute(work: &Workpiece, spans: &Spans) -> Option<String> {
+    let gear = work.as_built.gear();
+    let off = |ends: fn(&Workpiece, &Touch) -> bool| {
+        let touches = |span: &&Span| span.touched.iter().any(|touch| ends(work, touch));
+        spans.readings.iter().filter(touches).count()
+    };
+    let [tip, form] = [
+        off(|_, touch| touch.curve == Curve::Tip),
+        off(|work, touch| work.ends_involute(touch.radius)),
+    ];
+    let (count, place, way_out) = match (tip, form) {
+        (0, 0) => return None,
+        (0, form) => {
+            let place = format!(
+                "the involute's lower end, the form circle of {:.3} mm",
+                2.0 * gear.form_radius()
+            );
+            (form, place, "more")
+        }
+        (tip, _) => (tip, "the tip corner".to_owned(), "fewer"),
+    };
+    Some(format!(
+        "over {} of {} teeth, {count} of {} readings touch {place}: span {way_out} teeth",
+        spans.teeth,
+        gear.toothing().teeth(),
+        spans.readings.len(),
+    ))
 }
 
 fn span(work: &Workpiece, k: u32, first_tooth: u32) -> Result<Span, Unmeasured> {

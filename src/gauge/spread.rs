@@ -6,9 +6,16 @@ pub(super) fn mean(values: impl ExactSizeIterator<Item = f64>) -> f64 {
     values.sum::<f64>() / count as f64
 }
 
+/// Least and greatest; infinities of none, which no gear has.
+pub(super) fn ends(values: impl Iterator<Item = f64>) -> [f64; 2] {
+    values.fold(
+        [f64::INFINITY, f64::NEG_INFINITY],
+        |[least, most], value| [least.min(value), most.max(value)],
+    )
+}
+
 /// Greatest less least, 0 of none.
-pub(super) fn range(values: impl Iterator<Item = f64> + Clone) -> f64 {
-    let most = values.clone().fold(f64::NEG_INFINITY, f64::max);
-    let least = values.fold(f64::INFINITY, f64::min);
+pub(super) fn range(values: impl Iterator<Item = f64>) -> f64 {
+    let [least, most] = ends(values);
     (most - least).max(0.0)
 }

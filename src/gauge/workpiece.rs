@@ -13,7 +13,8 @@ use std::ops::Range;
 const COARSE: f64 = 1e-3;
 /// Each re-cut is this much finer: some thirty chords over the stretch in question (tuned, as in the polygon method).
 const FINER: f64 = 1e-3;
-/// A radius this near the tip circle, mm, is the tip corner: the width that results elsewhere use, too.
+/// A radius this near the tip circle, mm, is the tip corner, and this near the form circle the involute's end: the width
+/// that results elsewhere use, too.
 const CORNER: f64 = 1e-7;
 
 /// A place of the outline that something touched, in the frame of its half tooth.
@@ -84,6 +85,14 @@ impl<'a> Workpiece<'a> {
     /// The middle of the tip land, in the frame of the half tooth of `side`.
     pub fn tip_land(&self, side: Side) -> Point2<f64> {
         self.halves[index(side)].polygon.points()[0]
+    }
+
+    /// Where the root land of the half tooth of `side` begins, in its frame; the end of the fillet where there is no land.
+    pub fn root_end(&self, side: Side) -> Point2<f64> {
+        let polygon = &self.halves[index(side)].polygon;
+        let mut segments = polygon.segments().iter();
+        let land = segments.position(|segment| segment.curve == Curve::Root);
+        polygon.points()[land.unwrap_or(polygon.segments().len())]
     }
 
     /// The tooth `steps` ascending numbers after `tooth`.
@@ -180,6 +189,11 @@ impl<'a> Workpiece<'a> {
             let finer = (polygon.chord() * FINER).max(self.finest());
             cut = Some(polygon.recut(gear, i..i + 1, finer));
         }
+    }
+
+    /// Whether a place of the involute at `radius`, mm, is its lower end, at the form circle.
+    pub fn ends_involute(&self, radius: f64) -> bool {
+        radius <= self.as_built.gear().form_radius() + CORNER
     }
 
     fn place(&self, at: Point2<f64>, curve: Curve) -> Place {

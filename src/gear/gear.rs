@@ -18,6 +18,12 @@ pub struct Blank {
 }
 
 impl Blank {
+    /// Nominal tooth thickness `s = m (π/2 + 2 x tan α)` at the reference circle, mm.
+    pub fn nominal_thickness(&self) -> f64 {
+        let alpha = self.toothing.pressure_angle();
+        self.toothing.module() * (PI / 2.0 + 2.0 * self.profile_shift * alpha.tan())
+    }
+
     /// Nominal base tooth thickness `s_b = r_b (s/r + 2 inv α)`, mm, of `s = m (π/2 + 2 x tan α)`.
     pub fn nominal_base_thickness(&self) -> f64 {
         2.0 * self.toothing.base_radius() * half_base_angle(&self.toothing, self.profile_shift)

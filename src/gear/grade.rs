@@ -16,7 +16,7 @@ pub const GRADES: RangeInclusive<u32> = 1..=11;
 
 /// What a grade limits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Graded {
+pub enum GradedQuantity {
     /// Single pitch deviation `f_p`, the largest amount.
     SinglePitch,
     /// Total cumulative pitch deviation `F_p`, the range.
@@ -44,16 +44,20 @@ pub enum Grade {
     },
 }
 
-impl Graded {
+impl GradedQuantity {
     /// All three.
-    pub const ALL: [Graded; 3] = [Graded::SinglePitch, Graded::TotalPitch, Graded::Runout];
+    pub const ALL: [GradedQuantity; 3] = [
+        GradedQuantity::SinglePitch,
+        GradedQuantity::TotalPitch,
+        GradedQuantity::Runout,
+    ];
 
     /// Symbol of the deviation.
     pub fn symbol(self) -> &'static str {
         match self {
-            Graded::SinglePitch => "f_p",
-            Graded::TotalPitch => "F_p",
-            Graded::Runout => "F_r",
+            GradedQuantity::SinglePitch => "f_p",
+            GradedQuantity::TotalPitch => "F_p",
+            GradedQuantity::Runout => "F_r",
         }
     }
 
@@ -69,7 +73,7 @@ impl Graded {
     /// were rounded when micrometres became millimetres.
     ///
     /// # Errors
-    /// As [`Graded::tolerance`].
+    /// As [`GradedQuantity::tolerance`].
     pub fn grade(self, toothing: &Toothing, measured: f64) -> Result<Grade, GearError> {
         // Each way of conversion rounds once, by half a unit in the last place at most.
         let least = measured * (1.0 - f64::EPSILON);
@@ -112,9 +116,9 @@ impl Graded {
         let step = 2f64.sqrt().powf(f64::from(grade) - 5.0);
         let total = (0.002 * d + 0.55 * d.sqrt() + 0.7 * m + 12.0) * step;
         Ok(match self {
-            Graded::SinglePitch => (0.001 * d + 0.4 * m + 5.0) * step,
-            Graded::TotalPitch => total,
-            Graded::Runout => 0.9 * total,
+            GradedQuantity::SinglePitch => (0.001 * d + 0.4 * m + 5.0) * step,
+            GradedQuantity::TotalPitch => total,
+            GradedQuantity::Runout => 0.9 * total,
         })
     }
 }
@@ -143,9 +147,9 @@ mod tests {
     fn gives_the_worked_example() {
         let gear = toothing(40, 3.0);
         for (graded, exact, shown) in [
-            (Graded::SinglePitch, 8.94, 9.0),
-            (Graded::TotalPitch, 28.80, 29.0),
-            (Graded::Runout, 25.92, 26.0),
+            (GradedQuantity::SinglePitch, 8.94, 9.0),
+            (GradedQuantity::TotalPitch, 28.80, 29.0),
+            (GradedQuantity::Runout, 25.92, 26.0),
         ] {
             assert!((graded.unrounded(&gear, 6).unwrap() - exact).abs() < 0.005);
             assert!((graded.tolerance(&gear, 6).unwrap() * 1e3 - shown).abs() < 1e-9);
@@ -171,7 +175,7 @@ mod tests {
     #[test]
     fn finds_the_finest_grade_that_admits() {
         let gear = toothing(40, 3.0);
-        let of = |um: f64| match Graded::SinglePitch.grade(&gear, um * 1e-3).unwrap() {
+        let of = |um: f64| match GradedQuantity::SinglePitch.grade(&gear, um * 1e-3).unwrap() {
             Grade::Within { grade, .. } => Some(grade),
             Grade::Beyond { .. } => None,
         };
@@ -186,11 +190,19 @@ mod tests {
     fn refuses_what_the_formulas_do_not_cover() {
         for (teeth, module) in [(4, 3.0), (1001, 1.0), (5, 0.9), (300, 60.0), (40, 0.4)] {
             let gear = toothing(teeth, module);
-            for graded in Graded::ALL {
+            for graded in GradedQuantity::ALL {
                 assert!(graded.tolerance(&gear, 6).is_err(), "{teeth} {module}");
             }
         }
-        assert!(Graded::Runout.tolerance(&toothing(40, 3.0), 12).is_err());
-        assert!(Graded::Runout.tolerance(&toothing(40, 3.0), 0).is_err());
+        assert!(
+            GradedQuantity::Runout
+                .tolerance(&toothing(40, 3.0), 12)
+                .is_err()
+        );
+        assert!(
+            GradedQuantity::Runout
+                .tolerance(&toothing(40, 3.0), 0)
+                .is_err()
+        );
     }
 }

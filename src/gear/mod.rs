@@ -11,7 +11,6 @@ mod fillet;
 #[allow(clippy::module_inception)]
 mod gear;
 mod grade;
-mod graded;
 mod identity;
 mod inspection;
 pub mod involute;
@@ -32,8 +31,7 @@ pub use datum::Separated;
 pub use deviation::{AsBuilt, Deviations};
 pub use fillet::Fillet;
 pub use gear::{Blank, Gear};
-pub use grade::{GRADE_SOURCE, GRADES, Grade, Graded};
-pub use graded::GradedValue;
+pub use grade::{GRADE_SOURCE, GRADES, Grade, GradedQuantity};
 pub use inspection::Inspection;
 pub use outline::{HalfTooth, Segment};
 pub use pins::PinReadings;

@@ -86,9 +86,10 @@ proptest! {
     }
 }
 
-/// Without deviations every reading is the closed form, 2 r_K + D_M, or with cos(π/2z) for odd z.
+/// Without deviations every reading is M = 2 r_K + D_M, or 2 r_K cos(π/2z) + D_M for odd z, and so the base thickness
+/// s_b = d_b inv α_K − D_M + p_b with cos α_K = r_b/r_K (ISO 21771): by a list and by a single dimension.
 #[test]
-fn even_readings_are_the_single_dimension() {
+fn even_readings_give_the_closed_form() {
     for (teeth, over) in [(20, 67.34917010670293), (21, 70.65919178333365)] {
         let shift = if teeth == 21 { 0.1 } else { 0.0 };
         let keys = |mm: String| {
@@ -96,10 +97,25 @@ fn even_readings_are_the_single_dimension() {
                 "teeth = {teeth}\nmodule_mm = 3\nprofile_shift = {shift}\nthickness.over_pins = {{ pin_mm = 5.25, mm = {mm} }}"
             )
         };
-        let list = pair(&keys(format!("{:?}", vec![over; teeth])));
-        let single = pair(&keys(format!("{over:?}")));
-        let apart = wheel(&list).gear().base_thickness() - wheel(&single).gear().base_thickness();
-        assert!(apart.abs() < 1e-12, "{apart}");
+        let z = f64::from(teeth);
+        let opposite = match teeth % 2 {
+            0 => 1.0,
+            _ => (std::f64::consts::FRAC_PI_2 / z).cos(),
+        };
+        let cos = 20f64.to_radians().cos();
+        let angle = (0.5 * 3.0 * z * cos / ((over - 5.25) / (2.0 * opposite))).acos();
+        let expected =
+            3.0 * z * cos * (angle.tan() - angle) - 5.25 + std::f64::consts::PI * 3.0 * cos;
+        for mm in [
+            format!("{:?}", vec![over; teeth as usize]),
+            format!("{over:?}"),
+        ] {
+            let found = wheel(&pair(&keys(mm))).gear().base_thickness();
+            assert!(
+                (found - expected).abs() < 1e-11,
+                "z {teeth}: {found} {expected}"
+            );
+        }
     }
 }
 

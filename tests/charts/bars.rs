@@ -97,6 +97,7 @@ fn lines_of_several_looks_stand_where_their_points_are() {
 
 fn axes(least: f64) -> LineAxes<'static> {
     LineAxes {
+        title: "",
         x: "tooth",
         teeth: Some(4),
         y: "M_dK, mm",

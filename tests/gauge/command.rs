@@ -14,13 +14,13 @@ thickness.over_pins = { pin_mm = 5.25, min_mm = 70.1, max_mm = 70.171 }
 runout = { total_um = 12.0, high_tooth = 3.5 }
 ";
 
-fn gauge(folder: &Path, arguments: &[&str]) -> Command {
+pub fn gauge(folder: &Path, arguments: &[&str]) -> Command {
     let mut command = Command::cargo_bin("gearlash").unwrap();
     command.current_dir(folder).arg("gauge").args(arguments);
     command
 }
 
-fn folder() -> tempfile::TempDir {
+pub fn folder() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("one.toml"), GEAR).unwrap();
     let pair = GEAR.replace("[gear]", "[wheel]")
@@ -29,7 +29,7 @@ fn folder() -> tempfile::TempDir {
     folder
 }
 
-fn stdout(command: &mut Command) -> String {
+pub fn stdout(command: &mut Command) -> String {
     String::from_utf8(command.assert().success().get_output().stdout.clone()).unwrap()
 }
 

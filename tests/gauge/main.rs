@@ -2,6 +2,7 @@
 
 mod as_built;
 mod command;
+mod files;
 mod perfect;
 mod roll;
 mod round_trip;

@@ -1,7 +1,7 @@
 //! A perfect gear reads what the formulas say.
 
 use super::*;
-use gearlash::gauge::{Unmeasured, usual_pin, usual_span};
+use gearlash::gauge::{OverPins, StatedThickness, Unmeasured};
 use gearlash::gear::{Curve, thickness};
 use std::f64::consts::PI;
 
@@ -10,108 +10,155 @@ fn perfect(blank: Blank, thinner: f64) -> AsBuilt {
     AsBuilt::perfect(gear, Face::Front)
 }
 
-/// W_k = (k − 1) p_b + s_b, 2 r_K + D_M or 2 r_K cos(π/2z) + D_M (ISO 21771), r_K (1 + cos(π/z)) + D_M over
-/// three pins (the two stand π/z beside the opposite direction), F_r = 0, s = r (s_b/r_b − 2 inv α).
+/// What the formulas of ISO 21771 say of a gear without deviations, written out here. Lengths in mm.
+struct Formulas {
+    teeth: f64,
+    base_pitch: f64,
+    base_diameter: f64,
+    base_thickness: f64,
+    thickness: f64,
+    root_diameter: f64,
+}
+
+impl Formulas {
+    /// s = m (π/2 + 2 x tan α) less `thinner`/cos α, s_b = cos α (s + 2 r inv α), p_b = π m cos α,
+    /// d_f = d − 2 m (1.25 − x_E), x_E = x − thinner/(2 m sin α).
+    fn new(teeth: u32, m: f64, alpha_deg: f64, x: f64, thinner: f64) -> Formulas {
+        let alpha = alpha_deg.to_radians();
+        let (teeth, inv) = (f64::from(teeth), alpha.tan() - alpha);
+        let thickness = m * (PI / 2.0 + 2.0 * x * alpha.tan()) - thinner / alpha.cos();
+        Formulas {
+            teeth,
+            base_pitch: PI * m * alpha.cos(),
+            base_diameter: m * teeth * alpha.cos(),
+            base_thickness: alpha.cos() * (thickness + m * teeth * inv),
+            thickness,
+            root_diameter: m * teeth - 2.0 * m * (1.25 - x) - thinner / alpha.sin(),
+        }
+    }
+
+    /// W_k = (k − 1) p_b + s_b.
+    fn span(&self, k: u32) -> f64 {
+        f64::from(k - 1) * self.base_pitch + self.base_thickness
+    }
+
+    /// r_K = r_b/cos α_K with inv α_K = (D_M − p_b + s_b)/d_b; tan α − α rises, so it is found by halving.
+    fn pin_centre(&self, pin: f64) -> f64 {
+        let inv = (pin - self.base_pitch + self.base_thickness) / self.base_diameter;
+        let (mut low, mut high): (f64, f64) = (0.0, 1.5);
+        for _ in 0..100 {
+            let middle = 0.5 * (low + high);
+            match middle.tan() - middle < inv {
+                true => low = middle,
+                false => high = middle,
+            }
+        }
+        0.5 * self.base_diameter / low.cos()
+    }
+
+    /// M_dK = 2 r_K + D_M, or 2 r_K cos(π/2z) + D_M for odd z.
+    fn over_two(&self, pin: f64) -> f64 {
+        let opposite = match self.teeth % 2.0 == 1.0 {
+            true => (PI / 2.0 / self.teeth).cos(),
+            false => 1.0,
+        };
+        2.0 * self.pin_centre(pin) * opposite + pin
+    }
+
+    /// r_K (1 + cos(π/z)) + D_M: the two stand π/z beside the opposite direction.
+    fn over_three(&self, pin: f64) -> f64 {
+        self.pin_centre(pin) * (1.0 + (PI / self.teeth).cos()) + pin
+    }
+}
+
+/// Every reading `(length, bound)` is what the formula says, within 1e-6 µm and within its bound.
+fn assert_reads(name: &str, readings: impl Iterator<Item = (f64, f64)>, formula: f64) {
+    for (length, bound) in readings {
+        // The greatest gear has a radius of half a metre: 1e-9 mm is 2e-12 of it.
+        let off = (length - formula).abs();
+        assert!(
+            off < PICOMETRE && off <= bound,
+            "{name}: {length} {formula} ± {bound}"
+        );
+    }
+}
+
+/// By default the contacts are near the middle of the active flank, between form circle and tip. Worked out apart from the crate for the
+/// third column: r_Ff from ξ_f = (r sin α − m (1.25 − 0.38 (1 − sin α) − x_E)/sin α)/r_b, ξ at (r_Ff + r_a)/2,
+/// k = (2 r_b ξ − s_b)/p_b + 1 = 5.56, 3.20, 10.14, 3.11, 3.73, 7.81, 22.86, rounded; D_M = d_b (tan(ξ + (p_b − s_b)/d_b) − ξ) = 5.346, 5.940,
+/// 5.177, 2.144, 0.3691, 21.26, 8.489, up to quarters of the module's decade. Undercut z 9 has another form circle: by both ends of
+/// its possible range k = 2.2 … 2.3.
 #[test]
 fn reads_the_formulas() {
     let gears = [
-        (blank(44, 3.0, 20.0, 0.0), 0.0),
-        (blank(21, 3.0, 20.0, 0.0), 0.02),
-        (blank(86, 3.0, 20.0, 0.0), 0.0167),
-        (blank(17, 1.0, 20.0, 0.4), 0.01),
-        (blank(9, 2.0, 20.0, 0.3), 0.0),
-        (blank(33, 0.2, 14.5, 0.0), 0.0),
-        (blank(60, 12.0, 22.5, -0.2), 0.1),
-        (blank(201, 5.0, 20.0, 0.0), 0.05),
+        ((44, 3.0, 20.0, 0.0), 0.0, (6, Some(5.5))),
+        ((21, 3.0, 20.0, 0.0), 0.02, (3, Some(6.0))),
+        ((86, 3.0, 20.0, 0.0), 0.0167, (10, Some(5.25))),
+        ((17, 1.0, 20.0, 0.4), 0.01, (3, Some(2.25))),
+        ((9, 2.0, 20.0, 0.3), 0.0, (2, None)),
+        ((33, 0.2, 14.5, 0.0), 0.0, (4, Some(0.375))),
+        ((60, 12.0, 22.5, -0.2), 0.1, (8, Some(22.5))),
+        ((201, 5.0, 20.0, 0.0), 0.05, (23, Some(8.5))),
     ];
-    for (blank, thinner) in gears {
-        let part = perfect(blank, thinner);
-        let (gear, toothing) = (part.gear(), &blank.toothing);
-        let teeth = toothing.teeth();
+    for ((teeth, module, alpha_deg, shift), thinner, (k, pin)) in gears {
+        let part = perfect(blank(teeth, module, alpha_deg, shift), thinner);
         let name = format!("z {teeth}");
-        let s_b = gear.base_thickness();
+        let formulas = Formulas::new(teeth, module, alpha_deg, shift, thinner);
         let found = measure(&part, quick());
-        // The greatest gear has a radius of half a metre: 1e-9 mm is 2e-12 of it.
-        let near = |read: f64, formula: f64| (read - formula).abs() < PICOMETRE;
 
         let spans = found.spans.unwrap();
-        assert_eq!(spans.teeth, usual_span(gear));
-        assert_eq!(spans.readings.len(), teeth as usize);
-        let formula = thickness::span_from_base(toothing, spans.teeth, s_b);
+        assert_eq!((spans.teeth, spans.readings.len()), (k, teeth as usize));
+        let read = spans.readings.iter().map(|span| (span.length, span.error));
+        assert_reads(&name, read, formulas.span(k));
         for span in &spans.readings {
-            assert!(
-                near(span.length, formula),
-                "{name}: {} {formula}",
-                span.length
-            );
-            assert!(
-                (span.length - formula).abs() <= span.error,
-                "{name}: {}",
-                span.error
-            );
-            assert!(
-                span.touched
-                    .iter()
-                    .all(|touch| touch.curve == Curve::Involute)
-            );
+            let [left, right] = span.touched;
+            assert!(left.curve == Curve::Involute && right.curve == Curve::Involute);
             // The middle of the plateau: both contacts on one circle.
-            assert!(
-                (span.touched[0].radius - span.touched[1].radius).abs() < 1e-3 * toothing.module()
-            );
+            assert!((left.radius - right.radius).abs() < 1e-3 * module);
         }
 
         let pins = found.pins.unwrap();
-        assert_eq!(pins.diameter, usual_pin(gear));
-        assert!(thickness::check_pins(gear, pins.diameter).is_ok(), "{name}");
-        let formula = thickness::pins_from_base(toothing, pins.diameter, s_b);
-        for over in &pins.two {
+        let diameter = pins.diameter;
+        assert!(pin.is_none_or(|pin| pin == diameter), "{name}: {diameter}");
+        for seat in &pins.seats {
             assert!(
-                near(over.length, formula),
-                "{name}: {} {formula}",
-                over.length
-            );
-            assert!(
-                (over.length - formula).abs() <= over.error,
-                "{name}: {}",
-                over.error
+                seat.touched
+                    .iter()
+                    .all(|touch| touch.curve == Curve::Involute),
+                "{name}"
             );
         }
-        let centre = thickness::pin_centre_radius(toothing, pins.diameter, s_b);
-        let formula = centre * (1.0 + (PI / f64::from(teeth)).cos()) + pins.diameter;
+        let read = |list: &[OverPins]| -> Vec<(f64, f64)> {
+            list.iter().map(|over| (over.length, over.error)).collect()
+        };
+        assert_eq!(pins.two.len(), teeth as usize);
+        assert_reads(
+            &name,
+            read(&pins.two).into_iter(),
+            formulas.over_two(diameter),
+        );
         assert_eq!(
             pins.three.len(),
             if teeth % 2 == 1 { teeth as usize } else { 0 }
         );
-        for over in &pins.three {
-            assert!(
-                near(over.length, formula),
-                "{name}: {} {formula}",
-                over.length
-            );
-            assert!(
-                (over.length - formula).abs() <= over.error,
-                "{name}: {}",
-                over.error
-            );
-        }
+        assert_reads(
+            &name,
+            read(&pins.three).into_iter(),
+            formulas.over_three(diameter),
+        );
 
         let runout = found.runout.unwrap();
         assert!(runout.total() <= runout.error().min(PICOMETRE), "{name}");
-        assert!(near(runout.mean(), centre));
+        let centre = [(runout.mean(), runout.error())].into_iter();
+        assert_reads(&name, centre, formulas.pin_centre(diameter));
         assert_eq!(found.eccentricity.amount, 0.0);
 
-        let allowance =
-            thickness::allowance_from_base(toothing, blank.nominal_base_thickness(), s_b);
-        let alpha = toothing.pressure_angle();
-        let nominal = toothing.module() * (PI / 2.0 + 2.0 * blank.profile_shift * alpha.tan());
-        match found.thickness {
-            Ok(read) => {
-                for arc in read.arcs {
-                    assert!(near(arc, nominal + allowance), "{name}: {arc}");
-                }
-            }
-            Err(reason) => panic!("{name}: {reason}"),
-        }
+        let root = found.root.unwrap();
+        let read = [(2.0 * root.radius, 2.0 * root.error)].into_iter();
+        assert_reads(&name, read, formulas.root_diameter);
+        let thickness = found.thickness.unwrap();
+        let read = thickness.arcs.iter().map(|arc| (*arc, thickness.error));
+        assert_reads(&name, read, formulas.thickness);
         for pitch in [found.pitch_own.unwrap(), found.pitch_datum.unwrap()] {
             for side in gearlash::gear::Side::BOTH {
                 assert!(pitch.total(side) < PICOMETRE && pitch.greatest_single(side) < PICOMETRE);
@@ -152,17 +199,13 @@ fn names_what_it_touches_off_the_involute() {
         let ball = found
             .runout
             .map(|runout| runout.readings[0].seat.touched[0].curve);
-        let span = found
-            .spans
-            .map(|spans| (spans.readings[0].touched[0].curve, spans.readings[0].length));
-        (ball, span)
+        ball
     };
     let ball = |ball| {
         curves(Settings {
             ball: Some(ball),
             ..quick()
         })
-        .0
     };
     assert_eq!(ball(1.0), Ok(Curve::Root));
     assert_eq!(ball(5.25), Ok(Curve::Involute));
@@ -197,22 +240,6 @@ fn names_what_it_touches_off_the_involute() {
     .unwrap();
     assert!((found.mean() - (gear.root_radius() + 0.5)).abs() < PICOMETRE);
 
-    let span = |k| {
-        curves(Settings {
-            span_teeth: Some(k),
-            ..quick()
-        })
-        .1
-    };
-    assert_eq!(span(5).map(|s| s.0), Ok(Curve::Involute));
-    let (curve, length) = span(9).unwrap();
-    assert_eq!(curve, Curve::Tip);
-    // Both anvils on tip corners: their chord.
-    let corners = 8.0 * PI / 44.0 + gear.half_angle_at_roll(gear.tip_roll());
-    let chord = 2.0 * r_a * corners.sin();
-    assert!((length - chord).abs() < PICOMETRE, "{length} {chord}");
-    assert!(length < thickness::span_from_base(gear.toothing(), 9, gear.base_thickness()));
-    assert!(matches!(span(23), Err(Unmeasured(_))));
     assert!(matches!(
         measure(
             &part,
@@ -224,4 +251,62 @@ fn names_what_it_touches_off_the_involute() {
         .pins,
         Err(Unmeasured(_))
     ));
+}
+
+/// A span is one where both anvils touch involutes. At z 44, α 20° W_1 … W_3 would touch below the form circle, and from
+/// W_8 on the tip: (k − 1) 8.856 + 6.247 = 124.035 ξ with ξ from 0.2206 (d_Ff = 127.018) to 0.4878 (d_a = 138) holds for k = 4 … 7. Whatever was asked for,
+/// a gear file states what the gear has.
+#[test]
+fn a_span_off_the_involute_is_none() {
+    let part = perfect(blank(44, 3.0, 20.0, 0.0), 0.03);
+    let asked = |k| {
+        let settings = Settings {
+            span_teeth: Some(k),
+            ..quick()
+        };
+        measure(&part, settings)
+    };
+    for k in 1..=24 {
+        let found = asked(k);
+        let reason = found.spans.clone().err().map_or(String::new(), |why| why.0);
+        let part_of = match k {
+            1..=3 => "44 of 44 readings touch the involute's lower end",
+            4..=7 => "",
+            8..=22 => "44 of 44 readings touch the tip corner: span fewer teeth",
+            _ => "allowed is 1 up to half of them",
+        };
+        assert!(
+            reason.contains(part_of) && reason.is_empty() == part_of.is_empty(),
+            "{k}: {reason}"
+        );
+        match found.stated.unwrap() {
+            StatedThickness::Spans => assert!(found.spans.is_ok()),
+            StatedThickness::Allowance {
+                allowance,
+                per_tooth,
+            } => {
+                assert!(found.spans.is_err());
+                // A_s = Δs_b/cos α.
+                let expected = -0.03 / 20f64.to_radians().cos();
+                assert!((allowance - expected).abs() < PICOMETRE, "{allowance}");
+                assert_eq!(per_tooth, 0.0);
+            }
+        }
+    }
+}
+
+/// A span over half the teeth was refused where k · 2π/z came out above π by rounding.
+#[test]
+fn half_the_teeth_may_be_spanned() {
+    for teeth in (18..=200).step_by(2) {
+        // The tips are far beyond the span's contact: it is told as that.
+        let part = perfect(blank(teeth, 1.0, 20.0, 0.0), 0.0);
+        let settings = Settings {
+            span_teeth: Some(teeth / 2),
+            ..quick()
+        };
+        if let Err(reason) = measure(&part, settings).spans {
+            assert!(!reason.0.contains("allowed is"), "z {teeth}: {reason}");
+        }
+    }
 }

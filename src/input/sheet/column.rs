@@ -128,6 +128,11 @@ pub fn named(text: &str, wanted: &[Column]) -> Named {
         (Named::Tooth, None)
     } else if let Some(place) = wanted.iter().position(|column| is(column.names())) {
         (Named::Wanted(place), Some(wanted[place].unit()))
+    } else if wanted.contains(&Column::OverPins) && plain(name) == "threepins" {
+        return Named::Wrong(
+            format!("column {text:?} is a dimension over three pins, allowed is one over two"),
+            "give the dimensions over two pins (gearlash gauge writes them beside these), or the span".to_owned(),
+        );
     } else {
         return Named::Wrong(
             format!("unknown column {text:?}, allowed are {}", headings(wanted)),

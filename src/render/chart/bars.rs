@@ -19,6 +19,30 @@ pub struct BarSeries<'a> {
     pub look: Look,
 }
 
+/// Two lines between which values should lie, in the unit of the y axis.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Limits {
+    /// Lower and upper.
+    pub values: [f64; 2],
+    /// Stands at the upper one.
+    pub name: String,
+}
+
+/// One panel of bars.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BarPanel<'a> {
+    /// What stands above the plot; may be empty.
+    pub title: &'a str,
+    /// Quantity, where its zero is, and unit.
+    pub y_axis: &'a str,
+    /// Side by side.
+    pub series: &'a [BarSeries<'a>],
+    /// Lines; the axis has room for them.
+    pub limits: Vec<Limits>,
+    /// Where no value reaches this amount the panel says so.
+    pub level: f64,
+}
+
 /// A bar chart of `series` over tooth numbers, side by side; the axes name what the numbers count, and
 /// quantity and unit.
 ///
@@ -29,9 +53,89 @@ pub fn bars(
     [x_axis, y_axis]: [&str; 2],
     series: &[BarSeries],
 ) -> Result<Chart, Error> {
-    let panel = panel(["", x_axis, y_axis], 340.0, series)
-        .ok_or_else(|| Error::Chart("there are no values to draw".to_owned()))?;
-    sheet::draw(heading, &legend(series), &[panel])
+    let panel = BarPanel {
+        title: "",
+        y_axis,
+        series,
+        limits: Vec::new(),
+        level: 0.0,
+    };
+    bar_panels(heading, x_axis, &[panel])
+}
+
+/// Bar charts over the same teeth, one below the other; `x_axis` stands below the last. The legend names the series of
+/// the first panel where there are several.
+///
+/// # Errors
+/// [`Error::Chart`] when a panel has no value.
+pub fn bar_panels(heading: &Heading, x_axis: &str, panels: &[BarPanel]) -> Result<Chart, Error> {
+    let height = if panels.len() > 1 { 260.0 } else { 340.0 };
+    let mut drawn = Vec::new();
+    for (index, bars) in panels.iter().enumerate() {
+        let x_axis = if index + 1 == panels.len() {
+            x_axis
+        } else {
+            ""
+        };
+        let panel = panel([bars.title, x_axis, bars.y_axis], height, bars.series);
+        let mut panel =
+            panel.ok_or_else(|| Error::Chart("there are no values to draw".to_owned()))?;
+        bars.limit(&mut panel);
+        bars.say_level(&mut panel);
+        drawn.push(panel);
+    }
+    let names = match panels.first() {
+        Some(first) if first.series.len() > 1 => legend(first.series),
+        _ => Vec::new(),
+    };
+    sheet::draw(heading, &names, &drawn)
+}
+
+impl BarPanel<'_> {
+    /// Draws the limits and makes room for them.
+    fn limit(&self, panel: &mut Panel) {
+        for limits in &self.limits {
+            let [low, high] = panel.y.range;
+            let shown = range([low, high].into_iter().chain(limits.values), [0.0; 2], 0.1);
+            // Room for the name above the upper line.
+            let [low, high] = shown.unwrap_or([low, high]);
+            let room = 0.07 * (high - low);
+            panel.y.range = [
+                low.min(limits.values[0] - room),
+                high.max(limits.values[1] + 2.0 * room),
+            ];
+            let ends = panel.x.range;
+            for value in limits.values {
+                panel.marks.push(Mark::Line {
+                    points: ends.map(|x| (x, Some(value))).to_vec(),
+                    look: Look::Limit,
+                    width: 1.2,
+                });
+            }
+            panel.marks.push(Mark::Text {
+                at: [ends[1], limits.values[1]],
+                shift: [-4.0, -5.0],
+                text: limits.name.clone(),
+                anchor: Anchor::End,
+            });
+        }
+    }
+
+    /// Says so where no value is above the level.
+    fn say_level(&self, panel: &mut Panel) {
+        let mut values = self.series.iter().flat_map(|bars| &bars.values).flatten();
+        // Zeros alone are told by the panel itself.
+        let zeros = values.clone().all(|value| *value == 0.0);
+        if !zeros && values.all(|value| value.abs() < self.level) {
+            let [from, to] = panel.x.range;
+            panel.marks.push(Mark::Text {
+                at: [0.5 * (from + to), 0.0],
+                shift: [0.0, -10.0],
+                text: format!("no deviation within {} µm", self.level),
+                anchor: Anchor::Middle,
+            });
+        }
+    }
 }
 
 /// The legend of bars.

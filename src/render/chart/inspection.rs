@@ -31,13 +31,13 @@ pub fn inspection(
     let single = pitch(|inspection, side| inspection.single(side));
     let cumulative = pitch(|inspection, side| inspection.cumulative(side).to_vec());
     let thickness = [series("thickness", inspection.thickness(), Look::Plain)];
-    let runout = [series("runout", inspection.runout(), Look::Plain)];
+    let runout = [series("displacement", inspection.runout(), Look::Plain)];
     let tooth = format!("tooth of the {gear}");
     let panels: [(&str, &[BarSeries]); 4] = [
         ("single pitch deviation f", &single),
         ("cumulative pitch deviation F", &cumulative),
         ("tooth thickness − mean", &thickness),
-        ("runout, radial", &runout),
+        ("displacement by the eccentricity, e cos", &runout),
     ];
     // Panels without data are left out, but for a gear that has none at all.
     let perfect = !inspection.deviates();
@@ -58,9 +58,9 @@ pub fn inspection(
         names.extend(legend(&single));
     }
     let plain = match (deviates(&thickness), deviates(&runout)) {
-        (true, true) => "thickness, runout",
+        (true, true) => "thickness, displacement",
         (true, false) => "thickness",
-        (false, _) => "runout",
+        (false, _) => "displacement",
     };
     if deviates(&thickness) || deviates(&runout) {
         names.push(entry(plain, Look::Plain, Sample::Bar));

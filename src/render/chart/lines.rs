@@ -21,6 +21,8 @@ pub struct LineSeries<'a> {
 /// The axes of a line chart.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LineAxes<'a> {
+    /// What stands above the plot; may be empty.
+    pub title: &'a str,
     /// Quantity and unit.
     pub x: &'a str,
     /// Where x goes over tooth numbers: how many there are.
@@ -66,7 +68,7 @@ pub fn lines(heading: &Heading, axes: LineAxes, series: &[LineSeries]) -> Result
         })
         .collect();
     let panel = Panel {
-        title: String::new(),
+        title: axes.title.to_owned(),
         x: Axis {
             teeth: axes.teeth,
             ..Axis::new(axes.x, x)
@@ -75,5 +77,7 @@ pub fn lines(heading: &Heading, axes: LineAxes, series: &[LineSeries]) -> Result
         height: 340.0,
         marks: marks.collect(),
     };
-    sheet::draw(heading, &legend, &[panel])
+    // The axis names a single line.
+    let legend = if series.len() > 1 { &legend[..] } else { &[] };
+    sheet::draw(heading, legend, &[panel])
 }

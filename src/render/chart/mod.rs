@@ -26,7 +26,7 @@ mod sheet;
 mod thin;
 mod words;
 
-pub use bars::{BarSeries, bars};
+pub use bars::{BarPanel, BarSeries, Limits, bar_panels, bars};
 pub use difference::difference;
 pub use distance::distance;
 pub use inspection::inspection;

@@ -1,9 +1,12 @@
 //! Readings tooth by tooth as CSV, in the words a gear file's tables are read by.
 //!
-//! Numbers are written so that they read back to the same f64.
+//! A dimension over three pins is named so that it is not read as one over two. Numbers are written so that they
+//! read back to the same f64.
 
 use super::GaugedGear;
-use crate::gauge::PitchReadings;
+use super::by_tooth::{columns, um};
+use super::file_names::FileName;
+use crate::gauge::{OverPins, PitchReadings};
 use crate::gear::Side;
 
 /// A column: its heading, and a value a row.
@@ -16,34 +19,49 @@ type Column = (&'static str, Vec<f64>);
 pub fn csv_files(gauged: &GaugedGear) -> Result<Vec<(String, String)>, csv::Error> {
     let readings = &gauged.gauged;
     let mut files = Vec::new();
-    let mut add = |name: &str, columns: &[Column]| -> Result<(), csv::Error> {
-        files.push((format!("{}_{name}.csv", gauged.stem()), by_tooth(columns)?));
+    let mut add = |name: FileName, columns: &[Column]| -> Result<(), csv::Error> {
+        files.push((name.csv(&gauged.stem()), by_tooth(columns)?));
         Ok(())
     };
     if let Ok(spans) = &readings.spans {
         let lengths = spans.readings.iter().map(|span| span.length);
-        add("spans", &[("span", lengths.collect())])?;
+        add(FileName::Spans, &[("span", lengths.collect())])?;
     }
     if let Ok(pins) = &readings.pins {
-        let lengths = |over: &[crate::gauge::OverPins]| over.iter().map(|o| o.length).collect();
-        add("pins", &[("pins", lengths(&pins.two))])?;
+        let lengths = |over: &[OverPins]| over.iter().map(|o| o.length).collect();
+        add(FileName::Pins, &[("pins", lengths(&pins.two))])?;
         if !pins.three.is_empty() {
-            add("three_pins", &[("pins", lengths(&pins.three))])?;
+            add(FileName::ThreePins, &[("three_pins", lengths(&pins.three))])?;
         }
     }
     if let Ok(runout) = &readings.runout {
-        add("runout", &[("runout", um(&runout.deviations()))])?;
+        add(FileName::Runout, &[("runout", um(&runout.deviations()))])?;
     }
-    for (name, pitch) in [
-        ("pitch_own", &readings.pitch_own),
-        ("pitch_datum", &readings.pitch_datum),
+    for (cumulative, single, pitch) in [
+        (
+            FileName::PitchOwn,
+            FileName::SinglePitchOwn,
+            &readings.pitch_own,
+        ),
+        (
+            FileName::PitchDatum,
+            FileName::SinglePitchDatum,
+            &readings.pitch_datum,
+        ),
     ] {
         if let Ok(pitch) = pitch {
-            add(name, &flanks(pitch))?;
+            add(
+                cumulative,
+                &flanks(|side| pitch.cumulative.flank(side).to_vec()),
+            )?;
+            add(single, &flanks(|side| PitchReadings::single(pitch, side)))?;
         }
     }
     if let Ok(thickness) = &readings.thickness {
-        add("thickness", &[("thickness", um(&thickness.deviations()))])?;
+        add(
+            FileName::Thickness,
+            &[("thickness", um(&thickness.deviations()))],
+        )?;
     }
     if let Ok(roll) = &readings.roll {
         let mut writer = csv::Writer::from_writer(Vec::new());
@@ -65,7 +83,7 @@ pub fn csv_files(gauged: &GaugedGear) -> Result<Vec<(String, String)>, csv::Erro
                 pose.class.name().to_owned(),
             ])?;
         }
-        files.push((format!("{}_roll.csv", gauged.stem()), finish(writer)?));
+        files.push((FileName::Roll.csv(&gauged.stem()), finish(writer)?));
     }
     Ok(files)
 }
@@ -76,75 +94,30 @@ pub fn csv_files(gauged: &GaugedGear) -> Result<Vec<(String, String)>, csv::Erro
 /// As [`csv_files`].
 pub fn teeth_csv(gears: &[GaugedGear]) -> Result<String, csv::Error> {
     let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record([
-        "gear",
-        "material",
-        "tooth",
-        "span_mm",
-        "over_two_pins_mm",
-        "over_three_pins_mm",
-        "runout_um",
-        "pitch_own_left_um",
-        "pitch_own_right_um",
-        "pitch_datum_left_um",
-        "pitch_datum_right_um",
-        "thickness_um",
-    ])?;
-    for gauged in gears {
-        let readings = &gauged.gauged;
-        let pins = readings.pins.as_ref();
-        let pitch = |pitch: &Result<PitchReadings, _>, side| {
-            pitch
-                .as_ref()
-                .map_or(Vec::new(), |pitch| um(pitch.cumulative.flank(side)))
-        };
-        let columns = [
-            readings.spans.as_ref().map_or(Vec::new(), |spans| {
-                spans.readings.iter().map(|span| span.length).collect()
-            }),
-            pins.map_or(Vec::new(), |pins| {
-                pins.two.iter().map(|over| over.length).collect()
-            }),
-            pins.map_or(Vec::new(), |pins| {
-                pins.three.iter().map(|over| over.length).collect()
-            }),
-            readings
-                .runout
-                .as_ref()
-                .map_or(Vec::new(), |runout| um(&runout.deviations())),
-            pitch(&readings.pitch_own, Side::Left),
-            pitch(&readings.pitch_own, Side::Right),
-            pitch(&readings.pitch_datum, Side::Left),
-            pitch(&readings.pitch_datum, Side::Right),
-            readings
-                .thickness
-                .as_ref()
-                .map_or(Vec::new(), |read| um(&read.deviations())),
-        ];
+    for (index, gauged) in gears.iter().enumerate() {
+        let columns = columns(&gauged.gauged);
+        if index == 0 {
+            let names = columns.iter().map(|column| column.name);
+            writer.write_record(["gear", "material", "tooth"].into_iter().chain(names))?;
+        }
         for tooth in 1..=gauged.gear.gear().toothing().teeth() {
-            let cell = |column: &Vec<f64>| {
-                column
-                    .get(tooth as usize - 1)
-                    .map_or(String::new(), f64::to_string)
-            };
+            let cells = columns.iter().map(|column| {
+                let value = column.values.get(tooth as usize - 1);
+                value.map_or(String::new(), f64::to_string)
+            });
             let name = [
                 gauged.name.to_owned(),
                 gauged.material.name().to_owned(),
                 tooth.to_string(),
             ];
-            writer.write_record(name.into_iter().chain(columns.iter().map(cell)))?;
+            writer.write_record(name.into_iter().chain(cells))?;
         }
     }
     finish(writer)
 }
 
-fn flanks(pitch: &PitchReadings) -> [Column; 2] {
-    [("left", Side::Left), ("right", Side::Right)]
-        .map(|(name, side)| (name, um(pitch.cumulative.flank(side))))
-}
-
-fn um(lengths: &[f64]) -> Vec<f64> {
-    lengths.iter().map(|mm| mm * 1e3).collect()
+fn flanks(values: impl Fn(Side) -> Vec<f64>) -> [Column; 2] {
+    [("left", Side::Left), ("right", Side::Right)].map(|(name, side)| (name, um(&values(side))))
 }
 
 fn by_tooth(columns: &[Column]) -> Result<String, csv::Error> {

@@ -1,15 +1,21 @@
 //! A gear file that states what the gauges read.
 //!
 //! The pitch of both flanks carries how the thickness varies from tooth to tooth: beside it stands the mean thickness
-//! alone, or it would count twice.
+//! alone, or it would count twice. What every tooth is thicker than the mean thickness that cut the root
+//! stands by tooth, the same for all (see [`StatedThickness`]).
 
 use super::GaugedGear;
+use crate::gauge::{StatedThickness, Unmeasured};
 use serde_json::Value;
 use std::fmt::Write;
 
 /// The gear file of `gauged`.
-pub fn gear_file(gauged: &GaugedGear) -> String {
+///
+/// # Errors
+/// Where the readings do not say enough: a file that left something out would be of another gear.
+pub(super) fn gear_file(gauged: &GaugedGear) -> Result<String, Unmeasured> {
     let readings = &gauged.gauged;
+    let stated = readings.stated.clone()?;
     let mut text = format!(
         "# What gearlash's gauges read on this gear ({}).\ntitle = {}\n\n[gear]\n",
         gauged.words(),
@@ -29,20 +35,7 @@ pub fn gear_file(gauged: &GaugedGear) -> String {
     for key in ["addendum", "dedendum", "root_radius"] {
         line(&mut text, key, &gauged.echo["rack"][key]);
     }
-    if let Ok(spans) = &readings.spans {
-        let _ = write!(
-            text,
-            "\n[gear.thickness]                # the mean: the pitch carries how it varies\nspan = {{ teeth = {}, file = \"{}_spans.csv\", per_tooth = false }}\n",
-            spans.teeth,
-            gauged.stem(),
-        );
-    } else if let Ok(thickness) = &readings.thickness {
-        let _ = write!(
-            text,
-            "\n[gear.thickness]                # mean arc thickness at the reference circle, less the nominal one\nallowance_um = {:?}\n",
-            1e3 * (thickness.mean() - thickness.nominal),
-        );
-    }
+    text += &thickness(gauged, &stated);
     let eccentricity = &readings.eccentricity;
     let _ = write!(
         text,
@@ -50,12 +43,53 @@ pub fn gear_file(gauged: &GaugedGear) -> String {
         2e3 * eccentricity.amount,
         eccentricity.high_tooth,
     );
-    if readings.pitch_own.is_ok() {
-        let _ = write!(
+    let _ = write!(
+        text,
+        "\n[gear.pitch]                    # carries the variation of thickness, too\nkind = \"cumulative\"\naxis = \"own\"\nfile = \"{}_pitch_own.csv\"\n",
+        gauged.stem(),
+    );
+    Ok(text)
+}
+
+fn thickness(gauged: &GaugedGear, stated: &StatedThickness) -> String {
+    const HEADING: &str =
+        "\n[gear.thickness]                # the mean: the pitch carries how it varies\n";
+    let readings = &gauged.gauged;
+    let mut text = HEADING.to_owned();
+    if let Err(reason) = &readings.root {
+        let _ = writeln!(
             text,
-            "\n[gear.pitch]                    # carries the variation of thickness, too\nkind = \"cumulative\"\naxis = \"own\"\nfile = \"{}_pitch_own.csv\"\n",
-            gauged.stem(),
+            "# {reason}: that this mean thickness cut the root is taken for granted."
         );
+    }
+    match (stated, &readings.spans) {
+        (StatedThickness::Spans, Ok(spans)) => {
+            let _ = writeln!(
+                text,
+                "span = {{ teeth = {}, file = \"{}_spans.csv\", per_tooth = false }}",
+                spans.teeth,
+                gauged.stem(),
+            );
+        }
+        (
+            StatedThickness::Allowance {
+                allowance,
+                per_tooth,
+            },
+            _,
+        ) => {
+            let teeth = gauged.gear.gear().toothing().teeth();
+            if *per_tooth != 0.0 {
+                text += "# The root circle was cut for this allowance; every flank pair stands off it by per_tooth_um.\n";
+            }
+            let _ = writeln!(text, "allowance_um = {:?}", 1e3 * allowance);
+            if *per_tooth != 0.0 {
+                let list = vec![1e3 * per_tooth; teeth as usize];
+                let _ = writeln!(text, "per_tooth_um = {list:?}");
+            }
+        }
+        // Spans are stated only where there are some.
+        (StatedThickness::Spans, Err(_)) => {}
     }
     text
 }

@@ -1,7 +1,8 @@
 //! The readings as JSON.
 
 use super::GaugedGear;
-use crate::gauge::{GradedReading, OverPins, PitchReadings, Unmeasured};
+use super::by_tooth::um;
+use crate::gauge::{GradedReading, OverPins, PitchReadings, RollPose, Unmeasured};
 use crate::gear::{GRADE_SOURCE, Grade, Side};
 use crate::mesh::Touch;
 use serde_json::{Value, json};
@@ -48,6 +49,7 @@ fn gear(gauged: &GaugedGear) -> Value {
             "readings": runout.readings.iter().map(|reading| json!({
                 "tooth": reading.seat.tooth,
                 "radius_mm": reading.radius,
+                "error_bound_um": reading.seat.error * 1e3,
                 "touched": touched(&reading.seat.touched),
             })).collect::<Vec<_>>(),
         })),
@@ -64,6 +66,11 @@ fn gear(gauged: &GaugedGear) -> Value {
             "error_bound_um": thickness.error * 1e3,
             "arc_mm": thickness.arcs,
         })),
+        "root": of(&read.root, |root| json!({
+            "diameter_mm": 2.0 * root.radius,
+            "formula_mm": 2.0 * formula.root,
+            "error_bound_um": 2.0 * root.error * 1e3,
+        })),
         "grades": of(&read.grades, |graded| json!({
             "source": GRADE_SOURCE,
             "values": graded.iter().map(grade).collect::<Vec<_>>(),
@@ -72,16 +79,13 @@ fn gear(gauged: &GaugedGear) -> Value {
             "master_teeth": roll.master.toothing().teeth(),
             "master_tip_diameter_mm": 2.0 * roll.master.tip_radius(),
             "formula_mm": formula.distance,
-            "total_um": roll.total() * 1e3,
-            "tooth_to_tooth_um": roll.tooth_to_tooth() * 1e3,
-            "error_bound_um": roll.error() * 1e3,
-            "poses": roll.poses.iter().map(|pose| json!({
-                "tooth": pose.mating.wheel_tooth,
-                "fraction": pose.mating.fraction,
-                "rotation_rad": pose.rotation,
-                "mm": pose.distance,
-                "class": pose.class.name(),
-            })).collect::<Vec<_>>(),
+            "total_um": roll.total().found * 1e3,
+            "total_missed_um": roll.total().missed * 1e3,
+            "tooth_to_tooth_um": roll.tooth_to_tooth().found * 1e3,
+            "tooth_to_tooth_missed_um": roll.tooth_to_tooth().missed * 1e3,
+            "error_bound_um": 2.0 * roll.reading_error() * 1e3,
+            "poses": roll.poses.iter().map(pose).collect::<Vec<_>>(),
+            "between": roll.between.iter().map(pose).collect::<Vec<_>>(),
         })),
     })
 }
@@ -105,13 +109,24 @@ fn over(list: &[OverPins]) -> Vec<Value> {
     list.iter().map(one).collect()
 }
 
+fn pose(pose: &RollPose) -> Value {
+    json!({
+        "tooth": pose.mating.wheel_tooth,
+        "fraction": pose.mating.fraction,
+        "rotation_rad": pose.rotation,
+        "mm": pose.distance,
+        "error_bound_um": pose.error * 1e3,
+        "class": pose.class.name(),
+    })
+}
+
 fn pitch(pitch: &PitchReadings) -> Value {
     let flank = |side| {
-        let cumulative = pitch.cumulative.flank(side).iter().map(|mm| mm * 1e3);
         json!({
             "single_greatest_um": pitch.greatest_single(side) * 1e3,
             "total_um": pitch.total(side) * 1e3,
-            "cumulative_um": cumulative.collect::<Vec<_>>(),
+            "single_um": um(&pitch.single(side)),
+            "cumulative_um": um(pitch.cumulative.flank(side)),
         })
     };
     json!({
@@ -128,7 +143,7 @@ fn grade(one: &GradedReading) -> Value {
         Grade::Beyond { tolerance, .. } => (None, tolerance),
     };
     json!({
-        "symbol": one.graded.symbol(),
+        "symbol": one.quantity.symbol(),
         "axis": one.pitch.map(|(axis, _)| axis.name()),
         "flank": one.pitch.map(|(_, side)| side.name()),
         "measured_um": one.measured * 1e3,

@@ -1,19 +1,21 @@
 //! What the gauges read, as text, JSON, CSV and as a gear file that states it.
 
+mod by_tooth;
 mod charts;
 mod csv_files;
+mod file_names;
 mod gear_file;
 mod json;
 mod text;
 
-use crate::gauge::Gauged;
+use crate::gauge::{Gauged, Unmeasured};
 use crate::gear::AsBuilt;
 use crate::study::Material;
 use serde_json::Value;
 
 pub use charts::charts;
 pub use csv_files::{csv_files, teeth_csv};
-pub use gear_file::gear_file;
+pub use file_names::possible_files;
 pub use json::json;
 pub use text::text;
 
@@ -41,6 +43,17 @@ impl GaugedGear<'_> {
             Material::AsMeasured => format!("gauge_{}", self.name),
             material => format!("gauge_{}_{}", self.name, material.name()),
         }
+    }
+
+    /// Its gear file: name and content.
+    ///
+    /// # Errors
+    /// Where the readings do not say enough for one.
+    pub fn gear_file(&self) -> Result<(String, String), Unmeasured> {
+        Ok((
+            file_names::gear_file_name(&self.stem()),
+            gear_file::gear_file(self)?,
+        ))
     }
 
     /// The gear in a few words.

@@ -1,24 +1,16 @@
-//! Accuracy grades of the pitch and the runout that are given.
+//! Accuracy grades of pitch and runout, as the gauge reads them.
 
 use super::Page;
 use super::words::{symbol, um};
-use crate::error::GearError;
-use crate::gear::{AsBuilt, GRADE_SOURCE, Grade, Graded, GradedValue, Side};
+use crate::gauge::{GradedReading, PitchAxis, Unmeasured};
+use crate::gear::{GRADE_SOURCE, Grade, GradedQuantity, Side};
 use maud::{Markup, html};
 
 pub(super) fn table(page: &Page) -> Markup {
-    let study = page.report.study;
-    let Some((_, wheel, pinion)) = study.materials.first() else {
-        return html! {};
-    };
-    let graded = [("wheel", wheel), ("pinion", pinion)].map(|(name, gear)| {
-        let pitch = !study.echo[name]["pitch"].is_null();
-        (name, given(gear, pitch))
-    });
-    let values = |of: &Result<Vec<GradedValue>, GearError>| of.as_ref().map_or(0, Vec::len);
-    let any = graded.iter().any(|(_, of)| values(of) > 0);
+    let graded = page.report.grades;
+    let count = |of: &Result<Vec<GradedReading>, Unmeasured>| of.as_ref().map_or(0, Vec::len);
     html! {
-        @if any {
+        @if graded.iter().any(|(_, of)| count(of) > 0) {
             div.scroll tabindex="0" role="region" aria-label="Accuracy grades" {
                 table {
                     caption { "Accuracy grades " (GRADE_SOURCE) }
@@ -27,49 +19,46 @@ pub(super) fn table(page: &Page) -> Markup {
                         th.n scope="col" { "measured µm" } th.n scope="col" { "grade" }
                         th.n scope="col" { "its tolerance µm" }
                     } }
-                    tbody { @for (name, of) in &graded {
-                        @for value in of.iter().flatten() { (row(name, value)) }
+                    tbody { @for (name, of) in graded {
+                        @for reading in of.iter().flatten() { (row(name, reading)) }
                     } }
                 }
             }
-            @if graded.iter().any(|(_, of)| values(of) > 1) { p.note { "Pitch is graded about the gear’s own centre, free of eccentricity, which the runout shows; “gearlash gauge” grades it about the datum axis too." } }
+            p.note {
+                "Read on the modelled gears as “gearlash gauge” reads them: pitch about the datum axis, which is what a standard grades, "
+                "and about the gear’s own centre; runout with a ball in every space, so that the pitch and the thickness of the teeth are in it, "
+                "not the eccentricity alone."
+            }
         }
-        @for (name, of) in &graded {
-            @if let Err(error) = of { p.note { "No accuracy grade for the " (name) ": " (error.to_string()) "." } }
+        @for (name, of) in graded {
+            @if let Err(reason) = of { p.note { "No accuracy grade for the " (name) ": " (reason.to_string()) "." } }
         }
     }
 }
 
-/// What is given of `gear`.
-fn given(gear: &AsBuilt, pitch: bool) -> Result<Vec<GradedValue>, GearError> {
-    let mut values = match pitch {
-        true => GradedValue::of_pitch(gear)?,
-        false => Vec::new(),
+fn row(gear: &str, reading: &GradedReading) -> Markup {
+    let (sign, name) = match reading.quantity {
+        GradedQuantity::SinglePitch => (symbol("f", "p"), "single pitch"),
+        GradedQuantity::TotalPitch => (symbol("F", "p"), "total cumulative pitch"),
+        GradedQuantity::Runout => (symbol("F", "r"), "runout, by a ball"),
     };
-    if gear.eccentricity() > 0.0 {
-        values.push(GradedValue::of_runout(gear)?);
-    }
-    Ok(values)
-}
-
-fn row(gear: &str, value: &GradedValue) -> Markup {
-    let (sign, name) = match value.what {
-        Graded::SinglePitch => (symbol("f", "p"), "single pitch"),
-        Graded::TotalPitch => (symbol("F", "p"), "total cumulative pitch"),
-        Graded::Runout => (symbol("F", "r"), "runout, twice the eccentricity"),
+    let flanks = match reading.pitch {
+        Some((_, Side::Right)) => ", right flanks",
+        Some((_, Side::Left)) => ", left flanks",
+        None => "",
     };
-    let flanks = match value.side {
-        Some(Side::Right) => ", right flanks",
-        Some(Side::Left) => ", left flanks",
+    let axis = match reading.pitch {
+        Some((PitchAxis::Datum, _)) => ", datum axis",
+        Some((PitchAxis::Own, _)) => ", own centre",
         None => "",
     };
     html! {
         tr {
             td { (gear) }
             td.w { (sign) }
-            th scope="row" { (name) (flanks) }
-            td.n { (um(Some(value.value), 1)) }
-            @match value.grade {
+            th scope="row" { (name) (flanks) (axis) }
+            td.n { (um(Some(reading.measured), 3)) }
+            @match reading.grade {
                 Grade::Within { grade, tolerance } => { td.n { (grade) } td.n { (um(Some(tolerance), 1)) } }
                 Grade::Beyond { last, tolerance } => { td.n { "beyond " (last) } td.n { (um(Some(tolerance), 1)) } }
             }

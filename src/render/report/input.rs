@@ -97,7 +97,7 @@ pub(super) fn section(page: &Page) -> Result<Markup, Error> {
                     tbody {
                         @for property in DRAWN.iter().chain(&DERIVED) { (row(page, property)) }
                         (text_row(("", ""), "thickness as stated", "", stated("thickness", thickness)))
-                        (text_row(("F", "r"), "runout, twice the eccentricity", "µm", stated("runout", runout)))
+                        (text_row(("2 e", ""), "twice the eccentricity, the runout as stated", "µm", stated("runout", runout)))
                         (text_row(("", ""), "high tooth", "–", stated("runout", high_tooth)))
                         (text_row(("F", "p"), "pitch deviations", "", stated("pitch", pitch)))
                         (text_row(("", ""), "reference face towards", "", face))

@@ -24,6 +24,7 @@ use crate::compare::ComparedRun;
 use crate::curves::{Course, OverDistance, courses};
 use crate::diagnosis::Diagnosis;
 use crate::error::Error;
+use crate::gauge::{GradedReading, Unmeasured};
 use crate::measured::MeasuredMating;
 use crate::mesh::Method;
 use crate::outcome::{AtDistance, Outcome, by_distance};
@@ -56,6 +57,8 @@ pub struct Report<'a> {
     pub measured: &'a [MeasuredMating],
     /// Every check.
     pub diagnosis: &'a Diagnosis,
+    /// Pitch and runout of each gear that deviates, as the gauge reads and grades them.
+    pub grades: &'a [(&'static str, Result<Vec<GradedReading>, Unmeasured>)],
 }
 
 impl<'a> Report<'a> {

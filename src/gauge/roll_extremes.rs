@@ -1,0 +1,276 @@
+//! Extremes of the curve `a''` of a roll test between its poses.
+//!
+//! `a''` is the greatest of the distances at which single pairs of contacts are closed, so between smooth stretches it
+//! has kinks where what touches changes. Even poses meet neither the kinks nor the tops. Three steps:
+//!
+//! 1. Between two even poses that touch different teeth or curves the step is halved [`HALVINGS`] times: a dip between two
+//!    level stretches, where one pair has left and the next has not come, would not show otherwise.
+//! 2. Over a piece of length `h` with the values `f_0, f_1` and slopes `m_0, m_1` at its ends (the slope of each pose is
+//!    known from its contacts), `f` is taken to be no steeper than `L = max(m_0, m_1, 2 |f_1 − f_0|/h) + |m_1 − m_0|`.
+//!    Such a function stays within `(f_0 + f_1)/2 ± L h/2`. (A smooth stretch needs `max(m_0, m_1)` and half their difference; a
+//!    ramp between two level stretches needs what it climbs, doubled in case it takes half of the piece.)
+//! 3. Pieces that may reach beyond an extreme found are halved, until none may by more than [`TOTAL`] for the range of
+//!    the revolution and [`WITHIN_PITCH`] for that within a pitch, for the
+//!    one before the other, or poses have become [`MOST`] times as many. What is left is reported.
+//!
+//! The assumption is `L`; with it the bracket is proven. The slopes between the poses are not proven
+//! beforehand: something narrower than a halved step that no pose touches would be missed.
+
+use super::roll::{RollPose, RollRange};
+use crate::error::Error;
+use crate::gear;
+use rayon::prelude::*;
+use std::collections::BTreeMap;
+
+/// What F_i'' may be short of, mm: a thousandth of a micrometre, far below what roll testers resolve.
+const TOTAL: f64 = 1e-6;
+/// What f_i'' may be short of, mm. A window of one pitch has two free ends, on the steepest stretch of the curve: more costs
+/// many poses and tells nobody anything.
+const WITHIN_PITCH: f64 = 1e-5;
+/// Halvings of steps in which the contact changes (tuned: a hundredth of a pitch at the usual 16 poses).
+const HALVINGS: u32 = 3;
+/// Poses in all, times the even ones (tuned: the usual gear takes twice as many).
+const MOST: usize = 8;
+/// Parts of an even step: places are whole numbers of them.
+const PARTS: u64 = 1 << 30;
+
+/// The even poses of a curve.
+pub(super) struct Curve {
+    /// Of one revolution.
+    pub steps: usize,
+    pub steps_per_pitch: usize,
+    /// Rotation from one to the next, rad.
+    pub step: f64,
+}
+
+/// A pose, and how the curve goes on from it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Sample {
+    pub pose: RollPose,
+    /// Amount, mm a radian.
+    pub slope: f64,
+    /// Right and left contact: teeth and curves of the gear and of the master.
+    pub touched: [Option<[(u32, gear::Curve); 2]>; 2],
+}
+
+/// The poses taken and what they come to.
+pub(super) struct Bracketed {
+    pub even: Vec<RollPose>,
+    pub between: Vec<RollPose>,
+    pub total: RollRange,
+    pub tooth_to_tooth: RollRange,
+}
+
+/// A piece between two neighbouring poses.
+struct Piece {
+    /// Places of its ends.
+    from: u64,
+    to: u64,
+    /// Values at its ends, the lesser first.
+    ends: [f64; 2],
+    /// Between which the curve stays.
+    within: [f64; 2],
+    /// Whether both ends touch alike.
+    alike: bool,
+}
+
+impl Piece {
+    fn slack(&self) -> f64 {
+        self.within[1] - self.within[0]
+    }
+}
+
+/// Takes the even poses of `curve` with `take` (step, part of a step beyond it), and as many more as its ranges need.
+///
+/// `None` where a pose has no distance.
+pub(super) fn bracketed(
+    curve: &Curve,
+    take: &(dyn Fn(usize, f64) -> Result<Option<Sample>, Error> + Sync),
+) -> Result<Option<Bracketed>, Error> {
+    let mut samples: BTreeMap<u64, Sample> = BTreeMap::new();
+    let mut wanted: Vec<u64> = (0..curve.steps as u64).map(|step| step * PARTS).collect();
+    for round in 0.. {
+        let taken: Vec<_> = wanted
+            .par_iter()
+            .map(|place| {
+                let beyond = (place % PARTS) as f64 / PARTS as f64;
+                take((place / PARTS) as usize, beyond)
+            })
+            .collect();
+        for (place, sample) in wanted.iter().zip(taken) {
+            let Some(sample) = sample? else {
+                return Ok(None);
+            };
+            samples.insert(*place, sample);
+        }
+        let pieces = pieces(curve, &samples);
+        let ranges = Ranges::of(curve, &pieces);
+        let mut halved: Vec<&Piece> = match round < HALVINGS {
+            true => pieces.iter().filter(|piece| !piece.alike).collect(),
+            false => ranges.open(&pieces),
+        };
+        halved.retain(|piece| piece.to - piece.from > 1);
+        // What reaches farthest first, if not all may be had.
+        halved.sort_by(|one, other| other.slack().total_cmp(&one.slack()));
+        halved.truncate((MOST * curve.steps).saturating_sub(samples.len()));
+        wanted = halved
+            .iter()
+            .map(|piece| piece.from + (piece.to - piece.from) / 2)
+            .collect();
+        if round >= HALVINGS && wanted.is_empty() {
+            let (even, between): (Vec<_>, Vec<_>) =
+                samples.iter().partition(|(place, _)| *place % PARTS == 0);
+            let poses = |list: Vec<(&u64, &Sample)>| list.iter().map(|(_, s)| s.pose).collect();
+            return Ok(Some(Bracketed {
+                even: poses(even),
+                between: poses(between),
+                total: ranges.total,
+                tooth_to_tooth: ranges.tooth_to_tooth,
+            }));
+        }
+    }
+    Ok(None)
+}
+
+fn pieces(curve: &Curve, samples: &BTreeMap<u64, Sample>) -> Vec<Piece> {
+    let round = curve.steps as u64 * PARTS;
+    let first = samples.first_key_value();
+    let next = samples
+        .iter()
+        .skip(1)
+        .map(|(place, sample)| (*place, sample))
+        .chain(first.map(|(place, sample)| (place + round, sample)));
+    let piece = |((from, one), (to, other)): ((&u64, &Sample), (u64, &Sample))| {
+        let length = curve.step * (to - from) as f64 / PARTS as f64;
+        let (f_0, f_1) = (one.pose.distance, other.pose.distance);
+        let climb = (f_1 - f_0).abs();
+        let steepest =
+            one.slope.max(other.slope).max(2.0 * climb / length) + (one.slope - other.slope).abs();
+        let (middle, reach) = (0.5 * (f_0 + f_1), 0.5 * steepest * length);
+        Piece {
+            from: *from,
+            to,
+            ends: [f_0.min(f_1), f_0.max(f_1)],
+            within: [middle - reach, middle + reach],
+            alike: one.touched == other.touched,
+        }
+    };
+    samples.iter().zip(next).map(piece).collect()
+}
+
+/// Both ranges, and which pieces leave them open.
+struct Ranges {
+    total: RollRange,
+    tooth_to_tooth: RollRange,
+    /// By piece: whether it must be halved for the one or for the other.
+    open: [Vec<bool>; 2],
+}
+
+impl Ranges {
+    fn of(curve: &Curve, pieces: &[Piece]) -> Ranges {
+        let all = Span::of(pieces.iter());
+        let mut within = vec![false; pieces.len()];
+        let total: Vec<bool> = pieces
+            .iter()
+            .map(|piece| {
+                piece.within[0] < all.found[0] - 0.5 * TOTAL
+                    || piece.within[1] > all.found[1] + 0.5 * TOTAL
+            })
+            .collect();
+        let pitch = curve.steps_per_pitch as u64 * PARTS;
+        let round = curve.steps as u64 * PARTS;
+        // Pieces from `first` on that a window of one pitch can reach which begins within piece `first`.
+        let reached = |first: usize| {
+            let end = pieces[first].to + pitch;
+            (first..first + pieces.len())
+                .map(|index| {
+                    let lap = if index < pieces.len() { 0 } else { round };
+                    (index % pieces.len(), lap)
+                })
+                .take_while(move |(index, lap)| pieces[*index].from + lap < end)
+        };
+        let mut found: f64 = 0.0;
+        let mut windows = Vec::with_capacity(pieces.len());
+        for (first, piece) in pieces.iter().enumerate() {
+            // Poses of the window that begins at the piece's start.
+            let last = piece.from + pitch;
+            let inside = reached(first)
+                .filter(|(index, lap)| pieces[*index].to + lap <= last)
+                .map(|(index, _)| &pieces[index]);
+            found = found.max(Span::of(inside).range());
+            windows.push(Span::of(reached(first).map(|(index, _)| &pieces[index])));
+        }
+        let mut most = found;
+        for (first, window) in windows.iter().enumerate() {
+            let reach = window.within[1] - window.within[0];
+            most = most.max(reach);
+            if reach <= found + WITHIN_PITCH {
+                continue;
+            }
+            // What makes the window look wide: the pieces that may hold its extremes, and its two loose ends.
+            let mut last = first;
+            for (index, _) in reached(first) {
+                let piece = &pieces[index];
+                let extreme =
+                    piece.within[0] <= window.found[0] || piece.within[1] >= window.found[1];
+                within[index] |= extreme && piece.slack() > 0.25 * WITHIN_PITCH;
+                last = index;
+            }
+            for index in [first, last] {
+                let [low, high] = pieces[index].ends;
+                within[index] |= high - low > 0.25 * WITHIN_PITCH;
+            }
+        }
+        Ranges {
+            total: RollRange {
+                found: all.range(),
+                missed: (all.within[1] - all.within[0] - all.range()).max(0.0),
+            },
+            tooth_to_tooth: RollRange {
+                found,
+                missed: most - found,
+            },
+            open: [total, within],
+        }
+    }
+
+    /// The pieces to halve: for the revolution first, which takes few.
+    fn open<'a>(&self, pieces: &'a [Piece]) -> Vec<&'a Piece> {
+        let of = |open: &[bool]| -> Vec<&'a Piece> {
+            let marked = pieces.iter().zip(open);
+            marked.filter(|(_, open)| **open).map(|(p, _)| p).collect()
+        };
+        let [total, within] = self.open.each_ref().map(|open| of(open));
+        match total.is_empty() {
+            true => within,
+            false => total,
+        }
+    }
+}
+
+/// Least and greatest of some pieces: found, and possible.
+struct Span {
+    found: [f64; 2],
+    within: [f64; 2],
+}
+
+impl Span {
+    fn of<'a>(pieces: impl Iterator<Item = &'a Piece>) -> Span {
+        let nothing = [f64::INFINITY, f64::NEG_INFINITY];
+        let wider =
+            |[low, high]: [f64; 2], other: [f64; 2]| [low.min(other[0]), high.max(other[1])];
+        let mut span = Span {
+            found: nothing,
+            within: nothing,
+        };
+        for piece in pieces {
+            span.found = wider(span.found, piece.ends);
+            span.within = wider(span.within, piece.within);
+        }
+        span
+    }
+
+    fn range(&self) -> f64 {
+        (self.found[1] - self.found[0]).max(0.0)
+    }
+}

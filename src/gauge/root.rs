@@ -1,0 +1,65 @@
+//! Radius of the root circle: a stylus set down on the bottom of every tooth space.
+//!
+//! The bottom of a space belongs to the two half teeth beside it, each from the end of its fillet to the middle of its
+//! space, turned with its flank. Where flanks stand so far out that one half's fillet covers the other's bottom
+//! the root circle does not show; that space is left out.
+
+use super::Unmeasured;
+use super::workpiece::Workpiece;
+use crate::gear::Side;
+use std::f64::consts::FRAC_PI_2;
+
+/// The root circle about the gear's own centre.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RootReading {
+    /// `r_f`, mm: mean over the spaces where it shows.
+    pub radius: f64,
+    /// Bound on its error, mm.
+    pub error: f64,
+    /// What the tool's depth says of the teeth it cut: the thickness `s = m (π/2 + 2 x_E tan α)` at the reference circle, mm,
+    /// `x_E` from `r_f = r − m (h_fP* − x_E)` with the rack of the drawing.
+    pub thickness: f64,
+    /// Bound on the error of `thickness`, mm.
+    pub thickness_error: f64,
+}
+
+/// Reads the root circle.
+pub(super) fn root(work: &Workpiece) -> Result<RootReading, Unmeasured> {
+    let gear = work.as_built;
+    let ascending = gear.face().ascending();
+    let half = 0.5 * ascending;
+    let (mut sum, mut count) = (0.0, 0.0);
+    for tooth in 1..=gear.gear().toothing().teeth() {
+        let next = work.after(tooth, 1);
+        let ends = [(Side::Right, tooth, half), (Side::Left, next, -half)];
+        // Seen from the middle of the space.
+        let [from, to] = ends.map(|(own, tooth, pitches)| {
+            let side = gear.face().seen_from_front(own);
+            work.turn(side, tooth, pitches) * work.root_end(side)
+        });
+        // The cross product of both, over r_f²: the angle of bottom between them.
+        let shown = ascending * from.coords.perp(&to.coords) / from.coords.norm();
+        if shown >= -work.bound() {
+            sum += from.coords.norm();
+            count += 1.0;
+        }
+    }
+    if count == 0.0 {
+        return Err(Unmeasured(
+            "fillets cover the root circle in every tooth space".to_owned(),
+        ));
+    }
+    let radius = sum / count;
+    let blank = gear.gear().blank();
+    let (toothing, rack) = (&blank.toothing, &blank.rack);
+    let module = toothing.module();
+    let tan = toothing.pressure_angle().tan();
+    let shift = (radius - toothing.reference_radius()) / module + rack.dedendum();
+    Ok(RootReading {
+        radius,
+        error: work.bound(),
+        thickness: module * (FRAC_PI_2 + 2.0 * shift * tan),
+        // Rounding of r and of the shift is some ulps of r, far within the bound.
+        thickness_error: 2.0 * (2.0 * work.bound()) * tan,
+    })
+}

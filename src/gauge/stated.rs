@@ -1,0 +1,84 @@
+//! What the readings let a gear file state of the tooth thickness.
+//!
+//! Mean thickness is what `[thickness]` states, and it alone sets pose, root and fillet; per-tooth thickness is added flank
+//! by flank, its mean not removed. At the flanks the two cannot be told apart: teeth of −20 µm with −40 µm on every one
+//! and teeth of −60 µm have the same spans. The root can tell: the tool was fed for the mean
+//! thickness, so the root circle's radius has `x_E` in it. The thickness that goes with the root is the mean;
+//! what the flanks are thicker or thinner all round is stated tooth by tooth. How thickness varies from tooth
+//! to tooth is in the pitch of both flanks.
+
+use super::Unmeasured;
+use super::flanks::{PitchReadings, ThicknessReadings};
+use super::root::RootReading;
+use super::span::Spans;
+use crate::gear::{Gear, thickness};
+
+/// The thickness as a gear file states it. Lengths in mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum StatedThickness {
+    /// The spans as read; no tooth is thicker or thinner than the root says.
+    Spans,
+    /// `A_s`, at the reference circle, and what every tooth is thicker beside.
+    Allowance {
+        /// Allowance of the mean thickness.
+        allowance: f64,
+        /// Mean of the thickness by tooth: 0 where it lies within the error of the readings.
+        per_tooth: f64,
+    },
+}
+
+/// The readings a statement may rest on.
+pub(super) struct Readings<'a> {
+    pub spans: &'a Result<Spans, Unmeasured>,
+    pub thickness: &'a Result<ThicknessReadings, Unmeasured>,
+    pub pitch: &'a Result<PitchReadings, Unmeasured>,
+    pub root: &'a Result<RootReading, Unmeasured>,
+}
+
+/// States the thickness of `gear`, or says why no gear file can.
+///
+/// Spans are stated only where a reader of the file finds the same: `k` whose contact lies on the involute of a
+/// gear of that thickness.
+pub(super) fn stated(gear: &Gear, read: &Readings) -> Result<StatedThickness, Unmeasured> {
+    if let Err(reason) = read.pitch {
+        return Err(reason.clone());
+    }
+    let (blank, toothing) = (gear.blank(), gear.toothing());
+    let nominal = blank.nominal_base_thickness();
+    let cos = toothing.pressure_angle().cos();
+    // Base thickness by the flanks.
+    let spans = read.spans.as_ref().ok();
+    let by_spans = |spans: &Spans| thickness::base_from_span(toothing, spans.teeth, spans.mean());
+    let (base, error) = match (read.thickness, spans) {
+        (Ok(arcs), _) => {
+            let allowance = arcs.mean() - arcs.nominal;
+            let base = thickness::base_from_allowance(toothing, nominal, allowance);
+            (base, arcs.error)
+        }
+        (Err(_), Some(spans)) => (by_spans(spans), spans.error() / cos),
+        (Err(reason), None) => return Err(reason.clone()),
+    };
+    let allowance = thickness::allowance_from_base(toothing, nominal, base);
+    // Thickness by the root, where it shows.
+    let beyond = read.root.as_ref().map_or(0.0, |root| {
+        let beyond = allowance - (root.thickness - blank.nominal_thickness());
+        match beyond.abs() <= error + root.thickness_error {
+            true => 0.0,
+            false => beyond,
+        }
+    });
+    if let (Some(spans), true) = (spans, beyond == 0.0) {
+        let readable = Gear::new(*blank, by_spans(spans))
+            .and_then(|gear| thickness::check_span(&gear, spans.teeth));
+        if readable.is_ok() {
+            return Ok(StatedThickness::Spans);
+        }
+    }
+    let allowance = allowance - beyond;
+    let base = thickness::base_from_allowance(toothing, nominal, allowance);
+    Gear::new(*blank, base).map_err(|error| Unmeasured(error.to_string()))?;
+    Ok(StatedThickness::Allowance {
+        allowance,
+        per_tooth: beyond,
+    })
+}

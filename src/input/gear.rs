@@ -123,9 +123,6 @@ impl GearPart {
         let runout = Runout::read(table, teeth, problems);
         let sheet = PitchSheet::read(table, teeth, problems);
 
-        if let Some(runout) = &runout {
-            self.warnings.extend(runout.warning.clone());
-        }
         let pitch = match (&sheet, &self.toothing, &runout) {
             (Some(None), ..) => Some(None),
             (Some(Some(sheet)), Some(toothing), Some(runout)) => {
@@ -148,7 +145,7 @@ impl GearPart {
             pressure_angle_deg: self.pressure_angle_deg?,
         };
         let pitch_header = sheet.iter().flatten().map(PitchSheet::header);
-        for header in pitch_header.chain(runout.iter().map(|runout| &runout.header)) {
+        for header in pitch_header.chain(runout.iter().filter_map(Runout::header)) {
             header.check(&drawn, problems);
         }
         let drawing = Drawing {
@@ -171,6 +168,7 @@ impl GearPart {
         };
         let flanks = Flanks::settle(&drawing, sheets, problems)?;
         let (face, cross_check) = (face?, cross_check?);
+        self.warnings.extend_from_slice(&flanks.told);
         if let Some(note) = &flanks.eccentricity {
             self.warnings.push(eccentricity::told(table, note));
         }
@@ -191,7 +189,7 @@ impl GearPart {
         let deviations = &flanks.deviations;
         self.as_built = Some(drawing.as_built(&flanks.gears, face, deviations, problems)?);
 
-        let mut echo = self.echo_of(&drawing, face, &runout);
+        let mut echo = self.echo_of(&drawing, face, &flanks.runout);
         echo["thickness"]["per_tooth_um"] = json!(per_tooth_um);
         if let Some(check) = &cross_check {
             echo["thickness"]["cross_check"] = check.echo();

@@ -73,7 +73,7 @@ fn diameter(text: &str) -> Result<f64, String> {
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let study = input::read_gears(&args.file)?;
-    warn(&args.file, &study.warnings);
+    warn(&args.file, &study.warnings, &study.remarks);
     let chosen = choose(args, &study)?;
     let folder = args.results.folder(&study.stem)?;
 

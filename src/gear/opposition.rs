@@ -37,13 +37,14 @@ impl Pitch {
     /// nothing of it. A left flank turned round changes the parts of `S` and `D`: then an eccentricity
     /// stands in `D`, as a first harmonic of the gear's own thickness would, and hardly anything in `S`.
     ///
-    /// For unrelated flanks `S` and `D` are independent and alike, so that `p_1 = |S|²/(|S|² + |D|²)` is uniform and
-    /// independent of the energy `E = |S|² + |D|²`; an eccentricity only makes `p_1` larger. `p_2` is the
-    /// probability that `E` stands out from the energy `T` of the other `m` harmonics as it does: for a white or
-    /// a red spectrum (energies as `1/sin²(π h/z)`, a random walk, to which `T` is weighted; white ones stand out less)
-    /// `E/(E + T)` is at most Beta(2, 2m), whose tail is `(1 − q)^{2m} (1 + 2m q)`. The product of two
-    /// independent uniform numbers is below `x = p_1 p_2` with the probability `x (1 − ln x)` (Fisher). The other
-    /// harmonics are judged as of own-axis data; the least of the three bounds is taken threefold.
+    /// For unrelated flanks without eccentricity `|S|²` and `|D|²` are independent and alike (exponential); an eccentricity makes
+    /// `k = |S|²/|D|²` the larger and leaves `D` alone. `D` stands out from the others by `q = |D|²/(|D|² + T)`, `T` the sum of
+    /// the `n = 2 (harmonics − 1)` other `|S|²` and `|D|²`, weighted by `sin²(π h/z)/sin²(π/z)`: they are alike then for a random walk, and white ones
+    /// stand out the less. `|D|² + T` is independent of `q`, which is Beta(1, n), so with `E[|D|² | q] = (1 + n) q` the probability of
+    /// less than `k` at more than `q` is at most `x = k (1 − q)^n (1 + n q)`. That of any pair with less than `x` is
+    /// at most `∫ min(1, x (1 + n) q/((1 − q)^n (1 + n q))) n (1 − q)^{n−1} dq ≤ x (1 + n) l + e^{−n l}` for any `l`; the best is
+    /// `w (1 − ln w)`, `w = x (1 + n)/n` (own derivation). The other harmonics are judged as of own-axis data; the
+    /// least of the three bounds is taken threefold.
     pub fn datum_opposition(&self, gear: &Gear) -> f64 {
         let z = self.flank(Side::Right).len();
         let harmonics = self.harmonics();
@@ -53,12 +54,11 @@ impl Pitch {
         let rest = least_of_both(&harmonics, 2, z);
         let [u, v] = Side::BOTH.map(|side| self.from_zero_of_eccentricity(gear, side));
         let (together, apart) = ((u + v).norm_sqr(), (u - v).norm_sqr());
-        let energy = together + apart;
-        if !(energy > 0.0) {
+        if !(apart > 0.0) {
             return (3.0 * rest).min(1.0);
         }
         let first = TAU / (2.0 * z as f64);
-        let weight = |h: usize| ((first * h as f64).sin() / first.sin()).powi(2);
+        let weight = |h: u32| ((first * f64::from(h)).sin() / first.sin()).powi(2);
         // |S|² + |D|² = 2 (|R|² + |L|²).
         let others: f64 = harmonics
             .iter()
@@ -66,11 +66,17 @@ impl Pitch {
             .skip(1)
             .map(|(harmonic, h)| 2.0 * weight(h) * harmonic.energy)
             .sum();
-        let degrees = 2.0 * (harmonics.len() - 1) as f64;
-        let share = energy / (energy + others);
-        let stands_out = (1.0 - share).powf(degrees) * (1.0 + degrees * share);
-        let x = (together / energy * stands_out).max(f64::MIN_POSITIVE);
-        (3.0 * rest.min(x * (1.0 - x.ln()))).min(1.0)
+        let n = 2.0 * (harmonics.len() - 1) as f64;
+        let (k, q) = (together / apart, apart / (apart + others));
+        let first = if n > 0.0 {
+            let x = k * (1.0 - q).powf(n) * (1.0 + n * q);
+            let w = (x * (1.0 + n) / n).clamp(f64::MIN_POSITIVE, 1.0);
+            w * (1.0 - w.ln())
+        } else {
+            // k/(1 + k) is exact.
+            k
+        };
+        (3.0 * rest.min(first)).min(1.0)
     }
 
     /// First harmonic of the own `side` flanks, counted from the angle `±α` at which an eccentricity shows nothing.

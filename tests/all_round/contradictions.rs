@@ -1,7 +1,7 @@
 //! Data that contradict the file, both ways, and data that do not.
 
 use super::*;
-use gearlash::gear::Pitch;
+use gearlash::gear::{Blank, Gear, Pitch, Rack, Toothing};
 use proptest::collection::vec;
 use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::TestRunner;
@@ -89,6 +89,96 @@ fn flanks_that_a_tool_cut_are_told_from_turned_ones() {
         assert!(found as f64 > share * GEARS as f64, "z {z}: {found}");
     }
 }
+
+/// Datum-axis readings of flanks with the own pitch `own`, µm: the pattern of design section 6, F = −e sin(ψ ∓ α)/cos α, added to it,
+/// rounded to 0.1 µm as sheets are. Teeth of half a pitch, so a flank stands π/(2z) from its tooth's centre.
+fn about_datum(own: [Vec<f64>; 2], e: f64, to: f64) -> [Vec<f64>; 2] {
+    let alpha = 20f64.to_radians();
+    let mut ahead = -1.0;
+    own.map(|list| {
+        ahead = -ahead;
+        let z = list.len() as f64;
+        let read = |(i, f): (usize, &f64)| {
+            let flank = TAU * i as f64 / z + ahead * TAU / (4.0 * z) - to;
+            let um = f - e * (flank - ahead * alpha).sin() / alpha.cos();
+            (10.0 * um).round() / 10.0
+        };
+        list.iter().enumerate().map(read).collect()
+    })
+}
+
+/// How many of [`GEARS`] datum-axis sheets count as turned round; `e` as given, in any direction.
+fn suspected_about_datum(
+    name: &str,
+    dice: &mut Dice,
+    e: f64,
+    turned: bool,
+    flanks: impl Fn(&mut Dice) -> [Vec<f64>; 2],
+) -> usize {
+    let toothing = |z: usize| Toothing::new(u32::try_from(z).unwrap(), 3.0, 20f64.to_radians());
+    let suspect = |_: &usize| {
+        let own = flanks(dice);
+        let gear = Gear::nominal(Blank {
+            toothing: toothing(own[0].len()).unwrap(),
+            profile_shift: 0.0,
+            rack: Rack::ISO_53_A,
+            tip_diameter: None,
+        })
+        .unwrap();
+        let to = dice.list(1, TAU / 2.0)[0];
+        let [right, left] = about_datum(own, e, to);
+        let left = if turned { negative(&left) } else { left };
+        Pitch::from_cumulative(&right, &left).datum_opposition(&gear) < 1e-3
+    };
+    let count = (0..GEARS).filter(suspect).count();
+    println!("{name}, e = {e} µm: {count} of {GEARS}");
+    count
+}
+
+/// 1e-3 is the limit that is stated; with an eccentricity nothing at all.
+#[test]
+fn datum_axis_flanks_are_hardly_ever_suspected() {
+    let mut dice = Dice(TestRunner::deterministic());
+    for z in [7, 20, 44] {
+        for e in [0.0, 2.0, 20.0] {
+            let white = suspected_about_datum("white", &mut dice, e, false, |d| {
+                [d.list(z, 5.0), d.list(z, 5.0)]
+            });
+            let walks = suspected_about_datum("random walks", &mut dice, e, false, |d| {
+                [d.walk(z), d.walk(z)]
+            });
+            let real = suspected_about_datum("real", &mut dice, e, false, |d| d.real(z, 2.0));
+            assert!(
+                white.max(walks).max(real) <= GEARS / 1000,
+                "z {z}, e {e}: {white}, {walks}, {real}"
+            );
+        }
+    }
+}
+
+/// The reviewers' case (e = 20 µm, 1 µm of noise, the left column turned round), with and without common waves of the own pitch.
+#[test]
+fn a_left_flank_turned_round_about_the_datum_axis_is_found() {
+    let mut dice = Dice(TestRunner::deterministic());
+    for (z, e, share) in RATES {
+        let noise = suspected_about_datum("noise alone, turned", &mut dice, e, true, |d| {
+            [d.list(z, 3f64.sqrt()), d.list(z, 3f64.sqrt())]
+        });
+        let real = suspected_about_datum("real, turned", &mut dice, e, true, |d| d.real(z, 1.0));
+        assert!(
+            noise.min(real) as f64 >= share * GEARS as f64,
+            "z {z}, e {e}: {noise}, {real}"
+        );
+    }
+}
+const RATES: [(usize, f64, f64); 6] = [
+    (20, 5.0, 0.0),
+    (44, 5.0, 0.0),
+    (20, 20.0, 0.0),
+    (44, 20.0, 0.0),
+    (20, 50.0, 0.0),
+    (44, 50.0, 0.0),
+];
 
 fn pitch(sense: &str, right: &[f64], left: &[f64]) -> String {
     format!(

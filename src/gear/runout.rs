@@ -137,9 +137,8 @@ impl RunoutReadings {
                 }
                 Probe::Fork => {
                     // The turn is e/r at most, and an error of it comes back e/r-fold.
-                    let turned = (0..MOST_CORRECTIONS).fold(seen, |at, _| {
-                        seen * Complex::from_polar(1.0, -at.im / r)
-                    });
+                    let turned = (0..MOST_CORRECTIONS)
+                        .fold(seen, |at, _| seen * Complex::from_polar(1.0, -at.im / r));
                     turned.re + (right - left) / (2.0 * alpha.tan())
                 }
             }

@@ -123,7 +123,9 @@ impl CrossCheck {
         };
         let verdict = match (compared.agree(), gap > 0.0) {
             (true, false) => "they agree".to_owned(),
-            (true, true) => format!("{outside}within the tolerance of {tolerance:.1} µm: they agree"),
+            (true, true) => {
+                format!("{outside}within the tolerance of {tolerance:.1} µm: they agree")
+            }
             (false, _) => format!(
                 "{outside}{tolerance:.1} µm is allowed: check both measurements, the pins and the number of teeth spanned"
             ),
@@ -135,7 +137,11 @@ impl CrossCheck {
             drawing.statement.key().unwrap_or_default(),
             range(compared.cross),
             self.statement.key().unwrap_or_default(),
-            if bands == [false, false] { "" } else { " of the means" },
+            if bands == [false, false] {
+                ""
+            } else {
+                " of the means"
+            },
             compared.difference_um,
         )
     }

@@ -100,7 +100,12 @@ fn apart_um(one: Eccentricity, other: Eccentricity, toothing: &Toothing) -> f64 
 const SAME: f64 = 0.25;
 
 /// A warning where own-axis `pitch` holds the very eccentricity of `runout`, both flanks jointly.
-pub fn held(table: &Table, pitch: &Pitch, runout: Option<Eccentricity>, gear: &Gear) -> Option<String> {
+pub fn held(
+    table: &Table,
+    pitch: &Pitch,
+    runout: Option<Eccentricity>,
+    gear: &Gear,
+) -> Option<String> {
     let runout = runout.filter(|stated| stated.um > 0.0)?;
     let found = pitch.separate_eccentricity(gear).ok()?;
     let in_pitch = Eccentricity {

@@ -181,11 +181,15 @@ impl GearPart {
             .extend(contradictions::told(&drawing, measured, &flanks));
         if let Some((_, pitch)) = measured.filter(|(sheet, _)| !sheet.is_datum()) {
             let gear = flanks.gears.most();
-            self.warnings.extend(eccentricity::held(table, pitch, flanks.in_runout, gear));
+            self.warnings
+                .extend(eccentricity::held(table, pitch, flanks.in_runout, gear));
         }
         let toothing = &drawing.blank.toothing;
         let in_pitch = measured.and_then(|(sheet, _)| sheet.slip(table, toothing));
-        let slips: Vec<Slip> = slips::in_readings(&drawing).into_iter().chain(in_pitch).collect();
+        let slips: Vec<Slip> = slips::in_readings(&drawing)
+            .into_iter()
+            .chain(in_pitch)
+            .collect();
         self.warnings.extend(slips.iter().map(Slip::told));
         self.notes = GearNotes {
             eccentricity: flanks.eccentricity,
@@ -202,7 +206,8 @@ impl GearPart {
             self.notes.thickness = Some(compared);
         }
         let deviations = &flanks.deviations;
-        self.as_built = Some(drawing.as_built(&flanks.gears, face, deviations, &slips, problems)?);
+        self.as_built =
+            Some(drawing.as_built(&flanks.gears, face, deviations, &slips, problems)?);
 
         let mut echo = self.echo_of(&drawing, face, &flanks.runout);
         echo["thickness"]["per_tooth_um"] = json!(per_tooth_um);

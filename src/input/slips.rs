@@ -20,7 +20,12 @@ pub struct Slip {
 impl Slip {
     /// As a warning.
     pub fn told(&self) -> String {
-        let Slip { key, what, off, why } = self;
+        let Slip {
+            key,
+            what,
+            off,
+            why,
+        } = self;
         format!("{key}: {what} lies {off}, {why}: check it; it counts as it stands")
     }
 
@@ -52,7 +57,10 @@ pub fn median(values: impl Iterator<Item = f64>) -> f64 {
     let mut list: Vec<f64> = values.collect();
     list.sort_by(f64::total_cmp);
     let (half, odd) = (list.len() / 2, !list.len().is_multiple_of(2));
-    match (list.get(half), half.checked_sub(1).and_then(|before| list.get(before))) {
+    match (
+        list.get(half),
+        half.checked_sub(1).and_then(|before| list.get(before)),
+    ) {
         (Some(middle), _) if odd => *middle,
         (Some(above), Some(below)) => (above + below) / 2.0,
         _ => 0.0,
@@ -78,7 +86,10 @@ pub fn in_readings(drawing: &Drawing) -> Option<Slip> {
         .max_by(|a, b| apart(a.1).total_cmp(&apart(b.1)))?;
     let count = readings.count();
     let why = if apart(mm) > plausible {
-        format!("more than the {:.0} µm by which even a coarse gear varies", 1000.0 * plausible)
+        format!(
+            "more than the {:.0} µm by which even a coarse gear varies",
+            1000.0 * plausible
+        )
     } else if count >= FEWEST && apart(mm) > (STANDS_OUT * spread).max(THIMBLE_LINE) {
         format!("half of them within {:.1} µm", 1000.0 * spread)
     } else {
@@ -87,7 +98,10 @@ pub fn in_readings(drawing: &Drawing) -> Option<Slip> {
     Some(Slip {
         key: drawing.table.path_of(&format!("{}.{name}", drawing.under)),
         what: format!("the reading at {place} {number}, {mm} mm,"),
-        off: format!("{:.1} µm from the median of all {count}, {middle} mm", 1000.0 * apart(mm)),
+        off: format!(
+            "{:.1} µm from the median of all {count}, {middle} mm",
+            1000.0 * apart(mm)
+        ),
         why,
     })
 }

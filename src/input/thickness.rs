@@ -67,7 +67,10 @@ pub enum Statement {
         per_tooth: bool,
     },
     /// `M_dK` all round, at spaces.
-    Pins { pin_mm: f64, readings: LengthReadings },
+    Pins {
+        pin_mm: f64,
+        readings: LengthReadings,
+    },
     /// `A_s` in µm, transverse at the reference circle.
     Allowance(Stated<f64>),
     /// `s_b` in mm.

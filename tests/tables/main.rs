@@ -8,6 +8,7 @@ mod mutated_workbooks;
 mod mutations;
 mod oracle;
 mod readings;
+mod sheets;
 mod workbooks;
 
 use gearlash::error::{Error, Problem};

@@ -57,7 +57,10 @@ impl PitchSheet {
                 before.rotate_right(1.min(um.len()));
                 after.rotate_left(1.min(um.len()));
                 let beside = before.iter().zip(&after);
-                um.iter().zip(beside).map(|(f, (b, a))| f - (b + a) / 2.0).collect()
+                um.iter()
+                    .zip(beside)
+                    .map(|(f, (b, a))| f - (b + a) / 2.0)
+                    .collect()
             }
         }
     }

@@ -196,7 +196,11 @@ fn usual_ball(gear: &Gear) -> Option<f64> {
     let roll = gear.toothing().pressure_angle().tan();
     let ball = thickness::pin_touching(gear.toothing(), roll, gear.base_thickness());
     let there = ball > 0.0 && ball.is_finite();
-    if there { Some(ball) } else { extreme_balls(gear).first().copied() }
+    if there {
+        Some(ball)
+    } else {
+        extreme_balls(gear).first().copied()
+    }
 }
 
 /// The least and the greatest ball that rest on the involutes of `gear`, within a twentieth of their height.
@@ -240,7 +244,10 @@ impl ReadingsFit {
                 fit.high_tooth
             )
         };
-        let (range, left) = (1000.0 * all.range, 1000.0 * greatest(&all.beyond, |r, s| r - s));
+        let (range, left) = (
+            1000.0 * all.range,
+            1000.0 * greatest(&all.beyond, |r, s| r - s),
+        );
         let probe = match (self.probe, self.by_ball_um) {
             (Probe::Fork, _) => " as a fork at the pressure angle reads".to_owned(),
             (Probe::Ball(mm), None) => format!(" under a ball of {mm} mm"),

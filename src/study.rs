@@ -84,6 +84,8 @@ pub struct Study {
     pub notes: [GearNotes; 2],
     /// What the user should know, for standard error.
     pub warnings: Vec<String>,
+    /// What was found to be in order, for standard error.
+    pub remarks: Vec<String>,
 }
 
 /// One gear of a file, for what needs no mate.
@@ -135,6 +137,8 @@ pub struct GearsStudy {
     pub gears: Vec<GearStudy>,
     /// What the user should know, for standard error.
     pub warnings: Vec<String>,
+    /// What was found to be in order, for standard error.
+    pub remarks: Vec<String>,
 }
 
 impl From<Study> for GearsStudy {
@@ -162,6 +166,7 @@ impl From<Study> for GearsStudy {
             title: study.title,
             stem: study.stem,
             warnings: study.warnings,
+            remarks: study.remarks,
         }
     }
 }

@@ -68,7 +68,7 @@ enum Gear {
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     check_options(args)?;
     let study = input::read(&args.pair)?;
-    warn(&args.pair, &study.warnings);
+    warn(&args.pair, &study.warnings, &study.remarks);
     let stem = study.stem.clone();
     let drawn = match args.kind {
         Kind::Revolution | Kind::Difference => over_teeth(args, study)?,

@@ -48,7 +48,7 @@ enum Format {
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let study = input::read(&args.pair)?;
-    warn(&args.pair, &study.warnings);
+    warn(&args.pair, &study.warnings, &study.remarks);
     let folder = || match &args.output {
         Some(folder) => folder.clone(),
         None => PathBuf::from("out").join(&study.stem),

@@ -66,7 +66,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     for path in &args.pairs {
         match input::read(path) {
             Ok(study) => {
-                warn(path, &study.warnings);
+                warn(path, &study.warnings, &study.remarks);
                 studies.push((path, study));
             }
             Err(error) => faults.push(error.to_string()),

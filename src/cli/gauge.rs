@@ -78,7 +78,7 @@ fn diameter(text: &str) -> Result<f64, String> {
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let study = input::read_gears(&args.file)?;
-    warn(&args.file, &study.warnings);
+    warn(&args.file, &study.warnings, &study.remarks);
     let chosen = choose(args, &study)?;
     let folder = args.results.folder(&study.stem)?;
 
@@ -122,6 +122,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
                 Err(reason) => warn(
                     &args.file,
                     &[format!("no gear file of the {}: {reason}", gauged.name)],
+                    &[],
                 ),
             }
         }

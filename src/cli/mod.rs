@@ -92,8 +92,11 @@ fn print(text: &str) {
     let _ = std::io::stdout().lock().write_all(text.as_bytes());
 }
 
-fn warn(file: &std::path::Path, warnings: &[String]) {
-    for warning in warnings {
-        eprintln!("warning: {}: {warning}", file.display());
+/// Prints what the user should know, and what was found to be in order.
+fn warn(file: &std::path::Path, warnings: &[String], remarks: &[String]) {
+    for (kind, list) in [("warning", warnings), ("note", remarks)] {
+        for told in list {
+            eprintln!("{kind}: {}: {told}", file.display());
+        }
     }
 }

@@ -39,7 +39,7 @@ pub(super) struct Args {
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let date = today()?;
     let study = input::read(&args.pair)?;
-    warn(&args.pair, &study.warnings);
+    warn(&args.pair, &study.warnings, &study.remarks);
     let target = Target::prepare(match &args.output {
         Some(file) => file.clone(),
         None => PathBuf::from("out").join(format!("{}.html", study.stem)),

@@ -35,7 +35,7 @@ pub(super) struct Args {
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let mut study = input::read(&args.pair)?;
-    warn(&args.pair, &study.warnings);
+    warn(&args.pair, &study.warnings, &study.remarks);
     if let Some(Distances(distances)) = &args.center_distance {
         let moved = study.at(distances.clone());
         study = moved.map_err(|reason| Error::Usage(format!("--center-distance: {reason}")))?;

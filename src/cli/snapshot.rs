@@ -66,7 +66,7 @@ enum Flank {
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let study = input::read(&args.pair)?;
-    warn(&args.pair, &study.warnings);
+    warn(&args.pair, &study.warnings, &study.remarks);
     let (title, stem) = (study.title.clone(), study.stem.clone());
     let subject = subject(args, study)?;
     let target = match &args.output {

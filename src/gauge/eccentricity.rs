@@ -67,17 +67,10 @@ pub(super) fn eccentricity(work: &Workpiece) -> Eccentricity {
             error,
         };
     }
-    let steps =
-        gear.face().ascending() * found.y.atan2(found.x) / gear.gear().toothing().angular_pitch();
-    let high_tooth = 1.0 + steps.rem_euclid(f64::from(teeth));
+    let angle = gear.face().ascending() * found.y.atan2(found.x);
     Eccentricity {
         amount,
-        // rem_euclid of a tiny negative number rounds up to z itself.
-        high_tooth: if high_tooth < f64::from(teeth) + 1.0 {
-            high_tooth
-        } else {
-            1.0
-        },
+        high_tooth: gear.gear().toothing().tooth_towards(angle),
         error,
     }
 }

@@ -94,7 +94,7 @@ impl Pitch {
                 return Ok(Separated {
                     pitch: Pitch::from_cumulative(&own[0], &own[1]),
                     eccentricity: e.norm(),
-                    high_tooth: tooth_towards(gear, e),
+                    high_tooth: gear.toothing().tooth_towards(e.y.atan2(e.x)),
                 });
             }
         }
@@ -130,19 +130,6 @@ impl Pitch {
             own.push(deviation);
         }
         Ok((own, left * alpha.cos() / f64::from(toothing.teeth())))
-    }
-}
-
-/// The tooth (fractional) a displacement points to, `1 ≤ … < z + 1`.
-fn tooth_towards(gear: &Gear, e: Vector2<f64>) -> f64 {
-    let teeth = f64::from(gear.toothing().teeth());
-    let tooth = e.y.atan2(e.x) / gear.toothing().angular_pitch();
-    let high_tooth = 1.0 + tooth.rem_euclid(teeth);
-    // rem_euclid of a tiny negative number rounds up to z itself.
-    if high_tooth < teeth + 1.0 {
-        high_tooth
-    } else {
-        1.0
     }
 }
 

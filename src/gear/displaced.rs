@@ -18,16 +18,24 @@ pub(super) fn own_deviation(
     reading: f64,
     e: Vector2<f64>,
 ) -> Result<f64, GearError> {
+    let r = gear.toothing().reference_radius();
     let mut own = reading;
+    let mut change = f64::INFINITY;
     for _ in 0..MOST_STEPS {
         let next = own + reading - read(gear, ahead, place, own, e)?;
-        let change = (next - own).abs();
+        change = (next - own).abs();
         own = next;
-        if change <= 1e-14 * gear.toothing().reference_radius() {
-            break;
+        if change <= 1e-14 * r {
+            return Ok(own);
         }
     }
-    Ok(own)
+    // A reading is not known better than its residual below.
+    if change <= 1e-13 * r {
+        return Ok(own);
+    }
+    Err(GearError::DatumPitch(
+        "no deviation of a flank gives this reading about the datum axis",
+    ))
 }
 
 /// What a machine reads, mm, for a flank with the own deviation `own` when the outline is displaced by `e`.

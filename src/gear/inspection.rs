@@ -1,6 +1,6 @@
 //! What an inspection sheet shows of a gear as built.
 
-use super::{AsBuilt, Side};
+use super::{AsBuilt, Side, pitch};
 
 /// Pitch, thickness and runout tooth by tooth, tooth 1 first. Lengths in mm at the reference circle, `right` and
 /// `left` the gear's *own* flanks, the sense that of ascending numbers, about the gear's own centre.
@@ -59,9 +59,7 @@ impl Inspection {
 
     /// Single pitch deviation `f_i = F_i − F_(i−1)`; that of tooth 1 counts from the last tooth.
     pub fn single(&self, side: Side) -> Vec<f64> {
-        let cumulative = self.cumulative(side);
-        let before = cumulative.last().into_iter().chain(cumulative);
-        cumulative.iter().zip(before).map(|(f, b)| f - b).collect()
+        pitch::single(self.cumulative(side))
     }
 
     /// Total cumulative pitch deviation `F_p`: the range of `F_i`.

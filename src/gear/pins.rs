@@ -65,12 +65,9 @@ impl PinReadings {
         let settled = 4.0 * f64::EPSILON * read;
         let mut last = f64::INFINITY;
         for _ in 0..MOST_STEPS {
-            let over = self
+            let [over, slope] = self
                 .readings
-                .mean(|space, _| self.over(&shifts, space, base).0);
-            let slope = self
-                .readings
-                .mean(|space, _| self.over(&shifts, space, base).1);
+                .means(|space, _| self.over(&shifts, space, base));
             let step = (read - over) / slope;
             // A pin in the base circle has no slope.
             if !(step.is_finite() && slope.is_finite()) {
@@ -89,7 +86,7 @@ impl PinReadings {
     }
 
     /// `M` at `space`, mm, and its derivative by `s_b`.
-    fn over(&self, shifts: &FlankShifts, space: u32, base: f64) -> (f64, f64) {
+    fn over(&self, shifts: &FlankShifts, space: u32, base: f64) -> [f64; 2] {
         let apart = self.toothing.teeth() / 2;
         let (one, other) = (
             self.centre(shifts, space, 0, base),
@@ -100,7 +97,7 @@ impl PinReadings {
         let (x, y) = (other.radius * cos - one.radius, other.radius * sin);
         let distance = x.hypot(y);
         let slope = (x * (other.slope * cos - one.slope) + y * other.slope * sin) / distance;
-        (distance + self.pin, slope)
+        [distance + self.pin, slope]
     }
 
     /// The pin's centre in the space `steps` on from `space`.

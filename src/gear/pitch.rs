@@ -61,6 +61,24 @@ impl Pitch {
             Side::Left => &self.left,
         }
     }
+
+    /// `f_i = F_i − F_{i−1}` of every tooth's own `side` flank, mm.
+    pub fn single(&self, side: Side) -> Vec<f64> {
+        single(self.flank(side))
+    }
+
+    /// What each tooth is thicker by its two flanks, mm at the reference circle, about the mean: `Δs_i = F_R,i − F_L,i`
+    /// (design section 6).
+    pub fn thickness(&self) -> Vec<f64> {
+        let flanks = self.right.iter().zip(&self.left);
+        flanks.map(|(right, left)| right - left).collect()
+    }
+}
+
+/// Single deviations of `cumulative` ones, `f_i = F_i − F_{i−1}`; that of tooth 1 counts from the last tooth.
+pub(super) fn single(cumulative: &[f64]) -> Vec<f64> {
+    let before = cumulative.last().into_iter().chain(cumulative);
+    cumulative.iter().zip(before).map(|(f, b)| f - b).collect()
 }
 
 fn mean(values: &[f64]) -> f64 {

@@ -49,8 +49,19 @@ impl Readings {
 
     /// Mean of `of` over all readings.
     pub(super) fn mean(&self, of: impl Fn(u32, f64) -> f64) -> f64 {
-        let sum: f64 = self.list.iter().map(|&(place, mm)| of(place, mm)).sum();
-        sum / self.list.len() as f64
+        let [mean] = self.means(|place, mm| [of(place, mm)]);
+        mean
+    }
+
+    /// The same of several values a reading.
+    pub(super) fn means<const N: usize>(&self, of: impl Fn(u32, f64) -> [f64; N]) -> [f64; N] {
+        let mut sums = [0.0; N];
+        for &(place, mm) in &self.list {
+            for (sum, value) in sums.iter_mut().zip(of(place, mm)) {
+                *sum += value;
+            }
+        }
+        sums.map(|sum| sum / self.list.len() as f64)
     }
 }
 

@@ -1,91 +1,183 @@
-//! Radial runout readings of a ball or pin → eccentricity.
+//! Radial runout readings of a ball or a fork → eccentricity.
+//!
+//! A reading tells how far a probe stands from the rotation axis. That is the outline's displacement `e`, and what the
+//! own flanks do: a ball sinks into a wide space, a fork rides on a thick tooth. So a first harmonic of the
+//! tooth thickness shows like an eccentricity, and readings alone cannot tell the two apart; where pitch and
+//! thickness are known, what they do is taken out exactly. Pitch about the *datum* axis holds the eccentricity in both
+//! flanks, so it foretells the whole reading of a ball and cannot part it either.
+//!
+//! - A *ball* of diameter `D_M` rests in space `i` on the right flank of tooth `i`, `x_R` beyond its place (ascending, reference
+//!   circle), and the left flank of tooth `i + 1`, `x_L` beyond its own. As a pin's (see [`super::pins`]), its centre lies at
+//!   `inv α_K = (D_M − p_b + s_b + (x_R − x_L) cos α)/d_b`, `(x_R + x_L)/(2 r)` from the space's middle. The
+//!   reading is that centre's distance from the axis, `e` added as a vector.
+//! - A *fork* stands astride tooth `i`, its two plane faces inclined to its axis by `α`; it slides towards the rotation axis while
+//!   the gear turns until both faces touch. A face whose outward normal has the angle `π/2 − α` to the fork's axis touches an
+//!   involute of half base angle `ψ` at the distance `r_b (ψ + π/2 − α + const)` from the gear's centre (the
+//!   generating line rolls off). Both faces through the apex `d` therefore give, the gear turned by `σ` and its centre
+//!   at `(C_x, C_y)` from the axis, `d = C_x + (x_R − x_L)/(2 tan α) + const` and `r σ = −C_y − (x_R + x_L)/2` (own derivation).
 
+use super::{Deviations, FlankShifts, Gear, Side, thickness};
+use crate::error::GearError;
+use nalgebra::{Complex, Vector2};
 use std::f64::consts::TAU;
 
-/// The eccentricity in one runout reading a tooth or space, lengths in the unit of the readings.
-///
-/// An outline displaced by `e` towards `ψ` lets a ball at the angle `θ` stand out by
-/// `c + e cos(θ − ψ)`, to first order in `e/r`: the ball's place in its space moves with the outline,
-/// and what counts is the radial part. Over `z` equally spaced readings 1, `cos θ` and `sin θ` are
-/// orthogonal with the norms `z`, `z/2`, `z/2` (`z ≥ 3`), so least squares give
-/// `e (cos ψ, sin ψ) = 2/z Σ reading (cos θ, sin θ)`. The second order, of size `e²/r`, goes with
-/// `(e cos)²` and `(e sin)²`: a constant and a second harmonic, orthogonal to the first for `z ≥ 4`.
-/// There the fit of a pure eccentricity is exact to second order.
+/// Corrections of the eccentricity before it is given up; each leaves about `e/r` of the error.
+const MOST_CORRECTIONS: usize = 50;
+
+/// What touches the flanks.
 #[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Probe {
+    /// A ball of this diameter, mm, in the space after each tooth, towards the next number.
+    Ball(f64),
+    /// A fork astride each tooth, its faces at the pressure angle.
+    Fork,
+}
+
+/// Readings all round, mm, + = outwards, from any one zero: one a tooth, tooth 1 first.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RunoutReadings {
+    /// What was read with.
+    pub probe: Probe,
+    /// The readings.
+    pub mm: Vec<f64>,
+}
+
+/// What readings say of a gear whose own flanks are known. Lengths in mm.
+#[derive(Debug, Clone, PartialEq)]
 pub struct RunoutFit {
-    /// Eccentricity `e`: half the range of the first harmonic.
+    /// Eccentricity `e`.
     pub eccentricity: f64,
     /// Tooth (fractional, `1 ≤ … < z + 1`) towards which the outline is displaced.
     pub high_tooth: f64,
-    /// `F_r`: greatest reading minus least.
+    /// `F_r` of the readings: greatest less least.
     pub range: f64,
-    /// Greatest distance of a reading from mean and first harmonic.
-    pub rest: f64,
+    /// `F_r` that the gear as known would show.
+    pub known_range: f64,
+    /// Each reading, and what the known flanks say of it, both without mean, eccentricity and first harmonic.
+    pub beyond: Vec<(f64, f64)>,
 }
 
-impl RunoutFit {
-    /// Fits `readings` (+ = outwards), the first of them `ahead` pitches beyond the centre of tooth 1
-    /// along ascending numbers: 0 at teeth, 1/2 in the spaces that follow them.
-    pub fn new(readings: &[f64], ahead: f64) -> RunoutFit {
-        let count = readings.len().max(1) as f64;
-        let angle = |index: usize| (index as f64 + ahead) * TAU / count;
-        let mean = readings.iter().sum::<f64>() / count;
-        let project = |wave: fn(f64) -> f64| {
-            let parts = readings.iter().enumerate();
-            2.0 / count
-                * parts
-                    .map(|(i, reading)| (reading - mean) * wave(angle(i)))
-                    .sum::<f64>()
+impl Probe {
+    /// Pitches from the centre of a tooth to where its reading is taken.
+    pub fn ahead(self) -> f64 {
+        match self {
+            Probe::Ball(_) => 0.5,
+            Probe::Fork => 0.0,
+        }
+    }
+}
+
+impl RunoutReadings {
+    /// The eccentricity of `gear` that leaves no first harmonic, `known` being all that is known of its flanks.
+    ///
+    /// Over `z` equally spaced readings 1, `cos θ` and `sin θ` are orthogonal with the norms `z`, `z/2`, `z/2` (`z ≥ 3`), so
+    /// `2/z Σ left (cos θ, sin θ)` of what is left is the correction, to first order.
+    ///
+    /// # Errors
+    /// [`GearError::WrongLength`]; [`GearError::Readings`] when no eccentricity explains the readings.
+    pub fn fit(&self, gear: &Gear, known: &Deviations) -> Result<RunoutFit, GearError> {
+        let toothing = gear.toothing();
+        let teeth = toothing.teeth();
+        if self.mm.len() != teeth as usize {
+            return Err(GearError::WrongLength {
+                what: "runout",
+                found: self.mm.len(),
+                teeth,
+            });
+        }
+        let shifts = FlankShifts::new(toothing, known)?;
+        let even = FlankShifts::new(toothing, &Deviations::default())?;
+        let greatest = self.mm.iter().fold(0.0, |most: f64, mm| most.max(mm.abs()));
+        // Rounding of readings and radii is some ulps of them.
+        let settled = 1e-13 * (toothing.reference_radius() + greatest);
+        let mut e = Vector2::zeros();
+        for _ in 0..MOST_CORRECTIONS {
+            let expected = self.expected(gear, &shifts, e);
+            let correction = self.first_harmonic(&difference(&self.mm, &expected));
+            e += correction;
+            if correction.norm() <= settled {
+                if e.norm() <= settled {
+                    e = Vector2::zeros();
+                }
+                let perfect = self.expected(gear, &even, e);
+                let read = self.without_first(difference(&self.mm, &perfect));
+                let said = self.without_first(difference(&expected, &perfect));
+                return Ok(RunoutFit {
+                    eccentricity: e.norm(),
+                    high_tooth: toothing.tooth_towards(e.y.atan2(e.x)),
+                    range: range(&self.mm),
+                    known_range: range(&expected),
+                    beyond: read.into_iter().zip(said).collect(),
+                });
+            }
+            if !(e.norm() < toothing.reference_radius()) {
+                break;
+            }
+        }
+        Err(GearError::Readings(
+            "no eccentricity explains these runout readings",
+        ))
+    }
+
+    /// What the probe would read, mm, but for a constant.
+    fn expected(&self, gear: &Gear, shifts: &FlankShifts, e: Vector2<f64>) -> Vec<f64> {
+        let toothing = gear.toothing();
+        let (r, alpha) = (toothing.reference_radius(), toothing.pressure_angle());
+        let e = Complex::new(e.x, e.y);
+        let reading = |tooth: u32| {
+            let steps = u32::from(matches!(self.probe, Probe::Ball(_)));
+            let right = shifts.at(Side::Right, tooth, 0);
+            let left = shifts.at(Side::Left, tooth, steps);
+            let middle = self.angle(tooth as usize - 1) + (right + left) / (2.0 * r);
+            let seen = e * Complex::from_polar(1.0, -middle);
+            match self.probe {
+                Probe::Ball(diameter) => {
+                    let base = gear.base_thickness() + (right - left) * alpha.cos();
+                    (seen + thickness::pin_centre_radius(toothing, diameter, base)).norm()
+                }
+                Probe::Fork => {
+                    // The turn is e/r at most, and an error of it comes back e/r-fold.
+                    let turned = (0..MOST_CORRECTIONS)
+                        .fold(seen, |at, _| seen * Complex::from_polar(1.0, -at.im / r));
+                    turned.re + (right - left) / (2.0 * alpha.tan())
+                }
+            }
         };
-        let (x, y) = (project(f64::cos), project(f64::sin));
-        let rest = readings.iter().enumerate().map(|(i, reading)| {
-            let (sin, cos) = angle(i).sin_cos();
-            (reading - mean - x * cos - y * sin).abs()
+        (1..=toothing.teeth()).map(reading).collect()
+    }
+
+    /// Where the reading of this index is taken, rad from the centre of tooth 1, ascending.
+    fn angle(&self, index: usize) -> f64 {
+        (index as f64 + self.probe.ahead()) * TAU / self.mm.len().max(1) as f64
+    }
+
+    fn first_harmonic(&self, list: &[f64]) -> Vector2<f64> {
+        let count = list.len().max(1) as f64;
+        let mean = list.iter().sum::<f64>() / count;
+        let parts = list.iter().enumerate().map(|(index, value)| {
+            let (sin, cos) = self.angle(index).sin_cos();
+            (value - mean) * Vector2::new(cos, sin)
         });
-        let place = (y.atan2(x) / TAU * count).rem_euclid(count);
-        let greatest = readings.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let least = readings.iter().copied().fold(f64::INFINITY, f64::min);
-        RunoutFit {
-            eccentricity: x.hypot(y),
-            // rem_euclid of a tiny negative number rounds up to z itself.
-            high_tooth: 1.0 + if place < count { place } else { 0.0 },
-            range: (greatest - least).max(0.0),
-            rest: rest.fold(0.0, f64::max),
+        parts.sum::<Vector2<f64>>() * (2.0 / count)
+    }
+
+    fn without_first(&self, mut list: Vec<f64>) -> Vec<f64> {
+        let mean = list.iter().sum::<f64>() / list.len().max(1) as f64;
+        let first = self.first_harmonic(&list);
+        for (index, value) in list.iter_mut().enumerate() {
+            let (sin, cos) = self.angle(index).sin_cos();
+            *value -= mean + first.x * cos + first.y * sin;
         }
+        list
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
+fn difference(list: &[f64], other: &[f64]) -> Vec<f64> {
+    list.iter().zip(other).map(|(a, b)| a - b).collect()
+}
 
-    /// A cosine put in comes out; a second harmonic beside it stays outside.
-    #[test]
-    fn finds_the_cosine_that_was_put_in() {
-        for (teeth, ahead, e, high, second) in [
-            (44, 0.0, 3.3, 33.0, 0.0),
-            (17, 0.5, 12.0, 1.25, 2.0),
-            (4, 0.5, 1.0, 4.75, 0.5),
-        ] {
-            let step = TAU / f64::from(teeth);
-            let reading = |tooth: i32| {
-                let place = f64::from(tooth) + ahead - high;
-                7.0 + e * (place * step).cos() + second * (2.0 * place * step).cos()
-            };
-            let readings: Vec<f64> = (1..=teeth).map(reading).collect();
-            let fit = RunoutFit::new(&readings, ahead);
-            assert!((fit.eccentricity - e).abs() < 1e-12, "{fit:?}");
-            assert!((fit.high_tooth - high).abs() < 1e-12, "{fit:?}");
-            assert!(
-                (fit.rest <= second + 1e-12) && (second == 0.0 || fit.rest > 0.3 * second),
-                "{fit:?}"
-            );
-        }
-    }
-
-    #[test]
-    fn equal_readings_have_no_eccentricity() {
-        let fit = RunoutFit::new(&[0.1; 7], 0.0);
-        assert!(fit.eccentricity < 1e-15 && fit.range == 0.0, "{fit:?}");
-    }
+fn range(list: &[f64]) -> f64 {
+    let greatest = list.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let least = list.iter().copied().fold(f64::INFINITY, f64::min);
+    (greatest - least).max(0.0)
 }

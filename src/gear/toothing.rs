@@ -62,6 +62,15 @@ impl Toothing {
         TAU / f64::from(self.teeth)
     }
 
+    /// The tooth (fractional, `1 ≤ … < z + 1`) whose undisturbed centre lies at `angle`, rad, along ascending numbers from that of
+    /// tooth 1.
+    pub fn tooth_towards(&self, angle: f64) -> f64 {
+        let teeth = f64::from(self.teeth);
+        let tooth = 1.0 + (angle / self.angular_pitch()).rem_euclid(teeth);
+        // rem_euclid of a tiny negative number rounds up to z itself, as the sum may.
+        if tooth < teeth + 1.0 { tooth } else { 1.0 }
+    }
+
     /// Reference radius `r = m z/2`, mm.
     pub fn reference_radius(&self) -> f64 {
         self.module * f64::from(self.teeth) / 2.0

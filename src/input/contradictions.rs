@@ -7,7 +7,9 @@ use crate::gear::{Deviations, Pitch, Side, Spans};
 
 /// The probability below which flanks that go against each other count as turned round. Tuned: of unrelated curves, white
 /// or random walks, at most 2 in 4000 were suspected; of curves with common waves of up to 5 µm and noise of
-/// ±1 µm, one of them turned round, 84 % were found at z = 20 and 91 % at z = 44.
+/// ±1 µm, one of them turned round, 84 % were found at z = 20 and 91 % at z = 44. About the
+/// datum axis, with 0, 2 and 20 µm of eccentricity, at most 2 in 4000 were suspected; turned round, all of 4000 were found from
+/// 20 µm on, of 5 µm 57 … 96 %. `cargo test --test all_round contradictions -- --nocapture` prints the counts.
 const UNRELATED: f64 = 1e-3;
 /// How many times less energy must be left in the spans by one sign of the left flank than by the other. Tuned:
 /// noise `ε` alone comes there only within 30° of one direction of as many dimensions as there are readings, the
@@ -18,6 +20,9 @@ const FEWEST_SPANS: usize = 7;
 /// Two curves are the same when this part of the energy at most is in their difference. Tuned: thickness of 4 µm r.m.s.,
 /// measured twice with 1 µm a flank, leaves 0.19; unrelated curves leave 2.
 const SAME: f64 = 0.2;
+/// Most tooth numbers by which a list is sought moved. Tuned: counting from 0 makes 1, the first tooth of a span some ten;
+/// farther on a smooth curve is the same as any other.
+const MOST_SHIFT: usize = 12;
 /// Standard deviations by which the spans must refuse the stated thickness.
 const CERTAIN: f64 = 3.0;
 
@@ -33,9 +38,10 @@ pub fn told(
     if let (Some((sheet, measured)), Some(own)) = (sheet, &flanks.stated.pitch) {
         if turned_round(measured, own, spans.as_ref(), sheet, flanks) {
             told.push(format!(
-                "{}: the left flanks go against the right ones, as if their sign were turned round: if + means plus material on both flanks \
+                "{}: the left flanks go against the right ones, as if their sign were turned round{}: if + means plus material on both flanks \
                  (or the gear was seen from the other face), write sense = {:?}",
                 drawing.table.path_of(sheet.key(Side::Left)),
+                eccentricities(measured, sheet, flanks),
                 sheet.other_sense()
             ));
         }
@@ -84,7 +90,28 @@ fn turned_round(
             return false;
         }
     }
-    measured.opposition() < UNRELATED
+    let opposition = match sheet.is_datum() {
+        true => measured.datum_opposition(flanks.gears.most()),
+        false => measured.opposition(),
+    };
+    opposition < UNRELATED
+}
+
+/// What eccentricity datum-axis flanks hold with either sign of the left one.
+fn eccentricities(measured: &Pitch, sheet: &PitchSheet, flanks: &Flanks) -> String {
+    let turned = measured.clone().read_as_material();
+    let [stated, turned] = [measured, &turned].map(|pitch| {
+        let found = pitch.separate_eccentricity(flanks.gears.most());
+        found.ok().map(|parts| 1000.0 * parts.eccentricity)
+    });
+    match (sheet.is_datum(), stated, turned) {
+        (true, Some(stated), Some(turned)) => {
+            format!(
+                " (they hold an eccentricity of {turned:.3} µm then, of {stated:.3} µm as stated)"
+            )
+        }
+        _ => String::new(),
+    }
 }
 
 /// Per-tooth thickness that repeats or takes back what the pitch of both flanks says of it.
@@ -96,7 +123,9 @@ fn twice(
 ) -> Option<String> {
     let mean = per_tooth.iter().sum::<f64>() / per_tooth.len().max(1) as f64;
     let energy: f64 = per_tooth.iter().map(|t| (t - mean).powi(2)).sum();
-    if !(energy > 0.0) {
+    let variation = range(per_tooth);
+    if !(variation > 0.0) {
+        // One value for all teeth is an offset.
         return None;
     }
     let same = |other: &[f64], sign: f64| {
@@ -123,9 +152,46 @@ fn twice(
              since the two add",
             sheet.other_sense()
         ))
+    } else if let Some((on, later)) = shifted(&by_flanks, &same) {
+        Some(format!(
+            "{key}: says what the pitch of both flanks says of the teeth, moved {} by {on} in tooth number, and the two add: check the tooth \
+             numbers of both; where they are of the same teeth, leave it out",
+            if later { "down" } else { "up" }
+        ))
     } else {
-        None
+        let apart = |(t, by_flanks): (&f64, &f64)| (t - mean - by_flanks).abs();
+        let differences: Vec<f64> = per_tooth.iter().zip(&by_flanks).map(apart).collect();
+        let numbered = (1..).zip(&differences);
+        let (tooth, most) = numbered.max_by(|a, b| a.1.total_cmp(b.1))?;
+        Some(format!(
+            "{key}: the teeth vary by {:.3} µm by this list and by {:.3} µm by the pitch of both flanks (right minus left), \
+             {:.3} µm apart at tooth {tooth}; the two are added: where both were measured on the same teeth, leave one of them out",
+            1000.0 * variation,
+            1000.0 * range(&by_flanks),
+            1000.0 * most,
+        ))
     }
+}
+
+/// Greatest less least.
+fn range(list: &[f64]) -> f64 {
+    let greatest = list.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let least = list.iter().copied().fold(f64::INFINITY, f64::min);
+    greatest - least
+}
+
+/// By how many tooth numbers `list` is moved where it is the `same` as another, and whether the other's value stands farther on.
+fn shifted(list: &[f64], same: &impl Fn(&[f64], f64) -> bool) -> Option<(usize, bool)> {
+    let most = MOST_SHIFT.min(list.len() / 2);
+    (1..=most).find_map(|on| {
+        let mut turned = list.to_vec();
+        turned.rotate_left(on);
+        if same(&turned, 1.0) {
+            return Some((on, true));
+        }
+        turned.rotate_right(2 * on);
+        same(&turned, 1.0).then_some((on, false))
+    })
 }
 
 /// Per-tooth thickness that spans on the same gear do not show.

@@ -114,21 +114,34 @@ impl CrossCheck {
                 format!("{least:.6} … {most:.6} mm")
             }
         };
-        let verdict = if compared.agree() {
-            "they agree".to_owned()
-        } else {
-            format!(
-                "they lie {:.1} µm apart, {:.1} µm is allowed: check both measurements, the pins and the number of teeth spanned",
-                compared.gap_um, compared.tolerance_um
-            )
+        let bands = [compared.counts, compared.cross].map(|[least, most]| least < most);
+        let (gap, tolerance) = (compared.gap_um, compared.tolerance_um);
+        let outside = match bands {
+            [false, false] => "".to_owned(),
+            [true, true] => format!("the bands lie {gap:.1} µm apart, "),
+            _ => format!("the single value lies {gap:.1} µm outside the band, "),
+        };
+        let verdict = match (compared.agree(), gap > 0.0) {
+            (true, false) => "they agree".to_owned(),
+            (true, true) => {
+                format!("{outside}within the tolerance of {tolerance:.1} µm: they agree")
+            }
+            (false, _) => format!(
+                "{outside}{tolerance:.1} µm is allowed: check both measurements, the pins and the number of teeth spanned"
+            ),
         };
         format!(
-            "{}: base thickness {} by {}, {} by {}, difference {:.2} µm: {verdict}",
+            "{}: base thickness {} by {}, {} by {}, difference{} {:.2} µm: {verdict}",
             drawing.table.path_of(CrossCheck::UNDER),
             range(compared.counts),
             drawing.statement.key().unwrap_or_default(),
             range(compared.cross),
             self.statement.key().unwrap_or_default(),
+            if bands == [false, false] {
+                ""
+            } else {
+                " of the means"
+            },
             compared.difference_um,
         )
     }

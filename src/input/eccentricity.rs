@@ -5,7 +5,7 @@ use super::problems::Problems;
 use super::runout::Runout;
 use super::table::Table;
 use crate::error::GearError;
-use crate::gear::{Gear, Pitch};
+use crate::gear::{Gear, Pitch, Toothing};
 use crate::notes::{Eccentricity, EccentricityNote};
 
 /// Of `[pitch] eccentricity`: which one counts where pitch and runout both state it.
@@ -47,7 +47,7 @@ pub fn check(
     None
 }
 
-/// Own pitch and eccentricity of `gear`, from datum-axis `readings`.
+/// Own pitch of `gear`, from datum-axis `readings`, and the eccentricity that they hold.
 ///
 /// # Errors
 /// [`GearError::DatumPitch`] where an eccentricity moves the measuring circle off the involute.
@@ -56,33 +56,73 @@ pub fn separate(
     gear: &Gear,
     counts: Option<Counts>,
     runout: &Runout,
-) -> Result<(Pitch, EccentricityNote), GearError> {
+) -> Result<(Pitch, Eccentricity), GearError> {
     let separated = readings.separate_eccentricity(gear)?;
     let in_pitch = Eccentricity {
         um: 1000.0 * separated.eccentricity,
         high_tooth: separated.high_tooth,
     };
-    let stated = counts.and(runout.stated());
-    let stated_counts = counts == Some(Counts::Runout);
-    let pitch = match stated {
-        Some(stated) if stated_counts => {
+    let pitch = match runout.stated() {
+        Some(stated) if counts == Some(Counts::Runout) => {
             readings.without_eccentricity(gear, runout.eccentricity(), stated.high_tooth)?
         }
         _ => separated.pitch,
     };
-    let angle = |stated: Eccentricity| {
-        (stated.high_tooth - in_pitch.high_tooth) * gear.toothing().angular_pitch()
-    };
-    let note = EccentricityNote {
+    Ok((pitch, in_pitch))
+}
+
+/// The eccentricity `in_pitch` beside that of `runout`.
+pub fn beside(
+    in_pitch: Eccentricity,
+    counts: Option<Counts>,
+    runout: &Runout,
+    toothing: &Toothing,
+) -> EccentricityNote {
+    let stated = counts.and(runout.stated());
+    EccentricityNote {
         in_pitch,
         stated,
-        stated_counts,
-        difference_um: stated.map(|stated| {
-            let (sin, cos) = angle(stated).sin_cos();
-            (stated.um * cos - in_pitch.um).hypot(stated.um * sin)
-        }),
+        stated_counts: counts == Some(Counts::Runout),
+        difference_um: stated.map(|stated| apart_um(in_pitch, stated, toothing)),
+    }
+}
+
+/// The distance of two displacements, µm.
+fn apart_um(one: Eccentricity, other: Eccentricity, toothing: &Toothing) -> f64 {
+    let angle = (other.high_tooth - one.high_tooth) * toothing.angular_pitch();
+    let (sin, cos) = angle.sin_cos();
+    (other.um * cos - one.um).hypot(other.um * sin)
+}
+
+/// The part of the stated eccentricity that may be missing for own-axis pitch to look as if it held it. An error of a quarter
+/// lies within 25 % of the amount and, by its sine, within 14.5° of the direction. That is what an own harmonic or noise of
+/// a quarter of it does; a harmonic of the gear's own, of any direction and up to twice the amount, comes there once in 64 times.
+const SAME: f64 = 0.25;
+
+/// A warning where own-axis `pitch` holds the very eccentricity of `runout`, both flanks jointly.
+pub fn held(
+    table: &Table,
+    pitch: &Pitch,
+    runout: Option<Eccentricity>,
+    gear: &Gear,
+) -> Option<String> {
+    let runout = runout.filter(|stated| stated.um > 0.0)?;
+    let found = pitch.separate_eccentricity(gear).ok()?;
+    let in_pitch = Eccentricity {
+        um: 1000.0 * found.eccentricity,
+        high_tooth: found.high_tooth,
     };
-    Ok((pitch, note))
+    (apart_um(runout, in_pitch, gear.toothing()) <= SAME * runout.um).then(|| {
+        format!(
+            "{}: the values look as if they were measured about the datum axis: their first harmonic is that of an eccentricity of {:.3} µm towards tooth {:.2}, and [runout] says \
+             {:.3} µm towards tooth {:.2}, which would count twice: if so, write axis = \"datum\" and eccentricity = \"pitch\" or \"runout\"",
+            table.path_of("pitch.axis"),
+            in_pitch.um,
+            in_pitch.high_tooth,
+            runout.um,
+            runout.high_tooth,
+        )
+    })
 }
 
 /// What the user should know of it.

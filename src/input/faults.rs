@@ -1,6 +1,7 @@
 //! Which key of a gear's table a [`GearError`] comes from, and the way out.
 
 use super::problems::Problems;
+use super::slips::{self, Slip};
 use super::stated::Stated;
 use super::table::Table;
 use super::thickness::Statement;
@@ -45,6 +46,7 @@ impl Drawing<'_> {
         gears: &Stated<Gear>,
         face: Face,
         deviations: &Deviations,
+        slips: &[Slip],
         problems: &mut Problems,
     ) -> Option<Stated<AsBuilt>> {
         let as_built = gears.try_map(|gear| {
@@ -58,7 +60,10 @@ impl Drawing<'_> {
                     Err(_) => "thickness.per_tooth_um",
                     Ok(_) => "pitch",
                 };
-                let way_out = "check unit (µm) and sign of the values";
+                let mut way_out = "check unit (µm) and sign of the values".to_owned();
+                for slip in slips {
+                    way_out += &slip.suspected();
+                }
                 self.table.problem(key, error.to_string(), way_out)
             })
         });
@@ -80,7 +85,9 @@ impl Drawing<'_> {
             way_out
         } else {
             let nominal = self.statement.nominal(&self.blank);
-            format!("check the measurement: {nominal}")
+            let slip = slips::in_readings(self);
+            let suspected = slip.map_or(String::new(), |slip| slip.suspected());
+            format!("check the measurement: {nominal}{suspected}")
         };
         self.table.problem(&key, reason, way_out)
     }

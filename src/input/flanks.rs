@@ -1,13 +1,13 @@
 //! The flanks of a gear as its sheets state them, and the mean thickness that goes with them.
 
-use super::eccentricity;
+use super::eccentricity::{self, Counts};
 use super::faults::Drawing;
 use super::pitch::PitchSheet;
 use super::problems::Problems;
-use super::runout::Runout;
+use super::runout::{Knowledge, ReadingsFit, Runout};
 use super::stated::Stated;
 use crate::gear::{Deviations, Gear, Pitch};
-use crate::notes::{AllRoundNote, EccentricityNote};
+use crate::notes::{AllRoundNote, Eccentricity, EccentricityNote};
 
 /// What the tables of one gear say of its flanks.
 pub struct Sheets<'a> {
@@ -27,6 +27,12 @@ pub struct Flanks {
     pub deviations: Deviations,
     pub eccentricity: Option<EccentricityNote>,
     pub all_round: Option<AllRoundNote>,
+    /// As stated, or as its readings say beside all that is known.
+    pub runout: Runout,
+    /// The eccentricity that `[runout]` shows by itself.
+    pub in_runout: Option<Eccentricity>,
+    /// What the user should know of the readings.
+    pub told: Vec<String>,
 }
 
 /// Each round of mean thickness and eccentricity leaves about `e/r` of the error.
@@ -40,25 +46,28 @@ impl Flanks {
             Some((sheet, pitch)) if sheet.is_datum() => (Some((sheet, pitch)), None),
             own => (None, own.map(|(_, pitch)| pitch)),
         };
-        let runout = sheets.runout;
+        let counts = datum.as_ref().and_then(|(sheet, _)| sheet.counts());
+        let mut runout = sheets.runout.clone();
         let mut stated = Deviations {
             per_tooth: sheets.per_tooth,
             pitch: own,
-            eccentricity: runout.eccentricity(),
-            high_tooth: runout.high_tooth.unwrap_or(1.0),
+            eccentricity: 0.0,
+            high_tooth: 1.0,
         };
         let mut gears = drawing.gears(&stated, problems)?;
         if runout.check(drawing.table, &gears, problems).is_none() {
             // It is told; the rest is checked without it.
-            stated.eccentricity = 0.0;
+            runout = Runout::default();
         }
-        let mut note = None;
+        // Without the pitch, from which it is to be taken out.
+        let mut fit = fitted(drawing, &mut runout, &gears, &stated, problems)?;
+        let mut in_pitch = None;
         let mut settled = datum.is_none();
         if let Some((sheet, readings)) = &datum {
             // Rounding of the thickness is some ulps of the radius.
             let rounding = 1e-13 * drawing.blank.toothing.reference_radius();
             for _ in 0..MOST_ROUNDS {
-                let parts = eccentricity::separate(readings, gears.most(), sheet.counts(), runout);
+                let parts = eccentricity::separate(readings, gears.most(), sheet.counts(), &runout);
                 let parts = parts.map_err(|error| {
                     let way_out =
                         "check the values, or write axis = \"own\" if they are free of eccentricity";
@@ -66,7 +75,7 @@ impl Flanks {
                 });
                 let (pitch, found) = problems.keep(parts)?;
                 stated.pitch = Some(pitch);
-                note = Some(found);
+                in_pitch = Some(found);
                 let next = drawing.gears(&stated, problems)?;
                 let change = next.most().base_thickness() - gears.most().base_thickness();
                 gears = next;
@@ -84,10 +93,6 @@ impl Flanks {
             ));
             return None;
         }
-        if let Some(found) = note.filter(|note| !note.stated_counts) {
-            stated.eccentricity = found.in_pitch.um / 1000.0;
-            stated.high_tooth = found.in_pitch.high_tooth;
-        }
         let found = drawing
             .statement
             .per_tooth(&drawing.blank.toothing, &stated);
@@ -104,6 +109,31 @@ impl Flanks {
                 *thickness += more;
             }
         }
+        let by_runout = in_pitch.is_some() && counts == Some(Counts::Runout);
+        if !by_runout {
+            fit = fitted(drawing, &mut runout, &gears, &deviations, problems)?;
+        }
+        let told = match (&fit, &runout.sheet) {
+            (Some(fit), Some(sheet)) => {
+                let knowledge = match (&deviations.pitch, by_runout) {
+                    (None, _) => Knowledge::NoPitch,
+                    (Some(_), false) => Knowledge::Pitch,
+                    (Some(_), true) => Knowledge::DatumPitch,
+                };
+                let all = sheet.fit(drawing.table, gears.most(), &deviations, problems)?;
+                fit.told(drawing.table, knowledge, &all.fit)
+            }
+            _ => Vec::new(),
+        };
+        let toothing = &drawing.blank.toothing;
+        let note = in_pitch.map(|found| eccentricity::beside(found, counts, &runout, toothing));
+        let (eccentricity, high_tooth) = match note.filter(|note| !note.stated_counts) {
+            Some(note) => (note.in_pitch.um / 1000.0, note.in_pitch.high_tooth),
+            None => (runout.eccentricity(), runout.high_tooth.unwrap_or(1.0)),
+        };
+        for all in [&mut stated, &mut deviations] {
+            (all.eccentricity, all.high_tooth) = (eccentricity, high_tooth);
+        }
         Some(Flanks {
             gears,
             stated,
@@ -113,6 +143,29 @@ impl Flanks {
                 readings: readings.count(),
                 amplification: found.map(|found| found.amplification),
             }),
+            in_runout: match &fit {
+                Some(fit) => fit.first_harmonic(),
+                None => runout.stated(),
+            },
+            runout,
+            told,
         })
     }
+}
+
+/// Gives `runout` the eccentricity that its readings hold beside what is `known`, if it has readings; `None` when that fails.
+fn fitted(
+    drawing: &Drawing,
+    runout: &mut Runout,
+    gears: &Stated<Gear>,
+    known: &Deviations,
+    problems: &mut Problems,
+) -> Option<Option<ReadingsFit>> {
+    let Some(sheet) = &runout.sheet else {
+        return Some(None);
+    };
+    let fit = sheet.fit(drawing.table, gears.most(), known, problems)?;
+    *runout = runout.fitted(fit.fit.eccentricity, fit.fit.high_tooth);
+    runout.check(drawing.table, gears, problems)?;
+    Some(Some(fit))
 }

@@ -11,6 +11,7 @@ use super::pitch::PitchSheet;
 use super::problems::Problems;
 use super::runout::Runout;
 use super::sheet::Drawn;
+use super::slips::{self, Slip};
 use super::stated::Stated;
 use super::table::Table;
 use super::thickness::{self, Statement};
@@ -73,6 +74,8 @@ pub struct GearPart {
     pub notes: GearNotes,
     /// What the user should know.
     pub warnings: Vec<String>,
+    /// What was found to be in order.
+    pub remarks: Vec<String>,
 }
 
 impl GearPart {
@@ -123,9 +126,6 @@ impl GearPart {
         let runout = Runout::read(table, teeth, problems);
         let sheet = PitchSheet::read(table, teeth, problems);
 
-        if let Some(runout) = &runout {
-            self.warnings.extend(runout.warning.clone());
-        }
         let pitch = match (&sheet, &self.toothing, &runout) {
             (Some(None), ..) => Some(None),
             (Some(Some(sheet)), Some(toothing), Some(runout)) => {
@@ -148,7 +148,7 @@ impl GearPart {
             pressure_angle_deg: self.pressure_angle_deg?,
         };
         let pitch_header = sheet.iter().flatten().filter_map(PitchSheet::header);
-        for header in pitch_header.chain(runout.iter().map(|runout| &runout.header)) {
+        for header in pitch_header.chain(runout.iter().filter_map(Runout::header)) {
             header.check(&drawn, problems);
             self.warnings.extend_from_slice(header.warnings());
         }
@@ -172,6 +172,7 @@ impl GearPart {
         };
         let flanks = Flanks::settle(&drawing, sheets, problems)?;
         let (face, cross_check) = (face?, cross_check?);
+        self.warnings.extend_from_slice(&flanks.told);
         if let Some(note) = &flanks.eccentricity {
             self.warnings.push(eccentricity::told(table, note));
         }
@@ -179,6 +180,18 @@ impl GearPart {
         let measured = measured.as_ref().map(|(sheet, pitch)| (*sheet, pitch));
         self.warnings
             .extend(contradictions::told(&drawing, measured, &flanks));
+        if let Some((_, pitch)) = measured.filter(|(sheet, _)| !sheet.is_datum()) {
+            let gear = flanks.gears.most();
+            self.warnings
+                .extend(eccentricity::held(table, pitch, flanks.in_runout, gear));
+        }
+        let toothing = &drawing.blank.toothing;
+        let in_pitch = measured.and_then(|(sheet, _)| sheet.slip(table, toothing));
+        let slips: Vec<Slip> = slips::in_readings(&drawing)
+            .into_iter()
+            .chain(in_pitch)
+            .collect();
+        self.warnings.extend(slips.iter().map(Slip::told));
         self.notes = GearNotes {
             eccentricity: flanks.eccentricity,
             all_round: flanks.all_round,
@@ -186,13 +199,18 @@ impl GearPart {
         };
         if let Some(check) = &cross_check {
             let compared = check.compare(&drawing, &flanks.gears, &flanks.deviations, problems)?;
-            self.warnings.push(check.told(&drawing, &compared));
+            let told = check.told(&drawing, &compared);
+            match compared.agree() {
+                true => self.remarks.push(told),
+                false => self.warnings.push(told),
+            }
             self.notes.thickness = Some(compared);
         }
         let deviations = &flanks.deviations;
-        self.as_built = Some(drawing.as_built(&flanks.gears, face, deviations, problems)?);
+        self.as_built =
+            Some(drawing.as_built(&flanks.gears, face, deviations, &slips, problems)?);
 
-        let mut echo = self.echo_of(&drawing, face, &runout);
+        let mut echo = self.echo_of(&drawing, face, &flanks.runout);
         echo["thickness"]["per_tooth_um"] = json!(per_tooth_um);
         if let Some(check) = &cross_check {
             echo["thickness"]["cross_check"] = check.echo();

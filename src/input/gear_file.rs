@@ -42,5 +42,6 @@ pub fn read(
             echo: part.echo?,
         }],
         warnings: part.warnings,
+        remarks: part.remarks,
     })
 }

@@ -29,6 +29,7 @@ mod readings;
 mod runout;
 mod schema;
 mod sheet;
+mod slips;
 mod source;
 mod stated;
 mod sweep;

@@ -78,6 +78,7 @@ impl<'a> PairFile<'a> {
     /// The study, once what lies between the tables is checked too.
     pub fn study(self, problems: &mut Problems) -> Option<Study> {
         let mut warnings = [&self.wheel.warnings[..], &self.pinion.warnings].concat();
+        let remarks = [&self.wheel.remarks[..], &self.pinion.remarks].concat();
         let center_distances = self.distances(problems, &mut warnings);
         self.check_poses(center_distances.as_deref(), problems)?;
         let center_distances = center_distances?;
@@ -116,6 +117,7 @@ impl<'a> PairFile<'a> {
             echo,
             notes: [self.wheel.notes, self.pinion.notes],
             warnings,
+            remarks,
         })
     }
 

@@ -1,6 +1,7 @@
 //! `[pitch]`: pitch deviation of both flanks as the inspection sheet states it.
 
 mod curves;
+mod slips;
 
 use super::eccentricity::{COUNTS, Counts};
 use super::entry::Limits;

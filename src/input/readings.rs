@@ -1,4 +1,4 @@
-//! Readings all round a gear: a list of lengths, and the tooth or space each was read at.
+//! LengthReadings all round a gear: a list of lengths, and the tooth or space each was read at.
 
 use super::node::Node;
 use super::problems::Problems;
@@ -13,14 +13,14 @@ use std::collections::HashSet;
 
 /// Lengths, mm, and their places, from 1; as many of both, no place twice.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Readings {
+pub struct LengthReadings {
     places: Vec<u32>,
     mm: Vec<f64>,
     /// The key that gave them: `mm` or `file`.
     key: &'static str,
 }
 
-impl Readings {
+impl LengthReadings {
     /// Reads `mm = [ … ]` and the places under `place_key`, which may be left out where every tooth has its reading, or
     /// the `column` of a file; `Some(None)` where `mm` is no list and there is no file.
     pub fn read(
@@ -29,9 +29,9 @@ impl Readings {
         column: Column,
         teeth: Option<u32>,
         problems: &mut Problems,
-    ) -> Option<Option<Readings>> {
+    ) -> Option<Option<LengthReadings>> {
         if table.has("file") {
-            return Readings::of_file(table, place_key, column, teeth, problems).map(Some);
+            return LengthReadings::of_file(table, place_key, column, teeth, problems).map(Some);
         }
         if table.has("sheet") {
             problems.add(table.problem(
@@ -78,8 +78,8 @@ impl Readings {
             ));
             return None;
         }
-        let places = Readings::places(table, place_key, mm.len(), teeth?, problems)?;
-        Some(Some(Readings {
+        let places = LengthReadings::places(table, place_key, mm.len(), teeth?, problems)?;
+        Some(Some(LengthReadings {
             places,
             mm,
             key: "mm",
@@ -92,7 +92,7 @@ impl Readings {
         column: Column,
         teeth: Option<u32>,
         problems: &mut Problems,
-    ) -> Option<Readings> {
+    ) -> Option<LengthReadings> {
         let beside = ["mm", "min_mm", "max_mm", place_key];
         if let Some(second) = beside.into_iter().find(|name| table.has(name)) {
             problems.add(table.problem(
@@ -108,7 +108,7 @@ impl Readings {
             coverage: Coverage::SomeTeeth,
         };
         let sheet = Sheet::read(table, &wanted, problems)?;
-        Some(Readings {
+        Some(LengthReadings {
             places: sheet.rows.iter().map(|row| row.tooth).collect(),
             mm: sheet.values(0),
             key: "file",
@@ -166,6 +166,11 @@ impl Readings {
         self.key
     }
 
+    /// Each place with its length, mm.
+    pub fn list(&self) -> impl Iterator<Item = (u32, f64)> {
+        self.places.iter().copied().zip(self.mm.iter().copied())
+    }
+
     /// How many.
     pub fn count(&self) -> usize {
         self.mm.len()
@@ -176,8 +181,7 @@ impl Readings {
     /// # Errors
     /// [`GearError::Readings`] for a gear with fewer teeth.
     pub fn on(&self, toothing: &Toothing) -> Result<gear::Readings, GearError> {
-        let pairs = self.places.iter().copied().zip(self.mm.iter().copied());
-        gear::Readings::new(toothing, pairs.collect())
+        gear::Readings::new(toothing, self.list().collect())
     }
 
     /// As in the pair file.

@@ -1,18 +1,19 @@
 //! `[runout]`: how far the teeth stand from the rotation axis.
 
+mod readings;
+
 use super::entry::Limits;
 use super::problems::Problems;
-use super::sheet::{Column, Coverage, Header, Sheet, Wanted};
+use super::sheet::Header;
 use super::stated::Stated;
 use super::table::Table;
-use crate::gear::{Gear, RunoutFit};
+use crate::gear::Gear;
 use crate::notes::Eccentricity;
 use serde_json::{Map, Value, json};
 
-pub const KEYS: &[&str] = &["total_um", "high_tooth", "file", "sheet", "at"];
+pub use readings::{Knowledge, ReadingsFit, RunoutSheet};
 
-/// Where a reading was taken, in pitches beyond the centre of the tooth of its number.
-const PLACES: [(&str, f64); 2] = [("tooth", 0.0), ("space", 0.5)];
+pub const KEYS: &[&str] = &["total_um", "high_tooth", "file", "sheet", "at", "ball_mm"];
 
 const TOTAL: Limits = Limits {
     allowed: "a number of µm, 0 or more, less than the tooth depth",
@@ -23,13 +24,12 @@ const TOTAL: Limits = Limits {
 /// Runout `F_r`, µm, and the tooth towards which the teeth are displaced.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Runout {
+    /// Of readings that are not yet fitted, their range.
     pub total_um: f64,
     /// `None` only when there is no runout.
     pub high_tooth: Option<f64>,
-    /// What the file it comes from says of the gear.
-    pub header: Header,
-    /// What was made of readings.
-    pub warning: Option<String>,
+    /// The readings it comes from.
+    pub sheet: Option<RunoutSheet>,
 }
 
 impl Runout {
@@ -40,13 +40,19 @@ impl Runout {
             return Some(Runout::default());
         }
         if table.has("file") {
-            return Runout::read_file(&table, teeth, problems);
+            let sheet = RunoutSheet::read(&table, teeth, problems)?;
+            let range = sheet.range_um();
+            return Some(Runout {
+                total_um: range,
+                high_tooth: (range > 0.0).then_some(1.0),
+                sheet: Some(sheet),
+            });
         }
-        if table.has("at") {
+        if let Some(name) = ["at", "ball_mm"].into_iter().find(|name| table.has(name)) {
             problems.add(table.problem(
-                "at",
-                "stands without file, allowed is at only with file",
-                "add `file`, or remove at",
+                name,
+                format!("stands without file, allowed is {name} only with file"),
+                format!("add `file`, or remove {name}"),
             ));
             return None;
         }
@@ -71,46 +77,19 @@ impl Runout {
         })
     }
 
-    /// The first harmonic of the readings in the file that `table` names.
-    fn read_file(table: &Table, teeth: Option<u32>, problems: &mut Problems) -> Option<Runout> {
-        let stated = ["total_um", "high_tooth"]
-            .into_iter()
-            .find(|name| table.has(name));
-        if let Some(stated) = stated {
-            problems.add(table.problem(
-                "file",
-                format!("stands beside {stated}, allowed is one of file and the values"),
-                "remove one or the other",
-            ));
-            return None;
-        }
-        let needed = "\"tooth\" (at its centre line) or \"space\" (between it and the next number)";
-        let at = table
-            .need("at", needed, problems)
-            .and_then(|entry| problems.keep(entry.choice(&PLACES)));
-        let wanted = Wanted {
-            columns: [Column::Runout],
-            teeth,
-            coverage: Coverage::EveryTooth,
-        };
-        let sheet = Sheet::read(table, &wanted, problems)?;
-        let fit = RunoutFit::new(&sheet.values(0), at?);
-        let total_um = 2.0 * fit.eccentricity;
-        Some(Runout {
+    /// What the file it comes from says of the gear.
+    pub fn header(&self) -> Option<&Header> {
+        self.sheet.as_ref().map(RunoutSheet::header)
+    }
+
+    /// The runout of readings once their eccentricity, mm, is known.
+    pub fn fitted(&self, eccentricity: f64, high_tooth: f64) -> Runout {
+        let total_um = 2000.0 * eccentricity;
+        Runout {
             total_um,
-            high_tooth: (total_um > 0.0).then_some(fit.high_tooth),
-            header: sheet.header,
-            warning: Some(format!(
-                "{}: the readings' first harmonic is an eccentricity of {:.3} µm towards tooth {:.2}, which is taken as the gear's; \
-                 F_r, their range, is {:.3} µm; up to {:.3} µm of a reading is neither mean nor first harmonic and is not used \
-                 (pitch data say it)",
-                table.path_of("file"),
-                fit.eccentricity,
-                fit.high_tooth,
-                fit.range,
-                fit.rest,
-            )),
-        })
+            high_tooth: (total_um > 0.0).then_some(high_tooth),
+            sheet: self.sheet.clone(),
+        }
     }
 
     fn read_high_tooth(
@@ -145,8 +124,12 @@ impl Runout {
         if self.total_um / 1000.0 < depth_mm {
             return Some(());
         }
+        let key = match &self.sheet {
+            Some(_) => "runout.file",
+            None => "runout.total_um",
+        };
         problems.add(gear.problem(
-            "runout.total_um",
+            key,
             format!(
                 "out of range, allowed is below the tooth depth, {:.1} µm",
                 1000.0 * depth_mm

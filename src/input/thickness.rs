@@ -3,7 +3,7 @@
 use super::entry::{Limits, quoted};
 use super::node::Node;
 use super::problems::Problems;
-use super::readings::Readings;
+use super::readings::LengthReadings;
 use super::sheet::Column;
 use super::stated::{Keys, Stated};
 use super::table::Table;
@@ -63,11 +63,14 @@ pub enum Statement {
     /// `W_k` all round, at first teeth; `per_tooth`: they give each tooth's thickness, too.
     Spans {
         teeth: u32,
-        readings: Readings,
+        readings: LengthReadings,
         per_tooth: bool,
     },
     /// `M_dK` all round, at spaces.
-    Pins { pin_mm: f64, readings: Readings },
+    Pins {
+        pin_mm: f64,
+        readings: LengthReadings,
+    },
     /// `A_s` in µm, transverse at the reference circle.
     Allowance(Stated<f64>),
     /// `s_b` in mm.
@@ -116,7 +119,7 @@ impl Statement {
             None => Some(true),
         };
         Some(
-            match Readings::read(&span, "first_tooth", Column::Span, teeth, problems)? {
+            match LengthReadings::read(&span, "first_tooth", Column::Span, teeth, problems)? {
                 Some(readings) => Statement::Spans {
                     teeth: k?,
                     readings,
@@ -134,7 +137,7 @@ impl Statement {
         let pins = table.table("over_pins", PIN_KEYS, problems)?;
         let pin_mm = pins.number("pin_mm", &LENGTH, problems);
         Some(
-            match Readings::read(&pins, "space", Column::OverPins, teeth, problems)? {
+            match LengthReadings::read(&pins, "space", Column::OverPins, teeth, problems)? {
                 Some(readings) => Statement::Pins {
                     pin_mm: pin_mm?,
                     readings,

@@ -1,6 +1,6 @@
 //! What a statement of the thickness says of the gear: the tooth it means, and where it was measured.
 
-use super::readings::Readings;
+use super::readings::LengthReadings;
 use super::stated::Stated;
 use super::thickness::Statement;
 use crate::error::GearError;
@@ -21,7 +21,7 @@ impl Statement {
     }
 
     /// Its readings, where it has them all round.
-    pub fn readings(&self) -> Option<&Readings> {
+    pub fn readings(&self) -> Option<&LengthReadings> {
         match self {
             Statement::Spans { readings, .. } | Statement::Pins { readings, .. } => Some(readings),
             _ => None,

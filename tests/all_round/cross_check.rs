@@ -28,10 +28,11 @@ fn table_4_tells_one_story() {
         assert!((found.difference_um - difference).abs() < 2e-3);
         assert!(found.gap_um == 0.0 && found.agree());
         assert!(
-            study.warnings[0].ends_with("they agree"),
+            study.remarks[0].ends_with("they agree"),
             "{}",
-            study.warnings[0]
+            study.remarks[0]
         );
+        assert_eq!(study.warnings, [""; 0]);
         // It is never built.
         assert_eq!(wheel(&study).gear().base_thickness(), found.counts[1]);
     }
@@ -46,10 +47,27 @@ fn statements_that_disagree() {
     assert!((found.difference_um - 6.0).abs() < 1e-9 && (found.gap_um - 5.0).abs() < 1e-9);
     assert!(!found.agree());
     assert!(
-        study.warnings[0].contains("5.0 µm apart, 4.0 µm is allowed"),
+        study.warnings[0]
+            .contains("the single value lies 5.0 µm outside the band, 4.0 µm is allowed"),
         "{}",
         study.warnings[0]
     );
+}
+
+/// 6.263830 mm beside 6.266028 … 6.279028 mm: 2.198 µm outside, 8.698 µm from the middle. The number that is compared with the
+/// tolerance is told, and that it agrees is no warning.
+#[test]
+fn a_value_outside_the_band_but_within_the_tolerance() {
+    let study = pair(
+        "teeth = 44\nmodule_mm = 3\nthickness.base_thickness_mm = { min = 6.266028, max = 6.279028 }\nthickness.cross_check.base_thickness_mm = 6.263830",
+    );
+    assert_eq!(study.warnings, [""; 0]);
+    for words in [
+        "difference of the means -8.70 µm: ",
+        "the single value lies 2.2 µm outside the band, within the tolerance of 3.0 µm: they agree",
+    ] {
+        assert!(study.remarks[0].contains(words), "{}", study.remarks[0]);
+    }
 }
 
 #[test]
@@ -101,7 +119,14 @@ fn the_result_file_tells_the_difference() {
     let mut command = assert_cmd::Command::cargo_bin("gearlash").unwrap();
     command.current_dir(folder.path());
     let output = command.args(["simulate", "pair.toml", "--format", "json"]);
-    let output = output.assert().success().get_output().stdout.clone();
+    let output = output.assert().success().get_output().clone();
+    let told = String::from_utf8(output.stderr).unwrap();
+    assert!(
+        told.contains("note: pair.toml: wheel.thickness.cross_check: ")
+            && !told.contains("warning"),
+        "{told}"
+    );
+    let output = output.stdout;
     let result: serde_json::Value = serde_json::from_slice(&output).unwrap();
     let notes = &result["notes"];
     let told = &notes["wheel"]["cross_check"];

@@ -7,6 +7,8 @@ mod contradictions;
 mod cross_check;
 mod datum;
 mod pins;
+mod runout;
+mod slips;
 mod spans;
 
 use gearlash::error::{Error, Problem};

@@ -9,7 +9,7 @@ use proptest::prelude::*;
 /// The centre of the circle of `radius` between two involutes of the base circle `base`, one that starts at the
 /// angle `low` and winds back from there, one that starts at `high` and winds on: points
 /// `r_b e^{i(o ∓ ξ)}(1 ± iξ)`, normals along the base tangent. Newton in both rolls.
-fn centre(base: f64, low: f64, high: f64, radius: f64) -> Complex<f64> {
+pub(super) fn centre(base: f64, low: f64, high: f64, radius: f64) -> Complex<f64> {
     let beside = |origin: f64, sense: f64, roll: f64| {
         let tangent = Complex::from_polar(base, origin - sense * roll);
         tangent * Complex::new(1.0, sense * (roll + radius / base))

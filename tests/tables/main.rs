@@ -9,6 +9,7 @@ mod mutations;
 mod oracle;
 mod protocols;
 mod readings;
+mod sheets;
 mod workbooks;
 
 use gearlash::error::{Error, Problem};

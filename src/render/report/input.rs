@@ -105,7 +105,7 @@ pub(super) fn section(page: &Page) -> Result<Markup, Error> {
                 }
             }
             (assembly(page))
-            @for warning in &study.warnings { p.warning { strong { "Note: " } (plain(warning)) "." } }
+            @for warning in study.warnings.iter().chain(&study.remarks) { p.warning { strong { "Note: " } (plain(warning)) "." } }
             (notes::list(page))
             (grades::table(page))
             (inspections(page)?)

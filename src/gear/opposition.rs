@@ -1,19 +1,15 @@
-//! What pitch of both flanks says of the thickness, and whether the two flanks go together.
+//! Opposition: whether the two flanks' pitch curves go against each other.
 //!
-//! Where the flanks of a tooth stand fixes its thickness: `Δs_i = F_R,i − F_L,i` (design section 6).
 //! A tool cuts both flanks of a tooth, so most of a real pitch deviation moves them together; a left flank
-//! whose sign is turned round moves against the right one instead.
+//! whose sign is turned round moves against the right one instead. About the datum axis an eccentricity moves them
+//! together, too, but for the pressure angle between them.
 
-use super::{Pitch, Side};
+use super::pitch::single;
+use super::{Gear, Pitch, Side};
+use nalgebra::Complex;
 use std::f64::consts::TAU;
 
 impl Pitch {
-    /// What each tooth is thicker by its two flanks, mm at the reference circle, about the mean: `Δs_i = F_R,i − F_L,i`.
-    pub fn thickness(&self) -> Vec<f64> {
-        let [right, left] = Side::BOTH.map(|side| self.flank(side));
-        right.iter().zip(left).map(|(r, l)| r - l).collect()
-    }
-
     /// A bound of the probability that flanks without any relation go against each other as much as these do; 1 when they
     /// rather go together.
     ///
@@ -30,14 +26,72 @@ impl Pitch {
             return 1.0;
         }
         let harmonics = self.harmonics();
-        let cumulative = opposed(harmonics.iter().map(|h| (h.energy, h.together)));
-        let z = self.flank(Side::Right).len() as f64;
-        // f_i = F_i − F_{i−1} multiplies harmonic h by 2 sin(π h/z).
-        let single = opposed(harmonics.iter().enumerate().map(|(i, h)| {
-            let factor = (TAU * (i + 1) as f64 / (2.0 * z)).sin().powi(2);
-            (factor * h.energy, factor * h.together)
-        }));
-        (2.0 * cumulative.min(single)).min(1.0)
+        let z = self.flank(Side::Right).len();
+        (2.0 * least_of_both(&harmonics, 1, z)).min(1.0)
+    }
+
+    /// The same of datum-axis curves of `gear`, which hold an eccentricity of any size in their first harmonic.
+    ///
+    /// Let `u` and `v` be the first harmonics of the right and of the left flanks, each counted from where an eccentricity has its
+    /// zero (`ψ ∓ α`, see [`super::datum`]). An eccentricity puts the same into both: `S = u + v` holds it, `D = u − v`
+    /// nothing of it. A left flank turned round changes the parts of `S` and `D`: then an eccentricity
+    /// stands in `D`, as a first harmonic of the gear's own thickness would, and hardly anything in `S`.
+    ///
+    /// For unrelated flanks without eccentricity `|S|²` and `|D|²` are independent and alike (exponential); an eccentricity makes
+    /// `k = |S|²/|D|²` the larger and leaves `D` alone. `D` stands out from the others by `q = |D|²/(|D|² + T)`, `T` the sum of
+    /// the `n = 2 (harmonics − 1)` other `|S|²` and `|D|²`, weighted by `sin²(π h/z)/sin²(π/z)`: they are alike then for a random walk, and white ones
+    /// stand out the less. `|D|² + T` is independent of `q`, which is Beta(1, n), so with `E[|D|² | q] = (1 + n) q` the probability of
+    /// less than `k` at more than `q` is at most `x = k (1 − q)^n (1 + n q)`. That of any pair with less than `x` is
+    /// at most `∫ min(1, x (1 + n) q/((1 − q)^n (1 + n q))) n (1 − q)^{n−1} dq ≤ x (1 + n) l + e^{−n l}` for any `l`; the best is
+    /// `w (1 − ln w)`, `w = x (1 + n)/n` (own derivation). The other harmonics are judged as of own-axis data; the
+    /// least of the three bounds is taken threefold.
+    pub fn datum_opposition(&self, gear: &Gear) -> f64 {
+        let z = self.flank(Side::Right).len();
+        let harmonics = self.harmonics();
+        if z < 3 || harmonics.is_empty() {
+            return 1.0;
+        }
+        let rest = least_of_both(&harmonics, 2, z);
+        let [u, v] = Side::BOTH.map(|side| self.from_zero_of_eccentricity(gear, side));
+        let (together, apart) = ((u + v).norm_sqr(), (u - v).norm_sqr());
+        if !(apart > 0.0) {
+            return (3.0 * rest).min(1.0);
+        }
+        let first = TAU / (2.0 * z as f64);
+        let weight = |h: u32| ((first * f64::from(h)).sin() / first.sin()).powi(2);
+        // |S|² + |D|² = 2 (|R|² + |L|²).
+        let others: f64 = harmonics
+            .iter()
+            .zip(1..)
+            .skip(1)
+            .map(|(harmonic, h)| 2.0 * weight(h) * harmonic.energy)
+            .sum();
+        let n = 2.0 * (harmonics.len() - 1) as f64;
+        let (k, q) = (together / apart, apart / (apart + others));
+        let first = if n > 0.0 {
+            let x = k * (1.0 - q).powf(n) * (1.0 + n * q);
+            let w = (x * (1.0 + n) / n).clamp(f64::MIN_POSITIVE, 1.0);
+            w * (1.0 - w.ln())
+        } else {
+            // k/(1 + k) is exact.
+            k
+        };
+        (3.0 * rest.min(first)).min(1.0)
+    }
+
+    /// First harmonic of the own `side` flanks, counted from the angle `±α` at which an eccentricity shows nothing.
+    fn from_zero_of_eccentricity(&self, gear: &Gear, side: Side) -> Complex<f64> {
+        let toothing = gear.toothing();
+        let alpha = toothing.pressure_angle();
+        let ahead = -side.sense();
+        let start = ahead * (gear.half_angle_at_roll(alpha.tan()) - alpha);
+        let teeth = self.flank(side).iter().enumerate();
+        teeth
+            .map(|(index, f)| {
+                let angle = index as f64 * toothing.angular_pitch() + start;
+                Complex::from_polar(*f, -angle)
+            })
+            .sum()
     }
 
     fn harmonics(&self) -> Vec<Harmonic> {
@@ -65,12 +119,16 @@ impl Pitch {
     }
 }
 
-/// `f_i = F_i − F_{i−1}`.
-fn single(cumulative: &[f64]) -> Vec<f64> {
-    let before = cumulative.iter().cycle();
-    let before = before.skip(cumulative.len().saturating_sub(1));
-    let pairs = cumulative.iter().zip(before);
-    pairs.map(|(now, before)| now - before).collect()
+/// The lesser of Chernoff's bounds for the cumulative and for the single deviations of `z` teeth, harmonics `from` on.
+fn least_of_both(harmonics: &[Harmonic], from: usize, z: usize) -> f64 {
+    let list = || harmonics.iter().zip(1..).skip(from - 1);
+    let cumulative = opposed(list().map(|(h, _)| (h.energy, h.together)));
+    // f_i = F_i − F_{i−1} multiplies harmonic h by 2 sin(π h/z).
+    let single = opposed(list().map(|(harmonic, h)| {
+        let factor = (TAU * f64::from(h) / (2.0 * z as f64)).sin().powi(2);
+        (factor * harmonic.energy, factor * harmonic.together)
+    }));
+    cumulative.min(single)
 }
 
 /// `Σ 2 Re(R L*)` over the harmonics below `z/2`: by Parseval `z Σ r l` less the harmonics 0 and `z/2`.

@@ -1,0 +1,115 @@
+//! Slips: single values that lie far from all the others. They are told, and count as they stand.
+
+use super::faults::Drawing;
+use super::thickness::Statement;
+use crate::gear::{GradedQuantity, Toothing};
+
+/// A value that stands out.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Slip {
+    /// Where the values stand.
+    pub key: String,
+    /// Which one it is.
+    pub what: String,
+    /// From what it lies how far.
+    pub off: String,
+    /// Why that is too far.
+    pub why: String,
+}
+
+impl Slip {
+    /// As a warning.
+    pub fn told(&self) -> String {
+        let Slip {
+            key,
+            what,
+            off,
+            why,
+        } = self;
+        format!("{key}: {what} lies {off}, {why}: check it; it counts as it stands")
+    }
+
+    /// As the end of a way out of something that cannot be.
+    pub fn suspected(&self) -> String {
+        format!(", above all {}: it lies {}", self.what, self.off)
+    }
+}
+
+/// Median absolute deviations by which a value stands out: for normal values 5.4 standard deviations, one in ten million; the
+/// crest of a wave lies 1.4 of them out, the end of an even spread 2. Tuned.
+pub const STANDS_OUT: f64 = 8.0;
+/// Least distance of a reading that counts as a slip among readings that hardly differ, mm. Tuned: a slip of a micrometer's
+/// thimble line is 10 µm, less the noise of 1 µm or two.
+const THIMBLE_LINE: f64 = 0.008;
+/// Fewest values of which the median tells what the others do.
+pub const FEWEST: usize = 7;
+
+/// By how much the values of even a coarse gear vary, mm: the tolerance of grade 11, the coarsest of ISO 1328-1, with its
+/// source in [`GradedQuantity`]; a tenth of the module where there is none.
+pub fn coarse(quantity: GradedQuantity, toothing: &Toothing) -> f64 {
+    let last = *crate::gear::GRADES.end();
+    let tolerance = quantity.tolerance(toothing, last);
+    tolerance.unwrap_or(0.1 * toothing.module())
+}
+
+/// The middle value, or the mean of both; 0 of none.
+pub fn median(values: impl Iterator<Item = f64>) -> f64 {
+    let mut list: Vec<f64> = values.collect();
+    list.sort_by(f64::total_cmp);
+    let (half, odd) = (list.len() / 2, !list.len().is_multiple_of(2));
+    match (
+        list.get(half),
+        half.checked_sub(1).and_then(|before| list.get(before)),
+    ) {
+        (Some(middle), _) if odd => *middle,
+        (Some(above), Some(below)) => (above + below) / 2.0,
+        _ => 0.0,
+    }
+}
+
+/// The reading all round that lies farthest from the others, where that is too far.
+///
+/// A span holds two flanks, so teeth of the range `F_p` move it by no more than that; either of two pins stands out by `F_r`.
+pub fn in_readings(drawing: &Drawing) -> Option<Slip> {
+    let toothing = &drawing.blank.toothing;
+    let (name, place, plausible) = match &drawing.statement {
+        Statement::Spans { .. } => (
+            "span",
+            "tooth",
+            coarse(GradedQuantity::TotalPitch, toothing),
+        ),
+        Statement::Pins { .. } => (
+            "over_pins",
+            "space",
+            2.0 * coarse(GradedQuantity::Runout, toothing),
+        ),
+        _ => return None,
+    };
+    let readings = drawing.statement.readings()?;
+    let middle = median(readings.list().map(|(_, mm)| mm));
+    let apart = |mm: f64| (mm - middle).abs();
+    let spread = median(readings.list().map(|(_, mm)| apart(mm)));
+    let (number, mm) = readings
+        .list()
+        .max_by(|a, b| apart(a.1).total_cmp(&apart(b.1)))?;
+    let count = readings.count();
+    let why = if apart(mm) > plausible {
+        format!(
+            "more than the {:.0} µm by which even a coarse gear varies",
+            1000.0 * plausible
+        )
+    } else if count >= FEWEST && apart(mm) > (STANDS_OUT * spread).max(THIMBLE_LINE) {
+        format!("half of them within {:.1} µm", 1000.0 * spread)
+    } else {
+        return None;
+    };
+    Some(Slip {
+        key: drawing.table.path_of(&format!("{}.{name}", drawing.under)),
+        what: format!("the reading at {place} {number}, {mm} mm,"),
+        off: format!(
+            "{:.1} µm from the median of all {count}, {middle} mm",
+            1000.0 * apart(mm)
+        ),
+        why,
+    })
+}

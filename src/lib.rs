@@ -8,7 +8,7 @@
 //! The way through the crate, each stage importing only earlier ones:
 //!
 //! ```text
-//! input → study → gear → pair → mesh → simulate → compare → outcome, curves, diagnosis → gauge → render → cli
+//! input → study → gear → pair → mesh → simulate → compare → outcome, curves, cycle, diagnosis → gauge → render → cli
 //!                         └──→ analytic ──────────┘
 //! ```
 //!
@@ -44,6 +44,7 @@ pub mod analytic;
 pub mod cli;
 pub mod compare;
 pub mod curves;
+pub mod cycle;
 pub mod diagnosis;
 pub mod error;
 pub mod gauge;

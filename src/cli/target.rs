@@ -21,7 +21,7 @@ impl Target {
         if path == Path::new("-") {
             return Ok(Target { path, place: None });
         }
-        let missing_name = || Error::Usage(format!("-o {}: this names no file", path.display()));
+        let missing_name = || Error::Usage(format!("{}: this names no file", path.display()));
         let file = path.file_name().ok_or_else(missing_name)?;
         let name = file.to_string_lossy().into_owned();
         let folder = match path.parent() {

@@ -60,10 +60,11 @@ fn simulated(page: &Page) -> String {
         Some((last, rest)) if !rest.is_empty() => format!("{}, and {last}", rest.join(", ")),
         _ => parts.join(""),
     };
-    format!(
-        "Over {} poses: {words}. Least and greatest are over all of them.",
-        page.whole.poses
-    )
+    let extremes = match page.whole.least {
+        Some(_) => " Least and greatest are over all of them.",
+        None => "",
+    };
+    format!("Over {} poses: {words}.{extremes}", page.whole.poses)
 }
 
 fn others(page: &Page) -> Markup {

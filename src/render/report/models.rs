@@ -10,10 +10,13 @@ use maud::{Markup, html};
 /// What each formula knows, in the order of [`MODELS`].
 const NAMES: [(&str, &str); 3] = [
     (
-        "1 Michalec",
+        "1 Michalec, K (1)–(7)",
         "mean thickness, eccentricity; linear in the centre distance",
     ),
-    ("2 involute", "mean thickness, eccentricity at the pose"),
+    (
+        "2 involute, K (11)–(17)",
+        "mean thickness, eccentricity at the pose",
+    ),
     (
         "3 line of action",
         "every flank’s thickness and pitch, eccentricity; exact while involutes touch",

@@ -99,13 +99,13 @@ fn formula(page: &Page) -> Markup {
             "There is no pose that simulation and line-of-action formula both have a value of: nothing was compared. "
         }
         @if of.poses > of.both {
-            "Of the other " (of.poses - of.both) " poses " (without(page)) ". "
+            (without(page)) ". "
         }
         (off_line(page))
     }
 }
 
-/// Why poses cannot be compared.
+/// Why the other poses cannot be compared.
 fn without(page: &Page) -> String {
     let of = &page.agreement;
     let parts = [
@@ -117,13 +117,18 @@ fn without(page: &Page) -> String {
         ),
     ];
     let parts = parts.into_iter().filter(|(poses, _)| *poses > 0);
-    let parts: Vec<String> = parts
-        .map(|(poses, what)| match poses {
-            1 => format!("1 is {what}"),
-            poses => format!("{poses} are {what}"),
-        })
-        .collect();
-    parts.join(", ")
+    let parts: Vec<(usize, &str)> = parts.collect();
+    let other = of.poses - of.both;
+    match (&parts[..], other == of.poses) {
+        ([(_, what)], true) => format!("Every pose is {what}"),
+        ([(1, what)], false) => format!("The other pose is {what}"),
+        ([(_, what)], false) => format!("The other {other} poses are {what}"),
+        (parts, _) => {
+            let named = parts.iter().map(|(poses, what)| format!("{poses} {what}"));
+            let named = named.collect::<Vec<_>>().join(", ");
+            format!("The other {other} poses: {named}")
+        }
+    }
 }
 
 /// How many poses touch off the line of action, and at how many it matters.

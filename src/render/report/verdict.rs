@@ -117,16 +117,16 @@ fn clearance(page: &Page) -> Markup {
     let binds = whole.assembles() && tighter;
     html! {
         p {
+            "With the bearing clearance taken in (" i { "a" } " ± " (distance(c)) " mm) "
             @if ends == [None, None] {
-                "With the bearing clearance taken in (" i { "a" } " ± " (distance(c)) " mm) no pose has a value"
+                "no pose has a value: the gears are jammed or out of mesh there"
             } @else {
-                "With the bearing clearance taken in (" i { "a" } " ± " (distance(c)) " mm) backlash lies within "
-                span.w { (band(ends, 2)) " µm" } " over all centre distances"
-            }
-            @for (end, poses) in ["−", "+"].into_iter().zip(whole.without_value) {
-                @if poses > 0 {
-                    "; at " (poses) " of " (whole.poses) " poses the gears are jammed or out of mesh at "
-                    span.w { i { "a" } " " (end) " " (distance(c)) " mm" }
+                "backlash lies within " span.w { (band(ends, 2)) " µm" } " over all centre distances"
+                @for (end, poses) in ["−", "+"].into_iter().zip(whole.without_value) {
+                    @if poses > 0 {
+                        "; at " (poses) " of " (whole.poses) " poses the gears are jammed or out of mesh at "
+                        span.w { i { "a" } " " (end) " " (distance(c)) " mm" }
+                    }
                 }
             }
             @if binds { strong { ": pushed together in their bearings, the gears bind" } }

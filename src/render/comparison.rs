@@ -67,7 +67,9 @@ impl ComparedPair {
         }
         for verdict in [Verdict::Above, Verdict::Below, Verdict::OffLine] {
             let count = run.count(verdict);
-            if count > 0 && !(verdict == Verdict::OffLine && self.allow_off_line) {
+            // What a run without anything to compare touches is said already.
+            let counts = !(self.allow_off_line || run.compared() == 0);
+            if count > 0 && (verdict != Verdict::OffLine || counts) {
                 parts.push(format!(
                     "{count} of {} poses: {}",
                     run.poses.len(),

@@ -99,12 +99,12 @@ fn readings_are_told_by_their_number_and_range() {
     let stated = "span = { teeth = 6, min_mm = 50.548, max_mm = 50.561 }";
     let some = "span = { teeth = 6, mm = [50.551, 50.561, 50.555], first_tooth = [1, 15, 30] }\n\
                 cross_check = { over_pins = { pin_mm = 5.25, mm = 139.42 } }";
-    let text_of = rig
-        .replace(stated, some)
-        .replace("[measured]", "#")
-        .replace("file = \"karba", "# \"karba");
-    assert_ne!(rig, text_of);
-    let text_of = text_of.replace("center_distance_mm = [", "center_distance_mm = [132.1] #");
+    let (gears, _) = rig.split_once("[assembly]").unwrap();
+    assert!(gears.contains(stated));
+    let text_of = format!(
+        "{}[assembly]\ncenter_distance_mm = 132.1\n[sweep]\nmating = [[1, 1]]\n",
+        gears.replace(stated, some)
+    );
     let page = page(&text_of);
     assert!(
         page.contains("span over 6 teeth 3 readings, 50.551 … 50.561 mm, cross-check: see below")

@@ -14,8 +14,10 @@ use crate::study::Study;
 /// What the comparison says of one pose.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Verdict {
-    /// Within tolerance + error bound, or nothing to compare on either side.
+    /// Within tolerance + error bound.
     Agrees,
+    /// Neither has a value: jammed or out of mesh, and the formula finds no contact either.
+    Nothing,
     /// The simulation lies below because a tip, a fillet or a root touches off the line of action.
     OffLine,
     /// The simulation lies below though involutes touch.
@@ -29,6 +31,7 @@ impl Verdict {
     pub fn name(self) -> &'static str {
         match self {
             Verdict::Agrees => "agrees",
+            Verdict::Nothing => "nothing to compare",
             Verdict::OffLine => "off-line contact",
             Verdict::Below => "below the formula",
             Verdict::Above => "above the formula",
@@ -51,6 +54,13 @@ pub struct ComparedPose {
     pub verdict: Verdict,
 }
 
+impl ComparedPose {
+    /// Whether simulation and model 3 both have a value.
+    pub fn has_both(&self) -> bool {
+        self.swept.backlash.is_some() && self.line_of_action.is_some()
+    }
+}
+
 /// A run with its analytic values.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ComparedRun {
@@ -69,13 +79,21 @@ impl ComparedRun {
             .count()
     }
 
-    /// Whether the run passes: everything agrees, or lies off the line where that is allowed.
+    /// How many poses have both a simulated backlash and one by model 3.
+    pub fn compared(&self) -> usize {
+        let both = |pose: &&ComparedPose| pose.has_both();
+        self.poses.iter().filter(both).count()
+    }
+
+    /// Whether the run passes: something was compared, and everything agrees, or lies off the line where that is
+    /// allowed. A run that is jammed or out of mesh throughout agrees with nothing.
     pub fn passes(&self, allow_off_line: bool) -> bool {
-        self.poses.iter().all(|pose| match pose.verdict {
-            Verdict::Agrees => true,
+        let passes = |pose: &ComparedPose| match pose.verdict {
+            Verdict::Agrees | Verdict::Nothing => true,
             Verdict::OffLine => allow_off_line,
             Verdict::Below | Verdict::Above => false,
-        })
+        };
+        self.compared() > 0 && self.poses.iter().all(passes)
     }
 
     /// Simulated minus model 3, mm, of the pose where it is largest in amount.
@@ -188,7 +206,7 @@ fn judge(swept: &SweptPose, formula: Option<f64>, tolerance: f64) -> Verdict {
         (Some(_), None) => Verdict::OffLine,
         (None, Some(_)) if swept.lost_motion.status() == Status::Jammed => Verdict::OffLine,
         (None, Some(_)) => Verdict::Above,
-        (None, None) => Verdict::Agrees,
+        (None, None) => Verdict::Nothing,
     }
 }
 

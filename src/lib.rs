@@ -9,7 +9,7 @@
 //!
 //! ```text
 //! gear → pair → notes, study ← input (the pair file)
-//!         │       └→ simulate → compare → measured, phases, outcome, curves, diagnosis → gauge → render → cli
+//!         │       └→ simulate → compare → measured, phases, outcome, curves, cycle, diagnosis → gauge → render → cli
 //!         ├→ mesh ───┘             │
 //!         └→ analytic ─────────────┘
 //! ```
@@ -46,6 +46,7 @@ pub mod analytic;
 pub mod cli;
 pub mod compare;
 pub mod curves;
+pub mod cycle;
 pub mod diagnosis;
 pub mod error;
 pub mod gauge;

@@ -1,8 +1,8 @@
 //! What a study comes to: the least and the greatest backlash at each centre distance, the teeth that bind there,
 //! and how far the formulas lie off. Lengths in mm, as `j_wt`.
 
-use crate::compare::{ComparedPose, ComparedRun, Verdict};
-use crate::mesh::{Status, first_least};
+use crate::compare::{ComparedPose, ComparedRun, Verdict, touches_off_line};
+use crate::mesh::{Status, SweptPose, first_least, worst_pose};
 use crate::study::Material;
 
 /// A pose and the run it belongs to.
@@ -19,20 +19,28 @@ pub struct Found<'a> {
 pub struct Outcome<'a> {
     /// How many there are.
     pub poses: usize,
-    /// How many have negative backlash.
+    /// How many have negative backlash, beyond their error bounds.
     pub interfering: usize,
+    /// How many have a backlash that cannot be told from none.
+    pub touching: usize,
     /// How many are jammed: a tip sits in a root.
     pub jammed: usize,
     /// How many are out of mesh.
     pub apart: usize,
+    /// The worst: the first that is jammed, or else the one with the least backlash.
+    pub worst: Option<Found<'a>>,
     /// The least backlash; of those that their error bounds cannot tell apart, the first.
     pub least: Option<Found<'a>>,
     /// The greatest, chosen likewise.
     pub greatest: Option<Found<'a>>,
+    /// Whether every pose has a backlash, and their error bounds cannot tell one from another.
+    pub uniform: bool,
     /// Mean of those that have a value.
     pub mean: Option<f64>,
     /// Least at `a − c`, greatest at `a + c`, `c` the bearing clearance; without it least and greatest.
     pub with_clearance: [Option<f64>; 2],
+    /// How many have no value at `a − c`, and at `a + c`.
+    pub without_value: [usize; 2],
     /// Greatest error bound.
     pub error_bound: Option<f64>,
 }
@@ -67,48 +75,68 @@ pub const MODELS: [fn(&ComparedPose) -> Option<f64>; 3] = [
 ];
 
 impl<'a> Outcome<'a> {
-    /// Of all poses of `runs`.
-    pub fn of(runs: &[&'a ComparedRun]) -> Outcome<'a> {
+    /// Of all poses of `runs`, and of those `picked` out of others for their backlash: these count for all but the mean.
+    pub fn of(runs: &[&'a ComparedRun], picked: &[&'a ComparedRun]) -> Outcome<'a> {
         let all = || {
-            let runs = runs.iter().copied();
+            let runs = runs.iter().chain(picked).copied();
             runs.flat_map(|run| run.poses.iter().map(move |pose| Found { run, pose }))
         };
-        let count = |status: Status| {
-            let of_status = |found: &Found| found.pose.swept.lost_motion.status() == status;
-            all().filter(of_status).count()
+        let count = |holds: &dyn Fn(&SweptPose) -> bool| {
+            let of_kind = |found: &Found| holds(&found.pose.swept);
+            all().filter(of_kind).count()
         };
+        let is = |status: Status| move |pose: &SweptPose| pose.lost_motion.status() == status;
         let extreme = |sign: f64| {
             first_least(all().filter_map(|found| {
                 let swept = &found.pose.swept;
                 Some((found, sign * swept.backlash?, swept.error_bound?))
             }))
         };
-        let backlash = || all().filter_map(|found| found.pose.swept.backlash);
+        let swept = || runs.iter().flat_map(|run| &run.poses);
+        let backlash = || swept().filter_map(|pose| pose.swept.backlash);
         let valued = backlash().count();
+        // What each value may at most be, and at least.
+        let ends = |sign: f64| {
+            all().filter_map(move |found| {
+                let swept = &found.pose.swept;
+                Some(swept.backlash? + sign * swept.error_bound?)
+            })
+        };
+        let (highest, lowest) = (ends(1.0).reduce(f64::min), ends(-1.0).reduce(f64::max));
+        let together = highest.zip(lowest).is_some_and(|(high, low)| low <= high);
+        let all_valued = ends(1.0).count() == all().count();
         let end = |end: usize| all().filter_map(move |found| found.pose.swept.range()[end]);
         Outcome {
             poses: all().count(),
-            interfering: count(Status::Interference),
-            jammed: count(Status::Jammed),
-            apart: count(Status::NoContact),
+            interfering: count(&SweptPose::interferes),
+            touching: count(&SweptPose::just_touches),
+            jammed: count(&is(Status::Jammed)),
+            apart: count(&is(Status::NoContact)),
+            worst: worst_pose(all().map(|found| (found, &found.pose.swept))),
+            uniform: together && all_valued,
             least: extreme(1.0),
             greatest: extreme(-1.0),
             mean: (valued > 0).then(|| backlash().sum::<f64>() / valued as f64),
             with_clearance: [end(0).reduce(f64::min), end(1).reduce(f64::max)],
+            without_value: [0, 1].map(|end| count(&|pose| pose.range()[end].is_none())),
             error_bound: all()
                 .filter_map(|found| found.pose.swept.error_bound)
                 .reduce(f64::max),
         }
     }
 
-    /// Whether every pose has room to turn.
+    /// Whether every pose has room to turn, or just none too little.
     pub fn assembles(&self) -> bool {
         self.poses > 0 && self.interfering + self.jammed + self.apart == 0
     }
 }
 
-/// `runs` by centre distance and material, in order of first appearance.
-pub fn by_distance<'a>(runs: &[&'a ComparedRun]) -> Vec<AtDistance<'a>> {
+/// `runs` and the poses `picked` out of others, as in [`Outcome::of`], by centre distance and material, in order of
+/// first appearance.
+pub fn by_distance<'a>(
+    runs: &[&'a ComparedRun],
+    picked: &[&'a ComparedRun],
+) -> Vec<AtDistance<'a>> {
     let distance = |run: &ComparedRun| run.run.assembly.center_distance();
     let mut distances: Vec<f64> = Vec::new();
     for run in runs {
@@ -117,20 +145,21 @@ pub fn by_distance<'a>(runs: &[&'a ComparedRun]) -> Vec<AtDistance<'a>> {
         }
     }
     let at = |center_distance: f64| {
-        let here: Vec<&ComparedRun> = runs
-            .iter()
-            .copied()
-            .filter(|run| distance(run) == center_distance)
-            .collect();
+        let only = |runs: &[&'a ComparedRun], keeps: &dyn Fn(&ComparedRun) -> bool| {
+            let runs = runs.iter().copied();
+            runs.filter(|run| keeps(run)).collect::<Vec<_>>()
+        };
+        let at = |run: &ComparedRun| distance(run) == center_distance;
+        let (here, picked) = (only(runs, &at), only(picked, &at));
         let of = |material: Material| {
-            let runs = here.iter().copied();
-            let runs: Vec<_> = runs.filter(|run| run.run.material == material).collect();
-            (!runs.is_empty()).then(|| (material, Outcome::of(&runs)))
+            let of_material = |run: &ComparedRun| run.run.material == material;
+            let (runs, picked) = (only(&here, &of_material), only(&picked, &of_material));
+            (!runs.is_empty()).then(|| (material, Outcome::of(&runs, &picked)))
         };
         let materials = [Material::Most, Material::Least, Material::AsMeasured];
         AtDistance {
             center_distance,
-            all: Outcome::of(&here),
+            all: Outcome::of(&here, &picked),
             materials: materials.into_iter().filter_map(of).collect(),
         }
     };
@@ -155,7 +184,64 @@ pub fn deviation(
     })
 }
 
-/// How many poses of `runs` have `verdict`.
-pub fn count(runs: &[&ComparedRun], verdict: Verdict) -> usize {
-    runs.iter().map(|run| run.count(verdict)).sum()
+/// How simulation and model 3 stand to each other, in poses.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Agreement {
+    /// All of them.
+    pub poses: usize,
+    /// Those that have a value of both.
+    pub both: usize,
+    /// Of these: within tolerance and error bound.
+    pub agree: usize,
+    /// Of these: below, the teeth touching off the line of action.
+    pub off_line: usize,
+    /// Of these: below, though involutes touch.
+    pub below: usize,
+    /// Of these: above.
+    pub above: usize,
+    /// Those simulated alone: no involutes reach each other.
+    pub simulated_alone: usize,
+    /// Those of the formula alone, the simulation finding the pair jammed.
+    pub jammed: usize,
+    /// Those of the formula alone, the simulation finding the pair out of mesh: never right.
+    pub apart: usize,
+    /// Those of neither.
+    pub neither: usize,
+    /// Poses that have a backlash and in which a tip corner, a fillet or a root takes part in a contact.
+    pub touch_off_line: usize,
+}
+
+impl Agreement {
+    /// Of `runs`.
+    pub fn of(runs: &[&ComparedRun]) -> Agreement {
+        let mut count = Agreement::default();
+        for pose in runs.iter().flat_map(|run| &run.poses) {
+            let simulated = pose.swept.backlash.is_some();
+            count.poses += 1;
+            count.both += usize::from(pose.has_both());
+            *match (simulated, pose.line_of_action.is_some(), pose.verdict) {
+                (true, true, Verdict::OffLine) => &mut count.off_line,
+                (true, true, Verdict::Below) => &mut count.below,
+                (true, true, Verdict::Above) => &mut count.above,
+                (true, true, _) => &mut count.agree,
+                (true, false, _) => &mut count.simulated_alone,
+                (false, true, Verdict::Above) => &mut count.apart,
+                (false, true, _) => &mut count.jammed,
+                (false, false, _) => &mut count.neither,
+            } += 1;
+            let off_line = simulated && touches_off_line(&pose.swept.lost_motion);
+            count.touch_off_line += usize::from(off_line);
+        }
+        count
+    }
+
+    /// Poses at which the two disagree for no reason found.
+    pub fn unexplained(&self) -> usize {
+        self.below + self.above + self.apart
+    }
+
+    /// Poses about which the formula is wrong, or says nothing, the teeth touching off the line of action.
+    pub fn formula_fails(&self) -> usize {
+        self.off_line + self.simulated_alone
+    }
 }

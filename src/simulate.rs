@@ -1,7 +1,7 @@
 //! From what a pair file asks for to what was found: every run of a study.
 
 use crate::error::Error;
-use crate::mesh::{CutPair, Method, Status, SweptPose, first_least, sweep};
+use crate::mesh::{CutPair, Method, SweptPose, sweep, worst_pose};
 use crate::pair::Assembly;
 use crate::study::{Material, RunPlan, Study};
 use std::ops::ControlFlow;
@@ -75,18 +75,10 @@ pub fn simulate_plans(
     Ok(runs)
 }
 
-/// The worst pose of all `runs`, and its run: the first that is jammed, or else the one with the least
-/// `j_wt`, of several within their error bounds the first; `None` when no pose is in mesh.
+/// The worst pose of all `runs`, as [`worst_pose`] chooses it, and its run; `None` when no pose is in mesh.
 pub fn worst(runs: &[Run]) -> Option<(&Run, &SweptPose)> {
-    let poses = || {
-        runs.iter()
-            .flat_map(|run| run.poses.iter().map(move |pose| (run, pose)))
-    };
-    let jammed = |pose: &SweptPose| pose.lost_motion.status() == Status::Jammed;
-    if let Some(first) = poses().find(|(_, pose)| jammed(pose)) {
-        return Some(first);
-    }
-    first_least(
-        poses().filter_map(|(run, pose)| Some(((run, pose), pose.backlash?, pose.error_bound?))),
-    )
+    worst_pose(runs.iter().flat_map(|run| {
+        let poses = run.poses.iter();
+        poses.map(move |pose| ((run, pose), pose))
+    }))
 }

@@ -1,6 +1,7 @@
 //! `gearlash compare --markdown` and the step summary of a GitHub workflow.
 
 use assert_cmd::Command;
+use predicates::prelude::*;
 use std::path::Path;
 
 const PAIR: &str = r#"
@@ -139,6 +140,63 @@ fn adds_to_the_step_summary() {
     );
 }
 
+/// A pair that interferes has a result, and the formula agrees with it; the row says what it is.
+#[test]
+fn a_row_names_interference() {
+    let folder = tempfile::tempdir().unwrap();
+    // Nominal gears are free of backlash at m (z_1 + z_2)/2 = 50 mm.
+    let tight = PAIR.replace("[50.1, 50.2]", "[49.95, 50.2]");
+    std::fs::write(folder.path().join("tight.toml"), tight).unwrap();
+    let arguments = ["compare", "tight.toml", "--markdown", "out.md"];
+    gearlash(folder.path(), &arguments).assert().success();
+    let text = read(folder.path(), "out.md");
+    let verdicts: Vec<&str> = text
+        .lines()
+        .filter(|line| line.starts_with("| a ="))
+        .collect();
+    assert!(
+        verdicts[0].ends_with("| ✅ ok; interference at 2 of 2 poses |"),
+        "{text}"
+    );
+    assert!(verdicts[1].ends_with("| ✅ ok |"), "{text}");
+}
+
+/// Out of mesh nothing is compared: no green table.
+#[test]
+fn a_pair_out_of_mesh_is_not_said_to_agree() {
+    let folder = tempfile::tempdir().unwrap();
+    // d_a = 64 and 44: tips pass each other above 54 mm.
+    let apart = PAIR.replace("[50.1, 50.2]", "54.5");
+    std::fs::write(folder.path().join("apart.toml"), apart).unwrap();
+    let arguments = ["compare", "apart.toml", "--markdown", "out.md"];
+    gearlash(folder.path(), &arguments).assert().code(1);
+    let text = read(folder.path(), "out.md");
+    assert!(
+        text.starts_with("## gearlash compare: ❌ nothing to compare in 1 of 1 pairs\n"),
+        "{text}"
+    );
+    assert!(
+        text.contains("❌ FAIL; out of mesh at 2 of 2 poses"),
+        "{text}"
+    );
+    assert!(!text.contains("✅"), "{text}");
+}
+
+/// `compare` has no -o: an error names the variable or the option that chose the place.
+#[test]
+fn a_summary_that_cannot_be_written_names_its_variable() {
+    let folder = tempfile::tempdir().unwrap();
+    gearlash(
+        folder.path(),
+        &["compare", "pair.toml", "--format", "github"],
+    )
+    .env("GITHUB_STEP_SUMMARY", folder.path())
+    .assert()
+    .code(2)
+    .stderr(predicate::str::contains("GITHUB_STEP_SUMMARY"))
+    .stderr(predicate::str::contains("-o").not());
+}
+
 #[test]
 fn a_place_that_cannot_be_written_is_told_before_the_work() {
     let folder = tempfile::tempdir().unwrap();
@@ -150,4 +208,9 @@ fn a_place_that_cannot_be_written_is_told_before_the_work() {
     .unwrap();
     assert_eq!(outcome.status.code(), Some(2));
     assert!(outcome.stdout.is_empty());
+    let error = String::from_utf8(outcome.stderr).unwrap();
+    assert!(
+        error.contains("choose another place with --markdown"),
+        "{error}"
+    );
 }

@@ -18,7 +18,8 @@ use std::process::ExitCode;
 ///
 /// Model 3 (line of action) gates: a pose fails when |simulated − model 3| exceeds tolerance + error
 /// bound. Contact off the line of action (tip corner, fillet, root) makes a real pair tighter than the
-/// formula; that fails too, named as such, unless the pair file says allow_off_line_contact = true.
+/// formula; that fails too, named as such, unless the pair file says allow_off_line_contact = true. So does a
+/// centre distance at which there is nothing to compare, jammed or out of mesh throughout.
 #[derive(clap::Args)]
 pub(super) struct Args {
     /// Pair files (TOML or JSON)
@@ -60,7 +61,8 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             "--tolerance-um {tolerance}: a tolerance is a number of µm, 0 or more"
         )));
     }
-    let markdown = args.markdown.clone().map(Target::prepare).transpose()?;
+    let markdown = args.markdown.clone().map(Target::prepare).transpose();
+    let markdown = markdown.map_err(|error| of_option(error, "--markdown"))?;
     let mut studies = Vec::new();
     let mut faults = Vec::new();
     for path in &args.pairs {
@@ -104,7 +106,8 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         Format::Github => comparison::github(&pairs),
     });
     if let Some(target) = markdown {
-        target.write_silently(comparison::markdown(&pairs))?;
+        let written = target.write_silently(comparison::markdown(&pairs));
+        written.map_err(|error| of_option(error, "--markdown"))?;
     }
     if let (Format::Github, Some(summary)) = (args.format, std::env::var_os("GITHUB_STEP_SUMMARY"))
     {
@@ -118,13 +121,26 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     })
 }
 
-/// Adds to a step summary what earlier steps have left room for.
+/// The same error, naming the option that chose the place.
+fn of_option(error: Error, option: &str) -> Error {
+    match error {
+        Error::Output { path, source } => Error::Usage(format!(
+            "{}: cannot be written: {source}; choose another place with {option}",
+            path.display()
+        )),
+        other => other,
+    }
+}
+
+/// Adds `text` to a step summary; what earlier steps wrote stays.
 fn append(summary: &Path, text: &str) -> Result<(), Error> {
     let mut options = std::fs::OpenOptions::new();
     let file = options.append(true).create(true).open(summary);
     file.and_then(|mut file| file.write_all(text.as_bytes()))
-        .map_err(|source| Error::Output {
-            path: summary.to_owned(),
-            source,
+        .map_err(|source| {
+            Error::Usage(format!(
+                "GITHUB_STEP_SUMMARY={}: cannot be written: {source}; unset the variable, or have --markdown FILE alone",
+                summary.display()
+            ))
         })
 }

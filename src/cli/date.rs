@@ -9,10 +9,12 @@ const VARIABLE: &str = "SOURCE_DATE_EPOCH";
 /// The day, in UTC, as `2026-11-21`.
 ///
 /// # Errors
-/// [`Error::Usage`] where the variable is set, but to no number of seconds a calendar holds.
+/// [`Error::Usage`] where the variable is set and not empty, but to no number of seconds a calendar holds.
 pub(super) fn today() -> Result<String, Error> {
     match std::env::var_os(VARIABLE) {
         None => Ok(day(Timestamp::now())),
+        // As good as unset, as a shell has it that clears a variable.
+        Some(text) if text.is_empty() => Ok(day(Timestamp::now())),
         Some(text) => of_epoch(&text.to_string_lossy()),
     }
 }

@@ -7,6 +7,7 @@ use super::target::Target;
 use super::warn;
 use crate::compare::compare;
 use crate::curves;
+use crate::cycle::{self, cycle};
 use crate::diagnosis::diagnose;
 use crate::error::Error;
 use crate::gauge::{GradedReading, Unmeasured, graded};
@@ -47,11 +48,13 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let method = args.method.method();
     let poses = pose_count(&study)?
         + curves::revolution_pose_count(&study)?
-        + curves::over_distance_pose_count(&study);
+        + curves::over_distance_pose_count(&study)
+        + cycle::pose_count(&study)?;
     let progress = Progress::start(poses);
     let tick = || progress.tick();
     let runs = compare(simulate(&study, method, &tick)?, study.tolerance_um);
     let revolution = curves::revolution(&study, method, &tick)?;
+    let cycle = cycle(&study, method, &tick)?;
     let over_distance = curves::over_distance(&study, None, method, &tick)?;
     progress.finish()?;
     let progress = Progress::working();
@@ -67,6 +70,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         method,
         runs: &runs,
         revolution: &revolution,
+        cycle: &cycle,
         over_distance: &over_distance,
         measured: &measured_matings(&study, &runs),
         diagnosis: &diagnosis,
@@ -74,7 +78,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     })?;
     progress.finish()?;
     let agree = agreement_within(
-        largest_difference(runs.iter().chain(&revolution))
+        largest_difference(runs.iter().chain(&revolution).chain(&cycle.extremes))
             .into_iter()
             .chain(over_distance.polygon_difference)
             .reduce(f64::max),

@@ -21,7 +21,7 @@ impl Target {
         if path == Path::new("-") {
             return Ok(Target { path, place: None });
         }
-        let wrong = |reason| Error::Usage(format!("-o {}: {reason}", path.display()));
+        let wrong = |reason| Error::Usage(format!("{}: {reason}", path.display()));
         let file = path
             .file_name()
             .ok_or_else(|| wrong("this names no file"))?;

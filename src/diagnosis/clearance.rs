@@ -2,7 +2,8 @@
 //!
 //! Both gears roll on together, the free one in the middle of the mean teeth's
 //! backlash. Lands are arcs about the displaced centres, tooth by tooth; their
-//! distance is that of two arcs that curve away from each other.
+//! distance is that of two arcs that curve away from each other, or the depth to which a tip
+//! reaches below the root circle, all of which is metal.
 
 use crate::analytic::InvolutePair;
 use crate::gear::{Placed, Side};
@@ -131,7 +132,7 @@ fn nearest_lands(assembly: &Assembly, member: Member, mating: Mating) -> RadialC
         let tip = tip_land(&tips, tip_tooth, towards);
         for root_tooth in spaces {
             let root = root_land(&roots, root_tooth, towards + PI);
-            let apart = between_arcs(distance, (tip_radius, tip), (root_radius, root));
+            let apart = between_lands(distance, (tip_radius, tip), (root_radius, root));
             if apart < least.distance {
                 least.distance = apart;
                 least.tip_tooth = tip_tooth;
@@ -180,18 +181,21 @@ fn from(line: f64, direction: f64) -> f64 {
     angle - TAU * (angle / TAU).round()
 }
 
-/// Least distance of two arcs whose centres stand `distance` apart; angles count from each centre's
-/// direction to the other.
+/// Least distance of a tip land and a root land whose centres stand `distance` apart; angles count from each
+/// centre's direction to the other. Negative where the tip reaches below the root circle: by its depth there.
 ///
-/// Outside each other both curve away, so going to the nearest point of each arc in turn descends to the
-/// least distance; it ends when neither moves.
-fn between_arcs(distance: f64, first: (f64, [f64; 2]), second: (f64, [f64; 2])) -> f64 {
-    let (radius, [start, end]) = first;
-    let (mate_radius, [mate_start, mate_end]) = second;
+/// On one circle the point nearest to the other centre is that nearest to the line of centres. If that point of the
+/// tip is outside the root circle, so is all of the tip, and no point of the root land is nearer than what follows:
+/// going to the nearest point of each arc in turn descends to the least distance, and ends when neither moves.
+/// (A point's nearest on an arc is that nearest in direction, seen from the arc's centre.)
+fn between_lands(distance: f64, tip: (f64, [f64; 2]), root: (f64, [f64; 2])) -> f64 {
+    let (radius, [start, end]) = tip;
+    let (mate_radius, [mate_start, mate_end]) = root;
     let mut angle = 0f64.clamp(start, end);
     let mut mate = 0f64.clamp(mate_start, mate_end);
-    if angle == 0.0 && mate == 0.0 {
-        return distance - radius - mate_radius;
+    let deepest = (radius * angle.sin()).hypot(distance - radius * angle.cos());
+    if deepest <= mate_radius || (angle == 0.0 && mate == 0.0) {
+        return deepest - mate_radius;
     }
     // Direction from one centre to a point at `angle` on the other's circle, which stands opposite.
     let seen =
@@ -207,5 +211,5 @@ fn between_arcs(distance: f64, first: (f64, [f64; 2]), second: (f64, [f64; 2])) 
     }
     let across = radius * angle.sin() + mate_radius * mate.sin();
     let along = distance - radius * angle.cos() - mate_radius * mate.cos();
-    across.hypot(along).copysign(along)
+    across.hypot(along)
 }

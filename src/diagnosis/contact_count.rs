@@ -3,7 +3,7 @@
 use crate::analytic::limits;
 use crate::compare::{ComparedPose, ComparedRun};
 use crate::gear::Side;
-use crate::mesh::{Contact, ContactClass, PoseClass};
+use crate::mesh::{Contact, ContactClass, ContactKind, PoseClass};
 use crate::pair::{Assembly, Pose};
 use crate::study::Material;
 use std::collections::BTreeMap;
@@ -13,6 +13,9 @@ use std::collections::BTreeMap;
 pub struct ContactCount {
     /// Poses of each class that occurs, in order of gravity.
     pub classes: BTreeMap<PoseClass, usize>,
+    /// Poses of the classes in which something other than involutes touches, and with less backlash than the
+    /// formula beyond their error bounds: a tip corner that touches on the line of action costs nothing.
+    pub off_line: usize,
     /// `None` where no pose has both a formula and a lost motion.
     pub loss: Option<Loss>,
 }
@@ -88,6 +91,17 @@ impl ContactCount {
         let assembly = &run.run.assembly;
         let class = PoseClass::of(assembly, &pose.swept.lost_motion);
         *self.classes.entry(class).or_default() += 1;
+        let others_touch = !matches!(
+            class,
+            PoseClass::NoContact | PoseClass::Contact(ContactKind::Involute)
+        );
+        let difference = pose
+            .line_of_action
+            .zip(pose.swept.backlash)
+            .map(|(formula, backlash)| formula - backlash);
+        let bound = pose.swept.error_bound.unwrap_or(0.0);
+        let costs = difference.is_none_or(|loss| loss > bound + limits::MET_WITHIN);
+        self.off_line += usize::from(others_touch && costs);
         let formula = pose.line_of_action.or(pose.involute);
         let (Some(backlash), Some(formula)) = (pose.swept.backlash, formula) else {
             return;

@@ -21,4 +21,4 @@ pub use meeting::Meeting;
 pub use overlap::Overlap;
 pub use polygon::{Certifier, CutGear, PolygonKernel};
 pub use scene::{Drawn, LineOfAction, Scene};
-pub use sweep::{CutPair, Method, SweptPose, first_least, sweep};
+pub use sweep::{CutPair, Method, SweptPose, first_least, sweep, worst_pose};

@@ -1,7 +1,7 @@
 //! Many poses of one assembly, in parallel and in order.
 
 use super::exact::ExactKernel;
-use super::lost_motion::LostMotion;
+use super::lost_motion::{LostMotion, Status};
 use super::polygon::{Certifier, CutGear, PolygonKernel};
 use crate::error::Error;
 use crate::gear::AsBuilt;
@@ -45,6 +45,30 @@ impl SweptPose {
     pub fn range(&self) -> [Option<f64>; 2] {
         self.with_clearance.unwrap_or([self.backlash; 2])
     }
+}
+
+impl SweptPose {
+    /// Whether `backlash` is negative beyond its error bound: rounding alone makes no interference.
+    pub fn interferes(&self) -> bool {
+        let surely = |(backlash, bound): (f64, f64)| backlash < -bound;
+        self.backlash.zip(self.error_bound).is_some_and(surely)
+    }
+
+    /// Whether `backlash` cannot be told from none.
+    pub fn just_touches(&self) -> bool {
+        let none = |(backlash, bound): (f64, f64)| backlash.abs() <= bound;
+        self.backlash.zip(self.error_bound).is_some_and(none)
+    }
+}
+
+/// The worst of `poses`: the first that is jammed, or else the one with the least backlash, of several within their
+/// error bounds the first; `None` when none is in mesh.
+pub fn worst_pose<'a, T>(poses: impl Iterator<Item = (T, &'a SweptPose)> + Clone) -> Option<T> {
+    let jammed = |pose: &SweptPose| pose.lost_motion.status() == Status::Jammed;
+    if let Some((first, _)) = poses.clone().find(|(_, pose)| jammed(pose)) {
+        return Some(first);
+    }
+    first_least(poses.filter_map(|(item, pose)| Some((item, pose.backlash?, pose.error_bound?))))
 }
 
 /// The first of `items` (each with a value and a bound on its error) that cannot be told from the least.

@@ -1,5 +1,6 @@
 //! The words above the picture.
 
+use super::bound::bound;
 use super::labels;
 use super::page::{GREY, INK, text};
 use super::snapshot::Snapshot;
@@ -77,12 +78,12 @@ fn result_line(scene: &Scene) -> String {
     format!("{what} · drawn with the {drawn}")
 }
 
-/// `j_wt` with the bound on its error, both in µm to 0.01, the bound rounded up.
+/// `j_wt` in µm to 0.01, with the bound on its error before that rounding.
 fn j_wt((value, error): (f64, f64)) -> String {
     format!(
-        "j_wt = {} µm (error ≤ {:.2} µm)",
+        "j_wt = {} µm (error ≤ {} µm)",
         micrometres(value),
-        ((error * 1e5).ceil() / 100.0).max(0.01)
+        bound(error)
     )
 }
 

@@ -4,6 +4,7 @@ mod markdown;
 
 use super::table::where_it_is;
 use crate::compare::{ComparedRun, Verdict};
+use crate::mesh::{Status, SweptPose};
 use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
 use serde::Serialize;
 use std::fmt::Write;
@@ -25,10 +26,34 @@ pub struct ComparedPair {
     pub runs: Vec<ComparedRun>,
 }
 
+/// What a pair file comes to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum PairOutcome {
+    /// Every run passes.
+    Agrees,
+    /// Some run disagrees.
+    Disagrees,
+    /// None disagrees, but in some there was nothing to compare: that is no agreement.
+    Nothing,
+}
+
 impl ComparedPair {
     /// Whether every run passes.
     pub fn passes(&self) -> bool {
         self.runs.iter().all(|run| run.passes(self.allow_off_line))
+    }
+
+    /// What the runs come to.
+    fn outcome(&self) -> PairOutcome {
+        let fails = |run: &&ComparedRun| !run.passes(self.allow_off_line);
+        let mut failing = self.runs.iter().filter(fails).peekable();
+        if failing.peek().is_none() {
+            return PairOutcome::Agrees;
+        }
+        match failing.all(|run| run.compared() == 0) {
+            true => PairOutcome::Nothing,
+            false => PairOutcome::Disagrees,
+        }
     }
 
     /// One run's name and what is wrong with it; `None` when it passes.
@@ -37,9 +62,14 @@ impl ComparedPair {
             return None;
         }
         let mut parts = Vec::new();
+        if run.compared() == 0 {
+            parts.push(format!("nothing to compare: {}", without_value(run)));
+        }
         for verdict in [Verdict::Above, Verdict::Below, Verdict::OffLine] {
             let count = run.count(verdict);
-            if count > 0 && !(verdict == Verdict::OffLine && self.allow_off_line) {
+            // What a run without anything to compare touches is said already.
+            let counts = !(self.allow_off_line || run.compared() == 0);
+            if count > 0 && (verdict != Verdict::OffLine || counts) {
                 parts.push(format!(
                     "{count} of {} poses: {}",
                     run.poses.len(),
@@ -58,6 +88,50 @@ impl ComparedPair {
         });
         Some(parts.join(", ") + &worst)
     }
+}
+
+/// Why poses have no backlash, or no formula to set beside it.
+fn without_value(run: &ComparedRun) -> String {
+    let all = run.poses.len();
+    let of_status = |status: Status| {
+        let poses = run.poses.iter();
+        let of_status = poses.filter(|pose| pose.swept.lost_motion.status() == status);
+        of_status.count()
+    };
+    let parts = [
+        (of_status(Status::Jammed), "jammed"),
+        (of_status(Status::NoContact), "out of mesh"),
+    ];
+    let parts = parts.into_iter().filter(|(poses, _)| *poses > 0);
+    let parts: Vec<String> = parts
+        .map(|(poses, what)| format!("{what} at {poses} of {all} poses"))
+        .collect();
+    match parts.is_empty() {
+        true => "model 3 has no value at any pose".to_owned(),
+        false => parts.join(", "),
+    }
+}
+
+/// How many poses have negative backlash or none at all, in words; nothing where none.
+fn trouble(run: &ComparedRun) -> Option<String> {
+    let poses = || run.poses.iter().map(|pose| &pose.swept);
+    let are = |status: Status| {
+        let of_status = move |pose: &&SweptPose| pose.lost_motion.status() == status;
+        poses().filter(of_status).count()
+    };
+    let parts = [
+        (
+            poses().filter(|pose| pose.interferes()).count(),
+            "interference",
+        ),
+        (are(Status::Jammed), "jammed"),
+        (are(Status::NoContact), "out of mesh"),
+    ];
+    let parts = parts.into_iter().filter(|(poses, _)| *poses > 0);
+    let parts: Vec<String> = parts
+        .map(|(poses, what)| format!("{what} at {poses} of {} poses", run.poses.len()))
+        .collect();
+    (!parts.is_empty()).then(|| parts.join(", "))
 }
 
 fn run_name(run: &ComparedRun) -> String {
@@ -81,7 +155,10 @@ pub fn text(pairs: &[ComparedPair]) -> String {
                 None => "nothing to compare".to_owned(),
             };
             let verdict = match pair.failure(run) {
-                None => "ok".to_owned(),
+                None => match trouble(run) {
+                    Some(what) => format!("ok ({what})"),
+                    None => "ok".to_owned(),
+                },
                 Some(reason) => format!("FAIL  {reason}"),
             };
             let _ = writeln!(
@@ -98,12 +175,12 @@ pub fn text(pairs: &[ComparedPair]) -> String {
                 );
             }
         }
-        let verdict = if pair.passes() { "agree" } else { "DISAGREE" };
-        let _ = writeln!(
-            text,
-            "  {verdict} within {} µm + error bound",
-            pair.tolerance_um
-        );
+        let within = format!("within {} µm + error bound", pair.tolerance_um);
+        let _ = match pair.outcome() {
+            PairOutcome::Agrees => writeln!(text, "  agree {within}"),
+            PairOutcome::Disagrees => writeln!(text, "  DISAGREE {within}"),
+            PairOutcome::Nothing => writeln!(text, "  NOTHING TO COMPARE at some centre distance"),
+        };
     }
     text
 }
@@ -130,6 +207,7 @@ struct JsonRun {
     center_distance_mm: f64,
     material: &'static str,
     poses: usize,
+    compared: usize,
     passed: bool,
     off_line: usize,
     below: usize,
@@ -171,6 +249,7 @@ fn json_pair(pair: &ComparedPair) -> JsonPair<'_> {
             center_distance_mm: run.run.assembly.center_distance(),
             material: run.run.material.name(),
             poses: run.poses.len(),
+            compared: run.compared(),
             passed: run.passes(pair.allow_off_line),
             off_line: run.count(Verdict::OffLine),
             below: run.count(Verdict::Below),

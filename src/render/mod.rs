@@ -1,6 +1,7 @@
 //! Pictures, tables and files. The renderer computes nothing about gears: it takes results and draws them.
 
 mod animation;
+mod bound;
 mod caption;
 pub mod chart;
 pub mod check;

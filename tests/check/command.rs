@@ -131,3 +131,22 @@ fn the_map_is_a_picture_and_a_table() {
         }
     }
 }
+
+/// K's limits of 0.15 and 0.25 modules: 160.2 − 132 − 27.75 mm is 0.15 of 3 mm, 0.2 mm more 0.2167 of it. A bare m would
+/// read as metres.
+#[test]
+fn radial_clearance_is_told_in_modules_with_the_limit_it_misses() {
+    for (a, note) in [
+        (160.1, "0.1167 module, below the limit of 0.15;"),
+        (
+            160.2,
+            "0.1500 module, below the 0.25 recommended (0.7500 mm);",
+        ),
+        (160.6, "0.2833 module;"),
+    ] {
+        let (folder, file) = written(&pair_86_21(a));
+        let assert = gearlash(folder.path()).args(["check"]).arg(&file).assert();
+        let text = String::from_utf8(assert.get_output().stdout.clone()).unwrap();
+        assert!(text.contains(note), "{a}: {text}");
+    }
+}

@@ -83,6 +83,13 @@ fn radial_clearance_of_eccentric_gears_where_the_phases_allow_it() {
     let found = radial_clearance(&assembly, Member::Pinion, &[mating(5, 9)]).unwrap();
     let expected = limits::radial_clearance(&assembly, Member::Pinion) - 0.07;
     assert!((found.distance - expected).abs() <= 1e-6, "{found:?}");
+    // Where the tips stand in the roots, too: 130 − 69 − 62.25 mm, less both displacements.
+    let jammed = eccentric(130.0, [(0.04, 5.0), (0.03, 9.5)], 44);
+    let found = radial_clearance(&jammed, Member::Wheel, &[mating(4, 9)]).unwrap();
+    assert!((found.distance - (-1.25 - 0.07)).abs() <= 1e-6, "{found:?}");
+    let jammed = eccentric(130.0, [(0.0, 1.0), (0.0, 1.0)], 44);
+    let found = radial_clearance(&jammed, Member::Pinion, &[mating(1, 1)]).unwrap();
+    assert!((found.distance - -1.25).abs() <= 1e-12, "{found:?}");
     // Perfect gears: the formula.
     let perfect = eccentric(132.4, [(0.0, 1.0), (0.0, 1.0)], 44);
     let found = radial_clearance(&perfect, Member::Wheel, &[mating(1, 1)]).unwrap();

@@ -85,3 +85,38 @@ fn a_tolerance_on_the_command_line_wins() {
         .assert()
         .code(2);
 }
+
+/// d_a = 44: two gears of 20 teeth and module 2 are out of mesh above a = 44 mm, jammed below 39.5. Nothing was compared
+/// there; that is no agreement, whatever the pair file allows.
+#[test]
+fn compare_does_not_pass_what_it_could_not_compare() {
+    let folder = empty_folder();
+    let gear = "teeth = 20\nmodule_mm = 2.0\npressure_angle_deg = 20.0\n";
+    for (a, reason) in [
+        ("44.5", "nothing to compare: out of mesh at 2 of 2 poses\n"),
+        ("39.0", "nothing to compare: jammed at 2 of 2 poses\n"),
+        (
+            "[40.2, 44.5]",
+            "nothing to compare: out of mesh at 2 of 2 poses\n",
+        ),
+    ] {
+        let text = format!(
+            "[wheel]\n{gear}[pinion]\n{gear}[assembly]\ncenter_distance_mm = {a}\n[sweep]\nmating = [[1, 1]]\n\
+             [compare]\nallow_off_line_contact = true\n"
+        );
+        std::fs::write(folder.path().join("apart.toml"), text).unwrap();
+        gearlash(folder.path())
+            .args(["compare", "apart.toml"])
+            .assert()
+            .code(1)
+            .stdout(predicate::str::contains(format!("FAIL  {reason}")))
+            .stdout(predicate::str::contains("NOTHING TO COMPARE"))
+            .stdout(predicate::str::contains("agree within").not());
+        gearlash(folder.path())
+            .args(["compare", "apart.toml", "--format", "github"])
+            .assert()
+            .code(1)
+            .stdout(predicate::str::contains("::error file=apart.toml"))
+            .stdout(predicate::str::contains("::notice").not());
+    }
+}

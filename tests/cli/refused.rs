@@ -150,7 +150,7 @@ fn a_folder_where_a_file_is_needed() {
             _ => &mut run,
         };
         run.assert().code(2).stderr(predicate::str::contains(
-            "-o d: this is a folder, name a file in it",
+            "d: this is a folder, name a file in it",
         ));
     }
     assert_eq!(files(folder.path()), ["d", "small.toml"]);

@@ -4,4 +4,6 @@ mod bytes;
 mod command;
 mod page;
 mod size;
+mod trust;
+mod verdict;
 mod words;

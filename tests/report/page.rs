@@ -88,8 +88,8 @@ fn the_pages_of_the_fixtures() {
     }
 }
 
-/// Two gears of module 2 without deviations.
-fn plain(a: f64) -> String {
+/// Two gears of 20 teeth and module 2 without deviations at one centre distance or a list of them.
+pub fn plain(a: &str) -> String {
     let gear =
         |name: &str| format!("[{name}]\nteeth = 20\nmodule_mm = 2.0\npressure_angle_deg = 20.0\n");
     format!(
@@ -102,11 +102,19 @@ fn plain(a: f64) -> String {
 #[test]
 fn a_jammed_pair_and_one_out_of_mesh() {
     // d_a = 44, d_f = 35: a tip sits in a root below a = 39.5; tips pass each other above 44.
-    let jammed = page(&plain(39.0));
+    let jammed = page(&plain("39.0"));
     checked(&jammed);
     assert!(jammed.contains("Does not assemble at a = 39.000 mm"));
     assert!(jammed.contains("Jammed, a tip in a root, wheel 1 with pinion 1"));
-    let apart = page(&plain(44.5));
+    assert!(
+        jammed
+            .contains("Left out: over these centre distances the gears are jammed or out of mesh")
+    );
+    assert!(jammed.contains("Bars of length are true"));
+    let apart = page(&plain("44.5"));
     checked(&apart);
     assert!(apart.contains("Out of mesh at a = 44.500 mm"));
+    // No heading stands over nothing.
+    assert!(apart.contains("No pose is in mesh: there is nothing to draw."));
+    assert!(!apart.contains("Bars of length are true"));
 }

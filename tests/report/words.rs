@@ -3,18 +3,18 @@
 use crate::command::{SMALL, fixture, page};
 use scraper::{ElementRef, Html, Selector};
 
-fn select<'a>(document: &'a Html, selector: &str) -> Vec<ElementRef<'a>> {
+pub fn select<'a>(document: &'a Html, selector: &str) -> Vec<ElementRef<'a>> {
     let selector = Selector::parse(selector).unwrap();
     document.select(&selector).collect()
 }
 
-fn text(element: &ElementRef) -> String {
+pub fn text(element: &ElementRef) -> String {
     let words: Vec<&str> = element.text().flat_map(str::split_whitespace).collect();
     words.join(" ")
 }
 
 /// The cells of a row, told by the text of its first.
-fn row(document: &Html, table: &str, first: &str) -> Vec<String> {
+pub fn row(document: &Html, table: &str, first: &str) -> Vec<String> {
     let rows = select(document, &format!("{table} tbody tr"));
     let cell = Selector::parse("td, th").unwrap();
     let mut cells = rows.iter().map(|row| {
@@ -74,6 +74,43 @@ fn a_pair_that_interferes() {
         "{answer}"
     );
     assert_eq!(select(&document, ".verdict.bad").len(), 1);
+}
+
+/// Thickness tooth by tooth moves both flanks of a tooth: what the inspection shows as pitch is not “given”.
+#[test]
+fn pitch_that_follows_from_thickness_is_called_so() {
+    let document = Html::parse_document(&page(SMALL));
+    let rows = select(&document, "#input tr");
+    let pitch = rows
+        .iter()
+        .map(text)
+        .find(|row| row.contains("pitch deviations"));
+    let pitch = pitch.unwrap();
+    assert!(
+        pitch.contains("not given; those shown below follow from the thickness tooth by tooth"),
+        "{pitch}"
+    );
+}
+
+/// Readings are counted, not listed; a cross-check is left to its note.
+#[test]
+fn readings_are_told_by_their_number_and_range() {
+    let rig = include_str!("../../fixtures/karba_44x44.toml");
+    let stated = "span = { teeth = 6, min_mm = 50.548, max_mm = 50.561 }";
+    let some = "span = { teeth = 6, mm = [50.551, 50.561, 50.555], first_tooth = [1, 15, 30] }\n\
+                cross_check = { over_pins = { pin_mm = 5.25, mm = 139.42 } }";
+    let (gears, _) = rig.split_once("[assembly]").unwrap();
+    assert!(gears.contains(stated));
+    let text_of = format!(
+        "{}[assembly]\ncenter_distance_mm = 132.1\n[sweep]\nmating = [[1, 1]]\n",
+        gears.replace(stated, some)
+    );
+    let page = page(&text_of);
+    assert!(
+        page.contains("span over 6 teeth 3 readings, 50.551 … 50.561 mm, cross-check: see below")
+    );
+    assert!(page.contains("3 readings, not all round, give the mean thickness alone."));
+    assert!(!page.contains("{&quot;"));
 }
 
 /// The words of a page, a line an element that holds words of its own; pictures and script left out.

@@ -40,16 +40,27 @@ impl Here<'_> {
                 ("least_modules", least / module),
                 ("recommended_mm", limits::RECOMMENDED_CLEARANCE * module),
             ],
-            note: found.map_or(String::new(), |found| {
-                format!(
-                    "{:.3} m; {} tooth {} beside {} tooth {}",
-                    least / module,
-                    member.name(),
-                    found.tip_tooth,
-                    member.mate().name(),
-                    found.root_tooth
-                )
-            }),
+            note: {
+                let missed = match verdict {
+                    Verdict::Pass => String::new(),
+                    Verdict::Warn => format!(
+                        ", below the {} recommended ({:.4} mm)",
+                        limits::RECOMMENDED_CLEARANCE,
+                        limits::RECOMMENDED_CLEARANCE * module
+                    ),
+                    Verdict::Fail => format!(", below the limit of {}", limits::LEAST_CLEARANCE),
+                };
+                let teeth = found.map_or(String::new(), |found| {
+                    format!(
+                        "; {} tooth {} beside {} tooth {}",
+                        member.name(),
+                        found.tip_tooth,
+                        member.mate().name(),
+                        found.root_tooth
+                    )
+                });
+                format!("{:.4} module{missed}{teeth}", least / module)
+            },
         }
     }
 

@@ -1,6 +1,6 @@
 //! Backlash, undercut and contact ratio against their limits.
 
-use super::{Check, Here, Verdict, place};
+use super::{Check, Here, Verdict, hundredths, place};
 use crate::analytic::limits;
 use crate::diagnosis::check::met;
 use crate::diagnosis::zero_distance::ZeroDistance;
@@ -40,7 +40,7 @@ impl Here<'_> {
                 let worst = zero.map_or(String::new(), |zero| {
                     let [right, left] = zero.teeth;
                     format!(
-                        "; worst pose {}: wheel, pinion {},{} right and {},{} left",
+                        "; worst pose: {}; teeth {}·{} (right flanks) and {}·{} (left flanks)",
                         place(&zero.mating),
                         right.0,
                         right.1,
@@ -81,7 +81,7 @@ impl Here<'_> {
                 .collect(),
             note: match jammed {
                 0 => least.map_or(String::new(), |least| {
-                    format!("least j_wt {:.3} µm", least * 1e3)
+                    format!("least j_wt {} µm", hundredths(least))
                 }),
                 _ => format!("jammed in {jammed} of {} poses", self.contact.poses()),
             },

@@ -183,13 +183,25 @@ fn percent(part: usize, whole: usize) -> f64 {
     }
 }
 
-/// A pose in a word: mating, flank, fraction.
+/// A pose in words: mating, flank, fraction.
 fn place(mating: &Mating) -> String {
+    let beyond = match mating.fraction {
+        0.0 => String::new(),
+        fraction => format!(", {fraction:.4} pitch beyond"),
+    };
     format!(
-        "{},{} {} +{:.4}",
+        "wheel {} with pinion {} at the {} flank{beyond}",
         mating.wheel_tooth,
         mating.pinion_tooth,
-        mating.flank.name(),
-        mating.fraction
+        mating.flank.name()
     )
+}
+
+/// A length in mm as µm with two decimals, never `-0.00`.
+fn hundredths(length: f64) -> String {
+    let text = format!("{:.2}", length * 1e3);
+    match text.as_str() {
+        "-0.00" => "0.00".to_owned(),
+        _ => text,
+    }
 }

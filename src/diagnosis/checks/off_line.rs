@@ -1,9 +1,10 @@
 //! Contact off the line of action: from which centre distance on, in which poses, what it costs.
 
-use super::{Check, Here, Verdict, percent, place};
+use super::{Check, Here, Verdict, hundredths, percent, place};
+use crate::analytic::limits;
 use crate::diagnosis::check::met;
 use crate::diagnosis::onset::{Onset, form_onset};
-use crate::mesh::{ContactKind, PoseClass};
+use crate::mesh::PoseClass;
 use crate::pair::Member;
 
 impl Here<'_> {
@@ -28,19 +29,14 @@ impl Here<'_> {
             },
             details: vec![],
             note: onset.map_or("never".to_owned(), |onset| {
-                format!("{} at {}", onset.class.name(), place(&onset.mating))
+                format!("{}, {}", onset.class.name(), place(&onset.mating))
             }),
         }
     }
 
     pub(super) fn off_line(&self) -> Check {
         let poses = self.contact.poses();
-        let off = self.contact.of_class(|class| {
-            !matches!(
-                class,
-                PoseClass::NoContact | PoseClass::Contact(ContactKind::Involute)
-            )
-        });
+        let off = self.contact.off_line;
         let grave = self.contact.of_class(PoseClass::is_non_involute);
         let verdict = match (off, grave) {
             (0, _) => Verdict::Pass,
@@ -56,11 +52,11 @@ impl Here<'_> {
                 ("mean_loss_um", loss.mean * 1e3),
                 ("worst_loss_um", loss.worst.loss * 1e3),
             ]);
-            if off > 0 {
-                let worst = &loss.worst;
+            let worst = &loss.worst;
+            if off > 0 && worst.loss > limits::MET_WITHIN {
                 note = format!(
-                    "worst {:.3} µm lost at {}: {} of wheel {}, pinion {}",
-                    worst.loss * 1e3,
+                    "worst {} µm lost, {}: {} of wheel tooth {}, pinion tooth {}",
+                    hundredths(worst.loss),
                     place(worst.pose.mating()),
                     worst.class.name(),
                     worst.contact.wheel.tooth,

@@ -1,6 +1,6 @@
 //! The outcome of `compare` as GitHub-flavoured Markdown: the table a reviewer wants.
 
-use super::{ComparedPair, run_name};
+use super::{ComparedPair, PairOutcome, run_name, trouble};
 use crate::compare::{ComparedPose, ComparedRun, Verdict};
 use crate::render::table::{um, where_it_is};
 use std::fmt::Write;
@@ -18,16 +18,25 @@ const HEADINGS: [&str; 8] = [
 
 /// A heading with the verdict, and for each pair a table with a row a run; what failed in words below it.
 pub fn markdown(pairs: &[ComparedPair]) -> String {
-    let failing = pairs.iter().filter(|pair| !pair.passes()).count();
-    let verdict = match failing {
-        0 => format!(
-            "✅ simulated and analytic backlash agree ({} of {0} pairs)",
-            pairs.len()
-        ),
-        _ => format!(
-            "❌ simulated and analytic backlash disagree in {failing} of {} pairs",
-            pairs.len()
-        ),
+    let count = |outcome: PairOutcome| {
+        let pairs = pairs.iter();
+        pairs.filter(|pair| pair.outcome() == outcome).count()
+    };
+    let all = pairs.len();
+    let mut failing = Vec::new();
+    match count(PairOutcome::Disagrees) {
+        0 => {}
+        pairs => failing.push(format!(
+            "simulated and analytic backlash disagree in {pairs} of {all} pairs"
+        )),
+    }
+    match count(PairOutcome::Nothing) {
+        0 => {}
+        pairs => failing.push(format!("nothing to compare in {pairs} of {all} pairs")),
+    }
+    let verdict = match failing.is_empty() {
+        true => format!("✅ simulated and analytic backlash agree ({all} of {all} pairs)"),
+        false => format!("❌ {}", failing.join("; ")),
     };
     let mut text = format!("## gearlash compare: {verdict}\n");
     for pair in pairs {
@@ -71,6 +80,7 @@ fn row(pair: &ComparedPair, run: &ComparedRun) -> Vec<String> {
         None => "–".to_owned(),
     };
     let passes = run.passes(pair.allow_off_line);
+    let verdict = format!("{} {}", mark(passes), if passes { "ok" } else { "FAIL" });
     vec![
         run_name(run),
         run.poses.len().to_string(),
@@ -83,7 +93,10 @@ fn row(pair: &ComparedPair, run: &ComparedRun) -> Vec<String> {
             length => um(length, 3),
         },
         run.count(Verdict::OffLine).to_string(),
-        format!("{} {}", mark(passes), if passes { "ok" } else { "FAIL" }),
+        match trouble(run) {
+            Some(what) => format!("{verdict}; {what}"),
+            None => verdict,
+        },
     ]
 }
 

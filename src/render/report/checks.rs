@@ -1,7 +1,7 @@
 //! Every check with its margin.
 
 use super::Page;
-use super::words::{distance, material, value};
+use super::words::{distance, material, study, value};
 use crate::diagnosis::{Check, Group, Verdict};
 use crate::pair::Member;
 use crate::render::check::{governing, unit};
@@ -10,6 +10,8 @@ use maud::{Markup, html};
 pub(super) fn section(page: &Page) -> Markup {
     let diagnosis = page.report.diagnosis;
     let several = diagnosis.groups.len() > 1;
+    let asked = page.report.runs.iter();
+    let poses: usize = asked.map(|run| run.poses.len()).sum();
     let outcome = match diagnosis.verdict() {
         Verdict::Pass => "Every check passes.",
         Verdict::Warn => "No check fails; some values lie beside what is recommended.",
@@ -20,6 +22,10 @@ pub(super) fn section(page: &Page) -> Markup {
             h2 { "Checks" }
             p {
                 (outcome)
+                " “Formula” is of the gears’ mean teeth, “outlines” as found at the " (poses) " poses that the pair file asks for."
+                @if !page.report.cycle.extremes.is_empty() {
+                    " The rest of the hunting cycle, which the result above takes in, is not in it."
+                }
                 @if several { " Each check is shown at the centre distance and material that keeps its limit least." }
             }
             div.scroll tabindex="0" role="region" aria-label="Checks" {
@@ -37,6 +43,12 @@ pub(super) fn section(page: &Page) -> Markup {
                     } }
                     tbody { @for (group, check) in governing(diagnosis) { (row(several, group, check)) } }
                 }
+            }
+            (study())
+            p.note {
+                "A contact is named by the curves that meet: tip-fillet is a tip on its mate’s fillet, undercut-edge the edge that undercut "
+                "leaves at the foot of the involute. “0.25 pitch beyond”: turned on by a quarter of a tooth from where that flank passes "
+                "through the operating pitch point."
             }
         }
     }

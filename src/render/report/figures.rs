@@ -41,13 +41,16 @@ pub(super) fn charted<'p>(page: &'p Page) -> Vec<(String, &'p Course)> {
         .collect()
 }
 
-/// The numbers of those courses: the one with the least backlash first.
+/// The numbers of those courses: the one with the least backlash of the whole result first.
 fn drawn(page: &Page) -> Vec<usize> {
-    let backlash = |number: &usize| {
-        let least = page.courses[*number].least;
-        least.map_or(f64::INFINITY, |least| least.backlash_um)
-    };
-    let least = (0..page.courses.len()).min_by(|a, b| backlash(a).total_cmp(&backlash(b)));
+    let least = page.whole.least.and_then(|least| {
+        let run = &least.run.run;
+        let is_of = |course: &Course| {
+            course.center_distance == run.assembly.center_distance() && course.phase == run.phase
+        };
+        page.courses.iter().position(is_of)
+    });
+    let least = least.or((!page.courses.is_empty()).then_some(0));
     let others = (0..page.courses.len()).filter(|number| Some(*number) != least);
     least.into_iter().chain(others).take(MOST_COURSES).collect()
 }
@@ -122,7 +125,9 @@ pub(super) fn over_distance(page: &Page) -> Result<Markup, Error> {
         .iter()
         .any(|point| point.bands.simulated.is_some());
     if !shown && curve.measured.is_empty() {
-        return Ok(html! {});
+        return Ok(html! {
+            p { "Left out: over these centre distances the gears are jammed or out of mesh at teeth " (wheel) " and " (pinion) "." }
+        });
     }
     let title = format!("Backlash over the centre distance, teeth {wheel} and {pinion}");
     Ok(figure(&chart::distance("distance", &title, curve)?))
@@ -158,5 +163,5 @@ pub(super) fn not_on_paper(what: &str) -> Markup {
 }
 
 fn figure(chart: &Chart) -> Markup {
-    html! { figure.chart { (PreEscaped(&chart.svg)) } }
+    html! { figure.chart tabindex="0" { (PreEscaped(&chart.svg)) } }
 }

@@ -5,7 +5,7 @@ use super::stated::{high_tooth, pitch, runout, thickness, words};
 use super::words::{distance, plain, symbol, value};
 use super::{Page, grades, notes};
 use crate::error::Error;
-use crate::gear::AsBuilt;
+use crate::gear::{AsBuilt, Inspection};
 use crate::pair::Member;
 use maud::{Markup, html};
 use serde_json::Value;
@@ -62,15 +62,20 @@ const DRAWN: [Property; 7] = [
     ("x", "", "profile shift coefficient", "–", 4, |g| {
         g.gear().blank().profile_shift
     }),
-    ("h", "aP*", "addendum of the basic rack", "m", 3, |g| {
+    ("h*", "aP", "addendum of the basic rack", "module", 3, |g| {
         g.gear().blank().rack.addendum()
     }),
-    ("h", "fP*", "dedendum of the basic rack", "m", 3, |g| {
+    ("h*", "fP", "dedendum of the basic rack", "module", 3, |g| {
         g.gear().blank().rack.dedendum()
     }),
-    ("ρ", "fP*", "root radius of the basic rack", "m", 3, |g| {
-        g.gear().blank().rack.root_radius()
-    }),
+    (
+        "ρ*",
+        "fP",
+        "root radius of the basic rack",
+        "module",
+        3,
+        |g| g.gear().blank().rack.root_radius(),
+    ),
 ];
 
 pub(super) fn section(page: &Page) -> Result<Markup, Error> {
@@ -80,6 +85,18 @@ pub(super) fn section(page: &Page) -> Result<Markup, Error> {
     let stated = |table: &str, words: fn(&Value) -> String| {
         ["wheel", "pinion"].map(|gear| words(&echo[gear][table]))
     };
+    let by_tooth = |gear: &AsBuilt| {
+        let of = Inspection::of(gear);
+        of.thickness().iter().any(|thickness| *thickness != 0.0)
+    };
+    let by_tooth = study
+        .materials
+        .first()
+        .map_or([false; 2], |(_, wheel, pinion)| {
+            [by_tooth(wheel), by_tooth(pinion)]
+        });
+    let pitches = [("wheel", by_tooth[0]), ("pinion", by_tooth[1])];
+    let pitches = pitches.map(|(gear, by_tooth)| pitch(&echo[gear]["pitch"], by_tooth));
     let face = ["wheel", "pinion"].map(|gear| words(&echo[gear]["reference_face"]));
     Ok(html! {
         section id="input" {
@@ -99,7 +116,7 @@ pub(super) fn section(page: &Page) -> Result<Markup, Error> {
                         (text_row(("", ""), "thickness as stated", "", stated("thickness", thickness)))
                         (text_row(("2 e", ""), "twice the eccentricity, the runout as stated", "µm", stated("runout", runout)))
                         (text_row(("", ""), "high tooth", "–", stated("runout", high_tooth)))
-                        (text_row(("F", "p"), "pitch deviations", "", stated("pitch", pitch)))
+                        (text_row(("F", "p"), "pitch deviations", "", pitches))
                         (text_row(("", ""), "reference face towards", "", face))
                     }
                 }

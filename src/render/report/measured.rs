@@ -36,7 +36,7 @@ pub(super) fn section(page: &Page) -> Markup {
                 table {
                     caption {
                         "Backlash, µm. Bands from most to least material, means of the mating’s right-flank and left-flank pose. "
-                        "↓ ↑: below or above the simulated band."
+                        "↓ ↑: below or above the simulated band. Predicted in the file: what the file of measurements gives beside them."
                     }
                     thead { tr {
                         th scope="col" { "mating" }
@@ -46,7 +46,7 @@ pub(super) fn section(page: &Page) -> Markup {
                         th.n scope="col" { "simulated" }
                         @if clearance { th.n scope="col" { "with bearing clearance" } }
                         th.n scope="col" { "involute formula" }
-                        th.n scope="col" { "as printed" }
+                        th.n scope="col" { "predicted in the file" }
                     } }
                     tbody { @for mating in report.measured { (row(mating, clearance)) } }
                 }
@@ -100,6 +100,6 @@ fn sources(measured: &[MeasuredMating]) -> Markup {
         }
     }
     html! {
-        @if !sources.is_empty() { p.note { "Source: " (plain(&sources.join("; "))) "." } }
+        @if !sources.is_empty() { p.note { "Source as that file names it: " (plain(&sources.join("; "))) "." } }
     }
 }

@@ -5,6 +5,7 @@
 //! parsed when it runs.
 
 mod checks;
+mod cycle;
 mod figures;
 mod grades;
 mod inline;
@@ -22,12 +23,13 @@ mod words;
 
 use crate::compare::ComparedRun;
 use crate::curves::{Course, OverDistance, courses};
+use crate::cycle::Cycle;
 use crate::diagnosis::Diagnosis;
 use crate::error::Error;
 use crate::gauge::{GradedReading, Unmeasured};
 use crate::measured::MeasuredMating;
 use crate::mesh::Method;
-use crate::outcome::{AtDistance, Outcome, by_distance};
+use crate::outcome::{Agreement, AtDistance, Outcome, by_distance};
 use crate::pair::SweepPlan;
 use crate::render::viewer;
 use crate::study::Study;
@@ -51,6 +53,8 @@ pub struct Report<'a> {
     pub runs: &'a [ComparedRun],
     /// Whole revolutions at the same centre distances.
     pub revolution: &'a [ComparedRun],
+    /// The hunting cycle beyond these.
+    pub cycle: &'a Cycle,
     /// One mating over the centre distance.
     pub over_distance: &'a OverDistance,
     /// Measured values beside their bands.
@@ -63,7 +67,7 @@ pub struct Report<'a> {
 
 impl<'a> Report<'a> {
     /// Every run that counts, none twice: whole revolutions, and what the pair file asks for beside them.
-    fn all(&self) -> Vec<&'a ComparedRun> {
+    fn runs(&self) -> Vec<&'a ComparedRun> {
         let asked = match self.sweeps() {
             true => &[],
             false => self.runs,
@@ -83,8 +87,10 @@ impl<'a> Report<'a> {
 /// What the sections of a page share.
 struct Page<'a> {
     report: &'a Report<'a>,
+    /// Every run, and the extremes of the rest of the hunting cycle.
     all: Vec<&'a ComparedRun>,
     whole: Outcome<'a>,
+    agreement: Agreement,
     distances: Vec<AtDistance<'a>>,
     courses: Vec<Course>,
 }
@@ -94,15 +100,18 @@ struct Page<'a> {
 /// # Errors
 /// A chart that cannot be drawn or data that cannot be written: none for results of a simulation.
 pub fn report(report: &Report) -> Result<String, Error> {
-    let all = report.all();
+    let runs = report.runs();
+    let picked: Vec<&ComparedRun> = report.cycle.extremes.iter().collect();
+    let all = [&runs[..], &picked[..]].concat();
     let page = Page {
-        whole: Outcome::of(&all),
-        distances: by_distance(&all),
+        whole: Outcome::of(&runs, &picked),
+        agreement: Agreement::of(&all),
+        distances: by_distance(&runs, &picked),
         courses: courses(report.revolution),
         all,
         report,
     };
-    let title = plain(&report.study.title);
+    let title = title(report);
     let style = PreEscaped(format!("\n{STYLE}{}", viewer::STYLE));
     let markup = html! {
         (DOCTYPE)
@@ -135,6 +144,15 @@ pub fn report(report: &Report) -> Result<String, Error> {
         }
     };
     Ok(markup.into_string() + "\n")
+}
+
+/// The pair's title; its file where that holds nothing to be read.
+fn title(report: &Report) -> String {
+    [report.study.title.as_str(), report.file]
+        .map(plain)
+        .into_iter()
+        .find(|title| !title.trim().is_empty())
+        .unwrap_or_else(|| "Gear pair".to_owned())
 }
 
 fn head(report: &Report, title: &str) -> Markup {

@@ -3,18 +3,20 @@
 use super::Page;
 use super::figures::difference;
 use super::words::fine;
-use crate::compare::Verdict;
 use crate::error::Error;
-use crate::outcome::{MODELS, count, deviation};
+use crate::outcome::{MODELS, deviation};
 use maud::{Markup, html};
 
 /// What each formula knows, in the order of [`MODELS`].
 const NAMES: [(&str, &str); 3] = [
     (
-        "1 Michalec",
+        "1 Michalec, K (1)–(7)",
         "mean thickness, eccentricity; linear in the centre distance",
     ),
-    ("2 involute", "mean thickness, eccentricity at the pose"),
+    (
+        "2 involute, K (11)–(17)",
+        "mean thickness, eccentricity at the pose",
+    ),
     (
         "3 line of action",
         "every flank’s thickness and pitch, eccentricity; exact while involutes touch",
@@ -22,16 +24,23 @@ const NAMES: [(&str, &str); 3] = [
 ];
 
 pub(super) fn section(page: &Page) -> Result<Markup, Error> {
-    let verdicts = [
-        (Verdict::Agrees, "agree with model 3"),
+    let of = &page.agreement;
+    let counts = [
+        (of.agree, "agree with model 3"),
         (
-            Verdict::OffLine,
-            "lie below it, the teeth touching off the line of action",
+            of.off_line,
+            "lie below model 3, the teeth touching off the line of action",
         ),
-        (Verdict::Below, "lie below it though involutes touch"),
-        (Verdict::Above, "lie above it"),
+        (of.below, "lie below model 3 though involutes touch"),
+        (of.above, "lie above model 3"),
+        (
+            of.simulated_alone,
+            "have no value of model 3, no two involutes reaching each other",
+        ),
+        (of.jammed, "are jammed, though model 3 has a value"),
+        (of.apart, "are out of mesh, though model 3 has a value"),
+        (of.neither, "are jammed or out of mesh: neither has a value"),
     ];
-    let counts = verdicts.map(|(verdict, words)| (count(&page.all, verdict), words));
     let counts: Vec<String> = counts
         .iter()
         .filter(|(poses, _)| *poses > 0)
@@ -41,7 +50,7 @@ pub(super) fn section(page: &Page) -> Result<Markup, Error> {
         section id="models" {
             h2 { "Formulas beside the simulation" }
             p {
-                "Of " (page.whole.poses) " poses " (counts.join(", "))
+                "Of " (of.poses) " poses " (counts.join("; "))
                 " (tolerance " (super::words::written(page.report.study.tolerance_um)) " µm and the error bound)."
             }
             div.scroll tabindex="0" role="region" aria-label="Formulas beside the simulation" {

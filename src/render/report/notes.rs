@@ -7,7 +7,14 @@ use maud::{Markup, html};
 
 pub(super) fn list(page: &Page) -> Markup {
     let notes = &page.report.study.notes;
-    let gears = || ["Wheel", "Pinion"].into_iter().zip(notes);
+    let first = page.report.study.materials.first();
+    let teeth = first.map_or([0; 2], |(_, wheel, pinion)| {
+        [wheel, pinion].map(|gear| gear.gear().toothing().teeth() as usize)
+    });
+    let gears = || {
+        let named = ["Wheel", "Pinion"].into_iter().zip(teeth);
+        named.zip(notes)
+    };
     let any = gears().any(|(_, of)| {
         of.eccentricity.is_some() || of.all_round.is_some() || of.thickness.is_some()
     });
@@ -15,9 +22,9 @@ pub(super) fn list(page: &Page) -> Markup {
         @if any {
             h3 { "What the measurements say of each other" }
             ul {
-                @for (gear, of) in gears() {
+                @for ((gear, teeth), of) in gears() {
                     @if let Some(note) = &of.eccentricity { li { (gear) ": " (eccentricity(note)) } }
-                    @if let Some(note) = &of.all_round { li { (gear) ": " (all_round(note)) } }
+                    @if let Some(note) = &of.all_round { li { (gear) ": " (all_round(note, teeth)) } }
                     @if let Some(note) = &of.thickness { li { (gear) ": " (thickness(note)) } }
                 }
             }
@@ -48,9 +55,10 @@ fn eccentricity(note: &EccentricityNote) -> Markup {
     }
 }
 
-fn all_round(note: &AllRoundNote) -> Markup {
+fn all_round(note: &AllRoundNote, teeth: usize) -> Markup {
     html! {
-        (note.readings) " readings all round "
+        (note.readings) " readings"
+        @if note.readings == teeth { " all round " } @else { ", not all round, " }
         @match note.amplification {
             Some(1) => "give each tooth’s own thickness; an error of a reading does not grow in it.",
             Some(times) => {

@@ -22,7 +22,8 @@ pub(super) fn section(page: &Page) -> Result<Markup, Error> {
     Ok(html! {
         section id="poses" {
             h2 { "Worst poses" }
-            @if let Some(jammed) = jammed(page) {
+            @if whole.worst.is_none() { p { "No pose is in mesh: there is nothing to draw." } }
+            @if let Some(jammed) = whole.worst.filter(jams) {
                 (figure(page, "jammed", "Jammed, a tip in a root", jammed)?)
             }
             @if let Some(least) = whole.least { (figure(page, "least", "Least backlash", least)?) }
@@ -30,9 +31,9 @@ pub(super) fn section(page: &Page) -> Result<Markup, Error> {
                 (figure(page, "greatest", "Greatest backlash", greatest)?)
             }
             @if let Some((most, loss)) = most_lost(page) {
-                (figure(page, "lost", &format!("Most lost to contact off the line of action, {} µm", um(Some(loss), 3)), most)?)
+                (figure(page, "lost", &format!("Most lost to contact off the line of action, {} µm", um(Some(loss), 2)), most)?)
             }
-            p.note { "Bars of length are true; the ratios beside them hold on the A4 sheet of " code { "gearlash snapshot" } "." }
+            @if whole.worst.is_some() { p.note { "Bars of length are true; the ratios beside them hold on the A4 sheet of " code { "gearlash snapshot" } "." } }
             @if !others.is_empty() {
                 details {
                     summary { "More: " (OTHERS) }
@@ -46,11 +47,9 @@ pub(super) fn section(page: &Page) -> Result<Markup, Error> {
     })
 }
 
-/// The first pose that is jammed.
-fn jammed<'a>(page: &Page<'a>) -> Option<Found<'a>> {
-    let runs = page.all.iter().copied();
-    let mut all = runs.flat_map(|run| run.poses.iter().map(move |pose| Found { run, pose }));
-    all.find(|found| found.pose.swept.lost_motion.status() == Status::Jammed)
+/// Whether the pose is jammed.
+fn jams(found: &Found) -> bool {
+    found.pose.swept.lost_motion.status() == Status::Jammed
 }
 
 /// The pose that loses most to what no formula sees, where that is more than the tolerance and not drawn yet.
@@ -95,7 +94,7 @@ fn figure(page: &Page, id: &str, what: &str, found: Found) -> Result<Markup, Err
         material: run.material.name(),
         lost_motion: &swept.lost_motion,
     });
-    let backlash = swept.backlash.map(|mm| format!(": {} µm", um(Some(mm), 3)));
+    let backlash = swept.backlash.map(|mm| format!(": {} µm", um(Some(mm), 2)));
     let words = format!(
         "{what}{}, {}, centre distance {} mm, {}.",
         backlash.unwrap_or_default(),
@@ -104,7 +103,7 @@ fn figure(page: &Page, id: &str, what: &str, found: Found) -> Result<Markup, Err
         material(run.material)
     );
     Ok(html! {
-        figure.sheet {
+        figure.sheet tabindex="0" {
             (PreEscaped(inline(&picture, id, &words)?))
             figcaption { (words) }
         }

@@ -107,7 +107,7 @@ fn phases(page: &Page) -> Markup {
         let phase = run.and_then(|run| run.run.phase);
         html! {
             td { (phase.map_or("–".to_owned(), |(wheel, pinion)| format!("{wheel}·{pinion}"))) }
-            td.n { (um(run.and_then(variation), 3)) }
+            td.n { (um(run.and_then(variation), 2)) }
         }
     };
     html! {
@@ -141,11 +141,11 @@ fn phases(page: &Page) -> Markup {
 
 fn counts(of: &Outcome) -> Markup {
     let backlash =
-        |found: Option<crate::outcome::Found>| um(found.and_then(|f| f.pose.swept.backlash), 3);
+        |found: Option<crate::outcome::Found>| um(found.and_then(|f| f.pose.swept.backlash), 2);
     html! {
         td.n { (of.poses) }
         td.n { (backlash(of.least)) }
-        td.n { (um(of.mean, 3)) }
+        td.n { (um(of.mean, 2)) }
         td.n { (backlash(of.greatest)) }
         td.n { (of.interfering) }
         td.n { (of.jammed) }

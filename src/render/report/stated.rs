@@ -21,9 +21,21 @@ fn single_or_band(table: &Value, [single, min, max]: [&str; 3]) -> String {
     }
 }
 
+/// `key`, or `min … max`, or how many readings and between which.
+fn measured(table: &Value) -> String {
+    match &table["mm"] {
+        Value::Array(readings) => {
+            let numbers = || readings.iter().filter_map(Value::as_f64);
+            let ends = [numbers().reduce(f64::min), numbers().reduce(f64::max)];
+            let [least, most] = ends.map(|end| end.map_or("–".to_owned(), written));
+            format!("{} readings, {least} … {most}", readings.len())
+        }
+        _ => single_or_band(table, ["mm", "min_mm", "max_mm"]),
+    }
+}
+
 /// The tooth thickness, as it was measured or given.
 pub(super) fn thickness(stated: &Value) -> String {
-    const MEASURED: [&str; 3] = ["mm", "min_mm", "max_mm"];
     const BARE: [&str; 3] = ["", "min", "max"];
     let bare = |value: &Value| match value {
         Value::Object(_) => single_or_band(value, BARE),
@@ -35,17 +47,20 @@ pub(super) fn thickness(stated: &Value) -> String {
             ("span", span) => format!(
                 "span over {} teeth {} mm",
                 words(&span["teeth"]),
-                single_or_band(span, MEASURED)
+                measured(span)
             ),
             ("over_pins", pins) => format!(
                 "over pins of {} mm {} mm",
                 words(&pins["pin_mm"]),
-                single_or_band(pins, MEASURED)
+                measured(pins)
             ),
             ("allowance_um", value) if value.as_f64() == Some(0.0) => "nominal".to_owned(),
             ("allowance_um", value) => format!("allowance {} µm", bare(value)),
             ("base_thickness_mm", value) => format!("base thickness {} mm", bare(value)),
             ("per_tooth_um", Value::Array(values)) if values.is_empty() => continue,
+            // The notes below the table compare it.
+            ("cross_check", Value::Null) => continue,
+            ("cross_check", _) => "cross-check: see below".to_owned(),
             ("per_tooth_um", Value::Array(values)) => {
                 format!("{} values tooth by tooth", values.len())
             }
@@ -84,10 +99,11 @@ pub(super) fn high_tooth(stated: &Value) -> String {
     found(&stated["high_tooth"])
 }
 
-/// What kind of pitch deviations, and how many.
-pub(super) fn pitch(stated: &Value) -> String {
+/// What kind of pitch deviations, and how many; `by_tooth`: the teeth differ in thickness.
+pub(super) fn pitch(stated: &Value, by_tooth: bool) -> String {
     let values = |flank: &str| stated[flank].as_array().map_or(0, Vec::len);
     match values("right_um") + values("left_um") {
+        0 if by_tooth => "not given; those shown below follow from the thickness tooth by tooth, half of it to each flank".to_owned(),
         0 => "not given".to_owned(),
         _ => format!(
             "{}, {} axis, {} + {} values",

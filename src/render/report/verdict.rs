@@ -1,7 +1,8 @@
 //! The answer: does the pair assemble, how much backlash, where, which teeth.
 
-use super::Page;
-use super::words::{band, distance, j_wt, material, touching, um};
+use super::cycle::{limit, same_everywhere};
+use super::words::{band, bound, distance, j_wt, material, touching, um};
+use super::{Page, cycle};
 use crate::outcome::{AtDistance, Found, Outcome};
 use maud::{Markup, html};
 
@@ -14,19 +15,27 @@ pub(super) fn section(page: &Page) -> Markup {
                 (clearance(page))
             }
             (table(page))
-            p.note { (poses(page)) }
+            (cycle::section(page))
         }
     }
 }
 
-/// The verdict in a sentence.
+/// The verdict in a sentence, and what limits it.
 fn answer(page: &Page) -> Markup {
+    let whole = &page.whole;
+    let partly = whole.least.is_some() && whole.jammed + whole.apart > 0;
     html! {
         (verdict(page))
-        @if let (Some(least), Some(greatest)) = (page.whole.least, page.whole.greatest) {
-            ": least backlash " (extreme(least)) "; greatest " (extreme(greatest))
+        @if partly { ". Where the gears are in mesh and free to turn" }
+        @if let (Some(least), Some(greatest)) = (whole.least, whole.greatest) {
+            @if whole.uniform {
+                ": backlash " span.w { (um(least.pose.swept.backlash, 2)) " µm" } " at every pose"
+            } @else {
+                ": least backlash " (extreme(page, least)) "; greatest " (extreme(page, greatest))
+            }
         }
         "."
+        @if let Some(limit) = limit(page) { " " (limit) "." }
     }
 }
 
@@ -37,15 +46,27 @@ fn verdict(page: &Page) -> String {
     let number = page.distances.len();
     let tight = kept_by(|all| all.interfering + all.jammed > 0);
     let apart = kept_by(|all| all.apart > 0);
+    let touching = kept_by(|all| all.touching > 0);
     if !tight.is_empty() {
         return format!("Does not assemble {}", places(&tight, number));
     }
     if !apart.is_empty() {
         return format!("Out of mesh {}", places(&apart, number));
     }
+    let none = format!(
+        "without backlash (0 within the error bound of {} µm)",
+        page.whole.error_bound.map_or("0".to_owned(), bound)
+    );
     match &page.distances[..] {
         [] => "Nothing was run".to_owned(),
+        [_] if !touching.is_empty() => format!("Assembles {none} {}", places(&touching, number)),
         [only] => format!("Assembles at a = {} mm", distance(only.center_distance)),
+        _ if !touching.is_empty() => {
+            format!(
+                "Assembles at all {number} centre distances, {none} {}",
+                places(&touching, number)
+            )
+        }
         _ => format!("Assembles at all {number} centre distances"),
     }
 }
@@ -67,13 +88,18 @@ fn places(at: &[&AtDistance], number: usize) -> String {
     }
 }
 
-fn extreme(found: Found) -> Markup {
+fn extreme(page: &Page, found: Found) -> Markup {
     let run = &found.run.run;
     let [right, left] = touching(Some(found));
+    let a = run.assembly.center_distance();
     html! {
         span.w { (um(found.pose.swept.backlash, 2)) " µm" } " at "
-        span.w { i { "a" } " = " (distance(run.assembly.center_distance())) " mm" }
-        ", teeth " span.w { (right) } " (right flanks) and " span.w { (left) } " (left flanks), "
+        span.w { i { "a" } " = " (distance(a)) " mm" }
+        @if same_everywhere(page, a, run.material) {
+            ", the same at every pose, "
+        } @else {
+            ", teeth " span.w { (right) } " (right flanks) and " span.w { (left) } " (left flanks), "
+        }
         (material(run.material))
     }
 }
@@ -85,13 +111,25 @@ fn clearance(page: &Page) -> Markup {
             p { "Bearing clearance: none is stated; the axes are taken to stand at the centre distance." }
         };
     }
-    let ends = page.whole.with_clearance;
-    let lost = page.whole.assembles() && ends[0].is_some_and(|least| least < 0.0);
+    let whole = &page.whole;
+    let ends = whole.with_clearance;
+    let tighter = ends[0].is_some_and(|least| least < 0.0) || whole.without_value[0] > 0;
+    let binds = whole.assembles() && tighter;
     html! {
         p {
-            "With the bearing clearance taken in (" i { "a" } " ± " (distance(c)) " mm) backlash lies within "
-            span.w { (band(ends, 2)) " µm" } " over all centre distances"
-            @if lost { strong { ": pushed together in their bearings, the gears bind" } }
+            "With the bearing clearance taken in (" i { "a" } " ± " (distance(c)) " mm) "
+            @if ends == [None, None] {
+                "no pose has a value: the gears are jammed or out of mesh there"
+            } @else {
+                "backlash lies within " span.w { (band(ends, 2)) " µm" } " over all centre distances"
+                @for (end, poses) in ["−", "+"].into_iter().zip(whole.without_value) {
+                    @if poses > 0 {
+                        "; at " (poses) " of " (whole.poses) " poses the gears are jammed or out of mesh at "
+                        span.w { i { "a" } " " (end) " " (distance(c)) " mm" }
+                    }
+                }
+            }
+            @if binds { strong { ": pushed together in their bearings, the gears bind" } }
             "."
         }
     }
@@ -123,9 +161,9 @@ fn table(page: &Page) -> Markup {
                         tr {
                             th.n scope="row" { (distance(at.center_distance)) }
                             (fits(&at.all))
-                            (extreme_cells(at.all.least))
+                            (extreme_cells(page, at.all.least))
                             td.n { (um(at.all.mean, 2)) }
-                            (extreme_cells(at.all.greatest))
+                            (extreme_cells(page, at.all.greatest))
                             @if c > 0.0 { td.n { (band(at.all.with_clearance, 2)) } }
                         }
                     }
@@ -135,11 +173,15 @@ fn table(page: &Page) -> Markup {
     }
 }
 
-fn extreme_cells(found: Option<Found>) -> Markup {
+fn extreme_cells(page: &Page, found: Option<Found>) -> Markup {
     let [right, left] = touching(found);
+    let same = found.is_some_and(|found| {
+        let run = &found.run.run;
+        same_everywhere(page, run.assembly.center_distance(), run.material)
+    });
     html! {
         td.n { strong { (um(found.and_then(|found| found.pose.swept.backlash), 2)) } }
-        td.w { (right) " / " (left) }
+        td.w { @if same { "all alike" } @else { (right) " / " (left) } }
     }
 }
 
@@ -149,22 +191,7 @@ fn fits(all: &Outcome) -> Markup {
         @if all.jammed > 0 { td.fail { "no: jammed" } }
         @else if all.interfering > 0 { td.fail { "no: interference" } }
         @else if all.apart > 0 { td.fail { "out of mesh" } }
+        @else if all.touching > 0 { td { "without backlash" } }
         @else { td { "yes" } }
-    }
-}
-
-/// Which poses the table is of.
-fn poses(page: &Page) -> String {
-    let report = page.report;
-    let turned: usize = report.revolution.iter().map(|run| run.poses.len()).sum();
-    let asked: usize = report.runs.iter().map(|run| run.poses.len()).sum();
-    match report.sweeps() {
-        true => format!(
-            "Over {turned} poses: the sweep of the pair file at each centre distance and material."
-        ),
-        false => format!(
-            "Over {} poses: {turned} of whole wheel revolutions at 16 poses a pitch, and the {asked} that the pair file asks for.",
-            turned + asked
-        ),
     }
 }

@@ -2,6 +2,8 @@
 
 use crate::mesh::Contact;
 use crate::outcome::Found;
+pub(super) use crate::render::bound::bound;
+use crate::render::bound::scientific;
 use crate::study::Material;
 use maud::{Markup, html};
 
@@ -40,38 +42,6 @@ pub(super) fn distance(mm: f64) -> String {
     }
 }
 
-/// An error bound, given in mm, in µm: one digit, rounded up.
-pub(super) fn bound(mm: f64) -> String {
-    let um = mm * 1e3;
-    if !(um > 0.0 && um.is_finite()) {
-        return "0".to_owned();
-    }
-    let power = um.log10().floor();
-    // What rounding of a product adds to a whole digit is none.
-    let digit = (um / 10f64.powf(power) * (1.0 - 1e-12)).ceil();
-    match digit {
-        10.0 => scientific(1.0, power + 1.0),
-        _ => scientific(digit, power),
-    }
-}
-
-/// `digit · 10^power` with raised digits, or as it is where that is short.
-fn scientific(digit: f64, power: f64) -> String {
-    if (-3.0..=3.0).contains(&power) {
-        return format!("{}", digit * 10f64.powf(power));
-    }
-    let power = format!("{power}");
-    let raised = power.chars().map(|c| match c {
-        '-' => '⁻',
-        '1' => '¹',
-        '2' => '²',
-        '3' => '³',
-        '4'..='9' => char::from_u32('⁴' as u32 + c as u32 - '4' as u32).unwrap_or(c),
-        _ => '⁰',
-    });
-    format!("{digit}·10{}", raised.collect::<String>())
-}
-
 /// A difference, given in mm, in µm: four decimals, or its size where they would show none of it.
 pub(super) fn fine(length: Option<f64>) -> String {
     match length {
@@ -102,6 +72,17 @@ pub(super) fn j_wt() -> Markup {
 /// A symbol with its index.
 pub(super) fn symbol(letter: &str, index: &str) -> Markup {
     html! { i { (letter) } @if !index.is_empty() { sub { (index) } } }
+}
+
+/// What “K (8)” means.
+pub(super) fn study() -> Markup {
+    html! {
+        p.note {
+            "K (n): equation n of Karba, Yıldırım, Erdoğan, Vardar: "
+            cite { "A study on prediction & validation of meshing gear pair backlash under various manufacturing and assembly errors" }
+            "; model 1 below is its linear formula, named as there."
+        }
+    }
 }
 
 /// A material in words.
@@ -177,12 +158,7 @@ mod tests {
     }
 
     #[test]
-    fn a_bound_is_rounded_up() {
-        assert_eq!(bound(3.14e-12), "4·10⁻⁹");
-        assert_eq!(bound(1e-12), "1·10⁻⁹");
-        assert_eq!(bound(9.5e-12), "1·10⁻⁸");
-        assert_eq!(bound(3.2e-5), "0.04");
-        assert_eq!(bound(0.0), "0");
+    fn a_small_difference_shows_its_size() {
         assert_eq!(fine(Some(-2.2e-15)), "−2·10⁻¹²");
         assert_eq!(fine(Some(-2.25218e-2)), "−22.5218");
     }

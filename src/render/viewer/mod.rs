@@ -14,7 +14,7 @@ mod readout;
 
 use crate::compare::ComparedRun;
 use crate::curves::Course;
-use crate::mesh::{Status, first_least};
+use crate::mesh::worst_pose;
 use crate::study::Study;
 use columns::Columns;
 use precision::Precision;
@@ -64,8 +64,7 @@ pub fn fragment(
     Ok(html)
 }
 
-/// Run and pose, from 0, of the worst pose: the first that is jammed, or else the one with the least backlash;
-/// the first of all when none is in mesh.
+/// Run and pose, from 0, of the worst pose; the first of all when none is in mesh.
 fn worst(runs: &[ComparedRun]) -> Option<[usize; 2]> {
     let poses = || {
         let numbered = runs.iter().enumerate();
@@ -74,10 +73,5 @@ fn worst(runs: &[ComparedRun]) -> Option<[usize; 2]> {
             poses.map(move |(p, pose)| ([r, p], &pose.swept))
         })
     };
-    let jammed = poses().find(|(_, pose)| pose.lost_motion.status() == Status::Jammed);
-    let least = || {
-        first_least(poses().filter_map(|(at, pose)| Some((at, pose.backlash?, pose.error_bound?))))
-    };
-    let first = || poses().next().map(|(at, _)| at);
-    jammed.map(|(at, _)| at).or_else(least).or_else(first)
+    worst_pose(poses()).or_else(|| poses().next().map(|(at, _)| at))
 }

@@ -1,0 +1,128 @@
+//! Which poses the result is of, and which it is not.
+
+use super::Page;
+use crate::cycle::Others;
+use crate::gear::Side;
+use crate::pair::{Member, SweepPlan};
+use crate::study::Material;
+use maud::{Markup, html};
+
+/// What limits the verdict, where something does.
+pub(super) fn limit(page: &Page) -> Option<String> {
+    let cycle = page.report.cycle;
+    match cycle.others {
+        Others::TooMany { .. } => Some(format!(
+            "That is so at the {} of {} matings that were simulated; other matings can have less backlash",
+            cycle.simulated, cycle.matings
+        )),
+        Others::None | Others::Seen { .. } => None,
+    }
+}
+
+/// Which poses were simulated, and what is known of the others.
+pub(super) fn section(page: &Page) -> Markup {
+    html! {
+        p.note { (simulated(page)) }
+        p.note { (others(page)) (phases(page)) }
+    }
+}
+
+fn simulated(page: &Page) -> String {
+    let report = page.report;
+    let poses = |runs: &[crate::compare::ComparedRun]| -> usize {
+        runs.iter().map(|run| run.poses.len()).sum()
+    };
+    let (turned, asked) = (poses(report.revolution), poses(report.runs));
+    let picked = poses(&report.cycle.extremes);
+    let mut parts = Vec::new();
+    match report.sweeps() {
+        true => {
+            parts.push(format!("the {asked} of the pair file’s sweep, which “gearlash simulate” and “gearlash compare” report"));
+            if turned > asked {
+                parts.push(format!("the {} of the same matings and fractions with the left flank at the pitch point, for the curves", turned - asked));
+            }
+        }
+        false => {
+            let left = report.revolution.iter().flat_map(|run| &run.poses);
+            let left = left.filter(|pose| pose.swept.pose.mating().flank == Side::Left);
+            let flanks = match left.count() {
+                0 => "right flank",
+                _ => "right flank and with the left flank",
+            };
+            parts.push(format!("{turned} of whole wheel revolutions at 16 poses a pitch, with the {flanks} at the pitch point"));
+            parts.push(format!("the {asked} that the pair file asks for, which “gearlash simulate” and “gearlash compare” report"));
+        }
+    }
+    if picked > 0 {
+        parts.push(format!("{picked} at the extremes of the other matings"));
+    }
+    let words = match parts.split_last() {
+        Some((last, rest)) if !rest.is_empty() => format!("{}, and {last}", rest.join(", ")),
+        _ => parts.join(""),
+    };
+    let extremes = match page.whole.least {
+        Some(_) => " Least and greatest are over all of them.",
+        None => "",
+    };
+    format!("Over {} poses: {words}.{extremes}", page.whole.poses)
+}
+
+fn others(page: &Page) -> Markup {
+    let cycle = page.report.cycle;
+    let (simulated, matings) = (cycle.simulated, cycle.matings);
+    html! {
+        @match cycle.others {
+            Others::None if matings == 1 => "Neither gear has deviations: all matings are alike.",
+            Others::None => { "After " (matings) " matings everything repeats: no other teeth meet." }
+            Others::Seen { steps_per_pitch, poses } => {
+                "These revolutions meet " (simulated) " of " (matings) " matings. The others were gone through too, on the exact tooth "
+                "curves (" (poses) " poses, " (steps_per_pitch) " a pitch); where they are least and greatest, the pair was simulated like the rest."
+            }
+            Others::TooMany { most } => {
+                strong { "These revolutions meet " (simulated) " of " (matings) " matings" }
+                "; the others were not looked at (at one pose a pitch they are more than " (most) "): they can have less backlash, and more."
+            }
+        }
+    }
+}
+
+/// In which of several ways the gears are put together.
+fn phases(page: &Page) -> Markup {
+    let study = page.report.study;
+    let first = page
+        .report
+        .revolution
+        .first()
+        .and_then(|run| run.poses.first().map(|pose| (run, pose)));
+    let (Some((run, pose)), false) = (first, matches!(study.sweep, Some(SweepPlan::Phases { .. })))
+    else {
+        return html! {};
+    };
+    let [wheel, pinion] = [Member::Wheel, Member::Pinion]
+        .map(|member| run.run.assembly.gear(member).gear().toothing().teeth());
+    let ways = SweepPlan::phase_count(wheel, pinion);
+    let mating = pose.swept.pose.mating();
+    // Where one gear is perfect, it does not matter which of its teeth are met.
+    let matters =
+        page.report.cycle.matings == SweepPlan::hunting_pitches(wheel, pinion) && ways > 1;
+    html! {
+        @if matters {
+            " Wheel tooth " (mating.wheel_tooth) " meets pinion tooth " (mating.pinion_tooth) "; there are " (ways - 1)
+            " other ways to put the gears together, with other backlash (" code { "[sweep] phases = \"all\"" } ")."
+        }
+    }
+}
+
+/// Whether backlash is the same at every pose of a centre distance and material.
+pub(super) fn same_everywhere(page: &Page, center_distance: f64, material: Material) -> bool {
+    let mut at = page
+        .distances
+        .iter()
+        .filter(|at| at.center_distance == center_distance);
+    let materials = at.next().map(|at| &at.materials);
+    let of = materials
+        .into_iter()
+        .flatten()
+        .find(|(end, _)| *end == material);
+    of.is_some_and(|(_, of)| of.uniform)
+}

@@ -1,0 +1,182 @@
+//! Does the pair assemble: the sentence at the head of the page.
+
+use crate::command::{folder, gearlash, page};
+use crate::page::plain;
+use crate::words::{row, select, text};
+use scraper::Html;
+use serde_json::Value;
+
+fn answer(document: &Html) -> String {
+    text(&select(document, ".answer")[0])
+}
+
+/// The notes under the table of the result.
+fn notes(document: &Html) -> String {
+    let notes = select(document, "#result .note");
+    notes.iter().map(text).collect::<Vec<_>>().join(" ")
+}
+
+/// 17 and 100 teeth with runouts whose high teeth, 5.5 and 60, do not meet in the first revolution from 1·1.
+fn eccentric_17_100(sweep: &str) -> String {
+    let gear = |name: &str, teeth: u32, shift: f64, allowance: i32, runout: &str| {
+        format!(
+            "[{name}]\nteeth = {teeth}\nmodule_mm = 2.0\npressure_angle_deg = 20.0\nprofile_shift = {shift}\n\
+             thickness = {{ allowance_um = {allowance} }}\nrunout = {runout}\n"
+        )
+    };
+    let wheel = gear("wheel", 17, 0.5, -30, "{ total_um = 20, high_tooth = 5.5 }");
+    let pinion = gear(
+        "pinion",
+        100,
+        -0.3,
+        -50,
+        "{ total_um = 30, high_tooth = 60 }",
+    );
+    format!("{wheel}{pinion}[assembly]\ncenter_distance_mm = 117.30\n{sweep}")
+}
+
+/// One wheel revolution meets 17 of 1700 matings and is clear at all of them. The whole cycle, swept and certified
+/// pose by pose by `simulate`, interferes: the page has that least.
+#[test]
+fn a_pair_that_interferes_later_in_the_hunting_cycle_does_not_assemble() {
+    let simulated = |text: &str| {
+        let folder = folder(text);
+        let output = gearlash(&folder)
+            .args(["simulate", "pair.toml", "--format", "json"])
+            .assert()
+            .success();
+        let json: Value = serde_json::from_slice(&output.get_output().stdout).unwrap();
+        json["runs"][0]["summary"]["min_j_wt_um"].as_f64().unwrap()
+    };
+    assert!(simulated(&eccentric_17_100("")) > 8.0);
+    let least = simulated(&eccentric_17_100("[sweep]\nrevolutions = \"hunting\"\n"));
+    assert!(least < -9.0, "{least}");
+    let document = Html::parse_document(&page(&eccentric_17_100("")));
+    let expected = format!(
+        "Does not assemble at a = 117.300 mm: least backlash −{:.2} µm",
+        -least
+    );
+    let answer = answer(&document);
+    assert!(answer.starts_with(&expected), "{answer}");
+    assert!(answer.contains("teeth 5·60"), "{answer}");
+    let cells = row(&document, "#result", "117.300");
+    assert_eq!(cells[1], "no: interference");
+    let notes = notes(&document);
+    assert!(
+        notes.contains(
+            "These revolutions meet 17 of 1700 matings. The others were gone through too"
+        ),
+        "{notes}"
+    );
+}
+
+/// 1999 and 2000 teeth meet in 3 998 000 pairs, more than the 1 000 000 poses gone through at most.
+#[test]
+fn a_cycle_too_long_to_go_through_limits_the_verdict() {
+    let text = "title = \"long\"\n\
+        [wheel]\nteeth = 1999\nmodule_mm = 1.0\npressure_angle_deg = 20.0\nrunout = { total_um = 10, high_tooth = 1 }\n\
+        [pinion]\nteeth = 2000\nmodule_mm = 1.0\npressure_angle_deg = 20.0\nrunout = { total_um = 10, high_tooth = 1 }\n\
+        [assembly]\ncenter_distance_mm = 1999.7\n[sweep]\nrevolutions = \"wheel\"\nsteps_per_pitch = 1\n";
+    let folder = folder(text);
+    let output = gearlash(&folder)
+        .args(["report", "pair.toml", "-o", "-", "--no-certify"])
+        .assert()
+        .success();
+    let document = Html::parse_document(std::str::from_utf8(&output.get_output().stdout).unwrap());
+    let limit = "That is so at the 1999 of 3998000 matings that were simulated; other matings can have less backlash.";
+    let answer = answer(&document);
+    assert!(
+        answer.starts_with("Assembles at a = 1999.700 mm") && answer.ends_with(limit),
+        "{answer}"
+    );
+    let trust = text_of(&document, "#trust strong");
+    assert!(trust.ends_with(limit), "{trust}");
+    assert!(notes(&document).contains("the others were not looked at"));
+}
+
+fn text_of(document: &Html, selector: &str) -> String {
+    text(&select(document, selector)[0])
+}
+
+/// Nominal gears at the centre distance of their drawing, m (z_1 + z_2)/2, have no backlash; rounding makes no
+/// interference of it, and the same everywhere.
+#[test]
+fn nominal_gears_at_their_own_distance_have_no_backlash_and_do_not_interfere() {
+    let document = Html::parse_document(&page(&plain("40.0")));
+    let answer = answer(&document);
+    assert!(
+        answer.starts_with("Assembles without backlash (0 within the error bound of "),
+        "{answer}"
+    );
+    assert!(
+        answer.ends_with("at a = 40.000 mm: backlash 0.00 µm at every pose."),
+        "{answer}"
+    );
+    assert_eq!(select(&document, ".verdict.bad").len(), 0);
+    assert_eq!(row(&document, "#result", "40.000")[1], "without backlash");
+    assert_eq!(row(&document, "#backlash", "40.000")[6], "0", "interfering");
+}
+
+/// Perfect gears have the same backlash at every pose: no teeth bind more than others.
+#[test]
+fn teeth_that_are_all_alike_are_not_called_binding() {
+    let document = Html::parse_document(&page(&plain("[40.1, 40.2]")));
+    let answer = answer(&document);
+    assert!(
+        answer.contains("at a = 40.100 mm , the same at every pose"),
+        "{answer}"
+    );
+    assert!(!answer.contains("teeth"), "{answer}");
+    let cells = row(&document, "#result", "40.100");
+    assert_eq!([&cells[3], &cells[6]], ["all alike", "all alike"]);
+    assert!(notes(&document).contains("Neither gear has deviations: all matings are alike."));
+}
+
+/// 20 right-flank poses of the file at 16 a pitch, and as many left-flank ones that only the page has.
+#[test]
+fn says_which_poses_it_adds_to_those_of_the_file() {
+    let text = plain("40.1").replace("mating = [[1, 1]]", "revolutions = \"wheel\"");
+    let notes = notes(&Html::parse_document(&page(&text)));
+    assert!(
+        notes.starts_with(
+            "Over 640 poses: the 320 of the pair file’s sweep, which “gearlash simulate” and “gearlash compare” report, and \
+             the 320 of the same matings and fractions with the left flank at the pitch point, for the curves. Least and greatest are over all of them."
+        ),
+        "{notes}"
+    );
+}
+
+#[test]
+fn a_title_of_nothing_is_that_of_the_file() {
+    for title in ["", "  ", "\\u0007"] {
+        let document =
+            Html::parse_document(&page(&format!("title = \"{title}\"\n{}", plain("40.1"))));
+        assert_eq!(text_of(&document, "h1"), "pair.toml");
+    }
+}
+
+/// The clearance takes the pair out of the range in which it has backlash: no empty band.
+#[test]
+fn bearing_clearance_that_leaves_no_value_is_named() {
+    // Below 39.5 mm a tip sits in a root; above 44 mm tips pass each other.
+    let text = plain("41.5").replace("[sweep]", "bearing_clearance_mm = 1.4\n[sweep]");
+    let document = Html::parse_document(&page(&text));
+    let verdict = text_of(&document, ".verdict");
+    assert!(
+        verdict.contains("no pose has a value: the gears are jammed or out of mesh there"),
+        "{verdict}"
+    );
+    assert!(
+        verdict.contains("pushed together in their bearings, the gears bind"),
+        "{verdict}"
+    );
+    assert!(!verdict.contains("within –"), "{verdict}");
+}
+
+/// The first chart over the teeth is that of the centre distance with the least backlash.
+#[test]
+fn the_first_chart_is_of_the_least_backlash() {
+    let page = page(&plain("[40.2, 40.1]"));
+    let first = page.find("Backlash over the teeth at a = ").unwrap();
+    assert!(page[first..].starts_with("Backlash over the teeth at a = 40.100 mm"));
+}

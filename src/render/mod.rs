@@ -2,10 +2,12 @@
 
 mod animation;
 mod caption;
+mod characters;
 pub mod chart;
 pub mod check;
 mod clip;
 pub mod comparison;
+mod decimal;
 mod exaggerated;
 pub mod gauge;
 mod gears;

@@ -24,6 +24,7 @@ mod plot;
 mod revolution;
 mod sheet;
 mod thin;
+mod ticks;
 mod words;
 
 pub use bars::{BarSeries, bars};

@@ -3,6 +3,7 @@
 use super::brush::{Area, Drawn, FINE, SIDES, WIDTH, closed, dot, fine, plain, style};
 use super::paint::{Dash, GRID, HATCH, INK, INTERFERENCE, Look};
 use super::panel::{Anchor, Axis, Mark, Panel};
+use super::ticks::Ticks;
 use super::{Plot, thin};
 use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
@@ -51,8 +52,9 @@ pub(super) fn draw(area: &Area, panel: &Panel) -> Drawn<Plot> {
     };
     let labels = [across, (panel.height / 32.0) as usize];
     let numbers = |axis: &Axis, labels: usize| {
-        let axis = axis.clone();
-        move |value: &f64| number(&axis, labels, *value)
+        let ticks = Ticks::new(axis.range, labels);
+        let teeth = axis.teeth;
+        move |value: &f64| teeth.map_or_else(|| ticks.number(*value), |teeth| tooth(teeth, *value))
     };
     let (x_numbers, y_numbers) = (numbers(x, labels[0]), numbers(y, labels[1]));
     chart
@@ -208,24 +210,8 @@ fn dash(dash: Dash, run: &[(f64, f64)], plot: &Plot) -> Dash {
     Some([on * factor, off * factor])
 }
 
-/// A tick's number: a tooth, or a value with as many decimals as the step of at most `labels` ticks needs.
-fn number(axis: &Axis, labels: usize, value: f64) -> String {
-    if let Some(teeth) = axis.teeth {
-        let tooth = (value.round() as i64 - 1).rem_euclid(i64::from(teeth.max(1))) + 1;
-        return format!("{tooth}");
-    }
-    // Steps are 1, 2 or 5 times a power of ten.
-    let least = (axis.range[1] - axis.range[0]) / labels as f64;
-    let mut decimals = 0;
-    let mut decade = 1.0;
-    while 0.5 * decade > least && decimals < 12 {
-        decade *= 0.1;
-        decimals += 1;
-    }
-    let text = format!("{value:.decimals$}");
-    match text.strip_prefix('-') {
-        Some(digits) if digits.chars().all(|c| "0.".contains(c)) => digits.to_owned(),
-        Some(digits) => format!("−{digits}"),
-        None => text,
-    }
+/// A tooth's number at a place: those beyond the last start again.
+fn tooth(teeth: u32, value: f64) -> String {
+    let tooth = (value.round() as i64 - 1).rem_euclid(i64::from(teeth.max(1))) + 1;
+    format!("{tooth}")
 }

@@ -3,15 +3,11 @@
 use super::paint::Look;
 use super::panel::{Anchor, Axis, Entry, Mark, Panel, Sample};
 use crate::curves::Course;
+use crate::render::decimal::fixed;
 
-/// µm with one decimal and a true minus sign.
+/// µm with one decimal.
 pub(super) fn micrometres(value: f64) -> String {
-    let text = format!("{value:.1}");
-    match text.strip_prefix('-') {
-        Some("0.0") => "0.0".to_owned(),
-        Some(digits) => format!("−{digits}"),
-        None => text,
-    }
+    fixed(value, 1)
 }
 
 /// The axis of a course, with its number of teeth.

@@ -133,7 +133,7 @@ fn a_hunting_cycle_is_thinned_without_losing_its_extremes() {
     let tick = || std::ops::ControlFlow::Continue(());
     let runs = gearlash::curves::revolution(&study, super::METHOD, &tick).unwrap();
     let course = gearlash::curves::courses(&runs).remove(0);
-    assert_eq!(course.lines.len(), 1);
+    assert_eq!(course.lines.len(), 2);
     let data = simulated(&course, Side::Right).remove(0);
     assert_eq!(data.len(), 28_896);
     let chart = chart::revolution("c", "t", &course).unwrap();

@@ -4,10 +4,12 @@
 //! right-flank and a left-flank pose of one tooth are two rotations, half a pitch or so apart: the two curves of a
 //! gear without pitch deviations are one curve, shifted. Values in µm of `j_wt`, centre distances in mm.
 
+mod binding;
 mod course;
 mod over_distance;
 mod scale;
 
+pub use binding::{binding_mating, matings_of_note};
 pub use course::{Course, CourseLine, CoursePoint, Extreme, courses};
 pub use over_distance::{DistancePoint, OverDistance, over_distance, over_distance_pose_count};
 

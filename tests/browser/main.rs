@@ -16,7 +16,7 @@ use std::sync::{Arc, OnceLock};
 /// What every test gets: the browser and the pages, made when the first test asks.
 type Test = fn(&Chromium, &Site);
 
-const TESTS: [(&str, Test); 18] = [
+const TESTS: [(&str, Test); 20] = [
     (
         "opens_from_disk_without_errors",
         page::opens_from_disk_without_errors,
@@ -54,6 +54,14 @@ const TESTS: [(&str, Test); 18] = [
     (
         "near_by_the_view_follows_the_contact",
         zoom::near_by_the_view_follows_the_contact,
+    ),
+    (
+        "an_overlap_is_told_where_it_cannot_be_seen",
+        mesh::an_overlap_is_told_where_it_cannot_be_seen,
+    ),
+    (
+        "the_cursor_is_where_it_can_be_seen",
+        mesh::the_cursor_is_where_it_can_be_seen,
     ),
     ("the_gap_can_be_looked_at", zoom::the_gap_can_be_looked_at),
     (

@@ -126,6 +126,47 @@ pub fn backlash_is_the_results(browser: &Chromium, site: &Site) {
     assert!(negative > 0, "an interference is among them");
 }
 
+/// An overlap of micrometres is no pixel wide at the opening zoom: words and dots say where it is.
+pub fn an_overlap_is_told_where_it_cannot_be_seen(browser: &Chromium, site: &Site) {
+    let mut tab = open(browser, site);
+    for (run, pose) in [(2, 40), (1, 20)] {
+        go(&mut tab, run, pose);
+        let j_wt = site.pose(run, pose)["j_wt_um"]
+            .as_f64()
+            .expect("a backlash");
+        let overlaps = j_wt < 0.0;
+        assert_eq!(overlaps, run == 2, "{j_wt} µm");
+        let expected = match overlaps {
+            true => format!(
+                "Teeth overlap by {:.1} µm at the red dots: zoom in to see it.",
+                -j_wt
+            ),
+            false => String::new(),
+        };
+        assert_eq!(said(&mut tab, "overlapping"), expected);
+        let red = tab
+            .text("getComputedStyle(document.querySelector('#viewer-locked-left path')).stroke")
+            == "rgb(224, 64, 44)";
+        assert_eq!(red, overlaps);
+    }
+}
+
+/// The curve of a run at another distance is folded away: choosing the run unfolds it.
+pub fn the_cursor_is_where_it_can_be_seen(browser: &Chromium, site: &Site) {
+    let mut tab = open(browser, site);
+    for run in [0, 2] {
+        go(&mut tab, run, 40);
+        let seen = "document.querySelector('.viewer-cursor').getBoundingClientRect().height > 100";
+        assert_eq!(tab.eval(seen), json!(true), "run {run}");
+        // Labels stay above it.
+        let above =
+            "document.querySelector('.viewer-cursor').nextElementSibling.getAttribute('class')";
+        assert_eq!(tab.text(above), "gearlash-labels");
+        let silent = "document.getElementById('viewer-no-curve').hidden";
+        assert_eq!(tab.eval(silent), json!(true));
+    }
+}
+
 /// Poses without a number: the page says which kind, the gears still stand and turn, nothing goes wrong.
 pub fn jammed_and_out_of_mesh_poses_are_shown(browser: &Chromium, site: &Site) {
     let mut tab = browser.tab(1280, 900);
@@ -134,6 +175,10 @@ pub fn jammed_and_out_of_mesh_poses_are_shown(browser: &Chromium, site: &Site) {
         go(&mut tab, run, 3);
         assert_eq!(said(&mut tab, "status"), status);
         assert_eq!(said(&mut tab, "backlash"), "none");
+        assert_eq!(
+            tab.text("document.getElementById('viewer-backlash').title"),
+            ""
+        );
         let before = turned(&mut tab, "wheel");
         tab.eval("document.getElementById('viewer-picture').focus()");
         tab.key("ArrowRight", false);

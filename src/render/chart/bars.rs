@@ -31,7 +31,7 @@ pub fn bars(
 ) -> Result<Chart, Error> {
     let panel = panel(["", x_axis, y_axis], 340.0, series)
         .ok_or_else(|| Error::Chart("there are no values to draw".to_owned()))?;
-    sheet::draw(heading, &legend(series), &[panel])
+    sheet::draw(heading, "", &legend(series), &[panel])
 }
 
 /// The legend of bars.

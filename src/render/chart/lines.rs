@@ -75,5 +75,5 @@ pub fn lines(heading: &Heading, axes: LineAxes, series: &[LineSeries]) -> Result
         height: 340.0,
         marks: marks.collect(),
     };
-    sheet::draw(heading, &legend, &[panel])
+    sheet::draw(heading, "", &legend, &[panel])
 }

@@ -50,8 +50,8 @@ pub struct Report<'a> {
     pub runs: &'a [ComparedRun],
     /// Whole revolutions at the same centre distances.
     pub revolution: &'a [ComparedRun],
-    /// One mating over the centre distance.
-    pub over_distance: &'a OverDistance,
+    /// Matings over the centre distance: the one that binds, then those that were measured.
+    pub over_distance: &'a [OverDistance],
     /// Measured values beside their bands.
     pub measured: &'a [MeasuredMating],
     /// Every check.

@@ -167,7 +167,7 @@ fn gaps_of_jammed_poses_stay_gaps() {
         polylines(&document, RIGHT).iter().filter(in_plot).count(),
         runs
     );
-    assert!(chart.svg.contains("gaps: jammed or out of mesh"));
+    assert!(chart.svg.contains("gaps: jammed"));
 }
 
 #[test]

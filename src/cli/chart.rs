@@ -1,18 +1,16 @@
 //! `gearlash chart`: curves and bars as SVG.
 
+mod drawn;
+
 use super::distances::{self, Distances};
-use super::drawing::{End, material, teeth};
-use super::method::{MethodArgs, agreement, agreement_within};
-use super::progress::Progress;
+use super::drawing::{End, teeth};
+use super::method::MethodArgs;
 use super::target::Target;
 use super::warn;
-use crate::curves::{self, Course};
 use crate::error::Error;
-use crate::gear::Inspection;
 use crate::input;
-use crate::render::chart::{self, Chart};
-use crate::study::Study;
 use clap::ValueEnum;
+use drawn::Drawn;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -36,7 +34,7 @@ pub(super) struct Args {
     /// One end of the thickness tolerances, for --kind revolution and difference [default: both]
     #[arg(long, value_enum)]
     material: Option<End>,
-    /// Wheel tooth and pinion tooth, for --kind distance [default: the first mating of the pair file]
+    /// Wheel tooth and pinion tooth, for --kind distance [default: the mating that binds]
     #[arg(long, value_name = "W,P", value_parser = teeth)]
     mating: Option<(u32, u32)>,
     /// The chart [default: out/<file stem>/chart_….svg]; - for standard output
@@ -71,9 +69,9 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     warn(&args.pair, &study.warnings, &study.remarks);
     let stem = study.stem.clone();
     let drawn = match args.kind {
-        Kind::Revolution | Kind::Difference => over_teeth(args, study)?,
-        Kind::Distance => over_distance(args, &study)?,
-        Kind::Inspection => inspection(args, &study)?,
+        Kind::Revolution | Kind::Difference => Drawn::over_teeth(args, study)?,
+        Kind::Distance => Drawn::over_distance(args, &study)?,
+        Kind::Inspection => Drawn::inspection(args, &study)?,
     };
     let target = match &args.output {
         Some(file) => file.clone(),
@@ -85,14 +83,6 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     } else {
         ExitCode::from(1)
     })
-}
-
-/// A chart and the name of its file.
-struct Drawn {
-    chart: Chart,
-    file: String,
-    /// Whether both methods agree, where both were asked for.
-    agrees: bool,
 }
 
 /// Options that say nothing about the kind asked for are mistakes.
@@ -131,96 +121,4 @@ fn check_options(args: &Args) -> Result<(), Error> {
         }
     }
     Ok(())
-}
-
-fn over_teeth(args: &Args, study: Study) -> Result<Drawn, Error> {
-    let mut study = curves::swept(study);
-    if let Some(end) = args.material {
-        let wanted = material(end, &study)?;
-        study.materials.retain(|(material, ..)| *material == wanted);
-    }
-    let distance = match &args.center_distance {
-        Some(Distances(given)) if given.len() == 1 => given.clone(),
-        Some(_) => {
-            return Err(Error::Usage(
-                "--center-distance: a chart is drawn at one centre distance".to_owned(),
-            ));
-        }
-        None => study.center_distances.iter().take(1).copied().collect(),
-    };
-    if args.center_distance.is_none() && study.center_distances.len() > 1 {
-        eprintln!(
-            "note: at the first of {} centre distances; choose with --center-distance",
-            study.center_distances.len()
-        );
-    }
-    let study = study
-        .at(distance)
-        .map_err(|reason| Error::Usage(format!("--center-distance: {reason}")))?;
-    let progress = Progress::start(curves::revolution_pose_count(&study)?);
-    let runs = curves::revolution(&study, args.method.method(), &|| progress.tick())?;
-    progress.finish()?;
-    let courses = curves::courses(&runs);
-    let course = courses
-        .first()
-        .ok_or_else(|| Error::Usage("the pair file asks for no poses".to_owned()))?;
-    if let (Some((wheel, pinion)), true) = (course.phase, courses.len() > 1) {
-        eprintln!(
-            "note: phase {wheel},{pinion}, the first of {}; for another give [sweep] revolutions and start",
-            courses.len()
-        );
-    }
-    let (name, chart) = match args.kind {
-        Kind::Difference => (
-            "difference",
-            chart::difference("chart", &study.title, course, study.tolerance_um)?,
-        ),
-        _ => (
-            "revolution",
-            chart::revolution("chart", &study.title, course)?,
-        ),
-    };
-    Ok(Drawn {
-        file: file(name, args, course),
-        agrees: agreement(&runs),
-        chart,
-    })
-}
-
-fn file(name: &str, args: &Args, course: &Course) -> String {
-    let end = match args.material {
-        Some(End::Most) => "_most",
-        Some(End::Least) => "_least",
-        None => "",
-    };
-    format!("chart_{name}_a{}{end}.svg", course.center_distance)
-}
-
-fn over_distance(args: &Args, study: &Study) -> Result<Drawn, Error> {
-    let progress = Progress::start(curves::over_distance_pose_count(study));
-    let method = args.method.method();
-    let curve = curves::over_distance(study, args.mating, method, &|| progress.tick())?;
-    progress.finish()?;
-    let (wheel, pinion) = curve.mating;
-    Ok(Drawn {
-        chart: chart::distance("chart", &study.title, &curve)?,
-        file: format!("chart_distance_{wheel}_{pinion}.svg"),
-        agrees: agreement_within(curve.polygon_difference),
-    })
-}
-
-fn inspection(args: &Args, study: &Study) -> Result<Drawn, Error> {
-    let gears = study.materials.first();
-    let (_, wheel, pinion) =
-        gears.ok_or_else(|| Error::Usage("the pair file has no gears".to_owned()))?;
-    let (name, gear) = match args.gear {
-        Some(Gear::Pinion) => ("pinion", pinion),
-        Some(Gear::Wheel) | None => ("wheel", wheel),
-    };
-    let inspection = Inspection::of(gear);
-    Ok(Drawn {
-        chart: chart::inspection("chart", &study.title, name, &inspection)?,
-        file: format!("chart_inspection_{name}.svg"),
-        agrees: true,
-    })
 }

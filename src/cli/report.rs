@@ -46,16 +46,21 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         None => PathBuf::from("out").join(format!("{}.html", study.stem)),
     })?;
     let method = args.method.method();
+    let matings = curves::matings_of_note(&study, None).len();
     let poses = pose_count(&study)?
         + curves::revolution_pose_count(&study)?
-        + curves::over_distance_pose_count(&study)
+        + matings * curves::over_distance_pose_count(&study)
         + cycle::pose_count(&study)?;
     let progress = Progress::start(poses);
     let tick = || progress.tick();
     let runs = compare(simulate(&study, method, &tick)?, study.tolerance_um);
     let revolution = curves::revolution(&study, method, &tick)?;
     let cycle = cycle(&study, method, &tick)?;
-    let over_distance = curves::over_distance(&study, None, method, &tick)?;
+    let binding = curves::binding_mating(revolution.iter().chain(&runs));
+    let over_distance = curves::matings_of_note(&study, binding)
+        .into_iter()
+        .map(|mating| curves::over_distance(&study, Some(mating), method, &tick))
+        .collect::<Result<Vec<_>, Error>>()?;
     progress.finish()?;
     let progress = Progress::working();
     let diagnosis = diagnose(&study, &runs, &mut |doing| progress.now(doing))?;
@@ -80,7 +85,11 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let agree = agreement_within(
         largest_difference(runs.iter().chain(&revolution).chain(&cycle.extremes))
             .into_iter()
-            .chain(over_distance.polygon_difference)
+            .chain(
+                over_distance
+                    .iter()
+                    .filter_map(|curve| curve.polygon_difference),
+            )
             .reduce(f64::max),
     );
     target.write(page)?;

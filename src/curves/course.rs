@@ -1,10 +1,9 @@
 //! A run's poses as curves over the teeth.
 
-use super::wheel_teeth;
+use super::scale::Scale;
 use crate::compare::{ComparedPose, ComparedRun};
 use crate::gear::Side;
-use crate::mesh::{Contact, first_least};
-use crate::pair::{Assembly, Mating, Member};
+use crate::mesh::{Contact, Status, first_least};
 use crate::study::Material;
 
 /// All curves of one centre distance and phase.
@@ -45,6 +44,8 @@ pub struct CourseLine {
 pub struct CoursePoint {
     /// Place: the wheel tooth at the pitch point and the part of a pitch beyond it, or pitches since the first pose.
     pub x: f64,
+    /// How the pose ended: why there is no value, where there is none.
+    pub status: Status,
     /// Simulated.
     pub simulated_um: Option<f64>,
     /// Bound on its error.
@@ -161,81 +162,11 @@ fn point(x: f64, pose: &ComparedPose) -> CoursePoint {
     let off = |model: Option<f64>| Some((swept.backlash? - model?) * 1e3);
     CoursePoint {
         x,
+        status: swept.lost_motion.status(),
         simulated_um: swept.backlash.map(|mm| mm * 1e3),
         error_bound_um: swept.error_bound.map(|mm| mm * 1e3),
         off_michalec_um: off(pose.michalec),
         off_involute_um: off(pose.involute),
         off_line_of_action_um: off(pose.line_of_action),
-    }
-}
-
-/// How many pitches `matings`, one after the other, go over; the last step counts whole.
-pub(super) fn pitches<'a>(matings: impl Iterator<Item = &'a Mating>) -> f64 {
-    places(matings).last().unwrap_or(0.0).floor() + 1.0
-}
-
-/// Pitches from the first mating's tooth to each of `matings`: one more with each change of teeth.
-fn places<'a>(matings: impl Iterator<Item = &'a Mating>) -> impl Iterator<Item = f64> {
-    matings.scan((None, 0u32), |(last, whole), mating| {
-        let teeth = (mating.wheel_tooth, mating.pinion_tooth);
-        if last.is_some_and(|last| last != teeth) {
-            *whole += 1;
-        }
-        *last = Some(teeth);
-        Some(f64::from(*whole) + mating.fraction)
-    })
-}
-
-/// The sense in which wheel tooth numbers come into mesh: +1 ascending, −1 descending.
-///
-/// Ascending teeth of the locked gear come into mesh; on its mate numbers ascend with them where the two faces
-/// look opposite ways.
-pub(super) fn wheel_sense(assembly: &Assembly) -> f64 {
-    let ascending = |member| assembly.gear(member).face().ascending();
-    match assembly.locked() {
-        Member::Wheel => 1.0,
-        Member::Pinion => -ascending(Member::Wheel) * ascending(Member::Pinion),
-    }
-}
-
-/// From pitches to places.
-struct Scale {
-    start: f64,
-    sense: f64,
-    pitches: f64,
-    teeth: Option<u32>,
-}
-
-impl Scale {
-    fn of<'a, I: Iterator<Item = &'a Mating>>(
-        assembly: &Assembly,
-        matings: impl Fn() -> I,
-    ) -> Scale {
-        let pitches = pitches(matings());
-        let teeth = wheel_teeth(assembly);
-        let first = matings().next().map_or(1, |mating| mating.wheel_tooth);
-        if pitches > f64::from(teeth) {
-            return Scale {
-                start: 0.0,
-                sense: 1.0,
-                pitches,
-                teeth: None,
-            };
-        }
-        Scale {
-            start: f64::from(first),
-            sense: wheel_sense(assembly),
-            pitches,
-            teeth: Some(teeth),
-        }
-    }
-
-    fn pitches<'a>(&self, matings: impl Iterator<Item = &'a Mating>) -> impl Iterator<Item = f64> {
-        places(matings).map(|pitches| self.start + self.sense * pitches)
-    }
-
-    fn span(&self) -> [f64; 2] {
-        let end = self.start + self.sense * self.pitches;
-        [self.start.min(end), self.start.max(end)]
     }
 }

@@ -4,9 +4,12 @@
 //! right-flank and a left-flank pose of one tooth are two rotations, half a pitch or so apart: the two curves of a
 //! gear without pitch deviations are one curve, shifted. Values in µm of `j_wt`, centre distances in mm.
 
+mod binding;
 mod course;
 mod over_distance;
+mod scale;
 
+pub use binding::{binding_mating, matings_of_note};
 pub use course::{Course, CourseLine, CoursePoint, Extreme, courses};
 pub use over_distance::{DistancePoint, OverDistance, over_distance, over_distance_pose_count};
 
@@ -25,9 +28,8 @@ const STEPS_PER_PITCH: u32 = 16;
 /// The runs behind curves over the teeth: each centre distance, material and phase.
 ///
 /// Where the study sweeps a revolution, its own poses; else one wheel revolution from wheel tooth 1 on, in the
-/// assembly phase of the study's first mating, at 16 steps a pitch. Up to one wheel revolution the left-flank poses of the same matings and
-/// fractions follow the right-flank ones. (Over more pitches, as in a hunting cycle, half a pitch of shift
-/// cannot be seen, and there are right-flank poses alone.)
+/// assembly phase of the study's first mating, at 16 steps a pitch. The left-flank poses of the same matings and
+/// fractions follow the right-flank ones.
 ///
 /// # Errors
 /// As [`crate::simulate::simulate`].
@@ -71,14 +73,11 @@ pub fn swept(mut study: Study) -> Study {
 fn revolution_plans(study: &Study) -> Result<Vec<RunPlan>, Error> {
     let mut plans = swept(study.clone()).runs()?;
     for plan in &mut plans {
-        let teeth = wheel_teeth(&plan.assembly);
-        if course::pitches(plan.matings.iter()) <= f64::from(teeth) {
-            let left = plan.matings.clone().into_iter().map(|mating| Mating {
-                flank: Side::Left,
-                ..mating
-            });
-            plan.matings.extend(left);
-        }
+        let left = plan.matings.clone().into_iter().map(|mating| Mating {
+            flank: Side::Left,
+            ..mating
+        });
+        plan.matings.extend(left);
     }
     Ok(plans)
 }
@@ -111,7 +110,7 @@ fn from_tooth_1(study: &Study) -> (u32, u32) {
     let Some(assembly) = assembly else {
         return (wheel_tooth, pinion_tooth);
     };
-    let back = f64::from(wheel_tooth - 1) * course::wheel_sense(&assembly);
+    let back = f64::from(wheel_tooth - 1) * scale::wheel_sense(&assembly);
     let start = mating.onward(&assembly, -back);
     (start.wheel_tooth, start.pinion_tooth)
 }

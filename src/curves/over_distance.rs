@@ -5,7 +5,7 @@ use crate::compare::compare;
 use crate::error::Error;
 use crate::gear::Side;
 use crate::measured::{Bands, bands};
-use crate::mesh::Method;
+use crate::mesh::{Method, Status};
 use crate::pair::{Assembly, Mating};
 use crate::simulate::simulate_plans;
 use crate::study::{MeasuredRow, RunPlan, Study};
@@ -42,6 +42,8 @@ pub struct DistancePoint {
     pub center_distance: f64,
     /// Means of the right-flank and the left-flank pose.
     pub bands: Bands,
+    /// How the first pose without a value ended, where the simulated band has none.
+    pub gap: Option<Status>,
 }
 
 /// `mating` (of the study's first, where `None`) over a grid of centre distances round the study's.
@@ -88,9 +90,18 @@ pub fn over_distance(
         simulate_plans(study, plans, method, tick)?,
         study.tolerance_um,
     );
+    let gap = |a: f64| {
+        let here = runs
+            .iter()
+            .filter(|run| run.run.assembly.center_distance() == a);
+        let mut poses = here.flat_map(|run| &run.poses);
+        let without = poses.find(|pose| pose.swept.backlash.is_none())?;
+        Some(without.swept.lost_motion.status())
+    };
     let point = |&a: &f64| DistancePoint {
         center_distance: a,
         bands: bands(study, &runs, a, mating),
+        gap: gap(a),
     };
     let poses = runs.iter().flat_map(|run| &run.poses);
     let differences = poses.filter_map(|pose| pose.swept.polygon_difference);

@@ -1,6 +1,7 @@
 //! The words above the picture.
 
 use super::bound::bound;
+use super::decimal::fixed;
 use super::labels;
 use super::page::{GREY, INK, text};
 use super::snapshot::Snapshot;
@@ -89,12 +90,7 @@ fn j_wt((value, error): (f64, f64)) -> String {
 
 /// A length in µm to 0.01, with a true minus sign.
 pub fn micrometres(mm: f64) -> String {
-    let text = format!("{:.2}", mm * 1e3);
-    match text.strip_prefix('-') {
-        Some("0.00") => "0.00".to_owned(),
-        Some(digits) => format!("−{digits}"),
-        None => text,
-    }
+    fixed(mm * 1e3, 2)
 }
 
 /// At least `least` and at most `most` decimals, no more than the value has.

@@ -1,5 +1,6 @@
 //! The checks of a pair as text and as JSON.
 
+use super::decimal::ascii;
 use super::result::{ContactCountRecord, contact_count_record};
 use super::table::{finish, table};
 use crate::diagnosis::{Check, Diagnosis, Group, Verdict};
@@ -193,20 +194,13 @@ fn contact(diagnosis: &Diagnosis) -> String {
     }
 }
 
-/// µm with three decimals, never `-0.000`.
+/// µm with three decimals.
 fn um(length: f64) -> String {
-    plain(format!("{:.3}", length * 1e3))
+    ascii(length * 1e3, 3)
 }
 
 fn shown(value: Option<f64>) -> String {
-    value.map_or("–".to_owned(), |value| plain(format!("{value:.4}")))
-}
-
-fn plain(text: String) -> String {
-    match text.strip_prefix('-') {
-        Some(digits) if digits.chars().all(|c| c == '0' || c == '.') => digits.to_owned(),
-        _ => text,
-    }
+    value.map_or("–".to_owned(), |value| ascii(value, 4))
 }
 
 /// A check's unit as it is shown.

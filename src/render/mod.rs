@@ -3,10 +3,12 @@
 mod animation;
 mod bound;
 mod caption;
+mod characters;
 pub mod chart;
 pub mod check;
 mod clip;
 pub mod comparison;
+mod decimal;
 mod exaggerated;
 pub mod gauge;
 mod gears;

@@ -4,6 +4,8 @@
 //! print: metal light, gap middling, overlap dark and hatched. Of the hues only
 //! green and red are easily mistaken, and those two differ in lightness and hatching.
 
+use super::characters::plain;
+use super::decimal::ascii;
 use svg::node::Blob;
 use svg::node::element::{Element, Path, Rectangle, SVG};
 use svg::node::{Node, Text};
@@ -124,11 +126,7 @@ impl Frame {
 
 /// Two decimals, a quarter of a hundredth of a millimetre of paper; never `-0.00`.
 pub fn number(value: f64) -> String {
-    let text = format!("{value:.2}");
-    match text.as_str() {
-        "-0.00" => "0.00".to_owned(),
-        _ => text,
-    }
+    ascii(value, 2)
 }
 
 /// Path data through `points`; repeated points are left out.
@@ -163,17 +161,13 @@ const SYMBOLS: [(&str, &str); 2] = [("j_wt", "wt"), ("j_bn", "bn")];
 
 /// A `<text>` that starts at `at`, on its baseline.
 ///
-/// `j_wt` and `j_bn` are set as symbols unless `verbatim`. Control characters, which XML
-/// cannot hold, become spaces.
+/// `j_wt` and `j_bn` are set as symbols unless `verbatim`. Characters that XML cannot hold become spaces.
 pub fn text(content: &str, at: Spot, size: f64, verbatim: bool) -> Element {
     let mut element = Element::new("text");
     element.assign("x", number(at[0]));
     element.assign("y", number(at[1]));
     element.assign("font-size", number(size));
-    let plain: String = content
-        .chars()
-        .map(|c| if c.is_control() { ' ' } else { c })
-        .collect();
+    let plain = plain(content);
     let used = SYMBOLS.iter().find(|(name, _)| plain.contains(name));
     match used.filter(|_| !verbatim) {
         None => element.append(Text::new(plain)),

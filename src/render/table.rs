@@ -3,6 +3,7 @@
 mod measured;
 mod phases;
 
+use super::decimal::ascii;
 use crate::compare::{ComparedPose, ComparedRun, Verdict};
 use crate::measured::MeasuredMating;
 use crate::mesh::Contact;
@@ -66,19 +67,7 @@ pub(super) fn finish(table: &Table) -> String {
 /// µm, or a dash.
 pub(super) fn um(length_mm: Option<f64>, decimals: usize) -> String {
     match length_mm {
-        // Adding zero turns a rounded −0.0 into 0.0.
-        Some(length) => {
-            let shown = format!("{:.decimals$}", length * 1e3);
-            if shown
-                .trim_start_matches('-')
-                .chars()
-                .all(|c| c == '0' || c == '.')
-            {
-                shown.trim_start_matches('-').to_owned()
-            } else {
-                shown
-            }
-        }
+        Some(length) => ascii(length * 1e3, decimals),
         None => "–".to_owned(),
     }
 }

@@ -6,6 +6,7 @@ mod chromium;
 mod mesh;
 mod page;
 mod paper;
+mod zoom;
 
 use chromium::Chromium;
 use libtest_mimic::{Arguments, Trial};
@@ -15,7 +16,7 @@ use std::sync::{Arc, OnceLock};
 /// What every test gets: the browser and the pages, made when the first test asks.
 type Test = fn(&Chromium, &Site);
 
-const TESTS: [(&str, Test); 13] = [
+const TESTS: [(&str, Test); 20] = [
     (
         "opens_from_disk_without_errors",
         page::opens_from_disk_without_errors,
@@ -44,8 +45,30 @@ const TESTS: [(&str, Test); 13] = [
     ),
     (
         "buttons_wheel_and_keys_zoom",
-        mesh::buttons_wheel_and_keys_zoom,
+        zoom::buttons_wheel_and_keys_zoom,
     ),
+    (
+        "zooming_in_keeps_the_page_alive_and_the_contact_in_view",
+        zoom::zooming_in_keeps_the_page_alive_and_the_contact_in_view,
+    ),
+    (
+        "near_by_the_view_follows_the_contact",
+        zoom::near_by_the_view_follows_the_contact,
+    ),
+    (
+        "an_overlap_is_told_where_it_cannot_be_seen",
+        mesh::an_overlap_is_told_where_it_cannot_be_seen,
+    ),
+    (
+        "the_cursor_is_where_it_can_be_seen",
+        mesh::the_cursor_is_where_it_can_be_seen,
+    ),
+    ("the_gap_can_be_looked_at", zoom::the_gap_can_be_looked_at),
+    (
+        "the_wheel_zooms_by_how_far_it_turns",
+        zoom::the_wheel_zooms_by_how_far_it_turns,
+    ),
+    ("two_fingers_pinch", zoom::two_fingers_pinch),
     (
         "dragging_and_shifted_arrows_pan",
         mesh::dragging_and_shifted_arrows_pan,

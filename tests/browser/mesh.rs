@@ -5,7 +5,7 @@ use crate::page::{Site, open, said, unfold};
 use serde_json::{Value, json};
 
 /// Shows a pose by the controls' own events.
-fn go(tab: &mut Tab, run: usize, pose: usize) {
+pub fn go(tab: &mut Tab, run: usize, pose: usize) {
     tab.eval(&format!(
         "for (const [name, value, event] of [['runs', {run}, 'change'], ['slider', {pose}, 'input']]) {{ \
          const control = document.getElementById('viewer-' + name); control.value = value; \
@@ -41,7 +41,7 @@ fn assert_stands(tab: &mut Tab, expected: &Value) {
     assert_angle(pinion, &expected["right_rad"], "pinion");
 }
 
-fn number_shown(tab: &mut Tab) -> f64 {
+pub fn number_shown(tab: &mut Tab) -> f64 {
     tab.number("Number(document.getElementById('viewer-slider').value)")
 }
 
@@ -126,6 +126,47 @@ pub fn backlash_is_the_results(browser: &Chromium, site: &Site) {
     assert!(negative > 0, "an interference is among them");
 }
 
+/// An overlap of micrometres is no pixel wide at the opening zoom: words and dots say where it is.
+pub fn an_overlap_is_told_where_it_cannot_be_seen(browser: &Chromium, site: &Site) {
+    let mut tab = open(browser, site);
+    for (run, pose) in [(2, 40), (1, 20)] {
+        go(&mut tab, run, pose);
+        let j_wt = site.pose(run, pose)["j_wt_um"]
+            .as_f64()
+            .expect("a backlash");
+        let overlaps = j_wt < 0.0;
+        assert_eq!(overlaps, run == 2, "{j_wt} µm");
+        let expected = match overlaps {
+            true => format!(
+                "Teeth overlap by {:.1} µm at the red dots: zoom in to see it.",
+                -j_wt
+            ),
+            false => String::new(),
+        };
+        assert_eq!(said(&mut tab, "overlapping"), expected);
+        let red = tab
+            .text("getComputedStyle(document.querySelector('#viewer-locked-left path')).stroke")
+            == "rgb(224, 64, 44)";
+        assert_eq!(red, overlaps);
+    }
+}
+
+/// The curve of a run at another distance is folded away: choosing the run unfolds it.
+pub fn the_cursor_is_where_it_can_be_seen(browser: &Chromium, site: &Site) {
+    let mut tab = open(browser, site);
+    for run in [0, 2] {
+        go(&mut tab, run, 40);
+        let seen = "document.querySelector('.viewer-cursor').getBoundingClientRect().height > 100";
+        assert_eq!(tab.eval(seen), json!(true), "run {run}");
+        // Labels stay above it.
+        let above =
+            "document.querySelector('.viewer-cursor').nextElementSibling.getAttribute('class')";
+        assert_eq!(tab.text(above), "gearlash-labels");
+        let silent = "document.getElementById('viewer-no-curve').hidden";
+        assert_eq!(tab.eval(silent), json!(true));
+    }
+}
+
 /// Poses without a number: the page says which kind, the gears still stand and turn, nothing goes wrong.
 pub fn jammed_and_out_of_mesh_poses_are_shown(browser: &Chromium, site: &Site) {
     let mut tab = browser.tab(1280, 900);
@@ -134,6 +175,10 @@ pub fn jammed_and_out_of_mesh_poses_are_shown(browser: &Chromium, site: &Site) {
         go(&mut tab, run, 3);
         assert_eq!(said(&mut tab, "status"), status);
         assert_eq!(said(&mut tab, "backlash"), "none");
+        assert_eq!(
+            tab.text("document.getElementById('viewer-backlash').title"),
+            ""
+        );
         let before = turned(&mut tab, "wheel");
         tab.eval("document.getElementById('viewer-picture').focus()");
         tab.key("ArrowRight", false);
@@ -213,62 +258,13 @@ pub fn play_advances_until_paused(browser: &Chromium, site: &Site) {
 }
 
 /// Left, top, width, height of what the picture shows.
-fn view(tab: &mut Tab) -> [f64; 4] {
+pub fn view(tab: &mut Tab) -> [f64; 4] {
     let text = tab.text("document.getElementById('viewer-picture').getAttribute('viewBox')");
     let numbers: Vec<f64> = text
         .split(' ')
         .map(|n| n.parse().expect("a number"))
         .collect();
     numbers.try_into().expect("a viewBox has four numbers")
-}
-
-pub fn buttons_wheel_and_keys_zoom(browser: &Chromium, site: &Site) {
-    let mut tab = open(browser, site);
-    let home = view(&mut tab);
-    let middle = |v: [f64; 4]| [v[0] + v[2] / 2.0, v[1] + v[3] / 2.0];
-    let near = |a: f64, b: f64| (a - b).abs() < 1e-9 * home[2];
-    tab.click("#viewer-in");
-    let nearer = view(&mut tab);
-    assert!(near(nearer[2], home[2] / 1.5) && near(nearer[3], home[3] / 1.5));
-    assert!(near(middle(nearer)[0], middle(home)[0]) && near(middle(nearer)[1], middle(home)[1]));
-    tab.click("#viewer-out");
-    assert!(near(view(&mut tab)[2], home[2]));
-    tab.eval("document.getElementById('viewer-picture').focus()");
-    tab.key("+", false);
-    assert!(near(view(&mut tab)[2], home[2] / 1.5));
-    tab.key("-", false);
-    tab.key("-", false);
-    assert!(near(view(&mut tab)[2], home[2] * 1.5));
-    tab.key("0", false);
-    assert_eq!(view(&mut tab), home);
-    // The wheel keeps the place under the pointer.
-    let at = tab.middle("#viewer-picture");
-    let at = [at[0] + 100.0, at[1] - 60.0];
-    let under = format!(
-        "(() => {{ const p = new DOMPoint({}, {}).matrixTransform(document.getElementById('viewer-picture').getScreenCTM().inverse()); return p.x; }})()",
-        at[0], at[1]
-    );
-    let before = tab.number(&under);
-    let scrolled = tab.number("window.scrollY");
-    tab.mouse("mouseWheel", at, -120.0);
-    tab.until(&format!(
-        "document.getElementById('viewer-picture').viewBox.baseVal.width < {}",
-        0.9 * home[2]
-    ));
-    // The page counts in single precision here.
-    assert!((tab.number(&under) - before).abs() < 1e-4 * home[2]);
-    assert_eq!(tab.number("window.scrollY"), scrolled);
-    tab.mouse("mouseWheel", at, 120.0);
-    tab.until(&format!(
-        "document.getElementById('viewer-picture').viewBox.baseVal.width > {}",
-        0.99 * home[2]
-    ));
-    tab.click("#viewer-whole");
-    let whole = view(&mut tab);
-    // Tip radii of 22 and 32 mm and what the gears stand off their axes.
-    assert!(whole[0] < -22.0 && whole[0] + whole[2] > 50.0 + 32.0 && whole[3] > 64.0);
-    tab.click("#viewer-home");
-    assert_eq!(view(&mut tab), home);
 }
 
 pub fn dragging_and_shifted_arrows_pan(browser: &Chromium, site: &Site) {

@@ -45,6 +45,8 @@ fn each_kind_has_its_file() {
             &["--kind", "distance", "--mating", "44,33"],
             "chart_distance_44_33.svg",
         ),
+        // The mating that binds, where none is asked for.
+        (&["--kind", "distance"], "chart_distance_33_33.svg"),
         (&["--kind", "inspection"], "chart_inspection_wheel.svg"),
         (
             &["--kind", "inspection", "--gear", "pinion"],

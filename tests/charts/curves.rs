@@ -1,7 +1,9 @@
 //! Curves beside printed and closed-form values.
 
 use super::{METHOD, course, over, study};
-use gearlash::curves::{courses, revolution, revolution_pose_count, swept};
+use gearlash::curves::{
+    binding_mating, courses, matings_of_note, revolution, revolution_pose_count, swept,
+};
 use gearlash::gear::Side;
 use gearlash::measured::{Band, Bands};
 use gearlash::study::Material;
@@ -109,4 +111,36 @@ fn a_tooth_that_is_not_there_is_an_error() {
     let error =
         gearlash::curves::over_distance(&study("karba_86x21.toml"), Some((1, 22)), METHOD, &tick);
     assert!(error.unwrap_err().to_string().contains("1 … 21, not 22"));
+}
+
+/// Issue 6 asks for both poses: a sweep over more than a revolution had right-flank lines alone.
+#[test]
+fn a_sweep_over_more_than_a_revolution_has_left_flanks_too() {
+    let mut study = swept(study("karba_86x21.toml")).at(vec![160.5]).unwrap();
+    study.sweep = Some(gearlash::pair::SweepPlan::Revolution {
+        pitches: 90,
+        steps_per_pitch: 1,
+        start: (1, 1),
+    });
+    let runs = revolution(&study, METHOD, &|| ControlFlow::Continue(())).unwrap();
+    let course = courses(&runs).remove(0);
+    assert_eq!(course.teeth, None, "pitches, not teeth");
+    let flanks: Vec<Side> = course.lines.iter().map(|line| line.flank).collect();
+    assert_eq!(flanks, [Side::Right, Side::Left]);
+    assert!(course.lines.iter().all(|line| line.points.len() == 90));
+}
+
+/// Both high teeth are 33 (study, Table 4): there both gears reach farthest into each other.
+#[test]
+fn the_mating_that_binds_comes_first_then_those_measured() {
+    let rig = study("karba_44x44.toml");
+    let at = swept(rig.clone()).at(vec![132.04]).unwrap();
+    let runs = revolution(&at, METHOD, &|| ControlFlow::Continue(())).unwrap();
+    let binding = binding_mating(runs.iter());
+    assert_eq!(binding, Some((33, 33)));
+    let matings = matings_of_note(&rig, binding);
+    assert_eq!(matings[..2], [(33, 33), (11, 11)]);
+    // Tables 5 and 6 have eleven matings, 33 & 33 among them.
+    assert_eq!(matings.len(), 11);
+    assert_eq!(matings_of_note(&rig, None)[0], (11, 11));
 }

@@ -4,13 +4,14 @@ mod bars;
 mod command;
 mod curves;
 mod drawn;
+mod empty;
 mod inspection;
 mod places;
 
 use gearlash::curves::{Course, OverDistance, courses, over_distance, revolution, swept};
 use gearlash::gear::{Inspection, Side};
 use gearlash::mesh::Method;
-use gearlash::render::chart::{self, Chart};
+use gearlash::render::chart::{self, Chart, Heading};
 use gearlash::study::Study;
 use std::ops::ControlFlow;
 use std::path::Path;
@@ -34,6 +35,14 @@ fn over(fixture: &str, mating: Option<(u32, u32)>) -> OverDistance {
     over_distance(&study(fixture), mating, METHOD, &tick).unwrap()
 }
 
+fn heading<'h>(prefix: &'h str, title: &'h str) -> Heading<'h> {
+    Heading {
+        prefix,
+        title,
+        subtitle: "",
+    }
+}
+
 /// Every kind once, of pairs that are clear, interfere and jam, with a title that is no XML.
 fn all_kinds(title: &str) -> Vec<Chart> {
     let pitch = study("karba_44x44_pitch.toml");
@@ -47,19 +56,25 @@ fn all_kinds(title: &str) -> Vec<Chart> {
         ("tip_on_fillet_86x21.toml", 159.6),
     ] {
         let course = course(fixture, a);
-        charts.push(chart::revolution("r", title, &course).unwrap());
+        charts.push(chart::revolution(&heading("r", title), &course).unwrap());
         if course.least.is_some() {
-            charts.push(chart::difference("d", title, &course, 0.1).unwrap());
+            charts.push(chart::difference(&heading("d", title), &course, 0.1).unwrap());
         }
     }
     for (_, wheel, pinion) in &pitch.materials {
         for (name, gear) in [("wheel", wheel), ("pinion", pinion)] {
             let inspection = Inspection::of(gear);
-            charts.push(chart::inspection("i", title, name, &inspection).unwrap());
+            charts.push(chart::inspection(&heading("i", title), name, &inspection).unwrap());
         }
     }
-    charts.push(chart::distance("a", title, &over("karba_44x44.toml", Some((44, 44)))).unwrap());
-    charts.push(chart::distance("a", title, &over("karba_86x21.toml", None)).unwrap());
+    charts.push(
+        chart::distance(
+            &heading("a", title),
+            &over("karba_44x44.toml", Some((44, 44))),
+        )
+        .unwrap(),
+    );
+    charts.push(chart::distance(&heading("a", title), &over("karba_86x21.toml", None)).unwrap());
     charts
 }
 

@@ -1,7 +1,7 @@
 //! What is drawn, parsed and set beside the data.
 
 use super::drawn::{HALF, INK, LEFT, RIGHT, apart, circles, place, polylines};
-use super::{all_kinds, course, over, simulated};
+use super::{all_kinds, course, heading, over, simulated};
 use gearlash::gear::Side;
 use gearlash::render::chart::{self, Chart, Plot};
 use roxmltree::Document;
@@ -84,7 +84,7 @@ fn a_revolution_stands_where_its_poses_are() {
         ("karba_44x44_pitch.toml", 132.0),
     ] {
         let course = course(fixture, a);
-        let chart = chart::revolution("c", "t", &course).unwrap();
+        let chart = chart::revolution(&heading("c", "t"), &course).unwrap();
         let document = Document::parse(&chart.svg).unwrap();
         let long = |colour| {
             let lines = polylines(&document, colour).into_iter();
@@ -133,10 +133,10 @@ fn a_hunting_cycle_is_thinned_without_losing_its_extremes() {
     let tick = || std::ops::ControlFlow::Continue(());
     let runs = gearlash::curves::revolution(&study, super::METHOD, &tick).unwrap();
     let course = gearlash::curves::courses(&runs).remove(0);
-    assert_eq!(course.lines.len(), 1);
+    assert_eq!(course.lines.len(), 2);
     let data = simulated(&course, Side::Right).remove(0);
     assert_eq!(data.len(), 28_896);
-    let chart = chart::revolution("c", "t", &course).unwrap();
+    let chart = chart::revolution(&heading("c", "t"), &course).unwrap();
     assert!(chart.svg.len() < 300_000, "{}", chart.svg.len());
     let document = Document::parse(&chart.svg).unwrap();
     let drawn = polylines(&document, RIGHT).concat();
@@ -160,20 +160,20 @@ fn gaps_of_jammed_poses_stay_gaps() {
     let runs = line.split(|point| point.simulated_um.is_none());
     let runs = runs.filter(|run| run.len() > 1).count();
     assert!(runs > 80);
-    let chart = chart::revolution("c", "t", &course).unwrap();
+    let chart = chart::revolution(&heading("c", "t"), &course).unwrap();
     let document = Document::parse(&chart.svg).unwrap();
     let in_plot = |line: &&Vec<(f64, f64)>| line[0].1 > chart.plot.top;
     assert_eq!(
         polylines(&document, RIGHT).iter().filter(in_plot).count(),
         runs
     );
-    assert!(chart.svg.contains("gaps: jammed or out of mesh"));
+    assert!(chart.svg.contains("gaps: jammed"));
 }
 
 #[test]
 fn extremes_are_labelled_with_the_teeth_that_bind() {
     let course = course("karba_44x44_pitch.toml", 132.0);
-    let chart = chart::revolution("c", "t", &course).unwrap();
+    let chart = chart::revolution(&heading("c", "t"), &course).unwrap();
     let least = course.least.unwrap();
     let all = simulated(&course, Side::Right).concat();
     let all = [all, simulated(&course, Side::Left).concat()].concat();
@@ -199,7 +199,7 @@ fn extremes_are_labelled_with_the_teeth_that_bind() {
 #[test]
 fn measured_values_stand_where_they_were_measured() {
     let curve = over("karba_44x44.toml", Some((11, 11)));
-    let Chart { svg, plot, .. } = chart::distance("c", "t", &curve).unwrap();
+    let Chart { svg, plot, .. } = chart::distance(&heading("c", "t"), &curve).unwrap();
     let document = Document::parse(&svg).unwrap();
     let drawn: Vec<_> = circles(&document, RIGHT)
         .into_iter()
@@ -223,7 +223,7 @@ fn measured_values_stand_where_they_were_measured() {
 #[test]
 fn the_difference_to_model_3_has_its_own_axis() {
     let course = course("karba_44x44.toml", 132.21);
-    let chart = chart::difference("c", "t", &course, 0.1).unwrap();
+    let chart = chart::difference(&heading("c", "t"), &course, 0.1).unwrap();
     assert_eq!(chart.panels.len(), 2);
     let document = Document::parse(&chart.svg).unwrap();
     let texts: Vec<&str> = document
@@ -247,4 +247,51 @@ fn the_difference_to_model_3_has_its_own_axis() {
         }
     }
     assert_eq!(drawn.len(), 2);
+}
+
+/// Simulation and model 1 differ by another amount at each material: two lines that nothing told apart.
+#[test]
+fn the_materials_of_a_difference_are_told_apart() {
+    let course = course("karba_44x44.toml", 132.21);
+    let chart = chart::difference(&heading("c", "t"), &course, 0.1).unwrap();
+    let document = Document::parse(&chart.svg).unwrap();
+    // Of the curves: the legend's sample has a width of its own.
+    let lines = document
+        .descendants()
+        .filter(|node| node.attribute("stroke") == Some(LEFT));
+    let mut widths: Vec<_> = lines
+        .filter_map(|node| node.attribute("stroke-width"))
+        .collect();
+    widths.sort_unstable();
+    widths.dedup();
+    assert_eq!(widths.len(), 3, "{widths:?}");
+    for words in [
+        "most material<",
+        "least material<",
+        "(thin: least material)",
+    ] {
+        assert!(chart.svg.contains(words), "{words}");
+    }
+}
+
+/// Labels stand above all lines, with a halo.
+#[test]
+fn labels_are_drawn_last_and_haloed() {
+    let course = course("karba_44x44_pitch.toml", 132.0);
+    let chart = chart::revolution(&heading("c", "t"), &course).unwrap();
+    let document = Document::parse(&chart.svg).unwrap();
+    let root = document.root_element();
+    let last = root
+        .children()
+        .filter(|node| node.is_element())
+        .last()
+        .unwrap();
+    assert_eq!(last.attribute("class"), Some("gearlash-labels"));
+    assert_eq!(last.attribute("paint-order"), Some("stroke"));
+    assert_eq!(last.attribute("stroke"), Some("#ffffff"));
+    let texts: Vec<_> = last.descendants().filter_map(|node| node.text()).collect();
+    assert!(
+        texts.iter().any(|text| text.starts_with("least −")),
+        "{texts:?}"
+    );
 }

@@ -88,6 +88,24 @@ fn the_pages_of_the_fixtures() {
     }
 }
 
+/// Issue 6: synthetic values say so in title and chart, in a page, too; and the mating that binds comes first.
+#[test]
+fn every_chart_of_the_page_has_the_pairs_title() {
+    let page = fixture("karba_44x44_pitch.toml");
+    let charts = svgs(&page);
+    let charts = charts
+        .iter()
+        .filter(|svg| svg.contains("class=\"gearlash-chart\""));
+    let mut count = 0;
+    for chart in charts {
+        let title = "Test rig pair 44/44 with synthetic pitch deviations\n</text>";
+        assert!(chart.contains(title), "{}", &chart[..300]);
+        count += 1;
+    }
+    assert!(count > 4, "{count} charts");
+    assert!(page.contains(", which bind"));
+}
+
 /// Two gears of 20 teeth and module 2 without deviations at one centre distance or a list of them.
 pub fn plain(a: &str) -> String {
     let gear =

@@ -39,7 +39,30 @@ fn one_revolution_of_44_teeth() {
 #[test]
 fn a_hunting_cycle_of_86_and_21_teeth() {
     let page = page_with(&pair([86, 21], 160.6, "hunting"), &["--no-certify"]);
-    assert!(page.contains("Over 28896 poses"));
+    // 28 896 right-flank poses, and as many left-flank ones.
+    assert!(page.contains("Over 57792 poses"));
     assert!(page.len() <= 8_000_000, "{} bytes", page.len());
-    assert!(page.contains("id=\"viewer-data\""), "the mesh is in it");
+    // All runs are in the mesh, each with every second pose and its extremes.
+    assert!(page.contains("of 57792 poses can be looked at here: of each run every 2nd"));
+    let data = page
+        .split("id=\"viewer-data\">")
+        .nth(1)
+        .expect("the mesh is in it");
+    let data: serde_json::Value =
+        serde_json::from_str(data.split("</script>").next().unwrap()).unwrap();
+    let run = &data["runs"][0];
+    assert_eq!(run["of"], 57_792);
+    let column = |name: &str| run[name].as_array().unwrap();
+    let numbers: Vec<u64> = column("number")
+        .iter()
+        .map(|n| n.as_u64().unwrap())
+        .collect();
+    assert!(numbers.is_sorted() && (28_896..28_900).contains(&numbers.len()));
+    for name in ["chart_x", "j_wt_um", "status", "left_flank"] {
+        assert_eq!(column(name).len(), numbers.len(), "{name}");
+    }
+    // Left-flank poses start over at the first pitch.
+    let first_left = numbers.iter().position(|number| *number == 28_897).unwrap();
+    assert_eq!(column("left_flank")[first_left], 1);
+    assert_eq!(column("chart_x")[first_left], column("chart_x")[0]);
 }

@@ -88,7 +88,7 @@ pub fn bar_panels(heading: &Heading, x_axis: &str, panels: &[BarPanel]) -> Resul
         Some(first) if first.series.len() > 1 => legend(first.series),
         _ => Vec::new(),
     };
-    sheet::draw(heading, &names, &drawn)
+    sheet::draw(heading, "", &names, &drawn)
 }
 
 impl BarPanel<'_> {

@@ -1,6 +1,7 @@
 //! Units, text styles and small marks on the backend's fine pixels.
 
 use super::paint::{Look, Shape};
+pub(super) use crate::render::characters::plain;
 use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
@@ -44,14 +45,6 @@ pub(super) fn fine(units: f64) -> i32 {
 /// Pixels of a place.
 pub(super) fn spot(x: f64, y: f64) -> (i32, i32) {
     (fine(x), fine(y))
-}
-
-/// Characters that XML cannot hold become spaces.
-pub(super) fn plain(text: &str) -> String {
-    let unfit = |c: char| c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}');
-    text.chars()
-        .map(|c| if unfit(c) { ' ' } else { c })
-        .collect()
 }
 
 /// A single value's mark.

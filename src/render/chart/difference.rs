@@ -1,5 +1,6 @@
 //! Simulation minus formula over the teeth.
 
+use super::materials::{ends, thin, width};
 use super::paint::Look;
 use super::panel::{Anchor, Axis, Mark, Panel, Point, Sample, range};
 use super::words::{course_axis, course_words, entry};
@@ -16,18 +17,13 @@ const BOUND: f64 = 0.16;
 ///
 /// # Errors
 /// [`Error::Chart`] when no pose has both values.
-pub fn difference(
-    prefix: &str,
-    title: &str,
-    course: &Course,
-    tolerance_um: f64,
-) -> Result<Chart, Error> {
+pub fn difference(heading: &Heading, course: &Course, tolerance_um: f64) -> Result<Chart, Error> {
     let lines = || course.lines.iter().filter(|line| line.flank == Side::Right);
     let of = |model: fn(&CoursePoint) -> Option<f64>, look: Look| {
         let lines = lines().map(move |line| Mark::Line {
             points: points(line, model, 1.0),
             look,
-            width: 1.6,
+            width: width(line.material),
         });
         lines.collect::<Vec<Mark>>()
     };
@@ -47,8 +43,12 @@ pub fn difference(
         legend.push(entry("minus model 2, involute", Look::Plain, Sample::Line));
         let mut marks = of(models[1], Look::Plain);
         marks.extend(of(models[0], Look::Left));
+        // At the lines of the model that tells the materials apart, if one does.
+        let labels = models.map(|model| ends(lines(), model, 1.0, y));
+        let labels = labels.into_iter().find(|labels| !labels.is_empty());
+        marks.extend(labels.into_iter().flatten());
         panels.push(Panel {
-            title: "minus models 1 and 2".to_owned(),
+            title: format!("minus models 1 and 2{}", thin(course)),
             x: Axis {
                 name: String::new(),
                 ..course_axis(course)
@@ -77,15 +77,11 @@ pub fn difference(
             course.center_distance
         )));
     }
-    let heading = Heading {
-        prefix,
-        title,
-        subtitle: &format!(
-            "simulated − formula, right flanks · {}",
-            course_words(course)
-        ),
-    };
-    sheet::draw(&heading, &legend, &panels)
+    let details = format!(
+        "simulated − formula, right flanks · {}",
+        course_words(course)
+    );
+    sheet::draw(heading, &details, &legend, &panels)
 }
 
 /// The panel of model 3.
@@ -114,7 +110,7 @@ fn line_of_action(course: &Course, tolerance_um: f64) -> Option<Panel> {
         marks.push(Mark::Line {
             points: points(line, off, 1.0 / unit),
             look: Look::Right,
-            width: 1.6,
+            width: width(line.material),
         });
     }
     let values = all().filter_map(off);
@@ -124,6 +120,7 @@ fn line_of_action(course: &Course, tolerance_um: f64) -> Option<Panel> {
         [0.18; 2],
         0.1,
     )?;
+    marks.extend(ends(lines(), off, 1.0 / unit, y));
     let tolerance = tolerance_um / unit;
     let words = match y[0] < -tolerance || y[1] > tolerance {
         true => {
@@ -147,7 +144,7 @@ fn line_of_action(course: &Course, tolerance_um: f64) -> Option<Panel> {
         anchor: Anchor::Start,
     });
     Some(Panel {
-        title: "minus model 3, on an axis of its own".to_owned(),
+        title: format!("minus model 3, on an axis of its own{}", thin(course)),
         x: course_axis(course),
         y: Axis::new(name, y),
         height: 230.0,

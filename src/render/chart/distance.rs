@@ -1,8 +1,8 @@
 //! Backlash over the centre distance, as Figures 20–21 of the study the project started from.
 
 use super::paint::Look;
-use super::panel::{Axis, Mark, Panel, Point, Sample, backlash_range, range};
-use super::words::{entry, interference};
+use super::panel::{Anchor, Axis, Mark, Panel, Point, Sample, backlash_range, range};
+use super::words::{entry, interference, without_value};
 use super::{Chart, Heading, sheet};
 use crate::curves::{DistancePoint, OverDistance};
 use crate::error::Error;
@@ -16,7 +16,7 @@ const FILLS: [f64; 2] = [0.14, 0.22];
 ///
 /// # Errors
 /// [`Error::Chart`] when there is neither a value nor a measurement.
-pub fn distance(prefix: &str, title: &str, curve: &OverDistance) -> Result<Chart, Error> {
+pub fn distance(heading: &Heading, curve: &OverDistance) -> Result<Chart, Error> {
     let line = |band: fn(&DistancePoint) -> Option<Band>, end: fn(Band) -> f64| -> Vec<Point> {
         let points = curve.points.iter();
         points
@@ -40,19 +40,25 @@ pub fn distance(prefix: &str, title: &str, curve: &OverDistance) -> Result<Chart
     let (right, left) = (measured(|row| row.right_um), measured(|row| row.left_um));
     let mut marks = Vec::new();
     let mut legend = Vec::new();
-    if curve.clearance > 0.0 {
+    // What is not there is not drawn and not named.
+    let any = |ends: &[Vec<Point>; 2]| ends[0].iter().any(|point| point.1.is_some());
+    if curve.clearance > 0.0 && any(&with_clearance) {
         marks.extend(band(&with_clearance, Look::Limit, FILLS[0]));
         let name = format!("with bearing clearance (a ± {} mm)", curve.clearance);
         legend.push(entry(&name, Look::Limit, Sample::LineInBand(FILLS[0])));
     }
-    marks.extend(band(&simulated, Look::Plain, FILLS[1]));
-    let name = match curve.two_materials {
-        true => "simulated, most to least material",
-        false => "simulated",
-    };
-    legend.push(entry(name, Look::Plain, Sample::LineInBand(FILLS[1])));
-    marks.extend(outline(&analytic, Look::Third));
-    legend.push(entry("by formula (model 2)", Look::Third, Sample::Line));
+    if any(&simulated) {
+        marks.extend(band(&simulated, Look::Plain, FILLS[1]));
+        let name = match curve.two_materials {
+            true => "simulated, most to least material",
+            false => "simulated",
+        };
+        legend.push(entry(name, Look::Plain, Sample::LineInBand(FILLS[1])));
+    }
+    if any(&analytic) {
+        marks.extend(outline(&analytic, Look::Third));
+        legend.push(entry("by formula (model 2)", Look::Third, Sample::Line));
+    }
     for (name, points, look) in [
         ("measured, right flanks", &right, Look::Right),
         ("measured, left flanks", &left, Look::Left),
@@ -91,15 +97,34 @@ pub fn distance(prefix: &str, title: &str, curve: &OverDistance) -> Result<Chart
     };
     // The bands come from below on the left.
     interference(&mut panel, x[0]);
+    panel.marks.extend(gaps(curve, [x, y]));
     let (wheel, pinion) = curve.mating;
-    let heading = Heading {
-        prefix,
-        title,
-        subtitle: &format!(
-            "mating {wheel}·{pinion} (wheel·pinion tooth) · lines: means of the right-flank and the left-flank pose"
-        ),
-    };
-    sheet::draw(&heading, &legend, &[panel])
+    let details = format!(
+        "mating {wheel}·{pinion} (wheel·pinion tooth) · lines: means of the right-flank and the left-flank pose"
+    );
+    sheet::draw(heading, &details, &legend, &[panel])
+}
+
+/// Why there is no simulated backlash, in the middle of each stretch of centre distances that has none.
+fn gaps(curve: &OverDistance, [x, y]: [[f64; 2]; 2]) -> impl Iterator<Item = Mark> {
+    let stretches = curve.points.chunk_by(|a, b| a.gap == b.gap);
+    stretches.filter_map(move |stretch| {
+        let status = stretch.first()?.gap?;
+        let ends = [stretch.first()?, stretch.last()?].map(|point| point.center_distance);
+        let middle = 0.5 * (ends[0] + ends[1]);
+        // A narrow stretch at an edge is named inside the plot.
+        let (at, shift, anchor) = match (middle - x[0]) / (x[1] - x[0]) {
+            part if part < 0.1 => (x[0], 6.0, Anchor::Start),
+            part if part > 0.9 => (x[1], -6.0, Anchor::End),
+            _ => (middle, 0.0, Anchor::Middle),
+        };
+        Some(Mark::Text {
+            at: [at, 0.5 * (y[0] + y[1])],
+            shift: [shift, 0.0],
+            text: without_value([status].into_iter()).to_owned(),
+            anchor,
+        })
+    })
 }
 
 fn band([low, high]: &[Vec<Point>; 2], look: Look, opacity: f64) -> [Mark; 3] {

@@ -2,8 +2,8 @@
 
 use super::bars::{BarSeries, legend, panel};
 use super::paint::Look;
-use super::panel::Sample;
-use super::words::{entry, micrometres};
+use super::panel::{Axis, Sample};
+use super::words::{self, entry, micrometres};
 use super::{Chart, Heading, sheet};
 use crate::error::Error;
 use crate::gear::{Inspection, Side};
@@ -15,12 +15,7 @@ const PANEL: f64 = 168.0;
 ///
 /// # Errors
 /// [`Error::Chart`]: none for a gear that has teeth.
-pub fn inspection(
-    prefix: &str,
-    title: &str,
-    gear: &str,
-    inspection: &Inspection,
-) -> Result<Chart, Error> {
+pub fn inspection(heading: &Heading, gear: &str, inspection: &Inspection) -> Result<Chart, Error> {
     let flanks = [
         (Side::Right, "right flanks", Look::Right),
         (Side::Left, "left flanks", Look::Left),
@@ -39,19 +34,24 @@ pub fn inspection(
         ("tooth thickness − mean", &thickness),
         ("displacement by the eccentricity, e cos", &runout),
     ];
-    // Panels without data are left out, but for a gear that has none at all.
-    let perfect = !inspection.deviates();
+    // Panels without data are left out.
     let deviates = |all: &[BarSeries]| {
         let mut values = all.iter().flat_map(|series| series.values.iter().flatten());
-        perfect || values.any(|value| *value != 0.0)
+        values.any(|value| *value != 0.0)
     };
     let mut shown: Vec<_> = panels
         .iter()
         .filter(|(_, series)| deviates(series))
         .filter_map(|(title, series)| panel([title, "", "µm"], PANEL, series))
         .collect();
+    if shown.is_empty() {
+        let words = "no pitch, thickness or runout deviations are given";
+        let teeth = inspection.runout().len() as f64;
+        shown.push(words::empty(Axis::new("", [0.4, teeth + 0.6]), words));
+    }
     if let Some(last) = shown.last_mut() {
         last.x.name = tooth;
+        last.x.teeth = u32::try_from(inspection.runout().len()).ok();
     }
     let mut names = Vec::new();
     if deviates(&single) {
@@ -76,12 +76,7 @@ pub fn inspection(
         ),
         false => format!("{gear} · no pitch deviations"),
     };
-    let heading = Heading {
-        prefix,
-        title,
-        subtitle: &subtitle,
-    };
-    sheet::draw(&heading, &names, &shown)
+    sheet::draw(heading, &subtitle, &names, &shown)
 }
 
 fn series<'a>(name: &'a str, values_mm: &[f64], look: Look) -> BarSeries<'a> {

@@ -79,5 +79,5 @@ pub fn lines(heading: &Heading, axes: LineAxes, series: &[LineSeries]) -> Result
     };
     // The axis names a single line.
     let legend = if series.len() > 1 { &legend[..] } else { &[] };
-    sheet::draw(heading, legend, &[panel])
+    sheet::draw(heading, "", legend, &[panel])
 }

@@ -18,12 +18,16 @@ mod distance;
 mod inspection;
 mod legend;
 mod lines;
+mod marks;
+mod materials;
 mod paint;
 mod panel;
 mod plot;
 mod revolution;
 mod sheet;
+mod thicket;
 mod thin;
+mod ticks;
 mod words;
 
 pub use bars::{BarPanel, BarSeries, Limits, bar_panels, bars};

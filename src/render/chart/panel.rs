@@ -14,6 +14,8 @@ pub(super) struct Axis {
     pub range: [f64; 2],
     /// Where the axis goes over tooth numbers: how many teeth there are. Numbers beyond start again.
     pub teeth: Option<u32>,
+    /// Without numbers and grid: there are no values.
+    pub bare: bool,
 }
 
 impl Axis {
@@ -22,6 +24,7 @@ impl Axis {
             name: name.to_owned(),
             range,
             teeth: None,
+            bare: false,
         }
     }
 }

@@ -2,7 +2,9 @@
 
 use super::paint::Look;
 use super::panel::{Anchor, Axis, Mark, Panel, Point, Sample, backlash_range};
-use super::words::{course_axis, course_words, entry, interference, micrometres};
+use super::words::{
+    course_axis, course_words, empty, entry, interference, micrometres, without_value,
+};
 use super::{Chart, Heading, sheet};
 use crate::curves::{Course, CourseLine, Extreme};
 use crate::error::Error;
@@ -17,16 +19,22 @@ const FILL: f64 = 0.2;
 ///
 /// # Errors
 /// [`Error::Chart`]: none for a course that has poses.
-pub fn revolution(prefix: &str, title: &str, course: &Course) -> Result<Chart, Error> {
-    let values = || {
-        let points = course.lines.iter().flat_map(|line| &line.points);
-        points.filter_map(|point| point.simulated_um)
+pub fn revolution(heading: &Heading, course: &Course) -> Result<Chart, Error> {
+    let points_of_all = || course.lines.iter().flat_map(|line| &line.points);
+    let without = || {
+        let without = points_of_all().filter(|point| point.simulated_um.is_none());
+        without_value(without.map(|point| point.status))
     };
-    let y = backlash_range(values());
+    let values = points_of_all().filter_map(|point| point.simulated_um);
+    let Some(y) = backlash_range(values) else {
+        let words = format!("no pose has a backlash: {}", without());
+        let panel = empty(course_axis(course), &words);
+        return sheet::draw(heading, &course_words(course), &[], &[panel]);
+    };
     let mut panel = Panel {
         title: String::new(),
         x: course_axis(course),
-        y: Axis::new("circumferential backlash j_wt, µm", y.unwrap_or([0.0, 1.0])),
+        y: Axis::new("circumferential backlash j_wt, µm", y),
         height: 360.0,
         marks: Vec::new(),
     };
@@ -88,25 +96,12 @@ pub fn revolution(prefix: &str, title: &str, course: &Course) -> Result<Chart, E
         }
         _ => {}
     }
-    if y.is_none() {
-        panel.marks.push(Mark::Text {
-            at: [0.5 * (panel.x.range[0] + panel.x.range[1]), 0.5],
-            shift: [0.0; 2],
-            text: "no value: jammed or out of mesh".to_owned(),
-            anchor: Anchor::Middle,
-        });
-    }
-    let gaps = |line: &CourseLine| line.points.iter().any(|point| point.simulated_um.is_none());
-    let gaps = match y.is_some() && course.lines.iter().any(gaps) {
-        true => " · gaps: jammed or out of mesh",
-        false => "",
+    let gaps = match points_of_all().any(|point| point.simulated_um.is_none()) {
+        true => format!(" · gaps: {}", without()),
+        false => String::new(),
     };
-    let heading = Heading {
-        prefix,
-        title,
-        subtitle: &format!("{}{gaps}", course_words(course)),
-    };
-    sheet::draw(&heading, &legend, &[panel])
+    let details = format!("{}{gaps}", course_words(course));
+    sheet::draw(heading, &details, &legend, &[panel])
 }
 
 fn points(line: &CourseLine) -> Vec<Point> {

@@ -3,15 +3,12 @@
 use super::paint::Look;
 use super::panel::{Anchor, Axis, Entry, Mark, Panel, Sample};
 use crate::curves::Course;
+use crate::mesh::Status;
+use crate::render::decimal::fixed;
 
-/// µm with one decimal and a true minus sign.
+/// µm with one decimal.
 pub(super) fn micrometres(value: f64) -> String {
-    let text = format!("{value:.1}");
-    match text.strip_prefix('-') {
-        Some("0.0") => "0.0".to_owned(),
-        Some(digits) => format!("−{digits}"),
-        None => text,
-    }
+    fixed(value, 1)
 }
 
 /// The axis of a course, with its number of teeth.
@@ -81,5 +78,39 @@ pub(super) fn entry(name: &str, look: Look, sample: Sample) -> Entry {
         name: name.to_owned(),
         look,
         sample,
+    }
+}
+
+/// A panel that says why it is empty.
+pub(super) fn empty(x: Axis, words: &str) -> Panel {
+    let middle = 0.5 * (x.range[0] + x.range[1]);
+    Panel {
+        title: String::new(),
+        x,
+        y: Axis {
+            bare: true,
+            ..Axis::new("", [0.0, 1.0])
+        },
+        height: 130.0,
+        marks: vec![Mark::Text {
+            at: [middle, 0.5],
+            shift: [0.0; 2],
+            text: words.to_owned(),
+            anchor: Anchor::Middle,
+        }],
+    }
+}
+
+/// Why there is no backlash, of poses that ended so.
+pub(super) fn without_value(statuses: impl Iterator<Item = Status>) -> &'static str {
+    let (mut jammed, mut apart) = (false, false);
+    for status in statuses {
+        jammed |= status == Status::Jammed;
+        apart |= status == Status::NoContact;
+    }
+    match (jammed, apart) {
+        (true, false) => "jammed",
+        (false, true) => "out of mesh",
+        _ => "jammed or out of mesh",
     }
 }

@@ -2,10 +2,10 @@
 
 use super::Page;
 use super::words::distance;
-use crate::curves::Course;
+use crate::curves::{Course, DistancePoint};
 use crate::error::Error;
 use crate::gear::Inspection;
-use crate::render::chart::{self, Chart};
+use crate::render::chart::{self, Chart, Heading};
 use maud::{Markup, PreEscaped, html};
 
 /// Centre distances and phases whose curves stand in the page (tuned: some 100 kB each).
@@ -18,7 +18,10 @@ pub(super) fn revolutions(page: &Page) -> Result<Markup, Error> {
             "Backlash over the teeth at a = {} mm",
             distance(course.center_distance)
         );
-        Ok(figure(&chart::revolution(&id(number), &title, course)?))
+        Ok(figure(&chart::revolution(
+            &heading(page, &id(number), &title),
+            course,
+        )?))
     };
     over_teeth(
         page,
@@ -77,7 +80,7 @@ pub(super) fn difference(page: &Page) -> Result<Markup, Error> {
             false => Ok(html! { p { (title) ": no pose has both values." } }),
             true => {
                 let prefix = format!("difference{number}");
-                let drawn = chart::difference(&prefix, &title, course, tolerance)?;
+                let drawn = chart::difference(&heading(page, &prefix, &title), course, tolerance)?;
                 Ok(figure(&drawn))
             }
         }
@@ -116,21 +119,54 @@ fn over_teeth(
     })
 }
 
-/// Backlash over the centre distance.
+/// Backlash over the centre distance: the mating that binds, the other measured ones to be opened.
 pub(super) fn over_distance(page: &Page) -> Result<Markup, Error> {
-    let curve = page.report.over_distance;
-    let (wheel, pinion) = curve.mating;
-    let shown = curve
-        .points
-        .iter()
-        .any(|point| point.bands.simulated.is_some());
-    if !shown && curve.measured.is_empty() {
-        return Ok(html! {
-            p { "Left out: over these centre distances the gears are jammed or out of mesh at teeth " (wheel) " and " (pinion) "." }
-        });
+    let mut figures = Vec::new();
+    for (number, curve) in page.report.over_distance.iter().enumerate() {
+        let simulated = |point: &DistancePoint| point.bands.simulated.is_some();
+        if !curve.points.iter().any(simulated) && curve.measured.is_empty() {
+            continue;
+        }
+        let (wheel, pinion) = curve.mating;
+        let binds = if number == 0 { ", which bind" } else { "" };
+        let title = format!("Backlash over the centre distance, teeth {wheel} and {pinion}{binds}");
+        let prefix = format!("distance{number}");
+        figures.push(figure(&chart::distance(
+            &heading(page, &prefix, &title),
+            curve,
+        )?));
     }
-    let title = format!("Backlash over the centre distance, teeth {wheel} and {pinion}");
-    Ok(figure(&chart::distance("distance", &title, curve)?))
+    let others = "backlash of the other measured matings over the centre distance";
+    let Some((first, rest)) = figures.split_first() else {
+        let matings: Vec<String> = page
+            .report
+            .over_distance
+            .iter()
+            .map(|curve| format!("{} and {}", curve.mating.0, curve.mating.1))
+            .collect();
+        return Ok(html! {
+            p { "Left out: over these centre distances the gears are jammed or out of mesh at teeth " (matings.join("; ")) "." }
+        });
+    };
+    Ok(html! {
+        (first)
+        @if !rest.is_empty() {
+            details {
+                summary { "More: " (others) }
+                @for figure in rest { (figure) }
+            }
+            (not_on_paper(others))
+        }
+    })
+}
+
+/// The heading of a chart: its title, and below it the pair's.
+fn heading<'h>(page: &Page<'h>, prefix: &'h str, title: &'h str) -> Heading<'h> {
+    Heading {
+        prefix,
+        title,
+        subtitle: &page.report.study.title,
+    }
 }
 
 /// Pitch, thickness and runout of each gear, tooth by tooth.
@@ -147,7 +183,7 @@ pub(super) fn inspections(page: &Page) -> Result<Markup, Error> {
         }
         let title = format!("Deviations of the {name}, tooth by tooth");
         let prefix = format!("inspection-{name}");
-        let drawn = chart::inspection(&prefix, &title, name, &inspection)?;
+        let drawn = chart::inspection(&heading(page, &prefix, &title), name, &inspection)?;
         Ok::<Markup, Error>(figure(&drawn))
     };
     Ok(html! {

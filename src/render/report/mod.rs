@@ -55,8 +55,8 @@ pub struct Report<'a> {
     pub revolution: &'a [ComparedRun],
     /// The hunting cycle beyond these.
     pub cycle: &'a Cycle,
-    /// One mating over the centre distance.
-    pub over_distance: &'a OverDistance,
+    /// Matings over the centre distance: the one that binds, then those that were measured.
+    pub over_distance: &'a [OverDistance],
     /// Measured values beside their bands.
     pub measured: &'a [MeasuredMating],
     /// Every check.

@@ -9,25 +9,15 @@ use crate::outcome::Outcome;
 use crate::phases::{phase_groups, variation};
 use crate::render::viewer;
 use maud::{Markup, PreEscaped, html};
-use std::borrow::Cow;
-
-/// Poses up to which the mesh view takes a run more (tuned: some 150 bytes each, a page of 8 MB at most).
-const MOST_VIEWED: usize = 30_000;
 
 pub(super) fn section(page: &Page) -> Result<Markup, Error> {
-    let viewed = viewed(page);
-    let runs: Cow<[ComparedRun]> = match viewed.len() == page.report.revolution.len() {
-        true => Cow::Borrowed(page.report.revolution),
-        false => viewed.iter().map(|run| (*run).clone()).collect(),
-    };
     let charts = charted(page);
     let charts: Vec<_> = charts
         .iter()
         .map(|(id, course)| (id.as_str(), *course))
         .collect();
-    let mesh = viewer::fragment(page.report.study, &runs, &charts)
+    let mesh = viewer::fragment(page.report.study, page.report.revolution, &charts)
         .map_err(|error| Error::Chart(format!("the poses cannot be written: {error}")))?;
-    let left_out = page.report.revolution.len() - viewed.len();
     Ok(html! {
         section id="backlash" {
             h2 { "Backlash and mesh" }
@@ -37,34 +27,10 @@ pub(super) fn section(page: &Page) -> Result<Markup, Error> {
             (revolutions(page)?)
             h3 { "The mesh" }
             (PreEscaped(mesh))
-            @if left_out > 0 {
-                p.note { (left_out) " of " (page.report.revolution.len()) " runs are left out here: the page would be too large." }
-            }
             h3 { "Over the centre distance" }
             (over_distance(page)?)
         }
     })
-}
-
-/// The runs the mesh view shows, in order: all, or the one with the least backlash and as many more as there is room for.
-fn viewed<'a>(page: &Page<'a>) -> Vec<&'a ComparedRun> {
-    let revolution = page.report.revolution;
-    let least = page.whole.least.map(|found| found.run);
-    let is_least = |run: &ComparedRun| least.is_some_and(|least| std::ptr::eq(least, run));
-    let first = revolution.iter().find(|run| is_least(run));
-    let first = first.or(revolution.first());
-    let mut room = MOST_VIEWED.saturating_sub(first.map_or(0, |run| run.poses.len()));
-    let fits = |run: &&ComparedRun| {
-        if first.is_some_and(|first| std::ptr::eq(first, *run)) {
-            return run.poses.len() <= MOST_VIEWED;
-        }
-        let fits = run.poses.len() <= room;
-        if fits {
-            room -= run.poses.len();
-        }
-        fits
-    };
-    revolution.iter().filter(fits).collect()
 }
 
 /// Each centre distance and material.

@@ -4,6 +4,8 @@ use crate::mesh::Contact;
 use crate::outcome::Found;
 pub(super) use crate::render::bound::bound;
 use crate::render::bound::scientific;
+pub(super) use crate::render::characters::plain;
+use crate::render::decimal::{fixed, shortest};
 use crate::study::Material;
 use maud::{Markup, html};
 
@@ -17,19 +19,12 @@ pub(super) fn value(number: Option<f64>, decimals: usize) -> String {
     let Some(number) = number else {
         return "–".to_owned();
     };
-    let text = format!("{number:.decimals$}");
-    match text.strip_prefix('-') {
-        Some(digits) if digits.chars().all(|c| c == '0' || c == '.') => digits.to_owned(),
-        Some(digits) => format!("−{digits}"),
-        None => text,
-    }
+    fixed(number, decimals)
 }
 
 /// As short as reads back to the same number: what a user wrote.
 pub(super) fn written(number: f64) -> String {
-    let text = format!("{number}");
-    text.strip_prefix('-')
-        .map_or_else(|| text.clone(), |digits| format!("−{digits}"))
+    shortest(number)
 }
 
 /// A centre distance in mm: three decimals, or as many as it has.
@@ -132,17 +127,6 @@ pub(super) fn pose(found: Found) -> String {
     )
 }
 
-/// The user's words with characters that a page cannot hold (controls, noncharacters) as spaces.
-pub(super) fn plain(text: &str) -> String {
-    let cannot = |c: char| {
-        let code = c as u32;
-        c.is_control() || (0xFDD0..=0xFDEF).contains(&code) || code & 0xFFFE == 0xFFFE
-    };
-    text.chars()
-        .map(|c| if cannot(c) { ' ' } else { c })
-        .collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -161,10 +145,5 @@ mod tests {
     fn a_small_difference_shows_its_size() {
         assert_eq!(fine(Some(-2.2e-15)), "−2·10⁻¹²");
         assert_eq!(fine(Some(-2.25218e-2)), "−22.5218");
-    }
-
-    #[test]
-    fn what_no_page_can_hold_becomes_a_space() {
-        assert_eq!(plain("a\u{0}b\u{FDD0}c\u{1FFFF}<d>"), "a b c <d>");
     }
 }

@@ -59,6 +59,7 @@ pub fn draw(study: &Study, run: &ComparedRun, pose: &ComparedPose, precision: Pr
     let clip = metal(Member::Wheel)
         .set("id", "viewer-clip-shape")
         .set("transform", turn(Member::Wheel));
+    // Dashes without end: a view 0.02 mm wide would have millions. The script cuts both to what is seen.
     let centres = line()
         .set("id", "viewer-centres")
         .set("d", format!("M0 0H{}", assembly.center_distance()))
@@ -92,6 +93,7 @@ pub fn draw(study: &Study, run: &ComparedRun, pose: &ComparedPose, precision: Pr
         .set("viewBox", home.as_str())
         .set("data-home", home)
         .set("data-whole", whole)
+        .set("data-narrowest", rounded(precision.narrowest(), 6))
         .set("role", "img")
         .set("aria-label", "Both gears in mesh")
         .set("font-family", "sans-serif")

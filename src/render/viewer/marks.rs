@@ -1,9 +1,11 @@
 //! What is drawn over the metal: axes, tooth numbers, contacts, normals. Strokes keep their width on the screen.
 
-use super::columns::{degrees, normal_degrees, touching};
+use super::columns::degrees;
+use super::contacts::{normal_degrees, touching};
 use super::precision::{Precision, rounded};
 use crate::compare::ComparedPose;
 use crate::gear::{Placed, Side};
+use crate::mesh::Status;
 use crate::pair::{Assembly, Member};
 use crate::render::page::{ACTION, GREY, INK};
 use svg::node::element::{Group, Path, Text};
@@ -105,7 +107,14 @@ pub fn marks(assembly: &Assembly, pose: &ComparedPose, side: Side, precision: Pr
             )
     };
     let open = side == Side::Left;
-    let group = Group::new().set("id", format!("viewer-{name}-contact"));
+    // An overlap of some µm is no pixel wide at first: its dots are red and large.
+    let class = match pose.swept.lost_motion.status() {
+        Status::Interference => "viewer-overlapping",
+        Status::Clear | Status::Jammed | Status::NoContact => "",
+    };
+    let group = Group::new()
+        .set("id", format!("viewer-{name}-contact"))
+        .set("class", class);
     let group = match contact {
         Some(_) => group,
         None => group.set("display", "none"),

@@ -2,16 +2,21 @@
 
 use crate::pair::{Assembly, Member};
 
-/// Chordal error of an outline, in modules: 0.5 µm at module 3. Chords do not show before a tooth is
-/// some 5 m high on the screen.
-const CHORD: f64 = 1.0 / 6000.0;
+/// Chordal error of an outline, in modules: 0.05 µm at module 3, so that a backlash of a few micrometres can be looked
+/// at and the dot of a contact stands on both outlines.
+const CHORD: f64 = 1.0 / 60_000.0;
 /// Teeth of both gears together up to which the chord holds. Beyond it grows with their square, for points
-/// go with teeth/√chord: outlines stay some 100 kB.
-const TEETH: f64 = 400.0;
+/// go with teeth/√chord: the outlines of a material stay some 500 kB.
+const TEETH: f64 = 130.0;
 /// Coarsest chord, in modules: teeth still look like teeth.
 const COARSEST: f64 = 1.0 / 50.0;
-/// A place is given to the power of ten below this part of a module: 0.1 µm at module 3.
-const PLACE: f64 = 1.0 / 30_000.0;
+/// A place is given to the power of ten below this part of a module, 0.01 µm at module 3, or, for large gears, the finest that stays exact in a browser.
+const PLACE: f64 = 1.0 / 150_000.0;
+/// Whole numbers below it are exact in the single precision browsers draw with: 24 bits.
+const EXACT: f64 = 16_777_216.0;
+/// Pixels that a chord may lie off its curve in the narrowest view, of a picture so many pixels wide.
+const OFF: f64 = 2.0;
+const PIXELS: f64 = 800.0;
 
 /// Chordal error and decimals of a drawing.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,12 +33,20 @@ impl Precision {
         let toothing = |member| *assembly.gear(member).gear().toothing();
         let (wheel, pinion) = (toothing(Member::Wheel), toothing(Member::Pinion));
         let module = wheel.module();
+        let reach = |member| assembly.gear(member).reach();
+        let reach = f64::max(reach(Member::Wheel), reach(Member::Pinion));
+        let exact = (EXACT / reach).log10().floor();
         let many = f64::from(wheel.teeth() + pinion.teeth()) / TEETH;
         Precision {
             chord: module * (CHORD * many.max(1.0).powi(2)).min(COARSEST),
-            // From 0 (module 1000 mm: 0.03 mm would do with 2) to 7; `ceil` of a negative is 0.
-            decimals: (-(PLACE * module).log10()).ceil().max(0.0) as usize,
+            // From 0 to 8; `ceil` of a negative is 0.
+            decimals: (-(PLACE * module).log10()).ceil().min(exact).max(0.0) as usize,
         }
+    }
+
+    /// Width of the narrowest view, mm: nearer, chords would show.
+    pub fn narrowest(&self) -> f64 {
+        self.chord * PIXELS / OFF
     }
 
     /// Length of the last decimal, mm.

@@ -1,17 +1,18 @@
 //! What is said of a pose beside the picture. `viewer.js` says the same of the others.
 
-use super::columns::touching;
+use super::contacts::touching;
 use super::precision::two_digits_up;
 use crate::compare::ComparedRun;
 use crate::gear::Side;
 use crate::mesh::{Contact, ContactClass, Status};
 use crate::pair::{Assembly, Member};
 use crate::render::caption::decimals;
+use crate::render::decimal::fixed;
 use crate::study::Material;
 
 /// What the marks mean.
 pub const LEGEND: &str = "Filled dot: the gears touch. Open dots: the two points of the other flanks that will meet. \
-    Blue: normals at the contacts, between involutes the line of action. \
+    Red and large: teeth have passed each other there. Blue: normals at the contacts, between involutes the line of action. \
     Red, where teeth overlap: metal of both gears. Dash-dotted: operating pitch circles.";
 
 /// A run by centre distance, material and phase.
@@ -63,8 +64,9 @@ pub fn draw(run: &ComparedRun, number: usize) -> String {
             .error_bound
             .map(|bound| two_digits_up(bound * 1e3)),
     );
-    let shown = j_wt.map_or("none".to_owned(), |j| format!("{} µm", micrometres(j)));
+    let shown = j_wt.map_or("none".to_owned(), |j| format!("{} µm", fixed(j, 3)));
     let full = j_wt.map_or(String::new(), |j| format!("{j}"));
+    let title = j_wt.map_or(String::new(), |j| format!("{j} µm"));
     let bound = bound.map_or("none".to_owned(), |bound| format!("≤ {bound:e} µm"));
     let rows = [
         ("run", "Run", self::run(run)),
@@ -90,21 +92,25 @@ pub fn draw(run: &ComparedRun, number: usize) -> String {
     });
     format!(
         "<p class=\"viewer-backlash\">Backlash <i>j</i><sub>wt</sub> = <output id=\"viewer-backlash\" aria-live=\"polite\" \
-         title=\"{full} µm\" data-um=\"{full}\">{shown}</output></p>\n<dl class=\"viewer-readout\">\n{}</dl>\n",
+         title=\"{title}\" data-um=\"{full}\">{shown}</output> <span id=\"viewer-overlapping\">{}</span></p>\n<dl class=\"viewer-readout\">\n{}</dl>\n",
+        overlapping(j_wt),
         rows.concat()
     )
 }
 
-fn status(status: Status) -> String {
-    status.name().replace('_', " ")
+/// What an overlap looks like.
+fn overlapping(j_wt_um: Option<f64>) -> String {
+    match j_wt_um {
+        Some(um) if um < 0.0 => {
+            format!(
+                "Teeth overlap by {} µm at the red dots: zoom in to see it.",
+                fixed(-um, 1)
+            )
+        }
+        _ => String::new(),
+    }
 }
 
-/// µm to 0.001, with a true minus sign and no negative zero.
-fn micrometres(um: f64) -> String {
-    let text = format!("{um:.3}");
-    match text.strip_prefix('-') {
-        Some("0.000") => "0.000".to_owned(),
-        Some(digits) => format!("−{digits}"),
-        None => text,
-    }
+fn status(status: Status) -> String {
+    status.name().replace('_', " ")
 }

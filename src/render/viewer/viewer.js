@@ -16,6 +16,16 @@
   const run = () => data.runs[shown.run];
   const poses = () => run().status.length;
   const value = (column) => run()[column][shown.pose];
+  const other = { right: "left", left: "right" };
+  // Where a page cannot hold all poses of a run, `number` says which these are.
+  const numberIn = (run, pose) => run.number?.[pose] ?? pose + 1;
+  const poseNumber = () => numberIn(run(), shown.pose);
+
+  // Where the contact on a side lies in the picture, y down; null without one.
+  function contactAt(side) {
+    const { x_mm, y_mm } = run()[side];
+    return x_mm[shown.pose] === null ? null : [x_mm[shown.pose], -y_mm[shown.pose]];
+  }
 
   function show() {
     const lost = value("lost_motion_deg") ?? 0;
@@ -30,7 +40,7 @@
     root.querySelectorAll(".viewer-met").forEach((number) => number.classList.remove("viewer-met"));
     for (const side of sides) showContact(side, lost, axes[data.free]);
     slider.value = shown.pose;
-    slider.setAttribute("aria-valuetext", `pose ${shown.pose + 1} of ${poses()}`);
+    slider.setAttribute("aria-valuetext", `pose ${poseNumber()} of ${run().of}`);
     showText();
     showCursor();
   }
@@ -40,6 +50,7 @@
     const contact = run()[side];
     const [x, y] = [contact.x_mm[shown.pose], contact.y_mm[shown.pose]];
     byId(side + "-contact").setAttribute("display", x === null ? "none" : "inline");
+    byId(side + "-contact").classList.toggle("viewer-overlapping", value("j_wt_um") < 0);
     if (x === null) return;
     const touches = side === shown.side;
     const back = touches ? 0 : side === "left" ? -lost : lost;
@@ -65,13 +76,14 @@
     const [wheel, pinion] = run().mating.map((teeth) => teeth[shown.pose]);
     const flank = value("left_flank") ? "left" : "right";
     set("run", run().label);
-    set("pose", `${shown.pose + 1} of ${poses()}: wheel tooth ${wheel} with pinion tooth ${pinion}, ${flank} flank${beyond}`);
-    set("status", data.statuses[value("status")].replace("_", " "));
+    set("pose", `${poseNumber()} of ${run().of}: wheel tooth ${wheel} with pinion tooth ${pinion}, ${flank} flank${beyond}`);
+    set("status", data.statuses[value("status")].replaceAll("_", " "));
     const backlash = value("j_wt_um");
     const output = byId("backlash");
-    output.textContent = backlash === null ? "none" : micrometres(backlash) + " µm";
+    output.textContent = backlash === null ? "none" : fixed(backlash, 3) + " µm";
     output.dataset.um = backlash ?? "";
     output.title = backlash === null ? "" : backlash + " µm";
+    set("overlapping", backlash < 0 ? `Teeth overlap by ${fixed(-backlash, 1)} µm at the red dots: zoom in to see it.` : "");
     const bound = value("error_bound_um");
     set("bound", bound === null ? "none" : `≤ ${bound.toExponential().replace("e+", "e")} µm`);
     for (const side of sides) {
@@ -81,15 +93,24 @@
     }
   }
 
-  function micrometres(um) {
-    const text = um.toFixed(3);
-    return text === "-0.000" ? "0.000" : text.replace("-", "−");
+  function fixed(number, decimals) {
+    const text = number.toFixed(decimals);
+    return Number(text) === 0 ? text.replace("-", "") : text.replace("-", "−");
   }
 
   // ---- stepping
   function choosePose(pose) {
+    const before = held();
     shown.pose = Math.min(Math.max(pose, 0), poses() - 1);
     show();
+    follow(before);
+  }
+
+  // The same pose of another run, or the nearest to it that the page has.
+  function samePose(number) {
+    const wanted = poseNumber();
+    const off = (pose) => Math.abs(numberIn(data.runs[number], pose) - wanted);
+    return data.runs[number].status.reduce((best, _, pose) => (off(pose) < off(best) ? pose : best), 0);
   }
 
   function chooseRun(number, pose) {
@@ -100,13 +121,10 @@
       use.setAttribute("href", `#viewer-${use.dataset.outline}-${run().outlines}`);
     });
     members.forEach((member, i) => {
-      const r = run().pitch_radius_mm[i];
-      const circle = byId("pitch-" + member);
-      circle.setAttribute("d", `M${r} 0A${r} ${r} 0 1 1 -${r} 0A${r} ${r} 0 1 1 ${r} 0Z`);
-      circle.setAttribute("transform", `translate(${i * run().center_distance_mm} 0)`);
+      byId("pitch-" + member).setAttribute("transform", `translate(${i * run().center_distance_mm} 0)`);
     });
-    byId("centres").setAttribute("d", `M0 0H${run().center_distance_mm}`);
     choosePose(pose);
+    showDashes();
   }
 
   let playing = null;
@@ -129,7 +147,7 @@
   // ---- zoom and pan: the viewBox
   const box = (text) => text.split(" ").map(Number);
   const [home, whole] = [box(picture.dataset.home), box(picture.dataset.whole)];
-  const NARROWEST = home[2] / 2000;
+  const NARROWEST = Math.min(Number(picture.dataset.narrowest), home[2]);
   const WIDEST = whole[2] * 2;
   let view = home;
 
@@ -137,6 +155,36 @@
     view = to;
     picture.setAttribute("viewBox", view.join(" "));
     showScale();
+    showDashes();
+  }
+
+  // A dash costs the browser as much out of sight as in it, and keeps its length on the screen: of the dashed lines no
+  // more is drawn than may be seen (on paper, too, where the picture has another shape): what lies within `reach` of the
+  // middle.
+  const PIECES = 128;
+  function showDashes() {
+    const box = picture.getBoundingClientRect();
+    const scale = picture.getScreenCTM().a;
+    const reach = Math.hypot(box.width, box.height) / scale;
+    const middle = [view[0] + view[2] / 2, -(view[1] + view[3] / 2)];
+    const [from, to] = [middle[0] - reach, middle[0] + reach].map((x) => Math.min(Math.max(x, 0), run().center_distance_mm));
+    byId("centres").setAttribute("d", from < to && Math.abs(middle[1]) < reach ? `M${from} 0H${to}` : "");
+    // So that dashes stand still while the line is cut elsewhere.
+    byId("centres").setAttribute("stroke-dashoffset", from * scale % 38);
+    members.forEach((member, i) => {
+      const r = run().pitch_radius_mm[i];
+      const [x, y] = [middle[0] - i * run().center_distance_mm, middle[1]];
+      const away = Math.hypot(x, y);
+      // The half angle h of the arc by sin² h/2, which does not cancel where the reach is far below the radius.
+      const square = (reach ** 2 - (away - r) ** 2) / (4 * away * r);
+      const half = square >= 1 || away === 0 ? Math.PI : square > 0 ? 2 * Math.asin(Math.sqrt(square)) : 0;
+      const first = half < Math.PI ? Math.atan2(y, x) - half : 0;
+      const spots = Array.from({ length: PIECES + 1 }, (_, k) => first + 2 * half * k / PIECES)
+        .map((angle) => `${r * Math.cos(angle)} ${r * Math.sin(angle)}`);
+      const circle = byId("pitch-" + member);
+      circle.setAttribute("d", half > 0 ? "M" + spots.join("L") : "");
+      circle.setAttribute("stroke-dashoffset", first * r * scale % 22);
+    });
   }
 
   // How many millimetres the picture is wide on the screen.
@@ -145,8 +193,30 @@
     byId("scale").textContent = `${wide.toPrecision(3)} mm wide`;
   }
 
+  const inView = (at) => at && at[0] > view[0] && at[0] < view[0] + view[2] && at[1] > view[1] && at[1] < view[1] + view[3];
+
+  // The side whose contact keys and buttons zoom about: the one shown, or else the other, where in view.
+  const heldSide = () => [shown.side, other[shown.side]].find((side) => inView(contactAt(side)));
+  const held = () => { const side = heldSide(); return side && { side, at: contactAt(side) }; };
+
+  // Near by, the view goes along with the contact from pose to pose.
+  const NEAR = home[2] / 8;
+  function follow(before) {
+    const now = before && contactAt(before.side);
+    if (now && view[2] < NEAR) pan(now[0] - before.at[0], now[1] - before.at[1]);
+  }
+
+  // The other flank's gap, or the overlap there, a quarter of the picture wide.
+  function lookAtGap() {
+    const at = contactAt(other[shown.side]);
+    if (!at) return;
+    const width = Math.min(Math.max(Math.abs(value("j_wt_um")) / 1000 * 4, NARROWEST), home[2]);
+    const height = width * home[3] / home[2];
+    look([at[0] - width / 2, at[1] - height / 2, width, height]);
+  }
+
   // `at`: the place that stays where it is, in units of the viewBox.
-  function zoom(factor, at = [view[0] + view[2] / 2, view[1] + view[3] / 2]) {
+  function zoom(factor, at = held()?.at ?? [view[0] + view[2] / 2, view[1] + view[3] / 2]) {
     const width = Math.min(Math.max(view[2] / factor, NARROWEST), WIDEST);
     const part = width / view[2];
     look([at[0] + (view[0] - at[0]) * part, at[1] + (view[1] - at[1]) * part, width, view[3] * part]);
@@ -174,9 +244,11 @@
       const [from, to] = [placeIn(picture, before), placeIn(picture, event)];
       pan(from[0] - to[0], from[1] - to[1]);
     }
-    const apart = pointers.size === 2 ? spread() : 0;
+    const two = pointers.size === 2;
+    const apart = two ? spread() : 0;
     pointers.set(event.pointerId, event);
-    if (pointers.size === 2) {
+    // Two fingers on one spot have no ratio.
+    if (two && apart > 0 && spread() > 0) {
       const [a, b] = [...pointers.values()].map((pointer) => placeIn(picture, pointer));
       zoom(spread() / apart, [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2]);
     }
@@ -191,9 +263,14 @@
   for (const end of ["pointerup", "pointercancel"]) {
     picture.addEventListener(end, (event) => pointers.delete(event.pointerId));
   }
+  // A notch of a mouse's wheel is 100 pixels or so or 3 lines: a fifth. A trackpad sends many small steps.
+  const PIXELS_A_STEP = [1, 33, 800];
+  const NOTCH = 100;
   picture.addEventListener("wheel", (event) => {
+    if (Math.abs(event.deltaY) <= Math.abs(event.deltaX)) return; // the page's own
     event.preventDefault();
-    zoom(Math.exp(-Math.sign(event.deltaY) * 0.2), placeIn(picture, event));
+    const pixels = event.deltaY * PIXELS_A_STEP[event.deltaMode];
+    zoom(Math.exp(-0.2 * Math.min(Math.max(pixels / NOTCH, -1), 1)), placeIn(picture, event));
   }, { passive: false });
 
   // ---- keys: anywhere in the viewer, but arrows stay with the slider and the lists
@@ -229,29 +306,44 @@
 
   function showCursor() {
     const svg = run().chart && document.getElementById(run().chart);
-    if (!svg) return cursor.remove();
+    byId("no-curve").hidden = Boolean(svg);
+    if (!svg || value("chart_x") === null) return cursor.remove();
     const f = frame(svg);
     const x = f.left + (value("chart_x") - f.x0) / (f.x1 - f.x0) * (f.right - f.left);
     for (const [name, at] of [["x1", x], ["x2", x], ["y1", f.top], ["y2", f.bottom]]) cursor.setAttribute(name, at);
-    svg.append(cursor);
+    // Labels stay readable above it.
+    svg.insertBefore(cursor, svg.querySelector(".gearlash-labels"));
   }
 
-  // Nearest across; of several poses there, the one whose backlash is nearest to the click.
+  // A cursor in a folded curve would not be seen.
+  function unfoldCurve() {
+    const folded = document.getElementById(run().chart)?.closest("details:not([open])");
+    if (folded) folded.open = true;
+  }
+
+  // Of each curve, a run and a flank, the pose nearest across; of these the one whose backlash is nearest to the click.
   function jump(svg, event) {
     const f = frame(svg);
     const [left, down] = placeIn(svg, event);
     const x = f.x0 + (left - f.left) / (f.right - f.left) * (f.x1 - f.x0);
     const y = f.y0 + (f.bottom - down) / (f.bottom - f.top) * (f.y1 - f.y0);
-    let best = { across: Infinity, up: Infinity };
+    const nearest = [];
     for (const number of charts.get(svg)) {
-      const { chart_x, j_wt_um } = data.runs[number];
-      chart_x.forEach((place, pose) => {
-        const across = Math.abs(place - x);
-        const up = j_wt_um[pose] === null ? Infinity : Math.abs(j_wt_um[pose] - y);
-        const nearer = across < best.across || (across === best.across && up < best.up);
-        if (nearer) best = { number, pose, across, up };
-      });
+      const { chart_x, j_wt_um, left_flank } = data.runs[number];
+      for (const flank of [0, 1]) {
+        let best = null;
+        chart_x.forEach((place, pose) => {
+          if (place === null || left_flank[pose] !== flank) return;
+          const across = Math.abs(place - x);
+          if (!best || across < best.across) {
+            best = { number, pose, across, up: j_wt_um[pose] === null ? Infinity : Math.abs(j_wt_um[pose] - y) };
+          }
+        });
+        if (best) nearest.push(best);
+      }
     }
+    const [best] = nearest.sort((a, b) => (a.up === b.up ? a.across - b.across : a.up - b.up));
+    if (!best) return;
     play(false);
     chooseRun(best.number, best.pose);
   }
@@ -263,7 +355,11 @@
 
   // ---- controls
   data.runs.forEach((each, number) => byId("runs").add(new Option(each.label, number)));
-  byId("runs").addEventListener("change", (event) => chooseRun(Number(event.target.value), shown.pose));
+  byId("runs").addEventListener("change", (event) => {
+    const number = Number(event.target.value);
+    chooseRun(number, samePose(number));
+    unfoldCurve();
+  });
   slider.addEventListener("input", () => { play(false); choosePose(Number(slider.value)); });
   root.querySelectorAll("[name=viewer-side]").forEach((radio) => radio.addEventListener("change", () => {
     shown.side = radio.value;
@@ -272,6 +368,7 @@
   const clicks = {
     back: () => step(-1), on: () => step(1), play: () => play(playing === null),
     in: () => zoom(ZOOM), out: () => zoom(1 / ZOOM), home: () => look(home), whole: () => look(whole),
+    gap: lookAtGap,
   };
   for (const [name, act] of Object.entries(clicks)) byId(name).addEventListener("click", act);
   picture.setAttribute("tabindex", "0");
@@ -282,5 +379,5 @@
   shown.side = root.querySelector("[name=viewer-side]:checked")?.value ?? "right";
   chooseRun(shown.run, shown.pose);
   showScale();
-  addEventListener("resize", showScale);
+  addEventListener("resize", () => { showScale(); showDashes(); });
 })();

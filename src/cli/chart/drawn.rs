@@ -1,0 +1,155 @@
+//! What each kind of chart is drawn from.
+
+use super::super::distances::Distances;
+use super::super::drawing::{End, material};
+use super::super::method::{agreement, agreement_within};
+use super::super::progress::Progress;
+use super::{Args, Gear, Kind};
+use crate::compare::compare;
+use crate::curves::{self, Course};
+use crate::error::Error;
+use crate::gear::Inspection;
+use crate::mesh::Method;
+use crate::render::chart::{self, Chart, Heading};
+use crate::simulate::{pose_count, simulate};
+use crate::study::Study;
+
+/// A chart and the name of its file.
+pub(super) struct Drawn {
+    pub chart: Chart,
+    pub file: String,
+    /// Whether both methods agree, where both were asked for.
+    pub agrees: bool,
+}
+
+impl Drawn {
+    /// A curve over the teeth at one centre distance.
+    pub fn over_teeth(args: &Args, study: Study) -> Result<Drawn, Error> {
+        let mut study = curves::swept(study);
+        if let Some(end) = args.material {
+            let wanted = material(end, &study)?;
+            study.materials.retain(|(material, ..)| *material == wanted);
+        }
+        let distance = match &args.center_distance {
+            Some(Distances(given)) if given.len() == 1 => given.clone(),
+            Some(_) => {
+                return Err(Error::Usage(
+                    "--center-distance: a chart is drawn at one centre distance".to_owned(),
+                ));
+            }
+            None => study.center_distances.iter().take(1).copied().collect(),
+        };
+        if args.center_distance.is_none() && study.center_distances.len() > 1 {
+            eprintln!(
+                "note: at the first of {} centre distances; choose with --center-distance",
+                study.center_distances.len()
+            );
+        }
+        let study = study
+            .at(distance)
+            .map_err(|reason| Error::Usage(format!("--center-distance: {reason}")))?;
+        let progress = Progress::start(curves::revolution_pose_count(&study)?);
+        let runs = curves::revolution(&study, args.method.method(), &|| progress.tick())?;
+        progress.finish()?;
+        let courses = curves::courses(&runs);
+        let course = courses
+            .first()
+            .ok_or_else(|| Error::Usage("the pair file asks for no poses".to_owned()))?;
+        if let (Some((wheel, pinion)), true) = (course.phase, courses.len() > 1) {
+            eprintln!(
+                "note: phase {wheel},{pinion}, the first of {}; for another give [sweep] revolutions and start",
+                courses.len()
+            );
+        }
+        let (name, chart) = match args.kind {
+            Kind::Difference => (
+                "difference",
+                chart::difference(&heading(&study), course, study.tolerance_um)?,
+            ),
+            _ => ("revolution", chart::revolution(&heading(&study), course)?),
+        };
+        Ok(Drawn {
+            file: file(name, args, course),
+            agrees: agreement(&runs),
+            chart,
+        })
+    }
+
+    /// One mating over the centre distance.
+    pub fn over_distance(args: &Args, study: &Study) -> Result<Drawn, Error> {
+        let mating = match args.mating {
+            Some(given) => given,
+            None => binding(study)?,
+        };
+        let progress = Progress::start(curves::over_distance_pose_count(study));
+        let method = args.method.method();
+        let curve = curves::over_distance(study, Some(mating), method, &|| progress.tick())?;
+        progress.finish()?;
+        let (wheel, pinion) = curve.mating;
+        Ok(Drawn {
+            chart: chart::distance(&heading(study), &curve)?,
+            file: format!("chart_distance_{wheel}_{pinion}.svg"),
+            agrees: agreement_within(curve.polygon_difference),
+        })
+    }
+
+    /// One gear's deviations.
+    pub fn inspection(args: &Args, study: &Study) -> Result<Drawn, Error> {
+        let gears = study.materials.first();
+        let (_, wheel, pinion) =
+            gears.ok_or_else(|| Error::Usage("the pair file has no gears".to_owned()))?;
+        let (name, gear) = match args.gear {
+            Some(Gear::Pinion) => ("pinion", pinion),
+            Some(Gear::Wheel) | None => ("wheel", wheel),
+        };
+        let inspection = Inspection::of(gear);
+        Ok(Drawn {
+            chart: chart::inspection(&heading(study), name, &inspection)?,
+            file: format!("chart_inspection_{name}.svg"),
+            agrees: true,
+        })
+    }
+}
+
+fn heading(study: &Study) -> Heading<'_> {
+    Heading {
+        prefix: "chart",
+        title: &study.title,
+        subtitle: "",
+    }
+}
+
+fn file(name: &str, args: &Args, course: &Course) -> String {
+    let end = match args.material {
+        Some(End::Most) => "_most",
+        Some(End::Least) => "_least",
+        None => "",
+    };
+    format!("chart_{name}_a{}{end}.svg", course.center_distance)
+}
+
+/// The mating that binds over whole revolutions at the least centre distance and the poses of the pair file, as a
+/// report names it; at all distances where the least has no backlash.
+fn binding(study: &Study) -> Result<(u32, u32), Error> {
+    // It is only chosen here: what is drawn is certified.
+    let method = Method::Exact { certify: false };
+    let swept = curves::swept(study.clone());
+    let least = study.center_distances.iter().copied().reduce(f64::min);
+    let nearest = swept.clone().at(least.into_iter().collect());
+    let nearest = nearest.map_err(|reason| Error::Usage(format!("[assembly] {reason}")))?;
+    let progress = Progress::start(pose_count(study)? + curves::revolution_pose_count(&nearest)?);
+    let tick = || progress.tick();
+    let asked = compare(simulate(study, method, &tick)?, study.tolerance_um);
+    let revolution = curves::revolution(&nearest, method, &tick)?;
+    progress.finish()?;
+    let mut binding = curves::binding_mating(revolution.iter().chain(&asked));
+    if binding.is_none() && study.center_distances.len() > 1 {
+        let progress = Progress::start(curves::revolution_pose_count(&swept)?);
+        let revolution = curves::revolution(&swept, method, &|| progress.tick())?;
+        progress.finish()?;
+        binding = curves::binding_mating(revolution.iter());
+    }
+    let (wheel, pinion) = curves::matings_of_note(study, binding)[0];
+    eprintln!("note: mating {wheel},{pinion}, which binds; choose with --mating");
+    Ok((wheel, pinion))
+}

@@ -1,0 +1,84 @@
+//! The contacts on one side as the script reads them.
+
+use super::precision::{Precision, rounded};
+use super::readout;
+use crate::gear::Side;
+use crate::mesh::{Contact, SweptPose};
+use crate::pair::Assembly;
+use serde::Serialize;
+
+/// Decimals of a normal's direction in degrees: 0.1 µm along the longest line drawn at module 3.
+const NORMAL: usize = 3;
+
+/// An entry a pose; null where nothing of it is a number.
+#[derive(Default, Serialize)]
+pub struct Contacts {
+    wheel: Vec<Option<u32>>,
+    pinion: Vec<Option<u32>>,
+    /// Counts the classes of all runs.
+    class: Vec<Option<usize>>,
+    x_mm: Vec<Option<f64>>,
+    y_mm: Vec<Option<f64>>,
+    normal_deg: Vec<Option<f64>>,
+}
+
+impl Contacts {
+    /// Those of `poses` on `side`. Classes that are not in `classes` yet are added there.
+    pub fn of<'p>(
+        assembly: &Assembly,
+        side: Side,
+        poses: impl Iterator<Item = &'p SweptPose>,
+        precision: Precision,
+        classes: &mut Vec<String>,
+    ) -> Contacts {
+        let mut contacts = Contacts::default();
+        for pose in poses {
+            contacts.push(assembly, side, touching(pose, side), precision, classes);
+        }
+        contacts
+    }
+
+    fn push(
+        &mut self,
+        assembly: &Assembly,
+        side: Side,
+        contact: Option<&Contact>,
+        precision: Precision,
+        classes: &mut Vec<String>,
+    ) {
+        let class = contact.map(|contact| {
+            let class = readout::class(assembly, side, contact);
+            let known = classes.iter().position(|known| *known == class);
+            known.unwrap_or_else(|| {
+                classes.push(class);
+                classes.len() - 1
+            })
+        });
+        let place = |value: f64| rounded(value, precision.decimals);
+        self.wheel.push(contact.map(|c| c.wheel.tooth));
+        self.pinion.push(contact.map(|c| c.pinion.tooth));
+        self.class.push(class);
+        self.x_mm.push(contact.map(|c| place(c.point.x)));
+        self.y_mm.push(contact.map(|c| place(c.point.y)));
+        self.normal_deg.push(contact.map(normal_degrees));
+    }
+}
+
+/// The contact on `side`; none where nothing of the pose is a number.
+pub fn touching(pose: &SweptPose, side: Side) -> Option<&Contact> {
+    let contact = match side {
+        Side::Right => &pose.lost_motion.right,
+        Side::Left => &pose.lost_motion.left,
+    };
+    contact
+        .as_ref()
+        .filter(|_| pose.lost_motion.angle().is_some())
+}
+
+/// Direction of a contact's normal, degrees.
+pub fn normal_degrees(contact: &Contact) -> f64 {
+    rounded(
+        contact.normal.y.atan2(contact.normal.x).to_degrees(),
+        NORMAL,
+    )
+}

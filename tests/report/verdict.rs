@@ -1,6 +1,6 @@
 //! Does the pair assemble: the sentence at the head of the page.
 
-use crate::command::{folder, gearlash, page};
+use crate::command::{folder, gearlash, page, page_with};
 use crate::page::plain;
 use crate::words::{row, select, text};
 use scraper::Html;
@@ -68,6 +68,25 @@ fn a_pair_that_interferes_later_in_the_hunting_cycle_does_not_assemble() {
         ),
         "{notes}"
     );
+}
+
+/// 301 and 300 teeth meet in 90 300 pairs: at 16 poses a pitch more than are gone through, at 8 not. The least and
+/// greatest of all 1 444 800 poses, swept once by `simulate` with `revolutions = "hunting"`: 3.64017 and 40.07237 µm.
+#[test]
+fn a_long_cycle_is_gone_through_in_wider_steps_and_then_finely() {
+    let gear = |name: &str, teeth: u32, runout: &str| {
+        format!(
+            "[{name}]\nteeth = {teeth}\nmodule_mm = 1.0\npressure_angle_deg = 20.0\nrunout = {runout}\n"
+        )
+    };
+    let wheel = gear("wheel", 301, "{ total_um = 20, high_tooth = 17 }");
+    let pinion = gear("pinion", 300, "{ total_um = 30, high_tooth = 150 }");
+    let text = format!("{wheel}{pinion}[assembly]\ncenter_distance_mm = 300.53\n");
+    let document = Html::parse_document(&page_with(&text, &["--no-certify"]));
+    let cells = row(&document, "#result", "300.530");
+    assert_eq!([&cells[2], &cells[5]], ["3.64", "40.07"]);
+    let notes = notes(&document);
+    assert!(notes.contains("(719992 poses, 8 a pitch)"), "{notes}");
 }
 
 /// 1999 and 2000 teeth meet in 3 998 000 pairs, more than the 1 000 000 poses gone through at most.

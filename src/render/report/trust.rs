@@ -4,6 +4,7 @@ use super::Page;
 use super::cycle::limit;
 use super::measured::sentence;
 use super::words::{bound, fine, j_wt, written};
+use crate::cycle::Others;
 use crate::mesh::Method;
 use crate::outcome::{MODELS, deviation};
 use maud::{Markup, html};
@@ -80,6 +81,9 @@ fn certificate(page: &Page) -> Markup {
         @if let Some(largest) = largest { "Both lie within " (bound(largest)) " µm. " }
         @if let Some(error) = page.whole.error_bound {
             "The numerical error of " (j_wt()) " is at most " (bound(error)) " µm."
+        }
+        @if matches!(page.report.cycle.others, Others::Seen { .. }) {
+            " Of the rest of the hunting cycle this holds at its extremes; the other poses were found on the exact tooth curves alone."
         }
     }
 }

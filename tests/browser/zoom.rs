@@ -206,6 +206,9 @@ pub fn two_fingers_pinch(browser: &Chromium, site: &Site) {
     tab.eval("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(true))))");
     let last = view(&mut tab);
     assert!(last.iter().all(|value| value.is_finite()), "{last:?}");
+    // One finger after the other: to half, from a spot to nothing (left out), twice, and by 60/50.
+    let factor = near[2] / last[2];
+    assert!((factor - 1.2).abs() < 0.02, "{factor}: {last:?}");
     assert!(tab.events("Runtime.exceptionThrown").is_empty());
 }
 

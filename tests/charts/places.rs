@@ -281,11 +281,8 @@ fn labels_are_drawn_last_and_haloed() {
     let chart = chart::revolution(&heading("c", "t"), &course).unwrap();
     let document = Document::parse(&chart.svg).unwrap();
     let root = document.root_element();
-    let last = root
-        .children()
-        .filter(|node| node.is_element())
-        .last()
-        .unwrap();
+    let mut children = root.children();
+    let last = children.rfind(|node| node.is_element()).unwrap();
     assert_eq!(last.attribute("class"), Some("gearlash-labels"));
     assert_eq!(last.attribute("paint-order"), Some("stroke"));
     assert_eq!(last.attribute("stroke"), Some("#ffffff"));

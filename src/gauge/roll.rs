@@ -14,6 +14,7 @@ use crate::error::Error;
 use crate::gear::{AsBuilt, Face, Gear};
 use crate::mesh::{Contact, ExactKernel, LostMotion, PoseClass};
 use crate::pair::{Assembly, Mating, Member, Pose, SweepPlan};
+use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
 /// One pose of the roll test.
@@ -154,6 +155,7 @@ fn sample(assembly: &Assembly, guess: f64, mating: &Mating) -> Result<Option<Sam
     };
     let at = assembly.at(high)?;
     let pose = Pose::new(&at, mating_there);
+    let left = pose.locked_rotation() - rotation;
     let found = ExactKernel::new(&at).lost_motion(&pose)?;
     // Play changes by 2 sin α_wt a unit of distance; the kernel's own error shifts the zero by as much the other way.
     let slope = 2.0 * at.operating_pressure_angle().sin();
@@ -165,7 +167,8 @@ fn sample(assembly: &Assembly, guess: f64, mating: &Mating) -> Result<Option<Sam
         }),
         pose: RollPose {
             mating: *mating,
-            rotation,
+            // What is left of turning back; the mating there may count from the tooth before, a revolution off.
+            rotation: rotation + left - TAU * (left / TAU).round(),
             distance: 0.5 * (low + high),
             error: 0.5 * (high - low) + play / slope,
             class: PoseClass::of(&at, &found),

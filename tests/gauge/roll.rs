@@ -113,7 +113,7 @@ fn extremes_between_poses_are_bracketed() {
             };
             measure(&part, settings).roll.unwrap()
         };
-        let (few, many) = (roll(16), roll(16 * 13));
+        let (few, many) = (roll(16), roll(16 * 5));
         let error = 2.0 * few.reading_error();
         // Over the even poses alone, which share nothing with the search.
         let ends = |poses: &[RollPose]| {
@@ -133,7 +133,7 @@ fn extremes_between_poses_are_bracketed() {
         let count = many.poses.len();
         let within = (0..count)
             .map(|first| {
-                let window: Vec<RollPose> = (first..=first + 16 * 13)
+                let window: Vec<RollPose> = (first..=first + 16 * 5)
                     .map(|i| many.poses[i % count])
                     .collect();
                 let [least, most] = ends(&window);

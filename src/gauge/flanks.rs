@@ -59,11 +59,6 @@ impl PitchReadings {
             .fold(0.0, |most, f| f64::max(most, f.abs()))
     }
 
-    /// Least and greatest `F`, mm.
-    pub fn ends(&self, own: Side) -> [f64; 2] {
-        ends(self.cumulative.flank(own).iter().copied())
-    }
-
     /// Total cumulative deviation `F_p`, mm: the range of `F`.
     pub fn total(&self, own: Side) -> f64 {
         range(self.cumulative.flank(own).iter().copied())

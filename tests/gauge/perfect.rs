@@ -196,10 +196,9 @@ fn names_what_it_touches_off_the_involute() {
     let gear = part.gear();
     let curves = |settings: Settings| {
         let found = measure(&part, settings);
-        let ball = found
+        found
             .runout
-            .map(|runout| runout.readings[0].seat.touched[0].curve);
-        ball
+            .map(|runout| runout.readings[0].seat.touched[0].curve)
     };
     let ball = |ball| {
         curves(Settings {

@@ -77,7 +77,7 @@ fn bracket(low: f64, high: f64, inward: f64) -> [f64; 2] {
 /// behind which the other lies.
 ///
 /// On the circle `|C + r_a e^{iβ}| = ρ`: `cos(β − arg C) = (ρ² − |C|² − r_a²)/(2 |C| r_a)`.
-fn on_land(half: &Placed, rho: f64) -> Option<f64> {
+pub(super) fn on_land(half: &Placed, rho: f64) -> Option<f64> {
     let shape = half.shape;
     let (centre, radius) = (half.centre, shape.tip_radius);
     let distance = centre.norm();
@@ -85,7 +85,7 @@ fn on_land(half: &Placed, rho: f64) -> Option<f64> {
     if !(cos.abs() <= 1.0) {
         return None;
     }
-    let (_, corner) = shape.range(Curve::Tip);
+    let (far, corner) = half.range(Curve::Tip);
     // From the tooth's centre line, clockwise positive.
     let middle = (half.direction * centre.conj()).arg();
     [cos.acos(), -cos.acos()]
@@ -94,6 +94,6 @@ fn on_land(half: &Placed, rho: f64) -> Option<f64> {
             t - TAU * (t / TAU).round()
         })
         .into_iter()
-        .filter(|t| (0.0..=corner).contains(t))
+        .filter(|t| (far..=corner).contains(t))
         .reduce(f64::max)
 }

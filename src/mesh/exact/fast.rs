@@ -5,7 +5,7 @@
 
 use super::branch::search;
 use super::certificate::{Certificate, Setting};
-use super::corner::{meet, turns_back};
+use super::corner::{meet, on_land, turns_back};
 use super::curves::Unsettled;
 use super::envelope::Envelope;
 use super::facing::{Facing, Stand};
@@ -98,6 +98,10 @@ impl Stand<'_> {
                     self.locked_corner(shortcut, step, (corner, near), &mut level, ties);
                 }
             }
+            // A land that is not quite round may pass the near corner clear and end on the far one.
+            if shortcut.free_off > 0.0 {
+                self.far_corner(shortcut, step, locked_place, &mut level, ties);
+            }
             for &corner in theirs.shape.corners() {
                 let near = (facing * corner.1 - centre) * seen.conj();
                 let clear = known && shortcut.locked.clears(near);
@@ -127,6 +131,33 @@ impl Stand<'_> {
         if let Some(met) = meet(&free, shortcut.certificate.free_fillet, rho, near) {
             let edge = (&locked, (Curve::Involute, roll));
             let hit = Hit::new(edge, (&free, met), self.origin, 0.0);
+            level.offer(self, ties, step, hit);
+        }
+    }
+
+    /// The far corner of a locked land, on the free tip land where that has its radius.
+    ///
+    /// Everywhere else the near corners, or a search, have the greatest gap ([`super::certificate`]).
+    #[inline]
+    fn far_corner(
+        &self,
+        shortcut: &Shortcut,
+        step: i64,
+        place: usize,
+        level: &mut Level,
+        ties: &mut Ties,
+    ) {
+        let (ours, theirs) = (&self.facing.locked, &self.facing.free);
+        let point = self.centre - self.turned * ours.direction(place) * ours.far(place);
+        let off = point.norm_sqr() - theirs.shape.tip_radius * theirs.shape.tip_radius;
+        // |ρ² − r²| ≤ e (2r + e) on a circle that is e off its axis.
+        if off.abs() > shortcut.free_off * (2.0 * theirs.shape.tip_radius + shortcut.free_off) {
+            return;
+        }
+        let (locked, free) = (self.locked(step), self.free(step));
+        if let Some(met) = on_land(&free, point.norm()) {
+            let edge = (&locked, (Curve::Tip, locked.range(Curve::Tip).0));
+            let hit = Hit::new(edge, (&free, (Curve::Tip, met)), self.origin, 0.0);
             level.offer(self, ties, step, hit);
         }
     }
@@ -199,14 +230,10 @@ impl Level {
     }
 }
 
-/// A locked half tooth's least radius about the free axis, on its tip land: at an end of it,
+/// A locked tooth's least radius about the free axis, on its tip land: at a corner,
 /// or where it crosses the line of centres.
 fn least_radius(locked: &Placed) -> f64 {
-    let ends = [
-        locked.shape.corners()[0].1,
-        C::from(locked.shape.tip_radius),
-    ]
-    .map(|end| locked.direction * end);
+    let ends = [locked.shape.corners()[0].1, locked.far].map(|end| locked.direction * end);
     let side = ends.map(|end| end.re * locked.centre.im - end.im * locked.centre.re);
     if side[0] * side[1] <= 0.0 {
         return locked.centre.norm_sqr().sqrt() - locked.shape.tip_radius;

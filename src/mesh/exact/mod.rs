@@ -7,9 +7,10 @@
 //! is rounding, and the bracket of a branch and bound where one was needed; both
 //! stand in [`Contact::error`].
 //!
-//! A half tooth runs from the middle of the tip land to the middle of the space,
-//! turned flank by flank as measured; right halves face right halves, left
-//! halves left. A land's other half belongs to the other side's problem.
+//! A half tooth runs from the far corner of the tip land, where the tooth's other flank
+//! begins, over the land and down to the middle of the space, turned flank by flank as measured;
+//! right halves face right halves, left halves left. Tips that hardly reach each other meet on the far
+//! half of a land: where the tip circles cross is then all that is left of the mesh.
 //!
 //! Where several pairs touch together (within 1e-9 mm at the free gear's base
 //! circle, as all do between perfect gears) the contact named is the one
@@ -49,7 +50,7 @@ use ties::Touching;
 
 /// Lost motion of one assembly on its exact curves.
 ///
-/// Holds what does not depend on the pose, 24 bytes a tooth and side; poses may be asked for from any thread.
+/// Holds what does not depend on the pose, 40 bytes a tooth and side; poses may be asked for from any thread.
 #[derive(Debug, Clone)]
 pub struct ExactKernel {
     right: Facing,

@@ -10,6 +10,7 @@ use super::curves::Unsettled;
 use super::envelope::Envelope;
 use super::facing::{Facing, Stand};
 use super::hit::Hit;
+use super::lands::land_on_land;
 use super::line::Swerve;
 use super::placed::Placed;
 use super::plain;
@@ -42,8 +43,17 @@ pub(super) fn touching(stand: &Stand) -> Result<Option<Touching>, (i64, Unsettle
         return plain::touching(stand);
     }
     stand.on_corners(shortcut, &mut ties);
-    let open = shortcut.certificate.open;
+    let mut open = shortcut.certificate.open;
     if !open.is_empty() {
+        if open.has(Curve::Tip, Curve::Tip) {
+            open = open.without(Curve::Tip, Curve::Tip);
+            for step in stand.steps() {
+                let lands = land_on_land(&stand.locked(step), &stand.free(step), stand.origin);
+                if let Some(hit) = lands {
+                    ties.offer_if_admitted(step, hit);
+                }
+            }
+        }
         for step in stand.steps() {
             let (locked, free) = (stand.locked(step), stand.free(step));
             let found = search(&locked, &free, stand.origin, ties.level(), open);

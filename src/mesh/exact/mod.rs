@@ -28,6 +28,7 @@ mod envelope;
 mod facing;
 mod fast;
 mod hit;
+mod lands;
 mod line;
 mod path;
 mod placed;
@@ -84,12 +85,12 @@ impl ExactKernel {
     }
 
     /// The same by branch and bound over all pairs and curves, no case told apart: a thousand times
-    /// slower, to check [`ExactKernel::lost_motion`] by.
+    /// slower, to check [`ExactKernel::lost_motion`] by. Lands that touch between their corners may be more than it can settle.
     ///
     /// # Errors
     /// As [`ExactKernel::lost_motion`].
     pub fn lost_motion_by_search(&self, pose: &Pose) -> Result<LostMotion, Error> {
-        self.with(pose, plain::touching)
+        self.with(pose, plain::by_search)
     }
 
     /// Whether this pair needs no search: its contacts are on the line of action or at corners.

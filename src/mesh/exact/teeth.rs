@@ -56,9 +56,7 @@ impl Teeth {
             // Not less than half the mean land: the near half of a tooth that deviations leave thinner.
             let far = (half_tip + mirror * gear.flank_offset(side.other(), tooth)).max(offset);
             teeth.farthest = teeth.farthest.max(far);
-            teeth
-                .far
-                .push(turn(far - offset) * teeth.shape.tip_radius);
+            teeth.far.push(turn(far - offset) * teeth.shape.tip_radius);
             teeth.offsets.push(offset);
             teeth
                 .directions

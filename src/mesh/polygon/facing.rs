@@ -101,7 +101,8 @@ impl<'a> Facing<'a> {
         let assembly = kernel.assembly;
         let locked = assembly.locked();
         let [locked_tooth, free_tooth] = facing_teeth(assembly, pose, side, steps);
-        let half = |far: &'a Option<CutHalf>, cut: &'a CutGear| far.as_ref().unwrap_or(cut.half(side));
+        let half =
+            |far: &'a Option<CutHalf>, cut: &'a CutGear| far.as_ref().unwrap_or(cut.half(side));
         Facing {
             assembly,
             pose,

@@ -1,6 +1,7 @@
 //! A short campaign of exact against polygon method (the long one: `examples/campaign.rs`).
 
 #[path = "common/campaign.rs"]
+#[allow(dead_code)] // other depths: tests/grazing.rs
 mod campaign;
 
 use campaign::{AGREEMENT_UM, Depth, Drawn, run};

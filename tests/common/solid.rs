@@ -13,7 +13,7 @@ use nalgebra::{Point2, Rotation2, Vector2};
 const DEPTH: f64 = 0.4;
 
 /// Points on each land, and on each flank.
-const POINTS: usize = 800;
+const POINTS: usize = 400;
 
 struct Solid<'a> {
     gear: &'a AsBuilt,
@@ -112,7 +112,7 @@ fn overlap(locked: &Solid, free: &Solid) -> bool {
 
 /// Rotations of the free gear at which it first overlaps the locked one, clockwise and counter-clockwise, from the
 /// middle between `found`'s contacts, or from where it stands free when there are none. Steps of a
-/// 400th of a pitch: an overlap that lasts less may be missed.
+/// 200th of a pitch: an overlap that lasts less may be missed.
 pub fn limits(assembly: &Assembly, pose: &Pose, found: &LostMotion) -> [Option<f64>; 2] {
     let free = assembly.free();
     let locked = Solid::new(assembly, assembly.locked(), pose.locked_rotation());
@@ -135,8 +135,8 @@ pub fn limits(assembly: &Assembly, pose: &Pose, found: &LostMotion) -> [Option<f
     };
     assert!(!overlaps(middle), "overlap in the middle of the free range");
     [-1.0, 1.0].map(|sense| {
-        let at = |k: u32| middle + sense * f64::from(k) * pitch / 400.0;
-        let first = (1..=400).find(|&k| overlaps(at(k)))?;
+        let at = |k: u32| middle + sense * f64::from(k) * pitch / 200.0;
+        let first = (1..=200).find(|&k| overlaps(at(k)))?;
         let (mut apart, mut over) = (at(first - 1), at(first));
         for _ in 0..50 {
             let half = 0.5 * (apart + over);

@@ -144,7 +144,7 @@ fn window_half(locked: &AsBuilt, free: &AsBuilt, distance: f64) -> Option<f64> {
 }
 
 /// Half the angle at the centre of a circle of radius `ours` under which its overlap with a circle of
-/// radius `theirs`, `distance` away, is seen; `None` without overlap.
+/// radius `theirs`, `distance` away, is seen; `None` without overlap, where circles touch in a point included.
 pub(super) fn lens_half(ours: f64, theirs: f64, distance: f64) -> Option<f64> {
     if ours + theirs <= distance {
         return None;

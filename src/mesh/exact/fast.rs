@@ -6,11 +6,11 @@
 use super::branch::search;
 use super::certificate::{Certificate, Setting};
 use super::corner::{meet, on_land, turns_back};
-use super::curves::Unsettled;
+use super::curves::{Curves, Unsettled};
 use super::envelope::Envelope;
 use super::facing::{Facing, Stand};
 use super::hit::Hit;
-use super::lands::land_on_land;
+use super::lands::{land_on_land, without_lands};
 use super::line::Swerve;
 use super::placed::Placed;
 use super::plain;
@@ -43,20 +43,13 @@ pub(super) fn touching(stand: &Stand) -> Result<Option<Touching>, (i64, Unsettle
         return plain::touching(stand);
     }
     stand.on_corners(shortcut, &mut ties);
-    let mut open = shortcut.certificate.open;
+    let open = shortcut.certificate.open;
     if !open.is_empty() {
-        if open.has(Curve::Tip, Curve::Tip) {
-            open = open.without(Curve::Tip, Curve::Tip);
-            for step in stand.steps() {
-                let lands = land_on_land(&stand.locked(step), &stand.free(step), stand.origin);
-                if let Some(hit) = lands {
-                    ties.offer_if_admitted(step, hit);
-                }
-            }
-        }
+        stand.on_lands(open, &mut ties);
+        let rest = without_lands(open);
         for step in stand.steps() {
             let (locked, free) = (stand.locked(step), stand.free(step));
-            let found = search(&locked, &free, stand.origin, ties.level(), open);
+            let found = search(&locked, &free, stand.origin, ties.level(), rest);
             if let Some(hit) = found.map_err(|lost| (step, lost))? {
                 ties.offer(step, hit);
             }
@@ -89,6 +82,18 @@ impl Shortcut {
 }
 
 impl Stand<'_> {
+    /// Offers the greatest gap of those pairs of lands that `curves` has, step by step.
+    pub(super) fn on_lands(&self, curves: Curves, ties: &mut Ties) {
+        for step in self.steps() {
+            let (locked, free) = (self.locked(step), self.free(step));
+            if let Some(hit) = land_on_land(&locked, &free, self.origin, curves)
+                && ties.admits(hit.gap)
+            {
+                ties.offer(step, hit);
+            }
+        }
+    }
+
     /// Offers every corner whose gap may exceed what `ties` holds: tip corners, and undercut joints.
     ///
     /// With `R` the free gear's rotation at the greatest gap so far, a locked point `C_L + D_L p` stands at
@@ -165,7 +170,7 @@ impl Stand<'_> {
             return;
         }
         let (locked, free) = (self.locked(step), self.free(step));
-        if let Some(met) = on_land(&free, point.norm()) {
+        if let Some(met) = on_land(&free, Curve::Tip, point.norm()) {
             let edge = (&locked, (Curve::Tip, locked.range(Curve::Tip).0));
             let hit = Hit::new(edge, (&free, (Curve::Tip, met)), self.origin, 0.0);
             level.offer(self, ties, step, hit);

@@ -3,9 +3,8 @@
 use super::branch::search;
 use super::curves::{Curves, Unsettled};
 use super::facing::Stand;
-use super::lands::land_on_land;
+use super::lands::without_lands;
 use super::ties::{Ties, Touching};
-use crate::gear::Curve;
 
 /// The pair that touches first, from the greatest gap of every pair in reach; lands in closed form.
 ///
@@ -14,13 +13,8 @@ use crate::gear::Curve;
 #[cold]
 pub(super) fn touching(stand: &Stand) -> Result<Option<Touching>, (i64, Unsettled)> {
     let mut ties = Ties::new(stand.facing);
-    for step in stand.steps() {
-        let lands = land_on_land(&stand.locked(step), &stand.free(step), stand.origin);
-        if let Some(hit) = lands {
-            ties.offer_if_admitted(step, hit);
-        }
-    }
-    over(stand, ties, Curves::ALL.without(Curve::Tip, Curve::Tip))
+    stand.on_lands(Curves::ALL, &mut ties);
+    over(stand, ties, without_lands(Curves::ALL))
 }
 
 /// The same by nothing but the search.

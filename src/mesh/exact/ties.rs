@@ -53,13 +53,6 @@ impl Ties {
         gap >= self.level()
     }
 
-    /// Takes the hit of a step, if it matters.
-    pub fn offer_if_admitted(&mut self, step: i64, hit: Hit) {
-        if self.admits(hit.gap) {
-            self.offer(step, hit);
-        }
-    }
-
     /// Takes the hit of a step.
     pub fn offer(&mut self, step: i64, hit: Hit) {
         if hit.gap > self.greatest + self.width {

@@ -1,9 +1,10 @@
 //! A short campaign of exact against polygon method (the long one: `examples/campaign.rs`).
 
 #[path = "common/campaign.rs"]
+#[allow(dead_code)] // other depths: tests/grazing.rs
 mod campaign;
 
-use campaign::{AGREEMENT_UM, Drawn, run};
+use campaign::{AGREEMENT_UM, Depth, Drawn, run};
 use gearlash::gear::{AsBuilt, Side};
 use gearlash::input;
 use gearlash::mesh::{CutPair, ExactKernel};
@@ -14,7 +15,7 @@ const SEED: u64 = 2;
 
 #[test]
 fn both_methods_agree_on_random_poses() {
-    let tally = run(300, SEED);
+    let tally = run(Depth::Any, 300, SEED);
     assert!(tally.faults.is_empty(), "{:?}", tally.faults);
     assert_eq!(tally.without_result, 0);
     assert!(tally.greatest_um <= AGREEMENT_UM);
@@ -59,7 +60,7 @@ fn a_printed_pose_reads_back() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("pose.toml");
     for index in 0..20 {
-        let drawn = Drawn::new(SEED, index);
+        let drawn = Drawn::new(Depth::Any, SEED, index);
         std::fs::write(&path, drawn.pair_file()).unwrap();
         let study = input::read(&path).unwrap();
         let (_, wheel, pinion) = &study.materials[0];
@@ -77,7 +78,7 @@ fn a_printed_pose_reads_back() {
 /// polygons passed the left contact by. Both methods find it, as near as each says it can place it.
 #[test]
 fn a_grazing_tip_is_not_passed_by() {
-    let drawn = Drawn::new(19_561, 0);
+    let drawn = Drawn::new(Depth::Any, 19_561, 0);
     let pose = Pose::new(&drawn.assembly, drawn.mating);
     let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|m| drawn.assembly.gear(m));
     let cut = CutPair::new(wheel, pinion, 1e-4 * wheel.gear().toothing().module());

@@ -21,6 +21,14 @@ impl Side {
         }
     }
 
+    /// The other side.
+    pub fn other(self) -> Side {
+        match self {
+            Side::Right => Side::Left,
+            Side::Left => Side::Right,
+        }
+    }
+
     /// `right` or `left`.
     pub fn name(self) -> &'static str {
         match self {

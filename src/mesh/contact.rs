@@ -47,6 +47,21 @@ pub struct Closest {
     pub points: [Point2<f64>; 2],
 }
 
+/// How a second shape turns, in the frame of the first.
+#[derive(Debug, Clone, Copy)]
+pub struct Turning {
+    /// About this point.
+    pub axis: Point2<f64>,
+    /// +1 counter-clockwise, −1 clockwise.
+    pub sense: f64,
+    /// Greatest distance of its points from the axis.
+    pub reach: f64,
+    /// Chordal error of both shapes.
+    pub chord: f64,
+    /// Distance that must remain.
+    pub margin: f64,
+}
+
 impl Shape {
     /// The open polyline through `points`, at least two.
     pub fn new(points: &[Point2<f64>]) -> Shape {
@@ -81,6 +96,48 @@ impl Shape {
             }
         });
         best
+    }
+
+    /// How far `other`, which stands at `pose` in the frame of `self`, may turn before it can touch, rad: at most `most`.
+    ///
+    /// Two segments a distance `d` apart are separated by a strip of that width across `n`, the direction from the
+    /// one's nearest point to the other's. Turned by `φ` about the axis, a point at `r` from it moves along `n` by
+    /// `sin φ n·(k × r) − (1 − cos φ) n·r ≤ φ l + φ² m/2`, `l` and `m` the greatest such parts (not below 0) of the two ends:
+    /// of all between, too. A curve lies within `chord` of its segment, and so do its parts.
+    pub fn safe_turn(
+        &self,
+        other: &Shape,
+        pose: &Isometry2<f64>,
+        turning: &Turning,
+        most: f64,
+    ) -> f64 {
+        let pose = Pose2::from(*pose);
+        let axis = Vector::new(turning.axis.x, turning.axis.y);
+        let mut safe = most;
+        let bound = Cell::new(turning.margin + most * turning.reach);
+        self.pairs(other, &pose, &bound, |pair| {
+            let found = self.leaf(other, &pose, pair);
+            let room = found.distance - turning.margin;
+            let plain = room / turning.reach;
+            if plain >= safe {
+                return;
+            }
+            let theirs = other.segments[pair[1] as usize].transformed(&pose);
+            let [on_ours, on_theirs] = found.points.map(|p| Vector::new(p.x, p.y));
+            let n = (on_ours - on_theirs) / found.distance;
+            let (mut lever, mut bulge) = (0.0f64, 0.0f64);
+            for end in [theirs.a, theirs.b] {
+                let r = end - axis;
+                lever = lever.max(turning.sense * r.perp_dot(n));
+                bulge = bulge.max(-r.dot(n));
+            }
+            let (lever, bulge) = (lever + turning.chord, bulge + turning.chord);
+            // The lesser root of φ l + φ² m/2 = room, NaN at the distance 0.
+            let turn = 2.0 * room / (lever + (lever * lever + 2.0 * room * bulge).sqrt());
+            safe = safe.min(turn.max(plain));
+            bound.set(turning.margin + safe * turning.reach);
+        });
+        safe
     }
 
     /// The stretches of segments of `self` and of `other` outside which nothing is within `margin` of

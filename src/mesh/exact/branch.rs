@@ -121,7 +121,7 @@ pub(super) fn search(
         if row == [false; 4] {
             continue;
         }
-        let (low, high) = locked.shape.range(ours);
+        let (low, high) = locked.range(ours);
         let arc = Arc::new(locked, ours, low, high);
         let theirs = frees.iter().zip(row).filter(|(_, wanted)| *wanted);
         nodes.extend(theirs.filter_map(|(free, _)| Some((arc, (*free)?))));
@@ -195,7 +195,7 @@ pub(super) fn search(
 /// only its end farthest clockwise can touch: of the tip land the corner (which ends the involute
 /// too), of the root land the middle of the space.
 fn free_arc(free: &Placed, curve: Curve) -> Option<Arc> {
-    let (low, high) = free.shape.range(curve);
+    let (low, high) = free.range(curve);
     if free.centre != C::ZERO {
         return Some(Arc::new(free, curve, low, high));
     }

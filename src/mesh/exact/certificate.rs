@@ -6,7 +6,9 @@
 //! there with opposite normals. So its greatest value stands
 //!
 //! - on the line of action, where both are involutes (κ_1 + κ_2 > 0, one stationary point at most), or
-//! - at a corner: the tip corner of either gear, or the joint of an undercut fillet, an edge too,
+//! - at a corner: the near tip corner of either gear, or the joint of an undercut fillet, an edge too; or
+//!   the far corner of a locked tip land, where a free land that is not quite round about its axis
+//!   ends on it,
 //!
 //! on those pairs of curves for which, within reach of each other,
 //!
@@ -16,7 +18,7 @@
 //! 2. a fillet is hollower than the involute opposite is convex, and no fillet is convex: then the
 //!    gap has minima only there. (At a smooth joint slopes agree: a gap that rises towards it rises on.)
 //! 3. a tip land runs so nearly round the axis, compared with the curve opposite, that the gap
-//!    rises along it towards its corner;
+//!    rises along it towards its near corner;
 //! 4. a root land is out of reach.
 //!
 //! This is checked once for all poses, with the locked outline's centre anywhere within its

@@ -21,7 +21,7 @@ pub(super) fn meet(half: &Placed, fillet: Option<f64>, rho: f64, near: C) -> Opt
     // ρ rises from tip to root on the locked gear, falls on the free one.
     let inward = (form - tip).signum();
     Some(if (rho - tip) * inward < 0.0 {
-        (Curve::Tip, on_land(half, rho)?)
+        (Curve::Tip, on_land(half, Curve::Tip, rho)?)
     } else if (rho - form) * inward <= 0.0 {
         let radius = near.norm_sqr().sqrt();
         let start = involute::roll_at(radius, shape.base).clamp(shape.form_roll, tip_roll);
@@ -73,19 +73,18 @@ fn bracket(low: f64, high: f64, inward: f64) -> [f64; 2] {
     }
 }
 
-/// Parameter at which the tip land has the radius `rho`; of two, the one nearer to the corner,
+/// Parameter at which a land has the radius `rho`; of two, the one nearer to its clockwise end,
 /// behind which the other lies.
 ///
 /// On the circle `|C + r_a e^{iβ}| = ρ`: `cos(β − arg C) = (ρ² − |C|² − r_a²)/(2 |C| r_a)`.
-fn on_land(half: &Placed, rho: f64) -> Option<f64> {
-    let shape = half.shape;
-    let (centre, radius) = (half.centre, shape.tip_radius);
+pub(super) fn on_land(half: &Placed, land: Curve, rho: f64) -> Option<f64> {
+    let (centre, radius) = (half.centre, half.shape.radius(land, 0.0));
     let distance = centre.norm();
     let cos = (rho * rho - distance * distance - radius * radius) / (2.0 * distance * radius);
     if !(cos.abs() <= 1.0) {
         return None;
     }
-    let (_, corner) = shape.range(Curve::Tip);
+    let (far, corner) = half.range(land);
     // From the tooth's centre line, clockwise positive.
     let middle = (half.direction * centre.conj()).arg();
     [cos.acos(), -cos.acos()]
@@ -94,6 +93,6 @@ fn on_land(half: &Placed, rho: f64) -> Option<f64> {
             t - TAU * (t / TAU).round()
         })
         .into_iter()
-        .filter(|t| (0.0..=corner).contains(t))
+        .filter(|t| (far..=corner).contains(t))
         .reduce(f64::max)
 }

@@ -10,6 +10,16 @@ impl Curves {
     /// Every pair.
     pub const ALL: Curves = Curves([[true; 4]; 4]);
 
+    /// All of these but one.
+    pub fn without(mut self, locked: Curve, free: Curve) -> Curves {
+        self.0[locked as usize][free as usize] = false;
+        self
+    }
+
+    pub fn has(self, locked: Curve, free: Curve) -> bool {
+        self.0[locked as usize][free as usize]
+    }
+
     pub fn add(&mut self, locked: Curve, free: Curve) {
         self.0[locked as usize][free as usize] = true;
     }

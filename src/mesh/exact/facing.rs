@@ -31,7 +31,7 @@ pub(super) struct Facing {
     pub free: Teeth,
     /// `a`.
     pub distance: f64,
-    /// Half teeth whose centre line lies within these angles of the line of centres can reach the mate.
+    /// Half teeth whose undisturbed centre line lies within these angles of the line of centres can reach the mate.
     window: Option<(f64, f64)>,
     /// For pairs that need little or no search.
     pub shortcut: Option<Shortcut>,
@@ -68,8 +68,11 @@ impl Facing {
         let base = facing.free.shape.base;
         facing.tie = TIE_MM / base + 2.0 * facing.rounding(base, 1.0);
         facing.window = window_half(locked, free, facing.distance).map(|half| {
-            let (least, most) = facing.locked.extremes;
-            (-half - most, half + facing.locked.pitch / 2.0 - least)
+            let (least, _) = facing.locked.extremes;
+            (
+                -half - facing.locked.farthest,
+                half + facing.locked.pitch / 2.0 - least,
+            )
         });
         facing
     }
@@ -141,9 +144,9 @@ fn window_half(locked: &AsBuilt, free: &AsBuilt, distance: f64) -> Option<f64> {
 }
 
 /// Half the angle at the centre of a circle of radius `ours` under which its overlap with a circle of
-/// radius `theirs`, `distance` away, is seen; `None` without overlap.
+/// radius `theirs`, `distance` away, is seen; `None` without overlap, where circles touch in a point included.
 pub(super) fn lens_half(ours: f64, theirs: f64, distance: f64) -> Option<f64> {
-    if ours + theirs < distance {
+    if ours + theirs <= distance {
         return None;
     }
     if theirs >= distance {
@@ -207,6 +210,7 @@ impl<'a> Stand<'a> {
             shape: &teeth.shape,
             centre: self.centre,
             direction: -self.turned * teeth.direction(place),
+            far: teeth.far(place),
         }
     }
 
@@ -218,6 +222,7 @@ impl<'a> Stand<'a> {
             shape: &teeth.shape,
             centre: teeth.displacement,
             direction: teeth.direction(place),
+            far: teeth.far(place),
         }
     }
 

@@ -5,11 +5,12 @@
 
 use super::branch::search;
 use super::certificate::{Certificate, Setting};
-use super::corner::{meet, turns_back};
-use super::curves::Unsettled;
+use super::corner::{meet, on_land, turns_back};
+use super::curves::{Curves, Unsettled};
 use super::envelope::Envelope;
 use super::facing::{Facing, Stand};
 use super::hit::Hit;
+use super::lands::{land_on_land, without_lands};
 use super::line::Swerve;
 use super::placed::Placed;
 use super::plain;
@@ -44,9 +45,11 @@ pub(super) fn touching(stand: &Stand) -> Result<Option<Touching>, (i64, Unsettle
     stand.on_corners(shortcut, &mut ties);
     let open = shortcut.certificate.open;
     if !open.is_empty() {
+        stand.on_lands(open, &mut ties);
+        let rest = without_lands(open);
         for step in stand.steps() {
             let (locked, free) = (stand.locked(step), stand.free(step));
-            let found = search(&locked, &free, stand.origin, ties.level(), open);
+            let found = search(&locked, &free, stand.origin, ties.level(), rest);
             if let Some(hit) = found.map_err(|lost| (step, lost))? {
                 ties.offer(step, hit);
             }
@@ -79,6 +82,18 @@ impl Shortcut {
 }
 
 impl Stand<'_> {
+    /// Offers the greatest gap of those pairs of lands that `curves` has, step by step.
+    pub(super) fn on_lands(&self, curves: Curves, ties: &mut Ties) {
+        for step in self.steps() {
+            let (locked, free) = (self.locked(step), self.free(step));
+            if let Some(hit) = land_on_land(&locked, &free, self.origin, curves)
+                && ties.admits(hit.gap)
+            {
+                ties.offer(step, hit);
+            }
+        }
+    }
+
     /// Offers every corner whose gap may exceed what `ties` holds: tip corners, and undercut joints.
     ///
     /// With `R` the free gear's rotation at the greatest gap so far, a locked point `C_L + D_L p` stands at
@@ -97,6 +112,10 @@ impl Stand<'_> {
                 if !(known && shortcut.free.clears(near)) {
                     self.locked_corner(shortcut, step, (corner, near), &mut level, ties);
                 }
+            }
+            // A land that is not quite round may pass the near corner clear and end on the far one.
+            if shortcut.free_off > 0.0 {
+                self.far_corner(shortcut, step, locked_place, &mut level, ties);
             }
             for &corner in theirs.shape.corners() {
                 let near = (facing * corner.1 - centre) * seen.conj();
@@ -127,6 +146,33 @@ impl Stand<'_> {
         if let Some(met) = meet(&free, shortcut.certificate.free_fillet, rho, near) {
             let edge = (&locked, (Curve::Involute, roll));
             let hit = Hit::new(edge, (&free, met), self.origin, 0.0);
+            level.offer(self, ties, step, hit);
+        }
+    }
+
+    /// The far corner of a locked land, on the free tip land where that has its radius.
+    ///
+    /// Everywhere else the near corners, or a search, have the greatest gap ([`super::certificate`]).
+    #[inline]
+    fn far_corner(
+        &self,
+        shortcut: &Shortcut,
+        step: i64,
+        place: usize,
+        level: &mut Level,
+        ties: &mut Ties,
+    ) {
+        let (ours, theirs) = (&self.facing.locked, &self.facing.free);
+        let point = self.centre - self.turned * ours.direction(place) * ours.far(place);
+        let off = point.norm_sqr() - theirs.shape.tip_radius * theirs.shape.tip_radius;
+        // |ρ² − r²| ≤ e (2r + e) on a circle that is e off its axis.
+        if off.abs() > shortcut.free_off * (2.0 * theirs.shape.tip_radius + shortcut.free_off) {
+            return;
+        }
+        let (locked, free) = (self.locked(step), self.free(step));
+        if let Some(met) = on_land(&free, Curve::Tip, point.norm()) {
+            let edge = (&locked, (Curve::Tip, locked.range(Curve::Tip).0));
+            let hit = Hit::new(edge, (&free, (Curve::Tip, met)), self.origin, 0.0);
             level.offer(self, ties, step, hit);
         }
     }
@@ -199,14 +245,10 @@ impl Level {
     }
 }
 
-/// A locked half tooth's least radius about the free axis, on its tip land: at an end of it,
+/// A locked tooth's least radius about the free axis, on its tip land: at a corner,
 /// or where it crosses the line of centres.
 fn least_radius(locked: &Placed) -> f64 {
-    let ends = [
-        locked.shape.corners()[0].1,
-        C::from(locked.shape.tip_radius),
-    ]
-    .map(|end| locked.direction * end);
+    let ends = [locked.shape.corners()[0].1, locked.far].map(|end| locked.direction * end);
     let side = ends.map(|end| end.re * locked.centre.im - end.im * locked.centre.re);
     if side[0] * side[1] <= 0.0 {
         return locked.centre.norm_sqr().sqrt() - locked.shape.tip_radius;

@@ -38,7 +38,7 @@ impl Hit {
         let q = theirs.at(free.0, free.1);
         let turned = p.point * q.point.conj();
         let size = turned.norm_sqr().sqrt();
-        let corners = [ours.shape.is_corner(locked), theirs.shape.is_corner(free)];
+        let corners = [ours.is_corner(locked), theirs.is_corner(free)];
         let (normal, slope) = match corners {
             [true, true] => (p.point * C::i() / p.point.norm_sqr().sqrt(), 0.0),
             [true, false] => (-q.normal * turned / size, slope(&q)),

@@ -7,9 +7,10 @@
 //! is rounding, and the bracket of a branch and bound where one was needed; both
 //! stand in [`Contact::error`].
 //!
-//! A half tooth runs from the middle of the tip land to the middle of the space,
-//! turned flank by flank as measured; right halves face right halves, left
-//! halves left. A land's other half belongs to the other side's problem.
+//! A half tooth runs from the far corner of the tip land, where the tooth's other flank
+//! begins, over the land and down to the middle of the space, turned flank by flank as measured;
+//! right halves face right halves, left halves left. Tips that hardly reach each other meet on the far
+//! half of a land: where the tip circles cross is then all that is left of the mesh.
 //!
 //! Where several pairs touch together (within 1e-9 mm at the free gear's base
 //! circle, as all do between perfect gears) the contact named is the one
@@ -27,6 +28,7 @@ mod envelope;
 mod facing;
 mod fast;
 mod hit;
+mod lands;
 mod line;
 mod path;
 mod placed;
@@ -49,7 +51,7 @@ use ties::Touching;
 
 /// Lost motion of one assembly on its exact curves.
 ///
-/// Holds what does not depend on the pose, 24 bytes a tooth and side; poses may be asked for from any thread.
+/// Holds what does not depend on the pose, 40 bytes a tooth and side; poses may be asked for from any thread.
 #[derive(Debug, Clone)]
 pub struct ExactKernel {
     right: Facing,
@@ -83,12 +85,12 @@ impl ExactKernel {
     }
 
     /// The same by branch and bound over all pairs and curves, no case told apart: a thousand times
-    /// slower, to check [`ExactKernel::lost_motion`] by.
+    /// slower, to check [`ExactKernel::lost_motion`] by. Lands that touch between their corners may be more than it can settle.
     ///
     /// # Errors
     /// As [`ExactKernel::lost_motion`].
     pub fn lost_motion_by_search(&self, pose: &Pose) -> Result<LostMotion, Error> {
-        self.with(pose, plain::touching)
+        self.with(pose, plain::by_search)
     }
 
     /// Whether this pair needs no search: its contacts are on the line of action or at corners.

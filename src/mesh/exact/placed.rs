@@ -9,12 +9,28 @@ pub(super) struct Placed<'a> {
     pub shape: &'a Shape,
     pub centre: C,
     pub direction: C,
+    /// Far corner of the tip land, in the half tooth's own frame.
+    pub far: C,
 }
 
 impl Placed<'_> {
     /// Radius about the free axis of a point of the half tooth's own frame.
     pub fn own_to_axis(&self, point: C) -> f64 {
         (self.centre + self.direction * point).norm_sqr().sqrt()
+    }
+
+    /// Parameters of a curve's two ends, the lesser first: the tip land is a whole one, down to its far corner.
+    pub fn range(&self, curve: Curve) -> (f64, f64) {
+        let (low, high) = self.shape.range(curve);
+        match curve {
+            Curve::Tip => (-self.far.arg(), high),
+            _ => (low, high),
+        }
+    }
+
+    /// Whether it is a point without one normal.
+    pub fn is_corner(&self, (curve, t): (Curve, f64)) -> bool {
+        self.shape.is_corner((curve, t)) || curve == Curve::Tip && t <= -self.far.arg()
     }
 
     pub fn at(&self, curve: Curve, t: f64) -> Sample {

@@ -3,18 +3,37 @@
 use super::branch::search;
 use super::curves::{Curves, Unsettled};
 use super::facing::Stand;
+use super::lands::without_lands;
 use super::ties::{Ties, Touching};
 
-/// The pair that touches first, from the greatest gap of every pair in reach.
+/// The pair that touches first, from the greatest gap of every pair in reach; lands in closed form.
 ///
 /// # Errors
 /// The step whose pair could not be settled.
 #[cold]
 pub(super) fn touching(stand: &Stand) -> Result<Option<Touching>, (i64, Unsettled)> {
     let mut ties = Ties::new(stand.facing);
+    stand.on_lands(Curves::ALL, &mut ties);
+    over(stand, ties, without_lands(Curves::ALL))
+}
+
+/// The same by nothing but the search.
+///
+/// # Errors
+/// As [`touching`].
+#[cold]
+pub(super) fn by_search(stand: &Stand) -> Result<Option<Touching>, (i64, Unsettled)> {
+    over(stand, Ties::new(stand.facing), Curves::ALL)
+}
+
+fn over(
+    stand: &Stand,
+    mut ties: Ties,
+    curves: Curves,
+) -> Result<Option<Touching>, (i64, Unsettled)> {
     for step in stand.steps() {
         let (ours, theirs) = (stand.locked(step), stand.free(step));
-        let found = search(&ours, &theirs, stand.origin, ties.level(), Curves::ALL);
+        let found = search(&ours, &theirs, stand.origin, ties.level(), curves);
         if let Some(hit) = found.map_err(|lost| (step, lost))? {
             ties.offer(step, hit);
         }

@@ -2,10 +2,10 @@
 //!
 //! The left side is stored mirrored, so that all that follows knows right-hand
 //! halves only. *Places* count counter-clockwise from tooth 1, in the mirrored
-//! frame too. A place takes 24 bytes.
+//! frame too. A place takes 40 bytes.
 
 use super::shape::{C, Shape, turn};
-use crate::gear::{AsBuilt, Side};
+use crate::gear::{AsBuilt, Curve, Side};
 use std::f64::consts::TAU;
 
 /// One side of all teeth of a gear.
@@ -20,10 +20,14 @@ pub(super) struct Teeth {
     offsets: Vec<f64>,
     /// Direction of each half tooth's centre line, offset included.
     directions: Vec<C>,
+    /// The far corner of each tip land, where the tooth's other flank begins, in the frame of this half tooth.
+    far: Vec<C>,
     /// Displacement of the outline's centre from the axis at rotation 0 (tooth 1 on +x).
     pub displacement: C,
     /// Least and greatest offset.
     pub extremes: (f64, f64),
+    /// Greatest angle of a far corner from its tooth's undisturbed centre line.
+    pub farthest: f64,
 }
 
 impl Teeth {
@@ -40,12 +44,19 @@ impl Teeth {
             ascending,
             offsets: Vec::with_capacity(count as usize),
             directions: Vec::with_capacity(count as usize),
+            far: Vec::with_capacity(count as usize),
             displacement: turn(mirror * gear.tooth_angle(gear.high_tooth())) * gear.eccentricity(),
             extremes: (0.0, 0.0),
+            farthest: f64::NEG_INFINITY,
         };
+        let (_, half_tip) = teeth.shape.range(Curve::Tip);
         for place in 0..i64::from(count) {
             let tooth = (ascending * place).rem_euclid(i64::from(count)) as u32 + 1;
             let offset = mirror * gear.flank_offset(side, tooth);
+            // Not less than half the mean land: the near half of a tooth that deviations leave thinner.
+            let far = (half_tip + mirror * gear.flank_offset(side.other(), tooth)).max(offset);
+            teeth.farthest = teeth.farthest.max(far);
+            teeth.far.push(turn(far - offset) * teeth.shape.tip_radius);
             teeth.offsets.push(offset);
             teeth
                 .directions
@@ -120,6 +131,11 @@ impl Teeth {
     pub fn direction(&self, place: usize) -> C {
         self.directions[place]
     }
+
+    /// The far corner of the tip land, in the frame of the half tooth.
+    pub fn far(&self, place: usize) -> C {
+        self.far[place]
+    }
 }
 
 /// The same place counted to either side of tooth 1: half the rounding of its angle.
@@ -192,13 +208,14 @@ mod tests {
         }
     }
 
-    /// A tooth and side takes at most 128 bytes (issue 3); here 24.
+    /// A tooth and side takes at most 128 bytes (issue 3); here 40.
     #[test]
-    fn a_tooth_takes_24_bytes_a_side() {
+    fn a_tooth_takes_40_bytes_a_side() {
         let (_, teeth) = teeth(Face::Front, Side::Right);
         let bytes =
-            size_of_val(teeth.offsets.as_slice()) + size_of_val(teeth.directions.as_slice());
-        assert_eq!(bytes, 17 * 24);
+            size_of_val(teeth.offsets.as_slice()) + 2 * size_of_val(teeth.directions.as_slice());
+        assert_eq!(teeth.far.len(), teeth.directions.len());
+        assert_eq!(bytes, 17 * 40);
     }
 
     /// sin and cos of the C library reduce exactly: an outside source.

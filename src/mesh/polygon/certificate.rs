@@ -7,6 +7,7 @@
 //! finest polygons resolve. Nothing of the method under test is used but its answer.
 
 use super::facing::Facing;
+use super::far_land::FarLands;
 use super::{CutHalf, PolygonKernel, finest_chord, steps_in_reach};
 use crate::error::Error;
 use crate::gear::Side;
@@ -52,7 +53,8 @@ impl<'a> Certifier<'a> {
         let opening = side.sense() * (pose.free_rotation() - contact.rotation);
         let mut touching = false;
         for steps in steps_in_reach(assembly, pose) {
-            let facing = Facing::new(&self.kernel, pose, side, steps);
+            let far = FarLands::new(&self.kernel, pose, side, steps);
+            let facing = Facing::new(&self.kernel, pose, side, steps, &far);
             // Clear polygons are 2δ apart, and a fillet's chords stand up to δ in front of it;
             // another δ and the rounding leave no doubt.
             let little = contact.error + (4.0 * finest + facing.rounding()) / lever;
@@ -77,15 +79,21 @@ impl<'a> Certifier<'a> {
         }
     }
 
-    /// No pair in reach ever touches.
+    /// No pair in reach ever touches, or only by what rounding may bring the axes together.
     fn touches_nothing(&self, pose: &Pose, side: Side) -> Result<Result<(), String>, Error> {
-        for steps in steps_in_reach(self.kernel.assembly, pose) {
-            let facing = Facing::new(&self.kernel, pose, side, steps);
-            if facing.search(finest_chord(self.kernel.assembly))?.is_some() {
-                return Ok(Err(format!("a pair {steps} teeth on does touch")));
-            }
-        }
-        Ok(Ok(()))
+        let Some((steps, doubt)) = first_touching(&self.kernel, pose, side)? else {
+            return Ok(Ok(()));
+        };
+        let here = self.kernel.assembly;
+        let apart = here.at(here.center_distance() + doubt)?;
+        let apart = PolygonKernel {
+            assembly: &apart,
+            ..self.kernel
+        };
+        Ok(match first_touching(&apart, pose, side)? {
+            None => Ok(()),
+            Some(_) => Err(format!("a pair {steps} teeth on does touch")),
+        })
     }
 
     fn failed(&self, pose: &Pose, side: Side, reason: String) -> Error {
@@ -100,6 +108,23 @@ impl<'a> Certifier<'a> {
             reason,
         }
     }
+}
+
+/// The first pair whose polygons touch, and what they and rounding leave in doubt, mm.
+fn first_touching(
+    kernel: &PolygonKernel,
+    pose: &Pose,
+    side: Side,
+) -> Result<Option<(i64, f64)>, Error> {
+    let finest = finest_chord(kernel.assembly);
+    for steps in steps_in_reach(kernel.assembly, pose) {
+        let far = FarLands::new(kernel, pose, side, steps);
+        let facing = Facing::new(kernel, pose, side, steps, &far);
+        if facing.search(finest)?.is_some() {
+            return Ok(Some((steps, 4.0 * finest + facing.rounding())));
+        }
+    }
+    Ok(None)
 }
 
 /// What polygons see of a pair between two openings.

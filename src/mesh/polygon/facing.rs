@@ -19,10 +19,11 @@
 
 mod place;
 
-use super::{CutHalf, PolygonKernel};
+use super::far_land::FarLands;
+use super::{CutGear, CutHalf, PolygonKernel};
 use crate::error::Error;
 use crate::gear::{Curve, Side};
-use crate::mesh::contact::Closest;
+use crate::mesh::contact::{Closest, Turning};
 use crate::mesh::lost_motion::Contact;
 use crate::pair::{Assembly, Member, Pose};
 use nalgebra::{Isometry2, UnitComplex};
@@ -33,9 +34,16 @@ use std::ops::Range;
 /// The search ends at this part of the chordal error: it adds a thousandth to the error.
 const STOP: f64 = 1e-3;
 
-/// Steps before a search is given up as a fault. Tips that pass each other at the distance `d` take
-/// longest, about (tip thickness)/d; the slowest seen took hundreds.
-const MOST_STEPS: usize = 100_000;
+/// Plain steps before the levers of what is near are looked at, too: a contact takes a few dozen.
+const PLAIN_STEPS: usize = 64;
+
+/// Steps after which polygons within both chordal errors of each other are cut finer instead. (They take up to
+/// 4 δ/d steps a chord at the distance d.)
+const CLOSE_STEPS: usize = 2_000;
+
+/// Steps before a search is given up as a fault. Tips that pass each other take longest, some two a chord of the
+/// land: 1e5 chords of 1.9e-12 mm on a land of 2 mm.
+const MOST_STEPS: usize = 2_000_000;
 
 /// Each re-cut is this much finer: some thirty chords over the stretch that may still touch (tuned:
 /// 1e-2 takes more re-cuts, 1e-4 more chords; both are slower).
@@ -81,21 +89,28 @@ enum Turned {
 }
 
 impl<'a> Facing<'a> {
-    /// The locked tooth `steps` places counter-clockwise of the mating's, and the free tooth that faces its `side`.
-    pub fn new(kernel: &PolygonKernel<'a>, pose: &'a Pose, side: Side, steps: i64) -> Facing<'a> {
+    /// The locked tooth `steps` places counter-clockwise of the mating's, and the free tooth that faces its `side`,
+    /// with the whole of those tip lands that `far` has.
+    pub fn new(
+        kernel: &PolygonKernel<'a>,
+        pose: &'a Pose,
+        side: Side,
+        steps: i64,
+        far: &'a FarLands,
+    ) -> Facing<'a> {
         let assembly = kernel.assembly;
         let locked = assembly.locked();
-        let locked_tooth = assembly
-            .gear(locked)
-            .counter_clockwise(pose.mating().tooth(locked), steps);
+        let [locked_tooth, free_tooth] = facing_teeth(assembly, pose, side, steps);
+        let half =
+            |far: &'a Option<CutHalf>, cut: &'a CutGear| far.as_ref().unwrap_or(cut.half(side));
         Facing {
             assembly,
             pose,
             side,
             locked_tooth,
-            free_tooth: pose.facing_tooth(assembly, side, steps),
-            locked: kernel.locked.half(side),
-            free: kernel.free.half(side),
+            free_tooth,
+            locked: half(&far.locked, kernel.locked),
+            free: half(&far.free, kernel.free),
             locked_frame: frame(assembly, locked, pose.locked_rotation(), side, locked_tooth),
         }
     }
@@ -108,7 +123,7 @@ impl<'a> Facing<'a> {
         let mut cut: Option<[CutHalf; 2]> = None;
         loop {
             let on = self.on(&cut);
-            match on.turn_in(start, end)? {
+            match on.turn_in(start, end, finest)? {
                 Turned::Touching(found) => return Ok(Some(found)),
                 Turned::Near if on.chord() > finest => {
                     let whole = [on.locked, on.free].map(|half| 0..half.polygon.segments().len());
@@ -137,7 +152,7 @@ impl<'a> Facing<'a> {
             cut = Some(coarse.recut(near, chord));
             // Inscribed polygons touch a little after their curves.
             let end = found.closed - (found.clear - found.closed);
-            let again = self.on(&cut).turn_in(found.clear, end)?;
+            let again = self.on(&cut).turn_in(found.clear, end, chord)?;
             let Turned::Touching(touching) = again else {
                 return Err(self.lost(PASSED));
             };
@@ -182,7 +197,7 @@ impl<'a> Facing<'a> {
     }
 
     /// Steps from the opening `start`, where nothing touches, until the polygons do, or to `end`.
-    fn turn_in(&self, start: f64, end: f64) -> Result<Turned, Error> {
+    fn turn_in(&self, start: f64, end: f64, finest: f64) -> Result<Turned, Error> {
         let chord = self.chord();
         // Below its own rounding a distance says nothing.
         let stop = (STOP * chord).max(self.rounding() / 8.0);
@@ -190,7 +205,8 @@ impl<'a> Facing<'a> {
         let mut opening = start;
         let mut hint = [0, 0];
         let mut clear = None;
-        for _ in 0..MOST_STEPS {
+        let mut close_steps = 0;
+        for count in 0..MOST_STEPS {
             let pose = to_locked * self.free_frame(opening);
             let closest = self.locked.shape.closest(&self.free.shape, &pose, hint);
             hint = closest.segments;
@@ -203,8 +219,14 @@ impl<'a> Facing<'a> {
                 return Ok(Turned::Touching(self.bracket(clear, opening, &closest)));
             }
             let margin = if clear.is_none() { 2.0 * chord } else { 0.0 };
-            opening -= (closest.distance - margin) / self.reach();
-            if opening < end {
+            let plain = (closest.distance - margin) / self.reach();
+            opening -= match count < PLAIN_STEPS {
+                true => plain,
+                false => self.lever_step(&pose, plain, margin),
+            };
+            close_steps += usize::from(clear.is_some() && count >= PLAIN_STEPS);
+            let weary = close_steps > CLOSE_STEPS && chord > finest;
+            if opening < end || weary {
                 return Ok(match clear {
                     Some(_) => Turned::Near,
                     None => Turned::Clear,
@@ -212,6 +234,35 @@ impl<'a> Facing<'a> {
             }
         }
         Err(self.lost(ENDLESS))
+    }
+
+    /// A safe step that sees in which direction the nearest chords would move, at least `plain`.
+    ///
+    /// Tips that graze each other move along each other: their distance is far less than what they can turn.
+    /// Chords farther than two of the longest (on a curve of the radius `R`) bound the step by their distance.
+    fn lever_step(&self, pose: &Isometry2<f64>, plain: f64, margin: f64) -> f64 {
+        let (chord, reach) = (self.chord(), self.reach());
+        let far = 2.0 * (8.0 * reach * chord).sqrt();
+        let most = (far - margin) / reach;
+        if most <= plain {
+            return plain;
+        }
+        let free = self.assembly.free();
+        let axis = self
+            .locked_frame
+            .inverse_transform_point(&self.assembly.axis(free));
+        let turning = Turning {
+            axis,
+            // A smaller opening turns the free gear in the sense of its side.
+            sense: self.side.sense(),
+            reach,
+            chord,
+            margin,
+        };
+        self.locked
+            .shape
+            .safe_turn(&self.free.shape, pose, &turning, most)
+            .max(plain)
     }
 
     /// Greatest radius `R` of the free gear about its axis, mm.
@@ -311,6 +362,16 @@ impl<'a> Facing<'a> {
 const ENDLESS: &str = "the safe steps did not come to an end";
 const NOTHING_NEAR: &str = "no stretch of the outlines is left that could touch";
 const PASSED: &str = "finer polygons passed the contact that coarser ones had found";
+
+/// The locked tooth `steps` places counter-clockwise of the mating's, and the free tooth that faces its `side`.
+pub(super) fn facing_teeth(assembly: &Assembly, pose: &Pose, side: Side, steps: i64) -> [u32; 2] {
+    let locked = assembly.locked();
+    let mating = pose.mating().tooth(locked);
+    [
+        assembly.gear(locked).counter_clockwise(mating, steps),
+        pose.facing_tooth(assembly, side, steps),
+    ]
+}
 
 /// Frame in the picture of the half tooth of `member` on `side` of `tooth`, the gear turned to `rotation`.
 fn frame(

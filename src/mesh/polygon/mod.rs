@@ -7,6 +7,7 @@
 
 mod certificate;
 mod facing;
+mod far_land;
 
 use super::contact::Shape;
 use super::lost_motion::{Contact, LostMotion};
@@ -15,6 +16,7 @@ use crate::gear::{AsBuilt, HalfTooth, Side};
 use crate::pair::{Assembly, Member, Pose};
 pub use certificate::Certifier;
 use facing::{Facing, Found};
+use far_land::FarLands;
 use nalgebra::Point2;
 use std::f64::consts::PI;
 use std::ops::Range;
@@ -104,8 +106,12 @@ impl<'a> PolygonKernel<'a> {
     /// that touches nearest the operating pitch point gives the contact its name.
     fn side(&self, pose: &Pose, side: Side) -> Result<Option<Contact>, Error> {
         let mut found = Vec::new();
-        for steps in steps_in_reach(self.assembly, pose) {
-            let facing = Facing::new(self, pose, side, steps);
+        let steps = steps_in_reach(self.assembly, pose);
+        let lands: Vec<(i64, FarLands)> = steps
+            .map(|steps| (steps, FarLands::new(self, pose, side, steps)))
+            .collect();
+        for (steps, far) in &lands {
+            let facing = Facing::new(self, pose, side, *steps, far);
             if let Some(bracket) = facing.search(self.finest)? {
                 found.push((facing, bracket));
             }

@@ -37,7 +37,7 @@ impl Facing<'_> {
             let (curve, parameter) = half.polygon.locate(segments[i] as usize, &at[i]);
             let radius = at[i].coords.norm();
             let normal = Profile::new(gear).normal(curve, parameter, self.side);
-            let edge = is_edge(gear, curve, parameter, radius);
+            let edge = is_edge(gear, half.polygon.land_start(), curve, parameter, radius);
             let on_tip_circle = radius >= gear.tip_radius() - CORNER;
             let touch = Touch {
                 tooth,
@@ -69,12 +69,15 @@ impl Facing<'_> {
     }
 }
 
-/// Whether a half tooth ends at the place: its tip corner, or the middle of the space.
-fn is_edge(gear: &Gear, curve: Curve, parameter: f64, radius: f64) -> bool {
+/// Whether a half tooth has an edge or ends at the place: a corner of its tip, or the middle of the space.
+fn is_edge(gear: &Gear, land_start: f64, curve: Curve, parameter: f64, radius: f64) -> bool {
     let profile = Profile::new(gear);
     let (root_start, root_end) = profile.range(Curve::Root);
     match curve {
-        Curve::Tip => parameter >= profile.range(Curve::Tip).1 - CORNER / radius,
+        Curve::Tip => {
+            let inside = CORNER / radius;
+            parameter >= profile.range(Curve::Tip).1 - inside || parameter <= land_start + inside
+        }
         Curve::Involute => radius >= gear.tip_radius() - CORNER,
         Curve::Fillet => root_start >= root_end && radius <= gear.root_radius() + CORNER,
         Curve::Root => parameter >= root_end - CORNER / radius,

@@ -1,0 +1,102 @@
+//! Land on land, in closed form: two arcs, one of which turns about an axis off its centre. A tip on a tip, or on a root.
+//!
+//! Along both lands the gap has its greatest value where an arc ends (the end of one land on the other land), or
+//! where the circles touch. With `C` the centre of the locked arc, `E` that of the free one at rotation 0, and `S` the sum of
+//! their radii, the circles touch at the rotation `μ` for which `|C − E e^{iμ}| = S`:
+//!
+//! ```text
+//! cos(arg C − arg E − μ) = (|C|² + |E|² − S²)/(2 |C| |E|).
+//! ```
+//!
+//! (Where an arc's radius about the axis turns, the gap goes on along the arc: no extremum.) A search would take the
+//! longest here: a free land runs so nearly round the axis that its polar slope bounds nothing.
+
+use super::corner::on_land;
+use super::curves::Curves;
+use super::hit::Hit;
+use super::placed::Placed;
+use super::shape::{C, turn};
+use crate::gear::Curve::{self, Root, Tip};
+
+/// The pairs of lands that can touch, the locked gear's first. Two roots are always apart.
+pub(super) const LANDS: [(Curve, Curve); 3] = [(Tip, Tip), (Tip, Root), (Root, Tip)];
+
+/// `curves` without pairs of lands.
+pub(super) fn without_lands(curves: Curves) -> Curves {
+    LANDS
+        .into_iter()
+        .fold(curves, |rest, (ours, theirs)| rest.without(ours, theirs))
+}
+
+/// The greatest gap of those pairs of lands that `curves` has.
+#[cold]
+pub(super) fn land_on_land(
+    locked: &Placed,
+    free: &Placed,
+    origin: C,
+    curves: Curves,
+) -> Option<Hit> {
+    LANDS
+        .into_iter()
+        .filter(|&(ours, theirs)| curves.has(ours, theirs))
+        .filter_map(|lands| greatest(locked, free, lands, origin))
+        .reduce(greater)
+}
+
+fn greater(one: Hit, other: Hit) -> Hit {
+    if other.gap > one.gap { other } else { one }
+}
+
+fn greatest(
+    locked: &Placed,
+    free: &Placed,
+    (ours, theirs): (Curve, Curve),
+    origin: C,
+) -> Option<Hit> {
+    let hit = |t: f64, u: f64| Hit::new((locked, (ours, t)), (free, (theirs, u)), origin, 0.0);
+    let ends = |placed: &Placed, curve: Curve| {
+        let (low, high) = placed.range(curve);
+        [low, high].map(|t| (t, placed.at(curve, t).point.norm()))
+    };
+    let locked_ends = ends(locked, ours)
+        .into_iter()
+        .filter_map(|(t, rho)| Some(hit(t, on_land(free, theirs, rho)?)));
+    let free_ends = ends(free, theirs)
+        .into_iter()
+        .filter_map(|(u, rho)| Some(hit(on_land(locked, ours, rho)?, u)));
+    let touching = tangents(locked, free, (ours, theirs))
+        .into_iter()
+        .flatten()
+        .map(|(t, u)| hit(t, u));
+    locked_ends.chain(free_ends).chain(touching).reduce(greater)
+}
+
+/// Parameters on both lands where the circles touch.
+fn tangents(
+    locked: &Placed,
+    free: &Placed,
+    (on_locked, on_free): (Curve, Curve),
+) -> [Option<(f64, f64)>; 2] {
+    let (ours, theirs) = (locked.centre, free.centre);
+    let radius = locked.shape.radius(on_locked, 0.0);
+    let sum = radius + free.shape.radius(on_free, 0.0);
+    let (far, off) = (ours.norm(), theirs.norm());
+    // (|C| − S)(|C| + S): no difference of large squares.
+    let cos = ((far - sum) * (far + sum) + off * off) / (2.0 * far * off);
+    if !(cos.abs() <= 1.0) {
+        return [None; 2];
+    }
+    let on = |placed: &Placed, curve: Curve, centre: C, point: C| {
+        let t = -((point - centre) * placed.direction.conj()).arg();
+        let (low, high) = placed.range(curve);
+        (low..=high).contains(&t).then_some(t)
+    };
+    [cos.acos(), -cos.acos()].map(|beside| {
+        let rotation = (ours * theirs.conj()).arg() + beside;
+        let centre = theirs * turn(rotation);
+        let point = ours + (centre - ours) * (radius / sum);
+        let back = point * turn(-rotation);
+        let on_locked = on(locked, on_locked, ours, point)?;
+        Some((on_locked, on(free, on_free, theirs, back)?))
+    })
+}

@@ -40,7 +40,13 @@ impl<'a> Half<'a> {
             samples: Vec::new(),
         };
         for curve in Curve::ALL {
-            let (from, to) = half.profile.range(curve);
+            let (mut from, to) = half.profile.range(curve);
+            if curve == Curve::Tip {
+                // The whole land, to where the tooth's other flank begins.
+                let widening =
+                    gear.flank_offset(Side::Left, tooth) - gear.flank_offset(Side::Right, tooth);
+                from = (-to - widening).min(0.0);
+            }
             for k in 0..=SAMPLES {
                 let t = from + (to - from) * k as f64 / SAMPLES as f64;
                 half.samples.push(half.node(curve, t));

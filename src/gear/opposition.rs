@@ -52,7 +52,7 @@ impl Pitch {
             return 1.0;
         }
         let rest = least_of_both(&harmonics, 2, z);
-        let [u, v] = Side::BOTH.map(|side| self.from_zero_of_eccentricity(gear, side));
+        let [u, v] = Side::BOTH.map(|side| self.first_harmonic_as_eccentric(gear, side));
         let (together, apart) = ((u + v).norm_sqr(), (u - v).norm_sqr());
         if !(apart > 0.0) {
             return (3.0 * rest).min(1.0);
@@ -80,7 +80,7 @@ impl Pitch {
     }
 
     /// First harmonic of the own `side` flanks, counted from the angle `±α` at which an eccentricity shows nothing.
-    fn from_zero_of_eccentricity(&self, gear: &Gear, side: Side) -> Complex<f64> {
+    fn first_harmonic_as_eccentric(&self, gear: &Gear, side: Side) -> Complex<f64> {
         let toothing = gear.toothing();
         let alpha = toothing.pressure_angle();
         let ahead = -side.sense();

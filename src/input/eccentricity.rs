@@ -5,7 +5,7 @@ use super::problems::Problems;
 use super::runout::Runout;
 use super::table::Table;
 use crate::error::GearError;
-use crate::gear::{Gear, Pitch, Toothing};
+use crate::gear::{Gear, Pitch, Side, Toothing};
 use crate::notes::{Eccentricity, EccentricityNote};
 
 /// Of `[pitch] eccentricity`: which one counts where pitch and runout both state it.
@@ -98,6 +98,9 @@ fn apart_um(one: Eccentricity, other: Eccentricity, toothing: &Toothing) -> f64 
 /// lies within 25 % of the amount and, by its sine, within 14.5° of the direction. That is what an own harmonic or noise of
 /// a quarter of it does; a harmonic of the gear's own, of any direction and up to twice the amount, comes there once in 64 times.
 const SAME: f64 = 0.25;
+/// Standard deviations by which that harmonic must stand out from what else the pitch holds: of white deviations it does so
+/// once in e^(4²/2) = 3000 times.
+const STANDS_OUT: f64 = 4.0;
 
 /// A warning where own-axis `pitch` holds the very eccentricity of `runout`, both flanks jointly.
 pub fn held(
@@ -112,7 +115,14 @@ pub fn held(
         um: 1000.0 * found.eccentricity,
         high_tooth: found.high_tooth,
     };
-    (apart_um(runout, in_pitch, gear.toothing()) <= SAME * runout.um).then(|| {
+    // As of the least squares of `datum`: deviations of s leave s cos α/√z in either part of the eccentricity.
+    let toothing = gear.toothing();
+    let rest = Side::BOTH.map(|side| found.pitch.flank(side).iter().map(|f| f * f).sum::<f64>());
+    let z = f64::from(toothing.teeth());
+    let free = (2.0 * z - 4.0).max(1.0);
+    let deviation = (rest.iter().sum::<f64>() / free / z).sqrt() * toothing.pressure_angle().cos();
+    let stands_out = found.eccentricity > STANDS_OUT * deviation;
+    (stands_out && apart_um(runout, in_pitch, toothing) <= SAME * runout.um).then(|| {
         format!(
             "{}: the values look as if they were measured about the datum axis: their first harmonic is that of an eccentricity of {:.3} µm towards tooth {:.2}, and [runout] says \
              {:.3} µm towards tooth {:.2}, which would count twice: if so, write axis = \"datum\" and eccentricity = \"pitch\" or \"runout\"",

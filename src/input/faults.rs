@@ -193,6 +193,12 @@ impl Drawing<'_> {
                 (Some(only), _) => format!("measure over {only} teeth, and give that span"),
                 _ => "no span fits this gear: measure over pins".to_owned(),
             };
+            if let Some(slip) = slips::in_readings(self) {
+                let way_out = format!("check the readings{}", slip.suspected());
+                return self
+                    .table
+                    .problem(&format!("{}.span", self.under), reason, way_out);
+            }
             let key = format!("{}.span.teeth", self.under);
             return self.table.problem(&key, reason, way_out);
         }

@@ -79,6 +79,12 @@ impl Pitch {
         (3.0 * rest.min(first)).min(1.0)
     }
 
+    /// Energy `|R|² + |L|²` of the first harmonics of both flanks, mm² times `z²`.
+    pub fn first_harmonic_energy(&self, gear: &Gear) -> f64 {
+        let energy = |side| self.first_harmonic_as_eccentric(gear, side).norm_sqr();
+        Side::BOTH.map(energy).iter().sum()
+    }
+
     /// First harmonic of the own `side` flanks, counted from the angle `±α` at which an eccentricity shows nothing.
     fn first_harmonic_as_eccentric(&self, gear: &Gear, side: Side) -> Complex<f64> {
         let toothing = gear.toothing();

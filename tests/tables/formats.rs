@@ -14,6 +14,20 @@ pub struct Format {
     pub oracle: Oracle,
     /// What gearlash understood, in the same order.
     pub understood: fn(&Study) -> Vec<Vec<f64>>,
+    /// How far the two may lie apart of a value and of so many teeth: nothing where values are taken over as they stand.
+    pub apart: fn(f64, u32) -> f64,
+}
+
+impl Format {
+    pub fn alike(&self, study: &Study, expected: &[Vec<f64>], teeth: u32) -> bool {
+        let understood = (self.understood)(study);
+        let near = |(one, other): (&f64, &f64)| (one - other).abs() <= (self.apart)(*other, teeth);
+        understood.len() == expected.len()
+            && understood
+                .iter()
+                .zip(expected)
+                .all(|(one, other)| one.len() == other.len() && one.iter().zip(other).all(near))
+    }
 }
 
 /// A deviation of tooth `tooth`, in tenths of a µm.
@@ -52,6 +66,7 @@ pub const FORMATS: [Format; 5] = [
             delimited(bytes, teeth, &[["right", "rechts"], ["left", "links"]]).map(flanks)
         },
         understood: pitch_lists,
+        apart: |_, _| 0.0,
     },
     Format {
         name: "german.csv",
@@ -68,6 +83,7 @@ pub const FORMATS: [Format; 5] = [
             delimited(bytes, teeth, &[["right", "rechts"], ["left", "links"]]).map(flanks)
         },
         understood: pitch_lists,
+        apart: |_, _| 0.0,
     },
     Format {
         name: "thickness.csv",
@@ -80,6 +96,7 @@ pub const FORMATS: [Format; 5] = [
             delimited(bytes, teeth, &[["thickness", "dicke"]]).map(|rows| vec![column(&rows, 0)])
         },
         understood: |study| vec![echoed(study, "thickness", "per_tooth_um")],
+        apart: |_, _| 0.0,
     },
     Format {
         name: "runout.csv",
@@ -98,13 +115,19 @@ pub const FORMATS: [Format; 5] = [
                     .map(|(i, reading)| reading * wave(i as f64 * step))
                     .sum()
             };
-            // Twice the amplitude of the discrete Fourier transform, to what a sum of 10 000 floats leaves.
+            // Twice the amplitude of the discrete Fourier transform.
             let total = 4.0 / f64::from(teeth) * sum(f64::cos).hypot(sum(f64::sin));
-            Some(vec![vec![(total * 1e6).round() / 1e6]])
+            Some(vec![vec![total]])
         },
         understood: |study| {
             let total = study.echo["wheel"]["runout"]["total_um"].as_f64().unwrap();
-            vec![vec![(total * 1e6).round() / 1e6]]
+            vec![vec![total]]
+        },
+        // What a sum of 10 000 floats leaves, µm; and the harmonic is that of a small e: readings go as √(r² − e² sin²), of
+        // third order in e; of module 3 mm, r is 3 z/2.
+        apart: |total, teeth| {
+            let e_to_r = total / 1000.0 / (3.0 * f64::from(teeth));
+            1e-6 + total * e_to_r * e_to_r
         },
     },
     Format {
@@ -139,5 +162,6 @@ pub const FORMATS: [Format; 5] = [
             Some(vec![column(&right, 0), column(&left, 0)])
         },
         understood: pitch_lists,
+        apart: |_, _| 0.0,
     },
 ];

@@ -33,7 +33,7 @@ impl Pitch {
     /// The same of datum-axis curves of `gear`, which hold an eccentricity of any size in their first harmonic.
     ///
     /// Let `u` and `v` be the first harmonics of the right and of the left flanks, each counted from where an eccentricity has its
-    /// zero (`ψ ∓ α`, see [`super::datum`]). An eccentricity puts the same into both: `S = u + v` holds it, `D = u − v`
+    /// zero (`ψ ∓ α`, see [`Pitch::separate_eccentricity`]). An eccentricity puts the same into both: `S = u + v` holds it, `D = u − v`
     /// nothing of it. A left flank turned round changes the parts of `S` and `D`: then an eccentricity
     /// stands in `D`, as a first harmonic of the gear's own thickness would, and hardly anything in `S`.
     ///

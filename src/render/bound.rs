@@ -15,6 +15,16 @@ pub(super) fn bound(mm: f64) -> String {
     }
 }
 
+/// A number as `digits · 10^power` with raised digits, or as it is where that is short.
+pub(super) fn decades(number: f64) -> String {
+    let text = format!("{number:e}");
+    let (digits, power) = text.split_once('e').unwrap_or((&text, "0"));
+    match (digits.parse(), power.parse::<f64>()) {
+        (Ok(digits), Ok(power)) if power.abs() > 3.0 => scientific(digits, power),
+        _ => format!("{number}"),
+    }
+}
+
 /// `digit · 10^power` with raised digits, or as it is where that is short.
 pub(super) fn scientific(digit: f64, power: f64) -> String {
     if (-3.0..=3.0).contains(&power) {
@@ -41,6 +51,10 @@ mod tests {
         assert_eq!(bound(3.14e-12), "4·10⁻⁹");
         assert_eq!(bound(1e-12), "1·10⁻⁹");
         assert_eq!(bound(9.5e-12), "1·10⁻⁸");
+        assert_eq!(decades(3.2e-9), "3.2·10⁻⁹");
+        assert_eq!(decades(1e-12), "1·10⁻¹²");
+        assert_eq!(decades(0.0032), "0.0032");
+        assert_eq!(decades(0.0), "0");
         assert_eq!(bound(3.2e-5), "0.04");
         assert_eq!(bound(0.0), "0");
     }

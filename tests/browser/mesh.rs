@@ -91,7 +91,8 @@ pub fn backlash_is_the_results(browser: &Chromium, site: &Site) {
             );
             let bound = said(&mut tab, "bound");
             let bound = bound.trim_start_matches("≤ ").trim_end_matches(" µm");
-            let bound: f64 = bound.parse().expect("a bound");
+            let plain: String = bound.chars().map(lowered).collect();
+            let bound: f64 = plain.replace("·10", "e").parse().expect("a bound");
             let exact = expected["error_bound_um"].as_f64().expect("a bound");
             assert!(
                 bound >= exact && bound <= 1.1 * exact,
@@ -351,5 +352,15 @@ pub fn a_click_in_the_chart_leads_to_the_pose(browser: &Chromium, site: &Site) {
             tab.number("document.querySelectorAll('.viewer-cursor').length"),
             1.0
         );
+    }
+}
+
+/// A raised digit as a plain one.
+fn lowered(c: char) -> char {
+    let raised = "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().position(|digit| digit == c);
+    match (c, raised) {
+        ('⁻', _) => '-',
+        (_, Some(digit)) => char::from(b'0' + digit as u8),
+        _ => c,
     }
 }

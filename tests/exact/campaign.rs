@@ -98,19 +98,17 @@ fn random_poses_against_brute_force() {
     assert!(5 * tally.eccentric >= 2 * tally.poses);
 }
 
+/// A number that the environment states, or `default`.
+fn asked(name: &str, default: u64) -> u64 {
+    let stated = std::env::var(name).ok();
+    stated.map_or(default, |text| text.parse().expect("a number"))
+}
+
 /// The same, long.
 #[test]
 #[ignore = "minutes"]
 fn many_random_poses_against_brute_force() {
-    let count = std::env::var("POSES")
-        .ok()
-        .and_then(|text| text.parse().ok())
-        .unwrap_or(20_000);
-    let first = std::env::var("SEED")
-        .ok()
-        .and_then(|text| text.parse().ok())
-        .unwrap_or(1_000);
-    println!("{:?}", run(count, first));
+    println!("{:?}", run(asked("POSES", 20_000), asked("SEED", 1_000)));
 }
 
 /// The quick path against branch and bound, `count` pairs with four poses each; returns how many pairs were quick.
@@ -175,13 +173,9 @@ fn the_quick_path_finds_what_the_search_finds() {
 #[test]
 #[ignore = "minutes"]
 fn the_quick_path_finds_what_the_search_finds_in_many_poses() {
-    let count = std::env::var("POSES")
-        .ok()
-        .and_then(|text| text.parse().ok())
-        .unwrap_or(20_000);
-    let first = std::env::var("SEED")
-        .ok()
-        .and_then(|text| text.parse().ok())
-        .unwrap_or(1_000_000);
-    quick_against_search(count, first, random::WILD);
+    quick_against_search(
+        asked("POSES", 20_000),
+        asked("SEED", 1_000_000),
+        random::WILD,
+    );
 }

@@ -6,6 +6,7 @@ use crate::compare::ComparedRun;
 use crate::gear::Side;
 use crate::mesh::{Contact, ContactClass, Status};
 use crate::pair::{Assembly, Member};
+use crate::render::bound::decades;
 use crate::render::caption::decimals;
 use crate::render::decimal::fixed;
 use crate::study::Material;
@@ -67,7 +68,9 @@ pub fn draw(run: &ComparedRun, number: usize) -> String {
     let shown = j_wt.map_or("none".to_owned(), |j| format!("{} µm", fixed(j, 3)));
     let full = j_wt.map_or(String::new(), |j| format!("{j}"));
     let title = j_wt.map_or(String::new(), |j| format!("{j} µm"));
-    let bound = bound.map_or("none".to_owned(), |bound| format!("≤ {bound:e} µm"));
+    let bound = bound.map_or("none".to_owned(), |bound| {
+        format!("≤ {} µm", decades(bound))
+    });
     let rows = [
         ("run", "Run", self::run(run)),
         (

@@ -85,7 +85,7 @@
     output.title = backlash === null ? "" : backlash + " µm";
     set("overlapping", backlash < 0 ? `Teeth overlap by ${fixed(-backlash, 1)} µm at the red dots: zoom in to see it.` : "");
     const bound = value("error_bound_um");
-    set("bound", bound === null ? "none" : `≤ ${bound.toExponential().replace("e+", "e")} µm`);
+    set("bound", bound === null ? "none" : `≤ ${scientific(bound)} µm`);
     for (const side of sides) {
       const contact = run()[side];
       const [w, p, kind] = [contact.wheel, contact.pinion, contact.class].map((column) => column[shown.pose]);
@@ -96,6 +96,13 @@
   function fixed(number, decimals) {
     const text = number.toFixed(decimals);
     return Number(text) === 0 ? text.replace("-", "") : text.replace("-", "−");
+  }
+
+  function scientific(number) {
+    const [digits, power] = number.toExponential().split("e");
+    if (Math.abs(power) <= 3) return String(number);
+    const raised = String(Number(power)).replace(/./g, (c) => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(c)]);
+    return `${digits}·10${raised}`;
   }
 
   // ---- stepping

@@ -1,6 +1,7 @@
 //! A rig's measured backlash beside the predicted and the simulated band, mating by mating.
 
 use crate::compare::{ComparedPose, ComparedRun};
+use crate::pair::Mating;
 use crate::study::{Material, MeasuredRow, Study};
 
 /// A band of backlash, µm.
@@ -50,7 +51,9 @@ pub struct Bands {
 pub fn measured_matings(study: &Study, runs: &[ComparedRun]) -> Vec<MeasuredMating> {
     let of_row = |row: &MeasuredRow| {
         let mating = (row.wheel_tooth, row.pinion_tooth);
-        let bands = bands(study, runs, row.center_distance, mating);
+        let bands = bands(study, runs, row.center_distance, |here| {
+            (here.wheel_tooth, here.pinion_tooth) == mating && here.fraction == 0.0
+        });
         MeasuredMating {
             printed: Band {
                 min_um: row.predicted_min_um,
@@ -82,17 +85,14 @@ pub fn sides(measured: &[MeasuredMating], band: fn(&MeasuredMating) -> Option<Ba
     sides
 }
 
-/// What `runs` says of `mating` (wheel and pinion tooth) at `center_distance`, mm.
+/// What the poses of `runs` that are `wanted` say at `center_distance`, mm.
 pub fn bands(
     study: &Study,
     runs: &[ComparedRun],
     center_distance: f64,
-    mating: (u32, u32),
+    wanted: impl Fn(&Mating) -> bool,
 ) -> Bands {
-    let of_mating = |pose: &&ComparedPose| {
-        let here = pose.swept.pose.mating();
-        (here.wheel_tooth, here.pinion_tooth) == mating && here.fraction == 0.0
-    };
+    let of_mating = |pose: &&ComparedPose| wanted(pose.swept.pose.mating());
     let mean = |material: Material, value: &dyn Fn(&ComparedPose) -> Option<f64>| {
         let run = runs.iter().find(|compared| {
             compared.run.material == material

@@ -13,6 +13,7 @@ use clap::ValueEnum;
 use drawn::Drawn;
 use std::path::PathBuf;
 use std::process::ExitCode;
+use std::slice;
 
 /// Draw backlash over teeth or centre distance, or a gear's deviations, as SVG
 ///
@@ -68,16 +69,19 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let study = input::read(&args.pair)?;
     warn(&args.pair, &study.warnings, &study.remarks);
     let stem = study.stem.clone();
+    let given = args.output.clone();
+    let given = given.map(|file| Target::prepare_beside(file, slice::from_ref(&args.pair)));
+    let given = given.transpose()?;
     let drawn = match args.kind {
         Kind::Revolution | Kind::Difference => Drawn::over_teeth(args, study)?,
         Kind::Distance => Drawn::over_distance(args, &study)?,
         Kind::Inspection => Drawn::inspection(args, &study)?,
     };
-    let target = match &args.output {
-        Some(file) => file.clone(),
-        None => PathBuf::from("out").join(stem).join(drawn.file),
+    let target = match given {
+        Some(target) => target,
+        None => Target::prepare(PathBuf::from("out").join(stem).join(drawn.file))?,
     };
-    Target::prepare(target)?.write(drawn.chart.svg)?;
+    target.write(drawn.chart.svg)?;
     Ok(if drawn.agrees {
         ExitCode::SUCCESS
     } else {

@@ -61,7 +61,9 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             "--tolerance-um {tolerance}: a tolerance is a number of µm, 0 or more"
         )));
     }
-    let markdown = args.markdown.clone().map(Target::prepare).transpose();
+    let markdown = args.markdown.clone();
+    let markdown = markdown.map(|file| Target::prepare_beside(file, &args.pairs));
+    let markdown = markdown.transpose();
     let markdown = markdown.map_err(|error| of_option(error, "--markdown"))?;
     let mut studies = Vec::new();
     let mut faults = Vec::new();

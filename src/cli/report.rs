@@ -5,7 +5,7 @@ use super::method::{MethodArgs, agreement_within, largest_difference};
 use super::progress::Progress;
 use super::target::Target;
 use super::warn;
-use crate::compare::compare;
+use crate::compare::{ComparedRun, compare};
 use crate::curves;
 use crate::cycle::{self, cycle};
 use crate::diagnosis::diagnose;
@@ -19,6 +19,7 @@ use crate::simulate::{pose_count, simulate};
 use crate::study::Study;
 use std::path::PathBuf;
 use std::process::ExitCode;
+use std::slice;
 
 /// Write a report: one HTML page with verdict, input, checks, curves, formulas and the mesh itself
 ///
@@ -41,10 +42,11 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let date = today()?;
     let study = input::read(&args.pair)?;
     warn(&args.pair, &study.warnings, &study.remarks);
-    let target = Target::prepare(match &args.output {
+    let file = match &args.output {
         Some(file) => file.clone(),
         None => PathBuf::from("out").join(format!("{}.html", study.stem)),
-    })?;
+    };
+    let target = Target::prepare_beside(file, slice::from_ref(&args.pair))?;
     let method = args.method.method();
     let matings = curves::matings_of_note(&study, None).len();
     let poses = pose_count(&study)?
@@ -56,10 +58,15 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let runs = compare(simulate(&study, method, &tick)?, study.tolerance_um);
     let revolution = curves::revolution(&study, method, &tick)?;
     let cycle = cycle(&study, method, &tick)?;
-    let binding = curves::binding_mating(revolution.iter().chain(&runs));
+    let all: Vec<&ComparedRun> = revolution
+        .iter()
+        .chain(&runs)
+        .chain(&cycle.extremes)
+        .collect();
+    let binding = curves::binding_mating(all.iter().copied());
     let over_distance = curves::matings_of_note(&study, binding)
         .into_iter()
-        .map(|mating| curves::over_distance(&study, Some(mating), method, &tick))
+        .map(|mating| curves::over_distance(&study, Some(mating), &all, method, &tick))
         .collect::<Result<Vec<_>, Error>>()?;
     progress.finish()?;
     let progress = Progress::working();

@@ -14,6 +14,7 @@ use crate::study::{Material, Study};
 use clap::ValueEnum;
 use std::path::PathBuf;
 use std::process::ExitCode;
+use std::slice;
 
 /// Draw the contact at one pose as SVG
 ///
@@ -85,7 +86,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         None => render::snapshot(&view),
         Some(factor) => render::exaggerated(&view, &exaggeration(&subject.assembly, factor)?),
     };
-    Target::prepare(target)?.write(picture)?;
+    Target::prepare_beside(target, slice::from_ref(&args.pair))?.write(picture)?;
     Ok(ExitCode::SUCCESS)
 }
 

@@ -12,7 +12,29 @@ pub(super) struct Target {
     place: Option<(OutputFolder, String)>,
 }
 
+/// Endings of what gearlash reads: pair files and tables.
+const READ: [&str; 7] = ["toml", "json", "csv", "tsv", "xlsx", "xlsm", "xls"];
+
 impl Target {
+    /// As [`Target::prepare`], for a page, a picture or Markdown: never in the place of `inputs`, or of any other
+    /// pair file or table.
+    ///
+    /// # Errors
+    /// [`Error::Usage`] for these places; else as [`Target::prepare`].
+    pub(super) fn prepare_beside(path: PathBuf, inputs: &[PathBuf]) -> Result<Target, Error> {
+        let ending = path.extension().map(|ending| ending.to_ascii_lowercase());
+        let read = ending.is_some_and(|ending| READ.iter().any(|read| ending == *read));
+        let real = path.canonicalize().ok();
+        let input = |input: &PathBuf| real.is_some() && input.canonicalize().ok() == real;
+        if read || inputs.iter().any(input) {
+            return Err(Error::Usage(format!(
+                "{}: this is the place of a pair file or a table, which would be lost; name another file",
+                path.display()
+            )));
+        }
+        Target::prepare(path)
+    }
+
     /// Makes the folder of `path` where it is missing and tries to write in it.
     ///
     /// # Errors

@@ -1,11 +1,12 @@
 //! Which mating binds.
 
 use crate::compare::ComparedRun;
+use crate::gear::Side;
 use crate::mesh::first_least;
 use crate::pair::Mating;
 use crate::study::Study;
 
-/// Wheel and pinion tooth of the pose with the least backlash of all `runs`, or of the pose half a pitch or less beyond
+/// Wheel and pinion tooth, by their right flanks, of the pose with the least backlash of all `runs`, or of the pose half a pitch or less beyond
 /// which it stands; `None` where no pose has a value.
 pub fn binding_mating<'a>(
     runs: impl Iterator<Item = &'a ComparedRun> + Clone,
@@ -24,7 +25,10 @@ pub fn binding_mating<'a>(
         fraction: 0.0,
         ..*mating
     };
-    let nearest = whole.onward(&run.run.assembly, mating.fraction.round());
+    let assembly = &run.run.assembly;
+    let nearest = whole
+        .onward(assembly, mating.fraction.round())
+        .at_flank(assembly, Side::Right);
     Some((nearest.wheel_tooth, nearest.pinion_tooth))
 }
 

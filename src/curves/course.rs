@@ -18,7 +18,7 @@ pub struct Course {
     /// Number of wheel teeth where places are tooth numbers (those beyond it start again at 1);
     /// `None` where they are pitches since the first pose.
     pub teeth: Option<u32>,
-    /// Wheel and pinion tooth of the first pose.
+    /// Wheel and pinion tooth of the first right-flank pose.
     pub start: (u32, u32),
     /// Material by material, right flank before left.
     pub lines: Vec<CourseLine>,
@@ -109,7 +109,8 @@ fn course((center_distance, phase): (f64, Option<(u32, u32)>), runs: Vec<&Compar
                 poses.iter().map(|pose| pose.swept.pose.mating())
             });
             (span, teeth) = (scale.span(), scale.teeth);
-            if let Some(first) = poses.first().map(|pose| pose.swept.pose.mating()) {
+            if let Some(first) = poses.first() {
+                let first = first.swept.pose.mating().at_flank(assembly, Side::Right);
                 start = (first.wheel_tooth, first.pinion_tooth);
             }
             let x: Vec<f64> = scale

@@ -11,7 +11,9 @@ mod scale;
 
 pub use binding::{binding_mating, matings_of_note};
 pub use course::{Course, CourseLine, CoursePoint, Extreme, courses};
-pub use over_distance::{DistancePoint, OverDistance, over_distance, over_distance_pose_count};
+pub use over_distance::{
+    DistancePoint, OverDistance, Range, over_distance, over_distance_pose_count,
+};
 
 use crate::compare::{ComparedRun, compare};
 use crate::error::Error;
@@ -28,8 +30,8 @@ const STEPS_PER_PITCH: u32 = 16;
 /// The runs behind curves over the teeth: each centre distance, material and phase.
 ///
 /// Where the study sweeps a revolution, its own poses; else one wheel revolution from wheel tooth 1 on, in the
-/// assembly phase of the study's first mating, at 16 steps a pitch. The left-flank poses of the same matings and
-/// fractions follow the right-flank ones.
+/// assembly phase of the study's first mating, at 16 steps a pitch. The left-flank poses of the same wheel teeth and
+/// fractions follow the right-flank ones, the gears put together alike.
 ///
 /// # Errors
 /// As [`crate::simulate::simulate`].
@@ -73,10 +75,10 @@ pub fn swept(mut study: Study) -> Study {
 fn revolution_plans(study: &Study) -> Result<Vec<RunPlan>, Error> {
     let mut plans = swept(study.clone()).runs()?;
     for plan in &mut plans {
-        let left = plan.matings.clone().into_iter().map(|mating| Mating {
-            flank: Side::Left,
-            ..mating
-        });
+        let right = plan.matings.clone();
+        let left = right
+            .iter()
+            .map(|mating| mating.at_flank(&plan.assembly, Side::Left));
         plan.matings.extend(left);
     }
     Ok(plans)
@@ -110,8 +112,7 @@ fn from_tooth_1(study: &Study) -> (u32, u32) {
     let Some(assembly) = assembly else {
         return (wheel_tooth, pinion_tooth);
     };
-    let back = f64::from(wheel_tooth - 1) * scale::wheel_sense(&assembly);
-    let start = mating.onward(&assembly, -back);
+    let start = mating.of_wheel_tooth_1(&assembly);
     (start.wheel_tooth, start.pinion_tooth)
 }
 

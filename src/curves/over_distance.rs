@@ -1,7 +1,7 @@
 //! Backlash of one mating over the centre distance.
 
 use super::first_mating;
-use crate::compare::compare;
+use crate::compare::{ComparedRun, compare};
 use crate::error::Error;
 use crate::gear::Side;
 use crate::measured::{Bands, bands};
@@ -21,18 +21,34 @@ const AROUND: f64 = 0.02;
 /// One mating's backlash over the centre distance.
 #[derive(Debug, Clone, PartialEq)]
 pub struct OverDistance {
-    /// Wheel and pinion tooth.
+    /// Wheel and pinion tooth whose right flanks meet at the pitch point.
     pub mating: (u32, u32),
+    /// Those whose left flanks meet there, the gears put together alike; in a measured mating the same teeth, as the file
+    /// names them.
+    pub left_mating: (u32, u32),
     /// Radial clearance `c` of both bearings together, mm.
     pub clearance: f64,
     /// Whether the bands have two ends: most and least material.
     pub two_materials: bool,
     /// In ascending order of centre distance.
     pub points: Vec<DistancePoint>,
+    /// Of all poses, not this mating's alone, at each centre distance where they were simulated.
+    pub ranges: Vec<Range>,
     /// The measured rows of the mating, in the order of their file.
     pub measured: Vec<MeasuredRow>,
     /// With [`Method::Both`]: the largest difference between the two methods, mm.
     pub polygon_difference: Option<f64>,
+}
+
+/// Backlash at one centre distance over all poses that have a value, µm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Range {
+    /// `a`, mm.
+    pub center_distance: f64,
+    /// The least.
+    pub least_um: f64,
+    /// The greatest.
+    pub greatest_um: f64,
 }
 
 /// The bands at one centre distance, from most to least material.
@@ -46,18 +62,23 @@ pub struct DistancePoint {
     pub gap: Option<Status>,
 }
 
-/// `mating` (of the study's first, where `None`) over a grid of centre distances round the study's.
+/// `mating` (of the study's first, where `None`) over a grid of centre distances round the study's and those at which it
+/// was measured; beside it the ranges of `runs`.
 ///
 /// # Errors
 /// [`Error::Usage`] for a tooth that is not there; else as [`crate::simulate::simulate`].
 pub fn over_distance(
     study: &Study,
     mating: Option<(u32, u32)>,
+    runs: &[&ComparedRun],
     method: Method,
     tick: &(dyn Fn() -> ControlFlow<()> + Sync),
 ) -> Result<OverDistance, Error> {
     let mating = mating.unwrap_or_else(|| first_mating(study));
-    let distances = grid(study);
+    let of_mating = |row: &&MeasuredRow| (row.wheel_tooth, row.pinion_tooth) == mating;
+    let measured: Vec<MeasuredRow> = study.measured.iter().filter(of_mating).cloned().collect();
+    let distances = grid(study, &measured);
+    let mut left_mating = mating;
     let mut plans = Vec::new();
     for &a in &distances {
         for (material, wheel, pinion) in &study.materials {
@@ -71,21 +92,29 @@ pub fn over_distance(
                     )));
                 }
             }
+            let right = Mating {
+                wheel_tooth: mating.0,
+                pinion_tooth: mating.1,
+                flank: Side::Right,
+                fraction: 0.0,
+            };
+            let left = match measured.is_empty() {
+                true => right.at_flank(&assembly, Side::Left),
+                false => Mating {
+                    flank: Side::Left,
+                    ..right
+                },
+            };
+            left_mating = (left.wheel_tooth, left.pinion_tooth);
             plans.push(RunPlan {
                 material: *material,
                 assembly,
                 phase: None,
-                matings: Side::BOTH
-                    .map(|flank| Mating {
-                        wheel_tooth: mating.0,
-                        pinion_tooth: mating.1,
-                        flank,
-                        fraction: 0.0,
-                    })
-                    .to_vec(),
+                matings: vec![right, left],
             });
         }
     }
+    let ranges = ranges(runs);
     let runs = compare(
         simulate_plans(study, plans, method, tick)?,
         study.tolerance_um,
@@ -100,33 +129,64 @@ pub fn over_distance(
     };
     let point = |&a: &f64| DistancePoint {
         center_distance: a,
-        bands: bands(study, &runs, a, mating),
+        bands: bands(study, &runs, a, |_| true),
         gap: gap(a),
     };
     let poses = runs.iter().flat_map(|run| &run.poses);
     let differences = poses.filter_map(|pose| pose.swept.polygon_difference);
-    let of_mating = |row: &&MeasuredRow| (row.wheel_tooth, row.pinion_tooth) == mating;
     Ok(OverDistance {
         mating,
+        left_mating,
+        ranges,
         clearance: study.bearing_clearance,
         polygon_difference: differences.map(f64::abs).reduce(f64::max),
         two_materials: study.materials.len() > 1,
         points: distances.iter().map(point).collect(),
-        measured: study.measured.iter().filter(of_mating).cloned().collect(),
+        measured,
     })
 }
 
 /// How many poses [`over_distance`] will take.
 pub fn over_distance_pose_count(study: &Study) -> usize {
-    2 * grid(study).len() * study.materials.len()
+    2 * grid(study, &[]).len() * study.materials.len()
 }
 
-/// Centre distances round the study's, none so near that base circles overlap at `a − c`.
-fn grid(study: &Study) -> Vec<f64> {
+/// Least and greatest of `runs` at each of their centre distances.
+fn ranges(runs: &[&ComparedRun]) -> Vec<Range> {
+    let mut ranges: Vec<Range> = Vec::new();
+    for run in runs {
+        let center_distance = run.run.assembly.center_distance();
+        for um in run
+            .poses
+            .iter()
+            .filter_map(|pose| Some(pose.swept.backlash? * 1e3))
+        {
+            let mut known = ranges.iter_mut();
+            match known.find(|range| range.center_distance == center_distance) {
+                Some(range) => {
+                    range.least_um = range.least_um.min(um);
+                    range.greatest_um = range.greatest_um.max(um);
+                }
+                None => ranges.push(Range {
+                    center_distance,
+                    least_um: um,
+                    greatest_um: um,
+                }),
+            }
+        }
+    }
+    ranges
+}
+
+/// Centre distances round the study's and the `measured`, none so near that base circles overlap at `a − c`.
+fn grid(study: &Study, measured: &[MeasuredRow]) -> Vec<f64> {
     let Some((_, wheel, pinion)) = study.materials.first() else {
         return Vec::new();
     };
-    let all = || study.center_distances.iter().copied();
+    let all = || {
+        let measured = measured.iter().map(|row| row.center_distance);
+        study.center_distances.iter().copied().chain(measured)
+    };
     let (Some(first), Some(last)) = (all().reduce(f64::min), all().reduce(f64::max)) else {
         return Vec::new();
     };

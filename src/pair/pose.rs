@@ -25,6 +25,34 @@ impl Mating {
         }
     }
 
+    /// The mating of the same wheel tooth at `flank`, the gears put together as they are.
+    ///
+    /// Counter-clockwise on one gear is clockwise on the other: the tooth facing a front-left flank is the one
+    /// clockwise of that facing the front-right flank of the same tooth.
+    pub fn at_flank(&self, assembly: &Assembly, flank: Side) -> Mating {
+        let steps = i64::from(self.flank == Side::Left) - i64::from(flank == Side::Left);
+        let pinion = assembly.gear(Member::Pinion);
+        Mating {
+            pinion_tooth: pinion.counter_clockwise(self.pinion_tooth, steps),
+            flank,
+            ..*self
+        }
+    }
+
+    /// The mating of wheel tooth 1 at its right flank, the gears put together as they are.
+    pub fn of_wheel_tooth_1(&self, assembly: &Assembly) -> Mating {
+        let right = self.at_flank(assembly, Side::Right);
+        let ascending = assembly.gear(Member::Wheel).face().ascending();
+        let steps = ascending as i64 * (i64::from(self.wheel_tooth) - 1);
+        let pinion = assembly.gear(Member::Pinion);
+        Mating {
+            wheel_tooth: 1,
+            pinion_tooth: pinion.counter_clockwise(right.pinion_tooth, steps),
+            flank: Side::Right,
+            fraction: 0.0,
+        }
+    }
+
     /// The mating `pitches` beyond (before, where negative), named by the teeth of the last whole pitch: `0 ≤ fraction < 1`.
     pub fn onward(&self, assembly: &Assembly, pitches: f64) -> Mating {
         let beyond = self.fraction + pitches;

@@ -108,8 +108,13 @@ fn places_are_wheel_teeth_whatever_is_locked() {
 #[test]
 fn a_tooth_that_is_not_there_is_an_error() {
     let tick = || ControlFlow::Continue(());
-    let error =
-        gearlash::curves::over_distance(&study("karba_86x21.toml"), Some((1, 22)), METHOD, &tick);
+    let error = gearlash::curves::over_distance(
+        &study("karba_86x21.toml"),
+        Some((1, 22)),
+        &[],
+        METHOD,
+        &tick,
+    );
     assert!(error.unwrap_err().to_string().contains("1 … 21, not 22"));
 }
 

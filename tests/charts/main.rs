@@ -6,6 +6,7 @@ mod curves;
 mod drawn;
 mod empty;
 mod inspection;
+mod one_assembly;
 mod places;
 
 use gearlash::curves::{Course, OverDistance, courses, over_distance, revolution, swept};
@@ -32,7 +33,7 @@ fn course(fixture: &str, center_distance: f64) -> Course {
 
 fn over(fixture: &str, mating: Option<(u32, u32)>) -> OverDistance {
     let tick = || ControlFlow::Continue(());
-    over_distance(&study(fixture), mating, METHOD, &tick).unwrap()
+    over_distance(&study(fixture), mating, &[], METHOD, &tick).unwrap()
 }
 
 fn heading<'h>(prefix: &'h str, title: &'h str) -> Heading<'h> {

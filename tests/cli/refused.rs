@@ -155,3 +155,45 @@ fn a_folder_where_a_file_is_needed() {
     }
     assert_eq!(files(folder.path()), ["d", "small.toml"]);
 }
+
+/// `compare --markdown pairs/*.toml` with the FILE forgotten wrote Markdown over the first pair file, and exit 0 said so.
+#[test]
+fn no_output_takes_the_place_of_an_input() {
+    let folder = empty_folder();
+    for (name, copy) in [
+        ("karba_86x21.toml", "a.toml"),
+        ("karba_86x21.toml", "b.toml"),
+        ("karba_86x21.toml", "pair"),
+        ("karba_tables_5_6.csv", "rig.csv"),
+    ] {
+        std::fs::copy(fixture(name), folder.path().join(copy)).unwrap();
+    }
+    let contents = || -> Vec<(std::ffi::OsString, Vec<u8>)> {
+        let entries = std::fs::read_dir(folder.path()).unwrap();
+        let entries = entries.map(|entry| entry.unwrap());
+        let read =
+            |entry: std::fs::DirEntry| (entry.file_name(), std::fs::read(entry.path()).unwrap());
+        let mut files: Vec<_> = entries.map(read).collect();
+        files.sort();
+        files
+    };
+    let before = contents();
+    for arguments in [
+        "compare --markdown a.toml b.toml",
+        "compare b.toml --markdown ./a.toml",
+        "report a.toml -o a.toml",
+        "report a.toml -o rig.csv",
+        "report pair -o pair",
+        "chart a.toml --kind revolution -o A.TOML",
+        "chart pair --kind inspection -o ./pair",
+        "snapshot a.toml --worst -o b.toml",
+        "init a.toml",
+    ] {
+        let mut command = gearlash(folder.path());
+        let run = command.args(arguments.split(' ')).assert();
+        let run = run.code(2).stdout("");
+        let told = String::from_utf8_lossy(&run.get_output().stderr).into_owned();
+        assert!(told.contains("name another"), "{arguments}: {told}");
+        assert_eq!(contents(), before, "{arguments}");
+    }
+}

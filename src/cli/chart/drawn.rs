@@ -5,8 +5,9 @@ use super::super::drawing::{End, material};
 use super::super::method::{agreement, agreement_within};
 use super::super::progress::Progress;
 use super::{Args, Gear, Kind};
-use crate::compare::compare;
+use crate::compare::{ComparedRun, compare};
 use crate::curves::{self, Course};
+use crate::cycle;
 use crate::error::Error;
 use crate::gear::Inspection;
 use crate::mesh::Method;
@@ -77,13 +78,14 @@ impl Drawn {
 
     /// One mating over the centre distance.
     pub fn over_distance(args: &Args, study: &Study) -> Result<Drawn, Error> {
-        let mating = match args.mating {
-            Some(given) => given,
+        let (mating, swept) = match args.mating {
+            Some(given) => (given, Vec::new()),
             None => binding(study)?,
         };
+        let swept: Vec<&ComparedRun> = swept.iter().collect();
         let progress = Progress::start(curves::over_distance_pose_count(study));
-        let method = args.method.method();
-        let curve = curves::over_distance(study, Some(mating), method, &|| progress.tick())?;
+        let (method, tick) = (args.method.method(), || progress.tick());
+        let curve = curves::over_distance(study, Some(mating), &swept, method, &tick)?;
         progress.finish()?;
         let (wheel, pinion) = curve.mating;
         Ok(Drawn {
@@ -128,28 +130,19 @@ fn file(name: &str, args: &Args, course: &Course) -> String {
     format!("chart_{name}_a{}{end}.svg", course.center_distance)
 }
 
-/// The mating that binds over whole revolutions at the least centre distance and the poses of the pair file, as a
-/// report names it; at all distances where the least has no backlash.
-fn binding(study: &Study) -> Result<(u32, u32), Error> {
-    // It is only chosen here: what is drawn is certified.
+/// The mating that binds over whole revolutions and the poses of the pair file, as a report names it, and all those poses.
+fn binding(study: &Study) -> Result<((u32, u32), Vec<ComparedRun>), Error> {
+    // They only choose, and bound the curve: what is drawn as a curve is certified.
     let method = Method::Exact { certify: false };
-    let swept = curves::swept(study.clone());
-    let least = study.center_distances.iter().copied().reduce(f64::min);
-    let nearest = swept.clone().at(least.into_iter().collect());
-    let nearest = nearest.map_err(|reason| Error::Usage(format!("[assembly] {reason}")))?;
-    let progress = Progress::start(pose_count(study)? + curves::revolution_pose_count(&nearest)?);
+    let poses = curves::revolution_pose_count(study)? + pose_count(study)?;
+    let progress = Progress::start(poses + cycle::pose_count(study)?);
     let tick = || progress.tick();
-    let asked = compare(simulate(study, method, &tick)?, study.tolerance_um);
-    let revolution = curves::revolution(&nearest, method, &tick)?;
+    let mut all = curves::revolution(study, method, &tick)?;
+    all.extend(compare(simulate(study, method, &tick)?, study.tolerance_um));
+    all.extend(cycle::cycle(study, method, &tick)?.extremes);
     progress.finish()?;
-    let mut binding = curves::binding_mating(revolution.iter().chain(&asked));
-    if binding.is_none() && study.center_distances.len() > 1 {
-        let progress = Progress::start(curves::revolution_pose_count(&swept)?);
-        let revolution = curves::revolution(&swept, method, &|| progress.tick())?;
-        progress.finish()?;
-        binding = curves::binding_mating(revolution.iter());
-    }
+    let binding = curves::binding_mating(all.iter());
     let (wheel, pinion) = curves::matings_of_note(study, binding)[0];
     eprintln!("note: mating {wheel},{pinion}, which binds; choose with --mating");
-    Ok((wheel, pinion))
+    Ok(((wheel, pinion), all))
 }

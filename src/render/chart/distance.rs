@@ -7,6 +7,7 @@ use super::{Chart, Heading, sheet};
 use crate::curves::{DistancePoint, OverDistance};
 use crate::error::Error;
 use crate::measured::Band;
+use crate::render::caption::decimals;
 
 /// Fill of the band with and without bearing clearance.
 const FILLS: [f64; 2] = [0.14, 0.22];
@@ -44,7 +45,10 @@ pub fn distance(heading: &Heading, curve: &OverDistance) -> Result<Chart, Error>
     let any = |ends: &[Vec<Point>; 2]| ends[0].iter().any(|point| point.1.is_some());
     if curve.clearance > 0.0 && any(&with_clearance) {
         marks.extend(band(&with_clearance, Look::Limit, FILLS[0]));
-        let name = format!("with bearing clearance (a ± {} mm)", curve.clearance);
+        let name = format!(
+            "with bearing clearance (a ± {} mm)",
+            decimals(curve.clearance, 3, 6)
+        );
         legend.push(entry(&name, Look::Limit, Sample::LineInBand(FILLS[0])));
     }
     if any(&simulated) {
@@ -58,6 +62,24 @@ pub fn distance(heading: &Heading, curve: &OverDistance) -> Result<Chart, Error>
     if any(&analytic) {
         marks.extend(outline(&analytic, Look::Third));
         legend.push(entry("by formula (model 2)", Look::Third, Sample::Line));
+    }
+    for range in &curve.ranges {
+        let ends = [range.least_um, range.greatest_um];
+        let points: Vec<Point> = ends.map(|um| (range.center_distance, Some(um))).to_vec();
+        let look = Look::Plain;
+        marks.push(Mark::Dots {
+            points: points.clone(),
+            look,
+        });
+        marks.push(Mark::Line {
+            points,
+            look,
+            width: 1.0,
+        });
+    }
+    if !curve.ranges.is_empty() {
+        let name = "least and greatest of all poses, every tooth";
+        legend.push(entry(name, Look::Plain, Sample::Dot));
     }
     for (name, points, look) in [
         ("measured, right flanks", &right, Look::Right),
@@ -78,6 +100,8 @@ pub fn distance(heading: &Heading, curve: &OverDistance) -> Result<Chart, Error>
         .chain([&right, &left])
         .flatten()
         .filter_map(|point| point.1);
+    let ranges = curve.ranges.iter();
+    let values = values.chain(ranges.flat_map(|range| [range.least_um, range.greatest_um]));
     let x = range(
         curve.points.iter().map(|point| point.center_distance),
         [0.0; 2],
@@ -98,9 +122,10 @@ pub fn distance(heading: &Heading, curve: &OverDistance) -> Result<Chart, Error>
     // The bands come from below on the left.
     interference(&mut panel, x[0]);
     panel.marks.extend(gaps(curve, [x, y]));
-    let (wheel, pinion) = curve.mating;
+    let [right, left] =
+        [curve.mating, curve.left_mating].map(|(wheel, pinion)| format!("{wheel}·{pinion}"));
     let details = format!(
-        "mating {wheel}·{pinion} (wheel·pinion tooth) · lines: means of the right-flank and the left-flank pose"
+        "lines: means of two poses, wheel·pinion tooth {right} with the right flanks and {left} with the left at the pitch point"
     );
     sheet::draw(heading, &details, &legend, &[panel])
 }

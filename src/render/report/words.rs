@@ -4,6 +4,7 @@ use crate::mesh::Contact;
 use crate::outcome::Found;
 pub(super) use crate::render::bound::bound;
 use crate::render::bound::scientific;
+use crate::render::caption::decimals;
 pub(super) use crate::render::characters::plain;
 use crate::render::decimal::{fixed, shortest};
 use crate::study::Material;
@@ -29,12 +30,7 @@ pub(super) fn written(number: f64) -> String {
 
 /// A centre distance in mm: three decimals, or as many as it has.
 pub(super) fn distance(mm: f64) -> String {
-    let (short, full) = (format!("{mm:.3}"), format!("{mm}"));
-    if short.len() > full.len() {
-        short
-    } else {
-        full
-    }
+    decimals(mm, 3, 9)
 }
 
 /// A difference, given in mm, in µm: four decimals, or its size where they would show none of it.

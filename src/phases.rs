@@ -1,6 +1,8 @@
 //! Assembly phases against each other: which teeth to mark together.
 
 use crate::compare::ComparedRun;
+use crate::mesh::Status;
+use crate::pair::{Assembly, Mating, Member, SweepPlan};
 
 /// The phases of one centre distance and material.
 #[derive(Debug, Clone)]
@@ -11,6 +13,39 @@ pub struct PhaseGroup<'a> {
     pub best: Option<&'a ComparedRun>,
     /// The phase with the greatest.
     pub worst: Option<&'a ComparedRun>,
+}
+
+/// The assembly phase of `mating`: the least pinion tooth whose right flank ever meets that of wheel tooth 1.
+pub fn phase(assembly: &Assembly, mating: &Mating) -> u32 {
+    let [wheel, pinion] = [Member::Wheel, Member::Pinion]
+        .map(|member| assembly.gear(member).gear().toothing().teeth());
+    let ways = SweepPlan::phase_count(wheel, pinion);
+    (mating.of_wheel_tooth_1(assembly).pinion_tooth - 1) % ways + 1
+}
+
+/// The phases of `runs` in which, at some centre distance or material, a pose interferes, jams or is out of mesh,
+/// and the number of all phases; in order.
+pub fn failing_phases(runs: &[ComparedRun]) -> (Vec<(u32, u32)>, usize) {
+    let (mut failing, mut all) = (Vec::new(), Vec::new());
+    for run in runs {
+        let Some(phase) = run.run.phase else { continue };
+        if !all.contains(&phase) {
+            all.push(phase);
+        }
+        if !assembles(run) && !failing.contains(&phase) {
+            failing.push(phase);
+        }
+    }
+    failing.sort_unstable();
+    (failing, all.len())
+}
+
+/// Whether every pose of `run` has room to turn, or just none too little.
+pub fn assembles(run: &ComparedRun) -> bool {
+    run.poses.iter().all(|pose| {
+        let status = pose.swept.lost_motion.status();
+        !pose.swept.interferes() && !matches!(status, Status::Jammed | Status::NoContact)
+    })
 }
 
 /// Variation of backlash over a run, greatest minus least, mm; `None` where a pose has no backlash.

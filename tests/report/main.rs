@@ -1,5 +1,6 @@
 //! `gearlash report`: a page that parsers accept, that says what it should, of bounded size, the same bytes twice.
 
+mod assemblies;
 mod bytes;
 mod command;
 mod page;

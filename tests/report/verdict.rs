@@ -159,7 +159,7 @@ fn says_which_poses_it_adds_to_those_of_the_file() {
     assert!(
         notes.starts_with(
             "Over 640 poses: the 320 of the pair file’s sweep, which “gearlash simulate” and “gearlash compare” report, and \
-             the 320 of the same matings and fractions with the left flank at the pitch point, for the curves. Least and greatest are over all of them."
+             the 320 of the same wheel teeth and fractions with the left flank at the pitch point, for the curves. Least and greatest are over all of them."
         ),
         "{notes}"
     );

@@ -1,7 +1,7 @@
 //! Every check with its margin.
 
 use super::Page;
-use super::words::{distance, material, study, value};
+use super::words::{distance, j_wt, material, study, value};
 use crate::diagnosis::{Check, Group, Verdict};
 use crate::pair::Member;
 use crate::render::check::{governing, unit};
@@ -54,6 +54,25 @@ pub(super) fn section(page: &Page) -> Markup {
     }
 }
 
+/// A note with true minus signs and the symbol of backlash.
+fn remark(note: &str) -> Markup {
+    let mut words = String::new();
+    for word in note.split_inclusive(' ') {
+        match word.strip_prefix('-') {
+            Some(number) if number.starts_with(|c: char| c.is_ascii_digit()) => {
+                words.push('−');
+                words.push_str(number);
+            }
+            _ => words.push_str(word),
+        }
+    }
+    let mut parts = words.split("j_wt");
+    html! {
+        (parts.next().unwrap_or_default())
+        @for part in parts { (j_wt()) (part) }
+    }
+}
+
 fn row(several: bool, group: &Group, check: &Check) -> Markup {
     let bad = check.verdict == Verdict::Fail;
     html! {
@@ -61,7 +80,7 @@ fn row(several: bool, group: &Group, check: &Check) -> Markup {
             td.fail[bad] { (check.verdict.name()) }
             th.text scope="row" {
                 (check.title)
-                @if !check.note.is_empty() { div.remark { (check.note) } }
+                @if !check.note.is_empty() { div.remark { (remark(&check.note)) } }
             }
             td { (check.gear.map_or("", Member::name)) }
             @if several {

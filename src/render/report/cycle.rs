@@ -4,6 +4,7 @@ use super::Page;
 use crate::cycle::Others;
 use crate::gear::Side;
 use crate::pair::{Member, SweepPlan};
+use crate::phases::phase;
 use crate::study::Material;
 use maud::{Markup, html};
 
@@ -39,7 +40,7 @@ fn simulated(page: &Page) -> String {
         true => {
             parts.push(format!("the {asked} of the pair file’s sweep, which “gearlash simulate” and “gearlash compare” report"));
             if turned > asked {
-                parts.push(format!("the {} of the same matings and fractions with the left flank at the pitch point, for the curves", turned - asked));
+                parts.push(format!("the {} of the same wheel teeth and fractions with the left flank at the pitch point, for the curves", turned - asked));
             }
         }
         false => {
@@ -105,11 +106,33 @@ fn phases(page: &Page) -> Markup {
     // Where one gear is perfect, it does not matter which of its teeth are met.
     let matters =
         page.report.cycle.matings == SweepPlan::hunting_pitches(wheel, pinion) && ways > 1;
+    let way = phase(&run.run.assembly, mating);
+    let asked = page.report.runs.iter().flat_map(|run| {
+        let poses = run.poses.iter();
+        poses.map(|pose| phase(&run.run.assembly, pose.swept.pose.mating()))
+    });
+    let elsewhere: Vec<u32> = asked.filter(|other| *other != way).collect();
     html! {
         @if matters {
             " Wheel tooth " (mating.wheel_tooth) " meets pinion tooth " (mating.pinion_tooth) "; there are " (ways - 1)
             " other ways to put the gears together, with other backlash (" code { "[sweep] phases = \"all\"" } ")."
+            @if !elsewhere.is_empty() {
+                " Of the poses that the pair file asks for, " (elsewhere.len()) " are of such another way: the teeth that it names meet at "
+                "those flanks where wheel tooth 1 meets pinion tooth " (named(elsewhere)) "."
+            }
         }
+    }
+}
+
+/// A few numbers, each once.
+fn named(mut numbers: Vec<u32>) -> String {
+    numbers.sort_unstable();
+    numbers.dedup();
+    let few = numbers.iter().take(6).map(u32::to_string);
+    let few = few.collect::<Vec<_>>().join(", ");
+    match numbers.len() {
+        0..=6 => few,
+        _ => format!("{few}, …"),
     }
 }
 

@@ -14,20 +14,21 @@ const MOST_COURSES: usize = 12;
 /// Backlash over the teeth: the centre distance with the least backlash, the others to be opened.
 pub(super) fn revolutions(page: &Page) -> Result<Markup, Error> {
     let draw = |number: usize, course: &Course| {
-        let title = format!(
-            "Backlash over the teeth at a = {} mm",
-            distance(course.center_distance)
-        );
+        let title = format!("Backlash over the teeth {}", place(course));
         Ok(figure(&chart::revolution(
             &heading(page, &id(number), &title),
             course,
         )?))
     };
-    over_teeth(
-        page,
-        "backlash over the teeth at the other centre distances",
-        draw,
-    )
+    over_teeth(page, "backlash over the teeth", draw)
+}
+
+/// Centre distance and phase of a course.
+fn place(course: &Course) -> String {
+    let phase = course.phase.map_or(String::new(), |(wheel, pinion)| {
+        format!(", phase {wheel}·{pinion}")
+    });
+    format!("at a = {} mm{phase}", distance(course.center_distance))
 }
 
 /// Id of the chart of a course.
@@ -62,10 +63,7 @@ fn drawn(page: &Page) -> Vec<usize> {
 pub(super) fn difference(page: &Page) -> Result<Markup, Error> {
     let tolerance = page.report.study.tolerance_um;
     let draw = |number: usize, course: &Course| {
-        let title = format!(
-            "Simulation minus formula at a = {} mm",
-            distance(course.center_distance)
-        );
+        let title = format!("Simulation minus formula {}", place(course));
         let comparable = course.lines.iter().flat_map(|line| &line.points);
         let comparable = comparable
             .map(|point| {
@@ -85,17 +83,13 @@ pub(super) fn difference(page: &Page) -> Result<Markup, Error> {
             }
         }
     };
-    over_teeth(
-        page,
-        "simulation minus formula at the other centre distances",
-        draw,
-    )
+    over_teeth(page, "simulation minus formula", draw)
 }
 
-/// `draw` of the course with the least backlash, and of the others in `<details>` under `others`.
+/// `draw` of the course with the least backlash, and of the others in `<details>`, named `what`.
 fn over_teeth(
     page: &Page,
-    others: &str,
+    what: &str,
     draw: impl Fn(usize, &Course) -> Result<Markup, Error>,
 ) -> Result<Markup, Error> {
     let drawn = drawn(page);
@@ -104,17 +98,28 @@ fn over_teeth(
     let Some((first, rest)) = drawn.split_first() else {
         return Ok(html! {});
     };
+    let phases = page.courses.iter().any(|course| course.phase.is_some());
+    let others = match (phases, page.distances.len()) {
+        (true, 1) => format!("{what} in the other phases"),
+        (true, _) => format!("{what} at the other centre distances and in the other phases"),
+        (false, _) => format!("{what} at the other centre distances"),
+    };
     Ok(html! {
         (draw(*first)?)
         @if !rest.is_empty() {
             details {
                 summary { "More: " (others) }
                 @for number in rest { (draw(*number)?) }
-                @if left_out > 0 {
+                @if left_out > 0 && phases {
+                    p.note {
+                        (left_out) " more by " code { "gearlash chart" } ", where the pair file has "
+                        code { "[sweep] revolutions = \"hunting\"" } " and " code { "start = [1, P]" } " in place of " code { "phases" } "."
+                    }
+                } @else if left_out > 0 {
                     p.note { (left_out) " more by " code { "gearlash chart --center-distance" } "." }
                 }
             }
-            (not_on_paper(others))
+            (not_on_paper(&others))
         }
     })
 }

@@ -6,7 +6,7 @@ use super::words::{distance, material, um};
 use crate::compare::ComparedRun;
 use crate::error::Error;
 use crate::outcome::Outcome;
-use crate::phases::{phase_groups, variation};
+use crate::phases::{assembles, phase_groups, variation};
 use crate::render::viewer;
 use maud::{Markup, PreEscaped, html};
 
@@ -68,25 +68,27 @@ fn materials(page: &Page) -> Markup {
 
 /// Which teeth to mark together, where phases are run apart.
 fn phases(page: &Page) -> Markup {
-    let groups = phase_groups(page.report.runs);
+    let groups = phase_groups(page.report.revolution);
     let cells = |run: Option<&ComparedRun>| {
         let phase = run.and_then(|run| run.run.phase);
         html! {
             td { (phase.map_or("–".to_owned(), |(wheel, pinion)| format!("{wheel}·{pinion}"))) }
+            td.n { (um(run.and_then(|run| run.summary().min), 2)) }
             td.n { (um(run.and_then(variation), 2)) }
         }
     };
+    let assemble = |runs: &[&ComparedRun]| runs.iter().filter(|run| assembles(run)).count();
     html! {
         @if !groups.is_empty() {
             div.scroll tabindex="0" role="region" aria-label="Assembly phases" {
                 table {
-                    caption { "Assembly phases: teeth to mark together (wheel·pinion), and how much backlash then varies, µm" }
+                    caption { "Assembly phases: teeth to mark together (wheel·pinion), the least backlash then, and how much it varies, µm" }
                     thead { tr {
                         th.n scope="col" { i { "a" } " mm" }
                         th scope="col" { "material" }
-                        th.n scope="col" { "phases" }
-                        th scope="col" { "best" } th.n scope="col" { "varies by" }
-                        th scope="col" { "worst" } th.n scope="col" { "varies by" }
+                        th.n scope="col" { "phases" } th.n scope="col" { "assemble" }
+                        th scope="col" { "best" } th.n scope="col" { "least" } th.n scope="col" { "varies by" }
+                        th scope="col" { "worst" } th.n scope="col" { "least" } th.n scope="col" { "varies by" }
                     } }
                     tbody { @for group in &groups {
                         tr {
@@ -95,6 +97,7 @@ fn phases(page: &Page) -> Markup {
                                 td.w { (material(run.run.material)) }
                             }
                             td.n { (group.runs.len()) }
+                            td.n { (assemble(&group.runs)) }
                             (cells(group.best))
                             (cells(group.worst))
                         }

@@ -4,6 +4,7 @@ use super::cycle::{limit, same_everywhere};
 use super::words::{band, bound, distance, j_wt, material, touching, um};
 use super::{Page, cycle};
 use crate::outcome::{AtDistance, Found, Outcome};
+use crate::phases::failing_phases;
 use maud::{Markup, html};
 
 pub(super) fn section(page: &Page) -> Markup {
@@ -48,10 +49,11 @@ fn verdict(page: &Page) -> String {
     let apart = kept_by(|all| all.apart > 0);
     let touching = kept_by(|all| all.touching > 0);
     if !tight.is_empty() {
-        return format!("Does not assemble {}", places(&tight, number));
+        let phases = phases(page);
+        return format!("Does not assemble {}{phases}", places(&tight, number));
     }
     if !apart.is_empty() {
-        return format!("Out of mesh {}", places(&apart, number));
+        return format!("Out of mesh {}{}", places(&apart, number), phases(page));
     }
     let none = format!(
         "without backlash (0 within the error bound of {} µm)",
@@ -69,6 +71,25 @@ fn verdict(page: &Page) -> String {
         }
         _ => format!("Assembles at all {number} centre distances"),
     }
+}
+
+/// In which assembly phases, where they are run apart and it is not so in all.
+fn phases(page: &Page) -> String {
+    let (failing, all) = failing_phases(page.report.revolution);
+    if failing.len() == all {
+        return match all {
+            0 => String::new(),
+            _ => ", in every assembly phase".to_owned(),
+        };
+    }
+    let named = failing.iter().take(6);
+    let named = named.map(|(wheel, pinion)| format!("{wheel}·{pinion}"));
+    let more = if failing.len() > 6 { ", …" } else { "" };
+    format!(
+        ", in {} of {all} assembly phases ({}{more})",
+        failing.len(),
+        named.collect::<Vec<_>>().join(", ")
+    )
 }
 
 /// Up to four centre distances by name.

@@ -17,6 +17,7 @@ mod viewed;
 
 use crate::compare::ComparedRun;
 use crate::curves::Course;
+use crate::mesh::Status;
 use crate::study::Study;
 use columns::Columns;
 use precision::Precision;
@@ -71,10 +72,14 @@ pub fn fragment(
     let _ = writeln!(
         html,
         "<p class=\"viewer-note\">{} Outlines: chords within {} µm of the curves, places to {} µm, rotations to 1e-6°.</p>\n\
-         <noscript><p class=\"viewer-note\">This is the worst pose. With JavaScript every pose can be looked at.</p></noscript>",
+         <noscript><p class=\"viewer-note\">This is {} pose. With JavaScript every pose can be looked at.</p></noscript>",
         readout::LEGEND,
         precision.chord_um(),
         precision.place_um(),
+        match pose.swept.lost_motion.status() {
+            Status::NoContact => "the first",
+            _ => "the worst",
+        },
     );
     // `<` occurs in strings alone, where JSON may write it so: nothing can end the element early.
     let _ = writeln!(

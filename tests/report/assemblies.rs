@@ -1,0 +1,122 @@
+//! 20 and 20 teeth can be put together in 20 ways: the page says of which its numbers are.
+
+use crate::command::{folder, gearlash, page};
+use crate::words::{row, select, text};
+use scraper::Html;
+use serde_json::Value;
+
+/// One tooth 60 µm thick on each gear, 9 and 10: put together as 1 and 1, the two are never in contact together.
+fn two_thick_teeth(sweep: &str) -> String {
+    let gear = |name: &str, face: &str, allowance: i32, thick: u32| {
+        let teeth = (1..=20).map(|tooth| if tooth == thick { "60" } else { "0" });
+        let per_tooth = teeth.collect::<Vec<_>>().join(", ");
+        format!(
+            "[{name}]\nteeth = 20\nmodule_mm = 2.0\npressure_angle_deg = 20.0\nreference_face = \"{face}\"\n\
+             thickness = {{ allowance_um = {allowance}, per_tooth_um = [{per_tooth}] }}\n"
+        )
+    };
+    let gears = gear("wheel", "front", -60, 9) + &gear("pinion", "back", -40, 10);
+    format!("{gears}[assembly]\ncenter_distance_mm = 39.95\n[sweep]\n{sweep}\n")
+}
+
+/// What `simulate` says of each phase: its teeth, least backlash and least zero.
+fn phases() -> Vec<(String, f64)> {
+    let folder = folder(&two_thick_teeth("phases = \"all\""));
+    let output = gearlash(&folder)
+        .args(["simulate", "pair.toml", "--format", "json"])
+        .assert()
+        .success();
+    let json: Value = serde_json::from_slice(&output.get_output().stdout).unwrap();
+    let runs = json["runs"].as_array().unwrap().iter();
+    runs.map(|run| {
+        let phase = &run["phase"];
+        (
+            format!("{}·{}", phase["wheel_tooth"], phase["pinion_tooth"]),
+            run["summary"]["min_j_wt_um"].as_f64().unwrap(),
+        )
+    })
+    .collect()
+}
+
+fn words(document: &Html, selector: &str) -> String {
+    let found = select(document, selector);
+    found.iter().map(text).collect::<Vec<_>>().join(" ")
+}
+
+/// The page of phase 1·1 had left-flank poses of phase 1·2, and said that the pair does not assemble.
+#[test]
+fn a_pair_that_assembles_as_stated_assembles() {
+    let phases = phases();
+    let least = |name: &str| phases.iter().find(|(phase, _)| phase == name).unwrap().1;
+    assert!(least("1·1") > 3.0 && least("1·2") < -20.0, "{phases:?}");
+    let document = Html::parse_document(&page(&two_thick_teeth("revolutions = \"wheel\"")));
+    let answer = words(&document, ".answer");
+    let expected = format!(
+        "Assembles at a = 39.950 mm: least backlash {:.2} µm",
+        least("1·1")
+    );
+    assert!(answer.starts_with(&expected), "{answer}");
+}
+
+/// A left flank that the pair file names may be one of another assembly: the page says so.
+#[test]
+fn poses_of_another_assembly_are_told() {
+    let document = Html::parse_document(&page(&two_thick_teeth("mating = [[1, 1], [5, 5]]")));
+    let notes = words(&document, "#result .note");
+    let told = "Of the poses that the pair file asks for, 2 are of such another way: the teeth that it names meet at those flanks \
+                where wheel tooth 1 meets pinion tooth 2.";
+    assert!(notes.contains(told), "{notes}");
+}
+
+/// Which phases fail, how many do not, and each with its charts.
+#[test]
+fn phases_that_do_not_assemble_are_named() {
+    let phases = phases();
+    let failing: Vec<&str> = phases
+        .iter()
+        .filter_map(|(phase, least)| (*least < 0.0).then_some(phase.as_str()))
+        .collect();
+    assert!((1..6).contains(&failing.len()), "{phases:?}");
+    let document = Html::parse_document(&page(&two_thick_teeth("phases = \"all\"")));
+    let answer = words(&document, ".answer");
+    let expected = format!(
+        "Does not assemble at a = 39.950 mm, in {} of 20 assembly phases ({})",
+        failing.len(),
+        failing.join(", ")
+    );
+    assert!(answer.starts_with(&expected), "{answer}");
+    let cells = row(
+        &document,
+        "#backlash div[aria-label=\"Assembly phases\"]",
+        "39.950",
+    );
+    let assemble = (20 - failing.len()).to_string();
+    assert_eq!(cells[1..4], ["as measured", "20", &assemble]);
+    let more = words(&document, "#backlash summary");
+    assert!(
+        more.contains("More: backlash over the teeth in the other phases"),
+        "{more}"
+    );
+    let titles = words(&document, "#backlash svg");
+    assert!(
+        titles.contains("Backlash over the teeth at a = 39.950 mm, phase 1·2"),
+        "{titles}"
+    );
+}
+
+/// 0.1 + 0.05 mm was 0.15000000000000002; negative numbers and `j_wt` in the checks' notes stood as in a terminal.
+#[test]
+fn numbers_are_set_as_numbers() {
+    let text = two_thick_teeth("revolutions = \"wheel\"").replace(
+        "center_distance_mm = 39.95",
+        "center_distance_mm = 39.85\nbearing_clearance_mm = { wheel = 0.1, pinion = 0.05 }",
+    );
+    let document = Html::parse_document(&page(&text));
+    assert!(words(&document, ".verdict").contains("± 0.150 mm)"));
+    let checks = words(&document, "#checks");
+    assert!(checks.contains("least j wt −"), "{checks}");
+    assert!(
+        !checks.contains("j_wt") && !checks.contains(" -"),
+        "{checks}"
+    );
+}

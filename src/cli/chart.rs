@@ -35,7 +35,7 @@ pub(super) struct Args {
     /// One end of the thickness tolerances, for --kind revolution and difference [default: both]
     #[arg(long, value_enum)]
     material: Option<End>,
-    /// Wheel tooth and pinion tooth, for --kind distance [default: the mating that binds]
+    /// Wheel tooth and pinion tooth, for --kind distance [default: the pose that binds]
     #[arg(long, value_name = "W,P", value_parser = teeth)]
     mating: Option<(u32, u32)>,
     /// The chart [default: out/<file stem>/chart_….svg]; - for standard output

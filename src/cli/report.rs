@@ -17,6 +17,7 @@ use crate::measured::measured_matings;
 use crate::render::{self, Report};
 use crate::simulate::{pose_count, simulate};
 use crate::study::Study;
+use std::iter;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::slice;
@@ -48,10 +49,10 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     };
     let target = Target::prepare_beside(file, slice::from_ref(&args.pair))?;
     let method = args.method.method();
-    let matings = curves::matings_of_note(&study, None).len();
+    let followed = curves::followed(&study, curves::binding(&study, iter::empty()));
     let poses = pose_count(&study)?
         + curves::revolution_pose_count(&study)?
-        + matings * curves::over_distance_pose_count(&study)
+        + followed.len() * curves::over_distance_pose_count(&study)
         + cycle::pose_count(&study)?;
     let progress = Progress::start(poses);
     let tick = || progress.tick();
@@ -63,10 +64,10 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         .chain(&runs)
         .chain(&cycle.extremes)
         .collect();
-    let binding = curves::binding_mating(all.iter().copied());
-    let over_distance = curves::matings_of_note(&study, binding)
+    let binding = curves::binding(&study, all.iter().copied());
+    let over_distance = curves::followed(&study, binding)
         .into_iter()
-        .map(|mating| curves::over_distance(&study, Some(mating), &all, method, &tick))
+        .map(|followed| curves::over_distance(&study, followed, &all, method, &tick))
         .collect::<Result<Vec<_>, Error>>()?;
     progress.finish()?;
     let progress = Progress::working();

@@ -1,16 +1,24 @@
-//! Which mating binds.
+//! Which poses are worth a look over the centre distance.
 
+use super::first_mating;
 use crate::compare::ComparedRun;
 use crate::gear::Side;
 use crate::mesh::first_least;
 use crate::pair::Mating;
 use crate::study::Study;
 
-/// Wheel and pinion tooth, by their right flanks, of the pose with the least backlash of all `runs`, or of the pose half a pitch or less beyond
-/// which it stands; `None` where no pose has a value.
-pub fn binding_mating<'a>(
-    runs: impl Iterator<Item = &'a ComparedRun> + Clone,
-) -> Option<(u32, u32)> {
+/// What a curve over the centre distance is of.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Followed {
+    /// Wheel and pinion tooth: the mean of their right-flank and their left-flank pose at the pitch point.
+    Teeth(u32, u32),
+    /// One pose.
+    Pose(Mating),
+}
+
+/// The pose with the least backlash of all `runs`, or its teeth where it stands half a pitch or less beyond a mating
+/// that was measured; the study's first mating where no pose has a value.
+pub fn binding<'a>(study: &Study, runs: impl Iterator<Item = &'a ComparedRun> + Clone) -> Followed {
     let poses = runs.flat_map(|run| run.poses.iter().map(move |pose| (run, pose)));
     let known = poses.filter_map(|(run, pose)| {
         let swept = &pose.swept;
@@ -20,7 +28,10 @@ pub fn binding_mating<'a>(
             swept.error_bound?,
         ))
     });
-    let (run, mating) = first_least(known)?;
+    let Some((run, mating)) = first_least(known) else {
+        let (wheel, pinion) = first_mating(study);
+        return Followed::Teeth(wheel, pinion);
+    };
     let whole = Mating {
         fraction: 0.0,
         ..*mating
@@ -29,19 +40,22 @@ pub fn binding_mating<'a>(
     let nearest = whole
         .onward(assembly, mating.fraction.round())
         .at_flank(assembly, Side::Right);
-    Some((nearest.wheel_tooth, nearest.pinion_tooth))
+    let teeth = (nearest.wheel_tooth, nearest.pinion_tooth);
+    let mut measured = study.measured.iter();
+    match measured.any(|row| (row.wheel_tooth, row.pinion_tooth) == teeth) {
+        true => Followed::Teeth(teeth.0, teeth.1),
+        false => Followed::Pose(*mating),
+    }
 }
 
-/// The matings whose backlash over the centre distance is worth a look: `binding` first, then those that were measured,
-/// in the order of their file.
-pub fn matings_of_note(study: &Study, binding: Option<(u32, u32)>) -> Vec<(u32, u32)> {
-    let first = binding.unwrap_or_else(|| super::first_mating(study));
-    let mut matings = vec![first];
+/// `binding`, then the matings that were measured, in the order of their file.
+pub fn followed(study: &Study, binding: Followed) -> Vec<Followed> {
+    let mut followed = vec![binding];
     for row in &study.measured {
-        let mating = (row.wheel_tooth, row.pinion_tooth);
-        if !matings.contains(&mating) {
-            matings.push(mating);
+        let teeth = Followed::Teeth(row.wheel_tooth, row.pinion_tooth);
+        if !followed.contains(&teeth) {
+            followed.push(teeth);
         }
     }
-    matings
+    followed
 }

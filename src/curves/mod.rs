@@ -9,7 +9,7 @@ mod course;
 mod over_distance;
 mod scale;
 
-pub use binding::{binding_mating, matings_of_note};
+pub use binding::{Followed, binding, followed};
 pub use course::{Course, CourseLine, CoursePoint, Extreme, courses};
 pub use over_distance::{
     DistancePoint, OverDistance, Range, over_distance, over_distance_pose_count,

@@ -1,12 +1,12 @@
-//! Backlash of one mating over the centre distance.
+//! Backlash of a pose or a mating over the centre distance.
 
-use super::first_mating;
+use super::Followed;
 use crate::compare::{ComparedRun, compare};
 use crate::error::Error;
 use crate::gear::Side;
 use crate::measured::{Bands, bands};
 use crate::mesh::{Method, Status};
-use crate::pair::{Assembly, Mating};
+use crate::pair::{Assembly, Mating, Member};
 use crate::simulate::simulate_plans;
 use crate::study::{MeasuredRow, RunPlan, Study};
 use std::ops::ControlFlow;
@@ -18,23 +18,23 @@ const MARGIN: f64 = 0.1;
 /// Range on each side of a single distance, modules: some 40 µm of backlash a side at 20°.
 const AROUND: f64 = 0.02;
 
-/// One mating's backlash over the centre distance.
+/// Backlash of one or two poses over the centre distance.
 #[derive(Debug, Clone, PartialEq)]
 pub struct OverDistance {
-    /// Wheel and pinion tooth whose right flanks meet at the pitch point.
-    pub mating: (u32, u32),
-    /// Those whose left flanks meet there, the gears put together alike; in a measured mating the same teeth, as the file
-    /// names them.
-    pub left_mating: (u32, u32),
+    /// What was followed.
+    pub followed: Followed,
+    /// Its poses; the curve is of their means. Those of two teeth are of the gears put together alike, but in a measured
+    /// mating the teeth are the same at both flanks, as the file names them.
+    pub matings: Vec<Mating>,
     /// Radial clearance `c` of both bearings together, mm.
     pub clearance: f64,
     /// Whether the bands have two ends: most and least material.
     pub two_materials: bool,
     /// In ascending order of centre distance.
     pub points: Vec<DistancePoint>,
-    /// Of all poses, not this mating's alone, at each centre distance where they were simulated.
+    /// Of all poses, not these alone, at each centre distance where they were simulated.
     pub ranges: Vec<Range>,
-    /// The measured rows of the mating, in the order of their file.
+    /// The measured rows of the teeth, in the order of their file.
     pub measured: Vec<MeasuredRow>,
     /// With [`Method::Both`]: the largest difference between the two methods, mm.
     pub polygon_difference: Option<f64>,
@@ -56,61 +56,55 @@ pub struct Range {
 pub struct DistancePoint {
     /// `a`, mm.
     pub center_distance: f64,
-    /// Means of the right-flank and the left-flank pose.
+    /// Means of the poses.
     pub bands: Bands,
     /// How the first pose without a value ended, where the simulated band has none.
     pub gap: Option<Status>,
 }
 
-/// `mating` (of the study's first, where `None`) over a grid of centre distances round the study's and those at which it
-/// was measured; beside it the ranges of `runs`.
+/// What is `followed` over a grid of centre distances round the study's and those at which it was measured; beside it
+/// the ranges of `runs`.
 ///
 /// # Errors
 /// [`Error::Usage`] for a tooth that is not there; else as [`crate::simulate::simulate`].
 pub fn over_distance(
     study: &Study,
-    mating: Option<(u32, u32)>,
+    followed: Followed,
     runs: &[&ComparedRun],
     method: Method,
     tick: &(dyn Fn() -> ControlFlow<()> + Sync),
 ) -> Result<OverDistance, Error> {
-    let mating = mating.unwrap_or_else(|| first_mating(study));
-    let of_mating = |row: &&MeasuredRow| (row.wheel_tooth, row.pinion_tooth) == mating;
-    let measured: Vec<MeasuredRow> = study.measured.iter().filter(of_mating).cloned().collect();
+    let of_teeth =
+        |row: &&MeasuredRow| followed == Followed::Teeth(row.wheel_tooth, row.pinion_tooth);
+    let measured: Vec<MeasuredRow> = study.measured.iter().filter(of_teeth).cloned().collect();
     let distances = grid(study, &measured);
-    let mut left_mating = mating;
+    let mut matings = Vec::new();
     let mut plans = Vec::new();
     for &a in &distances {
         for (material, wheel, pinion) in &study.materials {
             let assembly = Assembly::new(wheel.clone(), pinion.clone(), a, study.locked)?;
-            for (gear, tooth) in [(wheel, mating.0), (pinion, mating.1)] {
-                let teeth = gear.gear().toothing().teeth();
-                if !(1..=teeth).contains(&tooth) {
-                    return Err(Error::Usage(format!(
-                        "--mating {},{}: the gear has teeth 1 … {teeth}, not {tooth}",
-                        mating.0, mating.1
-                    )));
+            matings = match followed {
+                Followed::Pose(mating) => vec![mating],
+                Followed::Teeth(wheel_tooth, pinion_tooth) => {
+                    there(&assembly, (wheel_tooth, pinion_tooth))?;
+                    let right = Mating {
+                        wheel_tooth,
+                        pinion_tooth,
+                        flank: Side::Right,
+                        fraction: 0.0,
+                    };
+                    let mut left = right.at_flank(&assembly, Side::Left);
+                    if !measured.is_empty() {
+                        left.pinion_tooth = pinion_tooth;
+                    }
+                    vec![right, left]
                 }
-            }
-            let right = Mating {
-                wheel_tooth: mating.0,
-                pinion_tooth: mating.1,
-                flank: Side::Right,
-                fraction: 0.0,
             };
-            let left = match measured.is_empty() {
-                true => right.at_flank(&assembly, Side::Left),
-                false => Mating {
-                    flank: Side::Left,
-                    ..right
-                },
-            };
-            left_mating = (left.wheel_tooth, left.pinion_tooth);
             plans.push(RunPlan {
                 material: *material,
                 assembly,
                 phase: None,
-                matings: vec![right, left],
+                matings: matings.clone(),
             });
         }
     }
@@ -135,8 +129,8 @@ pub fn over_distance(
     let poses = runs.iter().flat_map(|run| &run.poses);
     let differences = poses.filter_map(|pose| pose.swept.polygon_difference);
     Ok(OverDistance {
-        mating,
-        left_mating,
+        followed,
+        matings,
         ranges,
         clearance: study.bearing_clearance,
         polygon_difference: differences.map(f64::abs).reduce(f64::max),
@@ -146,7 +140,20 @@ pub fn over_distance(
     })
 }
 
-/// How many poses [`over_distance`] will take.
+/// Whether both gears have these teeth.
+fn there(assembly: &Assembly, (wheel, pinion): (u32, u32)) -> Result<(), Error> {
+    for (member, tooth) in [(Member::Wheel, wheel), (Member::Pinion, pinion)] {
+        let teeth = assembly.gear(member).gear().toothing().teeth();
+        if !(1..=teeth).contains(&tooth) {
+            return Err(Error::Usage(format!(
+                "--mating {wheel},{pinion}: the gear has teeth 1 … {teeth}, not {tooth}"
+            )));
+        }
+    }
+    Ok(())
+}
+
+/// How many poses [`over_distance`] will take at most.
 pub fn over_distance_pose_count(study: &Study) -> usize {
     2 * grid(study, &[]).len() * study.materials.len()
 }

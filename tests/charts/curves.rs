@@ -2,7 +2,7 @@
 
 use super::{METHOD, course, over, study};
 use gearlash::curves::{
-    binding_mating, courses, matings_of_note, revolution, revolution_pose_count, swept,
+    Followed, binding, courses, followed, revolution, revolution_pose_count, swept,
 };
 use gearlash::gear::Side;
 use gearlash::measured::{Band, Bands};
@@ -36,7 +36,7 @@ fn both_flanks_of_a_tooth_average_to_the_printed_limits() {
 /// 1e-3 µm (d²j_wt/da² = 0.05 per mm).
 #[test]
 fn over_the_distance_the_printed_limits_are_met() {
-    let curve = over("karba_44x44.toml", Some((11, 11)));
+    let curve = over("karba_44x44.toml", (11, 11));
     assert_eq!((curve.measured.len(), curve.points.len()), (4, 41));
     let end = |pick: fn(Band) -> f64, of: fn(&Bands) -> Option<Band>, a: f64| {
         let after = curve
@@ -110,7 +110,7 @@ fn a_tooth_that_is_not_there_is_an_error() {
     let tick = || ControlFlow::Continue(());
     let error = gearlash::curves::over_distance(
         &study("karba_86x21.toml"),
-        Some((1, 22)),
+        Followed::Teeth(1, 22),
         &[],
         METHOD,
         &tick,
@@ -141,11 +141,15 @@ fn the_mating_that_binds_comes_first_then_those_measured() {
     let rig = study("karba_44x44.toml");
     let at = swept(rig.clone()).at(vec![132.04]).unwrap();
     let runs = revolution(&at, METHOD, &|| ControlFlow::Continue(())).unwrap();
-    let binding = binding_mating(runs.iter());
-    assert_eq!(binding, Some((33, 33)));
-    let matings = matings_of_note(&rig, binding);
-    assert_eq!(matings[..2], [(33, 33), (11, 11)]);
+    let binding = binding(&rig, runs.iter());
+    assert_eq!(binding, Followed::Teeth(33, 33));
+    let followed = followed(&rig, binding);
+    assert_eq!(
+        followed[..2],
+        [Followed::Teeth(33, 33), Followed::Teeth(11, 11)]
+    );
     // Tables 5 and 6 have eleven matings, 33 & 33 among them.
-    assert_eq!(matings.len(), 11);
-    assert_eq!(matings_of_note(&rig, None)[0], (11, 11));
+    assert_eq!(followed.len(), 11);
+    let nothing_run = gearlash::curves::binding(&rig, [].iter());
+    assert_eq!(nothing_run, Followed::Teeth(11, 11));
 }

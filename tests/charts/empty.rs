@@ -1,7 +1,7 @@
 //! Charts of pairs that have no backlash, or no deviations, say so.
 
 use super::{METHOD, course, heading, study};
-use gearlash::curves::{courses, over_distance, revolution, swept};
+use gearlash::curves::{Followed, courses, over_distance, revolution, swept};
 use gearlash::gear::Inspection;
 use gearlash::render::chart;
 use roxmltree::Document;
@@ -50,7 +50,7 @@ fn a_jammed_stretch_of_distances_is_named_and_no_band_invented() {
     let mut rig = swept(study("karba_44x44.toml")).at(vec![130.0]).unwrap();
     rig.measured.clear();
     let tick = || ControlFlow::Continue(());
-    let curve = over_distance(&rig, Some((33, 33)), &[], METHOD, &tick).unwrap();
+    let curve = over_distance(&rig, Followed::Teeth(33, 33), &[], METHOD, &tick).unwrap();
     let chart = chart::distance(&heading("c", "t"), &curve).unwrap();
     let texts = texts(&chart.svg);
     assert!(texts.contains(&"jammed".to_owned()), "{texts:?}");

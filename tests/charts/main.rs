@@ -9,7 +9,7 @@ mod inspection;
 mod one_assembly;
 mod places;
 
-use gearlash::curves::{Course, OverDistance, courses, over_distance, revolution, swept};
+use gearlash::curves::{Course, Followed, OverDistance, courses, over_distance, revolution, swept};
 use gearlash::gear::{Inspection, Side};
 use gearlash::mesh::Method;
 use gearlash::render::chart::{self, Chart, Heading};
@@ -31,9 +31,10 @@ fn course(fixture: &str, center_distance: f64) -> Course {
     courses(&runs).remove(0)
 }
 
-fn over(fixture: &str, mating: Option<(u32, u32)>) -> OverDistance {
+fn over(fixture: &str, (wheel, pinion): (u32, u32)) -> OverDistance {
     let tick = || ControlFlow::Continue(());
-    over_distance(&study(fixture), mating, &[], METHOD, &tick).unwrap()
+    let teeth = Followed::Teeth(wheel, pinion);
+    over_distance(&study(fixture), teeth, &[], METHOD, &tick).unwrap()
 }
 
 fn heading<'h>(prefix: &'h str, title: &'h str) -> Heading<'h> {
@@ -68,14 +69,9 @@ fn all_kinds(title: &str) -> Vec<Chart> {
             charts.push(chart::inspection(&heading("i", title), name, &inspection).unwrap());
         }
     }
-    charts.push(
-        chart::distance(
-            &heading("a", title),
-            &over("karba_44x44.toml", Some((44, 44))),
-        )
-        .unwrap(),
-    );
-    charts.push(chart::distance(&heading("a", title), &over("karba_86x21.toml", None)).unwrap());
+    charts
+        .push(chart::distance(&heading("a", title), &over("karba_44x44.toml", (44, 44))).unwrap());
+    charts.push(chart::distance(&heading("a", title), &over("karba_86x21.toml", (1, 1))).unwrap());
     charts
 }
 

@@ -103,7 +103,7 @@ fn every_chart_of_the_page_has_the_pairs_title() {
         count += 1;
     }
     assert!(count > 4, "{count} charts");
-    assert!(page.contains(", which bind"));
+    assert!(page.contains("at the pose that binds"));
 }
 
 /// Two gears of 20 teeth and module 2 without deviations at one centre distance or a list of them.

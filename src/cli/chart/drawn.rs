@@ -6,7 +6,7 @@ use super::super::method::{agreement, agreement_within};
 use super::super::progress::Progress;
 use super::{Args, Gear, Kind};
 use crate::compare::{ComparedRun, compare};
-use crate::curves::{self, Course};
+use crate::curves::{self, Course, Followed};
 use crate::cycle;
 use crate::error::Error;
 use crate::gear::Inspection;
@@ -78,16 +78,16 @@ impl Drawn {
 
     /// One mating over the centre distance.
     pub fn over_distance(args: &Args, study: &Study) -> Result<Drawn, Error> {
-        let (mating, swept) = match args.mating {
-            Some(given) => (given, Vec::new()),
+        let (followed, swept) = match args.mating {
+            Some((wheel, pinion)) => (Followed::Teeth(wheel, pinion), Vec::new()),
             None => binding(study)?,
         };
         let swept: Vec<&ComparedRun> = swept.iter().collect();
         let progress = Progress::start(curves::over_distance_pose_count(study));
         let (method, tick) = (args.method.method(), || progress.tick());
-        let curve = curves::over_distance(study, Some(mating), &swept, method, &tick)?;
+        let curve = curves::over_distance(study, followed, &swept, method, &tick)?;
         progress.finish()?;
-        let (wheel, pinion) = curve.mating;
+        let (wheel, pinion) = teeth(followed);
         Ok(Drawn {
             chart: chart::distance(&heading(study), &curve)?,
             file: format!("chart_distance_{wheel}_{pinion}.svg"),
@@ -130,8 +130,8 @@ fn file(name: &str, args: &Args, course: &Course) -> String {
     format!("chart_{name}_a{}{end}.svg", course.center_distance)
 }
 
-/// The mating that binds over whole revolutions and the poses of the pair file, as a report names it, and all those poses.
-fn binding(study: &Study) -> Result<((u32, u32), Vec<ComparedRun>), Error> {
+/// What binds over whole revolutions and the poses of the pair file, as a report has it, and all those poses.
+fn binding(study: &Study) -> Result<(Followed, Vec<ComparedRun>), Error> {
     // They only choose, and bound the curve: what is drawn as a curve is certified.
     let method = Method::Exact { certify: false };
     let poses = curves::revolution_pose_count(study)? + pose_count(study)?;
@@ -141,8 +141,17 @@ fn binding(study: &Study) -> Result<((u32, u32), Vec<ComparedRun>), Error> {
     all.extend(compare(simulate(study, method, &tick)?, study.tolerance_um));
     all.extend(cycle::cycle(study, method, &tick)?.extremes);
     progress.finish()?;
-    let binding = curves::binding_mating(all.iter());
-    let (wheel, pinion) = curves::matings_of_note(study, binding)[0];
-    eprintln!("note: mating {wheel},{pinion}, which binds; choose with --mating");
-    Ok(((wheel, pinion), all))
+    let binding = curves::binding(study, all.iter());
+    let (wheel, pinion) = teeth(binding);
+    eprintln!(
+        "note: wheel tooth {wheel} with pinion tooth {pinion}, which bind; choose with --mating"
+    );
+    Ok((binding, all))
+}
+
+fn teeth(followed: Followed) -> (u32, u32) {
+    match followed {
+        Followed::Teeth(wheel, pinion) => (wheel, pinion),
+        Followed::Pose(mating) => (mating.wheel_tooth, mating.pinion_tooth),
+    }
 }

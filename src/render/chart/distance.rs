@@ -7,12 +7,13 @@ use super::{Chart, Heading, sheet};
 use crate::curves::{DistancePoint, OverDistance};
 use crate::error::Error;
 use crate::measured::Band;
+use crate::pair::Mating;
 use crate::render::caption::decimals;
 
 /// Fill of the band with and without bearing clearance.
 const FILLS: [f64; 2] = [0.14, 0.22];
 
-/// One mating's backlash over the centre distance: simulated and analytic band, the band with bearing clearance,
+/// Backlash of one pose, or the mean of two, over the centre distance: simulated and analytic band, the band with bearing clearance,
 /// and the measured values.
 ///
 /// # Errors
@@ -122,12 +123,32 @@ pub fn distance(heading: &Heading, curve: &OverDistance) -> Result<Chart, Error>
     // The bands come from below on the left.
     interference(&mut panel, x[0]);
     panel.marks.extend(gaps(curve, [x, y]));
-    let [right, left] =
-        [curve.mating, curve.left_mating].map(|(wheel, pinion)| format!("{wheel}·{pinion}"));
-    let details = format!(
-        "lines: means of two poses, wheel·pinion tooth {right} with the right flanks and {left} with the left at the pitch point"
-    );
+    let details = poses(&curve.matings);
     sheet::draw(heading, &details, &legend, &[panel])
+}
+
+/// What the lines are of.
+fn poses(matings: &[Mating]) -> String {
+    let teeth = |mating: &Mating| format!("{}·{}", mating.wheel_tooth, mating.pinion_tooth);
+    match matings {
+        [one] => {
+            let beyond = match one.fraction {
+                0.0 => String::new(),
+                fraction => format!(" + {} pitch", decimals(fraction, 0, 4)),
+            };
+            let flank = one.flank.name();
+            format!("wheel·pinion tooth {}, {flank} flanks{beyond}", teeth(one))
+        }
+        poses => {
+            let named = poses
+                .iter()
+                .map(|one| format!("{} flanks {}", one.flank.name(), teeth(one)));
+            format!(
+                "mean of two poses: {} (wheel·pinion)",
+                named.collect::<Vec<_>>().join(", ")
+            )
+        }
+    }
 }
 
 /// Why there is no simulated backlash, in the middle of each stretch of centre distances that has none.

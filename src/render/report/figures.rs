@@ -2,7 +2,7 @@
 
 use super::Page;
 use super::words::distance;
-use crate::curves::{Course, DistancePoint};
+use crate::curves::{Course, DistancePoint, Followed};
 use crate::error::Error;
 use crate::gear::Inspection;
 use crate::render::chart::{self, Chart, Heading};
@@ -132,9 +132,14 @@ pub(super) fn over_distance(page: &Page) -> Result<Markup, Error> {
         if !curve.points.iter().any(simulated) && curve.measured.is_empty() {
             continue;
         }
-        let (wheel, pinion) = curve.mating;
-        let binds = if number == 0 { ", which bind" } else { "" };
-        let title = format!("Backlash over the centre distance, teeth {wheel} and {pinion}{binds}");
+        let of = match curve.followed {
+            Followed::Pose(_) => " at the pose that binds".to_owned(),
+            Followed::Teeth(wheel, pinion) => {
+                let binds = if number == 0 { ", which bind" } else { "" };
+                format!(", teeth {wheel} and {pinion}{binds}")
+            }
+        };
+        let title = format!("Backlash over the centre distance{of}");
         let prefix = format!("distance{number}");
         figures.push(figure(&chart::distance(
             &heading(page, &prefix, &title),
@@ -143,14 +148,8 @@ pub(super) fn over_distance(page: &Page) -> Result<Markup, Error> {
     }
     let others = "backlash of the other measured matings over the centre distance";
     let Some((first, rest)) = figures.split_first() else {
-        let matings: Vec<String> = page
-            .report
-            .over_distance
-            .iter()
-            .map(|curve| format!("{} and {}", curve.mating.0, curve.mating.1))
-            .collect();
         return Ok(html! {
-            p { "Left out: over these centre distances the gears are jammed or out of mesh at teeth " (matings.join("; ")) "." }
+            p { "Left out: over these centre distances the gears are jammed or out of mesh." }
         });
     };
     Ok(html! {

@@ -55,7 +55,7 @@ pub struct Report<'a> {
     pub revolution: &'a [ComparedRun],
     /// The hunting cycle beyond these.
     pub cycle: &'a Cycle,
-    /// Matings over the centre distance: the one that binds, then those that were measured.
+    /// Over the centre distance: what binds, then the matings that were measured.
     pub over_distance: &'a [OverDistance],
     /// Measured values beside their bands.
     pub measured: &'a [MeasuredMating],

@@ -25,7 +25,7 @@ pub fn run(run: &ComparedRun) -> String {
         Material::AsMeasured => "",
     };
     let phase = run.run.phase;
-    let phase = phase.map_or(String::new(), |(w, p)| format!(", phase {w}–{p}"));
+    let phase = phase.map_or(String::new(), |(w, p)| format!(", phase {w}·{p}"));
     format!("a = {distance} mm{material}{phase}")
 }
 

@@ -81,6 +81,11 @@ impl CrossCheck {
         }))
     }
 
+    /// What it states.
+    pub fn statement(&self) -> &Statement {
+        &self.statement
+    }
+
     /// Compares it with `gears`, which have the deviations `known`.
     pub fn compare(
         &self,

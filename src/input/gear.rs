@@ -178,8 +178,12 @@ impl GearPart {
         }
         self.warnings.extend(all_round::told(&drawing, &flanks));
         let measured = measured.as_ref().map(|(sheet, pitch)| (*sheet, pitch));
-        self.warnings
-            .extend(contradictions::told(&drawing, measured, &flanks));
+        self.warnings.extend(contradictions::told(
+            &drawing,
+            cross_check.as_ref(),
+            measured,
+            &flanks,
+        ));
         if let Some((_, pitch)) = measured.filter(|(sheet, _)| !sheet.is_datum()) {
             let gear = flanks.gears.most();
             self.warnings

@@ -191,7 +191,7 @@ impl GearPart {
             }));
         let toothing = &drawing.blank.toothing;
         let in_pitch = measured.and_then(|(sheet, _)| sheet.slip(table, toothing));
-        let slips: Vec<Slip> = slips::in_readings(&drawing)
+        let slips: Vec<Slip> = slips::in_readings(&drawing, &flanks.stated)
             .into_iter()
             .chain(in_pitch)
             .collect();

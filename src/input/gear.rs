@@ -185,6 +185,8 @@ impl GearPart {
             &flanks,
         ));
         self.warnings
+            .extend(per_tooth::off_mean(&drawing, &per_tooth_um));
+        self.warnings
             .extend(measured.and_then(|(sheet, pitch)| match sheet.is_datum() {
                 true => first_harmonic::not_joint(table, sheet, pitch, &flanks),
                 false => first_harmonic::held(table, pitch, &flanks),

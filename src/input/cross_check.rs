@@ -154,6 +154,10 @@ impl CrossCheck {
     /// As in the pair file.
     pub fn echo(&self) -> Value {
         let mut echo = self.statement.echo();
+        if let Some(Value::Object(span)) = echo.get_mut("span") {
+            // Not a key of a cross-check.
+            span.shift_remove("per_tooth");
+        }
         echo.insert("tolerance_um".to_owned(), json!(self.tolerance_um));
         Value::Object(echo)
     }

@@ -121,7 +121,11 @@ fn the_schema_accepts_good_pair_files() {
     let validator = jsonschema::validator_for(&schema(&[])).unwrap();
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures");
     let mut count = 0;
-    for folder in [root.clone(), root.join("reference/lost_motion")] {
+    for folder in [
+        root.clone(),
+        root.join("reference/lost_motion"),
+        root.join("sheets"),
+    ] {
         for entry in std::fs::read_dir(folder).unwrap() {
             let path = entry.unwrap().path();
             if path
@@ -148,7 +152,8 @@ fn the_schema_accepts_good_pair_files() {
 fn the_schema_refuses_what_the_reader_refuses() {
     let validator = jsonschema::validator_for(&schema(&[])).unwrap();
     assert!(validator.is_valid(&smallest()));
-    let faults: [(&str, Value); 8] = [
+    let zeros = vec![0; 20];
+    let faults = [
         ("/wheel/teeth", json!(2)),
         ("/wheel/teeth", json!("20")),
         ("/wheel/module_mm", json!(0.001)),
@@ -157,6 +162,81 @@ fn the_schema_refuses_what_the_reader_refuses() {
         ("/wheel/thickness", json!({ "span": { "mm": 50.0 } })),
         ("/assembly/center_distance_mm", json!(-1)),
         ("/title", json!(1)),
+        // Keys that go together, or never.
+        ("/wheel/thickness", json!({ "span": { "teeth": 3 } })),
+        (
+            "/wheel/thickness",
+            json!({ "span": { "teeth": 3, "min_mm": 15.3 } }),
+        ),
+        (
+            "/wheel/thickness",
+            json!({ "span": { "teeth": 3, "mm": 15.3, "max_mm": 15.3 } }),
+        ),
+        (
+            "/wheel/thickness",
+            json!({ "span": { "teeth": 3, "mm": 15.3, "first_tooth": [1] } }),
+        ),
+        (
+            "/wheel/thickness",
+            json!({ "span": { "teeth": 3, "mm": 15.3, "per_tooth": false } }),
+        ),
+        (
+            "/wheel/thickness",
+            json!({ "span": { "teeth": 3, "mm": [15.3], "file": "s.csv" } }),
+        ),
+        (
+            "/wheel/thickness",
+            json!({ "span": { "teeth": 3, "mm": 15.3, "decimal": "," } }),
+        ),
+        (
+            "/wheel/thickness",
+            json!({ "over_pins": { "pin_mm": 5.25, "max_mm": 70.0 } }),
+        ),
+        (
+            "/wheel/thickness",
+            json!({ "allowance_um": 0, "base_thickness_mm": 3.5 }),
+        ),
+        (
+            "/wheel/thickness",
+            json!({ "span": { "teeth": 3, "mm": 15.3 }, "allowance_um": 0 }),
+        ),
+        (
+            "/wheel/thickness",
+            json!({ "cross_check": { "allowance_um": 0 } }),
+        ),
+        (
+            "/wheel/thickness",
+            json!({ "allowance_um": 0, "cross_check": { "tolerance_um": 3 } }),
+        ),
+        ("/wheel/runout", json!({ "total_um": 5 })),
+        ("/wheel/runout", json!({ "high_tooth": 5 })),
+        ("/wheel/runout", json!({ "file": "r.csv" })),
+        (
+            "/wheel/runout",
+            json!({ "file": "r.csv", "at": "tooth", "total_um": 5 }),
+        ),
+        (
+            "/wheel/runout",
+            json!({ "total_um": 5, "high_tooth": 5, "at": "tooth" }),
+        ),
+        (
+            "/wheel/pitch",
+            json!({ "right_um": zeros, "left_um": zeros }),
+        ),
+        (
+            "/wheel/pitch",
+            json!({ "kind": "single", "right_um": zeros }),
+        ),
+        (
+            "/wheel/pitch",
+            json!({ "kind": "single", "left_um": zeros, "right_um": [] }),
+        ),
+        ("/wheel/pitch", json!({ "file": "p.csv" })),
+        (
+            "/wheel/pitch",
+            json!({ "kind": "single", "file": "p.csv", "left_um": zeros }),
+        ),
+        ("/wheel/pitch", json!({ "kind": "single", "sheet": "p" })),
     ];
     let folder = tempfile::tempdir().unwrap();
     for (pointer, fault) in faults {
@@ -173,6 +253,60 @@ fn the_schema_refuses_what_the_reader_refuses() {
         .output()
         .unwrap();
         assert_eq!(output.status.code(), Some(2), "{pair}");
+    }
+}
+
+/// What goes together does so for both: the schema is no stricter than the reader.
+#[test]
+fn the_schema_accepts_what_the_reader_accepts() {
+    let validator = jsonschema::validator_for(&schema(&[])).unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(
+        folder.path().join("s.csv"),
+        "tooth;span\n1;15,310\n2;15,310\n",
+    )
+    .unwrap();
+    let zeros = vec![0; 20];
+    for (key, good) in [
+        ("thickness", json!({})),
+        (
+            "thickness",
+            json!({ "span": { "teeth": 3, "min_mm": 15.3, "max_mm": 15.32 } }),
+        ),
+        (
+            "thickness",
+            json!({ "span": { "teeth": 3, "mm": [15.32], "first_tooth": [4], "per_tooth": false } }),
+        ),
+        (
+            "thickness",
+            json!({ "span": { "teeth": 3, "file": "s.csv", "decimal": ",", "per_tooth": false } }),
+        ),
+        (
+            "thickness",
+            json!({ "allowance_um": { "min": -3, "max": -2 }, "per_tooth_um": zeros }),
+        ),
+        (
+            "thickness",
+            json!({ "base_thickness_mm": 3.5, "cross_check": { "allowance_um": 0 } }),
+        ),
+        ("runout", json!({ "total_um": 0 })),
+        ("runout", json!({ "total_um": 5, "high_tooth": 2.5 })),
+        ("pitch", json!({})),
+        ("pitch", json!({ "right_um": [] })),
+        (
+            "pitch",
+            json!({ "kind": "single", "axis": "datum", "eccentricity": "pitch", "right_um": zeros, "left_um": zeros }),
+        ),
+    ] {
+        let mut pair = smallest();
+        pair["wheel"][key] = good;
+        assert!(validator.is_valid(&pair), "{pair}");
+        let file = folder.path().join("pair.json");
+        std::fs::write(&file, pair.to_string()).unwrap();
+        let simulate = ["simulate", "pair.json", "--format", "json"];
+        let output = gearlash(folder.path(), &simulate).output().unwrap();
+        let told = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(0), "{pair}: {told}");
     }
 }
 

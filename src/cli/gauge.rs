@@ -5,6 +5,7 @@ use super::results::{Format, ResultsArgs};
 use super::{print, warn};
 use crate::error::Error;
 use crate::gauge::{Settings, gauge};
+use crate::gear::AsBuilt;
 use crate::input;
 use crate::render::gauge::{GaugedGear, charts, csv_files, json, possible_files, teeth_csv, text};
 use crate::study::{GearsStudy, Material};
@@ -80,6 +81,9 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let study = input::read_gears(&args.file)?;
     warn(&args.file, &study.warnings, &study.remarks);
     let chosen = choose(args, &study)?;
+    for (gear, _, as_built) in &chosen {
+        check_span(args, gear.name, as_built)?;
+    }
     let folder = args.results.folder(&study.stem)?;
 
     let progress = Progress::working();
@@ -112,6 +116,12 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         Format::Json => json(&study.title, &gears).map_err(|error| unwritable(&error))?,
         Format::Csv => teeth_csv(&gears).map_err(|error| unwritable(&error))?,
     });
+    if let Format::Csv = args.results.format {
+        // Blank columns say nothing; the other formats tell.
+        for gauged in &gears {
+            warn(&args.file, &gauged.missing(), &[]);
+        }
+    }
     if let Some(folder) = folder {
         let mut files = Vec::new();
         for gauged in &gears {
@@ -135,18 +145,22 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     Ok(ExitCode::SUCCESS)
 }
 
+/// Whether the gear has the teeth to span.
+fn check_span(args: &Args, name: &str, gear: &AsBuilt) -> Result<(), Error> {
+    let z = gear.gear().toothing().teeth();
+    match args.span_teeth {
+        Some(k) if k > z => Err(Error::Usage(format!(
+            "--span-teeth {k}: the {name} has {z} teeth, allowed is 1 … {z}; give fewer, or choose the other gear with --gear"
+        ))),
+        _ => Ok(()),
+    }
+}
+
 /// The gears and materials asked for, in the order of the file.
 fn choose<'a>(
     args: &Args,
     study: &'a GearsStudy,
-) -> Result<
-    Vec<(
-        &'a crate::study::GearStudy,
-        Material,
-        &'a crate::gear::AsBuilt,
-    )>,
-    Error,
-> {
+) -> Result<Vec<(&'a crate::study::GearStudy, Material, &'a AsBuilt)>, Error> {
     let name = args.gear.map(|gear| match gear {
         GearName::Wheel => "wheel",
         GearName::Pinion => "pinion",

@@ -24,6 +24,8 @@ pub enum StatedThickness {
         allowance: f64,
         /// Mean of the thickness by tooth: 0 where it lies within the error of the readings.
         per_tooth: f64,
+        /// Whether a reader of the file can hold the spans against it.
+        cross_check: bool,
     },
 }
 
@@ -67,12 +69,13 @@ pub(super) fn stated(gear: &Gear, read: &Readings) -> Result<StatedThickness, Un
             false => beyond,
         }
     });
-    if let (Some(spans), true) = (spans, beyond == 0.0) {
-        let readable = Gear::new(*blank, by_spans(spans))
-            .and_then(|gear| thickness::check_span(&gear, spans.teeth));
-        if readable.is_ok() {
-            return Ok(StatedThickness::Spans);
-        }
+    let readable = |base, spans: &Spans| {
+        let gear = Gear::new(*blank, base);
+        let checked = gear.and_then(|gear| thickness::check_span(&gear, spans.teeth));
+        checked.is_ok()
+    };
+    if spans.is_some_and(|spans| beyond == 0.0 && readable(by_spans(spans), spans)) {
+        return Ok(StatedThickness::Spans);
     }
     let allowance = allowance - beyond;
     let base = thickness::base_from_allowance(toothing, nominal, allowance);
@@ -80,5 +83,6 @@ pub(super) fn stated(gear: &Gear, read: &Readings) -> Result<StatedThickness, Un
     Ok(StatedThickness::Allowance {
         allowance,
         per_tooth: beyond,
+        cross_check: spans.is_some_and(|spans| readable(base, spans)),
     })
 }

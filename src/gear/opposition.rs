@@ -44,9 +44,15 @@ impl Pitch {
     /// less than `k` at more than `q` is at most `x = k (1 − q)^n (1 + n q)`. That of any pair with less than `x` is
     /// at most `∫ min(1, x (1 + n) q/((1 − q)^n (1 + n q))) n (1 − q)^{n−1} dq ≤ x (1 + n) l + e^{−n l}` for any `l`; the best is
     /// `w (1 − ln w)`, `w = x (1 + n)/n` (own derivation). The other harmonics are judged as of own-axis data; the
-    /// least of the three bounds is taken threefold.
+    /// least of the three bounds is taken threefold. Curves that go together as read are none of these: an index error common to both
+    /// flanks stands in `D`, too.
     pub fn datum_opposition(&self, gear: &Gear) -> f64 {
-        let z = self.flank(Side::Right).len();
+        let [right, left] = Side::BOTH.map(|side| self.flank(side));
+        if together(right, left) >= 0.0 {
+            // A left flank turned round takes the eccentricity with it: the curves as read go against each other.
+            return 1.0;
+        }
+        let z = right.len();
         let harmonics = self.harmonics();
         if z < 3 || harmonics.is_empty() {
             return 1.0;
@@ -83,6 +89,19 @@ impl Pitch {
     pub fn first_harmonic_energy(&self, gear: &Gear) -> f64 {
         let energy = |side| self.first_harmonic_as_eccentric(gear, side).norm_sqr();
         Side::BOTH.map(energy).iter().sum()
+    }
+
+    /// What the two flanks' first harmonics differ by as read, half of it: the energy that a wave of both alike leaves, mm² times `z²`.
+    pub fn first_harmonic_apart(&self) -> f64 {
+        let first = |side| -> Complex<f64> {
+            let list = self.flank(side);
+            let turn = TAU / list.len().max(1) as f64;
+            let teeth = list.iter().enumerate();
+            teeth
+                .map(|(index, f)| Complex::from_polar(*f, -turn * index as f64))
+                .sum()
+        };
+        (first(Side::Right) - first(Side::Left)).norm_sqr() / 2.0
     }
 
     /// First harmonic of the own `side` flanks, counted from the angle `±α` at which an eccentricity shows nothing.

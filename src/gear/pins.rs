@@ -85,6 +85,21 @@ impl PinReadings {
         ))
     }
 
+    /// What each reading is beyond the readings' mean, and what the deviations `of` say it is, mm, in the order of the readings.
+    ///
+    /// # Errors
+    /// Those of [`PinReadings::base_thickness`].
+    pub fn beside(&self, of: &Deviations) -> Result<Vec<(f64, f64)>, GearError> {
+        let shifts = FlankShifts::new(&self.toothing, of)?;
+        let base = self.base_thickness(of)?;
+        let said = |space| self.over(&shifts, space, base)[0];
+        let [read, mean] = self.readings.means(|space, over| [over, said(space)]);
+        let list = self.readings.list().iter();
+        Ok(list
+            .map(|&(space, over)| (over - read, said(space) - mean))
+            .collect())
+    }
+
     /// `M` at `space`, mm, and its derivative by `s_b`.
     fn over(&self, shifts: &FlankShifts, space: u32, base: f64) -> [f64; 2] {
         let apart = self.toothing.teeth() / 2;

@@ -1,8 +1,10 @@
 //! Where the data of one gear contradict what the file says of them: warnings, each with the way out.
 
+use super::cross_check::CrossCheck;
 use super::faults::Drawing;
 use super::flanks::Flanks;
 use super::pitch::PitchSheet;
+use super::thickness::Statement;
 use crate::gear::{Deviations, Pitch, Side, Spans};
 
 /// The probability below which flanks that go against each other count as turned round. Tuned: of unrelated curves, white
@@ -15,7 +17,7 @@ const UNRELATED: f64 = 1e-3;
 /// noise `ε` alone comes there only within 30° of one direction of as many dimensions as there are readings, the
 /// change of sign being as large as `ε` besides; 1 in 400 with 7 readings, none with 20.
 const CLEARER: f64 = 4.0;
-/// Fewest spans that are asked which sign they bear out.
+/// Fewest spans that are asked which sign they bear out; all round, fewer bear out the one that is stated.
 const FEWEST_SPANS: usize = 7;
 /// Two curves are the same when this part of the energy at most is in their difference. Tuned: thickness of 4 µm r.m.s.,
 /// measured twice with 1 µm a flank, leaves 0.19; unrelated curves leave 2.
@@ -29,14 +31,17 @@ const CERTAIN: f64 = 3.0;
 /// Everything that contradicts; of the pitch `sheet`, its curves as measured.
 pub fn told(
     drawing: &Drawing,
+    cross_check: Option<&CrossCheck>,
     sheet: Option<(&PitchSheet, &Pitch)>,
     flanks: &Flanks,
 ) -> Vec<String> {
-    let spans = drawing.statement.spans(&drawing.blank.toothing);
-    let spans = spans.ok().flatten();
+    let spans = |of: &Statement| of.spans(&drawing.blank.toothing).ok().flatten();
+    let cross_check = cross_check.and_then(|check| spans(check.statement()));
+    let spans = spans(&drawing.statement);
     let mut told = Vec::new();
     if let (Some((sheet, measured)), Some(own)) = (sheet, &flanks.stated.pitch) {
-        if turned_round(measured, own, spans.as_ref(), sheet, flanks) {
+        let witness = spans.as_ref().or(cross_check.as_ref());
+        if turned_round(measured, own, witness, sheet, flanks) {
             told.push(format!(
                 "{}: the left flanks go against the right ones, as if their sign were turned round{}: if + means plus material on both flanks \
                  (or the gear was seen from the other face), write sense = {:?}",
@@ -73,20 +78,19 @@ fn turned_round(
             ..flanks.stated.clone()
         };
         let beside = spans?.beside(&known).ok()?;
-        (beside.len() >= FEWEST_SPANS).then(|| {
-            beside
-                .iter()
-                .map(|(read, said)| (read - said).powi(2))
-                .sum()
-        })
+        let left = beside.iter().map(|(read, said)| (read - said).powi(2));
+        Some(left.sum())
     };
-    if let (Some(as_stated), Some(turned)) =
-        (left_over(own), other_own.as_ref().and_then(left_over))
-    {
-        if as_stated > CLEARER * turned {
+    if let (Some(spans), Some(as_stated), Some(turned)) = (
+        spans.map(Spans::readings),
+        left_over(own),
+        other_own.as_ref().and_then(left_over),
+    ) {
+        let enough = spans.list().len() >= FEWEST_SPANS;
+        if enough && as_stated > CLEARER * turned {
             return true;
         }
-        if turned > CLEARER * as_stated {
+        if (enough || spans.all_round()) && turned > CLEARER * as_stated {
             return false;
         }
     }

@@ -81,6 +81,11 @@ impl CrossCheck {
         }))
     }
 
+    /// What it states.
+    pub fn statement(&self) -> &Statement {
+        &self.statement
+    }
+
     /// Compares it with `gears`, which have the deviations `known`.
     pub fn compare(
         &self,
@@ -149,6 +154,10 @@ impl CrossCheck {
     /// As in the pair file.
     pub fn echo(&self) -> Value {
         let mut echo = self.statement.echo();
+        if let Some(Value::Object(span)) = echo.get_mut("span") {
+            // Not a key of a cross-check.
+            span.shift_remove("per_tooth");
+        }
         echo.insert("tolerance_um".to_owned(), json!(self.tolerance_um));
         Value::Object(echo)
     }

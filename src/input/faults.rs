@@ -27,14 +27,14 @@ impl Drawing<'_> {
     pub fn gears(&self, known: &Deviations, problems: &mut Problems) -> Option<Stated<Gear>> {
         let blank = &self.blank;
         let round = blank.rack.check_tip_round(&blank.toothing);
-        problems.keep(round.map_err(|error| self.fault(error)))?;
+        problems.keep(round.map_err(|error| self.fault(error, known)))?;
         let base = self.statement.base_thickness(blank, known);
         let base = problems.keep(base.map_err(|error| self.pins_inside_base(error)))?;
         let gears = base.try_map(|&base| Gear::new(*blank, base));
-        let gears = problems.keep(gears.map_err(|error| self.fault(error)))?;
+        let gears = problems.keep(gears.map_err(|error| self.fault(error, known)))?;
         let checked = gears.try_map(|gear| {
             let check = self.statement.check(gear);
-            check.map_err(|error| self.off_involute(error, gear))
+            check.map_err(|error| self.off_involute(error, gear, known))
         });
         problems.keep(checked)?;
         Some(gears)
@@ -79,20 +79,26 @@ impl Drawing<'_> {
     }
 
     /// A problem of the whole tooth: blame the thickness, or `otherwise` with its way out.
-    fn shape(&self, reason: String, otherwise: &'static str, way_out: String) -> Problem {
+    fn shape(
+        &self,
+        reason: String,
+        otherwise: &'static str,
+        way_out: String,
+        known: &Deviations,
+    ) -> Problem {
         let key = self.shape_key(otherwise);
         let way_out = if key == otherwise {
             way_out
         } else {
             let nominal = self.statement.nominal(&self.blank);
-            let slip = slips::in_readings(self);
+            let slip = slips::in_readings(self, known);
             let suspected = slip.map_or(String::new(), |slip| slip.suspected());
             format!("check the measurement: {nominal}{suspected}")
         };
         self.table.problem(&key, reason, way_out)
     }
 
-    fn fault(&self, error: GearError) -> Problem {
+    fn fault(&self, error: GearError, known: &Deviations) -> Problem {
         let reason = error.to_string();
         // What moves the tip: the first of these that was given.
         let tip_key = ["tip_diameter_mm", "profile_shift", "rack.addendum"]
@@ -125,7 +131,7 @@ impl Drawing<'_> {
                 } else {
                     format!("reduce it, or give a tip_diameter_mm {below}")
                 };
-                self.shape(reason, tip_key, way_out)
+                self.shape(reason, tip_key, way_out, known)
             }
             GearError::NoInvolute {
                 form_diameter_mm, ..
@@ -135,7 +141,7 @@ impl Drawing<'_> {
                 } else {
                     "give a greater profile shift, addendum or number of teeth".to_owned()
                 };
-                self.shape(reason, tip_key, way_out)
+                self.shape(reason, tip_key, way_out, known)
             }
             GearError::NoSpace { .. } => {
                 let rack = &self.blank.rack;
@@ -144,12 +150,13 @@ impl Drawing<'_> {
                 let root = toothing.reference_radius() - depth;
                 if root > 0.0 {
                     let way_out = "reduce the profile shift".to_owned();
-                    self.shape(reason, "profile_shift", way_out)
+                    self.shape(reason, "profile_shift", way_out, known)
                 } else {
                     self.shape(
                         format!("the root radius would be {root:.4} mm, allowed is above 0"),
                         "rack.dedendum",
                         "reduce the dedendum, or give a greater profile shift".to_owned(),
+                        known,
                     )
                 }
             }
@@ -157,11 +164,13 @@ impl Drawing<'_> {
                 format!("makes the base tooth thickness {value:.4} mm, allowed is above 0"),
                 "profile_shift",
                 "give a greater profile shift".to_owned(),
+                known,
             ),
             _ => self.shape(
                 reason,
                 "profile_shift",
                 "reduce the profile shift, or give the rack more dedendum".to_owned(),
+                known,
             ),
         }
     }
@@ -181,7 +190,7 @@ impl Drawing<'_> {
         )
     }
 
-    fn off_involute(&self, error: GearError, gear: &Gear) -> Problem {
+    fn off_involute(&self, error: GearError, gear: &Gear, known: &Deviations) -> Problem {
         let reason = error.to_string();
         if let Statement::Span { .. } | Statement::Spans { .. } = self.statement {
             let fits = |teeth: &u32| thickness::check_span(gear, *teeth).is_ok();
@@ -193,7 +202,7 @@ impl Drawing<'_> {
                 (Some(only), _) => format!("measure over {only} teeth, and give that span"),
                 _ => "no span fits this gear: measure over pins".to_owned(),
             };
-            if let Some(slip) = slips::in_readings(self) {
+            if let Some(slip) = slips::in_readings(self, known) {
                 let way_out = format!("check the readings{}", slip.suspected());
                 return self
                     .table

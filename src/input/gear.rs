@@ -15,7 +15,7 @@ use super::slips::{self, Slip};
 use super::stated::Stated;
 use super::table::Table;
 use super::thickness::{self, Statement};
-use super::{all_round, contradictions, eccentricity};
+use super::{all_round, contradictions, eccentricity, first_harmonic};
 use crate::gear::{AsBuilt, Blank, Deviations, Face, Toothing};
 use crate::notes::GearNotes;
 use serde_json::{Value, json};
@@ -178,16 +178,22 @@ impl GearPart {
         }
         self.warnings.extend(all_round::told(&drawing, &flanks));
         let measured = measured.as_ref().map(|(sheet, pitch)| (*sheet, pitch));
+        self.warnings.extend(contradictions::told(
+            &drawing,
+            cross_check.as_ref(),
+            measured,
+            &flanks,
+        ));
         self.warnings
-            .extend(contradictions::told(&drawing, measured, &flanks));
-        if let Some((_, pitch)) = measured.filter(|(sheet, _)| !sheet.is_datum()) {
-            let gear = flanks.gears.most();
-            self.warnings
-                .extend(eccentricity::held(table, pitch, flanks.in_runout, gear));
-        }
+            .extend(per_tooth::off_mean(&drawing, &per_tooth_um));
+        self.warnings
+            .extend(measured.and_then(|(sheet, pitch)| match sheet.is_datum() {
+                true => first_harmonic::not_joint(table, sheet, pitch, &flanks),
+                false => first_harmonic::held(table, pitch, &flanks),
+            }));
         let toothing = &drawing.blank.toothing;
         let in_pitch = measured.and_then(|(sheet, _)| sheet.slip(table, toothing));
-        let slips: Vec<Slip> = slips::in_readings(&drawing)
+        let slips: Vec<Slip> = slips::in_readings(&drawing, &flanks.stated)
             .into_iter()
             .chain(in_pitch)
             .collect();

@@ -13,6 +13,7 @@ mod data_file;
 mod eccentricity;
 mod entry;
 mod faults;
+mod first_harmonic;
 mod flanks;
 mod gear;
 mod gear_file;

@@ -7,7 +7,7 @@ use super::eccentricity::{COUNTS, Counts};
 use super::entry::Limits;
 use super::per_tooth::one_a_tooth;
 use super::problems::Problems;
-use super::sheet::{Column, Coverage, Header, Sheet, Wanted};
+use super::sheet::{self, Column, Coverage, Header, Sheet, Wanted};
 use super::table::Table;
 use crate::gear::Side;
 use serde_json::{Value, json};
@@ -21,6 +21,7 @@ pub const KEYS: &[&str] = &[
     "left_um",
     "file",
     "sheet",
+    "decimal",
 ];
 
 const DEVIATION: Limits = Limits {
@@ -95,6 +96,7 @@ impl PitchSheet {
                 header: Some(header),
             }));
         }
+        sheet::without_file(&table, problems)?;
         let right = table.numbers("right_um", &DEVIATION, problems);
         let left = table.numbers("left_um", &DEVIATION, problems);
         let lengths = [&right, &left].map(|list| list.as_ref().map(Vec::len));

@@ -2,7 +2,7 @@
 
 use super::node::Node;
 use super::problems::Problems;
-use super::sheet::{Column, Coverage, Sheet, Wanted};
+use super::sheet::{self, Column, Coverage, Sheet, Wanted};
 use super::table::Table;
 use super::thickness::LENGTH;
 use crate::error::GearError;
@@ -33,14 +33,7 @@ impl LengthReadings {
         if table.has("file") {
             return LengthReadings::of_file(table, place_key, column, teeth, problems).map(Some);
         }
-        if table.has("sheet") {
-            problems.add(table.problem(
-                "sheet",
-                "there is no `file`",
-                "add the file, or remove it",
-            ));
-            return None;
-        }
+        sheet::without_file(table, problems)?;
         let is_list = table
             .get("mm")
             .is_some_and(|entry| matches!(entry.node(), Node::List(_)));

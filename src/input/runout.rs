@@ -4,7 +4,7 @@ mod readings;
 
 use super::entry::Limits;
 use super::problems::Problems;
-use super::sheet::Header;
+use super::sheet::{self, Header};
 use super::stated::Stated;
 use super::table::Table;
 use crate::gear::Gear;
@@ -13,7 +13,15 @@ use serde_json::{Map, Value, json};
 
 pub use readings::{Knowledge, ReadingsFit, RunoutSheet};
 
-pub const KEYS: &[&str] = &["total_um", "high_tooth", "file", "sheet", "at", "ball_mm"];
+pub const KEYS: &[&str] = &[
+    "total_um",
+    "high_tooth",
+    "file",
+    "sheet",
+    "decimal",
+    "at",
+    "ball_mm",
+];
 
 const TOTAL: Limits = Limits {
     allowed: "a number of µm, 0 or more, less than the tooth depth",
@@ -48,6 +56,7 @@ impl Runout {
                 sheet: Some(sheet),
             });
         }
+        sheet::without_file(&table, problems)?;
         if let Some(name) = ["at", "ball_mm"].into_iter().find(|name| table.has(name)) {
             problems.add(table.problem(
                 name,

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-/// The JSON Schema (draft 07) of pair files: every key, its type and range. [`read`](super::read) checks more than it can say.
+/// The JSON Schema (draft 07) of pair files: every key, its type and range, and which go together. [`read`](super::read) checks more than it can say.
 pub const PAIR_SCHEMA: &str = include_str!("pair_schema.json");
 
 /// The same of gear files, `title` and one `[gear]`, from the definitions of [`PAIR_SCHEMA`].

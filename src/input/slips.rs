@@ -2,7 +2,7 @@
 
 use super::faults::Drawing;
 use super::thickness::Statement;
-use crate::gear::{GradedQuantity, Toothing};
+use crate::gear::{Deviations, GradedQuantity, Toothing};
 
 /// A value that stands out.
 #[derive(Debug, Clone, PartialEq)]
@@ -69,8 +69,9 @@ pub fn median(values: impl Iterator<Item = f64>) -> f64 {
 
 /// The reading all round that lies farthest from the others, where that is too far.
 ///
-/// A span holds two flanks, so teeth of the range `F_p` move it by no more than that; either of two pins stands out by `F_r`.
-pub fn in_readings(drawing: &Drawing) -> Option<Slip> {
+/// A span holds two flanks, so teeth of the range `F_p` move it by no more than that; either of two pins stands out by `F_r`. What
+/// the `known` flanks make of a reading is taken out of it first: a tooth that stands off is no slip of the reading.
+pub fn in_readings(drawing: &Drawing, known: &Deviations) -> Option<Slip> {
     let toothing = &drawing.blank.toothing;
     let (name, place, plausible) = match &drawing.statement {
         Statement::Spans { .. } => (
@@ -86,19 +87,33 @@ pub fn in_readings(drawing: &Drawing) -> Option<Slip> {
         _ => return None,
     };
     let readings = drawing.statement.readings()?;
-    let middle = median(readings.list().map(|(_, mm)| mm));
-    let apart = |mm: f64| (mm - middle).abs();
-    let spread = median(readings.list().map(|(_, mm)| apart(mm)));
-    let (number, mm) = readings
-        .list()
-        .max_by(|a, b| apart(a.1).total_cmp(&apart(b.1)))?;
     let count = readings.count();
-    let why = if apart(mm) > plausible {
+    let is_known = known.pitch.is_some() || !known.per_tooth.is_empty();
+    // Readings that no flanks explain are judged as they stand.
+    let beside = is_known.then(|| drawing.statement.beside(toothing, known).ok());
+    let said: Option<Vec<f64>> = beside
+        .flatten()
+        .map(|beside| beside.iter().map(|(_, said)| *said).collect());
+    let said_of = said.clone().unwrap_or_else(|| vec![0.0; count]);
+    let left = || {
+        readings
+            .list()
+            .zip(&said_of)
+            .map(|((_, mm), said)| mm - said)
+    };
+    let middle = median(left());
+    let apart = |mm: f64| (mm - middle).abs();
+    let spread = median(left().map(apart));
+    let ((number, mm), left) = readings
+        .list()
+        .zip(left())
+        .max_by(|a, b| apart(a.1).total_cmp(&apart(b.1)))?;
+    let why = if apart(left) > plausible {
         format!(
             "more than the {:.0} µm by which even a coarse gear varies",
             1000.0 * plausible
         )
-    } else if count >= FEWEST && apart(mm) > (STANDS_OUT * spread).max(THIMBLE_LINE) {
+    } else if count >= FEWEST && apart(left) > (STANDS_OUT * spread).max(THIMBLE_LINE) {
         format!("half of them within {:.1} µm", 1000.0 * spread)
     } else {
         return None;
@@ -107,8 +122,12 @@ pub fn in_readings(drawing: &Drawing) -> Option<Slip> {
         key: drawing.table.path_of(&format!("{}.{name}", drawing.under)),
         what: format!("the reading at {place} {number}, {mm} mm,"),
         off: format!(
-            "{:.1} µm from the median of all {count}, {middle} mm",
-            1000.0 * apart(mm)
+            "{:.1} µm from the median of all {count}, {}",
+            1000.0 * apart(left),
+            match said {
+                None => format!("{middle} mm"),
+                Some(_) => format!("{middle:.4} mm, once what the stated flanks do is taken out"),
+            }
         ),
         why,
     })

@@ -27,8 +27,11 @@ const SPAN_KEYS: &[&str] = &[
     "per_tooth",
     "file",
     "sheet",
+    "decimal",
 ];
-const PIN_KEYS: &[&str] = &["pin_mm", "mm", "min_mm", "max_mm", "space", "file", "sheet"];
+const PIN_KEYS: &[&str] = &[
+    "pin_mm", "mm", "min_mm", "max_mm", "space", "file", "sheet", "decimal",
+];
 
 pub const LENGTH: Limits = Limits {
     allowed: "a number of mm above 0 and up to 1e9",

@@ -20,6 +20,27 @@ impl Statement {
         }
     }
 
+    /// What each of its readings is beyond their mean, and what the deviations `of` say it is, mm; empty without readings.
+    ///
+    /// # Errors
+    /// Readings that go with no tooth thickness; [`GearError::WrongLength`] for lists of another gear.
+    pub fn beside(
+        &self,
+        toothing: &Toothing,
+        of: &Deviations,
+    ) -> Result<Vec<(f64, f64)>, GearError> {
+        match self {
+            Statement::Spans { .. } => match self.spans(toothing)? {
+                Some(spans) => spans.beside(of),
+                None => Ok(Vec::new()),
+            },
+            Statement::Pins { pin_mm, readings } => {
+                PinReadings::new(toothing, *pin_mm, readings.on(toothing)?).beside(of)
+            }
+            _ => Ok(Vec::new()),
+        }
+    }
+
     /// Its readings, where it has them all round.
     pub fn readings(&self) -> Option<&LengthReadings> {
         match self {

@@ -134,3 +134,18 @@ fn the_result_file_tells_the_difference() {
     assert_eq!(told["agree"], true);
     assert!(notes["pinion"].is_null(), "nothing to tell of it");
 }
+
+/// Its echo said `per_tooth`, which no cross-check may: the pair in a result could not be read again ([`pair`] does).
+#[test]
+fn a_cross_check_by_spans_all_round_is_echoed_as_one() {
+    // W_6 = 3 cos 20° (5.5 π + 44 inv 20°).
+    let alpha = 20f64.to_radians();
+    let inv = alpha.tan() - alpha;
+    let nominal = 3.0 * alpha.cos() * (5.5 * std::f64::consts::PI + 44.0 * inv);
+    let study = pair(&format!(
+        "teeth = 44\nmodule_mm = 3\nthickness = {{ allowance_um = 0, cross_check = {{ span = {{ teeth = 6, mm = {:?} }} }} }}",
+        vec![nominal; 44]
+    ));
+    let agree = |told: &String| told.contains("cross_check: ") && told.contains("they agree");
+    assert!(study.remarks.iter().any(agree), "{:?}", study.remarks);
+}

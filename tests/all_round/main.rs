@@ -6,6 +6,7 @@ mod common;
 mod contradictions;
 mod cross_check;
 mod datum;
+mod mean;
 mod pins;
 mod runout;
 mod slips;

@@ -272,3 +272,41 @@ fn a_ball_goes_with_readings_in_spaces() {
         assert!(problems[0].reason.contains(words), "{}", problems[0]);
     }
 }
+
+/// Datum-axis pitch stated as own explains the readings of the ball by itself: next to nothing is left as eccentricity, so nothing counts
+/// twice. The warning said it did.
+#[test]
+fn datum_pitch_stated_as_own_takes_the_eccentricity_of_readings() {
+    let even = Made {
+        own: [vec![0.0; 44], vec![0.0; 44]],
+        e: 0.02,
+        high: 5.3,
+        ..Made::random(44, &mut TestRunner::deterministic())
+    };
+    let readings = even.by_ball(5.25);
+    let alpha = ALPHA;
+    // F = −e sin(ψ ∓ α)/cos α, design section 6; teeth of half a pitch.
+    let own = [1.0, -1.0].map(|ahead: f64| {
+        let flank = |i: usize| {
+            let psi = (i as f64 + 1.0 - even.high) * even.step() + ahead * even.step() / 4.0;
+            -even.e * (psi - ahead * alpha).sin() / alpha.cos()
+        };
+        (0..44).map(flank).collect::<Vec<f64>>()
+    });
+    let stated = Made { own, ..even };
+    let study = stated.study(&readings, "at = \"space\", ball_mm = 5.25", true);
+    let left = wheel(&study).eccentricity();
+    assert!(left < 0.001, "{left} mm");
+    let told = |words: &str| {
+        let mut all = study.warnings.iter();
+        all.any(|told| told.starts_with("wheel.pitch.axis: ") && told.contains(words))
+    };
+    assert!(!told("count twice"), "{:#?}", study.warnings);
+    for words in [
+        "write axis = \"datum\"",
+        &format!("{:.3} µm", 1e3 * left),
+        "is left to it as eccentricity",
+    ] {
+        assert!(told(words), "{words}: {:#?}", study.warnings);
+    }
+}

@@ -99,3 +99,68 @@ fn a_value_that_makes_the_gear_impossible_is_named() {
         told[0]
     );
 }
+
+/// Right flank 17 stands 12 µm off, by the pitch: the span from tooth 12 over six is 12 cos 20° = 11.3 µm longer. It was called a slip
+/// of the reading; without the pitch it looks like one, and another reading that is off is one.
+#[test]
+fn a_reading_that_the_stated_flanks_explain_is_no_slip() {
+    let mut right = vec![0.0; 44];
+    right[16] = 12.0;
+    let pitch = format!(
+        "pitch = {{ kind = \"cumulative\", right_um = {right:?}, left_um = {:?} }}\n",
+        vec![0.0; 44]
+    );
+    let mut mm: Vec<f64> = (0..44).map(|i| 50.55 + 0.001 * f64::from(i % 3)).collect();
+    mm[11] += 0.012 * 20f64.to_radians().cos();
+    let told = |mm: &[f64], pitch: &str| {
+        let mm: Vec<String> = mm.iter().map(|mm| format!("{mm:.3}")).collect();
+        let told = told(&format!(
+            "{GEAR}{pitch}thickness.span = {{ teeth = 6, mm = [{}], per_tooth = false }}",
+            mm.join(", ")
+        ));
+        let slip = |told: &&String| told.contains("thickness.span") && told.contains("check it");
+        told.iter().find(slip).cloned()
+    };
+    assert_eq!(told(&mm, &pitch), None);
+    assert!(told(&mm, "").unwrap().contains("the reading at tooth 12, "));
+    mm[29] += 0.0113;
+    let slip = told(&mm, &pitch).unwrap();
+    assert!(
+        slip.contains("the reading at tooth 30, ")
+            && slip.contains("once what the stated flanks do is taken out"),
+        "{slip}"
+    );
+}
+
+/// The same of pins: right flank 17 is one of space 17, and of the pair of pins read at space 39. A pin's centre moves by
+/// Δ/(2 sin α_K), Δ = 12 cos 20° µm: sin α_K = 0.36 makes it 15.6 µm. By thickness, too: tooth 17 thicker by 12 µm.
+#[test]
+fn pins_beside_a_stated_flank_are_no_slip() {
+    use gearlash::gear::{Toothing, thickness};
+    let toothing = Toothing::new(44, 3.0, 20f64.to_radians()).unwrap();
+    let (pin, base) = (5.25, 6.2);
+    let even = thickness::pins_from_base(&toothing, pin, base);
+    let delta = 0.012 * 20f64.to_radians().cos();
+    let one = thickness::pin_centre_radius(&toothing, pin, base + delta)
+        - thickness::pin_centre_radius(&toothing, pin, base);
+    let mut mm = vec![even; 44];
+    for space in [17, 39] {
+        mm[space - 1] += one;
+    }
+    assert!(one > 0.014, "{one}");
+    let mut right = vec![0.0; 44];
+    right[16] = 12.0;
+    let pitch = format!(
+        "pitch = {{ kind = \"cumulative\", right_um = {right:?}, left_um = {:?} }}\n",
+        vec![0.0; 44]
+    );
+    let told = |mm: &[f64], pitch: &str| {
+        let keys = format!("{GEAR}{pitch}thickness.over_pins = {{ pin_mm = {pin}, mm = {mm:?} }}");
+        let told = told(&keys);
+        told.iter().any(|told| told.contains("check it"))
+    };
+    assert!(told(&mm, ""));
+    assert!(!told(&mm, &pitch));
+    mm[4] += 0.012;
+    assert!(told(&mm, &pitch));
+}

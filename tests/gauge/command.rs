@@ -77,6 +77,45 @@ fn csv_has_a_row_a_tooth_of_the_gears_asked_for() {
     assert_eq!(rows(&["--gear", "pinion", "--material", "most"]), 20);
 }
 
+/// Columns once stayed blank without a word; what no gear can be asked for is no result.
+#[test]
+fn csv_tells_what_was_not_measured() {
+    let folder = folder();
+    let quick = ["one.toml", "--format", "csv", "--steps-per-pitch", "1"];
+    let sizes = ["--pin-mm", "1", "--span-teeth"];
+    let run = |k: &str, file: &str| {
+        let mut arguments = [&quick[..], &sizes[..], &[k]].concat();
+        arguments[0] = file;
+        gauge(folder.path(), &arguments).assert()
+    };
+    let output = run("15", "one.toml").success().get_output().clone();
+    let told = String::from_utf8(output.stderr).unwrap();
+    for what in ["span", "over pins"] {
+        for material in ["most", "least"] {
+            let line = |line: &&str| {
+                line.starts_with("warning: one.toml: gear, ")
+                    && line.contains(&format!("material {material}: not measured, {what}: "))
+            };
+            assert_eq!(told.lines().filter(line).count(), 1, "{what}: {told}");
+        }
+    }
+    let allowed = predicates::str::contains("the gear has 21 teeth, allowed is 1 … 21");
+    run("22", "one.toml").code(2).stderr(allowed).stdout("");
+    // The pinion has 20, and is not asked with --gear wheel.
+    let allowed = predicates::str::contains("the pinion has 20 teeth, allowed is 1 … 20");
+    run("21", "pair.toml").code(2).stderr(allowed);
+    let wheel = [
+        "pair.toml",
+        "--gear",
+        "wheel",
+        "--span-teeth",
+        "21",
+        "--steps-per-pitch",
+        "1",
+    ];
+    gauge(folder.path(), &wheel).assert().success();
+}
+
 /// A table, a CSV and a chart of each gauge; every SVG is well-formed, the title escaped.
 #[test]
 fn writes_readings_charts_and_a_gear_file() {

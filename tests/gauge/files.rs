@@ -269,6 +269,27 @@ fn charts_say_what_they_show() {
     assert!(chart("roll").contains("level within 0.001 µm"));
 }
 
+/// It began with the number of the last one, 101.
+#[test]
+fn a_roll_chart_of_many_teeth_begins_with_tooth_one() {
+    let folder = folder();
+    let eccentric = "runout = { total_um = 20.0, high_tooth = 3.0 }";
+    run(folder.path(), &gear(101, eccentric), &[]);
+    let svg = |name: &str| {
+        std::fs::read_to_string(folder.path().join(format!("out/gauge_gear_{name}.svg"))).unwrap()
+    };
+    let roll = svg("roll");
+    let roll = roxmltree::Document::parse(&roll).unwrap();
+    let texts = roll.descendants().filter(|node| node.has_tag_name("text"));
+    let numbers: Vec<&str> = texts
+        .filter_map(|node| node.text())
+        .map(str::trim)
+        .filter(|text| text.parse::<u32>().is_ok())
+        .collect();
+    assert!(numbers.contains(&"20"), "{numbers:?}");
+    assert!(!numbers.contains(&"101"), "{numbers:?}");
+}
+
 /// One gear has one runout and one grade: what the report shows is what the gauge reads.
 #[test]
 fn report_and_gauge_grade_alike() {

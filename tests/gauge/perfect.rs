@@ -283,6 +283,7 @@ fn a_span_off_the_involute_is_none() {
             StatedThickness::Allowance {
                 allowance,
                 per_tooth,
+                ..
             } => {
                 assert!(found.spans.is_err());
                 // A_s = Δs_b/cos α.

@@ -83,10 +83,27 @@ fn thickness_by_tooth_with_a_mean_comes_back() {
                 let found = round_trip([wheel, pinion], assembly([a, a + 0.4]));
                 let name = format!("{mean_um} {pitch} {a}");
                 assert!(found.off_um() < 1e-6, "{name}: {} µm", found.off_um());
-                // The two statements of the thickness do not look like one said twice.
-                let about = |warning: &&String| warning.contains("thickness");
+                // The two statements of the thickness do not look like one said twice, nor the left flanks like turned ones.
+                let about = |told: &&String| told.contains("thickness") || told.contains("flanks");
                 assert_eq!(found.warnings.iter().find(about), None, "{name}");
             }
+        }
+    }
+}
+
+/// A gear file of the gauge once was accused: thickness by tooth alone moves the flanks against each other, and the file states that
+/// as pitch. Of few teeth, too, and where the teeth have no mean beside the allowance.
+#[test]
+fn thickness_by_tooth_alone_is_no_left_flank_turned_round() {
+    for mean_um in [0.0, 2.4] {
+        for (wheel, pinion, a) in [(21, 20, 61.9), (44, 8, 78.5), (9, 45, 81.5)] {
+            let wheel = table("wheel", wheel, "front", 4, mean_um, false);
+            let pinion = table("pinion", pinion, "back", 7, mean_um, false);
+            let found = round_trip([wheel, pinion], assembly([a, a + 0.1]));
+            let name = format!("{mean_um} {a}");
+            assert!(found.off_um() < 1e-6, "{name}: {} µm", found.off_um());
+            let accused = |told: &&String| told.contains("flanks go against");
+            assert_eq!(found.warnings.iter().find(accused), None, "{name}");
         }
     }
 }

@@ -62,6 +62,8 @@ fn rows() {
         put("1.25", "1.25,7"),
         put("1.25", "\"1,25\""),
         put("1.25", "1.250.0"),
+        put("1.25", "-05"),
+        put("1.25", "01.25"),
         put(",1.25", ""),
         PITCH.replace("\n4,0,0\n", "\n"),
         put("\n1,0.5,0.25\n2,1.5,1.25\n3,-1,0\n4,0,0\n", "\n"),
@@ -101,6 +103,8 @@ fn decimal_signs() {
         german.replace("1,25", "1.234,5"),
         "tooth;left;right\n1;1.234;5\n2;0;0\n3;0;0\n4;0;0\n".to_owned(),
         "tooth\tleft\tright\n1\t1,234\t5\n2\t0\t0\n3\t0\t0\n4\t0\t0\n".to_owned(),
+        // Once for the file.
+        "tooth\tleft\tright\n1\t1,234\t5\n2\t2,345\t3,456\n3\t0\t0\n4\t0\t0\n".to_owned(),
     ];
     insta::assert_snapshot!(cases.map(pitch).join("\n"));
 }
@@ -115,6 +119,9 @@ fn keys() {
         "pitch = { file = 4, kind = \"single\" }",
         "pitch = { file = \"p.csv\", kind = \"single\", right_um = [1, 2, 3, 4] }",
         "pitch = { file = \"p.csv\", kind = \"single\", sheet = \"a\" }",
+        "pitch = { file = \"p.csv\", kind = \"single\", decimal = \",\" }",
+        "pitch = { file = \"p.csv\", kind = \"single\", decimal = \"comma\" }",
+        "pitch = { kind = \"single\", right_um = [0, 0, 0, 0], left_um = [0, 0, 0, 0], decimal = \",\" }",
         "runout = { file = \"p.csv\" }",
         "runout = { file = \"p.csv\", at = \"gap\" }",
         "runout = { file = \"p.csv\", at = \"tooth\", total_um = 4 }",

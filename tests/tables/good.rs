@@ -83,6 +83,50 @@ fn the_writing_does_not_matter() {
     }
 }
 
+/// Spans in mm have three decimals: where nothing in the table tells, the pair file does, of either sign and separator.
+#[test]
+fn lengths_with_three_decimals_are_read_by_the_stated_decimal_sign() {
+    let mm: Vec<f64> = (0..44)
+        .map(|i| f64::from(50_541 + i % 5) / 1000.0)
+        .collect();
+    let list = pair(
+        44,
+        &format!("thickness.span = {{ teeth = 6, mm = {mm:?} }}"),
+    );
+    let expected = read_with("unused", b"", &list).unwrap();
+    for (separator, sign) in [('\t', ","), ('\t', "."), (';', "."), (';', ",")] {
+        let row =
+            |(i, mm): (usize, &f64)| format!("{}{separator}{mm:.3}\n", i + 1).replace('.', sign);
+        let rows: String = mm.iter().enumerate().map(row).collect();
+        let table = format!("Zahn{separator}Zahnweite (mm)\n{rows}");
+        let read = |decimal: &str| {
+            let keys = format!("thickness.span = {{ teeth = 6, file = \"s.txt\"{decimal} }}");
+            read_with("s.txt", table.as_bytes(), &pair(44, &keys))
+        };
+        let found = read(&format!(", decimal = {sign:?}")).unwrap();
+        assert!(found == expected, "{separator:?} {sign}");
+        // Excel's own way of writing needs no word; the others are asked for it once.
+        match read("") {
+            Ok(found) => assert!(found == expected && (separator, sign) == (';', ",")),
+            Err(problems) => {
+                assert_eq!(problems.len(), 1, "{problems:#?}");
+                let way_out = &problems[0].way_out;
+                assert!(
+                    way_out.contains(&format!("decimal = {sign:?}")),
+                    "{way_out}"
+                );
+            }
+        }
+        // The other sign is an error, line by line, never a thousandfold length.
+        let other = if sign == "," { "." } else { "," };
+        let problems = read(&format!(", decimal = {other:?}")).unwrap_err();
+        assert!(
+            problems[0].reason.contains("by the key `decimal`"),
+            "{problems:#?}"
+        );
+    }
+}
+
 #[test]
 fn thickness_from_a_file_is_that_of_the_list() {
     let rows = delimited(&fixture("thickness.csv"), 44, &[["thickness", "dicke"]]).unwrap();

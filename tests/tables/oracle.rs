@@ -40,7 +40,7 @@ pub fn delimited(bytes: &[u8], teeth: u32, words: &[[&str; 2]]) -> Option<Rows> 
         if cells.iter().all(String::is_empty) {
             continue;
         }
-        let values = places.iter().map(|place| cells.get(*place)?.parse().ok());
+        let values = places.iter().map(|place| number(cells.get(*place)?));
         let values: Vec<f64> = values.collect::<Option<_>>()?;
         add(&mut rows, cells.get(tooth)?.parse().ok()?, values)?;
     }
@@ -71,12 +71,19 @@ pub fn protocol(bytes: &[u8], teeth: u32, column: usize) -> Option<[Rows; 2]> {
             add(
                 &mut rows,
                 words[0].parse().ok()?,
-                vec![words.get(column)?.parse().ok()?],
+                vec![number(words.get(column)?)?],
             )?;
         }
         complete(rows, teeth)
     };
     Some([block(left)?, block(right)?])
+}
+
+/// `05` may have been `0.5`.
+fn number(text: &str) -> Option<f64> {
+    let digits = text.trim_start_matches(['+', '-']).as_bytes();
+    let lost = matches!(digits, [b'0', b'0'..=b'9', ..]);
+    text.parse().ok().filter(|_| !lost)
 }
 
 fn add(rows: &mut Rows, tooth: u32, values: Vec<f64>) -> Option<()> {

@@ -85,7 +85,8 @@ pub fn row<'a>(text: &'a str, columns: &[Name]) -> Result<(u32, Vec<Written<'a>>
     for word in words.iter().skip(1) {
         let written =
             number::written(word).filter(|written| written.decimal != Some(Decimal::Comma));
-        let written = written.filter(|written| written.value.abs() <= 1e7);
+        let written =
+            written.filter(|written| written.value.abs() <= 1e7 && !number::zero_first(word));
         let written = written.ok_or_else(|| {
             format!("{word:?}, allowed is a number of µm with a decimal point, −1e7 … 1e7")
         })?;

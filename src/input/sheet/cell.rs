@@ -48,7 +48,7 @@ impl Cell {
     /// As a number.
     pub fn number(&self) -> Option<Written<'_>> {
         match self {
-            Cell::Text(text) => number::written(text),
+            Cell::Text(text) => number::written(text).filter(|_| !number::zero_first(text)),
             Cell::Number(number) => number.is_finite().then_some(Written {
                 value: *number,
                 ..Written::default()

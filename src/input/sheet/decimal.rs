@@ -15,12 +15,13 @@ pub struct Numbers<'a, const N: usize> {
     pub values: [Written<'a>; N],
 }
 
-/// Reports every number whose decimal sign is not that of the table, or may be none; `by_format`: the sign the format settles.
+/// Reports every number whose decimal sign is not that of the table, and once that nothing tells which it is; `stated`: the sign
+/// by the pair file, `by_format`: the one the format settles.
 pub fn check<const N: usize>(
     file: &DataFile,
     lines: &[Numbers<'_, N>],
     wanted: &Wanted<N>,
-    by_format: Option<Decimal>,
+    (stated, by_format): (Option<Decimal>, Option<Decimal>),
     problems: &mut Problems,
 ) -> Option<()> {
     let with_sign = || {
@@ -33,37 +34,43 @@ pub fn check<const N: usize>(
             })
         })
     };
-    let settled = by_format.filter(|settled| with_sign().any(|(.., sign)| sign == *settled));
+    let by_format = by_format.filter(|settled| with_sign().any(|(.., sign)| sign == *settled));
+    let settled = stated.or(by_format);
     let Some(sign) = settled.or_else(|| with_sign().next().map(|(.., sign)| sign)) else {
         return Some(());
     };
     let proven = settled.is_some()
         || with_sign().any(|(_, _, value, found)| found == sign && !value.may_be_thousands);
     let mut good = Some(());
-    for (line, column, value, found) in with_sign() {
-        let name = column.names()[0];
-        let (reason, way_out) = if found != sign {
-            (
-                format!(
-                    "{name} {} has a decimal {}, the table's decimal sign is the {}",
-                    value.text,
-                    found.name(),
-                    sign.name()
-                ),
-                "write all numbers with one decimal sign and without thousands separators",
-            )
-        } else if !proven && value.may_be_thousands {
-            (
-                format!(
-                    "{name} {} may have a decimal {} or a thousands separator: nothing in the table tells",
-                    value.text,
-                    sign.name()
-                ),
-                "write one digit more or less behind the decimal sign, or save as CSV separated by semicolons (decimal comma) or commas (decimal point)",
-            )
-        } else {
-            continue;
+    for (line, column, value, found) in with_sign().filter(|(.., found)| *found != sign) {
+        let reason = format!(
+            "{} {} has a decimal {}, the table's decimal sign is the {}{}",
+            column.names()[0],
+            value.text,
+            found.name(),
+            sign.name(),
+            stated.map_or("", |_| " by the key `decimal`"),
+        );
+        let way_out = "write all numbers with one decimal sign and without thousands separators";
+        problems.add(file.problem_at(line, reason, way_out));
+        good = None;
+    }
+    let mut unsure = with_sign().filter(|(.., found)| *found == sign && !proven);
+    if let Some((line, column, value, _)) = unsure.next() {
+        let more = match unsure.count() {
+            0 => String::new(),
+            more => format!(" (as {more} more in the table)"),
         };
+        let reason = format!(
+            "{} {} may have a decimal {} or a thousands separator{more}: nothing in the table tells",
+            column.names()[0],
+            value.text,
+            sign.name(),
+        );
+        let way_out = format!(
+            "state the decimal sign beside the file: decimal = \"{}\", and write numbers without thousands separators",
+            sign.sign()
+        );
         problems.add(file.problem_at(line, reason, way_out));
         good = None;
     }

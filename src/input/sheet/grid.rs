@@ -2,7 +2,7 @@
 
 use super::cell::Cell;
 use super::decimal::{self, Numbers};
-use super::number::{Decimal, Written};
+use super::number::{self, Decimal, Written};
 use super::places::{self, Places};
 use super::{Row, Wanted};
 use crate::error::Problem;
@@ -48,11 +48,12 @@ impl Grid {
         })
     }
 
-    /// The rows as numbers, in the order of the lines.
+    /// The rows as numbers, in the order of the lines; `stated`: the decimal sign by the pair file.
     pub fn rows<const N: usize>(
         &self,
         file: &DataFile,
         wanted: &Wanted<N>,
+        stated: Option<Decimal>,
         problems: &mut Problems,
     ) -> Option<Vec<Row<N>>> {
         let places = places::places(&self.header, file, wanted, problems)?;
@@ -62,7 +63,8 @@ impl Grid {
             numbers.push(self.numbers(file, line, &places, wanted, problems));
         }
         let numbers: Vec<Numbers<'_, N>> = numbers.into_iter().collect::<Option<_>>()?;
-        decimal::check(file, &numbers, wanted, self.decimal, problems)?;
+        let settled = (stated, self.decimal);
+        decimal::check(file, &numbers, wanted, settled, problems)?;
         let rows = numbers.iter().map(|numbers| Row {
             line: numbers.line,
             tooth: numbers.tooth,
@@ -139,6 +141,10 @@ impl Grid {
 }
 
 fn wrong_cell(file: &DataFile, line: u64, name: &str, cell: &Cell, allowed: &str) -> Problem {
-    let reason = format!("{name} is {}, allowed is {allowed}", cell.shown());
+    let lost = match cell {
+        Cell::Text(text) if number::zero_first(text) => ", as if a decimal sign were lost",
+        _ => "",
+    };
+    let reason = format!("{name} is {}{lost}, allowed is {allowed}", cell.shown());
     file.problem_at(line, reason, "correct the line")
 }

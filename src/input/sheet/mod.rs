@@ -26,9 +26,13 @@ use super::problems::Problems;
 use super::table::Table;
 pub use column::Column;
 pub use header::{Drawn, Header};
+use number::Decimal;
 
 /// Keys that name a table; others may stand beside them.
-pub const KEYS: &[&str] = &["file", "sheet"];
+pub const KEYS: &[&str] = &["file", "sheet", "decimal"];
+
+/// The decimal signs as the pair file states them.
+const DECIMALS: [(&str, Decimal); 2] = [(".", Decimal::Point), (",", Decimal::Comma)];
 
 /// How the container of `.xls` files begins: what CSV cannot.
 const OLD_WORKBOOK: &[u8] = b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1";
@@ -98,6 +102,15 @@ impl<const N: usize> Sheet<N> {
     }
 }
 
+/// Checks that nothing is said of a file that `table` does not name.
+pub fn without_file(table: &Table, problems: &mut Problems) -> Option<()> {
+    let Some(name) = KEYS.iter().find(|name| table.has(name)) else {
+        return Some(());
+    };
+    problems.add(table.problem(name, "there is no `file`", "add the file, or remove it"));
+    None
+}
+
 /// The rows by ascending tooth, and the header lines of a protocol.
 fn read<const N: usize>(
     file: &DataFile,
@@ -108,6 +121,10 @@ fn read<const N: usize>(
     let bytes = problems.keep(file.bytes())?;
     let sheet = match table.get("sheet") {
         Some(entry) => Some(problems.keep(entry.text("give the name of the sheet"))?),
+        None => None,
+    };
+    let stated = match table.get("decimal") {
+        Some(entry) => Some(problems.keep(entry.choice(&DECIMALS))?),
         None => None,
     };
     if bytes.starts_with(OLD_WORKBOOK) {
@@ -127,11 +144,18 @@ fn read<const N: usize>(
         }
         let text = text::decode(file, &bytes, problems)?;
         if protocol::is_one(&text) {
+            if stated == Some(Decimal::Comma) {
+                problems.add(table.problem(
+                    "decimal",
+                    "the file is a protocol, whose decimal sign is the point",
+                    "remove it",
+                ));
+            }
             return protocol::read(file, &text, wanted, problems);
         }
         delimited::read(file, &text, problems)?
     };
-    let rows = grid.rows(file, wanted, problems)?;
+    let rows = grid.rows(file, wanted, stated, problems)?;
     let rows = by_tooth::ordered(file, rows, wanted, problems)?;
     Some((rows, Header::default()))
 }

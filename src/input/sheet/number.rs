@@ -95,6 +95,14 @@ pub fn written(text: &str) -> Option<Written<'_>> {
     })
 }
 
+/// Whether the whole part has several digits, of which the first is 0, such as `05`: its decimal sign is lost, or its
+/// digits are. No cell of a deviation or a length is written so.
+pub fn zero_first(text: &str) -> bool {
+    let unsigned = text.strip_prefix(['-', '+', MINUS]).unwrap_or(text);
+    let mut signs = unsigned.bytes();
+    signs.next() == Some(b'0') && signs.next().is_some_and(|b| b.is_ascii_digit())
+}
+
 /// The tooth number `text`: digits only.
 pub fn tooth(text: &str) -> Option<u32> {
     let digits = text.bytes().all(|b| b.is_ascii_digit());

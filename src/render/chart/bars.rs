@@ -114,7 +114,8 @@ impl BarPanel<'_> {
             }
             panel.marks.push(Mark::Text {
                 at: [ends[1], limits.values[1]],
-                shift: [-4.0, -5.0],
+                // Clear of the line with its subscripts, too.
+                shift: [-4.0, -8.0],
                 text: limits.name.clone(),
                 anchor: Anchor::End,
             });

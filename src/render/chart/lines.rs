@@ -39,7 +39,13 @@ pub struct LineAxes<'a> {
 /// [`Error::Chart`] when no series has a value.
 pub fn lines(heading: &Heading, axes: LineAxes, series: &[LineSeries]) -> Result<Chart, Error> {
     let points = || series.iter().flat_map(|line| &line.points);
-    let x = range(points().map(|point| point.0), [0.02; 2], 1e-9);
+    // Less than a tooth beyond the teeth: before 1 stands the number of the last.
+    let (margin, beyond) = match axes.teeth {
+        Some(_) => (0.0, 0.6),
+        None => (0.02, 0.0),
+    };
+    let x = range(points().map(|point| point.0), [margin; 2], 1e-9);
+    let x = x.map(|[from, to]| [from - beyond, to + beyond]);
     let values = || points().filter_map(|point| point.1);
     let y = range(values(), [0.08; 2], axes.least);
     let (Some(x), Some(y)) = (x, y) else {

@@ -2,7 +2,8 @@
 //!
 //! The pitch of both flanks carries how the thickness varies from tooth to tooth: beside it stands the mean thickness
 //! alone, or it would count twice. What every tooth is thicker than the mean thickness that cut the root
-//! stands by tooth, the same for all (see [`StatedThickness`]).
+//! stands by tooth, the same for all (see [`StatedThickness`]). Flanks that go against each other (thickness alone makes
+//! them) look like a left flank turned round; the spans bear out the sign, so they stand as a cross-check where they do not count.
 
 use super::GaugedGear;
 use crate::gauge::{StatedThickness, Unmeasured};
@@ -75,8 +76,9 @@ fn thickness(gauged: &GaugedGear, stated: &StatedThickness) -> String {
             StatedThickness::Allowance {
                 allowance,
                 per_tooth,
+                cross_check,
             },
-            _,
+            spans,
         ) => {
             let teeth = gauged.gear.gear().toothing().teeth();
             if *per_tooth != 0.0 {
@@ -86,6 +88,14 @@ fn thickness(gauged: &GaugedGear, stated: &StatedThickness) -> String {
             if *per_tooth != 0.0 {
                 let list = vec![1e3 * per_tooth; teeth as usize];
                 let _ = writeln!(text, "per_tooth_um = {list:?}");
+            }
+            if let (true, Ok(spans)) = (cross_check, spans) {
+                let _ = writeln!(
+                    text,
+                    "\n[gear.thickness.cross_check]    # bears out the sign of the flanks\nspan = {{ teeth = {}, file = \"{}_spans.csv\" }}",
+                    spans.teeth,
+                    gauged.stem(),
+                );
             }
         }
         // Spans are stated only where there are some.

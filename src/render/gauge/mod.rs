@@ -56,6 +56,13 @@ impl GaugedGear<'_> {
         ))
     }
 
+    /// What the gauges did not read on it, and why: a line each.
+    pub fn missing(&self) -> Vec<String> {
+        let lines = text::missing(&self.gauged);
+        let named = |line| format!("{}: {line}", self.words());
+        lines.into_iter().map(named).collect()
+    }
+
     /// The gear in a few words.
     fn words(&self) -> String {
         let toothing = self.gear.gear().toothing();

@@ -6,6 +6,8 @@ mod lengths;
 mod positions;
 mod remarks;
 
+pub(super) use remarks::missing;
+
 use super::GaugedGear;
 use crate::gear::GRADE_SOURCE;
 use std::fmt::Write;

@@ -5,12 +5,11 @@ use crate::gear::Curve;
 use crate::mesh::{ContactKind, PoseClass, Touch};
 use std::fmt::Write;
 
-pub(super) fn lines(read: &Gauged) -> String {
-    let mut text = String::new();
+/// What was not measured, and why.
+pub(in super::super) fn missing(read: &Gauged) -> Vec<String> {
+    let mut lines = Vec::new();
     let mut missing = |what: &str, reason: Option<&Unmeasured>| {
-        if let Some(reason) = reason {
-            let _ = writeln!(text, "not measured, {what}: {reason}");
-        }
+        lines.extend(reason.map(|reason| format!("not measured, {what}: {reason}")));
     };
     missing("span", read.spans.as_ref().err());
     missing("over pins", read.pins.as_ref().err());
@@ -20,6 +19,14 @@ pub(super) fn lines(read: &Gauged) -> String {
     missing("thickness", read.thickness.as_ref().err());
     missing("root diameter", read.root.as_ref().err());
     missing("roll test", read.roll.as_ref().err());
+    lines
+}
+
+pub(super) fn lines(read: &Gauged) -> String {
+    let mut text = String::new();
+    for line in missing(read) {
+        let _ = writeln!(text, "{line}");
+    }
     if let Err(reason) = &read.stated {
         let _ = writeln!(text, "no gear file: {reason}");
     }

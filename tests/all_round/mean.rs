@@ -1,0 +1,40 @@
+//! Thickness by tooth whose mean says the stated thickness once more.
+
+use super::*;
+
+/// The reviewers' list from the nominal thickness, −52 … −47 µm, beside the same −50 µm said once more; a list about the mean, one
+/// value for all, and one beside nothing or beside spans all round (whose mean it does not move) are what they are meant to be.
+#[test]
+fn a_mean_of_the_list_that_adds_to_the_stated_one_is_told() {
+    let list = [-52, -48, -49, -53, -50, -47, -51, -50, -49, -51];
+    let about = list.map(|um| um + 50);
+    let spans: Vec<f64> = list
+        .iter()
+        .map(|um| 14.69 + 1e-3 * f64::from(*um))
+        .collect();
+    let told = |stated: &str, list: &[i32]| {
+        let keys = format!(
+            "teeth = 10\nmodule_mm = 3\nprofile_shift = 0.5\nthickness = {{ per_tooth_um = {list:?}{stated} }}"
+        );
+        let told = pair(&keys).warnings;
+        let about = |told: &&String| told.contains("its mean, ");
+        told.iter().find(about).cloned()
+    };
+    for (stated, key) in [
+        (", allowance_um = -50", "allowance_um"),
+        (", allowance_um = { min = -60, max = -50 }", "allowance_um"),
+        (", span = { teeth = 2, mm = 14.4 }", "span"),
+    ] {
+        let told = told(stated, &list).unwrap();
+        let words =
+            format!("wheel.thickness.per_tooth_um: its mean, -50.0 µm, adds to the stated {key} ");
+        assert!(told.starts_with(&words), "{told}");
+        // Σ (um + 50)² = 30, over 9.
+        assert!(told.contains("by 1.8 µm"), "{told}");
+    }
+    assert_eq!(told(", allowance_um = -50", &about), None);
+    assert_eq!(told(", allowance_um = -50", &[-50; 10]), None);
+    assert_eq!(told("", &list), None);
+    let readings = format!(", span = {{ teeth = 2, mm = {spans:?}, per_tooth = false }}");
+    assert_eq!(told(&readings, &list), None);
+}

@@ -43,13 +43,7 @@ pub struct PitchReadings {
 impl PitchReadings {
     /// Single deviations `f_i = F_i − F_{i−1}` of a gear's own flank, mm.
     pub fn single(&self, own: Side) -> Vec<f64> {
-        let curve = self.cumulative.flank(own);
-        let before = curve.iter().cycle().skip(curve.len().saturating_sub(1));
-        curve
-            .iter()
-            .zip(before)
-            .map(|(f, before)| f - before)
-            .collect()
+        self.cumulative.single(own)
     }
 
     /// Greatest single deviation `f_p`, mm, by amount.

@@ -6,8 +6,7 @@
 
 use super::Unmeasured;
 use super::workpiece::Workpiece;
-use crate::gear::Side;
-use std::f64::consts::FRAC_PI_2;
+use crate::gear::{Blank, Side};
 
 /// The root circle about the gear's own centre.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -58,7 +57,11 @@ pub(super) fn root(work: &Workpiece) -> Result<RootReading, Unmeasured> {
     Ok(RootReading {
         radius,
         error: work.bound(),
-        thickness: module * (FRAC_PI_2 + 2.0 * shift * tan),
+        thickness: Blank {
+            profile_shift: shift,
+            ..*blank
+        }
+        .nominal_thickness(),
         // Rounding of r and of the shift is some ulps of r, far within the bound.
         thickness_error: 2.0 * (2.0 * work.bound()) * tan,
     })

@@ -4,7 +4,6 @@
 //! whose sign is turned round moves against the right one instead. About the datum axis an eccentricity moves them
 //! together, too, but for the pressure angle between them.
 
-use super::pitch::single;
 use super::{Gear, Pitch, Side};
 use nalgebra::Complex;
 use std::f64::consts::TAU;
@@ -21,7 +20,9 @@ impl Pitch {
     /// cumulative and of the single deviations, and the lesser is doubled.
     pub fn opposition(&self) -> f64 {
         let [right, left] = Side::BOTH.map(|side| self.flank(side));
-        if together(right, left) >= 0.0 && together(&single(right), &single(left)) >= 0.0 {
+        if together(right, left) >= 0.0
+            && together(&self.single(Side::Right), &self.single(Side::Left)) >= 0.0
+        {
             // No bound is below 1, and the harmonics of thousands of teeth take a while.
             return 1.0;
         }
@@ -86,36 +87,32 @@ impl Pitch {
     }
 
     /// Energy `|R|² + |L|²` of the first harmonics of both flanks, mm² times `z²`.
-    pub fn first_harmonic_energy(&self, gear: &Gear) -> f64 {
-        let energy = |side| self.first_harmonic_as_eccentric(gear, side).norm_sqr();
+    pub fn first_harmonic_energy(&self) -> f64 {
+        let energy = |side| self.first_harmonic(side).norm_sqr();
         Side::BOTH.map(energy).iter().sum()
     }
 
     /// What the two flanks' first harmonics differ by as read, half of it: the energy that a wave of both alike leaves, mm² times `z²`.
     pub fn first_harmonic_apart(&self) -> f64 {
-        let first = |side| -> Complex<f64> {
-            let list = self.flank(side);
-            let turn = TAU / list.len().max(1) as f64;
-            let teeth = list.iter().enumerate();
-            teeth
-                .map(|(index, f)| Complex::from_polar(*f, -turn * index as f64))
-                .sum()
-        };
-        (first(Side::Right) - first(Side::Left)).norm_sqr() / 2.0
+        let [right, left] = Side::BOTH.map(|side| self.first_harmonic(side));
+        (right - left).norm_sqr() / 2.0
     }
 
     /// First harmonic of the own `side` flanks, counted from the angle `±α` at which an eccentricity shows nothing.
     fn first_harmonic_as_eccentric(&self, gear: &Gear, side: Side) -> Complex<f64> {
-        let toothing = gear.toothing();
-        let alpha = toothing.pressure_angle();
+        let alpha = gear.toothing().pressure_angle();
         let ahead = -side.sense();
         let start = ahead * (gear.half_angle_at_roll(alpha.tan()) - alpha);
-        let teeth = self.flank(side).iter().enumerate();
+        self.first_harmonic(side) * Complex::from_polar(1.0, -start)
+    }
+
+    /// The same, counted from tooth 1.
+    fn first_harmonic(&self, side: Side) -> Complex<f64> {
+        let flank = self.flank(side);
+        let turn = TAU / flank.len().max(1) as f64;
+        let teeth = flank.iter().enumerate();
         teeth
-            .map(|(index, f)| {
-                let angle = index as f64 * toothing.angular_pitch() + start;
-                Complex::from_polar(*f, -angle)
-            })
+            .map(|(index, f)| Complex::from_polar(*f, -turn * index as f64))
             .sum()
     }
 

@@ -92,12 +92,8 @@ impl PinReadings {
     pub fn beside(&self, of: &Deviations) -> Result<Vec<(f64, f64)>, GearError> {
         let shifts = FlankShifts::new(&self.toothing, of)?;
         let base = self.base_thickness(of)?;
-        let said = |space| self.over(&shifts, space, base)[0];
-        let [read, mean] = self.readings.means(|space, over| [over, said(space)]);
-        let list = self.readings.list().iter();
-        Ok(list
-            .map(|&(space, over)| (over - read, said(space) - mean))
-            .collect())
+        let said = |space, _| self.over(&shifts, space, base)[0];
+        Ok(self.readings.beside(said))
     }
 
     /// `M` at `space`, mm, and its derivative by `s_b`.

@@ -47,6 +47,14 @@ impl Readings {
         self.list.len() == self.teeth as usize
     }
 
+    /// What each is beyond the mean of all, and what it is `said` to be beyond the mean of that, mm, in the order given.
+    pub(super) fn beside(&self, said: impl Fn(u32, f64) -> f64) -> Vec<(f64, f64)> {
+        let [read, mean] = self.means(|place, mm| [mm, said(place, mm)]);
+        let list = self.list.iter();
+        list.map(|&(place, mm)| (mm - read, said(place, mm) - mean))
+            .collect()
+    }
+
     /// Mean of `of` over all readings.
     pub(super) fn mean(&self, of: impl Fn(u32, f64) -> f64) -> f64 {
         let [mean] = self.means(|place, mm| [of(place, mm)]);

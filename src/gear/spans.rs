@@ -132,13 +132,8 @@ impl Spans {
     /// [`GearError::WrongLength`].
     pub fn beside(&self, of: &Deviations) -> Result<Vec<(f64, f64)>, GearError> {
         let shifts = FlankShifts::new(&self.toothing, of)?;
-        let read = self.readings.mean(|_, span| span);
         let said = |tooth, span| span - self.base_at(&shifts, tooth, span);
-        let mean = self.readings.mean(said);
-        let list = self.readings.list().iter();
-        Ok(list
-            .map(|&(tooth, span)| (span - read, said(tooth, span) - mean))
-            .collect())
+        Ok(self.readings.beside(said))
     }
 
     /// `s_b` by one reading alone, the shifts of its flanks taken out.

@@ -46,7 +46,7 @@ pub fn told(
                 "{}: the left flanks go against the right ones, as if their sign were turned round{}: if + means plus material on both flanks \
                  (or the gear was seen from the other face), write sense = {:?}",
                 drawing.table.path_of(sheet.key(Side::Left)),
-                eccentricities(measured, sheet, flanks),
+                eccentricities(measured, flanks),
                 sheet.other_sense()
             ));
         }
@@ -102,20 +102,19 @@ fn turned_round(
 }
 
 /// What eccentricity datum-axis flanks hold with either sign of the left one.
-fn eccentricities(measured: &Pitch, sheet: &PitchSheet, flanks: &Flanks) -> String {
+fn eccentricities(measured: &Pitch, flanks: &Flanks) -> String {
+    let Some(note) = &flanks.eccentricity else {
+        return String::new();
+    };
     let turned = measured.clone().read_as_material();
-    let [stated, turned] = [measured, &turned].map(|pitch| {
-        let found = pitch.separate_eccentricity(flanks.gears.most());
-        found.ok().map(|parts| 1000.0 * parts.eccentricity)
-    });
-    match (sheet.is_datum(), stated, turned) {
-        (true, Some(stated), Some(turned)) => {
-            format!(
-                " (they hold an eccentricity of {turned:.3} µm then, of {stated:.3} µm as stated)"
-            )
-        }
-        _ => String::new(),
-    }
+    let turned = turned.separate_eccentricity(flanks.gears.most());
+    turned.map_or(String::new(), |turned| {
+        format!(
+            " (they hold an eccentricity of {:.3} µm then, of {:.3} µm as stated)",
+            1000.0 * turned.eccentricity,
+            note.in_pitch.um
+        )
+    })
 }
 
 /// Per-tooth thickness that repeats or takes back what the pitch of both flanks says of it.

@@ -94,9 +94,13 @@ pub fn apart_um(one: Eccentricity, other: Eccentricity, toothing: &Toothing) -> 
     (other.um * cos - one.um).hypot(other.um * sin)
 }
 
+/// An eccentricity in words.
+pub fn shown(e: Eccentricity) -> String {
+    format!("{:.3} µm towards tooth {:.2}", e.um, e.high_tooth)
+}
+
 /// What the user should know of it.
 pub fn told(gear: &Table, note: &EccentricityNote) -> String {
-    let shown = |e: Eccentricity| format!("{:.3} µm towards tooth {:.2}", e.um, e.high_tooth);
     let found = shown(note.in_pitch);
     let pitch = gear.path_of("pitch");
     match (note.stated, note.difference_um) {

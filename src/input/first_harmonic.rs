@@ -1,6 +1,6 @@
 //! Whether the first harmonic of pitch is that of an eccentricity: of both flanks jointly.
 
-use super::eccentricity::{Counts, apart_um};
+use super::eccentricity::{Counts, apart_um, shown};
 use super::flanks::Flanks;
 use super::pitch::PitchSheet;
 use super::table::Table;
@@ -33,8 +33,8 @@ pub fn held(table: &Table, pitch: &Pitch, flanks: &Flanks) -> Option<String> {
     let z = f64::from(toothing.teeth());
     let free = (2.0 * z - 4.0).max(1.0);
     let deviation = (rest.iter().sum::<f64>() / free / z).sqrt() * toothing.pressure_angle().cos();
-    let left = found.pitch.first_harmonic_energy(gear);
-    let jointly = left <= NOT_JOINT * pitch.first_harmonic_energy(gear);
+    let left = found.pitch.first_harmonic_energy();
+    let jointly = left <= NOT_JOINT * pitch.first_harmonic_energy();
     let stands_out = jointly && found.eccentricity > STANDS_OUT * deviation;
     (stands_out && apart_um(runout, in_pitch, toothing) <= SAME * runout.um).then(|| {
         format!(
@@ -68,14 +68,13 @@ pub fn not_joint(
         // What is left counts as the gear's own.
         return None;
     }
-    let gear = flanks.gears.most();
-    let found = measured.separate_eccentricity(gear).ok()?;
+    let (own, note) = (flanks.stated.pitch.as_ref()?, flanks.eccentricity?);
     let (left, all) = (
-        found.pitch.first_harmonic_energy(gear),
-        measured.first_harmonic_energy(gear),
+        own.first_harmonic_energy(),
+        measured.first_harmonic_energy(),
     );
-    let z = f64::from(gear.toothing().teeth());
-    let squares = |side| found.pitch.flank(side).iter().map(|f| f * f).sum::<f64>();
+    let z = f64::from(flanks.gears.most().toothing().teeth());
+    let squares = |side| own.flank(side).iter().map(|f| f * f).sum::<f64>();
     // Without the harmonic, whose energy is z/2 times its squares; means and harmonics are fitted.
     let rest = (Side::BOTH.map(squares).iter().sum::<f64>() - 2.0 * left / z).max(0.0);
     let white = z * rest / (2.0 * z - 6.0).max(1.0);
@@ -94,11 +93,7 @@ pub fn not_joint(
                 true => " (both flanks move alike, as an index error of the machine moves them)",
                 false => "",
             },
-            1000.0 * found.eccentricity,
+            note.in_pitch.um,
         )
     })
-}
-
-fn shown(e: Eccentricity) -> String {
-    format!("{:.3} µm towards tooth {:.2}", e.um, e.high_tooth)
 }

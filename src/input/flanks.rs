@@ -109,7 +109,7 @@ impl Flanks {
                 *thickness += more;
             }
         }
-        let by_runout = in_pitch.is_some() && counts == Some(Counts::Runout);
+        let by_runout = counts == Some(Counts::Runout);
         if !by_runout {
             fit = fitted(drawing, &mut runout, &gears, &deviations, problems)?;
         }
@@ -120,8 +120,12 @@ impl Flanks {
                     (Some(_), false) => Knowledge::Pitch,
                     (Some(_), true) => Knowledge::DatumPitch,
                 };
-                let all = sheet.fit(drawing.table, gears.most(), &deviations, problems)?;
-                fit.told(drawing.table, knowledge, &all.fit)
+                let table = drawing.table;
+                let all = match by_runout {
+                    true => sheet.fit(table, gears.most(), &deviations, problems)?.fit,
+                    false => fit.fit.clone(),
+                };
+                fit.told(table, knowledge, &all)
             }
             _ => Vec::new(),
         };

@@ -1,4 +1,4 @@
-//! LengthReadings all round a gear: a list of lengths, and the tooth or space each was read at.
+//! Readings all round a gear: a list of lengths, and the tooth or space each was read at.
 
 use super::node::Node;
 use super::problems::Problems;

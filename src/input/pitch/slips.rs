@@ -1,7 +1,7 @@
 //! A single pitch value that stands out.
 
 use super::{Kind, PitchSheet};
-use crate::gear::{GradedQuantity, Toothing};
+use crate::gear::{GradedQuantity, Side, Toothing};
 use crate::input::slips::{FEWEST, STANDS_OUT, Slip, coarse, median};
 use crate::input::table::Table;
 
@@ -12,31 +12,31 @@ impl PitchSheet {
     /// A step in cumulative values, such as the last tooth cut leaves, lies half its height off either neighbours' mean.
     pub fn slip(&self, gear: &Table, toothing: &Toothing) -> Option<Slip> {
         let plausible = 1000.0 * coarse(GradedQuantity::SinglePitch, toothing);
-        let flanks = [
-            ("right_um", "right", &self.right_um),
-            ("left_um", "left", &self.left_um),
-        ];
-        let farthest = |(name, flank, um): (&'static str, &'static str, &Vec<f64>)| {
+        let flanks = [(Side::Right, &self.right_um), (Side::Left, &self.left_um)];
+        let farthest = |(side, um): (Side, &Vec<f64>)| {
             let off = self.off(um);
             let spread = median(off.iter().map(|off| off.abs()));
             let (index, far) = (0..)
                 .zip(&off)
                 .max_by(|a: &(usize, _), b| a.1.abs().total_cmp(&b.1.abs()))?;
             let out = far.abs() > (STANDS_OUT * spread).max(plausible) && um.len() >= FEWEST;
-            out.then(|| (far.abs(), spread, name, flank, index, um[index]))
+            out.then(|| (far.abs(), spread, side, index, um[index]))
         };
-        let (far, spread, name, flank, index, value) = flanks
+        let (far, spread, side, index, value) = flanks
             .into_iter()
             .filter_map(farthest)
             .max_by(|a, b| a.0.total_cmp(&b.0))?;
-        let name = if gear.has("pitch.file") { "file" } else { name };
         let from = match self.kind {
             Kind::Cumulative => "its neighbours' mean",
             Kind::Single => "the median",
         };
         Some(Slip {
-            key: gear.path_of(&format!("pitch.{name}")),
-            what: format!("tooth {} of the {flank} flanks, {value} µm,", index + 1),
+            key: gear.path_of(self.key(side)),
+            what: format!(
+                "tooth {} of the {} flanks, {value} µm,",
+                index + 1,
+                side.name()
+            ),
             off: format!("{far:.1} µm from {from}"),
             why: format!(
                 "more than the {plausible:.0} µm of even a coarse gear, half of the others within {spread:.1} µm"

@@ -2,6 +2,7 @@
 
 use crate::error::{GearError, Problem};
 use crate::gear::{Deviations, Gear, Probe, RunoutFit, RunoutReadings, thickness};
+use crate::input::eccentricity::{apart_um, shown};
 use crate::input::entry::Limits;
 use crate::input::problems::Problems;
 use crate::input::sheet::{Column, Coverage, Header, Sheet, Wanted};
@@ -151,7 +152,8 @@ impl RunoutSheet {
         let by_ball_um = (self.at == At::Space && self.ball_mm.is_none()).then(|| {
             let others = extreme_balls(gear).into_iter().filter_map(|ball| {
                 let other = self.with(Probe::Ball(ball), gear, known, table).ok()?;
-                Some(1000.0 * apart(&fit, &other, gear))
+                let (this, other) = (eccentricity(&fit), eccentricity(&other));
+                Some(apart_um(this, other, gear.toothing()))
             });
             others.fold(0.0, f64::max)
         });
@@ -218,32 +220,23 @@ fn extreme_balls(gear: &Gear) -> Vec<f64> {
         .collect()
 }
 
-/// The distance of two eccentricities, mm.
-fn apart(one: &RunoutFit, other: &RunoutFit, gear: &Gear) -> f64 {
-    let angle = (other.high_tooth - one.high_tooth) * gear.toothing().angular_pitch();
-    let (sin, cos) = angle.sin_cos();
-    (other.eccentricity * cos - one.eccentricity).hypot(other.eccentricity * sin)
+fn eccentricity(fit: &RunoutFit) -> Eccentricity {
+    Eccentricity {
+        um: 1000.0 * fit.eccentricity,
+        high_tooth: fit.high_tooth,
+    }
 }
 
 impl ReadingsFit {
     /// The readings' own first harmonic, whatever the flanks make of it.
     pub fn first_harmonic(&self) -> Option<Eccentricity> {
-        (self.plain.eccentricity > 0.0).then_some(Eccentricity {
-            um: 1000.0 * self.plain.eccentricity,
-            high_tooth: self.plain.high_tooth,
-        })
+        (self.plain.eccentricity > 0.0).then(|| eccentricity(&self.plain))
     }
 
     /// What the user should know of them, the gear's eccentricity being `taken` from them; `all` is the fit with all that is known.
     pub fn told(&self, table: &Table, knowledge: Knowledge, all: &RunoutFit) -> Vec<String> {
         let key = table.path_of("runout.file");
-        let shown = |fit: &RunoutFit| {
-            format!(
-                "{:.3} µm towards tooth {:.2}",
-                1000.0 * fit.eccentricity,
-                fit.high_tooth
-            )
-        };
+        let shown = |fit: &RunoutFit| shown(eccentricity(fit));
         let (range, left) = (
             1000.0 * all.range,
             1000.0 * greatest(&all.beyond, |r, s| r - s),

@@ -73,8 +73,8 @@ fn delimiter(
         problems.add(file.problem("is empty", "give a header and a row for each tooth"));
         return None;
     };
-    if let Some((delimiter, _, decimal)) = separator(text) {
-        return Some((delimiter, decimal));
+    if let Some(said) = separator(text) {
+        return Some(said);
     }
     let outside_quotes: String = header.split('"').step_by(2).collect();
     let found: Vec<_> = DELIMITERS
@@ -103,13 +103,14 @@ fn first_line(text: &str) -> Option<(usize, &str)> {
 }
 
 /// What a line `sep=;` before the header says; `None` without one.
-fn separator(text: &str) -> Option<(char, &'static str, Option<Decimal>)> {
+fn separator(text: &str) -> Option<(char, Option<Decimal>)> {
     let said = first_line(text)?
         .1
         .trim_end_matches(['\r', ' '])
         .strip_prefix("sep=")?;
     let mut known = DELIMITERS.into_iter();
-    known.find(|(delimiter, ..)| said.chars().eq([*delimiter]))
+    let (delimiter, _, decimal) = known.find(|(delimiter, ..)| said.chars().eq([*delimiter]))?;
+    Some((delimiter, decimal))
 }
 
 fn cell(text: &str) -> Cell {

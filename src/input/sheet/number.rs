@@ -57,10 +57,9 @@ pub struct Written<'a> {
 ///
 /// `None` for anything else, `nan`, `inf` and what overflows to it included.
 pub fn written(text: &str) -> Option<Written<'_>> {
-    let unsigned = text.strip_prefix(['-', '+', MINUS]).unwrap_or(text);
-    let (mantissa, exponent) = match unsigned.split_once(['e', 'E']) {
+    let (mantissa, exponent) = match unsigned(text).split_once(['e', 'E']) {
         Some((mantissa, exponent)) => (mantissa, Some(exponent)),
-        None => (unsigned, None),
+        None => (unsigned(text), None),
     };
     let digits = |text: &str| !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit());
     let power: i32 = match exponent {
@@ -98,9 +97,13 @@ pub fn written(text: &str) -> Option<Written<'_>> {
 /// Whether the whole part has several digits, of which the first is 0, such as `05`: its decimal sign is lost, or its
 /// digits are. No cell of a deviation or a length is written so.
 pub fn zero_first(text: &str) -> bool {
-    let unsigned = text.strip_prefix(['-', '+', MINUS]).unwrap_or(text);
-    let mut signs = unsigned.bytes();
+    let mut signs = unsigned(text).bytes();
     signs.next() == Some(b'0') && signs.next().is_some_and(|b| b.is_ascii_digit())
+}
+
+/// `text` without its sign.
+fn unsigned(text: &str) -> &str {
+    text.strip_prefix(['-', '+', MINUS]).unwrap_or(text)
 }
 
 /// The tooth number `text`: digits only.

@@ -6,6 +6,7 @@
 //! them) look like a left flank turned round; the spans bear out the sign, so they stand as a cross-check where they do not count.
 
 use super::GaugedGear;
+use super::file_names::FileName;
 use crate::gauge::{StatedThickness, Unmeasured};
 use serde_json::Value;
 use std::fmt::Write;
@@ -46,8 +47,8 @@ pub(super) fn gear_file(gauged: &GaugedGear) -> Result<String, Unmeasured> {
     );
     let _ = write!(
         text,
-        "\n[gear.pitch]                    # carries the variation of thickness, too\nkind = \"cumulative\"\naxis = \"own\"\nfile = \"{}_pitch_own.csv\"\n",
-        gauged.stem(),
+        "\n[gear.pitch]                    # carries the variation of thickness, too\nkind = \"cumulative\"\naxis = \"own\"\nfile = \"{}\"\n",
+        FileName::PitchOwn.csv(&gauged.stem()),
     );
     Ok(text)
 }
@@ -67,9 +68,9 @@ fn thickness(gauged: &GaugedGear, stated: &StatedThickness) -> String {
         (StatedThickness::Spans, Ok(spans)) => {
             let _ = writeln!(
                 text,
-                "span = {{ teeth = {}, file = \"{}_spans.csv\", per_tooth = false }}",
+                "span = {{ teeth = {}, file = \"{}\", per_tooth = false }}",
                 spans.teeth,
-                gauged.stem(),
+                FileName::Spans.csv(&gauged.stem()),
             );
         }
         (
@@ -92,9 +93,9 @@ fn thickness(gauged: &GaugedGear, stated: &StatedThickness) -> String {
             if let (true, Ok(spans)) = (cross_check, spans) {
                 let _ = writeln!(
                     text,
-                    "\n[gear.thickness.cross_check]    # bears out the sign of the flanks\nspan = {{ teeth = {}, file = \"{}_spans.csv\" }}",
+                    "\n[gear.thickness.cross_check]    # bears out the sign of the flanks\nspan = {{ teeth = {}, file = \"{}\" }}",
                     spans.teeth,
-                    gauged.stem(),
+                    FileName::Spans.csv(&gauged.stem()),
                 );
             }
         }

@@ -2,6 +2,7 @@
 
 use super::super::GaugedGear;
 use super::super::by_tooth::columns;
+use crate::render::decimal::ascii;
 use crate::render::table::{finish, table};
 
 pub(super) fn table_of(gauged: &GaugedGear) -> String {
@@ -14,7 +15,7 @@ pub(super) fn table_of(gauged: &GaugedGear) -> String {
     for tooth in 1..=gauged.gear.gear().toothing().teeth() {
         let cells = shown().map(|column| {
             let value = column.values.get(tooth as usize - 1);
-            value.map_or("–".to_owned(), |value| rounded(*value, column.decimals))
+            value.map_or("–".to_owned(), |value| ascii(*value, column.decimals))
         });
         table.add_row(std::iter::once(tooth.to_string()).chain(cells));
     }
@@ -23,13 +24,4 @@ pub(super) fn table_of(gauged: &GaugedGear) -> String {
          f: single pitch, F: cumulative; ball and s less their means.\n{}",
         finish(&table)
     )
-}
-
-/// So many decimals, and no −0.
-fn rounded(value: f64, decimals: usize) -> String {
-    let text = format!("{value:.decimals$}");
-    match text.strip_prefix('-') {
-        Some(zero) if zero.chars().all(|c| matches!(c, '0' | '.')) => zero.to_owned(),
-        _ => text,
-    }
 }

@@ -55,6 +55,7 @@ pub enum Others {
 
 /// One run of a study, and the pitches beyond it.
 struct Rest {
+    /// Its matings left out.
     plan: RunPlan,
     first: Mating,
     steps_per_pitch: u32,
@@ -74,7 +75,10 @@ impl Rest {
             steps_per_pitch: u32::try_from(steps).ok()?,
             simulated: (plan.matings.len() / steps) as u64,
             matings: matings(&plan.assembly),
-            plan,
+            plan: RunPlan {
+                matings: Vec::new(),
+                ..plan
+            },
         })
     }
 
@@ -237,7 +241,7 @@ pub fn pose_count(study: &Study) -> Result<usize, Error> {
 }
 
 /// Matings of one assembly that differ, in pitches: after them every deviation of both gears is where it was.
-pub fn matings(assembly: &Assembly) -> u64 {
+fn matings(assembly: &Assembly) -> u64 {
     let gear = |member| assembly.gear(member);
     let teeth = |member| gear(member).gear().toothing().teeth();
     let (wheel, pinion) = (teeth(Member::Wheel), teeth(Member::Pinion));

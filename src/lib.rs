@@ -9,7 +9,7 @@
 //!
 //! ```text
 //! gear → pair → notes, study ← input (the pair file)
-//!         │       └→ simulate → compare → measured, phases, outcome, curves, cycle, diagnosis → gauge → render → cli
+//!         │       └→ simulate → compare → measured, outcome, phases, curves, cycle, diagnosis → gauge → render → cli
 //!         ├→ mesh ───┘             │
 //!         └→ analytic ─────────────┘
 //! ```

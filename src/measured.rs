@@ -92,13 +92,13 @@ pub fn bands(
     center_distance: f64,
     wanted: impl Fn(&Mating) -> bool,
 ) -> Bands {
-    let of_mating = |pose: &&ComparedPose| wanted(pose.swept.pose.mating());
+    let is_wanted = |pose: &&ComparedPose| wanted(pose.swept.pose.mating());
     let mean = |material: Material, value: &dyn Fn(&ComparedPose) -> Option<f64>| {
         let run = runs.iter().find(|compared| {
             compared.run.material == material
                 && compared.run.assembly.center_distance() == center_distance
         })?;
-        mean_um(run.poses.iter().filter(of_mating), value)
+        mean_um(run.poses.iter().filter(is_wanted), value)
     };
     let band = |least: &dyn Fn(&ComparedPose) -> Option<f64>,
                 most: &dyn Fn(&ComparedPose) -> Option<f64>| {

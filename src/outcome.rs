@@ -235,6 +235,11 @@ impl Agreement {
         count
     }
 
+    /// Poses that are simulated with a value.
+    pub fn valued(&self) -> usize {
+        self.both + self.simulated_alone
+    }
+
     /// Poses at which the two disagree for no reason found.
     pub fn unexplained(&self) -> usize {
         self.below + self.above + self.apart

@@ -1,7 +1,7 @@
 //! Assembly phases against each other: which teeth to mark together.
 
 use crate::compare::ComparedRun;
-use crate::mesh::Status;
+use crate::outcome::Outcome;
 use crate::pair::{Assembly, Mating, Member, SweepPlan};
 
 /// The phases of one centre distance and material.
@@ -42,10 +42,7 @@ pub fn failing_phases(runs: &[ComparedRun]) -> (Vec<(u32, u32)>, usize) {
 
 /// Whether every pose of `run` has room to turn, or just none too little.
 pub fn assembles(run: &ComparedRun) -> bool {
-    run.poses.iter().all(|pose| {
-        let status = pose.swept.lost_motion.status();
-        !pose.swept.interferes() && !matches!(status, Status::Jammed | Status::NoContact)
-    })
+    Outcome::of(&[run], &[]).assembles()
 }
 
 /// Variation of backlash over a run, greatest minus least, mm; `None` where a pose has no backlash.

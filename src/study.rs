@@ -190,6 +190,14 @@ impl Study {
         stated(&self.echo[gear], "over_pins", "pin_mm")?.as_f64()
     }
 
+    /// Whether its poses are whole revolutions.
+    pub fn sweeps(&self) -> bool {
+        matches!(
+            self.sweep,
+            Some(SweepPlan::Revolution { .. } | SweepPlan::Phases { .. })
+        )
+    }
+
     /// The same study at other centre distances, mm.
     ///
     /// # Errors

@@ -5,7 +5,6 @@ use super::method::{MethodArgs, agreement_within, largest_difference};
 use super::progress::Progress;
 use super::target::Target;
 use super::warn;
-use crate::compare::{ComparedRun, compare};
 use crate::curves;
 use crate::cycle::{self, cycle};
 use crate::diagnosis::diagnose;
@@ -15,9 +14,7 @@ use crate::gear::Inspection;
 use crate::input;
 use crate::measured::measured_matings;
 use crate::render::{self, Report};
-use crate::simulate::{pose_count, simulate};
 use crate::study::Study;
-use std::iter;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::slice;
@@ -49,25 +46,20 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     };
     let target = Target::prepare_beside(file, slice::from_ref(&args.pair))?;
     let method = args.method.method();
-    let followed = curves::followed(&study, curves::binding(&study, iter::empty()));
-    let poses = pose_count(&study)?
-        + curves::revolution_pose_count(&study)?
-        + followed.len() * curves::over_distance_pose_count(&study)
-        + cycle::pose_count(&study)?;
+    let poses = curves::with_revolution_pose_count(&study)? + cycle::pose_count(&study)?;
     let progress = Progress::start(poses);
     let tick = || progress.tick();
-    let runs = compare(simulate(&study, method, &tick)?, study.tolerance_um);
-    let revolution = curves::revolution(&study, method, &tick)?;
+    let [runs, revolution] = curves::with_revolution(&study, method, &tick)?;
     let cycle = cycle(&study, method, &tick)?;
-    let all: Vec<&ComparedRun> = revolution
-        .iter()
-        .chain(&runs)
-        .chain(&cycle.extremes)
-        .collect();
-    let binding = curves::binding(&study, all.iter().copied());
-    let over_distance = curves::followed(&study, binding)
+    let all = revolution.iter().chain(&runs).chain(&cycle.extremes);
+    progress.finish()?;
+    let followed = curves::followed(&study, curves::binding(&study, all));
+    let poses = followed.len() * curves::over_distance_pose_count(&study);
+    let progress = Progress::start(poses);
+    let tick = || progress.tick();
+    let over_distance = followed
         .into_iter()
-        .map(|followed| curves::over_distance(&study, followed, &all, method, &tick))
+        .map(|followed| curves::over_distance(&study, followed, method, &tick))
         .collect::<Result<Vec<_>, Error>>()?;
     progress.finish()?;
     let progress = Progress::working();

@@ -102,17 +102,15 @@ fn course((center_distance, phase): (f64, Option<(u32, u32)>), runs: Vec<&Compar
         for flank in Side::BOTH {
             let of_flank = |pose: &&ComparedPose| pose.swept.pose.mating().flank == flank;
             let poses: Vec<&ComparedPose> = run.poses.iter().filter(of_flank).collect();
-            if poses.is_empty() {
+            let Some(first) = poses.first() else {
                 continue;
-            }
+            };
             let scale = Scale::of(assembly, || {
                 poses.iter().map(|pose| pose.swept.pose.mating())
             });
             (span, teeth) = (scale.span(), scale.teeth);
-            if let Some(first) = poses.first() {
-                let first = first.swept.pose.mating().at_flank(assembly, Side::Right);
-                start = (first.wheel_tooth, first.pinion_tooth);
-            }
+            let first = first.swept.pose.mating().at_flank(assembly, Side::Right);
+            start = (first.wheel_tooth, first.pinion_tooth);
             let x: Vec<f64> = scale
                 .pitches(poses.iter().map(|pose| pose.swept.pose.mating()))
                 .collect();

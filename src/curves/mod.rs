@@ -11,17 +11,15 @@ mod scale;
 
 pub use binding::{Followed, binding, followed};
 pub use course::{Course, CourseLine, CoursePoint, Extreme, courses};
-pub use over_distance::{
-    DistancePoint, OverDistance, Range, over_distance, over_distance_pose_count,
-};
+pub use over_distance::{DistancePoint, OverDistance, over_distance, over_distance_pose_count};
 
 use crate::compare::{ComparedRun, compare};
 use crate::error::Error;
 use crate::gear::Side;
 use crate::mesh::Method;
 use crate::pair::{Assembly, Mating, Member, SweepPlan};
-use crate::simulate::simulate_plans;
-use crate::study::{RunPlan, Study};
+use crate::simulate::{pose_count, simulate, simulate_plans};
+use crate::study::Study;
 use std::ops::ControlFlow;
 
 /// Poses a pitch where the study does not sweep itself.
@@ -40,8 +38,47 @@ pub fn revolution(
     method: Method,
     tick: &(dyn Fn() -> ControlFlow<()> + Sync),
 ) -> Result<Vec<ComparedRun>, Error> {
-    let runs = simulate_plans(study, revolution_plans(study)?, method, tick)?;
-    Ok(compare(runs, study.tolerance_um))
+    let study = swept(study.clone());
+    let right = compare(simulate(&study, method, tick)?, study.tolerance_um);
+    with_left_flanks(&study, right, method, tick)
+}
+
+/// The study's own runs, and [`revolution`] beside them; where the study sweeps, its poses are simulated once for both.
+///
+/// # Errors
+/// As [`crate::simulate::simulate`].
+pub fn with_revolution(
+    study: &Study,
+    method: Method,
+    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+) -> Result<[Vec<ComparedRun>; 2], Error> {
+    let own = compare(simulate(study, method, tick)?, study.tolerance_um);
+    let turned = match study.sweeps() {
+        true => with_left_flanks(study, own.clone(), method, tick)?,
+        false => revolution(study, method, tick)?,
+    };
+    Ok([own, turned])
+}
+
+/// The right-flank `runs` of a `study` that sweeps, each followed by the left-flank poses of the same wheel teeth and
+/// fractions, the gears put together alike.
+fn with_left_flanks(
+    study: &Study,
+    mut runs: Vec<ComparedRun>,
+    method: Method,
+    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+) -> Result<Vec<ComparedRun>, Error> {
+    let mut plans = study.runs()?;
+    for plan in &mut plans {
+        for mating in &mut plan.matings {
+            *mating = mating.at_flank(&plan.assembly, Side::Left);
+        }
+    }
+    let left = simulate_plans(study, plans, method, tick)?;
+    for (run, left) in runs.iter_mut().zip(compare(left, study.tolerance_um)) {
+        run.poses.extend(left.poses);
+    }
+    Ok(runs)
 }
 
 /// How many poses [`revolution`] will take.
@@ -49,19 +86,26 @@ pub fn revolution(
 /// # Errors
 /// As [`Study::runs`].
 pub fn revolution_pose_count(study: &Study) -> Result<usize, Error> {
-    let plans = revolution_plans(study)?;
-    Ok(plans.iter().map(|plan| plan.matings.len()).sum())
+    Ok(2 * pose_count(&swept(study.clone()))?)
+}
+
+/// How many poses [`with_revolution`] will take.
+///
+/// # Errors
+/// As [`Study::runs`].
+pub fn with_revolution_pose_count(study: &Study) -> Result<usize, Error> {
+    let own = match study.sweeps() {
+        true => 0,
+        false => pose_count(study)?,
+    };
+    Ok(own + revolution_pose_count(study)?)
 }
 
 /// `study` with a sweep over whole revolutions: its own, or else one wheel revolution from wheel
 /// tooth 1 on, in the assembly phase of its first mating, at 16 steps a pitch. Unlike a study of measured rows it can be had [`Study::at`] other centre distances.
 pub fn swept(mut study: Study) -> Study {
-    let sweeps = matches!(
-        study.sweep,
-        Some(SweepPlan::Revolution { .. } | SweepPlan::Phases { .. })
-    );
     if let Some((_, wheel, _)) = study.materials.first()
-        && !sweeps
+        && !study.sweeps()
     {
         study.sweep = Some(SweepPlan::Revolution {
             pitches: u64::from(wheel.gear().toothing().teeth()),
@@ -70,18 +114,6 @@ pub fn swept(mut study: Study) -> Study {
         });
     }
     study
-}
-
-fn revolution_plans(study: &Study) -> Result<Vec<RunPlan>, Error> {
-    let mut plans = swept(study.clone()).runs()?;
-    for plan in &mut plans {
-        let right = plan.matings.clone();
-        let left = right
-            .iter()
-            .map(|mating| mating.at_flank(&plan.assembly, Side::Left));
-        plan.matings.extend(left);
-    }
-    Ok(plans)
 }
 
 /// The mating the study names first.

@@ -1,7 +1,7 @@
 //! Backlash of a pose or a mating over the centre distance.
 
 use super::Followed;
-use crate::compare::{ComparedRun, compare};
+use crate::compare::compare;
 use crate::error::Error;
 use crate::gear::Side;
 use crate::measured::{Bands, bands};
@@ -32,23 +32,10 @@ pub struct OverDistance {
     pub two_materials: bool,
     /// In ascending order of centre distance.
     pub points: Vec<DistancePoint>,
-    /// Of all poses, not these alone, at each centre distance where they were simulated.
-    pub ranges: Vec<Range>,
     /// The measured rows of the teeth, in the order of their file.
     pub measured: Vec<MeasuredRow>,
     /// With [`Method::Both`]: the largest difference between the two methods, mm.
     pub polygon_difference: Option<f64>,
-}
-
-/// Backlash at one centre distance over all poses that have a value, µm.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Range {
-    /// `a`, mm.
-    pub center_distance: f64,
-    /// The least.
-    pub least_um: f64,
-    /// The greatest.
-    pub greatest_um: f64,
 }
 
 /// The bands at one centre distance, from most to least material.
@@ -62,15 +49,13 @@ pub struct DistancePoint {
     pub gap: Option<Status>,
 }
 
-/// What is `followed` over a grid of centre distances round the study's and those at which it was measured; beside it
-/// the ranges of `runs`.
+/// What is `followed` over a grid of centre distances round the study's and those at which it was measured.
 ///
 /// # Errors
 /// [`Error::Usage`] for a tooth that is not there; else as [`crate::simulate::simulate`].
 pub fn over_distance(
     study: &Study,
     followed: Followed,
-    runs: &[&ComparedRun],
     method: Method,
     tick: &(dyn Fn() -> ControlFlow<()> + Sync),
 ) -> Result<OverDistance, Error> {
@@ -78,37 +63,21 @@ pub fn over_distance(
         |row: &&MeasuredRow| followed == Followed::Teeth(row.wheel_tooth, row.pinion_tooth);
     let measured: Vec<MeasuredRow> = study.measured.iter().filter(of_teeth).cloned().collect();
     let distances = grid(study, &measured);
-    let mut matings = Vec::new();
     let mut plans = Vec::new();
     for &a in &distances {
         for (material, wheel, pinion) in &study.materials {
             let assembly = Assembly::new(wheel.clone(), pinion.clone(), a, study.locked)?;
-            matings = match followed {
-                Followed::Pose(mating) => vec![mating],
-                Followed::Teeth(wheel_tooth, pinion_tooth) => {
-                    there(&assembly, (wheel_tooth, pinion_tooth))?;
-                    let right = Mating {
-                        wheel_tooth,
-                        pinion_tooth,
-                        flank: Side::Right,
-                        fraction: 0.0,
-                    };
-                    let mut left = right.at_flank(&assembly, Side::Left);
-                    if !measured.is_empty() {
-                        left.pinion_tooth = pinion_tooth;
-                    }
-                    vec![right, left]
-                }
-            };
             plans.push(RunPlan {
                 material: *material,
+                matings: poses(&assembly, followed, !measured.is_empty())?,
                 assembly,
                 phase: None,
-                matings: matings.clone(),
             });
         }
     }
-    let ranges = ranges(runs);
+    let matings = plans
+        .first()
+        .map_or(Vec::new(), |plan| plan.matings.clone());
     let runs = compare(
         simulate_plans(study, plans, method, tick)?,
         study.tolerance_um,
@@ -126,12 +95,11 @@ pub fn over_distance(
         bands: bands(study, &runs, a, |_| true),
         gap: gap(a),
     };
-    let poses = runs.iter().flat_map(|run| &run.poses);
-    let differences = poses.filter_map(|pose| pose.swept.polygon_difference);
+    let found = runs.iter().flat_map(|run| &run.poses);
+    let differences = found.filter_map(|pose| pose.swept.polygon_difference);
     Ok(OverDistance {
         followed,
         matings,
-        ranges,
         clearance: study.bearing_clearance,
         polygon_difference: differences.map(f64::abs).reduce(f64::max),
         two_materials: study.materials.len() > 1,
@@ -140,49 +108,36 @@ pub fn over_distance(
     })
 }
 
-/// Whether both gears have these teeth.
-fn there(assembly: &Assembly, (wheel, pinion): (u32, u32)) -> Result<(), Error> {
-    for (member, tooth) in [(Member::Wheel, wheel), (Member::Pinion, pinion)] {
+/// The poses of what is `followed`; two teeth that were `measured` are the same at both flanks.
+fn poses(assembly: &Assembly, followed: Followed, measured: bool) -> Result<Vec<Mating>, Error> {
+    let (wheel_tooth, pinion_tooth) = match followed {
+        Followed::Pose(mating) => return Ok(vec![mating]),
+        Followed::Teeth(wheel, pinion) => (wheel, pinion),
+    };
+    for (member, tooth) in [(Member::Wheel, wheel_tooth), (Member::Pinion, pinion_tooth)] {
         let teeth = assembly.gear(member).gear().toothing().teeth();
         if !(1..=teeth).contains(&tooth) {
             return Err(Error::Usage(format!(
-                "--mating {wheel},{pinion}: the gear has teeth 1 … {teeth}, not {tooth}"
+                "--mating {wheel_tooth},{pinion_tooth}: the gear has teeth 1 … {teeth}, not {tooth}"
             )));
         }
     }
-    Ok(())
+    let right = Mating {
+        wheel_tooth,
+        pinion_tooth,
+        flank: Side::Right,
+        fraction: 0.0,
+    };
+    let mut left = right.at_flank(assembly, Side::Left);
+    if measured {
+        left.pinion_tooth = pinion_tooth;
+    }
+    Ok(vec![right, left])
 }
 
 /// How many poses [`over_distance`] will take at most.
 pub fn over_distance_pose_count(study: &Study) -> usize {
     2 * grid(study, &[]).len() * study.materials.len()
-}
-
-/// Least and greatest of `runs` at each of their centre distances.
-fn ranges(runs: &[&ComparedRun]) -> Vec<Range> {
-    let mut ranges: Vec<Range> = Vec::new();
-    for run in runs {
-        let center_distance = run.run.assembly.center_distance();
-        for um in run
-            .poses
-            .iter()
-            .filter_map(|pose| Some(pose.swept.backlash? * 1e3))
-        {
-            let mut known = ranges.iter_mut();
-            match known.find(|range| range.center_distance == center_distance) {
-                Some(range) => {
-                    range.least_um = range.least_um.min(um);
-                    range.greatest_um = range.greatest_um.max(um);
-                }
-                None => ranges.push(Range {
-                    center_distance,
-                    least_um: um,
-                    greatest_um: um,
-                }),
-            }
-        }
-    }
-    ranges
 }
 
 /// Centre distances round the study's and the `measured`, none so near that base circles overlap at `a − c`.

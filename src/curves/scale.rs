@@ -73,7 +73,7 @@ fn places<'a>(matings: impl Iterator<Item = &'a Mating>) -> impl Iterator<Item =
 ///
 /// Ascending teeth of the locked gear come into mesh; on its mate numbers ascend with them where the two faces
 /// look opposite ways.
-pub fn wheel_sense(assembly: &Assembly) -> f64 {
+fn wheel_sense(assembly: &Assembly) -> f64 {
     let ascending = |member| assembly.gear(member).face().ascending();
     match assembly.locked() {
         Member::Wheel => 1.0,

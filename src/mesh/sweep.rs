@@ -45,9 +45,7 @@ impl SweptPose {
     pub fn range(&self) -> [Option<f64>; 2] {
         self.with_clearance.unwrap_or([self.backlash; 2])
     }
-}
 
-impl SweptPose {
     /// Whether `backlash` is negative beyond its error bound: rounding alone makes no interference.
     pub fn interferes(&self) -> bool {
         let surely = |(backlash, bound): (f64, f64)| backlash < -bound;

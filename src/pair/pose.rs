@@ -26,17 +26,20 @@ impl Mating {
     }
 
     /// The mating of the same wheel tooth at `flank`, the gears put together as they are.
-    ///
-    /// Counter-clockwise on one gear is clockwise on the other: the tooth facing a front-left flank is the one
-    /// clockwise of that facing the front-right flank of the same tooth.
     pub fn at_flank(&self, assembly: &Assembly, flank: Side) -> Mating {
-        let steps = i64::from(self.flank == Side::Left) - i64::from(flank == Side::Left);
+        let steps = self.steps_to(flank);
         let pinion = assembly.gear(Member::Pinion);
         Mating {
             pinion_tooth: pinion.counter_clockwise(self.pinion_tooth, steps),
             flank,
             ..*self
         }
+    }
+
+    /// From the tooth that faces this mating's flank to the one that faces `flank` of the same tooth, counter-clockwise:
+    /// the tooth facing a front-left flank is the one clockwise of that facing the front-right flank.
+    fn steps_to(&self, flank: Side) -> i64 {
+        i64::from(self.flank == Side::Left) - i64::from(flank == Side::Left)
     }
 
     /// The mating of wheel tooth 1 at its right flank, the gears put together as they are.
@@ -127,14 +130,12 @@ impl Pose {
 
     /// The free gear's tooth that faces flank `side` of the locked tooth `steps` counter-clockwise of the mating's.
     ///
-    /// Counter-clockwise on one gear is clockwise on the other. The tooth facing
-    /// a front-left flank is the one clockwise of that facing the front-right flank of the same tooth.
+    /// Counter-clockwise on one gear is clockwise on the other.
     pub fn facing_tooth(&self, assembly: &Assembly, side: Side, steps: i64) -> u32 {
-        let to_right = i64::from(self.mating.flank == Side::Left);
-        let from_right = i64::from(side == Side::Left);
-        assembly.gear(assembly.free()).counter_clockwise(
-            self.mating.tooth(assembly.free()),
-            to_right - from_right - steps,
-        )
+        let free = assembly.free();
+        let steps = self.mating.steps_to(side) - steps;
+        assembly
+            .gear(free)
+            .counter_clockwise(self.mating.tooth(free), steps)
     }
 }

@@ -4,7 +4,7 @@ mod markdown;
 
 use super::table::where_it_is;
 use crate::compare::{ComparedRun, Verdict};
-use crate::mesh::{Status, SweptPose};
+use crate::outcome::Outcome;
 use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
 use serde::Serialize;
 use std::fmt::Write;
@@ -92,44 +92,26 @@ impl ComparedPair {
 
 /// Why poses have no backlash, or no formula to set beside it.
 fn without_value(run: &ComparedRun) -> String {
-    let all = run.poses.len();
-    let of_status = |status: Status| {
-        let poses = run.poses.iter();
-        let of_status = poses.filter(|pose| pose.swept.lost_motion.status() == status);
-        of_status.count()
-    };
-    let parts = [
-        (of_status(Status::Jammed), "jammed"),
-        (of_status(Status::NoContact), "out of mesh"),
-    ];
-    let parts = parts.into_iter().filter(|(poses, _)| *poses > 0);
-    let parts: Vec<String> = parts
-        .map(|(poses, what)| format!("{what} at {poses} of {all} poses"))
-        .collect();
-    match parts.is_empty() {
-        true => "model 3 has no value at any pose".to_owned(),
-        false => parts.join(", "),
-    }
+    let of = Outcome::of(&[run], &[]);
+    let parts = [(of.jammed, "jammed"), (of.apart, "out of mesh")];
+    at_poses(&of, &parts).unwrap_or_else(|| "model 3 has no value at any pose".to_owned())
 }
 
 /// How many poses have negative backlash or none at all, in words; nothing where none.
 fn trouble(run: &ComparedRun) -> Option<String> {
-    let poses = || run.poses.iter().map(|pose| &pose.swept);
-    let are = |status: Status| {
-        let of_status = move |pose: &&SweptPose| pose.lost_motion.status() == status;
-        poses().filter(of_status).count()
-    };
+    let of = Outcome::of(&[run], &[]);
     let parts = [
-        (
-            poses().filter(|pose| pose.interferes()).count(),
-            "interference",
-        ),
-        (are(Status::Jammed), "jammed"),
-        (are(Status::NoContact), "out of mesh"),
+        (of.interfering, "interference"),
+        (of.jammed, "jammed"),
+        (of.apart, "out of mesh"),
     ];
-    let parts = parts.into_iter().filter(|(poses, _)| *poses > 0);
+    at_poses(&of, &parts)
+}
+
+fn at_poses(of: &Outcome, parts: &[(usize, &str)]) -> Option<String> {
+    let parts = parts.iter().filter(|(poses, _)| *poses > 0);
     let parts: Vec<String> = parts
-        .map(|(poses, what)| format!("{what} at {poses} of {} poses", run.poses.len()))
+        .map(|(poses, what)| format!("{what} at {poses} of {} poses", of.poses))
         .collect();
     (!parts.is_empty()).then(|| parts.join(", "))
 }

@@ -111,7 +111,6 @@ fn a_tooth_that_is_not_there_is_an_error() {
     let error = gearlash::curves::over_distance(
         &study("karba_86x21.toml"),
         Followed::Teeth(1, 22),
-        &[],
         METHOD,
         &tick,
     );

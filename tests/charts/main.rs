@@ -8,6 +8,8 @@ mod empty;
 mod inspection;
 mod one_assembly;
 mod places;
+#[path = "../common/two_thick_teeth.rs"]
+mod two_thick_teeth;
 
 use gearlash::curves::{Course, Followed, OverDistance, courses, over_distance, revolution, swept};
 use gearlash::gear::{Inspection, Side};
@@ -34,7 +36,7 @@ fn course(fixture: &str, center_distance: f64) -> Course {
 fn over(fixture: &str, (wheel, pinion): (u32, u32)) -> OverDistance {
     let tick = || ControlFlow::Continue(());
     let teeth = Followed::Teeth(wheel, pinion);
-    over_distance(&study(fixture), teeth, &[], METHOD, &tick).unwrap()
+    over_distance(&study(fixture), teeth, METHOD, &tick).unwrap()
 }
 
 fn heading<'h>(prefix: &'h str, title: &'h str) -> Heading<'h> {
@@ -69,9 +71,17 @@ fn all_kinds(title: &str) -> Vec<Chart> {
             charts.push(chart::inspection(&heading("i", title), name, &inspection).unwrap());
         }
     }
-    charts
-        .push(chart::distance(&heading("a", title), &over("karba_44x44.toml", (44, 44))).unwrap());
-    charts.push(chart::distance(&heading("a", title), &over("karba_86x21.toml", (1, 1))).unwrap());
+    charts.push(
+        chart::distance(
+            &heading("a", title),
+            &over("karba_44x44.toml", (44, 44)),
+            &[],
+        )
+        .unwrap(),
+    );
+    charts.push(
+        chart::distance(&heading("a", title), &over("karba_86x21.toml", (1, 1)), &[]).unwrap(),
+    );
     charts
 }
 

@@ -1,8 +1,10 @@
 //! 44 and 44 teeth can be put together in 44 ways. All poses of a curve are of one of them.
 
+use super::two_thick_teeth::two_thick_teeth;
 use super::{METHOD, heading};
 use gearlash::curves::{Followed, binding, courses, over_distance, revolution};
 use gearlash::gear::{AsBuilt, Face, Side};
+use gearlash::outcome::by_distance;
 use gearlash::pair::{Mating, Pose};
 use gearlash::render::chart;
 use gearlash::study::Study;
@@ -13,21 +15,10 @@ fn tick() -> ControlFlow<()> {
     ControlFlow::Continue(())
 }
 
-/// One tooth 60 µm thick on each gear, 9 and 10: put together as 1 and 1, the two are never in contact together.
-fn two_thick_teeth(keys: &str) -> Study {
-    let gear = |name: &str, face: &str, allowance: i32, thick: u32| {
-        let teeth = (1..=44).map(|tooth| if tooth == thick { "60" } else { "0" });
-        let per_tooth = teeth.collect::<Vec<_>>().join(", ");
-        format!(
-            "[{name}]\nteeth = 44\nmodule_mm = 3.0\npressure_angle_deg = 20.0\nreference_face = \"{face}\"\n\
-             thickness = {{ allowance_um = {allowance}, per_tooth_um = [{per_tooth}] }}\n"
-        )
-    };
-    let gears = gear("wheel", "front", -60, 9) + &gear("pinion", "back", -40, 10);
+fn study(keys: &str) -> Study {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("pair.toml");
-    let rest = format!("[assembly]\ncenter_distance_mm = 131.95\n{keys}");
-    std::fs::write(&path, gears + &rest).unwrap();
+    std::fs::write(&path, two_thick_teeth(44, 3.0, keys)).unwrap();
     gearlash::input::read(&path).unwrap()
 }
 
@@ -41,7 +32,7 @@ fn left_flank_poses_are_of_the_same_assembly() {
         (Face::Front, "wheel"),
         (Face::Front, "pinion"),
     ] {
-        let mut study = two_thick_teeth(&format!("locked = \"{locked}\"\n"));
+        let mut study = study(&format!("locked = \"{locked}\"\n"));
         for (_, _, pinion) in &mut study.materials {
             *pinion = AsBuilt::perfect(pinion.gear().clone(), face);
         }
@@ -66,7 +57,7 @@ fn left_flank_poses_are_of_the_same_assembly() {
 /// interferes by 26 µm, and the curves of phase 1, 1 said so.
 #[test]
 fn the_least_of_a_curve_is_that_of_its_assembly() {
-    let phases = two_thick_teeth("[sweep]\nphases = \"all\"\n");
+    let phases = study("[sweep]\nphases = \"all\"\n");
     let runs = gearlash::simulate::simulate(&phases, METHOD, &tick).unwrap();
     let least = |phase: (u32, u32)| {
         let mut runs = runs.iter();
@@ -74,7 +65,7 @@ fn the_least_of_a_curve_is_that_of_its_assembly() {
         let backlash = run.poses.iter().map(|pose| 1e3 * pose.backlash.unwrap());
         backlash.fold(f64::INFINITY, f64::min)
     };
-    let curves = revolution(&two_thick_teeth(""), METHOD, &tick).unwrap();
+    let curves = revolution(&study(""), METHOD, &tick).unwrap();
     let course = courses(&curves).remove(0);
     let found = course.least.unwrap().backlash_um;
     assert!(
@@ -84,27 +75,29 @@ fn the_least_of_a_curve_is_that_of_its_assembly() {
     assert!(least((1, 2)) < -20.0);
 
     // Over the centre distance, too: no measured mating is near, so the very pose that binds is followed.
-    let study = two_thick_teeth("");
-    let binding = binding(&study, curves.iter());
+    let pair = study("");
+    let binding = binding(&pair, curves.iter());
     let all: Vec<_> = curves.iter().collect();
-    let curve = over_distance(&study, binding, &all, METHOD, &tick).unwrap();
-    let range = curve.ranges[0];
-    assert_eq!(curve.ranges.len(), 1);
-    assert!((range.least_um - found).abs() < 1e-6);
+    let ranges = by_distance(&all, &[]);
+    let curve = over_distance(&pair, binding, METHOD, &tick).unwrap();
+    let range = &ranges[0];
+    assert_eq!(ranges.len(), 1);
+    let least = range.all.least.unwrap().pose.swept.backlash.unwrap();
+    assert!((1e3 * least - found).abs() < 1e-6);
     let middle = &curve.points[20];
     assert!((middle.center_distance - range.center_distance).abs() < 1e-9);
     let band = middle.bands.simulated.unwrap();
     assert!((band.min_um - found).abs() < 1e-3, "{band:?}");
-    let drawn = chart::distance(&heading("a", "thick"), &curve).unwrap();
+    let drawn = chart::distance(&heading("a", "thick"), &curve, &ranges).unwrap();
     assert!(drawn.svg.contains("least and greatest of all poses"));
 }
 
 /// Values measured at 132.04 … 132.21 mm beside a sweep at 132.04 and 132.1 were drawn on the right edge, at 132.106.
 #[test]
 fn measured_values_widen_the_axis() {
-    let mut study = super::study("karba_44x44.toml");
+    let mut study = crate::study("karba_44x44.toml");
     study.center_distances = vec![132.04, 132.1];
-    let curve = over_distance(&study, Followed::Teeth(11, 11), &[], METHOD, &tick).unwrap();
+    let curve = over_distance(&study, Followed::Teeth(11, 11), METHOD, &tick).unwrap();
     let ends = [curve.points.first(), curve.points.last()].map(|end| end.unwrap().center_distance);
     assert_eq!(curve.measured.len(), 4);
     for row in &curve.measured {

@@ -199,7 +199,7 @@ fn extremes_are_labelled_with_the_teeth_that_bind() {
 #[test]
 fn measured_values_stand_where_they_were_measured() {
     let curve = over("karba_44x44.toml", (11, 11));
-    let Chart { svg, plot, .. } = chart::distance(&heading("c", "t"), &curve).unwrap();
+    let Chart { svg, plot, .. } = chart::distance(&heading("c", "t"), &curve, &[]).unwrap();
     let document = Document::parse(&svg).unwrap();
     let drawn: Vec<_> = circles(&document, RIGHT)
         .into_iter()

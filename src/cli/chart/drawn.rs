@@ -5,14 +5,14 @@ use super::super::drawing::{End, material};
 use super::super::method::{agreement, agreement_within};
 use super::super::progress::Progress;
 use super::{Args, Gear, Kind};
-use crate::compare::{ComparedRun, compare};
+use crate::compare::ComparedRun;
 use crate::curves::{self, Course, Followed};
 use crate::cycle;
 use crate::error::Error;
 use crate::gear::Inspection;
 use crate::mesh::Method;
+use crate::outcome::by_distance;
 use crate::render::chart::{self, Chart, Heading};
-use crate::simulate::{pose_count, simulate};
 use crate::study::Study;
 
 /// A chart and the name of its file.
@@ -83,13 +83,14 @@ impl Drawn {
             None => binding(study)?,
         };
         let swept: Vec<&ComparedRun> = swept.iter().collect();
+        let swept = by_distance(&swept, &[]);
         let progress = Progress::start(curves::over_distance_pose_count(study));
         let (method, tick) = (args.method.method(), || progress.tick());
-        let curve = curves::over_distance(study, followed, &swept, method, &tick)?;
+        let curve = curves::over_distance(study, followed, method, &tick)?;
         progress.finish()?;
         let (wheel, pinion) = teeth(followed);
         Ok(Drawn {
-            chart: chart::distance(&heading(study), &curve)?,
+            chart: chart::distance(&heading(study), &curve, &swept)?,
             file: format!("chart_distance_{wheel}_{pinion}.svg"),
             agrees: agreement_within(curve.polygon_difference),
         })
@@ -134,11 +135,11 @@ fn file(name: &str, args: &Args, course: &Course) -> String {
 fn binding(study: &Study) -> Result<(Followed, Vec<ComparedRun>), Error> {
     // They only choose, and bound the curve: what is drawn as a curve is certified.
     let method = Method::Exact { certify: false };
-    let poses = curves::revolution_pose_count(study)? + pose_count(study)?;
+    let poses = curves::with_revolution_pose_count(study)?;
     let progress = Progress::start(poses + cycle::pose_count(study)?);
     let tick = || progress.tick();
-    let mut all = curves::revolution(study, method, &tick)?;
-    all.extend(compare(simulate(study, method, &tick)?, study.tolerance_um));
+    let [own, mut all] = curves::with_revolution(study, method, &tick)?;
+    all.extend(own);
     all.extend(cycle::cycle(study, method, &tick)?.extremes);
     progress.finish()?;
     let binding = curves::binding(study, all.iter());

@@ -7,6 +7,7 @@ use super::{Chart, Heading, sheet};
 use crate::curves::{DistancePoint, OverDistance};
 use crate::error::Error;
 use crate::measured::Band;
+use crate::outcome::AtDistance;
 use crate::pair::Mating;
 use crate::render::caption::decimals;
 
@@ -18,7 +19,11 @@ const FILLS: [f64; 2] = [0.14, 0.22];
 ///
 /// # Errors
 /// [`Error::Chart`] when there is neither a value nor a measurement.
-pub fn distance(heading: &Heading, curve: &OverDistance) -> Result<Chart, Error> {
+pub fn distance(
+    heading: &Heading,
+    curve: &OverDistance,
+    swept: &[AtDistance],
+) -> Result<Chart, Error> {
     let line = |band: fn(&DistancePoint) -> Option<Band>, end: fn(Band) -> f64| -> Vec<Point> {
         let points = curve.points.iter();
         points
@@ -64,9 +69,8 @@ pub fn distance(heading: &Heading, curve: &OverDistance) -> Result<Chart, Error>
         marks.extend(outline(&analytic, Look::Third));
         legend.push(entry("by formula (model 2)", Look::Third, Sample::Line));
     }
-    for range in &curve.ranges {
-        let ends = [range.least_um, range.greatest_um];
-        let points: Vec<Point> = ends.map(|um| (range.center_distance, Some(um))).to_vec();
+    let ranges: Vec<[Point; 2]> = swept.iter().map(range_of).collect();
+    for points in ranges.iter().map(|ends| ends.to_vec()) {
         let look = Look::Plain;
         marks.push(Mark::Dots {
             points: points.clone(),
@@ -78,7 +82,7 @@ pub fn distance(heading: &Heading, curve: &OverDistance) -> Result<Chart, Error>
             width: 1.0,
         });
     }
-    if !curve.ranges.is_empty() {
+    if !ranges.is_empty() {
         let name = "least and greatest of all poses, every tooth";
         legend.push(entry(name, Look::Plain, Sample::Dot));
     }
@@ -101,8 +105,7 @@ pub fn distance(heading: &Heading, curve: &OverDistance) -> Result<Chart, Error>
         .chain([&right, &left])
         .flatten()
         .filter_map(|point| point.1);
-    let ranges = curve.ranges.iter();
-    let values = values.chain(ranges.flat_map(|range| [range.least_um, range.greatest_um]));
+    let values = values.chain(ranges.iter().flatten().filter_map(|point| point.1));
     let x = range(
         curve.points.iter().map(|point| point.center_distance),
         [0.0; 2],
@@ -125,6 +128,14 @@ pub fn distance(heading: &Heading, curve: &OverDistance) -> Result<Chart, Error>
     panel.marks.extend(gaps(curve, [x, y]));
     let details = poses(&curve.matings);
     sheet::draw(heading, &details, &legend, &[panel])
+}
+
+/// Least and greatest of all poses at a centre distance.
+fn range_of(at: &AtDistance) -> [Point; 2] {
+    [at.all.least, at.all.greatest].map(|found| {
+        let backlash = found.and_then(|found| found.pose.swept.backlash);
+        (at.center_distance, backlash.map(|mm| mm * 1e3))
+    })
 }
 
 /// What the lines are of.

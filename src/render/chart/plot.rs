@@ -35,7 +35,6 @@ pub(super) fn draw(area: &Area, panel: &Panel) -> Drawn<(Plot, bool)> {
             draw_ground(&mut chart, *y, x.range)?;
         }
     }
-    // No ticks between two teeth.
     let up = match y.bare {
         true => 0,
         false => (panel.height / 32.0) as usize,
@@ -91,6 +90,7 @@ pub(super) fn draw(area: &Area, panel: &Panel) -> Drawn<(Plot, bool)> {
 /// How many numbers an x axis has at most.
 fn most_ticks(x: &Axis) -> usize {
     match x.teeth {
+        // None between two teeth.
         Some(_) => usize::clamp((x.range[1] - x.range[0]) as usize, 1, 12),
         None => 12,
     }

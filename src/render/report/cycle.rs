@@ -1,12 +1,13 @@
 //! Which poses the result is of, and which it is not.
 
 use super::Page;
+use super::words::few;
 use crate::cycle::Others;
-use crate::gear::Side;
+use crate::outcome::Found;
 use crate::pair::{Member, SweepPlan};
 use crate::phases::phase;
-use crate::study::Material;
 use maud::{Markup, html};
+use std::collections::BTreeSet;
 
 /// What limits the verdict, where something does.
 pub(super) fn limit(page: &Page) -> Option<String> {
@@ -36,21 +37,13 @@ fn simulated(page: &Page) -> String {
     let (turned, asked) = (poses(report.revolution), poses(report.runs));
     let picked = poses(&report.cycle.extremes);
     let mut parts = Vec::new();
-    match report.sweeps() {
+    match report.study.sweeps() {
         true => {
             parts.push(format!("the {asked} of the pair file’s sweep, which “gearlash simulate” and “gearlash compare” report"));
-            if turned > asked {
-                parts.push(format!("the {} of the same wheel teeth and fractions with the left flank at the pitch point, for the curves", turned - asked));
-            }
+            parts.push(format!("the {} of the same wheel teeth and fractions with the left flank at the pitch point, for the curves", turned - asked));
         }
         false => {
-            let left = report.revolution.iter().flat_map(|run| &run.poses);
-            let left = left.filter(|pose| pose.swept.pose.mating().flank == Side::Left);
-            let flanks = match left.count() {
-                0 => "right flank",
-                _ => "right flank and with the left flank",
-            };
-            parts.push(format!("{turned} of whole wheel revolutions at 16 poses a pitch, with the {flanks} at the pitch point"));
+            parts.push(format!("{turned} of whole wheel revolutions at 16 poses a pitch, with the right flank and with the left flank at the pitch point"));
             parts.push(format!("the {asked} that the pair file asks for, which “gearlash simulate” and “gearlash compare” report"));
         }
     }
@@ -112,40 +105,26 @@ fn phases(page: &Page) -> Markup {
         poses.map(|pose| phase(&run.run.assembly, pose.swept.pose.mating()))
     });
     let elsewhere: Vec<u32> = asked.filter(|other| *other != way).collect();
+    let other_ways: Vec<u32> = BTreeSet::from_iter(elsewhere.iter().copied())
+        .into_iter()
+        .collect();
     html! {
         @if matters {
             " Wheel tooth " (mating.wheel_tooth) " meets pinion tooth " (mating.pinion_tooth) "; there are " (ways - 1)
             " other ways to put the gears together, with other backlash (" code { "[sweep] phases = \"all\"" } ")."
             @if !elsewhere.is_empty() {
                 " Of the poses that the pair file asks for, " (elsewhere.len()) " are of such another way: the teeth that it names meet at "
-                "those flanks where wheel tooth 1 meets pinion tooth " (named(elsewhere)) "."
+                "those flanks where wheel tooth 1 meets pinion tooth " (few(&other_ways, u32::to_string)) "."
             }
         }
     }
 }
 
-/// A few numbers, each once.
-fn named(mut numbers: Vec<u32>) -> String {
-    numbers.sort_unstable();
-    numbers.dedup();
-    let few = numbers.iter().take(6).map(u32::to_string);
-    let few = few.collect::<Vec<_>>().join(", ");
-    match numbers.len() {
-        0..=6 => few,
-        _ => format!("{few}, …"),
-    }
-}
-
-/// Whether backlash is the same at every pose of a centre distance and material.
-pub(super) fn same_everywhere(page: &Page, center_distance: f64, material: Material) -> bool {
-    let mut at = page
-        .distances
-        .iter()
-        .filter(|at| at.center_distance == center_distance);
-    let materials = at.next().map(|at| &at.materials);
-    let of = materials
-        .into_iter()
-        .flatten()
-        .find(|(end, _)| *end == material);
-    of.is_some_and(|(_, of)| of.uniform)
+/// Whether backlash is the same at every pose of the centre distance and material of `found`.
+pub(super) fn same_everywhere(page: &Page, found: Found) -> bool {
+    let run = &found.run.run;
+    let mut distances = page.distances.iter();
+    let here = distances.find(|at| at.center_distance == run.assembly.center_distance());
+    let mut materials = here.into_iter().flat_map(|at| &at.materials);
+    materials.any(|(end, of)| *end == run.material && of.uniform)
 }

@@ -144,6 +144,7 @@ pub(super) fn over_distance(page: &Page) -> Result<Markup, Error> {
         figures.push(figure(&chart::distance(
             &heading(page, &prefix, &title),
             curve,
+            &page.distances,
         )?));
     }
     let others = "backlash of the other measured matings over the centre distance";

@@ -30,7 +30,6 @@ use crate::gauge::{GradedReading, Unmeasured};
 use crate::measured::MeasuredMating;
 use crate::mesh::Method;
 use crate::outcome::{Agreement, AtDistance, Outcome, by_distance};
-use crate::pair::SweepPlan;
 use crate::render::viewer;
 use crate::study::Study;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
@@ -68,19 +67,11 @@ pub struct Report<'a> {
 impl<'a> Report<'a> {
     /// Every run that counts, none twice: whole revolutions, and what the pair file asks for beside them.
     fn runs(&self) -> Vec<&'a ComparedRun> {
-        let asked = match self.sweeps() {
+        let asked = match self.study.sweeps() {
             true => &[],
             false => self.runs,
         };
         self.revolution.iter().chain(asked).collect()
-    }
-
-    /// Whether the pair file itself asks for whole revolutions.
-    fn sweeps(&self) -> bool {
-        matches!(
-            self.study.sweep,
-            Some(SweepPlan::Revolution { .. } | SweepPlan::Phases { .. })
-        )
     }
 }
 

@@ -5,7 +5,7 @@ use super::figures::{charted, over_distance, revolutions};
 use super::words::{distance, material, um};
 use crate::compare::ComparedRun;
 use crate::error::Error;
-use crate::outcome::Outcome;
+use crate::outcome::{Found, Outcome};
 use crate::phases::{assembles, phase_groups, variation};
 use crate::render::viewer;
 use maud::{Markup, PreEscaped, html};
@@ -109,8 +109,7 @@ fn phases(page: &Page) -> Markup {
 }
 
 fn counts(of: &Outcome) -> Markup {
-    let backlash =
-        |found: Option<crate::outcome::Found>| um(found.and_then(|f| f.pose.swept.backlash), 2);
+    let backlash = |found: Option<Found>| um(found.and_then(|f| f.pose.swept.backlash), 2);
     html! {
         td.n { (of.poses) }
         td.n { (backlash(of.least)) }

@@ -39,7 +39,7 @@ fn answer(page: &Page) -> String {
     if page.whole.least.is_none() {
         return "There is no number to trust: at no pose is the free gear free to turn and held by its mate.".to_owned();
     }
-    let valued = of.both + of.simulated_alone;
+    let valued = of.valued();
     let trusted = match (fails, of.agree) {
         (0, _) if valued == of.poses => {
             "Yes, for the gears as measured: simulation and formula agree at every pose.".to_owned()
@@ -138,7 +138,7 @@ fn without(page: &Page) -> String {
 /// How many poses touch off the line of action, and at how many it matters.
 fn off_line(page: &Page) -> Markup {
     let of = &page.agreement;
-    let valued = of.both + of.simulated_alone;
+    let valued = of.valued();
     // Beyond the tolerance these are what the formula is wrong about.
     let slight = of.touch_off_line.saturating_sub(of.formula_fails());
     let tolerance = written(page.report.study.tolerance_um);

@@ -1,7 +1,7 @@
 //! The answer: does the pair assemble, how much backlash, where, which teeth.
 
 use super::cycle::{limit, same_everywhere};
-use super::words::{band, bound, distance, j_wt, material, touching, um};
+use super::words::{band, bound, distance, few, j_wt, material, touching, um};
 use super::{Page, cycle};
 use crate::outcome::{AtDistance, Found, Outcome};
 use crate::phases::failing_phases;
@@ -82,14 +82,8 @@ fn phases(page: &Page) -> String {
             _ => ", in every assembly phase".to_owned(),
         };
     }
-    let named = failing.iter().take(6);
-    let named = named.map(|(wheel, pinion)| format!("{wheel}·{pinion}"));
-    let more = if failing.len() > 6 { ", …" } else { "" };
-    format!(
-        ", in {} of {all} assembly phases ({}{more})",
-        failing.len(),
-        named.collect::<Vec<_>>().join(", ")
-    )
+    let named = few(&failing, |(wheel, pinion)| format!("{wheel}·{pinion}"));
+    format!(", in {} of {all} assembly phases ({named})", failing.len())
 }
 
 /// Up to four centre distances by name.
@@ -112,11 +106,10 @@ fn places(at: &[&AtDistance], number: usize) -> String {
 fn extreme(page: &Page, found: Found) -> Markup {
     let run = &found.run.run;
     let [right, left] = touching(Some(found));
-    let a = run.assembly.center_distance();
     html! {
         span.w { (um(found.pose.swept.backlash, 2)) " µm" } " at "
-        span.w { i { "a" } " = " (distance(a)) " mm" }
-        @if same_everywhere(page, a, run.material) {
+        span.w { i { "a" } " = " (distance(run.assembly.center_distance())) " mm" }
+        @if same_everywhere(page, found) {
             ", the same at every pose, "
         } @else {
             ", teeth " span.w { (right) } " (right flanks) and " span.w { (left) } " (left flanks), "
@@ -196,10 +189,7 @@ fn table(page: &Page) -> Markup {
 
 fn extreme_cells(page: &Page, found: Option<Found>) -> Markup {
     let [right, left] = touching(found);
-    let same = found.is_some_and(|found| {
-        let run = &found.run.run;
-        same_everywhere(page, run.assembly.center_distance(), run.material)
-    });
+    let same = found.is_some_and(|found| same_everywhere(page, found));
     html! {
         td.n { strong { (um(found.and_then(|found| found.pose.swept.backlash), 2)) } }
         td.w { @if same { "all alike" } @else { (right) " / " (left) } }

@@ -103,15 +103,19 @@ pub(super) fn touching(found: Option<Found>) -> [String; 2] {
     }
 }
 
+/// At most six of `all` by name.
+pub(super) fn few<T>(all: &[T], name: impl Fn(&T) -> String) -> String {
+    let named: Vec<String> = all.iter().take(6).map(name).collect();
+    let more = if all.len() > 6 { ", …" } else { "" };
+    named.join(", ") + more
+}
+
 /// A pose in words: mating, flank, fraction.
 pub(super) fn pose(found: Found) -> String {
     let mating = found.pose.swept.pose.mating();
     let beyond = match mating.fraction {
         0.0 => String::new(),
-        fraction => format!(
-            ", {} pitch beyond",
-            crate::render::caption::decimals(fraction, 0, 4)
-        ),
+        fraction => format!(", {} pitch beyond", decimals(fraction, 0, 4)),
     };
     let phase = found.run.run.phase;
     let phase = phase.map_or(String::new(), |(w, p)| format!(", phase {w}·{p}"));

@@ -56,14 +56,16 @@ fn extremes(run: &ComparedRun) -> impl Iterator<Item = usize> {
             Some((number, sign * pose.backlash?, pose.error_bound?))
         }))
     };
-    let of = |status: Status| {
+    let first = |status: Status| {
         let mut poses = numbered();
-        poses.find(|(_, pose)| pose.lost_motion.status() == status)
+        poses.position(|(_, pose)| pose.lost_motion.status() == status)
     };
-    let without = [Status::Jammed, Status::NoContact].map(|status| of(status).map(|found| found.0));
-    let least_of_all = worst(std::slice::from_ref(run)).map(|[_, pose]| pose);
-    [extreme(1.0), extreme(-1.0), least_of_all]
-        .into_iter()
-        .chain(without)
-        .flatten()
+    [
+        extreme(1.0),
+        extreme(-1.0),
+        first(Status::Jammed),
+        first(Status::NoContact),
+    ]
+    .into_iter()
+    .flatten()
 }

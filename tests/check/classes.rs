@@ -102,22 +102,8 @@ fn a_corner_is_premature_before_its_teeth_reach_the_line_of_action() {
 /// model 3 has the same backlash. That costs nothing and is no contact off the line of action.
 #[test]
 fn a_corner_that_costs_nothing_is_not_off_the_line_of_action() {
-    let gear = |name: &str, teeth: u32, shift: f64, allowance: i32, runout: &str| {
-        format!(
-            "[{name}]\nteeth = {teeth}\nmodule_mm = 2.0\npressure_angle_deg = 20.0\nprofile_shift = {shift}\n\
-             thickness = {{ allowance_um = {allowance} }}\nrunout = {runout}\n"
-        )
-    };
-    let wheel = gear("wheel", 17, 0.5, -30, "{ total_um = 20, high_tooth = 5.5 }");
-    let pinion = gear(
-        "pinion",
-        100,
-        -0.3,
-        -50,
-        "{ total_um = 30, high_tooth = 60 }",
-    );
-    let (_folder, file) = written(&format!(
-        "{wheel}{pinion}[assembly]\ncenter_distance_mm = 117.4\n[sweep]\nmating = [[4, 41]]\nfraction = [0.5]\n"
+    let (_folder, file) = written(&eccentric_17_100(
+        "[assembly]\ncenter_distance_mm = 117.4\n[sweep]\nmating = [[4, 41]]\nfraction = [0.5]\n",
     ));
     let study = input::read(&file).unwrap();
     let found = diagnosed(&study);

@@ -7,9 +7,12 @@ mod onset;
 
 #[path = "../common/mod.rs"]
 mod common;
+#[path = "../common/eccentric_17_100.rs"]
+mod eccentric_17_100;
 
 use assert_cmd::Command;
 use common::{ReferenceContact, reference_pair};
+use eccentric_17_100::eccentric_17_100;
 use gearlash::analytic::{LineOfAction, SideContact, limits};
 use gearlash::compare::compare;
 use gearlash::diagnosis::{

@@ -1,27 +1,18 @@
 //! 20 and 20 teeth can be put together in 20 ways: the page says of which its numbers are.
 
 use crate::command::{folder, gearlash, page};
+use crate::two_thick_teeth::two_thick_teeth;
 use crate::words::{row, select, text};
 use scraper::Html;
 use serde_json::Value;
 
-/// One tooth 60 µm thick on each gear, 9 and 10: put together as 1 and 1, the two are never in contact together.
-fn two_thick_teeth(sweep: &str) -> String {
-    let gear = |name: &str, face: &str, allowance: i32, thick: u32| {
-        let teeth = (1..=20).map(|tooth| if tooth == thick { "60" } else { "0" });
-        let per_tooth = teeth.collect::<Vec<_>>().join(", ");
-        format!(
-            "[{name}]\nteeth = 20\nmodule_mm = 2.0\npressure_angle_deg = 20.0\nreference_face = \"{face}\"\n\
-             thickness = {{ allowance_um = {allowance}, per_tooth_um = [{per_tooth}] }}\n"
-        )
-    };
-    let gears = gear("wheel", "front", -60, 9) + &gear("pinion", "back", -40, 10);
-    format!("{gears}[assembly]\ncenter_distance_mm = 39.95\n[sweep]\n{sweep}\n")
+fn twenty(sweep: &str) -> String {
+    two_thick_teeth(20, 2.0, &format!("[sweep]\n{sweep}\n"))
 }
 
 /// What `simulate` says of each phase: its teeth, least backlash and least zero.
 fn phases() -> Vec<(String, f64)> {
-    let folder = folder(&two_thick_teeth("phases = \"all\""));
+    let folder = folder(&twenty("phases = \"all\""));
     let output = gearlash(&folder)
         .args(["simulate", "pair.toml", "--format", "json"])
         .assert()
@@ -49,7 +40,7 @@ fn a_pair_that_assembles_as_stated_assembles() {
     let phases = phases();
     let least = |name: &str| phases.iter().find(|(phase, _)| phase == name).unwrap().1;
     assert!(least("1·1") > 3.0 && least("1·2") < -20.0, "{phases:?}");
-    let document = Html::parse_document(&page(&two_thick_teeth("revolutions = \"wheel\"")));
+    let document = Html::parse_document(&page(&twenty("revolutions = \"wheel\"")));
     let answer = words(&document, ".answer");
     let expected = format!(
         "Assembles at a = 39.950 mm: least backlash {:.2} µm",
@@ -61,7 +52,7 @@ fn a_pair_that_assembles_as_stated_assembles() {
 /// A left flank that the pair file names may be one of another assembly: the page says so.
 #[test]
 fn poses_of_another_assembly_are_told() {
-    let document = Html::parse_document(&page(&two_thick_teeth("mating = [[1, 1], [5, 5]]")));
+    let document = Html::parse_document(&page(&twenty("mating = [[1, 1], [5, 5]]")));
     let notes = words(&document, "#result .note");
     let told = "Of the poses that the pair file asks for, 2 are of such another way: the teeth that it names meet at those flanks \
                 where wheel tooth 1 meets pinion tooth 2.";
@@ -77,7 +68,7 @@ fn phases_that_do_not_assemble_are_named() {
         .filter_map(|(phase, least)| (*least < 0.0).then_some(phase.as_str()))
         .collect();
     assert!((1..6).contains(&failing.len()), "{phases:?}");
-    let document = Html::parse_document(&page(&two_thick_teeth("phases = \"all\"")));
+    let document = Html::parse_document(&page(&twenty("phases = \"all\"")));
     let answer = words(&document, ".answer");
     let expected = format!(
         "Does not assemble at a = 39.950 mm, in {} of 20 assembly phases ({})",
@@ -107,7 +98,7 @@ fn phases_that_do_not_assemble_are_named() {
 /// 0.1 + 0.05 mm was 0.15000000000000002; negative numbers and `j_wt` in the checks' notes stood as in a terminal.
 #[test]
 fn numbers_are_set_as_numbers() {
-    let text = two_thick_teeth("revolutions = \"wheel\"").replace(
+    let text = twenty("revolutions = \"wheel\"").replace(
         "center_distance_mm = 39.95",
         "center_distance_mm = 39.85\nbearing_clearance_mm = { wheel = 0.1, pinion = 0.05 }",
     );

@@ -3,8 +3,12 @@
 mod assemblies;
 mod bytes;
 mod command;
+#[path = "../common/eccentric_17_100.rs"]
+mod eccentric_17_100;
 mod page;
 mod size;
 mod trust;
+#[path = "../common/two_thick_teeth.rs"]
+mod two_thick_teeth;
 mod verdict;
 mod words;

@@ -1,6 +1,7 @@
 //! Does the pair assemble: the sentence at the head of the page.
 
 use crate::command::{folder, gearlash, page, page_with};
+use crate::eccentric_17_100::eccentric_17_100;
 use crate::page::plain;
 use crate::words::{row, select, text};
 use scraper::Html;
@@ -16,23 +17,8 @@ fn notes(document: &Html) -> String {
     notes.iter().map(text).collect::<Vec<_>>().join(" ")
 }
 
-/// 17 and 100 teeth with runouts whose high teeth, 5.5 and 60, do not meet in the first revolution from 1·1.
-fn eccentric_17_100(sweep: &str) -> String {
-    let gear = |name: &str, teeth: u32, shift: f64, allowance: i32, runout: &str| {
-        format!(
-            "[{name}]\nteeth = {teeth}\nmodule_mm = 2.0\npressure_angle_deg = 20.0\nprofile_shift = {shift}\n\
-             thickness = {{ allowance_um = {allowance} }}\nrunout = {runout}\n"
-        )
-    };
-    let wheel = gear("wheel", 17, 0.5, -30, "{ total_um = 20, high_tooth = 5.5 }");
-    let pinion = gear(
-        "pinion",
-        100,
-        -0.3,
-        -50,
-        "{ total_um = 30, high_tooth = 60 }",
-    );
-    format!("{wheel}{pinion}[assembly]\ncenter_distance_mm = 117.30\n{sweep}")
+fn at_117_3(sweep: &str) -> String {
+    eccentric_17_100(&format!("[assembly]\ncenter_distance_mm = 117.30\n{sweep}"))
 }
 
 /// One wheel revolution meets 17 of 1700 matings and is clear at all of them. The whole cycle, swept and certified
@@ -48,10 +34,10 @@ fn a_pair_that_interferes_later_in_the_hunting_cycle_does_not_assemble() {
         let json: Value = serde_json::from_slice(&output.get_output().stdout).unwrap();
         json["runs"][0]["summary"]["min_j_wt_um"].as_f64().unwrap()
     };
-    assert!(simulated(&eccentric_17_100("")) > 8.0);
-    let least = simulated(&eccentric_17_100("[sweep]\nrevolutions = \"hunting\"\n"));
+    assert!(simulated(&at_117_3("")) > 8.0);
+    let least = simulated(&at_117_3("[sweep]\nrevolutions = \"hunting\"\n"));
     assert!(least < -9.0, "{least}");
-    let document = Html::parse_document(&page(&eccentric_17_100("")));
+    let document = Html::parse_document(&page(&at_117_3("")));
     let expected = format!(
         "Does not assemble at a = 117.300 mm: least backlash −{:.2} µm",
         -least

@@ -1,7 +1,7 @@
 //! A gear as built: where every flank really sits, and the axis it turns about.
 
 use super::pitch::Pitch;
-use super::{Face, Gear, Side};
+use super::{Curve, Face, Gear, Profile, Side};
 use crate::error::GearError;
 use nalgebra::{UnitComplex, Vector2};
 use std::f64::consts::PI;
@@ -226,6 +226,18 @@ impl AsBuilt {
         list[tooth as usize - 1]
     }
 
+    /// Where the root land of a half tooth ends: the middle of the space as the deviations leave it, where the land of
+    /// the next half tooth begins. The land's parameter ([`super::Curve::Root`]), rad, about the centre line turned with the
+    /// flank; never less than the land's other end.
+    pub fn root_end(&self, side: Side, tooth: u32) -> f64 {
+        let across = self.counter_clockwise(tooth, side.sense() as i64);
+        // The space is wider than its nominal width by what its two flanks are turned apart.
+        let widening =
+            side.sense() * (self.flank_offset(side.other(), across) - self.flank_offset(side, tooth));
+        let (start, middle) = Profile::new(&self.gear).range(Curve::Root);
+        (middle + 0.5 * widening).max(start)
+    }
+
     /// Angle of the (fractional) tooth's undisturbed centre from tooth 1, rad, counter-clockwise.
     pub fn tooth_angle(&self, tooth: f64) -> f64 {
         self.face.ascending() * (tooth - 1.0) * self.gear.toothing().angular_pitch()
@@ -251,5 +263,49 @@ impl AsBuilt {
     /// Greatest radius of the outline about the rotation axis, mm.
     pub fn reach(&self) -> f64 {
         self.gear.tip_radius() + self.eccentricity
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gear::{Blank, Rack, Toothing};
+
+    /// Both half teeth of a space end in the same direction, on either face, whatever the deviations; the land
+    /// widens and narrows with the space, and a space closed at its root leaves none.
+    #[test]
+    fn root_lands_meet_in_the_middle_of_the_space() {
+        let blank = Blank {
+            toothing: Toothing::new(20, 2.0, 20f64.to_radians()).unwrap(),
+            profile_shift: 0.0,
+            rack: Rack::ISO_53_A,
+            tip_diameter: None,
+        };
+        let gear = Gear::nominal(blank).unwrap();
+        let mut right = vec![0.0; 20];
+        (right[4], right[9]) = (0.9, -0.9);
+        let deviations = Deviations {
+            per_tooth: (0..20).map(|k| 0.01 * f64::from(k % 3)).collect(),
+            pitch: Some(Pitch::from_cumulative(&right, &[0.0; 20])),
+            ..Deviations::default()
+        };
+        let (start, middle) = Profile::new(&gear).range(Curve::Root);
+        for face in [Face::Front, Face::Back] {
+            let built = AsBuilt::new(gear.clone(), face, &deviations).unwrap();
+            let end = |side: Side, tooth: u32| {
+                let turned = built.tooth_angle(f64::from(tooth)) + built.flank_offset(side, tooth);
+                turned + side.sense() * built.root_end(side, tooth)
+            };
+            for tooth in 1..=20 {
+                let next = built.counter_clockwise(tooth, 1);
+                let apart = end(Side::Left, tooth) - end(Side::Right, next);
+                let closed = built.root_end(Side::Left, tooth) == start;
+                let whole = apart - std::f64::consts::TAU * (apart / std::f64::consts::TAU).round();
+                assert!(closed || whole.abs() < 1e-14, "{whole} at tooth {tooth}");
+            }
+            let ends = (1..=20).map(|tooth| built.root_end(Side::Right, tooth));
+            let (least, most) = ends.fold((middle, middle), |(l, m), e| (l.min(e), m.max(e)));
+            assert!(least == start && most > middle + 0.02);
+        }
     }
 }

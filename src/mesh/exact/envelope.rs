@@ -1,12 +1,16 @@
 //! A cheap test whether a point lies clear of a half tooth.
 //!
-//! The half thickness `f(x)` of the tooth over its centre line is bounded from
-//! above by one straight line in each of a few cells of `x`. A point below all of that
-//! is outside the metal, on the flank's side: turned against the flank it still has
-//! a way to go, so its gap is less than the rotation at which it was tested.
+//! The half thickness `f(x)` of the tooth over its centre line, from the tip corner outwards that of the
+//! corner, is bounded from above by one straight line in each of a few cells of `x`. A point below all of that
+//! still has a way to go until it touches, so its gap is less than the rotation at which it was tested:
+//! it did not come through the metal. A point that turns in crosses the flank only inwards (its polar radius is
+//! monotone there: [`super::certificate`]), and beyond the corner it comes nearer to the centre line as
+//! long as the axis lies farther out along the tooth than itself (or, for the gear that turns, farther in). The
+//! land itself would not do for a border: a point that went in through the flank may come out of the land, and
+//! stand beside `f(x)` again.
 
 use super::shape::C;
-use crate::gear::{Gear, HalfTooth, Side};
+use crate::gear::{Curve, Gear, HalfTooth, Segment, Side};
 
 /// Cells over the tooth depth. Tuned: 24 leave 1 point in 60 to the exact test on ordinary gears, 12 leave twice as many.
 const CELLS: usize = 32;
@@ -25,8 +29,9 @@ pub(super) struct Envelope {
 }
 
 impl Envelope {
-    /// The envelope of `gear`'s half tooth; a point counts as clear only when it is so by more than `margin` mm.
-    pub fn new(gear: &Gear, margin: f64) -> Envelope {
+    /// The envelope of `gear`'s half tooth; a point counts as clear only when it is so by more than `margin` mm,
+    /// and farther out along the tooth than `least` mm from its centre.
+    pub fn new(gear: &Gear, margin: f64, least: f64) -> Envelope {
         let depth = gear.tip_radius() - gear.root_radius();
         let chord = CHORD * depth;
         let polygon = HalfTooth::new(gear, Side::Right, chord);
@@ -34,7 +39,8 @@ impl Envelope {
         let start = polygon
             .points()
             .iter()
-            .fold(end, |least, point| least.min(point.x));
+            .fold(end, |least, point| least.min(point.x))
+            .max(least);
         let width = (end - start) / CELLS as f64;
         let mut envelope = Envelope {
             start,
@@ -42,13 +48,22 @@ impl Envelope {
             end,
             lines: [(f64::INFINITY, 0.0); CELLS + 2],
         };
-        let corner = gear.tip_radius() * gear.half_angle_at_roll(gear.tip_roll()).sin();
+        let half_tip = gear.half_angle_at_roll(gear.tip_roll());
+        let corner = gear.tip_radius() * half_tip.sin();
         envelope.lines[CELLS + 1] = (corner + margin, 0.0);
         // A cell reaches as far as the curve may lie beside the polygon's border.
         let border = |cell: usize| start + cell as f64 * width;
         let mut pieces: [Vec<(f64, f64)>; CELLS] = std::array::from_fn(|_| Vec::new());
-        for pair in polygon.points().windows(2) {
-            let (a, b) = ((pair[0].x, -pair[0].y), (pair[1].x, -pair[1].y));
+        let on_land = |segment: &Segment| segment.curve == Curve::Tip;
+        let flank = polygon.segments().iter().take_while(|s| on_land(s)).count();
+        let beyond = [(end, corner), (gear.tip_radius() * half_tip.cos(), corner)];
+        let below = polygon.points()[flank..].iter().map(|point| (point.x, -point.y));
+        let border_points: Vec<(f64, f64)> = beyond.into_iter().chain(below).collect();
+        for pair in border_points.windows(2) {
+            let (a, b) = (pair[0], pair[1]);
+            if a.0.max(b.0) <= start - chord {
+                continue;
+            }
             let cell = |x: f64| ((x - start) / width) as usize;
             let first = cell(a.0.min(b.0) - chord);
             let last = cell(a.0.max(b.0) + chord).min(CELLS - 1);

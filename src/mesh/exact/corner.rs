@@ -3,23 +3,43 @@
 //! The corner keeps its radius about the free axis. On the mate's half tooth that
 //! radius is met once on the flank, found by one monotone inversion, and, beyond
 //! the mate's tip, on its land.
+//!
+//! On the flank of a locked tooth `ρ` rises from tip to root wherever the free gear reaches
+//! ([`super::certificate`]). So a flank that the free gear reaches at all it reaches from the tip down: one that leaves its
+//! reach does not come back, and where the tip corner is out of reach all of the flank is. What `ρ` does there is
+//! unknown (the flank of a tooth that points sideways turns back), and does not matter.
 
 use super::placed::{Placed, invert};
 use super::shape::{C, turn};
 use crate::gear::{Curve, involute};
 use std::f64::consts::TAU;
 
+/// Whose half tooth it is: from tip to root `ρ` rises on a locked one, falls on a free one.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Sense {
+    Locked,
+    Free,
+}
+
 /// Curve and parameter where `half` has the radius `rho` about the free axis.
 ///
 /// `fillet` is the least `γ` that can be reached; `near` is a point of the half tooth's own frame near
 /// the one sought. `None`: the half tooth has no such point, or the search has it.
-pub(super) fn meet(half: &Placed, fillet: Option<f64>, rho: f64, near: C) -> Option<(Curve, f64)> {
+pub(super) fn meet(
+    half: &Placed,
+    side: Sense,
+    fillet: Option<f64>,
+    rho: f64,
+    near: C,
+) -> Option<(Curve, f64)> {
     let shape = half.shape;
     let tip_roll = outer_roll(half);
     let tip = half.at(Curve::Involute, tip_roll).point.norm();
     let form = half.own_to_axis(shape.joint);
-    // ρ rises from tip to root on the locked gear, falls on the free one.
-    let inward = (form - tip).signum();
+    let inward = match side {
+        Sense::Locked => 1.0,
+        Sense::Free => -1.0,
+    };
     Some(if (rho - tip) * inward < 0.0 {
         (Curve::Tip, on_land(half, Curve::Tip, rho)?)
     } else if (rho - form) * inward <= 0.0 {
@@ -76,20 +96,23 @@ fn bracket(low: f64, high: f64, inward: f64) -> [f64; 2] {
 /// Parameter at which a land has the radius `rho`; of two, the one nearer to its clockwise end,
 /// behind which the other lies.
 ///
-/// On the circle `|C + r_a e^{iβ}| = ρ`: `cos(β − arg C) = (ρ² − |C|² − r_a²)/(2 |C| r_a)`.
+/// On the circle of radius `r` about `C` a point `δ` from the direction to the axis has
+/// `ρ² = (|C| − r)² + 4 |C| r sin² δ/2 = (|C| + r)² − 4 |C| r cos² δ/2`: no difference of large squares.
 pub(super) fn on_land(half: &Placed, land: Curve, rho: f64) -> Option<f64> {
     let (centre, radius) = (half.centre, half.shape.radius(land, 0.0));
-    let distance = centre.norm();
-    let cos = (rho * rho - distance * distance - radius * radius) / (2.0 * distance * radius);
-    if !(cos.abs() <= 1.0) {
+    let distance = centre.norm_sqr().sqrt();
+    let (least, most) = ((distance - radius).abs(), distance + radius);
+    let squares = ((rho - least) * (rho + least), (most - rho) * (most + rho));
+    if !(squares.0 >= 0.0 && squares.1 >= 0.0) {
         return None;
     }
+    let beside = 2.0 * squares.0.sqrt().atan2(squares.1.sqrt());
     let (far, corner) = half.range(land);
     // From the tooth's centre line, clockwise positive.
-    let middle = (half.direction * centre.conj()).arg();
-    [cos.acos(), -cos.acos()]
-        .map(|beta| {
-            let t = middle - beta;
+    let middle = (-half.direction * centre.conj()).arg();
+    [beside, -beside]
+        .map(|beside| {
+            let t = middle - beside;
             t - TAU * (t / TAU).round()
         })
         .into_iter()

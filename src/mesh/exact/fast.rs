@@ -5,7 +5,7 @@
 
 use super::branch::search;
 use super::certificate::{Certificate, Setting};
-use super::corner::{meet, on_land, turns_back};
+use super::corner::{Sense, meet, on_land, turns_back};
 use super::curves::{Curves, Unsettled};
 use super::envelope::Envelope;
 use super::facing::{Facing, Stand};
@@ -75,8 +75,8 @@ impl Shortcut {
             certificate: setting.certify()?,
             free_off: setting.free_off,
             swerve: Swerve::new(facing, setting.locked_off, setting.free_off)?,
-            locked: Envelope::new(ours.gear(), margin),
-            free: Envelope::new(theirs.gear(), margin),
+            locked: Envelope::new(ours.gear(), margin, 0.0),
+            free: Envelope::new(theirs.gear(), margin, setting.free_off),
         })
     }
 }
@@ -119,7 +119,9 @@ impl Stand<'_> {
             }
             for &corner in theirs.shape.corners() {
                 let near = (facing * corner.1 - centre) * seen.conj();
-                let clear = known && shortcut.locked.clears(near);
+                // Ahead of the axis, seen along the tooth: there a point that turns in comes nearer to its centre line.
+                let inside = near.re < level.axis.re * seen.re + level.axis.im * seen.im;
+                let clear = known && inside && shortcut.locked.clears(near);
                 if !clear || shortcut.certificate.turns_back {
                     self.free_corner(shortcut, step, (corner, near, clear), &mut level, ties);
                 }
@@ -143,7 +145,7 @@ impl Stand<'_> {
         if level.known && shortcut.free.is_beyond_tip(near) && rho > outmost {
             return;
         }
-        if let Some(met) = meet(&free, shortcut.certificate.free_fillet, rho, near) {
+        if let Some(met) = meet(&free, Sense::Free, shortcut.certificate.free_fillet, rho, near) {
             let edge = (&locked, (Curve::Involute, roll));
             let hit = Hit::new(edge, (&free, met), self.origin, 0.0);
             level.offer(self, ties, step, hit);
@@ -195,7 +197,7 @@ impl Stand<'_> {
         if trusted && (clear || over()) {
             return;
         }
-        if let Some(met) = meet(&locked, shortcut.certificate.locked_fillet, rho, near) {
+        if let Some(met) = meet(&locked, Sense::Locked, shortcut.certificate.locked_fillet, rho, near) {
             let edge = (&free, (Curve::Involute, roll));
             let hit = Hit::new((&locked, met), edge, self.origin, 0.0);
             level.offer(self, ties, step, hit);
@@ -212,6 +214,8 @@ struct Level {
     centre: C,
     /// `−R*` times the locked gear's rotation.
     direction: C,
+    /// The free axis, seen from the locked outline's centre.
+    axis: C,
 }
 
 impl Level {
@@ -221,6 +225,7 @@ impl Level {
             known: false,
             centre: C::ZERO,
             direction: C::ZERO,
+            axis: C::ZERO,
         };
         level.set(stand, ties.greatest());
         level
@@ -233,6 +238,7 @@ impl Level {
         let back = turn(-gap) * stand.origin;
         self.centre = back * stand.centre - stand.facing.free.displacement;
         self.direction = -back * stand.turned;
+        self.axis = -back * stand.centre;
     }
 
     fn offer(&mut self, stand: &Stand, ties: &mut Ties, step: i64, hit: Hit) {

@@ -18,7 +18,7 @@
 //! 2. a fillet is hollower than the involute opposite is convex, and no fillet is convex: then the
 //!    gap has minima only there. (At a smooth joint slopes agree: a gap that rises towards it rises on.)
 //! 3. a tip land runs so nearly round the axis, compared with the curve opposite, that the gap
-//!    rises along it towards its near corner;
+//!    rises along it towards its near corner, on either side of the line of centres;
 //! 4. a root land is out of reach.
 //!
 //! This is checked once for all poses, with the locked outline's centre anywhere within its
@@ -29,7 +29,7 @@ use super::facing::lens_half;
 use super::shape::Shape;
 use crate::gear::Curve::{self, Fillet, Involute, Root, Tip};
 use crate::gear::involute;
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// What is known of a pair of gears at every pose.
 #[derive(Debug, Clone, Copy)]
@@ -144,15 +144,12 @@ impl Setting<'_> {
         let land = |b: f64| (near * b.cos() - ours.tip_radius) / (near * b.sin());
         // Seen from an axis e off, ψ shifts by asin(e/ρ) at most.
         let shift = (self.free_off / self.inmost()).asin();
-        let steepest = (theirs.tip_roll.atan() + shift).tan();
+        let steepest = slope_at(theirs.tip_roll.atan() + shift);
         open.add_unless(steepest < land(half), Tip, Involute);
         if let Some(gamma) = free_fillet {
-            let sample = theirs.at(Fillet, gamma);
-            let z = sample.normal.conj() * sample.point;
-            let psi = z.re.atan2(z.im.abs());
+            let steepest = slope_at(theirs.steepest_fillet(gamma) + shift);
             let within = lens_half(ours.tip_radius, theirs.form_radius() + self.free_off, near);
-            let good = within.is_none_or(|within| (psi + shift).tan() < land(within));
-            open.add_unless(good, Tip, Fillet);
+            open.add_unless(within.is_none_or(|b| steepest < land(b)), Tip, Fillet);
         }
         // The free land, where it is not quite round: |σ| ≥ (r_a − e)/e. Locked |σ| ≤ ρ/X on the flank,
         // ρ/(D sin b) on the land, b the angle at which it crosses the free tip circle at its nearest.
@@ -200,6 +197,15 @@ impl Setting<'_> {
             }
         }
         (least > 1e-9 * near).then_some(least)
+    }
+}
+
+/// `σ = tan ψ`; infinite where the angle is past a right one.
+fn slope_at(psi: f64) -> f64 {
+    if psi < FRAC_PI_2 {
+        psi.tan()
+    } else {
+        f64::INFINITY
     }
 }
 

@@ -90,11 +90,7 @@ impl Shape {
             Curve::Tip => (0.0, self.tip_half_angle),
             Curve::Involute => (self.form_roll, self.tip_roll),
             Curve::Fillet => (0.0, self.fillet_end),
-            // A full tip round leaves no land; what rounding leaves of it is none either.
-            Curve::Root => (
-                (-self.root_angle).min(self.half_pitch * (1.0 - 1e-14)),
-                self.half_pitch,
-            ),
+            Curve::Root => (-self.root_angle, self.half_pitch),
         }
     }
 
@@ -172,6 +168,24 @@ impl Shape {
         }
     }
 
+    /// Greatest amount of the angle `ψ` between fillet and radius from `gamma` up, rad.
+    ///
+    /// `tan ψ = (r cos γ − L)/(r sin γ)`, whose derivative has the sign of `g = −r + ρ cos γ + h_0 (1 − tan² γ)`. For
+    /// `h_0 ≥ 0` that is at most `−r + ρ + h_0 = −r_f`: `ψ` falls, below 0 where an undercut flank hangs over. For `h_0 < 0`
+    /// `g` has a slope of the sign of `2|h_0|/cos³ γ − ρ`, so that it falls and then rises, from below 0 on: `ψ` is greatest
+    /// at an end, and not negative where `r cos γ ≥ ρ`.
+    pub fn steepest_fillet(&self, gamma: f64) -> f64 {
+        if self.depth < 0.0 && self.pitch_radius * self.fillet_end.cos() < self.round {
+            return PI / 2.0;
+        }
+        let psi = |gamma: f64| {
+            let sample = self.at(Curve::Fillet, gamma);
+            let z = sample.normal.conj() * sample.point;
+            z.re.atan2(z.im.abs())
+        };
+        psi(gamma).max(psi(self.fillet_end).abs())
+    }
+
     /// Root form radius.
     pub fn form_radius(&self) -> f64 {
         involute::radius_at(self.form_roll, self.base)
@@ -187,11 +201,11 @@ impl Shape {
         }
     }
 
-    /// Whether it is a point without one normal: the tip corner, an undercut joint, or the middle of a
-    /// root land (where the half tooth ends).
+    /// Whether it is a point without one normal: the tip corner or an undercut joint. Where a land ends is the
+    /// placed tooth's to know.
     pub fn is_corner(&self, (curve, t): (Curve, f64)) -> bool {
         match curve {
-            Curve::Tip | Curve::Root => t == self.range(curve).1,
+            Curve::Tip | Curve::Root => false,
             Curve::Involute => t >= self.tip_roll || self.undercut && t <= self.form_roll,
             Curve::Fillet => self.undercut && t >= self.fillet_end,
         }

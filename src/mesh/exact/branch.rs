@@ -27,6 +27,10 @@ use std::f64::consts::{FRAC_PI_2, PI};
 /// Nodes after which a pair counts as lost: far above what any pair of the tests takes.
 const MOST_NODES: usize = 400_000;
 
+/// Arcs seen under so small an angle, rad, are one point: a few units in the last place of a parameter of order 1. (A finer
+/// one is never reached where arcs cannot be cut any more.)
+const FINEST: f64 = 16.0 * f64::EPSILON;
+
 /// A piece of a curve and what is known of it.
 #[derive(Debug, Clone, Copy)]
 struct Arc {
@@ -77,8 +81,18 @@ impl Arc {
         arc
     }
 
+    fn middle_parameter(&self) -> f64 {
+        0.5 * (self.low + self.high)
+    }
+
+    /// Whether a parameter lies between its ends.
+    fn can_be_cut(&self) -> bool {
+        let middle = self.middle_parameter();
+        self.low < middle && middle < self.high
+    }
+
     fn cut(&self, placed: &Placed) -> [Arc; 2] {
-        let middle = 0.5 * (self.low + self.high);
+        let middle = self.middle_parameter();
         [
             Arc::new(placed, self.curve, self.low, middle),
             Arc::new(placed, self.curve, middle, self.high),
@@ -174,15 +188,15 @@ pub(super) fn search(
             if gap + rise <= level + f64::EPSILON {
                 continue;
             }
-        } else if play <= 2.0 * f64::EPSILON {
+        } else if play <= FINEST || !(ours.can_be_cut() || theirs.can_be_cut()) {
             record(
-                0.5 * (ours.low + ours.high),
-                0.5 * (theirs.low + theirs.high),
+                ours.middle_parameter(),
+                theirs.middle_parameter(),
                 play,
             );
             continue;
         }
-        if theirs.low == theirs.high || ours.reach >= theirs.reach {
+        if !theirs.can_be_cut() || ours.can_be_cut() && ours.reach >= theirs.reach {
             nodes.extend(ours.cut(locked).map(|arc| (arc, theirs)));
         } else {
             nodes.extend(theirs.cut(free).map(|arc| (ours, arc)));

@@ -154,6 +154,13 @@ impl AsBuilt {
                 allowed: "at least 0 and less than the tooth depth",
             });
         }
+        if !(self.eccentricity < self.gear.root_radius()) {
+            return Err(GearError::OutOfRange {
+                what: "runout (mm)",
+                value: 2.0 * self.eccentricity,
+                allowed: "less than the root diameter: the axis would lie outside the gear's body",
+            });
+        }
         let teeth = f64::from(self.gear.toothing().teeth());
         if self.eccentricity > 0.0 && !(self.high_tooth >= 1.0 && self.high_tooth < teeth + 1.0) {
             return Err(GearError::OutOfRange {

@@ -68,10 +68,9 @@ impl Facing {
         let base = facing.free.shape.base;
         facing.tie = TIE_MM / base + 2.0 * facing.rounding(base, 1.0);
         facing.window = window_half(locked, free, facing.distance).map(|half| {
-            let (least, _) = facing.locked.extremes;
             (
                 -half - facing.locked.farthest,
-                half + facing.locked.pitch / 2.0 - least,
+                half + facing.locked.deepest,
             )
         });
         facing
@@ -211,6 +210,7 @@ impl<'a> Stand<'a> {
             centre: self.centre,
             direction: -self.turned * teeth.direction(place),
             far: teeth.far(place),
+            root_end: teeth.root_end(place),
         }
     }
 
@@ -223,6 +223,7 @@ impl<'a> Stand<'a> {
             centre: teeth.displacement,
             direction: teeth.direction(place),
             far: teeth.far(place),
+            root_end: teeth.root_end(place),
         }
     }
 

@@ -51,7 +51,7 @@ use ties::Touching;
 
 /// Lost motion of one assembly on its exact curves.
 ///
-/// Holds what does not depend on the pose, 40 bytes a tooth and side; poses may be asked for from any thread.
+/// Holds what does not depend on the pose, 48 bytes a tooth and side; poses may be asked for from any thread.
 #[derive(Debug, Clone)]
 pub struct ExactKernel {
     right: Facing,

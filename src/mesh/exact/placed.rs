@@ -11,6 +11,8 @@ pub(super) struct Placed<'a> {
     pub direction: C,
     /// Far corner of the tip land, in the half tooth's own frame.
     pub far: C,
+    /// Where the root land ends, its parameter.
+    pub root_end: f64,
 }
 
 impl Placed<'_> {
@@ -19,18 +21,26 @@ impl Placed<'_> {
         (self.centre + self.direction * point).norm_sqr().sqrt()
     }
 
-    /// Parameters of a curve's two ends, the lesser first: the tip land is a whole one, down to its far corner.
+    /// Parameters of a curve's two ends, the lesser first: the tip land is a whole one, down to its far corner, the
+    /// root land reaches to the middle of the space as built. Equal ends: the curve has no length.
     pub fn range(&self, curve: Curve) -> (f64, f64) {
         let (low, high) = self.shape.range(curve);
         match curve {
             Curve::Tip => (-self.far.arg(), high),
-            _ => (low, high),
+            Curve::Root => (low.min(self.root_end), self.root_end),
+            Curve::Involute | Curve::Fillet => (low, high),
         }
     }
 
     /// Whether it is a point without one normal.
     pub fn is_corner(&self, (curve, t): (Curve, f64)) -> bool {
-        self.shape.is_corner((curve, t)) || curve == Curve::Tip && t <= -self.far.arg()
+        match curve {
+            Curve::Tip | Curve::Root => {
+                let (low, high) = self.range(curve);
+                t >= high || curve == Curve::Tip && t <= low
+            }
+            Curve::Involute | Curve::Fillet => self.shape.is_corner((curve, t)),
+        }
     }
 
     pub fn at(&self, curve: Curve, t: f64) -> Sample {

@@ -63,7 +63,7 @@ impl Fillet {
             radius,
             depth,
             tip_round,
-            root_angle: rack.half_tip_flat(toothing).max(0.0) / radius
+            root_angle: rack.half_root_land(toothing) / radius
                 - PI / f64::from(toothing.teeth()),
             end: tangency,
             // The contact normal at the tangency is the line of action: r sin α

@@ -3,6 +3,9 @@
 use super::Toothing;
 use crate::error::GearError;
 
+/// Modules within which a tool's flat is none: the rounding of a full tip round that was computed by the formula.
+const FULL_ROUND: f64 = 1e-12;
+
 /// Basic rack `h_aP*`, `h_fP*`, `ρ_fP*`: addendum, dedendum and root radius in modules.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rack {
@@ -76,6 +79,17 @@ impl Rack {
                 - self.root_radius / cos)
     }
 
+    /// Half the tool's flat between its tip rounds, which cuts half the root land, mm: 0 where a full tip round leaves
+    /// none, or no more than the rounding of its radius does.
+    pub fn half_root_land(&self, toothing: &Toothing) -> f64 {
+        let flat = self.half_tip_flat(toothing);
+        if flat > FULL_ROUND * toothing.module() {
+            flat
+        } else {
+            0.0
+        }
+    }
+
     /// Whether the two tip rounds fit the tool's tooth: `c_0 ≥ 0`.
     ///
     /// # Errors
@@ -84,7 +98,7 @@ impl Rack {
     /// user from the same formula) and counts as zero.
     pub fn check_tip_round(&self, toothing: &Toothing) -> Result<(), GearError> {
         let deficit = -self.half_tip_flat(toothing) / toothing.module();
-        if deficit <= 1e-12 {
+        if deficit <= FULL_ROUND {
             return Ok(());
         }
         // c_0 is linear in ρ with slope −(1 − sin α)/cos α.

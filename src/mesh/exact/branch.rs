@@ -132,7 +132,7 @@ pub(super) fn search(
     let mut nodes = Vec::new();
     let frees = Curve::ALL.map(|curve| free_arc(free, curve));
     for (ours, row) in Curve::ALL.into_iter().zip(curves.0) {
-        if row == [false; 4] {
+        if row == [false; 4] || !locked.has(ours) {
             continue;
         }
         let (low, high) = locked.range(ours);
@@ -205,10 +205,13 @@ pub(super) fn search(
     Ok(best)
 }
 
-/// The whole of one curve of the free gear. About its own centre a land has one radius, on which
+/// The whole of one curve of the free gear, if it has any length. About its own centre a land has one radius, on which
 /// only its end farthest clockwise can touch: of the tip land the corner (which ends the involute
 /// too), of the root land the middle of the space.
 fn free_arc(free: &Placed, curve: Curve) -> Option<Arc> {
+    if !free.has(curve) {
+        return None;
+    }
     let (low, high) = free.range(curve);
     if free.centre != C::ZERO {
         return Some(Arc::new(free, curve, low, high));

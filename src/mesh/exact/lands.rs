@@ -38,7 +38,7 @@ pub(super) fn land_on_land(
 ) -> Option<Hit> {
     LANDS
         .into_iter()
-        .filter(|&(ours, theirs)| curves.has(ours, theirs))
+        .filter(|&(ours, theirs)| curves.has(ours, theirs) && locked.has(ours) && free.has(theirs))
         .filter_map(|lands| greatest(locked, free, lands, origin))
         .reduce(greater)
 }

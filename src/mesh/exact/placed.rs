@@ -32,6 +32,12 @@ impl Placed<'_> {
         }
     }
 
+    /// Whether a curve has any length.
+    pub fn has(&self, curve: Curve) -> bool {
+        let (low, high) = self.range(curve);
+        low < high
+    }
+
     /// Whether it is a point without one normal.
     pub fn is_corner(&self, (curve, t): (Curve, f64)) -> bool {
         match curve {
@@ -39,6 +45,8 @@ impl Placed<'_> {
                 let (low, high) = self.range(curve);
                 t >= high || curve == Curve::Tip && t <= low
             }
+            // Where no land follows, the half tooth ends at the bottom of the fillet.
+            Curve::Fillet if t <= 0.0 => !self.has(Curve::Root),
             Curve::Involute | Curve::Fillet => self.shape.is_corner((curve, t)),
         }
     }

@@ -9,7 +9,8 @@ use crate::pair::Member;
 use nalgebra::{Point2, Vector2};
 use std::f64::consts::PI;
 
-/// A contact this near to the tip circle is the tip corner's: the rule of the reference data.
+/// A contact this near to the tip circle is the tip corner's (the rule of the reference data), one this near to the root
+/// circle the root's: below it the gear is solid all round.
 const CORNER_MM: f64 = 1e-7;
 
 /// The contact of `touching`; its rotation is not yet normalised.
@@ -50,13 +51,13 @@ pub(super) fn contact(stand: &Stand, touching: &Touching, free: Member) -> Conta
 }
 
 /// Curves as results name them: an involute that ends at the tip circle is the tip corner, a fillet
-/// that ends in the involute the involute, one that ends in the root land the root land.
+/// that ends in the involute the involute, one that ends at the root circle the root.
 fn touch(shape: &Shape, tooth: u32, (curve, t): (Curve, f64)) -> Touch {
     let radius = shape.radius(curve, t);
     let curve = match curve {
         Curve::Involute if radius > shape.tip_radius - CORNER_MM => Curve::Tip,
         Curve::Fillet if t >= shape.fillet_end => Curve::Involute,
-        Curve::Fillet if t <= 0.0 => Curve::Root,
+        Curve::Fillet if radius < shape.root_radius + CORNER_MM => Curve::Root,
         other => other,
     };
     Touch {

@@ -63,8 +63,7 @@ impl Fillet {
             radius,
             depth,
             tip_round,
-            root_angle: rack.half_root_land(toothing) / radius
-                - PI / f64::from(toothing.teeth()),
+            root_angle: rack.half_root_land(toothing) / radius - PI / f64::from(toothing.teeth()),
             end: tangency,
             // The contact normal at the tangency is the line of action: r sin α
             // long to the base circle, h_0/sin α + ρ of it below the pitch point.

@@ -42,6 +42,17 @@ pub(super) struct Certificate {
     pub free_fillet: Option<f64>,
     /// Whether a locked involute may turn back.
     pub turns_back: bool,
+    /// Whether a locked tip land may touch a free involute between its corners, or at the far one.
+    pub tangents: bool,
+    /// Whether a free tip land may touch a locked involute between its corners: teeth whose tip's `X` is this or less.
+    pub steep_arm: Option<f64>,
+}
+
+impl Certificate {
+    /// Whether no pose needs a search.
+    pub fn is_direct(&self) -> bool {
+        self.open.is_empty() && self.steep_arm.is_none()
+    }
 }
 
 /// The two gears' half teeth, eccentricities, and the centre distance.
@@ -109,13 +120,9 @@ impl Setting<'_> {
         open.add_unless(locked_good, Fillet, Involute);
         open.add_unless(free_good && locked_good, Fillet, Fillet);
         // 3.
-        self.open_lands(
-            &mut open,
-            half,
-            arm,
-            fillet_arm.map(|(_, arm)| arm),
-            free_fillet,
-        );
+        self.open_lands(&mut open, half, fillet_arm.map(|(_, arm)| arm), free_fillet);
+        let level_arm = near * half.cos() - ours.base;
+        open.add_unless(self.is_rounder_than(level_arm), Involute, Tip);
         if locked_reach != Reach::Involute && fillet_arm.is_none() && self.free_off > 0.0 {
             open.add(Fillet, Tip);
         }
@@ -127,6 +134,8 @@ impl Setting<'_> {
             locked_fillet: fillet_arm.map(|(gamma, _)| gamma),
             free_fillet,
             turns_back: !(arm > 1e-9 * near),
+            tangents: !self.rises_on_involutes(half),
+            steep_arm: (!self.is_rounder_than(arm)).then(|| self.least_round_arm()),
         })
     }
 
@@ -135,24 +144,16 @@ impl Setting<'_> {
         &self,
         open: &mut Curves,
         half: f64,
-        arm: f64,
         fillet_arm: Option<f64>,
         free_fillet: Option<f64>,
     ) {
         let (ours, theirs, near) = (self.locked, self.free, self.near());
-        // The locked land at the angle b from the line of centres: σ = (D cos b − r_a)/(D sin b), falling in b.
-        let land = |b: f64| (near * b.cos() - ours.tip_radius) / (near * b.sin());
-        // Seen from an axis e off, ψ shifts by asin(e/ρ) at most.
-        let shift = (self.free_off / self.inmost()).asin();
-        let steepest = slope_at(theirs.tip_roll.atan() + shift);
-        open.add_unless(steepest < land(half), Tip, Involute);
         if let Some(gamma) = free_fillet {
-            let steepest = slope_at(theirs.steepest_fillet(gamma) + shift);
+            let steepest = slope_at(theirs.steepest_fillet(gamma) + self.shift());
             let within = lens_half(ours.tip_radius, theirs.form_radius() + self.free_off, near);
-            open.add_unless(within.is_none_or(|b| steepest < land(b)), Tip, Fillet);
+            open.add_unless(within.is_none_or(|b| steepest < self.land(b)), Tip, Fillet);
         }
-        // The free land, where it is not quite round: |σ| ≥ (r_a − e)/e. Locked |σ| ≤ ρ/X on the flank,
-        // ρ/(D sin b) on the land, b the angle at which it crosses the free tip circle at its nearest.
+        // The free land: X is D sin b on the locked land, b the angle at which it crosses the free tip circle at its nearest.
         if self.free_off == 0.0 {
             return;
         }
@@ -167,12 +168,36 @@ impl Setting<'_> {
         } else {
             0.0
         };
-        let rounder_than = |arm: f64| self.outmost() * self.free_off < tip * arm;
-        open.add_unless(rounder_than(crossing), Tip, Tip);
-        open.add_unless(rounder_than(arm), Involute, Tip);
+        open.add_unless(self.is_rounder_than(crossing), Tip, Tip);
         if let Some(arm) = fillet_arm {
-            open.add_unless(rounder_than(arm), Fillet, Tip);
+            open.add_unless(self.is_rounder_than(arm), Fillet, Tip);
         }
+    }
+
+    /// Whether the gap rises along a locked land towards its near corner against every free involute.
+    fn rises_on_involutes(&self, half: f64) -> bool {
+        slope_at(self.free.tip_roll.atan() + self.shift()) < self.land(half)
+    }
+
+    /// `σ` of the locked land at the angle `b` from the line of centres: `(D cos b − r_a)/(D sin b)`, falling in `b`.
+    fn land(&self, b: f64) -> f64 {
+        let near = self.near();
+        (near * b.cos() - self.locked.tip_radius) / (near * b.sin())
+    }
+
+    /// Seen from an axis `e` off, `ψ` shifts by `asin(e/ρ)` at most.
+    fn shift(&self) -> f64 {
+        (self.free_off / self.inmost()).asin()
+    }
+
+    /// Whether the free land, not quite round about its axis, is rounder than a locked curve of the arm `X`:
+    /// `|σ| ≥ (r_a − e)/e` of the land against `|σ| ≤ ρ/X`.
+    fn is_rounder_than(&self, arm: f64) -> bool {
+        self.free_off == 0.0 || arm > self.least_round_arm()
+    }
+
+    fn least_round_arm(&self) -> f64 {
+        self.outmost() * self.free_off / (self.free.tip_radius - self.free_off)
     }
 
     /// Least `X = D sin(γ − η) − r sin γ` of the locked fillet from `gamma` up, `η` the angle of its

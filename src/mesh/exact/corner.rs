@@ -79,6 +79,12 @@ fn outer_roll(half: &Placed) -> f64 {
     }
 }
 
+/// Least radius about the free axis of a locked involute down to where `ρ` is monotone: at its tip, or where it turns back.
+pub(super) fn least_flank_radius(locked: &Placed) -> f64 {
+    let tip = locked.at(Curve::Involute, outer_roll(locked));
+    tip.point.norm_sqr().sqrt()
+}
+
 /// Whether a locked involute turns back before its tip: `X = Q × n ≤ 0` there.
 pub(super) fn turns_back(locked: &Placed) -> bool {
     outer_roll(locked) < locked.shape.tip_roll

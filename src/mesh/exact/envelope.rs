@@ -57,7 +57,9 @@ impl Envelope {
         let on_land = |segment: &Segment| segment.curve == Curve::Tip;
         let flank = polygon.segments().iter().take_while(|s| on_land(s)).count();
         let beyond = [(end, corner), (gear.tip_radius() * half_tip.cos(), corner)];
-        let below = polygon.points()[flank..].iter().map(|point| (point.x, -point.y));
+        let below = polygon.points()[flank..]
+            .iter()
+            .map(|point| (point.x, -point.y));
         let border_points: Vec<(f64, f64)> = beyond.into_iter().chain(below).collect();
         for pair in border_points.windows(2) {
             let (a, b) = (pair[0], pair[1]);

@@ -67,12 +67,8 @@ impl Facing {
         };
         let base = facing.free.shape.base;
         facing.tie = TIE_MM / base + 2.0 * facing.rounding(base, 1.0);
-        facing.window = window_half(locked, free, facing.distance).map(|half| {
-            (
-                -half - facing.locked.farthest,
-                half + facing.locked.deepest,
-            )
-        });
+        facing.window = window_half(locked, free, facing.distance)
+            .map(|half| (-half - facing.locked.farthest, half + facing.locked.deepest));
         facing
     }
 

@@ -3,9 +3,9 @@
 //! At the greatest gap found so far most corners stand clear of the mate's metal, which a table
 //! of lines shows ([`super::envelope`]); only the rest are put on the curves.
 
-use super::branch::search;
+use super::branch::{MOST_NODES, search};
 use super::certificate::{Certificate, Setting};
-use super::corner::{Sense, meet, on_land, turns_back};
+use super::corner::{Sense, least_flank_radius, meet, on_land, turns_back};
 use super::curves::{Curves, Unsettled};
 use super::envelope::Envelope;
 use super::facing::{Facing, Stand};
@@ -28,6 +28,8 @@ pub(super) struct Shortcut {
     pub free: Envelope,
     /// Eccentricity of the free gear.
     free_off: f64,
+    /// Greatest radius of the free gear about its axis.
+    outmost: f64,
 }
 
 /// The pair that touches first.
@@ -42,17 +44,39 @@ pub(super) fn touching(stand: &Stand) -> Result<Option<Touching>, (i64, Unsettle
     if !stand.on_line(&shortcut.swerve, &mut ties) {
         return plain::touching(stand);
     }
+    let certificate = &shortcut.certificate;
+    if certificate.tangents {
+        stand.on_tangents(shortcut.free_off > 0.0, &mut ties);
+    }
     stand.on_corners(shortcut, &mut ties);
-    let open = shortcut.certificate.open;
-    if !open.is_empty() {
-        stand.on_lands(open, &mut ties);
-        let rest = without_lands(open);
-        for step in stand.steps() {
-            let (locked, free) = (stand.locked(step), stand.free(step));
-            let found = search(&locked, &free, stand.origin, ties.level(), rest);
-            if let Some(hit) = found.map_err(|lost| (step, lost))? {
-                ties.offer(step, hit);
-            }
+    if certificate.is_direct() {
+        return Ok(ties.choose());
+    }
+    stand.on_lands(certificate.open, &mut ties);
+    let rest = without_lands(certificate.open);
+    let mut nodes_left = MOST_NODES;
+    for step in stand.steps() {
+        let mut curves = rest;
+        let (locked, free) = (stand.locked(step), stand.free(step));
+        if certificate
+            .steep_arm
+            .is_some_and(|arm| shortcut.is_steep(&locked, arm))
+        {
+            curves.add(Curve::Involute, Curve::Tip);
+        }
+        if curves.is_empty() {
+            continue;
+        }
+        let found = search(
+            &locked,
+            &free,
+            stand.origin,
+            ties.level(),
+            curves,
+            &mut nodes_left,
+        );
+        if let Some(hit) = found.map_err(|lost| (step, lost))? {
+            ties.offer(step, hit);
         }
     }
     Ok(ties.choose())
@@ -74,10 +98,21 @@ impl Shortcut {
         Some(Shortcut {
             certificate: setting.certify()?,
             free_off: setting.free_off,
+            outmost: theirs.reach(),
             swerve: Swerve::new(facing, setting.locked_off, setting.free_off)?,
             locked: Envelope::new(ours.gear(), margin, 0.0),
             free: Envelope::new(theirs.gear(), margin, setting.free_off),
         })
+    }
+
+    /// Whether the arm `X` of a locked involute within reach may be `arm` or less.
+    ///
+    /// `X = D cos η − r_b`, `η` the angle of `E` from the line of centres, which falls from the tip inwards: it is least at
+    /// the tip, or where `η` is negative, which the proof has seen to.
+    fn is_steep(&self, locked: &Placed, arm: f64) -> bool {
+        let corner = locked.centre * locked.direction.conj() + locked.shape.corners()[0].1;
+        let x = corner.re * locked.shape.tip_normal.im - corner.im * locked.shape.tip_normal.re;
+        x <= arm && least_flank_radius(locked) <= self.outmost
     }
 }
 
@@ -106,11 +141,20 @@ impl Stand<'_> {
             let (locked_place, free_place) = self.places(step);
             let facing = theirs.direction(free_place);
             let seen = level.direction * ours.direction(locked_place);
-            let (centre, known) = (level.centre, level.known);
+            let (centre, axis, known) = (level.centre, level.axis, level.known);
             for &corner in ours.shape.corners() {
                 let near = (centre + seen * corner.1) * facing.conj();
                 if !(known && shortcut.free.clears(near)) {
-                    self.locked_corner(shortcut, step, (corner, near), &mut level, ties);
+                    let edge = (Curve::Involute, corner.0);
+                    self.locked_corner(shortcut, step, (edge, corner.1, near), &mut level, ties);
+                }
+            }
+            if shortcut.certificate.tangents {
+                let far = ours.far(locked_place);
+                let near = (centre + seen * far) * facing.conj();
+                if !(known && shortcut.free.clears(near)) {
+                    let edge = (Curve::Tip, -far.arg());
+                    self.locked_corner(shortcut, step, (edge, far, near), &mut level, ties);
                 }
             }
             // A land that is not quite round may pass the near corner clear and end on the far one.
@@ -120,7 +164,7 @@ impl Stand<'_> {
             for &corner in theirs.shape.corners() {
                 let near = (facing * corner.1 - centre) * seen.conj();
                 // Ahead of the axis, seen along the tooth: there a point that turns in comes nearer to its centre line.
-                let inside = near.re < level.axis.re * seen.re + level.axis.im * seen.im;
+                let inside = near.re < axis.re * seen.re + axis.im * seen.im;
                 let clear = known && inside && shortcut.locked.clears(near);
                 if !clear || shortcut.certificate.turns_back {
                     self.free_corner(shortcut, step, (corner, near, clear), &mut level, ties);
@@ -135,19 +179,23 @@ impl Stand<'_> {
         &self,
         shortcut: &Shortcut,
         step: i64,
-        ((roll, corner), near): ((f64, C), C),
+        (edge, corner, near): ((Curve, f64), C, C),
         level: &mut Level,
         ties: &mut Ties,
     ) {
         let (locked, free) = (self.locked(step), self.free(step));
         let rho = locked.own_to_axis(corner);
-        let outmost = free.shape.tip_radius + shortcut.free_off;
-        if level.known && shortcut.free.is_beyond_tip(near) && rho > outmost {
+        if level.known && shortcut.free.is_beyond_tip(near) && rho > shortcut.outmost {
             return;
         }
-        if let Some(met) = meet(&free, Sense::Free, shortcut.certificate.free_fillet, rho, near) {
-            let edge = (&locked, (Curve::Involute, roll));
-            let hit = Hit::new(edge, (&free, met), self.origin, 0.0);
+        if let Some(met) = meet(
+            &free,
+            Sense::Free,
+            shortcut.certificate.free_fillet,
+            rho,
+            near,
+        ) {
+            let hit = Hit::new((&locked, edge), (&free, met), self.origin, 0.0);
             level.offer(self, ties, step, hit);
         }
     }
@@ -197,7 +245,13 @@ impl Stand<'_> {
         if trusted && (clear || over()) {
             return;
         }
-        if let Some(met) = meet(&locked, Sense::Locked, shortcut.certificate.locked_fillet, rho, near) {
+        if let Some(met) = meet(
+            &locked,
+            Sense::Locked,
+            shortcut.certificate.locked_fillet,
+            rho,
+            near,
+        ) {
             let edge = (&free, (Curve::Involute, roll));
             let hit = Hit::new((&locked, met), edge, self.origin, 0.0);
             level.offer(self, ties, step, hit);

@@ -35,6 +35,7 @@ mod placed;
 mod plain;
 mod report;
 mod shape;
+mod tangent;
 mod teeth;
 mod ties;
 
@@ -93,12 +94,13 @@ impl ExactKernel {
         self.with(pose, plain::by_search)
     }
 
-    /// Whether this pair needs no search: its contacts are on the line of action or at corners.
+    /// Whether this pair needs no search: its contacts are on the line of action, at corners,
+    /// or where a tip land touches an involute.
     pub fn is_direct(&self) -> bool {
         self.right
             .shortcut
             .as_ref()
-            .is_some_and(|shortcut| shortcut.certificate.open.is_empty())
+            .is_some_and(|shortcut| shortcut.certificate.is_direct())
     }
 
     fn with(

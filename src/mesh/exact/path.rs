@@ -10,15 +10,15 @@ use std::ops::Range;
 
 /// A pair that may touch on the line of action.
 #[derive(Debug, Clone, Copy)]
-struct Pair {
+pub(super) struct Pair {
     /// `λ − ψ_bL`.
     locked_base: f64,
     /// `μ − ψ_bF` less the gap.
-    free_base: f64,
+    pub free_base: f64,
 }
 
 impl Stand<'_> {
-    fn pair(&self, step: i64) -> Pair {
+    pub(super) fn pair(&self, step: i64) -> Pair {
         let (locked, free) = (&self.facing.locked, &self.facing.free);
         let (ours, theirs) = self.places(step);
         let steps = step as f64;
@@ -33,7 +33,7 @@ impl Stand<'_> {
     }
 
     /// `B` and its derivative by the gap, at the gap `mu`.
-    fn between(&self, mu: f64) -> (C, C) {
+    pub(super) fn between(&self, mu: f64) -> (C, C) {
         let off = self.free_centre * turn(mu);
         (self.centre - off, C::new(off.im, -off.re))
     }

@@ -48,6 +48,8 @@ pub(super) struct Shape {
     undercut: bool,
     /// The joint of involute and fillet.
     pub joint: C,
+    /// The involute's normal at the tip corner.
+    pub tip_normal: C,
     corners: [(f64, C); 2],
 }
 
@@ -71,11 +73,13 @@ impl Shape {
             half_pitch: PI / f64::from(toothing.teeth()),
             undercut: fillet.end() < PI / 2.0 - toothing.pressure_angle(),
             joint: C::ZERO,
+            tip_normal: C::ZERO,
             corners: [(0.0, C::ZERO); 2],
         };
         shape.corners = [shape.tip_roll, shape.form_roll]
             .map(|roll| (roll, shape.at(Curve::Involute, roll).point));
         shape.joint = shape.corners[1].1;
+        shape.tip_normal = shape.at(Curve::Involute, shape.tip_roll).normal;
         shape
     }
 

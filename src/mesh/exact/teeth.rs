@@ -226,8 +226,8 @@ mod tests {
     #[test]
     fn a_tooth_takes_48_bytes_a_side() {
         let (_, teeth) = teeth(Face::Front, Side::Right);
-        let bytes =
-            2 * size_of_val(teeth.offsets.as_slice()) + 2 * size_of_val(teeth.directions.as_slice());
+        let bytes = 2 * size_of_val(teeth.offsets.as_slice())
+            + 2 * size_of_val(teeth.directions.as_slice());
         assert_eq!(teeth.far.len(), teeth.directions.len());
         assert_eq!(teeth.root_ends.len(), teeth.offsets.len());
         assert_eq!(bytes, 17 * 48);

@@ -33,8 +33,7 @@ pub(super) fn meet(
     near: C,
 ) -> Option<(Curve, f64)> {
     let shape = half.shape;
-    let tip_roll = outer_roll(half);
-    let tip = half.at(Curve::Involute, tip_roll).point.norm();
+    let (tip_roll, tip) = outer_end(half);
     let form = half.own_to_axis(shape.joint);
     let inward = match side {
         Sense::Locked => 1.0,
@@ -61,33 +60,36 @@ pub(super) fn meet(
     })
 }
 
-/// The roll down from which the involute is monotone in `ρ`: its tip's, unless it turns back.
+/// The roll down from which the involute is monotone in `ρ`, and `ρ` there: its tip's, unless it turns back.
 ///
 /// The normal `−iE` meets the axis where `E` stands `acos(r_b/D)` from the direction to it.
-fn outer_roll(half: &Placed) -> f64 {
+fn outer_end(half: &Placed) -> (f64, f64) {
     let shape = half.shape;
+    let tip = (shape.tip_roll, half.own_to_axis(shape.corners()[0].1));
     let distance = half.centre.norm_sqr().sqrt();
-    if distance <= shape.base {
-        return shape.tip_roll;
+    if distance <= shape.base || tip_arm(half) > 0.0 {
+        return tip;
     }
     let e = half.direction * turn(shape.tip_roll - shape.half_base);
     let beyond = (-e * half.centre.conj()).arg() - (shape.base / distance).acos();
-    if beyond > 0.0 {
-        (shape.tip_roll - beyond).max(shape.form_roll)
-    } else {
-        shape.tip_roll
+    if !(beyond > 0.0) {
+        return tip;
     }
+    let roll = (shape.tip_roll - beyond).max(shape.form_roll);
+    let point = half.at(Curve::Involute, roll).point;
+    (roll, point.norm_sqr().sqrt())
+}
+
+/// `X = Q × n` of the involute at the tip corner, `Q` from the free axis: not above 0 where a locked involute turns back.
+pub(super) fn tip_arm(half: &Placed) -> f64 {
+    let shape = half.shape;
+    let corner = half.centre * half.direction.conj() + shape.corners()[0].1;
+    corner.re * shape.tip_normal.im - corner.im * shape.tip_normal.re
 }
 
 /// Least radius about the free axis of a locked involute down to where `ρ` is monotone: at its tip, or where it turns back.
 pub(super) fn least_flank_radius(locked: &Placed) -> f64 {
-    let tip = locked.at(Curve::Involute, outer_roll(locked));
-    tip.point.norm_sqr().sqrt()
-}
-
-/// Whether a locked involute turns back before its tip: `X = Q × n ≤ 0` there.
-pub(super) fn turns_back(locked: &Placed) -> bool {
-    outer_roll(locked) < locked.shape.tip_roll
+    outer_end(locked).1
 }
 
 /// Ends of a parameter range, that of lesser `ρ` first, where `ρ` falls with the parameter if `inward` is positive.

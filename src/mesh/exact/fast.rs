@@ -5,7 +5,7 @@
 
 use super::branch::{MOST_NODES, search};
 use super::certificate::{Certificate, Setting};
-use super::corner::{Sense, least_flank_radius, meet, on_land, turns_back};
+use super::corner::{Sense, least_flank_radius, meet, on_land, tip_arm};
 use super::curves::{Curves, Unsettled};
 use super::envelope::Envelope;
 use super::facing::{Facing, Stand};
@@ -110,9 +110,7 @@ impl Shortcut {
     /// `X = D cos η − r_b`, `η` the angle of `E` from the line of centres, which falls from the tip inwards: it is least at
     /// the tip, or where `η` is negative, which the proof has seen to.
     fn is_steep(&self, locked: &Placed, arm: f64) -> bool {
-        let corner = locked.centre * locked.direction.conj() + locked.shape.corners()[0].1;
-        let x = corner.re * locked.shape.tip_normal.im - corner.im * locked.shape.tip_normal.re;
-        x <= arm && least_flank_radius(locked) <= self.outmost
+        tip_arm(locked) <= arm && least_flank_radius(locked) <= self.outmost
     }
 }
 
@@ -220,7 +218,7 @@ impl Stand<'_> {
             return;
         }
         let (locked, free) = (self.locked(step), self.free(step));
-        if let Some(met) = on_land(&free, Curve::Tip, point.norm()) {
+        if let Some(met) = on_land(&free, Curve::Tip, point.norm_sqr().sqrt()) {
             let edge = (&locked, (Curve::Tip, locked.range(Curve::Tip).0));
             let hit = Hit::new(edge, (&free, (Curve::Tip, met)), self.origin, 0.0);
             level.offer(self, ties, step, hit);
@@ -240,7 +238,7 @@ impl Stand<'_> {
         let (locked, free) = (self.locked(step), self.free(step));
         let rho = free.own_to_axis(corner);
         // Past a flank that turns back a clear point may still lie behind it.
-        let trusted = level.known && !(shortcut.certificate.turns_back && turns_back(&locked));
+        let trusted = level.known && !(shortcut.certificate.turns_back && tip_arm(&locked) <= 0.0);
         let over = || shortcut.locked.is_beyond_tip(near) && rho < least_radius(&locked);
         if trusted && (clear || over()) {
             return;

@@ -48,8 +48,13 @@ impl Stand<'_> {
                 continue;
             }
             let locked = self.locked(step);
+            let (far, corner) = (locked.far, locked.shape.corners()[0].1);
+            let seen = found.normal * locked.direction.conj();
+            if seen.re * locked.shape.tip_radius < far.re.min(corner.re) {
+                continue;
+            }
             let (far, corner) = locked.range(Curve::Tip);
-            let t = -(found.normal * locked.direction.conj()).arg();
+            let t = -seen.arg();
             if t < far || t > corner {
                 continue;
             }

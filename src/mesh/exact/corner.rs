@@ -87,6 +87,13 @@ pub(super) fn tip_arm(half: &Placed) -> f64 {
     corner.re * shape.tip_normal.im - corner.im * shape.tip_normal.re
 }
 
+/// What `ρ` is at least where a locked involute turns back: there the normal passes through the free axis, which is
+/// `√(D² − r_b²)` along it from the base circle, and the involute's point at most `r_b ξ_a`.
+pub(super) fn nearest_turn(locked: &Placed) -> f64 {
+    let shape = locked.shape;
+    (locked.centre.norm_sqr() - shape.base * shape.base).sqrt() - shape.base * shape.tip_roll
+}
+
 /// Least radius about the free axis of a locked involute down to where `ρ` is monotone: at its tip, or where it turns back.
 pub(super) fn least_flank_radius(locked: &Placed) -> f64 {
     outer_end(locked).1

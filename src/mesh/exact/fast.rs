@@ -5,7 +5,7 @@
 
 use super::branch::{MOST_NODES, search};
 use super::certificate::{Certificate, Setting};
-use super::corner::{Sense, least_flank_radius, meet, on_land, tip_arm};
+use super::corner::{Sense, least_flank_radius, meet, nearest_turn, on_land, tip_arm};
 use super::curves::{Curves, Unsettled};
 use super::envelope::Envelope;
 use super::facing::{Facing, Stand};
@@ -52,7 +52,9 @@ pub(super) fn touching(stand: &Stand) -> Result<Option<Touching>, (i64, Unsettle
     if certificate.is_direct() {
         return Ok(ties.choose());
     }
-    stand.on_lands(certificate.open, &mut ties);
+    if !certificate.open.is_empty() {
+        stand.on_lands(certificate.open, &mut ties);
+    }
     let rest = without_lands(certificate.open);
     let mut nodes_left = MOST_NODES;
     for step in stand.steps() {
@@ -135,7 +137,10 @@ impl Stand<'_> {
     fn on_corners(&self, shortcut: &Shortcut, ties: &mut Ties) {
         let mut level = Level::new(self, ties);
         let (ours, theirs) = (&self.facing.locked, &self.facing.free);
-        for step in self.steps() {
+        let steps = self.steps();
+        // The pair at the line of centres first: what it touches at leaves the others clear.
+        let middle = steps.contains(&0).then_some(0);
+        for step in middle.into_iter().chain(steps.filter(|&step| step != 0)) {
             let (locked_place, free_place) = self.places(step);
             let facing = theirs.direction(free_place);
             let seen = level.direction * ours.direction(locked_place);
@@ -237,8 +242,11 @@ impl Stand<'_> {
     ) {
         let (locked, free) = (self.locked(step), self.free(step));
         let rho = free.own_to_axis(corner);
-        // Past a flank that turns back a clear point may still lie behind it.
-        let trusted = level.known && !(shortcut.certificate.turns_back && tip_arm(&locked) <= 0.0);
+        // Past a flank that turns back a clear point may still lie behind it, if it ever came as near.
+        let behind = shortcut.certificate.turns_back
+            && tip_arm(&locked) <= 0.0
+            && rho >= nearest_turn(&locked);
+        let trusted = level.known && !behind;
         let over = || shortcut.locked.is_beyond_tip(near) && rho < least_radius(&locked);
         if trusted && (clear || over()) {
             return;

@@ -256,9 +256,29 @@ impl Error {
     /// (128 + SIGINT, as shells count) after Ctrl-C.
     pub fn exit_code(&self) -> u8 {
         match self {
-            Error::CertificateFailed { .. } => 1,
+            Error::CertificateFailed { .. } | Error::ContactLost { .. } => 1,
             Error::Interrupted => 130,
             _ => 2,
+        }
+    }
+
+    /// What was seen, in words, where it concerns nothing but the pose at hand: a contact that was lost, a certificate
+    /// that failed. `None` of all that ends a command.
+    pub fn of_one_pose(&self) -> Option<String> {
+        match self {
+            Error::ContactLost {
+                wheel_tooth,
+                pinion_tooth,
+                flank,
+                reason,
+                ..
+            } => Some(format!(
+                "the contact of wheel tooth {wheel_tooth} and pinion tooth {pinion_tooth} ({flank} flanks) was lost: {reason}"
+            )),
+            Error::CertificateFailed { side, reason, .. } => Some(format!(
+                "the certificate failed: on the {side} side {reason}"
+            )),
+            _ => None,
         }
     }
 }

@@ -40,9 +40,27 @@ impl MethodArgs {
     }
 }
 
-/// Says on standard error how far both methods lie apart, where both were asked for; whether that passes.
-pub(super) fn agreement<'a>(runs: impl IntoIterator<Item = &'a ComparedRun>) -> bool {
-    agreement_within(largest_difference(runs))
+/// Says on standard error how far both methods lie apart, where both were asked for, and how many poses are not proven;
+/// whether both pass.
+pub(super) fn agreement<'a>(runs: impl IntoIterator<Item = &'a ComparedRun> + Clone) -> bool {
+    let agree = agreement_within(largest_difference(runs.clone()));
+    agree & all_proven(unproven(runs))
+}
+
+/// How many poses of `runs` are not proven, or not at an end of the bearing clearance.
+pub(super) fn unproven<'a>(runs: impl IntoIterator<Item = &'a ComparedRun>) -> usize {
+    let runs = runs.into_iter();
+    runs.map(|run| run.unproven().count()).sum()
+}
+
+/// Says on standard error how many poses are not proven, if any; whether all are.
+pub(super) fn all_proven(unproven: usize) -> bool {
+    match unproven {
+        0 => return true,
+        1 => eprintln!("warning: 1 pose is UNPROVEN; the result tells which and why"),
+        poses => eprintln!("warning: {poses} poses are UNPROVEN; the result tells which and why"),
+    }
+    false
 }
 
 /// The largest difference of the two methods over `runs`, mm; `None` where only one was asked for.

@@ -3,7 +3,7 @@
 use super::materials::{ends, thin, width};
 use super::paint::Look;
 use super::panel::{Anchor, Axis, Mark, Panel, Point, Sample, range};
-use super::words::{course_axis, course_words, entry};
+use super::words::{course_axis, course_words, entry, unproven_of, unproven_words, without_value};
 use super::{Chart, Heading, sheet};
 use crate::curves::{Course, CourseLine, CoursePoint};
 use crate::error::Error;
@@ -72,14 +72,17 @@ pub fn difference(heading: &Heading, course: &Course, tolerance_um: f64) -> Resu
         panels.push(lower);
     }
     if panels.is_empty() {
+        let without = lines().flat_map(|line| &line.points);
         return Err(Error::Chart(format!(
-            "no pose at centre distance {} mm has both a simulated and an analytic value: jammed or out of mesh",
-            course.center_distance
+            "no pose at centre distance {} mm has both a simulated and an analytic value: {}",
+            course.center_distance,
+            without_value(without.map(|point| point.status))
         )));
     }
     let details = format!(
-        "simulated − formula, right flanks · {}",
-        course_words(course)
+        "simulated − formula, right flanks · {}{}",
+        course_words(course),
+        unproven_words(unproven_of(lines()))
     );
     sheet::draw(heading, &details, &legend, &panels)
 }

@@ -2,7 +2,7 @@
 
 use super::paint::Look;
 use super::panel::{Anchor, Axis, Mark, Panel, Point, Sample, backlash_range, range};
-use super::words::{entry, interference, without_value};
+use super::words::{entry, interference, unproven_words, without_value};
 use super::{Chart, Heading, sheet};
 use crate::curves::{DistancePoint, OverDistance};
 use crate::error::Error;
@@ -112,9 +112,10 @@ pub fn distance(
         1e-6,
     );
     let (Some(x), Some(y)) = (x, backlash_range(values)) else {
-        return Err(Error::Chart(
-            "the mating is jammed or out of mesh at every centre distance".to_owned(),
-        ));
+        return Err(Error::Chart(format!(
+            "the mating is {} at every centre distance",
+            without_value(curve.points.iter().filter_map(|point| point.gap))
+        )));
     };
     let mut panel = Panel {
         title: String::new(),
@@ -126,7 +127,7 @@ pub fn distance(
     // The bands come from below on the left.
     interference(&mut panel, x[0]);
     panel.marks.extend(gaps(curve, [x, y]));
-    let details = poses(&curve.matings);
+    let details = poses(&curve.matings) + &unproven_words(curve.unproven);
     sheet::draw(heading, &details, &legend, &[panel])
 }
 

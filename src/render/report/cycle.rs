@@ -71,6 +71,10 @@ fn others(page: &Page) -> Markup {
             Others::Seen { steps_per_pitch, poses } => {
                 "These revolutions meet " (simulated) " of " (matings) " matings. The others were gone through too, on the exact tooth "
                 "curves (" (poses) " poses, " (steps_per_pitch) " a pitch); where they are least and greatest, the pair was simulated like the rest."
+                @if cycle.lost > 0 {
+                    " " strong { "At " (cycle.lost) " of them the contact was lost: they are unproven" }
+                    ", and can have less backlash, or none."
+                }
             }
             Others::TooMany { most } => {
                 strong { "These revolutions meet " (simulated) " of " (matings) " matings" }

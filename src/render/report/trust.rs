@@ -1,9 +1,9 @@
 //! Whether to trust the numbers, and why.
 
-use super::Page;
 use super::cycle::limit;
 use super::measured::sentence;
 use super::words::{bound, fine, j_wt, written};
+use super::{Page, unproven};
 use crate::cycle::Others;
 use crate::mesh::Method;
 use crate::outcome::{MODELS, deviation};
@@ -31,6 +31,11 @@ pub(super) fn section(page: &Page) -> Markup {
 fn answer(page: &Page) -> String {
     let of = &page.agreement;
     let (fails, bad) = (of.formula_fails(), of.unexplained());
+    if let Some(unproven) = unproven::count(page) {
+        return format!(
+            "Not without a look: {unproven}; nothing vouches for what happens there. Please report the pair file."
+        );
+    }
     if bad > 0 {
         return format!(
             "Not without a look: at {bad} poses simulation and formula disagree for no reason found. Please report the pair file."
@@ -115,6 +120,7 @@ fn without(page: &Page) -> String {
     let parts = [
         (page.whole.jammed, "jammed"),
         (page.whole.apart, "out of mesh"),
+        (page.whole.unproven, "unproven"),
         (
             of.simulated_alone,
             "in contact where no two involutes reach each other",

@@ -77,8 +77,8 @@ impl Check {
         match self.verdict {
             Verdict::Fail => Check {
                 note: match self.note.is_empty() {
-                    true => format!("unproven besides: {reason}"),
-                    false => format!("{}; unproven besides: {reason}", self.note),
+                    true => "some poses are unproven".to_owned(),
+                    false => format!("{}; some poses are unproven", self.note),
                 },
                 unproven,
                 ..self
@@ -88,7 +88,7 @@ impl Check {
                 margin: None,
                 details: Vec::new(),
                 verdict: Verdict::Unproven,
-                note: format!("unproven: {reason}"),
+                note: "not proven to be kept".to_owned(),
                 unproven,
                 ..self
             },

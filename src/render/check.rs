@@ -127,6 +127,9 @@ pub fn text(study: &Study, diagnosis: &Diagnosis) -> String {
     if several {
         text += "\nEach check of the centre distance and material that keeps its limit least; --format json has all.\n";
     }
+    for reason in doubts(diagnosis) {
+        let _ = writeln!(text, "\nUNPROVEN: {reason}.");
+    }
     text += &contact(diagnosis);
     text
 }
@@ -200,6 +203,18 @@ fn contact(diagnosis: &Diagnosis) -> String {
         }
         Verdict::Fail => "A check fails.\n",
     }
+}
+
+/// Why checks are not proven, each reason once.
+pub(super) fn doubts(diagnosis: &Diagnosis) -> Vec<&str> {
+    let checks = diagnosis.groups.iter().flat_map(|group| &group.checks);
+    let mut doubts = Vec::new();
+    for reason in checks.filter_map(|check| check.unproven.as_deref()) {
+        if !doubts.contains(&reason) {
+            doubts.push(reason);
+        }
+    }
+    doubts
 }
 
 /// The measured value as `shown`, or that it is not proven.

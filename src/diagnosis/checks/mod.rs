@@ -145,7 +145,7 @@ fn doubt<'a>(runs: impl Iterator<Item = &'a ComparedRun> + Clone) -> Option<Stri
     let first = unproven.into_iter().next()?;
     let why = first.swept.unproven().next()?;
     Some(format!(
-        "{count} of {poses} poses; the first is {}: {}",
+        "{count} of {poses} poses are unproven; the first is {}: {}",
         place(first.swept.pose.mating()),
         why.reason
     ))

@@ -80,9 +80,9 @@ pub fn difference(heading: &Heading, course: &Course, tolerance_um: f64) -> Resu
         )));
     }
     let details = format!(
-        "simulated − formula, right flanks · {}{}",
-        course_words(course),
-        unproven_words(unproven_of(lines()))
+        "{}simulated − formula, right flanks · {}",
+        unproven_words(unproven_of(lines())),
+        course_words(course)
     );
     sheet::draw(heading, &details, &legend, &panels)
 }

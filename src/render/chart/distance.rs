@@ -127,7 +127,7 @@ pub fn distance(
     // The bands come from below on the left.
     interference(&mut panel, x[0]);
     panel.marks.extend(gaps(curve, [x, y]));
-    let details = poses(&curve.matings) + &unproven_words(curve.unproven);
+    let details = unproven_words(curve.unproven) + &poses(&curve.matings);
     sheet::draw(heading, &details, &legend, &[panel])
 }
 

@@ -31,7 +31,7 @@ pub fn revolution(heading: &Heading, course: &Course) -> Result<Chart, Error> {
         let words = format!("no pose has a backlash: {}", without());
         let panel = empty(course_axis(course), &words);
         let unproven = unproven_words(unproven_of(course.lines.iter()));
-        let details = course_words(course) + &unproven;
+        let details = unproven + &course_words(course);
         return sheet::draw(heading, &details, &[], &[panel]);
     };
     let mut panel = Panel {
@@ -104,7 +104,7 @@ pub fn revolution(heading: &Heading, course: &Course) -> Result<Chart, Error> {
         false => String::new(),
     };
     let unproven = unproven_words(unproven_of(course.lines.iter()));
-    let details = format!("{}{gaps}{unproven}", course_words(course));
+    let details = format!("{unproven}{}{gaps}", course_words(course));
     sheet::draw(heading, &details, &legend, &[panel])
 }
 

@@ -101,12 +101,12 @@ pub(super) fn empty(x: Axis, words: &str) -> Panel {
     }
 }
 
-/// How many poses are not proven, for a caption; nothing where all are.
+/// How many poses are not proven, at the head of a caption, where nothing cuts it off; nothing where all are.
 pub(super) fn unproven_words(poses: usize) -> String {
     match poses {
         0 => String::new(),
-        1 => " · 1 pose unproven, not drawn".to_owned(),
-        poses => format!(" · {poses} poses unproven, not drawn"),
+        1 => "1 pose unproven, not drawn · ".to_owned(),
+        poses => format!("{poses} poses unproven, not drawn · "),
     }
 }
 

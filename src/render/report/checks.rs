@@ -1,10 +1,10 @@
 //! Every check with its margin.
 
 use super::Page;
-use super::words::{distance, j_wt, material, study, value};
+use super::words::{distance, j_wt, material, plain, study, value};
 use crate::diagnosis::{Check, Group, Verdict};
 use crate::pair::Member;
-use crate::render::check::{governing, measured, unit};
+use crate::render::check::{doubts, governing, measured, unit};
 use maud::{Markup, html};
 
 pub(super) fn section(page: &Page) -> Markup {
@@ -47,6 +47,7 @@ pub(super) fn section(page: &Page) -> Markup {
                     tbody { @for (group, check) in governing(diagnosis) { (row(several, group, check)) } }
                 }
             }
+            @for reason in doubts(diagnosis) { p { strong { "Unproven: " } (plain(reason)) "." } }
             (study())
             p.note {
                 "A contact is named by the curves that meet: tip-fillet is a tip on its mate’s fillet, undercut-edge the edge that undercut "

@@ -54,9 +54,10 @@ fn simulated(page: &Page) -> String {
         Some((last, rest)) if !rest.is_empty() => format!("{}, and {last}", rest.join(", ")),
         _ => parts.join(""),
     };
-    let extremes = match page.whole.least {
-        Some(_) => " Least and greatest are over all of them.",
-        None => "",
+    let extremes = match (page.whole.least, page.whole.unproven) {
+        (Some(_), 0) => " Least and greatest are over all of them.",
+        (Some(_), _) => " Least and greatest are over those that are proven.",
+        (None, _) => "",
     };
     format!("Over {} poses: {words}.{extremes}", page.whole.poses)
 }

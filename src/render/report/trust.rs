@@ -78,11 +78,12 @@ fn certificate(page: &Page) -> Markup {
         .all
         .iter()
         .flat_map(|run| &run.poses)
-        .filter_map(|pose| pose.swept.polygon_difference)
+        .filter_map(|pose| pose.swept.proven().and(pose.swept.polygon_difference))
         .map(f64::abs)
         .reduce(f64::max);
     html! {
         (how)
+        @if page.whole.unproven > 0 { "What follows is of the proven poses alone. " }
         @if let Some(largest) = largest { "Both lie within " (bound(largest)) " µm. " }
         @if let Some(error) = page.whole.error_bound {
             "The numerical error of " (j_wt()) " is at most " (bound(error)) " µm."

@@ -85,3 +85,47 @@ pub(super) fn agreement_within(largest: Option<f64>) -> bool {
     );
     passes
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::compare::compare;
+    use crate::input;
+    use crate::mesh::{CutPair, sweep};
+    use crate::pair::Member;
+    use crate::simulate::Run;
+    use std::ops::ControlFlow;
+    use std::path::Path;
+
+    /// The rig pair, its polygons cut from gears of another pair file: no certificate can hold.
+    #[test]
+    fn an_unproven_pose_does_not_pass() {
+        let read = |file: &str| {
+            let fixtures = Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures");
+            let study = input::read(&fixtures.join(file)).unwrap();
+            study.runs().unwrap().remove(0)
+        };
+        let (plan, other) = (read("karba_44x44.toml"), read("karba_86x21.toml"));
+        let cut_of = |assembly: &crate::pair::Assembly| {
+            CutPair::for_certificates(assembly.gear(Member::Wheel), assembly.gear(Member::Pinion))
+        };
+        let compared = |cut: &CutPair| {
+            let method = Method::Exact { certify: true };
+            let matings = &plan.matings[..1];
+            let poses = sweep(&plan.assembly, cut, method, matings, 0.0, &|| {
+                ControlFlow::Continue(())
+            });
+            let run = Run {
+                material: plan.material,
+                assembly: plan.assembly.clone(),
+                phase: None,
+                poses: poses.unwrap(),
+            };
+            compare(vec![run], 0.1)
+        };
+        assert!(agreement(&compared(&cut_of(&plan.assembly))));
+        let runs = compared(&cut_of(&other.assembly));
+        assert_eq!(unproven(&runs), 1);
+        assert!(!agreement(&runs));
+    }
+}

@@ -304,3 +304,32 @@ fn a_report_vouches_for_nothing() {
     }
     assert!(text("#viewer-data").contains("\"unproven\""));
 }
+
+/// Nothing but unproven poses: polygons whose tips do not reach the mate's involutes.
+#[test]
+fn charts_of_nothing_proven_are_drawn_empty() {
+    let pair = |tip: f64| {
+        format!(
+            "[wheel]\nteeth = 20\nmodule_mm = 2.0\npressure_angle_deg = 20.0\ntip_diameter_mm = {tip}\n\
+             [pinion]\nteeth = 20\nmodule_mm = 2.0\npressure_angle_deg = 20.0\ntip_diameter_mm = {tip}\n\
+             [assembly]\ncenter_distance_mm = 43.5\n{REVOLUTION}"
+        )
+    };
+    let case = Case::new(&pair(44.0), &pair(43.0));
+    let runs = case.compared(Method::Both);
+    assert_eq!(runs[0].summary().unproven, 160);
+    assert_eq!(runs[0].extremes(), None);
+    let course = &courses(&runs)[0];
+    let heading = Heading {
+        prefix: "chart",
+        title: "t",
+        subtitle: "",
+    };
+    for chart in [
+        chart::revolution(&heading, course),
+        chart::difference(&heading, course, 0.1),
+    ] {
+        let svg = chart.unwrap().svg;
+        assert!(svg.contains("160 poses unproven, not drawn"), "{svg}");
+    }
+}

@@ -24,6 +24,8 @@ pub enum Verdict {
     Below,
     /// The simulation lies above model 3: never right.
     Above,
+    /// Nothing vouches for what was simulated: there is nothing to compare.
+    Unproven,
 }
 
 impl Verdict {
@@ -35,6 +37,7 @@ impl Verdict {
             Verdict::OffLine => "off-line contact",
             Verdict::Below => "below the formula",
             Verdict::Above => "above the formula",
+            Verdict::Unproven => "unproven",
         }
     }
 }
@@ -86,14 +89,24 @@ impl ComparedRun {
     }
 
     /// Whether the run passes: something was compared, and everything agrees, or lies off the line where that is
-    /// allowed. A run that is jammed or out of mesh throughout agrees with nothing.
+    /// allowed. A run that is jammed or out of mesh throughout agrees with nothing, and of an unproven pose nobody knows.
     pub fn passes(&self, allow_off_line: bool) -> bool {
-        let passes = |pose: &ComparedPose| match pose.verdict {
-            Verdict::Agrees | Verdict::Nothing => true,
-            Verdict::OffLine => allow_off_line,
-            Verdict::Below | Verdict::Above => false,
-        };
-        self.compared() > 0 && self.poses.iter().all(passes)
+        let unproven = self.poses.iter().any(|pose| pose.swept.is_unproven());
+        self.compared() > 0 && !unproven && !self.disagrees(allow_off_line)
+    }
+
+    /// Whether some pose, proven, disagrees with the formula, or lies off the line where that is not allowed.
+    pub fn disagrees(&self, allow_off_line: bool) -> bool {
+        self.poses.iter().any(|pose| match pose.verdict {
+            Verdict::Agrees | Verdict::Nothing | Verdict::Unproven => false,
+            Verdict::OffLine => !allow_off_line,
+            Verdict::Below | Verdict::Above => true,
+        })
+    }
+
+    /// The poses of which something is not proven, in order.
+    pub fn unproven(&self) -> impl Iterator<Item = &ComparedPose> + Clone {
+        self.poses.iter().filter(|pose| pose.swept.is_unproven())
     }
 
     /// Simulated minus model 3, mm, of the pose where it is largest in amount.
@@ -117,6 +130,11 @@ impl ComparedRun {
         let backlash = |pose: &ComparedPose| pose.swept.backlash;
         let count = all(backlash).count();
         Summary {
+            unproven: self.count(Verdict::Unproven),
+            unproven_ends: [0, 1].map(|end| {
+                let unproven = |pose: &&ComparedPose| pose.swept.is_end_unproven(end);
+                self.poses.iter().filter(unproven).count()
+            }),
             min: all(backlash).reduce(f64::min),
             max: all(backlash).reduce(f64::max),
             mean: (count > 0).then(|| all(backlash).sum::<f64>() / count as f64),
@@ -145,6 +163,10 @@ impl ComparedRun {
 /// What a run comes to. Lengths in mm, as `j_wt`; `None` where no pose has the value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Summary {
+    /// Poses that are not proven: none of their values counts below.
+    pub unproven: usize,
+    /// Poses that are not proven at `a − c`, and at `a + c`.
+    pub unproven_ends: [usize; 2],
     /// Least backlash.
     pub min: Option<f64>,
     /// Greatest backlash.
@@ -188,6 +210,9 @@ pub fn tolerance_um(study: &Study, given: Option<f64>) -> f64 {
 }
 
 fn judge(swept: &SweptPose, formula: Option<f64>, tolerance: f64) -> Verdict {
+    let Ok(found) = &swept.found else {
+        return Verdict::Unproven;
+    };
     let simulated = swept.backlash.zip(swept.error_bound);
     match (simulated, formula) {
         (Some((simulated, bound)), Some(formula)) => {
@@ -196,7 +221,7 @@ fn judge(swept: &SweptPose, formula: Option<f64>, tolerance: f64) -> Verdict {
                 Verdict::Agrees
             } else if difference > 0.0 {
                 Verdict::Above
-            } else if touches_off_line(&swept.lost_motion) {
+            } else if touches_off_line(found) {
                 Verdict::OffLine
             } else {
                 Verdict::Below
@@ -204,7 +229,7 @@ fn judge(swept: &SweptPose, formula: Option<f64>, tolerance: f64) -> Verdict {
         }
         // The formula has no pair of involutes in reach of each other: what touches is something else.
         (Some(_), None) => Verdict::OffLine,
-        (None, Some(_)) if swept.lost_motion.status() == Status::Jammed => Verdict::OffLine,
+        (None, Some(_)) if found.status() == Status::Jammed => Verdict::OffLine,
         (None, Some(_)) => Verdict::Above,
         (None, None) => Verdict::Nothing,
     }

@@ -32,6 +32,9 @@ pub struct Cycle {
     pub others: Others,
     /// Of each centre distance and material the poses that the others are worst, least and greatest at, simulated.
     pub extremes: Vec<ComparedRun>,
+    /// Poses of the others at which the contact was lost; the first of each centre distance and material is among the
+    /// extremes, as unproven.
+    pub lost: u64,
 }
 
 /// The matings that no revolution simulated meets.
@@ -51,6 +54,15 @@ pub enum Others {
         /// Poses allowed.
         most: u64,
     },
+}
+
+/// What one look through poses comes to, in steps.
+struct Look {
+    /// Where they are worst, least, greatest and out of mesh, each once.
+    extremes: Vec<u64>,
+    /// Where the contact was lost first, and how often it was.
+    first_lost: Option<u64>,
+    lost: u64,
 }
 
 /// One run of a study, and the pitches beyond it.
@@ -98,38 +110,40 @@ impl Rest {
         }
     }
 
-    /// The poses that are worst, least, greatest and out of mesh beyond what was simulated.
+    /// The poses that are worst, least, greatest, out of mesh and lost beyond what was simulated, and how many are lost.
     fn extremes(
         &self,
         steps_per_pitch: u32,
         tick: &(dyn Fn() -> ControlFlow<()> + Sync),
-    ) -> Result<Vec<Mating>, Error> {
+    ) -> Result<(Vec<Mating>, u64), Error> {
         let steps = u64::from(steps_per_pitch);
         let coarse = self.look(
             steps_per_pitch,
             self.simulated * steps..self.matings * steps,
             tick,
         )?;
+        let lost = coarse.first_lost.into_iter();
         if steps_per_pitch == self.steps_per_pitch {
-            let found = coarse.iter();
-            return Ok(found
-                .map(|step| self.mating(*step, steps_per_pitch))
-                .collect());
+            let found = coarse.extremes.into_iter().chain(lost);
+            let matings = found.map(|step| self.mating(step, steps_per_pitch));
+            return Ok((matings.collect(), coarse.lost));
         }
         // As finely as the revolution, within a pitch of what was found.
         let fine = u64::from(self.steps_per_pitch);
-        let mut matings = Vec::new();
-        for step in coarse {
+        let lost = lost.map(|step| self.mating(step, steps_per_pitch));
+        let mut matings: Vec<Mating> = lost.collect();
+        for step in coarse.extremes {
             let pitch = step / steps;
             let near = pitch.saturating_sub(1) * fine..(pitch + 2) * fine;
             let found = self.look(self.steps_per_pitch, near, tick)?;
             matings.extend(
                 found
+                    .extremes
                     .iter()
                     .map(|step| self.mating(*step, self.steps_per_pitch)),
             );
         }
-        Ok(matings)
+        Ok((matings, coarse.lost))
     }
 
     /// Goes through `range`, counted in steps; the steps of the extremes, each once.
@@ -138,7 +152,7 @@ impl Rest {
         steps_per_pitch: u32,
         range: Range<u64>,
         tick: &(dyn Fn() -> ControlFlow<()> + Sync),
-    ) -> Result<Vec<u64>, Error> {
+    ) -> Result<Look, Error> {
         let assembly = &self.plan.assembly;
         let kernel = ExactKernel::new(assembly);
         let from = range.start;
@@ -149,7 +163,11 @@ impl Rest {
                     return Err(Error::Interrupted);
                 }
                 let pose = Pose::new(assembly, self.mating(step, steps_per_pitch));
-                Ok(Seen::new(&kernel.lost_motion(&pose)?))
+                match kernel.lost_motion(&pose) {
+                    Ok(found) => Ok(Seen::new(&found)),
+                    Err(error) if error.of_one_pose().is_some() => Ok(Seen::LOST),
+                    Err(error) => Err(error),
+                }
             })
             .collect();
         let found = found?;
@@ -175,7 +193,12 @@ impl Rest {
         .collect();
         extremes.sort_unstable();
         extremes.dedup();
-        Ok(extremes)
+        let lost = found.iter().filter(|seen| seen.status == Status::Unproven);
+        Ok(Look {
+            extremes,
+            first_lost: first(Status::Unproven),
+            lost: lost.count() as u64,
+        })
     }
 }
 
@@ -187,6 +210,12 @@ struct Seen {
 }
 
 impl Seen {
+    /// Of a contact that was lost.
+    const LOST: Seen = Seen {
+        status: Status::Unproven,
+        angle: None,
+    };
+
     fn new(lost_motion: &LostMotion) -> Seen {
         Seen {
             status: lost_motion.status(),
@@ -208,14 +237,17 @@ pub fn cycle(
 ) -> Result<Cycle, Error> {
     let rests = rests(study)?;
     let others = others(&rests);
-    let mut plans = Vec::new();
+    let (mut plans, mut lost) = (Vec::new(), 0);
     if let Others::Seen {
         steps_per_pitch, ..
     } = others
     {
         for rest in &rests {
+            let (matings, lost_here) =
+                rest.extremes(steps_per_pitch.min(rest.steps_per_pitch), tick)?;
+            lost += lost_here;
             plans.push(RunPlan {
-                matings: rest.extremes(steps_per_pitch.min(rest.steps_per_pitch), tick)?,
+                matings,
                 ..rest.plan.clone()
             });
         }
@@ -226,6 +258,7 @@ pub fn cycle(
         simulated: rests.iter().map(|rest| rest.simulated).min().unwrap_or(0),
         others,
         extremes: compare(extremes, study.tolerance_um),
+        lost,
     })
 }
 

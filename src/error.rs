@@ -210,7 +210,7 @@ pub enum Error {
         /// The system's reason.
         source: std::io::Error,
     },
-    /// The contact search gave up on a pair of flanks: a fault of gearlash, never skipped.
+    /// The contact search gave up on a pair of flanks: a fault of gearlash. In a sweep the pose is unproven; elsewhere exit 1.
     #[error(
         "the contact of wheel tooth {wheel_tooth} and pinion tooth {pinion_tooth} ({flank} flanks) was lost at locked rotation {locked_rotation_rad} rad: {reason}"
     )]
@@ -226,7 +226,7 @@ pub enum Error {
         /// What the search saw.
         reason: &'static str,
     },
-    /// A pose whose result polygons do not bear out: a fault of gearlash. Exit 1.
+    /// A pose whose result polygons do not bear out: a fault of gearlash. In a sweep the pose is unproven; elsewhere exit 1.
     #[error(
         "certificate failed at mating {wheel_tooth},{pinion_tooth}, {flank} flank, fraction {fraction}, centre distance {center_distance_mm} mm: on the {side} side {reason}"
     )]
@@ -256,9 +256,29 @@ impl Error {
     /// (128 + SIGINT, as shells count) after Ctrl-C.
     pub fn exit_code(&self) -> u8 {
         match self {
-            Error::CertificateFailed { .. } => 1,
+            Error::CertificateFailed { .. } | Error::ContactLost { .. } => 1,
             Error::Interrupted => 130,
             _ => 2,
+        }
+    }
+
+    /// What was seen, in words, where it concerns nothing but the pose at hand: a contact that was lost, a certificate
+    /// that failed. `None` of all that ends a command.
+    pub fn of_one_pose(&self) -> Option<String> {
+        match self {
+            Error::ContactLost {
+                wheel_tooth,
+                pinion_tooth,
+                flank,
+                reason,
+                ..
+            } => Some(format!(
+                "the contact of wheel tooth {wheel_tooth} and pinion tooth {pinion_tooth} ({flank} flanks) was lost: {reason}"
+            )),
+            Error::CertificateFailed { side, reason, .. } => Some(format!(
+                "the certificate failed: on the {side} side {reason}"
+            )),
+            _ => None,
         }
     }
 }

@@ -27,7 +27,11 @@ pub struct Outcome<'a> {
     pub jammed: usize,
     /// How many are out of mesh.
     pub apart: usize,
-    /// The worst: the first that is jammed, or else the one with the least backlash.
+    /// How many are not proven: none of their values counts.
+    pub unproven: usize,
+    /// How many are not proven at `a − c`, and at `a + c`.
+    pub unproven_ends: [usize; 2],
+    /// The worst: the first that is jammed, or else the one with the least backlash; of an unproven pose nobody knows.
     pub worst: Option<Found<'a>>,
     /// The least backlash; of those that their error bounds cannot tell apart, the first.
     pub least: Option<Found<'a>>,
@@ -39,7 +43,7 @@ pub struct Outcome<'a> {
     pub mean: Option<f64>,
     /// Least at `a − c`, greatest at `a + c`, `c` the bearing clearance; without it least and greatest.
     pub with_clearance: [Option<f64>; 2],
-    /// How many have no value at `a − c`, and at `a + c`.
+    /// How many are jammed or out of mesh at `a − c`, and at `a + c`.
     pub without_value: [usize; 2],
     /// Greatest error bound.
     pub error_bound: Option<f64>,
@@ -85,7 +89,7 @@ impl<'a> Outcome<'a> {
             let of_kind = |found: &Found| holds(&found.pose.swept);
             all().filter(of_kind).count()
         };
-        let is = |status: Status| move |pose: &SweptPose| pose.lost_motion.status() == status;
+        let is = |status: Status| move |pose: &SweptPose| pose.status() == status;
         let extreme = |sign: f64| {
             first_least(all().filter_map(|found| {
                 let swept = &found.pose.swept;
@@ -112,22 +116,31 @@ impl<'a> Outcome<'a> {
             touching: count(&SweptPose::just_touches),
             jammed: count(&is(Status::Jammed)),
             apart: count(&is(Status::NoContact)),
+            unproven: count(&is(Status::Unproven)),
+            unproven_ends: [0, 1].map(|end| count(&|pose| pose.is_end_unproven(end))),
             worst: worst_pose(all().map(|found| (found, &found.pose.swept))),
             uniform: together && all_valued,
             least: extreme(1.0),
             greatest: extreme(-1.0),
             mean: (valued > 0).then(|| backlash().sum::<f64>() / valued as f64),
             with_clearance: [end(0).reduce(f64::min), end(1).reduce(f64::max)],
-            without_value: [0, 1].map(|end| count(&|pose| pose.range()[end].is_none())),
+            without_value: [0, 1].map(|end| {
+                count(&|pose| pose.range()[end].is_none() && !pose.is_end_unproven(end))
+            }),
             error_bound: all()
                 .filter_map(|found| found.pose.swept.error_bound)
                 .reduce(f64::max),
         }
     }
 
-    /// Whether every pose has room to turn, or just none too little.
+    /// Whether every pose is proven to have room to turn, or just none too little.
     pub fn assembles(&self) -> bool {
-        self.poses > 0 && self.interfering + self.jammed + self.apart == 0
+        self.poses > 0 && self.unproven == 0 && !self.fails()
+    }
+
+    /// Whether some pose interferes, is jammed or out of mesh.
+    pub fn fails(&self) -> bool {
+        self.interfering + self.jammed + self.apart > 0
     }
 }
 
@@ -207,6 +220,8 @@ pub struct Agreement {
     pub apart: usize,
     /// Those of neither.
     pub neither: usize,
+    /// Those that are not proven, and not compared.
+    pub unproven: usize,
     /// Poses that have a backlash and in which a tip corner, a fillet or a root takes part in a contact.
     pub touch_off_line: usize,
 }
@@ -220,6 +235,7 @@ impl Agreement {
             count.poses += 1;
             count.both += usize::from(pose.has_both());
             *match (simulated, pose.line_of_action.is_some(), pose.verdict) {
+                (_, _, Verdict::Unproven) => &mut count.unproven,
                 (true, true, Verdict::OffLine) => &mut count.off_line,
                 (true, true, Verdict::Below) => &mut count.below,
                 (true, true, Verdict::Above) => &mut count.above,
@@ -229,7 +245,8 @@ impl Agreement {
                 (false, true, _) => &mut count.jammed,
                 (false, false, _) => &mut count.neither,
             } += 1;
-            let off_line = simulated && touches_off_line(&pose.swept.lost_motion);
+            let found = pose.swept.proven();
+            let off_line = simulated && found.is_some_and(touches_off_line);
             count.touch_off_line += usize::from(off_line);
         }
         count

@@ -32,7 +32,7 @@ pub fn failing_phases(runs: &[ComparedRun]) -> (Vec<(u32, u32)>, usize) {
         if !all.contains(&phase) {
             all.push(phase);
         }
-        if !assembles(run) && !failing.contains(&phase) {
+        if Outcome::of(&[run], &[]).fails() && !failing.contains(&phase) {
             failing.push(phase);
         }
     }
@@ -40,7 +40,7 @@ pub fn failing_phases(runs: &[ComparedRun]) -> (Vec<(u32, u32)>, usize) {
     (failing, all.len())
 }
 
-/// Whether every pose of `run` has room to turn, or just none too little.
+/// Whether every pose of `run` is proven to have room to turn, or just none too little.
 pub fn assembles(run: &ComparedRun) -> bool {
     Outcome::of(&[run], &[]).assembles()
 }

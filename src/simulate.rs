@@ -30,7 +30,7 @@ pub fn pose_count(study: &Study) -> Result<usize, Error> {
 /// Simulates every run of `study` by `method`. `tick` is called as each pose begins, from any thread; a break ends the work.
 ///
 /// # Errors
-/// A contact that was lost, a certificate that failed, or [`Error::Interrupted`].
+/// [`Error::Interrupted`]. A contact that is lost or a certificate that fails leaves its pose [`crate::mesh::Unproven`].
 pub fn simulate(
     study: &Study,
     method: Method,
@@ -75,7 +75,7 @@ pub fn simulate_plans(
     Ok(runs)
 }
 
-/// The worst pose of all `runs`, as [`worst_pose`] chooses it, and its run; `None` when no pose is in mesh.
+/// The worst pose of all `runs`, as [`worst_pose`] chooses it, and its run; `None` when no pose is proven to be in mesh.
 pub fn worst(runs: &[Run]) -> Option<(&Run, &SweptPose)> {
     worst_pose(runs.iter().flat_map(|run| {
         let poses = run.poses.iter();

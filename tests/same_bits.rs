@@ -48,7 +48,10 @@ fn bits(found: &LostMotion) -> Vec<u64> {
 }
 
 fn all_bits(poses: &[SweptPose]) -> Vec<Vec<u64>> {
-    poses.iter().map(|pose| bits(&pose.lost_motion)).collect()
+    poses
+        .iter()
+        .map(|pose| bits(pose.proven().unwrap()))
+        .collect()
 }
 
 fn matings(case: &Case) -> Vec<Mating> {
@@ -85,7 +88,7 @@ proptest! {
             }
             for (mating, expected) in matings.iter().zip(&expected) {
                 let single = swept(&assembly, &cut, method, &[*mating], 1);
-                prop_assert_eq!(&bits(&single[0].lost_motion), expected);
+                prop_assert_eq!(&bits(single[0].proven().unwrap()), expected);
             }
         }
     }

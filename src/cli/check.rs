@@ -84,7 +84,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             print(&format!("\n{} files in {}\n", maps.len(), path.display()));
         }
     }
-    let holds = agreement(&runs) && diagnosis.verdict() != Verdict::Fail;
+    let holds = agreement(&runs) && diagnosis.verdict() < Verdict::Unproven;
     Ok(match holds {
         true => ExitCode::SUCCESS,
         false => ExitCode::from(1),
@@ -101,10 +101,21 @@ fn maps(
     let mut drawn = Vec::new();
     for group in &diagnosis.groups {
         let material = group.material;
-        let Some(zero) = group.zero.filter(|_| !drawn.contains(&material)) else {
+        if drawn.contains(&material) {
             continue;
-        };
+        }
         drawn.push(material);
+        let zero = match &group.zero {
+            Ok(Some(zero)) => zero,
+            Ok(None) => continue,
+            Err(reason) => {
+                eprintln!(
+                    "note: no map of material {}: the pose with the least backlash is unproven ({reason})",
+                    material.name()
+                );
+                continue;
+            }
+        };
         let map = map(group, zero.pose, &|| progress.tick())?;
         let caption = format!(
             "{} and {} teeth, material {}: what touches, over one pitch from the pose with the least backlash",

@@ -40,9 +40,27 @@ impl MethodArgs {
     }
 }
 
-/// Says on standard error how far both methods lie apart, where both were asked for; whether that passes.
-pub(super) fn agreement<'a>(runs: impl IntoIterator<Item = &'a ComparedRun>) -> bool {
-    agreement_within(largest_difference(runs))
+/// Says on standard error how far both methods lie apart, where both were asked for, and how many poses are not proven;
+/// whether both pass.
+pub(super) fn agreement<'a>(runs: impl IntoIterator<Item = &'a ComparedRun> + Clone) -> bool {
+    let agree = agreement_within(largest_difference(runs.clone()));
+    agree & all_proven(unproven(runs))
+}
+
+/// How many poses of `runs` are not proven, or not at an end of the bearing clearance.
+pub(super) fn unproven<'a>(runs: impl IntoIterator<Item = &'a ComparedRun>) -> usize {
+    let runs = runs.into_iter();
+    runs.map(|run| run.unproven().count()).sum()
+}
+
+/// Says on standard error how many poses are not proven, if any; whether all are.
+pub(super) fn all_proven(unproven: usize) -> bool {
+    match unproven {
+        0 => return true,
+        1 => eprintln!("warning: 1 pose is UNPROVEN; the result tells which and why"),
+        poses => eprintln!("warning: {poses} poses are UNPROVEN; the result tells which and why"),
+    }
+    false
 }
 
 /// The largest difference of the two methods over `runs`, mm; `None` where only one was asked for.
@@ -66,4 +84,48 @@ pub(super) fn agreement_within(largest: Option<f64>) -> bool {
         largest * 1e3
     );
     passes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::compare::compare;
+    use crate::input;
+    use crate::mesh::{CutPair, sweep};
+    use crate::pair::Member;
+    use crate::simulate::Run;
+    use std::ops::ControlFlow;
+    use std::path::Path;
+
+    /// The rig pair, its polygons cut from gears of another pair file: no certificate can hold.
+    #[test]
+    fn an_unproven_pose_does_not_pass() {
+        let read = |file: &str| {
+            let fixtures = Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures");
+            let study = input::read(&fixtures.join(file)).unwrap();
+            study.runs().unwrap().remove(0)
+        };
+        let (plan, other) = (read("karba_44x44.toml"), read("karba_86x21.toml"));
+        let cut_of = |assembly: &crate::pair::Assembly| {
+            CutPair::for_certificates(assembly.gear(Member::Wheel), assembly.gear(Member::Pinion))
+        };
+        let compared = |cut: &CutPair| {
+            let method = Method::Exact { certify: true };
+            let matings = &plan.matings[..1];
+            let poses = sweep(&plan.assembly, cut, method, matings, 0.0, &|| {
+                ControlFlow::Continue(())
+            });
+            let run = Run {
+                material: plan.material,
+                assembly: plan.assembly.clone(),
+                phase: None,
+                poses: poses.unwrap(),
+            };
+            compare(vec![run], 0.1)
+        };
+        assert!(agreement(&compared(&cut_of(&plan.assembly))));
+        let runs = compared(&cut_of(&other.assembly));
+        assert_eq!(unproven(&runs), 1);
+        assert!(!agreement(&runs));
+    }
 }

@@ -37,7 +37,7 @@ struct Cli {
 }
 
 const EXIT_CODES: &str = "\
-Exit codes: 0 done; 1 a comparison or a check failed; 2 bad input or usage (nothing is written then).
+Exit codes: 0 done; 1 a comparison or a check failed, or a pose is unproven; 2 bad input or usage (nothing is written then).
 Results go to standard output and to files; progress, warnings and errors to standard error.
 
 Example:

@@ -1,7 +1,7 @@
 //! `gearlash report`: the whole result as one page.
 
 use super::date::today;
-use super::method::{MethodArgs, agreement_within, largest_difference};
+use super::method::{MethodArgs, agreement_within, all_proven, largest_difference, unproven};
 use super::progress::Progress;
 use super::target::Target;
 use super::warn;
@@ -92,8 +92,11 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             )
             .reduce(f64::max),
     );
+    let all = runs.iter().chain(&revolution).chain(&cycle.extremes);
+    let over_distance = over_distance.iter().map(|curve| curve.unproven);
+    let proven = all_proven(unproven(all) + over_distance.sum::<usize>());
     target.write(page)?;
-    Ok(match agree {
+    Ok(match agree && proven {
         true => ExitCode::SUCCESS,
         false => ExitCode::from(1),
     })

@@ -97,7 +97,7 @@ fn snapshots(study: &Study, runs: &[ComparedRun]) -> Vec<(String, String)> {
                 assembly: &run.run.assembly,
                 pose: &pose.swept.pose,
                 material: run.run.material.name(),
-                lost_motion: &pose.swept.lost_motion,
+                found: pose.swept.found.as_ref(),
             });
             files.push((name, picture));
         }

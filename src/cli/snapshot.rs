@@ -1,17 +1,19 @@
 //! `gearlash snapshot`: one contact as a picture.
 
 use super::drawing::{End, material, teeth};
+use super::method::all_proven;
 use super::pictures::{exaggeration, pitch};
 use super::target::Target;
 use super::{warn, worst};
 use crate::error::Error;
 use crate::gear::Side;
 use crate::input;
-use crate::mesh::{Certifier, CutPair, ExactKernel, LostMotion};
+use crate::mesh::{CutPair, LostMotion, Method, Unproven, sweep};
 use crate::pair::{Assembly, Mating, Member, Pose};
 use crate::render::{self, Snapshot};
 use crate::study::{Material, Study};
 use clap::ValueEnum;
+use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::slice;
@@ -79,15 +81,23 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         assembly: &subject.assembly,
         pose: &subject.pose,
         material: subject.material.name(),
-        lost_motion: &subject.lost_motion,
+        found: subject.found.as_ref(),
     };
+    let mut unproven = subject.unproven;
     let picture = match args.exaggerate {
-        None if args.animate => render::animation(&view, &pitch(&subject.assembly, &subject.pose)?),
+        None if args.animate => {
+            let steps = pitch(&subject.assembly, &subject.pose)?;
+            unproven += steps.iter().filter(|step| step.is_unproven()).count();
+            render::animation(&view, &steps)
+        }
         None => render::snapshot(&view),
         Some(factor) => render::exaggerated(&view, &exaggeration(&subject.assembly, factor)?),
     };
     Target::prepare_beside(target, slice::from_ref(&args.pair))?.write(picture)?;
-    Ok(ExitCode::SUCCESS)
+    Ok(match all_proven(unproven) {
+        true => ExitCode::SUCCESS,
+        false => ExitCode::from(1),
+    })
 }
 
 /// What is drawn, and the name of its file.
@@ -95,7 +105,9 @@ struct Subject {
     material: Material,
     assembly: Assembly,
     pose: Pose,
-    lost_motion: LostMotion,
+    found: Result<LostMotion, Unproven>,
+    /// Poses that are not proven: this one, or those that the worst was looked for among.
+    unproven: usize,
     file: String,
 }
 
@@ -103,14 +115,15 @@ struct Subject {
 fn subject(args: &Args, study: Study) -> Result<Subject, Error> {
     if args.worst {
         let material = args.material.map(|end| material(end, &study)).transpose()?;
-        let (run, pose) = worst::find(study, args.center_distance, material)?;
+        let (run, pose, unproven) = worst::find(study, args.center_distance, material)?;
         let (distance, end) = (run.assembly.center_distance(), run.material.name());
         return Ok(Subject {
             file: format!("worst_a{distance}_{end}.svg"),
             material: run.material,
             assembly: run.assembly,
             pose: pose.pose,
-            lost_motion: pose.lost_motion,
+            found: pose.found,
+            unproven,
         });
     }
     let (Some(teeth), Some(flank)) = (args.mating, args.flank) else {
@@ -124,11 +137,16 @@ fn subject(args: &Args, study: Study) -> Result<Subject, Error> {
         Flank::Left => Side::Left,
     };
     let mating = mating(teeth, args.fraction, &assembly, flank)?;
-    let pose = Pose::new(&assembly, mating);
     let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|member| assembly.gear(member));
-    let lost_motion = ExactKernel::new(&assembly).lost_motion(&pose)?;
     let cut = CutPair::for_certificates(wheel, pinion);
-    Certifier::new(cut.kernel(&assembly)).check(&pose, &lost_motion)?;
+    let method = Method::Exact { certify: true };
+    let swept = sweep(&assembly, &cut, method, &[mating], 0.0, &|| {
+        ControlFlow::Continue(())
+    })?;
+    let Some(swept) = swept.into_iter().next() else {
+        // One mating makes one pose.
+        return Err(Error::Usage("no pose to draw".to_owned()));
+    };
     Ok(Subject {
         file: format!(
             "snapshot_{}_{}_{}_a{}_{}.svg",
@@ -140,8 +158,9 @@ fn subject(args: &Args, study: Study) -> Result<Subject, Error> {
         ),
         material,
         assembly,
-        pose,
-        lost_motion,
+        pose: swept.pose,
+        unproven: usize::from(swept.is_unproven()),
+        found: swept.found,
     })
 }
 

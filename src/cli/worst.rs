@@ -8,25 +8,47 @@ use crate::simulate::{Run, pose_count, simulate, worst};
 use crate::study::{Material, Study};
 
 /// Runs `study` at `distance` and with `material` alone where they are given, says on standard error which
-/// pose is the worst, and returns it alone in its run.
+/// pose is the worst, and returns it alone in its run, with the number of poses that are not proven. Those are left
+/// out, and told; only where no other is in mesh the first of them is returned.
 pub(super) fn find(
     study: Study,
     distance: Option<f64>,
     material: Option<Material>,
-) -> Result<(Run, SweptPose), Error> {
+) -> Result<(Run, SweptPose, usize), Error> {
     let study = narrowed(study, distance, material)?;
     let poses = pose_count(&study)?;
     let progress = Progress::start(poses);
     let method = Method::Exact { certify: true };
     let runs = simulate(&study, method, &|| progress.tick())?;
     progress.finish()?;
-    let Some((run, pose)) = worst(&runs) else {
+    let all = || {
+        let of = |run| move |pose| (run, pose);
+        runs.iter()
+            .flat_map(move |run| run.poses.iter().map(of(run)))
+    };
+    // Of a pose that is proven but for an end of the bearing clearance the picture is right all the same.
+    let unproven = all().filter(|(_, pose)| pose.is_unproven()).count();
+    let left_out = all().filter(|(_, pose)| pose.found.is_err()).count();
+    let first_unproven = all().find(|(_, pose)| pose.found.is_err());
+    if let Some((run, pose)) = first_unproven {
+        eprintln!(
+            "{left_out} of {poses} poses unproven and left out, though one of them may be the worst; the first: {}",
+            in_words(run, pose)
+        );
+    }
+    let Some((run, pose)) = worst(&runs).or(first_unproven) else {
         return Err(Error::Usage(format!(
             "--worst: none of the {poses} poses is in mesh; nothing can be called the worst"
         )));
     };
-    eprintln!("worst of {poses} poses: {}", in_words(run, pose));
-    Ok((run.clone(), pose.clone()))
+    if pose.found.is_ok() {
+        eprintln!(
+            "worst of {} poses: {}",
+            poses - left_out,
+            in_words(run, pose)
+        );
+    }
+    Ok((run.clone(), pose.clone(), unproven))
 }
 
 fn narrowed(
@@ -62,9 +84,10 @@ fn in_words(run: &Run, pose: &SweptPose) -> String {
         fraction => format!(" {fraction:+} pitch"),
     };
     let um = |length: f64| format!("{:.3} µm", length * 1e3);
-    let found = match pose.backlash {
-        None => "jammed, a tip sits in a root".to_owned(),
-        Some(backlash) => {
+    let found = match (&pose.found, pose.backlash) {
+        (Err(unproven), _) => format!("unproven: {}", unproven.reason),
+        (Ok(_), None) => "jammed, a tip sits in a root".to_owned(),
+        (Ok(_), Some(backlash)) => {
             let formula = evaluate(&run.assembly, &pose.pose).line_of_action;
             match formula.backlash(&run.assembly) {
                 Some(formula) => format!(

@@ -133,7 +133,7 @@ fn course((center_distance, phase): (f64, Option<(u32, u32)>), runs: Vec<&Compar
             Some((placed, sign * swept.backlash?, swept.error_bound?))
         });
         let (x, material, pose) = first_least(known)?;
-        let lost_motion = &pose.swept.lost_motion;
+        let lost_motion = pose.swept.proven()?;
         let teeth = |contact: &Contact| (contact.wheel.tooth, contact.pinion.tooth);
         Some(Extreme {
             x: *x,
@@ -161,7 +161,7 @@ fn point(x: f64, pose: &ComparedPose) -> CoursePoint {
     let off = |model: Option<f64>| Some((swept.backlash? - model?) * 1e3);
     CoursePoint {
         x,
-        status: swept.lost_motion.status(),
+        status: swept.status(),
         simulated_um: swept.backlash.map(|mm| mm * 1e3),
         error_bound_um: swept.error_bound.map(|mm| mm * 1e3),
         off_michalec_um: off(pose.michalec),

@@ -36,6 +36,8 @@ pub struct OverDistance {
     pub measured: Vec<MeasuredRow>,
     /// With [`Method::Both`]: the largest difference between the two methods, mm.
     pub polygon_difference: Option<f64>,
+    /// How many of its poses are not proven, or not at an end of the bearing clearance: the bands have gaps there.
+    pub unproven: usize,
 }
 
 /// The bands at one centre distance, from most to least material.
@@ -45,7 +47,7 @@ pub struct DistancePoint {
     pub center_distance: f64,
     /// Means of the poses.
     pub bands: Bands,
-    /// How the first pose without a value ended, where the simulated band has none.
+    /// How the first pose without a value ended, an unproven one before others, where the simulated band has none.
     pub gap: Option<Status>,
 }
 
@@ -86,9 +88,15 @@ pub fn over_distance(
         let here = runs
             .iter()
             .filter(|run| run.run.assembly.center_distance() == a);
-        let mut poses = here.flat_map(|run| &run.poses);
-        let without = poses.find(|pose| pose.swept.backlash.is_none())?;
-        Some(without.swept.lost_motion.status())
+        let poses = here.flat_map(|run| &run.poses);
+        let mut without = poses
+            .filter(|pose| pose.swept.backlash.is_none())
+            .map(|pose| pose.swept.status());
+        // What is not proven comes first: the others' ends are known.
+        match without.clone().any(|status| status == Status::Unproven) {
+            true => Some(Status::Unproven),
+            false => without.next(),
+        }
     };
     let point = |&a: &f64| DistancePoint {
         center_distance: a,
@@ -102,6 +110,7 @@ pub fn over_distance(
         matings,
         clearance: study.bearing_clearance,
         polygon_difference: differences.map(f64::abs).reduce(f64::max),
+        unproven: runs.iter().map(|run| run.unproven().count()).sum(),
         two_materials: study.materials.len() > 1,
         points: distances.iter().map(point).collect(),
         measured,

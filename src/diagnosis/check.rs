@@ -10,16 +10,19 @@ pub enum Verdict {
     Pass,
     /// Kept, but not what is recommended; or the formula and the outlines disagree, and the outlines are kind.
     Warn,
+    /// What was measured is not proven, so that nobody knows whether the limit is kept.
+    Unproven,
     /// The limit is not kept.
     Fail,
 }
 
 impl Verdict {
-    /// `pass`, `warn` or `fail`.
+    /// `pass`, `warn`, `unproven` or `fail`.
     pub fn name(self) -> &'static str {
         match self {
             Verdict::Pass => "pass",
             Verdict::Warn => "warn",
+            Verdict::Unproven => "unproven",
             Verdict::Fail => "fail",
         }
     }
@@ -63,4 +66,32 @@ pub struct Check {
     pub details: Vec<(&'static str, f64)>,
     /// What a reader should know: where, on which teeth.
     pub note: String,
+    /// Why nothing is measured, where poses that it needs are not proven.
+    pub unproven: Option<String>,
+}
+
+impl Check {
+    /// The same, its measured value not proven for this `reason`. What fails already fails all the same.
+    pub(super) fn not_proven(self, reason: &str) -> Check {
+        let unproven = Some(reason.to_owned());
+        match self.verdict {
+            Verdict::Fail => Check {
+                note: match self.note.is_empty() {
+                    true => "some poses are unproven".to_owned(),
+                    false => format!("{}; some poses are unproven", self.note),
+                },
+                unproven,
+                ..self
+            },
+            Verdict::Pass | Verdict::Warn | Verdict::Unproven => Check {
+                measured: None,
+                margin: None,
+                details: Vec::new(),
+                verdict: Verdict::Unproven,
+                note: "not proven to be kept".to_owned(),
+                unproven,
+                ..self
+            },
+        }
+    }
 }

@@ -89,11 +89,11 @@ impl ContactCount {
 
     fn add(&mut self, run: &ComparedRun, pose: &ComparedPose) {
         let assembly = &run.run.assembly;
-        let class = PoseClass::of(assembly, &pose.swept.lost_motion);
+        let class = pose.swept.class(assembly);
         *self.classes.entry(class).or_default() += 1;
         let others_touch = !matches!(
             class,
-            PoseClass::NoContact | PoseClass::Contact(ContactKind::Involute)
+            PoseClass::NoContact | PoseClass::Unproven | PoseClass::Contact(ContactKind::Involute)
         );
         let difference = pose
             .line_of_action
@@ -144,7 +144,7 @@ impl ContactCount {
 }
 
 fn graver(assembly: &Assembly, pose: &ComparedPose) -> Option<(Side, Contact)> {
-    let found = &pose.swept.lost_motion;
+    let found = pose.swept.proven()?;
     let (right, left) = (found.right?, found.left?);
     let kind = |side, contact| ContactClass::of(assembly, side, contact).kind;
     match kind(Side::Left, &left) > kind(Side::Right, &right) {

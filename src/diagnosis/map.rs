@@ -52,7 +52,7 @@ pub struct Limit {
 /// The map of `group`'s pair over one pitch from `start`. `tick` is called after each row; a break ends it.
 ///
 /// # Errors
-/// A contact that was lost; [`Error::Interrupted`].
+/// [`Error::Interrupted`]. A contact that is lost leaves its cell [`PoseClass::Unproven`].
 pub fn map(
     group: &Group,
     start: Mating,
@@ -84,11 +84,17 @@ pub fn map(
                 .iter()
                 .map(|&fraction| {
                     let mating = start.onward(&bench.assembly, fraction);
-                    let found = bench.lost_motion(&mating)?;
-                    Ok(MapCell {
-                        class: PoseClass::of(&bench.assembly, &found),
-                        backlash: found.angle().map(|angle| angle * radius),
-                    })
+                    match bench.lost_motion(&mating) {
+                        Ok(found) => Ok(MapCell {
+                            class: PoseClass::of(&bench.assembly, &found),
+                            backlash: found.angle().map(|angle| angle * radius),
+                        }),
+                        Err(error) if error.of_one_pose().is_some() => Ok(MapCell {
+                            class: PoseClass::Unproven,
+                            backlash: None,
+                        }),
+                        Err(error) => Err(error),
+                    }
                 })
                 .collect();
             match tick() {
@@ -124,11 +130,15 @@ fn limits_of(group: &Group) -> Vec<Limit> {
     limits.extend(
         group
             .zero
+            .iter()
+            .flatten()
             .map(|zero| limit("zero backlash, measured", zero.distance)),
     );
     limits.extend(
         group
             .onset
+            .iter()
+            .flatten()
             .map(|onset| limit("non-involute contact, measured", onset.distance)),
     );
     // The gear that is endangered first.

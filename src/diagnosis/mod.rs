@@ -18,7 +18,7 @@ mod onset;
 mod zero_distance;
 
 pub use check::{Check, Verdict};
-pub use checks::{Diagnosis, Group, diagnose};
+pub use checks::{Diagnosis, Group, Searched, diagnose};
 pub use clearance::{RadialClearance, radial_clearance};
 pub use contact_count::{ContactCount, Loss, Worst};
 pub use map::{Limit, Map, MapCell, map};

@@ -169,6 +169,8 @@ pub enum PoseClass {
     Contact(ContactKind),
     /// A tip sits in a root.
     Jammed,
+    /// Nothing vouches for what was found; see [`super::Unproven`].
+    Unproven,
 }
 
 impl PoseClass {
@@ -189,19 +191,20 @@ impl PoseClass {
         }
     }
 
-    /// The name results use: the kind's, `jammed` or `no-contact`.
+    /// The name results use: the kind's, `jammed`, `no-contact` or `unproven`.
     pub fn name(self) -> &'static str {
         match self {
             PoseClass::NoContact => "no-contact",
             PoseClass::Contact(kind) => kind.name(),
             PoseClass::Jammed => "jammed",
+            PoseClass::Unproven => "unproven",
         }
     }
 
     /// Whether something below an involute is touched.
     pub fn is_non_involute(self) -> bool {
         match self {
-            PoseClass::NoContact => false,
+            PoseClass::NoContact | PoseClass::Unproven => false,
             PoseClass::Contact(kind) => kind.is_non_involute(),
             PoseClass::Jammed => true,
         }

@@ -31,7 +31,7 @@ pub struct Contact {
     pub normal: Vector2<f64>,
 }
 
-/// What a lost motion says about the pair at this pose.
+/// What a lost motion says about the pair at this pose, or that nothing vouches for it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Status {
     /// Lost motion ≥ 0: the free gear has room to turn.
@@ -42,6 +42,9 @@ pub enum Status {
     Jammed,
     /// Out of mesh: nothing to touch on one side at least.
     NoContact,
+    /// Nothing vouches for what was found: a certificate failed, a contact was lost or two methods differ. Never of a
+    /// [`LostMotion`] itself.
+    Unproven,
 }
 
 impl Status {
@@ -52,6 +55,7 @@ impl Status {
             Status::Interference => "interference",
             Status::Jammed => "jammed",
             Status::NoContact => "no_contact",
+            Status::Unproven => "unproven",
         }
     }
 }
@@ -91,7 +95,7 @@ impl LostMotion {
             Status::Clear | Status::Interference => {
                 Some(self.left?.rotation - self.right?.rotation)
             }
-            Status::Jammed | Status::NoContact => None,
+            Status::Jammed | Status::NoContact | Status::Unproven => None,
         }
     }
 

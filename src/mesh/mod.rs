@@ -10,6 +10,7 @@ mod overlap;
 mod polygon;
 mod scene;
 mod sweep;
+mod swept;
 
 pub(crate) use contact::Shape;
 
@@ -21,4 +22,5 @@ pub use meeting::Meeting;
 pub use overlap::Overlap;
 pub use polygon::{Certifier, CutGear, PolygonKernel};
 pub use scene::{Drawn, LineOfAction, Scene};
-pub use sweep::{CutPair, Method, SweptPose, first_least, sweep, worst_pose};
+pub use sweep::{CutPair, Method, sweep};
+pub use swept::{SweptPose, Unproven, first_least, worst_pose};

@@ -43,18 +43,30 @@ pub struct Scene<'a> {
     pinion: Placed<'a>,
     drawn: Drawn,
     meetings: Vec<Meeting>,
-    lost_motion: &'a LostMotion,
+    lost_motion: Option<&'a LostMotion>,
 }
 
 impl<'a> Scene<'a> {
     /// The scene of `pose` with its `lost_motion`.
     pub fn new(assembly: &'a Assembly, pose: &Pose, lost_motion: &'a LostMotion) -> Scene<'a> {
+        Scene::of(assembly, pose, Some(lost_motion))
+    }
+
+    /// The scene of a `pose` whose contacts are not proven: both gears, and nothing that touches.
+    pub fn unproven(assembly: &'a Assembly, pose: &Pose) -> Scene<'a> {
+        Scene::of(assembly, pose, None)
+    }
+
+    fn of(assembly: &'a Assembly, pose: &Pose, lost_motion: Option<&'a LostMotion>) -> Scene<'a> {
         let flank = pose.mating().flank;
-        let on = |side| match side {
-            Side::Right => lost_motion.right,
-            Side::Left => lost_motion.left,
+        let on = |side| {
+            lost_motion.and_then(|found| match side {
+                Side::Right => found.right,
+                Side::Left => found.left,
+            })
         };
-        let (drawn, rotation) = match (lost_motion.angle(), on(flank)) {
+        let angle = lost_motion.and_then(LostMotion::angle);
+        let (drawn, rotation) = match (angle, on(flank)) {
             (Some(_), Some(contact)) => (Drawn::AtContact(flank), contact.rotation),
             _ => (Drawn::Nominal, pose.free_rotation()),
         };
@@ -157,15 +169,16 @@ impl<'a> Scene<'a> {
 
     /// How the pose ended.
     pub fn status(&self) -> Status {
-        self.lost_motion.status()
+        self.lost_motion
+            .map_or(Status::Unproven, LostMotion::status)
     }
 
     /// Circumferential backlash `j_wt = φ_j r_w` of the free gear and the bound on its error, mm.
     pub fn circumferential_backlash(&self) -> Option<(f64, f64)> {
         let radius = self.assembly.operating_pitch_radius(self.assembly.free());
         Some((
-            self.lost_motion.angle()? * radius,
-            self.lost_motion.error()? * radius,
+            self.lost_motion?.angle()? * radius,
+            self.lost_motion?.error()? * radius,
         ))
     }
 

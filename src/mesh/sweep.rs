@@ -1,8 +1,9 @@
 //! Many poses of one assembly, in parallel and in order.
 
 use super::exact::ExactKernel;
-use super::lost_motion::{LostMotion, Status};
+use super::lost_motion::LostMotion;
 use super::polygon::{Certifier, CutGear, PolygonKernel};
+use super::swept::{SweptPose, Unproven};
 use crate::error::Error;
 use crate::gear::AsBuilt;
 use crate::pair::{Assembly, Mating, Pose};
@@ -21,61 +22,6 @@ pub enum Method {
     Polygon,
     /// By both; the exact result is kept, and how far the other lies off.
     Both,
-}
-
-/// One pose of a sweep and what was found there.
-#[derive(Debug, Clone, PartialEq)]
-pub struct SweptPose {
-    /// Where the gears stand.
-    pub pose: Pose,
-    /// Contacts of the free gear.
-    pub lost_motion: LostMotion,
-    /// `j_wt`, mm; `None` when jammed or out of mesh.
-    pub backlash: Option<f64>,
-    /// Bound on the error of `backlash`, mm.
-    pub error_bound: Option<f64>,
-    /// `j_wt`, mm, at `a − c` and at `a + c`, `c` the sum of both bearing clearances; `None` without clearance.
-    pub with_clearance: Option<[Option<f64>; 2]>,
-    /// With [`Method::Both`]: `j_wt` on polygons minus the exact one, mm; infinite when only one method has a value.
-    pub polygon_difference: Option<f64>,
-}
-
-impl SweptPose {
-    /// `j_wt`, mm, at the two ends of the bearing clearance; `backlash` twice where there is none.
-    pub fn range(&self) -> [Option<f64>; 2] {
-        self.with_clearance.unwrap_or([self.backlash; 2])
-    }
-
-    /// Whether `backlash` is negative beyond its error bound: rounding alone makes no interference.
-    pub fn interferes(&self) -> bool {
-        let surely = |(backlash, bound): (f64, f64)| backlash < -bound;
-        self.backlash.zip(self.error_bound).is_some_and(surely)
-    }
-
-    /// Whether `backlash` cannot be told from none.
-    pub fn just_touches(&self) -> bool {
-        let none = |(backlash, bound): (f64, f64)| backlash.abs() <= bound;
-        self.backlash.zip(self.error_bound).is_some_and(none)
-    }
-}
-
-/// The worst of `poses`: the first that is jammed, or else the one with the least backlash, of several within their
-/// error bounds the first; `None` when none is in mesh.
-pub fn worst_pose<'a, T>(poses: impl Iterator<Item = (T, &'a SweptPose)> + Clone) -> Option<T> {
-    let jammed = |pose: &SweptPose| pose.lost_motion.status() == Status::Jammed;
-    if let Some((first, _)) = poses.clone().find(|(_, pose)| jammed(pose)) {
-        return Some(first);
-    }
-    first_least(poses.filter_map(|(item, pose)| Some((item, pose.backlash?, pose.error_bound?))))
-}
-
-/// The first of `items` (each with a value and a bound on its error) that cannot be told from the least.
-pub fn first_least<T>(items: impl Iterator<Item = (T, f64, f64)> + Clone) -> Option<T> {
-    // The least that a value may at most be: whatever may lie as low cannot be told from it.
-    let highest = items.clone().map(|(_, value, bound)| value + bound);
-    let limit = highest.reduce(f64::min)?;
-    let mut low = items.filter(|(_, value, bound)| value - bound <= limit);
-    low.next().map(|(item, ..)| item)
 }
 
 /// Chordal error, in modules, of the polygons that a certificate starts from (tuned for speed: it is as
@@ -139,27 +85,90 @@ impl<'a> Solver<'a> {
     }
 
     /// The contacts at `pose`, and how far the polygon method lies off where both are asked for.
-    fn lost_motion(&self, pose: &Pose) -> Result<(LostMotion, Option<f64>), Error> {
+    fn find(&self, pose: &Pose) -> Result<Found, Error> {
         let exact = self.exact.as_ref().map(|kernel| kernel.lost_motion(pose));
         let polygon = self.polygon.as_ref().map(|kernel| kernel.lost_motion(pose));
-        match (exact.transpose()?, polygon.transpose()?) {
-            (Some(exact), Some(polygon)) => {
-                let difference = match (self.backlash(&exact), self.backlash(&polygon)) {
-                    (Some(exact), Some(polygon)) => polygon - exact,
-                    (None, None) => 0.0,
-                    _ => f64::INFINITY,
+        // What was lost is kept as its reason; anything else ends the sweep.
+        let (exact, polygon) = (settle(exact)?, settle(polygon)?);
+        let value = |found: &LostMotion| self.backlash(found);
+        let found = match (exact, polygon) {
+            (Some(Ok(exact)), Some(Ok(polygon))) => return Ok(self.of_both(exact, &polygon)),
+            (Some(Ok(exact)), None) => match self.certificate(pose, &exact)? {
+                None => Ok(exact),
+                Some(reason) => Err(Unproven {
+                    reason,
+                    exact: value(&exact),
+                    polygon: None,
+                }),
+            },
+            (None, Some(Ok(polygon))) => Ok(polygon),
+            (exact, polygon) => {
+                let reason = |name: &str, tried: &Option<Result<LostMotion, String>>| {
+                    let reason = tried.as_ref()?.as_ref().err()?;
+                    Some(format!("{name} method: {reason}"))
                 };
-                Ok((exact, Some(difference)))
+                let reasons = [reason("exact", &exact), reason("polygon", &polygon)];
+                let of = |tried: Option<Result<LostMotion, String>>| value(&tried?.ok()?);
+                Err(Unproven {
+                    reason: reasons.into_iter().flatten().collect::<Vec<_>>().join("; "),
+                    exact: of(exact),
+                    polygon: of(polygon),
+                })
             }
-            (Some(found), None) | (None, Some(found)) => {
-                if let Some(certifier) = &self.certifier {
-                    certifier.check(pose, &found)?;
-                }
-                Ok((found, None))
+        };
+        Ok(Found {
+            lost_motion: found,
+            polygon_difference: None,
+        })
+    }
+
+    /// The exact result, where the polygons' lies within both error bounds of it.
+    fn of_both(&self, exact: LostMotion, polygon: &LostMotion) -> Found {
+        let values = [self.backlash(&exact), self.backlash(polygon)];
+        let bound = |found: &LostMotion| Some(found.error()? * self.pitch_radius());
+        let (difference, reason) = match values {
+            [Some(exact_value), Some(polygon_value)] => {
+                let difference = polygon_value - exact_value;
+                let bounds = [bound(&exact), bound(polygon)];
+                let allowed: f64 = bounds.into_iter().flatten().sum();
+                let reason = (!(difference.abs() <= allowed)).then(|| {
+                    format!(
+                        "the exact and the polygon method differ by {:.3e} µm of j_wt, more than both error bounds, {:.1e} µm",
+                        difference.abs() * 1e3,
+                        allowed * 1e3
+                    )
+                });
+                (difference, reason)
             }
-            // A solver is made with at least one method.
-            (None, None) => Err(Error::Usage("no method to find lost motion by".to_owned())),
+            _ if exact.status() == polygon.status() => (0.0, None),
+            _ => {
+                let name = |found: &LostMotion| found.status().name().replace('_', " ");
+                let reason = format!(
+                    "the exact method finds {}, the polygon method {}",
+                    name(&exact),
+                    name(polygon)
+                );
+                (f64::INFINITY, Some(reason))
+            }
+        };
+        let unproven = |reason| Unproven {
+            reason,
+            exact: values[0],
+            polygon: values[1],
+        };
+        Found {
+            lost_motion: reason.map_or(Ok(exact), |reason| Err(unproven(reason))),
+            polygon_difference: Some(difference),
         }
+    }
+
+    /// Why the certificate of `found` fails; `None` where it holds or none is asked for.
+    fn certificate(&self, pose: &Pose, found: &LostMotion) -> Result<Option<String>, Error> {
+        let Some(certifier) = &self.certifier else {
+            return Ok(None);
+        };
+        let checked = settle(Some(certifier.check(pose, found)))?;
+        Ok(checked.and_then(Result::err))
     }
 
     /// `j_wt = φ_j r_w` of the free gear, mm.
@@ -171,9 +180,28 @@ impl<'a> Solver<'a> {
         self.assembly.operating_pitch_radius(self.assembly.free())
     }
 
-    fn backlash_at(&self, mating: &Mating) -> Result<Option<f64>, Error> {
-        let (found, _) = self.lost_motion(&Pose::new(self.assembly, *mating))?;
-        Ok(self.backlash(&found))
+    /// `j_wt`, mm, at one end of the bearing clearance.
+    fn backlash_at(&self, mating: &Mating) -> Result<Result<Option<f64>, Unproven>, Error> {
+        let found = self.find(&Pose::new(self.assembly, *mating))?;
+        Ok(found.lost_motion.map(|found| self.backlash(&found)))
+    }
+}
+
+/// What a solver found at a pose.
+struct Found {
+    lost_motion: Result<LostMotion, Unproven>,
+    polygon_difference: Option<f64>,
+}
+
+/// What was tried, with the reason where it is of this pose alone; else the error.
+fn settle<T>(tried: Option<Result<T, Error>>) -> Result<Option<Result<T, String>>, Error> {
+    match tried {
+        None => Ok(None),
+        Some(Ok(found)) => Ok(Some(Ok(found))),
+        Some(Err(error)) => match error.of_one_pose() {
+            Some(reason) => Ok(Some(Err(reason))),
+            None => Err(error),
+        },
     }
 }
 
@@ -182,9 +210,11 @@ impl<'a> Solver<'a> {
 /// `cut` are the gears of `assembly`; `clearance` is the sum `c` of both radial
 /// bearing clearances, mm. `tick` is called as each pose begins, from any thread; a break ends the sweep.
 ///
+/// A pose whose contact is lost, whose certificate fails or on which both methods disagree is [`Unproven`]; the others
+/// are found all the same.
+///
 /// # Errors
-/// The first pose, in order, whose contact was lost or whose certificate failed; [`Error::Interrupted`]
-/// after a break; a centre distance `a − c` at which the base circles overlap.
+/// [`Error::Interrupted`] after a break; a centre distance `a − c` at which the base circles overlap.
 pub fn sweep(
     assembly: &Assembly,
     cut: &CutPair,
@@ -209,21 +239,21 @@ pub fn sweep(
                 return Err(Error::Interrupted);
             }
             let pose = Pose::new(assembly, *mating);
-            let (lost_motion, polygon_difference) = here.lost_motion(&pose)?;
+            let found = here.find(&pose)?;
             let with_clearance = match &ends {
                 None => None,
                 Some([near, far]) => Some([near.backlash_at(mating)?, far.backlash_at(mating)?]),
             };
-            let backlash = here.backlash(&lost_motion);
+            let lost_motion = found.lost_motion.as_ref().ok();
+            let backlash = lost_motion.and_then(|found| here.backlash(found));
+            let error = backlash.and(lost_motion).and_then(LostMotion::error);
             Ok(SweptPose {
                 pose,
-                lost_motion,
                 backlash,
-                error_bound: backlash
-                    .and(lost_motion.error())
-                    .map(|e| e * here.pitch_radius()),
+                error_bound: error.map(|error| error * here.pitch_radius()),
+                found: found.lost_motion,
                 with_clearance,
-                polygon_difference,
+                polygon_difference: found.polygon_difference,
             })
         })
         .collect();

@@ -24,9 +24,12 @@ const MEMBERS: [Member; 2] = [Member::Wheel, Member::Pinion];
 pub fn animation(view: &Snapshot, steps: &[SweptPose]) -> String {
     let scenes: Vec<Scene> = steps
         .iter()
-        .map(|step| Scene::new(view.assembly, &step.pose, &step.lost_motion))
+        .map(|step| match &step.found {
+            Ok(lost_motion) => Scene::new(view.assembly, &step.pose, lost_motion),
+            Err(_) => Scene::unproven(view.assembly, &step.pose),
+        })
         .collect();
-    let first = Scene::new(view.assembly, view.pose, view.lost_motion);
+    let first = view.scene();
     let main = main_view::view(&first, MAIN);
     let mut occupied = Occupied::default();
     let mating = [

@@ -11,10 +11,14 @@ use crate::pair::Mating;
 use svg::node::Node;
 use svg::node::element::Group;
 
+/// Size below which a result is cut rather than set smaller.
+const LEAST: f64 = 9.0;
+
 /// Title, mating and result, from `left` on and no wider than `room`.
 pub fn draw(view: &Snapshot, scene: &Scene, left: f64, room: f64) -> Group {
-    let result = result_line(scene);
-    let size = f64::min(16.0, 16.0 * room / labels::width(&result, 16.0));
+    let result = result_line(view, scene);
+    let size = f64::min(16.0, 16.0 * room / labels::width(&result, 16.0)).max(LEAST);
+    let result = labels::shortened(&result, size, room);
     let mut result = text(&result, [left, 97.0], size, false);
     result.assign("fill", INK);
     heading(view, left, room).add(result)
@@ -55,7 +59,7 @@ fn pose_line(view: &Snapshot) -> String {
     )
 }
 
-fn result_line(scene: &Scene) -> String {
+fn result_line(view: &Snapshot, scene: &Scene) -> String {
     let what = match (scene.status(), scene.circumferential_backlash()) {
         (Status::Interference, Some(backlash)) => {
             format!("{} · interference", j_wt(backlash))
@@ -63,6 +67,10 @@ fn result_line(scene: &Scene) -> String {
         (_, Some(backlash)) => format!("{} · clear", j_wt(backlash)),
         (Status::Jammed, None) => "jammed: a tip sits in a root".to_owned(),
         (_, None) => "no contact: out of mesh".to_owned(),
+    };
+    let what = match view.found {
+        Ok(_) => what,
+        Err(unproven) => format!("unproven, no contact is drawn: {}", unproven.reason),
     };
     let free = scene.assembly().free().name();
     let drawn = match scene.drawn() {

@@ -34,6 +34,8 @@ struct CheckRecord<'a> {
     material: &'static str,
     details: Map<String, Value>,
     note: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    unproven: Option<&'a str>,
 }
 
 #[derive(Debug, Serialize)]
@@ -85,6 +87,7 @@ fn check_record<'a>(group: &Group, check: &'a Check) -> CheckRecord<'a> {
             .map(|(name, value)| ((*name).to_owned(), (*value).into()))
             .collect(),
         note: &check.note,
+        unproven: check.unproven.as_deref(),
     }
 }
 
@@ -113,7 +116,9 @@ pub fn text(study: &Study, diagnosis: &Diagnosis) -> String {
             row.push(format!("{:.3}", group.assembly.center_distance()));
             row.push(group.material.name().to_owned());
         }
-        row.extend([check.analytic, check.measured, check.limit, check.margin].map(shown));
+        row.push(shown(check.analytic));
+        row.push(measured(check, shown));
+        row.extend([check.limit, check.margin].map(shown));
         row.push(unit(check.unit).to_owned());
         row.push(check.note.clone());
         rows.add_row(row);
@@ -121,6 +126,9 @@ pub fn text(study: &Study, diagnosis: &Diagnosis) -> String {
     text += &finish(&rows);
     if several {
         text += "\nEach check of the centre distance and material that keeps its limit least; --format json has all.\n";
+    }
+    for reason in doubts(diagnosis) {
+        let _ = writeln!(text, "\nUNPROVEN: {reason}.");
     }
     text += &contact(diagnosis);
     text
@@ -190,7 +198,30 @@ fn contact(diagnosis: &Diagnosis) -> String {
     text + match diagnosis.verdict() {
         Verdict::Pass => "Every check passes.\n",
         Verdict::Warn => "No check fails.\n",
+        Verdict::Unproven => {
+            "No check fails, but some are unproven: nobody knows whether their limits are kept.\n"
+        }
         Verdict::Fail => "A check fails.\n",
+    }
+}
+
+/// Why checks are not proven, each reason once.
+pub(super) fn doubts(diagnosis: &Diagnosis) -> Vec<&str> {
+    let checks = diagnosis.groups.iter().flat_map(|group| &group.checks);
+    let mut doubts = Vec::new();
+    for reason in checks.filter_map(|check| check.unproven.as_deref()) {
+        if !doubts.contains(&reason) {
+            doubts.push(reason);
+        }
+    }
+    doubts
+}
+
+/// The measured value as `shown`, or that it is not proven.
+pub(super) fn measured(check: &Check, shown: impl Fn(Option<f64>) -> String) -> String {
+    match (&check.unproven, check.measured) {
+        (Some(_), None) => "unproven".to_owned(),
+        (_, measured) => shown(measured),
     }
 }
 

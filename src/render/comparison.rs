@@ -2,8 +2,10 @@
 
 mod markdown;
 
+use super::result::{MatingRecord, UnprovenRecord, mating_record, unproven_record};
 use super::table::where_it_is;
-use crate::compare::{ComparedRun, Verdict};
+use super::unproven::doubts;
+use crate::compare::{ComparedPose, ComparedRun, Verdict};
 use crate::outcome::Outcome;
 use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
 use serde::Serialize;
@@ -33,6 +35,8 @@ enum PairOutcome {
     Agrees,
     /// Some run disagrees.
     Disagrees,
+    /// None disagrees, but some poses are not proven: nobody knows about them.
+    Unproven,
     /// None disagrees, but in some there was nothing to compare: that is no agreement.
     Nothing,
 }
@@ -50,9 +54,15 @@ impl ComparedPair {
         if failing.peek().is_none() {
             return PairOutcome::Agrees;
         }
-        match failing.all(|run| run.compared() == 0) {
-            true => PairOutcome::Nothing,
-            false => PairOutcome::Disagrees,
+        // A run that is jammed or out of mesh throughout disagrees with nothing, whatever the formula says.
+        let disagrees =
+            |run: &ComparedRun| run.compared() > 0 && run.disagrees(self.allow_off_line);
+        if failing.clone().any(disagrees) {
+            return PairOutcome::Disagrees;
+        }
+        match failing.any(|run| run.unproven().next().is_some()) {
+            true => PairOutcome::Unproven,
+            false => PairOutcome::Nothing,
         }
     }
 
@@ -62,7 +72,16 @@ impl ComparedPair {
             return None;
         }
         let mut parts = Vec::new();
-        if run.compared() == 0 {
+        let unproven = run.unproven().count();
+        if let Some(first) = run.unproven().next() {
+            parts.push(format!(
+                "{unproven} of {} poses: unproven, first {}: {}",
+                run.poses.len(),
+                where_it_is(first),
+                doubts(first)
+            ));
+        }
+        if run.compared() == 0 && unproven < run.poses.len() {
             parts.push(format!("nothing to compare: {}", without_value(run)));
         }
         for verdict in [Verdict::Above, Verdict::Below, Verdict::OffLine] {
@@ -93,7 +112,11 @@ impl ComparedPair {
 /// Why poses have no backlash, or no formula to set beside it.
 fn without_value(run: &ComparedRun) -> String {
     let of = Outcome::of(&[run], &[]);
-    let parts = [(of.jammed, "jammed"), (of.apart, "out of mesh")];
+    let parts = [
+        (of.jammed, "jammed"),
+        (of.apart, "out of mesh"),
+        (of.unproven, "unproven"),
+    ];
     at_poses(&of, &parts).unwrap_or_else(|| "model 3 has no value at any pose".to_owned())
 }
 
@@ -104,6 +127,7 @@ fn trouble(run: &ComparedRun) -> Option<String> {
         (of.interfering, "interference"),
         (of.jammed, "jammed"),
         (of.apart, "out of mesh"),
+        (of.unproven, "unproven"),
     ];
     at_poses(&of, &parts)
 }
@@ -161,6 +185,9 @@ pub fn text(pairs: &[ComparedPair]) -> String {
         let _ = match pair.outcome() {
             PairOutcome::Agrees => writeln!(text, "  agree {within}"),
             PairOutcome::Disagrees => writeln!(text, "  DISAGREE {within}"),
+            PairOutcome::Unproven => {
+                writeln!(text, "  UNPROVEN at some poses: no agreement {within}")
+            }
             PairOutcome::Nothing => writeln!(text, "  NOTHING TO COMPARE at some centre distance"),
         };
     }
@@ -196,6 +223,20 @@ struct JsonRun {
     above: usize,
     max_deviation_um: JsonDeviation,
     worst: Option<JsonWorst>,
+    /// Poses that are not proven, none of which is compared.
+    unproven: usize,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    unproven_poses: Vec<JsonUnproven>,
+}
+
+#[derive(Serialize)]
+struct JsonUnproven {
+    mating: MatingRecord,
+    /// None where the pose itself is proven, and an end of the bearing clearance is not.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    unproven: Option<UnprovenRecord>,
+    /// All that is in doubt, in words.
+    reason: String,
 }
 
 #[derive(Serialize)]
@@ -240,6 +281,8 @@ fn json_pair(pair: &ComparedPair) -> JsonPair<'_> {
                 involute: summary.off_involute.map(|length| length * 1e3),
                 line_of_action: summary.off_line_of_action.map(|length| length * 1e3),
             },
+            unproven: run.count(Verdict::Unproven),
+            unproven_poses: run.unproven().map(json_unproven).collect(),
             worst: run.worst().map(|(pose, difference)| {
                 let mating = pose.swept.pose.mating();
                 JsonWorst {
@@ -260,6 +303,14 @@ fn json_pair(pair: &ComparedPair) -> JsonPair<'_> {
         allow_off_line_contact: pair.allow_off_line,
         passed: pair.passes(),
         runs: pair.runs.iter().map(run).collect(),
+    }
+}
+
+fn json_unproven(pose: &ComparedPose) -> JsonUnproven {
+    JsonUnproven {
+        mating: mating_record(pose.swept.pose.mating()),
+        unproven: pose.swept.found.as_ref().err().map(unproven_record),
+        reason: doubts(pose),
     }
 }
 

@@ -10,7 +10,7 @@ use super::page::{
 use super::snapshot::{INSETS, MAIN, Snapshot, names};
 use super::view::{MARGIN, View};
 use crate::gear::Placed;
-use crate::mesh::{Exaggeration, Scene};
+use crate::mesh::Exaggeration;
 use crate::pair::Member;
 use svg::node::Node;
 use svg::node::element::{ClipPath, Definitions, Group, Path, Use};
@@ -22,7 +22,7 @@ const LEAST_TOOTH: f64 = 4.0;
 
 /// The SVG text of `view`'s gears with their deviations as `gears` has them.
 pub fn exaggerated(view: &Snapshot, gears: &Exaggeration) -> String {
-    let scene = Scene::new(view.assembly, view.pose, view.lost_motion);
+    let scene = view.scene();
     let main = main_view::view(&scene, MAIN);
     let mut occupied = Occupied::default();
     let mesh = mesh(view, gears, &main, &mut occupied);

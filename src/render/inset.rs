@@ -9,7 +9,7 @@ use super::page::{Frame, GREY, Spot, UNITS_PER_MM, text};
 use super::view::View;
 use super::{gears, met, overlap_label, scale};
 use crate::gear::Side;
-use crate::mesh::{Drawn, Meeting, Scene, Touch};
+use crate::mesh::{Drawn, Meeting, Scene, Status, Touch};
 use nalgebra::{Point2, center};
 use svg::node::Node;
 use svg::node::element::{Element, Group, Rectangle};
@@ -89,7 +89,10 @@ pub fn heading(scene: &Scene, side: Side, meeting: Option<&Meeting>, corner: Spo
     let (first, second) = match meeting {
         None => (
             format!("{name} flanks: no contact"),
-            "out of mesh on this side".to_owned(),
+            match scene.status() {
+                Status::Unproven => "not proven: none is drawn".to_owned(),
+                _ => "out of mesh on this side".to_owned(),
+            },
         ),
         Some(meeting) => {
             let gap = meeting.gap;

@@ -25,22 +25,25 @@ enum Shade {
     Corner,
     Fillet,
     Jam,
+    Unproven,
 }
 
 impl Shade {
-    const ALL: [Shade; 6] = [
+    const ALL: [Shade; 7] = [
         Shade::Involute,
         Shade::Overlap,
         Shade::Corner,
         Shade::Fillet,
         Shade::Jam,
         Shade::Nothing,
+        Shade::Unproven,
     ];
 
     fn of(cell: &MapCell) -> Shade {
         match cell.class {
             PoseClass::NoContact => Shade::Nothing,
             PoseClass::Jammed => Shade::Jam,
+            PoseClass::Unproven => Shade::Unproven,
             PoseClass::Contact(ContactKind::Involute) => {
                 match cell.backlash.is_some_and(|j| j < 0.0) {
                     true => Shade::Overlap,
@@ -60,6 +63,7 @@ impl Shade {
             Shade::Corner => "#f0b45a",
             Shade::Fillet => "#c8452f",
             Shade::Jam => "#4a1f2e",
+            Shade::Unproven => "#ff00ff",
         }
     }
 
@@ -71,6 +75,7 @@ impl Shade {
             Shade::Corner => "tip corner off the line",
             Shade::Fillet => "fillet or undercut edge",
             Shade::Jam => "jam: tip in root",
+            Shade::Unproven => "unproven: contact lost",
         }
     }
 }

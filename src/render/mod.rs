@@ -30,6 +30,7 @@ mod scale;
 mod snapshot;
 mod table;
 mod turning;
+mod unproven;
 mod view;
 pub mod viewer;
 

@@ -5,7 +5,7 @@ use super::marks::dot;
 use super::motion::{course, motion};
 use super::page::{Frame, GREY, INK, PATH, Spot, line, text};
 use super::snapshot::INSETS;
-use crate::mesh::SweptPose;
+use crate::mesh::{Status, SweptPose};
 use svg::node::Node;
 use svg::node::element::Group;
 
@@ -16,6 +16,14 @@ const CHART: Frame = Frame {
     right: 1146.0,
     bottom: 700.0,
 };
+/// Why no step has a value.
+fn no_value(steps: &[SweptPose]) -> &'static str {
+    match steps.iter().any(|step| step.status() == Status::Unproven) {
+        true => "no value: unproven, jammed or out of mesh",
+        false => "no value: jammed or out of mesh",
+    }
+}
+
 /// `j_wt` over the pitch, with a dot that runs along.
 pub fn draw(steps: &[SweptPose]) -> Group {
     let values: Vec<Option<f64>> = steps.iter().map(|step| step.backlash).collect();
@@ -50,7 +58,7 @@ pub fn draw(steps: &[SweptPose]) -> Group {
     }
     let (Some(least), Some(most)) = (found().reduce(f64::min), found().reduce(f64::max)) else {
         let [x, y] = CHART.middle();
-        return group.add(label("no value: jammed or out of mesh", [x, y], "middle"));
+        return group.add(label(no_value(steps), [x, y], "middle"));
     };
     // At least a tenth of a micrometre, below which the labels would all be alike.
     let room = f64::max(0.15 * (most - least), 5e-5);

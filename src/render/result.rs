@@ -3,7 +3,7 @@
 use crate::compare::{ComparedPose, ComparedRun, Summary};
 use crate::diagnosis::ContactCount;
 use crate::gear::Side;
-use crate::mesh::{Contact, ContactClass, PoseClass, Touch};
+use crate::mesh::{Contact, ContactClass, LostMotion, SweptPose, Touch, Unproven};
 use crate::pair::{Assembly, Mating, Member};
 use crate::study::Study;
 use serde::Serialize;
@@ -60,14 +60,27 @@ struct PoseRecord {
     j_wt_range_um: [Option<f64>; 2],
     error_bound_um: Option<f64>,
     status: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    unproven: Option<UnprovenRecord>,
+    /// At `a − c` and at `a + c`; left out where both are proven.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    unproven_range: Option<[Option<UnprovenRecord>; 2]>,
     class: &'static str,
     right: Option<ContactRecord>,
     left: Option<ContactRecord>,
     analytic: AnalyticRecord,
 }
 
+/// Why a pose is not proven, and the values that nothing vouches for.
 #[derive(Debug, Clone, Serialize)]
-struct MatingRecord {
+pub(super) struct UnprovenRecord {
+    reason: String,
+    exact_j_wt_um: Option<f64>,
+    polygon_j_wt_um: Option<f64>,
+}
+
+#[derive(Debug, Clone, Serialize)]
+pub(super) struct MatingRecord {
     wheel_tooth: u32,
     pinion_tooth: u32,
     flank: &'static str,
@@ -103,6 +116,8 @@ struct SummaryRecord {
     min_j_wt_um: Option<f64>,
     max_j_wt_um: Option<f64>,
     mean_j_wt_um: Option<f64>,
+    /// Poses that are not proven, and of which no value counts.
+    unproven: usize,
     with_bearing_clearance: BandRecord,
     max_deviation_um: DeviationRecord,
     contact: ContactCountRecord,
@@ -112,6 +127,9 @@ struct SummaryRecord {
 struct BandRecord {
     min_j_wt_um: Option<f64>,
     max_j_wt_um: Option<f64>,
+    /// Poses that are not proven at `a − c`, and at `a + c`; left out where there are none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    unproven: Option<[usize; 2]>,
 }
 
 #[derive(Debug, Serialize)]
@@ -183,17 +201,20 @@ fn pose_record(compared: &ComparedRun, pose: &ComparedPose) -> PoseRecord {
     let free = assembly.gear(assembly.free()).gear();
     let swept = &pose.swept;
     let mating = swept.pose.mating();
-    let angle = swept.lost_motion.angle();
+    let found = swept.proven();
+    let angle = found.and_then(LostMotion::angle);
     let rotation =
         |member: Member| (assembly.locked() == member).then(|| swept.pose.locked_rotation());
-    // Nothing of a jammed or unmeshed pose is a number.
-    let contact = |side, contact: &Option<Contact>| {
-        let contact = angle.and(contact.as_ref())?;
-        Some(contact_record(assembly, side, contact))
+    // Nothing of a jammed, unmeshed or unproven pose is a number.
+    let on = |side| {
+        let found = angle.and(found)?;
+        match side {
+            Side::Right => found.right.as_ref(),
+            Side::Left => found.left.as_ref(),
+        }
     };
-    let right = angle
-        .and(swept.lost_motion.right)
-        .map(|c| principal(c.rotation));
+    let contact = |side| Some(contact_record(assembly, side, on(side)?));
+    let right = on(Side::Right).map(|contact| principal(contact.rotation));
     PoseRecord {
         wheel_rotation_rad: rotation(Member::Wheel),
         pinion_rotation_rad: rotation(Member::Pinion),
@@ -206,16 +227,35 @@ fn pose_record(compared: &ComparedRun, pose: &ComparedPose) -> PoseRecord {
         j_bn_um: angle.map(|phi| um(phi * free.base_radius())),
         j_wt_range_um: swept.range().map(|end| end.map(um)),
         error_bound_um: angle.and(swept.error_bound).map(um),
-        status: swept.lost_motion.status().name(),
-        class: PoseClass::of(assembly, &swept.lost_motion).name(),
-        right: contact(Side::Right, &swept.lost_motion.right),
-        left: contact(Side::Left, &swept.lost_motion.left),
+        status: swept.status().name(),
+        unproven: swept.found.as_ref().err().map(unproven_record),
+        unproven_range: unproven_range(swept),
+        class: swept.class(assembly).name(),
+        right: contact(Side::Right),
+        left: contact(Side::Left),
         analytic: AnalyticRecord {
             michalec_um: pose.michalec.map(um),
             involute_um: pose.involute.map(um),
             line_of_action_um: pose.line_of_action.map(um),
         },
     }
+}
+
+pub(super) fn unproven_record(unproven: &Unproven) -> UnprovenRecord {
+    UnprovenRecord {
+        reason: unproven.reason.clone(),
+        exact_j_wt_um: unproven.exact.map(um),
+        polygon_j_wt_um: unproven.polygon.map(um),
+    }
+}
+
+/// What is not proven at the ends of the bearing clearance; `None` where both are.
+fn unproven_range(swept: &SweptPose) -> Option<[Option<UnprovenRecord>; 2]> {
+    let ends = swept.with_clearance.as_ref()?;
+    let ends = ends
+        .each_ref()
+        .map(|end| end.as_ref().err().map(unproven_record));
+    ends.iter().any(Option::is_some).then_some(ends)
 }
 
 /// The same rotation in (−π, π].
@@ -255,9 +295,11 @@ fn summary_record(summary: &Summary, contact: &ContactCount) -> SummaryRecord {
         min_j_wt_um: summary.min.map(um),
         max_j_wt_um: summary.max.map(um),
         mean_j_wt_um: summary.mean.map(um),
+        unproven: summary.unproven,
         with_bearing_clearance: BandRecord {
             min_j_wt_um: summary.with_clearance[0].map(um),
             max_j_wt_um: summary.with_clearance[1].map(um),
+            unproven: (summary.unproven_ends != [0, 0]).then_some(summary.unproven_ends),
         },
         max_deviation_um: DeviationRecord {
             involute: summary.off_involute.map(um),
@@ -267,7 +309,7 @@ fn summary_record(summary: &Summary, contact: &ContactCount) -> SummaryRecord {
     }
 }
 
-fn mating_record(mating: &Mating) -> MatingRecord {
+pub(super) fn mating_record(mating: &Mating) -> MatingRecord {
     MatingRecord {
         wheel_tooth: mating.wheel_tooth,
         pinion_tooth: mating.pinion_tooth,

@@ -12,7 +12,7 @@ use super::page::{Frame, WIDTH, blank_sheet, line, text};
 use super::view::View;
 use super::{caption, gears, inset, legend, main_view, met, scale};
 use crate::gear::Side;
-use crate::mesh::{LostMotion, Meeting, Scene, Status};
+use crate::mesh::{LostMotion, Meeting, Scene, Status, Unproven};
 use crate::pair::{Assembly, Member, Pose};
 use svg::node::Node;
 use svg::node::element::{Definitions, Group, Pattern};
@@ -28,8 +28,18 @@ pub struct Snapshot<'a> {
     pub pose: &'a Pose,
     /// `most`, `least` or `as-measured`.
     pub material: &'a str,
-    /// What the simulation found at the pose.
-    pub lost_motion: &'a LostMotion,
+    /// What the simulation found at the pose; of an unproven pose nothing is drawn as contact.
+    pub found: Result<&'a LostMotion, &'a Unproven>,
+}
+
+impl<'a> Snapshot<'a> {
+    /// What is drawn.
+    pub(super) fn scene(&self) -> Scene<'a> {
+        match self.found {
+            Ok(lost_motion) => Scene::new(self.assembly, self.pose, lost_motion),
+            Err(_) => Scene::unproven(self.assembly, self.pose),
+        }
+    }
 }
 
 /// Both sides' lines of action; a thin overlap shows over the outlines.
@@ -64,7 +74,7 @@ pub const INSETS: [Frame; 2] = [
 
 /// The SVG text of a snapshot.
 pub fn snapshot(view: &Snapshot) -> String {
-    let scene = Scene::new(view.assembly, view.pose, view.lost_motion);
+    let scene = view.scene();
     let main = main_view::view(&scene, MAIN);
     let mut occupied = Occupied::default();
     let look = Look {

@@ -4,6 +4,7 @@ mod measured;
 mod phases;
 
 use super::decimal::ascii;
+use super::unproven;
 use crate::compare::{ComparedPose, ComparedRun, Verdict};
 use crate::measured::MeasuredMating;
 use crate::mesh::Contact;
@@ -38,6 +39,7 @@ pub fn simulation(study: &Study, runs: &[ComparedRun], measured: &[MeasuredMatin
         text += &phase_table(group);
     }
     text += &off_line_note(runs);
+    text += &unproven::note(runs);
     text
 }
 
@@ -94,15 +96,16 @@ fn pose_table(runs: &[ComparedRun]) -> String {
                 0.0 => String::new(),
                 fraction => format!(" +{fraction}"),
             };
-            let contact = |contact: &Option<Contact>| match contact {
-                Some(contact) if pose.swept.backlash.is_some() => format!(
+            let found = pose.swept.backlash.and(pose.swept.proven());
+            let contact = |contact: Option<&Contact>| match contact {
+                Some(contact) => format!(
                     "{},{} {}-{}",
                     contact.wheel.tooth,
                     contact.pinion.tooth,
                     contact.wheel.curve.name(),
                     contact.pinion.curve.name()
                 ),
-                _ => "–".to_owned(),
+                None => "–".to_owned(),
             };
             table.add_row(vec![
                 format!("{:.3}", compared.run.assembly.center_distance()),
@@ -113,9 +116,9 @@ fn pose_table(runs: &[ComparedRun]) -> String {
                 pose.swept
                     .error_bound
                     .map_or("–".to_owned(), |bound| format!("{:.0e}", bound * 1e3)),
-                pose.swept.lost_motion.status().name().to_owned(),
-                contact(&pose.swept.lost_motion.right),
-                contact(&pose.swept.lost_motion.left),
+                pose.swept.status().name().to_owned(),
+                contact(found.and_then(|found| found.right.as_ref())),
+                contact(found.and_then(|found| found.left.as_ref())),
                 um(pose.michalec, 3),
                 um(pose.involute, 3),
                 um(pose.line_of_action, 3),
@@ -134,6 +137,10 @@ fn run_table(study: &Study, runs: &[ComparedRun]) -> String {
         headings.push(&clearance);
     }
     headings.extend(["off model 2", "off model 3"]);
+    let unproven = runs.iter().any(|run| run.unproven().next().is_some());
+    if unproven {
+        headings.push("unproven");
+    }
     let mut table = table(&headings);
     for compared in runs {
         let summary = compared.summary();
@@ -157,6 +164,9 @@ fn run_table(study: &Study, runs: &[ComparedRun]) -> String {
             um(summary.off_involute, 3),
             um(summary.off_line_of_action, 3),
         ]);
+        if unproven {
+            row.push(compared.unproven().count().to_string());
+        }
         table.add_row(row);
     }
     finish(&table)

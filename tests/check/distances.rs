@@ -33,7 +33,7 @@ fn zero_backlash_distance_of_the_rig_agrees_with_model_3() {
     let found = diagnosed(&study);
     let group = &found.groups[0];
     assert_eq!(group.material.name(), "most");
-    let zero = group.zero.unwrap();
+    let zero = group.zero.clone().unwrap().unwrap();
     let model_3 = |distance: f64, mating: Mating| {
         let assembly = group.assembly.at(distance).unwrap();
         let pose = Pose::new(&assembly, mating);

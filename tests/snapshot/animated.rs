@@ -31,7 +31,7 @@ fn draw(solved: &Solved) -> String {
         assembly: &solved.assembly,
         pose: &solved.pose,
         material: "as-measured",
-        lost_motion: &solved.lost_motion,
+        found: Ok(&solved.lost_motion),
     };
     animation(&view, &steps(solved))
 }

@@ -15,7 +15,7 @@ fn draw(solved: &Solved, factor: f64) -> String {
         assembly: &solved.assembly,
         pose: &solved.pose,
         material: "as-measured",
-        lost_motion: &solved.lost_motion,
+        found: Ok(&solved.lost_motion),
     };
     exaggerated(&view, &gears)
 }

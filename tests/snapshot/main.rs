@@ -22,7 +22,7 @@ fn draw(assembly: &Assembly, pose: &Pose, lost_motion: &LostMotion) -> String {
         assembly,
         pose,
         material: "most",
-        lost_motion,
+        found: Ok(lost_motion),
     })
 }
 
@@ -290,7 +290,7 @@ fn any_title_fits_and_stays_xml() {
             assembly: &assembly,
             pose: &at,
             material: "most",
-            lost_motion: &lost,
+            found: Ok(&lost),
         });
         let (first, room) = &read(&svg).texts[0];
         assert!(room[2] <= 1158.0, "{first}");

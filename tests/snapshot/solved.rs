@@ -33,7 +33,7 @@ impl Solved {
             assembly: &self.assembly,
             pose: &self.pose,
             material: "as-measured",
-            lost_motion: &self.lost_motion,
+            found: Ok(&self.lost_motion),
         })
     }
 

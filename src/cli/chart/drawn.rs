@@ -2,7 +2,7 @@
 
 use super::super::distances::Distances;
 use super::super::drawing::{End, material};
-use super::super::method::{agreement, agreement_within};
+use super::super::method::{agreement, agreement_within, all_proven, unproven};
 use super::super::progress::Progress;
 use super::{Args, Gear, Kind};
 use crate::compare::ComparedRun;
@@ -19,7 +19,7 @@ use crate::study::Study;
 pub(super) struct Drawn {
     pub chart: Chart,
     pub file: String,
-    /// Whether both methods agree, where both were asked for.
+    /// Whether every pose is proven, and both methods agree where both were asked for.
     pub agrees: bool,
 }
 
@@ -78,21 +78,22 @@ impl Drawn {
 
     /// One mating over the centre distance.
     pub fn over_distance(args: &Args, study: &Study) -> Result<Drawn, Error> {
-        let (followed, swept) = match args.mating {
+        let (followed, swept_runs) = match args.mating {
             Some((wheel, pinion)) => (Followed::Teeth(wheel, pinion), Vec::new()),
             None => binding(study)?,
         };
-        let swept: Vec<&ComparedRun> = swept.iter().collect();
+        let swept: Vec<&ComparedRun> = swept_runs.iter().collect();
         let swept = by_distance(&swept, &[]);
         let progress = Progress::start(curves::over_distance_pose_count(study));
         let (method, tick) = (args.method.method(), || progress.tick());
         let curve = curves::over_distance(study, followed, method, &tick)?;
         progress.finish()?;
         let (wheel, pinion) = teeth(followed);
+        let unproven = curve.unproven + unproven(swept_runs.iter());
         Ok(Drawn {
             chart: chart::distance(&heading(study), &curve, &swept)?,
             file: format!("chart_distance_{wheel}_{pinion}.svg"),
-            agrees: agreement_within(curve.polygon_difference),
+            agrees: agreement_within(curve.polygon_difference) & all_proven(unproven),
         })
     }
 

@@ -27,6 +27,7 @@ impl Here<'_> {
             )
         };
         Check {
+            unproven: None,
             id: "radial_clearance",
             title: "radial clearance of tip, K (9), (10)",
             gear: Some(member),
@@ -42,7 +43,7 @@ impl Here<'_> {
             ],
             note: {
                 let missed = match verdict {
-                    Verdict::Pass => String::new(),
+                    Verdict::Pass | Verdict::Unproven => String::new(),
                     Verdict::Warn => format!(
                         ", below the {} recommended ({:.4} mm)",
                         limits::RECOMMENDED_CLEARANCE,
@@ -83,6 +84,7 @@ impl Here<'_> {
         let least = measured.map_or(analytic, |measured| measured.min(analytic));
         let limit = LEAST_TIP * self.module();
         Check {
+            unproven: None,
             id: "tip_thickness",
             title: "tip thickness; of the thinnest tooth",
             gear: Some(member),

@@ -13,8 +13,8 @@ impl Here<'_> {
     fn below(&self, member: Member) -> usize {
         let poses = self.runs.iter().flat_map(|run| &run.poses);
         poses
-            .filter(|pose| {
-                let found = &pose.swept.lost_motion;
+            .filter_map(|pose| pose.swept.proven())
+            .filter(|found| {
                 let sides = [(Side::Right, &found.right), (Side::Left, &found.left)];
                 sides.into_iter().any(|(side, contact)| {
                     contact
@@ -64,6 +64,7 @@ impl Here<'_> {
             (false, _) => Verdict::Fail,
         };
         Check {
+            unproven: None,
             id: "non_involute_k8",
             title: "mate's tip within base tangent, K (8)",
             gear: Some(member),
@@ -98,6 +99,7 @@ impl Here<'_> {
         let least = [analytic, measured].into_iter().flatten().reduce(f64::min);
         let poses = self.contact.poses();
         Check {
+            unproven: None,
             id: "non_involute_form",
             title: "lowest contact above form circle (radii)",
             gear: Some(member),

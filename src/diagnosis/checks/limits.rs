@@ -23,6 +23,7 @@ impl Here<'_> {
         details.extend(nominal.map(|nominal| ("nominal_thickness_mm", nominal)));
         details.extend(zero.map(|zero| ("of_poses_mm", zero.of_poses)));
         Check {
+            unproven: None,
             id: "zero_backlash_distance",
             title: "zero-backlash centre distance, K (17)",
             gear: None,
@@ -66,6 +67,7 @@ impl Here<'_> {
         let measured = least.map(|least| pitch - least);
         let margin = pitch - measured.map_or(analytic, |measured| measured.max(analytic));
         Check {
+            unproven: None,
             id: "backlash_condition",
             title: "both teeth within the pitch, K (12), (13)",
             gear: None,
@@ -105,6 +107,7 @@ impl Here<'_> {
         let edge = fillet.perp(&involute).abs().atan2(fillet.dot(&involute));
         let undercut = gear.fillet().end() < FRAC_PI_2 - toothing.pressure_angle();
         Check {
+            unproven: None,
             id: "undercut",
             title: "involute begins outside base circle",
             gear: Some(member),
@@ -140,6 +143,7 @@ impl Here<'_> {
             .and_then(|a| self.assembly.at(a).ok())
             .map(|nominal| limits::contact_ratio(&nominal));
         Check {
+            unproven: None,
             id: "contact_ratio",
             title: "contact ratio; between real form circles",
             gear: None,

@@ -39,10 +39,13 @@ pub struct Group {
     /// What touched over its poses.
     pub contact: ContactCount,
     /// `a_0` measured: of the material, the same at each centre distance.
-    pub zero: Option<ZeroDistance>,
+    pub zero: Searched<ZeroDistance>,
     /// Onset of non-involute contact: of the material, the same at each centre distance.
-    pub onset: Option<Onset>,
+    pub onset: Searched<Onset>,
 }
+
+/// What a search over poses came to: found or not there; or why that is not proven.
+pub type Searched<T> = Result<Option<T>, String>;
 
 impl Diagnosis {
     /// The gravest verdict.
@@ -59,31 +62,36 @@ impl Diagnosis {
 ///
 /// `step` is called before each search over the poses of a material, with what is looked for.
 ///
+/// A search whose poses are not proven, or which loses a contact, leaves the checks that need it unproven.
+///
 /// # Errors
-/// A contact that was lost.
+/// What `step` returns.
 pub fn diagnose(
     study: &Study,
     runs: &[ComparedRun],
     step: &mut dyn FnMut(&str) -> Result<(), Error>,
 ) -> Result<Diagnosis, Error> {
     let mut groups: Vec<Group> = Vec::new();
-    let mut searched: Vec<(Material, Option<ZeroDistance>, Option<Onset>)> = Vec::new();
+    let mut searched: Vec<(Material, Searched<ZeroDistance>, Searched<Onset>)> = Vec::new();
     let key = |run: &ComparedRun| (run.run.assembly.center_distance(), run.run.material);
     for runs_here in runs.chunk_by(|a, b| key(a) == key(b)) {
         let Some(first) = runs_here.first() else {
             continue;
         };
         let (assembly, material) = (&first.run.assembly, first.run.material);
-        let known = searched.iter().find(|entry| entry.0 == material).copied();
+        let known = searched.iter().find(|entry| entry.0 == material).cloned();
         let (_, zero, onset) = match known {
             Some(known) => known,
             None => {
-                let matings = matings(runs.iter().filter(|run| run.run.material == material));
+                let of_material = || runs.iter().filter(|run| run.run.material == material);
+                let matings = matings(of_material());
+                // A search from poses that are not proven would be no better than they are.
+                let doubt = doubt(of_material());
                 step("zero-backlash centre distance")?;
-                let zero = zero_distance(assembly, &matings)?;
+                let zero = search(&doubt, || zero_distance(assembly, &matings))?;
                 step("onset of non-involute contact")?;
-                let onset = non_involute_onset(assembly, &matings)?;
-                searched.push((material, zero, onset));
+                let onset = search(&doubt, || non_involute_onset(assembly, &matings))?;
+                searched.push((material, zero.clone(), onset.clone()));
                 (material, zero, onset)
             }
         };
@@ -98,7 +106,7 @@ pub fn diagnose(
         groups.push(Group {
             assembly: assembly.clone(),
             material,
-            checks: here.checks(zero.as_ref(), onset.as_ref()),
+            checks: here.checks(&zero, &onset),
             contact,
             zero,
             onset,
@@ -108,6 +116,39 @@ pub fn diagnose(
         groups,
         contact: ContactCount::sum(runs),
     })
+}
+
+/// What `look` finds, unless there is `doubt` about the poses it starts from or it loses a contact.
+fn search<T>(
+    doubt: &Option<String>,
+    look: impl FnOnce() -> Result<Option<T>, Error>,
+) -> Result<Searched<T>, Error> {
+    if let Some(reason) = doubt {
+        return Ok(Err(reason.clone()));
+    }
+    match look() {
+        Ok(found) => Ok(Ok(found)),
+        Err(error) => match error.of_one_pose() {
+            Some(reason) => Ok(Err(format!(
+                "the search met a pose without proof: {reason}"
+            ))),
+            None => Err(error),
+        },
+    }
+}
+
+/// How many poses of `runs` are not proven, and why the first is not; `None` where all are.
+fn doubt<'a>(runs: impl Iterator<Item = &'a ComparedRun> + Clone) -> Option<String> {
+    let poses = runs.clone().map(|run| run.poses.len()).sum::<usize>();
+    let unproven = runs.flat_map(ComparedRun::unproven);
+    let count = unproven.clone().count();
+    let first = unproven.into_iter().next()?;
+    let why = first.swept.unproven().next()?;
+    Some(format!(
+        "{count} of {poses} poses are unproven; the first is {}: {}",
+        place(first.swept.pose.mating()),
+        why.reason
+    ))
 }
 
 /// The matings of `runs`, each once, in order.
@@ -129,15 +170,26 @@ struct Here<'a> {
 }
 
 impl Here<'_> {
-    fn checks(&self, zero: Option<&ZeroDistance>, onset: Option<&Onset>) -> Vec<Check> {
+    fn checks(&self, zero: &Searched<ZeroDistance>, onset: &Searched<Onset>) -> Vec<Check> {
+        let doubt = doubt(self.runs.iter());
+        let of_poses = |check: Check| match &doubt {
+            Some(reason) => check.not_proven(reason),
+            None => check,
+        };
         let mut checks = Vec::new();
         checks.extend(MEMBERS.map(|member| self.clearance(member)));
-        checks.extend(MEMBERS.map(|member| self.k_8(member)));
-        checks.extend(MEMBERS.map(|member| self.form(member)));
-        checks.push(self.onset(onset));
-        checks.push(self.off_line());
-        checks.push(self.zero(zero));
-        checks.push(self.backlash());
+        checks.extend(MEMBERS.map(|member| of_poses(self.k_8(member))));
+        checks.extend(MEMBERS.map(|member| of_poses(self.form(member))));
+        checks.push(match onset {
+            Ok(onset) => self.onset(onset.as_ref()),
+            Err(reason) => self.onset(None).not_proven(reason),
+        });
+        checks.push(of_poses(self.off_line()));
+        checks.push(match zero {
+            Ok(zero) => self.zero(zero.as_ref()),
+            Err(reason) => self.zero(None).not_proven(reason),
+        });
+        checks.push(of_poses(self.backlash()));
         checks.extend(MEMBERS.map(|member| self.undercut(member)));
         checks.push(self.contact_ratio());
         checks.extend(MEMBERS.map(|member| self.tip(member)));
@@ -159,13 +211,14 @@ impl Here<'_> {
     /// Every contact of this pair that has a rotation to it.
     fn contacts(&self) -> impl Iterator<Item = (Side, &Contact)> {
         let poses = self.runs.iter().flat_map(|run| &run.poses);
-        poses.flat_map(|pose| {
-            let found = &pose.swept.lost_motion;
-            let right = found.right.as_ref().map(|c| (Side::Right, c));
-            right
-                .into_iter()
-                .chain(found.left.as_ref().map(|c| (Side::Left, c)))
-        })
+        poses
+            .filter_map(|pose| pose.swept.proven())
+            .flat_map(|found| {
+                let right = found.right.as_ref().map(|c| (Side::Right, c));
+                right
+                    .into_iter()
+                    .chain(found.left.as_ref().map(|c| (Side::Left, c)))
+            })
     }
 }
 

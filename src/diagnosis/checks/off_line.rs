@@ -15,6 +15,7 @@ impl Here<'_> {
         let measured = onset.map(|onset| onset.distance);
         let margin = a - measured.unwrap_or(analytic);
         Check {
+            unproven: None,
             id: "non_involute_onset",
             title: "centre distance of first non-involute contact",
             gear: None,
@@ -65,6 +66,7 @@ impl Here<'_> {
             }
         }
         Check {
+            unproven: None,
             id: "off_line_contact",
             title: "poses that touch off the line of action",
             gear: None,

@@ -3,7 +3,7 @@
 use super::materials::{ends, thin, width};
 use super::paint::Look;
 use super::panel::{Anchor, Axis, Mark, Panel, Point, Sample, range};
-use super::words::{course_axis, course_words, entry};
+use super::words::{course_axis, course_words, empty, entry, unproven_of, unproven_words};
 use super::{Chart, Heading, sheet};
 use crate::curves::{Course, CourseLine, CoursePoint};
 use crate::error::Error;
@@ -16,7 +16,7 @@ const BOUND: f64 = 0.16;
 /// and 2 in the upper panel, model 3 with the error bound of the simulation in the lower, on an axis of its own.
 ///
 /// # Errors
-/// [`Error::Chart`] when no pose has both values.
+/// [`Error::Chart`] when no pose has both values, all being proven.
 pub fn difference(heading: &Heading, course: &Course, tolerance_um: f64) -> Result<Chart, Error> {
     let lines = || course.lines.iter().filter(|line| line.flank == Side::Right);
     let of = |model: fn(&CoursePoint) -> Option<f64>, look: Look| {
@@ -72,13 +72,21 @@ pub fn difference(heading: &Heading, course: &Course, tolerance_um: f64) -> Resu
         panels.push(lower);
     }
     if panels.is_empty() {
+        let unproven = unproven_of(lines());
+        if unproven > 0 {
+            let words = "no pose that is proven has both a simulated and an analytic value";
+            let details = unproven_words(unproven) + &course_words(course);
+            let panel = empty(course_axis(course), words);
+            return sheet::draw(heading, &details, &[], &[panel]);
+        }
         return Err(Error::Chart(format!(
             "no pose at centre distance {} mm has both a simulated and an analytic value: jammed or out of mesh",
             course.center_distance
         )));
     }
     let details = format!(
-        "simulated − formula, right flanks · {}",
+        "{}simulated − formula, right flanks · {}",
+        unproven_words(unproven_of(lines())),
         course_words(course)
     );
     sheet::draw(heading, &details, &legend, &panels)

@@ -2,7 +2,7 @@
 
 use super::paint::Look;
 use super::panel::{Anchor, Axis, Mark, Panel, Point, Sample, backlash_range, range};
-use super::words::{entry, interference, without_value};
+use super::words::{empty, entry, interference, unproven_words, without_value};
 use super::{Chart, Heading, sheet};
 use crate::curves::{DistancePoint, OverDistance};
 use crate::error::Error;
@@ -18,7 +18,7 @@ const FILLS: [f64; 2] = [0.14, 0.22];
 /// and the measured values.
 ///
 /// # Errors
-/// [`Error::Chart`] when there is neither a value nor a measurement.
+/// [`Error::Chart`] when there is neither a value nor a measurement, all poses being proven.
 pub fn distance(
     heading: &Heading,
     curve: &OverDistance,
@@ -112,6 +112,14 @@ pub fn distance(
         1e-6,
     );
     let (Some(x), Some(y)) = (x, backlash_range(values)) else {
+        if let (Some(x), true) = (x, curve.unproven > 0) {
+            let panel = empty(
+                Axis::new("centre distance a, mm", x),
+                "no pose that is proven has a backlash",
+            );
+            let details = unproven_words(curve.unproven) + &poses(&curve.matings);
+            return sheet::draw(heading, &details, &[], &[panel]);
+        }
         return Err(Error::Chart(
             "the mating is jammed or out of mesh at every centre distance".to_owned(),
         ));
@@ -126,7 +134,7 @@ pub fn distance(
     // The bands come from below on the left.
     interference(&mut panel, x[0]);
     panel.marks.extend(gaps(curve, [x, y]));
-    let details = poses(&curve.matings);
+    let details = unproven_words(curve.unproven) + &poses(&curve.matings);
     sheet::draw(heading, &details, &legend, &[panel])
 }
 

@@ -3,7 +3,8 @@
 use super::paint::Look;
 use super::panel::{Anchor, Axis, Mark, Panel, Point, Sample, backlash_range};
 use super::words::{
-    course_axis, course_words, empty, entry, interference, micrometres, without_value,
+    course_axis, course_words, empty, entry, interference, micrometres, unproven_of,
+    unproven_words, without_value,
 };
 use super::{Chart, Heading, sheet};
 use crate::curves::{Course, CourseLine, Extreme};
@@ -29,7 +30,9 @@ pub fn revolution(heading: &Heading, course: &Course) -> Result<Chart, Error> {
     let Some(y) = backlash_range(values) else {
         let words = format!("no pose has a backlash: {}", without());
         let panel = empty(course_axis(course), &words);
-        return sheet::draw(heading, &course_words(course), &[], &[panel]);
+        let unproven = unproven_words(unproven_of(course.lines.iter()));
+        let details = unproven + &course_words(course);
+        return sheet::draw(heading, &details, &[], &[panel]);
     };
     let mut panel = Panel {
         title: String::new(),
@@ -100,7 +103,8 @@ pub fn revolution(heading: &Heading, course: &Course) -> Result<Chart, Error> {
         true => format!(" · gaps: {}", without()),
         false => String::new(),
     };
-    let details = format!("{}{gaps}", course_words(course));
+    let unproven = unproven_words(unproven_of(course.lines.iter()));
+    let details = format!("{unproven}{}{gaps}", course_words(course));
     sheet::draw(heading, &details, &legend, &[panel])
 }
 

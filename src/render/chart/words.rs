@@ -2,7 +2,7 @@
 
 use super::paint::Look;
 use super::panel::{Anchor, Axis, Entry, Mark, Panel, Sample};
-use crate::curves::Course;
+use crate::curves::{Course, CourseLine};
 use crate::mesh::Status;
 use crate::render::decimal::fixed;
 
@@ -101,16 +101,37 @@ pub(super) fn empty(x: Axis, words: &str) -> Panel {
     }
 }
 
+/// How many poses are not proven, at the head of a caption, where nothing cuts it off; nothing where all are.
+pub(super) fn unproven_words(poses: usize) -> String {
+    match poses {
+        0 => String::new(),
+        1 => "1 pose unproven, not drawn · ".to_owned(),
+        poses => format!("{poses} poses unproven, not drawn · "),
+    }
+}
+
+/// How many poses of a course are not proven.
+pub(super) fn unproven_of<'a>(lines: impl Iterator<Item = &'a CourseLine>) -> usize {
+    let points = lines.flat_map(|line| &line.points);
+    let unproven = points.filter(|point| point.status == Status::Unproven);
+    unproven.count()
+}
+
 /// Why there is no backlash, of poses that ended so.
 pub(super) fn without_value(statuses: impl Iterator<Item = Status>) -> &'static str {
-    let (mut jammed, mut apart) = (false, false);
+    let (mut jammed, mut apart, mut unproven) = (false, false, false);
     for status in statuses {
         jammed |= status == Status::Jammed;
         apart |= status == Status::NoContact;
+        unproven |= status == Status::Unproven;
     }
-    match (jammed, apart) {
-        (true, false) => "jammed",
-        (false, true) => "out of mesh",
-        _ => "jammed or out of mesh",
+    match (jammed, apart, unproven) {
+        (true, false, false) => "jammed",
+        (false, true, false) => "out of mesh",
+        (_, _, false) => "jammed or out of mesh",
+        (false, false, true) => "unproven",
+        (true, false, true) => "jammed or unproven",
+        (false, true, true) => "out of mesh or unproven",
+        (true, true, true) => "jammed, out of mesh or unproven",
     }
 }

@@ -30,6 +30,10 @@ pub fn markdown(pairs: &[ComparedPair]) -> String {
             "simulated and analytic backlash disagree in {pairs} of {all} pairs"
         )),
     }
+    match count(PairOutcome::Unproven) {
+        0 => {}
+        pairs => failing.push(format!("unproven poses in {pairs} of {all} pairs")),
+    }
     match count(PairOutcome::Nothing) {
         0 => {}
         pairs => failing.push(format!("nothing to compare in {pairs} of {all} pairs")),

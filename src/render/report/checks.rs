@@ -1,10 +1,10 @@
 //! Every check with its margin.
 
 use super::Page;
-use super::words::{distance, j_wt, material, study, value};
+use super::words::{distance, j_wt, material, plain, study, value};
 use crate::diagnosis::{Check, Group, Verdict};
 use crate::pair::Member;
-use crate::render::check::{governing, unit};
+use crate::render::check::{doubts, governing, measured, unit};
 use maud::{Markup, html};
 
 pub(super) fn section(page: &Page) -> Markup {
@@ -15,6 +15,9 @@ pub(super) fn section(page: &Page) -> Markup {
     let outcome = match diagnosis.verdict() {
         Verdict::Pass => "Every check passes.",
         Verdict::Warn => "No check fails; some values lie beside what is recommended.",
+        Verdict::Unproven => {
+            "No check fails, but some are unproven: nobody knows whether their limits are kept."
+        }
         Verdict::Fail => "A check fails.",
     };
     html! {
@@ -44,6 +47,7 @@ pub(super) fn section(page: &Page) -> Markup {
                     tbody { @for (group, check) in governing(diagnosis) { (row(several, group, check)) } }
                 }
             }
+            @for reason in doubts(diagnosis) { p { strong { "Unproven: " } (plain(reason)) "." } }
             (study())
             p.note {
                 "A contact is named by the curves that meet: tip-fillet is a tip on its mate’s fillet, undercut-edge the edge that undercut "
@@ -74,7 +78,7 @@ fn remark(note: &str) -> Markup {
 }
 
 fn row(several: bool, group: &Group, check: &Check) -> Markup {
-    let bad = check.verdict == Verdict::Fail;
+    let bad = check.verdict >= Verdict::Unproven;
     html! {
         tr {
             td.fail[bad] { (check.verdict.name()) }
@@ -87,9 +91,10 @@ fn row(several: bool, group: &Group, check: &Check) -> Markup {
                 td.n { (distance(group.assembly.center_distance())) }
                 td.w { (material(group.material)) }
             }
-            @for number in [check.analytic, check.measured, check.limit, check.margin] {
-                td.n { (value(number, 4)) }
-            }
+            td.n { (value(check.analytic, 4)) }
+            td.n { (measured(check, |number| value(number, 4))) }
+            td.n { (value(check.limit, 4)) }
+            td.n { (value(check.margin, 4)) }
             td { (unit(check.unit)) }
         }
     }

@@ -54,9 +54,10 @@ fn simulated(page: &Page) -> String {
         Some((last, rest)) if !rest.is_empty() => format!("{}, and {last}", rest.join(", ")),
         _ => parts.join(""),
     };
-    let extremes = match page.whole.least {
-        Some(_) => " Least and greatest are over all of them.",
-        None => "",
+    let extremes = match (page.whole.least, page.whole.unproven) {
+        (Some(_), 0) => " Least and greatest are over all of them.",
+        (Some(_), _) => " Least and greatest are over those that are proven.",
+        (None, _) => "",
     };
     format!("Over {} poses: {words}.{extremes}", page.whole.poses)
 }
@@ -71,6 +72,10 @@ fn others(page: &Page) -> Markup {
             Others::Seen { steps_per_pitch, poses } => {
                 "These revolutions meet " (simulated) " of " (matings) " matings. The others were gone through too, on the exact tooth "
                 "curves (" (poses) " poses, " (steps_per_pitch) " a pitch); where they are least and greatest, the pair was simulated like the rest."
+                @if cycle.lost > 0 {
+                    " " strong { "At " (cycle.lost) " of them the contact was lost: they are unproven" }
+                    ", and can have less backlash, or none."
+                }
             }
             Others::TooMany { most } => {
                 strong { "These revolutions meet " (simulated) " of " (matings) " matings" }

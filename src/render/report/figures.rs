@@ -150,7 +150,11 @@ pub(super) fn over_distance(page: &Page) -> Result<Markup, Error> {
     let others = "backlash of the other measured matings over the centre distance";
     let Some((first, rest)) = figures.split_first() else {
         return Ok(html! {
-            p { "Left out: over these centre distances the gears are jammed or out of mesh." }
+            p {
+                "Left out: over these centre distances the gears are jammed or out of mesh"
+                @if page.report.over_distance.iter().any(|curve| curve.unproven > 0) { ", or it is unproven" }
+                "."
+            }
         });
     };
     Ok(html! {

@@ -18,6 +18,7 @@ mod poses;
 mod results;
 mod stated;
 mod trust;
+mod unproven;
 mod verdict;
 mod words;
 
@@ -118,6 +119,7 @@ pub fn report(report: &Report) -> Result<String, Error> {
                 (head(report, &title))
                 main {
                     (verdict::section(&page))
+                    (unproven::section(&page))
                     (trust::section(&page))
                     (input::section(&page)?)
                     (checks::section(&page))

@@ -40,6 +40,7 @@ pub(super) fn section(page: &Page) -> Result<Markup, Error> {
         (of.jammed, "are jammed, though model 3 has a value"),
         (of.apart, "are out of mesh, though model 3 has a value"),
         (of.neither, "are jammed or out of mesh: neither has a value"),
+        (of.unproven, "are unproven: not compared"),
     ];
     let counts: Vec<String> = counts
         .iter()

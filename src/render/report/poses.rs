@@ -22,7 +22,7 @@ pub(super) fn section(page: &Page) -> Result<Markup, Error> {
     Ok(html! {
         section id="poses" {
             h2 { "Worst poses" }
-            @if whole.worst.is_none() { p { "No pose is in mesh: there is nothing to draw." } }
+            @if whole.worst.is_none() { p { (nothing_drawn(page)) } }
             @if let Some(jammed) = whole.worst.filter(jams) {
                 (figure(page, "jammed", "Jammed, a tip in a root", jammed)?)
             }
@@ -47,9 +47,16 @@ pub(super) fn section(page: &Page) -> Result<Markup, Error> {
     })
 }
 
+fn nothing_drawn(page: &Page) -> &'static str {
+    match page.whole.unproven {
+        0 => "No pose is in mesh: there is nothing to draw.",
+        _ => "No pose is proven to be in mesh: there is nothing to draw.",
+    }
+}
+
 /// Whether the pose is jammed.
 fn jams(found: &Found) -> bool {
-    found.pose.swept.lost_motion.status() == Status::Jammed
+    found.pose.swept.status() == Status::Jammed
 }
 
 /// The pose that loses most to what no formula sees, where that is more than the tolerance and not drawn yet.
@@ -92,7 +99,7 @@ fn figure(page: &Page, id: &str, what: &str, found: Found) -> Result<Markup, Err
         assembly: &run.assembly,
         pose: &swept.pose,
         material: run.material.name(),
-        lost_motion: &swept.lost_motion,
+        found: swept.found.as_ref(),
     });
     let backlash = swept.backlash.map(|mm| format!(": {} µm", um(Some(mm), 2)));
     let words = format!(

@@ -53,12 +53,14 @@ fn materials(page: &Page) -> Markup {
                     th.n scope="col" { "interfering" }
                     th.n scope="col" { "jammed" }
                     th.n scope="col" { "out of mesh" }
+                    @if page.whole.unproven > 0 { th.n scope="col" { "unproven" } }
                 } }
                 tbody { @for (at, end, of) in rows {
                     tr {
                         th.n scope="row" { (distance(at.center_distance)) }
                         td.w { (material(end)) }
                         (counts(of))
+                        @if page.whole.unproven > 0 { td.n { (of.unproven) } }
                     }
                 } }
             }

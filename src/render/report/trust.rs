@@ -1,9 +1,9 @@
 //! Whether to trust the numbers, and why.
 
-use super::Page;
 use super::cycle::limit;
 use super::measured::sentence;
 use super::words::{bound, fine, j_wt, written};
+use super::{Page, unproven};
 use crate::cycle::Others;
 use crate::mesh::Method;
 use crate::outcome::{MODELS, deviation};
@@ -31,6 +31,11 @@ pub(super) fn section(page: &Page) -> Markup {
 fn answer(page: &Page) -> String {
     let of = &page.agreement;
     let (fails, bad) = (of.formula_fails(), of.unexplained());
+    if let Some(unproven) = unproven::count(page) {
+        return format!(
+            "Not without a look: {unproven}; nothing vouches for what happens there. Please report the pair file."
+        );
+    }
     if bad > 0 {
         return format!(
             "Not without a look: at {bad} poses simulation and formula disagree for no reason found. Please report the pair file."
@@ -73,11 +78,12 @@ fn certificate(page: &Page) -> Markup {
         .all
         .iter()
         .flat_map(|run| &run.poses)
-        .filter_map(|pose| pose.swept.polygon_difference)
+        .filter_map(|pose| pose.swept.proven().and(pose.swept.polygon_difference))
         .map(f64::abs)
         .reduce(f64::max);
     html! {
         (how)
+        @if page.whole.unproven > 0 { "What follows is of the proven poses alone. " }
         @if let Some(largest) = largest { "Both lie within " (bound(largest)) " µm. " }
         @if let Some(error) = page.whole.error_bound {
             "The numerical error of " (j_wt()) " is at most " (bound(error)) " µm."
@@ -115,6 +121,7 @@ fn without(page: &Page) -> String {
     let parts = [
         (page.whole.jammed, "jammed"),
         (page.whole.apart, "out of mesh"),
+        (page.whole.unproven, "unproven"),
         (
             of.simulated_alone,
             "in contact where no two involutes reach each other",

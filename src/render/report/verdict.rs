@@ -2,7 +2,7 @@
 
 use super::cycle::{limit, same_everywhere};
 use super::words::{band, bound, distance, few, j_wt, material, touching, um};
-use super::{Page, cycle};
+use super::{Page, cycle, unproven};
 use crate::outcome::{AtDistance, Found, Outcome};
 use crate::phases::failing_phases;
 use maud::{Markup, html};
@@ -27,7 +27,9 @@ fn answer(page: &Page) -> Markup {
     let partly = whole.least.is_some() && whole.jammed + whole.apart > 0;
     html! {
         (verdict(page))
+        @if let (Some(count), Some(_)) = (unproven::count(page), whole.least) { ". " (count) ", and not in what follows" }
         @if partly { ". Where the gears are in mesh and free to turn" }
+        @else if whole.unproven > 0 { ". At the poses that are proven" }
         @if let (Some(least), Some(greatest)) = (whole.least, whole.greatest) {
             @if whole.uniform {
                 ": backlash " span.w { (um(least.pose.swept.backlash, 2)) " µm" } " at every pose"
@@ -54,6 +56,14 @@ fn verdict(page: &Page) -> String {
     }
     if !apart.is_empty() {
         return format!("Out of mesh {}{}", places(&apart, number), phases(page));
+    }
+    // Least and greatest of what is proven say nothing about the rest.
+    let unproven = kept_by(|all| all.unproven > 0);
+    if !unproven.is_empty() {
+        return format!(
+            "Unproven: nothing vouches that the pair assembles {}",
+            places(&unproven, number)
+        );
     }
     let none = format!(
         "without backlash (0 within the error bound of {} µm)",
@@ -134,8 +144,10 @@ fn clearance(page: &Page) -> Markup {
             "With the bearing clearance taken in (" i { "a" } " ± " (distance(c)) " mm) "
             @if ends == [None, None] {
                 "no pose has a value: the gears are jammed or out of mesh there"
+                @if whole.unproven_ends != [0, 0] { ", or it is unproven" }
             } @else {
                 "backlash lies within " span.w { (band(ends, 2)) " µm" } " over all centre distances"
+                @if whole.unproven_ends != [0, 0] { " where it is proven" }
                 @for (end, poses) in ["−", "+"].into_iter().zip(whole.without_value) {
                     @if poses > 0 {
                         "; at " (poses) " of " (whole.poses) " poses the gears are jammed or out of mesh at "
@@ -202,6 +214,7 @@ fn fits(all: &Outcome) -> Markup {
         @if all.jammed > 0 { td.fail { "no: jammed" } }
         @else if all.interfering > 0 { td.fail { "no: interference" } }
         @else if all.apart > 0 { td.fail { "out of mesh" } }
+        @else if all.unproven > 0 { td.fail { "unproven" } }
         @else if all.touching > 0 { td { "without backlash" } }
         @else { td { "yes" } }
     }

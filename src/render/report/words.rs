@@ -94,12 +94,9 @@ fn teeth(contact: &Option<Contact>) -> String {
 
 /// The teeth that touch: right flanks, left flanks; wheel and pinion tooth each.
 pub(super) fn touching(found: Option<Found>) -> [String; 2] {
-    match found {
+    match found.and_then(|found| found.pose.swept.proven()) {
         None => ["–".to_owned(), "–".to_owned()],
-        Some(found) => {
-            let lost_motion = &found.pose.swept.lost_motion;
-            [teeth(&lost_motion.right), teeth(&lost_motion.left)]
-        }
+        Some(lost_motion) => [teeth(&lost_motion.right), teeth(&lost_motion.left)],
     }
 }
 

@@ -5,7 +5,7 @@ use serde::Serialize;
 
 /// One pose as a flat row.
 #[derive(Debug, Serialize)]
-pub(super) struct CsvRow {
+pub(super) struct CsvRow<'r> {
     center_distance_mm: f64,
     material: &'static str,
     phase_wheel_tooth: Option<u32>,
@@ -38,10 +38,20 @@ pub(super) struct CsvRow {
     michalec_um: Option<f64>,
     involute_um: Option<f64>,
     line_of_action_um: Option<f64>,
+    unproven_reason: Option<&'r str>,
+    unproven_exact_j_wt_um: Option<f64>,
+    unproven_polygon_j_wt_um: Option<f64>,
+    unproven_range_min_reason: Option<&'r str>,
+    unproven_range_max_reason: Option<&'r str>,
 }
 
-impl CsvRow {
-    pub(super) fn new(run: &RunRecord, pose: &PoseRecord) -> CsvRow {
+impl<'r> CsvRow<'r> {
+    pub(super) fn new(run: &RunRecord, pose: &'r PoseRecord) -> CsvRow<'r> {
+        let unproven = pose.unproven.as_ref();
+        let end = |end: usize| {
+            let ends = pose.unproven_range.as_ref()?;
+            Some(ends[end].as_ref()?.reason.as_str())
+        };
         let (right, left) = (pose.right.as_ref(), pose.left.as_ref());
         CsvRow {
             center_distance_mm: run.center_distance_mm,
@@ -76,6 +86,11 @@ impl CsvRow {
             michalec_um: pose.analytic.michalec_um,
             involute_um: pose.analytic.involute_um,
             line_of_action_um: pose.analytic.line_of_action_um,
+            unproven_reason: unproven.map(|of| of.reason.as_str()),
+            unproven_exact_j_wt_um: unproven.and_then(|of| of.exact_j_wt_um),
+            unproven_polygon_j_wt_um: unproven.and_then(|of| of.polygon_j_wt_um),
+            unproven_range_min_reason: end(0),
+            unproven_range_max_reason: end(1),
         }
     }
 }

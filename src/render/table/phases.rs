@@ -9,7 +9,8 @@ pub(super) fn phase_table(group: &PhaseGroup) -> String {
         let (wheel, pinion) = run.run.phase.unwrap_or((1, 1));
         format!("{wheel},{pinion}")
     };
-    let mut table = table(&[
+    let unproven = group.runs.iter().any(|run| run.unproven().next().is_some());
+    let mut headings = vec![
         "phase",
         "least",
         "at",
@@ -17,12 +18,14 @@ pub(super) fn phase_table(group: &PhaseGroup) -> String {
         "greatest",
         "at",
         "variation",
-    ]);
+    ];
+    headings.extend(unproven.then_some("unproven"));
+    let mut table = table(&headings);
     for run in &group.runs {
         let summary = run.summary();
         let at = |pose: Option<&ComparedPose>| pose.map_or("–".to_owned(), where_it_is);
         let (least, most) = run.extremes().unzip();
-        table.add_row(vec![
+        let mut row = vec![
             mating(run),
             um(summary.min, 3),
             at(least),
@@ -30,7 +33,9 @@ pub(super) fn phase_table(group: &PhaseGroup) -> String {
             um(summary.max, 3),
             at(most),
             um(variation(run), 3),
-        ]);
+        ];
+        row.extend(unproven.then(|| run.unproven().count().to_string()));
+        table.add_row(row);
     }
     let Some(first) = group.runs.first() else {
         return String::new();

@@ -21,7 +21,7 @@ pub struct Columns {
     /// What the contacts' classes count.
     classes: Vec<String>,
     /// What each run's statuses counts.
-    statuses: [&'static str; 4],
+    statuses: [&'static str; 5],
     runs: Vec<RunColumns>,
     /// Run and pose shown first.
     start: [usize; 2],
@@ -50,11 +50,12 @@ impl Columns {
     }
 }
 
-const STATUSES: [Status; 4] = [
+const STATUSES: [Status; 5] = [
     Status::Clear,
     Status::Interference,
     Status::Jammed,
     Status::NoContact,
+    Status::Unproven,
 ];
 
 /// Where a status stands in [`STATUSES`]. A status that is not there does not compile.
@@ -64,6 +65,7 @@ pub fn place_of(status: Status) -> usize {
         Status::Interference => 1,
         Status::Jammed => 2,
         Status::NoContact => 3,
+        Status::Unproven => 4,
     }
 }
 

@@ -66,13 +66,12 @@ impl Contacts {
 
 /// The contact on `side`; none where nothing of the pose is a number.
 pub fn touching(pose: &SweptPose, side: Side) -> Option<&Contact> {
+    let found = pose.proven()?;
     let contact = match side {
-        Side::Right => &pose.lost_motion.right,
-        Side::Left => &pose.lost_motion.left,
+        Side::Right => &found.right,
+        Side::Left => &found.left,
     };
-    contact
-        .as_ref()
-        .filter(|_| pose.lost_motion.angle().is_some())
+    contact.as_ref().filter(|_| found.angle().is_some())
 }
 
 /// Direction of a contact's normal, degrees.

@@ -5,7 +5,7 @@ use super::contacts::{normal_degrees, touching};
 use super::precision::{Precision, rounded};
 use crate::compare::ComparedPose;
 use crate::gear::{Placed, Side};
-use crate::mesh::Status;
+use crate::mesh::{LostMotion, Status};
 use crate::pair::{Assembly, Member};
 use crate::render::page::{ACTION, GREY, INK};
 use svg::node::element::{Group, Path, Text};
@@ -75,7 +75,11 @@ pub fn marks(assembly: &Assembly, pose: &ComparedPose, side: Side, precision: Pr
         let [x, y] = [contact.point.x, contact.point.y].map(|v| rounded(v, precision.decimals));
         format!("translate({x} {y})")
     });
-    let lost = pose.swept.lost_motion.angle().map_or(0.0, degrees);
+    let lost = pose
+        .swept
+        .proven()
+        .and_then(LostMotion::angle)
+        .map_or(0.0, degrees);
     let back = match side {
         Side::Right => 0.0,
         Side::Left => -lost,
@@ -108,9 +112,9 @@ pub fn marks(assembly: &Assembly, pose: &ComparedPose, side: Side, precision: Pr
     };
     let open = side == Side::Left;
     // An overlap of some µm is no pixel wide at first: its dots are red and large.
-    let class = match pose.swept.lost_motion.status() {
+    let class = match pose.swept.status() {
         Status::Interference => "viewer-overlapping",
-        Status::Clear | Status::Jammed | Status::NoContact => "",
+        Status::Clear | Status::Jammed | Status::NoContact | Status::Unproven => "",
     };
     let group = Group::new()
         .set("id", format!("viewer-{name}-contact"))

@@ -76,8 +76,8 @@ pub fn fragment(
         readout::LEGEND,
         precision.chord_um(),
         precision.place_um(),
-        match pose.swept.lost_motion.status() {
-            Status::NoContact => "the first",
+        match pose.swept.status() {
+            Status::NoContact | Status::Unproven => "the first",
             _ => "the worst",
         },
     );

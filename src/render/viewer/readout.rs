@@ -85,7 +85,7 @@ pub fn draw(run: &ComparedRun, number: usize) -> String {
                 mating.flank.name()
             ),
         ),
-        ("status", "Status", status(pose.swept.lost_motion.status())),
+        ("status", "Status", status(pose.swept.status())),
         ("bound", "Error of <i>j</i><sub>wt</sub>", bound),
         ("right", "Right contact", contact(Side::Right)),
         ("left", "Left contact", contact(Side::Left)),

@@ -8,7 +8,7 @@ use super::viewed::Viewed;
 use crate::compare::ComparedRun;
 use crate::curves::{Course, CourseLine};
 use crate::gear::Side;
-use crate::mesh::SweptPose;
+use crate::mesh::{LostMotion, SweptPose};
 use crate::pair::Member;
 use crate::study::Study;
 use serde::Serialize;
@@ -87,15 +87,13 @@ impl RunColumns {
                 .collect(),
             free_deg: poses().map(|pose| degrees(free_rotation(pose))).collect(),
             lost_motion_deg: poses()
-                .map(|pose| pose.lost_motion.angle().map(degrees))
+                .map(|pose| pose.proven().and_then(LostMotion::angle).map(degrees))
                 .collect(),
             j_wt_um: poses().map(|pose| pose.backlash.map(|j| j * 1e3)).collect(),
             error_bound_um: poses()
                 .map(|pose| pose.error_bound.map(|bound| two_digits_up(bound * 1e3)))
                 .collect(),
-            status: poses()
-                .map(|pose| place_of(pose.lost_motion.status()))
-                .collect(),
+            status: poses().map(|pose| place_of(pose.status())).collect(),
             right,
             left,
         }

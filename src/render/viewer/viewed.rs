@@ -20,8 +20,8 @@ impl<'a> Viewed<'a> {
 }
 
 /// Every run of `runs` with every n-th of its poses, `n` (the second value) the least with which they are `most`
-/// together; where `n` is above 1, with its least and its greatest backlash and its first pose without a value
-/// beside them.
+/// together; where `n` is above 1, with its least and its greatest backlash and its first jammed, unmeshed and unproven
+/// pose beside them.
 pub fn viewed(runs: &[ComparedRun], most: usize) -> (Vec<Viewed<'_>>, usize) {
     let all: usize = runs.iter().map(|run| run.poses.len()).sum();
     let every = all.div_ceil(most.max(1)).max(1);
@@ -58,13 +58,14 @@ fn extremes(run: &ComparedRun) -> impl Iterator<Item = usize> {
     };
     let first = |status: Status| {
         let mut poses = numbered();
-        poses.position(|(_, pose)| pose.lost_motion.status() == status)
+        poses.position(|(_, pose)| pose.status() == status)
     };
     [
         extreme(1.0),
         extreme(-1.0),
         first(Status::Jammed),
         first(Status::NoContact),
+        first(Status::Unproven),
     ]
     .into_iter()
     .flatten()

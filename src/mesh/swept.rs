@@ -1,0 +1,114 @@
+//! What a sweep found at a pose, and which pose of several is the worst.
+
+use super::class::PoseClass;
+use super::lost_motion::{LostMotion, Status};
+use crate::pair::{Assembly, Pose};
+
+/// One pose of a sweep and what was found there.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SweptPose {
+    /// Where the gears stand.
+    pub pose: Pose,
+    /// Contacts of the free gear; or why there is nothing to vouch for.
+    pub found: Result<LostMotion, Unproven>,
+    /// `j_wt`, mm; `None` when jammed, out of mesh or unproven.
+    pub backlash: Option<f64>,
+    /// Bound on the error of `backlash`, mm.
+    pub error_bound: Option<f64>,
+    /// `j_wt`, mm, at `a − c` and at `a + c`, `c` the sum of both bearing clearances, or why it is not proven there;
+    /// `None` without clearance.
+    pub with_clearance: Option<[Result<Option<f64>, Unproven>; 2]>,
+    /// With [`super::Method::Both`]: `j_wt` on polygons minus the exact one, mm; infinite when only one method has a
+    /// value, or they end differently; `None` where one of them lost its contact.
+    pub polygon_difference: Option<f64>,
+}
+
+/// Why a pose is not proven, and the values that nothing vouches for. They are never more than something to look into.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Unproven {
+    /// In words: which method or certificate saw what.
+    pub reason: String,
+    /// `j_wt` of the exact method, mm; `None` where it has none.
+    pub exact: Option<f64>,
+    /// `j_wt` of the polygon method, mm; `None` where it has none or was not asked.
+    pub polygon: Option<f64>,
+}
+
+impl SweptPose {
+    /// How the pose ended.
+    pub fn status(&self) -> Status {
+        self.proven().map_or(Status::Unproven, LostMotion::status)
+    }
+
+    /// The class of the pose, which is of `assembly`.
+    pub fn class(&self, assembly: &Assembly) -> PoseClass {
+        self.proven()
+            .map_or(PoseClass::Unproven, |found| PoseClass::of(assembly, found))
+    }
+
+    /// The contacts; `None` where they are not proven.
+    pub fn proven(&self) -> Option<&LostMotion> {
+        self.found.as_ref().ok()
+    }
+
+    /// What is not proven: the pose itself, or what the ends of the bearing clearance come to.
+    pub fn unproven(&self) -> impl Iterator<Item = &Unproven> {
+        let ends = self.with_clearance.iter().flatten();
+        let ends = ends.filter_map(|end| end.as_ref().err());
+        self.found.as_ref().err().into_iter().chain(ends)
+    }
+
+    /// Whether anything of the pose is not proven, the ends of the bearing clearance included.
+    pub fn is_unproven(&self) -> bool {
+        self.unproven().next().is_some()
+    }
+
+    /// `j_wt`, mm, at the two ends of the bearing clearance; `backlash` twice where there is none.
+    pub fn range(&self) -> [Option<f64>; 2] {
+        match &self.with_clearance {
+            None => [self.backlash; 2],
+            Some(ends) => ends
+                .each_ref()
+                .map(|end| end.as_ref().ok().copied().flatten()),
+        }
+    }
+
+    /// Whether the value of [`SweptPose::range`] at this end (0: `a − c`, 1: `a + c`) is not proven.
+    pub fn is_end_unproven(&self, end: usize) -> bool {
+        match &self.with_clearance {
+            None => self.found.is_err(),
+            Some(ends) => ends[end].is_err(),
+        }
+    }
+
+    /// Whether `backlash` is negative beyond its error bound: rounding alone makes no interference.
+    pub fn interferes(&self) -> bool {
+        let surely = |(backlash, bound): (f64, f64)| backlash < -bound;
+        self.backlash.zip(self.error_bound).is_some_and(surely)
+    }
+
+    /// Whether `backlash` cannot be told from none.
+    pub fn just_touches(&self) -> bool {
+        let none = |(backlash, bound): (f64, f64)| backlash.abs() <= bound;
+        self.backlash.zip(self.error_bound).is_some_and(none)
+    }
+}
+
+/// The worst of `poses`: the first that is jammed, or else the one with the least backlash, of several within their
+/// error bounds the first; `None` when none is in mesh. Of an unproven pose nobody knows.
+pub fn worst_pose<'a, T>(poses: impl Iterator<Item = (T, &'a SweptPose)> + Clone) -> Option<T> {
+    let jammed = |pose: &SweptPose| pose.status() == Status::Jammed;
+    if let Some((first, _)) = poses.clone().find(|(_, pose)| jammed(pose)) {
+        return Some(first);
+    }
+    first_least(poses.filter_map(|(item, pose)| Some((item, pose.backlash?, pose.error_bound?))))
+}
+
+/// The first of `items` (each with a value and a bound on its error) that cannot be told from the least.
+pub fn first_least<T>(items: impl Iterator<Item = (T, f64, f64)> + Clone) -> Option<T> {
+    // The least that a value may at most be: whatever may lie as low cannot be told from it.
+    let highest = items.clone().map(|(_, value, bound)| value + bound);
+    let limit = highest.reduce(f64::min)?;
+    let mut low = items.filter(|(_, value, bound)| value - bound <= limit);
+    low.next().map(|(item, ..)| item)
+}

@@ -73,11 +73,11 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
                 warn(path, &study.warnings, &study.remarks);
                 studies.push((path, study));
             }
-            Err(error) => faults.push(error.to_string()),
+            Err(error) => faults.push(error),
         }
     }
     if !faults.is_empty() {
-        return Err(Error::Usage(faults.join("\n")));
+        return Err(Error::Several(faults));
     }
     let mut poses = 0;
     for (_, study) in &studies {

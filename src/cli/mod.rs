@@ -19,6 +19,7 @@ mod snapshot;
 mod target;
 mod worst;
 
+use crate::characters::plain;
 use crate::error::Error;
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
@@ -73,7 +74,7 @@ enum Command {
 /// # Errors
 /// Whatever keeps a command from doing its work; the process ends with 2 then.
 pub fn run() -> Result<ExitCode, Error> {
-    match Cli::parse().command {
+    match parse().command {
         Command::Simulate(args) => simulate::run(&args),
         Command::Compare(args) => compare::run(&args),
         Command::Check(args) => check::run(&args),
@@ -86,17 +87,34 @@ pub fn run() -> Result<ExitCode, Error> {
     }
 }
 
+/// The command line as parsed; help and usage errors end the process as clap does.
+fn parse() -> Cli {
+    Cli::try_parse().unwrap_or_else(|error| {
+        // A usage error quotes arguments, which file names that a shell filled in may be.
+        let words = std::env::args_os().map(|word| plain(&word.to_string_lossy()));
+        match Cli::try_parse_from(words) {
+            Err(error) => error.exit(),
+            Ok(_) => error.exit(),
+        }
+    })
+}
+
 /// Prints to standard output. A reader that has gone away (`| head`) is no error.
 fn print(text: &str) {
     use std::io::Write;
     let _ = std::io::stdout().lock().write_all(text.as_bytes());
 }
 
+/// Prints a line to standard error, whatever the texts from files in it.
+fn tell(line: &str) {
+    eprintln!("{}", plain(line));
+}
+
 /// Prints what the user should know, and what was found to be in order.
 fn warn(file: &std::path::Path, warnings: &[String], remarks: &[String]) {
     for (kind, list) in [("warning", warnings), ("note", remarks)] {
         for told in list {
-            eprintln!("{kind}: {}: {told}", file.display());
+            tell(&format!("{kind}: {}: {told}", file.display()));
         }
     }
 }

@@ -3,7 +3,7 @@
 use super::drawing::{End, material, teeth};
 use super::pictures::{exaggeration, pitch};
 use super::target::Target;
-use super::{warn, worst};
+use super::{tell, warn, worst};
 use crate::error::Error;
 use crate::gear::Side;
 use crate::input;
@@ -159,10 +159,10 @@ fn assembly(args: &Args, study: &Study) -> Result<(Material, Assembly), Error> {
         ));
     };
     if args.center_distance.is_none() && study.center_distances.len() > 1 {
-        eprintln!(
+        tell(&format!(
             "note: at centre distance {distance} mm, the first of {}; choose with --center-distance",
             study.center_distances.len()
-        );
+        ));
     }
     let gears = study
         .materials

@@ -1,6 +1,7 @@
 //! `snapshot --worst`: the pose with the least backlash of all a pair file asks for.
 
 use super::progress::Progress;
+use super::tell;
 use crate::analytic::evaluate;
 use crate::error::Error;
 use crate::mesh::{Method, SweptPose};
@@ -25,7 +26,7 @@ pub(super) fn find(
             "--worst: none of the {poses} poses is in mesh; nothing can be called the worst"
         )));
     };
-    eprintln!("worst of {poses} poses: {}", in_words(run, pose));
+    tell(&format!("worst of {poses} poses: {}", in_words(run, pose)));
     Ok((run.clone(), pose.clone()))
 }
 

@@ -3,6 +3,7 @@
 mod markdown;
 
 use super::table::where_it_is;
+use crate::characters::{self, plain};
 use crate::compare::{ComparedRun, Verdict};
 use crate::outcome::Outcome;
 use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
@@ -128,7 +129,7 @@ fn run_name(run: &ComparedRun) -> String {
 pub fn text(pairs: &[ComparedPair]) -> String {
     let mut text = String::new();
     for pair in pairs {
-        let _ = writeln!(text, "{} — {}", pair.file, pair.title);
+        let _ = writeln!(text, "{} — {}", plain(&pair.file), plain(&pair.title));
         for run in &pair.runs {
             let difference = match run.worst() {
                 Some((_, difference)) => {
@@ -221,7 +222,7 @@ pub fn json(pairs: &[ComparedPair]) -> Result<String, serde_json::Error> {
         passed: pairs.iter().all(ComparedPair::passes),
         pairs: pairs.iter().map(json_pair).collect(),
     };
-    Ok(serde_json::to_string_pretty(&report)? + "\n")
+    Ok(characters::json(serde_json::to_string_pretty(&report)?) + "\n")
 }
 
 fn json_pair(pair: &ComparedPair) -> JsonPair<'_> {
@@ -267,7 +268,7 @@ fn json_pair(pair: &ComparedPair) -> JsonPair<'_> {
 pub fn junit(pairs: &[ComparedPair]) -> Result<String, quick_junit::SerializeError> {
     let mut report = Report::new("gearlash compare");
     for pair in pairs {
-        let mut suite = TestSuite::new(pair.file.as_str());
+        let mut suite = TestSuite::new(plain(&pair.file));
         for run in &pair.runs {
             let status = match pair.failure(run) {
                 None => TestCaseStatus::success(),
@@ -278,7 +279,7 @@ pub fn junit(pairs: &[ComparedPair]) -> Result<String, quick_junit::SerializeErr
                 }
             };
             let mut case = TestCase::new(run_name(run), status);
-            case.set_classname(pair.title.as_str());
+            case.set_classname(plain(&pair.title));
             suite.add_test_case(case);
         }
         report.add_test_suite(suite);
@@ -313,11 +314,9 @@ pub fn github(pairs: &[ComparedPair]) -> String {
     text
 }
 
-/// Escapes as GitHub's workflow commands ask for: `%`, CR and LF in data, `:` and `,` too in properties.
+/// Escapes as GitHub's workflow commands ask for: `%` in data, `:` and `,` too in properties. Line ends are gone by then.
 fn escape(text: &str) -> String {
-    text.replace('%', "%25")
-        .replace('\r', "%0D")
-        .replace('\n', "%0A")
+    plain(text).replace('%', "%25")
 }
 
 fn escape_property(text: &str) -> String {

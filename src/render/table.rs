@@ -4,6 +4,7 @@ mod measured;
 mod phases;
 
 use super::decimal::ascii;
+use crate::characters::plain;
 use crate::compare::{ComparedPose, ComparedRun, Verdict};
 use crate::measured::MeasuredMating;
 use crate::mesh::Contact;
@@ -18,7 +19,7 @@ const MOST_LISTED: usize = 40;
 
 /// The text `simulate` prints.
 pub fn simulation(study: &Study, runs: &[ComparedRun], measured: &[MeasuredMating]) -> String {
-    let mut text = format!("{}\n\n", study.title);
+    let mut text = format!("{}\n\n", plain(&study.title));
     if !measured.is_empty() {
         text += &measured_table(measured);
         text += &measured_count(study, measured);

@@ -1,6 +1,7 @@
 //! The built binary, as a user and as a script runs it.
 
 mod compare;
+mod hostile;
 mod refused;
 mod runs;
 mod simulate;
@@ -8,7 +9,7 @@ mod snapshot;
 
 use assert_cmd::Command;
 use predicates::prelude::*;
-use serde_json::Value;
+use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
 fn gearlash(folder: &Path) -> Command {

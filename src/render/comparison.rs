@@ -1,15 +1,16 @@
 //! The outcome of `compare`: text, JSON, JUnit XML, GitHub annotations, Markdown.
 
+mod junit;
 mod markdown;
 
 use super::table::where_it_is;
 use crate::characters::{self, plain};
 use crate::compare::{ComparedRun, Verdict};
 use crate::outcome::Outcome;
-use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
 use serde::Serialize;
 use std::fmt::Write;
 
+pub use junit::junit;
 pub use markdown::markdown;
 
 /// One compared pair file.
@@ -262,29 +263,6 @@ fn json_pair(pair: &ComparedPair) -> JsonPair<'_> {
         passed: pair.passes(),
         runs: pair.runs.iter().map(run).collect(),
     }
-}
-
-/// JUnit XML: a suite a file, a case a run.
-pub fn junit(pairs: &[ComparedPair]) -> Result<String, quick_junit::SerializeError> {
-    let mut report = Report::new("gearlash compare");
-    for pair in pairs {
-        let mut suite = TestSuite::new(plain(&pair.file));
-        for run in &pair.runs {
-            let status = match pair.failure(run) {
-                None => TestCaseStatus::success(),
-                Some(reason) => {
-                    let mut status = TestCaseStatus::non_success(NonSuccessKind::Failure);
-                    status.set_message(reason);
-                    status
-                }
-            };
-            let mut case = TestCase::new(run_name(run), status);
-            case.set_classname(plain(&pair.title));
-            suite.add_test_case(case);
-        }
-        report.add_test_suite(suite);
-    }
-    report.to_string()
 }
 
 /// GitHub workflow commands: an error a failing run, a notice a passing file.

@@ -3,7 +3,7 @@
 use super::method::{MethodArgs, agreement};
 use super::progress::Progress;
 use super::target::Target;
-use super::{print, warn};
+use super::{print, tell, warn};
 use crate::compare::{compare, tolerance_um};
 use crate::error::Error;
 use crate::input;
@@ -26,7 +26,7 @@ pub(super) struct Args {
     #[arg(required = true)]
     pairs: Vec<PathBuf>,
     /// Tolerance of j_wt in µm [default: the pair file's, or 0.1]
-    #[arg(long, value_name = "T")]
+    #[arg(long, value_name = "T", allow_negative_numbers = true)]
     tolerance_um: Option<f64>,
     /// What to print
     #[arg(long, value_enum, default_value_t = Format::Text)]
@@ -60,6 +60,12 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         return Err(Error::Usage(format!(
             "--tolerance-um {tolerance}: a tolerance is a number of µm, 0 or more"
         )));
+    }
+    let slip = args
+        .tolerance_um
+        .and_then(|um| input::tolerance_slip("--tolerance-um", um));
+    if let Some(told) = slip {
+        tell(&format!("warning: {told}"));
     }
     let markdown = args.markdown.clone();
     let markdown = markdown.map(|file| Target::prepare_beside(file, &args.pairs));

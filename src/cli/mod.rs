@@ -74,7 +74,9 @@ enum Command {
 /// # Errors
 /// Whatever keeps a command from doing its work; the process ends with 2 then.
 pub fn run() -> Result<ExitCode, Error> {
-    match parse().command {
+    let cli = parse();
+    cap_threads();
+    match cli.command {
         Command::Simulate(args) => simulate::run(&args),
         Command::Compare(args) => compare::run(&args),
         Command::Check(args) => check::run(&args),
@@ -84,6 +86,27 @@ pub fn run() -> Result<ExitCode, Error> {
         Command::Schema(args) => schema::run(&args),
         Command::Chart(args) => chart::run(&args),
         Command::Report(args) => report::run(&args),
+    }
+}
+
+/// Threads that more than the cores of the machine may be asked for. Each takes 2 MiB of address space and time to start; none
+/// beyond the cores brings anything but tests of the same bytes.
+const MOST_THREADS: usize = 64;
+
+/// Keeps `RAYON_NUM_THREADS` to what a machine can start.
+fn cap_threads() {
+    let variable = std::env::var("RAYON_NUM_THREADS").ok();
+    let wanted: Option<usize> = variable.and_then(|threads| threads.parse().ok());
+    let cores = std::thread::available_parallelism().map_or(1, |cores| cores.get());
+    let most = MOST_THREADS.max(cores);
+    if let Some(wanted) = wanted.filter(|wanted| *wanted > most) {
+        // Fails where a pool is there already, in which case it is not too large.
+        let _ = rayon::ThreadPoolBuilder::new()
+            .num_threads(most)
+            .build_global();
+        tell(&format!(
+            "note: RAYON_NUM_THREADS={wanted}: {most} threads are used, the most that make sense on this machine"
+        ));
     }
 }
 

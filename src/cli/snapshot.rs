@@ -1,5 +1,6 @@
 //! `gearlash snapshot`: one contact as a picture.
 
+use super::distances;
 use super::drawing::{End, material, teeth};
 use super::pictures::{exaggeration, pitch};
 use super::target::Target;
@@ -42,13 +43,13 @@ pub(super) struct Args {
     )]
     fraction: f64,
     /// Centre distance in mm [default: the first of the pair file; with --worst all]
-    #[arg(long, value_name = "A")]
+    #[arg(long, value_name = "A", value_parser = distances::one, allow_hyphen_values = true)]
     center_distance: Option<f64>,
     /// Which end of the thickness tolerances [default: most, where there are two; with --worst both]
     #[arg(long, value_enum)]
     material: Option<End>,
     /// Draw the deviations (thickness, pitch, eccentricity) this many times as large, before perfect teeth
-    #[arg(long, value_name = "FACTOR")]
+    #[arg(long, value_name = "FACTOR", allow_negative_numbers = true)]
     exaggerate: Option<f64>,
     /// Turn the gears through a pitch from this pose on, in contact: an animated SVG for a browser
     #[arg(long, conflicts_with = "exaggerate")]

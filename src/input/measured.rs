@@ -8,7 +8,7 @@ use super::table::Table;
 use crate::error::Problem;
 use crate::study::MeasuredRow;
 use serde_json::{Value, json};
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 
 pub const KEYS: &[&str] = &["file"];
 /// The columns, all needed, in any order.
@@ -62,6 +62,27 @@ impl Measured {
             .iter()
             .map(|(line, row)| (*line, row.center_distance));
         firsts.filter(|(_, mm)| seen.insert(mm.to_bits())).collect()
+    }
+
+    /// A warning where two rows say the same of the same mating at the same distance.
+    pub fn equal_rows(&self) -> Option<String> {
+        let mut seen = HashMap::new();
+        let equal = self.rows.iter().filter_map(|(line, row)| {
+            let numbers = [row.center_distance, row.right_um, row.left_um].map(f64::to_bits);
+            let first = *seen
+                .entry((numbers, row.wheel_tooth, row.pinion_tooth))
+                .or_insert(*line);
+            (first != *line).then_some((first, *line))
+        });
+        let equal: Vec<(u64, u64)> = equal.collect();
+        let (first, second) = *equal.first()?;
+        let more = match equal.len() {
+            1 => String::new(),
+            count => format!(" (and {} more such rows)", count - 1),
+        };
+        Some(format!(
+            "measured.file: lines {first} and {second} say the same of one mating at one distance{more}: both count; if a row was copied twice, remove one"
+        ))
     }
 
     /// The rows.

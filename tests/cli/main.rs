@@ -2,9 +2,12 @@
 
 mod compare;
 mod hostile;
+mod leaks;
 mod refused;
 mod runs;
 mod simulate;
+mod slips;
+mod small;
 mod snapshot;
 
 use assert_cmd::Command;

@@ -95,16 +95,6 @@ mod tests {
             .unwrap();
     }
 
-    /// A title with U+FFFF made a snapshot that no parser reads.
-    #[test]
-    fn a_text_of_a_picture_is_xml() {
-        let text = crate::render::page::text("a\u{ffff}b j_wt \u{1}<c>", [0.0; 2], 12.0, false);
-        let text = text.to_string();
-        let read = roxmltree::Document::parse(&text).unwrap();
-        let words: String = read.descendants().filter_map(|node| node.text()).collect();
-        assert!(words.contains("a b"), "{words}");
-    }
-
     #[test]
     fn what_no_page_can_hold_becomes_a_space() {
         assert_eq!(

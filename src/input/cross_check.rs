@@ -89,7 +89,8 @@ impl CrossCheck {
     /// A warning where it is the same measurement as the one that counts: it repeats its faults, the pin's or the count of teeth.
     pub fn same_kind(&self, drawing: &Drawing) -> Option<String> {
         let of = |statement: &Statement| match statement {
-            Statement::Nominal => None,
+            // A base thickness may come from any measurement.
+            Statement::Nominal | Statement::Base(_) => None,
             Statement::Span { teeth, .. } | Statement::Spans { teeth, .. } => {
                 Some(("a span over as many teeth", f64::from(*teeth)))
             }
@@ -97,7 +98,6 @@ impl CrossCheck {
                 Some(("a dimension over the same pins", *pin_mm))
             }
             Statement::Allowance(_) => Some(("an allowance", 0.0)),
-            Statement::Base(_) => Some(("a base thickness", 0.0)),
         };
         let (words, _) =
             of(&self.statement).filter(|kind| of(&drawing.statement) == Some(*kind))?;

@@ -43,9 +43,9 @@ pub fn held(table: &Table, pitch: &Pitch, flanks: &Flanks) -> Option<String> {
         let as_large = (in_pitch.um - runout.um).abs() <= SAME * runout.um;
         return (as_large && flanks.runout.sheet.is_none()).then(|| {
             format!(
-                "{}: the first harmonic is as large as that of an eccentricity of {}, the size of the one that [runout] states, {}, and both count: if the values were \
-                 measured about the datum axis, write axis = \"datum\" and check high_tooth",
-                table.path_of("pitch.axis"),
+                "{}: the pitch of both flanks holds the first harmonic of an eccentricity of {}, the size of the one that is stated here, {}, and both \
+                 count: check the tooth, and whether the pitch was measured about the datum axis",
+                table.path_of("runout.high_tooth"),
                 shown(in_pitch),
                 shown(runout),
             )

@@ -10,14 +10,15 @@ const MOST_PLAY_MM: f64 = 0.1;
 const MOST_OF_CLEARANCE: f64 = 0.5;
 /// Tolerance of `compare` above which it says nothing, µm: more than the backlash of many gears.
 pub const MOST_TOLERANCE_UM: f64 = 100.0;
-/// Pressure angles of basic racks, degrees: 20 (ISO 53, DIN 867), 14.5, 20 and 25 (AGMA), 15, 17.5, 22.5 and 30 in older and special ones.
-const USUAL_ANGLES: [f64; 7] = [14.5, 15.0, 17.5, 20.0, 22.5, 25.0, 30.0];
+/// Pressure angles of usual basic racks, degrees: 20 (ISO 53, DIN 867), 14.5, 20 and 25 (AGMA), 17.5 and 22.5 between them.
+const USUAL_ANGLES: [f64; 5] = [14.5, 17.5, 20.0, 22.5, 25.0];
 /// How near a centre distance lies to the one it was computed as, in modules: the rounding of a drawing and a tolerance.
 const SUITS: f64 = 0.002;
 /// How far it must lie from that of the pair as stated, in modules, to be questioned: backlash by distance is within that, twice the
 /// tangent of 20° of it being 0.04 modules.
 const OFF: f64 = 0.05;
-/// The same where only the pressure angle is another: such distances lie close together.
+/// Both where only the pressure angle is another: such distances lie close together.
+const SUITS_BY_ANGLE: f64 = 0.0005;
 const OFF_BY_ANGLE: f64 = 0.01;
 /// Sums of profile shifts that are sought where none is stated: tenths, from more than pairs are opened by to more than racks allow.
 const SHIFTS: std::ops::RangeInclusive<i32> = 3..=15;
@@ -125,7 +126,7 @@ fn other_distance(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Opt
         let mut angles = USUAL_ANGLES.into_iter().filter(|usual| *usual != angle);
         if !suits(stated, OFF_BY_ANGLE)
             && let Some(usual) =
-                angles.find(|usual| suits(without_backlash(*usual, x_1 + x_2), SUITS))
+                angles.find(|usual| suits(without_backlash(*usual, x_1 + x_2), SUITS_BY_ANGLE))
         {
             return Some(format!(
                 "{off}; it would suit a pressure angle of {usual}° ({:.4} mm): check pressure_angle_deg",

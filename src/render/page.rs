@@ -187,3 +187,18 @@ pub fn text(content: &str, at: Spot, size: f64, verbatim: bool) -> Element {
     }
     element
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A title with U+FFFF made a snapshot that no parser reads.
+    #[test]
+    fn a_text_of_a_picture_is_xml() {
+        let drawn = text("a\u{ffff}b j_wt \u{1}<c>", [0.0; 2], 12.0, false);
+        let drawn = drawn.to_string();
+        let read = roxmltree::Document::parse(&drawn).unwrap();
+        let words: String = read.descendants().filter_map(|node| node.text()).collect();
+        assert!(words.contains("a b"), "{words}");
+    }
+}

@@ -300,7 +300,7 @@ fn pitch_with_the_harmonic_of_the_stated_runout() {
     // Not where the runout says, but as large.
     one(
         &pitch(10.0, alpha, 20.0, 9),
-        "the size of the one that [runout] states",
+        "wheel.runout.high_tooth: the pitch of both flanks holds the first harmonic",
     );
     // A wave that moves both flanks alike is no eccentricity's.
     none(&pitch(10.0, 0.0, 20.0, 9));
@@ -373,7 +373,7 @@ fn good_pairs_are_not_suspected() {
         "of the module",
         "would suit",
         "hardly a difference would fail",
-        "the size of the one that",
+        "the size of the one that is stated here",
         "say the same of one mating",
         "like the statement that counts",
         "adds to the stated",

@@ -2,7 +2,6 @@
 
 use super::*;
 use std::fs;
-use std::time::{Duration, Instant};
 
 #[test]
 fn a_negative_centre_distance_says_what_is_wrong() {
@@ -81,7 +80,8 @@ fn a_key_of_ten_thousand_characters_gets_no_suggestion() {
     }
 }
 
-/// On a quiet machine in a tenth of a second; the limit leaves room for a busy one.
+/// The shell that starts it limits its time on the processor, so that a busy machine changes nothing.
+#[cfg(unix)]
 #[test]
 fn a_million_unknown_keys_are_refused_at_once() {
     let folder = empty_folder();
@@ -90,15 +90,15 @@ fn a_million_unknown_keys_are_refused_at_once() {
     let json = format!("{{{json}\"z\":1}}");
     for (name, text) in [("pair.toml", toml), ("pair.json", json)] {
         fs::write(folder.path().join(name), text).unwrap();
-        let start = Instant::now();
-        let output = gearlash(folder.path())
-            .args(["check", name])
+        let output = std::process::Command::new("sh")
+            .args(["-c", "ulimit -t 1; exec \"$0\" check \"$1\""])
+            .arg(assert_cmd::cargo::cargo_bin("gearlash"))
+            .arg(name)
+            .current_dir(folder.path())
             .output()
             .unwrap();
-        let took = start.elapsed();
         assert_eq!(output.status.code(), Some(2));
         assert!(output.stderr.len() < 1000);
-        assert!(took < Duration::from_secs(1), "{name}: {took:?}");
     }
 }
 

@@ -1,12 +1,12 @@
 //! Small or ordinary files that would take gigabytes or minutes: each is refused within 5 s and 500 MB, by the built binary.
 //!
-//! The bound on memory is the system's: the address space of the process is limited by the shell that starts it.
+//! Both bounds are the system's: the shell that starts the process limits its address space and its time on the processor, so that a
+//! busy machine changes nothing.
 #![cfg(unix)]
 
 use super::*;
 use std::io::{Cursor, Write};
 use std::process::Command;
-use std::time::{Duration, Instant};
 use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
 
@@ -109,10 +109,9 @@ fn refused(what: &str, table: (&str, &[u8]), pair: (&str, &[u8]), most_mb: usize
     fs::write(folder.path().join(pair.0), pair.1).unwrap();
     let binary = assert_cmd::cargo::cargo_bin("gearlash");
     let script = format!(
-        "ulimit -v {}; exec \"$0\" simulate \"$1\" --format json",
+        "ulimit -t 5; ulimit -v {}; exec \"$0\" simulate \"$1\" --format json",
         most_mb * 1000
     );
-    let start = Instant::now();
     let output = Command::new("sh")
         .args(["-c", &script])
         .arg(binary)
@@ -121,7 +120,6 @@ fn refused(what: &str, table: (&str, &[u8]), pair: (&str, &[u8]), most_mb: usize
         .current_dir(folder.path())
         .output()
         .unwrap();
-    let took = start.elapsed();
     let told = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.code(), Some(2), "{what}: {told}");
     assert!(output.stdout.is_empty());
@@ -130,8 +128,6 @@ fn refused(what: &str, table: (&str, &[u8]), pair: (&str, &[u8]), most_mb: usize
         told.lines().all(|line| line.starts_with("error: ")),
         "{what}: {told}"
     );
-    // Of the processor's time; a busy machine may take longer.
-    assert!(took < Duration::from_secs(30), "{what}: {took:?}");
     told
 }
 

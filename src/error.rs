@@ -5,6 +5,7 @@
 //! file; [`Error`] is what a command ends with. An interfering, jammed or
 //! unmeshed pair is a result, never an error.
 
+use crate::characters;
 use std::fmt;
 use std::path::PathBuf;
 
@@ -186,13 +187,16 @@ impl fmt::Display for Problem {
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
     /// All problems of one input file.
-    #[error("{}", list(file, problems))]
+    #[error("{}", self.lines().join("\n"))]
     Input {
         /// The file.
         file: PathBuf,
         /// At least one.
         problems: Vec<Problem>,
     },
+    /// What is wrong with several files.
+    #[error("{}", self.lines().join("\n"))]
+    Several(Vec<Error>),
     /// A command-line value that does not suit the file.
     #[error("{0}")]
     Usage(String),
@@ -251,7 +255,25 @@ pub enum Error {
     Interrupted,
 }
 
+/// Characters of a line of an error message: a path as long as Linux allows (4096 bytes) and what is said of it. Nothing should
+/// come near it; where something does, the line is cut visibly.
+const LONGEST_LINE: usize = 6000;
+
 impl Error {
+    /// The message, a line for each problem: whatever stands in the files, it breaks no line and acts on no terminal or log.
+    pub fn lines(&self) -> Vec<String> {
+        let line = |text: String| characters::cut(&characters::plain(&text), LONGEST_LINE);
+        match self {
+            Error::Input { file, problems } => {
+                let problems = problems.iter();
+                let told = problems.map(|problem| line(format!("{}: {problem}", file.display())));
+                told.collect()
+            }
+            Error::Several(errors) => errors.iter().flat_map(Error::lines).collect(),
+            other => vec![line(other.to_string())],
+        }
+    }
+
     /// What the process ends with: 1 when a result did not hold, 2 when there was none to be had, 130
     /// (128 + SIGINT, as shells count) after Ctrl-C.
     pub fn exit_code(&self) -> u8 {
@@ -281,12 +303,4 @@ impl Error {
             _ => None,
         }
     }
-}
-
-fn list(file: &std::path::Path, problems: &[Problem]) -> String {
-    let lines: Vec<String> = problems
-        .iter()
-        .map(|problem| format!("{}: {problem}", file.display()))
-        .collect();
-    lines.join("\n")
 }

@@ -43,6 +43,7 @@
 //! ```
 
 pub mod analytic;
+mod characters;
 pub mod cli;
 pub mod compare;
 pub mod curves;

@@ -6,7 +6,7 @@ fn main() -> ExitCode {
     match gearlash::cli::run() {
         Ok(code) => code,
         Err(error) => {
-            for line in error.to_string().lines() {
+            for line in error.lines() {
                 eprintln!("error: {line}");
             }
             ExitCode::from(error.exit_code())

@@ -30,7 +30,7 @@ pub(super) struct Args {
     #[arg(long, value_enum)]
     gear: Option<Gear>,
     /// Centre distance in mm, for --kind revolution and difference [default: the first of the pair file]
-    #[arg(long, value_name = "A", value_parser = distances::parse)]
+    #[arg(long, value_name = "A", value_parser = distances::parse, allow_hyphen_values = true)]
     center_distance: Option<Distances>,
     /// One end of the thickness tolerances, for --kind revolution and difference [default: both]
     #[arg(long, value_enum)]

@@ -3,6 +3,7 @@
 use super::method::{MethodArgs, agreement};
 use super::progress::Progress;
 use super::{print, warn};
+use crate::characters::plain;
 use crate::compare::compare;
 use crate::diagnosis::{Diagnosis, Verdict, diagnose, map};
 use crate::error::Error;
@@ -81,7 +82,11 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     if let Some(folder) = folder {
         let path = folder.write(&maps)?;
         if args.format == Format::Text {
-            print(&format!("\n{} files in {}\n", maps.len(), path.display()));
+            print(&format!(
+                "\n{} files in {}\n",
+                maps.len(),
+                plain(&path.display().to_string())
+            ));
         }
     }
     let holds = agreement(&runs) && diagnosis.verdict() < Verdict::Unproven;

@@ -3,7 +3,7 @@
 use super::method::{MethodArgs, agreement};
 use super::progress::Progress;
 use super::target::Target;
-use super::{print, warn};
+use super::{print, tell, warn};
 use crate::compare::{compare, tolerance_um};
 use crate::error::Error;
 use crate::input;
@@ -26,7 +26,7 @@ pub(super) struct Args {
     #[arg(required = true)]
     pairs: Vec<PathBuf>,
     /// Tolerance of j_wt in µm [default: the pair file's, or 0.1]
-    #[arg(long, value_name = "T")]
+    #[arg(long, value_name = "T", allow_negative_numbers = true)]
     tolerance_um: Option<f64>,
     /// What to print
     #[arg(long, value_enum, default_value_t = Format::Text)]
@@ -61,6 +61,12 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             "--tolerance-um {tolerance}: a tolerance is a number of µm, 0 or more"
         )));
     }
+    let slip = args
+        .tolerance_um
+        .and_then(|um| input::tolerance_slip("--tolerance-um", um));
+    if let Some(told) = slip {
+        tell(&format!("warning: {told}"));
+    }
     let markdown = args.markdown.clone();
     let markdown = markdown.map(|file| Target::prepare_beside(file, &args.pairs));
     let markdown = markdown.transpose();
@@ -73,11 +79,11 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
                 warn(path, &study.warnings, &study.remarks);
                 studies.push((path, study));
             }
-            Err(error) => faults.push(error.to_string()),
+            Err(error) => faults.push(error),
         }
     }
     if !faults.is_empty() {
-        return Err(Error::Usage(faults.join("\n")));
+        return Err(Error::Several(faults));
     }
     let mut poses = 0;
     for (_, study) in &studies {

@@ -17,9 +17,9 @@ pub(super) fn parse(text: &str) -> Result<Distances, String> {
         (value.is_finite() && value > 0.0).then_some(value)
     };
     let Some((from, rest)) = text.split_once("..") else {
-        return number(text)
+        return one(text)
             .map(|a| Distances(vec![a]))
-            .ok_or_else(|| FORM.to_owned());
+            .map_err(|wrong| format!("{wrong}; give {FORM}"));
     };
     let (to, step) = rest.split_once(':').ok_or(FORM)?;
     let (Some(first), Some(last), Some(width)) = (number(from), number(to), number(step)) else {
@@ -42,6 +42,17 @@ pub(super) fn parse(text: &str) -> Result<Distances, String> {
     let scale = 10f64.powi(decimals[0].max(decimals[1]).min(12) as i32);
     let value = |i: u32| ((first + f64::from(i) * width) * scale).round() / scale;
     Ok(Distances((0..=steps as u32).map(value).collect()))
+}
+
+/// One centre distance, mm.
+pub(super) fn one(text: &str) -> Result<f64, String> {
+    match text.trim().parse::<f64>() {
+        Ok(mm) if mm.is_finite() && mm > 0.0 => Ok(mm),
+        Ok(_) => {
+            Err("a centre distance is above 0, the distance between the two axes in mm".to_owned())
+        }
+        Err(_) => Err("this is no number".to_owned()),
+    }
 }
 
 #[cfg(test)]

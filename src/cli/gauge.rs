@@ -34,10 +34,10 @@ pub(super) struct Args {
     #[arg(long, value_name = "K", value_parser = clap::value_parser!(u32).range(1..=10_000))]
     span_teeth: Option<u32>,
     /// Diameter of the pins, mm [default: as the file states the thickness, else contact near mid-height]
-    #[arg(long, value_name = "D", value_parser = diameter)]
+    #[arg(long, value_name = "D", value_parser = diameter, allow_negative_numbers = true)]
     pin_mm: Option<f64>,
     /// Diameter of the ball for the runout, mm [default: the pin's]
-    #[arg(long, value_name = "D", value_parser = diameter)]
+    #[arg(long, value_name = "D", value_parser = diameter, allow_negative_numbers = true)]
     ball_mm: Option<f64>,
     /// Teeth of the master gear [default: 30, or as many as the gear's tips need]
     #[arg(long, value_name = "Z", value_parser = clap::value_parser!(u32).range(3..=10_000))]

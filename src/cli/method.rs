@@ -1,5 +1,6 @@
 //! `--method` and `--no-certify`: what several commands share.
 
+use super::tell;
 use crate::compare::ComparedRun;
 use crate::mesh::Method;
 use clap::ValueEnum;
@@ -57,8 +58,8 @@ pub(super) fn unproven<'a>(runs: impl IntoIterator<Item = &'a ComparedRun>) -> u
 pub(super) fn all_proven(unproven: usize) -> bool {
     match unproven {
         0 => return true,
-        1 => eprintln!("warning: 1 pose is UNPROVEN; the result tells which and why"),
-        poses => eprintln!("warning: {poses} poses are UNPROVEN; the result tells which and why"),
+        1 => tell("warning: 1 pose is UNPROVEN; the result tells which and why"),
+        poses => tell(&format!("warning: {poses} poses are UNPROVEN; the result tells which and why")),
     }
     false
 }
@@ -79,10 +80,10 @@ pub(super) fn agreement_within(largest: Option<f64>) -> bool {
     };
     let passes = largest <= AGREEMENT;
     let verdict = if passes { "agree" } else { "DISAGREE" };
-    eprintln!(
+    tell(&format!(
         "exact and polygon method {verdict}: largest difference {:.2e} µm of j_wt (allowed 1e-6)",
         largest * 1e3
-    );
+    ));
     passes
 }
 

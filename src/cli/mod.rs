@@ -19,6 +19,7 @@ mod snapshot;
 mod target;
 mod worst;
 
+use crate::characters::plain;
 use crate::error::Error;
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
@@ -73,7 +74,9 @@ enum Command {
 /// # Errors
 /// Whatever keeps a command from doing its work; the process ends with 2 then.
 pub fn run() -> Result<ExitCode, Error> {
-    match Cli::parse().command {
+    let cli = parse();
+    cap_threads();
+    match cli.command {
         Command::Simulate(args) => simulate::run(&args),
         Command::Compare(args) => compare::run(&args),
         Command::Check(args) => check::run(&args),
@@ -86,17 +89,55 @@ pub fn run() -> Result<ExitCode, Error> {
     }
 }
 
+/// Threads that more than the cores of the machine may be asked for. Each takes 2 MiB of address space and time to start; none
+/// beyond the cores brings anything but tests of the same bytes.
+const MOST_THREADS: usize = 64;
+
+/// Keeps `RAYON_NUM_THREADS` to what a machine can start.
+fn cap_threads() {
+    let variable = std::env::var("RAYON_NUM_THREADS").ok();
+    let wanted: Option<usize> = variable.and_then(|threads| threads.parse().ok());
+    let cores = std::thread::available_parallelism().map_or(1, |cores| cores.get());
+    let most = MOST_THREADS.max(cores);
+    if let Some(wanted) = wanted.filter(|wanted| *wanted > most) {
+        // Fails where a pool is there already, in which case it is not too large.
+        let _ = rayon::ThreadPoolBuilder::new()
+            .num_threads(most)
+            .build_global();
+        tell(&format!(
+            "note: RAYON_NUM_THREADS={wanted}: {most} threads are used, the most that make sense on this machine"
+        ));
+    }
+}
+
+/// The command line as parsed; help and usage errors end the process as clap does.
+fn parse() -> Cli {
+    Cli::try_parse().unwrap_or_else(|error| {
+        // A usage error quotes arguments, which file names that a shell filled in may be.
+        let words = std::env::args_os().map(|word| plain(&word.to_string_lossy()));
+        match Cli::try_parse_from(words) {
+            Err(error) => error.exit(),
+            Ok(_) => error.exit(),
+        }
+    })
+}
+
 /// Prints to standard output. A reader that has gone away (`| head`) is no error.
 fn print(text: &str) {
     use std::io::Write;
     let _ = std::io::stdout().lock().write_all(text.as_bytes());
 }
 
+/// Prints a line to standard error, whatever the texts from files in it.
+fn tell(line: &str) {
+    eprintln!("{}", plain(line));
+}
+
 /// Prints what the user should know, and what was found to be in order.
 fn warn(file: &std::path::Path, warnings: &[String], remarks: &[String]) {
     for (kind, list) in [("warning", warnings), ("note", remarks)] {
         for told in list {
-            eprintln!("{kind}: {}: {told}", file.display());
+            tell(&format!("{kind}: {}: {told}", file.display()));
         }
     }
 }

@@ -1,6 +1,7 @@
 //! What a command prints of its results, and the folder that takes all of them.
 
 use super::print;
+use crate::characters::plain;
 use crate::error::Error;
 use crate::output::OutputFolder;
 use clap::ValueEnum;
@@ -69,7 +70,11 @@ impl ResultsArgs {
             .collect();
         let path = folder.write_instead(files, &stale)?;
         if self.format == Format::Text {
-            print(&format!("\n{} files in {}\n", files.len(), path.display()));
+            print(&format!(
+                "\n{} files in {}\n",
+                files.len(),
+                plain(&path.display().to_string())
+            ));
         }
         Ok(())
     }

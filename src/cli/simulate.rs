@@ -24,7 +24,7 @@ pub(super) struct Args {
     /// The pair file (TOML or JSON)
     pair: PathBuf,
     /// Other centre distances than the pair file's, mm: one, or a scan FROM..TO:STEP
-    #[arg(long, value_name = "A", value_parser = distances::parse)]
+    #[arg(long, value_name = "A", value_parser = distances::parse, allow_hyphen_values = true)]
     center_distance: Option<Distances>,
     #[command(flatten)]
     results: ResultsArgs,

@@ -1,10 +1,11 @@
 //! `gearlash snapshot`: one contact as a picture.
 
+use super::distances;
 use super::drawing::{End, material, teeth};
 use super::method::all_proven;
 use super::pictures::{exaggeration, pitch};
 use super::target::Target;
-use super::{warn, worst};
+use super::{tell, warn, worst};
 use crate::error::Error;
 use crate::gear::Side;
 use crate::input;
@@ -44,13 +45,13 @@ pub(super) struct Args {
     )]
     fraction: f64,
     /// Centre distance in mm [default: the first of the pair file; with --worst all]
-    #[arg(long, value_name = "A")]
+    #[arg(long, value_name = "A", value_parser = distances::one, allow_hyphen_values = true)]
     center_distance: Option<f64>,
     /// Which end of the thickness tolerances [default: most, where there are two; with --worst both]
     #[arg(long, value_enum)]
     material: Option<End>,
     /// Draw the deviations (thickness, pitch, eccentricity) this many times as large, before perfect teeth
-    #[arg(long, value_name = "FACTOR")]
+    #[arg(long, value_name = "FACTOR", allow_negative_numbers = true)]
     exaggerate: Option<f64>,
     /// Turn the gears through a pitch from this pose on, in contact: an animated SVG for a browser
     #[arg(long, conflicts_with = "exaggerate")]
@@ -178,10 +179,10 @@ fn assembly(args: &Args, study: &Study) -> Result<(Material, Assembly), Error> {
         ));
     };
     if args.center_distance.is_none() && study.center_distances.len() > 1 {
-        eprintln!(
+        tell(&format!(
             "note: at centre distance {distance} mm, the first of {}; choose with --center-distance",
             study.center_distances.len()
-        );
+        ));
     }
     let gears = study
         .materials

@@ -1,6 +1,7 @@
 //! Where one file goes: `-o FILE`, or `-` for standard output.
 
 use super::print;
+use crate::characters::plain;
 use crate::error::Error;
 use crate::output::OutputFolder;
 use std::path::{Path, PathBuf};
@@ -69,7 +70,7 @@ impl Target {
         let shown = self
             .place
             .is_some()
-            .then(|| format!("{}\n", self.path.display()));
+            .then(|| format!("{}\n", plain(&self.path.display().to_string())));
         self.write_silently(content)?;
         print(&shown.unwrap_or_default());
         Ok(())

@@ -1,6 +1,7 @@
 //! `snapshot --worst`: the pose with the least backlash of all a pair file asks for.
 
 use super::progress::Progress;
+use super::tell;
 use crate::analytic::evaluate;
 use crate::error::Error;
 use crate::mesh::{Method, SweptPose};
@@ -42,11 +43,8 @@ pub(super) fn find(
         )));
     };
     if pose.found.is_ok() {
-        eprintln!(
-            "worst of {} poses: {}",
-            poses - left_out,
-            in_words(run, pose)
-        );
+        let compared = poses - left_out;
+        tell(&format!("worst of {compared} poses: {}", in_words(run, pose)));
     }
     Ok((run.clone(), pose.clone(), unproven))
 }

@@ -41,6 +41,16 @@ impl Bearings {
         self.wheel + self.pinion
     }
 
+    /// The wheel's.
+    pub fn wheel(&self) -> f64 {
+        self.wheel
+    }
+
+    /// The pinion's.
+    pub fn pinion(&self) -> f64 {
+        self.pinion
+    }
+
     fn read(table: &Table, problems: &mut Problems) -> Option<Bearings> {
         let Some(entry) = table.optional("bearing_clearance_mm")? else {
             return Some(Bearings {

@@ -86,6 +86,28 @@ impl CrossCheck {
         &self.statement
     }
 
+    /// A warning where it is the same measurement as the one that counts: it repeats its faults, the pin's or the count of teeth.
+    pub fn same_kind(&self, drawing: &Drawing) -> Option<String> {
+        let of = |statement: &Statement| match statement {
+            // A base thickness may come from any measurement.
+            Statement::Nominal | Statement::Base(_) => None,
+            Statement::Span { teeth, .. } | Statement::Spans { teeth, .. } => {
+                Some(("a span over as many teeth", f64::from(*teeth)))
+            }
+            Statement::OverPins { pin_mm, .. } | Statement::Pins { pin_mm, .. } => {
+                Some(("a dimension over the same pins", *pin_mm))
+            }
+            Statement::Allowance(_) => Some(("an allowance", 0.0)),
+        };
+        let (words, _) =
+            of(&self.statement).filter(|kind| of(&drawing.statement) == Some(*kind))?;
+        Some(format!(
+            "{}: is {words}, like the statement that counts, and repeats its faults: a check by another kind of measurement (span, over pins, \
+             another number of teeth or pin) would find them",
+            drawing.table.path_of(CrossCheck::UNDER)
+        ))
+    }
+
     /// Compares it with `gears`, which have the deviations `known`.
     pub fn compare(
         &self,

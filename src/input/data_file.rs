@@ -1,8 +1,10 @@
 //! A data file that a pair file names under `file`.
 
+use super::node::{LONGEST, Node};
 use super::problems::Problems;
 use super::source;
 use super::table::Table;
+use crate::characters::cut;
 use crate::error::Problem;
 use std::path::{Path, PathBuf};
 
@@ -15,17 +17,27 @@ pub struct DataFile {
     name: String,
     /// Where that is.
     path: PathBuf,
+    /// Whether that is outside the pair file's folder, by its real place.
+    outside: bool,
 }
+
+/// In place of what stands in a file outside the pair file's folder. Such a file is read: engineers have network folders. But
+/// whoever writes a pair file and sees the messages must not read by them whatever file the program may read.
+const NOT_SHOWN: &str = "(not shown: the file is outside the pair file's folder)";
+/// Characters of a path that a message shows: as long as Linux allows.
+const LONGEST_PATH: usize = 4096;
 
 impl DataFile {
     /// The file that `table` names under `file`; a relative path starts at the pair file's folder.
     pub fn of(table: &Table, needed: &str, problems: &mut Problems) -> Option<DataFile> {
         let entry = table.need("file", needed, problems)?;
         let name = problems.keep(entry.text(&format!("give {needed}")))?;
+        let path = table.folder().join(name);
         Some(DataFile {
             key: table.path_of("file"),
             name: name.to_owned(),
-            path: table.folder().join(name),
+            outside: is_outside(&path, table.folder()),
+            path,
         })
     }
 
@@ -60,12 +72,31 @@ impl DataFile {
         source::bytes(&self.path).map_err(|problem| self.problem(problem.reason, problem.way_out))
     }
 
-    /// A problem in the file.
+    /// `text` of the file for a message, in quotes.
+    pub fn quote(&self, text: &str) -> String {
+        match self.outside {
+            true => NOT_SHOWN.to_owned(),
+            false => Node::Text(text.to_owned()).shown(),
+        }
+    }
+
+    /// `text` of the file for a message, as it stands.
+    pub fn bare(&self, text: &str) -> String {
+        match self.outside {
+            true => NOT_SHOWN.to_owned(),
+            false => cut(text, LONGEST),
+        }
+    }
+
+    /// A problem in the file. What the reason says of its content has been through [`DataFile::quote`] or [`DataFile::bare`].
     pub fn problem(&self, reason: impl std::fmt::Display, way_out: impl Into<String>) -> Problem {
         Problem {
             key: self.key.clone(),
-            value: Some(format!("{:?}", self.name)),
-            reason: format!("{}: {reason}", self.path.display()),
+            value: Some(Node::Text(self.name.clone()).shown()),
+            reason: format!(
+                "{}: {reason}",
+                cut(&self.path.display().to_string(), LONGEST_PATH)
+            ),
             way_out: way_out.into(),
         }
     }
@@ -78,6 +109,18 @@ impl DataFile {
         way_out: impl Into<String>,
     ) -> Problem {
         self.problem(format!("line {line}: {reason}"), way_out)
+    }
+}
+
+/// Whether the real place of `path`, links followed, is not below `folder`. Of one that is not there nothing is read.
+fn is_outside(path: &Path, folder: &Path) -> bool {
+    let folder = match folder.as_os_str().is_empty() {
+        true => Path::new("."),
+        false => folder,
+    };
+    match (path.canonicalize(), folder.canonicalize()) {
+        (Ok(path), Ok(folder)) => !path.starts_with(folder),
+        _ => true,
     }
 }
 

@@ -35,23 +35,36 @@ pub fn held(table: &Table, pitch: &Pitch, flanks: &Flanks) -> Option<String> {
     let deviation = (rest.iter().sum::<f64>() / free / z).sqrt() * toothing.pressure_angle().cos();
     let left = found.pitch.first_harmonic_energy();
     let jointly = left <= NOT_JOINT * pitch.first_harmonic_energy();
-    let stands_out = jointly && found.eccentricity > STANDS_OUT * deviation;
-    (stands_out && apart_um(runout, in_pitch, toothing) <= SAME * runout.um).then(|| {
-        format!(
-            "{}: the values look as if they were measured about the datum axis: their first harmonic is that of an eccentricity of {}, and {}: \
+    if !(jointly && found.eccentricity > STANDS_OUT * deviation) {
+        return None;
+    }
+    if apart_um(runout, in_pitch, toothing) > SAME * runout.um {
+        // As large, but elsewhere: the stated eccentricity, if one of the two directions is wrong.
+        let as_large = (in_pitch.um - runout.um).abs() <= SAME * runout.um;
+        return (as_large && flanks.runout.sheet.is_none()).then(|| {
+            format!(
+                "{}: the pitch of both flanks holds the first harmonic of an eccentricity of {}, the size of the one that is stated here, {}, and both \
+                 count: check the tooth, and whether the pitch was measured about the datum axis",
+                table.path_of("runout.high_tooth"),
+                shown(in_pitch),
+                shown(runout),
+            )
+        });
+    }
+    Some(format!(
+        "{}: the values look as if they were measured about the datum axis: their first harmonic is that of an eccentricity of {}, and {}: \
              if so, write axis = \"datum\" and eccentricity = \"pitch\" or \"runout\"",
-            table.path_of("pitch.axis"),
-            shown(in_pitch),
-            match (&flanks.runout.sheet, flanks.runout.stated()) {
-                (None, _) => format!("[runout] says {}, which would count twice", shown(runout)),
-                (Some(_), left) => format!(
-                    "the readings of [runout] hold one of {}; as the gear's own pitch the values explain the readings, and {} is left to it as eccentricity",
-                    shown(runout),
-                    left.map_or("nothing".to_owned(), shown),
-                ),
-            },
-        )
-    })
+        table.path_of("pitch.axis"),
+        shown(in_pitch),
+        match (&flanks.runout.sheet, flanks.runout.stated()) {
+            (None, _) => format!("[runout] says {}, which would count twice", shown(runout)),
+            (Some(_), left) => format!(
+                "the readings of [runout] hold one of {}; as the gear's own pitch the values explain the readings, and {} is left to it as eccentricity",
+                shown(runout),
+                left.map_or("nothing".to_owned(), shown),
+            ),
+        },
+    ))
 }
 
 /// A warning where the first harmonic of datum-axis pitch as `measured` is not that of the eccentricity that is taken from it alone.

@@ -15,7 +15,7 @@ use super::slips::{self, Slip};
 use super::stated::Stated;
 use super::table::Table;
 use super::thickness::{self, Statement};
-use super::{all_round, contradictions, eccentricity, first_harmonic};
+use super::{all_round, contradictions, eccentricity, first_harmonic, unit_slips};
 use crate::gear::{AsBuilt, Blank, Deviations, Face, Toothing};
 use crate::notes::GearNotes;
 use serde_json::{Value, json};
@@ -186,6 +186,15 @@ impl GearPart {
         ));
         self.warnings
             .extend(per_tooth::off_mean(&drawing, &per_tooth_um));
+        self.warnings.extend(unit_slips::told(
+            &drawing,
+            &flanks.runout,
+            &per_tooth_um,
+            measured.map(|(sheet, _)| sheet),
+        ));
+        let cross_checks = cross_check.iter();
+        self.warnings
+            .extend(cross_checks.filter_map(|check| check.same_kind(&drawing)));
         self.warnings
             .extend(measured.and_then(|(sheet, pitch)| match sheet.is_datum() {
                 true => first_harmonic::not_joint(table, sheet, pitch, &flanks),

@@ -2,13 +2,13 @@
 
 use super::data_file::{DataFile, line_of};
 use super::measured_row::Fields;
-use super::nearest::nearest;
+use super::nearest::{is_slip, nearest};
 use super::problems::Problems;
 use super::table::Table;
 use crate::error::Problem;
 use crate::study::MeasuredRow;
 use serde_json::{Value, json};
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 
 pub const KEYS: &[&str] = &["file"];
 /// The columns, all needed, in any order.
@@ -22,6 +22,11 @@ pub const COLUMNS: [&str; 8] = [
     "predicted_max_um",
     "source",
 ];
+
+/// Cells of the file: a million rows of all columns. A file of commas alone would take ten times its size.
+const MOST_CELLS: usize = 8_000_000;
+/// Columns of which each is asked for its name.
+const MOST_COLUMNS: usize = 100;
 
 /// The file and its rows, each with its line.
 #[derive(Debug)]
@@ -59,6 +64,27 @@ impl Measured {
         firsts.filter(|(_, mm)| seen.insert(mm.to_bits())).collect()
     }
 
+    /// A warning where two rows say the same of the same mating at the same distance.
+    pub fn equal_rows(&self) -> Option<String> {
+        let mut seen = HashMap::new();
+        let equal = self.rows.iter().filter_map(|(line, row)| {
+            let numbers = [row.center_distance, row.right_um, row.left_um].map(f64::to_bits);
+            let first = *seen
+                .entry((numbers, row.wheel_tooth, row.pinion_tooth))
+                .or_insert(*line);
+            (first != *line).then_some((first, *line))
+        });
+        let equal: Vec<(u64, u64)> = equal.collect();
+        let (first, second) = *equal.first()?;
+        let more = match equal.len() {
+            1 => String::new(),
+            count => format!(" (and {} more such rows)", count - 1),
+        };
+        Some(format!(
+            "measured.file: lines {first} and {second} say the same of one mating at one distance{more}: both count; if a row was copied twice, remove one"
+        ))
+    }
+
     /// The rows.
     pub fn into_rows(self) -> Vec<MeasuredRow> {
         self.rows.into_iter().map(|(_, row)| row).collect()
@@ -74,12 +100,26 @@ impl Measured {
         self.file.problem_at(line, reason, way_out)
     }
 
+    /// A value of the file for a message.
+    pub fn quote(&self, value: &str) -> String {
+        self.file.quote(value)
+    }
+
     fn parse(
         &self,
         text: &str,
         teeth: (Option<u32>, Option<u32>),
         problems: &mut Problems,
     ) -> Option<Vec<(u64, MeasuredRow)>> {
+        // Before they are cells; one in quotes counts, too.
+        let cells = text.bytes().filter(|b| matches!(b, b',' | b'\n')).count();
+        if cells > MOST_CELLS {
+            problems.add(self.file.problem(
+                format!("has some {cells} cells, allowed are up to {MOST_CELLS}: those of a million rows"),
+                "split the file",
+            ));
+            return None;
+        }
         let mut reader = csv::ReaderBuilder::new()
             .flexible(true)
             .trim(csv::Trim::All)
@@ -133,16 +173,29 @@ impl Measured {
     /// Where each of [`COLUMNS`] stands.
     fn columns(&self, headers: &csv::StringRecord, problems: &mut Problems) -> Option<[usize; 8]> {
         let way_out = "name the columns in line 1, separated by commas, in any order";
+        if headers.len() > MOST_COLUMNS {
+            problems.add(self.problem_at(
+                1,
+                &format!(
+                    "{} columns, allowed are up to {MOST_COLUMNS}",
+                    headers.len()
+                ),
+                way_out,
+            ));
+            return None;
+        }
         for (place, name) in headers.iter().enumerate() {
             if !COLUMNS.contains(&name) {
-                let near = nearest(name, &COLUMNS).map_or("", |(near, _)| near);
+                let near = nearest(name, &COLUMNS).filter(|(_, distance)| is_slip(name, *distance));
+                let near = near.map_or(String::new(), |(near, _)| format!("did you mean {near}? "));
                 problems.add(self.problem_at(
                     1,
                     &format!(
-                        "unknown column {name:?}, allowed are {}",
+                        "unknown column {}, allowed are {}",
+                        self.file.quote(name),
                         COLUMNS.join(", ")
                     ),
-                    &format!("did you mean {near}? {way_out}"),
+                    &format!("{near}{way_out}"),
                 ));
             } else if headers.iter().take(place).any(|earlier| earlier == name) {
                 problems.add(self.problem_at(1, &format!("column {name} twice"), "remove one"));

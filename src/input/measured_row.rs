@@ -73,10 +73,10 @@ impl Fields<'_> {
     }
 
     fn problem(&self, column: usize, allowed: &str) -> Problem {
-        let value: String = self.values[column].chars().take(40).collect();
+        let value = self.measured.quote(self.values[column]);
         self.measured.problem_at(
             self.line,
-            &format!("{} is {value:?}, allowed is {allowed}", COLUMNS[column]),
+            &format!("{} is {value}, allowed is {allowed}", COLUMNS[column]),
             "correct the line, or remove it",
         )
     }

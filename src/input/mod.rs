@@ -23,6 +23,7 @@ mod nearest;
 mod node;
 mod options;
 mod pair_file;
+mod pair_slips;
 mod per_tooth;
 mod pitch;
 mod problems;
@@ -37,6 +38,7 @@ mod sweep;
 mod table;
 mod thickness;
 mod tooth;
+mod unit_slips;
 
 use crate::error::Error;
 use crate::study::{GearsStudy, Study};
@@ -45,6 +47,7 @@ use pair_file::PairFile;
 use problems::Problems;
 use std::path::Path;
 
+pub use pair_slips::in_tolerance as tolerance_slip;
 pub use schema::{PAIR_SCHEMA, gear_schema};
 
 /// Reads the pair file at `path`: TOML, or JSON with the same keys.

@@ -2,10 +2,13 @@
 
 /// The word of `known` with the least edit distance from `word`, and that distance.
 ///
-/// On a tie the first. Of a very long word only the beginning counts: no known word is longer.
+/// On a tie the first. Of a very long word none: no known word is half as long.
 pub fn nearest(word: &str, known: &[&'static str]) -> Option<(&'static str, usize)> {
     const LONGEST: usize = 64;
-    let word: Vec<char> = word.chars().take(LONGEST).collect();
+    let word: Vec<char> = word.chars().take(LONGEST + 1).collect();
+    if word.len() > LONGEST {
+        return None;
+    }
     known
         .iter()
         .map(|&candidate| (candidate, edit_distance(&word, candidate)))

@@ -1,8 +1,15 @@
 //! A pair file as a tree of values, the same for TOML and JSON.
 
+use crate::characters::cut;
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, SeqAccess, Visitor};
 use std::collections::HashSet;
 use std::fmt;
+
+/// Characters of a value or a cell that a message shows. Tuned: what a line of a terminal holds beside the reason.
+pub const LONGEST: usize = 60;
+
+/// Keys of one table: a hundred times those that are known. Behind them nothing is worth reading.
+const MOST_KEYS: usize = 1000;
 
 /// A value as it stands in the file.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,13 +48,9 @@ impl Node {
 
     /// The value for a message: as written, long ones cut.
     pub fn shown(&self) -> String {
-        const LONGEST: usize = 60;
         let mut text = String::new();
         self.write(&mut text, LONGEST);
-        match text.char_indices().nth(LONGEST) {
-            Some((end, _)) => format!("{} …", &text[..end]),
-            None => text,
-        }
+        cut(&text, LONGEST)
     }
 
     /// Appends the value; leaves off elements once `text` is longer than `enough`.
@@ -163,9 +166,15 @@ impl<'de> Visitor<'de> for NodeVisitor {
         let mut entries = Vec::new();
         while let Some((key, value)) = map.next_entry::<String, Node>()? {
             if !seen.insert(key.clone()) {
+                let key = cut(&key, LONGEST);
                 return Err(A::Error::custom(format!("key `{key}` is given twice")));
             }
             entries.push((key, value));
+            if entries.len() > MOST_KEYS {
+                return Err(A::Error::custom(format!(
+                    "more than {MOST_KEYS} keys in one table, known is a dozen"
+                )));
+            }
         }
         Ok(Node::Table(entries))
     }

@@ -5,6 +5,7 @@ use super::gear::GearPart;
 use super::measured::{self, Measured};
 use super::node::Node;
 use super::options::{Accuracy, Compare};
+use super::pair_slips;
 use super::problems::Problems;
 use super::sweep::{MOST_POSES, Sweep};
 use super::table::Table;
@@ -87,6 +88,15 @@ impl<'a> PairFile<'a> {
         let (locked, bearings) = (assembly.locked?, assembly.bearings?);
         let (measured, sweep) = (self.measured?, self.sweep?);
         let (accuracy, compare, title) = (self.accuracy?, self.compare?, self.title?);
+        warnings.extend(pair_slips::in_bearings(&bearings));
+        warnings.extend(pair_slips::in_distances(
+            &self.wheel,
+            &self.pinion,
+            &center_distances,
+        ));
+        let tolerance = pair_slips::in_tolerance("compare.tolerance_um", compare.tolerance_um);
+        warnings.extend(tolerance);
+        warnings.extend(measured.as_ref().and_then(Measured::equal_rows));
 
         let mut echo = json!({
             "title": title,

@@ -34,23 +34,34 @@ pub fn thickness(table: &Table, teeth: Option<u32>, problems: &mut Problems) -> 
 /// their scatter by `√z`; three of them from 0 the whole list lies on one side of it. Tuned: that is how values from the nominal thickness look.
 const OFF: f64 = 3.0;
 
+/// The mean of a list, in modules, that no allowance explains: DIN 3967's greatest, a, stays below it from a module of 2 mm on. Tuned.
+const MOST_MEAN: f64 = 0.1;
+
 /// A warning where `per_tooth_um` varies about a mean that is large beside its scatter and adds to the one that is stated.
 ///
 /// One value for all teeth is an offset and meant as one; the nominal thickness is what such a list may count from; readings all round
 /// hold the list's mean, so it does not add to them.
 pub fn off_mean(drawing: &Drawing, per_tooth_um: &[f64]) -> Option<String> {
+    let first = *per_tooth_um.first()?;
+    let count = per_tooth_um.len() as f64;
+    let mean = per_tooth_um.iter().sum::<f64>() / count;
+    let module_um = 1000.0 * drawing.blank.toothing.module();
+    if mean.abs() > MOST_MEAN * module_um {
+        return Some(format!(
+            "{}: its mean is {mean:.1} µm, more than a tenth of the module: the values are what each tooth is thicker than the mean in µm; if they are \
+             thicknesses, or in another unit, take their mean out or convert them",
+            drawing.table.path_of("thickness.per_tooth_um")
+        ));
+    }
     let key = drawing.statement.key()?;
     match drawing.statement {
         Statement::Spans { .. } | Statement::Pins { .. } => return None,
         Statement::Allowance(Stated::Single(0.0)) => return None,
         _ => {}
     }
-    let first = *per_tooth_um.first()?;
     if per_tooth_um.iter().all(|um| *um == first) {
         return None;
     }
-    let count = per_tooth_um.len() as f64;
-    let mean = per_tooth_um.iter().sum::<f64>() / count;
     let squares: f64 = per_tooth_um.iter().map(|um| (um - mean).powi(2)).sum();
     let scatter = (squares / (count - 1.0)).sqrt();
     (mean.abs() > OFF * scatter).then(|| {

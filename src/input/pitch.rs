@@ -194,6 +194,14 @@ impl PitchSheet {
         self.axis == Axis::Datum
     }
 
+    /// The values of a flank as they stand in the file, µm.
+    pub fn values(&self, side: Side) -> &[f64] {
+        match side {
+            Side::Right => &self.right_um,
+            Side::Left => &self.left_um,
+        }
+    }
+
     /// Which eccentricity counts, where the file says so.
     pub fn counts(&self) -> Option<Counts> {
         self.counts

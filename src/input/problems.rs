@@ -41,6 +41,16 @@ impl Problems {
         }
     }
 
+    /// Whether one more will only be counted.
+    pub fn is_full(&self) -> bool {
+        self.told.len() >= self.most
+    }
+
+    /// Counts one that is not told.
+    pub fn count_one(&mut self) {
+        self.untold += 1;
+    }
+
     /// The value, or `None` with its problem added.
     pub fn keep<T>(&mut self, result: Result<T, Problem>) -> Option<T> {
         result.map_err(|problem| self.add(problem)).ok()

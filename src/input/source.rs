@@ -1,6 +1,7 @@
 //! From a path to text, and from text to a tree of values.
 
-use super::node::Node;
+use super::node::{LONGEST, Node};
+use crate::characters::cut;
 use crate::error::Problem;
 use std::fs::File;
 use std::io::{ErrorKind, Read};
@@ -8,6 +9,12 @@ use std::path::Path;
 
 /// Largest file read: 16 MiB. Pitch and thickness of two gears of 10 000 teeth need one.
 const MOST_BYTES: u64 = 16 << 20;
+
+/// Most signs that begin a key or a value of a TOML file: its parser takes some 150 bytes for each. A list of one value a tooth
+/// for the largest gear has 10 000.
+const MOST_MARKS: usize = 500_000;
+/// Characters of what a parser says; its own words are shorter.
+const LONGEST_MESSAGE: usize = 300;
 
 /// The bytes of the file at `path`.
 ///
@@ -79,16 +86,30 @@ pub fn parse(path: &Path, text: &str) -> Result<Vec<(String, Node)>, Problem> {
     let node = if json {
         serde_json::from_str(text).map_err(|error| {
             whole_file(
-                format!("not JSON: {error}"),
+                format!("not JSON: {}", cut(&error.to_string(), LONGEST_MESSAGE)),
                 "correct it there, or give TOML a name that ends in .toml",
             )
         })?
     } else {
+        let marks = text.bytes().filter(|b| b"=,[{.".contains(b)).count();
+        if marks > MOST_MARKS {
+            return Err(whole_file(
+                format!("has some {marks} keys and values, allowed are up to {MOST_MARKS} in TOML"),
+                "check that this is the file you mean, or put long lists into files of their own",
+            ));
+        }
         let table: toml::Table = toml::from_str(text).map_err(|error| {
-            let start = error.span().map_or(0, |span| span.start);
-            let (line, column) = line_and_column(text, start);
+            let span = error.span().unwrap_or_default();
+            let (line, column) = line_and_column(text, span.start);
+            let named = match text.get(span) {
+                Some(key) if error.message() == "duplicate key" => format!(" `{}`", cut(key, LONGEST)),
+                _ => String::new(),
+            };
             whole_file(
-                format!("not TOML: {} at line {line} column {column}", error.message()),
+                format!(
+                    "not TOML: {}{named} at line {line} column {column}",
+                    cut(error.message(), LONGEST_MESSAGE)
+                ),
                 "correct it there (a name in quotes, a number with a point), or give JSON a name that ends in .json",
             )
         })?;

@@ -43,6 +43,10 @@ impl<'a> Table<'a> {
             if known.contains(&name.as_str()) {
                 continue;
             }
+            if unknown.is_full() {
+                unknown.count_one();
+                continue;
+            }
             let way_out = match nearest(name, known) {
                 Some((nearest, distance)) if is_slip(name, distance) => {
                     table.mistyped.push(nearest);

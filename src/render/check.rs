@@ -3,6 +3,7 @@
 use super::decimal::ascii;
 use super::result::{ContactCountRecord, contact_count_record};
 use super::table::{finish, table};
+use crate::characters;
 use crate::diagnosis::{Check, Diagnosis, Group, Verdict};
 use crate::pair::Member;
 use crate::study::Study;
@@ -67,7 +68,7 @@ pub fn json(study: &Study, diagnosis: &Diagnosis) -> Result<String, serde_json::
             })
             .collect(),
     };
-    Ok(serde_json::to_string_pretty(&file)? + "\n")
+    Ok(characters::json(serde_json::to_string_pretty(&file)?) + "\n")
 }
 
 fn check_record<'a>(group: &Group, check: &'a Check) -> CheckRecord<'a> {
@@ -93,7 +94,7 @@ fn check_record<'a>(group: &Group, check: &'a Check) -> CheckRecord<'a> {
 
 /// As text: each check once, of the centre distance and material that keeps its limit least.
 pub fn text(study: &Study, diagnosis: &Diagnosis) -> String {
-    let mut text = format!("{}\n\n", study.title);
+    let mut text = format!("{}\n\n", characters::plain(&study.title));
     let several = diagnosis.groups.len() > 1;
     let mut headings = vec!["verdict", "check", "gear"];
     if several {

@@ -1,16 +1,18 @@
 //! The outcome of `compare`: text, JSON, JUnit XML, GitHub annotations, Markdown.
 
+mod junit;
 mod markdown;
 
 use super::result::{MatingRecord, UnprovenRecord, mating_record, unproven_record};
 use super::table::where_it_is;
 use super::unproven::doubts;
+use crate::characters::{self, plain};
 use crate::compare::{ComparedPose, ComparedRun, Verdict};
 use crate::outcome::Outcome;
-use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
 use serde::Serialize;
 use std::fmt::Write;
 
+pub use junit::junit;
 pub use markdown::markdown;
 
 /// One compared pair file.
@@ -152,7 +154,7 @@ fn run_name(run: &ComparedRun) -> String {
 pub fn text(pairs: &[ComparedPair]) -> String {
     let mut text = String::new();
     for pair in pairs {
-        let _ = writeln!(text, "{} — {}", pair.file, pair.title);
+        let _ = writeln!(text, "{} — {}", plain(&pair.file), plain(&pair.title));
         for run in &pair.runs {
             let difference = match run.worst() {
                 Some((_, difference)) => {
@@ -262,7 +264,7 @@ pub fn json(pairs: &[ComparedPair]) -> Result<String, serde_json::Error> {
         passed: pairs.iter().all(ComparedPair::passes),
         pairs: pairs.iter().map(json_pair).collect(),
     };
-    Ok(serde_json::to_string_pretty(&report)? + "\n")
+    Ok(characters::json(serde_json::to_string_pretty(&report)?) + "\n")
 }
 
 fn json_pair(pair: &ComparedPair) -> JsonPair<'_> {
@@ -314,29 +316,6 @@ fn json_unproven(pose: &ComparedPose) -> JsonUnproven {
     }
 }
 
-/// JUnit XML: a suite a file, a case a run.
-pub fn junit(pairs: &[ComparedPair]) -> Result<String, quick_junit::SerializeError> {
-    let mut report = Report::new("gearlash compare");
-    for pair in pairs {
-        let mut suite = TestSuite::new(pair.file.as_str());
-        for run in &pair.runs {
-            let status = match pair.failure(run) {
-                None => TestCaseStatus::success(),
-                Some(reason) => {
-                    let mut status = TestCaseStatus::non_success(NonSuccessKind::Failure);
-                    status.set_message(reason);
-                    status
-                }
-            };
-            let mut case = TestCase::new(run_name(run), status);
-            case.set_classname(pair.title.as_str());
-            suite.add_test_case(case);
-        }
-        report.add_test_suite(suite);
-    }
-    report.to_string()
-}
-
 /// GitHub workflow commands: an error a failing run, a notice a passing file.
 pub fn github(pairs: &[ComparedPair]) -> String {
     let mut text = String::new();
@@ -364,11 +343,9 @@ pub fn github(pairs: &[ComparedPair]) -> String {
     text
 }
 
-/// Escapes as GitHub's workflow commands ask for: `%`, CR and LF in data, `:` and `,` too in properties.
+/// Escapes as GitHub's workflow commands ask for: `%` in data, `:` and `,` too in properties. Line ends are gone by then.
 fn escape(text: &str) -> String {
-    text.replace('%', "%25")
-        .replace('\r', "%0D")
-        .replace('\n', "%0A")
+    plain(text).replace('%', "%25")
 }
 
 fn escape_property(text: &str) -> String {

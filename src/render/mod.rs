@@ -3,7 +3,6 @@
 mod animation;
 mod bound;
 mod caption;
-mod characters;
 pub mod chart;
 pub mod check;
 mod clip;

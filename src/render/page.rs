@@ -4,8 +4,8 @@
 //! print: metal light, gap middling, overlap dark and hatched. Of the hues only
 //! green and red are easily mistaken, and those two differ in lightness and hatching.
 
-use super::characters::plain;
 use super::decimal::ascii;
+use crate::characters::plain;
 use svg::node::Blob;
 use svg::node::element::{Element, Path, Rectangle, SVG};
 use svg::node::{Node, Text};
@@ -186,4 +186,19 @@ pub fn text(content: &str, at: Spot, size: f64, verbatim: bool) -> Element {
         }
     }
     element
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A title with U+FFFF made a snapshot that no parser reads.
+    #[test]
+    fn a_text_of_a_picture_is_xml() {
+        let drawn = text("a\u{ffff}b j_wt \u{1}<c>", [0.0; 2], 12.0, false);
+        let drawn = drawn.to_string();
+        let read = roxmltree::Document::parse(&drawn).unwrap();
+        let words: String = read.descendants().filter_map(|node| node.text()).collect();
+        assert!(words.contains("a b"), "{words}");
+    }
 }

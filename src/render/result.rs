@@ -1,5 +1,6 @@
 //! The result as JSON and CSV: the keys of the interface, units in their names.
 
+use crate::characters;
 use crate::compare::{ComparedPose, ComparedRun, Summary};
 use crate::diagnosis::ContactCount;
 use crate::gear::Side;
@@ -151,7 +152,7 @@ pub fn result_file<'a>(study: &'a Study, runs: &[ComparedRun]) -> ResultFile<'a>
 impl ResultFile<'_> {
     /// As JSON, one line end at the end. Numbers read back to the same f64.
     pub fn to_json(&self) -> Result<String, serde_json::Error> {
-        let mut text = serde_json::to_string_pretty(self)?;
+        let mut text = characters::json(serde_json::to_string_pretty(self)?);
         text.push('\n');
         Ok(text)
     }

@@ -5,6 +5,7 @@ mod phases;
 
 use super::decimal::ascii;
 use super::unproven;
+use crate::characters::plain;
 use crate::compare::{ComparedPose, ComparedRun, Verdict};
 use crate::measured::MeasuredMating;
 use crate::mesh::Contact;
@@ -19,7 +20,7 @@ const MOST_LISTED: usize = 40;
 
 /// The text `simulate` prints.
 pub fn simulation(study: &Study, runs: &[ComparedRun], measured: &[MeasuredMating]) -> String {
-    let mut text = format!("{}\n\n", study.title);
+    let mut text = format!("{}\n\n", plain(&study.title));
     if !measured.is_empty() {
         text += &measured_table(measured);
         text += &measured_count(study, measured);

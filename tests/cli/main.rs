@@ -1,14 +1,18 @@
 //! The built binary, as a user and as a script runs it.
 
 mod compare;
+mod hostile;
+mod leaks;
 mod refused;
 mod runs;
 mod simulate;
+mod slips;
+mod small;
 mod snapshot;
 
 use assert_cmd::Command;
 use predicates::prelude::*;
-use serde_json::Value;
+use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
 fn gearlash(folder: &Path) -> Command {

@@ -4,6 +4,7 @@ use super::super::distances::Distances;
 use super::super::drawing::{End, material};
 use super::super::method::{agreement, agreement_within, all_proven, unproven};
 use super::super::progress::Progress;
+use super::super::tell;
 use super::{Args, Gear, Kind};
 use crate::compare::ComparedRun;
 use crate::curves::{self, Course, Followed};
@@ -41,10 +42,10 @@ impl Drawn {
             None => study.center_distances.iter().take(1).copied().collect(),
         };
         if args.center_distance.is_none() && study.center_distances.len() > 1 {
-            eprintln!(
+            tell(&format!(
                 "note: at the first of {} centre distances; choose with --center-distance",
                 study.center_distances.len()
-            );
+            ));
         }
         let study = study
             .at(distance)
@@ -57,10 +58,10 @@ impl Drawn {
             .first()
             .ok_or_else(|| Error::Usage("the pair file asks for no poses".to_owned()))?;
         if let (Some((wheel, pinion)), true) = (course.phase, courses.len() > 1) {
-            eprintln!(
+            tell(&format!(
                 "note: phase {wheel},{pinion}, the first of {}; for another give [sweep] revolutions and start",
                 courses.len()
-            );
+            ));
         }
         let (name, chart) = match args.kind {
             Kind::Difference => (
@@ -145,9 +146,9 @@ fn binding(study: &Study) -> Result<(Followed, Vec<ComparedRun>), Error> {
     progress.finish()?;
     let binding = curves::binding(study, all.iter());
     let (wheel, pinion) = teeth(binding);
-    eprintln!(
+    tell(&format!(
         "note: wheel tooth {wheel} with pinion tooth {pinion}, which bind; choose with --mating"
-    );
+    ));
     Ok((binding, all))
 }
 

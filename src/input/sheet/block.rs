@@ -2,6 +2,7 @@
 
 use super::number::{self, Decimal, Written};
 use crate::gear::Side;
+use crate::input::data_file::DataFile;
 
 /// What such machines print for a value that was not measured.
 const NOT_MEASURED: [f64; 2] = [-2147483.648, -9999.0];
@@ -52,14 +53,14 @@ pub fn side(line: &str) -> Option<Side> {
 }
 
 /// The columns of a block.
-pub fn names(text: &str) -> Result<Vec<Name>, String> {
+pub fn names(file: &DataFile, text: &str) -> Result<Vec<Name>, String> {
     let mut names = Vec::new();
     for word in text.split_whitespace() {
         let word = word.strip_suffix("[µm]").unwrap_or(word);
         match NAMES.iter().find(|(known, _)| *known == word) {
             Some((_, name)) if names.contains(name) => return Err(format!("column {word} twice")),
             Some((_, name)) => names.push(*name),
-            None => return Err(format!("unknown column {word:?}")),
+            None => return Err(format!("unknown column {}", file.quote(word))),
         }
     }
     if names.first() != Some(&Name::Tooth) {
@@ -69,29 +70,43 @@ pub fn names(text: &str) -> Result<Vec<Name>, String> {
 }
 
 /// The tooth and the values of a row, those in the order of the columns behind `Zahn-Nr.`.
-pub fn row<'a>(text: &'a str, columns: &[Name]) -> Result<(u32, Vec<Written<'a>>), String> {
-    let words: Vec<&str> = text.split_whitespace().collect();
-    let (Some(first), true) = (words.first(), words.len() == columns.len()) else {
+pub fn row<'a>(
+    file: &DataFile,
+    text: &'a str,
+    columns: &[Name],
+) -> Result<(u32, Vec<Written<'a>>), String> {
+    let found = text.split_whitespace().count();
+    let mut words = text.split_whitespace();
+    let (Some(first), true) = (words.next(), found == columns.len()) else {
         return Err(format!(
-            "{} values, the block has {} columns",
-            words.len(),
+            "{found} values, the block has {} columns",
             columns.len()
         ));
     };
     let tooth = number::tooth(first).filter(|&tooth| (1..=10_000).contains(&tooth));
-    let tooth = tooth
-        .ok_or_else(|| format!("Zahn-Nr. is {first:?}, allowed is a whole number from 1 on"))?;
+    let tooth = tooth.ok_or_else(|| {
+        format!(
+            "Zahn-Nr. is {}, allowed is a whole number from 1 on",
+            file.quote(first)
+        )
+    })?;
     let mut values = Vec::new();
-    for word in words.iter().skip(1) {
+    for word in words {
         let written =
             number::written(word).filter(|written| written.decimal != Some(Decimal::Comma));
         let written =
             written.filter(|written| written.value.abs() <= 1e7 && !number::zero_first(word));
         let written = written.ok_or_else(|| {
-            format!("{word:?}, allowed is a number of µm with a decimal point, −1e7 … 1e7")
+            format!(
+                "{}, allowed is a number of µm with a decimal point, −1e7 … 1e7",
+                file.quote(word)
+            )
         })?;
         if NOT_MEASURED.contains(&written.value) {
-            return Err(format!("{word} stands for a value that was not measured"));
+            return Err(format!(
+                "{} stands for a value that was not measured",
+                file.bare(word)
+            ));
         }
         values.push(written);
     }

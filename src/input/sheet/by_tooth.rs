@@ -25,7 +25,10 @@ pub fn ordered<const N: usize, const M: usize>(
     for row in rows.iter().filter(|row| row.tooth > teeth) {
         problems.add(file.problem_at(
             row.line,
-            format!("tooth {}, allowed is 1 … {teeth}", row.tooth),
+            format!(
+                "tooth {}, allowed is 1 … {teeth}",
+                file.bare(&row.tooth.to_string())
+            ),
             "remove the line, or correct its number or teeth",
         ));
         good = None;

@@ -1,7 +1,7 @@
 //! One cell of a table, and what it may be read as.
 
 use super::number::{self, Written};
-use crate::input::node::Node;
+use crate::input::data_file::DataFile;
 
 /// One cell.
 #[derive(Debug, Clone, PartialEq)]
@@ -12,26 +12,26 @@ pub enum Cell {
     Text(String),
     /// A number of a workbook.
     Number(f64),
-    /// Anything else of a workbook, in words.
+    /// Text of a workbook where a number must be.
+    TextBelow(String),
+    /// Anything else of a workbook, in words that say nothing of what it holds.
     Other(String),
 }
 
 impl Cell {
-    /// As it stands there, for a message; long ones cut.
-    pub fn shown(&self) -> String {
+    /// As it stands in `file`, for a message.
+    pub fn shown(&self, file: &DataFile) -> String {
         match self {
             Cell::Empty => "empty".to_owned(),
-            Cell::Text(text) => Node::Text(text.clone()).shown(),
-            Cell::Number(number) => number.to_string(),
+            Cell::Text(text) => file.quote(text),
+            Cell::Number(number) => file.bare(&number.to_string()),
+            Cell::TextBelow(text) => {
+                format!(
+                    "the text {} (turn it into a number there)",
+                    file.quote(text)
+                )
+            }
             Cell::Other(words) => words.clone(),
-        }
-    }
-
-    /// As a column's name.
-    pub fn name(&self) -> String {
-        match self {
-            Cell::Text(text) => text.clone(),
-            other => other.shown(),
         }
     }
 
@@ -41,7 +41,7 @@ impl Cell {
             Cell::Text(text) => number::tooth(text),
             // The cast saturates.
             Cell::Number(number) => (number.fract() == 0.0).then_some(*number as u32),
-            Cell::Empty | Cell::Other(_) => None,
+            Cell::Empty | Cell::TextBelow(_) | Cell::Other(_) => None,
         }
     }
 
@@ -53,7 +53,7 @@ impl Cell {
                 value: *number,
                 ..Written::default()
             }),
-            Cell::Empty | Cell::Other(_) => None,
+            Cell::Empty | Cell::TextBelow(_) | Cell::Other(_) => None,
         }
     }
 }

@@ -1,5 +1,6 @@
 //! The columns a table may have: their names in plain words, and their units.
 
+use crate::input::data_file::DataFile;
 use crate::input::entry::Limits;
 use crate::input::pitch::Kind;
 
@@ -117,8 +118,8 @@ pub enum Named {
     Wrong(String, String),
 }
 
-/// What the header cell `text` names among `wanted`.
-pub fn named(text: &str, wanted: &[Column]) -> Named {
+/// What the header cell `text` of `file` names among `wanted`.
+pub fn named(file: &DataFile, text: &str, wanted: &[Column]) -> Named {
     let (name, unit) = name_and_unit(text);
     let is = |names: &[&str]| names.iter().any(|known| plain(known) == plain(name));
     let place = is(TOOTH)
@@ -130,12 +131,16 @@ pub fn named(text: &str, wanted: &[Column]) -> Named {
         (Named::Wanted(place), Some(wanted[place].unit()))
     } else if wanted.contains(&Column::OverPins) && plain(name) == "threepins" {
         return Named::Wrong(
-            format!("column {text:?} is a dimension over three pins, allowed is one over two"),
+            format!("column {} is a dimension over three pins, allowed is one over two", file.quote(text)),
             "give the dimensions over two pins (gearlash gauge writes them beside these), or the span".to_owned(),
         );
     } else {
         return Named::Wrong(
-            format!("unknown column {text:?}, allowed are {}", headings(wanted)),
+            format!(
+                "unknown column {}, allowed are {}",
+                file.quote(text),
+                headings(wanted)
+            ),
             "correct its name, or remove the column".to_owned(),
         );
     };
@@ -146,12 +151,22 @@ pub fn named(text: &str, wanted: &[Column]) -> Named {
     match (meant, needed) {
         (Some((_, meant)), Some(needed)) if *meant == needed => found,
         (_, Some(needed)) => Named::Wrong(
-            format!("column {text:?} is in {unit}, allowed is {needed}"),
-            format!("convert its values to {needed} and name it \"{name} ({needed})\""),
+            format!(
+                "column {} is in {}, allowed is {needed}",
+                file.quote(text),
+                file.bare(unit)
+            ),
+            format!(
+                "convert its values to {needed} and name it \"{} ({needed})\"",
+                file.bare(name)
+            ),
         ),
         (_, None) => Named::Wrong(
-            format!("column {text:?} has a unit, a tooth number has none"),
-            format!("name it \"{name}\""),
+            format!(
+                "column {} has a unit, a tooth number has none",
+                file.quote(text)
+            ),
+            format!("name it \"{}\"", file.bare(name)),
         ),
     }
 }

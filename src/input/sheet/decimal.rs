@@ -46,7 +46,7 @@ pub fn check<const N: usize>(
         let reason = format!(
             "{} {} has a decimal {}, the table's decimal sign is the {}{}",
             column.names()[0],
-            value.text,
+            file.bare(value.text),
             found.name(),
             sign.name(),
             stated.map_or("", |_| " by the key `decimal`"),
@@ -64,7 +64,7 @@ pub fn check<const N: usize>(
         let reason = format!(
             "{} {} may have a decimal {} or a thousands separator{more}: nothing in the table tells",
             column.names()[0],
-            value.text,
+            file.bare(value.text),
             sign.name(),
         );
         let way_out = format!(

@@ -2,6 +2,7 @@
 
 use super::cell::Cell;
 use super::grid::{Grid, Line};
+use super::limits::MOST_CELLS;
 use super::number::Decimal;
 use crate::input::data_file::{DataFile, line_of};
 use crate::input::problems::Problems;
@@ -31,6 +32,18 @@ pub fn read(file: &DataFile, text: &str, problems: &mut Problems) -> Option<Grid
         return None;
     }
     let (delimiter, decimal) = delimiter(file, text, problems)?;
+    // Before they are cells; one in quotes counts, too.
+    let most = text
+        .bytes()
+        .filter(|b| *b == delimiter as u8 || *b == b'\n')
+        .count();
+    if most > MOST_CELLS {
+        problems.add(file.problem(
+            format!("has some {most} cells, allowed are up to {MOST_CELLS}: those of 10 000 teeth in 20 columns"),
+            "name the table of one gear, and leave out other columns",
+        ));
+        return None;
+    }
     let mut reader = csv::ReaderBuilder::new()
         .has_headers(false)
         .flexible(true)

@@ -102,7 +102,7 @@ impl Grid {
         {
             problems.add(file.problem_at(
                 line.number,
-                format!("{} stands in a column without a name", cell.shown()),
+                format!("{} stands in a column without a name", cell.shown(file)),
                 "remove it, or name its column",
             ));
             good = None;
@@ -145,6 +145,6 @@ fn wrong_cell(file: &DataFile, line: u64, name: &str, cell: &Cell, allowed: &str
         Cell::Text(text) if number::zero_first(text) => ", as if a decimal sign were lost",
         _ => "",
     };
-    let reason = format!("{name} is {}{lost}, allowed is {allowed}", cell.shown());
+    let reason = format!("{name} is {}{lost}, allowed is {allowed}", cell.shown(file));
     file.problem_at(line, reason, "correct the line")
 }

@@ -107,7 +107,10 @@ impl Header {
         else {
             problems.add(file.problem_at(
                 line,
-                format!("{label} is {value:?}, allowed is a number with a decimal point"),
+                format!(
+                    "{label} is {}, allowed is a number with a decimal point",
+                    file.quote(value)
+                ),
                 "correct the line, or remove it",
             ));
             return;
@@ -149,7 +152,9 @@ impl Header {
                 said.line,
                 format!(
                     "{} is {}, the pair file has {} = {stated}",
-                    said.label, said.value, said.key
+                    said.label,
+                    said.file.bare(&said.value.to_string()),
+                    said.key
                 ),
                 "check that this is the gear's protocol, and correct the pair file or the line",
             ));

@@ -14,6 +14,7 @@ mod decimal;
 mod delimited;
 mod grid;
 mod header;
+mod limits;
 mod number;
 mod places;
 mod protocol;

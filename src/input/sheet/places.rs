@@ -38,8 +38,14 @@ pub fn places<const N: usize>(
         if *cell == Cell::Empty {
             continue;
         }
-        let text = cell.name();
-        let slot = match column::named(&text, &wanted.columns) {
+        let Cell::Text(text) = cell else {
+            wrong(
+                format!("{} is no name of a column", cell.shown(file)),
+                way_out.clone(),
+            );
+            continue;
+        };
+        let slot = match column::named(file, text, &wanted.columns) {
             Named::Tooth => &mut tooth,
             Named::Wanted(index) => &mut places[index],
             Named::Wrong(reason, way_out) => {
@@ -49,7 +55,7 @@ pub fn places<const N: usize>(
         };
         if slot.is_some() {
             wrong(
-                format!("column {text:?} is the second of its kind"),
+                format!("column {} is the second of its kind", file.quote(text)),
                 "remove one".to_owned(),
             );
         }

@@ -8,6 +8,7 @@
 use super::block::{Block, Name, names, row, side};
 use super::column::Column;
 use super::header::Header;
+use super::limits::MOST_ROWS;
 use super::number::Written;
 use super::{Row, Wanted, by_tooth, story};
 use crate::gear::Side;
@@ -82,6 +83,7 @@ fn parse<'a>(
     let mut blocks: Vec<Block> = Vec::new();
     let mut open = false;
     let mut after_blank = false;
+    let mut line_count = 0;
     let mut good = Some(());
     for (index, text) in text.lines().enumerate() {
         let line = index as u64 + 1;
@@ -111,7 +113,7 @@ fn parse<'a>(
             continue;
         } else if let Some(block) = blocks.last_mut().filter(|_| open) {
             if block.columns.is_empty() {
-                match names(text) {
+                match names(file, text) {
                     Ok(names) => block.columns = names,
                     Err(reason) => {
                         wrong(reason, "name the columns there: Zahn-Nr. fp Fp Fr");
@@ -124,7 +126,15 @@ fn parse<'a>(
             {
                 open = false;
             } else {
-                match row(text, &block.columns) {
+                if line_count == MOST_ROWS {
+                    wrong(
+                        format!("more rows than the {MOST_ROWS} of both flanks of 10 000 teeth"),
+                        "give a protocol of one gear",
+                    );
+                    break;
+                }
+                line_count += 1;
+                match row(file, text, &block.columns) {
                     Ok((tooth, values)) => block.rows.push((line, tooth, values)),
                     Err(reason) => wrong(reason, "correct the line"),
                 }
@@ -199,7 +209,7 @@ fn runout(file: &DataFile, blocks: &[Block], problems: &mut Problems) -> Option<
                 *line,
                 format!(
                     "Fr of tooth {tooth} is {} here and not in the block of the other flank",
-                    value.text
+                    file.bare(value.text)
                 ),
                 "find the right one, and remove column Fr from the other block of a copy",
             ));

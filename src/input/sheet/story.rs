@@ -26,8 +26,10 @@ pub fn check(file: &DataFile, block: &Block, problems: &mut Problems) {
             problems.add(file.problem_at(
                 line,
                 format!(
-                    "fp of tooth {tooth} is {}, its Fp less that of tooth {} is {difference:.4}: the two columns differ by more than their rounding",
-                    f.text, before.1
+                    "fp of tooth {tooth} is {}, its Fp less that of tooth {} is {}: the two columns differ by more than their rounding",
+                    file.bare(f.text),
+                    before.1,
+                    file.bare(&format!("{difference:.4}")),
                 ),
                 "find the wrong one, or remove the other column from a copy of the protocol",
             ));

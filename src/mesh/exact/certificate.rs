@@ -143,7 +143,6 @@ impl Setting<'_> {
     fn open_lands(
         &self,
         open: &mut Curves,
-        half: f64,
         fillet_arm: Option<f64>,
         free_fillet: Option<f64>,
     ) {

@@ -1,7 +1,7 @@
 //! Units, text styles and small marks on the backend's fine pixels.
 
 use super::paint::{Look, Shape};
-pub(super) use crate::render::characters::plain;
+pub(super) use crate::characters::plain;
 use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};

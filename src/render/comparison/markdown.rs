@@ -1,6 +1,7 @@
 //! The outcome of `compare` as GitHub-flavoured Markdown: the table a reviewer wants.
 
 use super::{ComparedPair, PairOutcome, run_name, trouble};
+use crate::characters::plain;
 use crate::compare::{ComparedPose, ComparedRun, Verdict};
 use crate::render::table::{um, where_it_is};
 use std::fmt::Write;
@@ -111,18 +112,29 @@ fn mark(passes: bool) -> &'static str {
 /// Text that Markdown takes as nothing but text, on one line.
 fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
-    for c in text.chars() {
+    for c in plain(text).trim().chars() {
         match c {
             '&' => escaped += "&amp;",
             '<' => escaped += "&lt;",
             '>' => escaped += "&gt;",
-            '\\' | '`' | '*' | '_' | '[' | ']' | '|' | '~' | '#' | '!' | '@' => {
+            '\\' | '`' | '*' | '_' | '[' | ']' | '|' | '~' | '#' | '!' | '@' | '$' => {
                 escaped.push('\\');
                 escaped.push(c);
             }
-            c if c.is_control() => escaped.push(' '),
             c => escaped.push(c),
         }
+    }
+    // Text becomes a link by these two alone.
+    escaped = escaped.replace("://", "\\://").replace("www.", "www\\.");
+    // At the beginning of a line these make a list or a heading.
+    let digits = escaped.bytes().take_while(u8::is_ascii_digit).count();
+    let mark = match escaped.as_bytes().get(digits) {
+        Some(b'.' | b')') => digits > 0,
+        Some(b'-' | b'+' | b'=') => digits == 0,
+        _ => false,
+    };
+    if mark {
+        escaped.insert(digits, '\\');
     }
     escaped
 }

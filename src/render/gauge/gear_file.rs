@@ -7,6 +7,7 @@
 
 use super::GaugedGear;
 use super::file_names::FileName;
+use crate::characters::plain;
 use crate::gauge::{StatedThickness, Unmeasured};
 use serde_json::Value;
 use std::fmt::Write;
@@ -21,7 +22,7 @@ pub(super) fn gear_file(gauged: &GaugedGear) -> Result<String, Unmeasured> {
     let mut text = format!(
         "# What gearlash's gauges read on this gear ({}).\ntitle = {}\n\n[gear]\n",
         gauged.words(),
-        quoted(&format!("{}, as gauged", gauged.title)),
+        quoted(&format!("{}, as gauged", plain(gauged.title))),
     );
     for key in [
         "teeth",

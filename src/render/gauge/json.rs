@@ -2,6 +2,7 @@
 
 use super::GaugedGear;
 use super::by_tooth::um;
+use crate::characters;
 use crate::gauge::{GradedReading, OverPins, PitchReadings, RollPose, Unmeasured};
 use crate::gear::{GRADE_SOURCE, Grade, Side};
 use crate::mesh::Touch;
@@ -15,7 +16,7 @@ use serde_json::{Value, json};
 pub fn json(title: &str, gears: &[GaugedGear]) -> Result<String, serde_json::Error> {
     let gears: Vec<Value> = gears.iter().map(gear).collect();
     let all = json!({ "gearlash": env!("CARGO_PKG_VERSION"), "title": title, "gears": gears });
-    Ok(serde_json::to_string_pretty(&all)? + "\n")
+    Ok(characters::json(serde_json::to_string_pretty(&all)?) + "\n")
 }
 
 fn gear(gauged: &GaugedGear) -> Value {

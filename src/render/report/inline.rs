@@ -2,8 +2,10 @@
 
 use crate::error::Error;
 use crate::render::legend::PAPER_NOTE;
+use quick_xml::events::attributes::Attribute;
 use quick_xml::events::{BytesStart, Event};
 use quick_xml::{Reader, Writer};
+use std::borrow::Cow;
 
 /// `svg` with `prefix` before each of its ids and wherever one is referred to, called `label`.
 ///
@@ -18,7 +20,7 @@ pub(super) fn inline(svg: &str, prefix: &str, label: &str) -> Result<String, Err
             Event::Eof => break,
             Event::Decl(_) | Event::DocType(_) => continue,
             // A page shows pictures at any size.
-            Event::Text(text) if text.trim_ascii() == PAPER_NOTE.as_bytes() => continue,
+            Event::Text(text) if text.trim() == PAPER_NOTE => continue,
             Event::Start(tag) => Event::Start(renamed(&tag, prefix, label).map_err(unreadable)?),
             Event::Empty(tag) => Event::Empty(renamed(&tag, prefix, label).map_err(unreadable)?),
             other => other,
@@ -31,17 +33,21 @@ pub(super) fn inline(svg: &str, prefix: &str, label: &str) -> Result<String, Err
 }
 
 fn renamed(tag: &BytesStart, prefix: &str, label: &str) -> Result<BytesStart<'static>, String> {
-    let name = String::from_utf8_lossy(tag.name().as_ref()).into_owned();
+    let name = tag.name().into_inner().to_owned();
     let mut renamed = BytesStart::new(name.clone());
     for attribute in tag.attributes() {
         let attribute = attribute.map_err(|error| error.to_string())?;
-        let value = String::from_utf8_lossy(&attribute.value).into_owned();
+        let value = attribute.value;
         let value = match attribute.key.as_ref() {
-            b"id" => format!("{prefix}-{value}"),
-            b"href" => value.replacen('#', &format!("#{prefix}-"), 1),
+            "id" => format!("{prefix}-{value}"),
+            "href" => value.replacen('#', &format!("#{prefix}-"), 1),
             _ => value.replace("url(#", &format!("url(#{prefix}-")),
         };
-        renamed.push_attribute((attribute.key.as_ref(), value.as_bytes()));
+        // As it stands: it is escaped already.
+        renamed.push_attribute(Attribute {
+            key: attribute.key,
+            value: Cow::Owned(value),
+        });
     }
     if name == "svg" {
         renamed.push_attribute(("role", "img"));

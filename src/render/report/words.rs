@@ -1,11 +1,11 @@
 //! How numbers, symbols and the user's words get into the page.
 
+pub(super) use crate::characters::plain;
 use crate::mesh::Contact;
 use crate::outcome::Found;
 pub(super) use crate::render::bound::bound;
 use crate::render::bound::scientific;
 use crate::render::caption::decimals;
-pub(super) use crate::render::characters::plain;
 use crate::render::decimal::{fixed, shortest};
 use crate::study::Material;
 use maud::{Markup, html};

@@ -9,12 +9,13 @@ mod remarks;
 pub(super) use remarks::missing;
 
 use super::GaugedGear;
+use crate::characters::plain;
 use crate::gear::GRADE_SOURCE;
 use std::fmt::Write;
 
 /// The text `gauge` prints; with `by_position` every reading tooth by tooth, too.
 pub fn text(title: &str, gears: &[GaugedGear], by_position: bool) -> String {
-    let mut text = format!("{title}\n");
+    let mut text = format!("{}\n", plain(title));
     for gauged in gears {
         let _ = write!(text, "\n{}\n\n", gauged.words());
         text += &lengths::table_of(&gauged.gauged);

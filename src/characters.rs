@@ -1,0 +1,135 @@
+//! Text from files, made fit for what shows it: a terminal, a log, a picture, a page, JSON.
+//!
+//! Titles, file names, keys and cells come from outside. Whatever shows them may act on some of their characters; every
+//! place that prints or writes such text takes it through [`plain`], JSON through [`json`].
+
+/// Whether something that shows `c` acts on it, or cannot hold it.
+///
+/// Controls move a terminal's cursor, change its colours and end lines; so do the separators U+2028 and U+2029. Unicode's
+/// `Bidi_Control` (PropList.txt; UAX #9) and the deprecated format characters beside it, U+206A to U+206F, turn the text behind them
+/// round. XML 1.0 §2.2 (production `Char`) leaves out U+FFFE and U+FFFF, HTML all noncharacters.
+fn acts(c: char) -> bool {
+    let code = c as u32;
+    c.is_control()
+        || matches!(c, '\u{61C}' | '\u{200E}' | '\u{200F}' | '\u{2028}'..='\u{202E}' | '\u{2066}'..='\u{206F}')
+        || (0xFDD0..=0xFDEF).contains(&code)
+        || code & 0xFFFE == 0xFFFE
+}
+
+/// `text` on one line, with a space for each character that acts, and as no command of a CI log.
+///
+/// GitHub's runner takes a line that begins with `::`, white space before it or not, as a command, and `##[…]` anywhere in a line;
+/// Azure's takes `##vso[…]`, TeamCity's `##teamcity[…]`. A space goes between the two signs.
+pub fn plain(text: &str) -> String {
+    let mut plain: String = text
+        .chars()
+        .map(|c| if acts(c) { ' ' } else { c })
+        .collect();
+    if let Some(rest) = plain.trim_start().strip_prefix("::") {
+        plain = format!(": :{rest}");
+    }
+    let mut from = 0;
+    while let Some(at) = plain[from..].find("##").map(|at| from + at) {
+        if begins_command(&plain[at + 2..]) {
+            plain.insert(at + 1, ' ');
+        }
+        from = at + 1;
+    }
+    plain
+}
+
+/// Whether `rest` behind `##` makes it a command: a word or none, and a bracket.
+fn begins_command(rest: &str) -> bool {
+    let word = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.');
+    rest.trim_start_matches(word).starts_with('[')
+}
+
+/// JSON `text` that reads the same, with every character that acts, line ends between values excepted, and every `##` written as an
+/// escape.
+///
+/// Outside strings JSON has no such characters, and inside them no line ends.
+pub fn json(text: String) -> String {
+    let unfit = |c: char| acts(c) && c != '\n';
+    if !text.contains(unfit) && !text.contains("##") {
+        return text;
+    }
+    let mut escaped = String::with_capacity(text.len() + 16);
+    let mut before = ' ';
+    for c in text.chars() {
+        if unfit(c) || c == '#' && before == '#' {
+            for unit in c.encode_utf16(&mut [0; 2]) {
+                escaped += &format!("\\u{unit:04x}");
+            }
+        } else {
+            escaped.push(c);
+        }
+        before = c;
+    }
+    escaped
+}
+
+/// `text` where it has up to `most` characters, else as many of them and an ellipsis.
+pub fn cut(text: &str, most: usize) -> String {
+    match text.char_indices().nth(most) {
+        Some((end, _)) => format!("{} …", &text[..end]),
+        None => text.to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// XML 1.0 §2.2, production `Char`, as printed.
+    fn is_char(c: char) -> bool {
+        matches!(c, '\u{9}' | '\u{A}' | '\u{D}' | '\u{20}'..='\u{D7FF}' | '\u{E000}'..='\u{FFFD}' | '\u{10000}'..='\u{10FFFF}')
+    }
+
+    #[test]
+    fn what_is_left_is_xml_whatever_comes_in() {
+        let every: String = ('\0'..=char::MAX).collect();
+        let left = plain(&every);
+        assert!(left.chars().all(is_char));
+        assert_eq!(left.chars().count(), every.chars().count());
+        roxmltree::Document::parse(&format!("<t>{}</t>", left.replace(['<', '&', '>'], " ")))
+            .unwrap();
+    }
+
+    #[test]
+    fn what_no_page_can_hold_becomes_a_space() {
+        assert_eq!(
+            plain("a\u{0}b\u{FDD0}c\u{FFFF}d\u{1FFFF}<e>\tf"),
+            "a b c d <e> f"
+        );
+        assert_eq!(plain("z₁ – Ünïcode 齿轮 𝛼"), "z₁ – Ünïcode 齿轮 𝛼");
+        assert_eq!(plain("a\u{202e}b\u{2028}c\u{9b}d"), "a b c d");
+    }
+
+    /// The prefixes are those of the runners' sources: GitHub's `ActionCommand.cs`, Azure's `Command.cs`.
+    #[test]
+    fn no_command_of_a_log_is_left() {
+        assert_eq!(plain(" \t::error::x"), ": :error::x");
+        assert_eq!(
+            plain("a ##[error]b ##vso[task.x] ####[c] ## [d] #1 ##2"),
+            "a # #[error]b # #vso[task.x] ### #[c] ## [d] #1 ##2"
+        );
+        assert_eq!(plain("gear::wheel"), "gear::wheel");
+    }
+
+    #[test]
+    fn json_reads_the_same() {
+        let words = "a\u{7f}\u{9b}\u{202e}\u{1ffff}\u{1b}\n###[x]\"\\ü";
+        let text = serde_json::to_string_pretty(&[words]).unwrap();
+        let escaped = json(text);
+        assert!(escaped.contains('\n') && !escaped.contains("##"));
+        assert!(!escaped.replace('\n', "").contains(acts), "{escaped}");
+        let read: Vec<String> = serde_json::from_str(&escaped).unwrap();
+        assert_eq!(read, [words]);
+    }
+
+    #[test]
+    fn a_cut_is_visible_and_counts_characters() {
+        assert_eq!(cut("äöü", 3), "äöü");
+        assert_eq!(cut("äöüß", 3), "äöü …");
+    }
+}

@@ -1,0 +1,163 @@
+//! Errors show no more of a file than they must.
+
+use super::*;
+use std::fs;
+
+const SECRET: &str = "root:x:0:0:hunter2:/root:/bin/sh";
+
+fn pair_with(folder: &Path, wheel: &str, below: &str) {
+    let gear = "module_mm = 2.0\npressure_angle_deg = 20.0\n";
+    let text = format!(
+        "[wheel]\nteeth = 20\n{gear}{wheel}\n[pinion]\nteeth = 17\n{gear}[assembly]\ncenter_distance_mm = 37.1\n{below}\n"
+    );
+    fs::write(folder.join("pair.toml"), text).unwrap();
+}
+
+fn told(folder: &Path) -> String {
+    let output = gearlash(folder)
+        .args(["simulate", "pair.toml", "--format", "json"])
+        .output()
+        .unwrap();
+    assert_eq!(output.status.code(), Some(2));
+    assert!(output.stdout.is_empty());
+    String::from_utf8(output.stderr).unwrap()
+}
+
+/// The keys that name files, each with those that belong to them.
+const NAMES: [(&str, &str); 6] = [
+    ("", "[measured]\nfile = \"FILE\""),
+    ("pitch = { kind = \"single\", file = \"FILE\" }", ""),
+    ("pitch = { kind = \"cumulative\", file = \"FILE\" }", ""),
+    ("runout = { at = \"tooth\", file = \"FILE\" }", ""),
+    ("thickness = { span = { teeth = 3, file = \"FILE\" } }", ""),
+    ("thickness = { per_tooth_um = { file = \"FILE\" } }", ""),
+];
+
+/// A file outside the folder, by a path or by a link, in every shape that a message quoted.
+#[cfg(unix)]
+#[test]
+fn nothing_of_a_file_outside_the_folder_is_quoted() {
+    let above = empty_folder();
+    let folder = above.path().join("pairs");
+    fs::create_dir(&folder).unwrap();
+    let secrets = [
+        format!("{SECRET}\n{SECRET}\n"),
+        format!("a,{SECRET},b\n1,2,3\n"),
+        format!("tooth,left,right\n1,{SECRET},0\n"),
+        format!("tooth;left;right\nhunter2;{SECRET};0\n"),
+        format!("tooth,left (hunter2),right\n1,{SECRET},0\n"),
+        format!("tooth (hunter2),left,right\n{SECRET},0,0\n"),
+        "tooth,runout\n1,1.234\n2,5,678\n".to_owned(),
+        "tooth\tleft\tright\n1\t7,654\t0\n".to_owned(),
+        "tooth,left,right\n7654,1,1\n".to_owned(),
+        format!("linke Zahnflanke\n{SECRET}\n"),
+        format!("linke Zahnflanke\nZahn-Nr. hunter2 {SECRET}\n"),
+        "linke Zahnflanke\nZahn-Nr. fp\nhunter2 1\n1 hunter2\n".to_owned(),
+        format!("22 :Zähnezahl: {SECRET}\nlinke Zahnflanke\nZahn-Nr. fp\n1 1\n"),
+        "21 :Normalmodul: 7654\nlinke Zahnflanke\nZahn-Nr. fp\n1 1\n".to_owned(),
+        "linke Zahnflanke\nZahn-Nr. fp Fp\n1 7654 1\n2 1 1\n".to_owned(),
+        format!(
+            "center_distance_mm,wheel_tooth,pinion_tooth,measured_right_um,measured_left_um,predicted_min_um,predicted_max_um,source\n{SECRET},hunter2,7654,x,y,3,2,s\n"
+        ),
+        format!("PK\u{3}\u{4}{SECRET}"),
+    ];
+    let mut quoted_inside = 0;
+    for secret in &secrets {
+        fs::write(above.path().join("secret"), secret).unwrap();
+        let link = folder.join("link");
+        let _ = fs::remove_file(&link);
+        std::os::unix::fs::symlink("../secret", &link).unwrap();
+        fs::write(folder.join("inside"), secret).unwrap();
+        let absolute = above.path().join("secret").display().to_string();
+        for (wheel, below) in NAMES {
+            for (file, is_outside) in [
+                ("../secret", true),
+                (&absolute, true),
+                ("link", true),
+                ("inside", false),
+            ] {
+                let put = |text: &str| text.replace("FILE", file);
+                pair_with(&folder, &put(wheel), &put(below));
+                let told = told(&folder);
+                let shows = ["hunter2", "root:", "7654", "7,654", "1.234", "5,678"]
+                    .iter()
+                    .any(|part| told.contains(part));
+                assert!(!(shows && is_outside), "{file}: {secret}: {told}");
+                quoted_inside += usize::from(shows && !is_outside);
+            }
+        }
+    }
+    // The same files beside the pair file are quoted: the messages are those that leaked.
+    assert!(quoted_inside > 40, "{quoted_inside}");
+}
+
+/// The report's own example.
+#[cfg(unix)]
+#[test]
+fn the_first_line_of_a_password_file_is_not_printed() {
+    let folder = empty_folder();
+    let up = "../".repeat(20);
+    pair_with(
+        folder.path(),
+        "",
+        &format!("[measured]\nfile = \"{up}etc/passwd\""),
+    );
+    let told = told(folder.path());
+    assert!(
+        told.contains("unknown column (not shown: the file is outside the pair file's folder)"),
+        "{told}"
+    );
+    assert!(!told.contains("root"), "{told}");
+}
+
+/// A header, a cell, a key, a value and a name of a million characters each: cut at 60, visibly.
+#[test]
+fn messages_are_short_whatever_stands_in_a_file() {
+    let folder = empty_folder();
+    let folder = folder.path();
+    let long = "ä".repeat(1 << 20);
+    let shown = format!("{} …", "ä".repeat(59));
+    fs::write(folder.join("head.csv"), format!("{long},left\n1,2\n")).unwrap();
+    fs::write(
+        folder.join("cell.csv"),
+        format!("tooth,left,right\n1,{long},3\n"),
+    )
+    .unwrap();
+    fs::write(
+        folder.join("unit.csv"),
+        format!("tooth,left ({long}),right\n1,2,3\n"),
+    )
+    .unwrap();
+    let pitch = |file: &str| format!("pitch = {{ kind = \"single\", file = \"{file}\" }}");
+    let cases = [
+        (pitch("head.csv"), String::new()),
+        (pitch("cell.csv"), String::new()),
+        (pitch("unit.csv"), String::new()),
+        (String::new(), "[measured]\nfile = \"head.csv\"".to_owned()),
+        (pitch(&long), String::new()),
+        (format!("\"{long}\" = 1"), String::new()),
+        (format!("reference_face = \"{long}\""), String::new()),
+        (
+            format!("rack = {{ \"{long}\" = {{ \"{long}\" = \"{long}\" }} }}"),
+            String::new(),
+        ),
+    ];
+    for (wheel, below) in cases {
+        pair_with(folder, &wheel, &below);
+        let told = told(folder);
+        let longest = told.lines().map(|line| line.chars().count()).max().unwrap();
+        assert!(longest < 6100 && told.chars().count() < 15_000, "{longest}");
+        assert!(told.contains(&shown), "{told}");
+    }
+    // A parser's own words.
+    fs::write(
+        folder.join("pair.toml"),
+        format!("\"{long}\" = 1\n\"{long}\" = 2\n"),
+    )
+    .unwrap();
+    let told = told(folder);
+    assert!(
+        told.chars().count() < 500 && told.contains("duplicate key `\"ää"),
+        "{told}"
+    );
+}

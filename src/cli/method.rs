@@ -1,5 +1,6 @@
 //! `--method` and `--no-certify`: what several commands share.
 
+use super::console::tell;
 use crate::compare::ComparedRun;
 use crate::mesh::Method;
 use clap::ValueEnum;
@@ -61,9 +62,9 @@ pub(super) fn agreement_within(largest: Option<f64>) -> bool {
     };
     let passes = largest <= AGREEMENT;
     let verdict = if passes { "agree" } else { "DISAGREE" };
-    eprintln!(
+    tell(&format!(
         "exact and polygon method {verdict}: largest difference {:.2e} µm of j_wt (allowed 1e-6)",
         largest * 1e3
-    );
+    ));
     passes
 }

@@ -3,6 +3,7 @@
 mod chart;
 mod check;
 mod compare;
+mod console;
 mod date;
 mod distances;
 mod drawing;
@@ -14,13 +15,17 @@ mod progress;
 mod report;
 mod results;
 mod schema;
+mod signals;
 mod simulate;
 mod snapshot;
+mod studies;
 mod target;
 mod worst;
 
 use crate::error::Error;
 use clap::{Parser, Subcommand};
+use console::{printed, tell};
+use std::io::Write;
 use std::process::ExitCode;
 
 /// Backlash of a measured gear pair, found by turning one gear's true outline against the other's.
@@ -68,12 +73,26 @@ enum Command {
     Schema(schema::Args),
 }
 
-/// Runs the command line of this process.
-///
-/// # Errors
-/// Whatever keeps a command from doing its work; the process ends with 2 then.
-pub fn run() -> Result<ExitCode, Error> {
-    match Cli::parse().command {
+/// Runs the command line of this process: what it ends with.
+pub fn run() -> ExitCode {
+    signals::handle();
+    let ended = match Cli::try_parse() {
+        Ok(cli) => command(cli.command),
+        Err(usage) => help(&usage),
+    };
+    match ended {
+        Ok(code) => code,
+        Err(error) => {
+            for line in error.to_string().lines() {
+                tell(&format!("error: {line}"));
+            }
+            ExitCode::from(error.exit_code())
+        }
+    }
+}
+
+fn command(command: Command) -> Result<ExitCode, Error> {
+    match command {
         Command::Simulate(args) => simulate::run(&args),
         Command::Compare(args) => compare::run(&args),
         Command::Check(args) => check::run(&args),
@@ -86,17 +105,12 @@ pub fn run() -> Result<ExitCode, Error> {
     }
 }
 
-/// Prints to standard output. A reader that has gone away (`| head`) is no error.
-fn print(text: &str) {
-    use std::io::Write;
-    let _ = std::io::stdout().lock().write_all(text.as_bytes());
-}
-
-/// Prints what the user should know, and what was found to be in order.
-fn warn(file: &std::path::Path, warnings: &[String], remarks: &[String]) {
-    for (kind, list) in [("warning", warnings), ("note", remarks)] {
-        for told in list {
-            eprintln!("{kind}: {}: {told}", file.display());
-        }
+/// Prints what was asked for with --help and --version, or what is wrong with the command line.
+fn help(usage: &clap::Error) -> Result<ExitCode, Error> {
+    let shown = usage.print();
+    if usage.use_stderr() {
+        return Ok(ExitCode::from(2));
     }
+    printed(shown.and_then(|()| std::io::stdout().flush()))?;
+    Ok(ExitCode::SUCCESS)
 }

@@ -1,12 +1,12 @@
 //! `gearlash snapshot`: one contact as a picture.
 
+use super::console::tell;
 use super::drawing::{End, material, teeth};
 use super::pictures::{exaggeration, pitch};
 use super::target::Target;
-use super::{warn, worst};
+use super::{studies, worst};
 use crate::error::Error;
 use crate::gear::Side;
-use crate::input;
 use crate::mesh::{Certifier, CutPair, ExactKernel, LostMotion};
 use crate::pair::{Assembly, Mating, Member, Pose};
 use crate::render::{self, Snapshot};
@@ -14,7 +14,6 @@ use crate::study::{Material, Study};
 use clap::ValueEnum;
 use std::path::PathBuf;
 use std::process::ExitCode;
-use std::slice;
 
 /// Draw the contact at one pose as SVG
 ///
@@ -66,14 +65,13 @@ enum Flank {
 
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
-    let study = input::read(&args.pair)?;
-    warn(&args.pair, &study.warnings, &study.remarks);
+    let study = studies::pair(&args.pair)?;
     let (title, stem) = (study.title.clone(), study.stem.clone());
+    let sources = study.sources.clone();
+    let given = args.output.clone();
+    let given = given.map(|file| Target::prepare_beside(file, &sources));
+    let given = given.transpose()?;
     let subject = subject(args, study)?;
-    let target = match &args.output {
-        Some(file) => file.clone(),
-        None => PathBuf::from("out").join(stem).join(&subject.file),
-    };
     let view = Snapshot {
         title: &title,
         assembly: &subject.assembly,
@@ -86,7 +84,14 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         None => render::snapshot(&view),
         Some(factor) => render::exaggerated(&view, &exaggeration(&subject.assembly, factor)?),
     };
-    Target::prepare_beside(target, slice::from_ref(&args.pair))?.write(picture)?;
+    let target = match given {
+        Some(target) => target,
+        None => Target::prepare(
+            PathBuf::from("out").join(stem).join(&subject.file),
+            &sources,
+        )?,
+    };
+    target.write(&picture)?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -159,10 +164,10 @@ fn assembly(args: &Args, study: &Study) -> Result<(Material, Assembly), Error> {
         ));
     };
     if args.center_distance.is_none() && study.center_distances.len() > 1 {
-        eprintln!(
+        tell(&format!(
             "note: at centre distance {distance} mm, the first of {}; choose with --center-distance",
             study.center_distances.len()
-        );
+        ));
     }
     let gears = study
         .materials

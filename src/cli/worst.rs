@@ -1,5 +1,6 @@
 //! `snapshot --worst`: the pose with the least backlash of all a pair file asks for.
 
+use super::console::tell;
 use super::progress::Progress;
 use crate::analytic::evaluate;
 use crate::error::Error;
@@ -19,13 +20,13 @@ pub(super) fn find(
     let progress = Progress::start(poses);
     let method = Method::Exact { certify: true };
     let runs = simulate(&study, method, &|| progress.tick())?;
-    progress.finish()?;
+    drop(progress);
     let Some((run, pose)) = worst(&runs) else {
         return Err(Error::Usage(format!(
             "--worst: none of the {poses} poses is in mesh; nothing can be called the worst"
         )));
     };
-    eprintln!("worst of {poses} poses: {}", in_words(run, pose));
+    tell(&format!("worst of {poses} poses: {}", in_words(run, pose)));
     Ok((run.clone(), pose.clone()))
 }
 

@@ -232,8 +232,8 @@ impl AsBuilt {
     pub fn root_end(&self, side: Side, tooth: u32) -> f64 {
         let across = self.counter_clockwise(tooth, side.sense() as i64);
         // The space is wider than its nominal width by what its two flanks are turned apart.
-        let widening =
-            side.sense() * (self.flank_offset(side.other(), across) - self.flank_offset(side, tooth));
+        let widening = side.sense()
+            * (self.flank_offset(side.other(), across) - self.flank_offset(side, tooth));
         let (start, middle) = Profile::new(&self.gear).range(Curve::Root);
         (middle + 0.5 * widening).max(start)
     }

@@ -25,7 +25,7 @@ impl DataFile {
         Some(DataFile {
             key: table.path_of("file"),
             name: name.to_owned(),
-            path: table.folder().join(name),
+            path: table.place().file(name),
         })
     }
 

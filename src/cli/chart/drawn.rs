@@ -1,5 +1,6 @@
 //! What each kind of chart is drawn from.
 
+use super::super::console::tell;
 use super::super::distances::Distances;
 use super::super::drawing::{End, material};
 use super::super::method::{agreement, agreement_within};
@@ -41,26 +42,26 @@ impl Drawn {
             None => study.center_distances.iter().take(1).copied().collect(),
         };
         if args.center_distance.is_none() && study.center_distances.len() > 1 {
-            eprintln!(
+            tell(&format!(
                 "note: at the first of {} centre distances; choose with --center-distance",
                 study.center_distances.len()
-            );
+            ));
         }
         let study = study
             .at(distance)
             .map_err(|reason| Error::Usage(format!("--center-distance: {reason}")))?;
         let progress = Progress::start(curves::revolution_pose_count(&study)?);
         let runs = curves::revolution(&study, args.method.method(), &|| progress.tick())?;
-        progress.finish()?;
+        drop(progress);
         let courses = curves::courses(&runs);
         let course = courses
             .first()
             .ok_or_else(|| Error::Usage("the pair file asks for no poses".to_owned()))?;
         if let (Some((wheel, pinion)), true) = (course.phase, courses.len() > 1) {
-            eprintln!(
+            tell(&format!(
                 "note: phase {wheel},{pinion}, the first of {}; for another give [sweep] revolutions and start",
                 courses.len()
-            );
+            ));
         }
         let (name, chart) = match args.kind {
             Kind::Difference => (
@@ -87,7 +88,7 @@ impl Drawn {
         let progress = Progress::start(curves::over_distance_pose_count(study));
         let (method, tick) = (args.method.method(), || progress.tick());
         let curve = curves::over_distance(study, followed, method, &tick)?;
-        progress.finish()?;
+        drop(progress);
         let (wheel, pinion) = teeth(followed);
         Ok(Drawn {
             chart: chart::distance(&heading(study), &curve, &swept)?,
@@ -141,12 +142,12 @@ fn binding(study: &Study) -> Result<(Followed, Vec<ComparedRun>), Error> {
     let [own, mut all] = curves::with_revolution(study, method, &tick)?;
     all.extend(own);
     all.extend(cycle::cycle(study, method, &tick)?.extremes);
-    progress.finish()?;
+    drop(progress);
     let binding = curves::binding(study, all.iter());
     let (wheel, pinion) = teeth(binding);
-    eprintln!(
+    tell(&format!(
         "note: wheel tooth {wheel} with pinion tooth {pinion}, which bind; choose with --mating"
-    );
+    ));
     Ok((binding, all))
 }
 

@@ -285,8 +285,8 @@ pub enum Error {
 }
 
 impl Error {
-    /// What the process ends with: 1 when a result did not hold, 2 when there was none to be had, 130
-    /// (128 + SIGINT, as shells count) after Ctrl-C.
+    /// What the process ends with: 1 when a result did not hold, 2 when there was none to be had or it could not be
+    /// written, 130 (128 + SIGINT, as shells count) when the work was to stop. (A signal ends the program by itself.)
     pub fn exit_code(&self) -> u8 {
         match self {
             Error::CertificateFailed { .. } => 1,

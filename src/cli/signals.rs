@@ -34,12 +34,12 @@ fn install() -> std::io::Result<()> {
     use std::sync::Arc;
     use std::sync::atomic::AtomicBool;
 
-    let ignored = ignored();
-    // A signal that is ignored from the start, as SIGHUP is under nohup, stays so.
-    let heard: Vec<i32> = [SIGINT, SIGTERM, SIGHUP]
-        .into_iter()
-        .filter(|signal| ignored & 1 << (signal - 1) == 0)
-        .collect();
+    let mut heard = vec![SIGINT, SIGTERM];
+    // Ignored from the start, as under nohup, it stays so. (SIGINT does not: a script that starts a job beside itself has
+    // it ignored there, and may yet send one.)
+    if !ignored(SIGHUP) {
+        heard.push(SIGHUP);
+    }
     let mut signals = Signals::new(&heard)?;
     let second = Arc::new(AtomicBool::new(false));
     for &signal in &heard {
@@ -58,14 +58,14 @@ fn install() -> std::io::Result<()> {
     Ok(())
 }
 
-/// The signals this process was started to ignore, a bit each; none where the system does not say.
+/// Whether this process was started to ignore `signal`; no where the system does not say.
 #[cfg(unix)]
-fn ignored() -> u64 {
+fn ignored(signal: i32) -> bool {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
     let mut lines = status.lines();
     let mask = lines.find_map(|line| line.strip_prefix("SigIgn:"));
-    mask.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok())
-        .unwrap_or(0)
+    let mask = mask.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok());
+    mask.is_some_and(|mask| mask & 1 << (signal - 1) != 0)
 }
 
 #[cfg(not(unix))]

@@ -27,7 +27,7 @@ fn end(mut child: Child) -> (Option<i32>, f64, String) {
     (code, took, told)
 }
 
-/// `big.toml`: 188 000 poses; `gear.toml`: 2000 teeth.
+/// `big.toml`: 94 000 poses, 180 MB of result.json (the system takes some 0.1 s a GB to take memory back); `gear.toml`: 2000 teeth.
 fn big() -> tempfile::TempDir {
     let folder = folder();
     let pair = pair("217.4")
@@ -36,7 +36,7 @@ fn big() -> tempfile::TempDir {
         .replace("217.4", "434.4")
         .replace(
             "mating = [[1, 1]]",
-            "revolutions = \"hunting\"\nsteps_per_pitch = 4",
+            "revolutions = \"hunting\"\nsteps_per_pitch = 2",
         );
     std::fs::write(folder.path().join("big.toml"), pair).unwrap();
     let gear = "title = \"g\"\n[gear]\nteeth = 2000\nmodule_mm = 2\npressure_angle_deg = 20\nrunout = { total_um = 20, high_tooth = 2 }\n";

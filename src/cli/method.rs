@@ -1,6 +1,6 @@
 //! `--method` and `--no-certify`: what several commands share.
 
-use super::tell;
+use super::console::tell;
 use crate::compare::ComparedRun;
 use crate::mesh::Method;
 use clap::ValueEnum;

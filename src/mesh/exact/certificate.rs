@@ -120,7 +120,7 @@ impl Setting<'_> {
         open.add_unless(locked_good, Fillet, Involute);
         open.add_unless(free_good && locked_good, Fillet, Fillet);
         // 3.
-        self.open_lands(&mut open, half, fillet_arm.map(|(_, arm)| arm), free_fillet);
+        self.open_lands(&mut open, fillet_arm.map(|(_, arm)| arm), free_fillet);
         let level_arm = near * half.cos() - ours.base;
         open.add_unless(self.is_rounder_than(level_arm), Involute, Tip);
         if locked_reach != Reach::Involute && fillet_arm.is_none() && self.free_off > 0.0 {

@@ -232,10 +232,19 @@ impl AsBuilt {
     pub fn root_end(&self, side: Side, tooth: u32) -> f64 {
         let across = self.counter_clockwise(tooth, side.sense() as i64);
         // The space is wider than its nominal width by what its two flanks are turned apart.
-        let widening =
-            side.sense() * (self.flank_offset(side.other(), across) - self.flank_offset(side, tooth));
+        let widening = side.sense()
+            * (self.flank_offset(side.other(), across) - self.flank_offset(side, tooth));
         let (start, middle) = Profile::new(&self.gear).range(Curve::Root);
         (middle + 0.5 * widening).max(start)
+    }
+
+    /// Where the tip land of a half tooth ends on the other half, at the far corner: the land's parameter
+    /// ([`super::Curve::Tip`]), rad, about the centre line turned with the flank. Both flanks' deviations widen the land;
+    /// a tooth left thinner than half its land keeps that half (0).
+    pub fn land_start(&self, tooth: u32) -> f64 {
+        let widening = self.flank_offset(Side::Left, tooth) - self.flank_offset(Side::Right, tooth);
+        let (_, corner) = Profile::new(&self.gear).range(Curve::Tip);
+        (-corner - widening).min(0.0)
     }
 
     /// Angle of the (fractional) tooth's undisturbed centre from tooth 1, rad, counter-clockwise.

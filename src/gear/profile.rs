@@ -114,6 +114,14 @@ impl<'a> Profile<'a> {
         }
     }
 
+    /// Bound, mm, on the distance of `curve` between two parameters from the chord through its points there:
+    /// `(A + B Δ) Δ²/8`, see [`super::HalfTooth`].
+    pub fn chordal_error(&self, curve: Curve, from: f64, to: f64) -> f64 {
+        let span = (to - from).abs();
+        let (a, b) = self.bend(curve, from.max(to));
+        (a + b * span) * span * span / 8.0
+    }
+
     /// Radius about the gear's centre at `parameter` of `curve`, mm.
     pub fn radius(&self, curve: Curve, parameter: f64) -> f64 {
         match curve {

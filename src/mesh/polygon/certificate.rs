@@ -1,22 +1,29 @@
 //! The certificate: polygons bear out a rotation that another method found.
 //!
 //! A little more open than the rotation in question every pair of half teeth in reach
-//! must be clear, proven by polygons that are cut again only where they are
+//! must be clear, proven by chords that are cut again only where they are
 //! within both chordal errors of each other; a little more closed one of them
 //! must touch. "A little" is the result's own error bound and what the
 //! finest polygons resolve. Nothing of the method under test is used but its answer.
 
+use super::chord::Chord;
 use super::facing::Facing;
-use super::far_land::FarLands;
-use super::{CutHalf, PolygonKernel, finest_chord, steps_in_reach};
+use super::search::search;
+use super::{PolygonKernel, finest_chord, steps_in_reach};
 use crate::error::Error;
 use crate::gear::Side;
+use crate::mesh::contact::closest;
 use crate::mesh::lost_motion::{Contact, LostMotion};
 use crate::pair::Pose;
+use nalgebra::{Isometry2, Point2};
+use std::f64::consts::TAU;
 
-/// Each re-cut is this much finer: some ten chords over the stretch in question (tuned: 1e-1 and 1e-2
-/// take a tenth longer).
-const FINER: f64 = 3e-2;
+/// Pairs of chords looked at before a side is given up: hundreds of times what an ordinary side takes in all (some 300), and
+/// with some 0.1 µs each still under 20 ms.
+const EFFORT: u32 = 200_000;
+
+/// A bound wider than this part of a pitch is no place to look at two openings: other teeth, or nothing, may stand there.
+const NARROW: f64 = 1e-2;
 
 /// Checks rotations on the polygons of a kernel.
 pub struct Certifier<'a> {
@@ -35,7 +42,12 @@ impl<'a> Certifier<'a> {
     /// [`Error::CertificateFailed`] with the pose that reproduces it; [`Error::ContactLost`] from a search.
     pub fn check(&self, pose: &Pose, found: &LostMotion) -> Result<(), Error> {
         for (side, contact) in [(Side::Right, &found.right), (Side::Left, &found.left)] {
+            let pitch = self.kernel.assembly.gear(self.kernel.assembly.free());
+            let pitch = pitch.gear().toothing().angular_pitch();
             let seen = match contact {
+                Some(contact) if contact.error > NARROW * pitch => {
+                    self.touches_within(pose, side, contact)?
+                }
                 Some(contact) => self.touches(pose, side, contact),
                 None => self.touches_nothing(pose, side)?,
             };
@@ -51,20 +63,30 @@ impl<'a> Certifier<'a> {
         let arm = contact.point - assembly.axis(assembly.free());
         let lever = arm.perp(&contact.normal).abs();
         let opening = side.sense() * (pose.free_rotation() - contact.rotation);
-        let mut touching = false;
+        let (mut touching, mut left) = (false, EFFORT);
         for steps in steps_in_reach(assembly, pose) {
-            let far = FarLands::new(&self.kernel, pose, side, steps);
-            let facing = Facing::new(&self.kernel, pose, side, steps, &far);
+            let facing = Facing::new(&self.kernel, pose, side, steps);
             // Clear polygons are 2δ apart, and a fillet's chords stand up to δ in front of it;
             // another δ and the rounding leave no doubt.
             let little = contact.error + (4.0 * finest + facing.rounding()) / lever;
-            match seen(&facing, [opening + little, opening - little], finest) {
+            match seen(
+                &facing,
+                [opening + little, opening - little],
+                finest,
+                &mut left,
+            ) {
                 Seen::Clear => {}
                 Seen::Touch => touching = true,
                 Seen::Overlap => {
                     return Err(format!(
                         "a pair {steps} teeth on touches before the rotation {} rad",
                         contact.rotation
+                    ));
+                }
+                Seen::TooMuch => {
+                    return Err(format!(
+                        "the effort allowed for one pose was spent on a pair {steps} teeth on: too many stretches \
+                         of the outlines are too near each other to be told apart"
                     ));
                 }
             }
@@ -79,20 +101,44 @@ impl<'a> Certifier<'a> {
         }
     }
 
+    /// The polygons' own contact lies within a bound that says little: lands that stand on each other have next to no lever,
+    /// and the bound on their rotation may be half a turn.
+    fn touches_within(
+        &self,
+        pose: &Pose,
+        side: Side,
+        contact: &Contact,
+    ) -> Result<Result<(), String>, Error> {
+        let refined = PolygonKernel {
+            finest: finest_chord(self.kernel.assembly),
+            ..self.kernel
+        };
+        let Some(own) = refined.side(pose, side)? else {
+            return Ok(Err("nothing touches".to_owned()));
+        };
+        let turns = (own.rotation - contact.rotation) / TAU;
+        let off = (turns - turns.round()).abs() * TAU;
+        Ok(match off <= own.error + contact.error {
+            true => Ok(()),
+            false => Err(format!("the first to touch does so {off} rad off")),
+        })
+    }
+
     /// No pair in reach ever touches, or only by what rounding may bring the axes together.
     fn touches_nothing(&self, pose: &Pose, side: Side) -> Result<Result<(), String>, Error> {
-        let Some((steps, doubt)) = first_touching(&self.kernel, pose, side)? else {
+        if !first_touching(&self.kernel, pose, side)? {
             return Ok(Ok(()));
         };
         let here = self.kernel.assembly;
+        let doubt = 4.0 * finest_chord(here) + Facing::new(&self.kernel, pose, side, 0).rounding();
         let apart = here.at(here.center_distance() + doubt)?;
         let apart = PolygonKernel {
             assembly: &apart,
             ..self.kernel
         };
         Ok(match first_touching(&apart, pose, side)? {
-            None => Ok(()),
-            Some(_) => Err(format!("a pair {steps} teeth on does touch")),
+            false => Ok(()),
+            true => Err("a pair does touch".to_owned()),
         })
     }
 
@@ -110,21 +156,12 @@ impl<'a> Certifier<'a> {
     }
 }
 
-/// The first pair whose polygons touch, and what they and rounding leave in doubt, mm.
-fn first_touching(
-    kernel: &PolygonKernel,
-    pose: &Pose,
-    side: Side,
-) -> Result<Option<(i64, f64)>, Error> {
-    let finest = finest_chord(kernel.assembly);
-    for steps in steps_in_reach(kernel.assembly, pose) {
-        let far = FarLands::new(kernel, pose, side, steps);
-        let facing = Facing::new(kernel, pose, side, steps, &far);
-        if facing.search(finest)?.is_some() {
-            return Ok(Some((steps, 4.0 * finest + facing.rounding())));
-        }
-    }
-    Ok(None)
+/// Whether any pair's polygons touch.
+fn first_touching(kernel: &PolygonKernel, pose: &Pose, side: Side) -> Result<bool, Error> {
+    let facings: Vec<Facing> = steps_in_reach(kernel.assembly, pose)
+        .map(|steps| Facing::new(kernel, pose, side, steps))
+        .collect();
+    Ok(!search(&facings, finest_chord(kernel.assembly))?.is_empty())
 }
 
 /// What polygons see of a pair between two openings.
@@ -135,29 +172,131 @@ enum Seen {
     Touch,
     /// Not proven clear at the first.
     Overlap,
+    /// Not known: the effort is spent.
+    TooMuch,
 }
 
 /// Looks at `facing` at two openings, the wider first, by polygons down to `finest`.
 ///
-/// Polygons are cut again where they are within both chordal errors of each other and of what a point
-/// moves between the two openings; where nothing is, both openings are clear.
-fn seen(facing: &Facing, [open, closed]: [f64; 2], finest: f64) -> Seen {
+/// Where nothing at the wider one is within both chordal errors and what a point moves to the narrower, both are clear.
+fn seen(facing: &Facing, [open, closed]: [f64; 2], finest: f64, left: &mut u32) -> Seen {
+    let look = |opening: f64, slack: f64, left: &mut u32| {
+        let mut looking = Looking {
+            facing,
+            finest,
+            slack,
+            close: false,
+            left,
+        };
+        let clear = looking.at(opening);
+        (clear, looking.close)
+    };
     let between = facing.reach() * (open - closed);
-    let mut cut: Option<[CutHalf; 2]> = None;
-    loop {
-        let on = facing.on(&cut);
-        let chord = on.chord();
-        if chord <= finest {
-            let near = |opening| on.near(opening, 2.0 * chord).is_some();
-            return match (near(open), near(closed)) {
-                (true, _) => Seen::Overlap,
-                (false, true) => Seen::Touch,
-                (false, false) => Seen::Clear,
-            };
+    let (clear, close) = look(open, between, left);
+    let seen = match (clear, close) {
+        (false, _) => Seen::Overlap,
+        (true, false) => Seen::Clear,
+        (true, true) => match look(closed, 0.0, left).0 {
+            true => Seen::Clear,
+            false => Seen::Touch,
+        },
+    };
+    match *left {
+        0 => Seen::TooMuch,
+        _ => seen,
+    }
+}
+
+/// A look at a pair of half teeth at one opening.
+struct Looking<'a> {
+    facing: &'a Facing<'a>,
+    finest: f64,
+    /// What is clear by no more than this is close.
+    slack: f64,
+    close: bool,
+    /// Pairs of chords that may still be looked at.
+    left: &'a mut u32,
+}
+
+impl Looking<'_> {
+    /// Whether the half teeth are proven clear.
+    fn at(&mut self, opening: f64) -> bool {
+        let (locked, free) = (&self.facing.locked, &self.facing.free);
+        let frame = self.facing.at(opening);
+        let ([here, there], [radius, other]) = {
+            let (ours, theirs) = (locked.disc(), free.disc());
+            ([ours.0, frame * theirs.0], [ours.1, theirs.1])
+        };
+        let within = radius + other + self.slack;
+        if (here - there).norm_squared() > within * within {
+            return true;
         }
-        match on.near(open, 2.0 * chord + between) {
-            None => return Seen::Clear,
-            Some(near) => cut = Some(on.recut(near, (chord * FINER).max(finest))),
+        for theirs in free.curves() {
+            let seen = theirs.seen_in(&frame).ends;
+            for ours in locked.curves() {
+                if !self.clear(&frame, &ours, &theirs, &seen) {
+                    return false;
+                }
+            }
+        }
+        true
+    }
+
+    /// Whether two chords' curves are proven clear; `seen` are the ends of the free one in the locked frame.
+    fn clear(
+        &mut self,
+        frame: &Isometry2<f64>,
+        ours: &Chord,
+        theirs: &Chord,
+        seen: &[Point2<f64>; 2],
+    ) -> bool {
+        let tube = ours.error + theirs.error;
+        let far = ours.half_length + theirs.half_length + tube + self.slack;
+        let apart = (ours.ends[0] - seen[0]) + (ours.ends[1] - seen[1]);
+        if apart.norm_squared() > 4.0 * far * far {
+            return true;
+        }
+        if *self.left == 0 {
+            return false;
+        }
+        *self.left -= 1;
+        let distance = closest(&ours.ends, seen).distance;
+        if distance > tube + self.slack {
+            return true;
+        }
+        // The finest chords' own errors may be smaller than what rounding leaves of a distance.
+        let finest = ours.error <= self.finest && theirs.error <= self.finest;
+        if distance > if finest { 2.0 * self.finest } else { tube } {
+            self.close = true;
+            return true;
+        }
+        if finest {
+            return false;
+        }
+        // The nearer half first: where there is a touch it is found sooner.
+        if ours.error >= theirs.error {
+            let mut halves = self.facing.locked.halves(ours);
+            if nearer(&halves.map(|half| half.ends), seen) {
+                halves.swap(0, 1);
+            }
+            halves
+                .iter()
+                .all(|half| self.clear(frame, half, theirs, seen))
+        } else {
+            let halves = self.facing.free.halves(theirs);
+            let mut halves = halves.map(|half| (half, half.ends.map(|end| frame * end)));
+            if nearer(&[halves[0].1, halves[1].1], &ours.ends) {
+                halves.swap(0, 1);
+            }
+            let mut halves = halves.iter();
+            halves.all(|(half, seen)| self.clear(frame, ours, half, seen))
         }
     }
+}
+
+/// Whether the middle of the second of two chords is nearer to that of another than the first one's.
+fn nearer(halves: &[[Point2<f64>; 2]; 2], other: &[Point2<f64>; 2]) -> bool {
+    let middle = other[0].coords + other[1].coords;
+    let off = |[a, b]: &[Point2<f64>; 2]| (a.coords + b.coords - middle).norm_squared();
+    off(&halves[1]) < off(&halves[0])
 }

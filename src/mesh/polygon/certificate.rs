@@ -69,12 +69,8 @@ impl<'a> Certifier<'a> {
             // Clear polygons are 2δ apart, and a fillet's chords stand up to δ in front of it;
             // another δ and the rounding leave no doubt.
             let little = contact.error + (4.0 * finest + facing.rounding()) / lever;
-            match seen(
-                &facing,
-                [opening + little, opening - little],
-                finest,
-                &mut left,
-            ) {
+            let openings = [opening + little, opening - little];
+            match seen(&facing, openings, finest, touching, &mut left) {
                 Seen::Clear => {}
                 Seen::Touch => touching = true,
                 Seen::Overlap => {
@@ -179,7 +175,15 @@ enum Seen {
 /// Looks at `facing` at two openings, the wider first, by polygons down to `finest`.
 ///
 /// Where nothing at the wider one is within both chordal errors and what a point moves to the narrower, both are clear.
-fn seen(facing: &Facing, [open, closed]: [f64; 2], finest: f64, left: &mut u32) -> Seen {
+///
+/// Where a touch is known already the narrower one is of no interest: a pair close at the wider counts as touching.
+fn seen(
+    facing: &Facing,
+    [open, closed]: [f64; 2],
+    finest: f64,
+    known: bool,
+    left: &mut u32,
+) -> Seen {
     let look = |opening: f64, slack: f64, left: &mut u32| {
         let mut looking = Looking {
             facing,
@@ -196,6 +200,7 @@ fn seen(facing: &Facing, [open, closed]: [f64; 2], finest: f64, left: &mut u32) 
     let seen = match (clear, close) {
         (false, _) => Seen::Overlap,
         (true, false) => Seen::Clear,
+        (true, true) if known => Seen::Touch,
         (true, true) => match look(closed, 0.0, left).0 {
             true => Seen::Clear,
             false => Seen::Touch,
@@ -231,10 +236,11 @@ impl Looking<'_> {
         if (here - there).norm_squared() > within * within {
             return true;
         }
-        for theirs in free.curves() {
-            let seen = theirs.seen_in(&frame).ends;
-            for ours in locked.curves() {
-                if !self.clear(&frame, &ours, &theirs, &seen) {
+        let (our_own, their_own) = (locked.own(), free.own());
+        for theirs in free.shared().iter().chain(their_own.iter().flatten()) {
+            let seen = theirs.ends.map(|end| frame * end);
+            for ours in locked.shared().iter().chain(our_own.iter().flatten()) {
+                if !self.clear(&frame, ours, theirs, &seen) {
                     return false;
                 }
             }
@@ -251,52 +257,55 @@ impl Looking<'_> {
         seen: &[Point2<f64>; 2],
     ) -> bool {
         let tube = ours.error + theirs.error;
-        let far = ours.half_length + theirs.half_length + tube + self.slack;
+        let within = ours.half_length + theirs.half_length + tube + self.slack;
         let apart = (ours.ends[0] - seen[0]) + (ours.ends[1] - seen[1]);
-        if apart.norm_squared() > 4.0 * far * far {
+        if apart.norm_squared() > 4.0 * within * within {
             return true;
         }
         if *self.left == 0 {
             return false;
         }
         *self.left -= 1;
-        let distance = closest(&ours.ends, seen).distance;
-        if distance > tube + self.slack {
-            return true;
-        }
-        // The finest chords' own errors may be smaller than what rounding leaves of a distance.
         let finest = ours.error <= self.finest && theirs.error <= self.finest;
-        if distance > if finest { 2.0 * self.finest } else { tube } {
-            self.close = true;
+        if finest {
+            let distance = closest(&ours.ends, seen).distance;
+            // The finest chords' own errors may be smaller than what rounding leaves of a distance.
+            self.close |= distance <= 2.0 * self.finest + self.slack;
+            return distance > 2.0 * self.finest;
+        }
+        // Beyond the line of one of them is enough; where it is not, shorter chords will tell.
+        if beside(&ours.ends, seen, ours.half_length, tube + self.slack)
+            || beside(seen, &ours.ends, theirs.half_length, tube + self.slack)
+        {
             return true;
         }
-        if finest {
-            return false;
-        }
-        // The nearer half first: where there is a touch it is found sooner.
+        let mut made = None;
         if ours.error >= theirs.error {
-            let mut halves = self.facing.locked.halves(ours);
-            if nearer(&halves.map(|half| half.ends), seen) {
-                halves.swap(0, 1);
-            }
-            halves
-                .iter()
-                .all(|half| self.clear(frame, half, theirs, seen))
+            let halves = self.facing.locked.halves(ours, &mut made);
+            let [first, second] = nearer_first([halves[0].ends, halves[1].ends], seen);
+            self.clear(frame, &halves[first], theirs, seen)
+                && self.clear(frame, &halves[second], theirs, seen)
         } else {
-            let halves = self.facing.free.halves(theirs);
-            let mut halves = halves.map(|half| (half, half.ends.map(|end| frame * end)));
-            if nearer(&[halves[0].1, halves[1].1], &ours.ends) {
-                halves.swap(0, 1);
-            }
-            let mut halves = halves.iter();
-            halves.all(|(half, seen)| self.clear(frame, ours, half, seen))
+            let halves = self.facing.free.halves(theirs, &mut made);
+            let ends = [0, 1].map(|i| halves[i].ends.map(|end| frame * end));
+            let [first, second] = nearer_first(ends, &ours.ends);
+            self.clear(frame, ours, &halves[first], &ends[first])
+                && self.clear(frame, ours, &halves[second], &ends[second])
         }
     }
 }
 
-/// Whether the middle of the second of two chords is nearer to that of another than the first one's.
-fn nearer(halves: &[[Point2<f64>; 2]; 2], other: &[Point2<f64>; 2]) -> bool {
+/// Whether a chord lies on one side of another's line, farther than `margin` from it.
+fn beside(line: &[Point2<f64>; 2], ends: &[Point2<f64>; 2], half_length: f64, margin: f64) -> bool {
+    let along = line[1] - line[0];
+    let [one, other] = ends.map(|end| along.perp(&(end - line[0])));
+    let margin = margin * 2.0 * half_length;
+    one.min(other) > margin || one.max(other) < -margin
+}
+
+/// Which of two chords has its middle nearer to that of another: where there is a touch it is found sooner.
+fn nearer_first(halves: [[Point2<f64>; 2]; 2], other: &[Point2<f64>; 2]) -> [usize; 2] {
     let middle = other[0].coords + other[1].coords;
-    let off = |[a, b]: &[Point2<f64>; 2]| (a.coords + b.coords - middle).norm_squared();
-    off(&halves[1]) < off(&halves[0])
+    let [one, two] = halves.map(|[a, b]| (a.coords + b.coords - middle).norm_squared());
+    if two < one { [1, 0] } else { [0, 1] }
 }

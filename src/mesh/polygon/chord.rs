@@ -94,7 +94,8 @@ struct CutHalf {
     /// A disc that holds them, and what each tooth has of its own up to the far corner and the middle of its space.
     centre: Point2<f64>,
     radius: f64,
-    /// Where the root land cut beforehand ends.
+    /// Where the root land cut beforehand starts, and where it ends.
+    root_start: f64,
     root_end: f64,
 }
 
@@ -153,6 +154,7 @@ impl CutHalf {
             radius: 0.5 * (high - low).norm() + chord,
             chords,
             curves,
+            root_start: profile.range(Curve::Root).0,
             root_end,
         }
     }
@@ -166,6 +168,7 @@ impl CutHalf {
 #[derive(Clone, Copy)]
 pub(super) struct Half<'a> {
     gear: &'a Gear,
+    profile: Profile<'a>,
     side: Side,
     cut: &'a CutHalf,
     /// The land's parameter at its far corner.
@@ -175,13 +178,21 @@ pub(super) struct Half<'a> {
 }
 
 impl<'a> Half<'a> {
-    pub fn new(gear: &'a AsBuilt, cut: &'a CutGear, side: Side, tooth: u32) -> Half<'a> {
+    /// The half tooth on `side` of `tooth`; `profile` is the gear's.
+    pub fn new(
+        gear: &'a AsBuilt,
+        profile: Profile<'a>,
+        cut: &'a CutGear,
+        side: Side,
+        tooth: u32,
+    ) -> Half<'a> {
         let cut = match side {
             Side::Right => &cut.halves[0],
             Side::Left => &cut.halves[1],
         };
         Half {
             gear: gear.gear(),
+            profile,
             side,
             cut,
             land_start: gear.land_start(tooth),
@@ -193,29 +204,26 @@ impl<'a> Half<'a> {
         self.gear
     }
 
-    /// Its longest chords, in no order: one a curve, and those of its own lands.
-    pub fn curves(&self) -> impl Iterator<Item = Chord> + '_ {
-        let profile = Profile::new(self.gear);
-        let far = (self.land_start < 0.0).then_some((Curve::Tip, [self.land_start, 0.0]));
-        // Where a space is closed at its root there is none in any tooth's half.
-        let from = self.cut.root_end.max(profile.range(Curve::Root).0);
-        let rest = (self.root_end > from).then_some((Curve::Root, [from, self.root_end]));
-        let own = [far, rest].into_iter().flatten();
-        let own = own.map(move |(curve, range)| Chord::new(&profile, self.side, curve, range));
-        self.cut.chords[..self.cut.curves]
-            .iter()
-            .copied()
-            .chain(own)
+    /// Its longest chords that all teeth share: one a curve.
+    pub fn shared(&self) -> &'a [Chord] {
+        &self.cut.chords[..self.cut.curves]
     }
 
-    /// The two halves of one of its chords.
-    pub fn halves(&self, chord: &Chord) -> [Chord; 2] {
+    /// Its longest chords that are its own: the far half of the tip land, the rest of the root land.
+    pub fn own(&self) -> [Option<Chord>; 2] {
+        let far = (self.land_start < 0.0).then_some((Curve::Tip, [self.land_start, 0.0]));
+        // Where a space is closed at its root there is none in any tooth's half.
+        let from = self.cut.root_end.max(self.cut.root_start);
+        let rest = (self.root_end > from).then_some((Curve::Root, [from, self.root_end]));
+        let chord = |(curve, range)| Chord::new(&self.profile, self.side, curve, range);
+        [far.map(chord), rest.map(chord)]
+    }
+
+    /// The two halves of one of its chords; `made` holds them unless they were cut beforehand.
+    pub fn halves<'b>(&'b self, chord: &Chord, made: &'b mut Option<[Chord; 2]>) -> &'b [Chord] {
         match chord.halves {
-            Some(first) => {
-                let first = first as usize;
-                [self.cut.chords[first], self.cut.chords[first + 1]]
-            }
-            None => chord.cut(&Profile::new(self.gear), self.side),
+            Some(first) => &self.cut.chords[first as usize..first as usize + 2],
+            None => made.insert(chord.cut(&self.profile, self.side)),
         }
     }
 

@@ -13,7 +13,7 @@ mod search;
 
 use super::lost_motion::{Contact, LostMotion};
 use crate::error::Error;
-use crate::gear::Side;
+use crate::gear::{Profile, Side};
 use crate::pair::{Assembly, Member, Pose};
 pub use certificate::Certifier;
 pub use chord::CutGear;
@@ -28,6 +28,8 @@ pub struct PolygonKernel<'a> {
     assembly: &'a Assembly,
     locked: &'a CutGear,
     free: &'a CutGear,
+    /// Of the locked and of the free gear.
+    profiles: [Profile<'a>; 2],
     /// Chordal error, mm, down to which chords are cut round the contact.
     finest: f64,
 }
@@ -43,6 +45,8 @@ impl<'a> PolygonKernel<'a> {
             assembly,
             locked,
             free,
+            profiles: [assembly.locked(), assembly.free()]
+                .map(|member| Profile::new(assembly.gear(member).gear())),
             finest: wheel.chord().max(pinion.chord()),
         }
     }

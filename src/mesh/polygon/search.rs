@@ -164,17 +164,18 @@ const SPENT: &str = "the effort allowed for one pose was spent: too many stretch
 
 /// All pairs of the longest chords of a facing pair that may meet, from where they share no direction.
 fn start(index: usize, facing: &Facing, waiting: &mut BinaryHeap<Pair>) {
-    for theirs in facing.free.curves() {
-        let from_axis = facing.from_axis(&theirs);
-        for ours in facing.locked.curves() {
-            if !facing.passes(&ours, from_axis) {
-                let (opening, end) = facing.shared_directions(&ours, &theirs);
+    let [locked, free] = [facing.locked.own(), facing.free.own()];
+    for theirs in facing.free.shared().iter().chain(free.iter().flatten()) {
+        let from_axis = facing.from_axis(theirs);
+        for ours in facing.locked.shared().iter().chain(locked.iter().flatten()) {
+            if !facing.passes(ours, from_axis) {
+                let (opening, end) = facing.shared_directions(ours, theirs);
                 waiting.push(Pair {
                     facing: index as u32,
                     finest: false,
                     opening,
                     end,
-                    chords: [ours, theirs],
+                    chords: [*ours, *theirs],
                 });
             }
         }
@@ -184,11 +185,17 @@ fn start(index: usize, facing: &Facing, waiting: &mut BinaryHeap<Pair>) {
 /// Cuts the chord that may be farther off its curve.
 fn cut(facing: &Facing, pair: &Pair, opening: f64, waiting: &mut BinaryHeap<Pair>) {
     let [ours, theirs] = pair.chords;
-    let pairs = match ours.error >= theirs.error {
-        true => facing.locked.halves(&ours).map(|half| [half, theirs]),
-        false => facing.free.halves(&theirs).map(|half| [ours, half]),
+    let mut made = None;
+    let is_ours = ours.error >= theirs.error;
+    let halves = match is_ours {
+        true => facing.locked.halves(&ours, &mut made),
+        false => facing.free.halves(&theirs, &mut made),
     };
-    for chords in pairs {
+    for &half in halves {
+        let chords = match is_ours {
+            true => [half, theirs],
+            false => [ours, half],
+        };
         if !facing.passes(&chords[0], facing.from_axis(&chords[1])) {
             waiting.push(Pair {
                 opening,

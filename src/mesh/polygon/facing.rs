@@ -11,7 +11,7 @@ use crate::gear::Side;
 use crate::mesh::contact::Closest;
 use crate::pair::{Assembly, Member, Pose};
 use nalgebra::{Isometry2, Point2, UnitComplex, Vector2};
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 /// A pair of half teeth of one side.
 #[derive(Clone, Copy)]
@@ -30,6 +30,9 @@ pub(super) struct Facing<'a> {
     /// Where the free half tooth stands from the axis at the opening 0, turned to the locked frame's directions.
     from_axis: Vector2<f64>,
     turn: UnitComplex<f64>,
+    /// Direction of the free tooth at the opening 0, seen from its axis and counted from the one to the mate, rad; within
+    /// a pitch. With few teeth one that faces a tooth in reach may stand more than half a turn away.
+    nominal: f64,
 }
 
 impl<'a> Facing<'a> {
@@ -47,6 +50,9 @@ impl<'a> Facing<'a> {
         let free_frame = frame(assembly, free, pose.free_rotation(), side, free_tooth);
         let axis = assembly.axis(free);
         let back = locked_frame.rotation.inverse();
+        let pitch = |member| assembly.gear(member).gear().toothing().angular_pitch();
+        let here = pose.locked_rotation() + assembly.gear(locked).tooth_angle(f64::from(mating));
+        let pitches = here / pitch(locked) + steps as f64;
         Facing {
             assembly,
             pose,
@@ -59,6 +65,8 @@ impl<'a> Facing<'a> {
             from_axis: back * (free_frame.translation.vector - axis.coords),
             turn: back * free_frame.rotation,
             locked_frame,
+            // What is counter-clockwise on one gear is clockwise on the other.
+            nominal: -pitches * pitch(free),
         }
     }
 
@@ -121,22 +129,25 @@ impl<'a> Facing<'a> {
                 self.assembly.mate_direction(self.assembly.free()).cos(),
                 0.0,
             );
-        let spread = |chord: &Chord, disc: Point2<f64>| {
+        let spread = |chord: &Chord, disc: Point2<f64>, nominal: f64| {
             let disc = disc - self.axis;
-            let from = -self.side.sense() * angle(&to_mate, &disc);
+            let from = angle(&to_mate, &disc);
+            let from = from + TAU * ((nominal - from) / TAU).round();
             let near = distances(chord, &self.axis)[0];
             let arc = match near > 0.0 {
                 true => (chord.error / (near + chord.error)).asin(),
                 false => PI,
             };
-            let seen = chord
-                .ends
-                .map(|end| from - self.side.sense() * angle(&disc, &(end - self.axis)));
-            (seen[0].min(seen[1]) - arc, seen[0].max(seen[1]) + arc)
+            let ends = chord.ends.map(|end| {
+                let seen = from + angle(&disc, &(end - self.axis));
+                -self.side.sense() * seen
+            });
+            (ends[0].min(ends[1]) - arc, ends[0].max(ends[1]) + arc)
         };
         let at = self.at(0.0);
-        let locked = spread(ours, self.locked.disc().0);
-        let free = spread(&theirs.seen_in(&at), at * self.free.disc().0);
+        // The locked gear stands within half a turn of the line of centres.
+        let locked = spread(ours, self.locked.disc().0, 0.0);
+        let free = spread(&theirs.seen_in(&at), at * self.free.disc().0, self.nominal);
         (locked.1 - free.0, locked.0 - free.1)
     }
 

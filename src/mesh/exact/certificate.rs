@@ -140,12 +140,7 @@ impl Setting<'_> {
     }
 
     /// Opens the pairs in which a tip land does not run round the axis nearly enough.
-    fn open_lands(
-        &self,
-        open: &mut Curves,
-        fillet_arm: Option<f64>,
-        free_fillet: Option<f64>,
-    ) {
+    fn open_lands(&self, open: &mut Curves, fillet_arm: Option<f64>, free_fillet: Option<f64>) {
         let (ours, theirs, near) = (self.locked, self.free, self.near());
         if let Some(gamma) = free_fillet {
             let steepest = slope_at(theirs.steepest_fillet(gamma) + self.shift());

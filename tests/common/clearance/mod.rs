@@ -9,10 +9,12 @@
 #![allow(dead_code)] // each test binary uses its part
 
 mod half;
+mod verdict;
 
 use gearlash::gear::Side;
 use gearlash::pair::{Assembly, Member, Pose};
 use half::{Clearance, Ends, Half};
+pub use verdict::{against, contacts};
 
 /// Points a curve before zooming.
 const POINTS: usize = 48;
@@ -293,6 +295,25 @@ impl<'a> Referee<'a> {
             before = [before[1], next];
         }
         None
+    }
+
+    /// Steps on the open side, ever wider, from `first` to `pitches` of the free gear, rad.
+    pub fn open_steps(&self, first: f64, pitches: f64) -> impl Iterator<Item = f64> {
+        let gear = self.assembly.gear(self.assembly.free()).gear();
+        let most = pitches * gear.toothing().angular_pitch();
+        // Not finer than a millionth of a pitch: overlap that begins nearer lasts longer, or is what `first` sees.
+        let start = first.max(1e-6 * most);
+        (1..60)
+            .map(move |k| start * 1.5f64.powi(k))
+            .take_while(move |&step| step < most)
+    }
+
+    /// Least clearance within a 200th of a pitch of `rotation`, by steps.
+    pub fn deepest(&self, rotation: f64) -> f64 {
+        let gear = self.assembly.gear(self.assembly.free()).gear();
+        let width = gear.toothing().angular_pitch() / 200.0;
+        let steps = (-20..=20).map(|k| self.least(rotation + width * f64::from(k) / 20.0));
+        steps.fold(f64::INFINITY, f64::min)
     }
 
     /// A rotation between two at which something overlaps, if any.

@@ -7,9 +7,14 @@
 
 #[path = "../tests/common/campaign/mod.rs"]
 mod campaign;
+#[path = "../tests/common/clearance/mod.rs"]
+mod clearance;
 
 use campaign::{Depth, Drawn, Tally, run};
 use clap::{Parser, ValueEnum};
+use gearlash::mesh::ExactKernel;
+use gearlash::pair::Pose;
+use rayon::prelude::*;
 use std::process::ExitCode;
 use std::time::Instant;
 
@@ -28,6 +33,9 @@ struct Options {
     /// Only poses of this depth, instead of all mixed
     #[arg(long)]
     depth: Option<Bundle>,
+    /// Ask brute force about the exact method, instead of the polygon method and the certificate: some 20 ms a pose
+    #[arg(long)]
+    brute: bool,
     /// Print this pose of the campaign as a pair file, and nothing else
     #[arg(long)]
     print: Option<u64>,
@@ -69,18 +77,53 @@ fn main() -> ExitCode {
         return ExitCode::SUCCESS;
     }
     let start = Instant::now();
+    if options.brute {
+        let complaints = brute(depth, seed, options.first, poses);
+        println!(
+            "{poses} poses of seed {seed} against brute force, {:.1?}",
+            start.elapsed()
+        );
+        name("fault", &complaints);
+        println!("{} faults", complaints.len());
+        return match complaints.is_empty() {
+            true => ExitCode::SUCCESS,
+            false => ExitCode::FAILURE,
+        };
+    }
     let tally = run(depth, seed, options.first, poses);
     println!("seed {seed}, {:.1?}", start.elapsed());
     println!("{}", tally.report());
     name("unproven", &tally.unproven);
-    let border: Vec<(u64, String)> = tally.border.iter().map(|(i, what)| (*i, (*what).to_owned())).collect();
+    let border: Vec<(u64, String)> = tally
+        .border
+        .iter()
+        .map(|(i, what)| (*i, (*what).to_owned()))
+        .collect();
     name("on a border", &border);
     verdict(&tally, depth, seed)
 }
 
+/// What brute force has against the exact method, and poses it gave up.
+fn brute(depth: Option<Depth>, seed: u64, first: u64, poses: u64) -> Vec<(u64, String)> {
+    let indices = (first..first + poses).into_par_iter();
+    let complaints = indices.filter_map(|index| {
+        let drawn = Drawn::new(depth, seed, index);
+        let pose = Pose::new(&drawn.assembly, drawn.mating);
+        let complaint = match ExactKernel::new(&drawn.assembly).lost_motion(&pose) {
+            Ok(found) => clearance::against(&drawn.assembly, &pose, &found).join("; "),
+            Err(error) => error.to_string(),
+        };
+        (!complaint.is_empty()).then_some((index, complaint))
+    });
+    complaints.collect()
+}
+
 fn name(what: &str, poses: &[(u64, String)]) {
     for (index, why) in poses.iter().take(NAMED) {
-        println!("{what}: pose {index}: {}", why.lines().next().unwrap_or_default());
+        println!(
+            "{what}: pose {index}: {}",
+            why.lines().next().unwrap_or_default()
+        );
     }
 }
 

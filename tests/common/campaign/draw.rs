@@ -102,7 +102,13 @@ impl Pair {
     /// Pose `k` of the pair, at `depth` or at any.
     pub fn pose(&self, k: u64, depth: Option<Depth>) -> Drawn {
         let mut random = Random::of(!self.seed, self.number * POSES_A_PAIR + k);
-        let bundles = [Depth::Any, Depth::Any, Depth::Any, Depth::Grazing, Depth::OnRoot];
+        let bundles = [
+            Depth::Any,
+            Depth::Any,
+            Depth::Any,
+            Depth::Grazing,
+            Depth::OnRoot,
+        ];
         let drawn = random.pick(&bundles);
         let depth = depth.unwrap_or(drawn);
         let locked = random.pick(&[Member::Wheel, Member::Pinion]);
@@ -142,9 +148,8 @@ impl Pair {
         let off = wheel.eccentricity() + pinion.eccentricity();
         let base = wheel.gear().base_radius() + pinion.gear().base_radius();
         let tips = wheel.gear().tip_radius() + pinion.gear().tip_radius();
-        let bottom = |one: &AsBuilt, other: &AsBuilt| {
-            one.gear().tip_radius() + other.gear().root_radius()
-        };
+        let bottom =
+            |one: &AsBuilt, other: &AsBuilt| one.gear().tip_radius() + other.gear().root_radius();
         let touching = bottom(wheel, pinion).max(bottom(pinion, wheel));
         let least = base + 1e-3 * module;
         match depth {
@@ -158,9 +163,9 @@ impl Pair {
                 random.within(jammed, jammed.max(tips + 0.5 * off))
             }
             Depth::Grazing => {
-                tips + random.within(-1.0, 1.0) * off - random.decades(1e-4, 0.2) * module
+                { tips + random.within(-1.0, 1.0) * off - random.decades(1e-4, 0.2) * module }
+                    .max(least)
             }
-            .max(least),
             Depth::OnRoot => {
                 let beyond = random.decades(1e-4, 0.1) * module;
                 let side = random.pick(&[1.0, -1.0]);

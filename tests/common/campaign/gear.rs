@@ -115,7 +115,12 @@ enum Pattern {
 
 impl Numbers {
     /// A gear that may or may not exist.
-    pub fn draw(random: &mut Random, teeth: u32, module_mm: f64, pressure_angle_deg: f64) -> Numbers {
+    pub fn draw(
+        random: &mut Random,
+        teeth: u32,
+        module_mm: f64,
+        pressure_angle_deg: f64,
+    ) -> Numbers {
         let kind = random.pick(&RackKind::ALL);
         let rack = kind.draw(random, pressure_angle_deg.to_radians());
         let profile_shift = match random.chance(0.15) {
@@ -123,9 +128,15 @@ impl Numbers {
             false => random.within(-0.6, 1.2),
         };
         let plain = f64::from(teeth) * module_mm + 2.0 * module_mm * (rack[0] + profile_shift);
-        let tip = random.pick(&[Tip::AsGenerated, Tip::AsGenerated, Tip::TurnedDown, Tip::Raised]);
+        let tip = random.pick(&[
+            Tip::AsGenerated,
+            Tip::AsGenerated,
+            Tip::TurnedDown,
+            Tip::Raised,
+        ]);
         let tip_diameter_mm = plain
-            + 2.0 * module_mm
+            + 2.0
+                * module_mm
                 * match tip {
                     Tip::AsGenerated => 0.0,
                     Tip::TurnedDown => -random.decades(0.01, 0.8),
@@ -178,7 +189,13 @@ impl Numbers {
             let off = |k: u32| match pattern {
                 Pattern::Random => random.within(-most, most),
                 Pattern::Alternating => most * (0.2 * random.within(-1.0, 1.0) + f64::from(k % 2)),
-                Pattern::One(tooth) => if k == tooth { random.within(-most, most) } else { 0.0 },
+                Pattern::One(tooth) => {
+                    if k == tooth {
+                        random.within(-most, most)
+                    } else {
+                        0.0
+                    }
+                }
             };
             (0..self.teeth).map(off).collect()
         };

@@ -81,9 +81,8 @@ fn seen(exact: &Result<LostMotion, Error>, polygon: &Result<LostMotion, Error>) 
 /// the same, but where the difference says less than the bounds do.
 fn judge(drawn: &Drawn, cut: &CutPair, exact: &LostMotion, polygon: &LostMotion) -> Verdict {
     let assembly = &drawn.assembly;
-    let fault = |what: String| {
-        Verdict::Fault(format!("{what}\nexact   {exact:?}\npolygon {polygon:?}"))
-    };
+    let fault =
+        |what: String| Verdict::Fault(format!("{what}\nexact   {exact:?}\npolygon {polygon:?}"));
     let um = assembly.operating_pitch_radius(assembly.free()) * 1e3;
     let mut agreement = Agreement {
         difference_um: 0.0,
@@ -113,7 +112,11 @@ fn judge(drawn: &Drawn, cut: &CutPair, exact: &LostMotion, polygon: &LostMotion)
                 agreement.border = Some("contact or none");
                 return Verdict::Borne(agreement);
             }
-            _ => return fault(format!("{name}: one method has a contact, the other has none")),
+            _ => {
+                return fault(format!(
+                    "{name}: one method has a contact, the other has none"
+                ));
+            }
         }
     }
     agreement.border = match (exact.status(), polygon.status()) {
@@ -142,7 +145,9 @@ fn loses_contact_nearby(drawn: &Drawn, cut: &CutPair) -> bool {
             cut.refined_kernel(&beside).lost_motion(&pose),
         ];
         let found = found.into_iter().flatten();
-        found.map(|m| [m.right.is_some(), m.left.is_some()]).collect()
+        found
+            .map(|m| [m.right.is_some(), m.left.is_some()])
+            .collect()
     };
     let (nearer, farther) = (sides(-1e3), sides(1e3));
     // Both methods agree on either side of the border, and differ across it.

@@ -32,7 +32,11 @@ fn write(numbers: &Numbers, name: &str, text: &mut String) -> std::fmt::Result {
     };
     writeln!(text, "[{name}]\nteeth = {}", numbers.teeth)?;
     writeln!(text, "module_mm = {:?}", numbers.module_mm)?;
-    writeln!(text, "pressure_angle_deg = {:?}", numbers.pressure_angle_deg)?;
+    writeln!(
+        text,
+        "pressure_angle_deg = {:?}",
+        numbers.pressure_angle_deg
+    )?;
     writeln!(text, "profile_shift = {:?}", numbers.profile_shift)?;
     writeln!(text, "tip_diameter_mm = {:?}", numbers.tip_diameter_mm)?;
     writeln!(text, "reference_face = \"{face}\"")?;

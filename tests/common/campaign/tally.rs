@@ -66,7 +66,8 @@ impl Tally {
             Verdict::Borne(agreement) => {
                 self.greatest_um = self.greatest_um.max(agreement.difference_um);
                 self.greatest_bound_um = self.greatest_bound_um.max(agreement.bound_um);
-                self.border.extend(agreement.border.map(|what| (index, what)));
+                self.border
+                    .extend(agreement.border.map(|what| (index, what)));
             }
             Verdict::Unproven(why) => self.unproven.push((index, why)),
             Verdict::Fault(what) => self.faults.push((index, what)),
@@ -103,8 +104,12 @@ impl Tally {
     /// Classes that a campaign of `depth` should have met and did not.
     pub fn empty(&self, depth: Option<Depth>) -> Vec<String> {
         let expected = expected(depth, self.poses >= RARE);
-        let missing = expected.into_iter().filter(|(class, name)| self.count(class, name) == 0);
-        missing.map(|(class, name)| format!("{class}: {name}")).collect()
+        let missing = expected
+            .into_iter()
+            .filter(|(class, name)| self.count(class, name) == 0);
+        missing
+            .map(|(class, name)| format!("{class}: {name}"))
+            .collect()
     }
 
     /// The counts and times, for people.
@@ -175,19 +180,41 @@ fn classes(drawn: &Drawn, outcome: &Outcome) -> Vec<(&'static str, String)> {
             classes.push(("what else", what.to_owned()));
         }
     };
-    met("locked gear eccentric", assembly.gear(locked).eccentricity() > 0.0);
-    met("free gear eccentric", assembly.gear(free).eccentricity() > 0.0);
-    met("undercut", [locked, free].iter().any(|&m| is_undercut(assembly.gear(m))));
-    let deviates = |numbers: &super::gear::Numbers| !(numbers.right_um.is_empty() && numbers.per_tooth_um.is_empty());
+    met(
+        "locked gear eccentric",
+        assembly.gear(locked).eccentricity() > 0.0,
+    );
+    met(
+        "free gear eccentric",
+        assembly.gear(free).eccentricity() > 0.0,
+    );
+    met(
+        "undercut",
+        [locked, free]
+            .iter()
+            .any(|&m| is_undercut(assembly.gear(m))),
+    );
+    let deviates = |numbers: &super::gear::Numbers| {
+        !(numbers.right_um.is_empty() && numbers.per_tooth_um.is_empty())
+    };
     met("deviations by tooth", drawn.gears.iter().any(deviates));
-    met("9 teeth or fewer", drawn.gears.iter().any(|numbers| numbers.teeth <= 9));
-    met("more than 200 teeth", drawn.gears.iter().any(|numbers| numbers.teeth > 200));
+    met(
+        "9 teeth or fewer",
+        drawn.gears.iter().any(|numbers| numbers.teeth <= 9),
+    );
+    met(
+        "more than 200 teeth",
+        drawn.gears.iter().any(|numbers| numbers.teeth > 200),
+    );
     let Some(exact) = &outcome.exact else {
         classes.push(("status", "without result".to_owned()));
         return classes;
     };
     classes.push(("status", exact.status().name().to_owned()));
-    for (class, contact) in [("right contact, locked on free", exact.right), ("left contact, locked on free", exact.left)] {
+    for (class, contact) in [
+        ("right contact, locked on free", exact.right),
+        ("left contact, locked on free", exact.left),
+    ] {
         let name = contact.map(|contact| combination(assembly, &contact));
         classes.push((class, name.unwrap_or_else(|| "none".to_owned())));
     }
@@ -210,9 +237,16 @@ fn expected(depth: Option<Depth>, long: bool) -> Vec<(&'static str, String)> {
         ("what else", "9 teeth or fewer"),
         ("what else", "more than 200 teeth"),
     ];
-    let depths = Depth::ALL.into_iter().filter(|one| depth.is_none_or(|depth| depth == *one));
+    let depths = Depth::ALL
+        .into_iter()
+        .filter(|one| depth.is_none_or(|depth| depth == *one));
     expected.extend(depths.map(|depth| ("depth", depth.name())));
-    for faces in ["front and front", "front and back", "back and front", "back and back"] {
+    for faces in [
+        "front and front",
+        "front and back",
+        "back and front",
+        "back and back",
+    ] {
         expected.push(("faces", faces));
     }
     expected.extend(RackKind::ALL.map(|kind| ("rack (gears)", kind.name())));
@@ -225,11 +259,16 @@ fn expected(depth: Option<Depth>, long: bool) -> Vec<(&'static str, String)> {
             true => &CONTACTS[..],
             false => &CONTACTS[..6],
         };
-        for class in ["right contact, locked on free", "left contact, locked on free"] {
+        for class in [
+            "right contact, locked on free",
+            "left contact, locked on free",
+        ] {
             expected.extend(contacts.iter().map(|curves| (class, *curves)));
         }
     }
-    let owned = expected.into_iter().map(|(class, name)| (class, name.to_owned()));
+    let owned = expected
+        .into_iter()
+        .map(|(class, name)| (class, name.to_owned()));
     owned.collect()
 }
 

@@ -41,8 +41,7 @@ pub struct Ends {
 
 impl Ends {
     pub fn new(half: &Half, gear: &AsBuilt, side: Side, tooth: u32) -> Ends {
-        let widening =
-            gear.flank_offset(Side::Left, tooth) - gear.flank_offset(Side::Right, tooth);
+        let widening = gear.flank_offset(Side::Left, tooth) - gear.flank_offset(Side::Right, tooth);
         Ends {
             far: half.half_angle(half.tip) + widening,
             space: gear.root_end(side, tooth),
@@ -70,7 +69,8 @@ impl Half {
         let base = reference * alpha.cos();
         let half_base = gear.base_thickness() / (2.0 * base);
         // Thickness at the reference circle s = 2 r (ψ_b − inv α) = m (π/2 + 2 x_E tan α).
-        let fed = reference * (half_base - (alpha.tan() - alpha)) / alpha.tan() - 0.25 * PI * module / alpha.tan();
+        let fed = reference * (half_base - (alpha.tan() - alpha)) / alpha.tan()
+            - 0.25 * PI * module / alpha.tan();
         let round = blank.rack.root_radius() * module;
         let depth = blank.rack.dedendum() * module - round - fed;
         // From the middle of the tool's tip to the centre of its round.
@@ -167,7 +167,10 @@ impl Half {
     }
 
     fn involute(&self, radius: f64) -> f64 {
-        let roll = ((radius - self.base) * (radius + self.base)).max(0.0).sqrt() / self.base;
+        let roll = ((radius - self.base) * (radius + self.base))
+            .max(0.0)
+            .sqrt()
+            / self.base;
         self.half_base - (roll - roll.atan())
     }
 
@@ -214,8 +217,14 @@ impl Half {
         }
     }
 
+    /// The whole half tooth from 0, the far corner, to 4, the middle of the space: a curve each.
+    pub fn along(&self, t: f64, ends: Ends) -> [f64; 2] {
+        let curve = (t as usize).min(3);
+        self.point(curve, t - curve as f64, ends)
+    }
+
     /// The curves, each from 0 to 1: tip land from the far corner, involute, fillet, root land.
-    pub fn point(&self, curve: usize, t: f64, ends: Ends) -> [f64; 2] {
+    fn point(&self, curve: usize, t: f64, ends: Ends) -> [f64; 2] {
         let (radius, angle) = match curve {
             0 => {
                 let corner = -self.involute(self.tip);

@@ -17,7 +17,7 @@ use half::{Clearance, Ends, Half};
 pub use verdict::{against, contacts};
 
 /// Points a curve before zooming.
-const POINTS: usize = 48;
+const POINTS: usize = 24;
 
 /// Local minima within this many modules of the least are zoomed: points 0.05 m apart on curves bent by 1/(0.05 m) miss 0.01 m.
 const NEAR: f64 = 0.03;
@@ -51,6 +51,18 @@ impl<'a> Stood<'a> {
             sin,
             mirror: -side.sense(),
         }
+    }
+
+    /// A circle about a half tooth in its frame: half way up the centre line, and how far its farthest point is.
+    fn circle(&self, ends: Ends) -> (f64, f64) {
+        let middle = 0.5 * (self.half.root + self.half.tip);
+        let points = (0..=4 * POINTS).map(|k| {
+            let t = k as f64 / POINTS as f64;
+            let [x, y] = self.half.along(t, ends);
+            (x - middle).hypot(y)
+        });
+        // Between points of a curve bent outwards lies a little more.
+        (middle, 1.01 * points.fold(0.0, f64::max))
     }
 
     fn ends(&self, side: Side, tooth: u32) -> Ends {
@@ -89,6 +101,8 @@ struct Faced {
     locked: Frame,
     free_tooth: u32,
     ends: [Ends; 2],
+    /// Place on the centre line and radius of a circle about each half tooth.
+    circles: [(f64, f64); 2],
 }
 
 /// The pairs of one side at one pose.
@@ -161,18 +175,19 @@ impl<'a> Referee<'a> {
         for step in middle - (teeth - 1) / 2..=middle + teeth / 2 {
             let tooth = gear.counter_clockwise(mating, step);
             let frame = locked.frame(pose.locked_rotation(), side, tooth);
-            // A half tooth and its land lie within a pitch and a half of the tooth's middle.
-            let (low, high) = (locked.half.root, locked.half.tip);
-            let at = frame.out([0.5 * (low + high), 0.0]);
-            let spread = 0.5 * (high - low) + 1.5 * toothing.angular_pitch() * high;
+            let ends = locked.ends(side, tooth);
+            let (at, spread) = locked.circle(ends);
+            let at = frame.out([at, 0.0]);
             if (at[0] - axis.x).hypot(at[1] - axis.y) - spread > mate.reach() {
                 continue;
             }
             let free_tooth = pose.facing_tooth(assembly, side, step);
+            let theirs = free.ends(side, free_tooth);
             pairs.push(Faced {
                 locked: frame,
                 free_tooth,
-                ends: [locked.ends(side, tooth), free.ends(side, free_tooth)],
+                ends: [ends, theirs],
+                circles: [locked.circle(ends), free.circle(theirs)],
             });
         }
         Referee {
@@ -204,8 +219,20 @@ impl<'a> Referee<'a> {
             let free = self.free.frame(rotation, self.side, pair.free_tooth);
             let [ours, theirs] = pair.ends;
             let (locked, half) = (&self.locked.half, &self.free.half);
-            least = self.points((half, free, theirs), (locked, pair.locked, ours), least);
-            least = self.points((locked, pair.locked, ours), (half, free, theirs), least);
+            let near = NEAR * self.module + least.max(0.0);
+            let reaches = |(at, spread): (f64, f64), from: &Frame, to: &Frame, other: &Half| {
+                let at = from.out([at, 0.0]);
+                (at[0] - to.centre[0]).hypot(at[1] - to.centre[1]) - spread <= other.tip + near
+            };
+            if reaches(pair.circles[1], &free, &pair.locked, locked) {
+                least = self.points((half, free, theirs), (locked, pair.locked, ours), least);
+            }
+            if reaches(pair.circles[0], &pair.locked, &free, half) {
+                least = self.points((locked, pair.locked, ours), (half, free, theirs), least);
+            }
+            if least < 0.0 {
+                break;
+            }
         }
         least
     }
@@ -223,8 +250,7 @@ impl<'a> Referee<'a> {
         // Points this far beyond the tip circle matter to nobody.
         let out = other.tip + NEAR * self.module + least.max(0.0);
         let at = |t: f64| {
-            let curve = (t as usize).min(3);
-            let [x, y] = to.seen(from.out(one.point(curve, t - curve as f64, its)));
+            let [x, y] = to.seen(from.out(one.along(t, its)));
             match x.hypot(y) > out {
                 true => Clearance {
                     mm: f64::INFINITY,
@@ -234,7 +260,10 @@ impl<'a> Referee<'a> {
             }
         };
         let along = |k: usize| k as f64 / POINTS as f64;
-        let found: Vec<f64> = (0..=4 * POINTS).map(|k| at(along(k)).mm).collect();
+        let mut found = [f64::INFINITY; 4 * POINTS + 1];
+        for (k, mm) in found.iter_mut().enumerate() {
+            *mm = at(along(k)).mm;
+        }
         let lowest = found.iter().copied().fold(f64::INFINITY, f64::min);
         if lowest < 0.0 && crosses(&found, along, at) {
             return least.min(lowest);
@@ -270,6 +299,13 @@ impl<'a> Referee<'a> {
         -self.side.sense()
     }
 
+    /// Whether the tip circles are apart, wherever eccentric outlines stand.
+    fn out_of_reach(&self) -> bool {
+        let reach =
+            [self.assembly.locked(), self.assembly.free()].map(|m| self.assembly.gear(m).reach());
+        reach[0] + reach[1] < self.assembly.center_distance()
+    }
+
     /// The first contact, the free gear turned in over `pitches` of its own on either side of `near`; `None` when none.
     ///
     /// By steps of a 200th of a pitch; a step that has its least clearance inside is looked into.
@@ -278,6 +314,9 @@ impl<'a> Referee<'a> {
         let pitch = gear.toothing().angular_pitch();
         let steps = (400.0 * pitches) as i64;
         let at = |k: i64| near + self.opening() * pitch * (pitches - k as f64 / 200.0);
+        if self.pairs.is_empty() || self.out_of_reach() {
+            return None;
+        }
         let mut before = [self.least(at(0)), self.least(at(1))];
         if before[0] < 0.0 {
             return Some(at(0));

@@ -47,7 +47,11 @@ pub fn against(assembly: &Assembly, pose: &Pose, found: &LostMotion) -> Vec<Stri
             let turn = contact.rotation - own;
             referee.opening() * (turn - TAU * (turn / TAU).round()) * um
         });
-        let what = if early { "overlap before it" } else { "nothing touches there" };
+        let what = if early {
+            "overlap before it"
+        } else {
+            "nothing touches there"
+        };
         complaints.push(format!(
             "{name}: {what}; claimed {:.9} rad, {off:?} µm more open than brute force, bound {:.2e} µm, clearance there {:.2e} mm",
             contact.rotation,

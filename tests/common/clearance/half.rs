@@ -56,6 +56,8 @@ pub struct Clearance {
     pub mm: f64,
     /// Of a point in the metal: the nearest of its bounds is not a curve but the cut at an end of the half tooth.
     pub cut: bool,
+    /// Distance from that end.
+    pub end: f64,
 }
 
 impl Half {
@@ -200,20 +202,32 @@ impl Half {
         let beyond = (angle - ends.far) * radius;
         let before = (-ends.space - angle) * radius;
         let over_root = radius - self.root;
+        let to_corner = (radius - self.tip).hypot(beyond);
+        let to_space = over_root.hypot(before);
         if over_root <= 0.0 {
-            let cut = before.max(beyond);
+            let (cut, end) = match before > beyond {
+                true => (before, to_space),
+                false => (beyond, to_corner),
+            };
             return Clearance {
-                mm: over_root.max(cut),
+                mm: if cut > 0.0 { end } else { over_root.max(cut) },
                 cut: cut > over_root,
+                end,
             };
         }
         let (half, across) = self.edge(radius);
         let beside = (-half - angle) * radius * across;
-        let from_flank = beside.max(radius - self.tip);
-        let over_land = over_root.hypot(before.max(0.0));
+        // Beyond the end of the space all of the half tooth lies on the other side of the radius there.
+        let from_flank = beside.max(radius - self.tip).max(before);
+        let from_tooth = match from_flank < 0.0 && beyond > 0.0 {
+            true => to_corner,
+            false => from_flank.max(beyond),
+        };
+        let over_land = if before > 0.0 { to_space } else { over_root };
         Clearance {
-            mm: from_flank.max(beyond).min(over_land),
+            mm: from_tooth.min(over_land),
             cut: beyond > from_flank,
+            end: to_corner,
         }
     }
 

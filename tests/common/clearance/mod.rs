@@ -255,6 +255,7 @@ impl<'a> Referee<'a> {
                 true => Clearance {
                     mm: f64::INFINITY,
                     cut: false,
+                    end: f64::INFINITY,
                 },
                 false => other.clearance(x, y, ends),
             }
@@ -271,7 +272,11 @@ impl<'a> Referee<'a> {
         // A dip between two points is shallow: what bounds it is what it came in over.
         let shallow = |t: f64| {
             let found = at(t);
-            if found.cut { found.mm.abs() } else { found.mm }
+            if found.mm < 0.0 && found.cut {
+                found.end
+            } else {
+                found.mm
+            }
         };
         for k in 0..=4 * POINTS {
             let here = found[k];

@@ -38,7 +38,11 @@ pub fn against(assembly: &Assembly, pose: &Pose, found: &LostMotion) -> Vec<Stri
         let at = |more_open: f64| contact.rotation + referee.opening() * more_open;
         let over = |more_open: f64| referee.least(at(more_open)) < -rounding;
         let early = over(contact.error) || referee.open_steps(contact.error, PITCHES).any(over);
-        let late = referee.least(at(-contact.error)) > rounding;
+        // Of a wide bound the closed end may lie beyond all that touches: somewhere within it must.
+        let within = (0..40).map(|k| -contact.error * 0.5f64.powi(k));
+        let late = within
+            .chain([0.0])
+            .all(|more_open| referee.least(at(more_open)) > rounding);
         if !early && !late {
             continue;
         }

@@ -1,8 +1,10 @@
 //! The campaign: exact against polygon method on seeded random poses, each exact result certified.
 //!
-//! `cargo run --release --example campaign -- [--poses N] [--seed S] [--first I] [--depth any|grazing|on-root] [--brute] [--print I]`.
+//! `cargo run --release --example campaign -- [--poses N] [--seed S] [--first I] [--depth any|grazing|on-root]
+//! [--longest SECONDS] [--brute] [--print I]`.
 //! Ends with 1 when the methods differ by more than both error bounds together, disagree on a status, or the
-//! certificate refuses; when a pose is run without a proof it is counted; when a class of contact was not met. The
+//! certificate refuses; or when a class of contact was not met; poses that a method gave up are
+//! counted and named. The
 //! first such poses are printed as pair files. `--brute` asks brute force instead of the polygon method.
 
 #[path = "../tests/common/campaign/mod.rs"]
@@ -10,13 +12,13 @@ mod campaign;
 #[path = "../tests/common/clearance/mod.rs"]
 mod clearance;
 
-use campaign::{Depth, Drawn, Tally, run};
+use campaign::{Depth, Drawn, LONGEST, Tally, run};
 use clap::{Parser, ValueEnum};
 use gearlash::mesh::ExactKernel;
 use gearlash::pair::Pose;
 use rayon::prelude::*;
 use std::process::ExitCode;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 /// Exact against polygon method on random poses
 #[derive(Parser)]
@@ -33,7 +35,10 @@ struct Options {
     /// Only poses of this depth, instead of all mixed
     #[arg(long)]
     depth: Option<Bundle>,
-    /// Ask brute force about the exact method, instead of the polygon method and the certificate: some 20 ms a pose
+    /// Seconds after which a pose is given up, and the campaign with it
+    #[arg(long, default_value_t = LONGEST.as_secs())]
+    longest: u64,
+    /// Ask brute force about the exact method, instead of the polygon method and the certificate: some 50 ms a pose
     #[arg(long)]
     brute: bool,
     /// Print this pose of the campaign as a pair file, and nothing else
@@ -90,7 +95,13 @@ fn main() -> ExitCode {
             false => ExitCode::FAILURE,
         };
     }
-    let tally = run(depth, seed, options.first, poses);
+    let tally = run(
+        depth,
+        seed,
+        options.first,
+        poses,
+        Duration::from_secs(options.longest),
+    );
     println!("seed {seed}, {:.1?}", start.elapsed());
     println!("{}", tally.report());
     name("unproven", &tally.unproven);
@@ -137,6 +148,10 @@ fn verdict(tally: &Tally, depth: Option<Depth>, seed: u64) -> ExitCode {
         println!("\npose {index}: {fault}\n{file}");
     }
     name("fault", &tally.faults);
+    if !tally.faults.is_empty() {
+        let all: Vec<u64> = tally.faults.iter().map(|(index, _)| *index).collect();
+        println!("{} faults: {all:?}", all.len());
+    }
     match tally.faults.is_empty() && empty.is_empty() {
         true => ExitCode::SUCCESS,
         false => ExitCode::FAILURE,

@@ -8,7 +8,7 @@ mod clearance;
 #[path = "common/posed.rs"]
 mod posed;
 
-use campaign::{Drawn, run};
+use campaign::{Drawn, LONGEST, run};
 use gearlash::gear::Side;
 use gearlash::mesh::{CutPair, ExactKernel};
 use gearlash::pair::{Member, Pose};
@@ -20,7 +20,7 @@ const SEED: u64 = 2;
 /// No fault among poses of all depths, and no class of gear, pose or contact that was not met.
 #[test]
 fn both_methods_and_the_certificate_agree_on_random_poses() {
-    let tally = run(None, SEED, 0, 4_000);
+    let tally = run(None, SEED, 0, 4_000, LONGEST);
     println!("{}", tally.report());
     assert!(tally.faults.is_empty(), "{:#?}", tally.faults);
     assert_eq!(tally.empty(None), [String::new(); 0]);

@@ -10,7 +10,7 @@ mod posed;
 #[path = "common/solid.rs"]
 mod solid;
 
-use campaign::{Depth, Drawn, run};
+use campaign::{Depth, Drawn, LONGEST, run};
 use gearlash::gear::{AsBuilt, Blank, Curve, Deviations, Face, Gear, Rack, Side, Toothing};
 use gearlash::mesh::{Certifier, CutPair, ExactKernel, LostMotion, Status};
 use gearlash::pair::{Assembly, Mating, Member, Pose};
@@ -242,7 +242,7 @@ fn a_tip_within_a_nanometre_of_a_root() {
 /// their error bounds, and its certificate.
 #[test]
 fn random_tips_that_hardly_reach() {
-    let tally = run(Some(Depth::Grazing), 5, 0, 600);
+    let tally = run(Some(Depth::Grazing), 5, 0, 600, LONGEST);
     assert!(tally.faults.is_empty(), "{:#?}", tally.faults);
     assert!(tally.unproven.is_empty(), "{:#?}", tally.unproven);
     for status in ["clear", "no_contact"] {
@@ -256,7 +256,7 @@ fn random_tips_that_hardly_reach() {
 /// The same at the other end, 1e-4 to 0.1 modules to either side of a tip on a root.
 #[test]
 fn random_tips_near_a_root() {
-    let tally = run(Some(Depth::OnRoot), 5, 0, 600);
+    let tally = run(Some(Depth::OnRoot), 5, 0, 600, LONGEST);
     assert!(tally.faults.is_empty(), "{:#?}", tally.faults);
     assert!(tally.unproven.is_empty(), "{:#?}", tally.unproven);
     for status in ["jammed", "interference"] {

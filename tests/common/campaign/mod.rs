@@ -7,8 +7,8 @@
 
 #![allow(dead_code)] // each test binary uses its part
 
-pub mod draw;
-pub mod gear;
+mod draw;
+mod gear;
 mod outcome;
 mod pair_file;
 mod random;
@@ -16,18 +16,21 @@ mod tally;
 mod watch;
 
 use draw::POSES_A_PAIR;
-pub use draw::{Depth, Drawn, Pair};
+use draw::Pair;
+pub use draw::{Depth, Drawn};
 use gearlash::mesh::CutPair;
-pub use outcome::{Outcome, Verdict};
+use outcome::Outcome;
 use rayon::prelude::*;
+use std::time::Duration;
 pub use tally::Tally;
+pub use watch::LONGEST;
 use watch::Watch;
 
 /// Poses `first..first + poses` of `seed`, all at `depth` or mixed, by both methods on all threads.
 ///
-/// The process ends when a pose takes longer than a minute: a search without end is a fault that would hide all others.
-pub fn run(depth: Option<Depth>, seed: u64, first: u64, poses: u64) -> Tally {
-    let watch = Watch::new(seed);
+/// The process ends when a pose takes longer than `longest`: a search without end is a fault that would hide all others.
+pub fn run(depth: Option<Depth>, seed: u64, first: u64, poses: u64, longest: Duration) -> Tally {
+    let watch = Watch::new(seed, longest);
     let end = first + poses;
     let pairs = first / POSES_A_PAIR..end.div_ceil(POSES_A_PAIR);
     let mut tally = pairs

@@ -2,6 +2,7 @@
 
 use super::draw::Drawn;
 use gearlash::error::Error;
+use gearlash::gear::{Curve, Profile};
 use gearlash::mesh::{Certifier, Contact, CutPair, ExactKernel, LostMotion, Status, Touch};
 use gearlash::pair::{Assembly, Member, Pose};
 use std::f64::consts::TAU;
@@ -123,10 +124,32 @@ fn judge(drawn: &Drawn, cut: &CutPair, exact: &LostMotion, polygon: &LostMotion)
         (one, other) if one == other => None,
         // Rotations agree: lost motions of two signs lie within the bounds of zero.
         (Status::Clear, _) | (_, Status::Clear) => Some("lost motion zero"),
-        // Rotations agree, curves do not: a root land and another curve touch together, as where a fillet begins.
-        _ => Some("root land or another curve"),
+        // Rotations agree, names do not.
+        _ if begins_a_land(assembly, exact) || begins_a_land(assembly, polygon) => {
+            Some("where a root land begins")
+        }
+        (one, other) => {
+            let (one, other) = (one.name(), other.name());
+            return fault(format!("the statuses differ: {one} and {other}"));
+        }
     };
     Verdict::Borne(agreement)
+}
+
+/// Whether a contact lies where a fillet ends and a root land begins: either name is right, and with it either status. A tool
+/// without a flat leaves no land: there the name must be the same.
+fn begins_a_land(assembly: &Assembly, found: &LostMotion) -> bool {
+    let on = |member: Member, touch: &Touch| {
+        let gear = assembly.gear(member).gear();
+        let (start, end) = Profile::new(gear).range(Curve::Root);
+        touch.curve == Curve::Fillet
+            && (touch.radius - gear.root_radius()).abs() <= JOINT
+            && (end - start) * gear.root_radius() > JOINT
+    };
+    [found.right, found.left]
+        .into_iter()
+        .flatten()
+        .any(|contact| on(Member::Wheel, &contact.wheel) || on(Member::Pinion, &contact.pinion))
 }
 
 /// Whether within the rounding of the centre distance (1000 ulps: coordinates of both outlines are some dozens of operations on

@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 /// No pose may take more than 0.1 s; a machine may be a hundred times slower, or busy.
-const LONGEST: Duration = Duration::from_secs(60);
+pub const LONGEST: Duration = Duration::from_secs(60);
 
 type Running = Arc<Mutex<BTreeMap<u64, Instant>>>;
 
@@ -21,14 +21,14 @@ pub struct Run {
 }
 
 impl Watch {
-    pub fn new(seed: u64) -> Watch {
+    pub fn new(seed: u64, longest: Duration) -> Watch {
         let running = Running::default();
         let seen = Arc::downgrade(&running);
         std::thread::spawn(move || {
             while let Some(running) = seen.upgrade() {
                 let now = lock(&running)
                     .iter()
-                    .find_map(|(&index, since)| (since.elapsed() > LONGEST).then_some(index));
+                    .find_map(|(&index, since)| (since.elapsed() > longest).then_some(index));
                 if let Some(index) = now {
                     eprintln!(
                         "pose {index} of seed {seed} runs on and on: given up, and all with it"

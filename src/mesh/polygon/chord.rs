@@ -124,7 +124,7 @@ impl CutHalf {
             .into_iter()
             .filter_map(|curve| {
                 let (from, to) = match (curve, profile.range(curve)) {
-                    (Curve::Root, (from, to)) => (from, to.min(root_end)),
+                    (Curve::Root, (from, _)) => (from, root_end),
                     (_, range) => range,
                 };
                 let is_there = match curve {

@@ -14,6 +14,7 @@ mod verdict;
 use gearlash::gear::Side;
 use gearlash::pair::{Assembly, Member, Pose};
 use half::{Clearance, Ends, Half};
+#[allow(unused_imports)] // likewise
 pub use verdict::{against, contacts};
 
 /// Points a curve before zooming.

@@ -133,7 +133,7 @@ impl ExactKernel {
                 .as_ref()
                 .is_some_and(|pair| is_solid(pair, pose)),
         };
-        normalise(&mut result);
+        normalise(&mut result, pose.free_rotation());
         Ok(result.within(self.right.free.pitch))
     }
 
@@ -155,21 +155,24 @@ impl ExactKernel {
     }
 }
 
-/// Right into (−π, π], left within half a turn of it.
-fn normalise(result: &mut LostMotion) {
+/// Right into (−π, π]; left as many turns on as the two lie apart, each counted from the nominal rotation: gears of three
+/// teeth that hardly reach each other may turn by more than half a turn.
+fn normalise(result: &mut LostMotion, nominal: f64) {
+    let turns = |angle: f64| (angle / TAU).round();
+    let whole = |contact: &Contact| turns(contact.rotation - nominal);
+    let onward = result.right.map_or(0.0, |right| -turns(right.rotation));
+    let beside = match (&result.right, &result.left) {
+        (Some(right), Some(left)) => onward + whole(right) - whole(left),
+        (None, Some(left)) => -turns(left.rotation),
+        _ => 0.0,
+    };
     if let Some(right) = &mut result.right {
-        if right.rotation > PI {
-            right.rotation -= TAU;
-        } else if right.rotation <= -PI {
-            right.rotation += TAU;
+        right.rotation += TAU * onward;
+        if right.rotation == -PI {
+            right.rotation = PI;
         }
     }
     if let Some(left) = &mut result.left {
-        let near = result.right.map_or(0.0, |right| right.rotation);
-        if left.rotation - near > PI {
-            left.rotation -= TAU;
-        } else if left.rotation - near <= -PI {
-            left.rotation += TAU;
-        }
+        left.rotation += TAU * beside;
     }
 }

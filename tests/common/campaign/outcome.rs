@@ -80,14 +80,12 @@ fn seen(exact: &Result<LostMotion, Error>, polygon: &Result<LostMotion, Error>) 
 
 /// Both rotations of both methods must lie within both bounds together, of jammed poses too; statuses must be
 /// the same, but where the difference says less than the bounds do. Where teeth stand in the mate's body at every
-/// rotation (`solid`, which both methods must say) a tooth meets the mate several times, and which contact is named means nothing.
+/// rotation (`solid`) and both methods say jammed, a tooth meets the mate several times, and which contact is named means nothing.
 fn judge(drawn: &Drawn, cut: &CutPair, exact: &LostMotion, polygon: &LostMotion) -> Verdict {
     let assembly = &drawn.assembly;
     let fault =
         |what: String| Verdict::Fault(format!("{what}\nexact   {exact:?}\npolygon {polygon:?}"));
-    if exact.solid != polygon.solid {
-        return fault("one method says solid, the other does not".to_owned());
-    }
+    let both_jammed = [exact, polygon].map(LostMotion::status) == [Status::Jammed; 2];
     let um = assembly.operating_pitch_radius(assembly.free()) * 1e3;
     let mut agreement = Agreement {
         difference_um: 0.0,
@@ -104,7 +102,7 @@ fn judge(drawn: &Drawn, cut: &CutPair, exact: &LostMotion, polygon: &LostMotion)
                 let turn = one.rotation - other.rotation;
                 let apart = (turn - TAU * (turn / TAU).round()).abs();
                 let bound = one.error + other.error;
-                if !(apart <= bound) && exact.solid && polygon.solid {
+                if !(apart <= bound) && both_jammed && (exact.solid || polygon.solid) {
                     agreement.border = Some("a tooth in the mate's body: other contacts");
                     return Verdict::Borne(agreement);
                 }

@@ -78,7 +78,8 @@ fn seen(exact: &Result<LostMotion, Error>, polygon: &Result<LostMotion, Error>) 
     format!("exact   {exact:?}\npolygon {polygon:?}")
 }
 
-/// Both rotations of both methods must lie within both bounds together, of jammed poses too; statuses must be
+/// Both rotations of both methods must lie within both bounds together, of jammed poses too, but where a
+/// tip reaches the mate's centre; statuses must be
 /// the same, but where the difference says less than the bounds do.
 fn judge(drawn: &Drawn, cut: &CutPair, exact: &LostMotion, polygon: &LostMotion) -> Verdict {
     let assembly = &drawn.assembly;
@@ -90,6 +91,9 @@ fn judge(drawn: &Drawn, cut: &CutPair, exact: &LostMotion, polygon: &LostMotion)
         bound_um: 0.0,
         border: None,
     };
+    if exact.solid && polygon.solid && reaches_the_centre(assembly) {
+        return Verdict::Borne(agreement);
+    }
     for (name, one, other) in [
         ("right", exact.right, polygon.right),
         ("left", exact.left, polygon.left),
@@ -134,6 +138,16 @@ fn judge(drawn: &Drawn, cut: &CutPair, exact: &LostMotion, polygon: &LostMotion)
         }
     };
     Verdict::Borne(agreement)
+}
+
+/// Whether a tip circle reaches the centre of the mate's outline, of any pose: there teeth face the mate's from all sides, and
+/// once round is no telling which of its teeth faces which. Jammed; no rotation means anything.
+pub fn reaches_the_centre(assembly: &Assembly) -> bool {
+    let passes = |one: Member| {
+        let (one, other) = (assembly.gear(one), assembly.gear(one.mate()));
+        one.reach() + other.eccentricity() >= assembly.center_distance()
+    };
+    passes(Member::Wheel) || passes(Member::Pinion)
 }
 
 /// Whether a contact lies where a fillet ends and a root land begins: either name is right, and with it either status. A tool

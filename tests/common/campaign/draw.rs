@@ -113,13 +113,12 @@ impl Pair {
         let depth = depth.unwrap_or(drawn);
         let locked = random.pick(&[Member::Wheel, Member::Pinion]);
         let [wheel, pinion] = &self.gears;
-        let assembly = loop {
-            let distance = self.distance(&mut random, depth);
-            // Base circles that overlap are drawn again.
-            if let Ok(assembly) = Assembly::new(wheel.clone(), pinion.clone(), distance, locked) {
-                break assembly;
-            }
-        };
+        // What cannot be assembled (base circles that overlap) is drawn again; gears that can nowhere stand so near, farther apart.
+        let depths = std::iter::repeat_n(depth, 20).chain(std::iter::repeat(Depth::Any));
+        let assembly = depths
+            .map(|depth| self.distance(&mut random, depth))
+            .find_map(|a| Assembly::new(wheel.clone(), pinion.clone(), a, locked).ok())
+            .expect("a distance between jam and out of mesh");
         let whole = match random.chance(0.2) {
             true => random.within(-50.0, 50.0).round(),
             false => 0.0,

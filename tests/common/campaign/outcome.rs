@@ -142,6 +142,16 @@ fn judge(drawn: &Drawn, cut: &CutPair, exact: &LostMotion, polygon: &LostMotion)
     Verdict::Borne(agreement)
 }
 
+/// Whether a tip circle reaches the centre of the mate's outline, of any pose: there teeth face the mate's from all sides, and
+/// once round is no telling which of its teeth faces which. Jammed; no rotation means anything.
+pub fn reaches_the_centre(assembly: &Assembly) -> bool {
+    let passes = |one: Member| {
+        let (one, other) = (assembly.gear(one), assembly.gear(one.mate()));
+        one.reach() + other.eccentricity() >= assembly.center_distance()
+    };
+    passes(Member::Wheel) || passes(Member::Pinion)
+}
+
 /// Whether a contact lies where a fillet ends and a root land begins: either name is right, and with it either status. A tool
 /// without a flat leaves no land: there the name must be the same.
 fn begins_a_land(assembly: &Assembly, found: &LostMotion) -> bool {

@@ -2,7 +2,7 @@
 
 use super::draw::{Depth, Drawn, Pair};
 use super::gear::{RackKind, Tip};
-use super::outcome::{METHODS, Outcome, Verdict, combination};
+use super::outcome::{METHODS, Outcome, Verdict, combination, reaches_the_centre};
 use gearlash::gear::{AsBuilt, Face};
 use gearlash::pair::Member;
 use std::collections::BTreeMap;
@@ -206,14 +206,9 @@ fn classes(drawn: &Drawn, outcome: &Outcome) -> Vec<(&'static str, String)> {
         "more than 200 teeth",
         drawn.gears.iter().any(|numbers| numbers.teeth > 200),
     );
-    // There its teeth face the mate's from all sides, and pass through each other when jammed.
-    let passes = |one: Member, other: Member| {
-        let (one, other) = (assembly.gear(one), assembly.gear(other));
-        one.reach() + other.eccentricity() >= assembly.center_distance()
-    };
     met(
         "a tip reaches the mate's centre",
-        passes(locked, free) || passes(free, locked),
+        reaches_the_centre(assembly),
     );
     let Some(exact) = &outcome.exact else {
         classes.push(("status", "without result".to_owned()));

@@ -10,6 +10,7 @@
 
 mod half;
 mod verdict;
+mod whole;
 
 use gearlash::gear::Side;
 use gearlash::pair::{Assembly, Member, Pose};

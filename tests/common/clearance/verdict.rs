@@ -1,9 +1,10 @@
 //! Whether a claimed pair of contacts holds.
 
 use super::Referee;
+use super::whole::{overlap, overlap_everywhere};
 use gearlash::gear::Side;
-use gearlash::mesh::LostMotion;
-use gearlash::pair::{Assembly, Pose};
+use gearlash::mesh::{LostMotion, Status};
+use gearlash::pair::{Assembly, Member, Pose};
 use std::f64::consts::TAU;
 
 /// Pitches of the free gear looked at on the open side of a contact, and on either side where none is claimed: what is
@@ -18,8 +19,20 @@ pub fn contacts(assembly: &Assembly, pose: &Pose) -> [Option<f64>; 2] {
 /// What speaks against `found`, empty when nothing does.
 ///
 /// At a rotation more open than claimed by the error bound nothing may overlap by more than rounding, nor farther open; as
-/// much more closed something must, or be as near as rounding. Where no contact is claimed there must be none.
+/// much more closed something must, or be as near as rounding. Where no contact is claimed there must be none. In the
+/// middle of the lost motion of a clear pose no metal stands in the other gear's. Of a pose called solid metal must
+/// stand in metal wherever the free gear is turned; where a tip reaches the mate's centre its rotations mean nothing.
 pub fn against(assembly: &Assembly, pose: &Pose, found: &LostMotion) -> Vec<String> {
+    if found.solid && !overlap_everywhere(assembly, pose) {
+        return vec!["called solid, but free at some rotation".to_owned()];
+    }
+    let reach = |member: Member| {
+        assembly.gear(member).reach() + assembly.gear(member.mate()).eccentricity()
+    };
+    if found.solid && reach(Member::Wheel).max(reach(Member::Pinion)) >= assembly.center_distance()
+    {
+        return vec![];
+    }
     let um = assembly.operating_pitch_radius(assembly.free()) * 1e3;
     let mut complaints = Vec::new();
     for (side, contact) in [(Side::Right, found.right), (Side::Left, found.left)] {
@@ -63,5 +76,18 @@ pub fn against(assembly: &Assembly, pose: &Pose, found: &LostMotion) -> Vec<Stri
             referee.least(contact.rotation),
         ));
     }
+    if found.status() == Status::Clear {
+        complaints.extend(in_the_middle(assembly, pose, found));
+    }
     complaints
+}
+
+/// What stands in the way in the middle of a clear pose's lost motion.
+fn in_the_middle(assembly: &Assembly, pose: &Pose, found: &LostMotion) -> Option<String> {
+    let (right, left) = found.right.zip(found.left)?;
+    let middle = 0.5 * (right.rotation + left.rotation);
+    let deep = overlap(assembly, pose, middle);
+    let rounding = Referee::new(assembly, pose, Side::Right).rounding(pose);
+    let known = (right.error + left.error) * assembly.gear(assembly.free()).reach();
+    (deep > rounding + known).then(|| format!("clear, but {deep:.2e} mm overlap in the middle"))
 }

@@ -1,0 +1,83 @@
+//! Whole gears: does any of the one's metal stand in the other's? Points of the outlines, all teeth, both flanks, bodies.
+
+use super::Stood;
+use super::half::Half;
+use gearlash::gear::{AsBuilt, Side};
+use gearlash::pair::{Assembly, Pose};
+
+/// Points a curve.
+const POINTS: usize = 60;
+
+/// Rotations of the free gear looked at for one that frees it, all round.
+const ROTATIONS: u32 = 400;
+
+/// Depth to which some point stands in the other gear's metal, mm: 0 when none does, the free gear at `rotation`.
+pub fn overlap(assembly: &Assembly, pose: &Pose, rotation: f64) -> f64 {
+    let locked = Stood::new(assembly, assembly.locked());
+    let free = Stood::new(assembly, assembly.free());
+    let stand = [(&locked, pose.locked_rotation()), (&free, rotation)];
+    deepest(stand[0], stand[1]).max(deepest(stand[1], stand[0]))
+}
+
+/// Whether the gears overlap wherever the free one is turned to.
+pub fn overlap_everywhere(assembly: &Assembly, pose: &Pose) -> bool {
+    let gear = assembly.gear(assembly.free()).gear();
+    let pitch = gear.toothing().angular_pitch();
+    (0..ROTATIONS).all(|k| {
+        // All round, and everywhere in a pitch.
+        let turns = f64::from(k % gear.toothing().teeth()) + f64::from(k) / f64::from(ROTATIONS);
+        overlap(assembly, pose, pose.free_rotation() + pitch * turns) > 0.0
+    })
+}
+
+/// Greatest depth of a point of `one` in the metal of `other`.
+fn deepest((one, turned): (&Stood, f64), (other, stands): (&Stood, f64)) -> f64 {
+    let gear = one.assembly.gear(one.member);
+    let axis = other.assembly.axis(other.member);
+    let reach = other.assembly.gear(other.member).reach();
+    let mut most = 0.0f64;
+    for tooth in 1..=gear.gear().toothing().teeth() {
+        for side in Side::BOTH {
+            let frame = one.frame(turned, side, tooth);
+            let ends = one.ends(side, tooth);
+            let (at, spread) = one.circle(ends);
+            let at = frame.out([at, 0.0]);
+            if (at[0] - axis.x).hypot(at[1] - axis.y) - spread > reach {
+                continue;
+            }
+            for k in 0..=4 * POINTS {
+                let point = frame.out(one.half.along(k as f64 / POINTS as f64, ends));
+                most = most.max(depth(other, stands, point));
+            }
+        }
+    }
+    most
+}
+
+/// Depth of a point in the metal of a gear, not positive outside.
+fn depth(stood: &Stood, rotation: f64, point: [f64; 2]) -> f64 {
+    let gear: &AsBuilt = stood.assembly.gear(stood.member);
+    let half: &Half = &stood.half;
+    // The frame of tooth 1 as it would stand undisturbed.
+    let first = stood.frame(rotation, Side::Right, 1);
+    let [x, y] = first.seen(point);
+    let radius = x.hypot(y);
+    if radius >= half.tip {
+        return half.tip - radius;
+    }
+    if radius <= half.root {
+        return half.root - radius;
+    }
+    let toothing = gear.gear().toothing();
+    let angle = y.atan2(x) + gear.flank_offset(Side::Right, 1);
+    let nearest = (angle / toothing.angular_pitch()).round() as i64;
+    let thick = half.half_angle(radius);
+    let in_tooth = (nearest - 1..=nearest + 1).map(|steps| {
+        let tooth = gear.counter_clockwise(1, steps);
+        let beside = angle - steps as f64 * toothing.angular_pitch();
+        let from_right = beside - (gear.flank_offset(Side::Right, tooth) - thick);
+        let to_left = gear.flank_offset(Side::Left, tooth) + thick - beside;
+        (from_right.min(to_left) * radius).min(half.tip - radius)
+    });
+    in_tooth.fold(f64::NEG_INFINITY, f64::max)
+}

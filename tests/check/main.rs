@@ -4,6 +4,7 @@ mod classes;
 mod command;
 mod distances;
 mod onset;
+mod undercut;
 
 #[path = "../common/mod.rs"]
 mod common;

@@ -9,3 +9,4 @@ mod perfect;
 mod random;
 mod reference;
 mod reference_poses;
+mod wide;

@@ -245,6 +245,15 @@ impl AsBuilt {
         (middle + 0.5 * widening).max(start)
     }
 
+    /// Where the tip land of a half tooth ends on the other half, at the far corner: the land's parameter
+    /// ([`super::Curve::Tip`]), rad, about the centre line turned with the flank. Both flanks' deviations widen the land;
+    /// a tooth left thinner than half its land keeps that half (0).
+    pub fn land_start(&self, tooth: u32) -> f64 {
+        let widening = self.flank_offset(Side::Left, tooth) - self.flank_offset(Side::Right, tooth);
+        let (_, corner) = Profile::new(&self.gear).range(Curve::Tip);
+        (-corner - widening).min(0.0)
+    }
+
     /// Angle of the (fractional) tooth's undisturbed centre from tooth 1, rad, counter-clockwise.
     pub fn tooth_angle(&self, tooth: f64) -> f64 {
         self.face.ascending() * (tooth - 1.0) * self.gear.toothing().angular_pitch()

@@ -19,14 +19,13 @@ pub struct Segment {
     pub parameters: [f64; 2],
 }
 
-/// The polygon of one half tooth, from the middle of the tip land (or beyond it) to the middle of the space.
+/// The polygon of one half tooth, from the middle of the tip land to the middle of the space.
 ///
 /// In the tooth's own frame, its centre line on +x.
 #[derive(Debug, Clone)]
 pub struct HalfTooth {
     side: Side,
     chord: f64,
-    land_start: f64,
     points: Vec<Point2<f64>>,
     segments: Vec<Segment>,
 }
@@ -36,17 +35,16 @@ impl HalfTooth {
     ///
     /// A land narrower than a chord still gets one; a land without length gets none.
     pub fn new(gear: &Gear, side: Side, chord: f64) -> HalfTooth {
-        HalfTooth::with_land(gear, side, chord, 0.0)
+        let profile = Profile::new(gear);
+        let whole = Curve::ALL.map(|curve| (curve, profile.range(curve)));
+        HalfTooth::of_pieces(gear, side, chord, &whole)
     }
 
-    /// The same with more of the tip land: it begins at `land_start` (≤ 0, the land's parameter), on the tooth's other half.
-    pub fn with_land(gear: &Gear, side: Side, chord: f64, land_start: f64) -> HalfTooth {
-        let profile = Profile::new(gear);
-        let whole = Curve::ALL.map(|curve| match (curve, profile.range(curve)) {
-            (Curve::Tip, (_, corner)) => (curve, (land_start, corner)),
-            (_, range) => (curve, range),
-        });
-        HalfTooth::of_pieces(gear, side, chord, land_start, &whole)
+    /// The vertices of a root land that reaches to the parameter `end`; none where that is not beyond its start.
+    pub fn root_land(gear: &Gear, side: Side, chord: f64, end: f64) -> Vec<Point2<f64>> {
+        let (start, _) = Profile::new(gear).range(Curve::Root);
+        let land = [(Curve::Root, (start, end.max(start)))];
+        HalfTooth::of_pieces(gear, side, chord, &land).points
     }
 
     /// Cuts the stretch of `self` that the chords `window` (not empty) stand for anew, within `chord` mm.
@@ -58,16 +56,10 @@ impl HalfTooth {
                 _ => pieces.push((curve, (parameters[0], parameters[1]))),
             }
         }
-        HalfTooth::of_pieces(gear, self.side, chord, self.land_start, &pieces)
+        HalfTooth::of_pieces(gear, self.side, chord, &pieces)
     }
 
-    fn of_pieces(
-        gear: &Gear,
-        side: Side,
-        chord: f64,
-        land_start: f64,
-        pieces: &[(Curve, (f64, f64))],
-    ) -> HalfTooth {
+    fn of_pieces(gear: &Gear, side: Side, chord: f64, pieces: &[(Curve, (f64, f64))]) -> HalfTooth {
         let profile = Profile::new(gear);
         let mut points = Vec::new();
         let mut segments = Vec::new();
@@ -97,7 +89,6 @@ impl HalfTooth {
         HalfTooth {
             side,
             chord,
-            land_start,
             points,
             segments,
         }
@@ -113,14 +104,18 @@ impl HalfTooth {
         self.chord
     }
 
-    /// Where the whole half tooth begins on the tip land; a stretch cut anew may begin elsewhere.
-    pub fn land_start(&self) -> f64 {
-        self.land_start
-    }
-
     /// The vertices, tip first; `segments()[i]` runs from point `i` to `i + 1`.
     pub fn points(&self) -> &[Point2<f64>] {
         &self.points
+    }
+
+    /// How many vertices lead down to the root land, its first included.
+    pub fn above_root(&self) -> usize {
+        let mut segments = self.segments.iter();
+        match segments.position(|segment| segment.curve == Curve::Root) {
+            Some(first) => first + 1,
+            None => self.points.len(),
+        }
     }
 
     /// What each chord stands for.

@@ -84,10 +84,16 @@ impl<'a> Placed<'a> {
             Side::BOTH.map(|side| HalfTooth::new(self.as_built.gear(), side, chord));
         let mut outline = Vec::new();
         for &tooth in &teeth {
-            let points = right.points().iter().rev();
-            outline.extend(points.map(self.place(Side::Right, tooth)));
-            let points = left.points().iter();
-            outline.extend(points.map(self.place(Side::Left, tooth)));
+            // Each half ends in the middle of the space as built, where the next one begins.
+            let half = |half: &HalfTooth| {
+                let land = self.root_land(half.side(), tooth, chord);
+                let above = &half.points()[..half.above_root()];
+                [above, land.get(1..).unwrap_or_default()].concat()
+            };
+            let points = half(&right);
+            outline.extend(points.iter().rev().map(self.place(Side::Right, tooth)));
+            let points = half(&left);
+            outline.extend(points.iter().map(self.place(Side::Left, tooth)));
         }
         if teeth.len() < self.as_built.gear().toothing().teeth() as usize {
             outline.push(self.centre());
@@ -108,6 +114,10 @@ impl<'a> Placed<'a> {
 
     /// One curve of a flank, tip end first, mm, chords within `chord` mm; empty where it has no length.
     pub fn curve(&self, side: Side, tooth: u32, curve: Curve, chord: f64) -> Vec<Point2<f64>> {
+        if curve == Curve::Root {
+            let land = self.root_land(side, tooth, chord);
+            return land.iter().map(self.place(side, tooth)).collect();
+        }
         let half = HalfTooth::new(self.as_built.gear(), side, chord);
         let segments = half.segments();
         let Some(first) = segments.iter().position(|s| s.curve == curve) else {
@@ -119,6 +129,13 @@ impl<'a> Placed<'a> {
             .count();
         let points = half.points()[first..=first + count].iter();
         points.map(self.place(side, tooth)).collect()
+    }
+
+    /// The root land up to the middle of the space as built, in the half tooth's frame; empty where the space is
+    /// closed at its root.
+    fn root_land(&self, side: Side, tooth: u32, chord: f64) -> Vec<Point2<f64>> {
+        let end = self.as_built.root_end(side, tooth);
+        HalfTooth::root_land(self.as_built.gear(), side, chord, end)
     }
 
     /// From the frame of a tooth to the picture, for the half tooth of `side`.

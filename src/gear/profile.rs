@@ -37,15 +37,22 @@ impl Curve {
 }
 
 /// The half tooth of a gear as four exact curves.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Copy)]
 pub struct Profile<'a> {
     gear: &'a Gear,
+    /// `r_b` and `ψ_b`, which every point of the involute takes.
+    base: f64,
+    half_base: f64,
 }
 
 impl<'a> Profile<'a> {
     /// The half tooth of `gear`.
     pub fn new(gear: &'a Gear) -> Profile<'a> {
-        Profile { gear }
+        Profile {
+            gear,
+            base: gear.base_radius(),
+            half_base: gear.half_base_angle(),
+        }
     }
 
     /// Parameters at the two ends of `curve`, the end nearer the tip first.
@@ -73,8 +80,8 @@ impl<'a> Profile<'a> {
             Curve::Fillet => gear.fillet().point(parameter),
             // r_b E (1 − iξ), E = e^{i(ξ − ψ_b)}.
             Curve::Involute => {
-                let (sin, cos) = (parameter - gear.half_base_angle()).sin_cos();
-                let base = gear.base_radius();
+                let (sin, cos) = (parameter - self.half_base).sin_cos();
+                let base = self.base;
                 Point2::new(
                     base * (cos + parameter * sin),
                     base * (sin - parameter * cos),
@@ -92,7 +99,7 @@ impl<'a> Profile<'a> {
             Curve::Fillet => gear.fillet().normal(parameter),
             // −iE.
             Curve::Involute => {
-                let (sin, cos) = (parameter - gear.half_base_angle()).sin_cos();
+                let (sin, cos) = (parameter - self.half_base).sin_cos();
                 Vector2::new(sin, -cos)
             }
         };
@@ -105,7 +112,7 @@ impl<'a> Profile<'a> {
     /// Involute: `dP/dξ = r_b ξ E` and `P'' = r_b (E + iξE)`; `E` turns by `Δ` at most, so across
     /// the chord `r_b (ξ + Δ)`. Lands: `P''` has the length of the radius.
     pub(super) fn bend(&self, curve: Curve, parameter: f64) -> (f64, f64) {
-        let base = self.gear.base_radius();
+        let base = self.base;
         match curve {
             Curve::Tip => (self.gear.tip_radius(), 0.0),
             Curve::Root => (self.gear.root_radius(), 0.0),
@@ -114,13 +121,21 @@ impl<'a> Profile<'a> {
         }
     }
 
+    /// Bound, mm, on the distance of `curve` between two parameters from the chord through its points there:
+    /// `(A + B Δ) Δ²/8`, see [`super::HalfTooth`].
+    pub fn chordal_error(&self, curve: Curve, from: f64, to: f64) -> f64 {
+        let span = (to - from).abs();
+        let (a, b) = self.bend(curve, from.max(to));
+        (a + b * span) * span * span / 8.0
+    }
+
     /// Radius about the gear's centre at `parameter` of `curve`, mm.
     pub fn radius(&self, curve: Curve, parameter: f64) -> f64 {
         match curve {
             Curve::Tip => self.gear.tip_radius(),
             Curve::Root => self.gear.root_radius(),
             Curve::Fillet => self.gear.fillet().point(parameter).coords.norm(),
-            Curve::Involute => involute::radius_at(parameter, self.gear.base_radius()),
+            Curve::Involute => involute::radius_at(parameter, self.base),
         }
     }
 }

@@ -1,268 +1,87 @@
-//! One half tooth of the free gear against one of the locked gear.
+//! One half tooth of the free gear against one of the locked gear, and how their chords stand.
 //!
-//! The free gear starts where, seen from its axis, the two half teeth share no
-//! direction, and is turned towards contact. A step of `d/R`, `d` the distance
-//! and `R` the greatest radius of the free gear about its axis, cannot pass
-//! through anything: no point moves farther than `d`.
-//!
-//! # The bracket
-//!
-//! Chords lie within `δ` of their curves, so curves are clear where polygons are
-//! `2δ` apart. On the way in, steps of `(d − 2δ)/R` prove every angle passed to be
-//! clear of the *curves* too; the last of them, with `d` down to about `2δ`, is the
-//! outer end. The inner end: the polygons of involute and tip land are
-//! inscribed, so where they touch, the curves touch or overlap already; a
-//! fillet's chords stand in front of their hollow curve by up to `δ`. To turn
-//! the free gear by `h/X`, `X` the lever of the contact normal about its axis, brings
-//! the contact point `h` deeper; `h` is `δ` for each fillet that may take part,
-//! and the distance at which the search stopped.
+//! All is seen in the frame of the locked half tooth. The *opening* `u`, rad, is how far the free gear is turned
+//! from its nominal rotation in the sense away from contact: of two pairs, the one that touches at the greater opening is
+//! tighter.
 
-mod place;
-
-use super::far_land::FarLands;
-use super::{CutGear, CutHalf, PolygonKernel};
+use super::PolygonKernel;
+use super::chord::{Chord, Half};
 use crate::error::Error;
-use crate::gear::{Curve, Side};
-use crate::mesh::contact::{Closest, Turning};
-use crate::mesh::lost_motion::Contact;
+use crate::gear::Side;
+use crate::mesh::contact::Closest;
 use crate::pair::{Assembly, Member, Pose};
-use nalgebra::{Isometry2, UnitComplex};
-use place::Place;
-use std::f64::consts::PI;
-use std::ops::Range;
+use nalgebra::{Isometry2, Point2, UnitComplex, Vector2};
+use std::f64::consts::{PI, TAU};
 
-/// The search ends at this part of the chordal error: it adds a thousandth to the error.
-const STOP: f64 = 1e-3;
+/// A curve that may be farther to either side than this part of its distance (the sine of an angle) is looked at in two halves.
+const WIDE: f64 = 0.05;
 
-/// Plain steps before the levers of what is near are looked at, too: a contact takes a few dozen.
-const PLAIN_STEPS: usize = 64;
+/// How often at most; each time it is four times less. Only a curve through the axis itself is left wide.
+const SPLITS: u32 = 12;
 
-/// Steps after which polygons within both chordal errors of each other are cut finer instead. (They take up to
-/// 4 δ/d steps a chord at the distance d.)
-const CLOSE_STEPS: usize = 2_000;
-
-/// Steps before a search is given up as a fault. Tips that pass each other take longest, some two a chord of the
-/// land: 1e5 chords of 1.9e-12 mm on a land of 2 mm.
-const MOST_STEPS: usize = 2_000_000;
-
-/// Each re-cut is this much finer: some thirty chords over the stretch that may still touch (tuned:
-/// 1e-2 takes more re-cuts, 1e-4 more chords; both are slower).
-const FINER: f64 = 1e-3;
-
-/// A stretch of more chords than this is cut ten times finer only: curves that nestle against each other,
-/// or a normal nearly through the axis, leave long ones, and all pairs of their chords are gone through.
-const LONG: usize = 32;
-
-/// A pair of half teeth of one side. The opening `u`, rad, is how far the free gear is turned
-/// from its nominal rotation in the sense away from contact: of two pairs, the one that touches at the greater opening is tighter.
+/// A pair of half teeth of one side.
 #[derive(Clone, Copy)]
 pub(super) struct Facing<'a> {
-    assembly: &'a Assembly,
-    pose: &'a Pose,
-    side: Side,
-    locked_tooth: u32,
-    free_tooth: u32,
-    locked: &'a CutHalf,
-    free: &'a CutHalf,
-    locked_frame: Isometry2<f64>,
-}
-
-/// Where a pair touches.
-#[derive(Clone, Copy)]
-pub(super) struct Found {
-    /// The curves are clear of each other at every opening from the start down to this one.
-    pub clear: f64,
-    /// The polygons touch, as near as the search goes.
-    pub touching: f64,
-    /// The curves touch or overlap.
-    pub closed: f64,
-    place: Place,
-}
-
-/// How turning in ended.
-enum Turned {
-    Touching(Found),
-    /// The polygons passed each other within both chordal errors.
-    Near,
-    /// The curves passed each other clear.
-    Clear,
+    pub assembly: &'a Assembly,
+    pub pose: &'a Pose,
+    pub side: Side,
+    pub locked_tooth: u32,
+    pub free_tooth: u32,
+    pub locked: Half<'a>,
+    pub free: Half<'a>,
+    /// From the locked half tooth's frame to the picture.
+    pub locked_frame: Isometry2<f64>,
+    /// The free axis, in the locked half tooth's frame.
+    pub axis: Point2<f64>,
+    /// Where the free half tooth stands from the axis at the opening 0, turned to the locked frame's directions.
+    from_axis: Vector2<f64>,
+    turn: UnitComplex<f64>,
+    /// Direction of the free tooth at the opening 0, seen from its axis and counted from the one to the mate, rad; within
+    /// a pitch. With few teeth one that faces a tooth in reach may stand more than half a turn away.
+    nominal: f64,
 }
 
 impl<'a> Facing<'a> {
-    /// The locked tooth `steps` places counter-clockwise of the mating's, and the free tooth that faces its `side`,
-    /// with the whole of those tip lands that `far` has.
-    pub fn new(
-        kernel: &PolygonKernel<'a>,
-        pose: &'a Pose,
-        side: Side,
-        steps: i64,
-        far: &'a FarLands,
-    ) -> Facing<'a> {
+    /// The locked tooth `steps` places counter-clockwise of the mating's, and the free tooth that faces its `side`.
+    pub fn new(kernel: &PolygonKernel<'a>, pose: &'a Pose, side: Side, steps: i64) -> Facing<'a> {
         let assembly = kernel.assembly;
-        let locked = assembly.locked();
-        let [locked_tooth, free_tooth] = facing_teeth(assembly, pose, side, steps);
-        let half =
-            |far: &'a Option<CutHalf>, cut: &'a CutGear| far.as_ref().unwrap_or(cut.half(side));
+        let (locked, free) = (assembly.locked(), assembly.free());
+        let mating = pose.mating().tooth(locked);
+        let locked_tooth = assembly.gear(locked).counter_clockwise(mating, steps);
+        let free_tooth = pose.facing_tooth(assembly, side, steps);
+        let half = |member, profile, cut, tooth| {
+            Half::new(assembly.gear(member), profile, cut, side, tooth)
+        };
+        let locked_frame = frame(assembly, locked, pose.locked_rotation(), side, locked_tooth);
+        let free_frame = frame(assembly, free, pose.free_rotation(), side, free_tooth);
+        let axis = assembly.axis(free);
+        let back = locked_frame.rotation.inverse();
+        let pitch = |member| assembly.gear(member).gear().toothing().angular_pitch();
+        let here = pose.locked_rotation() + assembly.gear(locked).tooth_angle(f64::from(mating));
+        let pitches = here / pitch(locked) + steps as f64;
         Facing {
             assembly,
             pose,
             side,
             locked_tooth,
             free_tooth,
-            locked: half(&far.locked, kernel.locked),
-            free: half(&far.free, kernel.free),
-            locked_frame: frame(assembly, locked, pose.locked_rotation(), side, locked_tooth),
+            locked: half(locked, kernel.profiles[0], kernel.locked, locked_tooth),
+            free: half(free, kernel.profiles[1], kernel.free, free_tooth),
+            axis: back * (axis - locked_frame.translation.vector),
+            from_axis: back * (free_frame.translation.vector - axis.coords),
+            turn: back * free_frame.rotation,
+            locked_frame,
+            // What is counter-clockwise on one gear is clockwise on the other.
+            nominal: -pitches * pitch(free),
         }
     }
 
-    /// Turns the free gear in until the polygons touch; `None` when the curves pass each other clear.
-    ///
-    /// Polygons that pass within both chordal errors prove nothing: whole half teeth are cut finer, down to `finest`.
-    pub fn search(&self, finest: f64) -> Result<Option<Found>, Error> {
-        let (start, end) = self.shared_directions();
-        let mut cut: Option<[CutHalf; 2]> = None;
-        loop {
-            let on = self.on(&cut);
-            match on.turn_in(start, end, finest)? {
-                Turned::Touching(found) => return Ok(Some(found)),
-                Turned::Near if on.chord() > finest => {
-                    let whole = [on.locked, on.free].map(|half| 0..half.polygon.segments().len());
-                    cut = Some(on.recut(whole, (on.chord() * FINER).max(finest)));
-                }
-                Turned::Near | Turned::Clear => return Ok(None),
-            }
-        }
-    }
-
-    /// Cuts the stretches that may still touch finer and searches again, until chords are within `finest`.
-    ///
-    /// Between the ends of the bracket no point moves farther than `R` times its width. What is farther
-    /// from the other polygon than that and both chordal errors touches nothing in the bracket: only the rest is cut again.
-    pub fn refine(&self, mut found: Found, finest: f64) -> Result<Found, Error> {
-        let mut chord = self.chord();
-        let mut cut: Option<[CutHalf; 2]> = None;
-        while chord > finest {
-            let coarse = self.on(&cut);
-            let width = (found.clear - found.touching).max(found.touching - found.closed);
-            let margin = 2.0 * chord + self.reach() * width;
-            let near = coarse.near(found.touching, margin);
-            let near = near.ok_or_else(|| self.lost(NOTHING_NEAR))?;
-            let long = near.iter().any(|stretch| stretch.len() > LONG);
-            chord = (chord * if long { 0.1 } else { FINER }).max(finest);
-            cut = Some(coarse.recut(near, chord));
-            // Inscribed polygons touch a little after their curves.
-            let end = found.closed - (found.clear - found.closed);
-            let again = self.on(&cut).turn_in(found.clear, end, chord)?;
-            let Turned::Touching(touching) = again else {
-                return Err(self.lost(PASSED));
-            };
-            found = touching;
-        }
-        Ok(found)
-    }
-
-    /// The same pair, on polygons cut again.
-    pub fn on<'b>(&'b self, cut: &'b Option<[CutHalf; 2]>) -> Facing<'b> {
-        match cut {
-            None => *self,
-            Some([locked, free]) => Facing {
-                locked,
-                free,
-                ..*self
-            },
-        }
-    }
-
-    /// The stretches of chords within `margin` of the other half tooth at `opening`; `None` when nothing is.
-    pub fn near(&self, opening: f64, margin: f64) -> Option<[Range<usize>; 2]> {
-        let pose = self.locked_frame.inverse() * self.free_frame(opening);
-        self.locked.shape.near(&self.free.shape, &pose, margin)
-    }
-
-    /// The curves behind stretches of chords, cut again within `chord`.
-    pub fn recut(&self, [locked, free]: [Range<usize>; 2], chord: f64) -> [CutHalf; 2] {
-        let again = |half: &CutHalf, member, stretch| {
-            let gear = self.assembly.gear(member).gear();
-            CutHalf::new(half.polygon.recut(gear, stretch, chord))
-        };
-        [
-            again(self.locked, self.assembly.locked(), locked),
-            again(self.free, self.assembly.free(), free),
-        ]
-    }
-
-    /// Chordal error of the polygons, mm.
-    pub fn chord(&self) -> f64 {
-        self.locked.polygon.chord()
-    }
-
-    /// Steps from the opening `start`, where nothing touches, until the polygons do, or to `end`.
-    fn turn_in(&self, start: f64, end: f64, finest: f64) -> Result<Turned, Error> {
-        let chord = self.chord();
-        // Below its own rounding a distance says nothing.
-        let stop = (STOP * chord).max(self.rounding() / 8.0);
-        let to_locked = self.locked_frame.inverse();
-        let mut opening = start;
-        let mut hint = [0, 0];
-        let mut clear = None;
-        let mut close_steps = 0;
-        for count in 0..MOST_STEPS {
-            let pose = to_locked * self.free_frame(opening);
-            let closest = self.locked.shape.closest(&self.free.shape, &pose, hint);
-            hint = closest.segments;
-            // Steps of d − 2δ never arrive at 2δ: 5 % above it is near enough.
-            if clear.is_none() && closest.distance <= 2.1 * chord {
-                clear = Some(opening);
-            }
-            if closest.distance <= stop {
-                let clear = clear.unwrap_or(opening);
-                return Ok(Turned::Touching(self.bracket(clear, opening, &closest)));
-            }
-            let margin = if clear.is_none() { 2.0 * chord } else { 0.0 };
-            let plain = (closest.distance - margin) / self.reach();
-            opening -= match count < PLAIN_STEPS {
-                true => plain,
-                false => self.lever_step(&pose, plain, margin),
-            };
-            close_steps += usize::from(clear.is_some() && count >= PLAIN_STEPS);
-            let weary = close_steps > CLOSE_STEPS && chord > finest;
-            if opening < end || weary {
-                return Ok(match clear {
-                    Some(_) => Turned::Near,
-                    None => Turned::Clear,
-                });
-            }
-        }
-        Err(self.lost(ENDLESS))
-    }
-
-    /// A safe step that sees in which direction the nearest chords would move, at least `plain`.
-    ///
-    /// Tips that graze each other move along each other: their distance is far less than what they can turn.
-    /// Chords farther than two of the longest (on a curve of the radius `R`) bound the step by their distance.
-    fn lever_step(&self, pose: &Isometry2<f64>, plain: f64, margin: f64) -> f64 {
-        let (chord, reach) = (self.chord(), self.reach());
-        let far = 2.0 * (8.0 * reach * chord).sqrt();
-        let most = (far - margin) / reach;
-        if most <= plain {
-            return plain;
-        }
-        let free = self.assembly.free();
-        let axis = self
-            .locked_frame
-            .inverse_transform_point(&self.assembly.axis(free));
-        let turning = Turning {
-            axis,
-            // A smaller opening turns the free gear in the sense of its side.
-            sense: self.side.sense(),
-            reach,
-            chord,
-            margin,
-        };
-        self.locked
-            .shape
-            .safe_turn(&self.free.shape, pose, &turning, most)
-            .max(plain)
+    /// Frame of the free half tooth, seen in the locked one's, at `opening`.
+    pub fn at(&self, opening: f64) -> Isometry2<f64> {
+        // A smaller opening turns the free gear in the sense of its side.
+        let turned = UnitComplex::new(-self.side.sense() * opening);
+        let centre = self.axis + turned * self.from_axis;
+        Isometry2::from_parts(centre.coords.into(), turned * self.turn)
     }
 
     /// Greatest radius `R` of the free gear about its axis, mm.
@@ -277,74 +96,96 @@ impl<'a> Facing<'a> {
         64.0 * f64::EPSILON * (self.assembly.center_distance() + self.reach() * turned)
     }
 
-    /// The opening above which, and the one below which, the half teeth share no direction seen from the free axis.
-    fn shared_directions(&self) -> (f64, f64) {
-        let free = self.assembly.free();
-        let axis = self.assembly.axis(free);
-        let from_mate = UnitComplex::new(-self.assembly.mate_direction(free));
-        let spread = |frame: &Isometry2<f64>, half: &CutHalf| {
-            let directions = half.polygon.points().iter().map(|point| {
-                let seen = from_mate * (frame * point - axis);
-                -self.side.sense() * seen.y.atan2(seen.x)
-            });
-            directions.fold(
-                (f64::INFINITY, f64::NEG_INFINITY),
-                |(least, most), angle| (least.min(angle), most.max(angle)),
-            )
+    /// How fast the distance of two chords may shrink at most while the free gear is turned in.
+    ///
+    /// Two chords a distance `d` apart are separated by a strip of that width across `n`, the direction from the
+    /// one's nearest point to the other's. Turned by `φ` about the axis, a point at `r` from it moves along `n` by
+    /// `sin φ n·(k × r) − (1 − cos φ) n·r ≤ φ l + φ² m/2`, `l` and `m` the greatest such parts (not below 0) of the two ends:
+    /// of all between, too. A curve lies within its error of its chord, and so do its parts. The lesser root of
+    /// `φ l + φ² m/2 = room` is a safe turn.
+    pub fn safe_turn(&self, theirs: &Chord, closest: &Closest, room: f64) -> f64 {
+        let n = (closest.points[0] - closest.points[1]) / closest.distance;
+        let (mut lever, mut bulge) = (0.0f64, 0.0f64);
+        for end in theirs.ends {
+            let r = end - self.axis;
+            lever = lever.max(self.side.sense() * r.perp(&n));
+            bulge = bulge.max(-r.dot(&n));
+        }
+        let (lever, bulge) = (lever + theirs.error, bulge + theirs.error);
+        2.0 * room / (lever + (lever * lever + 2.0 * room * bulge).sqrt())
+    }
+
+    /// Whether no turn brings the two together, seen from the free axis: one is always the farther of them.
+    pub fn passes(&self, ours: &Chord, from_axis: [f64; 2]) -> bool {
+        let [near, far] = distances(ours, &self.axis);
+        near > from_axis[1] || far < from_axis[0]
+    }
+
+    /// Least and greatest distance of a chord of the free half tooth from the axis; it may stand at any opening.
+    pub fn from_axis(&self, theirs: &Chord) -> [f64; 2] {
+        // In its own frame, where the axis does not move.
+        distances(theirs, &self.at(0.0).inverse_transform_point(&self.axis))
+    }
+
+    /// The opening above which, and the one below which, the two chords share no direction seen from the free axis.
+    pub fn shared_directions(&self, ours: &Chord, theirs: &Chord) -> (f64, f64) {
+        // Directions are counted from the one to the mate, and in a half tooth from its disc's: none jumps by a turn.
+        let to_mate = self.locked_frame.rotation.inverse()
+            * Vector2::new(
+                self.assembly.mate_direction(self.assembly.free()).cos(),
+                0.0,
+            );
+        let from = |disc: Point2<f64>, nominal: f64| {
+            let disc = disc - self.axis;
+            let from = angle(&to_mate, &disc);
+            (disc, from + TAU * ((nominal - from) / TAU).round())
         };
-        let locked = spread(&self.locked_frame, self.locked);
-        let free = spread(&self.free_frame(0.0), self.free);
+        let at = self.at(0.0);
+        // The locked gear stands within half a turn of the line of centres.
+        let ours_from = from(self.locked.disc().0, 0.0);
+        let locked = self.spread(
+            &self.locked,
+            ours,
+            &Isometry2::identity(),
+            ours_from,
+            SPLITS,
+        );
+        let theirs_from = from(at * self.free.disc().0, self.nominal);
+        let free = self.spread(&self.free, theirs, &at, theirs_from, SPLITS);
         (locked.1 - free.0, locked.0 - free.1)
     }
 
-    fn free_frame(&self, opening: f64) -> Isometry2<f64> {
-        let rotation = self.pose.free_rotation() - self.side.sense() * opening;
-        let free = self.assembly.free();
-        frame(self.assembly, free, rotation, self.side, self.free_tooth)
-    }
-
-    fn bracket(&self, clear: f64, touching: f64, closest: &Closest) -> Found {
-        let place = self.place(touching, closest);
-        let arm = place.point - self.assembly.axis(self.assembly.free());
-        // Half a turn is as far as a bracket means anything.
-        let turned = |depth: f64| (depth / arm.perp(&place.normal).abs()).min(PI);
-        let halves = [self.locked, self.free];
-        let hollow = (0..2)
-            .filter(|&i| near_fillet(halves[i], closest.segments[i] as usize))
-            .count();
-        let rounding = self.rounding();
-        let depth = hollow as f64 * self.chord() + closest.distance + rounding;
-        Found {
-            clear: clear + turned(rounding),
-            touching,
-            closed: touching - turned(depth),
-            place,
+    /// The directions a chord's curve takes up, against the sense of closing. `frame` is where its half stands, `disc` that half's
+    /// middle from the axis and the direction of it.
+    ///
+    /// A curve may lie so far off a long chord that it might be anywhere about the axis; its halves' halves do not.
+    fn spread(
+        &self,
+        half: &Half,
+        chord: &Chord,
+        frame: &Isometry2<f64>,
+        disc: (Vector2<f64>, f64),
+        splits: u32,
+    ) -> (f64, f64) {
+        let seen = chord.seen_in(frame);
+        let distance = distances(&seen, &self.axis)[0] + chord.error;
+        let sine = chord.error / distance;
+        if splits > 0 && !(sine < WIDE) {
+            let mut made = None;
+            let halves = half.halves(chord, &mut made);
+            let [one, two] = [0, 1].map(|i| self.spread(half, &halves[i], frame, disc, splits - 1));
+            return (one.0.min(two.0), one.1.max(two.1));
         }
+        let arc = if sine < 1.0 { sine.asin() } else { PI };
+        let ends = seen.ends.map(|end| {
+            let seen = disc.1 + angle(&disc.0, &(end - self.axis));
+            -self.side.sense() * seen
+        });
+        (ends[0].min(ends[1]) - arc, ends[0].max(ends[1]) + arc)
     }
 
-    /// The contact by name: teeth, curves, radii, point and normal, with the side's `rotation` and `error`.
-    pub fn contact(&self, found: &Found, rotation: f64, error: f64) -> Contact {
-        let Place {
-            locked,
-            free,
-            point,
-            normal,
-        } = found.place;
-        let (wheel, pinion, normal) = match self.assembly.locked() {
-            Member::Wheel => (locked, free, normal),
-            Member::Pinion => (free, locked, -normal),
-        };
-        Contact {
-            rotation,
-            error,
-            wheel,
-            pinion,
-            point,
-            normal,
-        }
-    }
-
-    fn lost(&self, reason: &'static str) -> Error {
+    /// Names the pair in an error.
+    pub fn lost(&self, reason: &'static str) -> Error {
         let (wheel_tooth, pinion_tooth) = match self.assembly.locked() {
             Member::Wheel => (self.locked_tooth, self.free_tooth),
             Member::Pinion => (self.free_tooth, self.locked_tooth),
@@ -359,17 +200,23 @@ impl<'a> Facing<'a> {
     }
 }
 
-const ENDLESS: &str = "the safe steps did not come to an end";
-const NOTHING_NEAR: &str = "no stretch of the outlines is left that could touch";
-const PASSED: &str = "finer polygons passed the contact that coarser ones had found";
+/// From one direction to another, in (−π, π].
+fn angle(from: &Vector2<f64>, to: &Vector2<f64>) -> f64 {
+    from.perp(to).atan2(from.dot(to))
+}
 
-/// The locked tooth `steps` places counter-clockwise of the mating's, and the free tooth that faces its `side`.
-pub(super) fn facing_teeth(assembly: &Assembly, pose: &Pose, side: Side, steps: i64) -> [u32; 2] {
-    let locked = assembly.locked();
-    let mating = pose.mating().tooth(locked);
+/// Least and greatest distance of what a chord stands for from a point, mm.
+fn distances(chord: &Chord, point: &Point2<f64>) -> [f64; 2] {
+    let [a, b] = chord.ends.map(|end| end - point);
+    let along = b - a;
+    let part = (-a.dot(&along) / along.norm_squared()).clamp(0.0, 1.0);
+    let near = match part.is_nan() {
+        true => a,
+        false => a + part * along,
+    };
     [
-        assembly.gear(locked).counter_clockwise(mating, steps),
-        pose.facing_tooth(assembly, side, steps),
+        near.norm() - chord.error,
+        a.norm().max(b.norm()) + chord.error,
     ]
 }
 
@@ -386,13 +233,4 @@ fn frame(
     let centre = assembly.axis(member) + gear.displacement(tooth_1);
     let turn = gear.tooth_angle(f64::from(tooth)) + gear.flank_offset(side, tooth);
     Isometry2::new(centre.coords, tooth_1 + turn)
-}
-
-/// Whether the chord or a neighbour stands for a fillet.
-fn near_fillet(half: &CutHalf, segment: usize) -> bool {
-    let segments = half.polygon.segments();
-    let near = segment.saturating_sub(1)..(segment + 2).min(segments.len());
-    segments[near]
-        .iter()
-        .any(|segment| segment.curve == Curve::Fillet)
 }

@@ -2,67 +2,35 @@
 //!
 //! Each side is a matter of the half teeth of that side alone, so an interfering
 //! pair gives its negative value by the same path as a clear one. Every pair of
-//! facing half teeth within reach is searched on its own (`facing`); the
-//! side's contact is the tightest.
+//! facing half teeth within reach takes part in one search (`search`), which
+//! turns in and cuts finer whatever is tightest.
 
 mod certificate;
+mod chord;
 mod facing;
-mod far_land;
+mod place;
+mod search;
 
-use super::contact::Shape;
 use super::lost_motion::{Contact, LostMotion};
 use crate::error::Error;
-use crate::gear::{AsBuilt, HalfTooth, Side};
+use crate::gear::{Profile, Side};
 use crate::pair::{Assembly, Member, Pose};
 pub use certificate::Certifier;
-use facing::{Facing, Found};
-use far_land::FarLands;
+pub use chord::CutGear;
+use facing::Facing;
 use nalgebra::Point2;
+use search::{Found, search};
 use std::f64::consts::PI;
 use std::ops::Range;
-
-/// A gear's two half teeth, cut and ready for distance queries. Shared by all its teeth.
-pub struct CutGear {
-    halves: [CutHalf; 2],
-}
-
-/// One half tooth, or a stretch of it, as polygon and as parry sees it.
-struct CutHalf {
-    polygon: HalfTooth,
-    shape: Shape,
-}
-
-impl CutHalf {
-    fn new(polygon: HalfTooth) -> CutHalf {
-        CutHalf {
-            shape: Shape::new(polygon.points()),
-            polygon,
-        }
-    }
-}
-
-impl CutGear {
-    /// Cuts the half teeth of `gear` with chords within `chord` mm of its curves.
-    pub fn new(gear: &AsBuilt, chord: f64) -> CutGear {
-        CutGear {
-            halves: Side::BOTH.map(|side| CutHalf::new(HalfTooth::new(gear.gear(), side, chord))),
-        }
-    }
-
-    fn half(&self, side: Side) -> &CutHalf {
-        match side {
-            Side::Right => &self.halves[0],
-            Side::Left => &self.halves[1],
-        }
-    }
-}
 
 /// The polygon method on one assembly.
 pub struct PolygonKernel<'a> {
     assembly: &'a Assembly,
     locked: &'a CutGear,
     free: &'a CutGear,
-    /// Chordal error, mm, down to which polygons are cut again round the contact; infinite: as they are.
+    /// Of the locked and of the free gear.
+    profiles: [Profile<'a>; 2],
+    /// Chordal error, mm, down to which chords are cut round the contact.
     finest: f64,
 }
 
@@ -77,7 +45,9 @@ impl<'a> PolygonKernel<'a> {
             assembly,
             locked,
             free,
-            finest: f64::INFINITY,
+            profiles: [assembly.locked(), assembly.free()]
+                .map(|member| Profile::new(assembly.gear(member).gear())),
+            finest: wheel.chord().max(pinion.chord()),
         }
     }
 
@@ -105,38 +75,25 @@ impl<'a> PolygonKernel<'a> {
     /// Pairs that their brackets cannot tell apart tie (perfect gears always do); the one
     /// that touches nearest the operating pitch point gives the contact its name.
     fn side(&self, pose: &Pose, side: Side) -> Result<Option<Contact>, Error> {
-        let mut found = Vec::new();
-        let steps = steps_in_reach(self.assembly, pose);
-        let lands: Vec<(i64, FarLands)> = steps
-            .map(|steps| (steps, FarLands::new(self, pose, side, steps)))
+        let facings: Vec<Facing> = steps_in_reach(self.assembly, pose)
+            .map(|steps| Facing::new(self, pose, side, steps))
             .collect();
-        for (steps, far) in &lands {
-            let facing = Facing::new(self, pose, side, *steps, far);
-            if let Some(bracket) = facing.search(self.finest)? {
-                found.push((facing, bracket));
-            }
-        }
-        let tightest = |found: &[(Facing, Found)], end: fn(&Found) -> f64| {
-            let openings = found.iter().map(|(_, bracket)| end(bracket));
+        let found = search(&facings, self.finest)?;
+        let tightest = |end: fn(&Found) -> f64| {
+            let openings = found.iter().map(end);
             openings.fold(f64::NEG_INFINITY, f64::max)
         };
-        // What is proven clear where another pair is proven to touch has no part in the contact.
-        let closed = tightest(&found, |bracket| bracket.closed);
-        found.retain(|(_, bracket)| bracket.clear >= closed);
-        for (facing, bracket) in &mut found {
-            *bracket = facing.refine(*bracket, self.finest)?;
-        }
-        let touching = tightest(&found, |bracket| bracket.touching);
-        let clear = tightest(&found, |bracket| bracket.clear);
-        let closed = tightest(&found, |bracket| bracket.closed);
+        let touching = tightest(|bracket| bracket.touching);
+        let clear = tightest(|bracket| bracket.clear);
+        let closed = tightest(|bracket| bracket.closed);
         let pitch_point = Point2::new(self.assembly.operating_pitch_radius(Member::Wheel), 0.0);
         let rotation = pose.free_rotation() - side.sense() * touching;
         let error = (clear - touching).max(touching - closed);
         let off = |contact: &Contact| (contact.point - pitch_point).norm();
         Ok(found
             .iter()
-            .filter(|(_, bracket)| bracket.clear >= closed)
-            .map(|(facing, bracket)| facing.contact(bracket, rotation, error))
+            .filter(|bracket| bracket.clear >= closed)
+            .map(|found| found.place.contact(self.assembly.locked(), rotation, error))
             .min_by(|a, b| off(a).total_cmp(&off(b))))
     }
 }

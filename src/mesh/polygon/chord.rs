@@ -1,0 +1,237 @@
+//! A half tooth as chords that are cut again where, and only where, a question needs them finer.
+//!
+//! Every chord knows how far its curve may leave it. It is cut in two in the middle of its parameters, which
+//! divides that by four (by eight where an involute begins). The chords down to a coarse error are cut once
+//! and shared by all teeth of a gear and all poses; what is finer is made when asked for and kept nowhere.
+//!
+//! Of the lands only what all teeth share is cut beforehand: the near half of a tip land, the root land of the
+//! narrowest space. What a tooth has beyond them depends on its own deviations ([`Half`]).
+
+use crate::gear::{AsBuilt, Curve, Gear, Profile, Side};
+use nalgebra::{Isometry2, Point2};
+
+/// A stretch of one curve of a half tooth, and the chord through its ends.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Chord {
+    pub curve: Curve,
+    /// Parameters of the ends, the one nearer the tip first.
+    pub parameters: [f64; 2],
+    pub ends: [Point2<f64>; 2],
+    /// The curve lies within this of the chord, mm.
+    pub error: f64,
+    /// Half its length, mm.
+    pub half_length: f64,
+    /// Where its two halves stand among those cut beforehand.
+    halves: Option<u32>,
+}
+
+impl Chord {
+    fn new(profile: &Profile, side: Side, curve: Curve, [from, to]: [f64; 2]) -> Chord {
+        let ends = [from, to].map(|t| profile.point(curve, t, side));
+        Chord::between(profile, curve, [from, to], ends)
+    }
+
+    fn between(
+        profile: &Profile,
+        curve: Curve,
+        parameters: [f64; 2],
+        ends: [Point2<f64>; 2],
+    ) -> Chord {
+        Chord {
+            curve,
+            parameters,
+            ends,
+            error: profile.chordal_error(curve, parameters[0], parameters[1]),
+            half_length: 0.5 * (ends[1] - ends[0]).norm(),
+            halves: None,
+        }
+    }
+
+    fn cut(&self, profile: &Profile, side: Side) -> [Chord; 2] {
+        let [from, to] = self.parameters;
+        let t = 0.5 * (from + to);
+        let middle = profile.point(self.curve, t, side);
+        let [start, end] = self.ends;
+        [
+            Chord::between(profile, self.curve, [from, t], [start, middle]),
+            Chord::between(profile, self.curve, [t, to], [middle, end]),
+        ]
+    }
+
+    /// The same chord seen in another frame.
+    pub fn seen_in(&self, frame: &Isometry2<f64>) -> Chord {
+        Chord {
+            ends: self.ends.map(|end| frame * end),
+            ..*self
+        }
+    }
+
+    /// Its parameter at a point of the chord; off by less than the chord's own range.
+    pub fn parameter_at(&self, point: &Point2<f64>) -> f64 {
+        let along = self.ends[1] - self.ends[0];
+        let part = (point - self.ends[0]).dot(&along) / along.norm_squared();
+        // A chord without length has no part: its start will do.
+        let part = if part.is_finite() {
+            part.clamp(0.0, 1.0)
+        } else {
+            0.0
+        };
+        self.parameters[0] + part * (self.parameters[1] - self.parameters[0])
+    }
+}
+
+/// A gear's two half teeth, cut beforehand. Shared by all its teeth.
+pub struct CutGear {
+    halves: [CutHalf; 2],
+    chord: f64,
+}
+
+/// What all half teeth of one side share.
+struct CutHalf {
+    chords: Vec<Chord>,
+    /// How many of `chords` come first: one a curve.
+    curves: usize,
+    /// A disc that holds them, and what each tooth has of its own up to the far corner and the middle of its space.
+    centre: Point2<f64>,
+    radius: f64,
+    /// Where the root land cut beforehand starts, and where it ends.
+    root_start: f64,
+    root_end: f64,
+}
+
+impl CutGear {
+    /// Cuts the half teeth of `gear` with chords within `chord` mm of its curves.
+    pub fn new(gear: &AsBuilt, chord: f64) -> CutGear {
+        CutGear {
+            halves: Side::BOTH.map(|side| CutHalf::new(gear, side, chord)),
+            chord,
+        }
+    }
+
+    /// Chordal error, mm, of what was cut beforehand.
+    pub fn chord(&self) -> f64 {
+        self.chord
+    }
+}
+
+impl CutHalf {
+    fn new(gear: &AsBuilt, side: Side, chord: f64) -> CutHalf {
+        let profile = Profile::new(gear.gear());
+        let teeth = 1..=gear.gear().toothing().teeth();
+        let root_ends = teeth.map(|tooth| gear.root_end(side, tooth));
+        let root_end = root_ends.fold(f64::INFINITY, f64::min);
+        let mut chords: Vec<Chord> = Curve::ALL
+            .into_iter()
+            .filter_map(|curve| {
+                let (from, to) = match (curve, profile.range(curve)) {
+                    (Curve::Root, (from, to)) => (from, to.min(root_end)),
+                    (_, range) => range,
+                };
+                let is_there = match curve {
+                    Curve::Tip | Curve::Root => to > from,
+                    Curve::Involute | Curve::Fillet => from > to,
+                };
+                is_there.then(|| Chord::new(&profile, side, curve, [from, to]))
+            })
+            .collect();
+        let curves = chords.len();
+        let mut next = 0;
+        while next < chords.len() {
+            if chords[next].error > chord {
+                chords[next].halves = Some(chords.len() as u32);
+                let halves = chords[next].cut(&profile, side);
+                chords.extend(halves);
+            }
+            next += 1;
+        }
+        let (mut low, mut high) = (chords[0].ends[0], chords[0].ends[0]);
+        for end in chords.iter().flat_map(|chord| chord.ends) {
+            low = low.inf(&end);
+            high = high.sup(&end);
+        }
+        CutHalf {
+            centre: nalgebra::center(&low, &high),
+            radius: 0.5 * (high - low).norm() + chord,
+            chords,
+            curves,
+            root_start: profile.range(Curve::Root).0,
+            root_end,
+        }
+    }
+}
+
+/// The half tooth of one tooth: what all share, the far half of its tip land, and the rest of its root land.
+///
+/// The tip land reaches to its far corner: where tips hardly reach each other, or stand on a root, the mate may
+/// meet the far half alone. It is the tooth's own metal, and what turns in meets its near half first wherever
+/// it can.
+#[derive(Clone, Copy)]
+pub(super) struct Half<'a> {
+    gear: &'a Gear,
+    profile: Profile<'a>,
+    side: Side,
+    cut: &'a CutHalf,
+    /// The land's parameter at its far corner.
+    pub land_start: f64,
+    /// The root land's parameter in the middle of the space as built.
+    pub root_end: f64,
+}
+
+impl<'a> Half<'a> {
+    /// The half tooth on `side` of `tooth`; `profile` is the gear's.
+    pub fn new(
+        gear: &'a AsBuilt,
+        profile: Profile<'a>,
+        cut: &'a CutGear,
+        side: Side,
+        tooth: u32,
+    ) -> Half<'a> {
+        let cut = match side {
+            Side::Right => &cut.halves[0],
+            Side::Left => &cut.halves[1],
+        };
+        Half {
+            gear: gear.gear(),
+            profile,
+            side,
+            cut,
+            land_start: gear.land_start(tooth),
+            root_end: gear.root_end(side, tooth),
+        }
+    }
+
+    pub fn gear(&self) -> &'a Gear {
+        self.gear
+    }
+
+    /// Its longest chords that all teeth share: one a curve.
+    pub fn shared(&self) -> &'a [Chord] {
+        &self.cut.chords[..self.cut.curves]
+    }
+
+    /// Its longest chords that are its own: the far half of the tip land, the rest of the root land.
+    pub fn own(&self) -> [Option<Chord>; 2] {
+        let far = (self.land_start < 0.0).then_some((Curve::Tip, [self.land_start, 0.0]));
+        // Where a space is closed at its root there is none in any tooth's half.
+        let from = self.cut.root_end.max(self.cut.root_start);
+        let rest = (self.root_end > from).then_some((Curve::Root, [from, self.root_end]));
+        let chord = |(curve, range)| Chord::new(&self.profile, self.side, curve, range);
+        [far.map(chord), rest.map(chord)]
+    }
+
+    /// The two halves of one of its chords; `made` holds them unless they were cut beforehand.
+    pub fn halves<'b>(&'b self, chord: &Chord, made: &'b mut Option<[Chord; 2]>) -> &'b [Chord] {
+        match chord.halves {
+            Some(first) => &self.cut.chords[first as usize..first as usize + 2],
+            None => made.insert(chord.cut(&self.profile, self.side)),
+        }
+    }
+
+    /// Centre and radius, mm, of a disc that holds the half tooth.
+    pub fn disc(&self) -> (Point2<f64>, f64) {
+        // What is its own: the far half of the land, no longer than that; the rest of the root land.
+        let own = self.gear.tip_radius() * -self.land_start
+            + self.gear.root_radius() * (self.root_end - self.cut.root_end).max(0.0);
+        (self.cut.centre, self.cut.radius + own)
+    }
+}

@@ -1,0 +1,151 @@
+//! What touches where two half teeth are closest: curves, radii, point and normal.
+
+use super::chord::{Chord, Half};
+use super::facing::Facing;
+use crate::gear::{Curve, Profile};
+use crate::mesh::contact::Closest;
+use crate::mesh::lost_motion::{Contact, Touch};
+use crate::pair::Member;
+use nalgebra::{Point2, Vector2};
+
+/// A radius this near the tip circle, mm, is the tip corner (the reference data's own rule).
+const CORNER: f64 = 1e-7;
+
+/// What touches, and where in the picture.
+#[derive(Clone, Copy)]
+pub(super) struct Place {
+    pub locked: Touch,
+    pub free: Touch,
+    pub point: Point2<f64>,
+    /// Out of the locked gear's metal.
+    pub normal: Vector2<f64>,
+    /// How fast the curves' gap may bulge along them, 1/mm: the lesser curvature, of an edge the other's.
+    pub curvature: f64,
+    /// On how many fillets it lies, or at their ends.
+    pub hollow: u32,
+}
+
+/// What one half tooth brings to a place.
+struct Part {
+    touch: Touch,
+    /// An edge has none.
+    normal: Option<Vector2<f64>>,
+    curvature: f64,
+    hollow: bool,
+}
+
+impl Place {
+    /// What touches at the opening `touching`, where `chords` are `closest`.
+    pub fn new(facing: &Facing, touching: f64, chords: &[Chord; 2], closest: &Closest) -> Place {
+        let free_frame = facing.at(touching);
+        let points = closest.points;
+        let locked = part(
+            facing,
+            &facing.locked,
+            facing.locked_tooth,
+            &chords[0],
+            &points[0],
+        );
+        let on_free = free_frame.inverse_transform_point(&points[1]);
+        let free = part(
+            facing,
+            &facing.free,
+            facing.free_tooth,
+            &chords[1],
+            &on_free,
+        );
+        let frame = &facing.locked_frame;
+        let point = frame * nalgebra::center(&points[0], &points[1]);
+        // The other gear's curve gives an edge its normal, and of
+        // two edges the direction in which they meet.
+        let normal: Vector2<f64> = match (locked.normal, free.normal) {
+            (Some(normal), _) => frame * normal,
+            (None, Some(normal)) => -(frame * (free_frame * normal)),
+            (None, None) => {
+                let axis = facing.assembly.axis(facing.assembly.free());
+                let arm = (point - axis).normalize();
+                facing.side.sense() * Vector2::new(arm.y, -arm.x)
+            }
+        };
+        let curvature = match (locked.normal.is_some(), free.normal.is_some()) {
+            (true, true) => locked.curvature.min(free.curvature),
+            (true, false) => locked.curvature,
+            (false, true) => free.curvature,
+            (false, false) => locked.curvature.max(free.curvature),
+        };
+        Place {
+            hollow: u32::from(locked.hollow) + u32::from(free.hollow),
+            locked: locked.touch,
+            free: free.touch,
+            point,
+            normal,
+            curvature,
+        }
+    }
+
+    /// The contact by name: teeth, curves, radii, point and normal, with the side's `rotation` and `error`.
+    pub fn contact(&self, locked: Member, rotation: f64, error: f64) -> Contact {
+        let (wheel, pinion, normal) = match locked {
+            Member::Wheel => (self.locked, self.free, self.normal),
+            Member::Pinion => (self.free, self.locked, -self.normal),
+        };
+        Contact {
+            rotation,
+            error,
+            wheel,
+            pinion,
+            point: self.point,
+            normal,
+        }
+    }
+}
+
+/// What `half` brings at the point `at` of its chord, in its own frame.
+fn part(facing: &Facing, half: &Half, tooth: u32, chord: &Chord, at: &Point2<f64>) -> Part {
+    let profile = Profile::new(half.gear());
+    let (curve, parameter) = (chord.curve, chord.parameter_at(at));
+    let radius = at.coords.norm();
+    let normal = profile.normal(curve, parameter, facing.side);
+    let on_tip_circle = radius >= half.gear().tip_radius() - CORNER;
+    let end = |curve, parameter: f64| {
+        let (from, to) = profile.range(curve);
+        from > to && parameter == to
+    };
+    Part {
+        touch: Touch {
+            tooth,
+            curve: if on_tip_circle { Curve::Tip } else { curve },
+            radius,
+        },
+        normal: (!is_edge(half, curve, parameter, radius)).then_some(normal),
+        curvature: match curve {
+            Curve::Tip | Curve::Root => 1.0 / radius,
+            Curve::Involute => 1.0 / (half.gear().base_radius() * chord.parameters[1]),
+            // Hollow, or flat enough beside the arm.
+            Curve::Fillet => 0.0,
+        },
+        hollow: match curve {
+            Curve::Fillet | Curve::Root => true,
+            Curve::Involute => end(Curve::Involute, chord.parameters[1]),
+            Curve::Tip => false,
+        },
+    }
+}
+
+/// Whether a half tooth has an edge or ends at the place: a corner of its tip, or the middle of the space.
+fn is_edge(half: &Half, curve: Curve, parameter: f64, radius: f64) -> bool {
+    let gear = half.gear();
+    let profile = Profile::new(gear);
+    let inside = CORNER / radius;
+    match curve {
+        Curve::Tip => {
+            parameter >= profile.range(Curve::Tip).1 - inside
+                || parameter <= half.land_start + inside
+        }
+        Curve::Involute => radius >= gear.tip_radius() - CORNER,
+        Curve::Fillet => {
+            half.root_end <= profile.range(Curve::Root).0 && radius <= gear.root_radius() + CORNER
+        }
+        Curve::Root => parameter >= half.root_end - inside,
+    }
+}

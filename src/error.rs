@@ -214,6 +214,39 @@ pub enum Error {
         /// The system's reason.
         source: std::io::Error,
     },
+    /// A result that would take the place of a file that was read.
+    #[error(
+        "{}: this is the file {}, which was read and would be lost; name another place for the result",
+        output.display(), input.display()
+    )]
+    OverInput {
+        /// Where the result was to go.
+        output: PathBuf,
+        /// The name under which the file was read.
+        input: PathBuf,
+    },
+    /// A folder that another run is about to write to.
+    #[error("{}: another run of gearlash writes to this folder; wait for its end, or name another folder with -o", folder.display())]
+    Busy {
+        /// The folder.
+        folder: PathBuf,
+    },
+    /// A folder in which files of two runs stand, because neither the new ones nor the old ones could be put in place.
+    #[error(
+        "{}: holds files of this run beside older ones: {reason}; putting these back failed, too: {source}. The next run that can write there puts them back",
+        folder.display()
+    )]
+    HalfWritten {
+        /// The folder.
+        folder: PathBuf,
+        /// What failed first.
+        reason: String,
+        /// What failed then.
+        source: std::io::Error,
+    },
+    /// Standard output that takes no more.
+    #[error("standard output: cannot be written: {0}")]
+    Printing(std::io::Error),
     /// The contact search gave up on a pair of flanks: a fault of gearlash. In a sweep the pose is unproven; elsewhere exit 1.
     #[error(
         "the contact of wheel tooth {wheel_tooth} and pinion tooth {pinion_tooth} ({flank} flanks) was lost at locked rotation {locked_rotation_rad} rad: {reason}"
@@ -274,8 +307,8 @@ impl Error {
         }
     }
 
-    /// What the process ends with: 1 when a result did not hold, 2 when there was none to be had, 130
-    /// (128 + SIGINT, as shells count) after Ctrl-C.
+    /// What the process ends with: 1 when a result did not hold, 2 when there was none to be had or it could not be
+    /// written, 130 (128 + SIGINT, as shells count) when the work was to stop. (A signal ends the program by itself.)
     pub fn exit_code(&self) -> u8 {
         match self {
             Error::CertificateFailed { .. } | Error::ContactLost { .. } => 1,

@@ -8,7 +8,7 @@
 //! The way through the crate, each stage importing only earlier ones:
 //!
 //! ```text
-//! gear → pair → notes, study ← input (the pair file)
+//! gear → pair → notes, sources, study ← input (the pair file)
 //!         │       └→ simulate → compare → measured, outcome, phases, curves, cycle, diagnosis → gauge → render → cli
 //!         ├→ mesh ───┘             │
 //!         └→ analytic ─────────────┘
@@ -62,4 +62,5 @@ pub mod pair;
 pub mod phases;
 pub mod render;
 pub mod simulate;
+pub mod sources;
 pub mod study;

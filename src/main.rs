@@ -3,13 +3,5 @@
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    match gearlash::cli::run() {
-        Ok(code) => code,
-        Err(error) => {
-            for line in error.lines() {
-                eprintln!("error: {line}");
-            }
-            ExitCode::from(error.exit_code())
-        }
-    }
+    gearlash::cli::run()
 }

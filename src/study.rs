@@ -7,6 +7,7 @@ use crate::error::GearError;
 use crate::gear::{AsBuilt, Side};
 use crate::notes::GearNotes;
 use crate::pair::{Assembly, Mating, Member, SweepPlan};
+use crate::sources::Sources;
 use std::collections::HashMap;
 
 /// Which end of the thickness tolerance a run takes.
@@ -86,6 +87,8 @@ pub struct Study {
     pub warnings: Vec<String>,
     /// What was found to be in order, for standard error.
     pub remarks: Vec<String>,
+    /// The files it was read from.
+    pub sources: Sources,
 }
 
 /// One gear of a file, for what needs no mate.
@@ -139,6 +142,8 @@ pub struct GearsStudy {
     pub warnings: Vec<String>,
     /// What was found to be in order, for standard error.
     pub remarks: Vec<String>,
+    /// The files it was read from.
+    pub sources: Sources,
 }
 
 impl From<Study> for GearsStudy {
@@ -167,6 +172,7 @@ impl From<Study> for GearsStudy {
             stem: study.stem,
             warnings: study.warnings,
             remarks: study.remarks,
+            sources: study.sources,
         }
     }
 }

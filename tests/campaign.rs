@@ -1,94 +1,107 @@
-//! A short campaign of exact against polygon method (the long one: `examples/campaign.rs`).
+//! A short campaign of exact against polygon method, and of exact method against brute force (the long ones:
+//! `examples/campaign.rs`).
 
-#[path = "common/campaign.rs"]
-#[allow(dead_code)] // other depths: tests/grazing.rs
+#[path = "common/campaign/mod.rs"]
 mod campaign;
+#[path = "common/clearance/mod.rs"]
+mod clearance;
+#[path = "common/posed.rs"]
+mod posed;
 
-use campaign::{AGREEMENT_UM, Depth, Drawn, run};
-use gearlash::gear::{AsBuilt, Side};
-use gearlash::input;
+use campaign::{Drawn, LONGEST, run};
+use gearlash::gear::Side;
 use gearlash::mesh::{CutPair, ExactKernel};
 use gearlash::pair::{Member, Pose};
+use rayon::prelude::*;
 use std::f64::consts::TAU;
 
 const SEED: u64 = 2;
 
+/// No fault among poses of all depths, and no class of gear, pose or contact that was not met.
 #[test]
-fn both_methods_agree_on_random_poses() {
-    let tally = run(Depth::Any, 300, SEED);
-    assert!(tally.faults.is_empty(), "{:?}", tally.faults);
-    assert_eq!(tally.without_result, 0);
-    assert!(tally.greatest_um <= AGREEMENT_UM);
-    // What the issue asks the poses to be: a quarter off the involutes, half with an eccentric free gear.
-    let shares = [tally.off_involute, tally.free_eccentric, tally.undercut];
-    assert!(4 * tally.off_involute >= tally.poses, "{shares:?}");
-    assert!(5 * tally.free_eccentric >= 2 * tally.poses, "{shares:?}");
-    assert!(10 * tally.undercut >= tally.poses, "{shares:?}");
-    for status in ["clear", "interference", "jammed", "no_contact"] {
-        assert!(tally.statuses.contains_key(status), "{status}");
-    }
-    for curves in ["fillet–tip", "involute–tip"] {
-        assert!(tally.curves.contains_key(curves), "{:?}", tally.curves);
-    }
+fn both_methods_and_the_certificate_agree_on_random_poses() {
+    let tally = run(None, SEED, 0, 4_000, LONGEST);
+    println!("{}", tally.report());
+    assert!(tally.faults.is_empty(), "{:#?}", tally.faults);
+    assert_eq!(tally.empty(None), [String::new(); 0]);
+    // What gives up may be a grazing contact, one in 1e5 poses.
+    assert!(tally.unproven.is_empty(), "{:#?}", tally.unproven);
 }
 
-/// The same to the rounding of a conversion from µm.
-fn same_gear(one: &AsBuilt, other: &AsBuilt) {
-    let numbers = |gear: &AsBuilt| {
-        let radii = [gear.gear().base_thickness(), gear.gear().tip_radius()];
-        let mut numbers = vec![gear.eccentricity(), gear.gear().form_roll()];
-        numbers.extend(radii);
-        for tooth in 1..=gear.gear().toothing().teeth() {
-            numbers.extend(Side::BOTH.map(|side| gear.flank_offset(side, tooth)));
+/// Source: clearance of dense points of either gear in the other's own frame, nothing of either method.
+#[test]
+fn the_exact_method_holds_against_brute_force() {
+    let complaints: Vec<(u64, Vec<String>)> = (0..300u64)
+        .into_par_iter()
+        .filter_map(|index| {
+            let drawn = Drawn::new(None, SEED, index);
+            let pose = Pose::new(&drawn.assembly, drawn.mating);
+            let found = ExactKernel::new(&drawn.assembly).lost_motion(&pose);
+            let against = clearance::against(&drawn.assembly, &pose, &found.unwrap());
+            (!against.is_empty()).then_some((index, against))
+        })
+        .collect();
+    assert!(complaints.is_empty(), "{complaints:#?}");
+}
+
+/// Brute force sees what is wrong: rotations of a contact off by ten bounds either way, and a contact not claimed.
+#[test]
+fn brute_force_refuses_wrong_rotations() {
+    let mut refused = 0;
+    for index in 0..40 {
+        let drawn = Drawn::new(None, SEED, index);
+        let pose = Pose::new(&drawn.assembly, drawn.mating);
+        let found = ExactKernel::new(&drawn.assembly)
+            .lost_motion(&pose)
+            .unwrap();
+        let Some(right) = found.right else { continue };
+        // A contact known to less than this is none to try it on.
+        let off = 1e-8;
+        if right.error > 0.1 * off {
+            continue;
         }
-        numbers
-    };
-    assert_eq!(one.face(), other.face());
-    let (one, other) = (numbers(one), numbers(other));
-    assert_eq!(one.len(), other.len());
-    for (one, other) in one.iter().zip(&other) {
-        assert!(
-            (one - other).abs() <= 1e-15 * (1.0 + one.abs()) * 4.0,
-            "{one} {other}"
-        );
+        for wrong in [Some(off), Some(-off), None] {
+            let mut claimed = found;
+            claimed.right = wrong.map(|off| {
+                let mut contact = right;
+                contact.rotation += off;
+                contact
+            });
+            let against = clearance::against(&drawn.assembly, &pose, &claimed);
+            assert!(
+                against.iter().any(|what| what.starts_with("right")),
+                "pose {index}, {wrong:?}"
+            );
+            refused += 1;
+        }
     }
+    assert!(refused > 60, "{refused}");
 }
 
-/// The pair file printed for a pose is that pose: same gears, same distance, same mating.
+/// The pair file printed for a pose is that pose, to the last bit.
 #[test]
 fn a_printed_pose_reads_back() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("pose.toml");
-    for index in 0..20 {
-        let drawn = Drawn::new(Depth::Any, SEED, index);
+    for index in 0..200 {
+        let drawn = Drawn::new(None, SEED, index);
         std::fs::write(&path, drawn.pair_file()).unwrap();
-        let study = input::read(&path).unwrap();
-        let (_, wheel, pinion) = &study.materials[0];
-        for (read, member) in [(wheel, Member::Wheel), (pinion, Member::Pinion)] {
-            same_gear(read, drawn.assembly.gear(member));
-        }
-        assert_eq!(study.locked, drawn.assembly.locked());
-        assert_eq!(study.center_distances, [drawn.assembly.center_distance()]);
-        let matings = study.sweep.unwrap().matings(&drawn.assembly);
-        assert!(matings.contains(&drawn.mating));
+        let (assembly, mating) = posed::pose(&path, drawn.mating.flank);
+        assert_eq!(assembly, drawn.assembly, "pose {index}");
+        assert_eq!(mating, drawn.mating);
     }
 }
 
-/// Pose 19560 of the campaign's seed 1: tips that graze at the left and miss each other at the right. Coarse
-/// polygons passed the left contact by. Both methods find it, as near as each says it can place it.
+/// Tips that graze at the left and miss each other at the right. Coarse polygons passed the left contact by. Both methods
+/// find it, as near as each says it can place it. (Pose 19560 of an earlier campaign.)
 #[test]
 fn a_grazing_tip_is_not_passed_by() {
-    let drawn = Drawn::new(Depth::Any, 19_561, 0);
-    let pose = Pose::new(&drawn.assembly, drawn.mating);
-    let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|m| drawn.assembly.gear(m));
+    let (assembly, mating) = posed::grazing("passed_by", Side::Left);
+    let pose = Pose::new(&assembly, mating);
+    let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|m| assembly.gear(m));
     let cut = CutPair::new(wheel, pinion, 1e-4 * wheel.gear().toothing().module());
-    let exact = ExactKernel::new(&drawn.assembly)
-        .lost_motion(&pose)
-        .unwrap();
-    let polygon = cut
-        .refined_kernel(&drawn.assembly)
-        .lost_motion(&pose)
-        .unwrap();
+    let exact = ExactKernel::new(&assembly).lost_motion(&pose).unwrap();
+    let polygon = cut.refined_kernel(&assembly).lost_motion(&pose).unwrap();
     assert!(exact.right.is_none() && polygon.right.is_none());
     let (exact, polygon) = (exact.left.unwrap(), polygon.left.unwrap());
     // Rotations count from different whole turns.

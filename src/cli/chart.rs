@@ -5,15 +5,13 @@ mod drawn;
 use super::distances::{self, Distances};
 use super::drawing::{End, teeth};
 use super::method::MethodArgs;
+use super::studies;
 use super::target::Target;
-use super::warn;
 use crate::error::Error;
-use crate::input;
 use clap::ValueEnum;
 use drawn::Drawn;
 use std::path::PathBuf;
 use std::process::ExitCode;
-use std::slice;
 
 /// Draw backlash over teeth or centre distance, or a gear's deviations, as SVG
 ///
@@ -66,11 +64,10 @@ enum Gear {
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     check_options(args)?;
-    let study = input::read(&args.pair)?;
-    warn(&args.pair, &study.warnings, &study.remarks);
-    let stem = study.stem.clone();
+    let study = studies::pair(&args.pair)?;
+    let (stem, sources) = (study.stem.clone(), study.sources.clone());
     let given = args.output.clone();
-    let given = given.map(|file| Target::prepare_beside(file, slice::from_ref(&args.pair)));
+    let given = given.map(|file| Target::prepare_beside(file, &sources));
     let given = given.transpose()?;
     let drawn = match args.kind {
         Kind::Revolution | Kind::Difference => Drawn::over_teeth(args, study)?,
@@ -79,9 +76,9 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     };
     let target = match given {
         Some(target) => target,
-        None => Target::prepare(PathBuf::from("out").join(stem).join(drawn.file))?,
+        None => Target::prepare(PathBuf::from("out").join(stem).join(drawn.file), &sources)?,
     };
-    target.write(drawn.chart.svg)?;
+    target.write(&drawn.chart.svg)?;
     Ok(if drawn.agrees {
         ExitCode::SUCCESS
     } else {

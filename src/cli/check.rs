@@ -1,17 +1,17 @@
 //! `gearlash check`: does the pair interfere, where, why, and what does it cost.
 
+use super::console::print;
 use super::method::{MethodArgs, agreement};
 use super::progress::Progress;
-use super::{print, warn};
+use super::studies;
 use crate::characters::plain;
 use crate::compare::compare;
 use crate::diagnosis::{Diagnosis, Verdict, diagnose, map};
 use crate::error::Error;
-use crate::input;
 use crate::output::OutputFolder;
 use crate::render;
 use crate::simulate::{pose_count, simulate};
-use crate::study::Study;
+use crate::study::{Material, Study};
 use clap::ValueEnum;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -48,45 +48,44 @@ enum Format {
 
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
-    let study = input::read(&args.pair)?;
-    warn(&args.pair, &study.warnings, &study.remarks);
+    let study = studies::pair(&args.pair)?;
     let folder = || match &args.output {
         Some(folder) => folder.clone(),
         None => PathBuf::from("out").join(&study.stem),
     };
     let folder = args
         .map
-        .then(|| OutputFolder::prepare(&folder()))
+        .then(|| OutputFolder::prepare(&folder(), &study.sources, is_own))
         .transpose()?;
 
     let progress = Progress::start(pose_count(&study)?);
     let runs = simulate(&study, args.method.method(), &|| progress.tick())?;
-    progress.finish()?;
+    drop(progress);
     let runs = compare(runs, study.tolerance_um);
     let progress = Progress::working();
-    let diagnosis = diagnose(&study, &runs, &mut |doing| progress.now(doing))?;
+    let diagnosis = diagnose(&study, &runs, &mut |doing| {
+        progress.now(doing);
+        Ok(())
+    })?;
     let maps = match &folder {
         Some(_) => {
-            progress.now("map")?;
+            progress.now("map");
             maps(&study, &diagnosis, &progress)?
         }
         None => Vec::new(),
     };
-    progress.finish()?;
+    drop(progress);
 
     print(&match args.format {
         Format::Text => render::check::text(&study, &diagnosis),
         Format::Json => render::check::json(&study, &diagnosis)
             .map_err(|error| Error::Usage(format!("the checks cannot be written: {error}")))?,
-    });
+    })?;
     if let Some(folder) = folder {
         let path = folder.write(&maps)?;
         if args.format == Format::Text {
-            print(&format!(
-                "\n{} files in {}\n",
-                maps.len(),
-                plain(&path.display().to_string())
-            ));
+            let folder = plain(&path.display().to_string());
+            print(&format!("\n{} files in {folder}\n", maps.len()))?;
         }
     }
     let holds = agreement(&runs) && diagnosis.verdict() < Verdict::Unproven;
@@ -94,6 +93,14 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         true => ExitCode::SUCCESS,
         false => ExitCode::from(1),
     })
+}
+
+/// Whether a run of this command may write a file called `name`.
+fn is_own(name: &str) -> bool {
+    let map = name.strip_prefix("map_");
+    let map = map.and_then(|map| map.strip_suffix(".svg").or(map.strip_suffix(".csv")));
+    let materials = [Material::Most, Material::Least, Material::AsMeasured];
+    map.is_some_and(|map| materials.iter().any(|material| material.name() == map))
 }
 
 /// A map of each material, at the study's first centre distance.

@@ -1,14 +1,16 @@
 //! `gearlash compare`: the referee in a CI run.
 
+use super::console::{print, tell};
 use super::method::{MethodArgs, agreement};
 use super::progress::Progress;
+use super::studies;
 use super::target::Target;
-use super::{print, tell, warn};
 use crate::compare::{compare, tolerance_um};
 use crate::error::Error;
 use crate::input;
 use crate::render::{ComparedPair, comparison};
 use crate::simulate::{pose_count, simulate};
+use crate::sources::Sources;
 use clap::ValueEnum;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -67,16 +69,13 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     if let Some(told) = slip {
         tell(&format!("warning: {told}"));
     }
-    let markdown = args.markdown.clone();
-    let markdown = markdown.map(|file| Target::prepare_beside(file, &args.pairs));
-    let markdown = markdown.transpose();
-    let markdown = markdown.map_err(|error| of_option(error, "--markdown"))?;
     let mut studies = Vec::new();
+    let mut sources = Sources::new();
     let mut faults = Vec::new();
     for path in &args.pairs {
-        match input::read(path) {
+        match studies::pair(path) {
             Ok(study) => {
-                warn(path, &study.warnings, &study.remarks);
+                sources.extend(&study.sources);
                 studies.push((path, study));
             }
             Err(error) => faults.push(error),
@@ -85,6 +84,11 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     if !faults.is_empty() {
         return Err(Error::Several(faults));
     }
+    let markdown = args.markdown.clone();
+    let markdown = markdown.map(|file| Target::prepare_beside(file, &sources));
+    let markdown = markdown.transpose();
+    let markdown = markdown.map_err(|error| of_option(error, "--markdown"))?;
+    let summary = summary(args.format, &sources)?;
     let mut poses = 0;
     for (_, study) in &studies {
         poses += pose_count(study)?;
@@ -102,7 +106,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             runs: compare(runs, tolerance_um),
         });
     }
-    progress.finish()?;
+    drop(progress);
     let unwritable =
         |error: String| Error::Usage(format!("the outcome cannot be written: {error}"));
     print(&match args.format {
@@ -112,14 +116,13 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             comparison::junit(&pairs).map_err(|error| unwritable(error.to_string()))?
         }
         Format::Github => comparison::github(&pairs),
-    });
+    })?;
     if let Some(target) = markdown {
-        let written = target.write_silently(comparison::markdown(&pairs));
+        let written = target.write_silently(&comparison::markdown(&pairs));
         written.map_err(|error| of_option(error, "--markdown"))?;
     }
-    if let (Format::Github, Some(summary)) = (args.format, std::env::var_os("GITHUB_STEP_SUMMARY"))
-    {
-        append(Path::new(&summary), &comparison::markdown(&pairs))?;
+    if let Some(summary) = summary {
+        append(&summary, &comparison::markdown(&pairs))?;
     }
     let agree = agreement(pairs.iter().flat_map(|pair| &pair.runs));
     Ok(if agree && pairs.iter().all(ComparedPair::passes) {
@@ -137,6 +140,21 @@ fn of_option(error: Error, option: &str) -> Error {
             path.display()
         )),
         other => other,
+    }
+}
+
+/// The step summary, where it is to be written; never one of `sources`.
+fn summary(format: Format, sources: &Sources) -> Result<Option<PathBuf>, Error> {
+    let (Format::Github, Some(summary)) = (format, std::env::var_os("GITHUB_STEP_SUMMARY")) else {
+        return Ok(None);
+    };
+    let summary = PathBuf::from(summary);
+    match sources.named(&summary) {
+        None => Ok(Some(summary)),
+        Some(input) => Err(Error::OverInput {
+            input: input.to_path_buf(),
+            output: summary,
+        }),
     }
 }
 

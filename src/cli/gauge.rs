@@ -1,13 +1,15 @@
 //! `gearlash gauge`: measures a gear on the model as the shop does.
 
+use super::console::{print, warn};
 use super::progress::Progress;
 use super::results::{Format, ResultsArgs};
-use super::{print, warn};
+use super::studies;
 use crate::error::Error;
 use crate::gauge::{Settings, gauge};
 use crate::gear::AsBuilt;
-use crate::input;
-use crate::render::gauge::{GaugedGear, charts, csv_files, json, possible_files, teeth_csv, text};
+use crate::render::gauge::{
+    GaugedGear, charts, csv_files, json, possible_files, stem, teeth_csv, text,
+};
 use crate::study::{GearsStudy, Material};
 use clap::ValueEnum;
 use std::path::PathBuf;
@@ -78,18 +80,22 @@ fn diameter(text: &str) -> Result<f64, String> {
 
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
-    let study = input::read_gears(&args.file)?;
-    warn(&args.file, &study.warnings, &study.remarks);
+    let study = studies::gears(&args.file)?;
     let chosen = choose(args, &study)?;
     for (gear, _, as_built) in &chosen {
         check_span(args, gear.name, as_built)?;
     }
-    let folder = args.results.folder(&study.stem)?;
+    let own: Vec<String> = chosen
+        .iter()
+        .flat_map(|(gear, material, _)| possible_files(&stem(gear.name, *material)))
+        .collect();
+    let own = move |name: &str| own.iter().any(|own| own == name);
+    let folder = args.results.folder(&study.stem, &study.sources, own)?;
 
     let progress = Progress::working();
     let mut gears = Vec::new();
     for (gear, material, as_built) in chosen {
-        progress.now(&format!("{} {}", gear.name, material.name()))?;
+        progress.now(&format!("{} {}", gear.name, material.name()));
         let settings = Settings {
             span_teeth: args.span_teeth.or(gear.span_teeth()),
             pin: args.pin_mm.or(gear.pin()),
@@ -106,7 +112,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             gauged: gauge(as_built, &settings, &|| progress.tick())?,
         });
     }
-    progress.finish()?;
+    drop(progress);
 
     let unwritable = |error: &dyn std::error::Error| {
         Error::Usage(format!("the readings cannot be written as text: {error}"))
@@ -115,7 +121,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         Format::Text => text(&study.title, &gears, args.positions),
         Format::Json => json(&study.title, &gears).map_err(|error| unwritable(&error))?,
         Format::Csv => teeth_csv(&gears).map_err(|error| unwritable(&error))?,
-    });
+    })?;
     if let Format::Csv = args.results.format {
         // Blank columns say nothing; the other formats tell.
         for gauged in &gears {
@@ -136,11 +142,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
                 ),
             }
         }
-        // Of an earlier run with another gear, which had what this one has not.
-        let possible = gears
-            .iter()
-            .flat_map(|gauged| possible_files(&gauged.stem()));
-        args.results.write_instead(folder, &files, possible)?;
+        args.results.write(folder, &files)?;
     }
     Ok(ExitCode::SUCCESS)
 }

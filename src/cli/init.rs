@@ -2,6 +2,7 @@
 
 use super::target::Target;
 use crate::error::Error;
+use crate::sources::Sources;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -25,6 +26,6 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             args.pair.display()
         )));
     }
-    Target::prepare(args.pair.clone())?.write(PAIR.to_owned())?;
+    Target::prepare(args.pair.clone(), &Sources::new())?.write(PAIR)?;
     Ok(ExitCode::SUCCESS)
 }

@@ -1,6 +1,6 @@
 //! `--method` and `--no-certify`: what several commands share.
 
-use super::tell;
+use super::console::tell;
 use crate::compare::ComparedRun;
 use crate::mesh::Method;
 use clap::ValueEnum;
@@ -59,7 +59,9 @@ pub(super) fn all_proven(unproven: usize) -> bool {
     match unproven {
         0 => return true,
         1 => tell("warning: 1 pose is UNPROVEN; the result tells which and why"),
-        poses => tell(&format!("warning: {poses} poses are UNPROVEN; the result tells which and why")),
+        poses => tell(&format!(
+            "warning: {poses} poses are UNPROVEN; the result tells which and why"
+        )),
     }
     false
 }

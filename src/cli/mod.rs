@@ -3,6 +3,7 @@
 mod chart;
 mod check;
 mod compare;
+mod console;
 mod date;
 mod distances;
 mod drawing;
@@ -14,14 +15,18 @@ mod progress;
 mod report;
 mod results;
 mod schema;
+mod signals;
 mod simulate;
 mod snapshot;
+mod studies;
 mod target;
 mod worst;
 
 use crate::characters::plain;
 use crate::error::Error;
 use clap::{Parser, Subcommand};
+use console::{printed, tell};
+use std::io::Write;
 use std::process::ExitCode;
 
 /// Backlash of a measured gear pair, found by turning one gear's true outline against the other's.
@@ -69,14 +74,29 @@ enum Command {
     Schema(schema::Args),
 }
 
-/// Runs the command line of this process.
-///
-/// # Errors
-/// Whatever keeps a command from doing its work; the process ends with 2 then.
-pub fn run() -> Result<ExitCode, Error> {
-    let cli = parse();
-    cap_threads();
-    match cli.command {
+/// Runs the command line of this process: what it ends with.
+pub fn run() -> ExitCode {
+    signals::handle();
+    let ended = match parse() {
+        Ok(cli) => {
+            cap_threads();
+            command(cli.command)
+        }
+        Err(usage) => help(&usage),
+    };
+    match ended {
+        Ok(code) => code,
+        Err(error) => {
+            for line in error.lines() {
+                tell(&format!("error: {line}"));
+            }
+            ExitCode::from(error.exit_code())
+        }
+    }
+}
+
+fn command(command: Command) -> Result<ExitCode, Error> {
+    match command {
         Command::Simulate(args) => simulate::run(&args),
         Command::Compare(args) => compare::run(&args),
         Command::Check(args) => check::run(&args),
@@ -110,34 +130,21 @@ fn cap_threads() {
     }
 }
 
-/// The command line as parsed; help and usage errors end the process as clap does.
-fn parse() -> Cli {
-    Cli::try_parse().unwrap_or_else(|error| {
-        // A usage error quotes arguments, which file names that a shell filled in may be.
+/// The command line as parsed. A usage error quotes arguments, which file names that a shell filled in may be: only
+/// those characters of them that do not act.
+fn parse() -> Result<Cli, clap::Error> {
+    Cli::try_parse().map_err(|error| {
         let words = std::env::args_os().map(|word| plain(&word.to_string_lossy()));
-        match Cli::try_parse_from(words) {
-            Err(error) => error.exit(),
-            Ok(_) => error.exit(),
-        }
+        Cli::try_parse_from(words).err().unwrap_or(error)
     })
 }
 
-/// Prints to standard output. A reader that has gone away (`| head`) is no error.
-fn print(text: &str) {
-    use std::io::Write;
-    let _ = std::io::stdout().lock().write_all(text.as_bytes());
-}
-
-/// Prints a line to standard error, whatever the texts from files in it.
-fn tell(line: &str) {
-    eprintln!("{}", plain(line));
-}
-
-/// Prints what the user should know, and what was found to be in order.
-fn warn(file: &std::path::Path, warnings: &[String], remarks: &[String]) {
-    for (kind, list) in [("warning", warnings), ("note", remarks)] {
-        for told in list {
-            tell(&format!("{kind}: {}: {told}", file.display()));
-        }
+/// Prints what was asked for with --help and --version, or what is wrong with the command line.
+fn help(usage: &clap::Error) -> Result<ExitCode, Error> {
+    let shown = usage.print();
+    if usage.use_stderr() {
+        return Ok(ExitCode::from(2));
     }
+    printed(shown.and_then(|()| std::io::stdout().flush()))?;
+    Ok(ExitCode::SUCCESS)
 }

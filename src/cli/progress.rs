@@ -1,69 +1,68 @@
-//! A progress bar on a terminal, silence in a pipe, and Ctrl-C.
+//! A progress bar on a terminal, silence in a pipe.
 
-use crate::error::Error;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::ops::ControlFlow;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
-static INTERRUPTED: AtomicBool = AtomicBool::new(false);
+/// The bar that is shown, for whoever ends the process.
+static SHOWN: Mutex<Option<ProgressBar>> = Mutex::new(None);
 
-/// Counts poses on standard error; hidden when that is not a terminal.
+/// Takes the bar that is shown away.
+pub(super) fn clear() {
+    let shown = SHOWN.lock().unwrap_or_else(PoisonError::into_inner).take();
+    if let Some(bar) = shown {
+        bar.finish_and_clear();
+    }
+}
+
+/// Counts steps on standard error; hidden when that is not a terminal. Dropped, it is gone.
 pub(super) struct Progress {
     bar: ProgressBar,
 }
 
 impl Progress {
-    /// A bar of `poses` steps. From here on Ctrl-C ends the work at the next pose instead of the process.
+    /// A bar of so many `poses`.
     pub fn start(poses: usize) -> Progress {
-        // A second call in one process finds the handler in place: that is as good.
-        let _ = ctrlc::set_handler(|| INTERRUPTED.store(true, Ordering::Relaxed));
-        let bar = ProgressBar::new(poses as u64);
-        if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} poses, {eta} left") {
-            bar.set_style(style);
-        }
-        Progress { bar }
+        Progress::of(poses, "poses")
+    }
+
+    /// A bar of so many `steps`, and what a step is called.
+    pub fn of(steps: usize, named: &str) -> Progress {
+        let bar = ProgressBar::new(steps as u64);
+        let template = format!("{{bar:40}} {{pos}}/{{len}} {named}, {{eta}} left");
+        Progress::shown(bar, &template)
     }
 
     /// A sign of life for work whose length is not known beforehand, with what is being done.
     pub fn working() -> Progress {
-        let _ = ctrlc::set_handler(|| INTERRUPTED.store(true, Ordering::Relaxed));
         let bar = ProgressBar::new_spinner();
-        if let Ok(style) = ProgressStyle::with_template("{spinner} {msg}") {
+        bar.enable_steady_tick(Duration::from_millis(100));
+        Progress::shown(bar, "{spinner} {msg}")
+    }
+
+    fn shown(bar: ProgressBar, template: &str) -> Progress {
+        if let Ok(style) = ProgressStyle::with_template(template) {
             bar.set_style(style);
         }
-        bar.enable_steady_tick(Duration::from_millis(100));
+        *SHOWN.lock().unwrap_or_else(PoisonError::into_inner) = Some(bar.clone());
         Progress { bar }
     }
 
-    /// Says what is being done now; an error when the user wants to stop.
-    pub fn now(&self, doing: &str) -> Result<(), Error> {
+    /// Says what is being done now.
+    pub fn now(&self, doing: &str) {
         self.bar.set_message(doing.to_owned());
-        match self.tick() {
-            ControlFlow::Continue(()) => Ok(()),
-            ControlFlow::Break(()) => Err(Error::Interrupted),
-        }
     }
 
-    /// One pose begun; a break when the user wants to stop.
+    /// One step begun. Nothing here ever wants to stop: a signal ends the process from a thread of its own.
     pub fn tick(&self) -> ControlFlow<()> {
         self.bar.inc(1);
-        if INTERRUPTED.load(Ordering::Relaxed) {
-            ControlFlow::Break(())
-        } else {
-            ControlFlow::Continue(())
-        }
+        ControlFlow::Continue(())
     }
+}
 
-    /// Takes the bar away.
-    ///
-    /// # Errors
-    /// [`Error::Interrupted`] when Ctrl-C came during the last pose.
-    pub fn finish(&self) -> Result<(), Error> {
-        self.bar.finish_and_clear();
-        match self.tick() {
-            ControlFlow::Continue(()) => Ok(()),
-            ControlFlow::Break(()) => Err(Error::Interrupted),
-        }
+impl Drop for Progress {
+    fn drop(&mut self) {
+        clear();
     }
 }

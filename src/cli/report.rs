@@ -3,21 +3,19 @@
 use super::date::today;
 use super::method::{MethodArgs, agreement_within, all_proven, largest_difference, unproven};
 use super::progress::Progress;
+use super::studies;
 use super::target::Target;
-use super::warn;
 use crate::curves;
 use crate::cycle::{self, cycle};
 use crate::diagnosis::diagnose;
 use crate::error::Error;
 use crate::gauge::{GradedReading, Unmeasured, graded};
 use crate::gear::Inspection;
-use crate::input;
 use crate::measured::measured_matings;
 use crate::render::{self, Report};
 use crate::study::Study;
 use std::path::PathBuf;
 use std::process::ExitCode;
-use std::slice;
 
 /// Write a report: one HTML page with verdict, input, checks, curves, formulas and the mesh itself
 ///
@@ -38,13 +36,12 @@ pub(super) struct Args {
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let date = today()?;
-    let study = input::read(&args.pair)?;
-    warn(&args.pair, &study.warnings, &study.remarks);
+    let study = studies::pair(&args.pair)?;
     let file = match &args.output {
         Some(file) => file.clone(),
         None => PathBuf::from("out").join(format!("{}.html", study.stem)),
     };
-    let target = Target::prepare_beside(file, slice::from_ref(&args.pair))?;
+    let target = Target::prepare_beside(file, &study.sources)?;
     let method = args.method.method();
     let poses = curves::with_revolution_pose_count(&study)? + cycle::pose_count(&study)?;
     let progress = Progress::start(poses);
@@ -52,7 +49,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let [runs, revolution] = curves::with_revolution(&study, method, &tick)?;
     let cycle = cycle(&study, method, &tick)?;
     let all = revolution.iter().chain(&runs).chain(&cycle.extremes);
-    progress.finish()?;
+    drop(progress);
     let followed = curves::followed(&study, curves::binding(&study, all));
     let poses = followed.len() * curves::over_distance_pose_count(&study);
     let progress = Progress::start(poses);
@@ -61,12 +58,15 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         .into_iter()
         .map(|followed| curves::over_distance(&study, followed, method, &tick))
         .collect::<Result<Vec<_>, Error>>()?;
-    progress.finish()?;
+    drop(progress);
     let progress = Progress::working();
-    let diagnosis = diagnose(&study, &runs, &mut |doing| progress.now(doing))?;
-    progress.now("accuracy grades")?;
+    let diagnosis = diagnose(&study, &runs, &mut |doing| {
+        progress.now(doing);
+        Ok(())
+    })?;
+    progress.now("accuracy grades");
     let grades = grades(&study);
-    progress.now("page")?;
+    progress.now("page");
     let file = args.pair.file_name().unwrap_or_default().to_string_lossy();
     let page = render::report(&Report {
         study: &study,
@@ -81,7 +81,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         diagnosis: &diagnosis,
         grades: &grades,
     })?;
-    progress.finish()?;
+    drop(progress);
     let agree = agreement_within(
         largest_difference(runs.iter().chain(&revolution).chain(&cycle.extremes))
             .into_iter()
@@ -95,7 +95,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let all = runs.iter().chain(&revolution).chain(&cycle.extremes);
     let over_distance = over_distance.iter().map(|curve| curve.unproven);
     let proven = all_proven(unproven(all) + over_distance.sum::<usize>());
-    target.write(page)?;
+    target.write(&page)?;
     Ok(match agree && proven {
         true => ExitCode::SUCCESS,
         false => ExitCode::from(1),

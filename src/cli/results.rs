@@ -1,9 +1,10 @@
 //! What a command prints of its results, and the folder that takes all of them.
 
-use super::print;
+use super::console::print;
 use crate::characters::plain;
 use crate::error::Error;
 use crate::output::OutputFolder;
+use crate::sources::Sources;
 use clap::ValueEnum;
 use std::path::{Path, PathBuf};
 
@@ -28,54 +29,38 @@ pub(super) enum Format {
 }
 
 impl ResultsArgs {
-    /// Where the files go, tried before the work begins; `None`: nothing is written.
+    /// Where the files go, tried before the work begins; `None`: nothing is written. `own` are the names of the command's files,
+    /// which replace those of an earlier run; never one of `sources`.
     ///
     /// # Errors
-    /// [`Error::Output`].
-    pub(super) fn folder(&self, stem: &str) -> Result<Option<OutputFolder>, Error> {
+    /// As [`OutputFolder::prepare`].
+    pub(super) fn folder(
+        &self,
+        stem: &str,
+        sources: &Sources,
+        own: impl Fn(&str) -> bool + 'static,
+    ) -> Result<Option<OutputFolder>, Error> {
         let path = match (&self.output, self.format) {
             (Some(folder), _) => folder.clone(),
             (None, Format::Text) => Path::new("out").join(stem),
             (None, Format::Json | Format::Csv) => return Ok(None),
         };
-        OutputFolder::prepare(&path).map(Some)
+        OutputFolder::prepare(&path, sources, own).map(Some)
     }
 
     /// Writes `files` and, after a table, says where they are.
     ///
     /// # Errors
-    /// [`Error::Output`].
+    /// As [`OutputFolder::write`].
     pub(super) fn write(
         &self,
         folder: OutputFolder,
         files: &[(String, String)],
     ) -> Result<(), Error> {
-        self.write_instead(folder, files, [])
-    }
-
-    /// [`ResultsArgs::write`], and then removes those of the files named `possible`, all of them the
-    /// command's own, that an earlier run left there and this one did not write.
-    ///
-    /// # Errors
-    /// [`Error::Output`].
-    pub(super) fn write_instead(
-        &self,
-        folder: OutputFolder,
-        files: &[(String, String)],
-        possible: impl IntoIterator<Item = String>,
-    ) -> Result<(), Error> {
-        let stale: Vec<String> = possible
-            .into_iter()
-            .filter(|name| files.iter().all(|(written, _)| written != name))
-            .collect();
-        let path = folder.write_instead(files, &stale)?;
-        if self.format == Format::Text {
-            print(&format!(
-                "\n{} files in {}\n",
-                files.len(),
-                plain(&path.display().to_string())
-            ));
+        let path = plain(&folder.write(files)?.display().to_string());
+        match self.format {
+            Format::Text => print(&format!("\n{} files in {path}\n", files.len())),
+            Format::Json | Format::Csv => Ok(()),
         }
-        Ok(())
     }
 }

@@ -1,6 +1,6 @@
 //! `gearlash schema`: what an editor needs to complete and check pair and gear files.
 
-use super::print;
+use super::console::print;
 use crate::error::Error;
 use crate::input::{PAIR_SCHEMA, gear_schema};
 use clap::ValueEnum;
@@ -29,8 +29,8 @@ enum Files {
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     match args.files {
-        Files::Pair => print(PAIR_SCHEMA),
-        Files::Gear => print(&format!("{:#}\n", gear_schema())),
+        Files::Pair => print(PAIR_SCHEMA)?,
+        Files::Gear => print(&format!("{:#}\n", gear_schema()))?,
     }
     Ok(ExitCode::SUCCESS)
 }

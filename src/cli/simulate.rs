@@ -1,13 +1,13 @@
 //! `gearlash simulate`: the main job.
 
+use super::console::print;
 use super::distances::{self, Distances};
 use super::method::{MethodArgs, agreement};
 use super::progress::Progress;
 use super::results::{Format, ResultsArgs};
-use super::{print, warn};
+use super::studies;
 use crate::compare::{ComparedRun, compare};
 use crate::error::Error;
-use crate::input;
 use crate::measured::measured_matings;
 use crate::render::{self, Snapshot};
 use crate::simulate::{pose_count, simulate};
@@ -34,18 +34,17 @@ pub(super) struct Args {
 
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
-    let mut study = input::read(&args.pair)?;
-    warn(&args.pair, &study.warnings, &study.remarks);
+    let mut study = studies::pair(&args.pair)?;
     if let Some(Distances(distances)) = &args.center_distance {
         let moved = study.at(distances.clone());
         study = moved.map_err(|reason| Error::Usage(format!("--center-distance: {reason}")))?;
     }
     // Before the simulation, not after it.
-    let folder = args.results.folder(&study.stem)?;
+    let folder = args.results.folder(&study.stem, &study.sources, is_own)?;
 
     let progress = Progress::start(pose_count(&study)?);
     let runs = simulate(&study, args.method.method(), &|| progress.tick())?;
-    progress.finish()?;
+    drop(progress);
     let runs = compare(runs, study.tolerance_um);
 
     let result = render::result_file(&study, &runs);
@@ -57,10 +56,10 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     match args.results.format {
         Format::Text => {
             let measured = measured_matings(&study, &runs);
-            print(&render::simulation_table(&study, &runs, &measured));
+            print(&render::simulation_table(&study, &runs, &measured))?;
         }
-        Format::Json => print(&json),
-        Format::Csv => print(&csv),
+        Format::Json => print(&json)?,
+        Format::Csv => print(&csv)?,
     }
     if let Some(folder) = folder {
         let mut files = vec![
@@ -74,6 +73,18 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         true => ExitCode::SUCCESS,
         false => ExitCode::from(1),
     })
+}
+
+/// Whether a run of this command may write a file called `name`.
+fn is_own(name: &str) -> bool {
+    let picture = |name: &str| {
+        let ending = name
+            .strip_suffix("_min.svg")
+            .or(name.strip_suffix("_max.svg"));
+        let run = ending.and_then(|run| run.strip_prefix('a'));
+        run.is_some_and(|run| run.starts_with(|c: char| c.is_ascii_digit()) && run.contains('_'))
+    };
+    matches!(name, "result.json" | "result.csv") || picture(name)
 }
 
 /// Snapshots of each run's least and greatest pose.

@@ -1,14 +1,14 @@
 //! `gearlash snapshot`: one contact as a picture.
 
+use super::console::tell;
 use super::distances;
 use super::drawing::{End, material, teeth};
 use super::method::all_proven;
 use super::pictures::{exaggeration, pitch};
 use super::target::Target;
-use super::{tell, warn, worst};
+use super::{studies, worst};
 use crate::error::Error;
 use crate::gear::Side;
-use crate::input;
 use crate::mesh::{CutPair, LostMotion, Method, Unproven, sweep};
 use crate::pair::{Assembly, Mating, Member, Pose};
 use crate::render::{self, Snapshot};
@@ -17,7 +17,6 @@ use clap::ValueEnum;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::process::ExitCode;
-use std::slice;
 
 /// Draw the contact at one pose as SVG
 ///
@@ -69,14 +68,13 @@ enum Flank {
 
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
-    let study = input::read(&args.pair)?;
-    warn(&args.pair, &study.warnings, &study.remarks);
+    let study = studies::pair(&args.pair)?;
     let (title, stem) = (study.title.clone(), study.stem.clone());
+    let sources = study.sources.clone();
+    let given = args.output.clone();
+    let given = given.map(|file| Target::prepare_beside(file, &sources));
+    let given = given.transpose()?;
     let subject = subject(args, study)?;
-    let target = match &args.output {
-        Some(file) => file.clone(),
-        None => PathBuf::from("out").join(stem).join(&subject.file),
-    };
     let view = Snapshot {
         title: &title,
         assembly: &subject.assembly,
@@ -94,7 +92,14 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         None => render::snapshot(&view),
         Some(factor) => render::exaggerated(&view, &exaggeration(&subject.assembly, factor)?),
     };
-    Target::prepare_beside(target, slice::from_ref(&args.pair))?.write(picture)?;
+    let target = match given {
+        Some(target) => target,
+        None => Target::prepare(
+            PathBuf::from("out").join(stem).join(&subject.file),
+            &sources,
+        )?,
+    };
+    target.write(&picture)?;
     Ok(match all_proven(unproven) {
         true => ExitCode::SUCCESS,
         false => ExitCode::from(1),

@@ -1,7 +1,7 @@
 //! `snapshot --worst`: the pose with the least backlash of all a pair file asks for.
 
+use super::console::tell;
 use super::progress::Progress;
-use super::tell;
 use crate::analytic::evaluate;
 use crate::error::Error;
 use crate::mesh::{Method, SweptPose};
@@ -21,7 +21,7 @@ pub(super) fn find(
     let progress = Progress::start(poses);
     let method = Method::Exact { certify: true };
     let runs = simulate(&study, method, &|| progress.tick())?;
-    progress.finish()?;
+    drop(progress);
     let all = || {
         let of = |run| move |pose| (run, pose);
         runs.iter()
@@ -32,10 +32,10 @@ pub(super) fn find(
     let left_out = all().filter(|(_, pose)| pose.found.is_err()).count();
     let first_unproven = all().find(|(_, pose)| pose.found.is_err());
     if let Some((run, pose)) = first_unproven {
-        eprintln!(
+        tell(&format!(
             "{left_out} of {poses} poses unproven and left out, though one of them may be the worst; the first: {}",
             in_words(run, pose)
-        );
+        ));
     }
     let Some((run, pose)) = worst(&runs).or(first_unproven) else {
         return Err(Error::Usage(format!(
@@ -44,7 +44,10 @@ pub(super) fn find(
     };
     if pose.found.is_ok() {
         let compared = poses - left_out;
-        tell(&format!("worst of {compared} poses: {}", in_words(run, pose)));
+        tell(&format!(
+            "worst of {compared} poses: {}",
+            in_words(run, pose)
+        ));
     }
     Ok((run.clone(), pose.clone(), unproven))
 }

@@ -11,6 +11,7 @@ use super::spread::{ends, mean};
 use super::workpiece::Workpiece;
 use crate::gear::{Curve, Profile, Side};
 use crate::mesh::Touch;
+use rayon::prelude::*;
 
 /// One span.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -65,10 +66,11 @@ pub(super) fn spans(work: &Workpiece, k: u32) -> Result<Spans, Unmeasured> {
             toothing.teeth()
         )));
     }
-    let readings = (1..=toothing.teeth()).map(|first| span(work, k, first));
+    let readings = (1..=toothing.teeth()).into_par_iter();
+    let readings: Vec<_> = readings.map(|first| span(work, k, first)).collect();
     let spans = Spans {
         teeth: k,
-        readings: readings.collect::<Result<_, _>>()?,
+        readings: readings.into_iter().collect::<Result<_, _>>()?,
     };
     match off_involute(work, &spans) {
         None => Ok(spans),

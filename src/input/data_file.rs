@@ -32,11 +32,11 @@ impl DataFile {
     pub fn of(table: &Table, needed: &str, problems: &mut Problems) -> Option<DataFile> {
         let entry = table.need("file", needed, problems)?;
         let name = problems.keep(entry.text(&format!("give {needed}")))?;
-        let path = table.folder().join(name);
+        let path = table.place().file(name);
         Some(DataFile {
             key: table.path_of("file"),
             name: name.to_owned(),
-            outside: is_outside(&path, table.folder()),
+            outside: is_outside(&path, table.place().folder()),
             path,
         })
     }

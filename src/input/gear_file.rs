@@ -3,6 +3,7 @@
 use super::gear::GearPart;
 use super::node::Node;
 use super::pair_file::names;
+use super::place::Place;
 use super::problems::Problems;
 use super::table::Table;
 use crate::study::{GearStudy, GearsStudy, Material};
@@ -18,11 +19,11 @@ pub fn is_one(entries: &[(String, Node)]) -> bool {
 /// Reads the gear file at `path`.
 pub fn read(
     path: &Path,
+    place: &Place,
     entries: &[(String, Node)],
     problems: &mut Problems,
 ) -> Option<GearsStudy> {
-    let folder = path.parent().unwrap_or(Path::new(""));
-    let table = Table::new("", folder, entries, KEYS, problems);
+    let table = Table::new("", place, entries, KEYS, problems);
     let (stem, title) = names(&table, path, problems);
     let part = GearPart::read(&table, "gear", problems);
     let gear = part.as_built?;
@@ -43,5 +44,6 @@ pub fn read(
         }],
         warnings: part.warnings,
         remarks: part.remarks,
+        sources: place.sources(),
     })
 }

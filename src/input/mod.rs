@@ -26,6 +26,7 @@ mod pair_file;
 mod pair_slips;
 mod per_tooth;
 mod pitch;
+mod place;
 mod problems;
 mod readings;
 mod runout;
@@ -44,6 +45,7 @@ use crate::error::Error;
 use crate::study::{GearsStudy, Study};
 use node::Node;
 use pair_file::PairFile;
+use place::Place;
 use problems::Problems;
 use std::path::Path;
 
@@ -55,8 +57,8 @@ pub use schema::{PAIR_SCHEMA, gear_schema};
 /// # Errors
 /// [`Error::Input`] with all problems of the file, each with key, value, what is allowed and what to do.
 pub fn read(path: &Path) -> Result<Study, Error> {
-    with_entries(path, |entries, problems| {
-        PairFile::read(path, entries, problems).study(problems)
+    with_entries(path, |place, entries, problems| {
+        PairFile::read(path, place, entries, problems).study(problems)
     })
 }
 
@@ -65,11 +67,11 @@ pub fn read(path: &Path) -> Result<Study, Error> {
 /// # Errors
 /// As [`read`].
 pub fn read_gears(path: &Path) -> Result<GearsStudy, Error> {
-    with_entries(path, |entries, problems| {
+    with_entries(path, |place, entries, problems| {
         if gear_file::is_one(entries) {
-            return gear_file::read(path, entries, problems);
+            return gear_file::read(path, place, entries, problems);
         }
-        let pair = PairFile::read(path, entries, problems).study(problems);
+        let pair = PairFile::read(path, place, entries, problems).study(problems);
         pair.map(GearsStudy::from)
     })
 }
@@ -77,13 +79,14 @@ pub fn read_gears(path: &Path) -> Result<GearsStudy, Error> {
 /// What `understand` makes of the entries of the file at `path`, when nothing was wrong.
 fn with_entries<T>(
     path: &Path,
-    understand: impl FnOnce(&[(String, Node)], &mut Problems) -> Option<T>,
+    understand: impl FnOnce(&Place, &[(String, Node)], &mut Problems) -> Option<T>,
 ) -> Result<T, Error> {
     let mut problems = Problems::new();
+    let place = Place::of(path);
     let entries = source::text(path).and_then(|text| source::parse(path, &text));
     let understood = problems
         .keep(entries)
-        .and_then(|entries| understand(&entries, &mut problems));
+        .and_then(|entries| understand(&place, &entries, &mut problems));
     match understood {
         Some(understood) if problems.is_empty() => Ok(understood),
         _ => Err(Error::Input {

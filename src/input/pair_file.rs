@@ -6,6 +6,7 @@ use super::measured::{self, Measured};
 use super::node::Node;
 use super::options::{Accuracy, Compare};
 use super::pair_slips;
+use super::place::Place;
 use super::problems::Problems;
 use super::sweep::{MOST_POSES, Sweep};
 use super::table::Table;
@@ -36,12 +37,12 @@ pub struct PairFile<'a> {
 impl<'a> PairFile<'a> {
     /// Reads every table of the file at `path`.
     pub fn read(
-        path: &'a Path,
+        path: &Path,
+        place: &'a Place,
         entries: &'a [(String, Node)],
         problems: &mut Problems,
     ) -> PairFile<'a> {
-        let folder = path.parent().unwrap_or(Path::new(""));
-        let table = Table::new("", folder, entries, KEYS, problems);
+        let table = Table::new("", place, entries, KEYS, problems);
         let (stem, title) = names(&table, path, problems);
         let wheel = GearPart::read(&table, "wheel", problems);
         let pinion = GearPart::read(&table, "pinion", problems);
@@ -128,6 +129,7 @@ impl<'a> PairFile<'a> {
             notes: [self.wheel.notes, self.pinion.notes],
             warnings,
             remarks,
+            sources: self.table.place().sources(),
         })
     }
 

@@ -3,12 +3,15 @@
 use super::node::{LONGEST, Node};
 use crate::characters::cut;
 use crate::error::Problem;
-use std::fs::File;
+use std::fs::{File, Metadata};
 use std::io::{ErrorKind, Read};
 use std::path::Path;
+use std::time::{Duration, Instant};
 
 /// Largest file read: 16 MiB. Pitch and thickness of two gears of 10 000 teeth need one.
 const MOST_BYTES: u64 = 16 << 20;
+/// How long a pipe may wait for a program to write to it: one that is started beside needs a moment.
+const WAIT: Duration = Duration::from_secs(5);
 
 /// Most signs that begin a key or a value of a TOML file: its parser takes some 150 bytes for each. A list of one value a tooth
 /// for the largest gear has 10 000.
@@ -23,6 +26,10 @@ const LONGEST_MESSAGE: usize = 300;
 pub fn bytes(path: &Path) -> Result<Vec<u8>, Problem> {
     let cannot = |error: std::io::Error| match error.kind() {
         ErrorKind::NotFound => whole_file("there is no such file", "check name and folder"),
+        ErrorKind::TimedOut => whole_file(
+            format!("cannot be read: {error}"),
+            "start the program that writes to it, or name a file",
+        ),
         _ => whole_file(
             format!("cannot be read: {error}"),
             "make it a file you may read",
@@ -44,13 +51,72 @@ pub fn bytes(path: &Path) -> Result<Vec<u8>, Problem> {
     }
     // A pipe has no length beforehand.
     let mut bytes = Vec::new();
-    File::open(path)
-        .and_then(|file| file.take(MOST_BYTES + 1).read_to_end(&mut bytes))
+    let mut file = match is_pipe(&metadata) {
+        true => written_pipe(path, &mut bytes).map_err(cannot)?,
+        false => File::open(path).map_err(cannot)?,
+    };
+    let rest = MOST_BYTES + 1 - bytes.len() as u64;
+    file.by_ref()
+        .take(rest)
+        .read_to_end(&mut bytes)
         .map_err(cannot)?;
     if bytes.len() as u64 > MOST_BYTES {
         return Err(too_large("has more than 16 MiB".to_owned()));
     }
     Ok(bytes)
+}
+
+#[cfg(unix)]
+fn is_pipe(metadata: &Metadata) -> bool {
+    use std::os::unix::fs::FileTypeExt;
+    metadata.file_type().is_fifo()
+}
+
+#[cfg(not(unix))]
+fn is_pipe(_: &Metadata) -> bool {
+    false
+}
+
+/// The pipe at `path`, once a program has it open to write; what has been read of it is added to `bytes`.
+///
+/// Opened without waiting, a pipe that nobody writes reads as if it had ended, one that has a writer as not ready.
+#[cfg(unix)]
+fn written_pipe(path: &Path, bytes: &mut Vec<u8>) -> std::io::Result<File> {
+    use std::os::unix::fs::OpenOptionsExt;
+    let mut options = File::options();
+    options
+        .read(true)
+        .custom_flags(rustix::fs::OFlags::NONBLOCK.bits() as i32);
+    let mut file = options.open(path)?;
+    let begun = Instant::now();
+    let mut first = [0; 4096];
+    loop {
+        match file.read(&mut first) {
+            Ok(0) if begun.elapsed() > WAIT => {
+                return Err(std::io::Error::new(
+                    ErrorKind::TimedOut,
+                    format!(
+                        "it is a pipe, and no program has written to it for {} s",
+                        WAIT.as_secs()
+                    ),
+                ));
+            }
+            Ok(0) => std::thread::sleep(Duration::from_millis(10)),
+            Ok(length) => {
+                bytes.extend_from_slice(&first[..length]);
+                break;
+            }
+            Err(error) if error.kind() == ErrorKind::WouldBlock => break,
+            Err(error) => return Err(error),
+        }
+    }
+    rustix::io::ioctl_fionbio(&file, false)?;
+    Ok(file)
+}
+
+#[cfg(not(unix))]
+fn written_pipe(path: &Path, _: &mut Vec<u8>) -> std::io::Result<File> {
+    File::open(path)
 }
 
 /// The text of the file at `path`, without byte order mark.

@@ -7,34 +7,34 @@
 use super::entry::{Entry, Limits, quoted, whole_in};
 use super::nearest::{is_slip, nearest};
 use super::node::Node;
+use super::place::Place;
 use super::problems::Problems;
 use crate::error::Problem;
 use std::ops::RangeInclusive;
-use std::path::Path;
 
 /// A table and the dotted path it stands under, empty for the whole file.
 #[derive(Debug, Clone)]
 pub struct Table<'a> {
     path: String,
     /// The pair file's: where the files it names are.
-    folder: &'a Path,
+    place: &'a Place,
     entries: &'a [(String, Node)],
     /// Known keys that an unknown one almost spells: not missing, but mistyped.
     mistyped: Vec<&'static str>,
 }
 
 impl<'a> Table<'a> {
-    /// The table at `path` of a pair file in `folder`; every key that is not `known` is a problem.
+    /// The table at `path` of a pair file in `place`; every key that is not `known` is a problem.
     pub fn new(
         path: &str,
-        folder: &'a Path,
+        place: &'a Place,
         entries: &'a [(String, Node)],
         known: &'static [&'static str],
         problems: &mut Problems,
     ) -> Table<'a> {
         let mut table = Table {
             path: path.to_owned(),
-            folder,
+            place,
             entries,
             mistyped: Vec::new(),
         };
@@ -66,9 +66,9 @@ impl<'a> Table<'a> {
         table
     }
 
-    /// The folder of the pair file.
-    pub fn folder(&self) -> &'a Path {
-        self.folder
+    /// Where the pair file lies.
+    pub fn place(&self) -> &'a Place {
+        self.place
     }
 
     /// The dotted `path` below this table, seen from the file.
@@ -221,7 +221,7 @@ impl<'a> Table<'a> {
             },
         };
         let path = self.path_of(name);
-        Some(Table::new(&path, self.folder, entries, known, problems))
+        Some(Table::new(&path, self.place, entries, known, problems))
     }
 }
 

@@ -67,14 +67,30 @@ pub struct LostMotion {
     pub right: Option<Contact>,
     /// Limit of counter-clockwise rotation.
     pub left: Option<Contact>,
+    /// Whether no rotation of the free gear can free it, whatever touches: teeth stand in the solid body of the mate, or
+    /// overlap by a pitch or more, so that turning on only brings the next tooth into the place.
+    pub solid: bool,
 }
 
 impl LostMotion {
+    /// The same, solid where the overlap is a `pitch` of the free gear (rad) or more.
+    pub(super) fn within(self, pitch: f64) -> LostMotion {
+        let overlap = self.right.zip(self.left);
+        let overlap = overlap.map_or(0.0, |(right, left)| right.rotation - left.rotation);
+        LostMotion {
+            solid: self.solid || overlap >= pitch,
+            ..self
+        }
+    }
+
     /// How the pose ended.
     ///
-    /// An overlap in which a root land takes part is a tip in a root: turning
+    /// Teeth in the mate's body, or an overlap in which a root land takes part, are a tip in a root: turning
     /// cannot free it, and its angle means nothing.
     pub fn status(&self) -> Status {
+        if self.solid {
+            return Status::Jammed;
+        }
         let (Some(right), Some(left)) = (&self.right, &self.left) else {
             return Status::NoContact;
         };

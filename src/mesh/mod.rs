@@ -1,5 +1,6 @@
 //! What two gears do: contact of their outlines, lost motion, sweeps of poses.
 
+mod body;
 mod class;
 mod contact;
 mod exact;

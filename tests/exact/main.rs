@@ -1,8 +1,9 @@
 //! The exact method against everything outside it: the reference poses, closed forms, a
 //! brute-force search, and the hard cases.
 
-mod brute;
 mod campaign;
+#[path = "../common/clearance/mod.rs"]
+mod clearance;
 mod hard;
 mod perfect;
 mod random;

@@ -59,6 +59,7 @@ pub fn lost_motion(assembly: &Assembly, pose: &Pose) -> LostMotion {
     LostMotion {
         right: Some(contact(Side::Right)),
         left: Some(contact(Side::Left)),
+        solid: false,
     }
 }
 

@@ -64,6 +64,7 @@ static PICTURES: LazyLock<Vec<(String, String)>> = LazyLock::new(|| {
     let mut none = LostMotion {
         right: None,
         left: None,
+        solid: false,
     };
     pictures.push(("no contact".into(), draw(&assembly, &at, &none)));
     none.left = lost_motion(&assembly, &at).left;
@@ -83,7 +84,7 @@ static PICTURES: LazyLock<Vec<(String, String)>> = LazyLock::new(|| {
 fn jammed() -> (Assembly, Pose, LostMotion) {
     let assembly = pair([20, 20], 3.0, 58.5, Member::Wheel);
     let at = pose(&assembly, [1, 1], Side::Right, 0.0);
-    let LostMotion { right, left } = lost_motion(&assembly, &at);
+    let LostMotion { right, left, .. } = lost_motion(&assembly, &at);
     let made_up = |contact: Option<gearlash::mesh::Contact>, turn: f64| {
         let mut contact = contact.unwrap();
         contact.rotation = at.free_rotation() + turn;
@@ -96,6 +97,7 @@ fn jammed() -> (Assembly, Pose, LostMotion) {
     let lost = LostMotion {
         right: made_up(right, 0.06),
         left: made_up(left, -0.06),
+        solid: false,
     };
     (assembly, at, lost)
 }

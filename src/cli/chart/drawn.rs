@@ -1,10 +1,10 @@
 //! What each kind of chart is drawn from.
 
+use super::super::console::tell;
 use super::super::distances::Distances;
 use super::super::drawing::{End, material};
 use super::super::method::{agreement, agreement_within, all_proven, unproven};
 use super::super::progress::Progress;
-use super::super::tell;
 use super::{Args, Gear, Kind};
 use crate::compare::ComparedRun;
 use crate::curves::{self, Course, Followed};
@@ -52,7 +52,7 @@ impl Drawn {
             .map_err(|reason| Error::Usage(format!("--center-distance: {reason}")))?;
         let progress = Progress::start(curves::revolution_pose_count(&study)?);
         let runs = curves::revolution(&study, args.method.method(), &|| progress.tick())?;
-        progress.finish()?;
+        drop(progress);
         let courses = curves::courses(&runs);
         let course = courses
             .first()
@@ -88,7 +88,7 @@ impl Drawn {
         let progress = Progress::start(curves::over_distance_pose_count(study));
         let (method, tick) = (args.method.method(), || progress.tick());
         let curve = curves::over_distance(study, followed, method, &tick)?;
-        progress.finish()?;
+        drop(progress);
         let (wheel, pinion) = teeth(followed);
         let unproven = curve.unproven + unproven(swept_runs.iter());
         Ok(Drawn {
@@ -143,7 +143,7 @@ fn binding(study: &Study) -> Result<(Followed, Vec<ComparedRun>), Error> {
     let [own, mut all] = curves::with_revolution(study, method, &tick)?;
     all.extend(own);
     all.extend(cycle::cycle(study, method, &tick)?.extremes);
-    progress.finish()?;
+    drop(progress);
     let binding = curves::binding(study, all.iter());
     let (wheel, pinion) = teeth(binding);
     tell(&format!(

@@ -120,7 +120,7 @@ impl Setting<'_> {
         open.add_unless(locked_good, Fillet, Involute);
         open.add_unless(free_good && locked_good, Fillet, Fillet);
         // 3.
-        self.open_lands(&mut open, half, fillet_arm.map(|(_, arm)| arm), free_fillet);
+        self.open_lands(&mut open, fillet_arm.map(|(_, arm)| arm), free_fillet);
         let level_arm = near * half.cos() - ours.base;
         open.add_unless(self.is_rounder_than(level_arm), Involute, Tip);
         if locked_reach != Reach::Involute && fillet_arm.is_none() && self.free_off > 0.0 {
@@ -140,12 +140,7 @@ impl Setting<'_> {
     }
 
     /// Opens the pairs in which a tip land does not run round the axis nearly enough.
-    fn open_lands(
-        &self,
-        open: &mut Curves,
-        fillet_arm: Option<f64>,
-        free_fillet: Option<f64>,
-    ) {
+    fn open_lands(&self, open: &mut Curves, fillet_arm: Option<f64>, free_fillet: Option<f64>) {
         let (ours, theirs, near) = (self.locked, self.free, self.near());
         if let Some(gamma) = free_fillet {
             let steepest = slope_at(theirs.steepest_fillet(gamma) + self.shift());

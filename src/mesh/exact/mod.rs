@@ -39,6 +39,7 @@ mod tangent;
 mod teeth;
 mod ties;
 
+use super::body::{is_solid, may_be_solid};
 use super::lost_motion::{Contact, LostMotion};
 use crate::error::Error;
 use crate::gear::Side;
@@ -58,6 +59,8 @@ pub struct ExactKernel {
     right: Facing,
     left: Facing,
     free: Member,
+    /// The pair, where teeth may stand in the mate's body.
+    bodies: Option<Box<Assembly>>,
 }
 
 impl ExactKernel {
@@ -72,6 +75,7 @@ impl ExactKernel {
             right,
             left,
             free: assembly.free(),
+            bodies: may_be_solid(assembly).then(|| Box::new(assembly.clone())),
         }
     }
 
@@ -124,9 +128,13 @@ impl ExactKernel {
         let mut result = LostMotion {
             right: contact(&self.right)?,
             left: contact(&self.left)?,
+            solid: self
+                .bodies
+                .as_ref()
+                .is_some_and(|pair| is_solid(pair, pose)),
         };
         normalise(&mut result);
-        Ok(result)
+        Ok(result.within(self.right.free.pitch))
     }
 
     fn lost(&self, stand: &Stand, step: i64, lost: &Unsettled, pose: &Pose) -> Error {

@@ -13,7 +13,7 @@ use super::{PolygonKernel, finest_chord, steps_in_reach};
 use crate::error::Error;
 use crate::gear::Side;
 use crate::mesh::contact::closest;
-use crate::mesh::lost_motion::{Contact, LostMotion};
+use crate::mesh::lost_motion::{Contact, LostMotion, Status};
 use crate::pair::Pose;
 use nalgebra::{Isometry2, Point2};
 use std::f64::consts::TAU;
@@ -36,11 +36,36 @@ impl<'a> Certifier<'a> {
         Certifier { kernel }
     }
 
-    /// Bears out both contacts of `found` at `pose`, or fails.
+    /// Bears out both contacts of `found` at `pose`, or fails. Of a jammed pose the rotations mean nothing: where they are not
+    /// borne out (a tooth that goes through the body of a gear of few teeth meets it several times) it is enough that
+    /// the polygons by themselves find the pose jammed.
     ///
     /// # Errors
     /// [`Error::CertificateFailed`] with the pose that reproduces it; [`Error::ContactLost`] from a search.
     pub fn check(&self, pose: &Pose, found: &LostMotion) -> Result<(), Error> {
+        // Teeth in the mate's body prove it by themselves, whatever touches.
+        if found.solid {
+            return Ok(());
+        }
+        let seen = self.check_rotations(pose, found);
+        if seen.is_err() && found.status() == Status::Jammed {
+            let own = self.refined().lost_motion(pose)?;
+            if own.status() == Status::Jammed {
+                return Ok(());
+            }
+        }
+        seen
+    }
+
+    /// The polygon method on the same polygons.
+    fn refined(&self) -> PolygonKernel<'a> {
+        PolygonKernel {
+            finest: finest_chord(self.kernel.assembly),
+            ..self.kernel
+        }
+    }
+
+    fn check_rotations(&self, pose: &Pose, found: &LostMotion) -> Result<(), Error> {
         for (side, contact) in [(Side::Right, &found.right), (Side::Left, &found.left)] {
             let pitch = self.kernel.assembly.gear(self.kernel.assembly.free());
             let pitch = pitch.gear().toothing().angular_pitch();
@@ -105,11 +130,7 @@ impl<'a> Certifier<'a> {
         side: Side,
         contact: &Contact,
     ) -> Result<Result<(), String>, Error> {
-        let refined = PolygonKernel {
-            finest: finest_chord(self.kernel.assembly),
-            ..self.kernel
-        };
-        let Some(own) = refined.side(pose, side)? else {
+        let Some(own) = self.refined().side(pose, side)? else {
             return Ok(Err("nothing touches".to_owned()));
         };
         let turns = (own.rotation - contact.rotation) / TAU;

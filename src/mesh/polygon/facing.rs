@@ -116,13 +116,13 @@ impl<'a> Facing<'a> {
     }
 
     /// Whether no turn brings the two together, seen from the free axis: one is always the farther of them.
-    pub fn passes(&self, ours: &Chord, from_axis: [f64; 2]) -> bool {
+    pub fn passes(&self, ours: &Chord, radii: [f64; 2]) -> bool {
         let [near, far] = distances(ours, &self.axis);
-        near > from_axis[1] || far < from_axis[0]
+        near > radii[1] || far < radii[0]
     }
 
     /// Least and greatest distance of a chord of the free half tooth from the axis; it may stand at any opening.
-    pub fn from_axis(&self, theirs: &Chord) -> [f64; 2] {
+    pub fn radii(&self, theirs: &Chord) -> [f64; 2] {
         // In its own frame, where the axis does not move.
         distances(theirs, &self.at(0.0).inverse_transform_point(&self.axis))
     }

@@ -11,6 +11,7 @@ mod facing;
 mod place;
 mod search;
 
+use super::body::{is_solid, may_be_solid};
 use super::lost_motion::{Contact, LostMotion};
 use crate::error::Error;
 use crate::gear::{Profile, Side};
@@ -64,10 +65,13 @@ impl<'a> PolygonKernel<'a> {
     /// # Errors
     /// [`Error::ContactLost`] names the pair of teeth whose search did not end.
     pub fn lost_motion(&self, pose: &Pose) -> Result<LostMotion, Error> {
-        Ok(LostMotion {
+        let found = LostMotion {
             right: self.side(pose, Side::Right)?,
             left: self.side(pose, Side::Left)?,
-        })
+            solid: may_be_solid(self.assembly) && is_solid(self.assembly, pose),
+        };
+        let free = self.assembly.gear(self.assembly.free());
+        Ok(found.within(free.gear().toothing().angular_pitch()))
     }
 
     /// The tightest contact of one side.

@@ -8,7 +8,8 @@ use crate::mesh::lost_motion::{Contact, Touch};
 use crate::pair::Member;
 use nalgebra::{Point2, Vector2};
 
-/// A radius this near the tip circle, mm, is the tip corner (the reference data's own rule).
+/// A radius this near the tip circle, mm, is the tip corner (the reference data's own rule), one this near the root circle
+/// the root: below it the gear is solid all round.
 const CORNER: f64 = 1e-7;
 
 /// What touches, and where in the picture.
@@ -106,7 +107,11 @@ fn part(facing: &Facing, half: &Half, tooth: u32, chord: &Chord, at: &Point2<f64
     let (curve, parameter) = (chord.curve, chord.parameter_at(at));
     let radius = at.coords.norm();
     let normal = profile.normal(curve, parameter, facing.side);
-    let on_tip_circle = radius >= half.gear().tip_radius() - CORNER;
+    let named = match curve {
+        _ if radius >= half.gear().tip_radius() - CORNER => Curve::Tip,
+        Curve::Fillet if radius < half.gear().root_radius() + CORNER => Curve::Root,
+        _ => curve,
+    };
     let end = |curve, parameter: f64| {
         let (from, to) = profile.range(curve);
         from > to && parameter == to
@@ -114,7 +119,7 @@ fn part(facing: &Facing, half: &Half, tooth: u32, chord: &Chord, at: &Point2<f64
     Part {
         touch: Touch {
             tooth,
-            curve: if on_tip_circle { Curve::Tip } else { curve },
+            curve: named,
             radius,
         },
         normal: (!is_edge(half, curve, parameter, radius)).then_some(normal),

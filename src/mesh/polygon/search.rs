@@ -167,9 +167,9 @@ const SPENT: &str = "the effort allowed for one pose was spent: too many stretch
 fn start(index: usize, facing: &Facing, waiting: &mut BinaryHeap<Pair>) {
     let [locked, free] = [facing.locked.own(), facing.free.own()];
     for theirs in facing.free.shared().iter().chain(free.iter().flatten()) {
-        let from_axis = facing.from_axis(theirs);
+        let radii = facing.radii(theirs);
         for ours in facing.locked.shared().iter().chain(locked.iter().flatten()) {
-            if !facing.passes(ours, from_axis) {
+            if !facing.passes(ours, radii) {
                 let (opening, end) = facing.shared_directions(ours, theirs);
                 waiting.push(Pair {
                     facing: index as u32,
@@ -197,7 +197,7 @@ fn cut(facing: &Facing, pair: &Pair, opening: f64, waiting: &mut BinaryHeap<Pair
             true => [half, theirs],
             false => [ours, half],
         };
-        if !facing.passes(&chords[0], facing.from_axis(&chords[1])) {
+        if !facing.passes(&chords[0], facing.radii(&chords[1])) {
             waiting.push(Pair {
                 opening,
                 chords,

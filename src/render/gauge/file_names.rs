@@ -1,5 +1,7 @@
 //! What the files of a gear are called.
 
+use crate::study::Material;
+
 /// One gauge's readings; the stem of the gear (`gauge_wheel`, `gauge_wheel_most`) comes before it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum FileName {
@@ -63,6 +65,14 @@ impl FileName {
 /// The gear file of the gear of `stem`.
 pub(super) fn gear_file_name(stem: &str) -> String {
     format!("{stem}.toml")
+}
+
+/// How the files of the gear called `name` begin: `gauge_wheel`, with the material where there are two.
+pub fn stem(name: &str, material: Material) -> String {
+    match material {
+        Material::AsMeasured => format!("gauge_{name}"),
+        material => format!("gauge_{name}_{}", material.name()),
+    }
 }
 
 /// Every name that a run could write for the gear of `stem`.

@@ -15,7 +15,7 @@ use serde_json::Value;
 
 pub use charts::charts;
 pub use csv_files::{csv_files, teeth_csv};
-pub use file_names::possible_files;
+pub use file_names::{possible_files, stem};
 pub use json::json;
 pub use text::text;
 
@@ -39,10 +39,7 @@ pub struct GaugedGear<'a> {
 impl GaugedGear<'_> {
     /// How its files begin: `gauge_wheel`, with the material where there are two.
     pub fn stem(&self) -> String {
-        match self.material {
-            Material::AsMeasured => format!("gauge_{}", self.name),
-            material => format!("gauge_{}_{}", self.name, material.name()),
-        }
+        stem(self.name, self.material)
     }
 
     /// Its gear file: name and content.

@@ -1,0 +1,42 @@
+//! Where a pair file lies, and what has been read from there.
+
+use crate::sources::Sources;
+use std::cell::RefCell;
+use std::path::{Path, PathBuf};
+
+/// The folder that the relative paths of a pair file start from. Every file that is read is kept in mind: no result may be
+/// written over it.
+#[derive(Debug)]
+pub struct Place {
+    folder: PathBuf,
+    read: RefCell<Sources>,
+}
+
+impl Place {
+    /// That of the file at `path`, which is itself the first to be read.
+    pub fn of(path: &Path) -> Place {
+        let mut read = Sources::new();
+        read.add(path);
+        Place {
+            folder: path.parent().unwrap_or(Path::new("")).to_path_buf(),
+            read: RefCell::new(read),
+        }
+    }
+
+    /// The folder of the pair file.
+    pub fn folder(&self) -> &Path {
+        &self.folder
+    }
+
+    /// Where the file called `name` is. It will be read.
+    pub fn file(&self, name: &str) -> PathBuf {
+        let path = self.folder.join(name);
+        self.read.borrow_mut().add(&path);
+        path
+    }
+
+    /// All that was read.
+    pub fn sources(&self) -> Sources {
+        self.read.borrow().clone()
+    }
+}

@@ -1,0 +1,167 @@
+//! The second way: file by file, in a folder that cannot change places as a whole.
+//!
+//! In the temporary folder stand `new/` (the files to come), `old/` (those that had to make room) and, while the folder is neither
+//! old nor new, `.gearlash-plan`: a line `put NAME` or `drop NAME` a file. A failure, or the next run after a kill, undoes the
+//! plan. The manifest is the last file of it: as long as its hashes do not fit, the set is not whole.
+
+use super::ending::unfinished;
+use super::failed;
+use super::temporary::{Temporary, sync_folder};
+use crate::error::Error;
+use sha2::{Digest, Sha256};
+use std::fmt::Write;
+use std::io::ErrorKind;
+use std::path::Path;
+
+/// What has still to be undone after a kill.
+const PLAN: &str = ".gearlash-plan";
+/// Name and form are those that `sha256sum --check` reads.
+pub(super) const MANIFEST: &str = "gearlash.sha256";
+
+/// Puts `files` into `folder` and removes those called `stale`; after an error everything is as it was.
+pub(super) fn replace(
+    folder: &Path,
+    files: &[(String, String)],
+    stale: &[String],
+) -> Result<(), Error> {
+    let temporary = Temporary::new_in(folder).map_err(failed(folder))?;
+    let of_folder = |error| failed(folder)(error);
+    let new = temporary.add_folder("new").map_err(of_folder)?;
+    temporary.add_folder("old").map_err(of_folder)?;
+    let manifest = (MANIFEST.to_owned(), manifest(folder, files, stale));
+    let put = || files.iter().chain([&manifest]);
+    for (name, content) in put() {
+        let target = folder.join(name);
+        if target.symlink_metadata().is_ok_and(|found| found.is_dir()) {
+            return Err(failed(&target)(ErrorKind::IsADirectory.into()));
+        }
+        let written = temporary.write(Path::new("new").join(name), content.as_bytes());
+        written.map_err(failed(&target))?;
+    }
+    let mut plan = String::new();
+    for name in stale {
+        plan += &format!("drop {name}\n");
+    }
+    for (name, _) in put() {
+        plan += &format!("put {name}\n");
+    }
+    let planned = temporary.write("planned", plan.as_bytes());
+    planned.map_err(of_folder)?;
+    sync_folder(&new).map_err(of_folder)?;
+
+    // From here on the folder is neither old nor new.
+    let mut list = unfinished();
+    let path = temporary.path();
+    let done = std::fs::rename(path.join("planned"), path.join(PLAN))
+        .map_err(of_folder)
+        .and_then(|()| {
+            for (action, name) in lines(&plan) {
+                swap(folder, path, action, name).map_err(failed(&folder.join(name)))?;
+            }
+            sync_folder(folder).map_err(of_folder)?;
+            std::fs::remove_file(path.join(PLAN)).map_err(of_folder)
+        });
+    match done {
+        Ok(()) => {
+            list.set_written();
+            Ok(())
+        }
+        Err(error) => match undo(path) {
+            Ok(()) => Err(error),
+            Err(source) => {
+                // The next run may be able to: the plan stays.
+                list.drop_temporary(path);
+                drop(list);
+                std::mem::forget(temporary);
+                Err(Error::HalfWritten {
+                    folder: folder.to_path_buf(),
+                    reason: error.to_string(),
+                    source,
+                })
+            }
+        },
+    }
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Action {
+    Put,
+    Drop,
+}
+
+fn lines(plan: &str) -> impl Iterator<Item = (Action, &str)> {
+    plan.lines().filter_map(|line| {
+        let (action, name) = line.split_once(' ')?;
+        match action {
+            "put" => Some((Action::Put, name)),
+            "drop" => Some((Action::Drop, name)),
+            _ => None,
+        }
+    })
+}
+
+/// One line of the plan: the old file makes room, the new one comes.
+fn swap(folder: &Path, temporary: &Path, action: Action, name: &str) -> std::io::Result<()> {
+    let [target, new] = [folder.join(name), temporary.join("new").join(name)];
+    let old = temporary.join("old").join(name);
+    if target.symlink_metadata().is_ok() {
+        // A second name, so that the first one is never without a file; or a new one where the file system has no such names.
+        let linked = action == Action::Put && std::fs::hard_link(&target, &old).is_ok();
+        if !linked {
+            std::fs::rename(&target, &old)?;
+        }
+    }
+    match action {
+        Action::Put => std::fs::rename(new, target),
+        Action::Drop => Ok(()),
+    }
+}
+
+/// Undoes the plan of the temporary folder at `path`, where there is one; its folder is that in which it stands.
+pub(super) fn undo(path: &Path) -> std::io::Result<()> {
+    let plan = match std::fs::read_to_string(path.join(PLAN)) {
+        Ok(plan) => plan,
+        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(()),
+        Err(error) => return Err(error),
+    };
+    let folder = path.parent().unwrap_or(Path::new("."));
+    for (action, name) in lines(&plan) {
+        let [target, new] = [folder.join(name), path.join("new").join(name)];
+        let old = path.join("old").join(name);
+        if old.symlink_metadata().is_ok() {
+            std::fs::rename(old, target)?;
+        } else if action == Action::Put && new.symlink_metadata().is_err() {
+            // It came, and nothing had to make room. Undone twice, it is gone already.
+            match std::fs::remove_file(target) {
+                Err(error) if error.kind() != ErrorKind::NotFound => return Err(error),
+                _ => {}
+            }
+        }
+    }
+    sync_folder(folder)?;
+    std::fs::remove_file(path.join(PLAN))
+}
+
+/// The hash of each of `files`, and the lines of other commands' files that the folder's manifest has.
+fn manifest(folder: &Path, files: &[(String, String)], stale: &[String]) -> String {
+    let before = std::fs::read_to_string(folder.join(MANIFEST)).unwrap_or_default();
+    let mut text = String::new();
+    for line in before.lines() {
+        let Some((_, name)) = line.split_once("  ") else {
+            continue;
+        };
+        let ours =
+            stale.iter().any(|other| other == name) || files.iter().any(|(other, _)| other == name);
+        if !ours && folder.join(name).is_file() {
+            text += &format!("{line}\n");
+        }
+    }
+    for (name, content) in files {
+        for byte in Sha256::digest(content) {
+            // Into a string: it cannot fail.
+            let _ = write!(text, "{byte:02x}");
+        }
+        text += &format!("  {name}\n");
+    }
+    text
+}

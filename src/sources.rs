@@ -1,0 +1,69 @@
+//! The files that were read, recognised under whatever name something else would write to them.
+//!
+//! Only ordinary files are kept: a pipe or a device that was read loses nothing by being written to.
+
+use std::fs::{File, Metadata};
+use std::path::{Path, PathBuf};
+
+/// Every file that a study came from: the pair file, its tables, protocols, workbooks and measured rows.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Sources {
+    read: Vec<(PathBuf, Identity)>,
+}
+
+/// What two names of one file share: device and inode, whatever links lead there.
+#[cfg(unix)]
+type Identity = (u64, u64);
+/// The path itself, its links followed.
+#[cfg(not(unix))]
+type Identity = PathBuf;
+
+impl Sources {
+    /// None.
+    pub fn new() -> Sources {
+        Sources::default()
+    }
+
+    /// Keeps the file at `path` in mind, where it is an ordinary one.
+    pub fn add(&mut self, path: &Path) {
+        let identity = std::fs::metadata(path)
+            .ok()
+            .and_then(|metadata| identity(path, &metadata));
+        if let Some(identity) = identity {
+            self.read.push((path.to_path_buf(), identity));
+        }
+    }
+
+    /// Keeps those of `others` in mind, too.
+    pub fn extend(&mut self, others: &Sources) {
+        self.read.extend_from_slice(&others.read);
+    }
+
+    /// The name under which the file at `path` was read; `None`: it was not, or nothing is there.
+    pub fn named(&self, path: &Path) -> Option<&Path> {
+        self.find(path, &std::fs::metadata(path).ok()?)
+    }
+
+    /// The name under which `file`, open at `path`, was read.
+    pub fn named_open(&self, path: &Path, file: &File) -> Option<&Path> {
+        self.find(path, &file.metadata().ok()?)
+    }
+
+    fn find(&self, path: &Path, metadata: &Metadata) -> Option<&Path> {
+        let wanted = identity(path, metadata)?;
+        let mut read = self.read.iter();
+        read.find(|(_, identity)| *identity == wanted)
+            .map(|(path, _)| path.as_path())
+    }
+}
+
+#[cfg(unix)]
+fn identity(_: &Path, metadata: &Metadata) -> Option<Identity> {
+    use std::os::unix::fs::MetadataExt;
+    metadata.is_file().then(|| (metadata.dev(), metadata.ino()))
+}
+
+#[cfg(not(unix))]
+fn identity(path: &Path, metadata: &Metadata) -> Option<Identity> {
+    path.canonicalize().ok().filter(|_| metadata.is_file())
+}

@@ -1,0 +1,187 @@
+//! A pair of gears and a pose of it, from a seed and a number.
+//!
+//! Drawn from far outside what a shop makes, on purpose; what cannot exist (pointed teeth, closed spaces, no involute
+//! left) is drawn again.
+
+use super::gear::Numbers;
+use super::pair_file;
+use super::random::Random;
+use gearlash::analytic::InvolutePair;
+use gearlash::gear::{AsBuilt, Side};
+use gearlash::pair::{Assembly, Mating, Member};
+use std::sync::Arc;
+
+/// Poses of one drawn pair: each at its own centre distance, with its own locked gear, mating and fraction.
+pub const POSES_A_PAIR: u64 = 4;
+
+/// How far the gears of a pose are apart.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Depth {
+    /// From jammed to tips that hardly reach; mostly in mesh.
+    Any,
+    /// Tip circles that overlap by 0.2 m down to 1e-4 m, or nearly so: nothing but the tips is left of the mesh.
+    Grazing,
+    /// The other end: tips within 0.1 m to 1e-4 m of a root, on either side of touching it.
+    OnRoot,
+}
+
+impl Depth {
+    pub const ALL: [Depth; 3] = [Depth::Any, Depth::Grazing, Depth::OnRoot];
+
+    pub fn name(self) -> &'static str {
+        match self {
+            Depth::Any => "any",
+            Depth::Grazing => "grazing",
+            Depth::OnRoot => "on root",
+        }
+    }
+}
+
+/// A drawn pair.
+pub struct Pair {
+    numbers: Arc<[Numbers; 2]>,
+    gears: [AsBuilt; 2],
+    /// Gears and pairs drawn before that cannot exist.
+    pub redrawn: u64,
+    seed: u64,
+    number: u64,
+}
+
+/// A pose of a drawn pair.
+pub struct Drawn {
+    pub gears: Arc<[Numbers; 2]>,
+    pub assembly: Assembly,
+    pub mating: Mating,
+    pub depth: Depth,
+}
+
+impl Pair {
+    /// Pair number `number` of `seed`: poses `number * POSES_A_PAIR` and on.
+    pub fn new(seed: u64, number: u64) -> Pair {
+        let mut random = Random::of(seed, number);
+        let mut redrawn = 0;
+        loop {
+            let undercut = random.chance(0.25);
+            let first = random.decades(3.0, if undercut { 16.0 } else { 401.0 }) as u32;
+            // An undercut gear's mate may have any number of teeth.
+            let second = random.decades(3.0, 401.0) as u32;
+            let module = random.decades(0.05, 20.0);
+            let alpha = match random.chance(0.4) {
+                true => random.pick(&[14.5, 20.0, 25.0, 30.0]),
+                false => random.within(14.5, 30.0),
+            };
+            let teeth = match random.chance(0.5) {
+                true => [second, first],
+                false => [first, second],
+            };
+            let [wheel, pinion] = teeth.map(|teeth| {
+                // A gear at a time: a pair of which both can exist would be rare, and the odd ones rarer.
+                (0..50).find_map(|_| {
+                    let numbers = Numbers::draw(&mut random, teeth, module, alpha);
+                    let built = numbers.build();
+                    redrawn += u64::from(built.is_none());
+                    built.map(|gear| (numbers, gear))
+                })
+            });
+            if let (Some(wheel), Some(pinion)) = (wheel, pinion) {
+                return Pair {
+                    numbers: Arc::new([wheel.0, pinion.0]),
+                    gears: [wheel.1, pinion.1],
+                    redrawn,
+                    seed,
+                    number,
+                };
+            }
+        }
+    }
+
+    pub fn gears(&self) -> &[AsBuilt; 2] {
+        &self.gears
+    }
+
+    /// Pose `k` of the pair, at `depth` or at any.
+    pub fn pose(&self, k: u64, depth: Option<Depth>) -> Drawn {
+        let mut random = Random::of(!self.seed, self.number * POSES_A_PAIR + k);
+        let bundles = [
+            Depth::Any,
+            Depth::Any,
+            Depth::Any,
+            Depth::Grazing,
+            Depth::OnRoot,
+        ];
+        let drawn = random.pick(&bundles);
+        let depth = depth.unwrap_or(drawn);
+        let locked = random.pick(&[Member::Wheel, Member::Pinion]);
+        let [wheel, pinion] = &self.gears;
+        let assembly = loop {
+            let distance = self.distance(&mut random, depth);
+            // Base circles that overlap are drawn again.
+            if let Ok(assembly) = Assembly::new(wheel.clone(), pinion.clone(), distance, locked) {
+                break assembly;
+            }
+        };
+        let whole = match random.chance(0.2) {
+            true => random.within(-50.0, 50.0).round(),
+            false => 0.0,
+        };
+        let part = match random.chance(0.1) {
+            true => 0.0,
+            false => random.within(0.0, 1.0),
+        };
+        let mating = Mating {
+            wheel_tooth: random.one_of(self.numbers[0].teeth),
+            pinion_tooth: random.one_of(self.numbers[1].teeth),
+            flank: random.pick(&Side::BOTH),
+            fraction: whole + part,
+        };
+        Drawn {
+            gears: Arc::clone(&self.numbers),
+            assembly,
+            mating,
+            depth,
+        }
+    }
+
+    fn distance(&self, random: &mut Random, depth: Depth) -> f64 {
+        let [wheel, pinion] = [&self.gears[0], &self.gears[1]];
+        let module = self.numbers[0].module_mm;
+        let off = wheel.eccentricity() + pinion.eccentricity();
+        let base = wheel.gear().base_radius() + pinion.gear().base_radius();
+        let tips = wheel.gear().tip_radius() + pinion.gear().tip_radius();
+        let bottom =
+            |one: &AsBuilt, other: &AsBuilt| one.gear().tip_radius() + other.gear().root_radius();
+        let touching = bottom(wheel, pinion).max(bottom(pinion, wheel));
+        let least = base + 1e-3 * module;
+        match depth {
+            Depth::Any if random.chance(0.5) => {
+                let pair = InvolutePair::new(wheel.gear(), pinion.gear());
+                let tight = pair.center_distance(0.0).unwrap_or(touching);
+                (tight + random.within(-0.3, 0.4) * module).max(least)
+            }
+            Depth::Any => {
+                let jammed = (touching - 0.5 * module).max(least);
+                random.within(jammed, jammed.max(tips + 0.5 * off))
+            }
+            Depth::Grazing => {
+                { tips + random.within(-1.0, 1.0) * off - random.decades(1e-4, 0.2) * module }
+                    .max(least)
+            }
+            Depth::OnRoot => {
+                let beyond = random.decades(1e-4, 0.1) * module;
+                let side = random.pick(&[1.0, -1.0]);
+                (touching + random.within(-1.0, 1.0) * off + side * beyond).max(least)
+            }
+        }
+    }
+}
+
+impl Drawn {
+    /// Pose number `index` of the campaign of `seed`, at `depth` or at any.
+    pub fn new(depth: Option<Depth>, seed: u64, index: u64) -> Drawn {
+        Pair::new(seed, index / POSES_A_PAIR).pose(index % POSES_A_PAIR, depth)
+    }
+
+    pub fn pair_file(&self) -> String {
+        pair_file::text(self)
+    }
+}

@@ -1,0 +1,238 @@
+//! One gear of the campaign, as the numbers of a pair file.
+
+use super::random::Random;
+use gearlash::gear::{AsBuilt, Blank, Deviations, Face, Gear, Pitch, Rack, Toothing, thickness};
+use std::f64::consts::{FRAC_PI_4, PI};
+
+/// What kind of basic rack a gear was cut by.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum RackKind {
+    /// ISO 53 A.
+    Standard,
+    /// Addendum 0.3 to 0.8.
+    Stub,
+    /// Addendum 1.3.
+    Long,
+    /// Root radius 0.
+    Sharp,
+    /// The greatest root radius that fits.
+    FullRound,
+    /// Anything between.
+    Any,
+}
+
+impl RackKind {
+    pub const ALL: [RackKind; 6] = [
+        RackKind::Standard,
+        RackKind::Stub,
+        RackKind::Long,
+        RackKind::Sharp,
+        RackKind::FullRound,
+        RackKind::Any,
+    ];
+
+    pub fn name(self) -> &'static str {
+        match self {
+            RackKind::Standard => "standard",
+            RackKind::Stub => "stub",
+            RackKind::Long => "long",
+            RackKind::Sharp => "sharp",
+            RackKind::FullRound => "full round",
+            RackKind::Any => "any",
+        }
+    }
+
+    /// Addendum, dedendum, root radius in modules, at the pressure angle `alpha`.
+    fn draw(self, random: &mut Random, alpha: f64) -> [f64; 3] {
+        let addendum = match self {
+            RackKind::Standard => return [1.0, 1.25, 0.38],
+            RackKind::Stub if random.chance(0.5) => 0.8,
+            RackKind::Stub => random.within(0.3, 0.8),
+            RackKind::Long => 1.3,
+            _ => random.within(0.8, 1.25),
+        };
+        let dedendum = addendum + random.within(0.1, 0.4);
+        // Half the tool's flat: π/4 − (h_fP − ρ) tan α − ρ/cos α = 0.
+        let (sin, cos) = alpha.sin_cos();
+        let fits = ((FRAC_PI_4 * cos - dedendum * sin) / (1.0 - sin)).clamp(0.0, dedendum);
+        let root_radius = match self {
+            RackKind::Sharp => 0.0,
+            RackKind::FullRound => fits,
+            _ => random.within(0.0, fits.min(0.45)),
+        };
+        [addendum, dedendum, root_radius]
+    }
+}
+
+/// How the tip circle differs from the one the rack and `x` call for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Tip {
+    AsGenerated,
+    TurnedDown,
+    Raised,
+}
+
+impl Tip {
+    pub const ALL: [Tip; 3] = [Tip::AsGenerated, Tip::TurnedDown, Tip::Raised];
+
+    pub fn name(self) -> &'static str {
+        match self {
+            Tip::AsGenerated => "as generated",
+            Tip::TurnedDown => "turned down",
+            Tip::Raised => "raised",
+        }
+    }
+}
+
+/// The numbers of one gear, as in a pair file.
+pub struct Numbers {
+    pub teeth: u32,
+    pub module_mm: f64,
+    pub pressure_angle_deg: f64,
+    pub profile_shift: f64,
+    pub kind: RackKind,
+    pub rack: [f64; 3],
+    pub tip: Tip,
+    pub tip_diameter_mm: f64,
+    pub allowance_um: f64,
+    pub face: Face,
+    pub runout_um: f64,
+    pub high_tooth: f64,
+    pub per_tooth_um: Vec<f64>,
+    pub right_um: Vec<f64>,
+    pub left_um: Vec<f64>,
+}
+
+/// How the deviations of a gear's teeth go round.
+#[derive(Clone, Copy)]
+enum Pattern {
+    Random,
+    /// Every other tooth farther along: hand-over at tip corners.
+    Alternating,
+    /// A single tooth off, and by more than all could be.
+    One(u32),
+}
+
+impl Numbers {
+    /// A gear that may or may not exist.
+    pub fn draw(
+        random: &mut Random,
+        teeth: u32,
+        module_mm: f64,
+        pressure_angle_deg: f64,
+    ) -> Numbers {
+        let kind = random.pick(&RackKind::ALL);
+        let rack = kind.draw(random, pressure_angle_deg.to_radians());
+        let profile_shift = match random.chance(0.15) {
+            true => 0.0,
+            false => random.within(-0.6, 1.2),
+        };
+        let plain = f64::from(teeth) * module_mm + 2.0 * module_mm * (rack[0] + profile_shift);
+        let tip = random.pick(&[
+            Tip::AsGenerated,
+            Tip::AsGenerated,
+            Tip::TurnedDown,
+            Tip::Raised,
+        ]);
+        let tip_diameter_mm = plain
+            + 2.0
+                * module_mm
+                * match tip {
+                    Tip::AsGenerated => 0.0,
+                    Tip::TurnedDown => -random.decades(0.01, 0.8),
+                    Tip::Raised => random.decades(0.01, 0.6),
+                };
+        let allowance = match random.chance(0.5) {
+            true => random.within(-0.03, 0.005),
+            false => random.within(-0.3, 0.25),
+        };
+        let mut numbers = Numbers {
+            teeth,
+            module_mm,
+            pressure_angle_deg,
+            profile_shift,
+            kind,
+            rack,
+            tip,
+            tip_diameter_mm,
+            allowance_um: allowance * module_mm * 1e3,
+            face: random.pick(&[Face::Front, Face::Back]),
+            runout_um: 0.0,
+            high_tooth: 1.0,
+            per_tooth_um: vec![],
+            right_um: vec![],
+            left_um: vec![],
+        };
+        numbers.deviate(random);
+        numbers
+    }
+
+    fn deviate(&mut self, random: &mut Random) {
+        if random.chance(0.4) {
+            // Half the runout: ordinary (10 µm at module 3), or up to 0.75 modules.
+            let most = random.pick(&[0.003, 0.02, 0.75]);
+            self.runout_um = 2e3 * random.within(0.0, most) * self.module_mm;
+            self.high_tooth = random.within(1.0, f64::from(self.teeth) + 1.0);
+        }
+        if random.chance(0.35) {
+            return;
+        }
+        // Ordinary, ten times that, or up to 0.3 of a pitch.
+        let most = random.pick(&[0.003, 0.03, 0.3 * PI]);
+        let um = random.within(0.0, most) * self.module_mm * 1e3;
+        let pattern = match random.one_of(3) {
+            1 => Pattern::Random,
+            2 => Pattern::Alternating,
+            _ => Pattern::One(random.one_of(self.teeth) - 1),
+        };
+        let mut list = |most: f64| -> Vec<f64> {
+            let off = |k: u32| match pattern {
+                Pattern::Random => random.within(-most, most),
+                Pattern::Alternating => most * (0.2 * random.within(-1.0, 1.0) + f64::from(k % 2)),
+                Pattern::One(tooth) => {
+                    if k == tooth {
+                        random.within(-most, most)
+                    } else {
+                        0.0
+                    }
+                }
+            };
+            (0..self.teeth).map(off).collect()
+        };
+        // Per-tooth thickness moves a flank by half of it.
+        match self.teeth % 3 {
+            0 => self.per_tooth_um = list(um),
+            1 => (self.right_um, self.left_um) = (list(um), list(um)),
+            _ => {
+                // Both flanks along: a tooth out of place, as thick as it was.
+                self.right_um = list(um);
+                self.left_um = self.right_um.clone();
+            }
+        }
+    }
+
+    /// The gear, if it can exist.
+    pub fn build(&self) -> Option<AsBuilt> {
+        let mm = |list: &[f64]| list.iter().map(|um| um / 1e3).collect::<Vec<f64>>();
+        let alpha = self.pressure_angle_deg.to_radians();
+        let blank = Blank {
+            toothing: Toothing::new(self.teeth, self.module_mm, alpha).ok()?,
+            profile_shift: self.profile_shift,
+            rack: Rack::new(self.rack[0], self.rack[1], self.rack[2]).ok()?,
+            tip_diameter: Some(self.tip_diameter_mm),
+        };
+        let base = thickness::base_from_allowance(
+            &blank.toothing,
+            blank.nominal_base_thickness(),
+            self.allowance_um / 1e3,
+        );
+        let pitch = !self.right_um.is_empty();
+        let deviations = Deviations {
+            per_tooth: mm(&self.per_tooth_um),
+            pitch: pitch.then(|| Pitch::from_cumulative(&mm(&self.right_um), &mm(&self.left_um))),
+            eccentricity: self.runout_um / 1e3 / 2.0,
+            high_tooth: self.high_tooth,
+        };
+        AsBuilt::new(Gear::new(blank, base).ok()?, self.face, &deviations).ok()
+    }
+}

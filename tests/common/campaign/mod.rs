@@ -1,0 +1,56 @@
+//! Random poses for both methods, from a seed: the campaign of exact against polygon, each exact result certified.
+//!
+//! Used by `examples/campaign.rs` and tests. A pair is drawn as numbers of a pair file (`gear`, `draw`), so
+//! that any pose can be printed and run again (`pair_file`). What is drawn goes far beyond what a shop makes, and leans
+//! towards the awkward: undercut teeth, tips turned down or raised, hand-over on tip corners, eccentric axes, tips deep in
+//! roots, tips that hardly reach.
+
+#![allow(dead_code)] // each test binary uses its part
+
+mod draw;
+mod gear;
+mod outcome;
+mod pair_file;
+mod random;
+mod tally;
+mod watch;
+
+use draw::POSES_A_PAIR;
+use draw::Pair;
+pub use draw::{Depth, Drawn};
+use gearlash::mesh::CutPair;
+use outcome::Outcome;
+use rayon::prelude::*;
+use std::time::Duration;
+pub use tally::Tally;
+pub use watch::LONGEST;
+use watch::Watch;
+
+/// Poses `first..first + poses` of `seed`, all at `depth` or mixed, by both methods on all threads.
+///
+/// The process ends when a pose takes longer than `longest`: a search without end is a fault that would hide all others.
+pub fn run(depth: Option<Depth>, seed: u64, first: u64, poses: u64, longest: Duration) -> Tally {
+    let watch = Watch::new(seed, longest);
+    let end = first + poses;
+    let pairs = first / POSES_A_PAIR..end.div_ceil(POSES_A_PAIR);
+    let mut tally = pairs
+        .into_par_iter()
+        .map(|number| {
+            let pair = Pair::new(seed, number);
+            let [wheel, pinion] = pair.gears();
+            let cut = CutPair::new(wheel, pinion, 1e-4 * wheel.gear().toothing().module());
+            let mut tally = tally::of_pair(&pair);
+            let poses = number * POSES_A_PAIR..(number + 1) * POSES_A_PAIR;
+            for index in poses.filter(|index| (first..end).contains(index)) {
+                let drawn = pair.pose(index % POSES_A_PAIR, depth);
+                let running = watch.running(index);
+                let outcome = Outcome::new(&drawn, &cut);
+                drop(running);
+                tally.add(index, &drawn, outcome);
+            }
+            tally
+        })
+        .reduce(Tally::default, Tally::and);
+    tally.shorten();
+    tally
+}

@@ -1,0 +1,195 @@
+//! What both methods and the certificate say about one pose, and what of it is a fault.
+
+use super::draw::Drawn;
+use gearlash::error::Error;
+use gearlash::gear::{Curve, Profile};
+use gearlash::mesh::{Certifier, Contact, CutPair, ExactKernel, LostMotion, Status, Touch};
+use gearlash::pair::{Assembly, Member, Pose};
+use std::f64::consts::TAU;
+use std::time::{Duration, Instant};
+
+/// A contact this near to the form circle, mm, is the joint of involute and fillet.
+const JOINT: f64 = 1e-6;
+
+/// What took how long: exact method, polygon method, certificate.
+pub const METHODS: [&str; 3] = ["exact", "polygon", "certificate"];
+
+/// How a pose came out.
+pub enum Verdict {
+    /// Both methods within their bounds of each other, the certificate in favour.
+    Borne(Agreement),
+    /// One of them gave up: not wrong, and not proven.
+    Unproven(String),
+    /// They contradict each other.
+    Fault(String),
+}
+
+/// How near two methods were.
+pub struct Agreement {
+    /// Greatest difference of a rotation, and both bounds together, µm of `j_wt`.
+    pub difference_um: f64,
+    pub bound_um: f64,
+    /// Statuses that differ within what they are known to.
+    pub border: Option<&'static str>,
+}
+
+/// One pose, run.
+pub struct Outcome {
+    pub exact: Option<LostMotion>,
+    pub verdict: Verdict,
+    pub times: [Duration; 3],
+}
+
+impl Outcome {
+    pub fn new(drawn: &Drawn, cut: &CutPair) -> Outcome {
+        let assembly = &drawn.assembly;
+        let pose = Pose::new(assembly, drawn.mating);
+        let start = Instant::now();
+        let exact = ExactKernel::new(assembly).lost_motion(&pose);
+        let exact_took = start.elapsed();
+        let start = Instant::now();
+        let polygon = cut.refined_kernel(assembly).lost_motion(&pose);
+        let polygon_took = start.elapsed();
+        let start = Instant::now();
+        let certificate = match &exact {
+            Ok(exact) => Certifier::new(cut.kernel(assembly)).check(&pose, exact),
+            Err(_) => Ok(()),
+        };
+        let times = [exact_took, polygon_took, start.elapsed()];
+        let verdict = match (&exact, &polygon, certificate) {
+            (_, _, Err(error @ Error::CertificateFailed { .. })) => {
+                let both = seen(&exact, &polygon);
+                Verdict::Fault(format!("{error}\n{both}"))
+            }
+            (Ok(exact), Ok(polygon), Ok(())) => judge(drawn, cut, exact, polygon),
+            (Err(error), ..) => Verdict::Unproven(format!("exact: {error}")),
+            (_, Err(error), _) => Verdict::Unproven(format!("polygon: {error}")),
+            (_, _, Err(error)) => Verdict::Unproven(format!("certificate: {error}")),
+        };
+        Outcome {
+            exact: exact.ok(),
+            verdict,
+            times,
+        }
+    }
+}
+
+fn seen(exact: &Result<LostMotion, Error>, polygon: &Result<LostMotion, Error>) -> String {
+    format!("exact   {exact:?}\npolygon {polygon:?}")
+}
+
+/// Both rotations of both methods must lie within both bounds together, of jammed poses too; statuses must be
+/// the same, but where the difference says less than the bounds do.
+fn judge(drawn: &Drawn, cut: &CutPair, exact: &LostMotion, polygon: &LostMotion) -> Verdict {
+    let assembly = &drawn.assembly;
+    let fault =
+        |what: String| Verdict::Fault(format!("{what}\nexact   {exact:?}\npolygon {polygon:?}"));
+    let um = assembly.operating_pitch_radius(assembly.free()) * 1e3;
+    let mut agreement = Agreement {
+        difference_um: 0.0,
+        bound_um: 0.0,
+        border: None,
+    };
+    for (name, one, other) in [
+        ("right", exact.right, polygon.right),
+        ("left", exact.left, polygon.left),
+    ] {
+        match (one, other) {
+            (None, None) => {}
+            (Some(one), Some(other)) => {
+                let turn = one.rotation - other.rotation;
+                let apart = (turn - TAU * (turn / TAU).round()).abs();
+                let bound = one.error + other.error;
+                if !(apart <= bound) {
+                    let (apart, bound) = (apart * um, bound * um);
+                    return fault(format!(
+                        "{name}: {apart:.3e} µm apart, both bounds together {bound:.3e} µm"
+                    ));
+                }
+                agreement.difference_um = agreement.difference_um.max(apart * um);
+                agreement.bound_um = agreement.bound_um.max(bound * um);
+            }
+            _ if loses_contact_nearby(drawn, cut) => {
+                agreement.border = Some("contact or none");
+                return Verdict::Borne(agreement);
+            }
+            _ => {
+                return fault(format!(
+                    "{name}: one method has a contact, the other has none"
+                ));
+            }
+        }
+    }
+    agreement.border = match (exact.status(), polygon.status()) {
+        (one, other) if one == other => None,
+        // Rotations agree: lost motions of two signs lie within the bounds of zero.
+        (Status::Clear, _) | (_, Status::Clear) => Some("lost motion zero"),
+        // Rotations agree, names do not.
+        _ if begins_a_land(assembly, exact) || begins_a_land(assembly, polygon) => {
+            Some("where a root land begins")
+        }
+        (one, other) => {
+            let (one, other) = (one.name(), other.name());
+            return fault(format!("the statuses differ: {one} and {other}"));
+        }
+    };
+    Verdict::Borne(agreement)
+}
+
+/// Whether a contact lies where a fillet ends and a root land begins: either name is right, and with it either status. A tool
+/// without a flat leaves no land: there the name must be the same.
+fn begins_a_land(assembly: &Assembly, found: &LostMotion) -> bool {
+    let on = |member: Member, touch: &Touch| {
+        let gear = assembly.gear(member).gear();
+        let (start, end) = Profile::new(gear).range(Curve::Root);
+        touch.curve == Curve::Fillet
+            && (touch.radius - gear.root_radius()).abs() <= JOINT
+            && (end - start) * gear.root_radius() > JOINT
+    };
+    [found.right, found.left]
+        .into_iter()
+        .flatten()
+        .any(|contact| on(Member::Wheel, &contact.wheel) || on(Member::Pinion, &contact.pinion))
+}
+
+/// Whether within the rounding of the centre distance (1000 ulps: coordinates of both outlines are some dozens of operations on
+/// lengths of up to that) one method or the other finds a side with contact and without: tips that graze
+/// each other so nearly that the distance as a number does not say whether they do.
+fn loses_contact_nearby(drawn: &Drawn, cut: &CutPair) -> bool {
+    let here = &drawn.assembly;
+    let a = here.center_distance();
+    let sides = |scale: f64| -> Vec<[bool; 2]> {
+        let Ok(beside) = here.at(a * (1.0 + scale * f64::EPSILON)) else {
+            return vec![];
+        };
+        let pose = Pose::new(&beside, drawn.mating);
+        let found = [
+            ExactKernel::new(&beside).lost_motion(&pose),
+            cut.refined_kernel(&beside).lost_motion(&pose),
+        ];
+        let found = found.into_iter().flatten();
+        found
+            .map(|m| [m.right.is_some(), m.left.is_some()])
+            .collect()
+    };
+    let (nearer, farther) = (sides(-1e3), sides(1e3));
+    // Both methods agree on either side of the border, and differ across it.
+    let same = |all: &[[bool; 2]]| all.len() == 2 && all[0] == all[1];
+    same(&nearer) && same(&farther) && nearer[0] != farther[0]
+}
+
+/// The curves of a contact, the locked gear's first.
+pub fn combination(assembly: &Assembly, contact: &Contact) -> String {
+    let name = |member: Member| {
+        let touch: &Touch = match member {
+            Member::Wheel => &contact.wheel,
+            Member::Pinion => &contact.pinion,
+        };
+        let form = assembly.gear(member).gear().form_radius();
+        match (touch.radius - form).abs() <= JOINT {
+            true => "joint",
+            false => touch.curve.name(),
+        }
+    };
+    format!("{} on {}", name(assembly.locked()), name(assembly.free()))
+}

@@ -1,0 +1,290 @@
+//! What a campaign met, by class.
+
+use super::draw::{Depth, Drawn, Pair};
+use super::gear::{RackKind, Tip};
+use super::outcome::{METHODS, Outcome, Verdict, combination};
+use gearlash::gear::{AsBuilt, Face};
+use gearlash::pair::Member;
+use std::collections::BTreeMap;
+use std::f64::consts::FRAC_PI_2;
+use std::time::Duration;
+
+/// Curves that can meet, the locked gear's first; `joint`: where involute and fillet meet. A fillet is hollow: it meets
+/// another only where the other's is convex (never) or at an end.
+const CONTACTS: [&str; 9] = [
+    "involute on involute",
+    "tip on involute",
+    "involute on tip",
+    "tip on tip",
+    "tip on fillet",
+    "fillet on tip",
+    "tip on root",
+    "root on tip",
+    "involute on fillet",
+];
+
+/// Classes that only a long campaign meets, by its number of poses.
+const RARE: u64 = 20_000;
+
+/// Faults, and poses unproven, kept with their reasons.
+const KEPT: usize = 200;
+
+/// Counts, and what was found.
+#[derive(Default)]
+pub struct Tally {
+    pub poses: u64,
+    pub redrawn: u64,
+    /// Class of classes, class: poses (contacts: sides).
+    pub classes: BTreeMap<(&'static str, String), u64>,
+    /// Greatest difference of two rotations that lie within their bounds, and greatest bounds, µm of `j_wt`.
+    pub greatest_um: f64,
+    pub greatest_bound_um: f64,
+    pub faults: Vec<(u64, String)>,
+    pub unproven: Vec<(u64, String)>,
+    pub border: Vec<(u64, &'static str)>,
+    /// Of each method: all time, the slowest pose, and its index.
+    pub times: [(Duration, Duration, u64); 3],
+    /// Poses of which one method took longer than the issue allows, 0.1 s.
+    pub slow: u64,
+}
+
+impl Tally {
+    pub fn add(&mut self, index: u64, drawn: &Drawn, outcome: Outcome) {
+        self.poses += 1;
+        for (class, name) in classes(drawn, &outcome) {
+            *self.classes.entry((class, name)).or_default() += 1;
+        }
+        for (took, (sum, most, slowest)) in outcome.times.into_iter().zip(&mut self.times) {
+            *sum += took;
+            if took > *most {
+                (*most, *slowest) = (took, index);
+            }
+        }
+        let limit = Duration::from_millis(100);
+        self.slow += u64::from(outcome.times.iter().any(|&took| took > limit));
+        match outcome.verdict {
+            Verdict::Borne(agreement) => {
+                self.greatest_um = self.greatest_um.max(agreement.difference_um);
+                self.greatest_bound_um = self.greatest_bound_um.max(agreement.bound_um);
+                self.border
+                    .extend(agreement.border.map(|what| (index, what)));
+            }
+            Verdict::Unproven(why) => self.unproven.push((index, why)),
+            Verdict::Fault(what) => self.faults.push((index, what)),
+        }
+    }
+
+    /// Both tallies together, the other's poses after this one's.
+    pub fn and(mut self, other: Tally) -> Tally {
+        self.poses += other.poses;
+        self.redrawn += other.redrawn;
+        self.slow += other.slow;
+        for (class, count) in other.classes {
+            *self.classes.entry(class).or_default() += count;
+        }
+        self.greatest_um = self.greatest_um.max(other.greatest_um);
+        self.greatest_bound_um = self.greatest_bound_um.max(other.greatest_bound_um);
+        self.faults.extend(other.faults);
+        self.unproven.extend(other.unproven);
+        self.border.extend(other.border);
+        for (ours, theirs) in self.times.iter_mut().zip(other.times) {
+            ours.0 += theirs.0;
+            if theirs.1 > ours.1 {
+                (ours.1, ours.2) = (theirs.1, theirs.2);
+            }
+        }
+        self
+    }
+
+    pub fn count(&self, class: &'static str, name: &str) -> u64 {
+        let key = (class, name.to_owned());
+        self.classes.get(&key).copied().unwrap_or(0)
+    }
+
+    /// Classes that a campaign of `depth` should have met and did not.
+    pub fn empty(&self, depth: Option<Depth>) -> Vec<String> {
+        let expected = expected(depth, self.poses >= RARE);
+        let missing = expected
+            .into_iter()
+            .filter(|(class, name)| self.count(class, name) == 0);
+        missing
+            .map(|(class, name)| format!("{class}: {name}"))
+            .collect()
+    }
+
+    /// The counts and times, for people.
+    pub fn report(&self) -> String {
+        let mut lines = vec![format!(
+            "{} poses, {} gears that cannot exist drawn again",
+            self.poses, self.redrawn
+        )];
+        let mut last = "";
+        for ((class, name), count) in &self.classes {
+            if *class != last {
+                lines.push((*class).to_owned());
+                last = class;
+            }
+            let percent = 100.0 * *count as f64 / self.poses as f64;
+            lines.push(format!("  {count:8}  {percent:6.2} %  {name}"));
+        }
+        lines.push(format!(
+            "largest difference {:.2e} µm, largest bounds {:.2e} µm",
+            self.greatest_um, self.greatest_bound_um
+        ));
+        for (name, (sum, most, index)) in METHODS.iter().zip(&self.times) {
+            let each = sum.as_secs_f64() * 1e3 / self.poses.max(1) as f64;
+            let most = most.as_secs_f64() * 1e3;
+            lines.push(format!(
+                "{name}: {each:.4} ms a pose, slowest {most:.2} ms (pose {index})"
+            ));
+        }
+        lines.push(format!(
+            "{} poses of more than 0.1 s, {} unproven, {} on a border of statuses, {} faults",
+            self.slow,
+            self.unproven.len(),
+            self.border.len(),
+            self.faults.len()
+        ));
+        lines.join("\n")
+    }
+
+    /// Keeps no more reasons than anybody reads; the numbers of all.
+    pub fn shorten(&mut self) {
+        for list in [&mut self.faults, &mut self.unproven] {
+            for (_, reason) in list.iter_mut().skip(KEPT) {
+                reason.truncate(reason.find('\n').unwrap_or(reason.len()));
+            }
+        }
+    }
+}
+
+/// What `drawn` and its outcome are counted as.
+fn classes(drawn: &Drawn, outcome: &Outcome) -> Vec<(&'static str, String)> {
+    let assembly = &drawn.assembly;
+    let (locked, free) = (assembly.locked(), assembly.free());
+    let mut classes = vec![
+        ("depth", drawn.depth.name().to_owned()),
+        ("locked gear", locked.name().to_owned()),
+    ];
+    let faces = [Member::Wheel, Member::Pinion].map(|member| match assembly.gear(member).face() {
+        Face::Front => "front",
+        Face::Back => "back",
+    });
+    classes.push(("faces", faces.join(" and ")));
+    for numbers in drawn.gears.iter() {
+        classes.push(("rack (gears)", numbers.kind.name().to_owned()));
+        classes.push(("tip (gears)", numbers.tip.name().to_owned()));
+    }
+    let mut met = |what: &'static str, is: bool| {
+        if is {
+            classes.push(("what else", what.to_owned()));
+        }
+    };
+    met(
+        "locked gear eccentric",
+        assembly.gear(locked).eccentricity() > 0.0,
+    );
+    met(
+        "free gear eccentric",
+        assembly.gear(free).eccentricity() > 0.0,
+    );
+    met(
+        "undercut",
+        [locked, free]
+            .iter()
+            .any(|&m| is_undercut(assembly.gear(m))),
+    );
+    let deviates = |numbers: &super::gear::Numbers| {
+        !(numbers.right_um.is_empty() && numbers.per_tooth_um.is_empty())
+    };
+    met("deviations by tooth", drawn.gears.iter().any(deviates));
+    met(
+        "9 teeth or fewer",
+        drawn.gears.iter().any(|numbers| numbers.teeth <= 9),
+    );
+    met(
+        "more than 200 teeth",
+        drawn.gears.iter().any(|numbers| numbers.teeth > 200),
+    );
+    // There its teeth face the mate's from all sides, and pass through each other when jammed.
+    let passes = |one: Member, other: Member| {
+        let (one, other) = (assembly.gear(one), assembly.gear(other));
+        one.reach() + other.eccentricity() >= assembly.center_distance()
+    };
+    met(
+        "a tip reaches the mate's centre",
+        passes(locked, free) || passes(free, locked),
+    );
+    let Some(exact) = &outcome.exact else {
+        classes.push(("status", "without result".to_owned()));
+        return classes;
+    };
+    classes.push(("status", exact.status().name().to_owned()));
+    for (class, contact) in [
+        ("right contact, locked on free", exact.right),
+        ("left contact, locked on free", exact.left),
+    ] {
+        let name = contact.map(|contact| combination(assembly, &contact));
+        classes.push((class, name.unwrap_or_else(|| "none".to_owned())));
+    }
+    classes
+}
+
+fn is_undercut(gear: &AsBuilt) -> bool {
+    let gear = gear.gear();
+    gear.fillet().end() < FRAC_PI_2 - gear.toothing().pressure_angle()
+}
+
+fn expected(depth: Option<Depth>, long: bool) -> Vec<(&'static str, String)> {
+    let mut expected: Vec<(&'static str, &str)> = vec![
+        ("locked gear", "wheel"),
+        ("locked gear", "pinion"),
+        ("what else", "locked gear eccentric"),
+        ("what else", "free gear eccentric"),
+        ("what else", "undercut"),
+        ("what else", "deviations by tooth"),
+        ("what else", "9 teeth or fewer"),
+        ("what else", "more than 200 teeth"),
+    ];
+    let depths = Depth::ALL
+        .into_iter()
+        .filter(|one| depth.is_none_or(|depth| depth == *one));
+    expected.extend(depths.map(|depth| ("depth", depth.name())));
+    for faces in [
+        "front and front",
+        "front and back",
+        "back and front",
+        "back and back",
+    ] {
+        expected.push(("faces", faces));
+    }
+    expected.extend(RackKind::ALL.map(|kind| ("rack (gears)", kind.name())));
+    expected.extend(Tip::ALL.map(|tip| ("tip (gears)", tip.name())));
+    if depth.is_none_or(|depth| depth == Depth::Any) {
+        for status in ["clear", "interference", "jammed", "no_contact"] {
+            expected.push(("status", status));
+        }
+        let contacts = match long {
+            true => &CONTACTS[..],
+            false => &CONTACTS[..6],
+        };
+        for class in [
+            "right contact, locked on free",
+            "left contact, locked on free",
+        ] {
+            expected.extend(contacts.iter().map(|curves| (class, *curves)));
+        }
+    }
+    let owned = expected
+        .into_iter()
+        .map(|(class, name)| (class, name.to_owned()));
+    owned.collect()
+}
+
+/// Tally of the poses drawn from one pair.
+pub fn of_pair(pair: &Pair) -> Tally {
+    Tally {
+        redrawn: pair.redrawn,
+        ..Tally::default()
+    }
+}

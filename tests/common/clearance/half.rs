@@ -1,0 +1,259 @@
+//! The analytic half tooth, written anew: half the tooth's thickness as an angle over the radius, and the signed
+//! clearance of any point from it.
+//!
+//! Frame: the gear's centre at the origin, the tooth's centre line, turned with the flank, on +x; the flank lies at
+//! negative angles. Left half teeth are mirrored into it.
+
+use gearlash::gear::{AsBuilt, Gear, Side};
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// Places of the fillet's parameter kept to start its inversion from.
+const TABLE: usize = 64;
+
+/// What all teeth of a gear share.
+pub struct Half {
+    base: f64,
+    pub tip: f64,
+    pub root: f64,
+    reference: f64,
+    /// `ψ_b`, half the angle of a tooth on the base circle.
+    half_base: f64,
+    /// Depth `h` of the tool's tip round's centre below the pitch line, and its radius `ρ`, mm.
+    depth: f64,
+    round: f64,
+    /// Angle from the tooth's centre line to where the root land begins.
+    pub land: f64,
+    /// Fillet: greatest `γ`, and the radius there, where the involute takes over.
+    gamma: f64,
+    pub form: f64,
+    /// Radii at `γ` in equal steps.
+    table: Vec<f64>,
+}
+
+/// Where one tooth's half ends at either end: angles from its centre line.
+#[derive(Clone, Copy)]
+pub struct Ends {
+    /// Beyond the centre line: the tip corner of the tooth's other flank.
+    pub far: f64,
+    /// On the flank's side: the middle of the space.
+    pub space: f64,
+}
+
+impl Ends {
+    pub fn new(half: &Half, gear: &AsBuilt, side: Side, tooth: u32) -> Ends {
+        let widening = gear.flank_offset(Side::Left, tooth) - gear.flank_offset(Side::Right, tooth);
+        Ends {
+            far: half.half_angle(half.tip) + widening,
+            space: gear.root_end(side, tooth),
+        }
+    }
+}
+
+/// How far a point is from a half tooth.
+#[derive(Clone, Copy)]
+pub struct Clearance {
+    /// Negative in the metal.
+    pub mm: f64,
+    /// Of a point in the metal: the nearest of its bounds is not a curve but the cut at an end of the half tooth.
+    pub cut: bool,
+    /// Distance from that end.
+    pub end: f64,
+}
+
+impl Half {
+    /// From the drawing's numbers and the mean base thickness alone.
+    pub fn new(gear: &Gear) -> Half {
+        let blank = gear.blank();
+        let toothing = &blank.toothing;
+        let (teeth, module) = (f64::from(toothing.teeth()), toothing.module());
+        let alpha = toothing.pressure_angle();
+        let reference = 0.5 * module * teeth;
+        let base = reference * alpha.cos();
+        let half_base = gear.base_thickness() / (2.0 * base);
+        // Thickness at the reference circle s = 2 r (ψ_b − inv α) = m (π/2 + 2 x_E tan α).
+        let fed = reference * (half_base - (alpha.tan() - alpha)) / alpha.tan()
+            - 0.25 * PI * module / alpha.tan();
+        let round = blank.rack.root_radius() * module;
+        let depth = blank.rack.dedendum() * module - round - fed;
+        // From the middle of the tool's tip to the centre of its round.
+        let flat = 0.25 * PI * module
+            - (blank.rack.dedendum() * module - round) * alpha.tan()
+            - round / alpha.cos();
+        let mut half = Half {
+            base,
+            tip: gear.tip_radius(),
+            root: reference - depth - round,
+            reference,
+            half_base,
+            depth,
+            round,
+            land: PI / teeth - flat.max(0.0) / reference,
+            gamma: FRAC_PI_2 - alpha,
+            form: 0.0,
+            table: Vec::new(),
+        };
+        half.end_fillet();
+        let share = |k: usize| half.gamma * k as f64 / TABLE as f64;
+        half.table = (0..=TABLE).map(|k| half.fillet(share(k)).0).collect();
+        half.form = half.table[TABLE];
+        half
+    }
+
+    /// Undercut: the fillet ends where it crosses the involute, outside of where the tool's flank would have begun it.
+    fn end_fillet(&mut self) {
+        let alpha = FRAC_PI_2 - self.gamma;
+        let touching = self.reference * alpha.sin() - self.depth / alpha.sin() - self.round;
+        if touching >= 0.0 {
+            return;
+        }
+        // Metal is what neither the round nor the flank takes; beyond the crossing the round takes less.
+        let (mut low, mut high) = (0.0, self.gamma);
+        for _ in 0..200 {
+            let middle = 0.5 * (low + high);
+            let (radius, angle) = self.fillet(middle);
+            let inner = radius < self.base || -angle < self.involute(radius);
+            if inner { low = middle } else { high = middle }
+        }
+        self.gamma = high;
+    }
+
+    /// Polar coordinates of the fillet at `γ`, the contact normal's angle from the radius through the pitch point.
+    ///
+    /// The tool's round has its centre at the depth `h`; the normal through the pitch point makes `γ` with the depth,
+    /// so the centre lies `h tan γ` aside and the rack has still that way to roll; the point lies `ρ` beyond the centre.
+    fn fillet(&self, gamma: f64) -> (f64, f64) {
+        let deep = self.depth + self.round * gamma.cos();
+        let aside = self.depth * gamma.tan() + self.round * gamma.sin();
+        let out = self.reference - deep;
+        let rolled = self.depth * gamma.tan() / self.reference;
+        (out.hypot(aside), aside.atan2(out) - rolled - self.land)
+    }
+
+    /// `γ` of the fillet at `radius`: bracketed by the table, then the secant rule kept in its bracket (Illinois).
+    fn gamma_at(&self, radius: f64) -> f64 {
+        let k = self.table.partition_point(|&r| r <= radius).clamp(1, TABLE);
+        let at = |k: usize| self.gamma * k as f64 / TABLE as f64;
+        let off = |gamma: f64| self.fillet(gamma).0 - radius;
+        let (mut a, mut b) = (at(k - 1), at(k));
+        let (mut fa, mut fb) = (self.table[k - 1] - radius, self.table[k] - radius);
+        if fa >= 0.0 {
+            return a;
+        }
+        if fb <= 0.0 {
+            return b;
+        }
+        for _ in 0..100 {
+            let mut c = (a * fb - b * fa) / (fb - fa);
+            if !(c > a && c < b) {
+                c = 0.5 * (a + b);
+                if !(c > a && c < b) {
+                    break;
+                }
+            }
+            let fc = off(c);
+            if fc == 0.0 {
+                return c;
+            }
+            if fc < 0.0 {
+                (a, fa) = (c, fc);
+                fb *= 0.5;
+            } else {
+                (b, fb) = (c, fc);
+                fa *= 0.5;
+            }
+            if b - a <= 1e-16 * self.gamma {
+                break;
+            }
+        }
+        0.5 * (a + b)
+    }
+
+    fn involute(&self, radius: f64) -> f64 {
+        let roll = ((radius - self.base) * (radius + self.base))
+            .max(0.0)
+            .sqrt()
+            / self.base;
+        self.half_base - (roll - roll.atan())
+    }
+
+    /// Half the tooth's angle at `radius`, root circle or above; beyond the tip of the involute produced.
+    pub fn half_angle(&self, radius: f64) -> f64 {
+        self.edge(radius).0
+    }
+
+    /// That, and how much of the flank's normal points along the circle.
+    fn edge(&self, radius: f64) -> (f64, f64) {
+        if radius >= self.form {
+            return (self.involute(radius), (self.base / radius).min(1.0));
+        }
+        let gamma = self.gamma_at(radius);
+        let (_, angle) = self.fillet(gamma);
+        // The normal stands γ off the radius through the pitch point.
+        let pitch_point = -self.depth * gamma.tan() / self.reference - self.land;
+        (-angle, (pitch_point - gamma - angle).sin().abs())
+    }
+
+    /// Signed clearance of the point (x, y): distance to first order near the half tooth's curves, negative in its metal.
+    ///
+    /// Metal: below the tip circle between flank and far corner, and below the root circle as far as the middle of the space.
+    /// What lies behind an end of the half tooth belongs to other half teeth: the metal is cut off along the radius there.
+    pub fn clearance(&self, x: f64, y: f64, ends: Ends) -> Clearance {
+        let (radius, angle) = (x.hypot(y), y.atan2(x));
+        let beyond = (angle - ends.far) * radius;
+        let before = (-ends.space - angle) * radius;
+        let over_root = radius - self.root;
+        let to_corner = (radius - self.tip).hypot(beyond);
+        let to_space = over_root.hypot(before);
+        if over_root <= 0.0 {
+            let (cut, end) = match before > beyond {
+                true => (before, to_space),
+                false => (beyond, to_corner),
+            };
+            return Clearance {
+                mm: if cut > 0.0 { end } else { over_root.max(cut) },
+                cut: cut > over_root,
+                end,
+            };
+        }
+        let (half, across) = self.edge(radius);
+        let beside = (-half - angle) * radius * across;
+        // Beyond the end of the space all of the half tooth lies on the other side of the radius there.
+        let from_flank = beside.max(radius - self.tip).max(before);
+        let from_tooth = match from_flank < 0.0 && beyond > 0.0 {
+            true => to_corner,
+            false => from_flank.max(beyond),
+        };
+        let over_land = if before > 0.0 { to_space } else { over_root };
+        Clearance {
+            mm: from_tooth.min(over_land),
+            cut: beyond > from_flank,
+            end: to_corner,
+        }
+    }
+
+    /// The whole half tooth from 0, the far corner, to 4, the middle of the space: a curve each.
+    pub fn along(&self, t: f64, ends: Ends) -> [f64; 2] {
+        let curve = (t as usize).min(3);
+        self.point(curve, t - curve as f64, ends)
+    }
+
+    /// The curves, each from 0 to 1: tip land from the far corner, involute, fillet, root land.
+    fn point(&self, curve: usize, t: f64, ends: Ends) -> [f64; 2] {
+        let (radius, angle) = match curve {
+            0 => {
+                let corner = -self.involute(self.tip);
+                (self.tip, ends.far + (corner - ends.far) * t)
+            }
+            1 => {
+                let roll = |radius: f64| ((radius / self.base).powi(2) - 1.0).max(0.0).sqrt();
+                let (tip, form) = (roll(self.tip), roll(self.form));
+                let roll = tip + (form - tip) * t;
+                let angle = roll - roll.atan() - self.half_base;
+                (self.base * roll.hypot(1.0), angle)
+            }
+            2 => self.fillet(self.gamma * (1.0 - t)),
+            _ => (self.root, -self.land + (self.land - ends.space) * t),
+        };
+        [radius * angle.cos(), radius * angle.sin()]
+    }
+}

@@ -1,0 +1,393 @@
+//! Brute force: clearance of dense points of either gear in the other's own frame.
+//!
+//! Nothing of either method is used: no gap over the radius, no search tree, no polygons, no distance of shapes. From the
+//! crate come what a pose is and where it puts a tooth (`Pose`, `AsBuilt`: angles, offsets, displacement, the
+//! middle of a space); the half tooth itself is written anew in `half`. A side's contact is where, the free gear
+//! turned in from open, a right half tooth first touches the right half tooth it faces (left halves likewise):
+//! there the least clearance of all points of all facing pairs, of both gears' points, changes its sign.
+
+#![allow(dead_code)] // each test binary uses its part
+
+mod half;
+mod verdict;
+
+use gearlash::gear::Side;
+use gearlash::pair::{Assembly, Member, Pose};
+use half::{Clearance, Ends, Half};
+pub use verdict::{against, contacts};
+
+/// Points a curve before zooming.
+const POINTS: usize = 24;
+
+/// Local minima within this many modules of the least are zoomed: points 0.05 m apart on curves bent by 1/(0.05 m) miss 0.01 m.
+const NEAR: f64 = 0.03;
+
+/// One gear of the pair and where its tooth 1 stands.
+struct Stood<'a> {
+    assembly: &'a Assembly,
+    member: Member,
+    half: Half,
+}
+
+impl<'a> Stood<'a> {
+    fn new(assembly: &'a Assembly, member: Member) -> Stood<'a> {
+        Stood {
+            assembly,
+            member,
+            half: Half::new(assembly.gear(member).gear()),
+        }
+    }
+
+    /// Frame of a half tooth, the gear turned to `rotation`.
+    fn frame(&self, rotation: f64, side: Side, tooth: u32) -> Frame {
+        let gear = self.assembly.gear(self.member);
+        let tooth_1 = self.assembly.mate_direction(self.member) + rotation;
+        let centre = self.assembly.axis(self.member) + gear.displacement(tooth_1);
+        let turn = tooth_1 + gear.tooth_angle(f64::from(tooth)) + gear.flank_offset(side, tooth);
+        let (sin, cos) = turn.sin_cos();
+        Frame {
+            centre: [centre.x, centre.y],
+            cos,
+            sin,
+            mirror: -side.sense(),
+        }
+    }
+
+    /// A circle about a half tooth in its frame: half way up the centre line, and how far its farthest point is.
+    fn circle(&self, ends: Ends) -> (f64, f64) {
+        let middle = 0.5 * (self.half.root + self.half.tip);
+        let points = (0..=4 * POINTS).map(|k| {
+            let t = k as f64 / POINTS as f64;
+            let [x, y] = self.half.along(t, ends);
+            (x - middle).hypot(y)
+        });
+        // Between points of a curve bent outwards lies a little more.
+        (middle, 1.01 * points.fold(0.0, f64::max))
+    }
+
+    fn ends(&self, side: Side, tooth: u32) -> Ends {
+        Ends::new(&self.half, self.assembly.gear(self.member), side, tooth)
+    }
+}
+
+#[derive(Clone, Copy)]
+struct Frame {
+    centre: [f64; 2],
+    cos: f64,
+    sin: f64,
+    mirror: f64,
+}
+
+impl Frame {
+    fn out(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        let y = y * self.mirror;
+        [
+            self.centre[0] + self.cos * x - self.sin * y,
+            self.centre[1] + self.sin * x + self.cos * y,
+        ]
+    }
+
+    fn seen(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        let (x, y) = (x - self.centre[0], y - self.centre[1]);
+        [
+            self.cos * x + self.sin * y,
+            self.mirror * (self.cos * y - self.sin * x),
+        ]
+    }
+}
+
+/// A facing pair: the two teeth, and the ends of both half teeth.
+struct Faced {
+    locked: Frame,
+    free_tooth: u32,
+    ends: [Ends; 2],
+    /// Place on the centre line and radius of a circle about each half tooth.
+    circles: [(f64, f64); 2],
+}
+
+/// The pairs of one side at one pose.
+pub struct Referee<'a> {
+    assembly: &'a Assembly,
+    side: Side,
+    free: Stood<'a>,
+    locked: Stood<'a>,
+    pairs: Vec<Faced>,
+    module: f64,
+}
+
+/// Golden section.
+const RATIO: f64 = 0.618_033_988_749_894_8;
+
+/// Least value of `f` seen by a golden section search between `low` and `high`.
+fn least_between(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
+    let (mut c, mut d) = (high - RATIO * (high - low), low + RATIO * (high - low));
+    let (mut at_c, mut at_d) = (f(c), f(d));
+    let mut least = at_c.min(at_d);
+    for _ in 0..48 {
+        if at_c < at_d {
+            (high, d, at_d) = (d, c, at_c);
+            c = high - RATIO * (high - low);
+            at_c = f(c);
+        } else {
+            (low, c, at_c) = (c, d, at_d);
+            d = low + RATIO * (high - low);
+            at_d = f(d);
+        }
+        least = least.min(at_c).min(at_d);
+    }
+    least
+}
+
+/// Whether any stretch of negative values was entered or left over a curve.
+fn crosses(found: &[f64], along: impl Fn(usize) -> f64, at: impl Fn(f64) -> Clearance) -> bool {
+    (1..found.len()).any(|k| {
+        let (mut clear, mut over) = match (found[k - 1] < 0.0, found[k] < 0.0) {
+            (false, true) => (along(k - 1), along(k)),
+            (true, false) => (along(k), along(k - 1)),
+            _ => return false,
+        };
+        for _ in 0..40 {
+            let middle = 0.5 * (clear + over);
+            match at(middle).mm < 0.0 {
+                true => over = middle,
+                false => clear = middle,
+            }
+        }
+        !at(over).cut
+    })
+}
+
+impl<'a> Referee<'a> {
+    pub fn new(assembly: &'a Assembly, pose: &Pose, side: Side) -> Referee<'a> {
+        let locked = Stood::new(assembly, assembly.locked());
+        let free = Stood::new(assembly, assembly.free());
+        let module = assembly.gear(Member::Wheel).gear().toothing().module();
+        let gear = assembly.gear(assembly.locked());
+        let toothing = *gear.gear().toothing();
+        let teeth = i64::from(toothing.teeth());
+        let mating = pose.mating().tooth(assembly.locked());
+        // From the locked tooth that points at the mate, once round.
+        let ahead = pose.locked_rotation() + gear.tooth_angle(f64::from(mating));
+        let middle = -(ahead / toothing.angular_pitch()).round() as i64;
+        let axis = assembly.axis(assembly.free());
+        let mate = assembly.gear(assembly.free());
+        let mut pairs = Vec::new();
+        for step in middle - (teeth - 1) / 2..=middle + teeth / 2 {
+            let tooth = gear.counter_clockwise(mating, step);
+            let frame = locked.frame(pose.locked_rotation(), side, tooth);
+            let ends = locked.ends(side, tooth);
+            let (at, spread) = locked.circle(ends);
+            let at = frame.out([at, 0.0]);
+            if (at[0] - axis.x).hypot(at[1] - axis.y) - spread > mate.reach() {
+                continue;
+            }
+            let free_tooth = pose.facing_tooth(assembly, side, step);
+            let theirs = free.ends(side, free_tooth);
+            pairs.push(Faced {
+                locked: frame,
+                free_tooth,
+                ends: [ends, theirs],
+                circles: [locked.circle(ends), free.circle(theirs)],
+            });
+        }
+        Referee {
+            assembly,
+            side,
+            free,
+            locked,
+            pairs,
+            module,
+        }
+    }
+
+    /// Rounding of a clearance, mm: some dozens of operations on lengths up to the distance, turned by `rotation`.
+    pub fn rounding(&self, pose: &Pose) -> f64 {
+        let turned = 1.0 + pose.locked_rotation().abs() + pose.free_rotation().abs();
+        let size = self.assembly.center_distance() + self.locked.half.tip + self.free.half.tip;
+        64.0 * f64::EPSILON * size * turned
+    }
+
+    /// Least clearance of the side, mm, the free gear at `rotation`.
+    pub fn least(&self, rotation: f64) -> f64 {
+        self.look(rotation, 4.0 * self.module)
+    }
+
+    /// Least clearance, as far as it is below `most`.
+    fn look(&self, rotation: f64, most: f64) -> f64 {
+        let mut least = most;
+        for pair in &self.pairs {
+            let free = self.free.frame(rotation, self.side, pair.free_tooth);
+            let [ours, theirs] = pair.ends;
+            let (locked, half) = (&self.locked.half, &self.free.half);
+            let near = NEAR * self.module + least.max(0.0);
+            let reaches = |(at, spread): (f64, f64), from: &Frame, to: &Frame, other: &Half| {
+                let at = from.out([at, 0.0]);
+                (at[0] - to.centre[0]).hypot(at[1] - to.centre[1]) - spread <= other.tip + near
+            };
+            if reaches(pair.circles[1], &free, &pair.locked, locked) {
+                least = self.points((half, free, theirs), (locked, pair.locked, ours), least);
+            }
+            if reaches(pair.circles[0], &pair.locked, &free, half) {
+                least = self.points((locked, pair.locked, ours), (half, free, theirs), least);
+            }
+            if least < 0.0 {
+                break;
+            }
+        }
+        least
+    }
+
+    /// Least clearance of one half tooth's points from the other, at most `least`.
+    ///
+    /// Negative only where the one crosses the other's *curve*: a stretch within the metal that came in over the cut at an end
+    /// of the half tooth crosses that of another tooth, or none.
+    fn points(
+        &self,
+        (one, from, its): (&Half, Frame, Ends),
+        (other, to, ends): (&Half, Frame, Ends),
+        mut least: f64,
+    ) -> f64 {
+        // Points this far beyond the tip circle matter to nobody.
+        let out = other.tip + NEAR * self.module + least.max(0.0);
+        let at = |t: f64| {
+            let [x, y] = to.seen(from.out(one.along(t, its)));
+            match x.hypot(y) > out {
+                true => Clearance {
+                    mm: f64::INFINITY,
+                    cut: false,
+                    end: f64::INFINITY,
+                },
+                false => other.clearance(x, y, ends),
+            }
+        };
+        let along = |k: usize| k as f64 / POINTS as f64;
+        let mut found = [f64::INFINITY; 4 * POINTS + 1];
+        for (k, mm) in found.iter_mut().enumerate() {
+            *mm = at(along(k)).mm;
+        }
+        let lowest = found.iter().copied().fold(f64::INFINITY, f64::min);
+        if lowest < 0.0 && crosses(&found, along, at) {
+            return least.min(lowest);
+        }
+        // A dip between two points is shallow: what bounds it is what it came in over.
+        let shallow = |t: f64| {
+            let found = at(t);
+            if found.mm < 0.0 && found.cut {
+                found.end
+            } else {
+                found.mm
+            }
+        };
+        for k in 0..=4 * POINTS {
+            let here = found[k];
+            let before = if k > 0 { found[k - 1] } else { f64::INFINITY };
+            let after = found.get(k + 1).copied().unwrap_or(f64::INFINITY);
+            if here < 0.0 || here > before || here > after {
+                continue;
+            }
+            least = least.min(here);
+            if here > least + NEAR * self.module {
+                continue;
+            }
+            // On either side: curves are joined at an angle.
+            for (i, j) in [(k.saturating_sub(1), k), (k, (k + 1).min(4 * POINTS))] {
+                if found[i] >= 0.0 && found[j] >= 0.0 && i < j {
+                    least = least.min(least_between(along(i), along(j), shallow));
+                }
+            }
+        }
+        least
+    }
+
+    /// +1 where a greater rotation is more open (right), −1 otherwise.
+    pub fn opening(&self) -> f64 {
+        -self.side.sense()
+    }
+
+    /// Whether the tip circles are apart, wherever eccentric outlines stand.
+    fn out_of_reach(&self) -> bool {
+        let reach =
+            [self.assembly.locked(), self.assembly.free()].map(|m| self.assembly.gear(m).reach());
+        reach[0] + reach[1] < self.assembly.center_distance()
+    }
+
+    /// The first contact, the free gear turned in over `pitches` of its own on either side of `near`; `None` when none.
+    ///
+    /// By steps of a 200th of a pitch; a step that has its least clearance inside is looked into.
+    pub fn contact(&self, near: f64, pitches: f64) -> Option<f64> {
+        let gear = self.assembly.gear(self.assembly.free()).gear();
+        let pitch = gear.toothing().angular_pitch();
+        let steps = (400.0 * pitches) as i64;
+        let at = |k: i64| near + self.opening() * pitch * (pitches - k as f64 / 200.0);
+        if self.pairs.is_empty() || self.out_of_reach() {
+            return None;
+        }
+        let mut before = [self.least(at(0)), self.least(at(1))];
+        if before[0] < 0.0 {
+            return Some(at(0));
+        }
+        for k in 1..steps {
+            if before[1] < 0.0 {
+                return Some(self.between(at(k - 1), at(k)));
+            }
+            let next = self.least(at(k + 1));
+            if before[1] <= before[0] && before[1] <= next && before[1] < 0.05 * self.module {
+                if let Some(inside) = self.dip(at(k - 1), at(k + 1)) {
+                    return Some(self.between(at(k - 1), inside));
+                }
+            }
+            before = [before[1], next];
+        }
+        None
+    }
+
+    /// Steps on the open side, ever wider, from `first` to `pitches` of the free gear, rad.
+    pub fn open_steps(&self, first: f64, pitches: f64) -> impl Iterator<Item = f64> {
+        let gear = self.assembly.gear(self.assembly.free()).gear();
+        let most = pitches * gear.toothing().angular_pitch();
+        // Not finer than a millionth of a pitch: overlap that begins nearer lasts longer, or is what `first` sees.
+        let start = first.max(1e-6 * most);
+        (1..60)
+            .map(move |k| start * 1.5f64.powi(k))
+            .take_while(move |&step| step < most)
+    }
+
+    /// Least clearance within a 200th of a pitch of `rotation`, by steps.
+    pub fn deepest(&self, rotation: f64) -> f64 {
+        let gear = self.assembly.gear(self.assembly.free()).gear();
+        let width = gear.toothing().angular_pitch() / 200.0;
+        let steps = (-20..=20).map(|k| self.least(rotation + width * f64::from(k) / 20.0));
+        steps.fold(f64::INFINITY, f64::min)
+    }
+
+    /// A rotation between two at which something overlaps, if any.
+    fn dip(&self, mut low: f64, mut high: f64) -> Option<f64> {
+        for _ in 0..60 {
+            let (c, d) = (high - RATIO * (high - low), low + RATIO * (high - low));
+            let (at_c, at_d) = (self.least(c), self.least(d));
+            if at_c < 0.0 {
+                return Some(c);
+            }
+            if at_d < 0.0 {
+                return Some(d);
+            }
+            if at_c < at_d { high = d } else { low = c }
+        }
+        None
+    }
+
+    /// Contact between a clear rotation and one that overlaps.
+    pub fn between(&self, mut clear: f64, mut over: f64) -> f64 {
+        for _ in 0..60 {
+            let middle = 0.5 * (clear + over);
+            if middle == clear || middle == over {
+                break;
+            }
+            match self.least(middle) < 0.0 {
+                true => over = middle,
+                false => clear = middle,
+            }
+        }
+        over
+    }
+}

@@ -1,0 +1,30 @@
+//! One pose of a pair file.
+
+use gearlash::gear::Side;
+use gearlash::input;
+use gearlash::pair::{Assembly, Mating};
+use std::path::Path;
+
+/// The first pose at `flank` of a pair file that has one centre distance and one thickness.
+pub fn pose(path: &Path, flank: Side) -> (Assembly, Mating) {
+    let study = input::read(path).unwrap();
+    let (_, wheel, pinion) = &study.materials[0];
+    let assembly = Assembly::new(
+        wheel.clone(),
+        pinion.clone(),
+        study.center_distances[0],
+        study.locked,
+    )
+    .unwrap();
+    let matings = study.sweep.unwrap().matings(&assembly);
+    let mating = matings.into_iter().find(|mating| mating.flank == flank);
+    (assembly, mating.unwrap())
+}
+
+/// The same of a file of fixtures/grazing.
+pub fn grazing(name: &str, flank: Side) -> (Assembly, Mating) {
+    pose(
+        &Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("fixtures/grazing/{name}.toml")),
+        flank,
+    )
+}

@@ -10,18 +10,19 @@ use libfuzzer_sys::{Corpus, fuzz_target};
 use std::f64::consts::PI;
 use std::fmt::Write;
 
-/// Part of a range.
+/// A place in a range; 0, which fuzzers are fond of, is its ordinary one.
 #[derive(Arbitrary, Clone, Copy, Debug)]
-struct Part(u16);
+struct Part(i16);
 
 impl Part {
-    fn within(self, low: f64, high: f64) -> f64 {
-        low + (high - low) * f64::from(self.0) / f64::from(u16::MAX)
+    fn within(self, low: f64, ordinary: f64, high: f64) -> f64 {
+        let part = f64::from(self.0) / f64::from(i16::MAX);
+        let end = if part < 0.0 { low } else { high };
+        (ordinary + part.abs().min(1.0) * (end - ordinary)).clamp(low, high)
     }
 
-    /// The middle of the range is 0: what is not there is as likely as anything else.
     fn either_way(self, most: f64) -> f64 {
-        f64::from(self.0 as i16) / f64::from(i16::MAX) * most
+        self.within(-most, 0.0, most)
     }
 }
 
@@ -49,14 +50,14 @@ struct Gear {
 
 #[derive(Arbitrary, Debug)]
 enum Distance {
-    /// From base circles that all but touch to tips out of reach.
-    Any(Part),
-    /// About where tips stop reaching each other, modules.
-    Tips(Part),
-    /// About where a tip of the wheel or of the pinion reaches the other's root, modules.
-    Root(bool, Part),
-    /// As given by both profile shifts and no play, and near it.
+    /// As given by both profile shifts, and half a module either way.
     Play(Part),
+    /// About where tips stop reaching each other.
+    Tips(Part),
+    /// About where a tip of the wheel or of the pinion reaches the other's root.
+    Root(bool, Part),
+    /// From base circles that touch to tips out of reach.
+    Any(Part),
 }
 
 #[derive(Arbitrary, Debug)]
@@ -70,21 +71,23 @@ struct Random {
 }
 
 impl Gear {
-    /// From 3; most are few, where teeth are hard.
+    /// 3 … 300; most are few, where teeth are hard.
     fn teeth(&self) -> u32 {
-        let teeth = 3.0 * (100f64).powf(self.teeth.within(0.0, 1.0).powi(2));
-        teeth.round() as u32
+        self.teeth
+            .within(3f64.ln(), 18f64.ln(), 300f64.ln())
+            .exp()
+            .round() as u32
     }
 
     /// Addendum, dedendum, root radius, of which only those that fit the angle are any use.
     fn rack(&self, angle: f64) -> [f64; 3] {
-        let dedendum = self.dedendum.within(0.05, 2.0);
+        let dedendum = self.dedendum.within(0.05, 1.25, 2.0);
         let flat = PI / 4.0 - dedendum * angle.tan();
         let fits = (flat * angle.cos() / (1.0 - angle.sin())).clamp(0.0, dedendum);
         [
-            self.addendum.within(0.02, 2.0),
+            self.addendum.within(0.02, 1.0, 2.0),
             dedendum,
-            self.round.within(0.0, 1.0) * fits,
+            self.round.within(0.0, 0.38, 1.0).min(fits),
         ]
     }
 
@@ -125,7 +128,7 @@ impl Gear {
         }
         let total = self.runout.either_way(2.0).abs() * um;
         if total != 0.0 {
-            let high = self.high_tooth.within(1.0, f64::from(teeth) + 0.999);
+            let high = self.high_tooth.within(1.0, 1.0, f64::from(teeth) + 0.999);
             writeln!(
                 text,
                 "[{name}.runout]\ntotal_um = {total:?}\nhigh_tooth = {high:?}"
@@ -164,8 +167,8 @@ impl Gear {
 
 impl Random {
     fn pair_file(&self) -> String {
-        let module = 10f64.powf(self.module.within(-2.0, 3.0));
-        let angle = self.angle.within(5.0, 45.0).to_radians();
+        let module = 10f64.powf(self.module.within(-2.0, 0.0, 3.0));
+        let angle = self.angle.within(5.0, 20.0, 45.0).to_radians();
         let [wheel, pinion] = &self.gears;
         let mut text = String::new();
         for (gear, name) in [(wheel, "wheel"), (pinion, "pinion")] {
@@ -177,7 +180,10 @@ impl Random {
         let reference = wheel.radius() + pinion.radius();
         let distance = module
             * match &self.distance {
-                Distance::Any(part) => part.within(reference * angle.cos(), tip + mates_tip + 0.5),
+                Distance::Any(part) => {
+                    let base = reference * angle.cos();
+                    part.within(base, reference, tip + mates_tip + 0.5)
+                }
                 Distance::Tips(part) => tip + mates_tip + part.either_way(0.3),
                 Distance::Root(true, part) => tip + mates_root + part.either_way(0.3),
                 Distance::Root(false, part) => root + mates_tip + part.either_way(0.3),

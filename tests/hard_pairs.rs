@@ -4,6 +4,7 @@
 use gearlash::input;
 use gearlash::mesh::{Certifier, CutPair, ExactKernel, LostMotion, Status};
 use gearlash::pair::{Assembly, Pose};
+use std::f64::consts::TAU;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
@@ -108,6 +109,29 @@ fn a_tip_in_the_middle_of_a_widened_space() {
     let poses = all("root_gap_20_20");
     let jammed = |found: &Found| found.polygon.status() == Status::Jammed;
     assert!(jammed(&poses[0]) && poses[0].own_certified);
+}
+
+/// Every space of the wheel is 300 µm wider than its nominal width, none is not: its polygons had a hole of that width in the
+/// middle of each root, and called the pose clear from 0.0033 to 0.0127 rad. There tooth 1 stands so many rad beside the line of
+/// centres, and the tip circle is inside the root circle up to 0.038 rad beside it: a = r_a + r_f − 0.02 mm. The exact method says
+/// jammed. Found by fuzzing.
+#[test]
+fn a_tip_in_a_gear_whose_spaces_are_all_widened() {
+    let poses = all("root_hole_20_20");
+    assert_eq!(poses[0].polygon.status(), Status::Jammed);
+    for found in poses {
+        assert_eq!(found.polygon.status(), found.exact.status());
+        assert!(found.certified && found.own_certified);
+        for (one, other) in [
+            (found.exact.right, found.polygon.right),
+            (found.exact.left, found.polygon.left),
+        ] {
+            let (one, other) = (one.unwrap(), other.unwrap());
+            let turn = one.rotation - other.rotation;
+            let apart = (turn - TAU * (turn / TAU).round()).abs();
+            assert!(apart <= one.error + other.error, "{apart:e} rad");
+        }
+    }
 }
 
 /// Tips of both gears on the other's root circle, and lands on lands: jammed, and in no time.

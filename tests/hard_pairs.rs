@@ -91,6 +91,16 @@ fn root_gap_20_20() {
     });
 }
 
+/// Every space of the wheel is 300 µm wider than its nominal width: its polygons had a hole of that width in the middle of each
+/// root, and called the pose clear from 0.0033 to 0.0127 rad. There the tip circle is inside the root circle up to 0.038 rad
+/// beside the line of centres: a = r_a + r_f − 0.02 mm. Found by fuzzing.
+#[test]
+fn root_hole_20_20() {
+    is_jammed("root_hole_20_20", |poses| {
+        poses[0].status() == Status::Jammed
+    });
+}
+
 /// The certificate of a jammed pose ran for minutes.
 #[test]
 fn jammed_hangs_15_16() {

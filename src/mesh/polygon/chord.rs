@@ -119,6 +119,7 @@ impl CutHalf {
         let profile = Profile::new(gear.gear());
         let teeth = 1..=gear.gear().toothing().teeth();
         let root_ends = teeth.map(|tooth| gear.root_end(side, tooth));
+        // Where every space is wider than its nominal width, the rest of each land begins beyond the nominal middle.
         let root_end = root_ends.fold(f64::INFINITY, f64::min);
         let mut chords: Vec<Chord> = Curve::ALL
             .into_iter()

@@ -73,12 +73,13 @@ pub struct LostMotion {
 }
 
 impl LostMotion {
-    /// The same, solid where the overlap is a `pitch` of the free gear (rad) or more.
+    /// The same, solid only with an overlap, and surely where that is a `pitch` of the free gear (rad) or more. Two tips may pass
+    /// the mate's axis and each other clear, where root circles are next to nothing.
     pub(super) fn within(self, pitch: f64) -> LostMotion {
         let overlap = self.right.zip(self.left);
         let overlap = overlap.map_or(0.0, |(right, left)| right.rotation - left.rotation);
         LostMotion {
-            solid: self.solid || overlap >= pitch,
+            solid: overlap > 0.0 && (self.solid || overlap >= pitch),
             ..self
         }
     }

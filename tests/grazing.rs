@@ -264,11 +264,12 @@ fn random_tips_near_a_root() {
     }
 }
 
-/// The first of those pairs against solid teeth, where only tips touch, above the depth that `solid` looks at.
+/// The first of those pairs against solid teeth, where only tips touch, above the depth that `solid` looks at. It knows no
+/// fillets: pairs in which a tip reaches below the mate's form circle are left out.
 #[test]
 fn random_tips_against_solid_teeth() {
     let mut compared = 0;
-    for index in 0..60 {
+    for index in 0..120 {
         let drawn = Drawn::new(Some(Depth::Grazing), 5, index);
         let pose = Pose::new(&drawn.assembly, drawn.mating);
         let found = ExactKernel::new(&drawn.assembly)
@@ -277,6 +278,14 @@ fn random_tips_against_solid_teeth() {
         let (Some(right), Some(left)) = (found.right, found.left) else {
             continue;
         };
+        let above_fillets = [Member::Wheel, Member::Pinion].map(|member| {
+            let (one, mate) = (
+                drawn.assembly.gear(member),
+                drawn.assembly.gear(member.mate()),
+            );
+            let nearest = drawn.assembly.center_distance() - mate.reach() - one.eccentricity();
+            nearest > one.gear().form_radius()
+        });
         let shallow = [
             (Member::Wheel, right.wheel.radius.min(left.wheel.radius)),
             (Member::Pinion, right.pinion.radius.min(left.pinion.radius)),
@@ -286,7 +295,7 @@ fn random_tips_against_solid_teeth() {
             let gear = drawn.assembly.gear(member).gear();
             radius > gear.tip_radius() - 0.3 * gear.toothing().module()
         });
-        if found.status() == Status::Clear && shallow {
+        if found.status() == Status::Clear && shallow && above_fillets == [true; 2] {
             // Flank samples 1e-3 modules apart stand within 1e-7 modules of it, 1e-7 rad on three modules.
             is_solid(&drawn.assembly, drawn.mating, &found, 1e-7);
             compared += 1;

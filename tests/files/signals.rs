@@ -46,10 +46,9 @@ fn big() -> tempfile::TempDir {
     folder
 }
 
-const LONG: [&str; 14] = [
+const LONG: [&str; 13] = [
     "simulate big.toml",
     "simulate big.toml --format json -o results",
-    "simulate big.toml --method polygon",
     "simulate big.toml --method both --format csv",
     "compare big.toml",
     "compare big.toml --format junit --markdown table.md",

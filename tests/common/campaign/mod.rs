@@ -19,6 +19,8 @@ use draw::POSES_A_PAIR;
 use draw::Pair;
 pub use draw::{Depth, Drawn};
 use gearlash::mesh::CutPair;
+#[allow(unused_imports)] // each test binary uses its part
+pub use outcome::AT_THE_CENTRE;
 use outcome::Outcome;
 use rayon::prelude::*;
 use std::time::Duration;

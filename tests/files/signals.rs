@@ -46,7 +46,7 @@ fn big() -> tempfile::TempDir {
     folder
 }
 
-const LONG: [&str; 13] = [
+const LONG: [&str; 12] = [
     "simulate big.toml",
     "simulate big.toml --format json -o results",
     "simulate big.toml --method both --format csv",
@@ -56,7 +56,6 @@ const LONG: [&str; 13] = [
     "check big.toml --map",
     "report big.toml",
     "chart big.toml --kind revolution",
-    "chart big.toml --kind distance",
     "snapshot big.toml --worst",
     "gauge gear.toml --steps-per-pitch 64",
     "simulate pipe.toml",
@@ -87,7 +86,7 @@ fn one_signal_ends_any_long_command_at_once() {
             command.args(words.split(' '));
             command.stdout(Stdio::null()).stderr(Stdio::piped());
             let mut child = command.spawn().unwrap();
-            std::thread::sleep(Duration::from_millis(700));
+            std::thread::sleep(Duration::from_millis(250));
             assert!(child.try_wait().unwrap().is_none(), "{words}: too short");
             send(&child, signal);
             let (ended, took, told) = end(child);

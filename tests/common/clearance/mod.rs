@@ -333,10 +333,12 @@ impl<'a> Referee<'a> {
                 return Some(self.between(at(k - 1), at(k)));
             }
             let next = self.least(at(k + 1));
-            if before[1] <= before[0] && before[1] <= next && before[1] < 0.05 * self.module {
-                if let Some(inside) = self.dip(at(k - 1), at(k + 1)) {
-                    return Some(self.between(at(k - 1), inside));
-                }
+            if before[1] <= before[0]
+                && before[1] <= next
+                && before[1] < 0.05 * self.module
+                && let Some(inside) = self.dip(at(k - 1), at(k + 1))
+            {
+                return Some(self.between(at(k - 1), inside));
             }
             before = [before[1], next];
         }

@@ -1,11 +1,11 @@
 //! Writing results: the whole set of a run or nothing, and never over a file that was read.
 //!
 //! A place is tried before the work begins, so that hours of it are not lost to a typing mistake. Everything is then
-//! written into a temporary folder on the same file system ([`temporary`]) and put in its place in one of two ways:
+//! written into a temporary folder on the same file system (`temporary`) and put in its place in one of two ways:
 //!
-//! - [`exchange`]: the temporary folder, with links to whatever else the folder holds, changes places with the folder in one
+//! - `exchange`: the temporary folder, with links to whatever else the folder holds, changes places with the folder in one
 //!   step of the system. A reader sees the old set or the new one.
-//! - [`replace`]: where that cannot be done, file by file, a manifest with their hashes last; undone after a failure, and by
+//! - `replace`: where that cannot be done, file by file, a manifest with their hashes last; undone after a failure, and by
 //!   the next run after a kill.
 //!
 //! Temporary folders are called `.gearlash-….tmp` and locked by the run they belong to; what a killed run left is

@@ -4,7 +4,7 @@ use super::ending::unfinished;
 use super::exchange::Exchange;
 use super::failed;
 use super::replace::{MANIFEST, replace};
-use super::temporary::{Lock, Temporary, clear_dead, is_temporary, lock};
+use super::temporary::{Lock, Temporary, clear_dead, is_temporary, lock, same};
 use crate::error::Error;
 use crate::sources::Sources;
 use std::ffi::OsStr;
@@ -21,7 +21,7 @@ pub struct OutputFolder {
     own: Box<dyn Fn(&str) -> bool>,
     sources: Sources,
     /// `None` where the file system has no locks.
-    _lock: Option<File>,
+    lock: Option<File>,
 }
 
 impl OutputFolder {
@@ -37,15 +37,21 @@ impl OutputFolder {
         sources: &Sources,
         own: impl Fn(&str) -> bool + 'static,
     ) -> Result<OutputFolder, Error> {
-        let made = Made::folder(path)?;
+        let mut made = Made::folder(path)?;
         let failed = failed(path);
         let real = path.canonicalize().map_err(&failed)?;
+        let held = hold(path).inspect_err(|error| {
+            if let Error::Busy { .. } = error {
+                // Empty still, but another run's by now.
+                made.keep();
+            }
+        });
         let folder = OutputFolder {
             named: path.to_path_buf(),
             made,
             own: Box::new(own),
             sources: sources.clone(),
-            _lock: hold(path)?,
+            lock: held?,
             path: real,
         };
         for cleared in [folder.path.parent(), Some(&folder.path)]
@@ -64,8 +70,16 @@ impl OutputFolder {
     /// Puts all `files` (name and content) in the place of the run's own files, as one set, and says where that is.
     ///
     /// # Errors
-    /// [`Error::Output`], [`Error::OverInput`]: the folder is as it was.
+    /// [`Error::Output`], [`Error::OverInput`], [`Error::Busy`]: the folder is as it was.
     pub fn write(mut self, files: &[(String, String)]) -> Result<PathBuf, Error> {
+        if self
+            .lock
+            .as_ref()
+            .is_some_and(|lock| !same(lock, &self.path))
+        {
+            // Moved away meanwhile; what stands there now may be another run's.
+            return Err(Error::Busy { folder: self.named });
+        }
         let put = |name: &str| files.iter().any(|(other, _)| other == name);
         for (name, _) in files {
             self.guard(name)?;

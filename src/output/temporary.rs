@@ -127,16 +127,18 @@ pub(super) fn lock(path: &Path) -> Lock {
     }
 }
 
+/// Whether `file`, opened at `path`, still stands there.
 #[cfg(unix)]
-fn same(file: &File, path: &Path) -> bool {
+pub(super) fn same(file: &File, path: &Path) -> bool {
     use std::os::unix::fs::MetadataExt;
     let identity = |metadata: std::fs::Metadata| (metadata.dev(), metadata.ino());
     let [open, there] = [file.metadata(), std::fs::metadata(path)].map(|found| found.map(identity));
     matches!((open, there), (Ok(open), Ok(there)) if open == there)
 }
 
+/// Whether something stands there.
 #[cfg(not(unix))]
-fn same(_: &File, path: &Path) -> bool {
+pub(super) fn same(_: &File, path: &Path) -> bool {
     path.exists()
 }
 

@@ -49,35 +49,49 @@ fn folder() -> tempfile::TempDir {
     folder
 }
 
-/// Everything below `folder`: by path, the content of files, where links lead, nothing of folders.
-fn contents(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
-    let mut found = BTreeMap::new();
+/// Everything below `folder`; what a living run takes away meanwhile may be missing.
+fn paths(folder: &Path) -> Vec<(PathBuf, std::fs::FileType)> {
+    let mut found = Vec::new();
     let mut open = vec![folder.to_path_buf()];
     while let Some(next) = open.pop() {
-        for entry in std::fs::read_dir(&next).unwrap().map(Result::unwrap) {
+        let entries = match std::fs::read_dir(&next) {
+            Err(error) if error.kind() == std::io::ErrorKind::NotFound => continue,
+            entries => entries.unwrap(),
+        };
+        for entry in entries.map(Result::unwrap) {
             let (path, kind) = (entry.path(), entry.file_type().unwrap());
-            let content = match (kind.is_dir(), kind.is_symlink()) {
-                (true, _) => {
-                    open.push(path.clone());
-                    b"folder".to_vec()
-                }
-                (_, true) => std::fs::read_link(&path)
-                    .unwrap()
-                    .into_os_string()
-                    .into_encoded_bytes(),
-                _ if kind.is_file() => std::fs::read(&path).unwrap(),
-                _ => b"special".to_vec(),
-            };
-            found.insert(path.strip_prefix(folder).unwrap().to_path_buf(), content);
+            if kind.is_dir() {
+                open.push(path.clone());
+            }
+            found.push((path, kind));
         }
     }
     found
 }
 
-/// Names of temporary folders anywhere below `folder`.
+/// Everything below `folder`: by path, the content of files, where links lead, nothing of folders.
+fn contents(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
+    let content = |path: &Path, kind: &std::fs::FileType| match (kind.is_dir(), kind.is_symlink()) {
+        (true, _) => b"folder".to_vec(),
+        (_, true) => std::fs::read_link(path)
+            .unwrap()
+            .into_os_string()
+            .into_encoded_bytes(),
+        _ if kind.is_file() => std::fs::read(path).unwrap(),
+        _ => b"special".to_vec(),
+    };
+    let below = |path: &Path| path.strip_prefix(folder).unwrap().to_path_buf();
+    let found = paths(folder).into_iter();
+    found
+        .map(|(path, kind)| (below(&path), content(&path, &kind)))
+        .collect()
+}
+
+/// What a run has not taken away below `folder`.
 fn temporary(folder: &Path) -> Vec<PathBuf> {
-    let paths = contents(folder).into_keys();
-    paths.filter(|path| is_temporary(path)).collect()
+    let below = |path: PathBuf| path.strip_prefix(folder).unwrap().to_path_buf();
+    let found = paths(folder).into_iter().map(|(path, _)| below(path));
+    found.filter(|path| is_temporary(path)).collect()
 }
 
 fn is_temporary(path: &Path) -> bool {

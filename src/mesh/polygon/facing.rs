@@ -19,6 +19,9 @@ const WIDE: f64 = 0.05;
 /// How often at most; each time it is four times less. Only a curve through the axis itself is left wide.
 const SPLITS: u32 = 12;
 
+/// A direction off by less than this, rad, costs a safe turn nothing.
+const WELL_KNOWN: f64 = 1e-6;
+
 /// A pair of half teeth of one side.
 #[derive(Clone, Copy)]
 pub(super) struct Facing<'a> {
@@ -96,22 +99,57 @@ impl<'a> Facing<'a> {
         64.0 * f64::EPSILON * (self.assembly.center_distance() + self.reach() * turned)
     }
 
-    /// How fast the distance of two chords may shrink at most while the free gear is turned in.
+    /// How far the free gear can be turned in while two chords, as they stand `closest`, stay farther apart than `margin`.
     ///
-    /// Two chords a distance `d` apart are separated by a strip of that width across `n`, the direction from the
-    /// one's nearest point to the other's. Turned by `φ` about the axis, a point at `r` from it moves along `n` by
+    /// Across the direction from the one's nearest point to the other's there is a strip between them as wide as they are
+    /// apart. Where they are hardly farther apart than rounding that direction means nothing; then the lines of both chords
+    /// border narrower strips, whose directions are known.
+    pub fn safe_turn(&self, ours: &Chord, theirs: &Chord, closest: &Closest, margin: f64) -> f64 {
+        let room = closest.distance - margin;
+        // No point moves farther than the reach times the angle; a lever says more, but for rounding.
+        let plain = room / self.reach();
+        let rounding = self.rounding();
+        let n = (closest.points[0] - closest.points[1]) / closest.distance;
+        let safe = self.turn_across(n, theirs, room, rounding / closest.distance);
+        if rounding <= WELL_KNOWN * closest.distance {
+            return safe.max(plain);
+        }
+        let across_line = |line: &Chord, other: &Chord, sense: f64| {
+            let along = (line.ends[1] - line.ends[0]) / (2.0 * line.half_length);
+            let [one, two] = other.ends.map(|end| along.perp(&(end - line.ends[0])));
+            // Of the two sides of the line the one that the other chord is on, or is less beyond.
+            let (side, width) = match one + two > 0.0 {
+                true => (1.0, one.min(two)),
+                false => (-1.0, -one.max(two)),
+            };
+            let n = sense * side * Vector2::new(-along.y, along.x);
+            match width > margin {
+                true => self.turn_across(n, theirs, width - margin, rounding / line.half_length),
+                false => 0.0,
+            }
+        };
+        let [from_ours, from_theirs] = [
+            across_line(ours, theirs, -1.0),
+            across_line(theirs, ours, 1.0),
+        ];
+        safe.max(plain).max(from_ours).max(from_theirs)
+    }
+
+    /// How far the free gear can be turned in before `theirs` is moved by `room` along `n`, which is off by up to `doubt`, rad.
+    ///
+    /// Turned by `φ` about the axis, a point at `r` from it moves along `n` by
     /// `sin φ n·(k × r) − (1 − cos φ) n·r ≤ φ l + φ² m/2`, `l` and `m` the greatest such parts (not below 0) of the two ends:
     /// of all between, too. A curve lies within its error of its chord, and so do its parts. The lesser root of
     /// `φ l + φ² m/2 = room` is a safe turn.
-    pub fn safe_turn(&self, theirs: &Chord, closest: &Closest, room: f64) -> f64 {
-        let n = (closest.points[0] - closest.points[1]) / closest.distance;
+    fn turn_across(&self, n: Vector2<f64>, theirs: &Chord, room: f64, doubt: f64) -> f64 {
         let (mut lever, mut bulge) = (0.0f64, 0.0f64);
         for end in theirs.ends {
             let r = end - self.axis;
             lever = lever.max(self.side.sense() * r.perp(&n));
             bulge = bulge.max(-r.dot(&n));
         }
-        let (lever, bulge) = (lever + theirs.error, bulge + theirs.error);
+        let off = theirs.error + doubt * self.reach();
+        let (lever, bulge) = (lever + off, bulge + off);
         2.0 * room / (lever + (lever * lever + 2.0 * room * bulge).sqrt())
     }
 

@@ -231,10 +231,7 @@ fn turn_in(facing: &Facing, pair: &Pair, finest: f64) -> Turned {
         if closest.distance <= near {
             return Turned::Near(opening);
         }
-        let room = closest.distance - margin;
-        // No point moves farther than the reach times the angle; a lever says more, but for rounding.
-        let plain = room / facing.reach();
-        opening -= facing.safe_turn(&theirs, &closest, room).max(plain);
+        opening -= facing.safe_turn(ours, &theirs, &closest, margin);
     }
     Turned::Waiting(opening)
 }

@@ -24,14 +24,8 @@ fn both_methods_and_the_certificate_agree_on_random_poses() {
     println!("{}", tally.report());
     assert!(tally.faults.is_empty(), "{:#?}", tally.faults);
     assert_eq!(tally.empty(None), Vec::<String>::new());
-    // Where a tip reaches the mate's centre the certificate may refuse; else one contact in 1e5 poses, a grazing one, is given up.
-    let open = |(_, why): &&(u64, String)| !why.starts_with(campaign::AT_THE_CENTRE);
-    assert_eq!(
-        tally.unproven.iter().filter(open).count(),
-        0,
-        "{:#?}",
-        tally.unproven
-    );
+    // One contact in 1e5 poses, a grazing one, is given up.
+    assert!(tally.unproven.is_empty(), "{:#?}", tally.unproven);
 }
 
 /// Source: clearance of dense points of either gear in the other's own frame, nothing of either method.
@@ -114,4 +108,22 @@ fn a_grazing_tip_is_not_passed_by() {
     let turns = (exact.rotation - polygon.rotation) / TAU;
     let apart = (turns - turns.round()).abs() * TAU;
     assert!(apart <= exact.error + polygon.error, "{apart:e} rad");
+}
+
+/// An eccentric tip land turned past the mate's tip corner, with a lever of 0.1 µm: the direction from one point to the other
+/// was rounding, and the polygons went 1.3e-12 mm too deep, beyond both bounds. Right is the exact rotation: there the corner
+/// lies on the tip circle to 4e-16 mm. One in a million.
+#[test]
+fn a_tip_land_that_grazes_a_corner_is_not_turned_too_far() {
+    let drawn = Drawn::new(None, 1, 712_736);
+    let pose = Pose::new(&drawn.assembly, drawn.mating);
+    let left = ExactKernel::new(&drawn.assembly)
+        .lost_motion(&pose)
+        .unwrap()
+        .left
+        .unwrap();
+    let arm = left.point - drawn.assembly.axis(drawn.assembly.free());
+    assert!(arm.perp(&left.normal).abs() < 1e-4, "no longer that pose");
+    let tally = run(None, 1, 712_736, 1, LONGEST);
+    assert!(tally.faults.is_empty(), "{:#?}", tally.faults);
 }

@@ -196,3 +196,12 @@ fn polygon_results_are_certified() {
         }
     }
 }
+
+/// A wheel of 14 teeth, eccentric by 0.8 mm, reaches over the axis of a pinion of three: its shaft stands there. Turned in, teeth
+/// would meet from all sides; exact and polygon method named different ones.
+#[test]
+fn over_the_axis_14_3() {
+    is_jammed("over_the_axis_14_3", |poses| {
+        poses.iter().all(|pose| pose.status() == Status::Jammed)
+    });
+}

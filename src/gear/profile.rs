@@ -129,6 +129,17 @@ impl<'a> Profile<'a> {
         (a + b * span) * span * span / 8.0
     }
 
+    /// Greatest curvature of `curve` between two parameters, 1/mm: `1/(r_b ξ)` at the lesser `ξ` on the involute, that of a land;
+    /// none is known of a fillet.
+    pub(crate) fn curvature(&self, curve: Curve, from: f64, to: f64) -> Option<f64> {
+        match curve {
+            Curve::Tip => Some(1.0 / self.gear.tip_radius()),
+            Curve::Root => Some(1.0 / self.gear.root_radius()),
+            Curve::Involute => Some(1.0 / (self.base * from.min(to))),
+            Curve::Fillet => None,
+        }
+    }
+
     /// Radius about the gear's centre at `parameter` of `curve`, mm.
     pub fn radius(&self, curve: Curve, parameter: f64) -> f64 {
         match curve {

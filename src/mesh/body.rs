@@ -1,12 +1,15 @@
 //! Teeth in the solid body of the mate: a pose that no rotation of the free gear frees, whatever touches first.
 //!
-//! Below its root circle a gear is solid, and its shaft stands in its axis. Three things are enough each, and need no contact:
+//! Below its root circle a gear is solid, and its shaft stands in its axis. Two things are enough each of an overlap, and need no
+//! contact:
 //!
 //! 1. a tip land of the locked gear comes nearer to the free axis than `r_f − e`, `e` the free gear's eccentricity:
 //!    there is metal at every rotation;
 //! 2. the locked gear's root circle, seen from the free outline's centre, is wider on a circle of that outline than the free gear's
-//!    widest space there: a free tooth stands in it at every rotation;
-//! 3. a tip circle reaches the mate's axis (gears of three or four long teeth, whose root circle is next to nothing).
+//!    widest space there: a free tooth stands in it at every rotation.
+//!
+//! And where a tip circle reaches over the mate's axis, as it may with three or four long teeth whose root circle is next to
+//! nothing, no pose of the pair can be assembled ([`reaches_over_an_axis`]).
 //!
 //! For 2, the circle of radius `ρ` about a centre `d` away lies within the disc of radius `r_f` over
 //! `2 acos((d² + ρ² − r_f²)/(2 d ρ))`, at most where `ρ² = d² − r_f²`; between form and tip circle a tooth is at least as wide,
@@ -15,8 +18,17 @@
 //! Where none holds a pose may still be jammed: what touches then says so ([`super::LostMotion::status`]).
 
 use crate::gear::{AsBuilt, Curve, Placed, Profile, Side};
-use crate::pair::{Assembly, Pose};
+use crate::pair::{Assembly, Member, Pose};
 use std::f64::consts::PI;
+
+/// Whether teeth of one gear reach to where the mate's outline has its centre, and its shaft stands: all poses are jammed. What
+/// turned there would meet teeth from all sides, and no pair of them would come first.
+pub(super) fn reaches_over_an_axis(assembly: &Assembly) -> bool {
+    [Member::Wheel, Member::Pinion].into_iter().any(|member| {
+        let (gear, mate) = (assembly.gear(member), assembly.gear(member.mate()));
+        gear.reach() + mate.eccentricity() >= assembly.center_distance()
+    })
+}
 
 /// Whether there may be a pose of which [`is_solid`] is true: nearly never.
 pub(super) fn may_be_solid(assembly: &Assembly) -> bool {
@@ -43,9 +55,6 @@ pub(super) fn is_solid(assembly: &Assembly, pose: &Pose) -> bool {
     let axis = assembly.axis(assembly.free());
     let distance = (axis - placed.centre()).norm();
     let off = free.eccentricity();
-    if distance <= tip || distance - off <= free.gear().tip_radius() {
-        return true;
-    }
     if distance - tip < solid {
         let teeth = placed.teeth_near(axis, solid.max(0.0));
         if teeth

@@ -67,14 +67,20 @@ pub struct LostMotion {
     pub right: Option<Contact>,
     /// Limit of counter-clockwise rotation.
     pub left: Option<Contact>,
-    /// Whether no rotation of the free gear can free it, whatever touches: teeth stand in the solid body of the mate, or
-    /// overlap by a pitch or more, so that turning on only brings the next tooth into the place.
+    /// Whether no rotation of the free gear can free it, whatever touches: teeth stand in the solid body of the mate, or reach
+    /// over its axis, or overlap by a pitch or more, so that turning on only brings the next tooth into the place.
     pub solid: bool,
 }
 
 impl LostMotion {
-    /// The same, solid only with an overlap, and surely where that is a `pitch` of the free gear (rad) or more. Two tips may pass
-    /// the mate's axis and each other clear, where root circles are next to nothing.
+    /// Jammed whatever touches, so nothing was turned.
+    pub(super) const JAMMED: LostMotion = LostMotion {
+        right: None,
+        left: None,
+        solid: true,
+    };
+
+    /// The same, solid only with an overlap, and surely where that is a `pitch` of the free gear (rad) or more.
     pub(super) fn within(self, pitch: f64) -> LostMotion {
         let overlap = self.right.zip(self.left);
         let overlap = overlap.map_or(0.0, |(right, left)| right.rotation - left.rotation);

@@ -39,7 +39,7 @@ mod tangent;
 mod teeth;
 mod ties;
 
-use super::body::{is_solid, may_be_solid};
+use super::body::{is_solid, may_be_solid, reaches_over_an_axis};
 use super::lost_motion::{Contact, LostMotion};
 use crate::error::Error;
 use crate::gear::Side;
@@ -61,6 +61,8 @@ pub struct ExactKernel {
     free: Member,
     /// The pair, where teeth may stand in the mate's body.
     bodies: Option<Box<Assembly>>,
+    /// Whether no pose can be assembled.
+    blocked: bool,
 }
 
 impl ExactKernel {
@@ -76,6 +78,7 @@ impl ExactKernel {
             left,
             free: assembly.free(),
             bodies: may_be_solid(assembly).then(|| Box::new(assembly.clone())),
+            blocked: reaches_over_an_axis(assembly),
         }
     }
 
@@ -112,6 +115,9 @@ impl ExactKernel {
         pose: &Pose,
         method: impl Fn(&Stand) -> Result<Option<Touching>, (i64, Unsettled)>,
     ) -> Result<LostMotion, Error> {
+        if self.blocked {
+            return Ok(LostMotion::JAMMED);
+        }
         let mating = pose.mating();
         let teeth = (mating.tooth(self.free.mate()), mating.tooth(self.free));
         let rotation = reduced(pose.locked_rotation());

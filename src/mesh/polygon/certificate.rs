@@ -8,6 +8,7 @@
 
 use super::chord::Chord;
 use super::facing::Facing;
+use super::graphs;
 use super::search::search;
 use super::{PolygonKernel, finest_chord, steps_in_reach};
 use crate::error::Error;
@@ -306,6 +307,12 @@ impl Looking<'_> {
             self.close |= beyond <= tube + self.slack;
             return true;
         }
+        if let Some(gap) = self.gap(ours, theirs, seen)
+            && gap > 2.0 * self.finest
+        {
+            self.close |= 0.75 * gap <= self.slack;
+            return true;
+        }
         let mut made = None;
         if ours.error >= theirs.error {
             let halves = self.facing.locked.halves(ours, &mut made);
@@ -319,6 +326,21 @@ impl Looking<'_> {
             self.clear(frame, ours, &halves[first], &ends[first])
                 && self.clear(frame, ours, &halves[second], &ends[second])
         }
+    }
+}
+
+impl Looking<'_> {
+    /// How far two chords' curves are apart by the way they bend ([`graphs::gap`]).
+    fn gap(&self, ours: &Chord, theirs: &Chord, seen: &[Point2<f64>; 2]) -> Option<f64> {
+        let stretch = |ends, chord: &Chord, curvature| graphs::Stretch {
+            ends,
+            half_length: chord.half_length,
+            curvature,
+        };
+        let [locked, free] = [&self.facing.locked, &self.facing.free];
+        let ours = stretch(&ours.ends, ours, locked.curvature(ours)?);
+        let theirs = stretch(seen, theirs, free.curvature(theirs)?);
+        graphs::gap(&ours, &theirs)
     }
 }
 

@@ -228,6 +228,12 @@ impl<'a> Half<'a> {
         }
     }
 
+    /// Greatest curvature, 1/mm, of the curve a chord stands for, where it is known.
+    pub fn curvature(&self, chord: &Chord) -> Option<f64> {
+        let [from, to] = chord.parameters;
+        self.profile.curvature(chord.curve, from, to)
+    }
+
     /// Centre and radius, mm, of a disc that holds the half tooth.
     pub fn disc(&self) -> (Point2<f64>, f64) {
         // What is its own: the far half of the land, no longer than that; the rest of the root land.

@@ -8,10 +8,11 @@
 mod certificate;
 mod chord;
 mod facing;
+mod graphs;
 mod place;
 mod search;
 
-use super::body::{is_solid, may_be_solid};
+use super::body::{is_solid, may_be_solid, reaches_over_an_axis};
 use super::lost_motion::{Contact, LostMotion};
 use crate::error::Error;
 use crate::gear::{Profile, Side};
@@ -65,6 +66,9 @@ impl<'a> PolygonKernel<'a> {
     /// # Errors
     /// [`Error::ContactLost`] names the pair of teeth whose search did not end.
     pub fn lost_motion(&self, pose: &Pose) -> Result<LostMotion, Error> {
+        if reaches_over_an_axis(self.assembly) {
+            return Ok(LostMotion::JAMMED);
+        }
         let found = LostMotion {
             right: self.side(pose, Side::Right)?,
             left: self.side(pose, Side::Left)?,

@@ -20,7 +20,6 @@ use draw::Pair;
 pub use draw::{Depth, Drawn};
 use gearlash::mesh::CutPair;
 #[allow(unused_imports)] // each test binary uses its part
-pub use outcome::AT_THE_CENTRE;
 use outcome::Outcome;
 use rayon::prelude::*;
 use std::time::Duration;

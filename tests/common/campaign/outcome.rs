@@ -66,13 +66,6 @@ impl Outcome {
             (_, Err(error), _) => Verdict::Unproven(format!("polygon: {error}")),
             (_, _, Err(error)) => Verdict::Unproven(format!("certificate: {error}")),
         };
-        // There the certificate refuses what the polygons do not find: a row says unproven, and so does the campaign.
-        let verdict = match verdict {
-            Verdict::Fault(what) if reaches_the_centre(assembly) => {
-                Verdict::Unproven(format!("{AT_THE_CENTRE}: {what}"))
-            }
-            other => other,
-        };
         Outcome {
             exact: exact.ok(),
             verdict,
@@ -149,11 +142,7 @@ fn judge(drawn: &Drawn, cut: &CutPair, exact: &LostMotion, polygon: &LostMotion)
     Verdict::Borne(agreement)
 }
 
-/// What is said of a pose left open because of [`reaches_the_centre`].
-pub const AT_THE_CENTRE: &str = "a tip reaches the mate's centre";
-
-/// Whether a tip circle reaches the centre of the mate's outline, of any pose: there teeth face the mate's from all sides, and
-/// the polygon method may turn in from where another of them faces. (Gears of three or four long teeth with next to no body.)
+/// Whether a tip circle reaches the centre of the mate's outline: jammed by definition, and no rotation means anything.
 pub fn reaches_the_centre(assembly: &Assembly) -> bool {
     let passes = |one: Member| {
         let (one, other) = (assembly.gear(one), assembly.gear(one.mate()));

@@ -21,17 +21,20 @@ pub fn contacts(assembly: &Assembly, pose: &Pose) -> [Option<f64>; 2] {
 /// At a rotation more open than claimed by the error bound nothing may overlap by more than rounding, nor farther open; as
 /// much more closed something must, or be as near as rounding. Where no contact is claimed there must be none. In the
 /// middle of the lost motion of a clear pose no metal stands in the other gear's. Of a pose called solid metal must
-/// stand in metal wherever the free gear is turned; where a tip reaches the mate's centre its rotations mean nothing.
+/// stand in metal wherever the free gear is turned. Where a tip reaches over the mate's axis every pose must be jammed.
 pub fn against(assembly: &Assembly, pose: &Pose, found: &LostMotion) -> Vec<String> {
-    if found.solid && !overlap_everywhere(assembly, pose) {
-        return vec!["called solid, but free at some rotation".to_owned()];
-    }
     let reach = |member: Member| {
         assembly.gear(member).reach() + assembly.gear(member.mate()).eccentricity()
     };
-    if found.solid && reach(Member::Wheel).max(reach(Member::Pinion)) >= assembly.center_distance()
-    {
-        return vec![];
+    if reach(Member::Wheel).max(reach(Member::Pinion)) >= assembly.center_distance() {
+        // The mate's shaft, which is in neither outline, stands in the way.
+        return match found.status() {
+            Status::Jammed => vec![],
+            _ => vec!["a tip reaches over the mate's axis, yet it is not jammed".to_owned()],
+        };
+    }
+    if found.solid && !overlap_everywhere(assembly, pose) {
+        return vec!["called solid, but free at some rotation".to_owned()];
     }
     let um = assembly.operating_pitch_radius(assembly.free()) * 1e3;
     let mut complaints = Vec::new();

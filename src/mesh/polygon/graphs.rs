@@ -1,0 +1,189 @@
+//! Two stretches of curves held apart by how far they can bend: each as a graph over one line.
+//!
+//! Over a line that both chords nearly follow a stretch is a graph `y(x)` between its ends, which are on the curve. Its tangent
+//! stands within `θ ≤ β + κ s` of the line (`β` the chord's angle to it, `κ` its greatest curvature, `s` its length), so
+//! `|y''| = κ/cos³θ ≤ κ (1 + 2 θ²)` for `θ ≤ 1/2`, and by the remainder of linear interpolation
+//!
+//! ```text
+//! |y(x) − chord(x)| ≤ K (x − x_0)(x_1 − x)/2,   K = κ (1 + 2 θ²)
+//! ```
+//!
+//! Two graphs do not meet where the gap of the chords less both remainders, a parabola, stays above 0 on the `x` they share.
+//! Unlike the distance of two chords less their errors it knows that curves stand off their chords in the middle and not
+//! at the ends: what is left uncertain goes with the third power of the length, not with the second.
+
+use nalgebra::{Point2, Vector2};
+
+/// Greatest angle `θ`, rad, that the bound above holds for.
+const STEEPEST: f64 = 0.5;
+
+/// A stretch of a curve: its ends, mm, and its greatest curvature, 1/mm.
+#[derive(Clone, Copy)]
+pub(super) struct Stretch<'a> {
+    pub ends: &'a [Point2<f64>; 2],
+    pub half_length: f64,
+    pub curvature: f64,
+}
+
+/// A stretch over the line: its chord from `start` to `end` along it, the chord's height at `start` and slope, and `K`.
+struct Graph {
+    start: f64,
+    end: f64,
+    height: f64,
+    slope: f64,
+    bend: f64,
+}
+
+impl Graph {
+    fn chord(&self, x: f64) -> f64 {
+        self.height + self.slope * (x - self.start)
+    }
+
+    fn remainder(&self, x: f64) -> f64 {
+        0.5 * self.bend * (x - self.start) * (self.end - x)
+    }
+
+    fn middle(&self) -> f64 {
+        0.5 * (self.start + self.end)
+    }
+}
+
+/// How far two stretches are surely apart, mm, measured across the mean of their chords: 0 or less says nothing, and `None` that the
+/// chords are too steep, or the curves bend too much, to be graphs over it. The distance of the curves is at least 0.75 of it.
+pub(super) fn gap(ours: &Stretch, theirs: &Stretch) -> Option<f64> {
+    let turn = |stretch: &Stretch| 2.04 * stretch.half_length * stretch.curvature;
+    // An arc that turns by no more than half a radian is within 2 % of its chord.
+    let turn = turn(ours).max(turn(theirs));
+    if turn > STEEPEST {
+        return None;
+    }
+    // Unit vectors; chords of facing flanks may run either way.
+    let ours_along = (ours.ends[1] - ours.ends[0]) * (0.5 / ours.half_length);
+    let theirs_along = (theirs.ends[1] - theirs.ends[0]) * (0.5 / theirs.half_length);
+    let reversed = ours_along.dot(&theirs_along) < 0.0;
+    let theirs_along = match reversed {
+        true => -theirs_along,
+        false => theirs_along,
+    };
+    // Both chords stand at half the angle between them to their mean, and `sin 2β ≤ 0.8` means `β ≤ 0.6 sin 2β`.
+    let sine = ours_along.perp(&theirs_along).abs();
+    let steep = 0.6 * sine + turn;
+    if sine > 0.8 || steep > STEEPEST {
+        return None;
+    }
+    // As long as cos β, and so is all that is measured by it, a curvature the more: `1/cos β ≤ 1 + 0.6 β²`.
+    let along = 0.5 * (ours_along + theirs_along);
+    let bending = 1.0 + 3.2 * steep * steep;
+    let origin = ours.ends[0];
+    let graph = |stretch: &Stretch, reversed: bool| {
+        let [from, to] = match reversed {
+            true => [stretch.ends[1], stretch.ends[0]],
+            false => *stretch.ends,
+        };
+        let (from, run): (Vector2<f64>, _) = (from - origin, to - from);
+        let (start, run, rise) = (along.dot(&from), along.dot(&run), along.perp(&run));
+        Graph {
+            start,
+            end: start + run,
+            height: along.perp(&from),
+            slope: rise / run,
+            bend: stretch.curvature * bending,
+        }
+    };
+    let (one, other) = (graph(ours, false), graph(theirs, reversed));
+    let (from, to) = (one.start.max(other.start), one.end.min(other.end));
+    if from > to {
+        return Some(from - to);
+    }
+    let apart = |x: f64| other.chord(x) - one.chord(x);
+    let side = apart(0.5 * (from + to)).signum();
+    // The parabola opens upward, with the curvature K_1 + K_2.
+    let slope = side * (other.slope - one.slope);
+    let level = one.bend * one.middle() + other.bend * other.middle() - slope;
+    let lowest = (level / (one.bend + other.bend)).clamp(from, to);
+    Some(side * apart(lowest) - one.remainder(lowest) - other.remainder(lowest))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// An arc of the circle about `centre` from one angle to another, with its exact curvature.
+    fn arc(centre: [f64; 2], radius: f64, angles: [f64; 2]) -> ([Point2<f64>; 2], f64) {
+        let at = |angle: f64| {
+            Point2::new(
+                centre[0] + radius * angle.cos(),
+                centre[1] + radius * angle.sin(),
+            )
+        };
+        (angles.map(at), 1.0 / radius)
+    }
+
+    fn stretch(arc: &([Point2<f64>; 2], f64)) -> Stretch<'_> {
+        Stretch {
+            ends: &arc.0,
+            half_length: 0.5 * (arc.0[1] - arc.0[0]).norm(),
+            curvature: arc.1,
+        }
+    }
+
+    /// Two circles bulge towards each other, `d` apart where they are nearest. Source: the closed form of their distance.
+    #[test]
+    fn arcs_are_told_apart_to_the_third_order() {
+        let up = std::f64::consts::FRAC_PI_2;
+        for (half, distance, loss) in [(0.1, 1e-2, 3e-3), (0.01, 1e-5, 3e-6), (0.001, 1e-8, 3e-9)] {
+            let ours = arc([0.0, -10.0], 10.0, [up - half, up + 0.9 * half]);
+            let theirs = arc(
+                [0.0, 20.0 + distance],
+                20.0,
+                [-up - 0.45 * half, -up + half],
+            );
+            for theirs in [theirs, ([theirs.0[1], theirs.0[0]], theirs.1)] {
+                for [one, other] in [[&ours, &theirs], [&theirs, &ours]] {
+                    let gap = gap(&stretch(one), &stretch(other)).unwrap();
+                    assert!(
+                        gap <= distance && gap >= distance - loss,
+                        "{gap} of {distance}"
+                    );
+                }
+            }
+        }
+    }
+
+    /// Circles that overlap are never apart, however little.
+    #[test]
+    fn overlapping_arcs_are_not_apart() {
+        let up = std::f64::consts::FRAC_PI_2;
+        for half in [0.1, 0.01, 0.001] {
+            for overlap in [0.0, 1e-12, 1e-6] {
+                let ours = arc([0.0, -10.0], 10.0, [up - half, up + half]);
+                let theirs = arc([0.0, 20.0 - overlap], 20.0, [-up - half, -up + half]);
+                let gap = gap(&stretch(&ours), &stretch(&theirs)).unwrap();
+                assert!(gap <= 1e-14, "{gap}");
+            }
+        }
+    }
+
+    /// Neighbours on either side of the contact of two touching circles share one `x`, and their ends stand apart there.
+    #[test]
+    fn neighbours_are_told_apart_by_their_ends() {
+        let up = std::f64::consts::FRAC_PI_2;
+        let ours = arc([0.0, -10.0], 10.0, [up + 0.01, up + 0.03]);
+        let theirs = arc([0.0, 20.0], 20.0, [-up - 0.005, -up + 0.005]);
+        assert!(gap(&stretch(&ours), &stretch(&theirs)).unwrap() > 0.0);
+    }
+
+    #[test]
+    fn what_is_no_graph_is_not_judged() {
+        let ours = arc([0.0, 0.0], 1.0, [0.0, 0.3]);
+        let bent = arc([3.0, 0.0], 0.2, [3.0, 3.3]);
+        let level = arc([0.0, 3.0], 10.0, [-1.6, -1.55]);
+        assert!(gap(&stretch(&ours), &stretch(&level)).is_none());
+        let bent = stretch(&bent);
+        let bent = Stretch {
+            curvature: 100.0,
+            ..bent
+        };
+        assert!(gap(&stretch(&ours), &bent).is_none());
+    }
+}

@@ -75,10 +75,11 @@ pub fn map(
     let fractions: Vec<f64> = (0..COLUMNS)
         .map(|column| f64::from(column) / f64::from(COLUMNS))
         .collect();
+    let as_assembled = Bench::new(assembly);
     let rows: Vec<Result<Vec<MapCell>, Error>> = distances
         .par_iter()
         .map(|&distance| {
-            let bench = Bench::new(assembly, distance)?;
+            let bench = as_assembled.at(distance)?;
             let radius = bench.assembly.operating_pitch_radius(bench.assembly.free());
             let cells: Result<Vec<MapCell>, Error> = fractions
                 .iter()

@@ -85,11 +85,12 @@ impl Roll {
     }
 }
 
-/// Rolls `gear` once round; `tick` is called as each pose begins.
+/// Rolls `gear` once round; `tick` is called as each pose begins, `more` with how many are to come beyond the even ones.
 pub(super) fn roll(
     gear: &AsBuilt,
     master_teeth: Option<u32>,
     steps_per_pitch: u32,
+    more: &dyn Fn(usize),
     tick: &(dyn Fn() -> ControlFlow<()> + Sync),
 ) -> Result<Result<Roll, Unmeasured>, Error> {
     let master = match master(gear, master_teeth) {
@@ -123,7 +124,7 @@ pub(super) fn roll(
         steps_per_pitch: steps_per_pitch as usize,
         step: gear.gear().toothing().angular_pitch() / f64::from(steps_per_pitch),
     };
-    let Some(rolled) = bracketed(&curve, &take)? else {
+    let Some(rolled) = bracketed(&curve, more, &take)? else {
         return Ok(Err(Unmeasured(
             "no centre distance brings the gear and the master together without play".to_owned(),
         )));

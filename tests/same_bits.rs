@@ -3,8 +3,8 @@
 mod common;
 
 use common::random_pair::{Case, case, rough_case};
-use gearlash::mesh::{CutPair, LostMotion, Method, SweptPose, sweep};
-use gearlash::pair::{Assembly, Mating, Member};
+use gearlash::mesh::{CutPair, ExactKernel, LostMotion, Method, SweptPose, sweep};
+use gearlash::pair::{Assembly, Mating, Member, Pose};
 use proptest::prelude::*;
 use std::ops::ControlFlow;
 
@@ -89,6 +89,27 @@ proptest! {
             for (mating, expected) in matings.iter().zip(&expected) {
                 let single = swept(&assembly, &cut, method, &[*mating], 1);
                 prop_assert_eq!(&bits(single[0].proven().unwrap()), expected);
+            }
+        }
+    }
+
+    /// A kernel that was moved keeps teeth and envelopes; one made there has its own.
+    #[test]
+    fn a_kernel_moved_to_another_distance_is_the_one_made_there(
+        case in prop_oneof![case(), rough_case()],
+    ) {
+        let Ok(assembly) = case.try_assemble(1.0) else { return Ok(()) };
+        let kernel = ExactKernel::new(&assembly);
+        let module = assembly.gear(Member::Wheel).gear().toothing().module();
+        for step in -8..=8 {
+            let Ok(there) = assembly.at(assembly.center_distance() + 0.1 * module * f64::from(step)) else { continue };
+            let (moved, made) = (kernel.at(&there), ExactKernel::new(&there));
+            for mating in matings(&case) {
+                let pose = Pose::new(&there, mating);
+                match (moved.lost_motion(&pose), made.lost_motion(&pose)) {
+                    (Ok(moved), Ok(made)) => prop_assert_eq!(bits(&moved), bits(&made)),
+                    (moved, made) => prop_assert_eq!(moved.is_ok(), made.is_ok()),
+                }
             }
         }
     }

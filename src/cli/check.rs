@@ -5,8 +5,10 @@ use super::method::{MethodArgs, agreement};
 use super::progress::Progress;
 use super::studies;
 use crate::characters::plain;
-use crate::compare::compare;
-use crate::diagnosis::{Diagnosis, Verdict, diagnose, map};
+use crate::compare::{ComparedRun, compare};
+use crate::diagnosis::{
+    Diagnosis, Group, MAP_ROWS, Verdict, ZeroDistance, diagnose, map, pitch_count,
+};
 use crate::error::Error;
 use crate::output::OutputFolder;
 use crate::render;
@@ -62,19 +64,11 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let runs = simulate(&study, args.method.method(), &|| progress.tick())?;
     drop(progress);
     let runs = compare(runs, study.tolerance_um);
-    let progress = Progress::working();
-    let diagnosis = diagnose(&study, &runs, &mut |doing| {
-        progress.now(doing);
-        Ok(())
-    })?;
+    let diagnosis = diagnosis(&study, &runs)?;
     let maps = match &folder {
-        Some(_) => {
-            progress.now("map");
-            maps(&study, &diagnosis, &progress)?
-        }
+        Some(_) => maps(&study, &diagnosis)?,
         None => Vec::new(),
     };
-    drop(progress);
 
     print(&match args.format {
         Format::Text => render::check::text(&study, &diagnosis),
@@ -95,6 +89,16 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     })
 }
 
+/// Checks what was simulated, under a bar.
+pub(super) fn diagnosis(study: &Study, runs: &[ComparedRun]) -> Result<Diagnosis, Error> {
+    let progress = Progress::of(pitch_count(runs), "pitches");
+    let mut step = |doing: &str| {
+        progress.now(&format!("({doing})"));
+        Ok(())
+    };
+    diagnose(study, runs, &mut step, &|| progress.tick())
+}
+
 /// Whether a run of this command may write a file called `name`.
 fn is_own(name: &str) -> bool {
     let map = name.strip_prefix("map_");
@@ -104,30 +108,30 @@ fn is_own(name: &str) -> bool {
 }
 
 /// A map of each material, at the study's first centre distance.
-fn maps(
-    study: &Study,
-    diagnosis: &Diagnosis,
-    progress: &Progress,
-) -> Result<Vec<(String, String)>, Error> {
-    let mut files = Vec::new();
-    let mut drawn = Vec::new();
+fn maps(study: &Study, diagnosis: &Diagnosis) -> Result<Vec<(String, String)>, Error> {
+    let mut drawn: Vec<(&Group, &ZeroDistance)> = Vec::new();
+    let mut seen = Vec::new();
     for group in &diagnosis.groups {
         let material = group.material;
-        if drawn.contains(&material) {
+        if seen.contains(&material) {
             continue;
         }
-        drawn.push(material);
-        let zero = match &group.zero {
-            Ok(Some(zero)) => zero,
-            Ok(None) => continue,
+        seen.push(material);
+        match &group.zero {
+            Ok(Some(zero)) => drawn.push((group, zero)),
+            Ok(None) => {}
             Err(reason) => {
                 eprintln!(
                     "note: no map of material {}: the pose with the least backlash is unproven ({reason})",
                     material.name()
                 );
-                continue;
             }
-        };
+        }
+    }
+    let mut files = Vec::new();
+    let progress = Progress::of(drawn.len() * MAP_ROWS as usize, "rows of the map");
+    for (group, zero) in drawn {
+        let material = group.material;
         let map = map(group, zero.pose, &|| progress.tick())?;
         let caption = format!(
             "{} and {} teeth, material {}: what touches, over one pitch from the pose with the least backlash",

@@ -5,12 +5,12 @@ use super::progress::Progress;
 use super::results::{Format, ResultsArgs};
 use super::studies;
 use crate::error::Error;
-use crate::gauge::{Settings, gauge};
+use crate::gauge::{Settings, gauge, pose_count};
 use crate::gear::AsBuilt;
 use crate::render::gauge::{
     GaugedGear, charts, csv_files, json, possible_files, stem, teeth_csv, text,
 };
-use crate::study::{GearsStudy, Material};
+use crate::study::{GearStudy, GearsStudy, Material};
 use clap::ValueEnum;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -92,24 +92,27 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let own = move |name: &str| own.iter().any(|own| own == name);
     let folder = args.results.folder(&study.stem, &study.sources, own)?;
 
-    let progress = Progress::working();
+    let settings = |gear: &GearStudy| Settings {
+        span_teeth: args.span_teeth.or(gear.span_teeth()),
+        pin: args.pin_mm.or(gear.pin()),
+        ball: args.ball_mm,
+        master_teeth: args.master_teeth,
+        steps_per_pitch: args.steps_per_pitch,
+    };
+    let poses = chosen.iter();
+    let poses = poses.map(|(gear, _, as_built)| pose_count(as_built, &settings(gear)));
+    let progress = Progress::start(poses.sum());
     let mut gears = Vec::new();
     for (gear, material, as_built) in chosen {
-        progress.now(&format!("{} {}", gear.name, material.name()));
-        let settings = Settings {
-            span_teeth: args.span_teeth.or(gear.span_teeth()),
-            pin: args.pin_mm.or(gear.pin()),
-            ball: args.ball_mm,
-            master_teeth: args.master_teeth,
-            steps_per_pitch: args.steps_per_pitch,
-        };
+        progress.now(&format!("({} {})", gear.name, material.name()));
+        let more = |poses| progress.more(poses);
         gears.push(GaugedGear {
             title: &study.title,
             name: gear.name,
             material,
             gear: as_built,
             echo: &gear.echo,
-            gauged: gauge(as_built, &settings, &|| progress.tick())?,
+            gauged: gauge(as_built, &settings(gear), &more, &|| progress.tick())?,
         });
     }
     drop(progress);
@@ -162,7 +165,7 @@ fn check_span(args: &Args, name: &str, gear: &AsBuilt) -> Result<(), Error> {
 fn choose<'a>(
     args: &Args,
     study: &'a GearsStudy,
-) -> Result<Vec<(&'a crate::study::GearStudy, Material, &'a AsBuilt)>, Error> {
+) -> Result<Vec<(&'a GearStudy, Material, &'a AsBuilt)>, Error> {
     let name = args.gear.map(|gear| match gear {
         GearName::Wheel => "wheel",
         GearName::Pinion => "pinion",

@@ -27,10 +27,10 @@ impl Progress {
         Progress::of(poses, "poses")
     }
 
-    /// A bar of so many `steps`, and what a step is called.
+    /// A bar of so many `steps`, and what a step is called; beside it, as far as there is room, what is being done.
     pub fn of(steps: usize, named: &str) -> Progress {
         let bar = ProgressBar::new(steps as u64);
-        let template = format!("{{bar:40}} {{pos}}/{{len}} {named}, {{eta}} left");
+        let template = format!("{{bar:40}} {{pos}}/{{len}} {named}, {{eta}} left {{wide_msg}}");
         Progress::shown(bar, &template)
     }
 
@@ -52,6 +52,11 @@ impl Progress {
     /// Says what is being done now.
     pub fn now(&self, doing: &str) {
         self.bar.set_message(doing.to_owned());
+    }
+
+    /// So many steps more have turned out to be needed.
+    pub fn more(&self, steps: usize) {
+        self.bar.inc_length(steps as u64);
     }
 
     /// One step begun. Nothing here ever wants to stop: a signal ends the process from a thread of its own.

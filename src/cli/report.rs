@@ -1,5 +1,6 @@
 //! `gearlash report`: the whole result as one page.
 
+use super::check;
 use super::date::today;
 use super::method::{MethodArgs, agreement_within, all_proven, largest_difference, unproven};
 use super::progress::Progress;
@@ -7,7 +8,6 @@ use super::studies;
 use super::target::Target;
 use crate::curves;
 use crate::cycle::{self, cycle};
-use crate::diagnosis::diagnose;
 use crate::error::Error;
 use crate::gauge::{GradedReading, Unmeasured, graded};
 use crate::gear::Inspection;
@@ -59,11 +59,8 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         .map(|followed| curves::over_distance(&study, followed, method, &tick))
         .collect::<Result<Vec<_>, Error>>()?;
     drop(progress);
+    let diagnosis = check::diagnosis(&study, &runs)?;
     let progress = Progress::working();
-    let diagnosis = diagnose(&study, &runs, &mut |doing| {
-        progress.now(doing);
-        Ok(())
-    })?;
     progress.now("accuracy grades");
     let grades = grades(&study);
     progress.now("page");

@@ -6,31 +6,51 @@ use crate::pair::{Assembly, Mating, Member, Pose};
 use rayon::prelude::*;
 
 /// The pair at one centre distance.
-pub(super) struct Bench {
-    pub assembly: Assembly,
+pub struct Bench {
+    pub(super) assembly: Assembly,
     kernel: ExactKernel,
 }
 
 impl Bench {
-    /// The gears of `assembly` at `distance`, mm.
-    pub fn new(assembly: &Assembly, distance: f64) -> Result<Bench, Error> {
-        let assembly = assembly.at(distance)?;
+    /// The pair as assembled.
+    pub fn new(assembly: &Assembly) -> Bench {
+        Bench {
+            kernel: ExactKernel::new(assembly),
+            assembly: assembly.clone(),
+        }
+    }
+
+    /// The same gears at `distance`, mm, in a time that does not depend on the number of teeth.
+    ///
+    /// # Errors
+    /// Base circles that overlap.
+    pub fn at(&self, distance: f64) -> Result<Bench, Error> {
+        let assembly = self.assembly.at(distance)?;
         Ok(Bench {
-            kernel: ExactKernel::new(&assembly),
+            kernel: self.kernel.at(&assembly),
             assembly,
         })
     }
 
+    /// The pair where it stands.
+    pub fn assembly(&self) -> &Assembly {
+        &self.assembly
+    }
+
+    /// Right- and left-flank contact of `mating`.
+    ///
+    /// # Errors
+    /// A contact that was lost.
     pub fn lost_motion(&self, mating: &Mating) -> Result<LostMotion, Error> {
         self.kernel.lost_motion(&Pose::new(&self.assembly, *mating))
     }
 
-    pub fn class(&self, mating: &Mating) -> Result<PoseClass, Error> {
+    pub(super) fn class(&self, mating: &Mating) -> Result<PoseClass, Error> {
         Ok(PoseClass::of(&self.assembly, &self.lost_motion(mating)?))
     }
 
     /// Normal backlash `j_bn = φ_j r_b`, mm; −∞ when jammed, +∞ out of mesh.
-    pub fn play(&self, mating: &Mating) -> Result<f64, Error> {
+    pub(super) fn play(&self, mating: &Mating) -> Result<f64, Error> {
         let found = self.lost_motion(mating)?;
         let base = self
             .assembly
@@ -45,7 +65,7 @@ impl Bench {
     }
 
     /// [`Bench::play`] of each mating, in order.
-    pub fn plays(&self, matings: &[Mating]) -> Result<Vec<f64>, Error> {
+    pub(super) fn plays(&self, matings: &[Mating]) -> Result<Vec<f64>, Error> {
         let plays: Vec<_> = matings.par_iter().map(|mating| self.play(mating)).collect();
         plays.into_iter().collect()
     }

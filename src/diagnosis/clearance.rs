@@ -6,10 +6,13 @@
 //! reaches below the root circle, all of which is metal.
 
 use crate::analytic::InvolutePair;
+use crate::error::Error;
 use crate::gear::{Placed, Side};
 use crate::pair::{Assembly, Mating, Member, Pose};
+use rayon::prelude::*;
 use std::collections::HashSet;
 use std::f64::consts::{PI, TAU};
+use std::ops::ControlFlow;
 
 /// Steps in a pitch among which the least distance is looked for before it is refined (tuned: a root land
 /// takes part in a twentieth of a pitch, and off it the distance grows steadily).
@@ -34,113 +37,232 @@ pub struct RadialClearance {
 /// The least distance between `member`'s tips and its mate's roots: one revolution of the locked gear on
 /// from each of `matings`, as far as it leads to teeth not met before.
 ///
-/// `None` without matings.
+/// `None` without matings. Pitches in which no distance can be the least are left out.
 pub fn radial_clearance(
     assembly: &Assembly,
     member: Member,
     matings: &[Mating],
 ) -> Option<RadialClearance> {
-    let pitches = assembly.gear(assembly.locked()).gear().toothing().teeth();
-    let mut met = HashSet::new();
+    let pitches = pitches(assembly, matings);
+    let on = || ControlFlow::Continue(());
+    // Nothing interrupts it.
+    least_over(assembly, member, &pitches, &on).ok()?
+}
+
+/// The same over one pitch on from each of `pitches`; `tick` is called once for each.
+///
+/// # Errors
+/// [`Error::Interrupted`] after a break.
+pub(super) fn least_over(
+    assembly: &Assembly,
+    member: Member,
+    pitches: &[Mating],
+    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+) -> Result<Option<RadialClearance>, Error> {
+    let rolling = Rolling::new(assembly, member);
+    let bounds: Vec<f64> = pitches
+        .par_iter()
+        .map(|mating| rolling.least_possible(*mating))
+        .collect();
+    let Some(first) = (0..pitches.len()).min_by(|i, j| bounds[*i].total_cmp(&bounds[*j])) else {
+        return Ok(None);
+    };
+    let reached = rolling.within_pitch(pitches[first]).distance;
+    let found: Vec<Result<Option<RadialClearance>, Error>> = pitches
+        .par_iter()
+        .zip(&bounds)
+        .map(|(mating, bound)| match tick() {
+            ControlFlow::Continue(()) => {
+                Ok((*bound <= reached).then(|| rolling.within_pitch(*mating)))
+            }
+            ControlFlow::Break(()) => Err(Error::Interrupted),
+        })
+        .collect();
+    // In order: of equals the first, whatever the threads.
     let mut least: Option<RadialClearance> = None;
+    for found in found {
+        if let Some(found) = found?
+            && least.is_none_or(|least| found.distance < least.distance)
+        {
+            least = Some(found);
+        }
+    }
+    Ok(least)
+}
+
+/// Where the pitches begin over which the least distance is looked for, no two with the same teeth.
+pub(super) fn pitches(assembly: &Assembly, matings: &[Mating]) -> Vec<Mating> {
+    let teeth = assembly.gear(assembly.locked()).gear().toothing().teeth();
+    let mut met = HashSet::new();
+    let mut pitches = Vec::new();
     for start in matings {
         let start = Mating {
             fraction: 0.0,
             ..*start
         };
-        for pitch in 0..pitches {
+        for pitch in 0..teeth {
             let mating = start.onward(assembly, f64::from(pitch));
             if !met.insert((mating.wheel_tooth, mating.pinion_tooth)) {
                 break;
             }
-            let found = within_pitch(assembly, member, mating);
-            if least.is_none_or(|least| found.distance < least.distance) {
-                least = Some(found);
-            }
+            pitches.push(mating);
         }
     }
-    least
+    pitches
 }
 
-/// The least over one pitch on from `mating`.
-fn within_pitch(assembly: &Assembly, member: Member, mating: Mating) -> RadialClearance {
-    let at = |pitches: f64| nearest_lands(assembly, member, mating.onward(assembly, pitches));
-    let step = 1.0 / f64::from(STEPS);
-    let mut best = (at(0.0), 0.0);
-    for i in 1..STEPS {
-        let pitches = f64::from(i) * step;
-        let found = at(pitches);
-        if found.distance < best.0.distance {
-            best = (found, pitches);
+/// Both gears rolling on together; what is the same at every pose.
+struct Rolling<'a> {
+    assembly: &'a Assembly,
+    /// Whose tips are meant.
+    member: Member,
+    /// Half the backlash of the mean teeth, as a rotation of the free gear, rad.
+    half_play: f64,
+    /// Half the tip land of a mean tooth of `member`, rad.
+    half_tip: f64,
+}
+
+impl<'a> Rolling<'a> {
+    fn new(assembly: &'a Assembly, member: Member) -> Rolling<'a> {
+        let play = InvolutePair::of(assembly)
+            .normal_backlash(assembly.center_distance())
+            .unwrap_or(0.0);
+        let free = assembly.gear(assembly.free()).gear().base_radius();
+        let tips = assembly.gear(member).gear();
+        Rolling {
+            assembly,
+            member,
+            half_play: 0.5 * play / free,
+            half_tip: tips.half_angle_at_roll(tips.tip_roll()),
         }
     }
-    // Thirds: the distance falls towards the least and rises from it.
-    let (mut low, mut high) = (best.1 - step, best.1 + step);
-    while high - low > PITCHES {
-        let third = (high - low) / 3.0;
-        let (left, right) = (at(low + third), at(high - third));
-        for found in [left, right] {
+
+    /// What no distance that [`Rolling::within_pitch`] may find on from `mating` falls below, mm.
+    ///
+    /// Points of a tip and of a root circle are at least `d − r_a − r_f` apart, `d` between the centres. From the middle
+    /// of the pitch each centre moves by no more than its eccentricity times the rotation.
+    fn least_possible(&self, mating: Mating) -> f64 {
+        let [tips, roots] = self.placed(mating.onward(self.assembly, 0.5));
+        let distance = (roots.centre() - tips.centre()).norm();
+        let reach = 0.5 + 2.0 / f64::from(STEPS);
+        let moves = [&tips, &roots].map(|placed| {
+            let gear = placed.as_built();
+            reach * gear.gear().toothing().angular_pitch() * gear.eccentricity()
+        });
+        let radii = tips.as_built().gear().tip_radius() + roots.as_built().gear().root_radius();
+        distance - radii - moves[0] - moves[1] - rounding(distance + radii)
+    }
+
+    /// The least over one pitch on from `mating`.
+    fn within_pitch(&self, mating: Mating) -> RadialClearance {
+        let at = |pitches: f64| self.nearest_lands(mating.onward(self.assembly, pitches));
+        let step = 1.0 / f64::from(STEPS);
+        let mut best = (at(0.0), 0.0);
+        for i in 1..STEPS {
+            let pitches = f64::from(i) * step;
+            let found = at(pitches);
             if found.distance < best.0.distance {
-                best.0 = found;
+                best = (found, pitches);
             }
         }
-        if left.distance <= right.distance {
-            high -= third;
-        } else {
-            low += third;
+        // Thirds: the distance falls towards the least and rises from it.
+        let (mut low, mut high) = (best.1 - step, best.1 + step);
+        while high - low > PITCHES {
+            let third = (high - low) / 3.0;
+            let (left, right) = (at(low + third), at(high - third));
+            for found in [left, right] {
+                if found.distance < best.0.distance {
+                    best.0 = found;
+                }
+            }
+            if left.distance <= right.distance {
+                high -= third;
+            } else {
+                low += third;
+            }
         }
+        best.0
     }
-    best.0
+
+    /// The gear whose tips are meant, and its mate, at `mating`.
+    fn placed(&self, mating: Mating) -> [Placed<'a>; 2] {
+        let assembly = self.assembly;
+        let pose = Pose::new(assembly, mating);
+        // Right-flank contact is the clockwise end of the backlash.
+        let half = -mating.flank.sense() * self.half_play;
+        [self.member, self.member.mate()].map(|member| {
+            let rotation = match member == assembly.locked() {
+                true => pose.locked_rotation(),
+                false => pose.free_rotation() + half,
+            };
+            Placed::new(
+                assembly.gear(member),
+                assembly.axis(member),
+                assembly.mate_direction(member) + rotation,
+            )
+        })
+    }
+
+    /// The nearest tip and root at `mating`.
+    fn nearest_lands(&self, mating: Mating) -> RadialClearance {
+        let [tips, roots] = self.placed(mating);
+        let between = roots.centre() - tips.centre();
+        let distance = between.norm();
+        let towards = between.y.atan2(between.x);
+        let (tip_radius, root_radius) = (
+            tips.as_built().gear().tip_radius(),
+            roots.as_built().gear().root_radius(),
+        );
+        let mut least = RadialClearance {
+            distance: f64::INFINITY,
+            tip_tooth: 0,
+            root_tooth: 0,
+            mating,
+        };
+        let tips = near(&tips, towards, 0.0).map(|tooth| {
+            let ends = tip_land(&tips, self.half_tip, tooth, towards);
+            (tooth, Land::new(distance, tip_radius, ends))
+        });
+        let roots = near(&roots, towards + PI, 0.5).map(|tooth| {
+            let ends = root_land(&roots, tooth, towards + PI);
+            (tooth, Land::new(distance, root_radius, ends))
+        });
+        let nearest = |lands: &[(u32, Land); 3]| {
+            let lands = lands.map(|(_, land)| land);
+            lands
+                .into_iter()
+                .reduce(|one, other| match other.reach < one.reach {
+                    true => other,
+                    false => one,
+                })
+        };
+        let most = match (nearest(&tips), nearest(&roots)) {
+            (Some(tip), Some(root)) => between_lands(distance, &tip, &root),
+            _ => f64::INFINITY,
+        } + rounding(distance);
+        for (tip_tooth, tip) in &tips {
+            for (root_tooth, root) in &roots {
+                // No point of either land is nearer to the other circle than this: those that cannot be the least
+                // are left out. (In the root circle a tip's depth is all that counts.)
+                let outside = tip.reach > root_radius && root.reach - tip_radius > most;
+                if tip.reach - root_radius > most || outside {
+                    continue;
+                }
+                let apart = between_lands(distance, tip, root);
+                if apart < least.distance {
+                    least.distance = apart;
+                    least.tip_tooth = *tip_tooth;
+                    least.root_tooth = *root_tooth;
+                }
+            }
+        }
+        least
+    }
 }
 
-/// The nearest tip of `member` and root of its mate at `mating`.
-fn nearest_lands(assembly: &Assembly, member: Member, mating: Mating) -> RadialClearance {
-    let pose = Pose::new(assembly, mating);
-    let play = InvolutePair::of(assembly)
-        .normal_backlash(assembly.center_distance())
-        .unwrap_or(0.0);
-    let free = assembly.gear(assembly.free()).gear().base_radius();
-    // Right-flank contact is the clockwise end of the backlash.
-    let half = -mating.flank.sense() * 0.5 * play / free;
-    let place = |member| {
-        let rotation = match member == assembly.locked() {
-            true => pose.locked_rotation(),
-            false => pose.free_rotation() + half,
-        };
-        Placed::new(
-            assembly.gear(member),
-            assembly.axis(member),
-            assembly.mate_direction(member) + rotation,
-        )
-    };
-    let (tips, roots) = (place(member), place(member.mate()));
-    let between = roots.centre() - tips.centre();
-    let distance = between.norm();
-    let towards = between.y.atan2(between.x);
-    let (tip_radius, root_radius) = (
-        tips.as_built().gear().tip_radius(),
-        roots.as_built().gear().root_radius(),
-    );
-    let mut least = RadialClearance {
-        distance: f64::INFINITY,
-        tip_tooth: 0,
-        root_tooth: 0,
-        mating,
-    };
-    let spaces = near(&roots, towards + PI, 0.5);
-    for tip_tooth in near(&tips, towards, 0.0) {
-        let tip = tip_land(&tips, tip_tooth, towards);
-        for root_tooth in spaces {
-            let root = root_land(&roots, root_tooth, towards + PI);
-            let apart = between_lands(distance, (tip_radius, tip), (root_radius, root));
-            if apart < least.distance {
-                least.distance = apart;
-                least.tip_tooth = tip_tooth;
-                least.root_tooth = root_tooth;
-            }
-        }
-    }
-    least
+/// Distances are sums and products of some dozen lengths of `size`, mm.
+fn rounding(size: f64) -> f64 {
+    64.0 * f64::EPSILON * size
 }
 
 /// The three teeth nearest to `direction`, or, half a pitch `beyond` them counter-clockwise, the spaces.
@@ -151,10 +273,9 @@ fn near(placed: &Placed, direction: f64, beyond: f64) -> [u32; 3] {
     [-1, 0, 1].map(|beside| gear.counter_clockwise(1, steps + beside))
 }
 
-/// Ends of a tip land, clockwise first, as angles from `line`.
-fn tip_land(placed: &Placed, tooth: u32, line: f64) -> [f64; 2] {
-    let (as_built, gear) = (placed.as_built(), placed.as_built().gear());
-    let half = gear.half_angle_at_roll(gear.tip_roll());
+/// Ends of a tip land, `half` to either side in a mean tooth, clockwise first, as angles from `line`.
+fn tip_land(placed: &Placed, half: f64, tooth: u32, line: f64) -> [f64; 2] {
+    let as_built = placed.as_built();
     let centre = from(line, placed.direction(tooth));
     Side::BOTH.map(|side| centre + as_built.flank_offset(side, tooth) + side.sense() * half)
 }
@@ -181,21 +302,43 @@ fn from(line: f64, direction: f64) -> f64 {
     angle - TAU * (angle / TAU).round()
 }
 
-/// Least distance of a tip land and a root land whose centres stand `distance` apart; angles count from each
-/// centre's direction to the other. Negative where the tip reaches below the root circle: by its depth there.
+/// A land; angles count from its centre's direction to the other centre.
+#[derive(Clone, Copy)]
+struct Land {
+    radius: f64,
+    ends: [f64; 2],
+    /// Where it is nearest to the other centre.
+    nearest: f64,
+    /// How near, mm.
+    reach: f64,
+}
+
+impl Land {
+    /// The land of `radius` between `ends`, the other centre `distance` away.
+    fn new(distance: f64, radius: f64, ends: [f64; 2]) -> Land {
+        let nearest = 0f64.clamp(ends[0], ends[1]);
+        Land {
+            radius,
+            ends,
+            nearest,
+            reach: (radius * nearest.sin()).hypot(distance - radius * nearest.cos()),
+        }
+    }
+}
+
+/// Least distance of a tip land and a root land whose centres stand `distance` apart.
+/// Negative where the tip reaches below the root circle: by its depth there.
 ///
 /// On one circle the point nearest to the other centre is that nearest to the line of centres. If that point of the
 /// tip is outside the root circle, so is all of the tip, and no point of the root land is nearer than what follows:
 /// going to the nearest point of each arc in turn descends to the least distance, and ends when neither moves.
 /// (A point's nearest on an arc is that nearest in direction, seen from the arc's centre.)
-fn between_lands(distance: f64, tip: (f64, [f64; 2]), root: (f64, [f64; 2])) -> f64 {
-    let (radius, [start, end]) = tip;
-    let (mate_radius, [mate_start, mate_end]) = root;
-    let mut angle = 0f64.clamp(start, end);
-    let mut mate = 0f64.clamp(mate_start, mate_end);
-    let deepest = (radius * angle.sin()).hypot(distance - radius * angle.cos());
-    if deepest <= mate_radius || (angle == 0.0 && mate == 0.0) {
-        return deepest - mate_radius;
+fn between_lands(distance: f64, tip: &Land, root: &Land) -> f64 {
+    let (radius, [start, end]) = (tip.radius, tip.ends);
+    let (mate_radius, [mate_start, mate_end]) = (root.radius, root.ends);
+    let (mut angle, mut mate) = (tip.nearest, root.nearest);
+    if tip.reach <= mate_radius || (angle == 0.0 && mate == 0.0) {
+        return tip.reach - mate_radius;
     }
     // Direction from one centre to a point at `angle` on the other's circle, which stands opposite.
     let seen =
@@ -212,4 +355,103 @@ fn between_lands(distance: f64, tip: (f64, [f64; 2]), root: (f64, [f64; 2])) -> 
     let across = radius * angle.sin() + mate_radius * mate.sin();
     let along = distance - radius * angle.cos() - mate_radius * mate.cos();
     across.hypot(along)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gear::{AsBuilt, Blank, Deviations, Face, Gear, Pitch, Rack, Toothing};
+
+    fn gear(teeth: u32, face: Face, eccentricity: f64) -> AsBuilt {
+        let blank = Blank {
+            toothing: Toothing::new(teeth, 2.0, 20f64.to_radians()).unwrap(),
+            profile_shift: 0.0,
+            rack: Rack::ISO_53_A,
+            tip_diameter: None,
+        };
+        let wave = |start: u32| -> Vec<f64> {
+            let values = (0..teeth).map(|k| (k * 7919 + start) % 1000);
+            let each = if eccentricity > 0.0 { 4e-5 } else { 0.0 };
+            values.map(|value| each * f64::from(value)).collect()
+        };
+        let deviations = Deviations {
+            pitch: Some(Pitch::from_cumulative(&wave(17), &wave(443))),
+            eccentricity,
+            high_tooth: 2.7,
+            ..Deviations::default()
+        };
+        AsBuilt::new(Gear::nominal(blank).unwrap(), face, &deviations).unwrap()
+    }
+
+    /// Leaving pitches and lands out changes nothing: the straightforward search over all of them finds the same, to
+    /// the last bit.
+    #[test]
+    fn what_is_left_out_cannot_be_the_least() {
+        for (eccentricity, distance) in [(0.0, 40.2), (0.03, 40.2), (0.2, 40.6), (0.05, 38.9)] {
+            let (wheel, pinion) = (
+                gear(23, Face::Front, eccentricity),
+                gear(17, Face::Back, 0.5 * eccentricity),
+            );
+            let assembly = Assembly::new(wheel, pinion, distance, Member::Wheel).unwrap();
+            let start = Mating {
+                wheel_tooth: 1,
+                pinion_tooth: 1,
+                flank: Side::Right,
+                fraction: 0.0,
+            };
+            let starts: Vec<Mating> = (0..17)
+                .map(|lap| start.onward(&assembly, 23.0 * f64::from(lap)))
+                .collect();
+            let all = pitches(&assembly, &starts);
+            assert_eq!(all.len(), 23 * 17);
+            for member in [Member::Wheel, Member::Pinion] {
+                let rolling = Rolling::new(&assembly, member);
+                let mut least: Option<RadialClearance> = None;
+                let mut out = 0;
+                for &mating in &all {
+                    let found = rolling.within_pitch(mating);
+                    assert!(rolling.least_possible(mating) <= found.distance);
+                    if least.is_none_or(|least| found.distance < least.distance) {
+                        least = Some(found);
+                    }
+                    for step in 0..7 {
+                        let there = mating.onward(&assembly, f64::from(step) / 7.0);
+                        assert_eq!(rolling.nearest_lands(there), all_lands(&rolling, there));
+                    }
+                }
+                for &mating in &all {
+                    out += usize::from(rolling.least_possible(mating) > least.unwrap().distance);
+                }
+                assert_eq!(radial_clearance(&assembly, member, &starts), least);
+                assert!(eccentricity == 0.0 || out > all.len() / 2, "{out}");
+            }
+        }
+    }
+
+    /// All nine pairs of lands.
+    fn all_lands(rolling: &Rolling, mating: Mating) -> RadialClearance {
+        let [tips, roots] = rolling.placed(mating);
+        let between = roots.centre() - tips.centre();
+        let (distance, towards) = (between.norm(), between.y.atan2(between.x));
+        let mut least = RadialClearance {
+            distance: f64::INFINITY,
+            tip_tooth: 0,
+            root_tooth: 0,
+            mating,
+        };
+        for tip_tooth in near(&tips, towards, 0.0) {
+            let ends = tip_land(&tips, rolling.half_tip, tip_tooth, towards);
+            let tip = Land::new(distance, tips.as_built().gear().tip_radius(), ends);
+            for root_tooth in near(&roots, towards + PI, 0.5) {
+                let ends = root_land(&roots, root_tooth, towards + PI);
+                let root = Land::new(distance, roots.as_built().gear().root_radius(), ends);
+                let apart = between_lands(distance, &tip, &root);
+                if apart < least.distance {
+                    (least.distance, least.tip_tooth, least.root_tooth) =
+                        (apart, tip_tooth, root_tooth);
+                }
+            }
+        }
+        least
+    }
 }

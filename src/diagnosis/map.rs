@@ -10,8 +10,8 @@ use crate::pair::{Assembly, Mating, Member};
 use rayon::prelude::*;
 use std::ops::ControlFlow;
 
-/// Rows and columns (tuned: what can be told apart on a sheet).
-const ROWS: u32 = 60;
+/// Rows of a map, and as many columns (tuned: what can be told apart on a sheet).
+pub const MAP_ROWS: u32 = 60;
 const COLUMNS: u32 = 60;
 /// Room above and below what is shown, modules.
 const ROOM: f64 = 0.05;
@@ -69,16 +69,17 @@ pub fn map(
     let lowest = ends(f64::min).unwrap_or(middle).max(jam).min(middle);
     let low = (lowest - ROOM * module).max(nearest);
     let high = (ends(f64::max).unwrap_or(middle) + ROOM * module).min(farthest);
-    let distances: Vec<f64> = (0..ROWS)
-        .map(|row| low + (high - low) * (f64::from(row) + 0.5) / f64::from(ROWS))
+    let distances: Vec<f64> = (0..MAP_ROWS)
+        .map(|row| low + (high - low) * (f64::from(row) + 0.5) / f64::from(MAP_ROWS))
         .collect();
     let fractions: Vec<f64> = (0..COLUMNS)
         .map(|column| f64::from(column) / f64::from(COLUMNS))
         .collect();
+    let as_assembled = Bench::new(assembly);
     let rows: Vec<Result<Vec<MapCell>, Error>> = distances
         .par_iter()
         .map(|&distance| {
-            let bench = Bench::new(assembly, distance)?;
+            let bench = as_assembled.at(distance)?;
             let radius = bench.assembly.operating_pitch_radius(bench.assembly.free());
             let cells: Result<Vec<MapCell>, Error> = fractions
                 .iter()

@@ -17,10 +17,11 @@ mod map;
 mod onset;
 mod zero_distance;
 
+pub use bench::Bench;
 pub use check::{Check, Verdict};
-pub use checks::{Diagnosis, Group, Searched, diagnose};
+pub use checks::{Diagnosis, Group, Searched, diagnose, pitch_count};
 pub use clearance::{RadialClearance, radial_clearance};
 pub use contact_count::{ContactCount, Loss, Worst};
-pub use map::{Limit, Map, MapCell, map};
+pub use map::{Limit, MAP_ROWS, Map, MapCell, map};
 pub use onset::{Onset, form_onset, non_involute_onset};
-pub use zero_distance::{ZeroDistance, play_free_distance, zero_distance};
+pub use zero_distance::{ZeroDistance, zero_distance};

@@ -57,16 +57,17 @@ pub fn non_involute_onset(assembly: &Assembly, matings: &[Mating]) -> Result<Opt
 
     let mut stride = 0.02 * module;
     let mut low = guess;
-    let mut active = touching(assembly, low, matings)?;
+    let bench = Bench::new(assembly);
+    let mut active = touching(&bench, low, matings)?;
     while active.is_empty() {
         if low <= nearest {
             return Ok(None);
         }
         low = (low - stride).max(nearest);
         stride *= 2.0;
-        active = touching(assembly, low, matings)?;
+        active = touching(&bench, low, matings)?;
     }
-    let mut high = close(assembly, &mut low, guess, &mut active)?;
+    let mut high = close(&bench, &mut low, guess, &mut active)?;
     let mut span = BESIDE;
     for _ in 0..REFINEMENTS {
         let first = active[0];
@@ -74,10 +75,10 @@ pub fn non_involute_onset(assembly: &Assembly, matings: &[Mating]) -> Result<Opt
         let beside: Vec<Mating> = steps
             .map(|step| first.onward(assembly, f64::from(step) * span / 8.0))
             .collect();
-        let mut sooner = touching(assembly, high, &beside)?;
+        let mut sooner = touching(&bench, high, &beside)?;
         if !sooner.is_empty() {
             low = high;
-            high = close(assembly, &mut low, high, &mut sooner)?;
+            high = close(&bench, &mut low, high, &mut sooner)?;
             active = sooner;
         }
         span /= 8.0;
@@ -87,18 +88,13 @@ pub fn non_involute_onset(assembly: &Assembly, matings: &[Mating]) -> Result<Opt
         distance: 0.5 * (low + high),
         bracket: [low, high],
         mating,
-        class: Bench::new(assembly, low)?.class(&mating)?,
+        class: bench.at(low)?.class(&mating)?,
     }))
 }
 
 /// Raises `low`, where all of `active` (not empty) touch, until none does at the distance returned, [`WIDTH`] above.
-fn close(
-    assembly: &Assembly,
-    low: &mut f64,
-    known: f64,
-    active: &mut Vec<Mating>,
-) -> Result<f64, Error> {
-    let [_, farthest] = reach(assembly);
+fn close(bench: &Bench, low: &mut f64, known: f64, active: &mut Vec<Mating>) -> Result<f64, Error> {
+    let [_, farthest] = reach(&bench.assembly);
     let mut stride = f64::max(2.0 * (known - *low), 16.0 * WIDTH);
     let mut high = loop {
         let high = *low + stride;
@@ -106,7 +102,7 @@ fn close(
         if high >= farthest {
             break farthest;
         }
-        let still = touching(assembly, high, active)?;
+        let still = touching(bench, high, active)?;
         if still.is_empty() {
             break high;
         }
@@ -115,7 +111,7 @@ fn close(
     };
     while high - *low > WIDTH {
         let middle = 0.5 * (*low + high);
-        let still = touching(assembly, middle, active)?;
+        let still = touching(bench, middle, active)?;
         if still.is_empty() {
             high = middle;
         } else {
@@ -126,8 +122,8 @@ fn close(
 }
 
 /// Those of `matings` that touch below an involute at `distance`, in order.
-fn touching(assembly: &Assembly, distance: f64, matings: &[Mating]) -> Result<Vec<Mating>, Error> {
-    let bench = Bench::new(assembly, distance)?;
+fn touching(bench: &Bench, distance: f64, matings: &[Mating]) -> Result<Vec<Mating>, Error> {
+    let bench = bench.at(distance)?;
     let classes: Vec<Result<PoseClass, Error>> = matings
         .par_iter()
         .map(|mating| bench.class(mating))

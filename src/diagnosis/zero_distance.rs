@@ -46,8 +46,9 @@ pub fn zero_distance(
     assembly: &Assembly,
     matings: &[Mating],
 ) -> Result<Option<ZeroDistance>, Error> {
+    let as_assembled = Bench::new(assembly);
     let least_of = |matings: &[Mating], distance| -> Result<f64, Error> {
-        let plays = Bench::new(assembly, distance)?.plays(matings)?;
+        let plays = as_assembled.at(distance)?.plays(matings)?;
         Ok(plays.into_iter().fold(f64::INFINITY, f64::min))
     };
     let guess = limits::zero_backlash_distance(assembly);
@@ -55,7 +56,7 @@ pub fn zero_distance(
     let Some(bracket) = root(assembly, guess, |distance| least_of(matings, distance))? else {
         return Ok(None);
     };
-    let bench = Bench::new(assembly, bracket[0])?;
+    let bench = as_assembled.at(bracket[0])?;
     let plays = bench.plays(matings)?;
     let minima = local_minima(&plays);
     let Some(&first) = minima.first() else {
@@ -79,10 +80,10 @@ pub fn zero_distance(
         if moved <= WIDTH {
             break;
         }
-        let bench = Bench::new(assembly, last[0])?;
+        let bench = as_assembled.at(last[0])?;
         found = lowest(&bench, found.1, bench.play(&found.1)?)?;
     }
-    let at = Bench::new(assembly, last[1])?.lost_motion(&found.1)?;
+    let at = as_assembled.at(last[1])?.lost_motion(&found.1)?;
     let teeth = [at.right, at.left].map(|contact| {
         contact.map_or((0, 0), |contact| {
             (contact.wheel.tooth, contact.pinion.tooth)
@@ -98,22 +99,24 @@ pub fn zero_distance(
     }))
 }
 
-/// The centre distance, mm, at which the pose of `mating` has no play: a bracket about it at most 1e-10 mm wide,
-/// the play negative at its first end and not at its second. `guess`, mm, is where the search starts.
-///
-/// The mating stands for a pose at every distance ([`crate::pair::Pose`]). `None` where there is none between
-/// touching base circles and tips that pass each other.
-///
-/// # Errors
-/// A contact that was lost.
-pub fn play_free_distance(
-    assembly: &Assembly,
-    guess: f64,
-    mating: &Mating,
-) -> Result<Option<[f64; 2]>, Error> {
-    root(assembly, guess, |distance| {
-        Bench::new(assembly, distance)?.play(mating)
-    })
+impl Bench {
+    /// The centre distance, mm, at which the pose of `mating` has no play: a bracket about it at most 1e-10 mm wide,
+    /// the play negative at its first end and not at its second. `guess`, mm, is where the search starts.
+    ///
+    /// The mating stands for a pose at every distance ([`crate::pair::Pose`]). `None` where there is none between
+    /// touching base circles and tips that pass each other.
+    ///
+    /// # Errors
+    /// A contact that was lost.
+    pub fn play_free_distance(
+        &self,
+        guess: f64,
+        mating: &Mating,
+    ) -> Result<Option<[f64; 2]>, Error> {
+        root(&self.assembly, guess, |distance| {
+            self.at(distance)?.play(mating)
+        })
+    }
 }
 
 /// Indices of values no higher than their neighbours in the list, the lowest first.

@@ -73,13 +73,20 @@ pub struct Gauged {
     pub formula: Formula,
 }
 
+/// How many poses evenly round [`gauge`] will take, beside those that `more` tells of.
+pub fn pose_count(gear: &AsBuilt, settings: &Settings) -> usize {
+    gear.gear().toothing().teeth() as usize * settings.steps_per_pitch as usize
+}
+
 /// Measures `gear`. `tick` is called as each pose of the roll test begins, from any thread; a break ends the work.
+/// `more` is called with the number of poses that are about to be taken beyond those of [`pose_count`].
 ///
 /// # Errors
 /// A contact that the exact kernel lost; [`Error::Interrupted`].
 pub fn gauge(
     gear: &AsBuilt,
     settings: &Settings,
+    more: &dyn Fn(usize),
     tick: &(dyn Fn() -> ControlFlow<()> + Sync),
 ) -> Result<Gauged, Error> {
     let work = Workpiece::new(gear);
@@ -88,7 +95,13 @@ pub fn gauge(
     let spans = spans(&work, k);
     let pins = seats(&work, pin).and_then(|seats| pins(&work, pin, seats));
     let runout = runout(&work, settings.ball.unwrap_or(pin));
-    let roll = roll(gear, settings.master_teeth, settings.steps_per_pitch, tick)?;
+    let roll = roll(
+        gear,
+        settings.master_teeth,
+        settings.steps_per_pitch,
+        more,
+        tick,
+    )?;
     let diameters = [
         pins.as_ref().ok().map(|p| p.diameter),
         runout.as_ref().ok().map(|r| r.diameter),

@@ -9,10 +9,10 @@ use super::master::master;
 use super::roll_extremes::{Curve, Sample, bracketed};
 use super::spread::{ends, mean};
 use crate::analytic::InvolutePair;
-use crate::diagnosis::play_free_distance;
+use crate::diagnosis::Bench;
 use crate::error::Error;
 use crate::gear::{AsBuilt, Face, Gear};
-use crate::mesh::{Contact, ExactKernel, LostMotion, PoseClass};
+use crate::mesh::{Contact, LostMotion, PoseClass};
 use crate::pair::{Assembly, Mating, Member, Pose, SweepPlan};
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
@@ -85,11 +85,12 @@ impl Roll {
     }
 }
 
-/// Rolls `gear` once round; `tick` is called as each pose begins.
+/// Rolls `gear` once round; `tick` is called as each pose begins, `more` with how many are to come beyond the even ones.
 pub(super) fn roll(
     gear: &AsBuilt,
     master_teeth: Option<u32>,
     steps_per_pitch: u32,
+    more: &dyn Fn(usize),
     tick: &(dyn Fn() -> ControlFlow<()> + Sync),
 ) -> Result<Result<Roll, Unmeasured>, Error> {
     let master = match master(gear, master_teeth) {
@@ -110,10 +111,11 @@ pub(super) fn roll(
     let assembly = Assembly::new(gear.clone(), mate, guess, Member::Wheel)?;
     let matings =
         SweepPlan::wheel_revolution(&assembly, steps_per_pitch, (1, 1)).matings(&assembly);
+    let bench = Bench::new(&assembly);
     let take = |step: usize, beyond: f64| match tick() {
         ControlFlow::Continue(()) => {
             let mating = matings[step].onward(&assembly, beyond / f64::from(steps_per_pitch));
-            sample(&assembly, guess, &mating)
+            sample(&bench, guess, &mating)
         }
         ControlFlow::Break(()) => Err(Error::Interrupted),
     };
@@ -122,7 +124,7 @@ pub(super) fn roll(
         steps_per_pitch: steps_per_pitch as usize,
         step: gear.gear().toothing().angular_pitch() / f64::from(steps_per_pitch),
     };
-    let Some(rolled) = bracketed(&curve, &take)? else {
+    let Some(rolled) = bracketed(&curve, more, &take)? else {
         return Ok(Err(Unmeasured(
             "no centre distance brings the gear and the master together without play".to_owned(),
         )));
@@ -141,8 +143,9 @@ pub(super) fn roll(
 ///
 /// A mating stands for a rotation that hardly depends on the distance; it is turned back by what it does, so that poses stand
 /// evenly in rotation.
-fn sample(assembly: &Assembly, guess: f64, mating: &Mating) -> Result<Option<Sample>, Error> {
-    let Some([_, near]) = play_free_distance(assembly, guess, mating)? else {
+fn sample(bench: &Bench, guess: f64, mating: &Mating) -> Result<Option<Sample>, Error> {
+    let assembly = bench.assembly();
+    let Some([_, near]) = bench.play_free_distance(guess, mating)? else {
         return Ok(None);
     };
     let gear = assembly.gear(Member::Wheel);
@@ -150,13 +153,13 @@ fn sample(assembly: &Assembly, guess: f64, mating: &Mating) -> Result<Option<Sam
     let turned = rotation - Pose::new(&assembly.at(near)?, *mating).locked_rotation();
     let onward = -gear.face().ascending() * turned / gear.gear().toothing().angular_pitch();
     let mating_there = mating.onward(assembly, onward);
-    let Some([low, high]) = play_free_distance(assembly, near, &mating_there)? else {
+    let Some([low, high]) = bench.play_free_distance(near, &mating_there)? else {
         return Ok(None);
     };
-    let at = assembly.at(high)?;
-    let pose = Pose::new(&at, mating_there);
-    let left = pose.locked_rotation() - rotation;
-    let found = ExactKernel::new(&at).lost_motion(&pose)?;
+    let there = bench.at(high)?;
+    let at = there.assembly();
+    let left = Pose::new(at, mating_there).locked_rotation() - rotation;
+    let found = there.lost_motion(&mating_there)?;
     // Play changes by 2 sin α_wt a unit of distance; the kernel's own error shifts the zero by as much the other way.
     let slope = 2.0 * at.operating_pressure_angle().sin();
     let play = found.error().unwrap_or(0.0) * at.gear(Member::Pinion).gear().base_radius();
@@ -171,7 +174,7 @@ fn sample(assembly: &Assembly, guess: f64, mating: &Mating) -> Result<Option<Sam
             rotation: rotation + left - TAU * (left / TAU).round(),
             distance: 0.5 * (low + high),
             error: 0.5 * (high - low) + play / slope,
-            class: PoseClass::of(&at, &found),
+            class: PoseClass::of(at, &found),
         },
     }))
 }

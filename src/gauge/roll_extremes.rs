@@ -80,11 +80,13 @@ impl Piece {
     }
 }
 
-/// Takes the even poses of `curve` with `take` (step, part of a step beyond it), and as many more as its ranges need.
+/// Takes the even poses of `curve` with `take` (step, part of a step beyond it), and as many more as its ranges need;
+/// `more` is called with the number of each round of those.
 ///
 /// `None` where a pose has no distance.
 pub(super) fn bracketed(
     curve: &Curve,
+    more: &dyn Fn(usize),
     take: &(dyn Fn(usize, f64) -> Result<Option<Sample>, Error> + Sync),
 ) -> Result<Option<Bracketed>, Error> {
     let mut samples: BTreeMap<u64, Sample> = BTreeMap::new();
@@ -117,6 +119,7 @@ pub(super) fn bracketed(
             .iter()
             .map(|piece| piece.from + (piece.to - piece.from) / 2)
             .collect();
+        more(wanted.len());
         if round >= HALVINGS && wanted.is_empty() {
             let (even, between): (Vec<_>, Vec<_>) =
                 samples.iter().partition(|(place, _)| *place % PARTS == 0);

@@ -5,6 +5,7 @@ use super::{Curve, Face, Gear, Profile, Side};
 use crate::error::GearError;
 use nalgebra::{UnitComplex, Vector2};
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 /// What was measured beyond the mean thickness. Lengths in mm; empty or zero where nothing was.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -20,14 +21,16 @@ pub struct Deviations {
 }
 
 /// A gear with every tooth where it was measured to be.
+///
+/// A copy shares its teeth: it takes the same time for any number of them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AsBuilt {
     gear: Gear,
     face: Face,
     /// Rotation of each tooth's front-right flank from its undisturbed place, rad, counter-clockwise.
-    right: Vec<f64>,
+    right: Arc<[f64]>,
     /// The same for the front-left flanks.
-    left: Vec<f64>,
+    left: Arc<[f64]>,
     eccentricity: f64,
     high_tooth: f64,
 }
@@ -51,20 +54,12 @@ impl AsBuilt {
             found => Err(GearError::WrongLength { what, found, teeth }),
         };
         let r = toothing.reference_radius();
-        let mut as_built = AsBuilt {
-            right: vec![0.0; teeth as usize],
-            left: vec![0.0; teeth as usize],
-            face,
-            eccentricity: deviations.eccentricity,
-            high_tooth: deviations.high_tooth,
-            gear,
-        };
+        let mut offsets = Side::BOTH.map(|_| vec![0.0; teeth as usize]);
+        let of = |side: Side| usize::from(side == Side::Left);
         if !deviations.per_tooth.is_empty() {
             length("per_tooth", &deviations.per_tooth)?;
             for side in Side::BOTH {
-                for (offset, thickness) in
-                    as_built.offsets(side).iter_mut().zip(&deviations.per_tooth)
-                {
+                for (offset, thickness) in offsets[of(side)].iter_mut().zip(&deviations.per_tooth) {
                     *offset += side.sense() * thickness / (2.0 * r);
                 }
             }
@@ -83,15 +78,21 @@ impl AsBuilt {
                         allowed: "less than half a pitch",
                     });
                 }
-                for (offset, f) in as_built
-                    .offsets(face.seen_from_front(own))
-                    .iter_mut()
-                    .zip(curve)
-                {
+                let side = face.seen_from_front(own);
+                for (offset, f) in offsets[of(side)].iter_mut().zip(curve) {
                     *offset += face.ascending() * f / r;
                 }
             }
         }
+        let [right, left] = offsets.map(Arc::from);
+        let as_built = AsBuilt {
+            right,
+            left,
+            face,
+            eccentricity: deviations.eccentricity,
+            high_tooth: deviations.high_tooth,
+            gear,
+        };
         as_built.check_runout()?;
         as_built.check_teeth()?;
         Ok(as_built)
@@ -100,11 +101,12 @@ impl AsBuilt {
     /// A gear without deviations.
     pub fn perfect(gear: Gear, face: Face) -> AsBuilt {
         let teeth = gear.toothing().teeth() as usize;
+        let undisturbed: Arc<[f64]> = Arc::from(vec![0.0; teeth]);
         AsBuilt {
             gear,
             face,
-            right: vec![0.0; teeth],
-            left: vec![0.0; teeth],
+            right: Arc::clone(&undisturbed),
+            left: undisturbed,
             eccentricity: 0.0,
             high_tooth: 1.0,
         }
@@ -136,13 +138,6 @@ impl AsBuilt {
         exaggerated.check_runout()?;
         exaggerated.check_teeth()?;
         Ok(exaggerated)
-    }
-
-    fn offsets(&mut self, side: Side) -> &mut Vec<f64> {
-        match side {
-            Side::Right => &mut self.right,
-            Side::Left => &mut self.left,
-        }
     }
 
     fn check_runout(&self) -> Result<(), GearError> {

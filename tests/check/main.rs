@@ -60,7 +60,10 @@ fn diagnosed(study: &Study) -> Diagnosis {
         ControlFlow::Continue(())
     });
     let runs = compare(runs.unwrap(), study.tolerance_um);
-    diagnose(study, &runs, &mut |_| Ok(())).unwrap()
+    diagnose(study, &runs, &mut |_| Ok(()), &|| {
+        std::ops::ControlFlow::Continue(())
+    })
+    .unwrap()
 }
 
 fn check<'a>(diagnosis: &'a Diagnosis, id: &str, gear: Option<Member>) -> &'a Check {

@@ -284,3 +284,32 @@ fn grades_pitch_and_runout() {
     let reason = none["not_measured"].as_str().unwrap();
     assert!(reason.contains("0.5 … 70 mm"), "{reason}");
 }
+
+/// On a terminal (as `script` is one) a bar tells how many poses are to come and how long they will take; a pipe is told nothing.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_bar_tells_how_long_it_will_take() {
+    let folder = folder();
+    let words = ["one.toml", "--steps-per-pitch", "200", "--material", "most"];
+    let piped = gauge(folder.path(), &words).assert().success();
+    assert!(piped.get_output().stderr.is_empty());
+    let line = format!(
+        "{} gauge {}",
+        assert_cmd::cargo::cargo_bin("gearlash").display(),
+        words.join(" ")
+    );
+    let mut script = std::process::Command::new("script");
+    script
+        .args(["-qec", &line, "/dev/null"])
+        .current_dir(folder.path());
+    let Ok(output) = script.stdin(std::process::Stdio::null()).output() else {
+        println!("skipped: there is no `script`");
+        return;
+    };
+    let shown = String::from_utf8_lossy(&output.stdout);
+    // 21 teeth of 200 poses.
+    assert!(
+        shown.contains("/4200 poses, ") && shown.contains(" left"),
+        "{shown}"
+    );
+}

@@ -24,7 +24,7 @@ fn blank(teeth: u32, module: f64, alpha_deg: f64, profile_shift: f64) -> Blank {
 }
 
 fn measure(gear: &AsBuilt, settings: Settings) -> Gauged {
-    gauge(gear, &settings, &|| ControlFlow::Continue(())).unwrap()
+    gauge(gear, &settings, &|_| (), &|| ControlFlow::Continue(())).unwrap()
 }
 
 /// A few poses of the roll test only: for tests of the other gauges.

@@ -3,7 +3,8 @@
 use super::*;
 use gearlash::analytic::InvolutePair;
 use gearlash::gauge::RollPose;
-use gearlash::mesh::{ContactKind, PoseClass};
+use gearlash::mesh::{ContactKind, CutPair, PoseClass};
+use gearlash::pair::{Assembly, Member, Pose};
 
 fn eccentric(eccentricity: f64) -> AsBuilt {
     let deviations = Deviations {
@@ -153,5 +154,45 @@ fn extremes_between_poses_are_bracketed() {
         // The even sixteen alone fall short by more than is allowed now, which is what is tested.
         let [least, most] = ends(&few.poses);
         assert!(total.found > most - least + 1e-6 || e == 0.0);
+    }
+}
+
+/// Every pose by the polygon method, a pair put together for each: below `a''` the teeth overlap, above it there is play.
+/// It shares nothing with the exact kernel, nor with what that keeps from one distance to the next.
+#[test]
+fn polygons_close_at_every_distance_of_a_deviated_eccentric_gear() {
+    const BESIDE: f64 = 1e-7;
+    let wave = |seed| scaled(&made_up(23, seed), 8e-3);
+    let deviations = Deviations {
+        pitch: Some(Pitch::from_cumulative(&wave(4), &wave(5))),
+        eccentricity: 0.02,
+        high_tooth: 3.4,
+        ..Deviations::default()
+    };
+    let gear = Gear::nominal(blank(23, 2.0, 20.0, 0.0)).unwrap();
+    let part = AsBuilt::new(gear, Face::Front, &deviations).unwrap();
+    let settings = Settings {
+        steps_per_pitch: 3,
+        ..Settings::default()
+    };
+    let roll = measure(&part, settings).roll.unwrap();
+    let master = AsBuilt::perfect(roll.master.clone(), Face::Back);
+    let cut = CutPair::new(&part, &master, 1e-3);
+    let pitch = part.gear().toothing().angular_pitch();
+    assert!(roll.poses.len() == 69 && !roll.between.is_empty());
+    for pose in roll.poses.iter().chain(&roll.between) {
+        let play = |distance: f64| {
+            let pair = Assembly::new(part.clone(), master.clone(), distance, Member::Wheel);
+            let pair = pair.unwrap();
+            // The mating at this distance that turns the gear as the pose has it.
+            let turned = pose.rotation - Pose::new(&pair, pose.mating).locked_rotation();
+            let turned = turned - std::f64::consts::TAU * (turned / std::f64::consts::TAU).round();
+            let onward = -part.face().ascending() * turned / pitch;
+            let there = Pose::new(&pair, pose.mating.onward(&pair, onward));
+            let found = cut.refined_kernel(&pair).lost_motion(&there).unwrap();
+            found.angle().unwrap() * pair.gear(Member::Pinion).gear().base_radius()
+        };
+        let plays = [-BESIDE, BESIDE].map(|by| play(pose.distance + by));
+        assert!(plays[0] < 0.0 && plays[1] > 0.0, "{pose:?}: {plays:?}");
     }
 }

@@ -33,7 +33,7 @@ fn sheets_are_what_the_gauge_reads_on_their_gear() {
         steps_per_pitch: 1,
         ..Settings::default()
     };
-    let read = gauge(&study.materials[0].1, &settings, &|| {
+    let read = gauge(&study.materials[0].1, &settings, &|_| (), &|| {
         ControlFlow::Continue(())
     })
     .unwrap();

@@ -17,7 +17,13 @@ const OF_POSES: [&str; 6] = [
 ];
 
 fn diagnosed(case: &Case, method: Method) -> Diagnosis {
-    diagnose(&case.study, &case.compared(method), &mut |_| Ok(())).unwrap()
+    diagnose(
+        &case.study,
+        &case.compared(method),
+        &mut |_| Ok(()),
+        &|| std::ops::ControlFlow::Continue(()),
+    )
+    .unwrap()
 }
 
 #[test]

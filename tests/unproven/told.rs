@@ -257,7 +257,10 @@ fn a_report_vouches_for_nothing() {
     let case = Case::low_tips();
     let runs = case.compared(CERTIFIED);
     let doubtful = doubtful(&runs, 2);
-    let diagnosis = diagnose(&case.study, &runs, &mut |_| Ok(())).unwrap();
+    let diagnosis = diagnose(&case.study, &runs, &mut |_| Ok(()), &|| {
+        std::ops::ControlFlow::Continue(())
+    })
+    .unwrap();
     let cycle = Cycle {
         matings: 20,
         simulated: 20,

@@ -3,19 +3,25 @@
 use super::{Check, Here, Verdict};
 use crate::analytic::limits;
 use crate::diagnosis::check::met;
-use crate::diagnosis::clearance::radial_clearance;
+use crate::diagnosis::clearance::least_over;
+use crate::error::Error;
 use crate::gear::Side;
 use crate::pair::Member;
+use std::ops::ControlFlow;
 
 /// Tip thickness below which a tooth is thought too sharp, modules (a rule of design offices; hardened teeth take more).
 const LEAST_TIP: f64 = 0.2;
 
 impl Here<'_> {
     /// K (9), (10): `member`'s tip over its mate's root.
-    pub(super) fn clearance(&self, member: Member) -> Check {
+    pub(super) fn clearance(
+        &self,
+        member: Member,
+        tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+    ) -> Result<Check, Error> {
         let module = self.module();
         let analytic = limits::radial_clearance(self.assembly, member);
-        let found = radial_clearance(self.assembly, member, &self.matings());
+        let found = least_over(self.assembly, member, &self.pitches(), tick)?;
         let least = found.map_or(analytic, |found| found.distance.min(analytic));
         let limit = limits::LEAST_CLEARANCE * module;
         let verdict = if !met(least - limit) {
@@ -26,7 +32,7 @@ impl Here<'_> {
                 Verdict::Warn,
             )
         };
-        Check {
+        Ok(Check {
             unproven: None,
             id: "radial_clearance",
             title: "radial clearance of tip, K (9), (10)",
@@ -62,7 +68,7 @@ impl Here<'_> {
                 });
                 format!("{:.4} module{missed}{teeth}", least / module)
             },
-        }
+        })
     }
 
     /// Mean tooth by formula, thinnest tooth as built.

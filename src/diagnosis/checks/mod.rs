@@ -6,6 +6,7 @@ mod limits;
 mod off_line;
 
 use super::check::{Check, Verdict};
+use super::clearance::pitches;
 use super::contact_count::ContactCount;
 use super::onset::{Onset, non_involute_onset};
 use super::zero_distance::{ZeroDistance, zero_distance};
@@ -15,6 +16,7 @@ use crate::gear::{Gear, Side};
 use crate::mesh::{Contact, Touch};
 use crate::pair::{Assembly, Mating, Member};
 use crate::study::{Material, Study};
+use std::ops::ControlFlow;
 
 const MEMBERS: [Member; 2] = [Member::Wheel, Member::Pinion];
 
@@ -58,23 +60,36 @@ impl Diagnosis {
     }
 }
 
+/// How often [`diagnose`] will tick for `runs`: the pitches over which the clearance of both gears' tips is looked for.
+pub fn pitch_count(runs: &[ComparedRun]) -> usize {
+    let of_group = |runs: &[ComparedRun]| {
+        let first = runs.first();
+        first.map_or(0, |first| {
+            pitches(&first.run.assembly, &matings(runs.iter())).len()
+        })
+    };
+    let groups = runs.chunk_by(same_group);
+    groups.map(|runs| MEMBERS.len() * of_group(runs)).sum()
+}
+
 /// Checks the pair of `study`, whose `runs` were simulated and compared.
 ///
-/// `step` is called before each search over the poses of a material, with what is looked for.
+/// `step` is called before each search over the poses of a material, with what is looked for; `tick` as each pitch of
+/// the clearance is begun, from any thread: a break ends the work.
 ///
 /// A search whose poses are not proven, or which loses a contact, leaves the checks that need it unproven.
 ///
 /// # Errors
-/// What `step` returns.
+/// What `step` returns; [`Error::Interrupted`] after a break.
 pub fn diagnose(
     study: &Study,
     runs: &[ComparedRun],
     step: &mut dyn FnMut(&str) -> Result<(), Error>,
+    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
 ) -> Result<Diagnosis, Error> {
     let mut groups: Vec<Group> = Vec::new();
     let mut searched: Vec<(Material, Searched<ZeroDistance>, Searched<Onset>)> = Vec::new();
-    let key = |run: &ComparedRun| (run.run.assembly.center_distance(), run.run.material);
-    for runs_here in runs.chunk_by(|a, b| key(a) == key(b)) {
+    for runs_here in runs.chunk_by(same_group) {
         let Some(first) = runs_here.first() else {
             continue;
         };
@@ -106,7 +121,7 @@ pub fn diagnose(
         groups.push(Group {
             assembly: assembly.clone(),
             material,
-            checks: here.checks(&zero, &onset),
+            checks: here.checks(&zero, &onset, tick)?,
             contact,
             zero,
             onset,
@@ -116,6 +131,12 @@ pub fn diagnose(
         groups,
         contact: ContactCount::sum(runs),
     })
+}
+
+/// Whether two runs are of one centre distance and material.
+fn same_group(one: &ComparedRun, other: &ComparedRun) -> bool {
+    let key = |run: &ComparedRun| (run.run.assembly.center_distance(), run.run.material);
+    key(one) == key(other)
 }
 
 /// What `look` finds, unless there is `doubt` about the poses it starts from or it loses a contact.
@@ -170,14 +191,21 @@ struct Here<'a> {
 }
 
 impl Here<'_> {
-    fn checks(&self, zero: &Searched<ZeroDistance>, onset: &Searched<Onset>) -> Vec<Check> {
+    fn checks(
+        &self,
+        zero: &Searched<ZeroDistance>,
+        onset: &Searched<Onset>,
+        tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+    ) -> Result<Vec<Check>, Error> {
         let doubt = doubt(self.runs.iter());
         let of_poses = |check: Check| match &doubt {
             Some(reason) => check.not_proven(reason),
             None => check,
         };
         let mut checks = Vec::new();
-        checks.extend(MEMBERS.map(|member| self.clearance(member)));
+        for member in MEMBERS {
+            checks.push(self.clearance(member, tick)?);
+        }
         checks.extend(MEMBERS.map(|member| of_poses(self.k_8(member))));
         checks.extend(MEMBERS.map(|member| of_poses(self.form(member))));
         checks.push(match onset {
@@ -193,7 +221,7 @@ impl Here<'_> {
         checks.extend(MEMBERS.map(|member| self.undercut(member)));
         checks.push(self.contact_ratio());
         checks.extend(MEMBERS.map(|member| self.tip(member)));
-        checks
+        Ok(checks)
     }
 
     fn gear(&self, member: Member) -> &Gear {
@@ -204,8 +232,8 @@ impl Here<'_> {
         self.gear(Member::Wheel).toothing().module()
     }
 
-    fn matings(&self) -> Vec<Mating> {
-        matings(self.runs.iter())
+    fn pitches(&self) -> Vec<Mating> {
+        pitches(self.assembly, &matings(self.runs.iter()))
     }
 
     /// Every contact of this pair that has a rotation to it.

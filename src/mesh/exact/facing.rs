@@ -9,7 +9,8 @@
 //! *Steps* count places counter-clockwise from the locked tooth nearest to the line of
 //! centres; the free tooth facing it lies as many steps clockwise of its own.
 
-use super::fast::Shortcut;
+use super::envelope::Envelope;
+use super::fast::{Envelopes, Shortcut};
 use super::placed::Placed;
 use super::shape::C;
 use super::teeth::{Teeth, nearest, reduced};
@@ -17,6 +18,7 @@ use crate::gear::{AsBuilt, Side};
 use crate::pair::{Assembly, Pose};
 use std::f64::consts::PI;
 use std::ops::Range;
+use std::sync::Arc;
 
 /// Pairs whose gaps differ by less than this at the free gear's base circle touch together.
 ///
@@ -27,8 +29,8 @@ const TIE_MM: f64 = 1e-9;
 #[derive(Debug, Clone)]
 pub(super) struct Facing {
     pub side: Side,
-    pub locked: Teeth,
-    pub free: Teeth,
+    pub locked: Arc<Teeth>,
+    pub free: Arc<Teeth>,
     /// `a`.
     pub distance: f64,
     /// Half teeth whose undisturbed centre line lies within these angles of the line of centres can reach the mate.
@@ -48,14 +50,26 @@ pub(super) struct Facing {
 
 impl Facing {
     pub fn new(assembly: &Assembly, side: Side) -> Facing {
+        let teeth = |member| Arc::new(Teeth::new(assembly.gear(member), side));
+        let teeth = (teeth(assembly.locked()), teeth(assembly.free()));
+        Facing::of(assembly, side, teeth)
+    }
+
+    /// The same gears as `assembly` has them: its teeth are these.
+    pub fn at(&self, assembly: &Assembly) -> Facing {
+        let teeth = (Arc::clone(&self.locked), Arc::clone(&self.free));
+        Facing::of(assembly, self.side, teeth)
+    }
+
+    fn of(assembly: &Assembly, side: Side, teeth: (Arc<Teeth>, Arc<Teeth>)) -> Facing {
         let (locked, free) = (
             assembly.gear(assembly.locked()),
             assembly.gear(assembly.free()),
         );
         let mut facing = Facing {
             side,
-            locked: Teeth::new(locked, side),
-            free: Teeth::new(free, side),
+            locked: teeth.0,
+            free: teeth.1,
             distance: assembly.center_distance(),
             window: None,
             shortcut: None,
@@ -65,18 +79,30 @@ impl Facing {
             tie: 0.0,
             pitch_point: C::from(assembly.operating_pitch_radius(assembly.free())),
         };
-        let base = facing.free.shape.base;
-        facing.tie = TIE_MM / base + 2.0 * facing.rounding(base, 1.0);
+        facing.tie = facing.tie_at(facing.distance);
         facing.window = window_half(locked, free, facing.distance)
             .map(|half| (-half - facing.locked.farthest, half + facing.locked.deepest));
         facing
     }
 
-    /// What spares searching; the same for both sides.
-    pub fn find_shortcut(&self, assembly: &Assembly) -> Option<Shortcut> {
+    /// What spares searching, with these envelopes; the same for both sides.
+    pub fn find_shortcut(&self, assembly: &Assembly, envelopes: &Envelopes) -> Option<Shortcut> {
+        Shortcut::new(self, assembly, envelopes.clone())
+    }
+
+    /// The envelopes of both gears, good at every centre distance at which they reach each other.
+    pub fn envelopes(&self, assembly: &Assembly) -> Envelopes {
+        let (ours, theirs) = (
+            assembly.gear(assembly.locked()),
+            assembly.gear(assembly.free()),
+        );
         // A tie below the greatest gap must not be ruled out: both gears' points move by less than this.
-        let reach = self.distance + self.locked.shape.tip_radius;
-        Shortcut::new(self, assembly, 4.0 * self.tie * reach)
+        let farthest = self.distance.max(ours.reach() + theirs.reach());
+        let margin = 4.0 * self.tie_at(farthest) * (farthest + self.locked.shape.tip_radius);
+        Envelopes {
+            locked: Arc::new(Envelope::new(ours.gear(), margin, 0.0)),
+            free: Arc::new(Envelope::new(theirs.gear(), margin, theirs.eccentricity())),
+        }
     }
 
     /// Puts the teeth where `pose` has them: `rotation` is the locked gear's, reduced, and `turned` `e^{i rotation}`,
@@ -121,7 +147,17 @@ impl Facing {
     /// 16 ε of the largest length in them. Off by `δ` a point turns the gap by at most
     /// `(δ/ρ)(1 + |σ|)`. Angles up to π are added four times: 16 ε.
     pub fn rounding(&self, radius: f64, slope: f64) -> f64 {
-        let size = self.distance + self.locked.shape.tip_radius + self.free.shape.tip_radius;
+        self.rounding_at(self.distance, radius, slope)
+    }
+
+    /// The tie tolerance at a centre distance.
+    fn tie_at(&self, distance: f64) -> f64 {
+        let base = self.free.shape.base;
+        TIE_MM / base + 2.0 * self.rounding_at(distance, base, 1.0)
+    }
+
+    fn rounding_at(&self, distance: f64, radius: f64, slope: f64) -> f64 {
+        let size = distance + self.locked.shape.tip_radius + self.free.shape.tip_radius;
         f64::EPSILON * (16.0 * size / radius * (1.0 + slope.abs()) + 16.0)
     }
 }

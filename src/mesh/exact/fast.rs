@@ -18,18 +18,25 @@ use super::shape::{C, turn};
 use super::ties::{Ties, Touching};
 use crate::gear::Curve;
 use crate::pair::Assembly;
+use std::sync::Arc;
 
 /// What a certified pair needs besides its teeth.
 #[derive(Debug, Clone)]
 pub(super) struct Shortcut {
     pub certificate: Certificate,
     pub swerve: Swerve,
-    pub locked: Envelope,
-    pub free: Envelope,
+    envelopes: Envelopes,
     /// Eccentricity of the free gear.
     free_off: f64,
     /// Greatest radius of the free gear about its axis.
     outmost: f64,
+}
+
+/// What lies clear of each gear's teeth, whatever the centre distance.
+#[derive(Debug, Clone)]
+pub(super) struct Envelopes {
+    pub locked: Arc<Envelope>,
+    pub free: Arc<Envelope>,
 }
 
 /// The pair that touches first.
@@ -86,8 +93,7 @@ pub(super) fn touching(stand: &Stand) -> Result<Option<Touching>, (i64, Unsettle
 
 impl Shortcut {
     /// The shortcut of a pair of gears; `None` for one that must be searched all through.
-    /// Points that clear the mate by less than `margin` mm count as touching.
-    pub fn new(facing: &Facing, assembly: &Assembly, margin: f64) -> Option<Shortcut> {
+    pub fn new(facing: &Facing, assembly: &Assembly, envelopes: Envelopes) -> Option<Shortcut> {
         let ours = assembly.gear(assembly.locked());
         let theirs = assembly.gear(assembly.free());
         let setting = Setting {
@@ -102,8 +108,7 @@ impl Shortcut {
             free_off: setting.free_off,
             outmost: theirs.reach(),
             swerve: Swerve::new(facing, setting.locked_off, setting.free_off)?,
-            locked: Envelope::new(ours.gear(), margin, 0.0),
-            free: Envelope::new(theirs.gear(), margin, setting.free_off),
+            envelopes,
         })
     }
 
@@ -147,7 +152,7 @@ impl Stand<'_> {
             let (centre, axis, known) = (level.centre, level.axis, level.known);
             for &corner in ours.shape.corners() {
                 let near = (centre + seen * corner.1) * facing.conj();
-                if !(known && shortcut.free.clears(near)) {
+                if !(known && shortcut.envelopes.free.clears(near)) {
                     let edge = (Curve::Involute, corner.0);
                     self.locked_corner(shortcut, step, (edge, corner.1, near), &mut level, ties);
                 }
@@ -155,7 +160,7 @@ impl Stand<'_> {
             if shortcut.certificate.tangents {
                 let far = ours.far(locked_place);
                 let near = (centre + seen * far) * facing.conj();
-                if !(known && shortcut.free.clears(near)) {
+                if !(known && shortcut.envelopes.free.clears(near)) {
                     let edge = (Curve::Tip, -far.arg());
                     self.locked_corner(shortcut, step, (edge, far, near), &mut level, ties);
                 }
@@ -168,7 +173,7 @@ impl Stand<'_> {
                 let near = (facing * corner.1 - centre) * seen.conj();
                 // Ahead of the axis, seen along the tooth: there a point that turns in comes nearer to its centre line.
                 let inside = near.re < axis.re * seen.re + axis.im * seen.im;
-                let clear = known && inside && shortcut.locked.clears(near);
+                let clear = known && inside && shortcut.envelopes.locked.clears(near);
                 if !clear || shortcut.certificate.turns_back {
                     self.free_corner(shortcut, step, (corner, near, clear), &mut level, ties);
                 }
@@ -188,7 +193,7 @@ impl Stand<'_> {
     ) {
         let (locked, free) = (self.locked(step), self.free(step));
         let rho = locked.own_to_axis(corner);
-        if level.known && shortcut.free.is_beyond_tip(near) && rho > shortcut.outmost {
+        if level.known && shortcut.envelopes.free.is_beyond_tip(near) && rho > shortcut.outmost {
             return;
         }
         if let Some(met) = meet(
@@ -247,7 +252,7 @@ impl Stand<'_> {
             && tip_arm(&locked) <= 0.0
             && rho >= nearest_turn(&locked);
         let trusted = level.known && !behind;
-        let over = || shortcut.locked.is_beyond_tip(near) && rho < least_radius(&locked);
+        let over = || shortcut.envelopes.locked.is_beyond_tip(near) && rho < least_radius(&locked);
         if trusted && (clear || over()) {
             return;
         }

@@ -46,6 +46,7 @@ use crate::gear::Side;
 use crate::pair::{Assembly, Member, Pose};
 use curves::Unsettled;
 use facing::{Facing, Stand};
+use fast::Envelopes;
 use shape::turn;
 use std::f64::consts::{PI, TAU};
 use teeth::reduced;
@@ -58,6 +59,8 @@ use ties::Touching;
 pub struct ExactKernel {
     right: Facing,
     left: Facing,
+    /// What is the same at every centre distance, beside the teeth.
+    envelopes: Envelopes,
     free: Member,
     /// The pair, where teeth may stand in the mate's body.
     bodies: Option<Box<Assembly>>,
@@ -68,14 +71,29 @@ pub struct ExactKernel {
 impl ExactKernel {
     /// The kernel of `assembly`.
     pub fn new(assembly: &Assembly) -> ExactKernel {
-        let mut right = Facing::new(assembly, Side::Right);
-        let mut left = Facing::new(assembly, Side::Left);
+        let facings = Side::BOTH.map(|side| Facing::new(assembly, side));
+        let envelopes = facings[0].envelopes(assembly);
+        ExactKernel::of(assembly, facings, envelopes)
+    }
+
+    /// The kernel of the same gears at another centre distance, in a time that does not depend on the number of teeth.
+    ///
+    /// It is that of [`ExactKernel::new`] to the last bit of any result. `assembly` is one that
+    /// [`Assembly::at`] made of this kernel's.
+    pub fn at(&self, assembly: &Assembly) -> ExactKernel {
+        let facings = [&self.right, &self.left].map(|facing| facing.at(assembly));
+        ExactKernel::of(assembly, facings, self.envelopes.clone())
+    }
+
+    fn of(assembly: &Assembly, facings: [Facing; 2], envelopes: Envelopes) -> ExactKernel {
+        let [mut right, mut left] = facings;
         // Of both gears the left half teeth mirror the right ones.
-        right.shortcut = right.find_shortcut(assembly);
+        right.shortcut = right.find_shortcut(assembly, &envelopes);
         left.shortcut = right.shortcut.clone();
         ExactKernel {
             right,
             left,
+            envelopes,
             free: assembly.free(),
             bodies: may_be_solid(assembly).then(|| Box::new(assembly.clone())),
             blocked: reaches_over_an_axis(assembly),

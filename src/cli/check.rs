@@ -1,9 +1,9 @@
 //! `gearlash check`: does the pair interfere, where, why, and what does it cost.
 
 use super::console::print;
-use super::method::{MethodArgs, agreement};
+use super::method::{MethodArgs, whole_agreement};
 use super::progress::Progress;
-use super::studies;
+use super::{poses, studies};
 use crate::characters::plain;
 use crate::compare::compare;
 use crate::diagnosis::{Diagnosis, Verdict, diagnose, map};
@@ -58,6 +58,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         .then(|| OutputFolder::prepare(&folder(), &study.sources, is_own))
         .transpose()?;
 
+    poses::allow(&args.pair, study.pose_count(), &poses::HELD)?;
     let progress = Progress::start(pose_count(&study)?);
     let runs = simulate(&study, args.method.method(), &|| progress.tick())?;
     drop(progress);
@@ -82,13 +83,13 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             .map_err(|error| Error::Usage(format!("the checks cannot be written: {error}")))?,
     })?;
     if let Some(folder) = folder {
-        let path = folder.write(&maps)?;
+        let (path, _) = folder.write(&maps)?;
         if args.format == Format::Text {
             let folder = plain(&path.display().to_string());
             print(&format!("\n{} files in {folder}\n", maps.len()))?;
         }
     }
-    let holds = agreement(&runs) && diagnosis.verdict() < Verdict::Unproven;
+    let holds = whole_agreement(&runs) && diagnosis.verdict() < Verdict::Unproven;
     Ok(match holds {
         true => ExitCode::SUCCESS,
         false => ExitCode::from(1),

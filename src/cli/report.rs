@@ -3,8 +3,8 @@
 use super::date::today;
 use super::method::{MethodArgs, agreement_within, all_proven, largest_difference, unproven};
 use super::progress::Progress;
-use super::studies;
 use super::target::Target;
+use super::{poses, studies};
 use crate::curves;
 use crate::cycle::{self, cycle};
 use crate::diagnosis::diagnose;
@@ -43,7 +43,9 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     };
     let target = Target::prepare_beside(file, &study.sources)?;
     let method = args.method.method();
-    let poses = curves::with_revolution_pose_count(&study)? + cycle::pose_count(&study)?;
+    let held = curves::with_revolution_pose_count(&study)?;
+    poses::allow(&args.pair, held as u64, &poses::HELD)?;
+    let poses = held + cycle::pose_count(&study)?;
     let progress = Progress::start(poses);
     let tick = || progress.tick();
     let [runs, revolution] = curves::with_revolution(&study, method, &tick)?;

@@ -27,7 +27,10 @@ pub fn pose_count(study: &Study) -> Result<usize, Error> {
     Ok(usize::try_from(study.pose_count()).unwrap_or(usize::MAX))
 }
 
-/// Simulates every run of `study` by `method`. `tick` is called as each pose begins, from any thread; a break ends the work.
+/// Simulates every run of `study` by `method`, and keeps every pose: half a kilobyte each. Where they are many, see
+/// [`crate::tally::simulate_by_blocks`].
+///
+/// `tick` is called as each pose begins, from any thread; a break ends the work.
 ///
 /// # Errors
 /// [`Error::Interrupted`]. A contact that is lost or a certificate that fails leaves its pose [`crate::mesh::Unproven`].

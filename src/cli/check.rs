@@ -20,7 +20,7 @@ use std::process::ExitCode;
 ///
 /// Each check has its value by formula, the value measured on the outlines over the poses the pair file
 /// asks for, its limit, margin and verdict. A limit is met within 1e-9 mm. Where the poses lose backlash
-/// that no formula sees, the worst of them is named.
+/// that no formula sees, the worst of them is named. Up to 2 million poses, which take 2 GB of memory.
 #[derive(clap::Args)]
 pub(super) struct Args {
     /// The pair file (TOML or JSON)

@@ -25,7 +25,7 @@ pub(super) const STREAMED: Bound = Bound {
 
 /// Poses are held until the command ends, contacts and formulas included: what they take is memory.
 pub(super) const HELD: Bound = Bound {
-    most: 1_000_000,
+    most: 2_000_000,
     bytes: 1000,
     of: "memory",
     way_out: "take fewer steps_per_pitch, fractions or centre distances in a file for this command; simulate and compare go up to 10 million poses",

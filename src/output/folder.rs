@@ -77,7 +77,7 @@ impl OutputFolder {
     /// [`Error::Output`], [`Error::OverInput`].
     pub fn create(&mut self, name: &str) -> Result<NewFile, Error> {
         self.guard(name)?;
-        let file = self.new().and_then(|new| {
+        let file = self.gathered().and_then(|new| {
             let file = new.temporary.create(name)?;
             new.names.push(name.to_owned());
             Ok(file)
@@ -101,7 +101,7 @@ impl OutputFolder {
     /// # Errors
     /// [`Error::Output`].
     pub fn open(&mut self, name: &str) -> Result<File, Error> {
-        let opened = self.new();
+        let opened = self.gathered();
         let opened = opened.and_then(|new| File::open(new.temporary.path().join(name)));
         opened.map_err(self.failed(name))
     }
@@ -112,7 +112,7 @@ impl OutputFolder {
         move |source| failed(&path)(source)
     }
 
-    fn new(&mut self) -> std::io::Result<&mut New> {
+    fn gathered(&mut self) -> std::io::Result<&mut New> {
         let new = match self.new.take() {
             Some(new) => new,
             None => New {
@@ -141,7 +141,7 @@ impl OutputFolder {
             self.add(name, content)?;
         }
         let named = self.named.clone();
-        self.new().map_err(failed(&named))?;
+        self.gathered().map_err(failed(&named))?;
         let Some(new) = self.new.take() else {
             return Ok((self.named.clone(), 0));
         };

@@ -8,6 +8,7 @@
 use crate::analytic::{Analytic, evaluate};
 use crate::gear::Curve;
 use crate::mesh::{Contact, LostMotion, Status, SweptPose, first_least};
+use crate::pair::Assembly;
 use crate::simulate::Run;
 use crate::study::Study;
 
@@ -29,6 +30,16 @@ pub enum Verdict {
 }
 
 impl Verdict {
+    /// All, in the order of their definition.
+    pub const ALL: [Verdict; 6] = [
+        Verdict::Agrees,
+        Verdict::Nothing,
+        Verdict::OffLine,
+        Verdict::Below,
+        Verdict::Above,
+        Verdict::Unproven,
+    ];
+
     /// The verdict in words.
     pub fn name(self) -> &'static str {
         match self {
@@ -126,26 +137,11 @@ impl ComparedRun {
 
     /// The run in numbers.
     pub fn summary(&self) -> Summary {
-        let all = |value: fn(&ComparedPose) -> Option<f64>| self.poses.iter().filter_map(value);
-        let backlash = |pose: &ComparedPose| pose.swept.backlash;
-        let count = all(backlash).count();
-        Summary {
-            unproven: self.count(Verdict::Unproven),
-            unproven_ends: [0, 1].map(|end| {
-                let unproven = |pose: &&ComparedPose| pose.swept.is_end_unproven(end);
-                self.poses.iter().filter(unproven).count()
-            }),
-            min: all(backlash).reduce(f64::min),
-            max: all(backlash).reduce(f64::max),
-            mean: (count > 0).then(|| all(backlash).sum::<f64>() / count as f64),
-            with_clearance: [
-                all(|pose| pose.swept.range()[0]).reduce(f64::min),
-                all(|pose| pose.swept.range()[1]).reduce(f64::max),
-            ],
-            off_involute: all(|pose| Some((pose.swept.backlash? - pose.involute?).abs()))
-                .reduce(f64::max),
-            off_line_of_action: self.worst().map(|(_, difference)| difference.abs()),
+        let mut tally = SummaryTally::default();
+        for pose in &self.poses {
+            tally.add(pose);
         }
+        tally.summary()
     }
 
     /// The poses with the least and the greatest backlash; of those that their error bounds cannot tell
@@ -181,27 +177,87 @@ pub struct Summary {
     pub off_line_of_action: Option<f64>,
 }
 
+/// A [`Summary`] of poses that come one by one.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct SummaryTally {
+    unproven: usize,
+    unproven_ends: [usize; 2],
+    min: Option<f64>,
+    max: Option<f64>,
+    /// Sum and number of the values.
+    sum: Option<(f64, usize)>,
+    with_clearance: [Option<f64>; 2],
+    off_involute: Option<f64>,
+    off_line_of_action: Option<f64>,
+}
+
+impl SummaryTally {
+    /// Takes the next pose in.
+    pub(crate) fn add(&mut self, pose: &ComparedPose) {
+        let join = |known: &mut Option<f64>, value: Option<f64>, of: fn(f64, f64) -> f64| {
+            if let Some(value) = value {
+                *known = Some(known.map_or(value, |known| of(known, value)));
+            }
+        };
+        let swept = &pose.swept;
+        let off = |formula: Option<f64>| Some((swept.backlash? - formula?).abs());
+        self.unproven += usize::from(pose.verdict == Verdict::Unproven);
+        for end in [0, 1] {
+            self.unproven_ends[end] += usize::from(swept.is_end_unproven(end));
+        }
+        join(&mut self.min, swept.backlash, f64::min);
+        join(&mut self.max, swept.backlash, f64::max);
+        if let Some(backlash) = swept.backlash {
+            let (sum, count) = self.sum.unwrap_or((-0.0, 0));
+            self.sum = Some((sum + backlash, count + 1));
+        }
+        let [near, far] = swept.range();
+        join(&mut self.with_clearance[0], near, f64::min);
+        join(&mut self.with_clearance[1], far, f64::max);
+        join(&mut self.off_involute, off(pose.involute), f64::max);
+        let off_line_of_action = off(pose.line_of_action);
+        join(&mut self.off_line_of_action, off_line_of_action, f64::max);
+    }
+
+    /// What they come to.
+    pub(crate) fn summary(&self) -> Summary {
+        Summary {
+            unproven: self.unproven,
+            unproven_ends: self.unproven_ends,
+            min: self.min,
+            max: self.max,
+            mean: self.sum.map(|(sum, count)| sum / count as f64),
+            with_clearance: self.with_clearance,
+            off_involute: self.off_involute,
+            off_line_of_action: self.off_line_of_action,
+        }
+    }
+}
+
 /// Adds the analytic values to `runs` and judges them with `tolerance_um`.
 pub fn compare(runs: Vec<Run>, tolerance_um: f64) -> Vec<ComparedRun> {
-    let compared = |mut run: Run| {
-        let poses = std::mem::take(&mut run.poses);
-        let poses = poses
-            .into_iter()
-            .map(|swept| {
-                let analytic: Analytic = evaluate(&run.assembly, &swept.pose);
-                let line_of_action = analytic.line_of_action.backlash(&run.assembly);
-                ComparedPose {
-                    verdict: judge(&swept, line_of_action, tolerance_um * 1e-3),
-                    michalec: analytic.michalec,
-                    involute: analytic.involute,
-                    line_of_action,
-                    swept,
-                }
-            })
-            .collect();
-        ComparedRun { run, poses }
+    let of_run = |mut run: Run| {
+        let poses = std::mem::take(&mut run.poses).into_iter();
+        let poses = poses.map(|swept| compared(&run.assembly, swept, tolerance_um));
+        ComparedRun {
+            poses: poses.collect(),
+            run,
+        }
     };
-    runs.into_iter().map(compared).collect()
+    runs.into_iter().map(of_run).collect()
+}
+
+/// A pose of `assembly` with its analytic values, judged with `tolerance_um`.
+pub(crate) fn compared(assembly: &Assembly, swept: SweptPose, tolerance_um: f64) -> ComparedPose {
+    let analytic: Analytic = evaluate(assembly, &swept.pose);
+    let line_of_action = analytic.line_of_action.backlash(assembly);
+    ComparedPose {
+        verdict: judge(&swept, line_of_action, tolerance_um * 1e-3),
+        michalec: analytic.michalec,
+        involute: analytic.involute,
+        line_of_action,
+        swept,
+    }
 }
 
 /// The tolerance in force: the command line's, or else the pair file's.

@@ -64,3 +64,4 @@ pub mod render;
 pub mod simulate;
 pub mod sources;
 pub mod study;
+pub mod tally;

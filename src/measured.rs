@@ -3,6 +3,7 @@
 use crate::compare::{ComparedPose, ComparedRun};
 use crate::pair::Mating;
 use crate::study::{Material, MeasuredRow, Study};
+use std::collections::{HashMap, HashSet};
 
 /// A band of backlash, µm.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -49,23 +50,86 @@ pub struct Bands {
 
 /// The measured matings of `study`, in the order of their file, with what `runs` says of each.
 pub fn measured_matings(study: &Study, runs: &[ComparedRun]) -> Vec<MeasuredMating> {
-    let of_row = |row: &MeasuredRow| {
-        let mating = (row.wheel_tooth, row.pinion_tooth);
-        let bands = bands(study, runs, row.center_distance, |here| {
-            (here.wheel_tooth, here.pinion_tooth) == mating && here.fraction == 0.0
+    let mut tally = MeasuredTally::new(study);
+    for run in runs {
+        tally.begin(run.run.assembly.center_distance(), run.run.material);
+        tally.add(&run.poses);
+    }
+    tally.matings(study)
+}
+
+/// The measured matings of a study whose poses come one by one.
+#[derive(Debug)]
+pub struct MeasuredTally {
+    /// By the bits of the centre distance, material, wheel and pinion tooth.
+    means: HashMap<(u64, Material, u32, u32), Means>,
+    /// Centre distances and materials that have begun: of several runs of one, phases, the first counts.
+    begun: HashSet<(u64, Material)>,
+    /// The run whose poses come now, where it counts.
+    now: Option<(u64, Material)>,
+}
+
+impl MeasuredTally {
+    /// Of no pose yet.
+    pub fn new(study: &Study) -> MeasuredTally {
+        let materials = study.materials.iter();
+        let keys = materials.flat_map(|(material, ..)| {
+            study.measured.iter().map(|row| {
+                let distance = row.center_distance.to_bits();
+                (distance, *material, row.wheel_tooth, row.pinion_tooth)
+            })
         });
-        MeasuredMating {
-            printed: Band {
-                min_um: row.predicted_min_um,
-                max_um: row.predicted_max_um,
-            },
-            analytic: bands.analytic,
-            simulated: bands.simulated,
-            with_clearance: bands.with_clearance,
-            row: row.clone(),
+        MeasuredTally {
+            means: keys.map(|key| (key, Means::default())).collect(),
+            begun: HashSet::new(),
+            now: None,
         }
-    };
-    study.measured.iter().map(of_row).collect()
+    }
+
+    /// The next poses are those of a run of `material` at `center_distance`, mm.
+    pub fn begin(&mut self, center_distance: f64, material: Material) {
+        let run = (center_distance.to_bits(), material);
+        self.now = self.begun.insert(run).then_some(run);
+    }
+
+    /// Takes in the next poses of the run.
+    pub fn add(&mut self, poses: &[ComparedPose]) {
+        let Some((distance, material)) = self.now.filter(|_| !self.means.is_empty()) else {
+            return;
+        };
+        for pose in poses {
+            let at = pose.swept.pose.mating();
+            let key = (distance, material, at.wheel_tooth, at.pinion_tooth);
+            if at.fraction == 0.0
+                && let Some(means) = self.means.get_mut(&key)
+            {
+                means.add(pose);
+            }
+        }
+    }
+
+    /// As [`measured_matings`].
+    pub fn matings(&self, study: &Study) -> Vec<MeasuredMating> {
+        let of_row = |row: &MeasuredRow| {
+            let means = |material| {
+                let distance = row.center_distance.to_bits();
+                let key = (distance, material, row.wheel_tooth, row.pinion_tooth);
+                self.means.get(&key).copied().unwrap_or_default()
+            };
+            let bands = Bands::of(study, means);
+            MeasuredMating {
+                printed: Band {
+                    min_um: row.predicted_min_um,
+                    max_um: row.predicted_max_um,
+                },
+                analytic: bands.analytic,
+                simulated: bands.simulated,
+                with_clearance: bands.with_clearance,
+                row: row.clone(),
+            }
+        };
+        study.measured.iter().map(of_row).collect()
+    }
 }
 
 /// How many measured values, right and left of each mating, lie below, inside and above its band; those without a
@@ -93,42 +157,84 @@ pub fn bands(
     wanted: impl Fn(&Mating) -> bool,
 ) -> Bands {
     let is_wanted = |pose: &&ComparedPose| wanted(pose.swept.pose.mating());
-    let mean = |material: Material, value: &dyn Fn(&ComparedPose) -> Option<f64>| {
+    Bands::of(study, |material| {
         let run = runs.iter().find(|compared| {
             compared.run.material == material
                 && compared.run.assembly.center_distance() == center_distance
-        })?;
-        mean_um(run.poses.iter().filter(is_wanted), value)
-    };
-    let band = |least: &dyn Fn(&ComparedPose) -> Option<f64>,
-                most: &dyn Fn(&ComparedPose) -> Option<f64>| {
+        });
+        let mut means = Means::default();
+        let poses = run.into_iter().flat_map(|run| &run.poses);
+        for pose in poses.filter(is_wanted) {
+            means.add(pose);
+        }
+        means
+    })
+}
+
+impl Bands {
+    /// From the thickest to the thinnest material of `study`.
+    fn of(study: &Study, means: impl Fn(Material) -> Means) -> Bands {
         let (thick, thin) = match study.materials.len() {
             1 => (Material::AsMeasured, Material::AsMeasured),
             _ => (Material::Most, Material::Least),
         };
-        Some(Band {
-            min_um: mean(thick, least)?,
-            max_um: mean(thin, most)?,
-        })
-    };
-    let simulated = |pose: &ComparedPose| pose.swept.backlash;
-    let clearance = |end: usize| move |pose: &ComparedPose| pose.swept.range()[end];
-    Bands {
-        analytic: band(&|pose| pose.involute, &|pose| pose.involute),
-        simulated: band(&simulated, &simulated),
-        with_clearance: band(&clearance(0), &clearance(1)),
+        let (thick, thin) = (means(thick), means(thin));
+        let band = |least: Mean, most: Mean| {
+            Some(Band {
+                min_um: least.um()?,
+                max_um: most.um()?,
+            })
+        };
+        Bands {
+            analytic: band(thick.analytic, thin.analytic),
+            simulated: band(thick.simulated, thin.simulated),
+            with_clearance: band(thick.ends[0], thin.ends[1]),
+        }
     }
 }
 
-/// Mean over `poses`, µm; `None` where one has no value or there is none.
-fn mean_um<'a>(
-    poses: impl Iterator<Item = &'a ComparedPose>,
-    value: &dyn Fn(&ComparedPose) -> Option<f64>,
-) -> Option<f64> {
-    let (mut sum, mut count) = (0.0, 0);
-    for pose in poses {
-        sum += value(pose)?;
-        count += 1;
+/// Means over poses of one material.
+#[derive(Debug, Clone, Copy, Default)]
+struct Means {
+    analytic: Mean,
+    simulated: Mean,
+    /// At `a − c` and at `a + c`.
+    ends: [Mean; 2],
+}
+
+impl Means {
+    fn add(&mut self, pose: &ComparedPose) {
+        let [near, far] = pose.swept.range();
+        self.analytic.add(pose.involute);
+        self.simulated.add(pose.swept.backlash);
+        self.ends[0].add(near);
+        self.ends[1].add(far);
     }
-    (count > 0).then(|| sum / f64::from(count) * 1e3)
+}
+
+/// A mean of values that come one by one, mm.
+#[derive(Debug, Clone, Copy, Default)]
+struct Mean {
+    sum: f64,
+    count: u32,
+    /// Whether a pose has no value: there is no mean then.
+    incomplete: bool,
+}
+
+impl Mean {
+    fn add(&mut self, value: Option<f64>) {
+        match value {
+            Some(value) => {
+                self.sum += value;
+                self.count += 1;
+            }
+            None => self.incomplete = true,
+        }
+    }
+
+    /// µm; `None` where a pose has no value or there is none.
+    fn um(&self) -> Option<f64> {
+        let known = self.count > 0 && !self.incomplete;
+        known.then(|| self.sum / f64::from(self.count) * 1e3)
+    }
 }

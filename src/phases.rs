@@ -3,16 +3,17 @@
 use crate::compare::ComparedRun;
 use crate::outcome::Outcome;
 use crate::pair::{Assembly, Mating, Member, SweepPlan};
+use crate::tally::RunTally;
 
 /// The phases of one centre distance and material.
 #[derive(Debug, Clone)]
 pub struct PhaseGroup<'a> {
     /// Its runs, phase by phase.
-    pub runs: Vec<&'a ComparedRun>,
+    pub runs: Vec<&'a RunTally>,
     /// The phase with the least variation of backlash, the first of equals.
-    pub best: Option<&'a ComparedRun>,
+    pub best: Option<&'a RunTally>,
     /// The phase with the greatest.
-    pub worst: Option<&'a ComparedRun>,
+    pub worst: Option<&'a RunTally>,
 }
 
 /// The assembly phase of `mating`: the least pinion tooth whose right flank ever meets that of wheel tooth 1.
@@ -40,27 +41,15 @@ pub fn failing_phases(runs: &[ComparedRun]) -> (Vec<(u32, u32)>, usize) {
     (failing, all.len())
 }
 
-/// Whether every pose of `run` is proven to have room to turn, or just none too little.
-pub fn assembles(run: &ComparedRun) -> bool {
-    Outcome::of(&[run], &[]).assembles()
-}
-
-/// Variation of backlash over a run, greatest minus least, mm; `None` where a pose has no backlash.
-pub fn variation(run: &ComparedRun) -> Option<f64> {
-    let summary = run.summary();
-    let whole = run.poses.iter().all(|pose| pose.swept.backlash.is_some());
-    whole.then_some(summary.max? - summary.min?)
-}
-
 /// The runs that are phases, grouped by centre distance and material, in order.
-pub fn phase_groups(runs: &[ComparedRun]) -> Vec<PhaseGroup<'_>> {
-    let key = |run: &ComparedRun| (run.run.assembly.center_distance(), run.run.material);
-    let of_phases: Vec<&ComparedRun> = runs.iter().filter(|run| run.run.phase.is_some()).collect();
+pub fn phase_groups(runs: &[RunTally]) -> Vec<PhaseGroup<'_>> {
+    let key = |run: &RunTally| (run.assembly.center_distance(), run.material);
+    let of_phases: Vec<&RunTally> = runs.iter().filter(|run| run.phase.is_some()).collect();
     of_phases
         .chunk_by(|a, b| key(a) == key(b))
         .map(|runs| {
             let by = |better: fn(f64, f64) -> bool| {
-                let known = runs.iter().filter_map(|run| Some((*run, variation(run)?)));
+                let known = runs.iter().filter_map(|run| Some((*run, run.variation()?)));
                 let chosen = known.reduce(|chosen, next| match better(next.1, chosen.1) {
                     true => next,
                     false => chosen,

@@ -1,7 +1,7 @@
 //! From what a pair file asks for to what was found: every run of a study.
 
 use crate::error::Error;
-use crate::mesh::{CutPair, Method, SweptPose, sweep, worst_pose};
+use crate::mesh::{CutPair, Method, SweptPose, sweep_blocks};
 use crate::pair::Assembly;
 use crate::study::{Material, RunPlan, Study};
 use std::ops::ControlFlow;
@@ -22,12 +22,15 @@ pub struct Run {
 /// How many poses [`simulate`] will take.
 ///
 /// # Errors
-/// As [`Study::runs`].
+/// None any more: [`Study::pose_count`] counts them without an assembly.
 pub fn pose_count(study: &Study) -> Result<usize, Error> {
-    Ok(study.runs()?.iter().map(|run| run.matings.len()).sum())
+    Ok(usize::try_from(study.pose_count()).unwrap_or(usize::MAX))
 }
 
-/// Simulates every run of `study` by `method`. `tick` is called as each pose begins, from any thread; a break ends the work.
+/// Simulates every run of `study` by `method`, and keeps every pose: half a kilobyte each. Where they are many, see
+/// [`crate::tally::simulate_by_blocks`].
+///
+/// `tick` is called as each pose begins, from any thread; a break ends the work.
 ///
 /// # Errors
 /// [`Error::Interrupted`]. A contact that is lost or a certificate that fails leaves its pose [`crate::mesh::Unproven`].
@@ -49,6 +52,53 @@ pub fn simulate_plans(
     method: Method,
     tick: &(dyn Fn() -> ControlFlow<()> + Sync),
 ) -> Result<Vec<Run>, Error> {
+    let mut runs: Vec<Run> = Vec::new();
+    each_block(study, plans, method, tick, &mut |block| {
+        if block.first {
+            runs.push(Run {
+                material: block.material,
+                assembly: block.assembly.clone(),
+                phase: block.phase,
+                poses: Vec::with_capacity(block.of),
+            });
+        }
+        if let Some(run) = runs.last_mut() {
+            run.poses.extend(block.poses);
+        }
+        Ok(())
+    })?;
+    Ok(runs)
+}
+
+/// Some poses of one run, as they are found.
+pub(crate) struct Block<'a> {
+    /// As [`Run::material`].
+    pub material: Material,
+    /// As [`Run::assembly`].
+    pub assembly: &'a Assembly,
+    /// As [`Run::phase`].
+    pub phase: Option<(u32, u32)>,
+    /// In order, behind those of the block before; none of a run without poses.
+    pub poses: Vec<SweptPose>,
+    /// How many poses the run has.
+    pub of: usize,
+    /// Whether the run begins.
+    pub first: bool,
+    /// Whether it ends.
+    pub last: bool,
+}
+
+/// As [`simulate_plans`], its poses delivered to `take` block by block, so that they need not be kept.
+///
+/// # Errors
+/// As [`simulate`], and of `take`.
+pub(crate) fn each_block(
+    study: &Study,
+    plans: Vec<RunPlan>,
+    method: Method,
+    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+    take: &mut dyn FnMut(Block) -> Result<(), Error>,
+) -> Result<(), Error> {
     let cut = |material: Material| {
         let gears = study.materials.iter().find(|gears| gears.0 == material);
         gears.map(|(_, wheel, pinion)| match method {
@@ -57,28 +107,48 @@ pub fn simulate_plans(
         })
     };
     let cuts = [Material::Most, Material::Least, Material::AsMeasured].map(|m| (m, cut(m)));
-    let mut runs = Vec::new();
     for plan in plans {
         let cut = cuts.iter().find(|(material, _)| *material == plan.material);
         let Some((_, Some(cut))) = cut else {
             continue;
         };
-        let clearance = study.bearing_clearance;
-        let poses = sweep(&plan.assembly, cut, method, &plan.matings, clearance, tick)?;
-        runs.push(Run {
+        let of = plan.matings.len();
+        let block = |poses, done| Block {
             material: plan.material,
-            assembly: plan.assembly,
+            assembly: &plan.assembly,
             phase: plan.phase,
+            first: done == 0,
+            last: false,
+            of,
             poses,
-        });
+        };
+        if of == 0 {
+            let empty = block(Vec::new(), 0);
+            take(Block {
+                last: true,
+                ..empty
+            })?;
+            continue;
+        }
+        let (clearance, mut done) = (study.bearing_clearance, 0);
+        let each = &mut |poses: Vec<SweptPose>| {
+            let found = poses.len();
+            let next = block(poses, done);
+            done += found;
+            take(Block {
+                last: done == of,
+                ..next
+            })
+        };
+        sweep_blocks(
+            &plan.assembly,
+            cut,
+            method,
+            &plan.matings,
+            clearance,
+            tick,
+            each,
+        )?;
     }
-    Ok(runs)
-}
-
-/// The worst pose of all `runs`, as [`worst_pose`] chooses it, and its run; `None` when no pose is proven to be in mesh.
-pub fn worst(runs: &[Run]) -> Option<(&Run, &SweptPose)> {
-    worst_pose(runs.iter().flat_map(|run| {
-        let poses = run.poses.iter();
-        poses.map(move |pose| ((run, pose), pose))
-    }))
+    Ok(())
 }

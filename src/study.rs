@@ -10,6 +10,24 @@ use crate::pair::{Assembly, Mating, Member, SweepPlan};
 use crate::sources::Sources;
 use std::collections::HashMap;
 
+/// Poses of a study, over all centre distances and materials: their result fills 25 GB.
+pub const MOST_POSES: u64 = 10_000_000;
+
+/// Bytes that a pose takes in a result as JSON, about: 1400 where a pair is jammed to 2100 with tip corners.
+pub const POSE_BYTES_JSON: u64 = 2100;
+
+/// The same as CSV.
+pub const POSE_BYTES_CSV: u64 = 400;
+
+/// So many bytes in words, to about two digits.
+pub(crate) fn size(bytes: u64) -> String {
+    match bytes {
+        0..1_000_000_000 => format!("{} MB", bytes.div_ceil(1_000_000)),
+        1_000_000_000..10_000_000_000 => format!("{:.1} GB", bytes as f64 / 1e9),
+        _ => format!("{} GB", bytes.div_ceil(1_000_000_000)),
+    }
+}
+
 /// Which end of the thickness tolerance a run takes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Material {
@@ -226,6 +244,24 @@ impl Study {
         self.echo["assembly"]["center_distance_mm"] = serde_json::json!(center_distances);
         self.center_distances = center_distances;
         Ok(self)
+    }
+
+    /// How many poses [`Study::runs`] has in all.
+    pub fn pose_count(&self) -> u64 {
+        let materials = self.materials.len() as u64;
+        match &self.sweep {
+            Some(plan) => {
+                let runs = self.center_distances.len() as u64 * materials;
+                plan.poses().saturating_mul(runs)
+            }
+            None => {
+                let here = |row: &&MeasuredRow| {
+                    let mut distances = self.center_distances.iter();
+                    distances.any(|a| a.to_bits() == row.center_distance.to_bits())
+                };
+                2 * materials * self.measured.iter().filter(here).count() as u64
+            }
+        }
     }
 
     /// Every centre distance with every material, the materials of the first distance first, phase by phase.

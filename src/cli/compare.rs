@@ -5,12 +5,13 @@ use super::method::{MethodArgs, agreement};
 use super::progress::Progress;
 use super::studies;
 use super::target::Target;
-use crate::compare::{compare, tolerance_um};
+use crate::compare::tolerance_um;
 use crate::error::Error;
 use crate::input;
 use crate::render::{ComparedPair, comparison};
-use crate::simulate::{pose_count, simulate};
+use crate::simulate::pose_count;
 use crate::sources::Sources;
+use crate::tally::{MOST_UNPROVEN, simulate_by_blocks};
 use clap::ValueEnum;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -94,16 +95,23 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         poses += pose_count(study)?;
     }
     let progress = Progress::start(poses);
-    let mut pairs = Vec::new();
+    let (mut pairs, files) = (Vec::new(), studies.len());
     for (path, study) in studies {
         let tolerance_um = tolerance_um(&study, args.tolerance_um);
-        let runs = simulate(&study, args.method.method(), &|| progress.tick())?;
+        let runs = simulate_by_blocks(
+            &study,
+            args.method.method(),
+            tolerance_um,
+            MOST_UNPROVEN / files,
+            &|| progress.tick(),
+            &mut |_| Ok(()),
+        )?;
         pairs.push(ComparedPair {
             file: path.display().to_string(),
             title: study.title,
             tolerance_um,
             allow_off_line: study.allow_off_line_contact,
-            runs: compare(runs, tolerance_um),
+            runs,
         });
     }
     drop(progress);

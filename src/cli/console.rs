@@ -6,8 +6,11 @@
 use crate::characters::plain;
 use crate::error::Error;
 use crate::sources::Sources;
-use std::io::{ErrorKind, Write};
+use std::io::{BufWriter, ErrorKind, Write};
 use std::path::Path;
+
+/// Bytes written to standard output at a time (tuned).
+const PIECE: usize = 1 << 16;
 
 /// Prints to standard output, down to the last byte.
 ///
@@ -20,6 +23,52 @@ pub(super) fn print(text: &str) -> Result<(), Error> {
             .write_all(text.as_bytes())
             .and_then(|()| output.flush()),
     )
+}
+
+/// Standard output for what comes piece by piece, after which [`std::io::Write::flush`] is due.
+///
+/// Where a reader has gone away the rest goes nowhere: the work is done to its end, for the exit code.
+pub(super) struct Printer {
+    /// In large pieces: Rust's own standard output writes line by line.
+    output: BufWriter<std::io::Stdout>,
+    /// Whether anybody reads.
+    read: bool,
+}
+
+impl Printer {
+    pub(super) fn new() -> Printer {
+        Printer {
+            output: BufWriter::with_capacity(PIECE, std::io::stdout()),
+            read: true,
+        }
+    }
+
+    fn unless_gone<T>(
+        &mut self,
+        nothing: T,
+        write: impl FnOnce(&mut BufWriter<std::io::Stdout>) -> std::io::Result<T>,
+    ) -> std::io::Result<T> {
+        if !self.read {
+            return Ok(nothing);
+        }
+        match write(&mut self.output) {
+            Err(error) if error.kind() == ErrorKind::BrokenPipe => {
+                self.read = false;
+                Ok(nothing)
+            }
+            other => other,
+        }
+    }
+}
+
+impl Write for Printer {
+    fn write(&mut self, content: &[u8]) -> std::io::Result<usize> {
+        self.unless_gone(content.len(), |output| output.write(content))
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        self.unless_gone((), |output| output.flush())
+    }
 }
 
 /// Whether something was printed: a closed pipe is as good.

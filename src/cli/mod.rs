@@ -11,6 +11,7 @@ mod gauge;
 mod init;
 mod method;
 mod pictures;
+mod poses;
 mod progress;
 mod report;
 mod results;

@@ -27,6 +27,13 @@ impl Progress {
         Progress::of(poses, "poses")
     }
 
+    /// No bar, for a terminal on which the result itself appears.
+    pub fn none() -> Progress {
+        Progress {
+            bar: ProgressBar::hidden(),
+        }
+    }
+
     /// A bar of so many `steps`, and what a step is called; beside it, as far as there is room, what is being done.
     pub fn of(steps: usize, named: &str) -> Progress {
         let bar = ProgressBar::new(steps as u64);

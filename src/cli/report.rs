@@ -4,8 +4,8 @@ use super::check;
 use super::date::today;
 use super::method::{MethodArgs, agreement_within, all_proven, largest_difference, unproven};
 use super::progress::Progress;
-use super::studies;
 use super::target::Target;
+use super::{poses, studies};
 use crate::curves;
 use crate::cycle::{self, cycle};
 use crate::error::Error;
@@ -22,6 +22,7 @@ use std::process::ExitCode;
 /// The page needs no network and no other file, and prints on A4. Beside the poses the pair file asks for it
 /// shows whole revolutions at each centre distance. Its date is that of the environment variable
 /// SOURCE_DATE_EPOCH (seconds since 1970) where set, so that the same input gives the same bytes, or else today.
+/// Up to 2 million poses, revolutions included, which take 2 GB of memory.
 #[derive(clap::Args)]
 pub(super) struct Args {
     /// The pair file (TOML or JSON)
@@ -43,7 +44,9 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     };
     let target = Target::prepare_beside(file, &study.sources)?;
     let method = args.method.method();
-    let poses = curves::with_revolution_pose_count(&study)? + cycle::pose_count(&study)?;
+    let held = curves::with_revolution_pose_count(&study)?;
+    poses::allow(&args.pair, held as u64, &poses::HELD)?;
+    let poses = held + cycle::pose_count(&study)?;
     let progress = Progress::start(poses);
     let tick = || progress.tick();
     let [runs, revolution] = curves::with_revolution(&study, method, &tick)?;

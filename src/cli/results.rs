@@ -48,7 +48,7 @@ impl ResultsArgs {
         OutputFolder::prepare(&path, sources, own).map(Some)
     }
 
-    /// Writes `files` and, after a table, says where they are.
+    /// Writes `files`, beside those begun already, and, after a table, says where they are.
     ///
     /// # Errors
     /// As [`OutputFolder::write`].
@@ -57,9 +57,10 @@ impl ResultsArgs {
         folder: OutputFolder,
         files: &[(String, String)],
     ) -> Result<(), Error> {
-        let path = plain(&folder.write(files)?.display().to_string());
+        let (path, files) = folder.write(files)?;
+        let path = plain(&path.display().to_string());
         match self.format {
-            Format::Text => print(&format!("\n{} files in {path}\n", files.len())),
+            Format::Text => print(&format!("\n{files} files in {path}\n")),
             Format::Json | Format::Csv => Ok(()),
         }
     }

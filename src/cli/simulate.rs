@@ -1,17 +1,19 @@
 //! `gearlash simulate`: the main job.
 
-use super::console::print;
+use super::console::{Printer, print};
 use super::distances::{self, Distances};
 use super::method::{MethodArgs, agreement};
 use super::progress::Progress;
 use super::results::{Format, ResultsArgs};
-use super::studies;
-use crate::compare::{ComparedRun, compare};
+use super::{poses, studies};
 use crate::error::Error;
-use crate::measured::measured_matings;
-use crate::render::{self, Snapshot};
-use crate::simulate::{pose_count, simulate};
-use crate::study::Study;
+use crate::measured::MeasuredTally;
+use crate::output::{NewFile, OutputFolder};
+use crate::render::{self, ResultWriter, Snapshot};
+use crate::simulate::pose_count;
+use crate::study::{POSE_BYTES_CSV, POSE_BYTES_JSON, Study};
+use crate::tally::{MOST_UNPROVEN, Piece, RunTally, simulate_by_blocks};
+use std::io::{IsTerminal, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -19,6 +21,8 @@ use std::process::ExitCode;
 ///
 /// Prints a table and writes DIR/result.json, DIR/result.csv and, for each run (a centre distance and a
 /// material), snapshots of the pose with the least (…_min.svg) and with the greatest backlash (…_max.svg).
+/// Up to 10 million poses, which take 25 GB of result; from a million on their size is told beforehand. With --format
+/// json or csv and no -o the result is printed as it grows: only exit code 0 or 1 says that it is whole.
 #[derive(clap::Args)]
 pub(super) struct Args {
     /// The pair file (TOML or JSON)
@@ -39,40 +43,114 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         let moved = study.at(distances.clone());
         study = moved.map_err(|reason| Error::Usage(format!("--center-distance: {reason}")))?;
     }
+    poses::allow(&args.pair, study.pose_count(), &poses::STREAMED)?;
     // Before the simulation, not after it.
-    let folder = args.results.folder(&study.stem, &study.sources, is_own)?;
-
-    let progress = Progress::start(pose_count(&study)?);
-    let runs = simulate(&study, args.method.method(), &|| progress.tick())?;
-    drop(progress);
-    let runs = compare(runs, study.tolerance_um);
-
-    let result = render::result_file(&study, &runs);
-    let unwritable = |error: &dyn std::error::Error| {
-        Error::Usage(format!("the result cannot be written as text: {error}"))
+    let mut folder = args.results.folder(&study.stem, &study.sources, is_own)?;
+    let printed = folder.is_none();
+    let bytes = match args.results.format {
+        _ if !printed => POSE_BYTES_JSON + POSE_BYTES_CSV,
+        Format::Csv => POSE_BYTES_CSV,
+        Format::Json | Format::Text => POSE_BYTES_JSON,
     };
-    let json = result.to_json().map_err(|error| unwritable(&error))?;
-    let csv = result.to_csv().map_err(|error| unwritable(&error))?;
-    match args.results.format {
-        Format::Text => {
-            let measured = measured_matings(&study, &runs);
+    poses::announce(study.pose_count(), bytes);
+
+    let progress = match printed && std::io::stdout().is_terminal() {
+        // The result appears there as it grows.
+        true => Progress::none(),
+        false => Progress::start(pose_count(&study)?),
+    };
+    let [json, csv] = outputs(args.results.format, folder.as_mut())?;
+    let mut writer = ResultWriter::begin(&study, json, csv).map_err(unwritable)?;
+    let mut measured = MeasuredTally::new(&study);
+    let (method, tick) = (args.method.method(), || progress.tick());
+    let each = &mut |piece: Piece| {
+        match piece {
+            Piece::Begin(run) => measured.begin(run.assembly.center_distance(), run.material),
+            Piece::Poses(_, poses) => measured.add(poses),
+            Piece::End(_) => {}
+        }
+        writer.take(piece).map_err(unwritable)
+    };
+    let tolerance = study.tolerance_um;
+    let runs = simulate_by_blocks(&study, method, tolerance, MOST_UNPROVEN, &tick, each)?;
+    writer.finish().map_err(unwritable)?;
+    drop(progress);
+
+    match (args.results.format, &mut folder) {
+        (Format::Text, _) => {
+            let measured = measured.matings(&study);
             print(&render::simulation_table(&study, &runs, &measured))?;
         }
-        Format::Json => print(&json)?,
-        Format::Csv => print(&csv)?,
+        (Format::Json, Some(folder)) => print_file(folder, JSON)?,
+        (Format::Csv, Some(folder)) => print_file(folder, CSV)?,
+        // Printed already.
+        (Format::Json | Format::Csv, None) => {}
     }
-    if let Some(folder) = folder {
-        let mut files = vec![
-            ("result.json".to_owned(), json),
-            ("result.csv".to_owned(), csv),
-        ];
-        files.extend(snapshots(&study, &runs));
-        args.results.write(folder, &files)?;
+    if let Some(mut folder) = folder {
+        snapshots(&study, &runs, &mut folder)?;
+        args.results.write(folder, &[])?;
     }
     Ok(match agreement(&runs) {
         true => ExitCode::SUCCESS,
         false => ExitCode::from(1),
     })
+}
+
+const JSON: &str = "result.json";
+const CSV: &str = "result.csv";
+
+/// Where JSON and CSV go: both into the folder, or one to standard output where there is none.
+fn outputs(
+    format: Format,
+    folder: Option<&mut OutputFolder>,
+) -> Result<[Option<Box<dyn Write>>; 2], Error> {
+    let Some(folder) = folder else {
+        let printed = |of: Format| {
+            let wanted = (format == of).then(Printer::new);
+            wanted.map(|printer| Box::new(printer) as Box<dyn Write>)
+        };
+        return Ok([Format::Json, Format::Csv].map(printed));
+    };
+    let mut file = |name| -> Result<Option<Box<dyn Write>>, Error> {
+        let output = InFolder {
+            file: folder.create(name)?,
+            failed: Box::new(folder.failed(name)),
+        };
+        Ok(Some(Box::new(output)))
+    };
+    Ok([file(JSON)?, file(CSV)?])
+}
+
+/// A file of the folder, its errors naming it.
+struct InFolder {
+    file: NewFile,
+    failed: Box<dyn Fn(std::io::Error) -> Error>,
+}
+
+impl Write for InFolder {
+    fn write(&mut self, content: &[u8]) -> std::io::Result<usize> {
+        let written = self.file.write(content);
+        written.map_err(|error| std::io::Error::other((self.failed)(error)))
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        let flushed = self.file.flush();
+        flushed.map_err(|error| std::io::Error::other((self.failed)(error)))
+    }
+}
+
+/// The error of a file in the folder, or of standard output.
+fn unwritable(error: std::io::Error) -> Error {
+    error.downcast().unwrap_or_else(Error::Printing)
+}
+
+/// Prints a file of the folder that nobody sees yet.
+fn print_file(folder: &mut OutputFolder, name: &str) -> Result<(), Error> {
+    let mut file = folder.open(name)?;
+    let mut printer = Printer::new();
+    std::io::copy(&mut file, &mut printer)
+        .and_then(|_| printer.flush())
+        .map_err(Error::Printing)
 }
 
 /// Whether a run of this command may write a file called `name`.
@@ -87,31 +165,30 @@ fn is_own(name: &str) -> bool {
     matches!(name, "result.json" | "result.csv") || picture(name)
 }
 
-/// Snapshots of each run's least and greatest pose.
-fn snapshots(study: &Study, runs: &[ComparedRun]) -> Vec<(String, String)> {
-    let mut files = Vec::new();
+/// Snapshots of each run's least and greatest pose, into `folder`.
+fn snapshots(study: &Study, runs: &[RunTally], folder: &mut OutputFolder) -> Result<(), Error> {
     for run in runs {
         let Some((least, greatest)) = run.extremes() else {
             continue;
         };
-        let phase = run.run.phase.map_or(String::new(), |(wheel, pinion)| {
+        let phase = run.phase.map_or(String::new(), |(wheel, pinion)| {
             format!("_phase{wheel}-{pinion}")
         });
         for (which, pose) in [("min", least), ("max", greatest)] {
             let name = format!(
                 "a{}_{}{phase}_{which}.svg",
-                run.run.assembly.center_distance(),
-                run.run.material.name()
+                run.assembly.center_distance(),
+                run.material.name()
             );
             let picture = render::snapshot(&Snapshot {
                 title: &study.title,
-                assembly: &run.run.assembly,
+                assembly: &run.assembly,
                 pose: &pose.swept.pose,
-                material: run.run.material.name(),
+                material: run.material.name(),
                 found: pose.swept.found.as_ref(),
             });
-            files.push((name, picture));
+            folder.add(&name, &picture)?;
         }
     }
-    files
+    Ok(())
 }

@@ -4,8 +4,8 @@ use super::console::tell;
 use super::progress::Progress;
 use crate::analytic::evaluate;
 use crate::error::Error;
-use crate::mesh::{Method, SweptPose};
-use crate::simulate::{Run, pose_count, simulate, worst};
+use crate::mesh::{FirstLeast, Method, Status, SweptPose};
+use crate::simulate::{Run, each_block, pose_count};
 use crate::study::{Material, Study};
 
 /// Runs `study` at `distance` and with `material` alone where they are given, says on standard error which
@@ -20,24 +20,43 @@ pub(super) fn find(
     let poses = pose_count(&study)?;
     let progress = Progress::start(poses);
     let method = Method::Exact { certify: true };
-    let runs = simulate(&study, method, &|| progress.tick())?;
-    drop(progress);
-    let all = || {
-        let of = |run| move |pose| (run, pose);
-        runs.iter()
-            .flat_map(move |run| run.poses.iter().map(of(run)))
-    };
     // Of a pose that is proven but for an end of the bearing clearance the picture is right all the same.
-    let unproven = all().filter(|(_, pose)| pose.is_unproven()).count();
-    let left_out = all().filter(|(_, pose)| pose.found.is_err()).count();
-    let first_unproven = all().find(|(_, pose)| pose.found.is_err());
-    if let Some((run, pose)) = first_unproven {
+    let (mut unproven, mut left_out) = (0, 0);
+    let (mut jammed, mut first_unproven) = (None, None);
+    let mut least = FirstLeast::default();
+    let tick = || progress.tick();
+    each_block(&study, study.runs()?, method, &tick, &mut |block| {
+        for pose in &block.poses {
+            let found = || {
+                let run = Run {
+                    material: block.material,
+                    assembly: block.assembly.clone(),
+                    phase: block.phase,
+                    poses: Vec::new(),
+                };
+                (run, pose.clone())
+            };
+            unproven += usize::from(pose.is_unproven());
+            if pose.found.is_err() {
+                left_out += 1;
+                first_unproven.get_or_insert_with(found);
+            } else if pose.status() == Status::Jammed {
+                jammed.get_or_insert_with(found);
+            } else if let (Some(backlash), Some(bound)) = (pose.backlash, pose.error_bound) {
+                least.add(backlash, bound, found);
+            }
+        }
+        Ok(())
+    })?;
+    drop(progress);
+    if let Some((run, pose)) = &first_unproven {
         tell(&format!(
             "{left_out} of {poses} poses unproven and left out, though one of them may be the worst; the first: {}",
             in_words(run, pose)
         ));
     }
-    let Some((run, pose)) = worst(&runs).or(first_unproven) else {
+    let worst = jammed.as_ref().or(least.first());
+    let Some((run, pose)) = worst.or(first_unproven.as_ref()) else {
         return Err(Error::Usage(format!(
             "--worst: none of the {poses} poses is in mesh; nothing can be called the worst"
         )));

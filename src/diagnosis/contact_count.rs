@@ -60,7 +60,7 @@ impl ContactCount {
     pub fn of(run: &ComparedRun) -> ContactCount {
         let mut count = ContactCount::default();
         for pose in &run.poses {
-            count.add(run, pose);
+            count.add(&run.run.assembly, run.run.material, pose);
         }
         count
     }
@@ -70,7 +70,7 @@ impl ContactCount {
         let mut count = ContactCount::default();
         for run in runs {
             for pose in &run.poses {
-                count.add(run, pose);
+                count.add(&run.run.assembly, run.run.material, pose);
             }
         }
         count
@@ -87,8 +87,8 @@ impl ContactCount {
         matching.map(|(_, count)| count).sum()
     }
 
-    fn add(&mut self, run: &ComparedRun, pose: &ComparedPose) {
-        let assembly = &run.run.assembly;
+    /// Takes in a pose of `assembly`.
+    pub(crate) fn add(&mut self, assembly: &Assembly, material: Material, pose: &ComparedPose) {
         let class = pose.swept.class(assembly);
         *self.classes.entry(class).or_default() += 1;
         let others_touch = !matches!(
@@ -115,7 +115,7 @@ impl ContactCount {
             };
             let worst = Worst {
                 assembly: assembly.clone(),
-                material: run.run.material,
+                material,
                 pose: pose.swept.pose,
                 class,
                 side,

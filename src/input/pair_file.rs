@@ -8,10 +8,10 @@ use super::options::{Accuracy, Compare};
 use super::pair_slips;
 use super::place::Place;
 use super::problems::Problems;
-use super::sweep::{MOST_POSES, Sweep};
+use super::sweep::Sweep;
 use super::table::Table;
 use crate::gear::AsBuilt;
-use crate::study::{Material, Study};
+use crate::study::{MOST_POSES, Material, POSE_BYTES_CSV, POSE_BYTES_JSON, Study, size};
 use serde_json::json;
 use std::path::Path;
 
@@ -214,7 +214,11 @@ impl<'a> PairFile<'a> {
         }
         problems.add(self.table.problem(
             key,
-            format!("{poses} poses over all centre distances and materials, allowed are up to 10 million"),
+            format!(
+                "{poses} poses over all centre distances and materials, about {} of result, allowed are up to 10 million, {}",
+                size(poses.saturating_mul(POSE_BYTES_JSON + POSE_BYTES_CSV)),
+                size(MOST_POSES * (POSE_BYTES_JSON + POSE_BYTES_CSV)),
+            ),
             "take fewer steps_per_pitch or fractions, or split the centre distances over several files",
         ));
         None

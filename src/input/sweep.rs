@@ -16,8 +16,6 @@ pub const KEYS: &[&str] = &[
     "start",
     "phases",
 ];
-/// Poses of a whole study: their results fill a few GB.
-pub const MOST_POSES: u64 = 10_000_000;
 
 const FRACTION: Limits = Limits {
     allowed: "a number of pitches, −1000 … 1000",

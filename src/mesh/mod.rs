@@ -23,5 +23,5 @@ pub use meeting::Meeting;
 pub use overlap::Overlap;
 pub use polygon::{Certifier, CutGear, PolygonKernel};
 pub use scene::{Drawn, LineOfAction, Scene};
-pub use sweep::{CutPair, Method, sweep};
-pub use swept::{SweptPose, Unproven, first_least, worst_pose};
+pub use sweep::{BLOCK, CutPair, Method, sweep, sweep_blocks};
+pub use swept::{FirstLeast, SweptPose, Unproven, first_least, worst_pose};

@@ -223,6 +223,31 @@ pub fn sweep(
     clearance: f64,
     tick: &(dyn Fn() -> ControlFlow<()> + Sync),
 ) -> Result<Vec<SweptPose>, Error> {
+    let mut all = Vec::with_capacity(matings.len());
+    let each = &mut |poses: Vec<SweptPose>| {
+        all.extend(poses);
+        Ok(())
+    };
+    sweep_blocks(assembly, cut, method, matings, clearance, tick, each)?;
+    Ok(all)
+}
+
+/// Poses found before they are delivered (tuned: 2 MB of them; blocks of a tenth leave threads idle at their ends).
+pub const BLOCK: usize = 4096;
+
+/// As [`sweep`], the poses delivered to `each` in blocks of [`BLOCK`], so that they need not be kept.
+///
+/// # Errors
+/// As [`sweep`], and of `each`.
+pub fn sweep_blocks(
+    assembly: &Assembly,
+    cut: &CutPair,
+    method: Method,
+    matings: &[Mating],
+    clearance: f64,
+    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+    each: &mut dyn FnMut(Vec<SweptPose>) -> Result<(), Error>,
+) -> Result<(), Error> {
     let apart = |distance: f64| assembly.at(assembly.center_distance() + distance);
     let moved = match clearance > 0.0 {
         true => Some([apart(-clearance)?, apart(clearance)?]),
@@ -232,30 +257,31 @@ pub fn sweep(
     let ends = moved
         .as_ref()
         .map(|ends| ends.each_ref().map(|end| Solver::new(end, cut, method)));
-    let poses: Vec<Result<SweptPose, Error>> = matings
-        .par_iter()
-        .map(|mating| {
-            if tick().is_break() {
-                return Err(Error::Interrupted);
-            }
-            let pose = Pose::new(assembly, *mating);
-            let found = here.find(&pose)?;
-            let with_clearance = match &ends {
-                None => None,
-                Some([near, far]) => Some([near.backlash_at(mating)?, far.backlash_at(mating)?]),
-            };
-            let lost_motion = found.lost_motion.as_ref().ok();
-            let backlash = lost_motion.and_then(|found| here.backlash(found));
-            let error = backlash.and(lost_motion).and_then(LostMotion::error);
-            Ok(SweptPose {
-                pose,
-                backlash,
-                error_bound: error.map(|error| error * here.pitch_radius()),
-                found: found.lost_motion,
-                with_clearance,
-                polygon_difference: found.polygon_difference,
-            })
+    let find = |mating: &Mating| {
+        if tick().is_break() {
+            return Err(Error::Interrupted);
+        }
+        let pose = Pose::new(assembly, *mating);
+        let found = here.find(&pose)?;
+        let with_clearance = match &ends {
+            None => None,
+            Some([near, far]) => Some([near.backlash_at(mating)?, far.backlash_at(mating)?]),
+        };
+        let lost_motion = found.lost_motion.as_ref().ok();
+        let backlash = lost_motion.and_then(|found| here.backlash(found));
+        let error = backlash.and(lost_motion).and_then(LostMotion::error);
+        Ok(SweptPose {
+            pose,
+            backlash,
+            error_bound: error.map(|error| error * here.pitch_radius()),
+            found: found.lost_motion,
+            with_clearance,
+            polygon_difference: found.polygon_difference,
         })
-        .collect();
-    poses.into_iter().collect()
+    };
+    for block in matings.chunks(BLOCK) {
+        let poses: Vec<Result<SweptPose, Error>> = block.par_iter().map(find).collect();
+        each(poses.into_iter().collect::<Result<_, Error>>()?)?;
+    }
+    Ok(())
 }

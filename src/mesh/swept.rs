@@ -3,6 +3,7 @@
 use super::class::PoseClass;
 use super::lost_motion::{LostMotion, Status};
 use crate::pair::{Assembly, Pose};
+use std::collections::VecDeque;
 
 /// One pose of a sweep and what was found there.
 #[derive(Debug, Clone, PartialEq)]
@@ -111,4 +112,68 @@ pub fn first_least<T>(items: impl Iterator<Item = (T, f64, f64)> + Clone) -> Opt
     let limit = highest.reduce(f64::min)?;
     let mut low = items.filter(|(_, value, bound)| value - bound <= limit);
     low.next().map(|(item, ..)| item)
+}
+
+/// [`first_least`] of items that come one by one, without keeping all of them.
+///
+/// Kept are those that may still turn out to be the first: none before them may lie as low, and none is surely higher than
+/// another. These are few: they fall all the way, and within two error bounds.
+#[derive(Debug, Clone)]
+pub struct FirstLeast<T> {
+    /// The least that a value may at most be.
+    limit: f64,
+    /// In order, each with the least that its value may be, ever lower.
+    open: VecDeque<(T, f64)>,
+}
+
+impl<T> Default for FirstLeast<T> {
+    fn default() -> FirstLeast<T> {
+        FirstLeast {
+            limit: f64::INFINITY,
+            open: VecDeque::new(),
+        }
+    }
+}
+
+impl<T> FirstLeast<T> {
+    /// Takes the next item in, which has this `value` within this `bound`.
+    pub fn add(&mut self, value: f64, bound: f64, item: impl FnOnce() -> T) {
+        self.limit = self.limit.min(value + bound);
+        while self.open.front().is_some_and(|(_, low)| *low > self.limit) {
+            self.open.pop_front();
+        }
+        let low = value - bound;
+        if low <= self.limit && self.open.back().is_none_or(|(_, last)| low < *last) {
+            self.open.push_back((item(), low));
+        }
+    }
+
+    /// The first of all so far that cannot be told from the least.
+    pub fn first(&self) -> Option<&T> {
+        self.open.front().map(|(item, _)| item)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        /// Values on a coarse grid, so that equal ones and bounds that just overlap occur.
+        #[test]
+        fn one_by_one_is_the_same_as_all_at_once(
+            items in prop::collection::vec((-8i32..8, 0i32..4), 0..60)
+        ) {
+            let items = items.into_iter().enumerate();
+            let items: Vec<(usize, f64, f64)> = items
+                .map(|(i, (value, bound))| (i, f64::from(value), f64::from(bound)))
+                .collect();
+            let mut one_by_one = FirstLeast::default();
+            for (i, value, bound) in &items {
+                one_by_one.add(*value, *bound, || *i);
+            }
+            prop_assert_eq!(one_by_one.first().copied(), first_least(items.into_iter()));
+        }
+    }
 }

@@ -27,7 +27,7 @@ pub(super) struct Exchange {
 #[cfg(not(target_os = "linux"))]
 impl Exchange {
     /// No such call is known here.
-    pub fn begin(_: &Path, _: &dyn Fn(&OsStr) -> bool, _: &Sources) -> Option<Exchange> {
+    pub fn begin(_: &Path, _: &dyn Fn(&OsStr) -> bool, _: &Sources, _: &Path) -> Option<Exchange> {
         None
     }
 
@@ -44,11 +44,13 @@ impl Exchange {
 
 #[cfg(target_os = "linux")]
 impl Exchange {
-    /// A new folder for `folder` with everything in it that is not `own`; `None` where this way is not open.
+    /// A new folder for `folder` with everything in it that is not `own`; `None` where this way is not open. The files to come stand
+    /// `beside` the others, in a folder that is gone before both change places.
     pub fn begin(
         folder: &Path,
         own: &dyn Fn(&OsStr) -> bool,
         sources: &Sources,
+        beside: &Path,
     ) -> Option<Exchange> {
         use super::ending::unfinished;
         use std::os::unix::fs::{DirEntryExt, MetadataExt};
@@ -74,6 +76,9 @@ impl Exchange {
         for entry in std::fs::read_dir(folder).ok()? {
             let entry = entry.ok()?;
             let name = entry.file_name();
+            if Some(name.as_os_str()) == beside.file_name() {
+                continue;
+            }
             if !entry.file_type().ok()?.is_file() || sources.named(&entry.path()).is_some() {
                 return None;
             }

@@ -4,15 +4,18 @@ use super::ending::unfinished;
 use super::exchange::Exchange;
 use super::failed;
 use super::replace::{MANIFEST, replace};
-use super::temporary::{Lock, Temporary, clear_dead, is_temporary, lock, same};
+use super::temporary::{Lock, NewFile, Temporary, clear_dead, is_temporary, lock, same};
 use crate::error::Error;
 use crate::sources::Sources;
 use std::ffi::OsStr;
 use std::fs::File;
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
 /// A folder that can be written to, and that no other run writes to.
 pub struct OutputFolder {
+    /// The files written so far and their names; dropped before the folder they stand in.
+    new: Option<New>,
     /// As the user calls it.
     named: PathBuf,
     /// Where it is, links followed.
@@ -47,6 +50,7 @@ impl OutputFolder {
             }
         });
         let folder = OutputFolder {
+            new: None,
             named: path.to_path_buf(),
             made,
             own: Box::new(own),
@@ -67,11 +71,64 @@ impl OutputFolder {
         Ok(folder)
     }
 
-    /// Puts all `files` (name and content) in the place of the run's own files, as one set, and says where that is.
+    /// Begins a file of the set, written down to the disk when it is flushed. Until [`OutputFolder::write`] nobody sees it.
+    ///
+    /// # Errors
+    /// [`Error::Output`], [`Error::OverInput`].
+    pub fn create(&mut self, name: &str) -> Result<NewFile, Error> {
+        self.guard(name)?;
+        let file = self.gathered().and_then(|new| {
+            let file = new.temporary.create(name)?;
+            new.names.push(name.to_owned());
+            Ok(file)
+        });
+        file.map_err(self.failed(name))
+    }
+
+    /// Adds a file with this `content` to the set.
+    ///
+    /// # Errors
+    /// As [`OutputFolder::create`].
+    pub fn add(&mut self, name: &str, content: &str) -> Result<(), Error> {
+        let mut file = self.create(name)?;
+        let written = file.write_all(content.as_bytes());
+        let written = written.and_then(|()| file.flush());
+        written.map_err(self.failed(name))
+    }
+
+    /// Opens a file that [`OutputFolder::create`] began, from its beginning.
+    ///
+    /// # Errors
+    /// [`Error::Output`].
+    pub fn open(&mut self, name: &str) -> Result<File, Error> {
+        let opened = self.gathered();
+        let opened = opened.and_then(|new| File::open(new.temporary.path().join(name)));
+        opened.map_err(self.failed(name))
+    }
+
+    /// What became of the file called `name` of the set.
+    pub fn failed(&self, name: &str) -> impl Fn(std::io::Error) -> Error + use<> {
+        let path = self.named.join(name);
+        move |source| failed(&path)(source)
+    }
+
+    fn gathered(&mut self) -> std::io::Result<&mut New> {
+        let new = match self.new.take() {
+            Some(new) => new,
+            None => New {
+                temporary: Temporary::new_in(&self.path)?,
+                names: Vec::new(),
+            },
+        };
+        Ok(self.new.insert(new))
+    }
+
+    /// Puts the files begun so far and all `files` (name and content) in the place of the run's own files, as one set, and
+    /// says where that is and how many they are.
     ///
     /// # Errors
     /// [`Error::Output`], [`Error::OverInput`], [`Error::Busy`]: the folder is as it was.
-    pub fn write(mut self, files: &[(String, String)]) -> Result<PathBuf, Error> {
+    pub fn write(mut self, files: &[(String, String)]) -> Result<(PathBuf, usize), Error> {
         if self
             .lock
             .as_ref()
@@ -80,20 +137,30 @@ impl OutputFolder {
             // Moved away meanwhile; what stands there now may be another run's.
             return Err(Error::Busy { folder: self.named });
         }
-        let put = |name: &str| files.iter().any(|(other, _)| other == name);
-        for (name, _) in files {
+        for (name, content) in files {
+            self.add(name, content)?;
+        }
+        let named = self.named.clone();
+        self.gathered().map_err(failed(&named))?;
+        let Some(new) = self.new.take() else {
+            return Ok((self.named.clone(), 0));
+        };
+        let put = |name: &str| new.names.iter().any(|other| other == name);
+        for name in &new.names {
             self.guard(name)?;
         }
         let replaced = |name: &OsStr| {
             name.to_str()
                 .is_some_and(|name| (self.own)(name) || put(name) || name == MANIFEST)
         };
-        match Exchange::begin(&self.path, &replaced, &self.sources) {
+        let beside = new.temporary.path();
+        match Exchange::begin(&self.path, &replaced, &self.sources, beside) {
             Some(exchange) => {
-                for (name, content) in files {
-                    let written = exchange.temporary().write(name, content.as_bytes());
-                    written.map_err(failed(&self.named.join(name)))?;
+                for name in &new.names {
+                    let moved = exchange.temporary().take(&new.temporary, name, "");
+                    moved.map_err(self.failed(name))?;
                 }
+                drop(new.temporary);
                 exchange.finish(&self.path)?;
             }
             None => {
@@ -105,11 +172,11 @@ impl OutputFolder {
                     found.is_ok_and(|found| found.is_file())
                 };
                 stale.retain(ordinary);
-                replace(&self.path, files, &stale)?;
+                replace(&self.path, &new, &stale)?;
             }
         }
         self.made.keep();
-        Ok(self.named.clone())
+        Ok((self.named.clone(), new.names.len()))
     }
 
     /// The names in the folder that are `wanted`.
@@ -142,6 +209,14 @@ pub(super) fn guard(sources: &Sources, path: &Path, named: &Path) -> Result<(), 
             input: input.to_path_buf(),
         }),
     }
+}
+
+/// Files of a set that is to come.
+pub(super) struct New {
+    /// Where they stand.
+    pub temporary: Temporary,
+    /// In order.
+    pub names: Vec<String>,
 }
 
 /// Keeps other runs from the folder at `path`.

@@ -1,7 +1,7 @@
 //! Writing results: the whole set of a run or nothing, and never over a file that was read.
 //!
 //! A place is tried before the work begins, so that hours of it are not lost to a typing mistake. Everything is then
-//! written into a temporary folder on the same file system (`temporary`) and put in its place in one of two ways:
+//! written into temporary folders on the same file system (`temporary`), large results as they grow, and put in its place in one of two ways:
 //!
 //! - `exchange`: the temporary folder, with links to whatever else the folder holds, changes places with the folder in one
 //!   step of the system. A reader sees the old set or the new one.
@@ -21,6 +21,7 @@ mod temporary;
 pub use ending::{Ended, abandon};
 pub use file::OutputFile;
 pub use folder::OutputFolder;
+pub use temporary::NewFile;
 
 use crate::error::Error;
 use std::path::Path;

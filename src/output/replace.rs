@@ -6,11 +6,13 @@
 
 use super::ending::unfinished;
 use super::failed;
-use super::temporary::{Temporary, sync_folder};
+use super::folder::New;
+use super::temporary::{PIECE, Temporary, sync_folder};
 use crate::error::Error;
 use sha2::{Digest, Sha256};
 use std::fmt::Write;
-use std::io::ErrorKind;
+use std::fs::File;
+use std::io::{BufRead, BufReader, ErrorKind};
 use std::path::Path;
 
 /// What has still to be undone after a kill.
@@ -18,31 +20,34 @@ const PLAN: &str = ".gearlash-plan";
 /// Name and form are those that `sha256sum --check` reads.
 pub(super) const MANIFEST: &str = "gearlash.sha256";
 
-/// Puts `files` into `folder` and removes those called `stale`; after an error everything is as it was.
-pub(super) fn replace(
-    folder: &Path,
-    files: &[(String, String)],
-    stale: &[String],
-) -> Result<(), Error> {
+/// Puts the files that are `to_come` into `folder` and removes those called `stale`; after an error everything is as it was.
+pub(super) fn replace(folder: &Path, to_come: &New, stale: &[String]) -> Result<(), Error> {
     let temporary = Temporary::new_in(folder).map_err(failed(folder))?;
     let of_folder = |error| failed(folder)(error);
     let new = temporary.add_folder("new").map_err(of_folder)?;
     temporary.add_folder("old").map_err(of_folder)?;
-    let manifest = (MANIFEST.to_owned(), manifest(folder, files, stale));
-    let put = || files.iter().chain([&manifest]);
-    for (name, content) in put() {
+    let put = || to_come.names.iter().map(String::as_str).chain([MANIFEST]);
+    for name in put() {
         let target = folder.join(name);
         if target.symlink_metadata().is_ok_and(|found| found.is_dir()) {
             return Err(failed(&target)(ErrorKind::IsADirectory.into()));
         }
-        let written = temporary.write(Path::new("new").join(name), content.as_bytes());
-        written.map_err(failed(&target))?;
     }
+    for name in &to_come.names {
+        let target = folder.join(name);
+        let moved = temporary.take(&to_come.temporary, name, "new");
+        moved.map_err(failed(&target))?;
+    }
+    let target = folder.join(MANIFEST);
+    let of_manifest = failed(&target);
+    let manifest = manifest(folder, &new, &to_come.names, stale).map_err(&of_manifest)?;
+    let written = temporary.write(Path::new("new").join(MANIFEST), manifest.as_bytes());
+    written.map_err(&of_manifest)?;
     let mut plan = String::new();
     for name in stale {
         plan += &format!("drop {name}\n");
     }
-    for (name, _) in put() {
+    for name in put() {
         plan += &format!("put {name}\n");
     }
     let planned = temporary.write("planned", plan.as_bytes());
@@ -142,26 +147,41 @@ pub(super) fn undo(path: &Path) -> std::io::Result<()> {
     std::fs::remove_file(path.join(PLAN))
 }
 
-/// The hash of each of `files`, and the lines of other commands' files that the folder's manifest has.
-fn manifest(folder: &Path, files: &[(String, String)], stale: &[String]) -> String {
+/// The hash of each of `names` in the folder `new`, and the lines of other commands' files that the manifest of `folder` has.
+fn manifest(
+    folder: &Path,
+    new: &Path,
+    names: &[String],
+    stale: &[String],
+) -> std::io::Result<String> {
     let before = std::fs::read_to_string(folder.join(MANIFEST)).unwrap_or_default();
     let mut text = String::new();
     for line in before.lines() {
         let Some((_, name)) = line.split_once("  ") else {
             continue;
         };
-        let ours =
-            stale.iter().any(|other| other == name) || files.iter().any(|(other, _)| other == name);
+        let ours = stale.iter().chain(names).any(|other| other == name);
         if !ours && folder.join(name).is_file() {
             text += &format!("{line}\n");
         }
     }
-    for (name, content) in files {
-        for byte in Sha256::digest(content) {
+    for name in names {
+        let mut hash = Sha256::new();
+        let mut content = BufReader::with_capacity(PIECE, File::open(new.join(name))?);
+        loop {
+            let piece = content.fill_buf()?;
+            if piece.is_empty() {
+                break;
+            }
+            hash.update(piece);
+            let read = piece.len();
+            content.consume(read);
+        }
+        for byte in hash.finalize() {
             // Into a string: it cannot fail.
             let _ = write!(text, "{byte:02x}");
         }
         text += &format!("  {name}\n");
     }
-    text
+    Ok(text)
 }

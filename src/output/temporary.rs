@@ -13,7 +13,7 @@ const SUFFIX: &str = ".tmp";
 const ATTEMPTS: usize = 16;
 /// Bytes written and brought to the disk at a time: a process can end only between such steps (tuned: some 20 ms on a
 /// slow disk).
-const PIECE: usize = 2 << 20;
+pub(super) const PIECE: usize = 2 << 20;
 
 /// A folder of this run, removed with all it holds when it is dropped.
 #[derive(Debug)]
@@ -69,15 +69,53 @@ impl Temporary {
         Ok(path)
     }
 
+    /// Moves the file called `name` from `other`, on the same file system, into the folder `place` in this one.
+    pub fn take(&self, other: &Temporary, name: &str, place: &str) -> std::io::Result<()> {
+        let _list = unfinished();
+        let [from, to] = [other.path.clone(), self.path.join(place)].map(|path| path.join(name));
+        std::fs::rename(from, to)
+    }
+
+    /// Begins the file called `name` in it.
+    pub fn create(&self, name: impl AsRef<Path>) -> std::io::Result<NewFile> {
+        let _list = unfinished();
+        Ok(NewFile {
+            file: File::create_new(self.path.join(name))?,
+            piece: Vec::new(),
+        })
+    }
+
     /// Writes the file called `name` in it, down to the disk.
     pub fn write(&self, name: impl AsRef<Path>, content: &[u8]) -> std::io::Result<()> {
-        let mut file = {
-            let _list = unfinished();
-            File::create_new(self.path.join(name))?
-        };
-        for piece in content.chunks(PIECE) {
-            file.write_all(piece)?;
-            file.sync_data()?;
+        let mut file = self.create(name)?;
+        file.write_all(content)?;
+        file.flush()
+    }
+}
+
+/// A file that grows in a temporary folder.
+pub struct NewFile {
+    file: File,
+    /// What is not written yet.
+    piece: Vec<u8>,
+}
+
+impl Write for NewFile {
+    fn write(&mut self, content: &[u8]) -> std::io::Result<usize> {
+        let taken = content.len().min(PIECE - self.piece.len());
+        self.piece.extend_from_slice(&content[..taken]);
+        if self.piece.len() == PIECE {
+            self.flush()?;
+        }
+        Ok(taken)
+    }
+
+    /// Writes what has come together, down to the disk.
+    fn flush(&mut self) -> std::io::Result<()> {
+        if !self.piece.is_empty() {
+            self.file.write_all(&self.piece)?;
+            self.file.sync_data()?;
+            self.piece.clear();
         }
         Ok(())
     }

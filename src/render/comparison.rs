@@ -7,8 +7,8 @@ use super::result::{MatingRecord, UnprovenRecord, mating_record, unproven_record
 use super::table::where_it_is;
 use super::unproven::doubts;
 use crate::characters::{self, plain};
-use crate::compare::{ComparedPose, ComparedRun, Verdict};
-use crate::outcome::Outcome;
+use crate::compare::{ComparedPose, Verdict};
+use crate::tally::RunTally;
 use serde::Serialize;
 use std::fmt::Write;
 
@@ -27,7 +27,7 @@ pub struct ComparedPair {
     /// Whether off-line contact passes.
     pub allow_off_line: bool,
     /// Every run.
-    pub runs: Vec<ComparedRun>,
+    pub runs: Vec<RunTally>,
 }
 
 /// What a pair file comes to.
@@ -51,49 +51,48 @@ impl ComparedPair {
 
     /// What the runs come to.
     fn outcome(&self) -> PairOutcome {
-        let fails = |run: &&ComparedRun| !run.passes(self.allow_off_line);
+        let fails = |run: &&RunTally| !run.passes(self.allow_off_line);
         let mut failing = self.runs.iter().filter(fails).peekable();
         if failing.peek().is_none() {
             return PairOutcome::Agrees;
         }
         // A run that is jammed or out of mesh throughout disagrees with nothing, whatever the formula says.
-        let disagrees =
-            |run: &ComparedRun| run.compared() > 0 && run.disagrees(self.allow_off_line);
+        let disagrees = |run: &RunTally| run.compared > 0 && run.disagrees(self.allow_off_line);
         if failing.clone().any(disagrees) {
             return PairOutcome::Disagrees;
         }
-        match failing.any(|run| run.unproven().next().is_some()) {
+        match failing.any(|run| run.unproven > 0) {
             true => PairOutcome::Unproven,
             false => PairOutcome::Nothing,
         }
     }
 
     /// One run's name and what is wrong with it; `None` when it passes.
-    fn failure(&self, run: &ComparedRun) -> Option<String> {
+    fn failure(&self, run: &RunTally) -> Option<String> {
         if run.passes(self.allow_off_line) {
             return None;
         }
         let mut parts = Vec::new();
-        let unproven = run.unproven().count();
-        if let Some(first) = run.unproven().next() {
+        let unproven = run.unproven;
+        if let Some(first) = run.first_unproven.first() {
             parts.push(format!(
                 "{unproven} of {} poses: unproven, first {}: {}",
-                run.poses.len(),
+                run.poses,
                 where_it_is(first),
                 doubts(first)
             ));
         }
-        if run.compared() == 0 && unproven < run.poses.len() {
+        if run.compared == 0 && unproven < run.poses {
             parts.push(format!("nothing to compare: {}", without_value(run)));
         }
         for verdict in [Verdict::Above, Verdict::Below, Verdict::OffLine] {
             let count = run.count(verdict);
             // What a run without anything to compare touches is said already.
-            let counts = !(self.allow_off_line || run.compared() == 0);
+            let counts = !(self.allow_off_line || run.compared == 0);
             if count > 0 && (verdict != Verdict::OffLine || counts) {
                 parts.push(format!(
                     "{count} of {} poses: {}",
-                    run.poses.len(),
+                    run.poses,
                     verdict.name()
                 ));
             }
@@ -112,41 +111,39 @@ impl ComparedPair {
 }
 
 /// Why poses have no backlash, or no formula to set beside it.
-fn without_value(run: &ComparedRun) -> String {
-    let of = Outcome::of(&[run], &[]);
+fn without_value(run: &RunTally) -> String {
     let parts = [
-        (of.jammed, "jammed"),
-        (of.apart, "out of mesh"),
-        (of.unproven, "unproven"),
+        (run.jammed, "jammed"),
+        (run.apart, "out of mesh"),
+        (run.count(Verdict::Unproven), "unproven"),
     ];
-    at_poses(&of, &parts).unwrap_or_else(|| "model 3 has no value at any pose".to_owned())
+    at_poses(run, &parts).unwrap_or_else(|| "model 3 has no value at any pose".to_owned())
 }
 
 /// How many poses have negative backlash or none at all, in words; nothing where none.
-fn trouble(run: &ComparedRun) -> Option<String> {
-    let of = Outcome::of(&[run], &[]);
+fn trouble(run: &RunTally) -> Option<String> {
     let parts = [
-        (of.interfering, "interference"),
-        (of.jammed, "jammed"),
-        (of.apart, "out of mesh"),
-        (of.unproven, "unproven"),
+        (run.interfering, "interference"),
+        (run.jammed, "jammed"),
+        (run.apart, "out of mesh"),
+        (run.count(Verdict::Unproven), "unproven"),
     ];
-    at_poses(&of, &parts)
+    at_poses(run, &parts)
 }
 
-fn at_poses(of: &Outcome, parts: &[(usize, &str)]) -> Option<String> {
+fn at_poses(run: &RunTally, parts: &[(usize, &str)]) -> Option<String> {
     let parts = parts.iter().filter(|(poses, _)| *poses > 0);
     let parts: Vec<String> = parts
-        .map(|(poses, what)| format!("{what} at {poses} of {} poses", of.poses))
+        .map(|(poses, what)| format!("{what} at {poses} of {} poses", run.poses))
         .collect();
     (!parts.is_empty()).then(|| parts.join(", "))
 }
 
-fn run_name(run: &ComparedRun) -> String {
+fn run_name(run: &RunTally) -> String {
     format!(
         "a = {:.3} mm, {}",
-        run.run.assembly.center_distance(),
-        run.run.material.name()
+        run.assembly.center_distance(),
+        run.material.name()
     )
 }
 
@@ -173,7 +170,7 @@ pub fn text(pairs: &[ComparedPair]) -> String {
                 text,
                 "  {}: {} poses, {difference}  {verdict}",
                 run_name(run),
-                run.poses.len()
+                run.poses
             );
             let off = run.count(Verdict::OffLine);
             if off > 0 && pair.allow_off_line {
@@ -268,13 +265,13 @@ pub fn json(pairs: &[ComparedPair]) -> Result<String, serde_json::Error> {
 }
 
 fn json_pair(pair: &ComparedPair) -> JsonPair<'_> {
-    let run = |run: &ComparedRun| {
+    let run = |run: &RunTally| {
         let summary = run.summary();
         JsonRun {
-            center_distance_mm: run.run.assembly.center_distance(),
-            material: run.run.material.name(),
-            poses: run.poses.len(),
-            compared: run.compared(),
+            center_distance_mm: run.assembly.center_distance(),
+            material: run.material.name(),
+            poses: run.poses,
+            compared: run.compared,
             passed: run.passes(pair.allow_off_line),
             off_line: run.count(Verdict::OffLine),
             below: run.count(Verdict::Below),
@@ -284,7 +281,7 @@ fn json_pair(pair: &ComparedPair) -> JsonPair<'_> {
                 line_of_action: summary.off_line_of_action.map(|length| length * 1e3),
             },
             unproven: run.count(Verdict::Unproven),
-            unproven_poses: run.unproven().map(json_unproven).collect(),
+            unproven_poses: run.first_unproven.iter().map(json_unproven).collect(),
             worst: run.worst().map(|(pose, difference)| {
                 let mating = pose.swept.pose.mating();
                 JsonWorst {

@@ -38,6 +38,6 @@ pub use comparison::ComparedPair;
 pub use exaggerated::exaggerated;
 pub use map::{map_csv, map_picture};
 pub use report::{Report, report};
-pub use result::{ResultFile, result_file};
+pub use result::{ResultFile, ResultWriter, result_file};
 pub use snapshot::{Snapshot, snapshot};
 pub use table::simulation as simulation_table;

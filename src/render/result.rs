@@ -1,41 +1,44 @@
 //! The result as JSON and CSV: the keys of the interface, units in their names.
 
-use crate::characters;
-use crate::compare::{ComparedPose, ComparedRun, Summary};
+use crate::compare::{ComparedPose, Summary};
 use crate::diagnosis::ContactCount;
 use crate::gear::Side;
 use crate::mesh::{Contact, ContactClass, LostMotion, SweptPose, Touch, Unproven};
 use crate::pair::{Assembly, Mating, Member};
-use crate::study::Study;
+use crate::tally::RunTally;
 use serde::Serialize;
 use std::f64::consts::TAU;
 
 mod contacts;
 mod csv_row;
+mod json;
 mod notes;
+mod written;
 
 pub(super) use contacts::{ContactCountRecord, contact_count_record};
-use csv_row::CsvRow;
+pub use written::{ResultFile, ResultWriter, result_file};
 
-/// The whole result of a study.
-#[derive(Debug, Serialize)]
-pub struct ResultFile<'a> {
-    gearlash: &'static str,
-    pair: &'a serde_json::Value,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    notes: Option<serde_json::Value>,
-    runs: Vec<RunRecord>,
-}
-
-#[derive(Debug, Serialize)]
-struct RunRecord {
+/// What a result says of a run before its poses.
+#[derive(Debug, Clone, Copy)]
+struct RunHead {
     center_distance_mm: f64,
     material: &'static str,
-    #[serde(skip_serializing_if = "Option::is_none")]
     phase: Option<PhaseRecord>,
     operating_pressure_angle_deg: f64,
-    poses: Vec<PoseRecord>,
-    summary: SummaryRecord,
+}
+
+impl RunHead {
+    fn of(run: &RunTally) -> RunHead {
+        RunHead {
+            center_distance_mm: run.assembly.center_distance(),
+            material: run.material.name(),
+            phase: run.phase.map(|(wheel_tooth, pinion_tooth)| PhaseRecord {
+                wheel_tooth,
+                pinion_tooth,
+            }),
+            operating_pressure_angle_deg: run.assembly.operating_pressure_angle().to_degrees(),
+        }
+    }
 }
 
 /// The mating that names an assembly phase, where phases are run apart.
@@ -139,66 +142,11 @@ struct DeviationRecord {
     line_of_action: Option<f64>,
 }
 
-/// The result of `study` as it is written.
-pub fn result_file<'a>(study: &'a Study, runs: &[ComparedRun]) -> ResultFile<'a> {
-    ResultFile {
-        gearlash: env!("CARGO_PKG_VERSION"),
-        pair: &study.echo,
-        notes: notes::notes(study),
-        runs: runs.iter().map(run_record).collect(),
-    }
-}
-
-impl ResultFile<'_> {
-    /// As JSON, one line end at the end. Numbers read back to the same f64.
-    pub fn to_json(&self) -> Result<String, serde_json::Error> {
-        let mut text = characters::json(serde_json::to_string_pretty(self)?);
-        text.push('\n');
-        Ok(text)
-    }
-
-    /// As CSV: a row a pose, columns named like the JSON keys; empty where a value is null.
-    pub fn to_csv(&self) -> Result<String, csv::Error> {
-        let mut writer = csv::Writer::from_writer(Vec::new());
-        for run in &self.runs {
-            for pose in &run.poses {
-                writer.serialize(CsvRow::new(run, pose))?;
-            }
-        }
-        let bytes = writer.into_inner().map_err(|error| error.into_error())?;
-        Ok(String::from_utf8_lossy(&bytes).into_owned())
-    }
-}
-
 fn um(length: f64) -> f64 {
     length * 1e3
 }
 
-fn run_record(compared: &ComparedRun) -> RunRecord {
-    let assembly = &compared.run.assembly;
-    let poses: Vec<PoseRecord> = compared
-        .poses
-        .iter()
-        .map(|pose| pose_record(compared, pose))
-        .collect();
-    RunRecord {
-        center_distance_mm: assembly.center_distance(),
-        material: compared.run.material.name(),
-        phase: compared
-            .run
-            .phase
-            .map(|(wheel_tooth, pinion_tooth)| PhaseRecord {
-                wheel_tooth,
-                pinion_tooth,
-            }),
-        operating_pressure_angle_deg: assembly.operating_pressure_angle().to_degrees(),
-        summary: summary_record(&compared.summary(), &ContactCount::of(compared)),
-        poses,
-    }
-}
-
-fn pose_record(compared: &ComparedRun, pose: &ComparedPose) -> PoseRecord {
-    let assembly = &compared.run.assembly;
+fn pose_record(assembly: &Assembly, pose: &ComparedPose) -> PoseRecord {
     let free = assembly.gear(assembly.free()).gear();
     let swept = &pose.swept;
     let mating = swept.pose.mating();

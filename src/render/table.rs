@@ -6,27 +6,25 @@ mod phases;
 use super::decimal::ascii;
 use super::unproven;
 use crate::characters::plain;
-use crate::compare::{ComparedPose, ComparedRun, Verdict};
+use crate::compare::{ComparedPose, Verdict};
 use crate::measured::MeasuredMating;
 use crate::mesh::Contact;
 use crate::phases::phase_groups;
 use crate::study::Study;
+use crate::tally::{MOST_LISTED, RunTally};
 use comfy_table::{CellAlignment, Table, presets};
 use measured::{measured_count, measured_table};
 use phases::phase_table;
 
-/// Poses up to this many are listed one by one; more are summed up (tuned: what a screen shows).
-const MOST_LISTED: usize = 40;
-
 /// The text `simulate` prints.
-pub fn simulation(study: &Study, runs: &[ComparedRun], measured: &[MeasuredMating]) -> String {
+pub fn simulation(study: &Study, runs: &[RunTally], measured: &[MeasuredMating]) -> String {
     let mut text = format!("{}\n\n", plain(&study.title));
     if !measured.is_empty() {
         text += &measured_table(measured);
         text += &measured_count(study, measured);
         text.push('\n');
     }
-    let poses: usize = runs.iter().map(|run| run.poses.len()).sum();
+    let poses: usize = runs.iter().map(|run| run.poses).sum();
     if measured.is_empty() && poses <= MOST_LISTED {
         text += &pose_table(runs);
         text.push('\n');
@@ -75,7 +73,7 @@ pub(super) fn um(length_mm: Option<f64>, decimals: usize) -> String {
     }
 }
 
-fn pose_table(runs: &[ComparedRun]) -> String {
+fn pose_table(runs: &[RunTally]) -> String {
     let mut table = table(&[
         "a mm",
         "material",
@@ -90,8 +88,8 @@ fn pose_table(runs: &[ComparedRun]) -> String {
         "involute",
         "line of action",
     ]);
-    for compared in runs {
-        for pose in &compared.poses {
+    for run in runs {
+        for pose in &run.listed {
             let mating = pose.swept.pose.mating();
             let beyond = match mating.fraction {
                 0.0 => String::new(),
@@ -109,8 +107,8 @@ fn pose_table(runs: &[ComparedRun]) -> String {
                 None => "–".to_owned(),
             };
             table.add_row(vec![
-                format!("{:.3}", compared.run.assembly.center_distance()),
-                compared.run.material.name().to_owned(),
+                format!("{:.3}", run.assembly.center_distance()),
+                run.material.name().to_owned(),
                 format!("{},{}{beyond}", mating.wheel_tooth, mating.pinion_tooth),
                 mating.flank.name().to_owned(),
                 um(pose.swept.backlash, 3),
@@ -129,7 +127,7 @@ fn pose_table(runs: &[ComparedRun]) -> String {
     finish(&table)
 }
 
-fn run_table(study: &Study, runs: &[ComparedRun]) -> String {
+fn run_table(study: &Study, runs: &[RunTally]) -> String {
     let mut headings = vec![
         "a mm", "material", "poses", "least", "at", "mean", "greatest", "at",
     ];
@@ -138,19 +136,19 @@ fn run_table(study: &Study, runs: &[ComparedRun]) -> String {
         headings.push(&clearance);
     }
     headings.extend(["off model 2", "off model 3"]);
-    let unproven = runs.iter().any(|run| run.unproven().next().is_some());
+    let unproven = runs.iter().any(|run| run.unproven > 0);
     if unproven {
         headings.push("unproven");
     }
     let mut table = table(&headings);
-    for compared in runs {
-        let summary = compared.summary();
+    for run in runs {
+        let summary = run.summary();
         let at = |pose: Option<&ComparedPose>| pose.map_or("–".to_owned(), where_it_is);
-        let (least, most) = compared.extremes().unzip();
+        let (least, most) = run.extremes().unzip();
         let mut row = vec![
-            format!("{:.3}", compared.run.assembly.center_distance()),
-            compared.run.material.name().to_owned(),
-            compared.poses.len().to_string(),
+            format!("{:.3}", run.assembly.center_distance()),
+            run.material.name().to_owned(),
+            run.poses.to_string(),
             um(summary.min, 3),
             at(least),
             um(summary.mean, 3),
@@ -166,7 +164,7 @@ fn run_table(study: &Study, runs: &[ComparedRun]) -> String {
             um(summary.off_line_of_action, 3),
         ]);
         if unproven {
-            row.push(compared.unproven().count().to_string());
+            row.push(run.unproven.to_string());
         }
         table.add_row(row);
     }
@@ -188,8 +186,8 @@ pub(super) fn where_it_is(pose: &ComparedPose) -> String {
     )
 }
 
-fn off_line_note(runs: &[ComparedRun]) -> String {
-    let total: usize = runs.iter().map(|run| run.poses.len()).sum();
+fn off_line_note(runs: &[RunTally]) -> String {
+    let total: usize = runs.iter().map(|run| run.poses).sum();
     let off: usize = runs.iter().map(|run| run.count(Verdict::OffLine)).sum();
     if off == 0 {
         return String::new();

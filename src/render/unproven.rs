@@ -2,8 +2,9 @@
 
 use super::decimal::ascii;
 use super::table::where_it_is;
-use crate::compare::{ComparedPose, ComparedRun};
+use crate::compare::ComparedPose;
 use crate::mesh::Unproven;
+use crate::tally::RunTally;
 
 /// Poses up to this many are told one by one (tuned: a screen).
 const MOST_TOLD: usize = 10;
@@ -39,13 +40,13 @@ pub(super) fn doubts(pose: &ComparedPose) -> String {
 }
 
 /// How many poses of `runs` are not proven, and the first of them, each on a line; nothing where all are proven.
-pub(super) fn note(runs: &[ComparedRun]) -> String {
-    let poses: usize = runs.iter().map(|run| run.poses.len()).sum();
-    let unproven = || {
-        runs.iter()
-            .flat_map(|run| run.unproven().map(move |pose| (run, pose)))
-    };
-    let count = unproven().count();
+pub(super) fn note(runs: &[RunTally]) -> String {
+    let poses: usize = runs.iter().map(|run| run.poses).sum();
+    let count: usize = runs.iter().map(|run| run.unproven).sum();
+    let of_run = |run| move |pose| (run, pose);
+    let first = runs
+        .iter()
+        .flat_map(|run: &RunTally| run.first_unproven.iter().map(of_run(run)));
     if count == 0 {
         return String::new();
     }
@@ -53,11 +54,11 @@ pub(super) fn note(runs: &[ComparedRun]) -> String {
         "\nUNPROVEN: {count} of {poses} poses. No number above takes them in, and nobody knows whether the pair \
          has backlash there.\n"
     );
-    for (run, pose) in unproven().take(MOST_TOLD) {
+    for (run, pose) in first.take(MOST_TOLD) {
         text += &format!(
             "  a = {:.3} mm, {}, {}: {}\n",
-            run.run.assembly.center_distance(),
-            run.run.material.name(),
+            run.assembly.center_distance(),
+            run.material.name(),
             where_it_is(pose),
             doubts(pose)
         );

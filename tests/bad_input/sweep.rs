@@ -142,7 +142,11 @@ fn too_many_poses() {
         &[problem(
             "sweep",
             "hunting",
-            &["31616864 poses", "up to 10 million"],
+            &[
+                "31616864 poses",
+                "80 GB of result",
+                "up to 10 million, 25 GB",
+            ],
             "fewer",
         )],
     );

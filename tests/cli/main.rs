@@ -2,6 +2,7 @@
 
 mod compare;
 mod hostile;
+mod large;
 mod leaks;
 mod refused;
 mod runs;

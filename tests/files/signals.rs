@@ -111,12 +111,13 @@ fn one_signal_ends_the_writing_of_large_results_at_once() {
     let folder = big();
     let before = contents(folder.path());
     let words = "simulate big.toml --no-certify --format csv -o deep/results";
-    // From the first file on.
+    // From the first bytes on, which come while poses are still simulated.
     let writing = || {
-        let found = std::fs::read_dir(folder.path().join("deep"));
+        let found = std::fs::read_dir(folder.path().join("deep/results"));
         let mut found = found.into_iter().flatten().flatten();
         found.any(|entry| {
-            entry.file_name() != "results" && entry.path().join("result.json").exists()
+            let result = entry.path().join("result.json").metadata();
+            result.is_ok_and(|result| result.len() > 0)
         })
     };
     for wait in [0, 20, 100] {

@@ -10,6 +10,7 @@ use gearlash::outcome::{Agreement, Outcome};
 use gearlash::render::chart::{self, Heading};
 use gearlash::render::{ComparedPair, Report, Snapshot, comparison, report, result_file};
 use gearlash::render::{simulation_table, snapshot};
+use gearlash::tally::tally;
 use serde_json::Value;
 
 /// Keys of a pose that hold what was found.
@@ -40,7 +41,7 @@ fn pair(case: &Case, runs: Vec<ComparedRun>) -> ComparedPair {
         title: case.study.title.clone(),
         tolerance_um: case.study.tolerance_um,
         allow_off_line: true,
-        runs,
+        runs: tally(&runs),
     }
 }
 
@@ -111,7 +112,7 @@ fn the_table_counts_them_and_takes_none_in() {
     let case =
         Case::of("[sweep]\nmating = [[3, 3], [4, 4], [5, 5]]\nfraction = [0.0, 0.25, 0.5, 0.75]\n");
     let runs = case.compared(CERTIFIED);
-    let text = simulation_table(&case.study, &runs, &[]);
+    let text = simulation_table(&case.study, &tally(&runs), &[]);
     let count = runs[0].summary().unproven;
     assert!(
         text.contains(&format!("\nUNPROVEN: {count} of 24 poses.")),

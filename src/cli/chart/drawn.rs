@@ -3,7 +3,8 @@
 use super::super::console::tell;
 use super::super::distances::Distances;
 use super::super::drawing::{End, material};
-use super::super::method::{agreement, agreement_within, all_proven, unproven};
+use super::super::method::{agreement_within, all_proven, unproven, whole_agreement};
+use super::super::poses;
 use super::super::progress::Progress;
 use super::{Args, Gear, Kind};
 use crate::compare::ComparedRun;
@@ -50,7 +51,9 @@ impl Drawn {
         let study = study
             .at(distance)
             .map_err(|reason| Error::Usage(format!("--center-distance: {reason}")))?;
-        let progress = Progress::start(curves::revolution_pose_count(&study)?);
+        let poses = curves::revolution_pose_count(&study)?;
+        poses::allow(&args.pair, poses as u64, &poses::HELD)?;
+        let progress = Progress::start(poses);
         let runs = curves::revolution(&study, args.method.method(), &|| progress.tick())?;
         drop(progress);
         let courses = curves::courses(&runs);
@@ -72,7 +75,7 @@ impl Drawn {
         };
         Ok(Drawn {
             file: file(name, args, course),
-            agrees: agreement(&runs),
+            agrees: whole_agreement(&runs),
             chart,
         })
     }
@@ -81,11 +84,13 @@ impl Drawn {
     pub fn over_distance(args: &Args, study: &Study) -> Result<Drawn, Error> {
         let (followed, swept_runs) = match args.mating {
             Some((wheel, pinion)) => (Followed::Teeth(wheel, pinion), Vec::new()),
-            None => binding(study)?,
+            None => binding(args, study)?,
         };
         let swept: Vec<&ComparedRun> = swept_runs.iter().collect();
         let swept = by_distance(&swept, &[]);
-        let progress = Progress::start(curves::over_distance_pose_count(study));
+        let poses = curves::over_distance_pose_count(study);
+        poses::allow(&args.pair, poses as u64, &poses::HELD)?;
+        let progress = Progress::start(poses);
         let (method, tick) = (args.method.method(), || progress.tick());
         let curve = curves::over_distance(study, followed, method, &tick)?;
         drop(progress);
@@ -134,10 +139,11 @@ fn file(name: &str, args: &Args, course: &Course) -> String {
 }
 
 /// What binds over whole revolutions and the poses of the pair file, as a report has it, and all those poses.
-fn binding(study: &Study) -> Result<(Followed, Vec<ComparedRun>), Error> {
+fn binding(args: &Args, study: &Study) -> Result<(Followed, Vec<ComparedRun>), Error> {
     // They only choose, and bound the curve: what is drawn as a curve is certified.
     let method = Method::Exact { certify: false };
     let poses = curves::with_revolution_pose_count(study)?;
+    poses::allow(&args.pair, poses as u64, &poses::HELD)?;
     let progress = Progress::start(poses + cycle::pose_count(study)?);
     let tick = || progress.tick();
     let [own, mut all] = curves::with_revolution(study, method, &tick)?;

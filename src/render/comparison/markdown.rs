@@ -2,8 +2,9 @@
 
 use super::{ComparedPair, PairOutcome, run_name, trouble};
 use crate::characters::plain;
-use crate::compare::{ComparedPose, ComparedRun, Verdict};
+use crate::compare::{ComparedPose, Verdict};
 use crate::render::table::{um, where_it_is};
+use crate::tally::RunTally;
 use std::fmt::Write;
 
 const HEADINGS: [&str; 8] = [
@@ -77,7 +78,7 @@ pub fn markdown(pairs: &[ComparedPair]) -> String {
     text
 }
 
-fn row(pair: &ComparedPair, run: &ComparedRun) -> Vec<String> {
+fn row(pair: &ComparedPair, run: &RunTally) -> Vec<String> {
     let summary = run.summary();
     let (least, greatest) = run.extremes().unzip();
     let at = |length, pose: Option<&ComparedPose>| match pose {
@@ -88,7 +89,7 @@ fn row(pair: &ComparedPair, run: &ComparedRun) -> Vec<String> {
     let verdict = format!("{} {}", mark(passes), if passes { "ok" } else { "FAIL" });
     vec![
         run_name(run),
-        run.poses.len().to_string(),
+        run.poses.to_string(),
         at(summary.min, least),
         at(summary.max, greatest),
         um(summary.off_involute, 3),

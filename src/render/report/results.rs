@@ -3,11 +3,11 @@
 use super::Page;
 use super::figures::{charted, over_distance, revolutions};
 use super::words::{distance, material, um};
-use crate::compare::ComparedRun;
 use crate::error::Error;
 use crate::outcome::{Found, Outcome};
-use crate::phases::{assembles, phase_groups, variation};
+use crate::phases::phase_groups;
 use crate::render::viewer;
+use crate::tally::{RunTally, tally};
 use maud::{Markup, PreEscaped, html};
 
 pub(super) fn section(page: &Page) -> Result<Markup, Error> {
@@ -70,16 +70,17 @@ fn materials(page: &Page) -> Markup {
 
 /// Which teeth to mark together, where phases are run apart.
 fn phases(page: &Page) -> Markup {
-    let groups = phase_groups(page.report.revolution);
-    let cells = |run: Option<&ComparedRun>| {
-        let phase = run.and_then(|run| run.run.phase);
+    let runs = tally(page.report.revolution);
+    let groups = phase_groups(&runs);
+    let cells = |run: Option<&RunTally>| {
+        let phase = run.and_then(|run| run.phase);
         html! {
             td { (phase.map_or("–".to_owned(), |(wheel, pinion)| format!("{wheel}·{pinion}"))) }
             td.n { (um(run.and_then(|run| run.summary().min), 2)) }
-            td.n { (um(run.and_then(variation), 2)) }
+            td.n { (um(run.and_then(RunTally::variation), 2)) }
         }
     };
-    let assemble = |runs: &[&ComparedRun]| runs.iter().filter(|run| assembles(run)).count();
+    let assemble = |runs: &[&RunTally]| runs.iter().filter(|run| run.assembles()).count();
     html! {
         @if !groups.is_empty() {
             div.scroll tabindex="0" role="region" aria-label="Assembly phases" {
@@ -95,8 +96,8 @@ fn phases(page: &Page) -> Markup {
                     tbody { @for group in &groups {
                         tr {
                             @if let Some(run) = group.runs.first() {
-                                th.n scope="row" { (distance(run.run.assembly.center_distance())) }
-                                td.w { (material(run.run.material)) }
+                                th.n scope="row" { (distance(run.assembly.center_distance())) }
+                                td.w { (material(run.material)) }
                             }
                             td.n { (group.runs.len()) }
                             td.n { (assemble(&group.runs)) }

@@ -1,6 +1,6 @@
 //! One pose of a result as a flat row.
 
-use super::{PoseRecord, RunRecord};
+use super::{PoseRecord, RunHead};
 use serde::Serialize;
 
 /// One pose as a flat row.
@@ -46,7 +46,7 @@ pub(super) struct CsvRow<'r> {
 }
 
 impl<'r> CsvRow<'r> {
-    pub(super) fn new(run: &RunRecord, pose: &'r PoseRecord) -> CsvRow<'r> {
+    pub(super) fn new(run: &RunHead, pose: &'r PoseRecord) -> CsvRow<'r> {
         let unproven = pose.unproven.as_ref();
         let end = |end: usize| {
             let ends = pose.unproven_range.as_ref()?;

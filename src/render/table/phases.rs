@@ -1,15 +1,16 @@
 //! Assembly phases, and which teeth to mark together.
 
 use super::{finish, table, um, where_it_is};
-use crate::compare::{ComparedPose, ComparedRun};
-use crate::phases::{PhaseGroup, variation};
+use crate::compare::ComparedPose;
+use crate::phases::PhaseGroup;
+use crate::tally::RunTally;
 
 pub(super) fn phase_table(group: &PhaseGroup) -> String {
-    let mating = |run: &ComparedRun| {
-        let (wheel, pinion) = run.run.phase.unwrap_or((1, 1));
+    let mating = |run: &RunTally| {
+        let (wheel, pinion) = run.phase.unwrap_or((1, 1));
         format!("{wheel},{pinion}")
     };
-    let unproven = group.runs.iter().any(|run| run.unproven().next().is_some());
+    let unproven = group.runs.iter().any(|run| run.unproven > 0);
     let mut headings = vec![
         "phase",
         "least",
@@ -32,9 +33,9 @@ pub(super) fn phase_table(group: &PhaseGroup) -> String {
             um(summary.mean, 3),
             um(summary.max, 3),
             at(most),
-            um(variation(run), 3),
+            um(run.variation(), 3),
         ];
-        row.extend(unproven.then(|| run.unproven().count().to_string()));
+        row.extend(unproven.then(|| run.unproven.to_string()));
         table.add_row(row);
     }
     let Some(first) = group.runs.first() else {
@@ -42,8 +43,8 @@ pub(super) fn phase_table(group: &PhaseGroup) -> String {
     };
     let mut text = format!(
         "centre distance {:.3} mm, material {}\n\n{}",
-        first.run.assembly.center_distance(),
-        first.run.material.name(),
+        first.assembly.center_distance(),
+        first.material.name(),
         finish(&table)
     );
     text += &match (group.best, group.worst) {
@@ -53,11 +54,11 @@ pub(super) fn phase_table(group: &PhaseGroup) -> String {
         (Some(best), Some(worst)) => format!(
             "Best phase {}: mark wheel tooth {} and pinion tooth {} together (least variation, {} µm); worst {} ({} µm).\n",
             mating(best),
-            best.run.phase.map_or(1, |phase| phase.0),
-            best.run.phase.map_or(1, |phase| phase.1),
-            um(variation(best), 3),
+            best.phase.map_or(1, |phase| phase.0),
+            best.phase.map_or(1, |phase| phase.1),
+            um(best.variation(), 3),
             mating(worst),
-            um(variation(worst), 3),
+            um(worst.variation(), 3),
         ),
         _ => "No phase has backlash at every pose.\n".to_owned(),
     };

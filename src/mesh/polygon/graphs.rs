@@ -131,7 +131,8 @@ mod tests {
     #[test]
     fn arcs_are_told_apart_to_the_third_order() {
         let up = std::f64::consts::FRAC_PI_2;
-        for (half, distance, loss) in [(0.1, 1e-2, 3e-3), (0.01, 1e-5, 3e-6), (0.001, 1e-8, 3e-9)] {
+        for (half, distance, loss) in [(0.1, 3e-2, 2e-2), (0.01, 1e-5, 2e-6), (0.001, 1e-8, 2e-10)]
+        {
             let ours = arc([0.0, -10.0], 10.0, [up - half, up + 0.9 * half]);
             let theirs = arc(
                 [0.0, 20.0 + distance],

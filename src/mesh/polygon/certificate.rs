@@ -252,18 +252,23 @@ impl Looking<'_> {
     fn at(&mut self, opening: f64) -> bool {
         let (locked, free) = (&self.facing.locked, &self.facing.free);
         let frame = self.facing.at(opening);
-        let ([here, there], [radius, other]) = {
-            let (ours, theirs) = (locked.disc(), free.disc());
-            ([ours.0, frame * theirs.0], [ours.1, theirs.1])
+        let [(here, radius), (there, other)] = [locked.disc(), free.disc()];
+        let reach_of_ours = radius + self.slack;
+        let apart = |point: Point2<f64>, reach: f64| {
+            let within = reach + reach_of_ours;
+            (point - here).norm_squared() > within * within
         };
-        let within = radius + other + self.slack;
-        if (here - there).norm_squared() > within * within {
+        if apart(frame * there, other) {
             return true;
         }
         let (our_own, their_own) = (locked.own(), free.own());
-        for theirs in free.shared().iter().chain(their_own.iter().flatten()) {
+        for theirs in free.outline().iter().chain(their_own.iter().flatten()) {
             let seen = theirs.ends.map(|end| frame * end);
-            for ours in locked.shared().iter().chain(our_own.iter().flatten()) {
+            let middle = nalgebra::center(&seen[0], &seen[1]);
+            if apart(middle, theirs.half_length + theirs.error) {
+                continue;
+            }
+            for ours in locked.outline().iter().chain(our_own.iter().flatten()) {
                 if !self.clear(&frame, ours, theirs, &seen) {
                     return false;
                 }
@@ -297,20 +302,19 @@ impl Looking<'_> {
             self.close |= distance <= 2.0 * self.finest + self.slack;
             return distance > 2.0 * self.finest;
         }
-        // Beyond the line of one of them is enough; where it is not, shorter chords will tell.
-        let beyond = off_line(&ours.ends, seen, ours.half_length).max(off_line(
-            seen,
-            &ours.ends,
-            theirs.half_length,
-        ));
-        if beyond > tube {
-            self.close |= beyond <= tube + self.slack;
-            return true;
-        }
-        if let Some(gap) = self.gap(ours, theirs, seen)
-            && gap > 2.0 * self.finest
-        {
-            self.close |= 0.75 * gap <= self.slack;
+        let apart = match self.gap(ours, theirs, seen) {
+            Some(gap) => 0.75 * gap - 2.0 * self.finest,
+            // Beyond the line of one of them is enough; where it is not, shorter chords will tell.
+            None => {
+                let [line, other] = [
+                    off_line(&ours.ends, seen, ours.half_length),
+                    off_line(seen, &ours.ends, theirs.half_length),
+                ];
+                line.max(other) - tube
+            }
+        };
+        if apart > 0.0 {
+            self.close |= apart <= self.slack;
             return true;
         }
         let mut made = None;

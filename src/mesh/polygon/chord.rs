@@ -10,6 +10,9 @@
 use crate::gear::{AsBuilt, Curve, Gear, Profile, Side};
 use nalgebra::{Isometry2, Point2};
 
+/// Chordal error of what [`Half::outline`] gives, in radii of the half tooth (tuned for the certificate).
+const OUTLINE: f64 = 0.03;
+
 /// A stretch of one curve of a half tooth, and the chord through its ends.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Chord {
@@ -91,6 +94,8 @@ struct CutHalf {
     chords: Vec<Chord>,
     /// How many of `chords` come first: one a curve.
     curves: usize,
+    /// Those that follow the outline closely enough to tell half teeth apart that are nowhere near contact.
+    outline: Vec<Chord>,
     /// A disc that holds them, and what each tooth has of its own up to the far corner and the middle of its space.
     centre: Point2<f64>,
     radius: f64,
@@ -150,11 +155,19 @@ impl CutHalf {
             low = low.inf(&end);
             high = high.sup(&end);
         }
+        let radius = 0.5 * (high - low).norm() + chord;
+        let is_close = |chord: &Chord| chord.error <= OUTLINE * radius || chord.halves.is_none();
+        let mut outline = chords[..curves].to_vec();
+        while let Some(place) = outline.iter().position(|chord| !is_close(chord)) {
+            let cut = outline[place].halves.map_or(0, |first| first as usize);
+            outline.splice(place..=place, chords[cut..cut + 2].iter().copied());
+        }
         CutHalf {
             centre: nalgebra::center(&low, &high),
-            radius: 0.5 * (high - low).norm() + chord,
+            radius,
             chords,
             curves,
+            outline,
             root_start: profile.range(Curve::Root).0,
             root_end,
         }
@@ -208,6 +221,11 @@ impl<'a> Half<'a> {
     /// Its longest chords that all teeth share: one a curve.
     pub fn shared(&self) -> &'a [Chord] {
         &self.cut.chords[..self.cut.curves]
+    }
+
+    /// Chords that all teeth share and that follow the outline closely: a dozen.
+    pub fn outline(&self) -> &'a [Chord] {
+        &self.cut.outline
     }
 
     /// Its longest chords that are its own: the far half of the tip land, the rest of the root land.

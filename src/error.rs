@@ -67,6 +67,14 @@ pub enum GearError {
         /// `s_b`.
         base_thickness_mm: f64,
     },
+    /// Undercut from both sides meets in the middle of the tooth.
+    #[error(
+        "undercut from both sides meets and cuts the teeth off: base tooth thickness {base_thickness_mm:.6} mm"
+    )]
+    NoNeck {
+        /// `s_b`.
+        base_thickness_mm: f64,
+    },
     /// A span contact off the involute.
     #[error(
         "a span over {teeth} teeth touches at diameter {contact_diameter_mm:.4} mm, off the involute ({form_diameter_mm:.4} … {tip_diameter_mm:.4} mm)"

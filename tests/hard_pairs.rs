@@ -205,3 +205,10 @@ fn over_the_axis_14_3() {
         poses.iter().all(|pose| pose.status() == Status::Jammed)
     });
 }
+
+/// A tooth that pitch deviations leave thinner than half its land kept that half, beyond its own far corner: jammed on metal that
+/// is not there. Brute force: −53.379403666 µm.
+#[test]
+fn thin_land_3_7() {
+    is("thin_land_3_7", &[(1, -53.379403666, 1e-6)]);
+}

@@ -167,10 +167,11 @@ impl AsBuilt {
         Ok(())
     }
 
-    /// Every tooth keeps a tip land and every space some room at the form circle.
+    /// Every tooth keeps a tip land and a neck, and every space some room at the form circle.
     fn check_teeth(&self) -> Result<(), GearError> {
         let gear = &self.gear;
         let tip = 2.0 * gear.half_angle_at_roll(gear.tip_roll());
+        let neck = -2.0 * gear.fillet().neck();
         let space =
             gear.toothing().angular_pitch() - 2.0 * gear.half_angle_at_roll(gear.form_roll());
         for tooth in 1..=gear.toothing().teeth() {
@@ -181,6 +182,13 @@ impl AsBuilt {
                     what: "tip thickness of the thinnest tooth (mm)",
                     value: (tip + widening) * gear.tip_radius(),
                     allowed: "above 0: the deviations leave this tooth without a tip",
+                });
+            }
+            if !(neck + widening > 0.0) {
+                return Err(GearError::OutOfRange {
+                    what: "thickness of the thinnest tooth at its neck (rad)",
+                    value: neck + widening,
+                    allowed: "above 0: the deviations let undercut from both sides meet and cut this tooth off",
                 });
             }
             let next = self.counter_clockwise(tooth, 1);
@@ -241,12 +249,12 @@ impl AsBuilt {
     }
 
     /// Where the tip land of a half tooth ends on the other half, at the far corner: the land's parameter
-    /// ([`super::Curve::Tip`]), rad, about the centre line turned with the flank. Both flanks' deviations widen the land;
-    /// a tooth left thinner than half its land keeps that half (0).
+    /// ([`super::Curve::Tip`]), rad, about the centre line turned with the flank. Both flanks' deviations widen the land; of a
+    /// tooth left thinner than half of it the far corner lies on the near half (above 0).
     pub fn land_start(&self, tooth: u32) -> f64 {
         let widening = self.flank_offset(Side::Left, tooth) - self.flank_offset(Side::Right, tooth);
         let (_, corner) = Profile::new(&self.gear).range(Curve::Tip);
-        (-corner - widening).min(0.0)
+        -corner - widening
     }
 
     /// Angle of the (fractional) tooth's undisturbed centre from tooth 1, rad, counter-clockwise.

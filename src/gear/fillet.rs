@@ -131,6 +131,30 @@ impl Fillet {
         self.root_angle
     }
 
+    /// The greatest polar angle of the fillet, rad: minus half the angle that the tooth spans at its neck, about the gear's centre. 0
+    /// or more means that both fillets of a tooth cross: it is cut off.
+    ///
+    /// `P' = i n S` turns by `S n·P/|P|²`, and `n·P = r cos γ − L`. With `c = cos γ` it is 0 where `r c² − ρ c − h_0 = 0`;
+    /// the greatest angle lies there or at an end.
+    pub fn neck(&self) -> f64 {
+        let (r, round, depth) = (self.radius, self.tip_round, self.depth);
+        // Without a real root NaN, which is in no range.
+        let root = (round * round + 4.0 * r * depth).sqrt();
+        let still = [round + root, round - root].map(|twice| (twice / (2.0 * r)).acos());
+        let angle = |gamma: f64| {
+            let point = self.point(gamma);
+            point.y.atan2(point.x)
+        };
+        let inside = still
+            .into_iter()
+            .filter(|gamma| (0.0..=self.end).contains(gamma));
+        inside
+            .chain([self.end])
+            .fold(self.root_angle, |greatest, gamma| {
+                greatest.max(angle(gamma))
+            })
+    }
+
     /// Rotation `E` of the pitch point at `gamma`.
     fn pitch_point(&self, gamma: f64) -> UnitComplex<f64> {
         UnitComplex::new(self.root_angle - self.depth * gamma.tan() / self.radius)
@@ -178,5 +202,43 @@ fn bisect(mut low: f64, mut high: f64, below: impl Fn(f64) -> bool) -> f64 {
         } else {
             high = middle;
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Source: the greatest polar angle of 20 000 points of each fillet.
+    #[test]
+    fn the_neck_is_where_the_fillets_are_nearest() {
+        let mut crossing = 0;
+        for teeth in [3, 4, 5, 7, 12, 17, 40] {
+            for x_e in [-0.6, -0.3, 0.0, 0.4, 0.9] {
+                for (dedendum, round) in [(1.25, 0.38), (1.0, 0.0), (1.5, 0.25), (0.9, 0.1)] {
+                    let toothing = Toothing::new(teeth, 2.0, 20f64.to_radians()).unwrap();
+                    let rack = Rack::new(1.0, dedendum, round).unwrap();
+                    let Ok(fillet) = Fillet::new(&toothing, &rack, x_e) else {
+                        continue;
+                    };
+                    // No gear: the root would lie beyond the centre.
+                    if fillet.radius <= fillet.depth + fillet.tip_round {
+                        continue;
+                    }
+                    let angles = (0..=20_000).map(|k| {
+                        let point = fillet.point(fillet.end * f64::from(k) / 2e4);
+                        point.y.atan2(point.x)
+                    });
+                    let greatest = angles.fold(f64::NEG_INFINITY, f64::max);
+                    let neck = fillet.neck();
+                    assert!(
+                        neck >= greatest - 1e-15 && neck <= greatest + 1e-6,
+                        "z {teeth}, x {x_e}: {neck} for {greatest}"
+                    );
+                    crossing += u32::from(neck >= 0.0);
+                }
+            }
+        }
+        assert!(crossing > 0);
     }
 }

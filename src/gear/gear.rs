@@ -67,7 +67,7 @@ impl Gear {
     ///
     /// # Errors
     /// A gear that cannot exist: tip round too large, cusped fillet, pointed
-    /// tooth, no involute between form and tip circle, no tooth space.
+    /// tooth, no involute between form and tip circle, no tooth space, a tooth that undercut has cut off.
     pub fn new(blank: Blank, base_thickness: f64) -> Result<Gear, GearError> {
         let toothing = &blank.toothing;
         let base = toothing.base_radius();
@@ -108,6 +108,11 @@ impl Gear {
         let pitch = toothing.angular_pitch();
         if gear.root_radius() <= 0.0 || 2.0 * gear.half_angle_at_roll(gear.form_roll()) >= pitch {
             return Err(GearError::NoSpace {
+                base_thickness_mm: base_thickness,
+            });
+        }
+        if gear.fillet.neck() >= 0.0 {
+            return Err(GearError::NoNeck {
                 base_thickness_mm: base_thickness,
             });
         }

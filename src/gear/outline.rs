@@ -40,6 +40,15 @@ impl HalfTooth {
         HalfTooth::of_pieces(gear, side, chord, &whole)
     }
 
+    /// The vertices down to the root land where the tip land starts at the parameter `start`, up to its near corner.
+    pub fn from_land(gear: &Gear, side: Side, chord: f64, start: f64) -> Vec<Point2<f64>> {
+        let profile = Profile::new(gear);
+        let land = (start, profile.range(Curve::Tip).1);
+        let flank = [Curve::Involute, Curve::Fillet].map(|curve| (curve, profile.range(curve)));
+        let pieces = [(Curve::Tip, land), flank[0], flank[1]];
+        HalfTooth::of_pieces(gear, side, chord, &pieces).points
+    }
+
     /// The vertices of a root land that reaches to the parameter `end`; none where that is not beyond its start.
     pub fn root_land(gear: &Gear, side: Side, chord: f64, end: f64) -> Vec<Point2<f64>> {
         let (start, _) = Profile::new(gear).range(Curve::Root);

@@ -1,6 +1,6 @@
 //! A gear where it stands in the picture: its centre, its teeth, its outline round a place.
 
-use super::{AsBuilt, Curve, HalfTooth, Segment, Side};
+use super::{AsBuilt, Curve, HalfTooth, Profile, Segment, Side};
 use nalgebra::{Point2, UnitComplex};
 use std::f64::consts::PI;
 
@@ -87,8 +87,8 @@ impl<'a> Placed<'a> {
             // Each half ends in the middle of the space as built, where the next one begins.
             let half = |half: &HalfTooth| {
                 let land = self.root_land(half.side(), tooth, chord);
-                let above = &half.points()[..half.above_root()];
-                [above, land.get(1..).unwrap_or_default()].concat()
+                let above = self.above_root(half, tooth);
+                [&above, land.get(1..).unwrap_or_default()].concat()
             };
             let points = half(&right);
             outline.extend(points.iter().rev().map(self.place(Side::Right, tooth)));
@@ -131,6 +131,19 @@ impl<'a> Placed<'a> {
         points.map(self.place(side, tooth)).collect()
     }
 
+    /// A half tooth down to its root land, in its own frame. Of a tooth thinner than half its land the right half has all the
+    /// land there is, so that the outline does not run out to the left half's middle and back.
+    fn above_root(&self, half: &HalfTooth, tooth: u32) -> Vec<Point2<f64>> {
+        let gear = self.as_built.gear();
+        let far = self.as_built.land_start(tooth);
+        let (_, corner) = Profile::new(gear).range(Curve::Tip);
+        match (far > 0.0, half.side()) {
+            (false, _) => half.points()[..half.above_root()].to_vec(),
+            (true, Side::Right) => HalfTooth::from_land(gear, Side::Right, half.chord(), far),
+            (true, Side::Left) => HalfTooth::from_land(gear, Side::Left, half.chord(), corner),
+        }
+    }
+
     /// The root land up to the middle of the space as built, in the half tooth's frame; empty where the space is
     /// closed at its root.
     fn root_land(&self, side: Side, tooth: u32, chord: f64) -> Vec<Point2<f64>> {
@@ -144,5 +157,53 @@ impl<'a> Placed<'a> {
         let turn = UnitComplex::new(self.direction(tooth) + offset);
         let centre = self.centre();
         move |point| centre + turn * point.coords
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gear::{Blank, Deviations, Face, Gear, Profile, Rack, Toothing};
+
+    /// A tooth thinner by more than half its land: its outline stays between its own two tip corners. Source: their angles,
+    /// the mean land's half angle turned with each flank.
+    #[test]
+    fn a_thin_tooth_has_no_land_beyond_its_corners() {
+        let blank = Blank {
+            toothing: Toothing::new(20, 2.0, 20f64.to_radians()).unwrap(),
+            profile_shift: 0.0,
+            rack: Rack::ISO_53_A,
+            tip_diameter: None,
+        };
+        let gear = Gear::nominal(blank).unwrap();
+        let (_, half) = Profile::new(&gear).range(Curve::Tip);
+        let mut per_tooth = vec![0.0; 20];
+        // Three quarters of the land, at the reference circle.
+        per_tooth[2] = -1.5 * half * gear.toothing().reference_radius();
+        let deviations = Deviations {
+            per_tooth,
+            ..Deviations::default()
+        };
+        let built = AsBuilt::new(gear, Face::Back, &deviations).unwrap();
+        let placed = Placed::new(&built, Point2::origin(), 0.0);
+        assert!(built.land_start(3) > 0.0);
+        let corner = |side: Side| built.flank_offset(side, 3) + side.sense() * half;
+        let (right, left) = (corner(Side::Right), corner(Side::Left));
+        let tip = built.gear().tip_radius();
+        let mut met = 0;
+        for point in placed.outline_near(Point2::origin(), 2.0 * tip, 1e-4) {
+            let off = point.y.atan2(point.x) - placed.direction(3);
+            let off = off - 2.0 * PI * (off / (2.0 * PI)).round();
+            if point.coords.norm() > tip - 1e-9
+                && off.abs() < 0.5 * built.gear().toothing().angular_pitch()
+            {
+                assert!(
+                    off > right - 1e-12 && off < left + 1e-12,
+                    "{right} {off} {left}"
+                );
+                met += 1;
+            }
+        }
+        assert!(met >= 2);
     }
 }

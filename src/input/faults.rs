@@ -160,6 +160,12 @@ impl Drawing<'_> {
                     )
                 }
             }
+            GearError::NoNeck { .. } => self.shape(
+                reason,
+                "profile_shift",
+                "give a greater profile shift, more teeth or a rack with less dedendum".to_owned(),
+                known,
+            ),
             GearError::OutOfRange { value, .. } => self.shape(
                 format!("makes the base tooth thickness {value:.4} mm, allowed is above 0"),
                 "profile_shift",

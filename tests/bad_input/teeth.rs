@@ -107,3 +107,18 @@ fn no_root_left() {
         )],
     );
 }
+
+/// Undercut that meets in the middle of the tooth: x = −0.2 at three teeth. Source: the fillets' own points (gear/fillet.rs).
+#[test]
+fn teeth_cut_off_by_undercut() {
+    let few = put(GOOD, "teeth = 20\n", "teeth = 3\nprofile_shift = -0.2\n");
+    expect(
+        &few,
+        &[problem(
+            "wheel.profile_shift",
+            "-0.2",
+            &["undercut from both sides meets"],
+            "greater profile shift",
+        )],
+    );
+}

@@ -59,8 +59,8 @@ impl Teeth {
         for place in 0..i64::from(count) {
             let tooth = (ascending * place).rem_euclid(i64::from(count)) as u32 + 1;
             let offset = mirror * gear.flank_offset(side, tooth);
-            // Not less than half the mean land: the near half of a tooth that deviations leave thinner.
-            let far = (half_tip + mirror * gear.flank_offset(side.other(), tooth)).max(offset);
+            // Of a tooth thinner by more than half its land it lies on the near half.
+            let far = half_tip + mirror * gear.flank_offset(side.other(), tooth);
             teeth.farthest = teeth.farthest.max(far);
             teeth.far.push(turn(far - offset) * teeth.shape.tip_radius);
             let root_end = gear.root_end(side, tooth);

@@ -4,8 +4,8 @@
 //! divides that by four (by eight where an involute begins). The chords down to a coarse error are cut once
 //! and shared by all teeth of a gear and all poses; what is finer is made when asked for and kept nowhere.
 //!
-//! Of the lands only what all teeth share is cut beforehand: the near half of a tip land, the root land of the
-//! narrowest space. What a tooth has beyond them depends on its own deviations ([`Half`]).
+//! Of the lands only what all teeth share is cut beforehand: the near half of the tip land, or the land of a tooth thinner than
+//! that; the root land of the narrowest space. What a tooth has beyond them depends on its own deviations ([`Half`]).
 
 use crate::gear::{AsBuilt, Curve, Gear, Profile, Side};
 use nalgebra::{Isometry2, Point2};
@@ -102,6 +102,8 @@ struct CutHalf {
     /// Where the root land cut beforehand starts, and where it ends.
     root_start: f64,
     root_end: f64,
+    /// Where the tip land cut beforehand starts.
+    land_start: f64,
 }
 
 impl CutGear {
@@ -123,13 +125,16 @@ impl CutHalf {
     fn new(gear: &AsBuilt, side: Side, chord: f64) -> CutHalf {
         let profile = Profile::new(gear.gear());
         let teeth = 1..=gear.gear().toothing().teeth();
-        let root_ends = teeth.map(|tooth| gear.root_end(side, tooth));
+        let root_ends = teeth.clone().map(|tooth| gear.root_end(side, tooth));
+        let land_starts = teeth.map(|tooth| gear.land_start(tooth));
+        let land_start = land_starts.fold(0.0, f64::max);
         // Where every space is wider than its nominal width, the rest of each land begins beyond the nominal middle.
         let root_end = root_ends.fold(f64::INFINITY, f64::min);
         let mut chords: Vec<Chord> = Curve::ALL
             .into_iter()
             .filter_map(|curve| {
                 let (from, to) = match (curve, profile.range(curve)) {
+                    (Curve::Tip, (_, to)) => (land_start, to),
                     (Curve::Root, (from, _)) => (from, root_end),
                     (_, range) => range,
                 };
@@ -170,11 +175,12 @@ impl CutHalf {
             outline,
             root_start: profile.range(Curve::Root).0,
             root_end,
+            land_start,
         }
     }
 }
 
-/// The half tooth of one tooth: what all share, the far half of its tip land, and the rest of its root land.
+/// The half tooth of one tooth: what all share, the rest of its tip land up to the far corner, and of its root land.
 ///
 /// The tip land reaches to its far corner: where tips hardly reach each other, or stand on a root, the mate may
 /// meet the far half alone. It is the tooth's own metal, and what turns in meets its near half first wherever
@@ -228,9 +234,10 @@ impl<'a> Half<'a> {
         &self.cut.outline
     }
 
-    /// Its longest chords that are its own: the far half of the tip land, the rest of the root land.
+    /// Its longest chords that are its own: the rest of the tip land, and of the root land.
     pub fn own(&self) -> [Option<Chord>; 2] {
-        let far = (self.land_start < 0.0).then_some((Curve::Tip, [self.land_start, 0.0]));
+        let shared = self.cut.land_start;
+        let far = (self.land_start < shared).then_some((Curve::Tip, [self.land_start, shared]));
         // Where a space is closed at its root there is none in any tooth's half.
         let from = self.cut.root_end.max(self.cut.root_start);
         let rest = (self.root_end > from).then_some((Curve::Root, [from, self.root_end]));
@@ -254,8 +261,8 @@ impl<'a> Half<'a> {
 
     /// Centre and radius, mm, of a disc that holds the half tooth.
     pub fn disc(&self) -> (Point2<f64>, f64) {
-        // What is its own: the far half of the land, no longer than that; the rest of the root land.
-        let own = self.gear.tip_radius() * -self.land_start
+        // What is its own is no longer than its arcs.
+        let own = self.gear.tip_radius() * (self.cut.land_start - self.land_start)
             + self.gear.root_radius() * (self.root_end - self.cut.root_end).max(0.0);
         (self.cut.centre, self.cut.radius + own)
     }

@@ -219,3 +219,27 @@ fn of_two_equally_near_pairs_the_clockwise_one_is_named_at_the_right() {
         }
     }
 }
+
+/// The common normal of two involutes touches both base circles.
+#[test]
+fn the_normal_of_two_involutes_touches_both_base_circles() {
+    let mut random = Random(11);
+    let mut met = 0;
+    while met < 200 {
+        let assembly = random::pair(&mut random, PERFECT);
+        let pose = Pose::new(&assembly, random::mating(&mut random, &assembly));
+        let found = ExactKernel::new(&assembly).lost_motion(&pose).unwrap();
+        for contact in [found.right, found.left].into_iter().flatten() {
+            if [contact.wheel.curve, contact.pinion.curve] != [Curve::Involute; 2] {
+                continue;
+            }
+            met += 1;
+            assert!((contact.normal.norm() - 1.0).abs() < 1e-12);
+            for member in [Member::Wheel, Member::Pinion] {
+                let base = assembly.gear(member).gear().base_radius();
+                let arm = (contact.point - assembly.axis(member)).perp(&contact.normal);
+                assert!((arm.abs() - base).abs() < 1e-9 * base, "{arm} of {base}");
+            }
+        }
+    }
+}

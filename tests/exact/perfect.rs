@@ -1,7 +1,7 @@
 //! Perfect gears against the closed form, and results that depend on the pose alone.
 
 use crate::random::{self, Kind, Random};
-use gearlash::gear::{Curve, involute};
+use gearlash::gear::{AsBuilt, Blank, Curve, Face, Gear, Rack, Side, Toothing, involute};
 use gearlash::mesh::{ExactKernel, LostMotion};
 use gearlash::pair::{Assembly, Mating, Member, Pose};
 
@@ -174,6 +174,72 @@ fn of_pairs_that_tie_the_nearest_to_the_pitch_point_is_named() {
         for contact in [found.right.unwrap(), found.left.unwrap()] {
             let away = (contact.point - pitch_point).norm();
             assert!(away <= base_pitch / 2.0 + 1e-6, "{away} of {base_pitch}");
+        }
+    }
+}
+
+/// Two pairs half a base pitch before and behind the pitch point are equally near: named is the one clockwise on the locked gear in
+/// right-flank contact, its mirror image in left-flank contact, as the method's description says.
+#[test]
+fn of_two_equally_near_pairs_the_clockwise_one_is_named_at_the_right() {
+    let toothing = Toothing::new(44, 3.0, 20f64.to_radians()).unwrap();
+    let blank = Blank {
+        toothing,
+        profile_shift: 0.0,
+        rack: Rack::ISO_53_A,
+        tip_diameter: None,
+    };
+    let [wheel, pinion] =
+        [Face::Front, Face::Back].map(|face| AsBuilt::perfect(Gear::nominal(blank).unwrap(), face));
+    for locked in [Member::Wheel, Member::Pinion] {
+        let assembly = Assembly::new(wheel.clone(), pinion.clone(), 132.1, locked).unwrap();
+        let kernel = ExactKernel::new(&assembly);
+        let pitch_point =
+            nalgebra::Point2::new(assembly.operating_pitch_radius(Member::Wheel), 0.0);
+        for flank in Side::BOTH {
+            for tooth in 1..=44 {
+                let mating = Mating {
+                    wheel_tooth: tooth,
+                    pinion_tooth: 7,
+                    flank,
+                    fraction: 0.5,
+                };
+                let found = kernel.lost_motion(&Pose::new(&assembly, mating)).unwrap();
+                let named = match flank {
+                    Side::Right => found.right.unwrap().point,
+                    Side::Left => found.left.unwrap().point,
+                };
+                let away = (named - pitch_point).norm();
+                assert!((away - 0.5 * toothing.base_pitch()).abs() < 1e-9, "{away}");
+                let other = pitch_point - (named - pitch_point);
+                let axis = assembly.axis(locked);
+                let turn = (named - axis).perp(&(other - axis)) * -flank.sense();
+                assert!(turn > 0.0, "{locked:?} {mating:?}: {found:?}");
+            }
+        }
+    }
+}
+
+/// The common normal of two involutes touches both base circles.
+#[test]
+fn the_normal_of_two_involutes_touches_both_base_circles() {
+    let mut random = Random(11);
+    let mut met = 0;
+    while met < 200 {
+        let assembly = random::pair(&mut random, PERFECT);
+        let pose = Pose::new(&assembly, random::mating(&mut random, &assembly));
+        let found = ExactKernel::new(&assembly).lost_motion(&pose).unwrap();
+        for contact in [found.right, found.left].into_iter().flatten() {
+            if [contact.wheel.curve, contact.pinion.curve] != [Curve::Involute; 2] {
+                continue;
+            }
+            met += 1;
+            assert!((contact.normal.norm() - 1.0).abs() < 1e-12);
+            for member in [Member::Wheel, Member::Pinion] {
+                let base = assembly.gear(member).gear().base_radius();
+                let arm = (contact.point - assembly.axis(member)).perp(&contact.normal);
+                assert!((arm.abs() - base).abs() < 1e-9 * base, "{arm} of {base}");
+            }
         }
     }
 }

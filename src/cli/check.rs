@@ -1,6 +1,6 @@
 //! `gearlash check`: does the pair interfere, where, why, and what does it cost.
 
-use super::console::print;
+use super::console::{print, tell};
 use super::method::{MethodArgs, whole_agreement};
 use super::progress::Progress;
 use super::{poses, studies};
@@ -122,10 +122,10 @@ fn maps(study: &Study, diagnosis: &Diagnosis) -> Result<Vec<(String, String)>, E
             Ok(Some(zero)) => drawn.push((group, zero)),
             Ok(None) => {}
             Err(reason) => {
-                eprintln!(
+                tell(&format!(
                     "note: no map of material {}: the pose with the least backlash is unproven ({reason})",
                     material.name()
-                );
+                ));
             }
         }
     }

@@ -3,16 +3,18 @@
 //! Every measurement cycles through a revolution at 7 poses a pitch, so that no pose is warm.
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
-use gearlash::gear::{AsBuilt, Blank, Deviations, Face, Gear, Pitch, Rack, Side, Toothing};
+use gearlash::gear::{
+    AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Pitch, Side,
+};
 use gearlash::mesh::ExactKernel;
-use gearlash::pair::{Assembly, Mating, Member, Pose};
+use gearlash::pair::{GearPair, Mating, Member, Pose};
 use std::hint::black_box;
 
 fn gear(teeth: u32, module: f64) -> Gear {
-    Gear::nominal(Blank {
-        toothing: Toothing::new(teeth, module, 20f64.to_radians()).unwrap(),
+    Gear::nominal(GearDesign {
+        basic_data: BasicGearData::new(teeth, module, 20f64.to_radians()).unwrap(),
         profile_shift: 0.0,
-        rack: Rack::ISO_53_A,
+        rack: BasicRack::ISO_53_A,
         tip_diameter: None,
     })
     .unwrap()
@@ -34,19 +36,19 @@ fn deviated(teeth: u32, module: f64, face: Face) -> AsBuilt {
     AsBuilt::new(gear(teeth, module), face, &deviations).unwrap()
 }
 
-fn perfect(teeth: u32, distance: f64) -> Assembly {
+fn perfect(teeth: u32, distance: f64) -> GearPair {
     let [wheel, pinion] =
         [Face::Front, Face::Back].map(|face| AsBuilt::perfect(gear(teeth, 3.0), face));
-    Assembly::new(wheel, pinion, distance, Member::Wheel).unwrap()
+    GearPair::new(wheel, pinion, distance, Member::Wheel).unwrap()
 }
 
-fn wild(teeth: u32, distance: f64) -> Assembly {
+fn wild(teeth: u32, distance: f64) -> GearPair {
     let [wheel, pinion] = [Face::Front, Face::Back].map(|face| deviated(teeth, 3.0, face));
-    Assembly::new(wheel, pinion, distance, Member::Wheel).unwrap()
+    GearPair::new(wheel, pinion, distance, Member::Wheel).unwrap()
 }
 
-fn poses(assembly: &Assembly) -> Vec<Pose> {
-    let teeth = assembly.gear(Member::Wheel).gear().toothing().teeth();
+fn poses(assembly: &GearPair) -> Vec<Pose> {
+    let teeth = assembly.gear(Member::Wheel).gear().basic_data().teeth();
     (0..teeth * 7)
         .map(|k| {
             let mating = Mating {
@@ -60,7 +62,7 @@ fn poses(assembly: &Assembly) -> Vec<Pose> {
         .collect()
 }
 
-fn measure(criterion: &mut Criterion, name: &str, teeth: u32, assembly: &Assembly) {
+fn measure(criterion: &mut Criterion, name: &str, teeth: u32, assembly: &GearPair) {
     let kernel = ExactKernel::new(assembly);
     let poses = poses(assembly);
     let mut next = 0;

@@ -4,10 +4,10 @@
 
 use gearlash::analytic::LineOfAction;
 use gearlash::gear::{
-    AsBuilt, Blank, Deviations, Face, Gear, HalfTooth, Pitch, Rack, Side, Toothing,
+    AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, HalfTooth, Pitch, Side,
 };
 use gearlash::mesh::{Certifier, CutPair, ExactKernel, Method, sweep};
-use gearlash::pair::{Assembly, Mating, Member, Pose, SweepPlan};
+use gearlash::pair::{GearPair, Mating, Member, Pose, SweepPlan};
 use nalgebra::{Isometry2, Point2, Vector2};
 use parry2d_f64::math::{Pose2, Vector};
 use parry2d_f64::query;
@@ -26,10 +26,10 @@ const NEWCOMER_CHORD: f64 = 1e-6;
 const NEWCOMER_WIDTH: f64 = 1e-9;
 
 fn gear(teeth: u32) -> Gear {
-    Gear::nominal(Blank {
-        toothing: Toothing::new(teeth, 3.0, 20f64.to_radians()).unwrap(),
+    Gear::nominal(GearDesign {
+        basic_data: BasicGearData::new(teeth, 3.0, 20f64.to_radians()).unwrap(),
         profile_shift: 0.0,
-        rack: Rack::ISO_53_A,
+        rack: BasicRack::ISO_53_A,
         tip_diameter: None,
     })
     .unwrap()
@@ -52,24 +52,24 @@ fn deviated(teeth: u32, face: Face) -> AsBuilt {
 }
 
 /// 0.1 mm beyond the play-free distance.
-fn pair(teeth: [u32; 2], perfect: bool) -> Assembly {
+fn pair(teeth: [u32; 2], perfect: bool) -> GearPair {
     let build = |teeth, face| match perfect {
         true => AsBuilt::perfect(gear(teeth), face),
         false => deviated(teeth, face),
     };
     let distance = 1.5 * f64::from(teeth[0] + teeth[1]) + 0.1;
     let (wheel, pinion) = (build(teeth[0], Face::Front), build(teeth[1], Face::Back));
-    Assembly::new(wheel, pinion, distance, Member::Wheel).unwrap()
+    GearPair::new(wheel, pinion, distance, Member::Wheel).unwrap()
 }
 
-fn cut(assembly: &Assembly) -> CutPair {
+fn cut(assembly: &GearPair) -> CutPair {
     let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|m| assembly.gear(m));
     CutPair::new(wheel, pinion, 1e-3)
 }
 
 /// Some 300 poses of a revolution, no two alike: none is warm.
-fn poses(assembly: &Assembly) -> Vec<Pose> {
-    let teeth = assembly.gear(Member::Wheel).gear().toothing().teeth();
+fn poses(assembly: &GearPair) -> Vec<Pose> {
+    let teeth = assembly.gear(Member::Wheel).gear().basic_data().teeth();
     (0..308)
         .map(|k| {
             let mating = Mating {
@@ -98,20 +98,20 @@ fn a_pose(poses: &[Pose], mut work: impl FnMut(&Pose)) -> f64 {
     all.as_secs_f64() / poses.len() as f64
 }
 
-fn exact(assembly: &Assembly) -> f64 {
+fn exact(assembly: &GearPair) -> f64 {
     let kernel = ExactKernel::new(assembly);
     a_pose(&poses(assembly), |pose| {
         black_box(kernel.lost_motion(pose).unwrap());
     })
 }
 
-fn model_3(assembly: &Assembly) -> f64 {
+fn model_3(assembly: &GearPair) -> f64 {
     a_pose(&poses(assembly), |pose| {
         black_box(LineOfAction::new(assembly, pose));
     })
 }
 
-fn certificate(assembly: &Assembly) -> f64 {
+fn certificate(assembly: &GearPair) -> f64 {
     let (cut, kernel) = (cut(assembly), ExactKernel::new(assembly));
     let certifier = Certifier::new(cut.kernel(assembly));
     let poses = poses(assembly);
@@ -131,7 +131,7 @@ fn certificate(assembly: &Assembly) -> f64 {
 fn whole_gear(gear: &AsBuilt) -> Polyline {
     let mut points = Vec::new();
     let halves = Side::BOTH.map(|side| HalfTooth::new(gear.gear(), side, NEWCOMER_CHORD));
-    let teeth = gear.gear().toothing().teeth();
+    let teeth = gear.gear().basic_data().teeth();
     for step in 0..i64::from(teeth) {
         let tooth = gear.counter_clockwise(1, step);
         for (side, half) in Side::BOTH.into_iter().zip(&halves) {
@@ -154,7 +154,7 @@ fn whole_gear(gear: &AsBuilt) -> Polyline {
 /// Both rotations by bisection with parry's `distance` of whole gears, rad, and the time it took.
 ///
 /// What one writes who has parry and no theory: a rotation is free when the distance is positive.
-fn newcomer(assembly: &Assembly, pose: &Pose) -> (f64, f64) {
+fn newcomer(assembly: &GearPair, pose: &Pose) -> (f64, f64) {
     let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|m| whole_gear(assembly.gear(m)));
     let frame = |member: Member, rotation: f64| {
         let tooth_1 = assembly.mate_direction(member) + rotation;
@@ -189,7 +189,7 @@ fn newcomer(assembly: &Assembly, pose: &Pose) -> (f64, f64) {
 }
 
 /// Seconds for a whole sweep on `threads` threads.
-fn swept(assembly: &Assembly, matings: &[Mating], certify: bool, threads: usize) -> f64 {
+fn swept(assembly: &GearPair, matings: &[Mating], certify: bool, threads: usize) -> f64 {
     let cut = cut(assembly);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
     let pool = pool.build().unwrap();

@@ -11,9 +11,9 @@
 
 use gearlash::analytic::{InvolutePair, limits};
 use gearlash::error::Error;
-use gearlash::gear::{AsBuilt, Blank, Face, Gear, Rack, Side, Toothing};
+use gearlash::gear::{AsBuilt, BasicGearData, BasicRack, Face, Gear, GearDesign, Side};
 use gearlash::mesh::ExactKernel;
-use gearlash::pair::{Assembly, Mating, Member, Pose};
+use gearlash::pair::{GearPair, Mating, Member, Pose};
 use rayon::prelude::*;
 
 /// Poses a pitch.
@@ -34,17 +34,17 @@ struct Finding {
 }
 
 fn gear(teeth: u32, root_radius: f64, face: Face) -> Result<AsBuilt, Error> {
-    let blank = Blank {
-        toothing: Toothing::new(teeth, 1.0, 20f64.to_radians())?,
+    let design = GearDesign {
+        basic_data: BasicGearData::new(teeth, 1.0, 20f64.to_radians())?,
         profile_shift: 0.0,
-        rack: Rack::new(1.0, 1.25, root_radius)?,
+        rack: BasicRack::new(1.0, 1.25, root_radius)?,
         tip_diameter: None,
     };
-    Ok(AsBuilt::perfect(Gear::nominal(blank)?, face))
+    Ok(AsBuilt::perfect(Gear::nominal(design)?, face))
 }
 
 fn finding(teeth: (u32, u32), root_radius: f64, closer: f64) -> Result<Finding, Error> {
-    let assembly = Assembly::new(
+    let assembly = GearPair::new(
         gear(teeth.0, root_radius, Face::Front)?,
         gear(teeth.1, root_radius, Face::Back)?,
         f64::from(teeth.0 + teeth.1) / 2.0 - closer,
@@ -73,7 +73,8 @@ fn finding(teeth: (u32, u32), root_radius: f64, closer: f64) -> Result<Finding, 
             .all(|m| limits::non_involute_margin(&assembly, *m) >= -limits::MET_WITHIN),
         undercut: members.iter().any(|m| {
             let gear = assembly.gear(*m).gear();
-            let least = limits::least_shift_without_undercut(gear.toothing(), &gear.blank().rack);
+            let least =
+                limits::least_shift_without_undercut(gear.basic_data(), &gear.design().rack);
             gear.generating_shift() < least
         }),
         loss,

@@ -6,9 +6,9 @@
 //! pair, and that is a finding of its own.
 
 use crate::analytic::{Analytic, evaluate};
-use crate::gear::Curve;
-use crate::mesh::{Contact, LostMotion, Status, SweptPose, first_least};
-use crate::pair::Assembly;
+use crate::gear::ProfilePart;
+use crate::mesh::{Contact, LostMotion, PoseResult, Status, first_least};
+use crate::pair::GearPair;
 use crate::simulate::Run;
 use crate::study::Study;
 
@@ -57,7 +57,7 @@ impl Verdict {
 #[derive(Debug, Clone, PartialEq)]
 pub struct ComparedPose {
     /// What was simulated.
-    pub swept: SweptPose,
+    pub swept: PoseResult,
     /// Model 1, Michalec.
     pub michalec: Option<f64>,
     /// Model 2, involute.
@@ -248,7 +248,7 @@ pub fn compare(runs: Vec<Run>, tolerance_um: f64) -> Vec<ComparedRun> {
 }
 
 /// A pose of `assembly` with its analytic values, judged with `tolerance_um`.
-pub(crate) fn compared(assembly: &Assembly, swept: SweptPose, tolerance_um: f64) -> ComparedPose {
+pub(crate) fn compared(assembly: &GearPair, swept: PoseResult, tolerance_um: f64) -> ComparedPose {
     let analytic: Analytic = evaluate(assembly, &swept.pose);
     let line_of_action = analytic.line_of_action.backlash(assembly);
     ComparedPose {
@@ -265,7 +265,7 @@ pub fn tolerance_um(study: &Study, given: Option<f64>) -> f64 {
     given.unwrap_or(study.tolerance_um)
 }
 
-fn judge(swept: &SweptPose, formula: Option<f64>, tolerance: f64) -> Verdict {
+fn judge(swept: &PoseResult, formula: Option<f64>, tolerance: f64) -> Verdict {
     let Ok(found) = &swept.found else {
         return Verdict::Unproven;
     };
@@ -294,7 +294,8 @@ fn judge(swept: &SweptPose, formula: Option<f64>, tolerance: f64) -> Verdict {
 /// Whether a tip, fillet or root takes part in either contact.
 pub fn touches_off_line(lost_motion: &LostMotion) -> bool {
     let off = |contact: &Contact| {
-        contact.wheel.curve != Curve::Involute || contact.pinion.curve != Curve::Involute
+        contact.wheel.curve != ProfilePart::Involute
+            || contact.pinion.curve != ProfilePart::Involute
     };
     [&lost_motion.right, &lost_motion.left]
         .into_iter()

@@ -11,7 +11,7 @@ use crate::curves::swept;
 use crate::error::Error;
 use crate::gear::{AsBuilt, Inspection};
 use crate::mesh::{ExactKernel, LostMotion, Method, Status, first_least};
-use crate::pair::{Assembly, Mating, Member, Pose, SweepPlan};
+use crate::pair::{GearPair, Mating, Member, Pose, SweepPlan};
 use crate::simulate::simulate_plans;
 use crate::study::{RunPlan, Study};
 use rayon::prelude::*;
@@ -29,7 +29,7 @@ pub struct Cycle {
     /// Those of the revolution that is simulated.
     pub simulated: u64,
     /// What became of the others.
-    pub others: Others,
+    pub others: RemainingMatings,
     /// Of each centre distance and material the poses that the others are worst, least and greatest at, simulated.
     pub extremes: Vec<ComparedRun>,
     /// Poses of the others at which the contact was lost; the first of each centre distance and material is among the
@@ -39,7 +39,7 @@ pub struct Cycle {
 
 /// The matings that no revolution simulated meets.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Others {
+pub enum RemainingMatings {
     /// There are none.
     None,
     /// All were gone through at so many poses a pitch.
@@ -66,7 +66,7 @@ struct Look {
 }
 
 /// One run of a study, and the pitches beyond it.
-struct Rest {
+struct RemainingRun {
     /// Its matings left out.
     plan: RunPlan,
     first: Mating,
@@ -75,14 +75,14 @@ struct Rest {
     matings: u64,
 }
 
-impl Rest {
-    fn new(plan: RunPlan) -> Option<Rest> {
+impl RemainingRun {
+    fn new(plan: RunPlan) -> Option<RemainingRun> {
         let first = *plan.matings.first()?;
         let steps = plan.matings.iter().take_while(|mating| {
             (mating.wheel_tooth, mating.pinion_tooth) == (first.wheel_tooth, first.pinion_tooth)
         });
         let steps = steps.count().max(1);
-        Some(Rest {
+        Some(RemainingRun {
             first,
             steps_per_pitch: u32::try_from(steps).ok()?,
             simulated: (plan.matings.len() / steps) as u64,
@@ -238,7 +238,7 @@ pub fn cycle(
     let rests = rests(study)?;
     let others = others(&rests);
     let (mut plans, mut lost) = (Vec::new(), 0);
-    if let Others::Seen {
+    if let RemainingMatings::Seen {
         steps_per_pitch, ..
     } = others
     {
@@ -268,15 +268,15 @@ pub fn cycle(
 /// As [`Study::runs`].
 pub fn pose_count(study: &Study) -> Result<usize, Error> {
     Ok(match others(&rests(study)?) {
-        Others::Seen { poses, .. } => poses as usize,
-        Others::None | Others::TooMany { .. } => 0,
+        RemainingMatings::Seen { poses, .. } => poses as usize,
+        RemainingMatings::None | RemainingMatings::TooMany { .. } => 0,
     })
 }
 
 /// Matings of one assembly that differ, in pitches: after them every deviation of both gears is where it was.
-fn matings(assembly: &Assembly) -> u64 {
+fn matings(assembly: &GearPair) -> u64 {
     let gear = |member| assembly.gear(member);
-    let teeth = |member| gear(member).gear().toothing().teeth();
+    let teeth = |member| gear(member).gear().basic_data().teeth();
     let (wheel, pinion) = (teeth(Member::Wheel), teeth(Member::Pinion));
     let deviates = |gear: &AsBuilt| Inspection::of(gear).deviates();
     match [Member::Wheel, Member::Pinion].map(|member| deviates(gear(member))) {
@@ -288,25 +288,25 @@ fn matings(assembly: &Assembly) -> u64 {
 }
 
 /// Phases are run over their full period already: their plans leave nothing.
-fn rests(study: &Study) -> Result<Vec<Rest>, Error> {
+fn rests(study: &Study) -> Result<Vec<RemainingRun>, Error> {
     let plans = swept(study.clone()).runs()?;
-    Ok(plans.into_iter().filter_map(Rest::new).collect())
+    Ok(plans.into_iter().filter_map(RemainingRun::new).collect())
 }
 
-fn others(rests: &[Rest]) -> Others {
-    let pitches: u64 = rests.iter().map(Rest::pitches).sum();
+fn others(rests: &[RemainingRun]) -> RemainingMatings {
+    let pitches: u64 = rests.iter().map(RemainingRun::pitches).sum();
     let steps = rests.iter().map(|rest| rest.steps_per_pitch).max();
     let mut steps_per_pitch = steps.unwrap_or(1);
     if pitches == 0 {
-        return Others::None;
+        return RemainingMatings::None;
     }
     while pitches.saturating_mul(u64::from(steps_per_pitch)) > MOST {
         if steps_per_pitch == 1 {
-            return Others::TooMany { most: MOST };
+            return RemainingMatings::TooMany { most: MOST };
         }
         steps_per_pitch /= 2;
     }
-    Others::Seen {
+    RemainingMatings::Seen {
         steps_per_pitch,
         poses: pitches * u64::from(steps_per_pitch),
     }

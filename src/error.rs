@@ -175,7 +175,7 @@ pub struct Problem {
     /// What is wrong and what is allowed.
     pub reason: String,
     /// What to do.
-    pub way_out: String,
+    pub help: String,
 }
 
 impl fmt::Display for Problem {
@@ -187,7 +187,7 @@ impl fmt::Display for Problem {
             }
             write!(f, ": ")?;
         }
-        write!(f, "{}; {}", self.reason, self.way_out)
+        write!(f, "{}; {}", self.reason, self.help)
     }
 }
 

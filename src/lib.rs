@@ -18,17 +18,17 @@
 //! Lengths are mm and angles radians inside; names at the edge carry their unit (`_um`, `_mm`, `_deg`).
 //!
 //! ```
-//! use gearlash::gear::{AsBuilt, Blank, Face, Gear, Rack, Side, Toothing};
+//! use gearlash::gear::{AsBuilt, GearDesign, Face, Gear, BasicRack, Side, BasicGearData};
 //! use gearlash::mesh::{ExactKernel, Status};
-//! use gearlash::pair::{Assembly, Mating, Member, Pose};
+//! use gearlash::pair::{GearPair, Mating, Member, Pose};
 //!
 //! // Two gears of module 3, 20°, with 44 teeth, 0.1 mm farther apart than play-free.
-//! let toothing = Toothing::new(44, 3.0, 20f64.to_radians())?;
-//! let blank = Blank { toothing, profile_shift: 0.0, rack: Rack::ISO_53_A, tip_diameter: None };
-//! let gear = Gear::nominal(blank)?;
+//! let basic_data = BasicGearData::new(44, 3.0, 20f64.to_radians())?;
+//! let design = GearDesign { basic_data, profile_shift: 0.0, rack: BasicRack::ISO_53_A, tip_diameter: None };
+//! let gear = Gear::nominal(design)?;
 //! let wheel = AsBuilt::perfect(gear.clone(), Face::Front);
 //! let pinion = AsBuilt::perfect(gear, Face::Back);
-//! let assembly = Assembly::new(wheel, pinion, 132.1, Member::Wheel)?;
+//! let assembly = GearPair::new(wheel, pinion, 132.1, Member::Wheel)?;
 //!
 //! // Tooth 11 of the wheel mates with tooth 11 of the pinion at their right flanks.
 //! let mating = Mating { wheel_tooth: 11, pinion_tooth: 11, flank: Side::Right, fraction: 0.0 };

@@ -2,7 +2,7 @@
 //! and how far the formulas lie off. Lengths in mm, as `j_wt`.
 
 use crate::compare::{ComparedPose, ComparedRun, Verdict, touches_off_line};
-use crate::mesh::{Status, SweptPose, first_least, worst_pose};
+use crate::mesh::{PoseResult, Status, first_least, worst_pose};
 use crate::study::Material;
 
 /// A pose and the run it belongs to.
@@ -85,11 +85,11 @@ impl<'a> Outcome<'a> {
             let runs = runs.iter().chain(picked).copied();
             runs.flat_map(|run| run.poses.iter().map(move |pose| Found { run, pose }))
         };
-        let count = |holds: &dyn Fn(&SweptPose) -> bool| {
+        let count = |holds: &dyn Fn(&PoseResult) -> bool| {
             let of_kind = |found: &Found| holds(&found.pose.swept);
             all().filter(of_kind).count()
         };
-        let is = |status: Status| move |pose: &SweptPose| pose.status() == status;
+        let is = |status: Status| move |pose: &PoseResult| pose.status() == status;
         let extreme = |sign: f64| {
             first_least(all().filter_map(|found| {
                 let swept = &found.pose.swept;
@@ -112,8 +112,8 @@ impl<'a> Outcome<'a> {
         let end = |end: usize| all().filter_map(move |found| found.pose.swept.range()[end]);
         Outcome {
             poses: all().count(),
-            interfering: count(&SweptPose::interferes),
-            touching: count(&SweptPose::just_touches),
+            interfering: count(&PoseResult::interferes),
+            touching: count(&PoseResult::just_touches),
             jammed: count(&is(Status::Jammed)),
             apart: count(&is(Status::NoContact)),
             unproven: count(&is(Status::Unproven)),

@@ -2,7 +2,7 @@
 
 use crate::compare::ComparedRun;
 use crate::outcome::Outcome;
-use crate::pair::{Assembly, Mating, Member, SweepPlan};
+use crate::pair::{GearPair, Mating, Member, SweepPlan};
 use crate::tally::RunTally;
 
 /// The phases of one centre distance and material.
@@ -17,9 +17,9 @@ pub struct PhaseGroup<'a> {
 }
 
 /// The assembly phase of `mating`: the least pinion tooth whose right flank ever meets that of wheel tooth 1.
-pub fn phase(assembly: &Assembly, mating: &Mating) -> u32 {
+pub fn phase(assembly: &GearPair, mating: &Mating) -> u32 {
     let [wheel, pinion] = [Member::Wheel, Member::Pinion]
-        .map(|member| assembly.gear(member).gear().toothing().teeth());
+        .map(|member| assembly.gear(member).gear().basic_data().teeth());
     let ways = SweepPlan::phase_count(wheel, pinion);
     (mating.of_wheel_tooth_1(assembly).pinion_tooth - 1) % ways + 1
 }

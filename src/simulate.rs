@@ -1,8 +1,8 @@
 //! From what a pair file asks for to what was found: every run of a study.
 
 use crate::error::Error;
-use crate::mesh::{CutPair, Method, SweptPose, sweep_blocks};
-use crate::pair::Assembly;
+use crate::mesh::{CutPair, Method, PoseResult, sweep_blocks};
+use crate::pair::GearPair;
 use crate::study::{Material, RunPlan, Study};
 use std::ops::ControlFlow;
 
@@ -12,11 +12,11 @@ pub struct Run {
     /// Which end of the thickness tolerances.
     pub material: Material,
     /// The gears at this centre distance.
-    pub assembly: Assembly,
+    pub assembly: GearPair,
     /// Wheel and pinion tooth that name the assembly phase.
     pub phase: Option<(u32, u32)>,
     /// What was found, in order.
-    pub poses: Vec<SweptPose>,
+    pub poses: Vec<PoseResult>,
 }
 
 /// How many poses [`simulate`] will take.
@@ -75,11 +75,11 @@ pub(crate) struct Block<'a> {
     /// As [`Run::material`].
     pub material: Material,
     /// As [`Run::assembly`].
-    pub assembly: &'a Assembly,
+    pub assembly: &'a GearPair,
     /// As [`Run::phase`].
     pub phase: Option<(u32, u32)>,
     /// In order, behind those of the block before; none of a run without poses.
-    pub poses: Vec<SweptPose>,
+    pub poses: Vec<PoseResult>,
     /// How many poses the run has.
     pub of: usize,
     /// Whether the run begins.
@@ -131,7 +131,7 @@ pub(crate) fn each_block(
             continue;
         }
         let (clearance, mut done) = (study.bearing_clearance, 0);
-        let each = &mut |poses: Vec<SweptPose>| {
+        let each = &mut |poses: Vec<PoseResult>| {
             let found = poses.len();
             let next = block(poses, done);
             done += found;

@@ -6,7 +6,7 @@
 use crate::error::GearError;
 use crate::gear::{AsBuilt, Side};
 use crate::notes::GearNotes;
-use crate::pair::{Assembly, Mating, Member, SweepPlan};
+use crate::pair::{GearPair, Mating, Member, SweepPlan};
 use crate::sources::Sources;
 use std::collections::HashMap;
 
@@ -201,7 +201,7 @@ pub struct RunPlan {
     /// Which thickness.
     pub material: Material,
     /// The pair.
-    pub assembly: Assembly,
+    pub assembly: GearPair,
     /// Wheel and pinion tooth that name the assembly phase, where phases are run apart.
     pub phase: Option<(u32, u32)>,
     /// In order.
@@ -238,7 +238,7 @@ impl Study {
         for (_, wheel, pinion) in &self.materials {
             for a in &center_distances {
                 let closest = a - self.bearing_clearance;
-                Assembly::new(wheel.clone(), pinion.clone(), closest, self.locked)?;
+                GearPair::new(wheel.clone(), pinion.clone(), closest, self.locked)?;
             }
         }
         self.echo["assembly"]["center_distance_mm"] = serde_json::json!(center_distances);
@@ -274,7 +274,7 @@ impl Study {
         for &a in &self.center_distances {
             let rows = measured.remove(&a.to_bits()).unwrap_or_default();
             for (material, wheel, pinion) in &self.materials {
-                let assembly = Assembly::new(wheel.clone(), pinion.clone(), a, self.locked)?;
+                let assembly = GearPair::new(wheel.clone(), pinion.clone(), a, self.locked)?;
                 let parts = match &self.sweep {
                     Some(plan) => plan.parts(),
                     None => Vec::new(),

@@ -7,7 +7,7 @@ use crate::compare::{ComparedPose, ComparedRun, Summary, SummaryTally, Verdict, 
 use crate::diagnosis::ContactCount;
 use crate::error::Error;
 use crate::mesh::{BLOCK, FirstLeast, Method, Status};
-use crate::pair::Assembly;
+use crate::pair::GearPair;
 use crate::simulate::each_block;
 use crate::study::{Material, Study};
 use rayon::prelude::*;
@@ -26,7 +26,7 @@ pub struct RunTally {
     /// Which end of the thickness tolerances.
     pub material: Material,
     /// The gears at their centre distance.
-    pub assembly: Assembly,
+    pub assembly: GearPair,
     /// Wheel and pinion tooth that name the assembly phase, where phases are run apart.
     pub phase: Option<(u32, u32)>,
     /// How many poses there are.
@@ -59,7 +59,7 @@ pub struct RunTally {
 
 impl RunTally {
     /// Of no pose yet.
-    fn new(material: Material, assembly: Assembly, phase: Option<(u32, u32)>) -> RunTally {
+    fn new(material: Material, assembly: GearPair, phase: Option<(u32, u32)>) -> RunTally {
         RunTally {
             material,
             assembly,

@@ -4,21 +4,23 @@ mod common;
 
 use common::{reference_file, reference_names, reference_pair};
 use gearlash::analytic::{LineOfAction, SideContact, evaluate};
-use gearlash::gear::{AsBuilt, Blank, Deviations, Face, Gear, Rack, Side, Toothing, thickness};
-use gearlash::pair::{Assembly, Mating, Member, Pose};
+use gearlash::gear::{
+    AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Side, thickness,
+};
+use gearlash::pair::{GearPair, Mating, Member, Pose};
 
 const UM: f64 = 1e-3;
 
-fn blank(teeth: u32, module: f64) -> Blank {
-    Blank {
-        toothing: Toothing::new(teeth, module, 20f64.to_radians()).unwrap(),
+fn design(teeth: u32, module: f64) -> GearDesign {
+    GearDesign {
+        basic_data: BasicGearData::new(teeth, module, 20f64.to_radians()).unwrap(),
         profile_shift: 0.0,
-        rack: Rack::ISO_53_A,
+        rack: BasicRack::ISO_53_A,
         tip_diameter: None,
     }
 }
 
-fn pose(assembly: &Assembly, wheel_tooth: u32, pinion_tooth: u32, flank: Side) -> Pose {
+fn pose(assembly: &GearPair, wheel_tooth: u32, pinion_tooth: u32, flank: Side) -> Pose {
     let mating = Mating {
         wheel_tooth,
         pinion_tooth,
@@ -29,18 +31,18 @@ fn pose(assembly: &Assembly, wheel_tooth: u32, pinion_tooth: u32, flank: Side) -
 }
 
 /// Tables 3 and 4: 44/44, m 3, by span over 6 teeth, runout 6.6 and 10 µm, both high teeth 33.
-fn rig(distance: f64, wheel_span: f64, pinion_span: f64) -> Assembly {
+fn rig(distance: f64, wheel_span: f64, pinion_span: f64) -> GearPair {
     let gear = |span, face, runout_um: f64| {
-        let blank = blank(44, 3.0);
-        let base = thickness::base_from_span(&blank.toothing, 6, span);
+        let design = design(44, 3.0);
+        let base = thickness::base_from_span(&design.basic_data, 6, span);
         let deviations = Deviations {
             eccentricity: runout_um * UM / 2.0,
             high_tooth: 33.0,
             ..Deviations::default()
         };
-        AsBuilt::new(Gear::new(blank, base).unwrap(), face, &deviations).unwrap()
+        AsBuilt::new(Gear::new(design, base).unwrap(), face, &deviations).unwrap()
     };
-    Assembly::new(
+    GearPair::new(
         gear(wheel_span, Face::Front, 6.6),
         gear(pinion_span, Face::Back, 10.0),
         distance,
@@ -79,16 +81,16 @@ fn model_2_gives_all_72_predicted_limits() {
 #[test]
 fn table_2_by_models_2_and_3() {
     let gear = |teeth, over, face| {
-        let blank = blank(teeth, 3.0);
-        let base = thickness::base_from_pins(&blank.toothing, 5.25, over).unwrap();
-        AsBuilt::perfect(Gear::new(blank, base).unwrap(), face)
+        let design = design(teeth, 3.0);
+        let base = thickness::base_from_pins(&design.basic_data, 5.25, over).unwrap();
+        AsBuilt::perfect(Gear::new(design, base).unwrap(), face)
     };
     for (distance, printed) in [
         (160.470, 18.200263),
         (160.500, 40.026463),
         (160.550, 76.490057),
     ] {
-        let assembly = Assembly::new(
+        let assembly = GearPair::new(
             gear(86, 265.530, Face::Front),
             gear(21, 70.171, Face::Back),
             distance,
@@ -117,13 +119,13 @@ fn table_2_by_models_2_and_3() {
 fn model_1_by_hand() {
     for (allowances_um, first) in [([0.0, 0.0], 0.0), ([-30.0, -20.0], 0.050)] {
         let gears = allowances_um.map(|allowance| {
-            let blank = blank(44, 3.0);
-            let nominal = blank.nominal_base_thickness();
-            let base = thickness::base_from_allowance(&blank.toothing, nominal, allowance * UM);
-            AsBuilt::perfect(Gear::new(blank, base).unwrap(), Face::Front)
+            let design = design(44, 3.0);
+            let nominal = design.nominal_base_thickness();
+            let base = thickness::base_from_allowance(&design.basic_data, nominal, allowance * UM);
+            AsBuilt::perfect(Gear::new(design, base).unwrap(), Face::Front)
         });
         let [wheel, pinion] = gears;
-        let assembly = Assembly::new(wheel, pinion, 132.1, Member::Wheel).unwrap();
+        let assembly = GearPair::new(wheel, pinion, 132.1, Member::Wheel).unwrap();
         let result = evaluate(&assembly, &pose(&assembly, 1, 1, Side::Right));
         let expected = first + 0.072794046853240;
         assert!((result.michalec.unwrap() - expected).abs() < 1e-13);
@@ -140,15 +142,15 @@ fn a_high_tooth_at_the_mate_closes_the_gap() {
             ..Deviations::default()
         };
         AsBuilt::new(
-            Gear::nominal(blank(44, 3.0)).unwrap(),
+            Gear::nominal(design(44, 3.0)).unwrap(),
             Face::Front,
             &deviations,
         )
         .unwrap()
     };
-    let mate = AsBuilt::perfect(Gear::nominal(blank(44, 3.0)).unwrap(), Face::Back);
+    let mate = AsBuilt::perfect(Gear::nominal(design(44, 3.0)).unwrap(), Face::Back);
     let michalec = |high_tooth| {
-        let assembly = Assembly::new(gear(high_tooth), mate.clone(), 132.1, Member::Wheel).unwrap();
+        let assembly = GearPair::new(gear(high_tooth), mate.clone(), 132.1, Member::Wheel).unwrap();
         let both = Side::BOTH.map(|flank| evaluate(&assembly, &pose(&assembly, 1, 1, flank)));
         (both[0].michalec.unwrap() + both[1].michalec.unwrap()) / 2.0
     };
@@ -167,10 +169,10 @@ fn a_model_without_a_value_says_none() {
             high_tooth: 1.0,
             ..Deviations::default()
         };
-        AsBuilt::new(Gear::nominal(blank(44, 3.0)).unwrap(), face, &deviations).unwrap()
+        AsBuilt::new(Gear::nominal(design(44, 3.0)).unwrap(), face, &deviations).unwrap()
     };
     let least = 2.0 * eccentric(Face::Front).gear().base_radius();
-    let assembly = Assembly::new(
+    let assembly = GearPair::new(
         eccentric(Face::Front),
         eccentric(Face::Back),
         least + 0.001,
@@ -194,13 +196,13 @@ fn a_model_without_a_value_says_none() {
     assert!(result.involute.is_some_and(f64::is_finite));
     // x_1 + x_2 = −1.8 < −(z_1 + z_2) inv α/(2 tan α) = −1.638: no play-free distance.
     let shifted = |face| {
-        let blank = Blank {
+        let design = GearDesign {
             profile_shift: -0.9,
-            ..blank(40, 3.0)
+            ..design(40, 3.0)
         };
-        AsBuilt::perfect(Gear::nominal(blank).unwrap(), face)
+        AsBuilt::perfect(Gear::nominal(design).unwrap(), face)
     };
-    let assembly = Assembly::new(
+    let assembly = GearPair::new(
         shifted(Face::Front),
         shifted(Face::Back),
         114.0,
@@ -213,7 +215,7 @@ fn a_model_without_a_value_says_none() {
 }
 
 /// The contact that counts, and how much tighter it is than the next.
-fn tightest(assembly: &Assembly, pose: &Pose, side: Side) -> (SideContact, f64) {
+fn tightest(assembly: &GearPair, pose: &Pose, side: Side) -> (SideContact, f64) {
     let mut all: Vec<SideContact> = SideContact::all(assembly, pose, side).collect();
     all.sort_by(|one, other| {
         (side.sense() * one.rotation).total_cmp(&(side.sense() * other.rotation))

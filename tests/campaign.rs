@@ -99,7 +99,7 @@ fn a_grazing_tip_is_not_passed_by() {
     let (assembly, mating) = posed::grazing("passed_by", Side::Left);
     let pose = Pose::new(&assembly, mating);
     let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|m| assembly.gear(m));
-    let cut = CutPair::new(wheel, pinion, 1e-4 * wheel.gear().toothing().module());
+    let cut = CutPair::new(wheel, pinion, 1e-4 * wheel.gear().basic_data().module());
     let exact = ExactKernel::new(&assembly).lost_motion(&pose).unwrap();
     let polygon = cut.refined_kernel(&assembly).lost_motion(&pose).unwrap();
     assert!(exact.right.is_none() && polygon.right.is_none());

@@ -11,41 +11,43 @@ mod posed;
 mod solid;
 
 use campaign::{Depth, Drawn, LONGEST, run};
-use gearlash::gear::{AsBuilt, Blank, Curve, Deviations, Face, Gear, Rack, Side, Toothing};
+use gearlash::gear::{
+    AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, ProfilePart, Side,
+};
 use gearlash::mesh::{Certifier, CutPair, ExactKernel, LostMotion, Status};
-use gearlash::pair::{Assembly, Mating, Member, Pose};
+use gearlash::pair::{GearPair, Mating, Member, Pose};
 use std::f64::consts::TAU;
 
 /// A gear of the test rig pair (Karba et al., Tables 3 and 4), of the span `W_6` and the runout, mm.
 fn rig_gear(span: f64, runout: f64, face: Face) -> AsBuilt {
-    let toothing = Toothing::new(44, 3.0, 20f64.to_radians()).unwrap();
-    let blank = Blank {
-        toothing,
+    let basic_data = BasicGearData::new(44, 3.0, 20f64.to_radians()).unwrap();
+    let design = GearDesign {
+        basic_data,
         profile_shift: 0.0,
-        rack: Rack::ISO_53_A,
+        rack: BasicRack::ISO_53_A,
         tip_diameter: None,
     };
     // W_k = (k − 1) p_b + s_b.
-    let base = span - 5.0 * toothing.base_radius() * toothing.angular_pitch();
+    let base = span - 5.0 * basic_data.base_radius() * basic_data.angular_pitch();
     let deviations = Deviations {
         eccentricity: runout / 2.0,
         high_tooth: 33.0,
         ..Deviations::default()
     };
-    AsBuilt::new(Gear::new(blank, base).unwrap(), face, &deviations).unwrap()
+    AsBuilt::new(Gear::new(design, base).unwrap(), face, &deviations).unwrap()
 }
 
-fn rig(distance: f64) -> Assembly {
+fn rig(distance: f64) -> GearPair {
     let wheel = rig_gear(50.561, 0.0066, Face::Front);
     let pinion = rig_gear(50.567, 0.010, Face::Back);
-    Assembly::new(wheel, pinion, distance, Member::Wheel).unwrap()
+    GearPair::new(wheel, pinion, distance, Member::Wheel).unwrap()
 }
 
 /// The rig pair without runout.
-fn round_rig(distance: f64) -> Assembly {
+fn round_rig(distance: f64) -> GearPair {
     let wheel = rig_gear(50.561, 0.0, Face::Front);
     let pinion = rig_gear(50.567, 0.0, Face::Back);
-    Assembly::new(wheel, pinion, distance, Member::Wheel).unwrap()
+    GearPair::new(wheel, pinion, distance, Member::Wheel).unwrap()
 }
 
 fn mating(tooth: u32, fraction: f64) -> Mating {
@@ -63,10 +65,10 @@ fn apart(one: f64, other: f64) -> f64 {
 }
 
 /// The exact result, borne out by its certificate and by the polygon method within both error bounds.
-fn by_both(assembly: &Assembly, mating: Mating) -> LostMotion {
+fn by_both(assembly: &GearPair, mating: Mating) -> LostMotion {
     let pose = Pose::new(assembly, mating);
     let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|member| assembly.gear(member));
-    let cut = CutPair::new(wheel, pinion, 1e-4 * wheel.gear().toothing().module());
+    let cut = CutPair::new(wheel, pinion, 1e-4 * wheel.gear().basic_data().module());
     let exact = ExactKernel::new(assembly).lost_motion(&pose).unwrap();
     let polygon = cut.refined_kernel(assembly).lost_motion(&pose).unwrap();
     Certifier::new(cut.kernel(assembly))
@@ -95,7 +97,7 @@ fn agree(mating: Mating, one: &LostMotion, other: &LostMotion) {
 }
 
 /// Both sides against solid teeth; whether anything touches there.
-fn is_solid(assembly: &Assembly, mating: Mating, found: &LostMotion, within: f64) -> bool {
+fn is_solid(assembly: &GearPair, mating: Mating, found: &LostMotion, within: f64) -> bool {
     let pose = Pose::new(assembly, mating);
     let limits = solid::limits(assembly, &pose, found);
     for (limit, contact) in limits.iter().zip([&found.right, &found.left]) {
@@ -160,17 +162,17 @@ fn the_middle_of_a_land_where_the_tip_circles_cross() {
     let right = found.right.unwrap();
     assert_eq!(
         [right.wheel.curve, right.pinion.curve],
-        [Curve::Tip, Curve::Tip]
+        [ProfilePart::Tip, ProfilePart::Tip]
     );
     assert_eq!([right.wheel.tooth, right.pinion.tooth], [24, 24]);
 }
 
 /// Where the middle of tooth 1's mean land points at the mate.
-fn tooth_1_at_mate(assembly: &Assembly) -> f64 {
+fn tooth_1_at_mate(assembly: &GearPair) -> f64 {
     let pitch = assembly
         .gear(Member::Wheel)
         .gear()
-        .toothing()
+        .basic_data()
         .angular_pitch();
     -assembly.operating_half_angle(Member::Wheel) / pitch
 }
@@ -185,7 +187,7 @@ fn tip_circles_that_just_touch() {
         let land = gear.half_angle_at_roll(gear.tip_roll());
         // 1 − cos β = 2 sin²(β/2).
         let beta = 2.0 * ((2.0 * tip - a) / (4.0 * tip)).sqrt().asin();
-        gear.toothing().angular_pitch() - 2.0 * land - 2.0 * beta
+        gear.basic_data().angular_pitch() - 2.0 * land - 2.0 * beta
     };
     for below in [1e-9, 1e-7, 1e-5, 1e-3] {
         let assembly = round_rig(138.0 - below);
@@ -209,19 +211,19 @@ fn tip_circles_that_just_touch() {
 /// that one side's half tooth does not have. Thin teeth keep the flanks out of it.
 #[test]
 fn a_tip_within_a_nanometre_of_a_root() {
-    let blank = Blank {
-        toothing: Toothing::new(30, 3.0, 20f64.to_radians()).unwrap(),
+    let design = GearDesign {
+        basic_data: BasicGearData::new(30, 3.0, 20f64.to_radians()).unwrap(),
         profile_shift: 0.0,
-        rack: Rack::new(1.0, 1.25, 0.2).unwrap(),
+        rack: BasicRack::new(1.0, 1.25, 0.2).unwrap(),
         tip_diameter: None,
     };
-    let thin = blank.nominal_base_thickness() - 1.5;
+    let thin = design.nominal_base_thickness() - 1.5;
     // Shorter teeth: they do not reach the other's root land first.
-    let short = Blank {
+    let short = GearDesign {
         tip_diameter: Some(95.0),
-        ..blank
+        ..design
     };
-    let wheel = AsBuilt::perfect(Gear::new(blank, thin).unwrap(), Face::Front);
+    let wheel = AsBuilt::perfect(Gear::new(design, thin).unwrap(), Face::Front);
     let mate = AsBuilt::perfect(Gear::new(short, thin).unwrap(), Face::Back);
     let touching = wheel.gear().tip_radius() + mate.gear().root_radius();
     for (distance, expected) in [
@@ -230,7 +232,7 @@ fn a_tip_within_a_nanometre_of_a_root() {
     ] {
         for beside in [-0.01, 0.0, 0.01] {
             let assembly =
-                Assembly::new(wheel.clone(), mate.clone(), distance, Member::Wheel).unwrap();
+                GearPair::new(wheel.clone(), mate.clone(), distance, Member::Wheel).unwrap();
             let fraction = tooth_1_at_mate(&assembly) + beside;
             let found = by_both(&assembly, mating(1, fraction));
             assert_eq!(found.status(), expected, "{beside}: {found:?}");
@@ -293,7 +295,7 @@ fn random_tips_against_solid_teeth() {
         .iter()
         .all(|&(member, radius)| {
             let gear = drawn.assembly.gear(member).gear();
-            radius > gear.tip_radius() - 0.3 * gear.toothing().module()
+            radius > gear.tip_radius() - 0.3 * gear.basic_data().module()
         });
         if found.status() == Status::Clear && shallow && above_fillets == [true; 2] {
             // Flank samples 1e-3 modules apart stand within 1e-7 modules of it, 1e-7 rad on three modules.

@@ -2,43 +2,44 @@
 //! case must show. Where the answer has a closed form it is computed in the test.
 
 use gearlash::gear::{
-    AsBuilt, Blank, Curve, Deviations, Face, Gear, Pitch, Rack, Side, Toothing, involute,
+    AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Pitch, ProfilePart,
+    Side, involute,
 };
 use gearlash::mesh::{Contact, CutPair, ExactKernel, LostMotion, Status};
-use gearlash::pair::{Assembly, Mating, Member, Pose};
+use gearlash::pair::{GearPair, Mating, Member, Pose};
 use std::f64::consts::{PI, TAU};
 
 /// Both methods must agree within this, µm of `j_wt` (issue 3).
 const AGREEMENT_UM: f64 = 1e-6;
 
-fn blank(teeth: u32, module: f64) -> Blank {
-    Blank {
-        toothing: Toothing::new(teeth, module, 20f64.to_radians()).unwrap(),
+fn design(teeth: u32, module: f64) -> GearDesign {
+    GearDesign {
+        basic_data: BasicGearData::new(teeth, module, 20f64.to_radians()).unwrap(),
         profile_shift: 0.0,
-        rack: Rack::ISO_53_A,
+        rack: BasicRack::ISO_53_A,
         tip_diameter: None,
     }
 }
 
-fn perfect(blank: Blank) -> AsBuilt {
-    AsBuilt::perfect(Gear::nominal(blank).unwrap(), Face::Front)
+fn perfect(design: GearDesign) -> AsBuilt {
+    AsBuilt::perfect(Gear::nominal(design).unwrap(), Face::Front)
 }
 
-fn deviated(blank: Blank, deviations: &Deviations) -> AsBuilt {
-    AsBuilt::new(Gear::nominal(blank).unwrap(), Face::Back, deviations).unwrap()
+fn deviated(design: GearDesign, deviations: &Deviations) -> AsBuilt {
+    AsBuilt::new(Gear::nominal(design).unwrap(), Face::Back, deviations).unwrap()
 }
 
-fn eccentric(blank: Blank, eccentricity: f64, high_tooth: f64) -> AsBuilt {
+fn eccentric(design: GearDesign, eccentricity: f64, high_tooth: f64) -> AsBuilt {
     let deviations = Deviations {
         eccentricity,
         high_tooth,
         ..Deviations::default()
     };
-    deviated(blank, &deviations)
+    deviated(design, &deviations)
 }
 
 /// One pose by both methods, which must agree; the exact result.
-fn by_both(assembly: &Assembly, fraction: f64) -> LostMotion {
+fn by_both(assembly: &GearPair, fraction: f64) -> LostMotion {
     let mating = Mating {
         wheel_tooth: 1,
         pinion_tooth: 1,
@@ -47,7 +48,7 @@ fn by_both(assembly: &Assembly, fraction: f64) -> LostMotion {
     };
     let pose = Pose::new(assembly, mating);
     let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|m| assembly.gear(m));
-    let cut = CutPair::new(wheel, pinion, 1e-4 * wheel.gear().toothing().module());
+    let cut = CutPair::new(wheel, pinion, 1e-4 * wheel.gear().basic_data().module());
     let exact = ExactKernel::new(assembly).lost_motion(&pose).unwrap();
     let polygon = cut.refined_kernel(assembly).lost_motion(&pose).unwrap();
     assert_eq!(exact.status(), polygon.status(), "{exact:?} {polygon:?}");
@@ -66,7 +67,7 @@ fn by_both(assembly: &Assembly, fraction: f64) -> LostMotion {
 fn over_a_pitch(wheel: AsBuilt, pinion: AsBuilt, distance: f64) -> Vec<LostMotion> {
     let mut results = Vec::new();
     for locked in [Member::Wheel, Member::Pinion] {
-        let assembly = Assembly::new(wheel.clone(), pinion.clone(), distance, locked).unwrap();
+        let assembly = GearPair::new(wheel.clone(), pinion.clone(), distance, locked).unwrap();
         results.extend((0..16).map(|k| by_both(&assembly, f64::from(k) / 16.0)));
     }
     results
@@ -86,24 +87,24 @@ fn contacts(results: &[LostMotion]) -> impl Iterator<Item = Contact> {
     results.iter().flat_map(|r| [r.right, r.left]).flatten()
 }
 
-fn touches(contact: &Contact, curve: Curve) -> bool {
+fn touches(contact: &Contact, curve: ProfilePart) -> bool {
     contact.wheel.curve == curve || contact.pinion.curve == curve
 }
 
 /// `j_wt` of perfect gears in involute contact, mm: the closed form of design section 2,
 /// `j_bt = p_b − s_b1 − s_b2 + (d_b1 + d_b2) inv α_wt`, over `cos α_wt`.
-fn closed_form(assembly: &Assembly) -> f64 {
+fn closed_form(assembly: &GearPair) -> f64 {
     let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|m| assembly.gear(m).gear());
     let bases = wheel.base_radius() + pinion.base_radius();
     let angle = (bases / assembly.center_distance()).acos();
-    let normal = wheel.toothing().base_pitch() - wheel.base_thickness() - pinion.base_thickness()
+    let normal = wheel.basic_data().base_pitch() - wheel.base_thickness() - pinion.base_thickness()
         + 2.0 * bases * involute::inv(angle);
     normal / angle.cos()
 }
 
 /// Every pose is on the involutes and has the closed form's backlash.
 fn is_closed_form(wheel: AsBuilt, pinion: AsBuilt, distance: f64) {
-    let assembly = Assembly::new(wheel.clone(), pinion.clone(), distance, Member::Wheel).unwrap();
+    let assembly = GearPair::new(wheel.clone(), pinion.clone(), distance, Member::Wheel).unwrap();
     let expected = closed_form(&assembly);
     let radius = assembly.operating_pitch_radius(Member::Pinion);
     let results = over_a_pitch(wheel, pinion, distance);
@@ -119,23 +120,23 @@ fn is_closed_form(wheel: AsBuilt, pinion: AsBuilt, distance: f64) {
 #[test]
 fn contact_ratio_below_one() {
     let stub = |teeth| {
-        perfect(Blank {
-            rack: Rack::new(0.4, 1.25, 0.38).unwrap(),
-            ..blank(teeth, 2.0)
+        perfect(GearDesign {
+            rack: BasicRack::new(0.4, 1.25, 0.38).unwrap(),
+            ..design(teeth, 2.0)
         })
     };
     let (wheel, pinion, distance) = (stub(20), stub(31), 51.2);
-    let assembly = Assembly::new(wheel.clone(), pinion.clone(), distance, Member::Wheel).unwrap();
+    let assembly = GearPair::new(wheel.clone(), pinion.clone(), distance, Member::Wheel).unwrap();
     let angle = assembly.operating_pressure_angle();
     let [one, two] = [&wheel, &pinion].map(AsBuilt::gear);
     let path = one.base_radius() * one.tip_roll() + two.base_radius() * two.tip_roll()
         - distance * angle.sin();
-    assert!(path < one.toothing().base_pitch(), "{path}");
+    assert!(path < one.basic_data().base_pitch(), "{path}");
     let expected = closed_form(&assembly);
     let radius = assembly.operating_pitch_radius(Member::Pinion);
     let results = over_a_pitch(wheel, pinion, distance);
     only(&results, &[Status::Clear]);
-    assert!(contacts(&results).any(|contact| touches(&contact, Curve::Tip)));
+    assert!(contacts(&results).any(|contact| touches(&contact, ProfilePart::Tip)));
     for result in &results[..16] {
         assert!(result.angle().unwrap() * radius >= expected - 1e-9);
     }
@@ -144,7 +145,7 @@ fn contact_ratio_below_one() {
 /// Tip circles 0.03 mm into each other: nothing but tips can touch, and most poses touch nothing.
 #[test]
 fn only_tips_touch() {
-    let gear = || perfect(blank(30, 3.0));
+    let gear = || perfect(design(30, 3.0));
     let results = over_a_pitch(gear(), gear(), 96.0 - 0.03);
     only(&results, &[Status::Clear, Status::NoContact]);
     assert!(count(&results, Status::Clear) > 0 && count(&results, Status::NoContact) > 0);
@@ -156,26 +157,26 @@ fn only_tips_touch() {
 
 #[test]
 fn out_of_mesh() {
-    let gear = || perfect(blank(30, 3.0));
+    let gear = || perfect(design(30, 3.0));
     only(&over_a_pitch(gear(), gear(), 96.001), &[Status::NoContact]);
     only(&over_a_pitch(gear(), gear(), 500.0), &[Status::NoContact]);
 }
 
 #[test]
 fn one_tooth_difference() {
-    is_closed_form(perfect(blank(31, 2.0)), perfect(blank(30, 2.0)), 61.05);
+    is_closed_form(perfect(design(31, 2.0)), perfect(design(30, 2.0)), 61.05);
 }
 
 /// z = 6 is undercut far up its flank: contact leaves the involute, on the joint's edge too.
 #[test]
 fn six_teeth_heavily_undercut() {
-    let six = Gear::nominal(blank(6, 2.0)).unwrap();
-    assert!(six.fillet().end() < PI / 2.0 - six.toothing().pressure_angle());
-    let results = over_a_pitch(perfect(blank(6, 2.0)), perfect(blank(40, 2.0)), 46.1);
+    let six = Gear::nominal(design(6, 2.0)).unwrap();
+    assert!(six.fillet().end() < PI / 2.0 - six.basic_data().pressure_angle());
+    let results = over_a_pitch(perfect(design(6, 2.0)), perfect(design(40, 2.0)), 46.1);
     only(&results, &[Status::Clear, Status::Interference]);
     assert!(contacts(&results).any(|contact| {
-        touches(&contact, Curve::Fillet)
-            || touches(&contact, Curve::Tip)
+        touches(&contact, ProfilePart::Fillet)
+            || touches(&contact, ProfilePart::Tip)
             || (contact.wheel.radius - six.form_radius()).abs() < 1e-6
     }));
 }
@@ -183,19 +184,23 @@ fn six_teeth_heavily_undercut() {
 #[test]
 fn two_thousand_teeth() {
     is_closed_form(
-        perfect(blank(2000, 1.0)),
-        perfect(blank(2000, 1.0)),
+        perfect(design(2000, 1.0)),
+        perfect(design(2000, 1.0)),
         2000.02,
     );
-    is_closed_form(perfect(blank(2000, 1.0)), perfect(blank(20, 1.0)), 1010.02);
+    is_closed_form(
+        perfect(design(2000, 1.0)),
+        perfect(design(20, 1.0)),
+        1010.02,
+    );
 }
 
 #[test]
 fn least_and_greatest_modules() {
     for module in [0.05, 50.0] {
         is_closed_form(
-            perfect(blank(40, module)),
-            perfect(blank(25, module)),
+            perfect(design(40, module)),
+            perfect(design(25, module)),
             32.55 * module,
         );
     }
@@ -204,13 +209,13 @@ fn least_and_greatest_modules() {
 /// z = 12 is pointed a little above x = 0.8: a tip land below a tenth of the module.
 #[test]
 fn nearly_pointed_teeth() {
-    let pointed = Blank {
+    let pointed = GearDesign {
         profile_shift: 0.77,
-        ..blank(12, 4.0)
+        ..design(12, 4.0)
     };
     let gear = Gear::nominal(pointed).unwrap();
     assert!(2.0 * gear.tip_radius() * gear.half_angle_at_roll(gear.tip_roll()) < 0.4);
-    let results = over_a_pitch(perfect(pointed), perfect(blank(30, 4.0)), 86.8);
+    let results = over_a_pitch(perfect(pointed), perfect(design(30, 4.0)), 86.8);
     only(&results, &[Status::Clear]);
 }
 
@@ -227,8 +232,8 @@ fn pitch_deviation_of_a_third_of_a_pitch() {
         ..Deviations::default()
     };
     let results = over_a_pitch(
-        deviated(blank(44, 3.0), &deviations),
-        perfect(blank(44, 3.0)),
+        deviated(design(44, 3.0), &deviations),
+        perfect(design(44, 3.0)),
         132.3,
     );
     only(&results, &[Status::Clear, Status::Interference]);
@@ -240,7 +245,7 @@ fn pitch_deviation_of_a_third_of_a_pitch() {
 /// they stand 6.5 mm apart, beyond the 6 mm that tips overlap.
 #[test]
 fn eccentricity_of_a_third_of_the_tooth_depth() {
-    let gear = |high| eccentric(blank(44, 3.0), 2.25, high);
+    let gear = |high| eccentric(design(44, 3.0), 2.25, high);
     only(
         &over_a_pitch(gear(1.0), gear(1.0), 134.0),
         &[Status::Jammed],
@@ -249,7 +254,7 @@ fn eccentricity_of_a_third_of_the_tooth_depth() {
         &over_a_pitch(gear(23.0), gear(23.0), 134.0),
         &[Status::NoContact],
     );
-    let nominal = || perfect(blank(44, 3.0));
+    let nominal = || perfect(design(44, 3.0));
     for results in [
         over_a_pitch(gear(12.0), nominal(), 134.0),
         over_a_pitch(nominal(), gear(12.0), 134.0),
@@ -262,7 +267,7 @@ fn eccentricity_of_a_third_of_the_tooth_depth() {
 /// 1 mm below the nominal distance, 0.75 mm of tip clearance: wherever a tip stands near the line of centres it is jammed.
 #[test]
 fn a_tip_in_a_root_is_jammed() {
-    let gear = || perfect(blank(30, 3.0));
+    let gear = || perfect(design(30, 3.0));
     let results = over_a_pitch(gear(), gear(), 89.0);
     only(&results, &[Status::Jammed, Status::Interference]);
     assert!(count(&results, Status::Jammed) > 0);
@@ -272,23 +277,23 @@ fn a_tip_in_a_root_is_jammed() {
 /// centres, or just does not: 1 µm either way decides. Thin teeth keep the flanks out of it.
 #[test]
 fn a_tip_just_touches_a_root_land() {
-    let blank = Blank {
-        rack: Rack::new(1.0, 1.25, 0.2).unwrap(),
-        ..blank(30, 3.0)
+    let design = GearDesign {
+        rack: BasicRack::new(1.0, 1.25, 0.2).unwrap(),
+        ..design(30, 3.0)
     };
-    let thin = blank.nominal_base_thickness() - 1.5;
+    let thin = design.nominal_base_thickness() - 1.5;
     let high = {
         let deviations = Deviations {
             eccentricity: 0.3,
             high_tooth: 1.0,
             ..Deviations::default()
         };
-        AsBuilt::new(Gear::new(blank, thin).unwrap(), Face::Front, &deviations).unwrap()
+        AsBuilt::new(Gear::new(design, thin).unwrap(), Face::Front, &deviations).unwrap()
     };
     // Shorter teeth: they do not reach the other's root land first.
-    let short = Blank {
+    let short = GearDesign {
         tip_diameter: Some(95.0),
-        ..blank
+        ..design
     };
     let mate = AsBuilt::perfect(Gear::new(short, thin).unwrap(), Face::Back);
     // The root follows the generating shift, so it is deeper than nominal.
@@ -297,10 +302,10 @@ fn a_tip_just_touches_a_root_land() {
         (touching - 1e-3, Status::Jammed),
         (touching + 1e-3, Status::Clear),
     ] {
-        let assembly = Assembly::new(high.clone(), mate.clone(), distance, Member::Wheel).unwrap();
+        let assembly = GearPair::new(high.clone(), mate.clone(), distance, Member::Wheel).unwrap();
         // Tooth 1 points at the mate once the pose's own half tooth is taken back.
         let half_tooth =
-            assembly.operating_half_angle(Member::Wheel) / high.gear().toothing().angular_pitch();
+            assembly.operating_half_angle(Member::Wheel) / high.gear().basic_data().angular_pitch();
         let result = by_both(&assembly, -half_tooth);
         assert_eq!(result.status(), expected, "{result:?}");
     }

@@ -2,7 +2,7 @@
 //! others: each test names who (`fixtures/reference/hard/README.md`; brute force is `tests/common/clearance`).
 
 use gearlash::input;
-use gearlash::mesh::{Certifier, CutPair, Method, Status, SweptPose};
+use gearlash::mesh::{Certifier, CutPair, Method, PoseResult, Status};
 use gearlash::pair::Pose;
 use gearlash::simulate::simulate;
 use std::ops::ControlFlow;
@@ -15,7 +15,7 @@ const METHODS: [Method; 3] = [
 ];
 
 /// All poses of a pair by one method. That they come to an end at all was once the question.
-fn poses(name: &str, method: Method) -> Vec<SweptPose> {
+fn poses(name: &str, method: Method) -> Vec<PoseResult> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures/reference/hard");
     let study = input::read(&folder.join(format!("{name}.toml"))).unwrap();
     let runs = simulate(&study, method, &|| ControlFlow::Continue(())).unwrap();
@@ -28,7 +28,7 @@ fn is(name: &str, want: &[(usize, f64, f64)]) {
     let [exact, polygon, both] = METHODS.map(|method| poses(name, method));
     for (place, pose) in exact.iter().enumerate() {
         let of_all = [pose, &polygon[place], &both[place]];
-        let statuses = of_all.map(SweptPose::status);
+        let statuses = of_all.map(PoseResult::status);
         assert!(
             statuses[0] != Status::Unproven && statuses == [statuses[0]; 3],
             "{name}, pose {place}: {of_all:?}"
@@ -49,7 +49,7 @@ fn is(name: &str, want: &[(usize, f64, f64)]) {
     }
 }
 
-fn is_jammed(name: &str, jammed: impl Fn(&[SweptPose]) -> bool) {
+fn is_jammed(name: &str, jammed: impl Fn(&[PoseResult]) -> bool) {
     is(name, &[]);
     for method in METHODS {
         assert!(jammed(&poses(name, method)), "{name} by {method:?}");
@@ -86,7 +86,7 @@ fn far_land_5_30() {
 #[test]
 fn root_gap_20_20() {
     is_jammed("root_gap_20_20", |poses| {
-        let statuses: Vec<Status> = poses.iter().map(SweptPose::status).collect();
+        let statuses: Vec<Status> = poses.iter().map(PoseResult::status).collect();
         statuses[0] == Status::Jammed && statuses.contains(&Status::Clear)
     });
 }
@@ -132,7 +132,7 @@ fn stub_bad_13() {
 fn stub_bad_4_7() {
     is("stub_bad_4_7", &[]);
     let found = poses("stub_bad_4_7", METHODS[0]);
-    let near = |pose: &&SweptPose| {
+    let near = |pose: &&PoseResult| {
         pose.backlash
             .is_some_and(|j| (j * 1e3 - 652.942149435).abs() < 1e-6)
     };

@@ -1,21 +1,21 @@
 //! Limits of a pair against the study's pairs and hand calculation. Published cases: published.rs.
 
 use gearlash::analytic::{InvolutePair, limits};
-use gearlash::gear::{AsBuilt, Blank, Face, Gear, Rack, Toothing, thickness};
-use gearlash::pair::{Assembly, Member};
+use gearlash::gear::{AsBuilt, BasicGearData, BasicRack, Face, Gear, GearDesign, thickness};
+use gearlash::pair::{GearPair, Member};
 
-fn blank(teeth: u32) -> Blank {
-    Blank {
-        toothing: Toothing::new(teeth, 3.0, 20f64.to_radians()).unwrap(),
+fn design(teeth: u32) -> GearDesign {
+    GearDesign {
+        basic_data: BasicGearData::new(teeth, 3.0, 20f64.to_radians()).unwrap(),
         profile_shift: 0.0,
-        rack: Rack::ISO_53_A,
+        rack: BasicRack::ISO_53_A,
         tip_diameter: None,
     }
 }
 
-fn nominal(wheel: u32, pinion: u32, distance: f64) -> Assembly {
-    let gear = |teeth, face| AsBuilt::perfect(Gear::nominal(blank(teeth)).unwrap(), face);
-    Assembly::new(
+fn nominal(wheel: u32, pinion: u32, distance: f64) -> GearPair {
+    let gear = |teeth, face| AsBuilt::perfect(Gear::nominal(design(teeth)).unwrap(), face);
+    GearPair::new(
         gear(wheel, Face::Front),
         gear(pinion, Face::Back),
         distance,
@@ -73,7 +73,7 @@ fn form_circles_shorten_the_path_of_contact() {
         let length = limits::base_tangent(&assembly);
         let start = (length - along(p, gear(p).tip_roll())).max(along(w, gear(w).form_roll()));
         let end = along(w, gear(w).tip_roll()).min(length - along(p, gear(p).form_roll()));
-        let expected = (end - start) / gear(w).toothing().base_pitch();
+        let expected = (end - start) / gear(w).basic_data().base_pitch();
         let usable = limits::usable_contact_ratio(&assembly);
         assert!((usable - expected).abs() < 1e-13, "{usable} {expected}");
         assert_eq!(usable < limits::contact_ratio(&assembly), shorter);
@@ -84,11 +84,11 @@ fn form_circles_shorten_the_path_of_contact() {
 #[test]
 fn zero_backlash_distance_of_the_rig_from_its_spans() {
     let gear = |span, face| {
-        let blank = blank(44);
-        let base = thickness::base_from_span(&blank.toothing, 6, span);
-        AsBuilt::perfect(Gear::new(blank, base).unwrap(), face)
+        let design = design(44);
+        let base = thickness::base_from_span(&design.basic_data, 6, span);
+        AsBuilt::perfect(Gear::new(design, base).unwrap(), face)
     };
-    let assembly = Assembly::new(
+    let assembly = GearPair::new(
         gear(50.561, Face::Front),
         gear(50.567, Face::Back),
         132.1,
@@ -107,7 +107,7 @@ fn zero_backlash_distance_of_the_rig_from_its_spans() {
 /// s_a = d_a (π/(2 z) + inv α − inv α_a), evaluated apart for z 44, m 3: 2.301882517 mm.
 #[test]
 fn tip_thickness_of_the_rig_gear() {
-    let gear = Gear::nominal(blank(44)).unwrap();
+    let gear = Gear::nominal(design(44)).unwrap();
     assert!((limits::tip_thickness(&gear) - 2.301882517047529).abs() < 1e-13);
 }
 
@@ -115,12 +115,12 @@ fn tip_thickness_of_the_rig_gear() {
 #[test]
 fn no_zero_backlash_distance_for_very_thin_teeth() {
     let gear = |face| {
-        let blank = blank(44);
-        let base = blank.nominal_base_thickness() - 2.0;
-        AsBuilt::perfect(Gear::new(blank, base).unwrap(), face)
+        let design = design(44);
+        let base = design.nominal_base_thickness() - 2.0;
+        AsBuilt::perfect(Gear::new(design, base).unwrap(), face)
     };
     let assembly =
-        Assembly::new(gear(Face::Front), gear(Face::Back), 130.0, Member::Wheel).unwrap();
+        GearPair::new(gear(Face::Front), gear(Face::Back), 130.0, Member::Wheel).unwrap();
     assert_eq!(limits::zero_backlash_distance(&assembly), None);
     assert_eq!(limits::radial_backlash(&assembly), None);
 }

@@ -4,8 +4,8 @@ mod common;
 
 use common::random_pair::{ROUNDING, case, rough_case};
 use gearlash::analytic::{LineOfAction, SideContact};
-use gearlash::gear::{Curve, Gear, Profile, Side, involute};
-use gearlash::pair::{Assembly, Mating, Member, Pose};
+use gearlash::gear::{Gear, Profile, ProfilePart, Side, involute};
+use gearlash::pair::{GearPair, Mating, Member, Pose};
 use nalgebra::{Rotation2, Vector2};
 use proptest::prelude::*;
 use std::f64::consts::PI;
@@ -50,7 +50,7 @@ fn turned(angle: f64, vector: Vector2<f64>) -> Vector2<f64> {
 
 /// Point and outward normal of a contact on one gear, in the picture, from the gear's profile.
 fn touch(
-    assembly: &Assembly,
+    assembly: &GearPair,
     member: Member,
     rotation: f64,
     side: Side,
@@ -61,17 +61,17 @@ fn touch(
     let profile = Profile::new(gear.gear());
     let tooth_1 = assembly.mate_direction(member) + rotation;
     let flank = tooth_1 + gear.tooth_angle(f64::from(tooth)) + gear.flank_offset(side, tooth);
-    let point = profile.point(Curve::Involute, roll, side).coords;
+    let point = profile.point(ProfilePart::Involute, roll, side).coords;
     let centre = assembly.axis(member).coords + gear.displacement(tooth_1);
     (
         centre + turned(flank, point),
-        turned(flank, profile.normal(Curve::Involute, roll, side)),
+        turned(flank, profile.normal(ProfilePart::Involute, roll, side)),
     )
 }
 
 /// The contacts model 3 reports are contacts: points coincide, normals oppose, on the gears' own profiles,
 /// within both gears' circles. Returns how many there are.
-fn check_contacts(assembly: &Assembly, mating: Mating) -> Result<usize, TestCaseError> {
+fn check_contacts(assembly: &GearPair, mating: Mating) -> Result<usize, TestCaseError> {
     let pose = Pose::new(assembly, mating);
     let mut contacts = 0;
     for side in Side::BOTH {
@@ -104,7 +104,7 @@ fn check_contacts(assembly: &Assembly, mating: Mating) -> Result<usize, TestCase
 }
 
 /// Every facing pair that counts is found, and the tightest of them taken.
-fn check_complete(assembly: &Assembly, mating: Mating) -> Result<(), TestCaseError> {
+fn check_complete(assembly: &GearPair, mating: Mating) -> Result<(), TestCaseError> {
     let pose = Pose::new(assembly, mating);
     let model = LineOfAction::new(assembly, &pose);
     let locked = assembly.gear(assembly.locked());
@@ -130,7 +130,7 @@ fn check_complete(assembly: &Assembly, mating: Mating) -> Result<(), TestCaseErr
 
 /// Whether the contact of one facing pair lies on both involutes, by the equations of model 3 written out for
 /// each side in the picture frame, the free gear's rotation by plain iteration.
-fn plain_contact(assembly: &Assembly, pose: &Pose, side: Side, steps: i64) -> bool {
+fn plain_contact(assembly: &GearPair, pose: &Pose, side: Side, steps: i64) -> bool {
     let (locked, free) = (
         assembly.gear(assembly.locked()),
         assembly.gear(assembly.free()),
@@ -148,7 +148,7 @@ fn plain_contact(assembly: &Assembly, pose: &Pose, side: Side, steps: i64) -> bo
     let mating_tooth = f64::from(pose.mating().tooth(assembly.locked()));
     let theta_1 = pose.locked_rotation()
         + locked.tooth_angle(mating_tooth)
-        + steps as f64 * locked.gear().toothing().angular_pitch()
+        + steps as f64 * locked.gear().basic_data().angular_pitch()
         + locked.flank_offset(side, locked_tooth);
     // The same tooth a turn on faces another one.
     if theta_1.abs() > PI {

@@ -4,9 +4,9 @@ mod common;
 
 use common::random_pair::{Case, case, rough_case};
 use gearlash::analytic::evaluate;
-use gearlash::gear::Curve;
+use gearlash::gear::ProfilePart;
 use gearlash::mesh::{CutPair, LostMotion, Status};
-use gearlash::pair::{Assembly, Member, Pose};
+use gearlash::pair::{GearPair, Member, Pose};
 use proptest::prelude::*;
 
 /// What a pose comes to: status, and backlash with its bound, both mm of `j_wt` over the scale.
@@ -17,7 +17,7 @@ struct Outcome {
 }
 
 /// A random pair of sound gears, refined polygons from a coarse start; `None` for gears that cannot exist.
-fn simulate(case: &Case, scale: f64) -> Option<(Assembly, Pose, LostMotion)> {
+fn simulate(case: &Case, scale: f64) -> Option<(GearPair, Pose, LostMotion)> {
     let assembly = case.try_assemble(scale).ok()?;
     let pose = Pose::new(&assembly, case.mating);
     let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|member| assembly.gear(member));
@@ -99,7 +99,7 @@ proptest! {
                 let bound = error * um + 1e-11;
                 prop_assert!(phi * um <= formula + bound, "{} above {formula}", phi * um);
                 let on_line = [lost_motion.right, lost_motion.left].iter().flatten().all(|contact| {
-                    contact.wheel.curve == Curve::Involute && contact.pinion.curve == Curve::Involute
+                    contact.wheel.curve == ProfilePart::Involute && contact.pinion.curve == ProfilePart::Involute
                         // The ends of an involute belong to corners and joints.
                         && inside(&assembly, Member::Wheel, contact.wheel.radius)
                         && inside(&assembly, Member::Pinion, contact.pinion.radius)
@@ -113,7 +113,7 @@ proptest! {
 }
 
 /// A micrometre inside the involute's ends.
-fn inside(assembly: &Assembly, member: Member, radius: f64) -> bool {
+fn inside(assembly: &GearPair, member: Member, radius: f64) -> bool {
     let gear = assembly.gear(member).gear();
     (gear.form_radius() + 1e-3..gear.tip_radius() - 1e-3).contains(&radius)
 }

@@ -3,16 +3,16 @@
 mod common;
 
 use common::{ReferenceContact, ReferencePose, reference_names, reference_pair};
-use gearlash::gear::{AsBuilt, Blank, Face, Gear, Rack, Side, Toothing};
+use gearlash::gear::{AsBuilt, BasicGearData, BasicRack, Face, Gear, GearDesign, Side};
 use gearlash::mesh::{Certifier, Contact, CutPair, LostMotion, Status};
-use gearlash::pair::{Assembly, Mating, Member, Pose};
+use gearlash::pair::{GearPair, Mating, Member, Pose};
 
 /// µm of `j_wt` a radian of the free gear.
-fn um(assembly: &Assembly) -> f64 {
+fn um(assembly: &GearPair) -> f64 {
     assembly.operating_pitch_radius(assembly.free()) * 1e3
 }
 
-fn cut(assembly: &Assembly, chord_um: f64) -> CutPair {
+fn cut(assembly: &GearPair, chord_um: f64) -> CutPair {
     CutPair::new(
         assembly.gear(Member::Wheel),
         assembly.gear(Member::Pinion),
@@ -23,7 +23,7 @@ fn cut(assembly: &Assembly, chord_um: f64) -> CutPair {
 /// Every reference pose at this chord: (name, pose, reference, found, j_wt in µm, bound in µm).
 fn all(
     chord_um: f64,
-    mut check: impl FnMut(&str, &Assembly, &ReferencePose, &LostMotion, f64, f64),
+    mut check: impl FnMut(&str, &GearPair, &ReferencePose, &LostMotion, f64, f64),
 ) {
     for name in reference_names() {
         let pair = reference_pair(&name);
@@ -195,17 +195,17 @@ fn the_certificate_tells_right_from_wrong() {
 #[test]
 fn a_tip_land_on_the_end_of_a_root_land_ends() {
     let gear = |teeth, shift, face| {
-        let blank = Blank {
-            toothing: Toothing::new(teeth, 3.0, 15.4f64.to_radians()).unwrap(),
+        let design = GearDesign {
+            basic_data: BasicGearData::new(teeth, 3.0, 15.4f64.to_radians()).unwrap(),
             profile_shift: shift,
-            rack: Rack::new(0.89, 1.17, 0.045).unwrap(),
+            rack: BasicRack::new(0.89, 1.17, 0.045).unwrap(),
             tip_diameter: None,
         };
-        AsBuilt::perfect(Gear::nominal(blank).unwrap(), face)
+        AsBuilt::perfect(Gear::nominal(design).unwrap(), face)
     };
     let (wheel, pinion) = (gear(9, 0.12, Face::Front), gear(78, 0.56, Face::Back));
     let deep = wheel.gear().root_radius() + pinion.gear().tip_radius() - 0.5;
-    let assembly = Assembly::new(wheel, pinion, deep, Member::Pinion).unwrap();
+    let assembly = GearPair::new(wheel, pinion, deep, Member::Pinion).unwrap();
     let cut = cut(&assembly, 0.3);
     for k in 0..32 {
         let mating = Mating {

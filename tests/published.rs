@@ -7,9 +7,9 @@ mod common;
 use common::published_case::{Case, file};
 use gearlash::analytic::{InvolutePair, effective_center_distance, evaluate, limits};
 use gearlash::gear::{
-    AsBuilt, Curve, Deviations, Face, Gear, Profile, Rack, Side, involute, thickness,
+    AsBuilt, BasicRack, Deviations, Face, Gear, Profile, ProfilePart, Side, involute, thickness,
 };
-use gearlash::pair::{Assembly, Mating, Member, Pose};
+use gearlash::pair::{GearPair, Mating, Member, Pose};
 use nalgebra::{Point2, Vector2};
 use std::collections::BTreeSet;
 use std::f64::consts::PI;
@@ -70,7 +70,7 @@ fn every_case_of_the_file_is_covered() {
     assert_eq!(in_file.len(), 22);
 }
 
-fn any_pose(assembly: &Assembly) -> Pose {
+fn any_pose(assembly: &GearPair) -> Pose {
     let mating = Mating {
         wheel_tooth: 1,
         pinion_tooth: 1,
@@ -90,9 +90,9 @@ fn zero_backlash(case: &Case) {
 }
 
 fn span(case: &Case) {
-    let gear = Gear::nominal(case.blank("")).unwrap();
+    let gear = Gear::nominal(case.design("")).unwrap();
     let (base, k) = (gear.base_radius(), case.input("k").unwrap() as u32);
-    let span = |k| thickness::span_from_base(gear.toothing(), k, gear.base_thickness());
+    let span = |k| thickness::span_from_base(gear.basic_data(), k, gear.base_thickness());
     let contact = |k| involute::radius_at(span(k) / (2.0 * base), base);
     assert!(thickness::check_span(&gear, k).is_ok());
     case.expect("W_k_mm", span(k));
@@ -103,11 +103,11 @@ fn span(case: &Case) {
 
 /// The normal section of a helical rack tooth is that of a spur gear: `s_n` on the reference circle.
 fn normal_thickness(case: &Case) {
-    let blank = case.blank("");
-    let alpha = blank.toothing.pressure_angle();
-    let r = blank.toothing.reference_radius();
+    let design = case.design("");
+    let alpha = design.basic_data.pressure_angle();
+    let r = design.basic_data.reference_radius();
     // s = r (s_b/r_b − 2 inv α).
-    let half = blank.nominal_base_thickness() / (2.0 * blank.toothing.base_radius());
+    let half = design.nominal_base_thickness() / (2.0 * design.basic_data.base_radius());
     case.expect("s_n_mm", 2.0 * r * (half - involute::inv(alpha)));
 }
 
@@ -125,15 +125,15 @@ fn thinned_pair(case: &Case) {
         return;
     }
     let thinned = |n: &str, face| {
-        let blank = case.blank(n);
+        let design = case.design(n);
         let base = thickness::base_from_allowance(
-            &blank.toothing,
-            blank.nominal_base_thickness(),
+            &design.basic_data,
+            design.nominal_base_thickness(),
             case.input(&format!("A_sn{n}_um")).unwrap() * 1e-3,
         );
-        AsBuilt::perfect(Gear::new(blank, base).unwrap(), face)
+        AsBuilt::perfect(Gear::new(design, base).unwrap(), face)
     };
-    let assembly = Assembly::new(
+    let assembly = GearPair::new(
         thinned("1", Face::Front),
         thinned("2", Face::Back),
         distance,
@@ -145,22 +145,22 @@ fn thinned_pair(case: &Case) {
 }
 
 fn shallow_undercut(case: &Case) {
-    let blank = case.blank("");
+    let design = case.design("");
     let least = case.input("x_Emin").unwrap();
-    let found = limits::least_shift_without_undercut(&blank.toothing, &blank.rack);
+    let found = limits::least_shift_without_undercut(&design.basic_data, &design.rack);
     assert!((found - least).abs() < 1e-14, "x_Emin {found} {least}");
-    let gear = Gear::nominal(blank).unwrap();
+    let gear = Gear::nominal(design).unwrap();
     let above_base = 2.0 * (gear.form_radius() - gear.base_radius());
     case.expect("d_Ff_minus_d_b_um", above_base * 1e3);
 }
 
 fn sharp_undercut(case: &Case) {
-    let gear = Gear::nominal(case.blank("")).unwrap();
+    let gear = Gear::nominal(case.design("")).unwrap();
     case.expect("d_Ff_mm", 2.0 * gear.form_radius());
 }
 
 fn hobbed(case: &Case) {
-    let gear = Gear::nominal(case.blank("")).unwrap();
+    let gear = Gear::nominal(case.design("")).unwrap();
     case.expect("x_E", gear.generating_shift());
     case.expect("d_Ff_mm", 2.0 * gear.form_radius());
     case.expect("d_fE_mm", 2.0 * gear.root_radius());
@@ -168,12 +168,12 @@ fn hobbed(case: &Case) {
         (
             "fillet_points_xy_mm",
             "max_dev_fillet_points_mm",
-            Curve::Fillet,
+            ProfilePart::Fillet,
         ),
         (
             "involute_points_xy_mm",
             "max_dev_involute_points_mm",
-            Curve::Involute,
+            ProfilePart::Involute,
         ),
     ] {
         let list = case.value["outputs"][points].as_array().unwrap();
@@ -190,7 +190,7 @@ fn hobbed(case: &Case) {
 }
 
 /// Distance of `point` from `curve` of the left half tooth, mm: foot of the perpendicular by bisection.
-fn off_curve(gear: &Gear, curve: Curve, point: Point2<f64>) -> f64 {
+fn off_curve(gear: &Gear, curve: ProfilePart, point: Point2<f64>) -> f64 {
     let profile = Profile::new(gear);
     let (top, bottom) = profile.range(curve);
     // Both parameters rise from root to tip.
@@ -246,8 +246,8 @@ fn whole_pair(case: &Case) {
     );
     let wheel = gear(Member::Wheel);
     // That program takes the tool's flank to be straight down to h_aP* = 1: a sharp tool of that depth.
-    let straight = Rack::new(1.0, 1.0, 0.0).unwrap();
-    let least = limits::least_shift_without_undercut(wheel.toothing(), &straight);
+    let straight = BasicRack::new(1.0, 1.0, 0.0).unwrap();
+    let least = limits::least_shift_without_undercut(wheel.basic_data(), &straight);
     case.expect("x_min_no_undercut", least);
     for (member, key) in [(Member::Wheel, "d_Ff1_mm"), (Member::Pinion, "d_Ff2_mm")] {
         if case.value["outputs"][key].is_null() {
@@ -261,7 +261,7 @@ fn whole_pair(case: &Case) {
 }
 
 fn distance_of_play(case: &Case) {
-    let gears = ["1", "2"].map(|n| Gear::nominal(case.blank(n)).unwrap());
+    let gears = ["1", "2"].map(|n| Gear::nominal(case.design(n)).unwrap());
     let pair = InvolutePair::new(&gears[0], &gears[1]);
     let module = case.input("m_n").unwrap();
     let zero = pair.center_distance(0.0).unwrap();
@@ -287,7 +287,7 @@ fn runout(case: &Case) {
     let nominal = any_pose(&assembly);
     let eccentric = |member: Member, rotation: f64, direction: f64| {
         let perfect = assembly.gear(member);
-        let teeth = f64::from(perfect.gear().toothing().teeth());
+        let teeth = f64::from(perfect.gear().basic_data().teeth());
         // The high tooth stands at rotation + ascending (high − 1) τ from the mate.
         let steps = (direction - rotation) * perfect.face().ascending() * teeth / (2.0 * PI);
         let deviations = Deviations {
@@ -298,7 +298,7 @@ fn runout(case: &Case) {
         AsBuilt::new(perfect.gear().clone(), perfect.face(), &deviations).unwrap()
     };
     for (name, direction) in [("min", 0.0), ("mean", PI / 2.0), ("max", PI)] {
-        let pair = Assembly::new(
+        let pair = GearPair::new(
             eccentric(Member::Wheel, nominal.locked_rotation(), direction),
             eccentric(Member::Pinion, nominal.free_rotation(), direction),
             assembly.center_distance(),

@@ -3,20 +3,20 @@
 mod common;
 
 use common::random_pair::{Case, case, rough_case};
-use gearlash::mesh::{CutPair, ExactKernel, LostMotion, Method, SweptPose, sweep};
-use gearlash::pair::{Assembly, Mating, Member, Pose};
+use gearlash::mesh::{CutPair, ExactKernel, LostMotion, Method, PoseResult, sweep};
+use gearlash::pair::{GearPair, Mating, Member, Pose};
 use proptest::prelude::*;
 use std::ops::ControlFlow;
 
 const METHODS: [Method; 2] = [Method::Exact { certify: false }, Method::Polygon];
 
 fn swept(
-    assembly: &Assembly,
+    assembly: &GearPair,
     cut: &CutPair,
     method: Method,
     matings: &[Mating],
     threads: usize,
-) -> Vec<SweptPose> {
+) -> Vec<PoseResult> {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
     pool.build().unwrap().install(|| {
         sweep(assembly, cut, method, matings, 0.0, &|| {
@@ -47,7 +47,7 @@ fn bits(found: &LostMotion) -> Vec<u64> {
         .collect()
 }
 
-fn all_bits(poses: &[SweptPose]) -> Vec<Vec<u64>> {
+fn all_bits(poses: &[PoseResult]) -> Vec<Vec<u64>> {
     poses
         .iter()
         .map(|pose| bits(pose.proven().unwrap()))
@@ -100,7 +100,7 @@ proptest! {
     ) {
         let Ok(assembly) = case.try_assemble(1.0) else { return Ok(()) };
         let kernel = ExactKernel::new(&assembly);
-        let module = assembly.gear(Member::Wheel).gear().toothing().module();
+        let module = assembly.gear(Member::Wheel).gear().basic_data().module();
         for step in -8..=8 {
             let Ok(there) = assembly.at(assembly.center_distance() + 0.1 * module * f64::from(step)) else { continue };
             let (moved, made) = (kernel.at(&there), ExactKernel::new(&there));

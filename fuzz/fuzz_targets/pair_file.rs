@@ -1,7 +1,7 @@
 //! The text of a pair file, TOML or JSON: problems, or a study whose first poses both methods find alike.
 #![no_main]
 
-use gearlash::pair::Assembly;
+use gearlash::pair::GearPair;
 use gearlash_fuzz::folder::Folder;
 use gearlash_fuzz::pose::agree;
 use libfuzzer_sys::{Corpus, fuzz_target};
@@ -57,7 +57,7 @@ fuzz_target!(|text: &str| -> Corpus {
         return Corpus::Keep;
     };
     let (_, wheel, pinion) = &study.materials[0];
-    let assembly = Assembly::new(
+    let assembly = GearPair::new(
         wheel.clone(),
         pinion.clone(),
         study.center_distances[0],

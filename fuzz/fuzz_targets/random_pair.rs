@@ -2,7 +2,7 @@
 #![no_main]
 
 use arbitrary::Arbitrary;
-use gearlash::pair::Assembly;
+use gearlash::pair::GearPair;
 use gearlash::study::Study;
 use gearlash_fuzz::folder::Folder;
 use gearlash_fuzz::pose::agree;
@@ -206,10 +206,10 @@ impl Random {
     }
 }
 
-fn assembly(study: &Study) -> Assembly {
+fn assembly(study: &Study) -> GearPair {
     let (_, wheel, pinion) = &study.materials[0];
     let distance = study.center_distances[0];
-    Assembly::new(wheel.clone(), pinion.clone(), distance, study.locked)
+    GearPair::new(wheel.clone(), pinion.clone(), distance, study.locked)
         .expect("a good pair file, but no assembly")
 }
 

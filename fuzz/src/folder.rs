@@ -55,7 +55,7 @@ fn read(path: &Path) -> Option<Study> {
     assert!(!problems.is_empty());
     for problem in problems {
         assert!(
-            !problem.reason.is_empty() && !problem.way_out.is_empty(),
+            !problem.reason.is_empty() && !problem.help.is_empty(),
             "{problem}"
         );
     }

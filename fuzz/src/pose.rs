@@ -1,9 +1,9 @@
 //! One pose by the exact method, the polygon method and the certificate.
 
 use gearlash::error::Error;
-use gearlash::gear::Curve;
+use gearlash::gear::ProfilePart;
 use gearlash::mesh::{Certifier, Contact, CutPair, ExactKernel, LostMotion};
-use gearlash::pair::{Assembly, Mating, Member, Pose};
+use gearlash::pair::{GearPair, Mating, Member, Pose};
 use std::f64::consts::TAU;
 
 /// Chordal error, in modules, of the polygons the polygon method starts from.
@@ -17,10 +17,10 @@ const JOINT: f64 = 1e-6;
 ///
 /// # Errors
 /// What differs.
-pub fn agree(assembly: &Assembly, mating: Mating) -> Result<(), String> {
+pub fn agree(assembly: &GearPair, mating: Mating) -> Result<(), String> {
     let pose = Pose::new(assembly, mating);
     let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|member| assembly.gear(member));
-    let cut = CutPair::new(wheel, pinion, CHORD * wheel.gear().toothing().module());
+    let cut = CutPair::new(wheel, pinion, CHORD * wheel.gear().basic_data().module());
     let coarse = CutPair::for_certificates(wheel, pinion);
     let exact = settled("exact", ExactKernel::new(assembly).lost_motion(&pose))?;
     let polygon = settled("polygon", cut.refined_kernel(assembly).lost_motion(&pose))?;
@@ -49,7 +49,7 @@ fn settled(name: &str, found: Result<LostMotion, Error>) -> Result<Option<LostMo
 
 /// Whether two results are the same within both bounds: contact by contact, their lost motion, and so
 /// their status.
-fn same(assembly: &Assembly, exact: &LostMotion, polygon: &LostMotion) -> Result<(), String> {
+fn same(assembly: &GearPair, exact: &LostMotion, polygon: &LostMotion) -> Result<(), String> {
     // Teeth that stand in the mate's body: where what overlaps would touch means nothing.
     if exact.solid && polygon.solid {
         return Ok(());
@@ -103,7 +103,7 @@ fn same(assembly: &Assembly, exact: &LostMotion, polygon: &LostMotion) -> Result
 }
 
 /// Whether a contact lies where a fillet ends and a root land begins: either name is right, and with it either status.
-fn begins_a_land(assembly: &Assembly, found: &LostMotion) -> bool {
+fn begins_a_land(assembly: &GearPair, found: &LostMotion) -> bool {
     let contacts = [found.right, found.left].into_iter().flatten();
     let mut touches = contacts.flat_map(|contact| {
         [
@@ -112,7 +112,7 @@ fn begins_a_land(assembly: &Assembly, found: &LostMotion) -> bool {
         ]
     });
     touches.any(|(member, touch)| {
-        touch.curve == Curve::Fillet
+        touch.curve == ProfilePart::Fillet
             && (touch.radius - assembly.gear(member).gear().root_radius()).abs() <= JOINT
     })
 }

@@ -1,7 +1,7 @@
 //! Model 2: two gears of mean thickness along their common base tangent, K (11)–(17).
 
 use crate::gear::{Gear, involute};
-use crate::pair::{Assembly, Member};
+use crate::pair::{GearPair, Member};
 
 /// All that model 2 needs to know of two gears. Lengths in mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,21 +20,21 @@ impl InvolutePair {
         InvolutePair {
             base_radii: wheel.base_radius() + pinion.base_radius(),
             base_thicknesses: wheel.base_thickness() + pinion.base_thickness(),
-            base_pitch: wheel.toothing().base_pitch(),
+            base_pitch: wheel.basic_data().base_pitch(),
         }
     }
 
     /// The gears of `assembly`, of their mean thicknesses.
-    pub fn of(assembly: &Assembly) -> InvolutePair {
+    pub fn of(assembly: &GearPair) -> InvolutePair {
         let gear = |member| assembly.gear(member).gear();
         InvolutePair::new(gear(Member::Wheel), gear(Member::Pinion))
     }
 
     /// The same gears with the thicknesses their profile shifts `x` call for.
-    pub fn nominal(assembly: &Assembly) -> InvolutePair {
+    pub fn nominal(assembly: &GearPair) -> InvolutePair {
         let nominal = |member| {
-            let blank = assembly.gear(member).gear().blank();
-            blank.nominal_base_thickness()
+            let design = assembly.gear(member).gear().design();
+            design.nominal_base_thickness()
         };
         InvolutePair {
             base_thicknesses: nominal(Member::Wheel) + nominal(Member::Pinion),

@@ -3,8 +3,8 @@
 //! Margins are positive where the limit is kept. Lengths in mm.
 
 use super::InvolutePair;
-use crate::gear::{Gear, Rack, Toothing};
-use crate::pair::{Assembly, Member};
+use crate::gear::{BasicGearData, BasicRack, Gear};
+use crate::pair::{GearPair, Member};
 
 /// A limit counts as met within this, mm: decimal input such as 160.2 − 132 − 27.75 is not exact in binary.
 pub const MET_WITHIN: f64 = 1e-9;
@@ -16,13 +16,13 @@ pub const RECOMMENDED_CLEARANCE: f64 = 0.25;
 pub const LEAST_CLEARANCE: f64 = 0.15;
 
 /// Radial clearance `a − r_a − r_f,mate` of `member`'s tip in its mate's root, mm: K (9), (10).
-pub fn radial_clearance(assembly: &Assembly, member: Member) -> f64 {
+pub fn radial_clearance(assembly: &GearPair, member: Member) -> f64 {
     let mate = assembly.gear(member.mate()).gear();
     assembly.center_distance() - assembly.gear(member).gear().tip_radius() - mate.root_radius()
 }
 
 /// Length `(r_b1 + r_b2) tan α_wt` of the line of action between the base circles, mm.
-pub fn base_tangent(assembly: &Assembly) -> f64 {
+pub fn base_tangent(assembly: &GearPair) -> f64 {
     let base = |member| assembly.gear(member).gear().base_radius();
     (base(Member::Wheel) + base(Member::Pinion)) * assembly.operating_pressure_angle().tan()
 }
@@ -36,18 +36,18 @@ pub fn tip_tangent(gear: &Gear) -> f64 {
 ///
 /// K (8): negative, and the mate's tip would touch `member` inside its base
 /// circle, where there is no involute.
-pub fn non_involute_margin(assembly: &Assembly, member: Member) -> f64 {
+pub fn non_involute_margin(assembly: &GearPair, member: Member) -> f64 {
     base_tangent(assembly) - tip_tangent(assembly.gear(member.mate()).gear())
 }
 
 /// The same counted from `member`'s root form circle instead of its base circle, mm along the line of action.
-pub fn form_margin(assembly: &Assembly, member: Member) -> f64 {
+pub fn form_margin(assembly: &GearPair, member: Member) -> f64 {
     let gear = assembly.gear(member).gear();
     non_involute_margin(assembly, member) - gear.base_radius() * gear.form_roll()
 }
 
 /// Radius on `member` at which its mate's tip leaves the line of action, mm; `None` where K (8) is violated.
-pub fn active_root_radius(assembly: &Assembly, member: Member) -> Option<f64> {
+pub fn active_root_radius(assembly: &GearPair, member: Member) -> Option<f64> {
     let margin = non_involute_margin(assembly, member);
     (margin >= 0.0).then(|| margin.hypot(assembly.gear(member).gear().base_radius()))
 }
@@ -56,34 +56,38 @@ pub fn active_root_radius(assembly: &Assembly, member: Member) -> Option<f64> {
 ///
 /// Negative where the tip circles do not meet on the line of action. Takes the
 /// flanks to reach as deep as the tips do: see [`form_margin`].
-pub fn contact_ratio(assembly: &Assembly) -> f64 {
+pub fn contact_ratio(assembly: &GearPair) -> f64 {
     let gear = |member| assembly.gear(member).gear();
     let path = tip_tangent(gear(Member::Wheel)) + tip_tangent(gear(Member::Pinion))
         - base_tangent(assembly);
-    path / gear(Member::Wheel).toothing().base_pitch()
+    path / gear(Member::Wheel).basic_data().base_pitch()
 }
 
 /// Contact ratio over the path that both gears' form circles leave of [`contact_ratio`]'s.
-pub fn usable_contact_ratio(assembly: &Assembly) -> f64 {
+pub fn usable_contact_ratio(assembly: &GearPair) -> f64 {
     let lost: f64 = [Member::Wheel, Member::Pinion]
         .map(|member| (-form_margin(assembly, member)).max(0.0))
         .iter()
         .sum();
-    let base_pitch = assembly.gear(Member::Wheel).gear().toothing().base_pitch();
+    let base_pitch = assembly
+        .gear(Member::Wheel)
+        .gear()
+        .basic_data()
+        .base_pitch();
     contact_ratio(assembly) - lost / base_pitch
 }
 
 /// Tooth thickness of `member` on its operating pitch circle, `s_wt = 2 r_w (ψ_b − inv α_wt)`, mm.
-pub fn operating_thickness(assembly: &Assembly, member: Member) -> f64 {
+pub fn operating_thickness(assembly: &GearPair, member: Member) -> f64 {
     2.0 * assembly.operating_pitch_radius(member) * assembly.operating_half_angle(member)
 }
 
 /// Pitch on the operating pitch circles, `p_wt = p_b/cos α_wt`, mm.
 ///
 /// Backlash condition (K (12), (13)): both operating thicknesses together do not exceed it.
-pub fn operating_pitch(assembly: &Assembly) -> f64 {
-    let toothing = assembly.gear(Member::Wheel).gear().toothing();
-    assembly.operating_pitch_radius(Member::Wheel) * toothing.angular_pitch()
+pub fn operating_pitch(assembly: &GearPair) -> f64 {
+    let basic_data = assembly.gear(Member::Wheel).gear().basic_data();
+    assembly.operating_pitch_radius(Member::Wheel) * basic_data.angular_pitch()
 }
 
 /// Zero-backlash centre distance `a_0` of the mean teeth, mm, K (17).
@@ -91,17 +95,17 @@ pub fn operating_pitch(assembly: &Assembly) -> f64 {
 /// From measured spans when the gears were made of them (K (15), (16):
 /// [`crate::gear::thickness::base_from_span`]). `None` when the teeth are so
 /// thin that they have play on touching base circles.
-pub fn zero_backlash_distance(assembly: &Assembly) -> Option<f64> {
+pub fn zero_backlash_distance(assembly: &GearPair) -> Option<f64> {
     InvolutePair::of(assembly).center_distance(0.0)
 }
 
 /// The same of the nominal teeth: `inv α_0 = inv α + 2 (x_1 + x_2) tan α/(z_1 + z_2)`.
-pub fn nominal_zero_backlash_distance(assembly: &Assembly) -> Option<f64> {
+pub fn nominal_zero_backlash_distance(assembly: &GearPair) -> Option<f64> {
     InvolutePair::nominal(assembly).center_distance(0.0)
 }
 
 /// Radial backlash `j_r = a − a_0`, mm; `None` as [`zero_backlash_distance`].
-pub fn radial_backlash(assembly: &Assembly) -> Option<f64> {
+pub fn radial_backlash(assembly: &GearPair) -> Option<f64> {
     Some(assembly.center_distance() - zero_backlash_distance(assembly)?)
 }
 
@@ -113,9 +117,9 @@ pub fn tip_thickness(gear: &Gear) -> f64 {
 /// Least generating shift `x_E` without undercut, modules: `h_fP* − ρ_fP* (1 − sin α) − z sin² α/2`.
 ///
 /// Design section 4's `r sin α − (h_0/sin α + ρ) ≥ 0` solved for the shift.
-pub fn least_shift_without_undercut(toothing: &Toothing, rack: &Rack) -> f64 {
-    let sin = toothing.pressure_angle().sin();
+pub fn least_shift_without_undercut(basic_data: &BasicGearData, rack: &BasicRack) -> f64 {
+    let sin = basic_data.pressure_angle().sin();
     rack.dedendum()
         - rack.root_radius() * (1.0 - sin)
-        - f64::from(toothing.teeth()) * sin * sin / 2.0
+        - f64::from(basic_data.teeth()) * sin * sin / 2.0
 }

@@ -5,7 +5,7 @@
 
 use super::one_side::OneSide;
 use crate::gear::Side;
-use crate::pair::{Assembly, Pose};
+use crate::pair::{GearPair, Pose};
 
 /// Contact of two involutes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,7 +29,7 @@ impl SideContact {
     /// Empty, too, when the free gear is eccentric by its base radius or more: its rotation
     /// at contact is then not unique.
     pub fn all<'a>(
-        assembly: &'a Assembly,
+        assembly: &'a GearPair,
         pose: &'a Pose,
         side: Side,
     ) -> impl Iterator<Item = SideContact> + 'a {
@@ -50,7 +50,7 @@ pub struct LineOfAction {
 
 impl LineOfAction {
     /// Both sides of `pose`.
-    pub fn new(assembly: &Assembly, pose: &Pose) -> LineOfAction {
+    pub fn new(assembly: &GearPair, pose: &Pose) -> LineOfAction {
         // Clockwise the free gear stops at the greatest rotation, counter-clockwise at the least.
         let tightest = |side: Side| {
             SideContact::all(assembly, pose, side).reduce(|best, next| {
@@ -73,7 +73,7 @@ impl LineOfAction {
     }
 
     /// Circumferential backlash `j_wt = φ_j r_w` of the free gear, mm.
-    pub fn backlash(&self, assembly: &Assembly) -> Option<f64> {
+    pub fn backlash(&self, assembly: &GearPair) -> Option<f64> {
         Some(self.angle()? * assembly.operating_pitch_radius(assembly.free()))
     }
 }

@@ -5,10 +5,10 @@
 //! backlash: equal to model 2 at `a_ref`, without its bend elsewhere.
 
 use super::{InvolutePair, limits};
-use crate::pair::Assembly;
+use crate::pair::GearPair;
 
 /// `B` at the effective centre distance `distance`, mm; `None` when there is no `a_ref`.
-pub(super) fn backlash(assembly: &Assembly, distance: f64) -> Option<f64> {
+pub(super) fn backlash(assembly: &GearPair, distance: f64) -> Option<f64> {
     let reference = limits::nominal_zero_backlash_distance(assembly)?;
     let pair = InvolutePair::of(assembly);
     let angle = pair.operating_pressure_angle(reference)?;

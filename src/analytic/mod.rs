@@ -13,7 +13,7 @@ mod one_side;
 pub use involute::InvolutePair;
 pub use line_of_action::{LineOfAction, SideContact};
 
-use crate::pair::{Assembly, Pose};
+use crate::pair::{GearPair, Pose};
 
 /// Circumferential backlash `j_wt` of one pose by each model, mm.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,7 +27,7 @@ pub struct Analytic {
 }
 
 /// All three models at `pose`.
-pub fn evaluate(assembly: &Assembly, pose: &Pose) -> Analytic {
+pub fn evaluate(assembly: &GearPair, pose: &Pose) -> Analytic {
     let distance = effective_center_distance(assembly, pose);
     Analytic {
         michalec: michalec::backlash(assembly, distance),
@@ -41,7 +41,7 @@ pub fn evaluate(assembly: &Assembly, pose: &Pose) -> Analytic {
 /// `χ` is the angle between a gear's high tooth and the direction to its mate,
 /// the free gear at its nominal rotation: the distance of the two outlines'
 /// centres along the line of centres.
-pub fn effective_center_distance(assembly: &Assembly, pose: &Pose) -> f64 {
+pub fn effective_center_distance(assembly: &GearPair, pose: &Pose) -> f64 {
     let towards_mate = |member, rotation: f64| {
         let gear = assembly.gear(member);
         // A rotation counts from tooth 1 pointing at the mate.

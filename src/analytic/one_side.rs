@@ -25,7 +25,7 @@
 
 use super::SideContact;
 use crate::gear::{AsBuilt, Side};
-use crate::pair::{Assembly, Pose};
+use crate::pair::{GearPair, Pose};
 use nalgebra::{UnitComplex, Vector2};
 use std::f64::consts::TAU;
 use std::ops::RangeInclusive;
@@ -36,7 +36,7 @@ const END: f64 = 1e-12;
 
 /// One side of a pose, mirrored if left. All angles from the line of centres.
 pub(super) struct OneSide<'a> {
-    assembly: &'a Assembly,
+    assembly: &'a GearPair,
     pose: &'a Pose,
     side: Side,
     /// −1 on the left side: angles change sign in the mirror.
@@ -58,7 +58,7 @@ struct Line {
 }
 
 impl<'a> OneSide<'a> {
-    pub(super) fn new(assembly: &'a Assembly, pose: &'a Pose, side: Side) -> OneSide<'a> {
+    pub(super) fn new(assembly: &'a GearPair, pose: &'a Pose, side: Side) -> OneSide<'a> {
         let mirror = -side.sense();
         let (locked, free) = (
             assembly.gear(assembly.locked()),
@@ -111,7 +111,7 @@ impl<'a> OneSide<'a> {
     fn locked_angle(&self, steps: i64) -> f64 {
         let tooth = f64::from(self.pose.mating().tooth(self.assembly.locked()));
         let turned = self.pose.locked_rotation() + self.locked.tooth_angle(tooth);
-        self.mirror * (turned + steps as f64 * self.locked.gear().toothing().angular_pitch())
+        self.mirror * (turned + steps as f64 * self.locked.gear().basic_data().angular_pitch())
     }
 
     /// The range of `θ_1` that can bring the contact onto the locked gear's involute.
@@ -135,7 +135,7 @@ impl<'a> OneSide<'a> {
     /// keeps pitch deviations below τ/2, every tip above 0, so half a tooth's extra thickness above
     /// −τ, and every space above 0, so the same below 5τ/2.)
     fn steps(&self, window: &RangeInclusive<f64>) -> RangeInclusive<i64> {
-        let pitch = self.locked.gear().toothing().angular_pitch();
+        let pitch = self.locked.gear().basic_data().angular_pitch();
         let places = |angle: &f64| {
             // Far beyond any pose's fraction, and i64 still counts it.
             (self.mirror * (angle - self.locked_angle(0)) / pitch).clamp(-1e15, 1e15)

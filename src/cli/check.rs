@@ -140,13 +140,13 @@ fn maps(study: &Study, diagnosis: &Diagnosis) -> Result<Vec<(String, String)>, E
                 .assembly
                 .gear(crate::pair::Member::Wheel)
                 .gear()
-                .toothing()
+                .basic_data()
                 .teeth(),
             group
                 .assembly
                 .gear(crate::pair::Member::Pinion)
                 .gear()
-                .toothing()
+                .basic_data()
                 .teeth(),
             material.name(),
         );

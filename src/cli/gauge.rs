@@ -152,7 +152,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
 
 /// Whether the gear has the teeth to span.
 fn check_span(args: &Args, name: &str, gear: &AsBuilt) -> Result<(), Error> {
-    let z = gear.gear().toothing().teeth();
+    let z = gear.gear().basic_data().teeth();
     match args.span_teeth {
         Some(k) if k > z => Err(Error::Usage(format!(
             "--span-teeth {k}: the {name} has {z} teeth, allowed is 1 … {z}; give fewer, or choose the other gear with --gear"

@@ -117,7 +117,7 @@ mod tests {
             study.runs().unwrap().remove(0)
         };
         let (plan, other) = (read("karba_44x44.toml"), read("karba_86x21.toml"));
-        let cut_of = |assembly: &crate::pair::Assembly| {
+        let cut_of = |assembly: &crate::pair::GearPair| {
             CutPair::for_certificates(assembly.gear(Member::Wheel), assembly.gear(Member::Pinion))
         };
         let compared = |cut: &CutPair| {

@@ -1,15 +1,15 @@
 //! What `snapshot --animate` and `--exaggerate` draw.
 
 use crate::error::Error;
-use crate::mesh::{CutPair, Exaggeration, Method, SweptPose, sweep};
-use crate::pair::{Assembly, Mating, Member, Pose};
+use crate::mesh::{CutPair, Exaggeration, Method, PoseResult, sweep};
+use crate::pair::{GearPair, Mating, Member, Pose};
 use std::ops::ControlFlow;
 
 /// Steps of an animation: ten a second.
 const STEPS: u32 = 60;
 
 /// What is found at every step through a pitch from `pose` on, both ends included.
-pub(super) fn pitch(assembly: &Assembly, pose: &Pose) -> Result<Vec<SweptPose>, Error> {
+pub(super) fn pitch(assembly: &GearPair, pose: &Pose) -> Result<Vec<PoseResult>, Error> {
     let matings: Vec<Mating> = (0..=STEPS)
         .map(|step| Mating {
             fraction: pose.mating().fraction + f64::from(step) / f64::from(STEPS),
@@ -31,7 +31,7 @@ const FACTORS: [f64; 16] = [
 ];
 
 /// Both gears with their deviations `factor` times as large; an error names the factor that would do.
-pub(super) fn exaggeration(assembly: &Assembly, factor: f64) -> Result<Exaggeration<'_>, Error> {
+pub(super) fn exaggeration(assembly: &GearPair, factor: f64) -> Result<Exaggeration<'_>, Error> {
     if !(FACTORS[15]..=FACTORS[0]).contains(&factor) {
         return Err(Error::Usage(format!(
             "--exaggerate {factor}: a factor between 1 and {}",

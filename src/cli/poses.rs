@@ -12,7 +12,7 @@ pub(super) struct Bound {
     /// Bytes each takes, and of what.
     bytes: u64,
     of: &'static str,
-    way_out: &'static str,
+    help: &'static str,
 }
 
 /// Poses are written and forgotten: what they take is on the disk.
@@ -20,7 +20,7 @@ pub(super) const STREAMED: Bound = Bound {
     most: MOST_POSES,
     bytes: POSE_BYTES_JSON + POSE_BYTES_CSV,
     of: "result",
-    way_out: "take fewer steps_per_pitch or fractions, or fewer centre distances at a time",
+    help: "take fewer steps_per_pitch or fractions, or fewer centre distances at a time",
 };
 
 /// Poses are held until the command ends, contacts and formulas included: what they take is memory.
@@ -28,7 +28,7 @@ pub(super) const HELD: Bound = Bound {
     most: 2_000_000,
     bytes: 1000,
     of: "memory",
-    way_out: "take fewer steps_per_pitch, fractions or centre distances in a file for this command; simulate and compare go up to 10 million poses",
+    help: "take fewer steps_per_pitch, fractions or centre distances in a file for this command; simulate and compare go up to 10 million poses",
 };
 
 /// An error where `poses`, which `file` asks for, are more than `bound` allows.
@@ -50,7 +50,7 @@ pub(super) fn allow(file: &Path, poses: u64, bound: &Bound) -> Result<(), Error>
                 most / 1_000_000,
                 size(most * bytes),
             ),
-            way_out: bound.way_out.to_owned(),
+            help: bound.help.to_owned(),
         }],
     })
 }

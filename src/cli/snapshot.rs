@@ -10,7 +10,7 @@ use super::{studies, worst};
 use crate::error::Error;
 use crate::gear::Side;
 use crate::mesh::{CutPair, LostMotion, Method, Unproven, sweep};
-use crate::pair::{Assembly, Mating, Member, Pose};
+use crate::pair::{GearPair, Mating, Member, Pose};
 use crate::render::{self, Snapshot};
 use crate::study::{Material, Study};
 use clap::ValueEnum;
@@ -109,7 +109,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
 /// What is drawn, and the name of its file.
 struct Subject {
     material: Material,
-    assembly: Assembly,
+    assembly: GearPair,
     pose: Pose,
     found: Result<LostMotion, Unproven>,
     /// Poses that are not proven: this one, or those that the worst was looked for among.
@@ -171,7 +171,7 @@ fn subject(args: &Args, study: Study) -> Result<Subject, Error> {
 }
 
 /// The gears at the material and centre distance asked for.
-fn assembly(args: &Args, study: &Study) -> Result<(Material, Assembly), Error> {
+fn assembly(args: &Args, study: &Study) -> Result<(Material, GearPair), Error> {
     let wanted = match args.material {
         Some(end) => material(end, study)?,
         None if study.materials.len() == 1 => Material::AsMeasured,
@@ -198,7 +198,7 @@ fn assembly(args: &Args, study: &Study) -> Result<(Material, Assembly), Error> {
             "--material: the pair file has no such material".to_owned(),
         ));
     };
-    Assembly::new(wheel.clone(), pinion.clone(), distance, study.locked)
+    GearPair::new(wheel.clone(), pinion.clone(), distance, study.locked)
         .map(|assembly| (*material, assembly))
         .map_err(|reason| Error::Usage(format!("--center-distance {distance}: {reason}")))
 }
@@ -206,11 +206,11 @@ fn assembly(args: &Args, study: &Study) -> Result<(Material, Assembly), Error> {
 fn mating(
     (wheel_tooth, pinion_tooth): (u32, u32),
     fraction: f64,
-    assembly: &Assembly,
+    assembly: &GearPair,
     flank: Side,
 ) -> Result<Mating, Error> {
     for (member, tooth) in [(Member::Wheel, wheel_tooth), (Member::Pinion, pinion_tooth)] {
-        let teeth = assembly.gear(member).gear().toothing().teeth();
+        let teeth = assembly.gear(member).gear().basic_data().teeth();
         if !(1..=teeth).contains(&tooth) {
             return Err(Error::Usage(format!(
                 "--mating {wheel_tooth},{pinion_tooth}: the {} has teeth 1 … {teeth}, not {tooth}",

@@ -4,7 +4,7 @@ use super::console::tell;
 use super::progress::Progress;
 use crate::analytic::evaluate;
 use crate::error::Error;
-use crate::mesh::{FirstLeast, Method, Status, SweptPose};
+use crate::mesh::{FirstLeast, Method, PoseResult, Status};
 use crate::simulate::{Run, each_block, pose_count};
 use crate::study::{Material, Study};
 
@@ -15,7 +15,7 @@ pub(super) fn find(
     study: Study,
     distance: Option<f64>,
     material: Option<Material>,
-) -> Result<(Run, SweptPose, usize), Error> {
+) -> Result<(Run, PoseResult, usize), Error> {
     let study = narrowed(study, distance, material)?;
     let poses = pose_count(&study)?;
     let progress = Progress::start(poses);
@@ -97,7 +97,7 @@ fn narrowed(
     moved.map_err(|reason| Error::Usage(format!("--center-distance {distance}: {reason}")))
 }
 
-fn in_words(run: &Run, pose: &SweptPose) -> String {
+fn in_words(run: &Run, pose: &PoseResult) -> String {
     let mating = pose.pose.mating();
     let beyond = match mating.fraction {
         0.0 => String::new(),

@@ -17,7 +17,7 @@ use crate::compare::{ComparedRun, compare};
 use crate::error::Error;
 use crate::gear::Side;
 use crate::mesh::Method;
-use crate::pair::{Assembly, Mating, Member, SweepPlan};
+use crate::pair::{GearPair, Mating, Member, SweepPlan};
 use crate::simulate::{pose_count, simulate, simulate_plans};
 use crate::study::Study;
 use std::ops::ControlFlow;
@@ -108,7 +108,7 @@ pub fn swept(mut study: Study) -> Study {
         && !study.sweeps()
     {
         study.sweep = Some(SweepPlan::Revolution {
-            pitches: u64::from(wheel.gear().toothing().teeth()),
+            pitches: u64::from(wheel.gear().basic_data().teeth()),
             steps_per_pitch: STEPS_PER_PITCH,
             start: from_tooth_1(&study),
         });
@@ -139,7 +139,7 @@ fn from_tooth_1(study: &Study) -> (u32, u32) {
     };
     let first = study.materials.first().zip(study.center_distances.first());
     let assembly = first.and_then(|((_, wheel, pinion), a)| {
-        Assembly::new(wheel.clone(), pinion.clone(), *a, study.locked).ok()
+        GearPair::new(wheel.clone(), pinion.clone(), *a, study.locked).ok()
     });
     let Some(assembly) = assembly else {
         return (wheel_tooth, pinion_tooth);
@@ -148,6 +148,6 @@ fn from_tooth_1(study: &Study) -> (u32, u32) {
     (start.wheel_tooth, start.pinion_tooth)
 }
 
-fn wheel_teeth(assembly: &Assembly) -> u32 {
-    assembly.gear(Member::Wheel).gear().toothing().teeth()
+fn wheel_teeth(assembly: &GearPair) -> u32 {
+    assembly.gear(Member::Wheel).gear().basic_data().teeth()
 }

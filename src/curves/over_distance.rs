@@ -6,7 +6,7 @@ use crate::error::Error;
 use crate::gear::Side;
 use crate::measured::{Bands, bands};
 use crate::mesh::{Method, Status};
-use crate::pair::{Assembly, Mating, Member};
+use crate::pair::{GearPair, Mating, Member};
 use crate::simulate::simulate_plans;
 use crate::study::{MeasuredRow, RunPlan, Study};
 use std::ops::ControlFlow;
@@ -68,7 +68,7 @@ pub fn over_distance(
     let mut plans = Vec::new();
     for &a in &distances {
         for (material, wheel, pinion) in &study.materials {
-            let assembly = Assembly::new(wheel.clone(), pinion.clone(), a, study.locked)?;
+            let assembly = GearPair::new(wheel.clone(), pinion.clone(), a, study.locked)?;
             plans.push(RunPlan {
                 material: *material,
                 matings: poses(&assembly, followed, !measured.is_empty())?,
@@ -118,13 +118,13 @@ pub fn over_distance(
 }
 
 /// The poses of what is `followed`; two teeth that were `measured` are the same at both flanks.
-fn poses(assembly: &Assembly, followed: Followed, measured: bool) -> Result<Vec<Mating>, Error> {
+fn poses(assembly: &GearPair, followed: Followed, measured: bool) -> Result<Vec<Mating>, Error> {
     let (wheel_tooth, pinion_tooth) = match followed {
         Followed::Pose(mating) => return Ok(vec![mating]),
         Followed::Teeth(wheel, pinion) => (wheel, pinion),
     };
     for (member, tooth) in [(Member::Wheel, wheel_tooth), (Member::Pinion, pinion_tooth)] {
-        let teeth = assembly.gear(member).gear().toothing().teeth();
+        let teeth = assembly.gear(member).gear().basic_data().teeth();
         if !(1..=teeth).contains(&tooth) {
             return Err(Error::Usage(format!(
                 "--mating {wheel_tooth},{pinion_tooth}: the gear has teeth 1 … {teeth}, not {tooth}"
@@ -161,7 +161,7 @@ fn grid(study: &Study, measured: &[MeasuredRow]) -> Vec<f64> {
     let (Some(first), Some(last)) = (all().reduce(f64::min), all().reduce(f64::max)) else {
         return Vec::new();
     };
-    let module = wheel.gear().toothing().module();
+    let module = wheel.gear().basic_data().module();
     let margin = match last > first {
         true => MARGIN * (last - first),
         false => AROUND * module,

@@ -1,7 +1,7 @@
 //! Where poses stand on the horizontal axis of a curve over the teeth.
 
 use super::wheel_teeth;
-use crate::pair::{Assembly, Mating, Member};
+use crate::pair::{GearPair, Mating, Member};
 
 /// From pitches to places.
 pub struct Scale {
@@ -15,7 +15,7 @@ pub struct Scale {
 impl Scale {
     /// The scale of `matings`, one after the other.
     pub fn of<'a, I: Iterator<Item = &'a Mating>>(
-        assembly: &Assembly,
+        assembly: &GearPair,
         matings: impl Fn() -> I,
     ) -> Scale {
         let pitches = pitches(matings());
@@ -73,7 +73,7 @@ fn places<'a>(matings: impl Iterator<Item = &'a Mating>) -> impl Iterator<Item =
 ///
 /// Ascending teeth of the locked gear come into mesh; on its mate numbers ascend with them where the two faces
 /// look opposite ways.
-fn wheel_sense(assembly: &Assembly) -> f64 {
+fn wheel_sense(assembly: &GearPair) -> f64 {
     let ascending = |member| assembly.gear(member).face().ascending();
     match assembly.locked() {
         Member::Wheel => 1.0,

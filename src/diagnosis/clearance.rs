@@ -8,7 +8,7 @@
 use crate::analytic::InvolutePair;
 use crate::error::Error;
 use crate::gear::{Placed, Side};
-use crate::pair::{Assembly, Mating, Member, Pose};
+use crate::pair::{GearPair, Mating, Member, Pose};
 use rayon::prelude::*;
 use std::collections::HashSet;
 use std::f64::consts::{PI, TAU};
@@ -39,7 +39,7 @@ pub struct RadialClearance {
 ///
 /// `None` without matings. Pitches in which no distance can be the least are left out.
 pub fn radial_clearance(
-    assembly: &Assembly,
+    assembly: &GearPair,
     member: Member,
     matings: &[Mating],
 ) -> Option<RadialClearance> {
@@ -54,7 +54,7 @@ pub fn radial_clearance(
 /// # Errors
 /// [`Error::Interrupted`] after a break.
 pub(super) fn least_over(
-    assembly: &Assembly,
+    assembly: &GearPair,
     member: Member,
     pitches: &[Mating],
     tick: &(dyn Fn() -> ControlFlow<()> + Sync),
@@ -91,8 +91,8 @@ pub(super) fn least_over(
 }
 
 /// Where the pitches begin over which the least distance is looked for, no two with the same teeth.
-pub(super) fn pitches(assembly: &Assembly, matings: &[Mating]) -> Vec<Mating> {
-    let teeth = assembly.gear(assembly.locked()).gear().toothing().teeth();
+pub(super) fn pitches(assembly: &GearPair, matings: &[Mating]) -> Vec<Mating> {
+    let teeth = assembly.gear(assembly.locked()).gear().basic_data().teeth();
     let mut met = HashSet::new();
     let mut pitches = Vec::new();
     for start in matings {
@@ -113,7 +113,7 @@ pub(super) fn pitches(assembly: &Assembly, matings: &[Mating]) -> Vec<Mating> {
 
 /// Both gears rolling on together; what is the same at every pose.
 struct Rolling<'a> {
-    assembly: &'a Assembly,
+    assembly: &'a GearPair,
     /// Whose tips are meant.
     member: Member,
     /// Half the backlash of the mean teeth, as a rotation of the free gear, rad.
@@ -123,7 +123,7 @@ struct Rolling<'a> {
 }
 
 impl<'a> Rolling<'a> {
-    fn new(assembly: &'a Assembly, member: Member) -> Rolling<'a> {
+    fn new(assembly: &'a GearPair, member: Member) -> Rolling<'a> {
         let play = InvolutePair::of(assembly)
             .normal_backlash(assembly.center_distance())
             .unwrap_or(0.0);
@@ -147,7 +147,7 @@ impl<'a> Rolling<'a> {
         let reach = 0.5 + 2.0 / f64::from(STEPS);
         let moves = [&tips, &roots].map(|placed| {
             let gear = placed.as_built();
-            reach * gear.gear().toothing().angular_pitch() * gear.eccentricity()
+            reach * gear.gear().basic_data().angular_pitch() * gear.eccentricity()
         });
         let radii = tips.as_built().gear().tip_radius() + roots.as_built().gear().root_radius();
         distance - radii - moves[0] - moves[1] - rounding(distance + radii)
@@ -268,7 +268,7 @@ fn rounding(size: f64) -> f64 {
 /// The three teeth nearest to `direction`, or, half a pitch `beyond` them counter-clockwise, the spaces.
 fn near(placed: &Placed, direction: f64, beyond: f64) -> [u32; 3] {
     let gear = placed.as_built();
-    let pitch = gear.gear().toothing().angular_pitch();
+    let pitch = gear.gear().basic_data().angular_pitch();
     let steps = ((direction - placed.direction(1)) / pitch - beyond).round() as i64;
     [-1, 0, 1].map(|beside| gear.counter_clockwise(1, steps + beside))
 }
@@ -283,7 +283,7 @@ fn tip_land(placed: &Placed, half: f64, tooth: u32, line: f64) -> [f64; 2] {
 /// Ends of the root land counter-clockwise of a tooth, as angles from `line`.
 fn root_land(placed: &Placed, tooth: u32, line: f64) -> [f64; 2] {
     let (as_built, gear) = (placed.as_built(), placed.as_built().gear());
-    let pitch = gear.toothing().angular_pitch();
+    let pitch = gear.basic_data().angular_pitch();
     let from_centre = -gear.fillet().root_angle();
     let centre = from(line, placed.direction(tooth) + 0.5 * pitch) - 0.5 * pitch;
     let next = as_built.counter_clockwise(tooth, 1);
@@ -360,13 +360,15 @@ fn between_lands(distance: f64, tip: &Land, root: &Land) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gear::{AsBuilt, Blank, Deviations, Face, Gear, Pitch, Rack, Toothing};
+    use crate::gear::{
+        AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Pitch,
+    };
 
     fn gear(teeth: u32, face: Face, eccentricity: f64) -> AsBuilt {
-        let blank = Blank {
-            toothing: Toothing::new(teeth, 2.0, 20f64.to_radians()).unwrap(),
+        let design = GearDesign {
+            basic_data: BasicGearData::new(teeth, 2.0, 20f64.to_radians()).unwrap(),
             profile_shift: 0.0,
-            rack: Rack::ISO_53_A,
+            rack: BasicRack::ISO_53_A,
             tip_diameter: None,
         };
         let wave = |start: u32| -> Vec<f64> {
@@ -380,7 +382,7 @@ mod tests {
             high_tooth: 2.7,
             ..Deviations::default()
         };
-        AsBuilt::new(Gear::nominal(blank).unwrap(), face, &deviations).unwrap()
+        AsBuilt::new(Gear::nominal(design).unwrap(), face, &deviations).unwrap()
     }
 
     /// Leaving pitches and lands out changes nothing: the straightforward search over all of them finds the same, to
@@ -392,7 +394,7 @@ mod tests {
                 gear(23, Face::Front, eccentricity),
                 gear(17, Face::Back, 0.5 * eccentricity),
             );
-            let assembly = Assembly::new(wheel, pinion, distance, Member::Wheel).unwrap();
+            let assembly = GearPair::new(wheel, pinion, distance, Member::Wheel).unwrap();
             let start = Mating {
                 wheel_tooth: 1,
                 pinion_tooth: 1,

@@ -4,7 +4,7 @@ use crate::analytic::limits;
 use crate::compare::{ComparedPose, ComparedRun};
 use crate::gear::Side;
 use crate::mesh::{Contact, ContactClass, ContactKind, PoseClass};
-use crate::pair::{Assembly, Pose};
+use crate::pair::{GearPair, Pose};
 use crate::study::Material;
 use std::collections::BTreeMap;
 
@@ -38,7 +38,7 @@ pub struct Loss {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Worst {
     /// The pair.
-    pub assembly: Assembly,
+    pub assembly: GearPair,
     /// Its material.
     pub material: Material,
     /// Where it stands.
@@ -88,7 +88,7 @@ impl ContactCount {
     }
 
     /// Takes in a pose of `assembly`.
-    pub(crate) fn add(&mut self, assembly: &Assembly, material: Material, pose: &ComparedPose) {
+    pub(crate) fn add(&mut self, assembly: &GearPair, material: Material, pose: &ComparedPose) {
         let class = pose.swept.class(assembly);
         *self.classes.entry(class).or_default() += 1;
         let others_touch = !matches!(
@@ -143,7 +143,7 @@ impl ContactCount {
     }
 }
 
-fn graver(assembly: &Assembly, pose: &ComparedPose) -> Option<(Side, Contact)> {
+fn graver(assembly: &GearPair, pose: &ComparedPose) -> Option<(Side, Contact)> {
     let found = pose.swept.proven()?;
     let (right, left) = (found.right?, found.left?);
     let kind = |side, contact| ContactClass::of(assembly, side, contact).kind;

@@ -1,12 +1,12 @@
 //! What touches over centre distance and mesh phase.
 
-use super::bench::{Bench, reach};
 use super::checks::Group;
 use super::onset::form_onset;
+use super::pair_at_distance::{PairAtDistance, reach};
 use crate::analytic::limits;
 use crate::error::Error;
 use crate::mesh::PoseClass;
-use crate::pair::{Assembly, Mating, Member};
+use crate::pair::{GearPair, Mating, Member};
 use rayon::prelude::*;
 use std::ops::ControlFlow;
 
@@ -60,7 +60,7 @@ pub fn map(
 ) -> Result<Map, Error> {
     let assembly = &group.assembly;
     let limits = limits_of(group);
-    let module = assembly.gear(Member::Wheel).gear().toothing().module();
+    let module = assembly.gear(Member::Wheel).gear().basic_data().module();
     let [nearest, farthest] = reach(assembly);
     let ends = |pick: fn(f64, f64) -> f64| limits.iter().map(|limit| limit.distance).reduce(pick);
     let middle = assembly.center_distance();
@@ -75,7 +75,7 @@ pub fn map(
     let fractions: Vec<f64> = (0..COLUMNS)
         .map(|column| f64::from(column) / f64::from(COLUMNS))
         .collect();
-    let as_assembled = Bench::new(assembly);
+    let as_assembled = PairAtDistance::new(assembly);
     let rows: Vec<Result<Vec<MapCell>, Error>> = distances
         .par_iter()
         .map(|&distance| {
@@ -118,9 +118,9 @@ pub fn map(
 }
 
 fn limits_of(group: &Group) -> Vec<Limit> {
-    let assembly: &Assembly = &group.assembly;
+    let assembly: &GearPair = &group.assembly;
     let a = assembly.center_distance();
-    let module = assembly.gear(Member::Wheel).gear().toothing().module();
+    let module = assembly.gear(Member::Wheel).gear().basic_data().module();
     let limit = |name: &str, distance: f64| Limit {
         name: name.to_owned(),
         distance,
@@ -143,7 +143,7 @@ fn limits_of(group: &Group) -> Vec<Limit> {
             .map(|onset| limit("non-involute contact, measured", onset.distance)),
     );
     // The gear that is endangered first.
-    let governing = |value: fn(&Assembly, Member) -> f64| {
+    let governing = |value: fn(&GearPair, Member) -> f64| {
         f64::max(
             value(assembly, Member::Wheel),
             value(assembly, Member::Pinion),
@@ -165,7 +165,7 @@ fn limits_of(group: &Group) -> Vec<Limit> {
     limits
 }
 
-fn least_clearance(assembly: &Assembly) -> f64 {
+fn least_clearance(assembly: &GearPair) -> f64 {
     f64::min(
         limits::radial_clearance(assembly, Member::Wheel),
         limits::radial_clearance(assembly, Member::Pinion),
@@ -173,7 +173,7 @@ fn least_clearance(assembly: &Assembly) -> f64 {
 }
 
 /// Centre distance, mm, below which K (8) is violated on `member`: the mate's tip on the base tangent's end.
-fn base_onset(assembly: &Assembly, member: Member) -> f64 {
+fn base_onset(assembly: &GearPair, member: Member) -> f64 {
     let gear = assembly.gear(member).gear();
     let mate = assembly.gear(member.mate()).gear();
     limits::tip_tangent(mate).hypot(gear.base_radius() + mate.base_radius())

@@ -8,20 +8,20 @@
 //! poses of a sweep; each states what it found and how closely. None of them
 //! looks beyond the poses it was given but by turning on from them.
 
-mod bench;
 mod check;
 mod checks;
 mod clearance;
 mod contact_count;
 mod map;
 mod onset;
+mod pair_at_distance;
 mod zero_distance;
 
-pub use bench::Bench;
 pub use check::{Check, Verdict};
 pub use checks::{Diagnosis, Group, Searched, diagnose, pitch_count};
 pub use clearance::{RadialClearance, radial_clearance};
 pub use contact_count::{ContactCount, Loss, Worst};
 pub use map::{Limit, MAP_ROWS, Map, MapCell, map};
 pub use onset::{Onset, form_onset, non_involute_onset};
+pub use pair_at_distance::PairAtDistance;
 pub use zero_distance::{ZeroDistance, zero_distance};

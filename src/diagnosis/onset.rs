@@ -1,10 +1,10 @@
 //! The centre distance below which something other than involutes touches.
 
-use super::bench::{Bench, reach};
+use super::pair_at_distance::{PairAtDistance, reach};
 use crate::analytic::limits;
 use crate::error::Error;
 use crate::mesh::PoseClass;
-use crate::pair::{Assembly, Mating, Member};
+use crate::pair::{GearPair, Mating, Member};
 use rayon::prelude::*;
 
 /// Width of the bracket, mm: a nanometre, far below what a centre distance can be set to.
@@ -32,7 +32,7 @@ pub struct Onset {
 ///
 /// [`limits::form_margin`] is zero where `(r_b1 + r_b2) tan α_wt = √(r_a² − r_b²) + r_b ξ_Ff`; the
 /// centre distance is the hypotenuse over that and `r_b1 + r_b2`.
-pub fn form_onset(assembly: &Assembly, member: Member) -> f64 {
+pub fn form_onset(assembly: &GearPair, member: Member) -> f64 {
     let gear = assembly.gear(member).gear();
     let mate = assembly.gear(member.mate()).gear();
     let tangent = limits::tip_tangent(mate) + gear.base_radius() * gear.form_roll();
@@ -47,17 +47,17 @@ pub fn form_onset(assembly: &Assembly, member: Member) -> f64 {
 ///
 /// # Errors
 /// A contact that was lost.
-pub fn non_involute_onset(assembly: &Assembly, matings: &[Mating]) -> Result<Option<Onset>, Error> {
+pub fn non_involute_onset(assembly: &GearPair, matings: &[Mating]) -> Result<Option<Onset>, Error> {
     let [nearest, farthest] = reach(assembly);
     let form = |member| form_onset(assembly, member);
     let guess = form(Member::Wheel)
         .max(form(Member::Pinion))
         .clamp(nearest, farthest);
-    let module = assembly.gear(Member::Wheel).gear().toothing().module();
+    let module = assembly.gear(Member::Wheel).gear().basic_data().module();
 
     let mut stride = 0.02 * module;
     let mut low = guess;
-    let bench = Bench::new(assembly);
+    let bench = PairAtDistance::new(assembly);
     let mut active = touching(&bench, low, matings)?;
     while active.is_empty() {
         if low <= nearest {
@@ -93,7 +93,12 @@ pub fn non_involute_onset(assembly: &Assembly, matings: &[Mating]) -> Result<Opt
 }
 
 /// Raises `low`, where all of `active` (not empty) touch, until none does at the distance returned, [`WIDTH`] above.
-fn close(bench: &Bench, low: &mut f64, known: f64, active: &mut Vec<Mating>) -> Result<f64, Error> {
+fn close(
+    bench: &PairAtDistance,
+    low: &mut f64,
+    known: f64,
+    active: &mut Vec<Mating>,
+) -> Result<f64, Error> {
     let [_, farthest] = reach(&bench.assembly);
     let mut stride = f64::max(2.0 * (known - *low), 16.0 * WIDTH);
     let mut high = loop {
@@ -122,7 +127,11 @@ fn close(bench: &Bench, low: &mut f64, known: f64, active: &mut Vec<Mating>) -> 
 }
 
 /// Those of `matings` that touch below an involute at `distance`, in order.
-fn touching(bench: &Bench, distance: f64, matings: &[Mating]) -> Result<Vec<Mating>, Error> {
+fn touching(
+    bench: &PairAtDistance,
+    distance: f64,
+    matings: &[Mating],
+) -> Result<Vec<Mating>, Error> {
     let bench = bench.at(distance)?;
     let classes: Vec<Result<PoseClass, Error>> = matings
         .par_iter()

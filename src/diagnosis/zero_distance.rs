@@ -1,9 +1,9 @@
 //! The centre distance at which the worst pose of a pair as built has no play.
 
-use super::bench::{Bench, reach};
+use super::pair_at_distance::{PairAtDistance, reach};
 use crate::analytic::limits;
 use crate::error::Error;
-use crate::pair::{Assembly, Mating};
+use crate::pair::{GearPair, Mating};
 
 /// Width of the bracket of a centre distance, mm: a tenth of what counts as met. Rounding of `j_bn` is a
 /// few 1e-13 mm, so the sign at its ends is sure.
@@ -43,10 +43,10 @@ pub struct ZeroDistance {
 /// # Errors
 /// A contact that was lost.
 pub fn zero_distance(
-    assembly: &Assembly,
+    assembly: &GearPair,
     matings: &[Mating],
 ) -> Result<Option<ZeroDistance>, Error> {
-    let as_assembled = Bench::new(assembly);
+    let as_assembled = PairAtDistance::new(assembly);
     let least_of = |matings: &[Mating], distance| -> Result<f64, Error> {
         let plays = as_assembled.at(distance)?.plays(matings)?;
         Ok(plays.into_iter().fold(f64::INFINITY, f64::min))
@@ -99,7 +99,7 @@ pub fn zero_distance(
     }))
 }
 
-impl Bench {
+impl PairAtDistance {
     /// The centre distance, mm, at which the pose of `mating` has no play: a bracket about it at most 1e-10 mm wide,
     /// the play negative at its first end and not at its second. `guess`, mm, is where the search starts.
     ///
@@ -133,12 +133,12 @@ fn local_minima(values: &[f64]) -> Vec<usize> {
 }
 
 /// The least play found going downhill from `start`, whose play is `play`, and where.
-fn lowest(bench: &Bench, start: Mating, play: f64) -> Result<(f64, Mating), Error> {
+fn lowest(bench: &PairAtDistance, start: Mating, play: f64) -> Result<(f64, Mating), Error> {
     let assembly = &bench.assembly;
     let at = |pitches: f64| bench.play(&start.onward(assembly, pitches));
     let period = {
         let gear = assembly.gear(assembly.locked()).gear();
-        f64::from(gear.toothing().teeth())
+        f64::from(gear.basic_data().teeth())
     };
     let (mut best, mut place) = (play, 0.0);
     for sense in [1.0, -1.0] {
@@ -182,14 +182,14 @@ fn lowest(bench: &Bench, start: Mating, play: f64) -> Result<(f64, Mating), Erro
 /// `play` has the slope `2 sin α_wt` while involutes touch: the first steps use that, the bracket then
 /// shrinks by secants, and by halves where they do not halve it.
 fn root(
-    assembly: &Assembly,
+    assembly: &GearPair,
     guess: f64,
     play: impl Fn(f64) -> Result<f64, Error>,
 ) -> Result<Option<[f64; 2]>, Error> {
     let [nearest, farthest] = reach(assembly);
     let start = guess.clamp(nearest, farthest);
     let slope = 2.0 * assembly.at(start)?.operating_pressure_angle().sin();
-    let module = assembly.gear(assembly.free()).gear().toothing().module();
+    let module = assembly.gear(assembly.free()).gear().basic_data().module();
     let value = play(start)?;
     // (distance, play) below and not below zero.
     let (mut low, mut high) = ((nearest, f64::NAN), (farthest, f64::NAN));

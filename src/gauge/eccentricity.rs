@@ -48,7 +48,7 @@ fn centre(points: &[Point2<f64>]) -> Option<(Vector2<f64>, f64)> {
 /// Finds the eccentricity.
 pub(super) fn eccentricity(work: &Workpiece) -> Eccentricity {
     let gear = work.as_built;
-    let teeth = gear.gear().toothing().teeth();
+    let teeth = gear.gear().basic_data().teeth();
     let displacement = gear.displacement(0.0);
     let land = |tooth: u32| -> Point2<f64> {
         let turn = UnitComplex::new(gear.tooth_angle(f64::from(tooth)))
@@ -70,7 +70,7 @@ pub(super) fn eccentricity(work: &Workpiece) -> Eccentricity {
     let angle = gear.face().ascending() * found.y.atan2(found.x);
     Eccentricity {
         amount,
-        high_tooth: gear.gear().toothing().tooth_towards(angle),
+        high_tooth: gear.gear().basic_data().tooth_towards(angle),
         error,
     }
 }

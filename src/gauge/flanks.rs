@@ -122,9 +122,9 @@ pub(super) fn thickness(work: &Workpiece) -> Result<ThicknessReadings, Unmeasure
     let Crossings { angles, error } = crossings(work, PitchAxis::Own)?;
     let [right, left] = &angles;
     let teeth = right.iter().zip(left);
-    let blank = work.as_built.gear().blank();
+    let design = work.as_built.gear().design();
     Ok(ThicknessReadings {
-        nominal: blank.nominal_thickness(),
+        nominal: design.nominal_thickness(),
         radius: radius(work),
         arcs: teeth
             .map(|(right, left)| radius(work) * (left - right))
@@ -134,7 +134,7 @@ pub(super) fn thickness(work: &Workpiece) -> Result<ThicknessReadings, Unmeasure
 }
 
 fn radius(work: &Workpiece) -> f64 {
-    work.as_built.gear().toothing().reference_radius()
+    work.as_built.gear().basic_data().reference_radius()
 }
 
 fn crossings(work: &Workpiece, axis: PitchAxis) -> Result<Crossings, Unmeasured> {
@@ -147,7 +147,7 @@ fn crossings(work: &Workpiece, axis: PitchAxis) -> Result<Crossings, Unmeasured>
         angles: [Vec::new(), Vec::new()],
         error: 0.0,
     };
-    for tooth in 1..=gear.gear().toothing().teeth() {
+    for tooth in 1..=gear.gear().basic_data().teeth() {
         // Seen along the tooth's undisturbed centre line.
         let along = UnitComplex::new(-gear.tooth_angle(f64::from(tooth)));
         let centre = Point2::from(along * -displacement);

@@ -35,20 +35,20 @@ pub(super) fn formula(
 ) -> Formula {
     let runout = 2.0 * gear.eccentricity();
     let gear = gear.gear();
-    let toothing = gear.toothing();
+    let basic_data = gear.basic_data();
     let s_b = gear.base_thickness();
-    let centre = |diameter| thickness::pin_centre_radius(toothing, diameter, s_b);
-    let odd = !toothing.teeth().is_multiple_of(2);
-    let both = 1.0 + (PI / f64::from(toothing.teeth())).cos();
-    let alpha = toothing.pressure_angle();
+    let centre = |diameter| thickness::pin_centre_radius(basic_data, diameter, s_b);
+    let odd = !basic_data.teeth().is_multiple_of(2);
+    let both = 1.0 + (PI / f64::from(basic_data.teeth())).cos();
+    let alpha = basic_data.pressure_angle();
     Formula {
-        span: k.map(|k| thickness::span_from_base(toothing, k, s_b)),
-        over_two: pin.map(|pin| thickness::pins_from_base(toothing, pin, s_b)),
+        span: k.map(|k| thickness::span_from_base(basic_data, k, s_b)),
+        over_two: pin.map(|pin| thickness::pins_from_base(basic_data, pin, s_b)),
         over_three: pin.filter(|_| odd).map(|pin| both * centre(pin) + pin),
         ball_centre: ball.map(centre),
         root: gear.root_radius(),
         thickness: s_b / alpha.cos()
-            - 2.0 * toothing.reference_radius() * crate::gear::involute::inv(alpha),
+            - 2.0 * basic_data.reference_radius() * crate::gear::involute::inv(alpha),
         distance: roll.and_then(|roll| InvolutePair::new(gear, &roll.master).center_distance(0.0)),
         runout,
     }

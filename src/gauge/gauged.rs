@@ -75,7 +75,7 @@ pub struct Gauged {
 
 /// How many poses evenly round [`gauge`] will take, beside those that `more` tells of.
 pub fn pose_count(gear: &AsBuilt, settings: &Settings) -> usize {
-    gear.gear().toothing().teeth() as usize * settings.steps_per_pitch as usize
+    gear.gear().basic_data().teeth() as usize * settings.steps_per_pitch as usize
 }
 
 /// Measures `gear`. `tick` is called as each pose of the roll test begins, from any thread; a break ends the work.
@@ -120,7 +120,7 @@ pub fn gauge(
             },
         ),
         grades: grades(
-            gear.gear().toothing(),
+            gear.gear().basic_data(),
             [&pitch_datum, &pitch_own].into_iter().flatten(),
             runout.as_ref().ok(),
         ),
@@ -152,7 +152,7 @@ pub fn graded(gear: &AsBuilt, ball: Option<f64>) -> Result<Vec<GradedReading>, U
     let pitches = [PitchAxis::Datum, PitchAxis::Own].map(|axis| pitch(&work, axis));
     let runout = runout(&work, ball.unwrap_or(usual_pin(gear.gear())));
     grades(
-        gear.gear().toothing(),
+        gear.gear().basic_data(),
         pitches.iter().flatten(),
         runout.as_ref().ok(),
     )
@@ -170,22 +170,22 @@ fn mid_roll(gear: &Gear) -> f64 {
 /// (for a gear without shift the usual `z α/π + 0.5`).
 fn usual_span(gear: &Gear) -> u32 {
     let line = 2.0 * gear.base_radius() * mid_roll(gear);
-    let steps = (line - gear.base_thickness()) / gear.toothing().base_pitch();
+    let steps = (line - gear.base_thickness()) / gear.basic_data().base_pitch();
     // A count of steps far below 2^32; the cast takes what is negative as 0.
-    (steps.round() as u32 + 1).clamp(1, gear.toothing().teeth() / 2)
+    (steps.round() as u32 + 1).clamp(1, gear.basic_data().teeth() / 2)
 }
 
 /// Diameter `D_M`, mm, of the pin that touches at mid-height, rounded up to a quarter of the module's decade
 /// (0.25 mm from 1 mm to below 10 mm).
 fn usual_pin(gear: &Gear) -> f64 {
-    let touching = formula::pin_touching(gear.toothing(), mid_roll(gear), gear.base_thickness());
+    let touching = formula::pin_touching(gear.basic_data(), mid_roll(gear), gear.base_thickness());
     // Whole quarters over a power of ten: the decimal number as one would write it.
-    let places = 10f64.powf(2.0 - gear.toothing().module().log10().floor());
+    let places = 10f64.powf(2.0 - gear.basic_data().module().log10().floor());
     let rounded = 25.0 * (touching * places / 25.0).ceil() / places;
     // No pin touches there where the space's flanks run parallel or open inwards.
     if rounded.is_finite() && rounded > 0.0 {
         rounded
     } else {
-        2.0 * gear.toothing().module()
+        2.0 * gear.basic_data().module()
     }
 }

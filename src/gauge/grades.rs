@@ -4,7 +4,7 @@ use super::Unmeasured;
 use super::flanks::{PitchAxis, PitchReadings};
 use super::runout::RunoutReadings;
 use crate::error::GearError;
-use crate::gear::{Grade, GradedQuantity, Side, Toothing};
+use crate::gear::{BasicGearData, Grade, GradedQuantity, Side};
 
 /// One measured value and its grade.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,7 +23,7 @@ pub struct GradedReading {
 
 /// Grades what was measured: about the datum axis, as a standard counts, about the gear's own, and the runout.
 pub(super) fn grades<'a>(
-    toothing: &Toothing,
+    basic_data: &BasicGearData,
     pitches: impl Iterator<Item = &'a PitchReadings>,
     runout: Option<&RunoutReadings>,
 ) -> Result<Vec<GradedReading>, Unmeasured> {
@@ -48,7 +48,7 @@ pub(super) fn grades<'a>(
             measured,
             error,
             // What the error alone puts beyond a tolerance is within it.
-            grade: quantity.grade(toothing, measured - error)?,
+            grade: quantity.grade(basic_data, measured - error)?,
         })
     };
     let read: Result<Vec<GradedReading>, GearError> = list.into_iter().map(one).collect();

@@ -3,7 +3,7 @@
 use super::Unmeasured;
 use crate::analytic::InvolutePair;
 use crate::error::GearError;
-use crate::gear::{AsBuilt, Blank, Gear, Rack, Toothing, involute};
+use crate::gear::{AsBuilt, BasicGearData, BasicRack, Gear, GearDesign, involute};
 use std::f64::consts::FRAC_PI_4;
 
 /// Teeth of a master that the user does not choose: the least number from here on whose involute
@@ -38,20 +38,20 @@ pub(super) fn master(gear: &AsBuilt, teeth: Option<u32>) -> Result<Gear, Unmeasu
 /// The master with this many teeth, and whether the gear's tips stay on its involute.
 fn with_teeth(as_built: &AsBuilt, teeth: u32) -> Result<(Gear, bool), GearError> {
     let gear = as_built.gear();
-    let of = gear.toothing();
+    let of = gear.basic_data();
     let module = of.module();
-    let toothing = Toothing::new(teeth, module, of.pressure_angle())?;
+    let basic_data = BasicGearData::new(teeth, module, of.pressure_angle())?;
     let dedendum =
-        (gear.blank().rack.addendum() + 0.25).min(POINTED * FRAC_PI_4 / of.pressure_angle().tan());
-    let blank = |addendum: f64| -> Result<Blank, GearError> {
-        Ok(Blank {
-            toothing,
+        (gear.design().rack.addendum() + 0.25).min(POINTED * FRAC_PI_4 / of.pressure_angle().tan());
+    let design = |addendum: f64| -> Result<GearDesign, GearError> {
+        Ok(GearDesign {
+            basic_data,
             profile_shift: 0.0,
-            rack: Rack::new(addendum, dedendum, 0.0)?,
+            rack: BasicRack::new(addendum, dedendum, 0.0)?,
             tip_diameter: None,
         })
     };
-    let trial = Gear::nominal(blank(0.25)?)?;
+    let trial = Gear::nominal(design(0.25)?)?;
     let base = trial.base_radius();
     let bases = gear.base_radius() + base;
     let distance = InvolutePair::new(gear, &trial).center_distance(0.0);
@@ -64,8 +64,8 @@ fn with_teeth(as_built: &AsBuilt, teeth: u32) -> Result<(Gear, bool), GearError>
     let line = bases * involute::roll_at(distance.ok_or(no_mesh)?, bases);
     let margin = MARGIN * module + 2.0 * as_built.eccentricity();
     let reach = line - gear.base_radius() * gear.form_roll() - margin;
-    let deepest = (base.hypot(reach.max(0.0)) - toothing.reference_radius()) / module;
-    let master = Gear::nominal(blank(deepest.min(1.0))?)?;
+    let deepest = (base.hypot(reach.max(0.0)) - basic_data.reference_radius()) / module;
+    let master = Gear::nominal(design(deepest.min(1.0))?)?;
     let left = line - gear.base_radius() * gear.tip_roll() - margin;
     let on_involute = left >= base * master.form_roll();
     Ok((master, on_involute))

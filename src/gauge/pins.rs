@@ -56,8 +56,8 @@ impl OverPins {
 
 /// Measures over pins of `diameter`, resting at `seats`.
 pub(super) fn pins(work: &Workpiece, diameter: f64, seats: Vec<Seat>) -> Result<Pins, Unmeasured> {
-    let toothing = work.as_built.gear().toothing();
-    let teeth = toothing.teeth();
+    let basic_data = work.as_built.gear().basic_data();
+    let teeth = basic_data.teeth();
     let tip = work.as_built.gear().tip_radius();
     if let Some(low) = seats
         .iter()

@@ -6,14 +6,14 @@
 
 use super::Unmeasured;
 use super::master::master;
-use super::roll_extremes::{Curve, Sample, bracketed};
+use super::roll_extremes::{ProfilePart, Sample, bracketed};
 use super::spread::{ends, mean};
 use crate::analytic::InvolutePair;
-use crate::diagnosis::Bench;
+use crate::diagnosis::PairAtDistance;
 use crate::error::Error;
 use crate::gear::{AsBuilt, Face, Gear};
 use crate::mesh::{Contact, LostMotion, PoseClass};
-use crate::pair::{Assembly, Mating, Member, Pose, SweepPlan};
+use crate::pair::{GearPair, Mating, Member, Pose, SweepPlan};
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
@@ -108,10 +108,10 @@ pub(super) fn roll(
         Face::Back => Face::Front,
     };
     let mate = AsBuilt::perfect(master.clone(), face);
-    let assembly = Assembly::new(gear.clone(), mate, guess, Member::Wheel)?;
+    let assembly = GearPair::new(gear.clone(), mate, guess, Member::Wheel)?;
     let matings =
         SweepPlan::wheel_revolution(&assembly, steps_per_pitch, (1, 1)).matings(&assembly);
-    let bench = Bench::new(&assembly);
+    let bench = PairAtDistance::new(&assembly);
     let take = |step: usize, beyond: f64| match tick() {
         ControlFlow::Continue(()) => {
             let mating = matings[step].onward(&assembly, beyond / f64::from(steps_per_pitch));
@@ -119,10 +119,10 @@ pub(super) fn roll(
         }
         ControlFlow::Break(()) => Err(Error::Interrupted),
     };
-    let curve = Curve {
+    let curve = ProfilePart {
         steps: matings.len(),
         steps_per_pitch: steps_per_pitch as usize,
-        step: gear.gear().toothing().angular_pitch() / f64::from(steps_per_pitch),
+        step: gear.gear().basic_data().angular_pitch() / f64::from(steps_per_pitch),
     };
     let Some(rolled) = bracketed(&curve, more, &take)? else {
         return Ok(Err(Unmeasured(
@@ -143,7 +143,7 @@ pub(super) fn roll(
 ///
 /// A mating stands for a rotation that hardly depends on the distance; it is turned back by what it does, so that poses stand
 /// evenly in rotation.
-fn sample(bench: &Bench, guess: f64, mating: &Mating) -> Result<Option<Sample>, Error> {
+fn sample(bench: &PairAtDistance, guess: f64, mating: &Mating) -> Result<Option<Sample>, Error> {
     let assembly = bench.assembly();
     let Some([_, near]) = bench.play_free_distance(guess, mating)? else {
         return Ok(None);
@@ -151,7 +151,7 @@ fn sample(bench: &Bench, guess: f64, mating: &Mating) -> Result<Option<Sample>, 
     let gear = assembly.gear(Member::Wheel);
     let rotation = Pose::new(assembly, *mating).locked_rotation();
     let turned = rotation - Pose::new(&assembly.at(near)?, *mating).locked_rotation();
-    let onward = -gear.face().ascending() * turned / gear.gear().toothing().angular_pitch();
+    let onward = -gear.face().ascending() * turned / gear.gear().basic_data().angular_pitch();
     let mating_there = mating.onward(assembly, onward);
     let Some([low, high]) = bench.play_free_distance(near, &mating_there)? else {
         return Ok(None);

@@ -35,7 +35,7 @@ const MOST: usize = 8;
 const PARTS: u64 = 1 << 30;
 
 /// The even poses of a curve.
-pub(super) struct Curve {
+pub(super) struct ProfilePart {
     /// Of one revolution.
     pub steps: usize,
     pub steps_per_pitch: usize,
@@ -50,7 +50,7 @@ pub(super) struct Sample {
     /// Amount, mm a radian.
     pub slope: f64,
     /// Right and left contact: teeth and curves of the gear and of the master.
-    pub touched: [Option<[(u32, gear::Curve); 2]>; 2],
+    pub touched: [Option<[(u32, gear::ProfilePart); 2]>; 2],
 }
 
 /// The poses taken and what they come to.
@@ -85,7 +85,7 @@ impl Piece {
 ///
 /// `None` where a pose has no distance.
 pub(super) fn bracketed(
-    curve: &Curve,
+    curve: &ProfilePart,
     more: &dyn Fn(usize),
     take: &(dyn Fn(usize, f64) -> Result<Option<Sample>, Error> + Sync),
 ) -> Result<Option<Bracketed>, Error> {
@@ -135,7 +135,7 @@ pub(super) fn bracketed(
     Ok(None)
 }
 
-fn pieces(curve: &Curve, samples: &BTreeMap<u64, Sample>) -> Vec<Piece> {
+fn pieces(curve: &ProfilePart, samples: &BTreeMap<u64, Sample>) -> Vec<Piece> {
     let round = curve.steps as u64 * PARTS;
     let first = samples.first_key_value();
     let next = samples
@@ -170,7 +170,7 @@ struct Ranges {
 }
 
 impl Ranges {
-    fn of(curve: &Curve, pieces: &[Piece]) -> Ranges {
+    fn of(curve: &ProfilePart, pieces: &[Piece]) -> Ranges {
         let all = Span::of(pieces.iter());
         let mut within = vec![false; pieces.len()];
         let total: Vec<bool> = pieces

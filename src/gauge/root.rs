@@ -6,7 +6,7 @@
 
 use super::Unmeasured;
 use super::workpiece::Workpiece;
-use crate::gear::{Blank, Side};
+use crate::gear::{GearDesign, Side};
 
 /// The root circle about the gear's own centre.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,7 +28,7 @@ pub(super) fn root(work: &Workpiece) -> Result<RootReading, Unmeasured> {
     let ascending = gear.face().ascending();
     let half = 0.5 * ascending;
     let (mut sum, mut count) = (0.0, 0.0);
-    for tooth in 1..=gear.gear().toothing().teeth() {
+    for tooth in 1..=gear.gear().basic_data().teeth() {
         let next = work.after(tooth, 1);
         let ends = [(Side::Right, tooth, half), (Side::Left, next, -half)];
         // Seen from the middle of the space.
@@ -49,17 +49,17 @@ pub(super) fn root(work: &Workpiece) -> Result<RootReading, Unmeasured> {
         ));
     }
     let radius = sum / count;
-    let blank = gear.gear().blank();
-    let (toothing, rack) = (&blank.toothing, &blank.rack);
-    let module = toothing.module();
-    let tan = toothing.pressure_angle().tan();
-    let shift = (radius - toothing.reference_radius()) / module + rack.dedendum();
+    let design = gear.gear().design();
+    let (basic_data, rack) = (&design.basic_data, &design.rack);
+    let module = basic_data.module();
+    let tan = basic_data.pressure_angle().tan();
+    let shift = (radius - basic_data.reference_radius()) / module + rack.dedendum();
     Ok(RootReading {
         radius,
         error: work.bound(),
-        thickness: Blank {
+        thickness: GearDesign {
             profile_shift: shift,
-            ..*blank
+            ..*design
         }
         .nominal_thickness(),
         // Rounding of r and of the shift is some ulps of r, far within the bound.

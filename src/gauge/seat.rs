@@ -7,7 +7,7 @@
 
 use super::Unmeasured;
 use super::workpiece::{Place, Workpiece};
-use crate::gear::{Curve, Side};
+use crate::gear::{ProfilePart, Side};
 use crate::mesh::Touch;
 use nalgebra::{Matrix2, Point2, UnitComplex, Vector2};
 use rayon::prelude::*;
@@ -32,7 +32,7 @@ const LONGEST: f64 = 0.25;
 
 /// Lays a pin of `diameter` into every space.
 pub(super) fn seats(work: &Workpiece, diameter: f64) -> Result<Vec<Seat>, Unmeasured> {
-    let teeth = (1..=work.as_built.gear().toothing().teeth()).into_par_iter();
+    let teeth = (1..=work.as_built.gear().basic_data().teeth()).into_par_iter();
     let seats: Vec<_> = teeth.map(|tooth| seat(work, tooth, diameter)).collect();
     // In order: of several faults the first is told, whatever the threads.
     seats.into_iter().collect()
@@ -79,11 +79,11 @@ fn seat(work: &Workpiece, tooth: u32, diameter: f64) -> Result<Seat, Unmeasured>
     if found.iter().all(|f| f.1 >= radius - work.bound()) {
         let mut places = found.map(|f| f.0);
         for place in &mut places {
-            place.curve = Curve::Root;
+            place.curve = ProfilePart::Root;
         }
         return Ok(seated(on_root, work.bound(), places));
     }
-    let longest = LONGEST * gear.toothing().module();
+    let longest = LONGEST * gear.basic_data().module();
     let mut centre = Point2::new(gear.tip_radius(), 0.0);
     for _ in 0..MOST_STEPS {
         let found = query(centre);

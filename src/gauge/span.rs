@@ -9,7 +9,7 @@
 use super::Unmeasured;
 use super::spread::{ends, mean};
 use super::workpiece::Workpiece;
-use crate::gear::{Curve, Profile, Side};
+use crate::gear::{Profile, ProfilePart, Side};
 use crate::mesh::Touch;
 use rayon::prelude::*;
 
@@ -59,14 +59,14 @@ const MOST_ROCKS: usize = 20;
 
 /// Measures the span over `k` teeth all round.
 pub(super) fn spans(work: &Workpiece, k: u32) -> Result<Spans, Unmeasured> {
-    let toothing = work.as_built.gear().toothing();
-    if k == 0 || k > toothing.teeth() / 2 {
+    let basic_data = work.as_built.gear().basic_data();
+    if k == 0 || k > basic_data.teeth() / 2 {
         return Err(Unmeasured(format!(
             "a span over {k} of {} teeth: allowed is 1 up to half of them",
-            toothing.teeth()
+            basic_data.teeth()
         )));
     }
-    let readings = (1..=toothing.teeth()).into_par_iter();
+    let readings = (1..=basic_data.teeth()).into_par_iter();
     let readings: Vec<_> = readings.map(|first| span(work, k, first)).collect();
     let spans = Spans {
         teeth: k,
@@ -86,10 +86,10 @@ fn off_involute(work: &Workpiece, spans: &Spans) -> Option<String> {
         spans.readings.iter().filter(touches).count()
     };
     let [tip, form] = [
-        off(|_, touch| touch.curve == Curve::Tip),
+        off(|_, touch| touch.curve == ProfilePart::Tip),
         off(|work, touch| work.ends_involute(touch.radius)),
     ];
-    let (count, place, way_out) = match (tip, form) {
+    let (count, place, help) = match (tip, form) {
         (0, 0) => return None,
         (0, form) => {
             let place = format!(
@@ -101,9 +101,9 @@ fn off_involute(work: &Workpiece, spans: &Spans) -> Option<String> {
         (tip, _) => (tip, "the tip corner".to_owned(), "fewer"),
     };
     Some(format!(
-        "over {} of {} teeth, {count} of {} readings touch {place}: span {way_out} teeth",
+        "over {} of {} teeth, {count} of {} readings touch {place}: span {help} teeth",
         spans.teeth,
-        gear.toothing().teeth(),
+        gear.basic_data().teeth(),
         spans.readings.len(),
     ))
 }
@@ -120,7 +120,7 @@ fn span(work: &Workpiece, k: u32, first_tooth: u32) -> Result<Span, Unmeasured> 
     ];
     let turns = ends.map(|(side, tooth, pitches)| work.turn(side, tooth, pitches));
     let corner = |i: usize| {
-        let corner = Profile::new(gear).point(Curve::Involute, gear.tip_roll(), ends[i].0);
+        let corner = Profile::new(gear).point(ProfilePart::Involute, gear.tip_roll(), ends[i].0);
         turns[i] * corner
     };
     // Two flanks that mirror each other are touched alike by anvils square to the line between their tip corners.

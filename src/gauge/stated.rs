@@ -45,32 +45,32 @@ pub(super) fn stated(gear: &Gear, read: &Readings) -> Result<StatedThickness, Un
     if let Err(reason) = read.pitch {
         return Err(reason.clone());
     }
-    let (blank, toothing) = (gear.blank(), gear.toothing());
-    let nominal = blank.nominal_base_thickness();
-    let cos = toothing.pressure_angle().cos();
+    let (design, basic_data) = (gear.design(), gear.basic_data());
+    let nominal = design.nominal_base_thickness();
+    let cos = basic_data.pressure_angle().cos();
     // Base thickness by the flanks.
     let spans = read.spans.as_ref().ok();
-    let by_spans = |spans: &Spans| thickness::base_from_span(toothing, spans.teeth, spans.mean());
+    let by_spans = |spans: &Spans| thickness::base_from_span(basic_data, spans.teeth, spans.mean());
     let (base, error) = match (read.thickness, spans) {
         (Ok(arcs), _) => {
             let allowance = arcs.mean() - arcs.nominal;
-            let base = thickness::base_from_allowance(toothing, nominal, allowance);
+            let base = thickness::base_from_allowance(basic_data, nominal, allowance);
             (base, arcs.error)
         }
         (Err(_), Some(spans)) => (by_spans(spans), spans.error() / cos),
         (Err(reason), None) => return Err(reason.clone()),
     };
-    let allowance = thickness::allowance_from_base(toothing, nominal, base);
+    let allowance = thickness::allowance_from_base(basic_data, nominal, base);
     // Thickness by the root, where it shows.
     let beyond = read.root.as_ref().map_or(0.0, |root| {
-        let beyond = allowance - (root.thickness - blank.nominal_thickness());
+        let beyond = allowance - (root.thickness - design.nominal_thickness());
         match beyond.abs() <= error + root.thickness_error {
             true => 0.0,
             false => beyond,
         }
     });
     let readable = |base, spans: &Spans| {
-        let gear = Gear::new(*blank, base);
+        let gear = Gear::new(*design, base);
         let checked = gear.and_then(|gear| thickness::check_span(&gear, spans.teeth));
         checked.is_ok()
     };
@@ -78,8 +78,8 @@ pub(super) fn stated(gear: &Gear, read: &Readings) -> Result<StatedThickness, Un
         return Ok(StatedThickness::Spans);
     }
     let allowance = allowance - beyond;
-    let base = thickness::base_from_allowance(toothing, nominal, allowance);
-    Gear::new(*blank, base).map_err(|error| Unmeasured(error.to_string()))?;
+    let base = thickness::base_from_allowance(basic_data, nominal, allowance);
+    Gear::new(*design, base).map_err(|error| Unmeasured(error.to_string()))?;
     Ok(StatedThickness::Allowance {
         allowance,
         per_tooth: beyond,

@@ -4,7 +4,7 @@
 //! [`HalfTooth`]), already turned there by its caller. A coarse polygon tells which
 //! stretch may touch; that stretch is cut again, until chords are as near their curve as f64 tells.
 
-use crate::gear::{AsBuilt, Curve, HalfTooth, Side};
+use crate::gear::{AsBuilt, HalfTooth, ProfilePart, Side};
 use crate::mesh::Shape;
 use nalgebra::{Point2, UnitComplex, Vector2};
 use std::ops::Range;
@@ -21,7 +21,7 @@ const CORNER: f64 = 1e-7;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Place {
     pub at: Point2<f64>,
-    pub curve: Curve,
+    pub curve: ProfilePart,
 }
 
 /// A gear as built on the bench.
@@ -50,10 +50,10 @@ impl Cut {
 impl<'a> Workpiece<'a> {
     pub fn new(as_built: &'a AsBuilt) -> Workpiece<'a> {
         let gear = as_built.gear();
-        let chord = COARSE * gear.toothing().module();
+        let chord = COARSE * gear.basic_data().module();
         let halves = Side::BOTH.map(|side| HalfTooth::new(gear, side, chord));
         let flanks = [0, 1].map(|i: usize| {
-            let above = |curve| matches!(curve, Curve::Tip | Curve::Involute);
+            let above = |curve| matches!(curve, ProfilePart::Tip | ProfilePart::Involute);
             let segments = halves[i].segments().iter();
             let count = segments.take_while(|s| above(s.curve)).count();
             halves[i].recut(gear, 0..count, chord)
@@ -78,7 +78,7 @@ impl<'a> Workpiece<'a> {
     /// Rotation of the half tooth of `side` of `tooth` in a frame whose +x points `pitches` counter-clockwise
     /// of the undisturbed centre of `tooth`.
     pub fn turn(&self, side: Side, tooth: u32, pitches: f64) -> UnitComplex<f64> {
-        let pitch = self.as_built.gear().toothing().angular_pitch();
+        let pitch = self.as_built.gear().basic_data().angular_pitch();
         UnitComplex::new(self.as_built.flank_offset(side, tooth) - pitches * pitch)
     }
 
@@ -91,13 +91,13 @@ impl<'a> Workpiece<'a> {
     pub fn root_end(&self, side: Side) -> Point2<f64> {
         let polygon = &self.halves[index(side)].polygon;
         let mut segments = polygon.segments().iter();
-        let land = segments.position(|segment| segment.curve == Curve::Root);
+        let land = segments.position(|segment| segment.curve == ProfilePart::Root);
         polygon.points()[land.unwrap_or(polygon.segments().len())]
     }
 
     /// The tooth `steps` ascending numbers after `tooth`.
     pub fn after(&self, tooth: u32, steps: u32) -> u32 {
-        let teeth = self.as_built.gear().toothing().teeth();
+        let teeth = self.as_built.gear().basic_data().teeth();
         (tooth - 1 + steps) % teeth + 1
     }
 
@@ -174,7 +174,7 @@ impl<'a> Workpiece<'a> {
             let polygon = cut.as_ref().unwrap_or(&self.flanks[index(side)]);
             let points = polygon.points();
             let crosses = |i: &usize| {
-                polygon.segments()[*i].curve == Curve::Involute
+                polygon.segments()[*i].curve == ProfilePart::Involute
                     && excess(&points[*i]) >= 0.0
                     && excess(&points[*i + 1]) < 0.0
             };
@@ -196,11 +196,15 @@ impl<'a> Workpiece<'a> {
         radius <= self.as_built.gear().form_radius() + CORNER
     }
 
-    fn place(&self, at: Point2<f64>, curve: Curve) -> Place {
+    fn place(&self, at: Point2<f64>, curve: ProfilePart) -> Place {
         let on_tip_circle = at.coords.norm() >= self.as_built.gear().tip_radius() - CORNER;
         Place {
             at,
-            curve: if on_tip_circle { Curve::Tip } else { curve },
+            curve: if on_tip_circle {
+                ProfilePart::Tip
+            } else {
+                curve
+            },
         }
     }
 }

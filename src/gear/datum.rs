@@ -7,14 +7,14 @@
 //! jointly. A first harmonic of the gear's own pitch has the same shape: no
 //! such data can tell the two apart, and all of it counts as eccentricity.
 
-use super::displaced::own_deviation;
+use super::datum_axis::own_deviation;
 use super::{Gear, Pitch, Side};
 use crate::error::GearError;
 use nalgebra::Vector2;
 
 /// A gear's own pitch deviation and the eccentricity separated from it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Separated {
+pub struct EccentricitySeparation {
     /// Pitch deviation free of eccentricity.
     pub pitch: Pitch,
     /// Eccentricity `e`, mm.
@@ -32,7 +32,7 @@ impl Pitch {
     ///
     /// # Errors
     /// [`GearError::WrongLength`]; [`GearError::DatumPitch`] when no eccentricity explains the data.
-    pub fn separate_eccentricity(&self, gear: &Gear) -> Result<Separated, GearError> {
+    pub fn separate_eccentricity(&self, gear: &Gear) -> Result<EccentricitySeparation, GearError> {
         self.take_out(gear, Vector2::zeros(), true)
     }
 
@@ -47,7 +47,7 @@ impl Pitch {
         eccentricity: f64,
         high_tooth: f64,
     ) -> Result<Pitch, GearError> {
-        let (sin, cos) = ((high_tooth - 1.0) * gear.toothing().angular_pitch()).sin_cos();
+        let (sin, cos) = ((high_tooth - 1.0) * gear.basic_data().angular_pitch()).sin_cos();
         let known = eccentricity * Vector2::new(cos, sin);
         Ok(self.take_out(gear, known, false)?.pitch)
     }
@@ -58,8 +58,8 @@ impl Pitch {
         gear: &Gear,
         mut e: Vector2<f64>,
         sought: bool,
-    ) -> Result<Separated, GearError> {
-        let teeth = gear.toothing().teeth();
+    ) -> Result<EccentricitySeparation, GearError> {
+        let teeth = gear.basic_data().teeth();
         for side in Side::BOTH {
             let found = self.flank(side).len();
             if found != teeth as usize {
@@ -71,7 +71,7 @@ impl Pitch {
             }
         }
         // Rounding of the readings is some ulps of the radius; no correction falls below it.
-        let settled = 1e-13 * gear.toothing().reference_radius();
+        let settled = 1e-13 * gear.basic_data().reference_radius();
         // A sheet's curves count from their own means; the readings themselves stand this far off.
         let mut means = [0.0; 2];
         for _ in 0..MOST_CORRECTIONS {
@@ -91,10 +91,10 @@ impl Pitch {
             }
             e += correction;
             if correction.norm() <= settled && drift <= settled {
-                return Ok(Separated {
+                return Ok(EccentricitySeparation {
                     pitch: Pitch::from_cumulative(&own[0], &own[1]),
                     eccentricity: e.norm(),
-                    high_tooth: gear.toothing().tooth_towards(e.y.atan2(e.x)),
+                    high_tooth: gear.basic_data().tooth_towards(e.y.atan2(e.x)),
                 });
             }
         }
@@ -115,27 +115,27 @@ impl Pitch {
         e: Vector2<f64>,
         mean: f64,
     ) -> Result<(Vec<f64>, Vector2<f64>), GearError> {
-        let toothing = gear.toothing();
-        let alpha = toothing.pressure_angle();
+        let basic_data = gear.basic_data();
+        let alpha = basic_data.pressure_angle();
         // Ascending numbers count positive here: right flanks stand ahead of their tooth.
         let ahead = -side.sense();
         let half = gear.half_angle_at_roll(alpha.tan());
         let mut own = Vec::new();
         let mut left = Vector2::zeros();
         for (index, reading) in self.flank(side).iter().enumerate() {
-            let place = index as f64 * toothing.angular_pitch() + ahead * half;
+            let place = index as f64 * basic_data.angular_pitch() + ahead * half;
             let deviation = own_deviation(gear, ahead, place, reading + mean, e)?;
             let (sin, cos) = (place - ahead * alpha).sin_cos();
             left += Vector2::new(-sin, cos) * deviation;
             own.push(deviation);
         }
-        Ok((own, left * alpha.cos() / f64::from(toothing.teeth())))
+        Ok((own, left * alpha.cos() / f64::from(basic_data.teeth())))
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::displaced::{read, tests::gear};
+    use super::super::datum_axis::{read, tests::gear};
     use super::*;
 
     /// What is put in (read exactly) comes out: issue 5 asks 1e-6 µm and 1e-6 rad.
@@ -147,10 +147,10 @@ mod tests {
             (200, 1e-4, 199.5, 0.0),
         ] {
             let gear = gear(teeth);
-            let pitch_angle = gear.toothing().angular_pitch();
+            let pitch_angle = gear.basic_data().angular_pitch();
             let direction = (high - 1.0) * pitch_angle;
             let e_vector = e * Vector2::new(f64::cos(direction), f64::sin(direction));
-            let half = gear.half_angle_at_roll(gear.toothing().pressure_angle().tan());
+            let half = gear.half_angle_at_roll(gear.basic_data().pressure_angle().tan());
             let own = |i: u32| wave * f64::sin(2.0 * f64::from(i) * pitch_angle);
             let sheet = |ahead: f64| -> Vec<f64> {
                 let reading = |i| {

@@ -1,7 +1,7 @@
 //! A gear as built: where every flank really sits, and the axis it turns about.
 
 use super::pitch::Pitch;
-use super::{Curve, Face, Gear, Profile, Side};
+use super::{Face, Gear, Profile, ProfilePart, Side};
 use crate::error::GearError;
 use nalgebra::{UnitComplex, Vector2};
 use std::f64::consts::PI;
@@ -47,13 +47,13 @@ impl AsBuilt {
     /// a runout of the tooth depth or more; a high tooth outside `1 ≤ … < z + 1`;
     /// deviations that leave a tooth without tip or a space without room.
     pub fn new(gear: Gear, face: Face, deviations: &Deviations) -> Result<AsBuilt, GearError> {
-        let toothing = *gear.toothing();
-        let teeth = toothing.teeth();
+        let basic_data = *gear.basic_data();
+        let teeth = basic_data.teeth();
         let length = |what, list: &[f64]| match list.len() {
             found if found == teeth as usize => Ok(()),
             found => Err(GearError::WrongLength { what, found, teeth }),
         };
-        let r = toothing.reference_radius();
+        let r = basic_data.reference_radius();
         let mut offsets = Side::BOTH.map(|_| vec![0.0; teeth as usize]);
         let of = |side: Side| usize::from(side == Side::Left);
         if !deviations.per_tooth.is_empty() {
@@ -70,7 +70,7 @@ impl AsBuilt {
                 length("pitch", curve)?;
                 if let Some(&worst) = curve
                     .iter()
-                    .find(|f| !(f.abs() < PI * toothing.module() / 2.0))
+                    .find(|f| !(f.abs() < PI * basic_data.module() / 2.0))
                 {
                     return Err(GearError::OutOfRange {
                         what: "pitch deviation (mm)",
@@ -100,7 +100,7 @@ impl AsBuilt {
 
     /// A gear without deviations.
     pub fn perfect(gear: Gear, face: Face) -> AsBuilt {
-        let teeth = gear.toothing().teeth() as usize;
+        let teeth = gear.basic_data().teeth() as usize;
         let undisturbed: Arc<[f64]> = Arc::from(vec![0.0; teeth]);
         AsBuilt {
             gear,
@@ -120,7 +120,7 @@ impl AsBuilt {
     /// As [`Gear::new`] for the perfect gear; a factor that leaves a tooth without tip, a space without room
     /// or a runout of the tooth depth.
     pub fn exaggerated(&self, factor: f64) -> Result<AsBuilt, GearError> {
-        let gear = Gear::nominal(*self.gear.blank())?;
+        let gear = Gear::nominal(*self.gear.design())?;
         let thicker = self.gear.half_base_angle() - gear.half_base_angle();
         let enlarged = |list: &[f64], side: Side| {
             let offsets = list.iter();
@@ -156,7 +156,7 @@ impl AsBuilt {
                 allowed: "less than the root diameter: the axis would lie outside the gear's body",
             });
         }
-        let teeth = f64::from(self.gear.toothing().teeth());
+        let teeth = f64::from(self.gear.basic_data().teeth());
         if self.eccentricity > 0.0 && !(self.high_tooth >= 1.0 && self.high_tooth < teeth + 1.0) {
             return Err(GearError::OutOfRange {
                 what: "high_tooth",
@@ -173,8 +173,8 @@ impl AsBuilt {
         let tip = 2.0 * gear.half_angle_at_roll(gear.tip_roll());
         let neck = -2.0 * gear.fillet().neck();
         let space =
-            gear.toothing().angular_pitch() - 2.0 * gear.half_angle_at_roll(gear.form_roll());
-        for tooth in 1..=gear.toothing().teeth() {
+            gear.basic_data().angular_pitch() - 2.0 * gear.half_angle_at_roll(gear.form_roll());
+        for tooth in 1..=gear.basic_data().teeth() {
             let widening =
                 self.flank_offset(Side::Left, tooth) - self.flank_offset(Side::Right, tooth);
             if !(tip + widening > 0.0) {
@@ -237,34 +237,34 @@ impl AsBuilt {
     }
 
     /// Where the root land of a half tooth ends: the middle of the space as the deviations leave it, where the land of
-    /// the next half tooth begins. The land's parameter ([`super::Curve::Root`]), rad, about the centre line turned with the
+    /// the next half tooth begins. The land's parameter ([`super::ProfilePart::Root`]), rad, about the centre line turned with the
     /// flank; never less than the land's other end.
     pub fn root_end(&self, side: Side, tooth: u32) -> f64 {
         let across = self.counter_clockwise(tooth, side.sense() as i64);
         // The space is wider than its nominal width by what its two flanks are turned apart.
         let widening = side.sense()
             * (self.flank_offset(side.other(), across) - self.flank_offset(side, tooth));
-        let (start, middle) = Profile::new(&self.gear).range(Curve::Root);
+        let (start, middle) = Profile::new(&self.gear).range(ProfilePart::Root);
         (middle + 0.5 * widening).max(start)
     }
 
     /// Where the tip land of a half tooth ends on the other half, at the far corner: the land's parameter
-    /// ([`super::Curve::Tip`]), rad, about the centre line turned with the flank. Both flanks' deviations widen the land; of a
+    /// ([`super::ProfilePart::Tip`]), rad, about the centre line turned with the flank. Both flanks' deviations widen the land; of a
     /// tooth left thinner than half of it the far corner lies on the near half (above 0).
     pub fn land_start(&self, tooth: u32) -> f64 {
         let widening = self.flank_offset(Side::Left, tooth) - self.flank_offset(Side::Right, tooth);
-        let (_, corner) = Profile::new(&self.gear).range(Curve::Tip);
+        let (_, corner) = Profile::new(&self.gear).range(ProfilePart::Tip);
         -corner - widening
     }
 
     /// Angle of the (fractional) tooth's undisturbed centre from tooth 1, rad, counter-clockwise.
     pub fn tooth_angle(&self, tooth: f64) -> f64 {
-        self.face.ascending() * (tooth - 1.0) * self.gear.toothing().angular_pitch()
+        self.face.ascending() * (tooth - 1.0) * self.gear.basic_data().angular_pitch()
     }
 
     /// The number of the tooth `steps` places counter-clockwise of `tooth`.
     pub fn counter_clockwise(&self, tooth: u32, steps: i64) -> u32 {
-        let teeth = i64::from(self.gear.toothing().teeth());
+        let teeth = i64::from(self.gear.basic_data().teeth());
         let ascending = match self.face {
             Face::Front => -steps,
             Face::Back => steps,
@@ -288,19 +288,19 @@ impl AsBuilt {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gear::{Blank, Rack, Toothing};
+    use crate::gear::{BasicGearData, BasicRack, GearDesign};
 
     /// Both half teeth of a space end in the same direction, on either face, whatever the deviations; the land
     /// widens and narrows with the space, and a space closed at its root leaves none.
     #[test]
     fn root_lands_meet_in_the_middle_of_the_space() {
-        let blank = Blank {
-            toothing: Toothing::new(20, 2.0, 20f64.to_radians()).unwrap(),
+        let design = GearDesign {
+            basic_data: BasicGearData::new(20, 2.0, 20f64.to_radians()).unwrap(),
             profile_shift: 0.0,
-            rack: Rack::ISO_53_A,
+            rack: BasicRack::ISO_53_A,
             tip_diameter: None,
         };
-        let gear = Gear::nominal(blank).unwrap();
+        let gear = Gear::nominal(design).unwrap();
         let mut right = vec![0.0; 20];
         (right[4], right[9]) = (0.9, -0.9);
         let deviations = Deviations {
@@ -308,7 +308,7 @@ mod tests {
             pitch: Some(Pitch::from_cumulative(&right, &[0.0; 20])),
             ..Deviations::default()
         };
-        let (start, middle) = Profile::new(&gear).range(Curve::Root);
+        let (start, middle) = Profile::new(&gear).range(ProfilePart::Root);
         for face in [Face::Front, Face::Back] {
             let built = AsBuilt::new(gear.clone(), face, &deviations).unwrap();
             let end = |side: Side, tooth: u32| {

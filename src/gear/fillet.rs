@@ -21,7 +21,7 @@
 //!
 //! All for the right-hand half tooth, its centre line on +x.
 
-use super::{Rack, Toothing, involute};
+use super::{BasicGearData, BasicRack, involute};
 use crate::error::GearError;
 use nalgebra::{Point2, UnitComplex, Vector2};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -44,26 +44,31 @@ pub struct Fillet {
 }
 
 impl Fillet {
-    /// The fillet of `toothing` cut by `rack` at the generating shift `x_E` (modules).
+    /// The fillet of `basic_data` cut by `rack` at the generating shift `x_E` (modules).
     ///
     /// Its end is the tangency with the involute, or with undercut the
     /// outermost crossing of trochoid and involute.
     ///
     /// # Errors
     /// [`GearError::TipRoundTooLarge`], [`GearError::FilletCusp`].
-    pub fn new(toothing: &Toothing, rack: &Rack, x_e: f64) -> Result<Fillet, GearError> {
-        rack.check_tip_round(toothing)?;
-        let (module, alpha) = (toothing.module(), toothing.pressure_angle());
-        let radius = toothing.reference_radius();
+    pub fn new(
+        basic_data: &BasicGearData,
+        rack: &BasicRack,
+        x_e: f64,
+    ) -> Result<Fillet, GearError> {
+        rack.check_tip_round(basic_data)?;
+        let (module, alpha) = (basic_data.module(), basic_data.pressure_angle());
+        let radius = basic_data.reference_radius();
         let tip_round = rack.root_radius() * module;
         let depth = (rack.dedendum() - rack.root_radius() - x_e) * module;
         let tangency = FRAC_PI_2 - alpha;
-        let base = toothing.base_radius();
+        let base = basic_data.base_radius();
         let mut fillet = Fillet {
             radius,
             depth,
             tip_round,
-            root_angle: rack.half_root_land(toothing) / radius - PI / f64::from(toothing.teeth()),
+            root_angle: rack.half_root_land(basic_data) / radius
+                - PI / f64::from(basic_data.teeth()),
             end: tangency,
             // The contact normal at the tangency is the line of action: r sin α
             // long to the base circle, h_0/sin α + ρ of it below the pitch point.
@@ -75,7 +80,7 @@ impl Fillet {
             });
         }
         if fillet.form_roll < 0.0 {
-            let half_base = super::gear::half_base_angle(toothing, x_e);
+            let half_base = super::gear::half_base_angle(basic_data, x_e);
             fillet.undercut(base, half_base);
         }
         Ok(fillet)
@@ -216,9 +221,9 @@ mod tests {
         for teeth in [3, 4, 5, 7, 12, 17, 40] {
             for x_e in [-0.6, -0.3, 0.0, 0.4, 0.9] {
                 for (dedendum, round) in [(1.25, 0.38), (1.0, 0.0), (1.5, 0.25), (0.9, 0.1)] {
-                    let toothing = Toothing::new(teeth, 2.0, 20f64.to_radians()).unwrap();
-                    let rack = Rack::new(1.0, dedendum, round).unwrap();
-                    let Ok(fillet) = Fillet::new(&toothing, &rack, x_e) else {
+                    let basic_data = BasicGearData::new(teeth, 2.0, 20f64.to_radians()).unwrap();
+                    let rack = BasicRack::new(1.0, dedendum, round).unwrap();
+                    let Ok(fillet) = Fillet::new(&basic_data, &rack, x_e) else {
                         continue;
                     };
                     // No gear: the root would lie beyond the centre.

@@ -1,32 +1,32 @@
 //! A gear as generated: radii, mean base tooth thickness, generating shift.
 
-use super::{Fillet, Rack, Toothing, involute};
+use super::{BasicGearData, BasicRack, Fillet, involute};
 use crate::error::GearError;
 use std::f64::consts::PI;
 
-/// What the drawing says, before any measured thickness: toothing, profile shift, rack, tip.
+/// What the drawing says, before any measured thickness: basic_data, profile shift, rack, tip.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Blank {
+pub struct GearDesign {
     /// Teeth, module, pressure angle.
-    pub toothing: Toothing,
+    pub basic_data: BasicGearData,
     /// Profile shift coefficient `x`.
     pub profile_shift: f64,
     /// Basic rack.
-    pub rack: Rack,
+    pub rack: BasicRack,
     /// Tip diameter `d_a`, mm; `None`: `m z + 2 m (h_aP* + x)`.
     pub tip_diameter: Option<f64>,
 }
 
-impl Blank {
+impl GearDesign {
     /// Nominal tooth thickness `s = m (π/2 + 2 x tan α)` at the reference circle, mm.
     pub fn nominal_thickness(&self) -> f64 {
-        let alpha = self.toothing.pressure_angle();
-        self.toothing.module() * (PI / 2.0 + 2.0 * self.profile_shift * alpha.tan())
+        let alpha = self.basic_data.pressure_angle();
+        self.basic_data.module() * (PI / 2.0 + 2.0 * self.profile_shift * alpha.tan())
     }
 
     /// Nominal base tooth thickness `s_b = r_b (s/r + 2 inv α)`, mm, of `s = m (π/2 + 2 x tan α)`.
     pub fn nominal_base_thickness(&self) -> f64 {
-        2.0 * self.toothing.base_radius() * half_base_angle(&self.toothing, self.profile_shift)
+        2.0 * self.basic_data.base_radius() * half_base_angle(&self.basic_data, self.profile_shift)
     }
 
     /// Tip radius `r_a`, mm.
@@ -34,8 +34,8 @@ impl Blank {
         match self.tip_diameter {
             Some(diameter) => diameter / 2.0,
             None => {
-                self.toothing.reference_radius()
-                    + self.toothing.module() * (self.rack.addendum() + self.profile_shift)
+                self.basic_data.reference_radius()
+                    + self.basic_data.module() * (self.rack.addendum() + self.profile_shift)
             }
         }
     }
@@ -43,23 +43,23 @@ impl Blank {
 
 /// Half the angle a tooth of generating shift `x` (modules) spans on the base circle, rad:
 /// `s_b/(2 r_b) = (π/2 + 2 x tan α)/z + inv α`.
-pub(super) fn half_base_angle(toothing: &Toothing, x: f64) -> f64 {
-    let alpha = toothing.pressure_angle();
-    (PI / 2.0 + 2.0 * x * alpha.tan()) / f64::from(toothing.teeth()) + involute::inv(alpha)
+pub(super) fn half_base_angle(basic_data: &BasicGearData, x: f64) -> f64 {
+    let alpha = basic_data.pressure_angle();
+    (PI / 2.0 + 2.0 * x * alpha.tan()) / f64::from(basic_data.teeth()) + involute::inv(alpha)
 }
 
 /// A gear with teeth of one mean thickness. Every value is fixed at construction;
 /// a `Gear` that exists has teeth with a tip land, an involute and a tooth space.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Gear {
-    blank: Blank,
+    design: GearDesign,
     base_thickness: f64,
     generating_shift: f64,
     fillet: Fillet,
 }
 
 impl Gear {
-    /// A gear of `blank` whose teeth have the mean `base_thickness` `s_b`, mm.
+    /// A gear of `design` whose teeth have the mean `base_thickness` `s_b`, mm.
     ///
     /// The thickness decides the generating shift
     /// `x_E = x + (s − s_nominal)/(2 m tan α)` (design section 4) and with it
@@ -68,9 +68,9 @@ impl Gear {
     /// # Errors
     /// A gear that cannot exist: tip round too large, cusped fillet, pointed
     /// tooth, no involute between form and tip circle, no tooth space, a tooth that undercut has cut off.
-    pub fn new(blank: Blank, base_thickness: f64) -> Result<Gear, GearError> {
-        let toothing = &blank.toothing;
-        let base = toothing.base_radius();
+    pub fn new(design: GearDesign, base_thickness: f64) -> Result<Gear, GearError> {
+        let basic_data = &design.basic_data;
+        let base = basic_data.base_radius();
         if !(base_thickness > 0.0 && base_thickness.is_finite()) {
             return Err(GearError::OutOfRange {
                 what: "base tooth thickness (mm)",
@@ -79,13 +79,13 @@ impl Gear {
             });
         }
         // s − s_nominal = (s_b − s_b,nominal)/cos α, since s_b = cos α (s + 2 r inv α).
-        let alpha = toothing.pressure_angle();
-        let generating_shift = blank.profile_shift
-            + (base_thickness - blank.nominal_base_thickness())
-                / (2.0 * toothing.module() * alpha.sin());
-        let fillet = Fillet::new(toothing, &blank.rack, generating_shift)?;
+        let alpha = basic_data.pressure_angle();
+        let generating_shift = design.profile_shift
+            + (base_thickness - design.nominal_base_thickness())
+                / (2.0 * basic_data.module() * alpha.sin());
+        let fillet = Fillet::new(basic_data, &design.rack, generating_shift)?;
         let gear = Gear {
-            blank,
+            design,
             base_thickness,
             generating_shift,
             fillet,
@@ -105,7 +105,7 @@ impl Gear {
         }
         // The space closes where the fillet's root end passes the tooth's own flank at the root,
         // or where neighbouring involutes meet at the form circle.
-        let pitch = toothing.angular_pitch();
+        let pitch = basic_data.angular_pitch();
         if gear.root_radius() <= 0.0 || 2.0 * gear.half_angle_at_roll(gear.form_roll()) >= pitch {
             return Err(GearError::NoSpace {
                 base_thickness_mm: base_thickness,
@@ -123,18 +123,18 @@ impl Gear {
     ///
     /// # Errors
     /// As [`Gear::new`].
-    pub fn nominal(blank: Blank) -> Result<Gear, GearError> {
-        Gear::new(blank, blank.nominal_base_thickness())
+    pub fn nominal(design: GearDesign) -> Result<Gear, GearError> {
+        Gear::new(design, design.nominal_base_thickness())
     }
 
     /// What the drawing says.
-    pub fn blank(&self) -> &Blank {
-        &self.blank
+    pub fn design(&self) -> &GearDesign {
+        &self.design
     }
 
     /// Teeth, module, pressure angle.
-    pub fn toothing(&self) -> &Toothing {
-        &self.blank.toothing
+    pub fn basic_data(&self) -> &BasicGearData {
+        &self.design.basic_data
     }
 
     /// The generated fillet.
@@ -154,18 +154,18 @@ impl Gear {
 
     /// Base radius `r_b`, mm.
     pub fn base_radius(&self) -> f64 {
-        self.toothing().base_radius()
+        self.basic_data().base_radius()
     }
 
     /// Tip radius `r_a`, mm.
     pub fn tip_radius(&self) -> f64 {
-        self.blank.tip_radius()
+        self.design.tip_radius()
     }
 
     /// Generated root radius `r_f = r − m (h_fP* − x_E)`, mm.
     pub fn root_radius(&self) -> f64 {
-        self.toothing().reference_radius()
-            - self.toothing().module() * (self.blank.rack.dedendum() - self.generating_shift)
+        self.basic_data().reference_radius()
+            - self.basic_data().module() * (self.design.rack.dedendum() - self.generating_shift)
     }
 
     /// Root form radius `r_Ff = d_Ff/2`, mm: where the usable involute begins.

@@ -4,7 +4,7 @@
 //! standard itself was not consulted. They hold for `5 ≤ z ≤ 1000`,
 //! `5 mm ≤ d ≤ 15 000 mm`, `0.5 mm ≤ m ≤ 70 mm` and grades 1 … 11.
 
-use super::Toothing;
+use super::BasicGearData;
 use crate::error::GearError;
 use std::ops::RangeInclusive;
 
@@ -61,12 +61,12 @@ impl GradedQuantity {
         }
     }
 
-    /// Tolerance of `toothing` at grade `A`, mm, as a drawing states it: rounded.
+    /// Tolerance of `basic_data` at grade `A`, mm, as a drawing states it: rounded.
     ///
     /// # Errors
     /// [`GearError::OutOfRange`] outside the ranges of the formulas.
-    pub fn tolerance(self, toothing: &Toothing, grade: u32) -> Result<f64, GearError> {
-        Ok(rounded(self.unrounded(toothing, grade)?) / 1e3)
+    pub fn tolerance(self, basic_data: &BasicGearData, grade: u32) -> Result<f64, GearError> {
+        Ok(rounded(self.unrounded(basic_data, grade)?) / 1e3)
     }
 
     /// The grade of `measured`, mm. A value equal to a tolerance is within it, whichever way its last digits
@@ -74,11 +74,11 @@ impl GradedQuantity {
     ///
     /// # Errors
     /// As [`GradedQuantity::tolerance`].
-    pub fn grade(self, toothing: &Toothing, measured: f64) -> Result<Grade, GearError> {
+    pub fn grade(self, basic_data: &BasicGearData, measured: f64) -> Result<Grade, GearError> {
         // Each way of conversion rounds once, by half a unit in the last place at most.
         let least = measured * (1.0 - f64::EPSILON);
         for grade in GRADES {
-            let tolerance = self.tolerance(toothing, grade)?;
+            let tolerance = self.tolerance(basic_data, grade)?;
             if least <= tolerance {
                 return Ok(Grade::Within { grade, tolerance });
             }
@@ -86,15 +86,15 @@ impl GradedQuantity {
         let last = *GRADES.end();
         Ok(Grade::Beyond {
             last,
-            tolerance: self.tolerance(toothing, last)?,
+            tolerance: self.tolerance(basic_data, last)?,
         })
     }
 
     /// µm: `f_pT = (0.001 d + 0.4 m + 5) √2^(A−5)`, `F_pT = (0.002 d + 0.55 √d + 0.7 m + 12) √2^(A−5)`,
     /// `F_rT = 0.9 F_pT`, with `d` and `m` in mm.
-    fn unrounded(self, toothing: &Toothing, grade: u32) -> Result<f64, GearError> {
-        let d = 2.0 * toothing.reference_radius();
-        let m = toothing.module();
+    fn unrounded(self, basic_data: &BasicGearData, grade: u32) -> Result<f64, GearError> {
+        let d = 2.0 * basic_data.reference_radius();
+        let m = basic_data.module();
         let within = |what, value: f64, range: RangeInclusive<f64>, allowed| {
             let inside = range.contains(&value);
             inside.then_some(()).ok_or(GearError::OutOfRange {
@@ -103,7 +103,7 @@ impl GradedQuantity {
                 allowed,
             })
         };
-        let teeth = f64::from(toothing.teeth());
+        let teeth = f64::from(basic_data.teeth());
         within("teeth, to be graded,", teeth, 5.0..=1000.0, "5 … 1000")?;
         within(
             "reference diameter, to be graded,",
@@ -138,14 +138,14 @@ fn rounded(um: f64) -> f64 {
 mod tests {
     use super::*;
 
-    fn toothing(teeth: u32, module: f64) -> Toothing {
-        Toothing::new(teeth, module, 20f64.to_radians()).unwrap()
+    fn basic_data(teeth: u32, module: f64) -> BasicGearData {
+        BasicGearData::new(teeth, module, 20f64.to_radians()).unwrap()
     }
 
     /// Issue 5, item 6: m 3, z 40, A 6: 8.94 → 9.0 and 28.80 → 29 µm.
     #[test]
     fn gives_the_worked_example() {
-        let gear = toothing(40, 3.0);
+        let gear = basic_data(40, 3.0);
         for (graded, exact, shown) in [
             (GradedQuantity::SinglePitch, 8.94, 9.0),
             (GradedQuantity::TotalPitch, 28.80, 29.0),
@@ -174,7 +174,7 @@ mod tests {
 
     #[test]
     fn finds_the_finest_grade_that_admits() {
-        let gear = toothing(40, 3.0);
+        let gear = basic_data(40, 3.0);
         let of = |um: f64| match GradedQuantity::SinglePitch.grade(&gear, um * 1e-3).unwrap() {
             Grade::Within { grade, .. } => Some(grade),
             Grade::Beyond { .. } => None,
@@ -189,19 +189,19 @@ mod tests {
     #[test]
     fn refuses_what_the_formulas_do_not_cover() {
         for (teeth, module) in [(4, 3.0), (1001, 1.0), (5, 0.9), (300, 60.0), (40, 0.4)] {
-            let gear = toothing(teeth, module);
+            let gear = basic_data(teeth, module);
             for graded in GradedQuantity::ALL {
                 assert!(graded.tolerance(&gear, 6).is_err(), "{teeth} {module}");
             }
         }
         assert!(
             GradedQuantity::Runout
-                .tolerance(&toothing(40, 3.0), 12)
+                .tolerance(&basic_data(40, 3.0), 12)
                 .is_err()
         );
         assert!(
             GradedQuantity::Runout
-                .tolerance(&toothing(40, 3.0), 0)
+                .tolerance(&basic_data(40, 3.0), 0)
                 .is_err()
         );
     }

@@ -18,21 +18,21 @@ pub struct Inspection {
 impl Inspection {
     /// Reads `gear`.
     pub fn of(gear: &AsBuilt) -> Inspection {
-        let toothing = gear.gear().toothing();
-        let r = toothing.reference_radius();
-        let teeth = || 1..=toothing.teeth();
+        let basic_data = gear.gear().basic_data();
+        let r = basic_data.reference_radius();
+        let teeth = || 1..=basic_data.teeth();
         let ascending = gear.face().ascending();
         let cumulative = |own: Side| {
             let front = gear.face().seen_from_front(own);
             let place = |tooth| ascending * r * gear.flank_offset(front, tooth);
-            let mean = teeth().map(place).sum::<f64>() / f64::from(toothing.teeth());
+            let mean = teeth().map(place).sum::<f64>() / f64::from(basic_data.teeth());
             teeth().map(|tooth| place(tooth) - mean).collect()
         };
         let thickness = |tooth| {
             r * (gear.flank_offset(Side::Left, tooth) - gear.flank_offset(Side::Right, tooth))
         };
         let runout = |tooth| {
-            let from_high = (f64::from(tooth) - gear.high_tooth()) * toothing.angular_pitch();
+            let from_high = (f64::from(tooth) - gear.high_tooth()) * basic_data.angular_pitch();
             gear.eccentricity() * from_high.cos()
         };
         Inspection {

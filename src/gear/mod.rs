@@ -4,44 +4,44 @@
 //! Lengths in mm, angles in radians. A gear's own frame has its geometric
 //! centre at the origin; a tooth's own frame has the tooth's centre line on +x.
 
+mod basic_gear_data;
+mod basic_rack;
 mod datum;
+mod datum_axis;
 mod deviation;
-mod displaced;
 mod fillet;
+mod flank_correlation;
 #[allow(clippy::module_inception)]
 mod gear;
 mod grade;
 mod inspection;
 pub mod involute;
-mod opposition;
 mod outline;
 mod pins;
 mod pitch;
 mod placed;
 mod profile;
-mod rack;
 mod readings;
 mod runout;
 mod side;
 mod spans;
 pub mod thickness;
-mod toothing;
 
-pub use datum::Separated;
+pub use basic_gear_data::BasicGearData;
+pub use basic_rack::BasicRack;
+pub use datum::EccentricitySeparation;
 pub use deviation::{AsBuilt, Deviations};
 pub use fillet::Fillet;
-pub use gear::{Blank, Gear};
+pub use gear::{Gear, GearDesign};
 pub use grade::{GRADE_SOURCE, GRADES, Grade, GradedQuantity};
 pub use inspection::Inspection;
 pub use outline::{HalfTooth, Segment};
 pub use pins::PinReadings;
 pub use pitch::Pitch;
 pub use placed::Placed;
-pub use profile::{Curve, Profile};
-pub use rack::Rack;
+pub use profile::{Profile, ProfilePart};
 use readings::FlankShifts;
 pub use readings::Readings;
 pub use runout::{Probe, RunoutFit, RunoutReadings};
 pub use side::{Face, Side};
 pub use spans::{PerTooth, Spans};
-pub use toothing::Toothing;

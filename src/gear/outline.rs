@@ -6,7 +6,7 @@
 //! from [`Profile`], a step that solves `(A + B Δ) Δ²/8 = δ` keeps the bound
 //! `δ`. All teeth of a gear share the two half teeth; a tooth is a rotation of each.
 
-use super::{Curve, Gear, Profile, Side};
+use super::{Gear, Profile, ProfilePart, Side};
 use nalgebra::Point2;
 use std::ops::Range;
 
@@ -14,7 +14,7 @@ use std::ops::Range;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Segment {
     /// The curve it stands for.
-    pub curve: Curve,
+    pub curve: ProfilePart,
     /// Parameters of the curve at its two ends, the one nearer the tip first.
     pub parameters: [f64; 2],
 }
@@ -36,29 +36,30 @@ impl HalfTooth {
     /// A land narrower than a chord still gets one; a land without length gets none.
     pub fn new(gear: &Gear, side: Side, chord: f64) -> HalfTooth {
         let profile = Profile::new(gear);
-        let whole = Curve::ALL.map(|curve| (curve, profile.range(curve)));
+        let whole = ProfilePart::ALL.map(|curve| (curve, profile.range(curve)));
         HalfTooth::of_pieces(gear, side, chord, &whole)
     }
 
     /// The vertices down to the root land where the tip land starts at the parameter `start`, up to its near corner.
     pub fn from_land(gear: &Gear, side: Side, chord: f64, start: f64) -> Vec<Point2<f64>> {
         let profile = Profile::new(gear);
-        let land = (start, profile.range(Curve::Tip).1);
-        let flank = [Curve::Involute, Curve::Fillet].map(|curve| (curve, profile.range(curve)));
-        let pieces = [(Curve::Tip, land), flank[0], flank[1]];
+        let land = (start, profile.range(ProfilePart::Tip).1);
+        let flank =
+            [ProfilePart::Involute, ProfilePart::Fillet].map(|curve| (curve, profile.range(curve)));
+        let pieces = [(ProfilePart::Tip, land), flank[0], flank[1]];
         HalfTooth::of_pieces(gear, side, chord, &pieces).points
     }
 
     /// The vertices of a root land that reaches to the parameter `end`; none where that is not beyond its start.
     pub fn root_land(gear: &Gear, side: Side, chord: f64, end: f64) -> Vec<Point2<f64>> {
-        let (start, _) = Profile::new(gear).range(Curve::Root);
-        let land = [(Curve::Root, (start, end.max(start)))];
+        let (start, _) = Profile::new(gear).range(ProfilePart::Root);
+        let land = [(ProfilePart::Root, (start, end.max(start)))];
         HalfTooth::of_pieces(gear, side, chord, &land).points
     }
 
     /// Cuts the stretch of `self` that the chords `window` (not empty) stand for anew, within `chord` mm.
     pub fn recut(&self, gear: &Gear, window: Range<usize>, chord: f64) -> HalfTooth {
-        let mut pieces: Vec<(Curve, (f64, f64))> = Vec::new();
+        let mut pieces: Vec<(ProfilePart, (f64, f64))> = Vec::new();
         for &Segment { curve, parameters } in &self.segments[window] {
             match pieces.last_mut() {
                 Some((last, range)) if *last == curve => range.1 = parameters[1],
@@ -68,7 +69,12 @@ impl HalfTooth {
         HalfTooth::of_pieces(gear, self.side, chord, &pieces)
     }
 
-    fn of_pieces(gear: &Gear, side: Side, chord: f64, pieces: &[(Curve, (f64, f64))]) -> HalfTooth {
+    fn of_pieces(
+        gear: &Gear,
+        side: Side,
+        chord: f64,
+        pieces: &[(ProfilePart, (f64, f64))],
+    ) -> HalfTooth {
         let profile = Profile::new(gear);
         let mut points = Vec::new();
         let mut segments = Vec::new();
@@ -121,7 +127,7 @@ impl HalfTooth {
     /// How many vertices lead down to the root land, its first included.
     pub fn above_root(&self) -> usize {
         let mut segments = self.segments.iter();
-        match segments.position(|segment| segment.curve == Curve::Root) {
+        match segments.position(|segment| segment.curve == ProfilePart::Root) {
             Some(first) => first + 1,
             None => self.points.len(),
         }
@@ -132,10 +138,10 @@ impl HalfTooth {
         &self.segments
     }
 
-    /// Curve and parameter that the point `at` of chord `segment` stands for.
+    /// Profile part and parameter that the point `at` of chord `segment` stands for.
     ///
     /// Off by less than the chord's own range of parameters.
-    pub fn locate(&self, segment: usize, at: &Point2<f64>) -> (Curve, f64) {
+    pub fn locate(&self, segment: usize, at: &Point2<f64>) -> (ProfilePart, f64) {
         let Segment { curve, parameters } = self.segments[segment];
         let chord = self.points[segment + 1] - self.points[segment];
         let part = (at - self.points[segment]).dot(&chord) / chord.norm_squared();

@@ -19,7 +19,7 @@
 //! Thickness by tooth is not taken from such readings: each holds four flanks, and for even `z` there are
 //! only `z/2` of them.
 
-use super::{Deviations, FlankShifts, Readings, Side, Toothing, involute, thickness};
+use super::{BasicGearData, Deviations, FlankShifts, Readings, Side, involute, thickness};
 use crate::error::GearError;
 
 /// Newton's steps before the mean thickness is given up; it needs some five.
@@ -28,16 +28,16 @@ const MOST_STEPS: usize = 50;
 /// Dimensions `M_dK` over two pins, at stated spaces.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PinReadings {
-    toothing: Toothing,
+    basic_data: BasicGearData,
     pin: f64,
     readings: Readings,
 }
 
 impl PinReadings {
     /// Readings over pins of diameter `pin`, mm, at their spaces.
-    pub fn new(toothing: &Toothing, pin: f64, readings: Readings) -> PinReadings {
+    pub fn new(basic_data: &BasicGearData, pin: f64, readings: Readings) -> PinReadings {
         PinReadings {
-            toothing: *toothing,
+            basic_data: *basic_data,
             pin,
             readings,
         }
@@ -58,9 +58,9 @@ impl PinReadings {
     /// # Errors
     /// [`GearError::WrongLength`]; readings of pins that would lie inside the base circle.
     pub fn base_thickness(&self, known: &Deviations) -> Result<f64, GearError> {
-        let shifts = FlankShifts::new(&self.toothing, known)?;
+        let shifts = FlankShifts::new(&self.basic_data, known)?;
         let read = self.readings.mean(|_, over| over);
-        let mut base = thickness::base_from_pins(&self.toothing, self.pin, read)?;
+        let mut base = thickness::base_from_pins(&self.basic_data, self.pin, read)?;
         // Rounding of M is some ulps of the diameter.
         let settled = 4.0 * f64::EPSILON * read;
         let mut last = f64::INFINITY;
@@ -90,7 +90,7 @@ impl PinReadings {
     /// # Errors
     /// Those of [`PinReadings::base_thickness`].
     pub fn beside(&self, of: &Deviations) -> Result<Vec<(f64, f64)>, GearError> {
-        let shifts = FlankShifts::new(&self.toothing, of)?;
+        let shifts = FlankShifts::new(&self.basic_data, of)?;
         let base = self.base_thickness(of)?;
         let said = |space, _| self.over(&shifts, space, base)[0];
         Ok(self.readings.beside(said))
@@ -98,12 +98,12 @@ impl PinReadings {
 
     /// `M` at `space`, mm, and its derivative by `s_b`.
     fn over(&self, shifts: &FlankShifts, space: u32, base: f64) -> [f64; 2] {
-        let apart = self.toothing.teeth() / 2;
+        let apart = self.basic_data.teeth() / 2;
         let (one, other) = (
             self.centre(shifts, space, 0, base),
             self.centre(shifts, space, apart, base),
         );
-        let angle = f64::from(apart) * self.toothing.angular_pitch() + other.angle - one.angle;
+        let angle = f64::from(apart) * self.basic_data.angular_pitch() + other.angle - one.angle;
         let (sin, cos) = angle.sin_cos();
         let (x, y) = (other.radius * cos - one.radius, other.radius * sin);
         let distance = x.hypot(y);
@@ -113,17 +113,17 @@ impl PinReadings {
 
     /// The pin's centre in the space `steps` on from `space`.
     fn centre(&self, shifts: &FlankShifts, space: u32, steps: u32, base: f64) -> Centre {
-        let toothing = &self.toothing;
+        let basic_data = &self.basic_data;
         let right = shifts.at(Side::Right, space, steps);
         let left = shifts.at(Side::Left, space, steps + 1);
-        let thicker = (right - left) * toothing.pressure_angle().cos();
-        let radius = thickness::pin_centre_radius(toothing, self.pin, base + thicker);
+        let thicker = (right - left) * basic_data.pressure_angle().cos();
+        let radius = thickness::pin_centre_radius(basic_data, self.pin, base + thicker);
         // r_K = r_b √(1 + ξ²) and d inv/dξ = ξ²/(1 + ξ²): dr_K/ds_b = r_K/(2 r_b ξ) = 1/(2 sin α_K).
-        let roll = involute::roll_at(radius, toothing.base_radius());
+        let roll = involute::roll_at(radius, basic_data.base_radius());
         Centre {
             radius,
-            angle: (right + left) / (2.0 * toothing.reference_radius()),
-            slope: radius / (2.0 * toothing.base_radius() * roll),
+            angle: (right + left) / (2.0 * basic_data.reference_radius()),
+            slope: radius / (2.0 * basic_data.base_radius() * roll),
         }
     }
 }

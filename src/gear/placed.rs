@@ -1,6 +1,6 @@
 //! A gear where it stands in the picture: its centre, its teeth, its outline round a place.
 
-use super::{AsBuilt, Curve, HalfTooth, Profile, Segment, Side};
+use super::{AsBuilt, HalfTooth, Profile, ProfilePart, Segment, Side};
 use nalgebra::{Point2, UnitComplex};
 use std::f64::consts::PI;
 
@@ -50,8 +50,8 @@ impl<'a> Placed<'a> {
     /// The teeth that reach into the disc of radius `reach` (mm) about `place`, and some beside
     /// them, counter-clockwise. All `z` when the disc holds the centre or reaches round it.
     pub fn teeth_near(&self, place: Point2<f64>, reach: f64) -> Vec<u32> {
-        let toothing = self.as_built.gear().toothing();
-        let pitch = toothing.angular_pitch();
+        let basic_data = self.as_built.gear().basic_data();
+        let pitch = basic_data.angular_pitch();
         let to_place = place - self.centre();
         let distance = to_place.norm();
         // Two pitches more: half a tooth, half a pitch a flank may be off its place, and one to spare.
@@ -60,7 +60,7 @@ impl<'a> Placed<'a> {
         } else {
             PI
         };
-        let teeth = i64::from(toothing.teeth());
+        let teeth = i64::from(basic_data.teeth());
         if half_angle >= PI {
             return (0..teeth)
                 .map(|step| self.as_built.counter_clockwise(1, step))
@@ -95,7 +95,7 @@ impl<'a> Placed<'a> {
             let points = half(&left);
             outline.extend(points.iter().map(self.place(Side::Left, tooth)));
         }
-        if teeth.len() < self.as_built.gear().toothing().teeth() as usize {
+        if teeth.len() < self.as_built.gear().basic_data().teeth() as usize {
             outline.push(self.centre());
         }
         outline
@@ -104,7 +104,8 @@ impl<'a> Placed<'a> {
     /// A flank from the tip corner to the root land: involute and fillet, mm, chords within `chord` mm.
     pub fn flank(&self, side: Side, tooth: u32, chord: f64) -> Vec<Point2<f64>> {
         let half = HalfTooth::new(self.as_built.gear(), side, chord);
-        let is_land = |segment: &Segment| matches!(segment.curve, Curve::Tip | Curve::Root);
+        let is_land =
+            |segment: &Segment| matches!(segment.curve, ProfilePart::Tip | ProfilePart::Root);
         let segments = half.segments();
         let first = segments.iter().take_while(|s| is_land(s)).count();
         let last = segments.len() - segments.iter().rev().take_while(|s| is_land(s)).count();
@@ -113,8 +114,14 @@ impl<'a> Placed<'a> {
     }
 
     /// One curve of a flank, tip end first, mm, chords within `chord` mm; empty where it has no length.
-    pub fn curve(&self, side: Side, tooth: u32, curve: Curve, chord: f64) -> Vec<Point2<f64>> {
-        if curve == Curve::Root {
+    pub fn curve(
+        &self,
+        side: Side,
+        tooth: u32,
+        curve: ProfilePart,
+        chord: f64,
+    ) -> Vec<Point2<f64>> {
+        if curve == ProfilePart::Root {
             let land = self.root_land(side, tooth, chord);
             return land.iter().map(self.place(side, tooth)).collect();
         }
@@ -136,7 +143,7 @@ impl<'a> Placed<'a> {
     fn above_root(&self, half: &HalfTooth, tooth: u32) -> Vec<Point2<f64>> {
         let gear = self.as_built.gear();
         let far = self.as_built.land_start(tooth);
-        let (_, corner) = Profile::new(gear).range(Curve::Tip);
+        let (_, corner) = Profile::new(gear).range(ProfilePart::Tip);
         match (far > 0.0, half.side()) {
             (false, _) => half.points()[..half.above_root()].to_vec(),
             (true, Side::Right) => HalfTooth::from_land(gear, Side::Right, half.chord(), far),
@@ -163,23 +170,23 @@ impl<'a> Placed<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gear::{Blank, Deviations, Face, Gear, Profile, Rack, Toothing};
+    use crate::gear::{BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Profile};
 
     /// A tooth thinner by more than half its land: its outline stays between its own two tip corners. Source: their angles,
     /// the mean land's half angle turned with each flank.
     #[test]
     fn a_thin_tooth_has_no_land_beyond_its_corners() {
-        let blank = Blank {
-            toothing: Toothing::new(20, 2.0, 20f64.to_radians()).unwrap(),
+        let design = GearDesign {
+            basic_data: BasicGearData::new(20, 2.0, 20f64.to_radians()).unwrap(),
             profile_shift: 0.0,
-            rack: Rack::ISO_53_A,
+            rack: BasicRack::ISO_53_A,
             tip_diameter: None,
         };
-        let gear = Gear::nominal(blank).unwrap();
-        let (_, half) = Profile::new(&gear).range(Curve::Tip);
+        let gear = Gear::nominal(design).unwrap();
+        let (_, half) = Profile::new(&gear).range(ProfilePart::Tip);
         let mut per_tooth = vec![0.0; 20];
         // Three quarters of the land, at the reference circle.
-        per_tooth[2] = -1.5 * half * gear.toothing().reference_radius();
+        per_tooth[2] = -1.5 * half * gear.basic_data().reference_radius();
         let deviations = Deviations {
             per_tooth,
             ..Deviations::default()
@@ -195,7 +202,7 @@ mod tests {
             let off = point.y.atan2(point.x) - placed.direction(3);
             let off = off - 2.0 * PI * (off / (2.0 * PI)).round();
             if point.coords.norm() > tip - 1e-9
-                && off.abs() < 0.5 * built.gear().toothing().angular_pitch()
+                && off.abs() < 0.5 * built.gear().basic_data().angular_pitch()
             {
                 assert!(
                     off > right - 1e-12 && off < left + 1e-12,

@@ -10,7 +10,7 @@ use std::f64::consts::PI;
 
 /// One of the four curves of a half tooth.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Curve {
+pub enum ProfilePart {
     /// Tip land or its corner. Parameter: angle past the tooth's centre line, rad.
     Tip,
     /// Involute flank. Parameter: roll `ξ`, rad.
@@ -21,17 +21,22 @@ pub enum Curve {
     Root,
 }
 
-impl Curve {
+impl ProfilePart {
     /// In order from the tip to the root.
-    pub const ALL: [Curve; 4] = [Curve::Tip, Curve::Involute, Curve::Fillet, Curve::Root];
+    pub const ALL: [ProfilePart; 4] = [
+        ProfilePart::Tip,
+        ProfilePart::Involute,
+        ProfilePart::Fillet,
+        ProfilePart::Root,
+    ];
 
     /// `tip`, `involute`, `fillet` or `root`, as results name it.
     pub fn name(self) -> &'static str {
         match self {
-            Curve::Tip => "tip",
-            Curve::Involute => "involute",
-            Curve::Fillet => "fillet",
-            Curve::Root => "root",
+            ProfilePart::Tip => "tip",
+            ProfilePart::Involute => "involute",
+            ProfilePart::Fillet => "fillet",
+            ProfilePart::Root => "root",
         }
     }
 }
@@ -58,28 +63,28 @@ impl<'a> Profile<'a> {
     /// Parameters at the two ends of `curve`, the end nearer the tip first.
     ///
     /// Involute and fillet descend, the lands ascend. A root land of a full tip round has no length.
-    pub fn range(&self, curve: Curve) -> (f64, f64) {
+    pub fn range(&self, curve: ProfilePart) -> (f64, f64) {
         let gear = self.gear;
         match curve {
-            Curve::Tip => (0.0, gear.half_angle_at_roll(gear.tip_roll())),
-            Curve::Involute => (gear.tip_roll(), gear.form_roll()),
-            Curve::Fillet => (gear.fillet().end(), 0.0),
-            Curve::Root => (
+            ProfilePart::Tip => (0.0, gear.half_angle_at_roll(gear.tip_roll())),
+            ProfilePart::Involute => (gear.tip_roll(), gear.form_roll()),
+            ProfilePart::Fillet => (gear.fillet().end(), 0.0),
+            ProfilePart::Root => (
                 -gear.fillet().root_angle(),
-                PI / f64::from(gear.toothing().teeth()),
+                PI / f64::from(gear.basic_data().teeth()),
             ),
         }
     }
 
     /// The point of `curve` at `parameter`, mm, on the half tooth of `side`.
-    pub fn point(&self, curve: Curve, parameter: f64, side: Side) -> Point2<f64> {
+    pub fn point(&self, curve: ProfilePart, parameter: f64, side: Side) -> Point2<f64> {
         let gear = self.gear;
         let right = match curve {
-            Curve::Tip => polar(gear.tip_radius(), -parameter),
-            Curve::Root => polar(gear.root_radius(), -parameter),
-            Curve::Fillet => gear.fillet().point(parameter),
+            ProfilePart::Tip => polar(gear.tip_radius(), -parameter),
+            ProfilePart::Root => polar(gear.root_radius(), -parameter),
+            ProfilePart::Fillet => gear.fillet().point(parameter),
             // r_b E (1 − iξ), E = e^{i(ξ − ψ_b)}.
-            Curve::Involute => {
+            ProfilePart::Involute => {
                 let (sin, cos) = (parameter - self.half_base).sin_cos();
                 let base = self.base;
                 Point2::new(
@@ -92,13 +97,13 @@ impl<'a> Profile<'a> {
     }
 
     /// The unit normal of `curve` at `parameter`, out of the metal, on the half tooth of `side`.
-    pub fn normal(&self, curve: Curve, parameter: f64, side: Side) -> Vector2<f64> {
+    pub fn normal(&self, curve: ProfilePart, parameter: f64, side: Side) -> Vector2<f64> {
         let gear = self.gear;
         let right = match curve {
-            Curve::Tip | Curve::Root => polar(1.0, -parameter).coords,
-            Curve::Fillet => gear.fillet().normal(parameter),
+            ProfilePart::Tip | ProfilePart::Root => polar(1.0, -parameter).coords,
+            ProfilePart::Fillet => gear.fillet().normal(parameter),
             // −iE.
-            Curve::Involute => {
+            ProfilePart::Involute => {
                 let (sin, cos) = (parameter - self.half_base).sin_cos();
                 Vector2::new(sin, -cos)
             }
@@ -111,19 +116,19 @@ impl<'a> Profile<'a> {
     ///
     /// Involute: `dP/dξ = r_b ξ E` and `P'' = r_b (E + iξE)`; `E` turns by `Δ` at most, so across
     /// the chord `r_b (ξ + Δ)`. Lands: `P''` has the length of the radius.
-    pub(super) fn bend(&self, curve: Curve, parameter: f64) -> (f64, f64) {
+    pub(super) fn bend(&self, curve: ProfilePart, parameter: f64) -> (f64, f64) {
         let base = self.base;
         match curve {
-            Curve::Tip => (self.gear.tip_radius(), 0.0),
-            Curve::Root => (self.gear.root_radius(), 0.0),
-            Curve::Fillet => self.gear.fillet().bend(parameter),
-            Curve::Involute => (base * parameter, base),
+            ProfilePart::Tip => (self.gear.tip_radius(), 0.0),
+            ProfilePart::Root => (self.gear.root_radius(), 0.0),
+            ProfilePart::Fillet => self.gear.fillet().bend(parameter),
+            ProfilePart::Involute => (base * parameter, base),
         }
     }
 
     /// Bound, mm, on the distance of `curve` between two parameters from the chord through its points there:
     /// `(A + B Δ) Δ²/8`, see [`super::HalfTooth`].
-    pub fn chordal_error(&self, curve: Curve, from: f64, to: f64) -> f64 {
+    pub fn chordal_error(&self, curve: ProfilePart, from: f64, to: f64) -> f64 {
         let span = (to - from).abs();
         let (a, b) = self.bend(curve, from.max(to));
         (a + b * span) * span * span / 8.0
@@ -131,22 +136,22 @@ impl<'a> Profile<'a> {
 
     /// Greatest curvature of `curve` between two parameters, 1/mm: `1/(r_b ξ)` at the lesser `ξ` on the involute, that of a land;
     /// none is known of a fillet.
-    pub(crate) fn curvature(&self, curve: Curve, from: f64, to: f64) -> Option<f64> {
+    pub(crate) fn curvature(&self, curve: ProfilePart, from: f64, to: f64) -> Option<f64> {
         match curve {
-            Curve::Tip => Some(1.0 / self.gear.tip_radius()),
-            Curve::Root => Some(1.0 / self.gear.root_radius()),
-            Curve::Involute => Some(1.0 / (self.base * from.min(to))),
-            Curve::Fillet => None,
+            ProfilePart::Tip => Some(1.0 / self.gear.tip_radius()),
+            ProfilePart::Root => Some(1.0 / self.gear.root_radius()),
+            ProfilePart::Involute => Some(1.0 / (self.base * from.min(to))),
+            ProfilePart::Fillet => None,
         }
     }
 
     /// Radius about the gear's centre at `parameter` of `curve`, mm.
-    pub fn radius(&self, curve: Curve, parameter: f64) -> f64 {
+    pub fn radius(&self, curve: ProfilePart, parameter: f64) -> f64 {
         match curve {
-            Curve::Tip => self.gear.tip_radius(),
-            Curve::Root => self.gear.root_radius(),
-            Curve::Fillet => self.gear.fillet().point(parameter).coords.norm(),
-            Curve::Involute => involute::radius_at(parameter, self.base),
+            ProfilePart::Tip => self.gear.tip_radius(),
+            ProfilePart::Root => self.gear.root_radius(),
+            ProfilePart::Fillet => self.gear.fillet().point(parameter).coords.norm(),
+            ProfilePart::Involute => involute::radius_at(parameter, self.base),
         }
     }
 }

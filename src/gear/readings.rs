@@ -1,6 +1,6 @@
 //! Readings taken all round a gear, and where the flanks they touch stand.
 
-use super::{Deviations, Side, Toothing};
+use super::{BasicGearData, Deviations, Side};
 use crate::error::GearError;
 use std::collections::HashSet;
 
@@ -13,13 +13,13 @@ pub struct Readings {
 }
 
 impl Readings {
-    /// `list` of a place (a tooth number, `1..=z`) and a length, mm, on a gear of `toothing`.
+    /// `list` of a place (a tooth number, `1..=z`) and a length, mm, on a gear of `basic_data`.
     ///
     /// # Errors
     /// [`GearError::Readings`]: none, a place outside `1..=z`, a place twice, a length that is not finite.
-    pub fn new(toothing: &Toothing, list: Vec<(u32, f64)>) -> Result<Readings, GearError> {
+    pub fn new(basic_data: &BasicGearData, list: Vec<(u32, f64)>) -> Result<Readings, GearError> {
         let mut seen = HashSet::new();
-        let teeth = toothing.teeth();
+        let teeth = basic_data.teeth();
         if list.is_empty() {
             return Err(GearError::Readings("there is no reading"));
         }
@@ -90,10 +90,10 @@ impl FlankShifts {
     /// # Errors
     /// [`GearError::WrongLength`].
     pub(super) fn new(
-        toothing: &Toothing,
+        basic_data: &BasicGearData,
         deviations: &Deviations,
     ) -> Result<FlankShifts, GearError> {
-        let teeth = toothing.teeth();
+        let teeth = basic_data.teeth();
         let shifts = |side: Side| {
             let mut shifts = vec![0.0; teeth as usize];
             let thickness = (!deviations.per_tooth.is_empty()).then_some(&deviations.per_tooth[..]);

@@ -76,8 +76,8 @@ impl RunoutReadings {
     /// # Errors
     /// [`GearError::WrongLength`]; [`GearError::Readings`] when no eccentricity explains the readings.
     pub fn fit(&self, gear: &Gear, known: &Deviations) -> Result<RunoutFit, GearError> {
-        let toothing = gear.toothing();
-        let teeth = toothing.teeth();
+        let basic_data = gear.basic_data();
+        let teeth = basic_data.teeth();
         if self.mm.len() != teeth as usize {
             return Err(GearError::WrongLength {
                 what: "runout",
@@ -85,11 +85,11 @@ impl RunoutReadings {
                 teeth,
             });
         }
-        let shifts = FlankShifts::new(toothing, known)?;
-        let even = FlankShifts::new(toothing, &Deviations::default())?;
+        let shifts = FlankShifts::new(basic_data, known)?;
+        let even = FlankShifts::new(basic_data, &Deviations::default())?;
         let greatest = self.mm.iter().fold(0.0, |most: f64, mm| most.max(mm.abs()));
         // Rounding of readings and radii is some ulps of them.
-        let settled = 1e-13 * (toothing.reference_radius() + greatest);
+        let settled = 1e-13 * (basic_data.reference_radius() + greatest);
         let mut e = Vector2::zeros();
         for _ in 0..MOST_CORRECTIONS {
             let expected = self.expected(gear, &shifts, e);
@@ -104,13 +104,13 @@ impl RunoutReadings {
                 let said = self.without_first(difference(&expected, &perfect));
                 return Ok(RunoutFit {
                     eccentricity: e.norm(),
-                    high_tooth: toothing.tooth_towards(e.y.atan2(e.x)),
+                    high_tooth: basic_data.tooth_towards(e.y.atan2(e.x)),
                     range: range(&self.mm),
                     known_range: range(&expected),
                     beyond: read.into_iter().zip(said).collect(),
                 });
             }
-            if !(e.norm() < toothing.reference_radius()) {
+            if !(e.norm() < basic_data.reference_radius()) {
                 break;
             }
         }
@@ -121,8 +121,8 @@ impl RunoutReadings {
 
     /// What the probe would read, mm, but for a constant.
     fn expected(&self, gear: &Gear, shifts: &FlankShifts, e: Vector2<f64>) -> Vec<f64> {
-        let toothing = gear.toothing();
-        let (r, alpha) = (toothing.reference_radius(), toothing.pressure_angle());
+        let basic_data = gear.basic_data();
+        let (r, alpha) = (basic_data.reference_radius(), basic_data.pressure_angle());
         let e = Complex::new(e.x, e.y);
         let reading = |tooth: u32| {
             let steps = u32::from(matches!(self.probe, Probe::Ball(_)));
@@ -133,7 +133,7 @@ impl RunoutReadings {
             match self.probe {
                 Probe::Ball(diameter) => {
                     let base = gear.base_thickness() + (right - left) * alpha.cos();
-                    (seen + thickness::pin_centre_radius(toothing, diameter, base)).norm()
+                    (seen + thickness::pin_centre_radius(basic_data, diameter, base)).norm()
                 }
                 Probe::Fork => {
                     // The turn is e/r at most, and an error of it comes back e/r-fold.
@@ -143,7 +143,7 @@ impl RunoutReadings {
                 }
             }
         };
-        (1..=toothing.teeth()).map(reading).collect()
+        (1..=basic_data.teeth()).map(reading).collect()
     }
 
     /// Where the reading of this index is taken, rad from the centre of tooth 1, ascending.

@@ -16,13 +16,13 @@
 //! along the cycle shows in no span. (The Fourier transform says the same: the eigenvalues have the
 //! amounts `|cos(π (k − 1) j/z)|`, none of them 0 exactly when no `2 (k − 1) j ≡ z (mod 2 z)`.)
 
-use super::{Deviations, FlankShifts, Readings, Side, Toothing};
+use super::{BasicGearData, Deviations, FlankShifts, Readings, Side};
 use crate::error::GearError;
 
 /// Spans `W_k` over `k` teeth, at stated first teeth.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Spans {
-    toothing: Toothing,
+    basic_data: BasicGearData,
     k: u32,
     readings: Readings,
 }
@@ -42,8 +42,8 @@ impl Spans {
     ///
     /// # Errors
     /// [`GearError::OutOfRange`] for `k`.
-    pub fn new(toothing: &Toothing, k: u32, readings: Readings) -> Result<Spans, GearError> {
-        if !(1..=toothing.teeth()).contains(&k) {
+    pub fn new(basic_data: &BasicGearData, k: u32, readings: Readings) -> Result<Spans, GearError> {
+        if !(1..=basic_data.teeth()).contains(&k) {
             return Err(GearError::OutOfRange {
                 what: "number of teeth spanned",
                 value: f64::from(k),
@@ -51,7 +51,7 @@ impl Spans {
             });
         }
         Ok(Spans {
-            toothing: *toothing,
+            basic_data: *basic_data,
             k,
             readings,
         })
@@ -77,7 +77,7 @@ impl Spans {
     /// # Errors
     /// [`GearError::WrongLength`].
     pub fn base_thickness(&self, known: &Deviations) -> Result<f64, GearError> {
-        let shifts = FlankShifts::new(&self.toothing, known)?;
+        let shifts = FlankShifts::new(&self.basic_data, known)?;
         Ok(self
             .readings
             .mean(|tooth, span| self.base_at(&shifts, tooth, span)))
@@ -92,18 +92,18 @@ impl Spans {
     /// # Errors
     /// [`GearError::WrongLength`].
     pub fn per_tooth(&self, known: &Deviations) -> Result<Option<PerTooth>, GearError> {
-        let (z, step) = (self.toothing.teeth(), self.k - 1);
+        let (z, step) = (self.basic_data.teeth(), self.k - 1);
         let length = cycle(z, self.k);
         if !self.readings.all_round() || !Spans::determine(z, self.k) {
             return Ok(None);
         }
-        let shifts = FlankShifts::new(&self.toothing, known)?;
+        let shifts = FlankShifts::new(&self.basic_data, known)?;
         let mean = self.base_thickness(known)?;
         let mut beyond = vec![0.0; z as usize];
         for &(tooth, span) in self.readings.list() {
             beyond[tooth as usize - 1] = self.base_at(&shifts, tooth, span) - mean;
         }
-        let cos = self.toothing.pressure_angle().cos();
+        let cos = self.basic_data.pressure_angle().cos();
         let on = |index: usize| (index + step as usize) % z as usize;
         let mut thickness = vec![0.0; z as usize];
         for first in 0..(z / length) as usize {
@@ -131,7 +131,7 @@ impl Spans {
     /// # Errors
     /// [`GearError::WrongLength`].
     pub fn beside(&self, of: &Deviations) -> Result<Vec<(f64, f64)>, GearError> {
-        let shifts = FlankShifts::new(&self.toothing, of)?;
+        let shifts = FlankShifts::new(&self.basic_data, of)?;
         let said = |tooth, span| span - self.base_at(&shifts, tooth, span);
         Ok(self.readings.beside(said))
     }
@@ -140,8 +140,8 @@ impl Spans {
     fn base_at(&self, shifts: &FlankShifts, first: u32, span: f64) -> f64 {
         let step = self.k - 1;
         let apart = shifts.at(Side::Right, first, step) - shifts.at(Side::Left, first, 0);
-        super::thickness::base_from_span(&self.toothing, self.k, span)
-            - self.toothing.pressure_angle().cos() * apart
+        super::thickness::base_from_span(&self.basic_data, self.k, span)
+            - self.basic_data.pressure_angle().cos() * apart
     }
 }
 

@@ -4,26 +4,26 @@
 //! involute it measures something else, and [`check_span`] and [`check_pins`] say so.
 //! All lengths in mm.
 
-use super::{Gear, Toothing, involute};
+use super::{BasicGearData, Gear, involute};
 use crate::error::GearError;
 use std::f64::consts::FRAC_PI_2;
 
 /// `s_b` from the span `W_k` over `k` teeth: `s_b = W_k − (k − 1) p_b` (K (15); ISO 21771).
-pub fn base_from_span(toothing: &Toothing, k: u32, span: f64) -> f64 {
-    span - f64::from(k.saturating_sub(1)) * toothing.base_pitch()
+pub fn base_from_span(basic_data: &BasicGearData, k: u32, span: f64) -> f64 {
+    span - f64::from(k.saturating_sub(1)) * basic_data.base_pitch()
 }
 
 /// Span `W_k = (k − 1) p_b + s_b` over `k` teeth.
-pub fn span_from_base(toothing: &Toothing, k: u32, base_thickness: f64) -> f64 {
-    f64::from(k.saturating_sub(1)) * toothing.base_pitch() + base_thickness
+pub fn span_from_base(basic_data: &BasicGearData, k: u32, base_thickness: f64) -> f64 {
+    f64::from(k.saturating_sub(1)) * basic_data.base_pitch() + base_thickness
 }
 
 /// What part of `2 r_K` two pins in the most opposite spaces span: 1, or `cos(π/(2z))` for odd `z`.
-fn opposite(toothing: &Toothing) -> f64 {
-    if toothing.teeth().is_multiple_of(2) {
+fn opposite(basic_data: &BasicGearData) -> f64 {
+    if basic_data.teeth().is_multiple_of(2) {
         1.0
     } else {
-        (FRAC_PI_2 / f64::from(toothing.teeth())).cos()
+        (FRAC_PI_2 / f64::from(basic_data.teeth())).cos()
     }
 }
 
@@ -36,9 +36,9 @@ fn opposite(toothing: &Toothing) -> f64 {
 ///
 /// # Errors
 /// When the pin's centre would lie inside the base circle.
-pub fn base_from_pins(toothing: &Toothing, pin: f64, over: f64) -> Result<f64, GearError> {
-    let base = toothing.base_radius();
-    let centre = (over - pin) / (2.0 * opposite(toothing));
+pub fn base_from_pins(basic_data: &BasicGearData, pin: f64, over: f64) -> Result<f64, GearError> {
+    let base = basic_data.base_radius();
+    let centre = (over - pin) / (2.0 * opposite(basic_data));
     if !(centre >= base) {
         return Err(GearError::OutOfRange {
             what: "dimension over pins",
@@ -47,19 +47,19 @@ pub fn base_from_pins(toothing: &Toothing, pin: f64, over: f64) -> Result<f64, G
         });
     }
     let inv = involute::inv_of_roll(involute::roll_at(centre, base));
-    Ok(2.0 * base * inv - pin + toothing.base_pitch())
+    Ok(2.0 * base * inv - pin + basic_data.base_pitch())
 }
 
 /// Radius `r_K` of the centre of a pin in a space between teeth of `base_thickness`.
-pub fn pin_centre_radius(toothing: &Toothing, pin: f64, base_thickness: f64) -> f64 {
-    let base = toothing.base_radius();
-    let inv = (pin - toothing.base_pitch() + base_thickness) / (2.0 * base);
+pub fn pin_centre_radius(basic_data: &BasicGearData, pin: f64, base_thickness: f64) -> f64 {
+    let base = basic_data.base_radius();
+    let inv = (pin - basic_data.base_pitch() + base_thickness) / (2.0 * base);
     involute::radius_at(involute::roll_of_inv(inv), base)
 }
 
 /// Dimension `M_dK` over two pins of diameter `D_M`.
-pub fn pins_from_base(toothing: &Toothing, pin: f64, base_thickness: f64) -> f64 {
-    2.0 * opposite(toothing) * pin_centre_radius(toothing, pin, base_thickness) + pin
+pub fn pins_from_base(basic_data: &BasicGearData, pin: f64, base_thickness: f64) -> f64 {
+    2.0 * opposite(basic_data) * pin_centre_radius(basic_data, pin, base_thickness) + pin
 }
 
 /// Diameter `D_M` of the pin that touches the flanks of a space at roll `ξ`, between teeth of `base_thickness`.
@@ -67,20 +67,24 @@ pub fn pins_from_base(toothing: &Toothing, pin: f64, base_thickness: f64) -> f64
 /// The pin's centre has the roll `ξ_K = ξ + D_M/d_b` and `inv α_K = ξ_K − atan ξ_K =
 /// (D_M − p_b + s_b)/d_b`, so `atan ξ_K = ξ + (p_b − s_b)/d_b`. No pin (not positive,
 /// or not finite) where that is a right angle or more.
-pub fn pin_touching(toothing: &Toothing, roll: f64, base_thickness: f64) -> f64 {
-    let base_diameter = 2.0 * toothing.base_radius();
-    let centre = (roll + (toothing.base_pitch() - base_thickness) / base_diameter).tan();
+pub fn pin_touching(basic_data: &BasicGearData, roll: f64, base_thickness: f64) -> f64 {
+    let base_diameter = 2.0 * basic_data.base_radius();
+    let centre = (roll + (basic_data.base_pitch() - base_thickness) / base_diameter).tan();
     base_diameter * (centre - roll)
 }
 
 /// `s_b` from the thickness allowance `A_s` (transverse, at the reference circle): `s_b,nominal + A_s cos α`.
-pub fn base_from_allowance(toothing: &Toothing, nominal_base: f64, allowance: f64) -> f64 {
-    nominal_base + allowance * toothing.pressure_angle().cos()
+pub fn base_from_allowance(basic_data: &BasicGearData, nominal_base: f64, allowance: f64) -> f64 {
+    nominal_base + allowance * basic_data.pressure_angle().cos()
 }
 
 /// Thickness allowance `A_s = (s_b − s_b,nominal)/cos α` at the reference circle.
-pub fn allowance_from_base(toothing: &Toothing, nominal_base: f64, base_thickness: f64) -> f64 {
-    (base_thickness - nominal_base) / toothing.pressure_angle().cos()
+pub fn allowance_from_base(
+    basic_data: &BasicGearData,
+    nominal_base: f64,
+    base_thickness: f64,
+) -> f64 {
+    (base_thickness - nominal_base) / basic_data.pressure_angle().cos()
 }
 
 /// Whether a span over `k` teeth touches the involute on both sides.
@@ -92,7 +96,7 @@ pub fn allowance_from_base(toothing: &Toothing, nominal_base: f64, base_thicknes
 /// [`GearError::SpanOffInvolute`].
 pub fn check_span(gear: &Gear, k: u32) -> Result<(), GearError> {
     let base = gear.base_radius();
-    let roll = span_from_base(gear.toothing(), k, gear.base_thickness()) / (2.0 * base);
+    let roll = span_from_base(gear.basic_data(), k, gear.base_thickness()) / (2.0 * base);
     if (gear.form_roll()..=gear.tip_roll()).contains(&roll) {
         return Ok(());
     }
@@ -110,7 +114,7 @@ pub fn check_span(gear: &Gear, k: u32) -> Result<(), GearError> {
 /// [`GearError::PinOffInvolute`], [`GearError::PinBelowTip`], [`GearError::PinInRoot`].
 pub fn check_pins(gear: &Gear, pin: f64) -> Result<(), GearError> {
     let base = gear.base_radius();
-    let centre = pin_centre_radius(gear.toothing(), pin, gear.base_thickness());
+    let centre = pin_centre_radius(gear.basic_data(), pin, gear.base_thickness());
     let tip = 2.0 * gear.tip_radius();
     // The pin touches D_M/2 down the base tangent from its centre.
     let roll = involute::roll_at(centre, base) - pin / (2.0 * base);

@@ -9,7 +9,7 @@ use crate::gear::{Gear, Spans, thickness};
 pub fn told(drawing: &Drawing, flanks: &Flanks) -> Option<String> {
     let table = drawing.table;
     let note = flanks.all_round?;
-    let (readings, z) = (note.readings, drawing.blank.toothing.teeth());
+    let (readings, z) = (note.readings, drawing.design.basic_data.teeth());
     let with_pitch = flanks.stated.pitch.is_some();
     match &drawing.statement {
         Statement::Pins { .. } => {
@@ -71,6 +71,6 @@ pub fn told(drawing: &Drawing, flanks: &Flanks) -> Option<String> {
 
 /// A number of teeth whose spans all round determine every tooth of `gear`.
 fn other_span(gear: &Gear) -> Option<u32> {
-    let z = gear.toothing().teeth();
+    let z = gear.basic_data().teeth();
     (2..=z).find(|&k| Spans::determine(z, k) && thickness::check_span(gear, k).is_ok())
 }

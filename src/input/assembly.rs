@@ -17,12 +17,12 @@ const MEMBERS: [(&str, Member); 2] = [("wheel", Member::Wheel), ("pinion", Membe
 const DISTANCE: Limits = Limits {
     allowed: "a number of mm above 0 and up to 1e9",
     holds: |mm| mm > 0.0 && mm <= 1e9,
-    way_out: "give the distance between the two axes in mm",
+    help: "give the distance between the two axes in mm",
 };
 const CLEARANCE: Limits = Limits {
     allowed: "a number of mm, 0 or more",
     holds: |mm| mm >= 0.0,
-    way_out: "give the radial play of the gear on its axis, 0 for none",
+    help: "give the radial play of the gear on its axis, 0 for none",
 };
 
 /// Each is a run that holds both gears.
@@ -77,7 +77,7 @@ impl Bearings {
             }
             _ => {
                 let allowed = format!("{}, or {{ wheel = …, pinion = … }}", CLEARANCE.allowed);
-                problems.add(entry.wrong_type(&allowed, CLEARANCE.way_out));
+                problems.add(entry.wrong_type(&allowed, CLEARANCE.help));
                 None
             }
         }

@@ -35,7 +35,7 @@ pub fn told(
     sheet: Option<(&PitchSheet, &Pitch)>,
     flanks: &Flanks,
 ) -> Vec<String> {
-    let spans = |of: &Statement| of.spans(&drawing.blank.toothing).ok().flatten();
+    let spans = |of: &Statement| of.spans(&drawing.design.basic_data).ok().flatten();
     let cross_check = cross_check.and_then(|check| spans(check.statement()));
     let spans = spans(&drawing.statement);
     let mut told = Vec::new();

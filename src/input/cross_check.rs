@@ -23,7 +23,7 @@ const TOLERANCE_UM: f64 = 3.0;
 const TOLERANCE: Limits = Limits {
     allowed: "a number of µm, 0 or more",
     holds: |um| um >= 0.0,
-    way_out: "give how far the two may lie apart as base thickness",
+    help: "give how far the two may lie apart as base thickness",
 };
 
 /// The second statement.
@@ -118,7 +118,7 @@ impl CrossCheck {
     ) -> Option<ThicknessStatements> {
         let second = Drawing {
             table: drawing.table,
-            blank: drawing.blank,
+            design: drawing.design,
             statement: self.statement.clone(),
             under: CrossCheck::UNDER,
         };

@@ -61,7 +61,7 @@ impl DataFile {
     /// # Errors
     /// Those of [`source::text`].
     pub fn text(&self) -> Result<String, Problem> {
-        source::text(&self.path).map_err(|problem| self.problem(problem.reason, problem.way_out))
+        source::text(&self.path).map_err(|problem| self.problem(problem.reason, problem.help))
     }
 
     /// Its bytes.
@@ -69,7 +69,7 @@ impl DataFile {
     /// # Errors
     /// Those of [`source::bytes`].
     pub fn bytes(&self) -> Result<Vec<u8>, Problem> {
-        source::bytes(&self.path).map_err(|problem| self.problem(problem.reason, problem.way_out))
+        source::bytes(&self.path).map_err(|problem| self.problem(problem.reason, problem.help))
     }
 
     /// `text` of the file for a message, in quotes.
@@ -89,7 +89,7 @@ impl DataFile {
     }
 
     /// A problem in the file. What the reason says of its content has been through [`DataFile::quote`] or [`DataFile::bare`].
-    pub fn problem(&self, reason: impl std::fmt::Display, way_out: impl Into<String>) -> Problem {
+    pub fn problem(&self, reason: impl std::fmt::Display, help: impl Into<String>) -> Problem {
         Problem {
             key: self.key.clone(),
             value: Some(Node::Text(self.name.clone()).shown()),
@@ -97,7 +97,7 @@ impl DataFile {
                 "{}: {reason}",
                 cut(&self.path.display().to_string(), LONGEST_PATH)
             ),
-            way_out: way_out.into(),
+            help: help.into(),
         }
     }
 
@@ -106,9 +106,9 @@ impl DataFile {
         &self,
         line: u64,
         reason: impl std::fmt::Display,
-        way_out: impl Into<String>,
+        help: impl Into<String>,
     ) -> Problem {
-        self.problem(format!("line {line}: {reason}"), way_out)
+        self.problem(format!("line {line}: {reason}"), help)
     }
 }
 

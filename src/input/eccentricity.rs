@@ -5,7 +5,7 @@ use super::problems::Problems;
 use super::runout::Runout;
 use super::table::Table;
 use crate::error::GearError;
-use crate::gear::{Gear, Pitch, Toothing};
+use crate::gear::{BasicGearData, Gear, Pitch};
 use crate::notes::{Eccentricity, EccentricityNote};
 
 /// Of `[pitch] eccentricity`: which one counts where pitch and runout both state it.
@@ -24,7 +24,7 @@ pub fn check(
     runout: &Runout,
     problems: &mut Problems,
 ) -> Option<()> {
-    let (key, reason, way_out) = match (sheet.is_datum(), sheet.counts()) {
+    let (key, reason, help) = match (sheet.is_datum(), sheet.counts()) {
         (true, None) if runout.total_um > 0.0 => (
             "pitch.axis",
             "pitch measured about the datum axis already contains the eccentricity, and [runout] would count it twice",
@@ -43,7 +43,7 @@ pub fn check(
         ),
         _ => return Some(()),
     };
-    problems.add(gear.problem(key, reason, way_out));
+    problems.add(gear.problem(key, reason, help));
     None
 }
 
@@ -76,20 +76,20 @@ pub fn beside(
     in_pitch: Eccentricity,
     counts: Option<Counts>,
     runout: &Runout,
-    toothing: &Toothing,
+    basic_data: &BasicGearData,
 ) -> EccentricityNote {
     let stated = counts.and(runout.stated());
     EccentricityNote {
         in_pitch,
         stated,
         stated_counts: counts == Some(Counts::Runout),
-        difference_um: stated.map(|stated| apart_um(in_pitch, stated, toothing)),
+        difference_um: stated.map(|stated| apart_um(in_pitch, stated, basic_data)),
     }
 }
 
 /// The distance of two displacements, µm.
-pub fn apart_um(one: Eccentricity, other: Eccentricity, toothing: &Toothing) -> f64 {
-    let angle = (other.high_tooth - one.high_tooth) * toothing.angular_pitch();
+pub fn apart_um(one: Eccentricity, other: Eccentricity, basic_data: &BasicGearData) -> f64 {
+    let angle = (other.high_tooth - one.high_tooth) * basic_data.angular_pitch();
     let (sin, cos) = angle.sin_cos();
     (other.um * cos - one.um).hypot(other.um * sin)
 }

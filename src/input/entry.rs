@@ -13,7 +13,7 @@ pub struct Limits {
     /// The same as a test; every number it sees is finite.
     pub holds: fn(f64) -> bool,
     /// What to do when the number is outside.
-    pub way_out: &'static str,
+    pub help: &'static str,
 }
 
 /// A value and the key it stands under.
@@ -41,7 +41,7 @@ impl<'a> Entry<'a> {
     }
 
     /// A problem with this value.
-    pub fn problem(&self, reason: impl Into<String>, way_out: impl Into<String>) -> Problem {
+    pub fn problem(&self, reason: impl Into<String>, help: impl Into<String>) -> Problem {
         let reason = match self.place {
             Some(place) => format!("value {place} of the list: {}", reason.into()),
             None => reason.into(),
@@ -50,16 +50,13 @@ impl<'a> Entry<'a> {
             key: self.key.clone(),
             value: Some(self.node.shown()),
             reason,
-            way_out: way_out.into(),
+            help: help.into(),
         }
     }
 
     /// The problem of a value of the wrong type.
-    pub fn wrong_type(&self, allowed: &str, way_out: impl Into<String>) -> Problem {
-        self.problem(
-            format!("{}, allowed is {allowed}", self.node.kind()),
-            way_out,
-        )
+    pub fn wrong_type(&self, allowed: &str, help: impl Into<String>) -> Problem {
+        self.problem(format!("{}, allowed is {allowed}", self.node.kind()), help)
     }
 
     /// A number within `limits`; TOML and JSON integers are numbers too.
@@ -67,7 +64,7 @@ impl<'a> Entry<'a> {
         let number = match *self.node {
             Node::Number(number) => number,
             Node::Whole(whole) => whole as f64,
-            _ => return Err(self.wrong_type(limits.allowed, limits.way_out)),
+            _ => return Err(self.wrong_type(limits.allowed, limits.help)),
         };
         let wrong = if !number.is_finite() {
             "not finite"
@@ -78,12 +75,12 @@ impl<'a> Entry<'a> {
         };
         Err(self.problem(
             format!("{wrong}, allowed is {}", limits.allowed),
-            limits.way_out,
+            limits.help,
         ))
     }
 
     /// A whole number in `range`.
-    pub fn whole(&self, range: RangeInclusive<u32>, way_out: &str) -> Result<u32, Problem> {
+    pub fn whole(&self, range: RangeInclusive<u32>, help: &str) -> Result<u32, Problem> {
         let allowed = whole_in(&range);
         let whole = match *self.node {
             Node::Whole(whole) => whole,
@@ -95,21 +92,21 @@ impl<'a> Entry<'a> {
                 } else {
                     "not finite"
                 };
-                return Err(self.problem(format!("{wrong}, allowed is {allowed}"), way_out));
+                return Err(self.problem(format!("{wrong}, allowed is {allowed}"), help));
             }
-            _ => return Err(self.wrong_type(&allowed, way_out)),
+            _ => return Err(self.wrong_type(&allowed, help)),
         };
         let whole = u32::try_from(whole)
             .ok()
             .filter(|whole| range.contains(whole));
-        whole.ok_or_else(|| self.problem(format!("out of range, allowed is {allowed}"), way_out))
+        whole.ok_or_else(|| self.problem(format!("out of range, allowed is {allowed}"), help))
     }
 
     /// A string.
-    pub fn text(&self, way_out: &str) -> Result<&'a str, Problem> {
+    pub fn text(&self, help: &str) -> Result<&'a str, Problem> {
         match self.node {
             Node::Text(text) => Ok(text),
-            _ => Err(self.wrong_type("a string", way_out)),
+            _ => Err(self.wrong_type("a string", help)),
         }
     }
 
@@ -131,19 +128,19 @@ impl<'a> Entry<'a> {
         if let Some(&(_, choice)) = names.iter().find(|(name, _)| name == text) {
             return Ok(choice);
         }
-        let way_out = match nearest(text, &words) {
+        let help = match nearest(text, &words) {
             Some((word, distance)) if is_slip(text, distance) => {
                 format!("did you mean \"{word}\"?")
             }
             _ => "write one of these".to_owned(),
         };
-        Err(self.problem(format!("unknown, allowed is {allowed}"), way_out))
+        Err(self.problem(format!("unknown, allowed is {allowed}"), help))
     }
 
     /// The elements of a list.
-    pub fn list(&self, allowed: &str, way_out: &str) -> Result<Vec<Entry<'a>>, Problem> {
+    pub fn list(&self, allowed: &str, help: &str) -> Result<Vec<Entry<'a>>, Problem> {
         let Node::List(list) = self.node else {
-            return Err(self.wrong_type(allowed, way_out));
+            return Err(self.wrong_type(allowed, help));
         };
         let element = |(index, node)| Entry {
             key: self.key.clone(),
@@ -155,7 +152,7 @@ impl<'a> Entry<'a> {
 
     /// A list of numbers, each within `limits`.
     pub fn numbers(&self, limits: &Limits, problems: &mut Problems) -> Option<Vec<f64>> {
-        let list = problems.keep(self.list("a list of numbers", limits.way_out))?;
+        let list = problems.keep(self.list("a list of numbers", limits.help))?;
         self.each(&list, problems, |element, _| element.number(limits))
     }
 

@@ -1,19 +1,19 @@
 //! Which key of a gear's table a [`GearError`] comes from, and the way out.
 
 use super::problems::Problems;
-use super::slips::{self, Slip};
+use super::slips::{self, Outlier};
 use super::stated::Stated;
 use super::table::Table;
 use super::thickness::Statement;
 use crate::error::{GearError, Problem};
-use crate::gear::{AsBuilt, Blank, Deviations, Face, Gear, thickness};
+use crate::gear::{AsBuilt, Deviations, Face, Gear, GearDesign, thickness};
 
 /// A gear as drawn, and the table that drew it.
 pub struct Drawing<'a> {
     /// `[wheel]` or `[pinion]`.
     pub table: &'a Table<'a>,
-    /// What it says of the blank, the tip diameter filled in.
-    pub blank: Blank,
+    /// What it says of the design, the tip diameter filled in.
+    pub design: GearDesign,
     /// What it says of the thickness.
     pub statement: Statement,
     /// The table of that statement, below the gear's.
@@ -25,12 +25,12 @@ impl Drawing<'_> {
     ///
     /// `known` is what its readings all round contain beside the mean thickness.
     pub fn gears(&self, known: &Deviations, problems: &mut Problems) -> Option<Stated<Gear>> {
-        let blank = &self.blank;
-        let round = blank.rack.check_tip_round(&blank.toothing);
+        let design = &self.design;
+        let round = design.rack.check_tip_round(&design.basic_data);
         problems.keep(round.map_err(|error| self.fault(error, known)))?;
-        let base = self.statement.base_thickness(blank, known);
+        let base = self.statement.base_thickness(design, known);
         let base = problems.keep(base.map_err(|error| self.pins_inside_base(error)))?;
-        let gears = base.try_map(|&base| Gear::new(*blank, base));
+        let gears = base.try_map(|&base| Gear::new(*design, base));
         let gears = problems.keep(gears.map_err(|error| self.fault(error, known)))?;
         let checked = gears.try_map(|gear| {
             let check = self.statement.check(gear);
@@ -46,7 +46,7 @@ impl Drawing<'_> {
         gears: &Stated<Gear>,
         face: Face,
         deviations: &Deviations,
-        slips: &[Slip],
+        slips: &[Outlier],
         problems: &mut Problems,
     ) -> Option<Stated<AsBuilt>> {
         let as_built = gears.try_map(|gear| {
@@ -60,11 +60,11 @@ impl Drawing<'_> {
                     Err(_) => "thickness.per_tooth_um",
                     Ok(_) => "pitch",
                 };
-                let mut way_out = "check unit (µm) and sign of the values".to_owned();
+                let mut help = "check unit (µm) and sign of the values".to_owned();
                 for slip in slips {
-                    way_out += &slip.suspected();
+                    help += &slip.suspected();
                 }
-                self.table.problem(key, error.to_string(), way_out)
+                self.table.problem(key, error.to_string(), help)
             })
         });
         problems.keep(as_built)
@@ -73,7 +73,7 @@ impl Drawing<'_> {
     /// The key that makes the tooth what it is: the thickness where a nominal tooth would do.
     fn shape_key(&self, otherwise: &str) -> String {
         match self.statement.key() {
-            Some(key) if Gear::nominal(self.blank).is_ok() => format!("{}.{key}", self.under),
+            Some(key) if Gear::nominal(self.design).is_ok() => format!("{}.{key}", self.under),
             _ => otherwise.to_owned(),
         }
     }
@@ -83,19 +83,19 @@ impl Drawing<'_> {
         &self,
         reason: String,
         otherwise: &'static str,
-        way_out: String,
+        help: String,
         known: &Deviations,
     ) -> Problem {
         let key = self.shape_key(otherwise);
-        let way_out = if key == otherwise {
-            way_out
+        let help = if key == otherwise {
+            help
         } else {
-            let nominal = self.statement.nominal(&self.blank);
+            let nominal = self.statement.nominal(&self.design);
             let slip = slips::in_readings(self, known);
             let suspected = slip.map_or(String::new(), |slip| slip.suspected());
             format!("check the measurement: {nominal}{suspected}")
         };
-        self.table.problem(&key, reason, way_out)
+        self.table.problem(&key, reason, help)
     }
 
     fn fault(&self, error: GearError, known: &Deviations) -> Problem {
@@ -126,31 +126,31 @@ impl Drawing<'_> {
                 ..
             } => {
                 let below = format!("below {pointed_diameter_mm:.3} mm");
-                let way_out = if tip_given {
+                let help = if tip_given {
                     format!("give a tip diameter {below}")
                 } else {
                     format!("reduce it, or give a tip_diameter_mm {below}")
                 };
-                self.shape(reason, tip_key, way_out, known)
+                self.shape(reason, tip_key, help, known)
             }
             GearError::NoInvolute {
                 form_diameter_mm, ..
             } => {
-                let way_out = if tip_given {
+                let help = if tip_given {
                     format!("give a tip diameter above {form_diameter_mm:.3} mm")
                 } else {
                     "give a greater profile shift, addendum or number of teeth".to_owned()
                 };
-                self.shape(reason, tip_key, way_out, known)
+                self.shape(reason, tip_key, help, known)
             }
             GearError::NoSpace { .. } => {
-                let rack = &self.blank.rack;
-                let toothing = &self.blank.toothing;
-                let depth = toothing.module() * (rack.dedendum() - self.blank.profile_shift);
-                let root = toothing.reference_radius() - depth;
+                let rack = &self.design.rack;
+                let basic_data = &self.design.basic_data;
+                let depth = basic_data.module() * (rack.dedendum() - self.design.profile_shift);
+                let root = basic_data.reference_radius() - depth;
                 if root > 0.0 {
-                    let way_out = "reduce the profile shift".to_owned();
-                    self.shape(reason, "profile_shift", way_out, known)
+                    let help = "reduce the profile shift".to_owned();
+                    self.shape(reason, "profile_shift", help, known)
                 } else {
                     self.shape(
                         format!("the root radius would be {root:.4} mm, allowed is above 0"),
@@ -187,8 +187,8 @@ impl Drawing<'_> {
             Statement::Pins { readings, .. } => format!("over_pins.{}", readings.key()),
             _ => "over_pins.mm".to_owned(),
         };
-        let base = 2.0 * self.blank.toothing.base_radius();
-        let nominal = self.statement.nominal(&self.blank);
+        let base = 2.0 * self.design.basic_data.base_radius();
+        let nominal = self.statement.nominal(&self.design);
         self.table.problem(
             &format!("{}.{key}", self.under),
             format!("{error} (the base diameter is {base:.4} mm)"),
@@ -200,8 +200,8 @@ impl Drawing<'_> {
         let reason = error.to_string();
         if let Statement::Span { .. } | Statement::Spans { .. } = self.statement {
             let fits = |teeth: &u32| thickness::check_span(gear, *teeth).is_ok();
-            let teeth = gear.toothing().teeth();
-            let way_out = match ((2..=teeth).find(fits), (2..=teeth).rev().find(fits)) {
+            let teeth = gear.basic_data().teeth();
+            let help = match ((2..=teeth).find(fits), (2..=teeth).rev().find(fits)) {
                 (Some(few), Some(many)) if few < many => {
                     format!("measure over {few} … {many} teeth, and give that span")
                 }
@@ -209,28 +209,28 @@ impl Drawing<'_> {
                 _ => "no span fits this gear: measure over pins".to_owned(),
             };
             if let Some(slip) = slips::in_readings(self, known) {
-                let way_out = format!("check the readings{}", slip.suspected());
+                let help = format!("check the readings{}", slip.suspected());
                 return self
                     .table
-                    .problem(&format!("{}.span", self.under), reason, way_out);
+                    .problem(&format!("{}.span", self.under), reason, help);
             }
             let key = format!("{}.span.teeth", self.under);
-            return self.table.problem(&key, reason, way_out);
+            return self.table.problem(&key, reason, help);
         }
         let (form, tip) = (gear.form_roll(), gear.tip_roll());
         // Halfway up the involute first; a pin that touches higher is larger and stands out further.
         let fitting = [0.5, 0.6, 0.7, 0.8, 0.9]
             .map(|part| {
                 let roll = form + part * (tip - form);
-                thickness::pin_touching(gear.toothing(), roll, gear.base_thickness())
+                thickness::pin_touching(gear.basic_data(), roll, gear.base_thickness())
             })
             .into_iter()
             .find(|&pin| pin > 0.0 && thickness::check_pins(gear, pin).is_ok());
-        let way_out = match fitting {
+        let help = match fitting {
             Some(pin) => format!("measure over pins of about {pin:.3} mm, and give that dimension"),
             None => "measure over other pins, or give the span".to_owned(),
         };
         let key = format!("{}.over_pins.pin_mm", self.under);
-        self.table.problem(&key, reason, way_out)
+        self.table.problem(&key, reason, help)
     }
 }

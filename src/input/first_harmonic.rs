@@ -28,17 +28,18 @@ pub fn held(table: &Table, pitch: &Pitch, flanks: &Flanks) -> Option<String> {
         high_tooth: found.high_tooth,
     };
     // As of the least squares of `datum`: deviations of s leave s cos α/√z in either part of the eccentricity.
-    let toothing = gear.toothing();
+    let basic_data = gear.basic_data();
     let rest = Side::BOTH.map(|side| found.pitch.flank(side).iter().map(|f| f * f).sum::<f64>());
-    let z = f64::from(toothing.teeth());
+    let z = f64::from(basic_data.teeth());
     let free = (2.0 * z - 4.0).max(1.0);
-    let deviation = (rest.iter().sum::<f64>() / free / z).sqrt() * toothing.pressure_angle().cos();
+    let deviation =
+        (rest.iter().sum::<f64>() / free / z).sqrt() * basic_data.pressure_angle().cos();
     let left = found.pitch.first_harmonic_energy();
     let jointly = left <= NOT_JOINT * pitch.first_harmonic_energy();
     if !(jointly && found.eccentricity > STANDS_OUT * deviation) {
         return None;
     }
-    if apart_um(runout, in_pitch, toothing) > SAME * runout.um {
+    if apart_um(runout, in_pitch, basic_data) > SAME * runout.um {
         // As large, but elsewhere: the stated eccentricity, if one of the two directions is wrong.
         let as_large = (in_pitch.um - runout.um).abs() <= SAME * runout.um;
         return (as_large && flanks.runout.sheet.is_none()).then(|| {
@@ -86,7 +87,7 @@ pub fn not_joint(
         own.first_harmonic_energy(),
         measured.first_harmonic_energy(),
     );
-    let z = f64::from(flanks.gears.most().toothing().teeth());
+    let z = f64::from(flanks.gears.most().basic_data().teeth());
     let squares = |side| own.flank(side).iter().map(|f| f * f).sum::<f64>();
     // Without the harmonic, whose energy is z/2 times its squares; means and harmonics are fitted.
     let rest = (Side::BOTH.map(squares).iter().sum::<f64>() - 2.0 * left / z).max(0.0);

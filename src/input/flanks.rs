@@ -65,13 +65,13 @@ impl Flanks {
         let mut settled = datum.is_none();
         if let Some((sheet, readings)) = &datum {
             // Rounding of the thickness is some ulps of the radius.
-            let rounding = 1e-13 * drawing.blank.toothing.reference_radius();
+            let rounding = 1e-13 * drawing.design.basic_data.reference_radius();
             for _ in 0..MOST_ROUNDS {
                 let parts = eccentricity::separate(readings, gears.most(), sheet.counts(), &runout);
                 let parts = parts.map_err(|error| {
-                    let way_out =
+                    let help =
                         "check the values, or write axis = \"own\" if they are free of eccentricity";
-                    drawing.table.problem("pitch.axis", error.to_string(), way_out)
+                    drawing.table.problem("pitch.axis", error.to_string(), help)
                 });
                 let (pitch, found) = problems.keep(parts)?;
                 stated.pitch = Some(pitch);
@@ -95,12 +95,12 @@ impl Flanks {
         }
         let found = drawing
             .statement
-            .per_tooth(&drawing.blank.toothing, &stated);
+            .per_tooth(&drawing.design.basic_data, &stated);
         let found = problems.keep(found.map_err(|error| {
-            let way_out = "check the readings";
+            let help = "check the readings";
             drawing
                 .table
-                .problem("thickness.span", error.to_string(), way_out)
+                .problem("thickness.span", error.to_string(), help)
         }))?;
         let mut deviations = stated.clone();
         if let Some(found) = &found {
@@ -129,8 +129,8 @@ impl Flanks {
             }
             _ => Vec::new(),
         };
-        let toothing = &drawing.blank.toothing;
-        let note = in_pitch.map(|found| eccentricity::beside(found, counts, &runout, toothing));
+        let basic_data = &drawing.design.basic_data;
+        let note = in_pitch.map(|found| eccentricity::beside(found, counts, &runout, basic_data));
         let (eccentricity, high_tooth) = match note.filter(|note| !note.stated_counts) {
             Some(note) => (note.in_pitch.um / 1000.0, note.in_pitch.high_tooth),
             None => (runout.eccentricity(), runout.high_tooth.unwrap_or(1.0)),

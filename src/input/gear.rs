@@ -11,12 +11,12 @@ use super::pitch::PitchSheet;
 use super::problems::Problems;
 use super::runout::Runout;
 use super::sheet::Drawn;
-use super::slips::{self, Slip};
+use super::slips::{self, Outlier};
 use super::stated::Stated;
 use super::table::Table;
 use super::thickness::{self, Statement};
 use super::{all_round, contradictions, eccentricity, first_harmonic, unit_slips};
-use crate::gear::{AsBuilt, Blank, Deviations, Face, Toothing};
+use crate::gear::{AsBuilt, BasicGearData, Deviations, Face, GearDesign};
 use crate::notes::GearNotes;
 use serde_json::{Value, json};
 
@@ -37,22 +37,22 @@ const FACES: [(&str, Face); 2] = [("front", Face::Front), ("back", Face::Back)];
 const MODULE: Limits = Limits {
     allowed: "a number of mm, 0.01 … 1000",
     holds: |mm| (0.01..=1000.0).contains(&mm),
-    way_out: "give the module in mm",
+    help: "give the module in mm",
 };
 const PRESSURE_ANGLE: Limits = Limits {
     allowed: "a number of degrees, 5 … 45",
     holds: |degrees| (5.0..=45.0).contains(&degrees),
-    way_out: "give the pressure angle in degrees",
+    help: "give the pressure angle in degrees",
 };
 const PROFILE_SHIFT: Limits = Limits {
     allowed: "a number of modules, −100 … 100",
     holds: |x| x.abs() <= 100.0,
-    way_out: "give the profile shift coefficient x, 0 for none",
+    help: "give the profile shift coefficient x, 0 for none",
 };
 const TIP_DIAMETER: Limits = Limits {
     allowed: "a number of mm above 0 and up to 1e9",
     holds: |mm| mm > 0.0 && mm <= 1e9,
-    way_out: "give the tip diameter, or leave it out to have it follow from addendum and profile shift",
+    help: "give the tip diameter, or leave it out to have it follow from addendum and profile shift",
 };
 
 /// What is good of one gear.
@@ -65,7 +65,7 @@ pub struct GearPart {
     /// `α`, degrees as written.
     pub pressure_angle_deg: Option<f64>,
     /// All three of these.
-    pub toothing: Option<Toothing>,
+    pub basic_data: Option<BasicGearData>,
     /// The gear, in one or both materials.
     pub as_built: Option<Stated<AsBuilt>>,
     /// As in the pair file, defaults filled in.
@@ -97,7 +97,7 @@ impl GearPart {
             teeth,
             module_mm,
             pressure_angle_deg,
-            toothing: toothing(&table, teeth, module_mm, pressure_angle_deg, problems),
+            basic_data: basic_data(&table, teeth, module_mm, pressure_angle_deg, problems),
             ..GearPart::default()
         };
         part.complete(&table, problems);
@@ -126,25 +126,25 @@ impl GearPart {
         let runout = Runout::read(table, teeth, problems);
         let sheet = PitchSheet::read(table, teeth, problems);
 
-        let pitch = match (&sheet, &self.toothing, &runout) {
+        let pitch = match (&sheet, &self.basic_data, &runout) {
             (Some(None), ..) => Some(None),
-            (Some(Some(sheet)), Some(toothing), Some(runout)) => {
+            (Some(Some(sheet)), Some(basic_data), Some(runout)) => {
                 self.warnings.extend(sheet.warnings(table));
-                let curves = sheet.curves(table, toothing, problems);
+                let curves = sheet.curves(table, basic_data, problems);
                 let once = eccentricity::check(table, sheet, runout, problems);
                 once.and(curves).map(|pitch| Some((sheet, pitch)))
             }
             _ => None,
         };
-        let mut blank = Blank {
-            toothing: self.toothing?,
+        let mut design = GearDesign {
+            basic_data: self.basic_data?,
             profile_shift: profile_shift?,
             rack: rack?,
             tip_diameter: tip_diameter?,
         };
-        blank.tip_diameter = Some(2.0 * blank.tip_radius());
+        design.tip_diameter = Some(2.0 * design.tip_radius());
         let drawn = Drawn {
-            blank: &blank,
+            design: &design,
             pressure_angle_deg: self.pressure_angle_deg?,
         };
         let pitch_header = sheet.iter().flatten().filter_map(PitchSheet::header);
@@ -154,7 +154,7 @@ impl GearPart {
         }
         let drawing = Drawing {
             table,
-            blank,
+            design,
             statement: statement?,
             under: "thickness",
         };
@@ -200,13 +200,13 @@ impl GearPart {
                 true => first_harmonic::not_joint(table, sheet, pitch, &flanks),
                 false => first_harmonic::held(table, pitch, &flanks),
             }));
-        let toothing = &drawing.blank.toothing;
-        let in_pitch = measured.and_then(|(sheet, _)| sheet.slip(table, toothing));
-        let slips: Vec<Slip> = slips::in_readings(&drawing, &flanks.stated)
+        let basic_data = &drawing.design.basic_data;
+        let in_pitch = measured.and_then(|(sheet, _)| sheet.slip(table, basic_data));
+        let slips: Vec<Outlier> = slips::in_readings(&drawing, &flanks.stated)
             .into_iter()
             .chain(in_pitch)
             .collect();
-        self.warnings.extend(slips.iter().map(Slip::told));
+        self.warnings.extend(slips.iter().map(Outlier::told));
         self.notes = GearNotes {
             eccentricity: flanks.eccentricity,
             all_round: flanks.all_round,
@@ -239,18 +239,18 @@ impl GearPart {
 
     /// As in the pair file, without the lists of one value a tooth.
     fn echo_of(&self, drawing: &Drawing, face: Face, runout: &Runout) -> Value {
-        let blank = &drawing.blank;
+        let design = &drawing.design;
         json!({
             "teeth": self.teeth,
             "module_mm": self.module_mm,
             "pressure_angle_deg": self.pressure_angle_deg,
-            "profile_shift": blank.profile_shift,
+            "profile_shift": design.profile_shift,
             "reference_face": if face == Face::Front { "front" } else { "back" },
-            "tip_diameter_mm": blank.tip_diameter,
+            "tip_diameter_mm": design.tip_diameter,
             "rack": {
-                "addendum": blank.rack.addendum(),
-                "dedendum": blank.rack.dedendum(),
-                "root_radius": blank.rack.root_radius(),
+                "addendum": design.rack.addendum(),
+                "dedendum": design.rack.dedendum(),
+                "root_radius": design.rack.root_radius(),
             },
             "thickness": drawing.statement.echo(),
             "runout": runout.echo(),
@@ -258,15 +258,15 @@ impl GearPart {
     }
 }
 
-fn toothing(
+fn basic_data(
     table: &Table,
     teeth: Option<u32>,
     module_mm: Option<f64>,
     pressure_angle_deg: Option<f64>,
     problems: &mut Problems,
-) -> Option<Toothing> {
-    let toothing = Toothing::new(teeth?, module_mm?, pressure_angle_deg?.to_radians());
-    problems.keep(toothing.map_err(|error| {
+) -> Option<BasicGearData> {
+    let basic_data = BasicGearData::new(teeth?, module_mm?, pressure_angle_deg?.to_radians());
+    problems.keep(basic_data.map_err(|error| {
         table.problem(
             "module_mm",
             error.to_string(),

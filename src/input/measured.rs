@@ -96,8 +96,8 @@ impl Measured {
     }
 
     /// A problem of one line.
-    pub fn problem_at(&self, line: u64, reason: &str, way_out: &str) -> Problem {
-        self.file.problem_at(line, reason, way_out)
+    pub fn problem_at(&self, line: u64, reason: &str, help: &str) -> Problem {
+        self.file.problem_at(line, reason, help)
     }
 
     /// A value of the file for a message.
@@ -172,7 +172,7 @@ impl Measured {
 
     /// Where each of [`COLUMNS`] stands.
     fn columns(&self, headers: &csv::StringRecord, problems: &mut Problems) -> Option<[usize; 8]> {
-        let way_out = "name the columns in line 1, separated by commas, in any order";
+        let help = "name the columns in line 1, separated by commas, in any order";
         if headers.len() > MOST_COLUMNS {
             problems.add(self.problem_at(
                 1,
@@ -180,7 +180,7 @@ impl Measured {
                     "{} columns, allowed are up to {MOST_COLUMNS}",
                     headers.len()
                 ),
-                way_out,
+                help,
             ));
             return None;
         }
@@ -195,7 +195,7 @@ impl Measured {
                         self.file.quote(name),
                         COLUMNS.join(", ")
                     ),
-                    &format!("{near}{way_out}"),
+                    &format!("{near}{help}"),
                 ));
             } else if headers.iter().take(place).any(|earlier| earlier == name) {
                 problems.add(self.problem_at(1, &format!("column {name} twice"), "remove one"));
@@ -207,7 +207,7 @@ impl Measured {
             .zip(places)
             .filter(|(_, place)| place.is_none())
         {
-            problems.add(self.problem_at(1, &format!("column {name} is missing"), way_out));
+            problems.add(self.problem_at(1, &format!("column {name} is missing"), help));
         }
         let mut columns = [0; 8];
         for (column, place) in columns.iter_mut().zip(places) {

@@ -8,12 +8,12 @@ use serde_json::{Value, json};
 const CHORD: Limits = Limits {
     allowed: "a number of µm, 1e-5 … 100",
     holds: |um| (1e-5..=100.0).contains(&um),
-    way_out: "0.01 is the default; finer is slower",
+    help: "0.01 is the default; finer is slower",
 };
 const TOLERANCE: Limits = Limits {
     allowed: "a number of µm, 0 or more",
     holds: |um| um >= 0.0,
-    way_out: "give by how much simulated and analytic backlash may differ, 0.1 by default",
+    help: "give by how much simulated and analytic backlash may differ, 0.1 by default",
 };
 
 /// `[accuracy]`.

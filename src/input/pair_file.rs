@@ -137,7 +137,7 @@ impl<'a> PairFile<'a> {
     fn distances(&self, problems: &mut Problems, warnings: &mut Vec<String>) -> Option<Vec<f64>> {
         let file = &self.table;
         let shared = assembly::check_shared(file, &self.wheel, &self.pinion, problems);
-        let base_radii = match (shared, &self.wheel.toothing, &self.pinion.toothing) {
+        let base_radii = match (shared, &self.wheel.basic_data, &self.pinion.basic_data) {
             (Some(()), Some(wheel), Some(pinion)) => {
                 Some(wheel.base_radius() + pinion.base_radius())
             }

@@ -82,12 +82,12 @@ fn runouts(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Option<Str
 
 /// A centre distance that suits another pair than the one that is stated.
 fn other_distance(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Option<String> {
-    let toothing = wheel.toothing.as_ref()?;
-    let module = toothing.module();
+    let basic_data = wheel.basic_data.as_ref()?;
+    let module = basic_data.module();
     let teeth = f64::from(wheel.teeth? + pinion.teeth?);
     let shifts = [wheel, pinion].map(|part| {
         let gear = part.as_built.as_ref()?;
-        Some(gear.most().gear().blank().profile_shift)
+        Some(gear.most().gear().design().profile_shift)
     });
     let (x_1, x_2) = (shifts[0]?, shifts[1]?);
     let angle = wheel.pressure_angle_deg?;

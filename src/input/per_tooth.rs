@@ -12,7 +12,7 @@ use super::thickness::Statement;
 const PER_TOOTH: Limits = Limits {
     allowed: "a number of µm, −1e7 … 1e7",
     holds: |um| um.abs() <= 1e7,
-    way_out: "give what each tooth is thicker than the mean, negative when thinner",
+    help: "give what each tooth is thicker than the mean, negative when thinner",
 };
 
 /// `per_tooth_um` of `[thickness]`, listed or in a file: empty or one value a tooth, µm.
@@ -45,7 +45,7 @@ pub fn off_mean(drawing: &Drawing, per_tooth_um: &[f64]) -> Option<String> {
     let first = *per_tooth_um.first()?;
     let count = per_tooth_um.len() as f64;
     let mean = per_tooth_um.iter().sum::<f64>() / count;
-    let module_um = 1000.0 * drawing.blank.toothing.module();
+    let module_um = 1000.0 * drawing.design.basic_data.module();
     if mean.abs() > MOST_MEAN * module_um {
         return Some(format!(
             "{}: its mean is {mean:.1} µm, more than a tenth of the module: the values are what each tooth is thicker than the mean in µm; if they are \

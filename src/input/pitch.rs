@@ -27,7 +27,7 @@ pub const KEYS: &[&str] = &[
 const DEVIATION: Limits = Limits {
     allowed: "a number of µm, −1e7 … 1e7",
     holds: |um| um.abs() <= 1e7,
-    way_out: "give a deviation for every tooth, measured at the reference circle",
+    help: "give a deviation for every tooth, measured at the reference circle",
 };
 
 /// What a pitch value counts from.

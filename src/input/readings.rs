@@ -7,7 +7,7 @@ use super::table::Table;
 use super::thickness::LENGTH;
 use crate::error::GearError;
 use crate::gear;
-use crate::gear::Toothing;
+use crate::gear::BasicGearData;
 use serde_json::{Map, Value, json};
 use std::collections::HashSet;
 
@@ -115,7 +115,7 @@ impl LengthReadings {
         teeth: u32,
         problems: &mut Problems,
     ) -> Option<Vec<u32>> {
-        let way_out = "give the number of each reading, in the order of mm";
+        let help = "give the number of each reading, in the order of mm";
         let Some(entry) = table.optional(key)? else {
             if readings == teeth as usize {
                 return Some((1..=teeth).collect());
@@ -123,11 +123,11 @@ impl LengthReadings {
             problems.add(table.problem(
                 key,
                 format!("missing, needed is one number a reading: there are {readings} for {teeth} teeth"),
-                format!("add `{key}`: {way_out}"),
+                format!("add `{key}`: {help}"),
             ));
             return None;
         };
-        let list = problems.keep(entry.list("a list of tooth numbers", way_out))?;
+        let list = problems.keep(entry.list("a list of tooth numbers", help))?;
         if list.len() != readings {
             problems.add(table.problem(
                 key,
@@ -135,7 +135,7 @@ impl LengthReadings {
                     "length {}, needed is {readings}: one number a reading",
                     list.len()
                 ),
-                way_out,
+                help,
             ));
             return None;
         }
@@ -169,12 +169,12 @@ impl LengthReadings {
         self.mm.len()
     }
 
-    /// For a gear of `toothing`.
+    /// For a gear of `basic_data`.
     ///
     /// # Errors
     /// [`GearError::Readings`] for a gear with fewer teeth.
-    pub fn on(&self, toothing: &Toothing) -> Result<gear::Readings, GearError> {
-        gear::Readings::new(toothing, self.list().collect())
+    pub fn on(&self, basic_data: &BasicGearData) -> Result<gear::Readings, GearError> {
+        gear::Readings::new(basic_data, self.list().collect())
     }
 
     /// As in the pair file.

@@ -26,7 +26,7 @@ pub const KEYS: &[&str] = &[
 const TOTAL: Limits = Limits {
     allowed: "a number of µm, 0 or more, less than the tooth depth",
     holds: |um| um >= 0.0,
-    way_out: "give the radial runout F_r, twice the eccentricity",
+    help: "give the radial runout F_r, twice the eccentricity",
 };
 
 /// Runout `F_r`, µm, and the tooth towards which the teeth are displaced.
@@ -109,7 +109,7 @@ impl Runout {
         const ANY: Limits = Limits {
             allowed: "a tooth number, 1 or more, fractions allowed",
             holds: |tooth| tooth >= 1.0,
-            way_out: "give the number of the tooth at the highest reading",
+            help: "give the number of the tooth at the highest reading",
         };
         let Some(entry) = table.optional("high_tooth")? else {
             return Some(None);
@@ -118,7 +118,7 @@ impl Runout {
         if teeth.is_some_and(|teeth| tooth >= f64::from(teeth) + 1.0) {
             problems.add(entry.problem(
                 format!("out of range, allowed is {}", allowed(teeth)),
-                ANY.way_out,
+                ANY.help,
             ));
             return None;
         }

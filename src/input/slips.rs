@@ -2,11 +2,11 @@
 
 use super::faults::Drawing;
 use super::thickness::Statement;
-use crate::gear::{Deviations, GradedQuantity, Toothing};
+use crate::gear::{BasicGearData, Deviations, GradedQuantity};
 
 /// A value that stands out.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Slip {
+pub struct Outlier {
     /// Where the values stand.
     pub key: String,
     /// Which one it is.
@@ -17,10 +17,10 @@ pub struct Slip {
     pub why: String,
 }
 
-impl Slip {
+impl Outlier {
     /// As a warning.
     pub fn told(&self) -> String {
-        let Slip {
+        let Outlier {
             key,
             what,
             off,
@@ -46,10 +46,10 @@ pub const FEWEST: usize = 7;
 
 /// By how much the values of even a coarse gear vary, mm: the tolerance of grade 11, the coarsest of ISO 1328-1, with its
 /// source in [`GradedQuantity`]; a tenth of the module where there is none.
-pub fn coarse(quantity: GradedQuantity, toothing: &Toothing) -> f64 {
+pub fn coarse(quantity: GradedQuantity, basic_data: &BasicGearData) -> f64 {
     let last = *crate::gear::GRADES.end();
-    let tolerance = quantity.tolerance(toothing, last);
-    tolerance.unwrap_or(0.1 * toothing.module())
+    let tolerance = quantity.tolerance(basic_data, last);
+    tolerance.unwrap_or(0.1 * basic_data.module())
 }
 
 /// The middle value, or the mean of both; 0 of none.
@@ -71,18 +71,18 @@ pub fn median(values: impl Iterator<Item = f64>) -> f64 {
 ///
 /// A span holds two flanks, so teeth of the range `F_p` move it by no more than that; either of two pins stands out by `F_r`. What
 /// the `known` flanks make of a reading is taken out of it first: a tooth that stands off is no slip of the reading.
-pub fn in_readings(drawing: &Drawing, known: &Deviations) -> Option<Slip> {
-    let toothing = &drawing.blank.toothing;
+pub fn in_readings(drawing: &Drawing, known: &Deviations) -> Option<Outlier> {
+    let basic_data = &drawing.design.basic_data;
     let (name, place, plausible) = match &drawing.statement {
         Statement::Spans { .. } => (
             "span",
             "tooth",
-            coarse(GradedQuantity::TotalPitch, toothing),
+            coarse(GradedQuantity::TotalPitch, basic_data),
         ),
         Statement::Pins { .. } => (
             "over_pins",
             "space",
-            2.0 * coarse(GradedQuantity::Runout, toothing),
+            2.0 * coarse(GradedQuantity::Runout, basic_data),
         ),
         _ => return None,
     };
@@ -90,7 +90,7 @@ pub fn in_readings(drawing: &Drawing, known: &Deviations) -> Option<Slip> {
     let count = readings.count();
     let is_known = known.pitch.is_some() || !known.per_tooth.is_empty();
     // Readings that no flanks explain are judged as they stand.
-    let beside = is_known.then(|| drawing.statement.beside(toothing, known).ok());
+    let beside = is_known.then(|| drawing.statement.beside(basic_data, known).ok());
     let said: Option<Vec<f64>> = beside
         .flatten()
         .map(|beside| beside.iter().map(|(_, said)| *said).collect());
@@ -118,7 +118,7 @@ pub fn in_readings(drawing: &Drawing, known: &Deviations) -> Option<Slip> {
     } else {
         return None;
     };
-    Some(Slip {
+    Some(Outlier {
         key: drawing.table.path_of(&format!("{}.{name}", drawing.under)),
         what: format!("the reading at {place} {number}, {mm} mm,"),
         off: format!(

@@ -204,11 +204,11 @@ fn line_and_column(text: &str, offset: usize) -> (usize, usize) {
     (line, column)
 }
 
-fn whole_file(reason: impl Into<String>, way_out: &str) -> Problem {
+fn whole_file(reason: impl Into<String>, help: &str) -> Problem {
     Problem {
         key: String::new(),
         value: None,
         reason: reason.into(),
-        way_out: way_out.to_owned(),
+        help: help.to_owned(),
     }
 }

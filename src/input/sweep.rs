@@ -20,7 +20,7 @@ pub const KEYS: &[&str] = &[
 const FRACTION: Limits = Limits {
     allowed: "a number of pitches, −1000 … 1000",
     holds: |pitches| pitches.abs() <= 1000.0,
-    way_out: "give how far beyond the mating each pose stands, 0.5 for half a pitch",
+    help: "give how far beyond the mating each pose stands, 0.5 for half a pitch",
 };
 const DEFAULT_STEPS: u32 = 16;
 
@@ -158,8 +158,8 @@ impl Sweep {
 fn steps_per_pitch(table: &Table, problems: &mut Problems) -> Option<u32> {
     match table.optional("steps_per_pitch") {
         Some(Some(entry)) => {
-            let way_out = "give how many poses a pitch gets, 16 by default";
-            problems.keep(entry.whole(1..=1000, way_out))
+            let help = "give how many poses a pitch gets, 16 by default";
+            problems.keep(entry.whole(1..=1000, help))
         }
         absent => absent.map(|_| DEFAULT_STEPS),
     }
@@ -199,18 +199,18 @@ fn fractions(table: &Table, problems: &mut Problems) -> Option<Vec<f64>> {
 fn pair_of_teeth(entry: &Entry, teeth: (Option<u32>, Option<u32>)) -> Result<(u32, u32), Problem> {
     let wheel = 1..=teeth.0.unwrap_or(10_000);
     let pinion = 1..=teeth.1.unwrap_or(10_000);
-    let way_out = "give wheel tooth and pinion tooth, numbered from 1";
+    let help = "give wheel tooth and pinion tooth, numbered from 1";
     let Node::List(list) = entry.node() else {
-        return Err(entry.wrong_type("[wheel tooth, pinion tooth]", way_out));
+        return Err(entry.wrong_type("[wheel tooth, pinion tooth]", help));
     };
     let [w, p] = list.as_slice() else {
         let reason = format!("length {}, needed is 2: wheel and pinion tooth", list.len());
-        return Err(entry.problem(reason, way_out));
+        return Err(entry.problem(reason, help));
     };
     let mut wrong = Vec::new();
     let mut tooth = |name, node, range: std::ops::RangeInclusive<u32>| {
         let allowed = whole_in(&range);
-        let tooth = Entry::new(String::new(), node).whole(range, way_out).ok();
+        let tooth = Entry::new(String::new(), node).whole(range, help).ok();
         if tooth.is_none() {
             wrong.push(format!(
                 "{name} tooth is {}, allowed is {allowed}",
@@ -221,6 +221,6 @@ fn pair_of_teeth(entry: &Entry, teeth: (Option<u32>, Option<u32>)) -> Result<(u3
     };
     match (tooth("wheel", w, wheel), tooth("pinion", p, pinion)) {
         (Some(w), Some(p)) => Ok((w, p)),
-        _ => Err(entry.problem(wrong.join("; "), way_out)),
+        _ => Err(entry.problem(wrong.join("; "), help)),
     }
 }

@@ -47,7 +47,7 @@ impl<'a> Table<'a> {
                 unknown.count_one();
                 continue;
             }
-            let way_out = match nearest(name, known) {
+            let help = match nearest(name, known) {
                 Some((nearest, distance)) if is_slip(name, distance) => {
                     table.mistyped.push(nearest);
                     format!("did you mean `{nearest}`? If not, remove it")
@@ -59,7 +59,7 @@ impl<'a> Table<'a> {
                 key: table.path_of(&printable(name)),
                 value: Some(node.shown()),
                 reason: format!("unknown key, allowed here is {}", quoted(known, "`")),
-                way_out,
+                help,
             });
         }
         problems.add_list(path, unknown);
@@ -115,13 +115,13 @@ impl<'a> Table<'a> {
         &self,
         path: &str,
         reason: impl Into<String>,
-        way_out: impl Into<String>,
+        help: impl Into<String>,
     ) -> Problem {
         Problem {
             key: self.path_of(path),
             value: self.get(path).map(|entry| entry.node().shown()),
             reason: reason.into(),
-            way_out: way_out.into(),
+            help: help.into(),
         }
     }
 
@@ -168,11 +168,11 @@ impl<'a> Table<'a> {
         &self,
         name: &str,
         range: RangeInclusive<u32>,
-        way_out: &str,
+        help: &str,
         problems: &mut Problems,
     ) -> Option<u32> {
         let entry = self.need(name, &whole_in(&range), problems)?;
-        problems.keep(entry.whole(range, way_out))
+        problems.keep(entry.whole(range, help))
     }
 
     /// One of `names`, the first when it is not there.
@@ -214,8 +214,8 @@ impl<'a> Table<'a> {
                 Node::Table(entries) => entries.as_slice(),
                 _ => {
                     let allowed = format!("a table of {}", quoted(known, "`"));
-                    let way_out = format!("write [{}] and its keys below", self.path_of(name));
-                    problems.add(entry.wrong_type(&allowed, way_out));
+                    let help = format!("write [{}] and its keys below", self.path_of(name));
+                    problems.add(entry.wrong_type(&allowed, help));
                     return None;
                 }
             },

@@ -36,12 +36,12 @@ const PIN_KEYS: &[&str] = &[
 pub const LENGTH: Limits = Limits {
     allowed: "a number of mm above 0 and up to 1e9",
     holds: |mm| mm > 0.0 && mm <= 1e9,
-    way_out: "give the measured length in mm",
+    help: "give the measured length in mm",
 };
 const ALLOWANCE: Limits = Limits {
     allowed: "a number of µm, −1e7 … 1e7",
     holds: |um| um.abs() <= 1e7,
-    way_out: "give the deviation from the nominal thickness, negative when thinner",
+    help: "give the deviation from the nominal thickness, negative when thinner",
 };
 const MEASURED: Keys = Keys {
     single: Some("mm"),
@@ -221,7 +221,7 @@ fn bare(
         Node::Whole(_) | Node::Number(_) => problems.keep(entry.number(limits)).map(Stated::Single),
         _ => {
             let allowed = format!("{}, or {{ min = …, max = … }}", limits.allowed);
-            problems.add(entry.wrong_type(&allowed, limits.way_out));
+            problems.add(entry.wrong_type(&allowed, limits.help));
             None
         }
     }

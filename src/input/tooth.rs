@@ -4,18 +4,20 @@ use super::readings::LengthReadings;
 use super::stated::Stated;
 use super::thickness::Statement;
 use crate::error::GearError;
-use crate::gear::{Blank, Deviations, Gear, PerTooth, PinReadings, Spans, Toothing, thickness};
+use crate::gear::{
+    BasicGearData, Deviations, Gear, GearDesign, PerTooth, PinReadings, Spans, thickness,
+};
 
 impl Statement {
     /// Spans all round, where these are stated.
     ///
     /// # Errors
-    /// None for a statement that was read for this toothing.
-    pub fn spans(&self, toothing: &Toothing) -> Result<Option<Spans>, GearError> {
+    /// None for a statement that was read for this basic_data.
+    pub fn spans(&self, basic_data: &BasicGearData) -> Result<Option<Spans>, GearError> {
         match self {
             Statement::Spans {
                 teeth, readings, ..
-            } => Spans::new(toothing, *teeth, readings.on(toothing)?).map(Some),
+            } => Spans::new(basic_data, *teeth, readings.on(basic_data)?).map(Some),
             _ => Ok(None),
         }
     }
@@ -26,16 +28,16 @@ impl Statement {
     /// Readings that go with no tooth thickness; [`GearError::WrongLength`] for lists of another gear.
     pub fn beside(
         &self,
-        toothing: &Toothing,
+        basic_data: &BasicGearData,
         of: &Deviations,
     ) -> Result<Vec<(f64, f64)>, GearError> {
         match self {
-            Statement::Spans { .. } => match self.spans(toothing)? {
+            Statement::Spans { .. } => match self.spans(basic_data)? {
                 Some(spans) => spans.beside(of),
                 None => Ok(Vec::new()),
             },
             Statement::Pins { pin_mm, readings } => {
-                PinReadings::new(toothing, *pin_mm, readings.on(toothing)?).beside(of)
+                PinReadings::new(basic_data, *pin_mm, readings.on(basic_data)?).beside(of)
             }
             _ => Ok(Vec::new()),
         }
@@ -55,13 +57,13 @@ impl Statement {
     /// [`GearError::WrongLength`] for lists of another gear.
     pub fn per_tooth(
         &self,
-        toothing: &Toothing,
+        basic_data: &BasicGearData,
         known: &Deviations,
     ) -> Result<Option<PerTooth>, GearError> {
         match self {
             Statement::Spans {
                 per_tooth: true, ..
-            } => match self.spans(toothing)? {
+            } => match self.spans(basic_data)? {
                 Some(spans) => spans.per_tooth(known),
                 None => Ok(None),
             },
@@ -75,31 +77,31 @@ impl Statement {
     /// A dimension over pins whose pins would sit inside the base circle.
     pub fn base_thickness(
         &self,
-        blank: &Blank,
+        design: &GearDesign,
         known: &Deviations,
     ) -> Result<Stated<f64>, GearError> {
-        let toothing = &blank.toothing;
-        let nominal = blank.nominal_base_thickness();
+        let basic_data = &design.basic_data;
+        let nominal = design.nominal_base_thickness();
         match self {
             Statement::Nominal => Ok(Stated::Single(nominal)),
             Statement::Span { teeth, mm } => {
-                mm.try_map(|&mm| Ok(thickness::base_from_span(toothing, *teeth, mm)))
+                mm.try_map(|&mm| Ok(thickness::base_from_span(basic_data, *teeth, mm)))
             }
             Statement::OverPins { pin_mm, mm } => {
-                mm.try_map(|&mm| thickness::base_from_pins(toothing, *pin_mm, mm))
+                mm.try_map(|&mm| thickness::base_from_pins(basic_data, *pin_mm, mm))
             }
             Statement::Spans {
                 teeth, readings, ..
-            } => Spans::new(toothing, *teeth, readings.on(toothing)?)?
+            } => Spans::new(basic_data, *teeth, readings.on(basic_data)?)?
                 .base_thickness(known)
                 .map(Stated::Single),
             Statement::Pins { pin_mm, readings } => {
-                let pins = PinReadings::new(toothing, *pin_mm, readings.on(toothing)?);
+                let pins = PinReadings::new(basic_data, *pin_mm, readings.on(basic_data)?);
                 pins.base_thickness(known).map(Stated::Single)
             }
             Statement::Allowance(um) => um.try_map(|&um| {
                 Ok(thickness::base_from_allowance(
-                    toothing,
+                    basic_data,
                     nominal,
                     um / 1000.0,
                 ))
@@ -125,17 +127,17 @@ impl Statement {
     }
 
     /// What the nominal tooth would measure: "nominal is 50.6 mm".
-    pub fn nominal(&self, blank: &Blank) -> String {
-        let toothing = &blank.toothing;
-        let base = blank.nominal_base_thickness();
+    pub fn nominal(&self, design: &GearDesign) -> String {
+        let basic_data = &design.basic_data;
+        let base = design.nominal_base_thickness();
         match *self {
             Statement::Nominal | Statement::Base(_) => format!("nominal is {base:.4} mm"),
             Statement::Span { teeth, .. } | Statement::Spans { teeth, .. } => {
-                let span = thickness::span_from_base(toothing, teeth, base);
+                let span = thickness::span_from_base(basic_data, teeth, base);
                 format!("nominal over {teeth} teeth is {span:.4} mm")
             }
             Statement::OverPins { pin_mm, .. } | Statement::Pins { pin_mm, .. } => {
-                let over = thickness::pins_from_base(toothing, pin_mm, base);
+                let over = thickness::pins_from_base(basic_data, pin_mm, base);
                 format!("nominal over pins of {pin_mm} mm is {over:.4} mm")
             }
             Statement::Allowance(_) => "nominal is 0 µm".to_owned(),

@@ -17,13 +17,13 @@
 //!
 //! Where none holds a pose may still be jammed: what touches then says so ([`super::LostMotion::status`]).
 
-use crate::gear::{AsBuilt, Curve, Placed, Profile, Side};
-use crate::pair::{Assembly, Member, Pose};
+use crate::gear::{AsBuilt, Placed, Profile, ProfilePart, Side};
+use crate::pair::{GearPair, Member, Pose};
 use std::f64::consts::PI;
 
 /// Whether teeth of one gear reach to where the mate's outline has its centre, and its shaft stands: all poses are jammed. What
 /// turned there would meet teeth from all sides, and no pair of them would come first.
-pub(super) fn reaches_over_an_axis(assembly: &Assembly) -> bool {
+pub(super) fn reaches_over_an_axis(assembly: &GearPair) -> bool {
     [Member::Wheel, Member::Pinion].into_iter().any(|member| {
         let (gear, mate) = (assembly.gear(member), assembly.gear(member.mate()));
         gear.reach() + mate.eccentricity() >= assembly.center_distance()
@@ -31,7 +31,7 @@ pub(super) fn reaches_over_an_axis(assembly: &Assembly) -> bool {
 }
 
 /// Whether there may be a pose of which [`is_solid`] is true: nearly never.
-pub(super) fn may_be_solid(assembly: &Assembly) -> bool {
+pub(super) fn may_be_solid(assembly: &GearPair) -> bool {
     let locked = assembly.gear(assembly.locked());
     let free = assembly.gear(assembly.free());
     let nearest = assembly.center_distance() - locked.eccentricity();
@@ -45,7 +45,7 @@ fn solid_radius(gear: &AsBuilt) -> f64 {
 }
 
 /// Whether teeth of one gear stand in the body of the other at every rotation of the free gear.
-pub(super) fn is_solid(assembly: &Assembly, pose: &Pose) -> bool {
+pub(super) fn is_solid(assembly: &GearPair, pose: &Pose) -> bool {
     let locked = assembly.gear(assembly.locked());
     let free = assembly.gear(assembly.free());
     let (tip, root) = (locked.gear().tip_radius(), locked.gear().root_radius());
@@ -72,7 +72,7 @@ pub(super) fn is_solid(assembly: &Assembly, pose: &Pose) -> bool {
 fn land_distance(placed: &Placed, tooth: u32, point: nalgebra::Point2<f64>) -> f64 {
     let gear = placed.as_built();
     let tip = gear.gear().tip_radius();
-    let (_, half) = Profile::new(gear.gear()).range(Curve::Tip);
+    let (_, half) = Profile::new(gear.gear()).range(ProfilePart::Tip);
     let to_point = point - placed.centre();
     let beside = to_point.y.atan2(to_point.x) - placed.direction(tooth);
     let beside = beside - 2.0 * PI * (beside / (2.0 * PI)).round();
@@ -100,9 +100,9 @@ fn seen(distance: f64, root: f64, free: &AsBuilt) -> f64 {
 
 /// Greatest angle between two neighbouring tip lands.
 fn widest_space(gear: &AsBuilt) -> f64 {
-    let (_, half) = Profile::new(gear.gear()).range(Curve::Tip);
-    let nominal = gear.gear().toothing().angular_pitch() - 2.0 * half;
-    let teeth = gear.gear().toothing().teeth();
+    let (_, half) = Profile::new(gear.gear()).range(ProfilePart::Tip);
+    let nominal = gear.gear().basic_data().angular_pitch() - 2.0 * half;
+    let teeth = gear.gear().basic_data().teeth();
     let wider = (1..=teeth).map(|tooth| {
         let next = gear.counter_clockwise(tooth, 1);
         gear.flank_offset(Side::Right, next) - gear.flank_offset(Side::Left, tooth)
@@ -113,17 +113,17 @@ fn widest_space(gear: &AsBuilt) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gear::{Blank, Deviations, Face, Gear, Rack, Toothing};
+    use crate::gear::{BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign};
     use crate::mesh::{CutPair, ExactKernel, Status};
     use crate::pair::Mating;
     use nalgebra::{Point2, Vector2};
 
     /// Module 3, 20 teeth, every tooth of its own thickness.
     fn gear(face: Face, tip_diameter: Option<f64>, eccentricity: f64) -> AsBuilt {
-        let blank = Blank {
-            toothing: Toothing::new(20, 3.0, 20f64.to_radians()).unwrap(),
+        let design = GearDesign {
+            basic_data: BasicGearData::new(20, 3.0, 20f64.to_radians()).unwrap(),
             profile_shift: 0.0,
-            rack: Rack::ISO_53_A,
+            rack: BasicRack::ISO_53_A,
             tip_diameter,
         };
         let wave = |tooth: i32| 0.2 * (1.3 * f64::from(tooth)).sin();
@@ -133,7 +133,7 @@ mod tests {
             high_tooth: 3.4,
             ..Deviations::default()
         };
-        AsBuilt::new(Gear::nominal(blank).unwrap(), face, &deviations).unwrap()
+        AsBuilt::new(Gear::nominal(design).unwrap(), face, &deviations).unwrap()
     }
 
     fn towards(angle: f64) -> Vector2<f64> {
@@ -141,7 +141,7 @@ mod tests {
     }
 
     /// Where the free outline's centre may stand.
-    fn free_centres(assembly: &Assembly) -> impl Iterator<Item = Point2<f64>> + Clone {
+    fn free_centres(assembly: &GearPair) -> impl Iterator<Item = Point2<f64>> + Clone {
         let (axis, off) = (
             assembly.axis(assembly.free()),
             assembly.gear(assembly.free()).eccentricity(),
@@ -151,7 +151,7 @@ mod tests {
 
     /// How deep in the free root circle some point of a locked land stands wherever that circle turns to; negative where the best
     /// point comes out of it, by so much. Dense points of all lands, no case told apart.
-    fn land_in_root(assembly: &Assembly, placed: &Placed) -> f64 {
+    fn land_in_root(assembly: &GearPair, placed: &Placed) -> f64 {
         let locked = placed.as_built();
         let tip = locked.gear().tip_radius();
         let half = locked.gear().half_angle_at_roll(locked.gear().tip_roll());
@@ -175,7 +175,7 @@ mod tests {
 
     /// By how much, in angle, the locked root circle takes more of a circle between the free form and tip circle than its widest
     /// space, wherever the free gear turns to. Circles are walked from the direction of the locked centre until out of the root circle.
-    fn space_filled(assembly: &Assembly, placed: &Placed) -> f64 {
+    fn space_filled(assembly: &GearPair, placed: &Placed) -> f64 {
         let (root, free) = (
             placed.as_built().gear().root_radius(),
             assembly.gear(assembly.free()),
@@ -245,7 +245,7 @@ mod tests {
                 .map(|a| [(a, Member::Wheel), (a, Member::Pinion)])
                 .as_flattened()
             {
-                let assembly = Assembly::new(wheel.clone(), pinion.clone(), *a, *locked).unwrap();
+                let assembly = GearPair::new(wheel.clone(), pinion.clone(), *a, *locked).unwrap();
                 for k in 0..10 {
                     let pose = Pose::new(
                         &assembly,
@@ -294,10 +294,10 @@ mod tests {
     #[test]
     fn an_axis_is_reached_over_by_both_eccentricities() {
         let built = |teeth, face, tip_diameter, eccentricity| {
-            let blank = Blank {
-                toothing: Toothing::new(teeth, 1.0, 22f64.to_radians()).unwrap(),
+            let design = GearDesign {
+                basic_data: BasicGearData::new(teeth, 1.0, 22f64.to_radians()).unwrap(),
                 profile_shift: 0.0,
-                rack: Rack::new(0.8, 1.0, 0.0).unwrap(),
+                rack: BasicRack::new(0.8, 1.0, 0.0).unwrap(),
                 tip_diameter: Some(tip_diameter),
             };
             let deviations = Deviations {
@@ -305,7 +305,7 @@ mod tests {
                 high_tooth: 1.0,
                 ..Deviations::default()
             };
-            AsBuilt::new(Gear::nominal(blank).unwrap(), face, &deviations).unwrap()
+            AsBuilt::new(Gear::nominal(design).unwrap(), face, &deviations).unwrap()
         };
         for [one, other] in [[(14, 16.0), (3, 3.3)], [(3, 3.3), (14, 16.0)]] {
             for [first, second] in [[0.0, 0.0], [0.3, 0.0], [0.0, 0.3], [0.2, 0.3]] {
@@ -314,7 +314,7 @@ mod tests {
                 let just = 8.0 + first + second;
                 for (a, reached) in [(just - 1e-9, true), (just + 1e-9, false)] {
                     let assembly =
-                        Assembly::new(wheel.clone(), pinion.clone(), a, Member::Wheel).unwrap();
+                        GearPair::new(wheel.clone(), pinion.clone(), a, Member::Wheel).unwrap();
                     assert_eq!(
                         reaches_over_an_axis(&assembly),
                         reached,

@@ -5,8 +5,8 @@
 //! fillet or a root must not be touched at all.
 
 use super::lost_motion::{Contact, LostMotion, Status, Touch};
-use crate::gear::{Curve, Side};
-use crate::pair::{Assembly, Member};
+use crate::gear::{ProfilePart, Side};
+use crate::pair::{GearPair, Member};
 use std::f64::consts::FRAC_PI_2;
 
 /// A contact this near to the form circle of an undercut flank, mm, is its edge's: the width within
@@ -86,7 +86,7 @@ impl Moment {
     /// A right flank faces clockwise. Turning counter-clockwise its gear is pushed
     /// by the mate and comes into mesh tip first; turning clockwise it pushes, and its tip is the last to leave.
     /// In a sweep the locked gear turns so that ascending teeth come into mesh, against the sense in which they ascend.
-    pub fn of(assembly: &Assembly, side: Side, member: Member) -> Moment {
+    pub fn of(assembly: &GearPair, side: Side, member: Member) -> Moment {
         let locked = -assembly.gear(assembly.locked()).face().ascending();
         let sense = match member == assembly.locked() {
             true => locked,
@@ -112,7 +112,7 @@ pub struct ContactClass {
 
 impl ContactClass {
     /// The class of the `side` contact `contact` of `assembly`.
-    pub fn of(assembly: &Assembly, side: Side, contact: &Contact) -> ContactClass {
+    pub fn of(assembly: &GearPair, side: Side, contact: &Contact) -> ContactClass {
         let touches = [
             (Member::Wheel, contact.wheel),
             (Member::Pinion, contact.pinion),
@@ -120,7 +120,7 @@ impl ContactClass {
         let any = |curve| touches.iter().any(|(_, touch)| touch.curve == curve);
         let mut tips = touches
             .iter()
-            .filter(|(_, touch)| touch.curve == Curve::Tip)
+            .filter(|(_, touch)| touch.curve == ProfilePart::Tip)
             .map(|(member, _)| *member);
         let (tip, second) = (tips.next(), tips.next());
         let edge = || {
@@ -128,9 +128,9 @@ impl ContactClass {
                 .iter()
                 .any(|(m, touch)| is_edge(assembly, *m, touch))
         };
-        let kind = if any(Curve::Root) {
+        let kind = if any(ProfilePart::Root) {
             ContactKind::Root
-        } else if any(Curve::Fillet) {
+        } else if any(ProfilePart::Fillet) {
             match tip {
                 Some(_) => ContactKind::TipFillet,
                 None => ContactKind::Fillet,
@@ -154,10 +154,10 @@ impl ContactClass {
 }
 
 /// Whether a touch is of the edge between fillet and involute, which only undercut leaves.
-fn is_edge(assembly: &Assembly, member: Member, touch: &Touch) -> bool {
+fn is_edge(assembly: &GearPair, member: Member, touch: &Touch) -> bool {
     let gear = assembly.gear(member).gear();
-    let undercut = gear.fillet().end() < FRAC_PI_2 - gear.toothing().pressure_angle();
-    undercut && touch.curve == Curve::Involute && touch.radius <= gear.form_radius() + EDGE_MM
+    let undercut = gear.fillet().end() < FRAC_PI_2 - gear.basic_data().pressure_angle();
+    undercut && touch.curve == ProfilePart::Involute && touch.radius <= gear.form_radius() + EDGE_MM
 }
 
 /// The class of a pose: the graver of its two contacts, or why it has none.
@@ -175,7 +175,7 @@ pub enum PoseClass {
 
 impl PoseClass {
     /// The class of `lost_motion`, found on `assembly`.
-    pub fn of(assembly: &Assembly, lost_motion: &LostMotion) -> PoseClass {
+    pub fn of(assembly: &GearPair, lost_motion: &LostMotion) -> PoseClass {
         let kind = |side, contact: &Option<Contact>| {
             let contact = contact.as_ref()?;
             Some(ContactClass::of(assembly, side, contact).kind)

@@ -4,7 +4,7 @@
 
 use crate::error::GearError;
 use crate::gear::{AsBuilt, HalfTooth, Placed, Side};
-use crate::pair::{Assembly, Member, Pose};
+use crate::pair::{GearPair, Member, Pose};
 use nalgebra::Point2;
 
 /// What was measured on one gear. Lengths in mm.
@@ -19,7 +19,7 @@ pub struct Found {
 /// Both gears exaggerated, and as they should be.
 #[derive(Debug, Clone)]
 pub struct Exaggeration<'a> {
-    assembly: &'a Assembly,
+    assembly: &'a GearPair,
     factor: f64,
     drawn: [AsBuilt; 2],
     perfect: [AsBuilt; 2],
@@ -32,7 +32,7 @@ impl<'a> Exaggeration<'a> {
     ///
     /// # Errors
     /// As [`AsBuilt::exaggerated`].
-    pub fn new(assembly: &'a Assembly, factor: f64) -> Result<Exaggeration<'a>, GearError> {
+    pub fn new(assembly: &'a GearPair, factor: f64) -> Result<Exaggeration<'a>, GearError> {
         let both = |factor: f64| -> Result<[AsBuilt; 2], GearError> {
             let [wheel, pinion] = MEMBERS.map(|m| assembly.gear(m).exaggerated(factor));
             Ok([wheel?, pinion?])
@@ -77,7 +77,7 @@ impl<'a> Exaggeration<'a> {
 
     /// What was found on one gear.
     pub fn found(&self, member: Member) -> Found {
-        let teeth = 1..=self.assembly.gear(member).gear().toothing().teeth();
+        let teeth = 1..=self.assembly.gear(member).gear().basic_data().teeth();
         let places = teeth.flat_map(|tooth| self.flanks_of(member, tooth));
         let (least, most) = places.fold((f64::INFINITY, f64::NEG_INFINITY), |range, place| {
             (range.0.min(place), range.1.max(place))
@@ -93,7 +93,7 @@ impl<'a> Exaggeration<'a> {
     /// circle, plus = more metal.
     pub fn flanks_of(&self, member: Member, tooth: u32) -> [f64; 2] {
         let drawn = &self.drawn[usize::from(member == Member::Pinion)];
-        let radius = drawn.gear().toothing().reference_radius();
+        let radius = drawn.gear().basic_data().reference_radius();
         Side::BOTH.map(|side| side.sense() * drawn.flank_offset(side, tooth) * radius / self.factor)
     }
 }

@@ -1,6 +1,6 @@
 //! The result of one pose: right- and left-flank contact, and the lost motion between.
 
-use crate::gear::Curve;
+use crate::gear::ProfilePart;
 use nalgebra::{Point2, Vector2};
 
 /// What one gear brings to a contact.
@@ -9,7 +9,7 @@ pub struct Touch {
     /// Tooth number, `1..=z`.
     pub tooth: u32,
     /// The curve touched; `Tip` is the tip corner or the tip land.
-    pub curve: Curve,
+    pub curve: ProfilePart,
     /// Radius about the gear's own geometric centre, mm.
     pub radius: f64,
 }
@@ -101,8 +101,9 @@ impl LostMotion {
         let (Some(right), Some(left)) = (&self.right, &self.left) else {
             return Status::NoContact;
         };
-        let on_root =
-            |contact: &Contact| [contact.wheel.curve, contact.pinion.curve].contains(&Curve::Root);
+        let on_root = |contact: &Contact| {
+            [contact.wheel.curve, contact.pinion.curve].contains(&ProfilePart::Root)
+        };
         if left.rotation >= right.rotation {
             Status::Clear
         } else if on_root(right) || on_root(left) {

@@ -3,10 +3,10 @@
 mod body;
 mod class;
 mod contact;
+mod drawn_contact;
 mod exact;
 mod exaggeration;
 mod lost_motion;
-mod meeting;
 mod overlap;
 mod polygon;
 mod scene;
@@ -16,12 +16,12 @@ mod swept;
 pub(crate) use contact::Shape;
 
 pub use class::{ContactClass, ContactKind, Moment, PoseClass};
+pub use drawn_contact::DrawnContact;
 pub use exact::ExactKernel;
 pub use exaggeration::{Exaggeration, Found};
 pub use lost_motion::{Contact, LostMotion, Status, Touch};
-pub use meeting::Meeting;
 pub use overlap::Overlap;
 pub use polygon::{Certifier, CutGear, PolygonKernel};
 pub use scene::{Drawn, LineOfAction, Scene};
 pub use sweep::{BLOCK, CutPair, Method, sweep, sweep_blocks};
-pub use swept::{FirstLeast, SweptPose, Unproven, first_least, worst_pose};
+pub use swept::{FirstLeast, PoseResult, Unproven, first_least, worst_pose};

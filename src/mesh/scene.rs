@@ -5,9 +5,9 @@
 //! lost motion lies open on the other side. A pose without lost motion is drawn at the nominal rotation.
 
 use super::overlap::{Overlap, overlaps};
-use super::{LostMotion, Meeting, Status};
+use super::{DrawnContact, LostMotion, Status};
 use crate::gear::{Placed, Side};
-use crate::pair::{Assembly, Member, Pose};
+use crate::pair::{GearPair, Member, Pose};
 use nalgebra::{Point2, UnitComplex, center};
 
 /// Where the free gear is drawn.
@@ -38,26 +38,26 @@ const REACH: f64 = 3.0;
 /// The pose as drawn.
 #[derive(Debug, Clone)]
 pub struct Scene<'a> {
-    assembly: &'a Assembly,
+    assembly: &'a GearPair,
     wheel: Placed<'a>,
     pinion: Placed<'a>,
     drawn: Drawn,
-    meetings: Vec<Meeting>,
+    meetings: Vec<DrawnContact>,
     lost_motion: Option<&'a LostMotion>,
 }
 
 impl<'a> Scene<'a> {
     /// The scene of `pose` with its `lost_motion`.
-    pub fn new(assembly: &'a Assembly, pose: &Pose, lost_motion: &'a LostMotion) -> Scene<'a> {
+    pub fn new(assembly: &'a GearPair, pose: &Pose, lost_motion: &'a LostMotion) -> Scene<'a> {
         Scene::of(assembly, pose, Some(lost_motion))
     }
 
     /// The scene of a `pose` whose contacts are not proven: both gears, and nothing that touches.
-    pub fn unproven(assembly: &'a Assembly, pose: &Pose) -> Scene<'a> {
+    pub fn unproven(assembly: &'a GearPair, pose: &Pose) -> Scene<'a> {
         Scene::of(assembly, pose, None)
     }
 
-    fn of(assembly: &'a Assembly, pose: &Pose, lost_motion: Option<&'a LostMotion>) -> Scene<'a> {
+    fn of(assembly: &'a GearPair, pose: &Pose, lost_motion: Option<&'a LostMotion>) -> Scene<'a> {
         let flank = pose.mating().flank;
         let on = |side| {
             lost_motion.and_then(|found| match side {
@@ -88,14 +88,14 @@ impl<'a> Scene<'a> {
             drawn,
             meetings: Side::BOTH
                 .into_iter()
-                .filter_map(|side| Some(Meeting::new(assembly, side, on(side)?, rotation)))
+                .filter_map(|side| Some(DrawnContact::new(assembly, side, on(side)?, rotation)))
                 .collect(),
             lost_motion,
         }
     }
 
     /// The pair.
-    pub fn assembly(&self) -> &'a Assembly {
+    pub fn assembly(&self) -> &'a GearPair {
         self.assembly
     }
 
@@ -113,7 +113,7 @@ impl<'a> Scene<'a> {
     }
 
     /// The contacts there are, right first.
-    pub fn meetings(&self) -> &[Meeting] {
+    pub fn meetings(&self) -> &[DrawnContact] {
         &self.meetings
     }
 
@@ -121,7 +121,7 @@ impl<'a> Scene<'a> {
     /// `chord` mm; empty where they overlap.
     ///
     /// Of each flank it takes what lies inside the mate's tip circle once they are in contact.
-    pub fn room_between(&self, meeting: &Meeting, chord: f64) -> Vec<Point2<f64>> {
+    pub fn room_between(&self, meeting: &DrawnContact, chord: f64) -> Vec<Point2<f64>> {
         if meeting.gap <= 0.0 {
             return Vec::new();
         }
@@ -151,11 +151,11 @@ impl<'a> Scene<'a> {
     ///
     /// Of outlines with chords within a two-thousandth of the depth, which leaves the area of a thin
     /// piece right to a few thousandths.
-    pub fn overlap(&self, meeting: &Meeting) -> Option<Overlap> {
+    pub fn overlap(&self, meeting: &DrawnContact) -> Option<Overlap> {
         if meeting.gap >= 0.0 {
             return None;
         }
-        let module = self.wheel.as_built().gear().toothing().module();
+        let module = self.wheel.as_built().gear().basic_data().module();
         let chord = (-meeting.along_normal * FINE).clamp(1e-8 * module, 1e-5 * module);
         let place = center(&meeting.on_locked, &meeting.on_free);
         let outline = |placed: &Placed| placed.outline_near(place, REACH * module, chord);

@@ -3,10 +3,10 @@
 use super::exact::ExactKernel;
 use super::lost_motion::LostMotion;
 use super::polygon::{Certifier, CutGear, PolygonKernel};
-use super::swept::{SweptPose, Unproven};
+use super::swept::{PoseResult, Unproven};
 use crate::error::Error;
 use crate::gear::AsBuilt;
-use crate::pair::{Assembly, Mating, Pose};
+use crate::pair::{GearPair, Mating, Pose};
 use rayon::prelude::*;
 use std::ops::ControlFlow;
 
@@ -48,31 +48,31 @@ impl CutPair {
         CutPair::new(
             wheel,
             pinion,
-            CERTIFICATE_CHORD * wheel.gear().toothing().module(),
+            CERTIFICATE_CHORD * wheel.gear().basic_data().module(),
         )
     }
 
     /// The polygon method on `assembly`, which must be of these gears.
-    pub fn kernel<'a>(&'a self, assembly: &'a Assembly) -> PolygonKernel<'a> {
+    pub fn kernel<'a>(&'a self, assembly: &'a GearPair) -> PolygonKernel<'a> {
         PolygonKernel::new(assembly, &self.wheel, &self.pinion)
     }
 
     /// The same, cut finer round each contact: right to about a picometre.
-    pub fn refined_kernel<'a>(&'a self, assembly: &'a Assembly) -> PolygonKernel<'a> {
+    pub fn refined_kernel<'a>(&'a self, assembly: &'a GearPair) -> PolygonKernel<'a> {
         PolygonKernel::refined(assembly, &self.wheel, &self.pinion)
     }
 }
 
 /// One assembly, ready to be asked for poses.
 struct Solver<'a> {
-    assembly: &'a Assembly,
+    assembly: &'a GearPair,
     exact: Option<ExactKernel>,
     polygon: Option<PolygonKernel<'a>>,
     certifier: Option<Certifier<'a>>,
 }
 
 impl<'a> Solver<'a> {
-    fn new(assembly: &'a Assembly, cut: &'a CutPair, method: Method) -> Solver<'a> {
+    fn new(assembly: &'a GearPair, cut: &'a CutPair, method: Method) -> Solver<'a> {
         let certify = method == Method::Exact { certify: true };
         let exact = method != Method::Polygon;
         let polygon = matches!(method, Method::Polygon | Method::Both);
@@ -216,15 +216,15 @@ fn settle<T>(tried: Option<Result<T, Error>>) -> Result<Option<Result<T, String>
 /// # Errors
 /// [`Error::Interrupted`] after a break; a centre distance `a − c` at which the base circles overlap.
 pub fn sweep(
-    assembly: &Assembly,
+    assembly: &GearPair,
     cut: &CutPair,
     method: Method,
     matings: &[Mating],
     clearance: f64,
     tick: &(dyn Fn() -> ControlFlow<()> + Sync),
-) -> Result<Vec<SweptPose>, Error> {
+) -> Result<Vec<PoseResult>, Error> {
     let mut all = Vec::with_capacity(matings.len());
-    let each = &mut |poses: Vec<SweptPose>| {
+    let each = &mut |poses: Vec<PoseResult>| {
         all.extend(poses);
         Ok(())
     };
@@ -240,13 +240,13 @@ pub const BLOCK: usize = 4096;
 /// # Errors
 /// As [`sweep`], and of `each`.
 pub fn sweep_blocks(
-    assembly: &Assembly,
+    assembly: &GearPair,
     cut: &CutPair,
     method: Method,
     matings: &[Mating],
     clearance: f64,
     tick: &(dyn Fn() -> ControlFlow<()> + Sync),
-    each: &mut dyn FnMut(Vec<SweptPose>) -> Result<(), Error>,
+    each: &mut dyn FnMut(Vec<PoseResult>) -> Result<(), Error>,
 ) -> Result<(), Error> {
     let apart = |distance: f64| assembly.at(assembly.center_distance() + distance);
     let moved = match clearance > 0.0 {
@@ -270,7 +270,7 @@ pub fn sweep_blocks(
         let lost_motion = found.lost_motion.as_ref().ok();
         let backlash = lost_motion.and_then(|found| here.backlash(found));
         let error = backlash.and(lost_motion).and_then(LostMotion::error);
-        Ok(SweptPose {
+        Ok(PoseResult {
             pose,
             backlash,
             error_bound: error.map(|error| error * here.pitch_radius()),
@@ -280,7 +280,7 @@ pub fn sweep_blocks(
         })
     };
     for block in matings.chunks(BLOCK) {
-        let poses: Vec<Result<SweptPose, Error>> = block.par_iter().map(find).collect();
+        let poses: Vec<Result<PoseResult, Error>> = block.par_iter().map(find).collect();
         each(poses.into_iter().collect::<Result<_, Error>>()?)?;
     }
     Ok(())

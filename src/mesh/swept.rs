@@ -2,12 +2,12 @@
 
 use super::class::PoseClass;
 use super::lost_motion::{LostMotion, Status};
-use crate::pair::{Assembly, Pose};
+use crate::pair::{GearPair, Pose};
 use std::collections::VecDeque;
 
 /// One pose of a sweep and what was found there.
 #[derive(Debug, Clone, PartialEq)]
-pub struct SweptPose {
+pub struct PoseResult {
     /// Where the gears stand.
     pub pose: Pose,
     /// Contacts of the free gear; or why there is nothing to vouch for.
@@ -35,14 +35,14 @@ pub struct Unproven {
     pub polygon: Option<f64>,
 }
 
-impl SweptPose {
+impl PoseResult {
     /// How the pose ended.
     pub fn status(&self) -> Status {
         self.proven().map_or(Status::Unproven, LostMotion::status)
     }
 
     /// The class of the pose, which is of `assembly`.
-    pub fn class(&self, assembly: &Assembly) -> PoseClass {
+    pub fn class(&self, assembly: &GearPair) -> PoseClass {
         self.proven()
             .map_or(PoseClass::Unproven, |found| PoseClass::of(assembly, found))
     }
@@ -74,7 +74,7 @@ impl SweptPose {
         }
     }
 
-    /// Whether the value of [`SweptPose::range`] at this end (0: `a − c`, 1: `a + c`) is not proven.
+    /// Whether the value of [`PoseResult::range`] at this end (0: `a − c`, 1: `a + c`) is not proven.
     pub fn is_end_unproven(&self, end: usize) -> bool {
         match &self.with_clearance {
             None => self.found.is_err(),
@@ -97,8 +97,8 @@ impl SweptPose {
 
 /// The worst of `poses`: the first that is jammed, or else the one with the least backlash, of several within their
 /// error bounds the first; `None` when none is in mesh. Of an unproven pose nobody knows.
-pub fn worst_pose<'a, T>(poses: impl Iterator<Item = (T, &'a SweptPose)> + Clone) -> Option<T> {
-    let jammed = |pose: &SweptPose| pose.status() == Status::Jammed;
+pub fn worst_pose<'a, T>(poses: impl Iterator<Item = (T, &'a PoseResult)> + Clone) -> Option<T> {
+    let jammed = |pose: &PoseResult| pose.status() == Status::Jammed;
     if let Some((first, _)) = poses.clone().find(|(_, pose)| jammed(pose)) {
         return Some(first);
     }

@@ -3,10 +3,10 @@
 //! Bookkeeping only: the simulation and the analytic models both read it, and
 //! share nothing else.
 
-mod assembly;
+mod gear_pair;
 mod pose;
 mod sweep_plan;
 
-pub use assembly::{Assembly, Member};
+pub use gear_pair::{GearPair, Member};
 pub use pose::{Mating, Pose};
 pub use sweep_plan::SweepPlan;

@@ -1,6 +1,6 @@
 //! Which teeth mate, and the rotations of both gears that follow (design section 3).
 
-use super::{Assembly, Member};
+use super::{GearPair, Member};
 use crate::gear::Side;
 
 /// Mating (w, p) at a flank, and a fraction of a pitch beyond it.
@@ -26,7 +26,7 @@ impl Mating {
     }
 
     /// The mating of the same wheel tooth at `flank`, the gears put together as they are.
-    pub fn at_flank(&self, assembly: &Assembly, flank: Side) -> Mating {
+    pub fn at_flank(&self, assembly: &GearPair, flank: Side) -> Mating {
         let steps = self.steps_to(flank);
         let pinion = assembly.gear(Member::Pinion);
         Mating {
@@ -43,7 +43,7 @@ impl Mating {
     }
 
     /// The mating of wheel tooth 1 at its right flank, the gears put together as they are.
-    pub fn of_wheel_tooth_1(&self, assembly: &Assembly) -> Mating {
+    pub fn of_wheel_tooth_1(&self, assembly: &GearPair) -> Mating {
         let right = self.at_flank(assembly, Side::Right);
         let ascending = assembly.gear(Member::Wheel).face().ascending();
         let steps = ascending as i64 * (i64::from(self.wheel_tooth) - 1);
@@ -57,7 +57,7 @@ impl Mating {
     }
 
     /// The mating `pitches` beyond (before, where negative), named by the teeth of the last whole pitch: `0 ≤ fraction < 1`.
-    pub fn onward(&self, assembly: &Assembly, pitches: f64) -> Mating {
+    pub fn onward(&self, assembly: &GearPair, pitches: f64) -> Mating {
         let beyond = self.fraction + pitches;
         let whole = beyond.floor();
         // Ascending numbers stand counter-clockwise on a gear that shows its back.
@@ -94,7 +94,7 @@ impl Pose {
     /// point (its tooth's centre stands half an operating tooth thickness beside
     /// the line of centres), and so does the flank of the tooth facing it: that
     /// is the free gear's nominal rotation. A fraction rolls both on.
-    pub fn new(assembly: &Assembly, mating: Mating) -> Pose {
+    pub fn new(assembly: &GearPair, mating: Mating) -> Pose {
         let at_pitch_point = |member: Member| {
             let tooth = f64::from(mating.tooth(member));
             -mating.flank.sense() * assembly.operating_half_angle(member)
@@ -106,9 +106,9 @@ impl Pose {
         Pose {
             mating,
             locked_rotation: at_pitch_point(assembly.locked())
-                + onward * locked.gear().toothing().angular_pitch(),
+                + onward * locked.gear().basic_data().angular_pitch(),
             free_rotation: at_pitch_point(assembly.free())
-                - onward * free.gear().toothing().angular_pitch(),
+                - onward * free.gear().basic_data().angular_pitch(),
         }
     }
 
@@ -131,7 +131,7 @@ impl Pose {
     /// The free gear's tooth that faces flank `side` of the locked tooth `steps` counter-clockwise of the mating's.
     ///
     /// Counter-clockwise on one gear is clockwise on the other.
-    pub fn facing_tooth(&self, assembly: &Assembly, side: Side, steps: i64) -> u32 {
+    pub fn facing_tooth(&self, assembly: &GearPair, side: Side, steps: i64) -> u32 {
         let free = assembly.free();
         let steps = self.mating.steps_to(side) - steps;
         assembly

@@ -1,6 +1,6 @@
 //! Which poses a simulation takes.
 
-use super::{Assembly, Mating, Member};
+use super::{GearPair, Mating, Member};
 use crate::gear::Side;
 
 /// The poses of a simulation.
@@ -34,7 +34,7 @@ pub enum SweepPlan {
 impl SweepPlan {
     /// One wheel revolution.
     pub fn wheel_revolution(
-        assembly: &Assembly,
+        assembly: &GearPair,
         steps_per_pitch: u32,
         start: (u32, u32),
     ) -> SweepPlan {
@@ -47,7 +47,7 @@ impl SweepPlan {
 
     /// Until the same teeth meet again: lcm(z_1, z_2) pitches.
     pub fn hunting_cycle(
-        assembly: &Assembly,
+        assembly: &GearPair,
         steps_per_pitch: u32,
         start: (u32, u32),
     ) -> SweepPlan {
@@ -120,7 +120,7 @@ impl SweepPlan {
     }
 
     /// The matings in order. In a revolution each names the pair of the last whole step and the fraction beyond it.
-    pub fn matings(&self, assembly: &Assembly) -> Vec<Mating> {
+    pub fn matings(&self, assembly: &GearPair) -> Vec<Mating> {
         match self {
             SweepPlan::Matings { matings, fractions } => {
                 let mut list = Vec::with_capacity(2 * matings.len() * fractions.len());
@@ -165,6 +165,6 @@ impl SweepPlan {
     }
 }
 
-fn teeth(assembly: &Assembly, member: Member) -> u32 {
-    assembly.gear(member).gear().toothing().teeth()
+fn teeth(assembly: &GearPair, member: Member) -> u32 {
+    assembly.gear(member).gear().basic_data().teeth()
 }

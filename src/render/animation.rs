@@ -13,7 +13,7 @@ use super::turning::{metal, turns};
 use super::view::View;
 use super::{caption, main_view, pitch_chart, scale};
 use crate::gear::Side;
-use crate::mesh::{Meeting, Scene, SweptPose};
+use crate::mesh::{DrawnContact, PoseResult, Scene};
 use crate::pair::Member;
 use svg::node::Node;
 use svg::node::element::Group;
@@ -21,7 +21,7 @@ use svg::node::element::Group;
 const MEMBERS: [Member; 2] = [Member::Wheel, Member::Pinion];
 
 /// The SVG text of `steps` through a pitch, evenly apart, of which `view` shows the first.
-pub fn animation(view: &Snapshot, steps: &[SweptPose]) -> String {
+pub fn animation(view: &Snapshot, steps: &[PoseResult]) -> String {
     let scenes: Vec<Scene> = steps
         .iter()
         .map(|step| match &step.found {
@@ -78,7 +78,7 @@ pub fn animation(view: &Snapshot, steps: &[SweptPose]) -> String {
 fn marks(scenes: &[Scene], view: &View) -> Group {
     let mut group = Group::new().set("clip-path", "url(#mesh-frame)");
     for side in Side::BOTH {
-        let meetings: Vec<Option<&Meeting>> = scenes
+        let meetings: Vec<Option<&DrawnContact>> = scenes
             .iter()
             .map(|scene| scene.meetings().iter().find(|meeting| meeting.side == side))
             .collect();

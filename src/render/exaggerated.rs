@@ -139,23 +139,23 @@ fn whole(view: &Snapshot, gears: &Exaggeration, member: Member, tooth: u32, fram
     title.assign("font-weight", "bold");
     let mut group = Group::new().add(title).add(frame.border());
     for (placed, is_ghost) in [(&drawn, false), (&perfect, true)] {
-        let rings = match gear.toothing().angular_pitch() * gear.tip_radius() * scale < LEAST_TOOTH
-        {
-            true => vec![gear.tip_radius(), gear.root_radius()]
-                .into_iter()
-                .map(|radius| seen.arc(placed.centre(), radius))
-                .collect(),
-            false => {
-                let points =
-                    Exaggeration::outline_near(placed, placed.centre(), reach, seen.chord());
-                vec![
-                    points
-                        .iter()
-                        .map(|point| seen.spot(*point))
-                        .collect::<Vec<Spot>>(),
-                ]
-            }
-        };
+        let rings =
+            match gear.basic_data().angular_pitch() * gear.tip_radius() * scale < LEAST_TOOTH {
+                true => vec![gear.tip_radius(), gear.root_radius()]
+                    .into_iter()
+                    .map(|radius| seen.arc(placed.centre(), radius))
+                    .collect(),
+                false => {
+                    let points =
+                        Exaggeration::outline_near(placed, placed.centre(), reach, seen.chord());
+                    vec![
+                        points
+                            .iter()
+                            .map(|point| seen.spot(*point))
+                            .collect::<Vec<Spot>>(),
+                    ]
+                }
+            };
         for ring in rings {
             group = group.add(match is_ghost {
                 true => ghost_line(&ring, 0.7),

@@ -5,7 +5,7 @@ use super::page::{ACTION, GAP, GREY, INK, OVERLAP, PATH, PINION, Spot, WHEEL, li
 use super::view::{MARGIN, View};
 use super::{clip, met};
 use crate::gear::Side;
-use crate::mesh::{Meeting, Scene};
+use crate::mesh::{DrawnContact, Scene};
 use crate::pair::Member;
 use svg::node::element::{ClipPath, Definitions, Group, Path, Use};
 
@@ -84,7 +84,7 @@ pub fn draw(scene: &Scene, view: &View, look: &Look, occupied: &mut Occupied) ->
     for (name, fill) in names.iter().zip([WHEEL, PINION]) {
         group = group.add(metal_of(name).set("fill", fill));
     }
-    let shown = |meeting: &&Meeting| look.sides.contains(&meeting.side);
+    let shown = |meeting: &&DrawnContact| look.sides.contains(&meeting.side);
     let outlines = names.each_ref().map(|name| {
         metal_of(name)
             .set("fill", "none")

@@ -9,7 +9,7 @@ use super::page::{Frame, GREY, Spot, UNITS_PER_MM, text};
 use super::view::View;
 use super::{gears, met, overlap_label, scale};
 use crate::gear::Side;
-use crate::mesh::{Drawn, Meeting, Scene, Status, Touch};
+use crate::mesh::{Drawn, DrawnContact, Scene, Status, Touch};
 use nalgebra::{Point2, center};
 use svg::node::Node;
 use svg::node::element::{Element, Group, Rectangle};
@@ -27,7 +27,7 @@ const GREATEST: f64 = 40_000.0;
 const SIZE: f64 = 14.0;
 
 /// The view of one contact in `frame`, for a main view at `main` units a millimetre.
-pub fn view(meeting: &Meeting, frame: Frame, main: f64) -> View {
+pub fn view(meeting: &DrawnContact, frame: Frame, main: f64) -> View {
     let apart = (meeting.on_free - meeting.on_locked).norm();
     let wanted = if meeting.turn != 0.0 {
         (GAP_WIDTH / apart).clamp(LEAST * main, GREATEST.max(LEAST * main))
@@ -43,7 +43,7 @@ pub fn view(meeting: &Meeting, frame: Frame, main: f64) -> View {
 }
 
 /// The enlarged contact with its frame and the gears' names.
-pub fn draw(scene: &Scene, meeting: &Meeting, view: &View) -> Group {
+pub fn draw(scene: &Scene, meeting: &DrawnContact, view: &View) -> Group {
     let mut occupied = Occupied::default();
     let id = meeting.side.name();
     let look = Look {
@@ -83,7 +83,7 @@ pub fn empty(frame: Frame) -> Rectangle {
 }
 
 /// The words above an inset whose frame starts at `corner`.
-pub fn heading(scene: &Scene, side: Side, meeting: Option<&Meeting>, corner: Spot) -> Group {
+pub fn heading(scene: &Scene, side: Side, meeting: Option<&DrawnContact>, corner: Spot) -> Group {
     let [left, top] = corner;
     let name = capital(side);
     let (first, second) = match meeting {

@@ -5,7 +5,7 @@ use super::marks::{arrow, dot};
 use super::met::FORM_DASH;
 use super::page::{ACTION, Frame, GAP, GREY, INK, OVERLAP, PATH, Spot, line, text};
 use super::{labels, met};
-use crate::gear::Curve;
+use crate::gear::ProfilePart;
 use svg::node::Node;
 use svg::node::element::Group;
 
@@ -23,7 +23,7 @@ pub struct Shown {
     /// An overlap.
     pub overlap: bool,
     /// The kinds of curve that met.
-    pub met: Vec<Curve>,
+    pub met: Vec<ProfilePart>,
     /// A form circle.
     pub form: bool,
     /// A base tangent point.
@@ -107,13 +107,13 @@ pub fn draw(at: Spot, room: f64, shown: &Shown) -> Group {
         "base tangent point" => shown.tangent,
         _ => true,
     });
-    for curve in Curve::ALL {
+    for curve in ProfilePart::ALL {
         if shown.met.contains(&curve) {
             let name = match curve {
-                Curve::Involute => "involute that met",
-                Curve::Fillet => "fillet that met",
-                Curve::Tip => "tip that met",
-                Curve::Root => "root that met",
+                ProfilePart::Involute => "involute that met",
+                ProfilePart::Fillet => "fillet that met",
+                ProfilePart::Tip => "tip that met",
+                ProfilePart::Root => "root that met",
             };
             samples.push((name, Box::new(move |x, y| met::sample(x, y, SAMPLE, curve))));
         }

@@ -14,7 +14,7 @@ pub struct Link {
 }
 
 impl Link {
-    /// Ties what `enlarged` shows to its place in `main`.
+    /// TightestContacts what `enlarged` shows to its place in `main`.
     pub fn new(main: &View, enlarged: &View) -> Link {
         let inset = *enlarged.frame();
         let half = f64::max(0.5 * inset.width() * main.scale() / enlarged.scale(), 14.0);

@@ -26,7 +26,7 @@ const SIZE: f64 = 15.0;
 pub fn view(scene: &Scene, frame: Frame) -> View {
     let gear = |member| scene.assembly().gear(member).gear();
     let (wheel, pinion) = (gear(Member::Wheel), gear(Member::Pinion));
-    let module = wheel.toothing().module();
+    let module = wheel.basic_data().module();
     let distance = scene.assembly().center_distance();
     let middle = Point2::new(
         0.5 * (wheel.tip_radius() + distance - pinion.tip_radius()),
@@ -85,7 +85,7 @@ pub fn tooth_numbers(
         let gear = placed.as_built().gear();
         let teeth = placed.teeth_near(view.middle(), view.reach());
         let root = gear.root_radius();
-        if gear.toothing().angular_pitch() * root * view.scale() < SIZE {
+        if gear.basic_data().angular_pitch() * root * view.scale() < SIZE {
             continue;
         }
         let below = |radius: f64, lines: f64| radius - lines * SIZE / view.scale();

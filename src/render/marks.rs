@@ -3,7 +3,7 @@
 use super::labels::Occupied;
 use super::page::{Frame, INK, Spot, line, number, path_data};
 use super::view::View;
-use crate::mesh::Meeting;
+use crate::mesh::DrawnContact;
 use svg::node::element::{Circle, Group, Path};
 
 /// How large the marks of a view are, units of the sheet.
@@ -28,7 +28,7 @@ pub const IN_INSET: MarkSize = MarkSize {
 
 /// Draws a meeting: filled where the gears touch, else the two points that will meet, open, with
 /// the way of the free one to the other when there is room to see it.
-pub fn draw(meeting: &Meeting, view: &View, size: MarkSize, occupied: &mut Occupied) -> Group {
+pub fn draw(meeting: &DrawnContact, view: &View, size: MarkSize, occupied: &mut Occupied) -> Group {
     let locked = view.spot(meeting.on_locked);
     let free = view.spot(meeting.on_free);
     // y is down on the sheet.

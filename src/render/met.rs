@@ -8,8 +8,8 @@ use super::labels::Occupied;
 use super::marks::around;
 use super::page::{Frame, GREY, INK, Spot, line, path_data};
 use super::view::{MARGIN, View};
-use crate::gear::Curve;
-use crate::mesh::{Meeting, Scene};
+use crate::gear::ProfilePart;
+use crate::mesh::{DrawnContact, Scene};
 use crate::pair::Member;
 use svg::node::element::{Group, Path};
 
@@ -20,17 +20,17 @@ pub const BANDS: [f64; 2] = [9.0, 13.0];
 pub const FORM_DASH: &str = "1.6 3.4";
 
 /// Colour and dashes of a curve's band; no dashes: solid.
-pub fn style(curve: Curve) -> (&'static str, &'static str) {
+pub fn style(curve: ProfilePart) -> (&'static str, &'static str) {
     match curve {
-        Curve::Involute => ("#5b3a8c", ""),
-        Curve::Fillet => ("#e69f00", "9 4"),
-        Curve::Tip => ("#b0176b", "2.5 2.5"),
-        Curve::Root => ("#7a4a12", "12 3 2.5 3"),
+        ProfilePart::Involute => ("#5b3a8c", ""),
+        ProfilePart::Fillet => ("#e69f00", "9 4"),
+        ProfilePart::Tip => ("#b0176b", "2.5 2.5"),
+        ProfilePart::Root => ("#7a4a12", "12 3 2.5 3"),
     }
 }
 
 /// The bands of one meeting, on the metal's side of both outlines (clips `{id}-wheel-clip`, `{id}-pinion-clip`).
-pub fn bands(scene: &Scene, meeting: &Meeting, view: &View, id: &str, width: f64) -> Group {
+pub fn bands(scene: &Scene, meeting: &DrawnContact, view: &View, id: &str, width: f64) -> Group {
     let wide = view.frame().grown(MARGIN);
     let mut group = Group::new();
     for member in [Member::Wheel, Member::Pinion] {
@@ -60,7 +60,12 @@ pub fn band(points: &[Spot], width: f64, colour: &str, dashes: &str) -> Group {
 
 /// Where a contact lies below a gear's form circle: that circle, and the point where the line of
 /// action touches its base circle, beyond which there is no involute.
-pub fn limits(scene: &Scene, meeting: &Meeting, view: &View, occupied: &mut Occupied) -> Group {
+pub fn limits(
+    scene: &Scene,
+    meeting: &DrawnContact,
+    view: &View,
+    occupied: &mut Occupied,
+) -> Group {
     let wide = view.frame().grown(MARGIN);
     let mut group = Group::new();
     for member in below_form(meeting) {
@@ -79,7 +84,7 @@ pub fn limits(scene: &Scene, meeting: &Meeting, view: &View, occupied: &mut Occu
 }
 
 /// The gears on whose fillet or root the contact lies.
-pub fn below_form(meeting: &Meeting) -> Vec<Member> {
+pub fn below_form(meeting: &DrawnContact) -> Vec<Member> {
     let members = [Member::Wheel, Member::Pinion].into_iter();
     members
         .filter(|member| meeting.is_below_form_circle(*member))
@@ -87,7 +92,7 @@ pub fn below_form(meeting: &Meeting) -> Vec<Member> {
 }
 
 /// The base tangent points to show, those in view.
-pub fn tangent_points(scene: &Scene, meeting: &Meeting, view: &View) -> Vec<Spot> {
+pub fn tangent_points(scene: &Scene, meeting: &DrawnContact, view: &View) -> Vec<Spot> {
     let Some(action) = scene.line_of_action(meeting.side) else {
         return Vec::new();
     };
@@ -110,7 +115,7 @@ pub fn diamond([x, y]: Spot) -> Path {
 }
 
 /// Sample of a band for the legend.
-pub fn sample(x: f64, y: f64, width: f64, curve: Curve) -> Group {
+pub fn sample(x: f64, y: f64, width: f64, curve: ProfilePart) -> Group {
     let (colour, dashes) = style(curve);
     let frame = Frame {
         left: x,

@@ -5,7 +5,7 @@ use super::clip;
 use super::labels::{self, Occupied};
 use super::page::{Frame, INK, Spot, line, text};
 use super::view::View;
-use crate::mesh::{Drawn, Meeting, Scene};
+use crate::mesh::{Drawn, DrawnContact, Scene};
 use svg::node::Node;
 use svg::node::element::Group;
 
@@ -15,7 +15,7 @@ const SIZE: f64 = 13.0;
 const EDGE: &str = "#5a0d05";
 
 /// The label of the overlap at `meeting`, if there is one, with a leader to it; takes its room in `occupied`.
-pub fn draw(scene: &Scene, meeting: &Meeting, view: &View, occupied: &mut Occupied) -> Group {
+pub fn draw(scene: &Scene, meeting: &DrawnContact, view: &View, occupied: &mut Occupied) -> Group {
     let Some(overlap) = scene.overlap(meeting) else {
         return Group::new();
     };

@@ -5,7 +5,7 @@ use super::marks::dot;
 use super::motion::{course, motion};
 use super::page::{Frame, GREY, INK, PATH, Spot, line, text};
 use super::snapshot::INSETS;
-use crate::mesh::{Status, SweptPose};
+use crate::mesh::{PoseResult, Status};
 use svg::node::Node;
 use svg::node::element::Group;
 
@@ -17,7 +17,7 @@ const CHART: Frame = Frame {
     bottom: 700.0,
 };
 /// Why no step has a value.
-fn no_value(steps: &[SweptPose]) -> &'static str {
+fn no_value(steps: &[PoseResult]) -> &'static str {
     match steps.iter().any(|step| step.status() == Status::Unproven) {
         true => "no value: unproven, jammed or out of mesh",
         false => "no value: jammed or out of mesh",
@@ -25,7 +25,7 @@ fn no_value(steps: &[SweptPose]) -> &'static str {
 }
 
 /// `j_wt` over the pitch, with a dot that runs along.
-pub fn draw(steps: &[SweptPose]) -> Group {
+pub fn draw(steps: &[PoseResult]) -> Group {
     let values: Vec<Option<f64>> = steps.iter().map(|step| step.backlash).collect();
     let found = || values.iter().flatten().copied();
     let mut title = text(

@@ -3,8 +3,8 @@
 use crate::compare::{ComparedPose, Summary};
 use crate::diagnosis::ContactCount;
 use crate::gear::Side;
-use crate::mesh::{Contact, ContactClass, LostMotion, SweptPose, Touch, Unproven};
-use crate::pair::{Assembly, Mating, Member};
+use crate::mesh::{Contact, ContactClass, LostMotion, PoseResult, Touch, Unproven};
+use crate::pair::{GearPair, Mating, Member};
 use crate::tally::RunTally;
 use serde::Serialize;
 use std::f64::consts::TAU;
@@ -146,7 +146,7 @@ fn um(length: f64) -> f64 {
     length * 1e3
 }
 
-fn pose_record(assembly: &Assembly, pose: &ComparedPose) -> PoseRecord {
+fn pose_record(assembly: &GearPair, pose: &ComparedPose) -> PoseRecord {
     let free = assembly.gear(assembly.free()).gear();
     let swept = &pose.swept;
     let mating = swept.pose.mating();
@@ -172,7 +172,7 @@ fn pose_record(assembly: &Assembly, pose: &ComparedPose) -> PoseRecord {
         left_rad: right.zip(angle).map(|(right, angle)| right + angle),
         lost_motion_rad: angle,
         j_wt_um: swept.backlash.map(um),
-        j_t_um: angle.map(|phi| um(phi * free.toothing().reference_radius())),
+        j_t_um: angle.map(|phi| um(phi * free.basic_data().reference_radius())),
         j_bn_um: angle.map(|phi| um(phi * free.base_radius())),
         j_wt_range_um: swept.range().map(|end| end.map(um)),
         error_bound_um: angle.and(swept.error_bound).map(um),
@@ -199,7 +199,7 @@ pub(super) fn unproven_record(unproven: &Unproven) -> UnprovenRecord {
 }
 
 /// What is not proven at the ends of the bearing clearance; `None` where both are.
-fn unproven_range(swept: &SweptPose) -> Option<[Option<UnprovenRecord>; 2]> {
+fn unproven_range(swept: &PoseResult) -> Option<[Option<UnprovenRecord>; 2]> {
     let ends = swept.with_clearance.as_ref()?;
     let ends = ends
         .each_ref()
@@ -217,7 +217,7 @@ fn principal(rotation: f64) -> f64 {
     }
 }
 
-fn contact_record(assembly: &Assembly, side: Side, contact: &Contact) -> ContactRecord {
+fn contact_record(assembly: &GearPair, side: Side, contact: &Contact) -> ContactRecord {
     let class = ContactClass::of(assembly, side, contact);
     let Touch {
         tooth,

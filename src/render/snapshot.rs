@@ -12,8 +12,8 @@ use super::page::{Frame, WIDTH, blank_sheet, line, text};
 use super::view::View;
 use super::{caption, gears, inset, legend, main_view, met, scale};
 use crate::gear::Side;
-use crate::mesh::{LostMotion, Meeting, Scene, Status, Unproven};
-use crate::pair::{Assembly, Member, Pose};
+use crate::mesh::{DrawnContact, LostMotion, Scene, Status, Unproven};
+use crate::pair::{GearPair, Member, Pose};
 use svg::node::Node;
 use svg::node::element::{Definitions, Group, Pattern};
 
@@ -23,7 +23,7 @@ pub struct Snapshot<'a> {
     /// The pair's title.
     pub title: &'a str,
     /// The pair.
-    pub assembly: &'a Assembly,
+    pub assembly: &'a GearPair,
     /// The pose.
     pub pose: &'a Pose,
     /// `most`, `least` or `as-measured`.
@@ -145,8 +145,8 @@ pub fn snapshot(view: &Snapshot) -> String {
 }
 
 /// Each side with its contact and the frame it gets: the higher contact the upper frame.
-fn slots<'s>(scene: &'s Scene, main: &View) -> Vec<(Option<&'s Meeting>, Side, Frame)> {
-    let mut sides: Vec<(Option<&Meeting>, Side)> = Side::BOTH
+fn slots<'s>(scene: &'s Scene, main: &View) -> Vec<(Option<&'s DrawnContact>, Side, Frame)> {
+    let mut sides: Vec<(Option<&DrawnContact>, Side)> = Side::BOTH
         .into_iter()
         .map(|side| {
             (
@@ -195,7 +195,7 @@ pub fn names(scene: &Scene) -> Group {
         format!(
             "{} ({role}), z = {}",
             member.name(),
-            scene.assembly().gear(member).gear().toothing().teeth()
+            scene.assembly().gear(member).gear().basic_data().teeth()
         )
     };
     let wheel = text(

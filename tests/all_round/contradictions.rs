@@ -1,7 +1,7 @@
 //! Data that contradict the file, both ways, and data that do not.
 
 use super::*;
-use gearlash::gear::{Blank, Gear, Pitch, Rack, Toothing};
+use gearlash::gear::{BasicGearData, BasicRack, Gear, GearDesign, Pitch};
 use proptest::collection::vec;
 use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::TestRunner;
@@ -115,13 +115,14 @@ fn suspected_about_datum(
     turned: bool,
     flanks: impl Fn(&mut Dice) -> [Vec<f64>; 2],
 ) -> usize {
-    let toothing = |z: usize| Toothing::new(u32::try_from(z).unwrap(), 3.0, 20f64.to_radians());
+    let basic_data =
+        |z: usize| BasicGearData::new(u32::try_from(z).unwrap(), 3.0, 20f64.to_radians());
     let suspect = |_: &usize| {
         let own = flanks(dice);
-        let gear = Gear::nominal(Blank {
-            toothing: toothing(own[0].len()).unwrap(),
+        let gear = Gear::nominal(GearDesign {
+            basic_data: basic_data(own[0].len()).unwrap(),
             profile_shift: 0.0,
-            rack: Rack::ISO_53_A,
+            rack: BasicRack::ISO_53_A,
             tip_diameter: None,
         })
         .unwrap();

@@ -1,7 +1,7 @@
 //! Pitch about the datum axis: readings made here by bisection on displaced involutes, apart from the program.
 
 use super::*;
-use gearlash::gear::{Blank, Gear, Pitch, Rack, Separated, Toothing};
+use gearlash::gear::{BasicGearData, BasicRack, EccentricitySeparation, Gear, GearDesign, Pitch};
 use nalgebra::Complex;
 use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::TestRunner;
@@ -21,10 +21,10 @@ impl Drawn {
     }
 
     fn gear(&self) -> Gear {
-        Gear::nominal(Blank {
-            toothing: Toothing::new(self.z, self.module, ALPHA_DEG.to_radians()).unwrap(),
+        Gear::nominal(GearDesign {
+            basic_data: BasicGearData::new(self.z, self.module, ALPHA_DEG.to_radians()).unwrap(),
             profile_shift: 0.0,
-            rack: Rack::ISO_53_A,
+            rack: BasicRack::ISO_53_A,
             tip_diameter: None,
         })
         .unwrap()
@@ -60,7 +60,7 @@ impl Drawn {
     }
 
     /// Separates the readings of a gear with `own` pitch (right, left), mm, displaced by `e` towards the angle `to`.
-    fn separate(&self, own: &[Vec<f64>; 2], e: f64, to: f64) -> Separated {
+    fn separate(&self, own: &[Vec<f64>; 2], e: f64, to: f64) -> EccentricitySeparation {
         let e = Complex::from_polar(e, to);
         let sheet = |list: &[f64], ahead: f64| -> Vec<f64> {
             let flanks = (0..self.z).zip(list);
@@ -74,7 +74,7 @@ impl Drawn {
     }
 
     /// The direction found, rad.
-    fn direction(&self, found: &Separated) -> f64 {
+    fn direction(&self, found: &EccentricitySeparation) -> f64 {
         (found.high_tooth - 1.0) * TAU / f64::from(self.z)
     }
 
@@ -257,7 +257,7 @@ fn an_eccentricity_counts_once() {
     assert_eq!(found.key, "wheel.pitch.axis");
     assert!(
         found
-            .way_out
+            .help
             .contains("eccentricity = \"pitch\" or \"runout\""),
         "{found}"
     );

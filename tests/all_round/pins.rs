@@ -31,8 +31,8 @@ pub(super) fn centre(base: f64, low: f64, high: f64, radius: f64) -> Complex<f64
 
 /// The dimension over pins at each space: in the space after tooth i and in the one z/2 (rounded down) farther on.
 fn over_pins(gear: &AsBuilt, pin: f64) -> Vec<f64> {
-    let toothing = gear.gear().toothing();
-    let (z, base) = (toothing.teeth(), gear.gear().base_radius());
+    let basic_data = gear.gear().basic_data();
+    let (z, base) = (basic_data.teeth(), gear.gear().base_radius());
     let sign = if gear.face() == Face::Front {
         -1.0
     } else {
@@ -45,9 +45,9 @@ fn over_pins(gear: &AsBuilt, pin: f64) -> Vec<f64> {
             Face::Front => (Side::Right, Side::Left),
             Face::Back => (Side::Left, Side::Right),
         };
-        let middle = f64::from(space - 1) * toothing.angular_pitch();
+        let middle = f64::from(space - 1) * basic_data.angular_pitch();
         let low = middle + sign * place(gear, ahead, space) / base;
-        let high = middle + toothing.angular_pitch() + sign * place(gear, behind, next) / base;
+        let high = middle + basic_data.angular_pitch() + sign * place(gear, behind, next) / base;
         centre(base, low, high, pin / 2.0)
     };
     (1..=z)

@@ -136,13 +136,13 @@ fn a_reading_that_the_stated_flanks_explain_is_no_slip() {
 /// Δ/(2 sin α_K), Δ = 12 cos 20° µm: sin α_K = 0.36 makes it 15.6 µm. By thickness, too: tooth 17 thicker by 12 µm.
 #[test]
 fn pins_beside_a_stated_flank_are_no_slip() {
-    use gearlash::gear::{Toothing, thickness};
-    let toothing = Toothing::new(44, 3.0, 20f64.to_radians()).unwrap();
+    use gearlash::gear::{BasicGearData, thickness};
+    let basic_data = BasicGearData::new(44, 3.0, 20f64.to_radians()).unwrap();
     let (pin, base) = (5.25, 6.2);
-    let even = thickness::pins_from_base(&toothing, pin, base);
+    let even = thickness::pins_from_base(&basic_data, pin, base);
     let delta = 0.012 * 20f64.to_radians().cos();
-    let one = thickness::pin_centre_radius(&toothing, pin, base + delta)
-        - thickness::pin_centre_radius(&toothing, pin, base);
+    let one = thickness::pin_centre_radius(&basic_data, pin, base + delta)
+        - thickness::pin_centre_radius(&basic_data, pin, base);
     let mut mm = vec![even; 44];
     for space in [17, 39] {
         mm[space - 1] += one;

@@ -10,9 +10,9 @@ use std::fmt::Write;
 /// numbers to the last tooth's flank that looks to higher ones. Seen from the front, numbers ascend
 /// clockwise on a front face: there the first flank is a left one.
 fn spans(gear: &AsBuilt, k: u32) -> Vec<f64> {
-    let toothing = gear.gear().toothing();
-    let z = toothing.teeth();
-    let apart = f64::from(k - 1) * toothing.base_pitch();
+    let basic_data = gear.gear().basic_data();
+    let z = basic_data.teeth();
+    let apart = f64::from(k - 1) * basic_data.base_pitch();
     (1..=z)
         .map(|first| {
             let last = (first + k - 2) % z + 1;
@@ -48,7 +48,7 @@ fn drawing(recipe: &Recipe) -> String {
 
 fn check_same(found: &AsBuilt, expected: &AsBuilt, bound: f64) {
     for side in Side::BOTH {
-        for tooth in 1..=expected.gear().toothing().teeth() {
+        for tooth in 1..=expected.gear().basic_data().teeth() {
             let apart = place(found, side, tooth) - place(expected, side, tooth);
             assert!(apart.abs() < bound, "{side:?} {tooth}: {apart} mm");
         }
@@ -163,12 +163,12 @@ fn thickness_that_no_span_shows_is_not_made_up() {
 
 #[test]
 fn lists_that_are_none() {
-    let case = |span: &str, key: &str, reason: &str, way_out: &str| {
+    let case = |span: &str, key: &str, reason: &str, help: &str| {
         let keys = format!("teeth = 20\nmodule_mm = 3\nthickness.span = {{ teeth = 3, {span} }}");
         let found = problem(&keys);
         assert_eq!(found.key, format!("wheel.thickness.span.{key}"));
         assert!(found.reason.contains(reason), "{found}");
-        assert!(found.way_out.contains(way_out), "{found}");
+        assert!(found.help.contains(help), "{found}");
     };
     case(
         "mm = [23, 23]",

@@ -64,20 +64,15 @@ struct Expected<'a> {
     key: &'a str,
     value: &'a str,
     reason: &'a [&'a str],
-    way_out: &'a str,
+    help: &'a str,
 }
 
-fn problem<'a>(
-    key: &'a str,
-    value: &'a str,
-    reason: &'a [&'a str],
-    way_out: &'a str,
-) -> Expected<'a> {
+fn problem<'a>(key: &'a str, value: &'a str, reason: &'a [&'a str], help: &'a str) -> Expected<'a> {
     Expected {
         key,
         value,
         reason,
-        way_out,
+        help,
     }
 }
 
@@ -112,9 +107,9 @@ fn check(problems: &[Problem], expected: &[Expected]) {
         for words in expected.reason {
             assert!(problem.reason.contains(words), "{words:?} in {problem}");
         }
-        assert!(problem.way_out.contains(expected.way_out), "{problem}");
+        assert!(problem.help.contains(expected.help), "{problem}");
         let message = problem.to_string();
-        for part in [&problem.key, value, &problem.reason, &problem.way_out] {
+        for part in [&problem.key, value, &problem.reason, &problem.help] {
             assert!(message.contains(part), "{part:?} in {message}");
         }
     }

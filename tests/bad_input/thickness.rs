@@ -19,7 +19,7 @@ fn two_statements() {
 
 #[test]
 fn min_and_max() {
-    for (keys, key, value, reason, way_out) in [
+    for (keys, key, value, reason, help) in [
         (
             "span = { teeth = 3, min_mm = 22.98 }",
             "span.min_mm",
@@ -73,7 +73,7 @@ fn min_and_max() {
         let key = format!("wheel.thickness.{key}");
         expect(
             &wheel(&format!("thickness.{keys}")),
-            &[problem(&key, value, &[reason], way_out)],
+            &[problem(&key, value, &[reason], help)],
         );
     }
 }

@@ -1,18 +1,18 @@
 //! What goes into a gear comes out of its inspection.
 
 use gearlash::gear::{
-    AsBuilt, Blank, Deviations, Face, Gear, Inspection, Pitch, Rack, Side, Toothing,
+    AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Inspection, Pitch, Side,
 };
 use std::f64::consts::TAU;
 
 fn gear(face: Face, deviations: &Deviations) -> AsBuilt {
-    let blank = Blank {
-        toothing: Toothing::new(12, 3.0, 20f64.to_radians()).unwrap(),
+    let design = GearDesign {
+        basic_data: BasicGearData::new(12, 3.0, 20f64.to_radians()).unwrap(),
         profile_shift: 0.2,
-        rack: Rack::ISO_53_A,
+        rack: BasicRack::ISO_53_A,
         tip_diameter: None,
     };
-    AsBuilt::new(Gear::nominal(blank).unwrap(), face, deviations).unwrap()
+    AsBuilt::new(Gear::nominal(design).unwrap(), face, deviations).unwrap()
 }
 
 /// Rounding of some ulps of the radius, mm.

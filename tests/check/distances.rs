@@ -5,7 +5,7 @@ use super::*;
 /// K (17) is exact for perfect gears.
 #[test]
 fn zero_backlash_distance_of_perfect_gears_is_k_17() {
-    let mut assemblies: Vec<Assembly> = ["clear_1", "clear_2", "clear_3"]
+    let mut assemblies: Vec<GearPair> = ["clear_1", "clear_2", "clear_3"]
         .iter()
         .map(|name| reference_pair(name).assembly)
         .collect();

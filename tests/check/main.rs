@@ -19,10 +19,10 @@ use gearlash::compare::compare;
 use gearlash::diagnosis::{
     Check, Diagnosis, Verdict, diagnose, non_involute_onset, radial_clearance, zero_distance,
 };
-use gearlash::gear::{AsBuilt, Blank, Deviations, Face, Gear, Rack, Side, Toothing};
+use gearlash::gear::{AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Side};
 use gearlash::input;
 use gearlash::mesh::{ContactClass, ContactKind, ExactKernel, Method, Moment, PoseClass};
-use gearlash::pair::{Assembly, Mating, Member, Pose, SweepPlan};
+use gearlash::pair::{GearPair, Mating, Member, Pose, SweepPlan};
 use gearlash::simulate::simulate;
 use gearlash::study::Study;
 use serde_json::Value;
@@ -73,12 +73,12 @@ fn check<'a>(diagnosis: &'a Diagnosis, id: &str, gear: Option<Member>) -> &'a Ch
 }
 
 /// Two gears, m 3, 20°, 44 and `pinion` teeth, each with an eccentricity.
-fn eccentric(distance: f64, high: [(f64, f64); 2], pinion: u32) -> Assembly {
+fn eccentric(distance: f64, high: [(f64, f64); 2], pinion: u32) -> GearPair {
     let gear = |teeth, face, (eccentricity, high_tooth)| {
-        let blank = Blank {
-            toothing: Toothing::new(teeth, 3.0, 20f64.to_radians()).unwrap(),
+        let design = GearDesign {
+            basic_data: BasicGearData::new(teeth, 3.0, 20f64.to_radians()).unwrap(),
             profile_shift: 0.0,
-            rack: Rack::ISO_53_A,
+            rack: BasicRack::ISO_53_A,
             tip_diameter: None,
         };
         let deviations = Deviations {
@@ -86,9 +86,9 @@ fn eccentric(distance: f64, high: [(f64, f64); 2], pinion: u32) -> Assembly {
             high_tooth,
             ..Deviations::default()
         };
-        AsBuilt::new(Gear::nominal(blank).unwrap(), face, &deviations).unwrap()
+        AsBuilt::new(Gear::nominal(design).unwrap(), face, &deviations).unwrap()
     };
-    Assembly::new(
+    GearPair::new(
         gear(44, Face::Front, high[0]),
         gear(pinion, Face::Back, high[1]),
         distance,

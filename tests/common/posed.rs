@@ -2,14 +2,14 @@
 
 use gearlash::gear::Side;
 use gearlash::input;
-use gearlash::pair::{Assembly, Mating};
+use gearlash::pair::{GearPair, Mating};
 use std::path::Path;
 
 /// The first pose at `flank` of a pair file that has one centre distance and one thickness.
-pub fn pose(path: &Path, flank: Side) -> (Assembly, Mating) {
+pub fn pose(path: &Path, flank: Side) -> (GearPair, Mating) {
     let study = input::read(path).unwrap();
     let (_, wheel, pinion) = &study.materials[0];
-    let assembly = Assembly::new(
+    let assembly = GearPair::new(
         wheel.clone(),
         pinion.clone(),
         study.center_distances[0],
@@ -22,7 +22,7 @@ pub fn pose(path: &Path, flank: Side) -> (Assembly, Mating) {
 }
 
 /// The same of a file of fixtures/grazing.
-pub fn grazing(name: &str, flank: Side) -> (Assembly, Mating) {
+pub fn grazing(name: &str, flank: Side) -> (GearPair, Mating) {
     pose(
         &Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("fixtures/grazing/{name}.toml")),
         flank,

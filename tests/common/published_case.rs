@@ -1,8 +1,8 @@
 //! One case of fixtures/reference/published.json, and the gears it states.
 
 use super::reference_file;
-use gearlash::gear::{AsBuilt, Blank, Face, Gear, Rack, Toothing};
-use gearlash::pair::{Assembly, Member};
+use gearlash::gear::{AsBuilt, BasicGearData, BasicRack, Face, Gear, GearDesign};
+use gearlash::pair::{GearPair, Member};
 use serde_json::Value;
 use std::cell::RefCell;
 use std::collections::BTreeSet;
@@ -72,7 +72,7 @@ impl Case {
     }
 
     /// The gear of `z{n}`, `x{n}`, `d_a{n}_mm`; `n` is empty where the case has one gear only.
-    pub fn blank(&self, n: &str) -> Blank {
+    pub fn design(&self, n: &str) -> GearDesign {
         let input = |keys: &[&str], default: f64| {
             keys.iter()
                 .find_map(|key| self.input(key))
@@ -80,15 +80,15 @@ impl Case {
         };
         // The stress cases state x twice: as a formula, and to full precision.
         let shift = input(&["x_full", &format!("x{n}")], 0.0);
-        Blank {
-            toothing: Toothing::new(
+        GearDesign {
+            basic_data: BasicGearData::new(
                 self.input(&format!("z{n}")).unwrap() as u32,
                 self.input("m_n").unwrap(),
                 self.input("alpha_n_deg").unwrap().to_radians(),
             )
             .unwrap(),
             profile_shift: shift,
-            rack: Rack::new(
+            rack: BasicRack::new(
                 1.0,
                 input(
                     &["tool_h_aP0_star", "tool_h_fP_star", "dedendum_star"],
@@ -102,9 +102,9 @@ impl Case {
     }
 
     /// Both gears, perfect and of nominal thickness, at `distance`.
-    pub fn nominal_pair(&self, distance: f64) -> Assembly {
-        let gear = |n, face| AsBuilt::perfect(Gear::nominal(self.blank(n)).unwrap(), face);
-        Assembly::new(
+    pub fn nominal_pair(&self, distance: f64) -> GearPair {
+        let gear = |n, face| AsBuilt::perfect(Gear::nominal(self.design(n)).unwrap(), face);
+        GearPair::new(
             gear("1", Face::Front),
             gear("2", Face::Back),
             distance,

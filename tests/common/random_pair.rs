@@ -3,9 +3,9 @@
 use gearlash::analytic::{Analytic, InvolutePair, evaluate};
 use gearlash::error::GearError;
 use gearlash::gear::{
-    AsBuilt, Blank, Deviations, Face, Gear, Pitch, Rack, Side, Toothing, thickness,
+    AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Pitch, Side, thickness,
 };
-use gearlash::pair::{Assembly, Mating, Member, Pose};
+use gearlash::pair::{GearPair, Mating, Member, Pose};
 use proptest::prelude::*;
 use proptest::sample::Index;
 use std::ops::Range;
@@ -31,15 +31,15 @@ impl Recipe {
     /// Built `scale` times as large, module 2 times that.
     pub fn build(&self, scale: f64) -> Result<AsBuilt, GearError> {
         let um = scale * 1e-3;
-        let blank = Blank {
-            toothing: Toothing::new(self.teeth, 2.0 * scale, 20f64.to_radians()).unwrap(),
+        let design = GearDesign {
+            basic_data: BasicGearData::new(self.teeth, 2.0 * scale, 20f64.to_radians()).unwrap(),
             profile_shift: self.shift,
-            rack: Rack::ISO_53_A,
+            rack: BasicRack::ISO_53_A,
             tip_diameter: None,
         };
         let base = thickness::base_from_allowance(
-            &blank.toothing,
-            blank.nominal_base_thickness(),
+            &design.basic_data,
+            design.nominal_base_thickness(),
             self.allowance_um * um,
         );
         let column =
@@ -50,7 +50,7 @@ impl Recipe {
             eccentricity: self.runout_um * um / 2.0,
             high_tooth: self.high_tooth,
         };
-        AsBuilt::new(Gear::new(blank, base)?, self.face, &deviations)
+        AsBuilt::new(Gear::new(design, base)?, self.face, &deviations)
     }
 
     pub fn mirrored(&self) -> Recipe {
@@ -91,17 +91,17 @@ pub struct Case {
 }
 
 impl Case {
-    pub fn assemble(&self, scale: f64) -> Assembly {
+    pub fn assemble(&self, scale: f64) -> GearPair {
         self.try_assemble(scale).unwrap()
     }
 
-    pub fn try_assemble(&self, scale: f64) -> Result<Assembly, GearError> {
+    pub fn try_assemble(&self, scale: f64) -> Result<GearPair, GearError> {
         let (wheel, pinion) = (self.wheel.build(scale)?, self.pinion.build(scale)?);
         let zero = InvolutePair::new(wheel.gear(), pinion.gear())
             .center_distance(0.0)
             .unwrap();
         let distance = zero + 2.0 * scale * self.radial_play;
-        Assembly::new(wheel, pinion, distance, self.locked)
+        GearPair::new(wheel, pinion, distance, self.locked)
     }
 
     /// Wheel and pinion exchanged, the locked gear with them: the picture turned by half a turn.
@@ -151,7 +151,7 @@ impl Case {
         }
     }
 
-    pub fn evaluate(&self, scale: f64) -> (Assembly, Analytic) {
+    pub fn evaluate(&self, scale: f64) -> (GearPair, Analytic) {
         let assembly = self.assemble(scale);
         let analytic = evaluate(&assembly, &Pose::new(&assembly, self.mating));
         (assembly, analytic)

@@ -1,9 +1,9 @@
 //! The reference pairs of fixtures/reference/lost_motion, read without the library's input stage.
 
 use gearlash::gear::{
-    AsBuilt, Blank, Deviations, Face, Gear, Pitch, Rack, Side, Toothing, thickness,
+    AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Pitch, Side, thickness,
 };
-use gearlash::pair::{Assembly, Mating, Member};
+use gearlash::pair::{GearPair, Mating, Member};
 use serde::Deserialize;
 use toml::Table;
 
@@ -25,7 +25,7 @@ pub fn reference_names() -> Vec<String> {
 
 /// A reference pair and what was found for it, outside this project.
 pub struct ReferencePair {
-    pub assembly: Assembly,
+    pub assembly: GearPair,
     pub poses: Vec<ReferencePose>,
 }
 
@@ -90,7 +90,7 @@ pub fn reference_pair(name: &str) -> ReferencePair {
         .parse()
         .unwrap();
     let distance = number(table(&pair, "assembly").unwrap(), "center_distance_mm").unwrap();
-    let assembly = Assembly::new(
+    let assembly = GearPair::new(
         as_built(table(&pair, "wheel").unwrap()),
         as_built(table(&pair, "pinion").unwrap()),
         distance,
@@ -107,7 +107,7 @@ fn as_built(gear: &Table) -> AsBuilt {
         gear,
         "teeth module_mm pressure_angle_deg profile_shift reference_face rack thickness runout pitch",
     );
-    let toothing = Toothing::new(
+    let basic_data = BasicGearData::new(
         u32::try_from(gear["teeth"].as_integer().unwrap()).unwrap(),
         number(gear, "module_mm").unwrap(),
         number(gear, "pressure_angle_deg").unwrap().to_radians(),
@@ -115,10 +115,10 @@ fn as_built(gear: &Table) -> AsBuilt {
     .unwrap();
     let rack = table(gear, "rack").unwrap();
     check_keys(rack, "addendum dedendum root_radius");
-    let blank = Blank {
-        toothing,
+    let design = GearDesign {
+        basic_data,
         profile_shift: number(gear, "profile_shift").unwrap(),
-        rack: Rack::new(
+        rack: BasicRack::new(
             number(rack, "addendum").unwrap(),
             number(rack, "dedendum").unwrap(),
             number(rack, "root_radius").unwrap(),
@@ -126,12 +126,12 @@ fn as_built(gear: &Table) -> AsBuilt {
         .unwrap(),
         tip_diameter: None,
     };
-    let mut base = blank.nominal_base_thickness();
+    let mut base = design.nominal_base_thickness();
     let mut deviations = Deviations::default();
     if let Some(stated) = table(gear, "thickness") {
         check_keys(stated, "allowance_um per_tooth_um");
         base = thickness::base_from_allowance(
-            &toothing,
+            &basic_data,
             base,
             number(stated, "allowance_um").unwrap() * 1e-3,
         );
@@ -155,7 +155,7 @@ fn as_built(gear: &Table) -> AsBuilt {
         "back" => Face::Back,
         other => panic!("face {other}"),
     };
-    AsBuilt::new(Gear::new(blank, base).unwrap(), face, &deviations).unwrap()
+    AsBuilt::new(Gear::new(design, base).unwrap(), face, &deviations).unwrap()
 }
 
 fn check_keys(table: &Table, known: &str) {

@@ -4,9 +4,9 @@
 //! tooth's two flanks there. The outlines' points (lands and the outer flanks, corners among them) of
 //! each gear are asked for in the other's teeth, and rotations bisected. Tips only: nothing below `DEPTH`.
 
-use gearlash::gear::{AsBuilt, Curve, Profile, Side, involute};
+use gearlash::gear::{AsBuilt, Profile, ProfilePart, Side, involute};
 use gearlash::mesh::LostMotion;
-use gearlash::pair::{Assembly, Member, Pose};
+use gearlash::pair::{GearPair, Member, Pose};
 use nalgebra::{Point2, Rotation2, Vector2};
 
 /// How far down the flanks are looked at, modules.
@@ -24,19 +24,23 @@ struct Solid<'a> {
 }
 
 impl<'a> Solid<'a> {
-    fn new(assembly: &'a Assembly, member: Member, rotation: f64) -> Solid<'a> {
+    fn new(assembly: &'a GearPair, member: Member, rotation: f64) -> Solid<'a> {
         let gear = assembly.gear(member);
         let profile = Profile::new(gear.gear());
-        let (_, corner) = profile.range(Curve::Tip);
-        let (tip_roll, form_roll) = profile.range(Curve::Involute);
-        let depth = DEPTH * gear.gear().toothing().module();
+        let (_, corner) = profile.range(ProfilePart::Tip);
+        let (tip_roll, form_roll) = profile.range(ProfilePart::Involute);
+        let depth = DEPTH * gear.gear().basic_data().module();
         let inner = gear.gear().tip_radius() - depth;
         let end = involute::roll_at(inner, gear.gear().base_radius()).max(form_roll);
         let halves = Side::BOTH.map(|side| {
             let share = |k: usize| k as f64 / POINTS as f64;
-            let land = (0..=POINTS).map(|k| (Curve::Tip, corner * share(k)));
-            let flank =
-                (0..=POINTS).map(|k| (Curve::Involute, tip_roll + (end - tip_roll) * share(k)));
+            let land = (0..=POINTS).map(|k| (ProfilePart::Tip, corner * share(k)));
+            let flank = (0..=POINTS).map(|k| {
+                (
+                    ProfilePart::Involute,
+                    tip_roll + (end - tip_roll) * share(k),
+                )
+            });
             land.chain(flank)
                 .map(|(curve, t)| profile.point(curve, t, side).coords)
                 .collect()
@@ -56,7 +60,7 @@ impl<'a> Solid<'a> {
     /// The three teeth nearest to the direction of `place`.
     fn teeth_towards(&self, place: Point2<f64>) -> [u32; 3] {
         let to = place - self.centre();
-        let pitch = self.gear.gear().toothing().angular_pitch();
+        let pitch = self.gear.gear().basic_data().angular_pitch();
         let k = ((to.y.atan2(to.x) - self.tooth_1) / pitch).round() as i64;
         [-1, 0, 1].map(|beside| self.gear.counter_clockwise(1, k + beside))
     }
@@ -113,10 +117,10 @@ fn overlap(locked: &Solid, free: &Solid) -> bool {
 /// Rotations of the free gear at which it first overlaps the locked one, clockwise and counter-clockwise, from the
 /// middle between `found`'s contacts, or from where it stands free when there are none. Steps of a
 /// 200th of a pitch: an overlap that lasts less may be missed.
-pub fn limits(assembly: &Assembly, pose: &Pose, found: &LostMotion) -> [Option<f64>; 2] {
+pub fn limits(assembly: &GearPair, pose: &Pose, found: &LostMotion) -> [Option<f64>; 2] {
     let free = assembly.free();
     let locked = Solid::new(assembly, assembly.locked(), pose.locked_rotation());
-    let pitch = assembly.gear(free).gear().toothing().angular_pitch();
+    let pitch = assembly.gear(free).gear().basic_data().angular_pitch();
     let mut turned = Solid::new(assembly, free, 0.0);
     let zero = turned.tooth_1;
     let mut overlaps = |rotation: f64| {

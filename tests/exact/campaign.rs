@@ -1,9 +1,9 @@
 //! Random poses against brute force.
 
 use crate::{clearance, random};
-use gearlash::gear::Curve;
+use gearlash::gear::ProfilePart;
 use gearlash::mesh::ExactKernel;
-use gearlash::pair::{Assembly, Mating, Member, Pose};
+use gearlash::pair::{GearPair, Mating, Member, Pose};
 use random::Random;
 
 /// What a campaign met.
@@ -22,7 +22,7 @@ pub struct Tally {
 }
 
 /// One pose against brute force; panics on the first contact off by more than its error bound.
-pub fn compare(assembly: &Assembly, mating: Mating, tally: &mut Tally, seed: u64) {
+pub fn compare(assembly: &GearPair, mating: Mating, tally: &mut Tally, seed: u64) {
     let pose = Pose::new(assembly, mating);
     let what = || {
         format!(
@@ -47,12 +47,15 @@ pub fn compare(assembly: &Assembly, mating: Mating, tally: &mut Tally, seed: u64
             continue;
         };
         match (contact.wheel.curve, contact.pinion.curve) {
-            (Curve::Involute, Curve::Involute) => continue,
-            (Curve::Root, _) | (_, Curve::Root) | (Curve::Tip, Curve::Tip) => tally.lands += 1,
-            (Curve::Tip, Curve::Involute) | (Curve::Involute, Curve::Tip) => {
-                tally.tip_on_involute += 1
+            (ProfilePart::Involute, ProfilePart::Involute) => continue,
+            (ProfilePart::Root, _)
+            | (_, ProfilePart::Root)
+            | (ProfilePart::Tip, ProfilePart::Tip) => tally.lands += 1,
+            (ProfilePart::Tip, ProfilePart::Involute)
+            | (ProfilePart::Involute, ProfilePart::Tip) => tally.tip_on_involute += 1,
+            (ProfilePart::Tip, ProfilePart::Fillet) | (ProfilePart::Fillet, ProfilePart::Tip) => {
+                tally.tip_on_fillet += 1
             }
-            (Curve::Tip, Curve::Fillet) | (Curve::Fillet, Curve::Tip) => tally.tip_on_fillet += 1,
             _ => tally.fillet += 1,
         }
         tally.off_involute += 1;
@@ -60,16 +63,16 @@ pub fn compare(assembly: &Assembly, mating: Mating, tally: &mut Tally, seed: u64
 }
 
 /// Which member is which, for messages.
-pub fn describe(assembly: &Assembly) -> String {
+pub fn describe(assembly: &GearPair) -> String {
     [Member::Wheel, Member::Pinion]
         .map(|member| {
             let gear = assembly.gear(member);
             format!(
                 "{} z {} m {} x {} xE {} e {} form {} tip {}",
                 member.name(),
-                gear.gear().toothing().teeth(),
-                gear.gear().toothing().module(),
-                gear.gear().blank().profile_shift,
+                gear.gear().basic_data().teeth(),
+                gear.gear().basic_data().module(),
+                gear.gear().design().profile_shift,
                 gear.gear().generating_shift(),
                 gear.eccentricity(),
                 gear.gear().form_roll(),

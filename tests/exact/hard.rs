@@ -1,16 +1,18 @@
 //! The hard cases of the issue: each has a definite answer, checked against brute force at several phases.
 
 use crate::campaign::{Tally, compare};
-use gearlash::gear::{AsBuilt, Blank, Deviations, Face, Gear, Pitch, Rack, Side, Toothing};
+use gearlash::gear::{
+    AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Pitch, Side,
+};
 use gearlash::mesh::{ExactKernel, LostMotion, Status};
-use gearlash::pair::{Assembly, Mating, Member, Pose};
+use gearlash::pair::{GearPair, Mating, Member, Pose};
 use std::f64::consts::{PI, TAU};
 
 struct Plan {
     teeth: u32,
     module: f64,
     shift: f64,
-    rack: Rack,
+    rack: BasicRack,
 }
 
 impl Plan {
@@ -19,13 +21,13 @@ impl Plan {
             teeth,
             module,
             shift: 0.0,
-            rack: Rack::ISO_53_A,
+            rack: BasicRack::ISO_53_A,
         }
     }
 
     fn gear(&self) -> Gear {
-        Gear::nominal(Blank {
-            toothing: Toothing::new(self.teeth, self.module, 20f64.to_radians()).unwrap(),
+        Gear::nominal(GearDesign {
+            basic_data: BasicGearData::new(self.teeth, self.module, 20f64.to_radians()).unwrap(),
             profile_shift: self.shift,
             rack: self.rack,
             tip_diameter: None,
@@ -42,12 +44,12 @@ impl Plan {
     }
 }
 
-fn pair(wheel: AsBuilt, pinion: AsBuilt, distance: f64) -> Assembly {
-    Assembly::new(wheel, pinion, distance, Member::Wheel).unwrap()
+fn pair(wheel: AsBuilt, pinion: AsBuilt, distance: f64) -> GearPair {
+    GearPair::new(wheel, pinion, distance, Member::Wheel).unwrap()
 }
 
 /// Sixteen poses over a pitch from the mating (1, 1), each checked against brute force.
-fn over_a_pitch(assembly: &Assembly) -> Vec<LostMotion> {
+fn over_a_pitch(assembly: &GearPair) -> Vec<LostMotion> {
     let kernel = ExactKernel::new(assembly);
     let mut tally = Tally::default();
     (0..16)
@@ -75,7 +77,7 @@ fn all(results: &[LostMotion], status: Status) -> bool {
 #[test]
 fn contact_ratio_below_one() {
     // Addendum 0.4: a path of contact shorter than a base pitch. Between two pairs a tip corner carries.
-    let stub = Rack::new(0.4, 1.25, 0.38).unwrap();
+    let stub = BasicRack::new(0.4, 1.25, 0.38).unwrap();
     let plan = |teeth| Plan {
         rack: stub,
         ..Plan::new(teeth, 2.0)

@@ -1,23 +1,25 @@
 //! Perfect gears against the closed form, and results that depend on the pose alone.
 
 use crate::random::{self, Kind, Random};
-use gearlash::gear::{AsBuilt, Blank, Curve, Face, Gear, Rack, Side, Toothing, involute};
+use gearlash::gear::{
+    AsBuilt, BasicGearData, BasicRack, Face, Gear, GearDesign, ProfilePart, Side, involute,
+};
 use gearlash::mesh::{ExactKernel, LostMotion};
-use gearlash::pair::{Assembly, Mating, Member, Pose};
+use gearlash::pair::{GearPair, Mating, Member, Pose};
 
 /// `j_bn = p_b − s_b1 − s_b2 + 2 (r_b1 + r_b2) inv α_wt`, mm.
-fn normal_backlash(assembly: &Assembly) -> f64 {
+fn normal_backlash(assembly: &GearPair) -> f64 {
     let [wheel, pinion] =
         [Member::Wheel, Member::Pinion].map(|member| assembly.gear(member).gear());
     let sum = wheel.base_radius() + pinion.base_radius();
     let roll = involute::roll_at(assembly.center_distance(), sum);
-    wheel.toothing().base_pitch() - wheel.base_thickness() - pinion.base_thickness()
+    wheel.basic_data().base_pitch() - wheel.base_thickness() - pinion.base_thickness()
         + 2.0 * sum * involute::inv_of_roll(roll)
 }
 
 /// Whether both tips stay on the mate's involute, below the far base circle's tangency, and one
 /// pair at least is always on the path: then the closed form holds at every phase.
-fn within_path(assembly: &Assembly) -> bool {
+fn within_path(assembly: &GearPair) -> bool {
     let [wheel, pinion] =
         [Member::Wheel, Member::Pinion].map(|member| assembly.gear(member).gear());
     let sum = wheel.base_radius() + pinion.base_radius();
@@ -25,11 +27,11 @@ fn within_path(assembly: &Assembly) -> bool {
     let tips = [wheel, pinion].map(|gear| gear.base_radius() * gear.tip_roll());
     let forms = [wheel, pinion].map(|gear| gear.base_radius() * gear.form_roll());
     let clearance = |tip: f64, root: f64| {
-        assembly.center_distance() - tip - root > 0.02 * wheel.toothing().module()
+        assembly.center_distance() - tip - root > 0.02 * wheel.basic_data().module()
     };
     line - tips[0] >= forms[1]
         && line - tips[1] >= forms[0]
-        && tips[0] + tips[1] - line > wheel.toothing().base_pitch()
+        && tips[0] + tips[1] - line > wheel.basic_data().base_pitch()
         && clearance(wheel.tip_radius(), pinion.root_radius())
         && clearance(pinion.tip_radius(), wheel.root_radius())
 }
@@ -69,7 +71,7 @@ fn perfect_gears_follow_the_closed_form_to_a_tenth_of_a_picometre() {
             let mut touches = contacts
                 .iter()
                 .flat_map(|contact| [contact.wheel, contact.pinion]);
-            if touches.all(|touch| touch.curve == Curve::Involute) {
+            if touches.all(|touch| touch.curve == ProfilePart::Involute) {
                 assert!(
                     above >= -1e-7,
                     "{above:e} µm: {mating:?} {assembly:?} {found:?}"
@@ -156,7 +158,11 @@ fn of_pairs_that_tie_the_nearest_to_the_pitch_point_is_named() {
             continue;
         }
         pairs += 1;
-        let base_pitch = assembly.gear(Member::Wheel).gear().toothing().base_pitch();
+        let base_pitch = assembly
+            .gear(Member::Wheel)
+            .gear()
+            .basic_data()
+            .base_pitch();
         let pitch_point =
             nalgebra::Point2::new(assembly.operating_pitch_radius(Member::Wheel), 0.0);
         let pose = Pose::new(&assembly, random::mating(&mut random, &assembly));
@@ -182,17 +188,17 @@ fn of_pairs_that_tie_the_nearest_to_the_pitch_point_is_named() {
 /// right-flank contact, its mirror image in left-flank contact, as the method's description says.
 #[test]
 fn of_two_equally_near_pairs_the_clockwise_one_is_named_at_the_right() {
-    let toothing = Toothing::new(44, 3.0, 20f64.to_radians()).unwrap();
-    let blank = Blank {
-        toothing,
+    let basic_data = BasicGearData::new(44, 3.0, 20f64.to_radians()).unwrap();
+    let design = GearDesign {
+        basic_data,
         profile_shift: 0.0,
-        rack: Rack::ISO_53_A,
+        rack: BasicRack::ISO_53_A,
         tip_diameter: None,
     };
-    let [wheel, pinion] =
-        [Face::Front, Face::Back].map(|face| AsBuilt::perfect(Gear::nominal(blank).unwrap(), face));
+    let [wheel, pinion] = [Face::Front, Face::Back]
+        .map(|face| AsBuilt::perfect(Gear::nominal(design).unwrap(), face));
     for locked in [Member::Wheel, Member::Pinion] {
-        let assembly = Assembly::new(wheel.clone(), pinion.clone(), 132.1, locked).unwrap();
+        let assembly = GearPair::new(wheel.clone(), pinion.clone(), 132.1, locked).unwrap();
         let kernel = ExactKernel::new(&assembly);
         let pitch_point =
             nalgebra::Point2::new(assembly.operating_pitch_radius(Member::Wheel), 0.0);
@@ -210,7 +216,10 @@ fn of_two_equally_near_pairs_the_clockwise_one_is_named_at_the_right() {
                     Side::Left => found.left.unwrap().point,
                 };
                 let away = (named - pitch_point).norm();
-                assert!((away - 0.5 * toothing.base_pitch()).abs() < 1e-9, "{away}");
+                assert!(
+                    (away - 0.5 * basic_data.base_pitch()).abs() < 1e-9,
+                    "{away}"
+                );
                 let other = pitch_point - (named - pitch_point);
                 let axis = assembly.axis(locked);
                 let turn = (named - axis).perp(&(other - axis)) * -flank.sense();
@@ -230,7 +239,7 @@ fn the_normal_of_two_involutes_touches_both_base_circles() {
         let pose = Pose::new(&assembly, random::mating(&mut random, &assembly));
         let found = ExactKernel::new(&assembly).lost_motion(&pose).unwrap();
         for contact in [found.right, found.left].into_iter().flatten() {
-            if [contact.wheel.curve, contact.pinion.curve] != [Curve::Involute; 2] {
+            if [contact.wheel.curve, contact.pinion.curve] != [ProfilePart::Involute; 2] {
                 continue;
             }
             met += 1;

@@ -2,9 +2,9 @@
 //! alternating pitch errors at hand-over, eccentric axes, interference.
 
 use gearlash::gear::{
-    AsBuilt, Blank, Deviations, Face, Gear, Pitch, Rack, Side, Toothing, involute,
+    AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Pitch, Side, involute,
 };
-use gearlash::pair::{Assembly, Mating, Member};
+use gearlash::pair::{GearPair, Mating, Member};
 
 /// SplitMix64 (Steele, Lea and Flood 2014): a seed gives one sequence, on any machine.
 pub struct Random(pub u64);
@@ -59,7 +59,7 @@ pub const WILD: Kind = Kind {
 };
 
 /// A pair of `kind` that can exist.
-pub fn pair(random: &mut Random, kind: Kind) -> Assembly {
+pub fn pair(random: &mut Random, kind: Kind) -> GearPair {
     loop {
         if let Some(assembly) = try_pair(random, kind) {
             return assembly;
@@ -67,11 +67,11 @@ pub fn pair(random: &mut Random, kind: Kind) -> Assembly {
     }
 }
 
-fn try_pair(random: &mut Random, kind: Kind) -> Option<Assembly> {
+fn try_pair(random: &mut Random, kind: Kind) -> Option<GearPair> {
     let module = random.decades(0.05, 20.0);
     let alpha = random.within(14.5, 28.0).to_radians();
     let addendum = random.within(0.8, 1.25);
-    let rack = Rack::new(
+    let rack = BasicRack::new(
         addendum,
         addendum + random.within(0.1, 0.35),
         random.within(0.0, 0.4),
@@ -80,19 +80,19 @@ fn try_pair(random: &mut Random, kind: Kind) -> Option<Assembly> {
     let gears: Vec<Gear> = (0..2)
         .map(|_| {
             let teeth = random.decades(kind.teeth.0, kind.teeth.1) as u32;
-            let blank = Blank {
-                toothing: Toothing::new(teeth, module, alpha).ok()?,
+            let design = GearDesign {
+                basic_data: BasicGearData::new(teeth, module, alpha).ok()?,
                 profile_shift: random.within(-0.4, 0.8),
                 rack,
                 tip_diameter: None,
             };
             let allowance = random.within(-0.03, 0.005) * module;
-            Gear::new(blank, blank.nominal_base_thickness() + allowance).ok()
+            Gear::new(design, design.nominal_base_thickness() + allowance).ok()
         })
         .collect::<Option<_>>()?;
     let sum: f64 = gears.iter().map(Gear::base_radius).sum();
     let thick: f64 = gears.iter().map(Gear::base_thickness).sum();
-    let inv = (thick - gears[0].toothing().base_pitch()) / (2.0 * sum);
+    let inv = (thick - gears[0].basic_data().base_pitch()) / (2.0 * sum);
     if inv <= 0.0 {
         return None;
     }
@@ -109,7 +109,7 @@ fn try_pair(random: &mut Random, kind: Kind) -> Option<Assembly> {
         .map(|gear| as_built(random, gear, kind.deviation, style))
         .collect::<Option<_>>()?;
     let [wheel, pinion] = <[AsBuilt; 2]>::try_from(built).ok()?;
-    Assembly::new(wheel, pinion, distance, locked).ok()
+    GearPair::new(wheel, pinion, distance, locked).ok()
 }
 
 fn as_built(random: &mut Random, gear: Gear, deviation: f64, style: f64) -> Option<AsBuilt> {
@@ -118,8 +118,8 @@ fn as_built(random: &mut Random, gear: Gear, deviation: f64, style: f64) -> Opti
     } else {
         Face::Back
     };
-    let teeth = gear.toothing().teeth();
-    let module = gear.toothing().module();
+    let teeth = gear.basic_data().teeth();
+    let module = gear.basic_data().module();
     // Ordinary: 10 µm of pitch and thickness, 20 µm of runout at module 3.
     let scale = deviation * random.unit() * 0.003 * module;
     let list = |random: &mut Random, alternating: bool| -> Vec<f64> {
@@ -148,8 +148,8 @@ fn as_built(random: &mut Random, gear: Gear, deviation: f64, style: f64) -> Opti
 }
 
 /// A pose of `assembly` up to a thousand pitches beyond a mating.
-pub fn mating(random: &mut Random, assembly: &Assembly) -> Mating {
-    let teeth = |member| assembly.gear(member).gear().toothing().teeth();
+pub fn mating(random: &mut Random, assembly: &GearPair) -> Mating {
+    let teeth = |member| assembly.gear(member).gear().basic_data().teeth();
     let whole = if random.chance(0.2) {
         random.within(-1000.0, 1000.0).round()
     } else {

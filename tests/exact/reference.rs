@@ -1,9 +1,9 @@
 //! Reads `fixtures/reference/lost_motion`: pairs as TOML, poses as JSON. Only the keys those files use.
 
 use gearlash::gear::{
-    AsBuilt, Blank, Deviations, Face, Gear, Pitch, Rack, Side, Toothing, thickness,
+    AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Pitch, Side, thickness,
 };
-use gearlash::pair::{Assembly, Mating, Member};
+use gearlash::pair::{GearPair, Mating, Member};
 use serde_json::Value as Json;
 use std::path::{Path, PathBuf};
 use toml::Value as Toml;
@@ -17,7 +17,7 @@ pub struct Case {
 }
 
 /// All pairs with their poses.
-pub fn pairs() -> Vec<(Assembly, Vec<Case>)> {
+pub fn pairs() -> Vec<(GearPair, Vec<Case>)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures/reference/lost_motion");
     let mut files: Vec<PathBuf> = std::fs::read_dir(&folder)
         .expect("reference folder")
@@ -28,11 +28,11 @@ pub fn pairs() -> Vec<(Assembly, Vec<Case>)> {
     files.iter().map(|path| pair(path)).collect()
 }
 
-fn pair(path: &Path) -> (Assembly, Vec<Case>) {
+fn pair(path: &Path) -> (GearPair, Vec<Case>) {
     let text = std::fs::read_to_string(path).expect("pair file");
     let file: Toml = toml::from_str(&text).expect("TOML");
     let distance = number(&file["assembly"]["center_distance_mm"]);
-    let assembly = Assembly::new(
+    let assembly = GearPair::new(
         gear(&file["wheel"]),
         gear(&file["pinion"]),
         distance,
@@ -69,16 +69,16 @@ fn gear(table: &Toml) -> AsBuilt {
     let value = |key: &str| number(&table[key]);
     let rack = &table["rack"];
     let teeth = table["teeth"].as_integer().expect("teeth") as u32;
-    let toothing = Toothing::new(
+    let basic_data = BasicGearData::new(
         teeth,
         value("module_mm"),
         value("pressure_angle_deg").to_radians(),
     )
     .expect("toothing");
-    let blank = Blank {
-        toothing,
+    let design = GearDesign {
+        basic_data,
         profile_shift: value("profile_shift"),
-        rack: Rack::new(
+        rack: BasicRack::new(
             number(&rack["addendum"]),
             number(&rack["dedendum"]),
             number(&rack["root_radius"]),
@@ -91,8 +91,8 @@ fn gear(table: &Toml) -> AsBuilt {
         .and_then(|table| table.get("allowance_um"))
         .map_or(0.0, number);
     let base = thickness::base_from_allowance(
-        &toothing,
-        blank.nominal_base_thickness(),
+        &basic_data,
+        design.nominal_base_thickness(),
         allowance / 1000.0,
     );
     let mut deviations = Deviations::default();
@@ -114,7 +114,7 @@ fn gear(table: &Toml) -> AsBuilt {
         Some("back") => Face::Back,
         _ => Face::Front,
     };
-    AsBuilt::new(Gear::new(blank, base).expect("gear"), face, &deviations).expect("as built")
+    AsBuilt::new(Gear::new(design, base).expect("gear"), face, &deviations).expect("as built")
 }
 
 fn number(value: &Toml) -> f64 {

@@ -22,8 +22,8 @@ fn spans_pitch_and_thickness() {
     ] {
         let made = made(teeth, face, e);
         let gear = made.gear.gear();
-        let toothing = gear.toothing();
-        let cos = toothing.pressure_angle().cos();
+        let basic_data = gear.basic_data();
+        let cos = basic_data.pressure_angle().cos();
         let found = measure(&made.gear, quick());
         let z = teeth as usize;
 
@@ -32,7 +32,7 @@ fn spans_pitch_and_thickness() {
         assert!(k > 2);
         let expected = (0..z).map(|i| {
             let last = (i + k - 1) % z;
-            (k - 1) as f64 * toothing.base_pitch()
+            (k - 1) as f64 * basic_data.base_pitch()
                 + gear.base_thickness()
                 + cos * (made.right[last] - made.left[i])
                 + cos * (made.per_tooth[i] + made.per_tooth[last]) / 2.0
@@ -60,8 +60,8 @@ fn spans_pitch_and_thickness() {
         let thickness = found.thickness.unwrap();
         let mean = gear.base_thickness() / cos
             - 2.0
-                * toothing.reference_radius()
-                * (toothing.pressure_angle().tan() - toothing.pressure_angle());
+                * basic_data.reference_radius()
+                * (basic_data.pressure_angle().tan() - basic_data.pressure_angle());
         let expected = (0..z).map(|i| mean + made.per_tooth[i] + made.right[i] - made.left[i]);
         let off = worst(thickness.arcs, expected);
         assert!(off < PICOMETRE, "{off}");
@@ -78,7 +78,7 @@ fn spans_pitch_and_thickness() {
 #[test]
 fn datum_axis_pitch_separates_again() {
     let teeth = 44;
-    let blank = blank(teeth, 3.0, 20.0, 0.0);
+    let design = design(teeth, 3.0, 20.0, 0.0);
     let wave = |phase: f64| -> Vec<f64> {
         let at = |i: u32| {
             0.006 * (4.0 * std::f64::consts::TAU * f64::from(i) / f64::from(teeth) + phase).sin()
@@ -91,7 +91,7 @@ fn datum_axis_pitch_separates_again() {
         high_tooth: 17.5,
         ..Deviations::default()
     };
-    let part = AsBuilt::new(Gear::nominal(blank).unwrap(), Face::Back, &deviations).unwrap();
+    let part = AsBuilt::new(Gear::nominal(design).unwrap(), Face::Back, &deviations).unwrap();
     let found = measure(&part, quick());
     let datum = found.pitch_datum.unwrap();
     // To first order the sine of amplitude e/cos α is in F_p.
@@ -124,7 +124,7 @@ fn runout_of_a_pure_eccentricity() {
             high_tooth,
             ..Deviations::default()
         };
-        let gear = Gear::nominal(blank(teeth, 3.0, 20.0, 0.0)).unwrap();
+        let gear = Gear::nominal(design(teeth, 3.0, 20.0, 0.0)).unwrap();
         let part = AsBuilt::new(gear, Face::Front, &deviations).unwrap();
         let found = measure(&part, quick());
         let radius = found.pins.unwrap().seats[0].centre.coords.norm();

@@ -8,17 +8,19 @@ mod roll;
 mod round_trip;
 
 use gearlash::gauge::{Gauged, Settings, gauge};
-use gearlash::gear::{AsBuilt, Blank, Deviations, Face, Gear, Pitch, Rack, Toothing};
+use gearlash::gear::{
+    AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Pitch,
+};
 use std::ops::ControlFlow;
 
 /// Issue 5: 1e-6 µm.
 const PICOMETRE: f64 = 1e-9;
 
-fn blank(teeth: u32, module: f64, alpha_deg: f64, profile_shift: f64) -> Blank {
-    Blank {
-        toothing: Toothing::new(teeth, module, alpha_deg.to_radians()).unwrap(),
+fn design(teeth: u32, module: f64, alpha_deg: f64, profile_shift: f64) -> GearDesign {
+    GearDesign {
+        basic_data: BasicGearData::new(teeth, module, alpha_deg.to_radians()).unwrap(),
         profile_shift,
-        rack: Rack::ISO_53_A,
+        rack: BasicRack::ISO_53_A,
         tip_diameter: None,
     }
 }
@@ -68,8 +70,8 @@ fn made(teeth: u32, face: Face, eccentricity: f64) -> Made {
         scaled(&made_up(teeth, 2), 12e-3),
         scaled(&made_up(teeth, 3), 12e-3),
     );
-    let blank = blank(teeth, 3.0, 20.0, 0.1);
-    let gear = Gear::new(blank, blank.nominal_base_thickness() - 0.04).unwrap();
+    let design = design(teeth, 3.0, 20.0, 0.1);
+    let gear = Gear::new(design, design.nominal_base_thickness() - 0.04).unwrap();
     let deviations = Deviations {
         per_tooth: per_tooth.clone(),
         pitch: Some(Pitch::from_cumulative(&right, &left)),

@@ -2,11 +2,11 @@
 
 use super::*;
 use gearlash::gauge::{OverPins, StatedThickness, Unmeasured};
-use gearlash::gear::{Curve, thickness};
+use gearlash::gear::{ProfilePart, thickness};
 use std::f64::consts::PI;
 
-fn perfect(blank: Blank, thinner: f64) -> AsBuilt {
-    let gear = Gear::new(blank, blank.nominal_base_thickness() - thinner).unwrap();
+fn perfect(design: GearDesign, thinner: f64) -> AsBuilt {
+    let gear = Gear::new(design, design.nominal_base_thickness() - thinner).unwrap();
     AsBuilt::perfect(gear, Face::Front)
 }
 
@@ -101,7 +101,7 @@ fn reads_the_formulas() {
         ((201, 5.0, 20.0, 0.0), 0.05, (23, Some(8.5))),
     ];
     for ((teeth, module, alpha_deg, shift), thinner, (k, pin)) in gears {
-        let part = perfect(blank(teeth, module, alpha_deg, shift), thinner);
+        let part = perfect(design(teeth, module, alpha_deg, shift), thinner);
         let name = format!("z {teeth}");
         let formulas = Formulas::new(teeth, module, alpha_deg, shift, thinner);
         let found = measure(&part, quick());
@@ -112,7 +112,7 @@ fn reads_the_formulas() {
         assert_reads(&name, read, formulas.span(k));
         for span in &spans.readings {
             let [left, right] = span.touched;
-            assert!(left.curve == Curve::Involute && right.curve == Curve::Involute);
+            assert!(left.curve == ProfilePart::Involute && right.curve == ProfilePart::Involute);
             // The middle of the plateau: both contacts on one circle.
             assert!((left.radius - right.radius).abs() < 1e-3 * module);
         }
@@ -124,7 +124,7 @@ fn reads_the_formulas() {
             assert!(
                 seat.touched
                     .iter()
-                    .all(|touch| touch.curve == Curve::Involute),
+                    .all(|touch| touch.curve == ProfilePart::Involute),
                 "{name}"
             );
         }
@@ -173,10 +173,10 @@ fn reads_the_formulas() {
 fn reads_table_1_over_pins() {
     for (teeth, allowance, published) in [(86, -17.830833e-3, 265.530), (21, -22.195630e-3, 70.171)]
     {
-        let blank = blank(teeth, 3.0, 20.0, 0.0);
-        let nominal = blank.nominal_base_thickness();
-        let s_b = thickness::base_from_allowance(&blank.toothing, nominal, allowance);
-        let part = AsBuilt::perfect(Gear::new(blank, s_b).unwrap(), Face::Front);
+        let design = design(teeth, 3.0, 20.0, 0.0);
+        let nominal = design.nominal_base_thickness();
+        let s_b = thickness::base_from_allowance(&design.basic_data, nominal, allowance);
+        let part = AsBuilt::perfect(Gear::new(design, s_b).unwrap(), Face::Front);
         let settings = Settings {
             pin: Some(5.25),
             ..quick()
@@ -192,7 +192,7 @@ fn reads_table_1_over_pins() {
 /// Off the involute the gauge says what it touched: the tip corner, the root, the end of the involute.
 #[test]
 fn names_what_it_touches_off_the_involute() {
-    let part = perfect(blank(44, 3.0, 20.0, 0.0), 0.0);
+    let part = perfect(design(44, 3.0, 20.0, 0.0), 0.0);
     let gear = part.gear();
     let curves = |settings: Settings| {
         let found = measure(&part, settings);
@@ -206,9 +206,9 @@ fn names_what_it_touches_off_the_involute() {
             ..quick()
         })
     };
-    assert_eq!(ball(1.0), Ok(Curve::Root));
-    assert_eq!(ball(5.25), Ok(Curve::Involute));
-    assert_eq!(ball(12.0), Ok(Curve::Tip));
+    assert_eq!(ball(1.0), Ok(ProfilePart::Root));
+    assert_eq!(ball(5.25), Ok(ProfilePart::Involute));
+    assert_eq!(ball(12.0), Ok(ProfilePart::Tip));
     // On two tip corners: r_K = r_a cos β + √(R² − r_a² sin² β), β half the angle between them.
     let found = measure(
         &part,
@@ -257,7 +257,7 @@ fn names_what_it_touches_off_the_involute() {
 /// a gear file states what the gear has.
 #[test]
 fn a_span_off_the_involute_is_none() {
-    let part = perfect(blank(44, 3.0, 20.0, 0.0), 0.03);
+    let part = perfect(design(44, 3.0, 20.0, 0.0), 0.03);
     let asked = |k| {
         let settings = Settings {
             span_teeth: Some(k),
@@ -300,7 +300,7 @@ fn a_span_off_the_involute_is_none() {
 fn half_the_teeth_may_be_spanned() {
     for teeth in [50, 82, 100] {
         // The tips are far beyond the span's contact: it is told as that.
-        let part = perfect(blank(teeth, 1.0, 20.0, 0.0), 0.0);
+        let part = perfect(design(teeth, 1.0, 20.0, 0.0), 0.0);
         let settings = Settings {
             span_teeth: Some(teeth / 2),
             ..quick()

@@ -4,7 +4,7 @@ use super::*;
 use gearlash::analytic::InvolutePair;
 use gearlash::gauge::RollPose;
 use gearlash::mesh::{ContactKind, CutPair, PoseClass};
-use gearlash::pair::{Assembly, Member, Pose};
+use gearlash::pair::{GearPair, Member, Pose};
 
 fn eccentric(eccentricity: f64) -> AsBuilt {
     let deviations = Deviations {
@@ -12,7 +12,7 @@ fn eccentric(eccentricity: f64) -> AsBuilt {
         high_tooth: 1.0,
         ..Deviations::default()
     };
-    let gear = Gear::nominal(blank(44, 3.0, 20.0, 0.0)).unwrap();
+    let gear = Gear::nominal(design(44, 3.0, 20.0, 0.0)).unwrap();
     AsBuilt::new(gear, Face::Front, &deviations).unwrap()
 }
 
@@ -25,8 +25,8 @@ fn a_perfect_gear_does_not_move() {
         (12, 0.4, 0.01),
         (86, -0.2, 0.03),
     ] {
-        let blank = blank(teeth, 3.0, 20.0, shift);
-        let gear = Gear::new(blank, blank.nominal_base_thickness() - thinner).unwrap();
+        let design = design(teeth, 3.0, 20.0, shift);
+        let gear = Gear::new(design, design.nominal_base_thickness() - thinner).unwrap();
         let part = AsBuilt::perfect(gear.clone(), Face::Front);
         let roll = measure(&part, Settings::default()).roll.unwrap();
         assert_eq!(roll.poses.len(), 16 * teeth as usize);
@@ -105,7 +105,7 @@ fn extremes_between_poses_are_bracketed() {
             eccentricity: e,
             high_tooth: 2.3,
         };
-        let gear = Gear::nominal(blank(teeth, 2.0, 20.0, shift)).unwrap();
+        let gear = Gear::nominal(design(teeth, 2.0, 20.0, shift)).unwrap();
         let part = AsBuilt::new(gear, Face::Front, &deviations).unwrap();
         let roll = |steps_per_pitch| {
             let settings = Settings {
@@ -169,7 +169,7 @@ fn polygons_close_at_every_distance_of_a_deviated_eccentric_gear() {
         high_tooth: 3.4,
         ..Deviations::default()
     };
-    let gear = Gear::nominal(blank(23, 2.0, 20.0, 0.0)).unwrap();
+    let gear = Gear::nominal(design(23, 2.0, 20.0, 0.0)).unwrap();
     let part = AsBuilt::new(gear, Face::Front, &deviations).unwrap();
     let settings = Settings {
         steps_per_pitch: 3,
@@ -178,11 +178,11 @@ fn polygons_close_at_every_distance_of_a_deviated_eccentric_gear() {
     let roll = measure(&part, settings).roll.unwrap();
     let master = AsBuilt::perfect(roll.master.clone(), Face::Back);
     let cut = CutPair::new(&part, &master, 1e-3);
-    let pitch = part.gear().toothing().angular_pitch();
+    let pitch = part.gear().basic_data().angular_pitch();
     assert!(roll.poses.len() == 69 && !roll.between.is_empty());
     for pose in roll.poses.iter().chain(&roll.between) {
         let play = |distance: f64| {
-            let pair = Assembly::new(part.clone(), master.clone(), distance, Member::Wheel);
+            let pair = GearPair::new(part.clone(), master.clone(), distance, Member::Wheel);
             let pair = pair.unwrap();
             // The mating at this distance that turns the gear as the pose has it.
             let turned = pose.rotation - Pose::new(&pair, pose.mating).locked_rotation();

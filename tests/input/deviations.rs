@@ -5,9 +5,9 @@ use gearlash::gear::{AsBuilt, Side};
 
 /// Rotations of a gear's front-right and front-left flanks, times the reference radius, µm.
 fn flanks_um(gear: &AsBuilt, side: Side) -> Vec<f64> {
-    let toothing = gear.gear().toothing();
-    (1..=toothing.teeth())
-        .map(|tooth| 1000.0 * toothing.reference_radius() * gear.flank_offset(side, tooth))
+    let basic_data = gear.gear().basic_data();
+    (1..=basic_data.teeth())
+        .map(|tooth| 1000.0 * basic_data.reference_radius() * gear.flank_offset(side, tooth))
         .collect()
 }
 

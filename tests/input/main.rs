@@ -189,7 +189,7 @@ fn every_other_key_is_taken_over() {
     assert_eq!(wheel.face(), gearlash::gear::Face::Back);
     assert_eq!(pinion.face(), gearlash::gear::Face::Front);
     assert_eq!(wheel.gear().tip_radius(), 32.75);
-    assert_eq!(wheel.gear().blank().profile_shift, 0.1);
+    assert_eq!(wheel.gear().design().profile_shift, 0.1);
     assert_eq!(study.locked, Member::Pinion);
     assert_eq!(study.center_distances, [75.3, 75.2]);
     assert_eq!(study.bearing_clearance, 0.02);

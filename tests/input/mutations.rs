@@ -45,7 +45,7 @@ const NASTY: &[&str] = &[
 ];
 
 #[derive(Debug, Clone)]
-enum Slip {
+enum Outlier {
     /// Deletes a line.
     Delete(prop::sample::Index),
     /// Writes a line twice.
@@ -62,20 +62,20 @@ enum Slip {
     Cut(prop::sample::Index),
 }
 
-fn slip() -> impl Strategy<Value = Slip> {
+fn slip() -> impl Strategy<Value = Outlier> {
     let at = any::<prop::sample::Index>;
     prop_oneof![
-        at().prop_map(Slip::Delete),
-        at().prop_map(Slip::Double),
-        (at(), at()).prop_map(|(a, b)| Slip::Swap(a, b)),
-        (at(), prop::sample::select(NASTY)).prop_map(|(a, v)| Slip::Value(a, v)),
-        (at(), -3.0..3.0).prop_map(|(a, power)| Slip::Scale(a, 10f64.powf(power))),
-        (at(), any::<char>()).prop_map(|(a, c)| Slip::Letter(a, c)),
-        at().prop_map(Slip::Cut),
+        at().prop_map(Outlier::Delete),
+        at().prop_map(Outlier::Double),
+        (at(), at()).prop_map(|(a, b)| Outlier::Swap(a, b)),
+        (at(), prop::sample::select(NASTY)).prop_map(|(a, v)| Outlier::Value(a, v)),
+        (at(), -3.0..3.0).prop_map(|(a, power)| Outlier::Scale(a, 10f64.powf(power))),
+        (at(), any::<char>()).prop_map(|(a, c)| Outlier::Letter(a, c)),
+        at().prop_map(Outlier::Cut),
     ]
 }
 
-fn apply(text: &str, slip: &Slip) -> String {
+fn apply(text: &str, slip: &Outlier) -> String {
     let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
     if lines.is_empty() {
         return String::new();
@@ -87,18 +87,18 @@ fn apply(text: &str, slip: &Slip) -> String {
         }
     };
     match slip {
-        Slip::Delete(at) => {
+        Outlier::Delete(at) => {
             lines.remove(at.index(lines.len()));
         }
-        Slip::Double(at) => {
+        Outlier::Double(at) => {
             let at = at.index(lines.len());
             lines.insert(at, lines[at].clone());
         }
-        Slip::Swap(a, b) => {
+        Outlier::Swap(a, b) => {
             let (a, b) = (a.index(lines.len()), b.index(lines.len()));
             lines.swap(a, b);
         }
-        Slip::Value(at, value) => {
+        Outlier::Value(at, value) => {
             let at = at.index(lines.len());
             set(&mut lines[at], &|old| {
                 let comma = if old.trim_end().ends_with(',') {
@@ -109,7 +109,7 @@ fn apply(text: &str, slip: &Slip) -> String {
                 format!("{value}{comma}")
             });
         }
-        Slip::Scale(at, factor) => {
+        Outlier::Scale(at, factor) => {
             let at = at.index(lines.len());
             set(&mut lines[at], &|old| {
                 let number: String = old
@@ -123,13 +123,13 @@ fn apply(text: &str, slip: &Slip) -> String {
                 }
             });
         }
-        Slip::Letter(at, letter) => {
+        Outlier::Letter(at, letter) => {
             let mut letters: Vec<char> = text.chars().collect();
             let at = at.index(letters.len());
             letters[at] = *letter;
             return letters.into_iter().collect();
         }
-        Slip::Cut(at) => {
+        Outlier::Cut(at) => {
             return text.chars().take(at.index(text.chars().count())).collect();
         }
     }
@@ -178,7 +178,7 @@ fn check(path: &Path) {
             assert!(!problems.is_empty());
             for problem in problems {
                 assert!(
-                    !problem.reason.is_empty() && !problem.way_out.is_empty(),
+                    !problem.reason.is_empty() && !problem.help.is_empty(),
                     "{problem}"
                 );
             }

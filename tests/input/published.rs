@@ -2,9 +2,9 @@
 
 use super::*;
 use gearlash::gear::{Gear, thickness::allowance_from_base};
-use gearlash::pair::Assembly;
+use gearlash::pair::GearPair;
 
-fn gear(assembly: &Assembly, member: Member) -> &Gear {
+fn gear(assembly: &GearPair, member: Member) -> &Gear {
     assembly.gear(member).gear()
 }
 
@@ -20,8 +20,9 @@ fn thickness_over_pins_of_the_86_21_pair() {
         assert_eq!(run.material, Material::AsMeasured);
         for (member, expected) in [(Member::Wheel, -17.830833), (Member::Pinion, -22.195630)] {
             let gear = gear(&run.assembly, member);
-            let nominal = gear.blank().nominal_base_thickness();
-            let um = 1000.0 * allowance_from_base(gear.toothing(), nominal, gear.base_thickness());
+            let nominal = gear.design().nominal_base_thickness();
+            let um =
+                1000.0 * allowance_from_base(gear.basic_data(), nominal, gear.base_thickness());
             assert!((um - expected).abs() < 5e-7, "{um} {expected}");
         }
         let teeth: Vec<_> = run

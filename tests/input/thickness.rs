@@ -84,6 +84,9 @@ fn nothing_stated_is_nominal() {
     ] {
         let study = wheel(keys);
         let gear = study.materials[0].1.gear();
-        assert_eq!(gear.base_thickness(), gear.blank().nominal_base_thickness());
+        assert_eq!(
+            gear.base_thickness(),
+            gear.design().nominal_base_thickness()
+        );
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::check_labels;
 use crate::solved::{Solved, all, nominal};
-use gearlash::mesh::{CutPair, Method, SweptPose, sweep};
+use gearlash::mesh::{CutPair, Method, PoseResult, sweep};
 use gearlash::pair::{Mating, Member};
 use gearlash::render::{Snapshot, animation};
 use roxmltree::{Document, Node};
@@ -10,7 +10,7 @@ use std::ops::ControlFlow;
 
 const STEPS: u32 = 12;
 
-fn steps(solved: &Solved) -> Vec<SweptPose> {
+fn steps(solved: &Solved) -> Vec<PoseResult> {
     let start = *solved.pose.mating();
     let matings: Vec<Mating> = (0..=STEPS)
         .map(|step| Mating {

@@ -1,23 +1,25 @@
 //! Perfect gears, whose lost motion stands in closed form.
 
-use gearlash::gear::{AsBuilt, Blank, Curve, Face, Gear, Rack, Side, Toothing, involute};
+use gearlash::gear::{
+    AsBuilt, BasicGearData, BasicRack, Face, Gear, GearDesign, ProfilePart, Side, involute,
+};
 use gearlash::mesh::{Contact, LostMotion, Touch};
-use gearlash::pair::{Assembly, Mating, Member, Pose};
+use gearlash::pair::{GearPair, Mating, Member, Pose};
 use nalgebra::{Point2, UnitComplex, Vector2};
 use std::f64::consts::TAU;
 
 /// A pair of full-depth gears of 20°, wheel front, pinion back.
-pub fn pair(teeth: [u32; 2], module: f64, center_distance: f64, locked: Member) -> Assembly {
+pub fn pair(teeth: [u32; 2], module: f64, center_distance: f64, locked: Member) -> GearPair {
     let [wheel, pinion] = teeth.map(|teeth| {
-        Gear::nominal(Blank {
-            toothing: Toothing::new(teeth, module, 20f64.to_radians()).unwrap(),
+        Gear::nominal(GearDesign {
+            basic_data: BasicGearData::new(teeth, module, 20f64.to_radians()).unwrap(),
             profile_shift: 0.0,
-            rack: Rack::ISO_53_A,
+            rack: BasicRack::ISO_53_A,
             tip_diameter: None,
         })
         .unwrap()
     });
-    Assembly::new(
+    GearPair::new(
         AsBuilt::perfect(wheel, Face::Front),
         AsBuilt::perfect(pinion, Face::Back),
         center_distance,
@@ -27,7 +29,7 @@ pub fn pair(teeth: [u32; 2], module: f64, center_distance: f64, locked: Member) 
 }
 
 /// A pose.
-pub fn pose(assembly: &Assembly, teeth: [u32; 2], flank: Side, fraction: f64) -> Pose {
+pub fn pose(assembly: &GearPair, teeth: [u32; 2], flank: Side, fraction: f64) -> Pose {
     let mating = Mating {
         wheel_tooth: teeth[0],
         pinion_tooth: teeth[1],
@@ -38,9 +40,9 @@ pub fn pose(assembly: &Assembly, teeth: [u32; 2], flank: Side, fraction: f64) ->
 }
 
 /// `j_bn = p_b − s_b1 − s_b2 + 2 (r_b1 + r_b2) inv α_wt`, mm (design section 5, model 2).
-pub fn j_bn(assembly: &Assembly) -> f64 {
+pub fn j_bn(assembly: &GearPair) -> f64 {
     let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|m| assembly.gear(m).gear());
-    wheel.toothing().base_pitch() - wheel.base_thickness() - pinion.base_thickness()
+    wheel.basic_data().base_pitch() - wheel.base_thickness() - pinion.base_thickness()
         + 2.0
             * (wheel.base_radius() + pinion.base_radius())
             * involute::inv(assembly.operating_pressure_angle())
@@ -48,7 +50,7 @@ pub fn j_bn(assembly: &Assembly) -> f64 {
 
 /// Lost motion of perfect gears. Both contacts lie on the lines of action; the mating's flanks meet at
 /// the nominal rotation, `j_bn` lies open on the other side. Of the pairs that tie, the one nearest the pitch point.
-pub fn lost_motion(assembly: &Assembly, pose: &Pose) -> LostMotion {
+pub fn lost_motion(assembly: &GearPair, pose: &Pose) -> LostMotion {
     let flank = pose.mating().flank;
     let free = assembly.gear(assembly.free()).gear();
     let contact = |side: Side| {
@@ -63,7 +65,7 @@ pub fn lost_motion(assembly: &Assembly, pose: &Pose) -> LostMotion {
     }
 }
 
-fn contact(assembly: &Assembly, pose: &Pose, side: Side, rotation: f64) -> Contact {
+fn contact(assembly: &GearPair, pose: &Pose, side: Side, rotation: f64) -> Contact {
     let alpha = assembly.operating_pressure_angle();
     let touch = |member: Member| {
         let as_built = assembly.gear(member);
@@ -81,12 +83,12 @@ fn contact(assembly: &Assembly, pose: &Pose, side: Side, rotation: f64) -> Conta
             alpha + gear.half_base_angle() + side.sense() * theta
         };
         let off = |tooth: u32| (roll(tooth) - alpha.tan()).abs();
-        let tooth = (1..=gear.toothing().teeth())
+        let tooth = (1..=gear.basic_data().teeth())
             .min_by(|a, b| off(*a).total_cmp(&off(*b)))
             .unwrap();
         let touch = Touch {
             tooth,
-            curve: Curve::Involute,
+            curve: ProfilePart::Involute,
             radius: involute::radius_at(roll(tooth), gear.base_radius()),
         };
         (touch, roll(tooth) * gear.base_radius())

@@ -3,7 +3,7 @@
 use crate::check_labels;
 use crate::picture::read;
 use crate::solved::{Solved, deviated};
-use gearlash::gear::{AsBuilt, Blank, Deviations, Face, Gear, Rack, Side, Toothing};
+use gearlash::gear::{AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Side};
 use gearlash::mesh::Exaggeration;
 use gearlash::pair::Member;
 use gearlash::render::{Snapshot, exaggerated};
@@ -29,15 +29,15 @@ fn strong() -> Solved {
 /// to each side), eccentricity is as given; all of it times the factor.
 #[test]
 fn every_flank_moves_by_its_deviation_times_the_factor() {
-    let toothing = Toothing::new(30, 2.0, 20f64.to_radians()).unwrap();
-    let blank = Blank {
-        toothing,
+    let basic_data = BasicGearData::new(30, 2.0, 20f64.to_radians()).unwrap();
+    let design = GearDesign {
+        basic_data,
         profile_shift: 0.1,
-        rack: Rack::ISO_53_A,
+        rack: BasicRack::ISO_53_A,
         tip_diameter: None,
     };
     // s_b = cos α (s + 2 r inv α): base thickness grows by the cosine of the reference thickness.
-    let thicker = blank.nominal_base_thickness() + 0.03 * 20f64.to_radians().cos();
+    let thicker = design.nominal_base_thickness() + 0.03 * 20f64.to_radians().cos();
     let mut per_tooth = vec![0.0; 30];
     per_tooth[4] = 0.02;
     let deviations = Deviations {
@@ -46,13 +46,13 @@ fn every_flank_moves_by_its_deviation_times_the_factor() {
         high_tooth: 7.5,
         ..Deviations::default()
     };
-    let gear = Gear::new(blank, thicker).unwrap();
+    let gear = Gear::new(design, thicker).unwrap();
     let built = AsBuilt::new(gear, Face::Front, &deviations).unwrap();
     for factor in [0.0, 1.0, 20.0] {
         let large = built.exaggerated(factor).unwrap();
         assert!((large.eccentricity() - 0.01 * factor).abs() < 1e-15);
         assert_eq!(large.high_tooth(), 7.5);
-        assert_eq!(large.gear(), &Gear::nominal(blank).unwrap());
+        assert_eq!(large.gear(), &Gear::nominal(design).unwrap());
         for (tooth, out) in [(5, 0.025), (6, 0.015)] {
             for side in Side::BOTH {
                 let moved = side.sense() * large.flank_offset(side, tooth) * 30.0;

@@ -8,15 +8,15 @@ mod scene;
 mod solved;
 
 use closed_form::{j_bn, lost_motion, pair, pose};
-use gearlash::gear::{Curve, Side};
+use gearlash::gear::{ProfilePart, Side};
 use gearlash::mesh::LostMotion;
-use gearlash::pair::{Assembly, Member, Pose};
+use gearlash::pair::{GearPair, Member, Pose};
 use gearlash::render::{Snapshot, snapshot};
 use nalgebra::{Point2, Vector2};
 use picture::{meets, overlap, read, within};
 use std::sync::LazyLock;
 
-fn draw(assembly: &Assembly, pose: &Pose, lost_motion: &LostMotion) -> String {
+fn draw(assembly: &GearPair, pose: &Pose, lost_motion: &LostMotion) -> String {
     snapshot(&Snapshot {
         title: "Closed form",
         assembly,
@@ -81,15 +81,15 @@ static PICTURES: LazyLock<Vec<(String, String)>> = LazyLock::new(|| {
 });
 
 /// 0.75 mm too near: pinion tips in wheel roots. The contacts are made up, on the wheel's root circle.
-fn jammed() -> (Assembly, Pose, LostMotion) {
+fn jammed() -> (GearPair, Pose, LostMotion) {
     let assembly = pair([20, 20], 3.0, 58.5, Member::Wheel);
     let at = pose(&assembly, [1, 1], Side::Right, 0.0);
     let LostMotion { right, left, .. } = lost_motion(&assembly, &at);
     let made_up = |contact: Option<gearlash::mesh::Contact>, turn: f64| {
         let mut contact = contact.unwrap();
         contact.rotation = at.free_rotation() + turn;
-        contact.wheel.curve = Curve::Root;
-        contact.pinion.curve = Curve::Tip;
+        contact.wheel.curve = ProfilePart::Root;
+        contact.pinion.curve = ProfilePart::Tip;
         contact.point = Point2::new(26.2, -30.0 * turn);
         contact.normal = Vector2::x();
         Some(contact)

@@ -1,7 +1,9 @@
 //! The scene in mm: outlines, contacts and lines where the closed form says they are.
 
 use crate::closed_form::{j_bn, lost_motion, pair, pose};
-use gearlash::gear::{AsBuilt, Blank, Deviations, Face, Gear, Placed, Rack, Side, Toothing};
+use gearlash::gear::{
+    AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Placed, Side,
+};
 use gearlash::mesh::{Drawn, Scene};
 use gearlash::pair::Member;
 use nalgebra::{Point2, Vector2};
@@ -94,11 +96,11 @@ fn circumferential_backlash_is_that_of_the_operating_circle() {
 /// The rim of a gear between its tip and root circles: every vertex there, and no tooth twice.
 #[test]
 fn an_outline_keeps_its_deviations_and_its_eccentricity() {
-    let toothing = Toothing::new(20, 3.0, 20f64.to_radians()).unwrap();
-    let gear = Gear::nominal(Blank {
-        toothing,
+    let basic_data = BasicGearData::new(20, 3.0, 20f64.to_radians()).unwrap();
+    let gear = Gear::nominal(GearDesign {
+        basic_data,
         profile_shift: 0.0,
-        rack: Rack::ISO_53_A,
+        rack: BasicRack::ISO_53_A,
         tip_diameter: None,
     })
     .unwrap();

@@ -2,22 +2,24 @@
 
 use crate::closed_form::{j_bn, pair, pose};
 use crate::picture::read;
-use gearlash::gear::{AsBuilt, Blank, Deviations, Face, Gear, Pitch, Rack, Side, Toothing};
+use gearlash::gear::{
+    AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Pitch, Side,
+};
 use gearlash::mesh::{ExactKernel, LostMotion, Scene, Status};
-use gearlash::pair::{Assembly, Member, Pose};
+use gearlash::pair::{GearPair, Member, Pose};
 use gearlash::render::{Snapshot, snapshot};
 use nalgebra::Point2;
 
 /// A pose with what the exact method finds there.
 pub struct Solved {
     pub name: &'static str,
-    pub assembly: Assembly,
+    pub assembly: GearPair,
     pub pose: Pose,
     pub lost_motion: LostMotion,
 }
 
 impl Solved {
-    pub fn new(name: &'static str, assembly: Assembly, pose: Pose) -> Solved {
+    pub fn new(name: &'static str, assembly: GearPair, pose: Pose) -> Solved {
         let lost_motion = ExactKernel::new(&assembly).lost_motion(&pose).unwrap();
         Solved {
             name,
@@ -43,16 +45,16 @@ impl Solved {
 }
 
 /// 12/60 with 200 µm of runout and 40 µm of pitch deviation, in right-hand turn `fraction`.
-pub fn deviated(distance: f64, fraction: f64) -> (Assembly, Pose) {
+pub fn deviated(distance: f64, fraction: f64) -> (GearPair, Pose) {
     let wave = |teeth: u32, size: f64, shift: f64| -> Vec<f64> {
         let angle = |i| f64::from(i) / f64::from(teeth) * std::f64::consts::TAU + shift;
         (0..teeth).map(|i| size * (2.0 * angle(i)).sin()).collect()
     };
     let gear = |teeth: u32, face, eccentricity, high_tooth| {
-        let gear = Gear::nominal(Blank {
-            toothing: Toothing::new(teeth, 2.0, 20f64.to_radians()).unwrap(),
+        let gear = Gear::nominal(GearDesign {
+            basic_data: BasicGearData::new(teeth, 2.0, 20f64.to_radians()).unwrap(),
             profile_shift: if teeth < 17 { 0.3 } else { 0.0 },
-            rack: Rack::ISO_53_A,
+            rack: BasicRack::ISO_53_A,
             tip_diameter: None,
         });
         let pitch = Pitch::from_cumulative(&wave(teeth, 0.04, 0.3), &wave(teeth, 0.03, 1.1));
@@ -66,7 +68,7 @@ pub fn deviated(distance: f64, fraction: f64) -> (Assembly, Pose) {
     };
     let wheel = gear(12, Face::Front, 0.06, 3.5);
     let pinion = gear(60, Face::Back, 0.1, 17.0);
-    let assembly = Assembly::new(wheel, pinion, distance, Member::Wheel).unwrap();
+    let assembly = GearPair::new(wheel, pinion, distance, Member::Wheel).unwrap();
     let at = pose(&assembly, [3, 15], Side::Right, fraction);
     (assembly, at)
 }

@@ -24,7 +24,7 @@ fn problems(name: &str, table: &[u8], teeth: u32, keys: &str) -> Vec<String> {
             "{}: {}; {}",
             problem.key,
             &problem.reason[at..],
-            problem.way_out
+            problem.help
         )
     };
     told.iter().map(message).collect()

@@ -110,11 +110,8 @@ fn lengths_with_three_decimals_are_read_by_the_stated_decimal_sign() {
             Ok(found) => assert!(found == expected && (separator, sign) == (';', ",")),
             Err(problems) => {
                 assert_eq!(problems.len(), 1, "{problems:#?}");
-                let way_out = &problems[0].way_out;
-                assert!(
-                    way_out.contains(&format!("decimal = {sign:?}")),
-                    "{way_out}"
-                );
+                let help = &problems[0].help;
+                assert!(help.contains(&format!("decimal = {sign:?}")), "{help}");
             }
         }
         // The other sign is an error, line by line, never a thousandfold length.

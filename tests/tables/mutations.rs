@@ -61,7 +61,7 @@ pub const OF_THE_WORKBOOK: &[&str] = &["cannot be read as an .xlsx workbook: ", 
 
 /// A table that is read right may still be of a gear that cannot be: `right` says whether it was.
 pub fn check(name: &str, of_the_file: &[&str], problem: &Problem, right: bool) {
-    assert!(!problem.way_out.is_empty(), "{problem}");
+    assert!(!problem.help.is_empty(), "{problem}");
     let Some((_, told)) = problem.reason.split_once(&format!("{name}: ")) else {
         let rest = problem.reason.ends_with(" more problems like the last one");
         assert!(rest || right, "{problem}");

@@ -10,7 +10,7 @@ fn good() -> String {
 fn read_as(table: &[u8], keys: &str) -> Result<Study, String> {
     let told = |problem: &Problem| {
         let told = problem.reason.split("/p.txt: ").last().unwrap();
-        format!("{told}; {}", problem.way_out)
+        format!("{told}; {}", problem.help)
     };
     read_with("p.txt", table, &pair(44, keys))
         .map_err(|problems| problems.iter().map(told).collect::<Vec<_>>().join("\n"))

@@ -144,7 +144,7 @@ fn an_old_workbook_says_how_to_save_it() {
     let told = read_with("p.xls", old, &pair(44, keys)).unwrap_err();
     assert_eq!(told.len(), 1);
     assert!(told[0].reason.ends_with("is an old Excel workbook, .xls"));
-    assert_eq!(told[0].way_out, "save it as .xlsx or CSV");
+    assert_eq!(told[0].help, "save it as .xlsx or CSV");
 }
 
 #[test]

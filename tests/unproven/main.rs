@@ -11,8 +11,8 @@ mod told;
 
 use gearlash::compare::{ComparedRun, compare};
 use gearlash::input;
-use gearlash::mesh::{CutPair, Method, SweptPose, Unproven, sweep};
-use gearlash::pair::{Assembly, Member};
+use gearlash::mesh::{CutPair, Method, PoseResult, Unproven, sweep};
+use gearlash::pair::{GearPair, Member};
 use gearlash::simulate::Run;
 use gearlash::study::{RunPlan, Study};
 use std::ops::ControlFlow;
@@ -49,7 +49,7 @@ struct Case {
     study: Study,
     plan: RunPlan,
     /// The pair that the polygons are of.
-    other: Assembly,
+    other: GearPair,
     cut: CutPair,
 }
 
@@ -78,12 +78,12 @@ impl Case {
         Case::new(&text(5, 0.0, rest), &text(5, 0.2, rest))
     }
 
-    fn swept(&self, method: Method) -> Vec<SweptPose> {
+    fn swept(&self, method: Method) -> Vec<PoseResult> {
         swept(&self.plan.assembly, &self.cut, method, self)
     }
 
     /// What the exact method finds on the pair itself, and on that of the polygons: nobody is asked to vouch for it.
-    fn exact(&self) -> [Vec<SweptPose>; 2] {
+    fn exact(&self) -> [Vec<PoseResult>; 2] {
         let method = Method::Exact { certify: false };
         [&self.plan.assembly, &self.other].map(|pair| swept(pair, &self.cut, method, self))
     }
@@ -99,7 +99,7 @@ impl Case {
     }
 }
 
-fn swept(pair: &Assembly, cut: &CutPair, method: Method, case: &Case) -> Vec<SweptPose> {
+fn swept(pair: &GearPair, cut: &CutPair, method: Method, case: &Case) -> Vec<PoseResult> {
     let clearance = case.study.bearing_clearance;
     sweep(pair, cut, method, &case.plan.matings, clearance, &|| {
         ControlFlow::Continue(())
@@ -109,6 +109,6 @@ fn swept(pair: &Assembly, cut: &CutPair, method: Method, case: &Case) -> Vec<Swe
 
 const CERTIFIED: Method = Method::Exact { certify: true };
 
-fn unproven(pose: &SweptPose) -> Option<&Unproven> {
+fn unproven(pose: &PoseResult) -> Option<&Unproven> {
     pose.found.as_ref().err()
 }

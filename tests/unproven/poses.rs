@@ -2,11 +2,11 @@
 
 use super::{CERTIFIED, Case, REVOLUTION, unproven};
 use gearlash::error::Error;
-use gearlash::mesh::{Method, Status, SweptPose, sweep, worst_pose};
+use gearlash::mesh::{Method, PoseResult, Status, sweep, worst_pose};
 use std::ops::ControlFlow;
 
 /// Whether the two pairs differ at a pose, which the exact method decides.
-fn differ(own: &SweptPose, other: &SweptPose) -> bool {
+fn differ(own: &PoseResult, other: &PoseResult) -> bool {
     let [own, other] = [own, other].map(|pose| pose.proven().unwrap());
     [(own.right, other.right), (own.left, other.left)]
         .into_iter()
@@ -120,7 +120,7 @@ fn an_unproven_pose_is_not_the_worst() {
     let case = Case::low_tips();
     let [own, _] = case.exact();
     let certified = case.swept(CERTIFIED);
-    let worst = |poses: &[SweptPose]| worst_pose(poses.iter().enumerate()).unwrap();
+    let worst = |poses: &[PoseResult]| worst_pose(poses.iter().enumerate()).unwrap();
     // It would be the worst.
     assert!(certified[worst(&own)].found.is_err());
     assert!(certified[worst(&certified)].found.is_ok());

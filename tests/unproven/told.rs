@@ -3,7 +3,7 @@
 use super::{CERTIFIED, Case, REVOLUTION, unproven};
 use gearlash::compare::ComparedRun;
 use gearlash::curves::courses;
-use gearlash::cycle::{Cycle, Others};
+use gearlash::cycle::{Cycle, RemainingMatings};
 use gearlash::diagnosis::diagnose;
 use gearlash::mesh::Method;
 use gearlash::outcome::{Agreement, Outcome};
@@ -265,7 +265,7 @@ fn a_report_vouches_for_nothing() {
     let cycle = Cycle {
         matings: 20,
         simulated: 20,
-        others: Others::None,
+        others: RemainingMatings::None,
         extremes: Vec::new(),
         lost: 0,
     };

@@ -79,7 +79,7 @@ impl Here<'_> {
         let widening = |tooth| {
             as_built.flank_offset(Side::Left, tooth) - as_built.flank_offset(Side::Right, tooth)
         };
-        let teeth = 1..=gear.toothing().teeth();
+        let teeth = 1..=gear.basic_data().teeth();
         let thinnest = teeth.reduce(
             |thinnest, tooth| match widening(tooth) < widening(thinnest) {
                 true => tooth,

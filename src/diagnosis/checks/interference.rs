@@ -3,7 +3,7 @@
 use super::{Check, Here, Verdict, percent, touch};
 use crate::analytic::limits;
 use crate::diagnosis::check::met;
-use crate::gear::Curve;
+use crate::gear::ProfilePart;
 use crate::gear::Side;
 use crate::mesh::{Contact, ContactClass, ContactKind};
 use crate::pair::Member;
@@ -27,10 +27,10 @@ impl Here<'_> {
 
     fn is_below(&self, member: Member, side: Side, contact: &Contact) -> bool {
         match touch(contact, member).curve {
-            Curve::Fillet | Curve::Root => true,
-            Curve::Tip => false,
+            ProfilePart::Fillet | ProfilePart::Root => true,
+            ProfilePart::Tip => false,
             // An undercut edge: the class knows, of one gear or the other.
-            Curve::Involute => {
+            ProfilePart::Involute => {
                 ContactClass::of(self.assembly, side, contact).kind == ContactKind::Edge
                     && touch(contact, member).radius <= self.gear(member).form_radius() + 1e-7
             }

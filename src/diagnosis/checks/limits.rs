@@ -4,7 +4,7 @@ use super::{Check, Here, Verdict, hundredths, place};
 use crate::analytic::limits;
 use crate::diagnosis::check::met;
 use crate::diagnosis::zero_distance::ZeroDistance;
-use crate::gear::{Curve, Profile, Side};
+use crate::gear::{Profile, ProfilePart, Side};
 use crate::mesh::PoseClass;
 use crate::pair::Member;
 use std::f64::consts::FRAC_PI_2;
@@ -93,19 +93,19 @@ impl Here<'_> {
     /// How far the fillet's tangency stands outside the base circle along the line of action (design section 4).
     pub(super) fn undercut(&self, member: Member) -> Check {
         let gear = self.gear(member);
-        let (toothing, rack) = (gear.toothing(), &gear.blank().rack);
-        let least = limits::least_shift_without_undercut(toothing, rack);
+        let (basic_data, rack) = (gear.basic_data(), &gear.design().rack);
+        let least = limits::least_shift_without_undercut(basic_data, rack);
         // r sin α − (h_0/sin α + ρ) is (x_E − x_E,least) m/sin α.
-        let margin =
-            (gear.generating_shift() - least) * toothing.module() / toothing.pressure_angle().sin();
+        let margin = (gear.generating_shift() - least) * basic_data.module()
+            / basic_data.pressure_angle().sin();
         let profile = Profile::new(gear);
         let joint = |curve, t| profile.normal(curve, t, Side::Right);
         let (fillet, involute) = (
-            joint(Curve::Fillet, gear.fillet().end()),
-            joint(Curve::Involute, gear.form_roll()),
+            joint(ProfilePart::Fillet, gear.fillet().end()),
+            joint(ProfilePart::Involute, gear.form_roll()),
         );
         let edge = fillet.perp(&involute).abs().atan2(fillet.dot(&involute));
-        let undercut = gear.fillet().end() < FRAC_PI_2 - toothing.pressure_angle();
+        let undercut = gear.fillet().end() < FRAC_PI_2 - basic_data.pressure_angle();
         Check {
             unproven: None,
             id: "undercut",

@@ -14,7 +14,7 @@ use crate::compare::ComparedRun;
 use crate::error::Error;
 use crate::gear::{Gear, Side};
 use crate::mesh::{Contact, Touch};
-use crate::pair::{Assembly, Mating, Member};
+use crate::pair::{GearPair, Mating, Member};
 use crate::study::{Material, Study};
 use std::ops::ControlFlow;
 
@@ -33,7 +33,7 @@ pub struct Diagnosis {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Group {
     /// As assembled.
-    pub assembly: Assembly,
+    pub assembly: GearPair,
     /// Which thickness.
     pub material: Material,
     /// Every check.
@@ -184,7 +184,7 @@ fn matings<'a>(runs: impl Iterator<Item = &'a ComparedRun>) -> Vec<Mating> {
 
 /// One pair as assembled, with what was found for it.
 struct Here<'a> {
-    assembly: &'a Assembly,
+    assembly: &'a GearPair,
     runs: &'a [ComparedRun],
     contact: &'a ContactCount,
     allow_off_line: bool,
@@ -229,7 +229,7 @@ impl Here<'_> {
     }
 
     fn module(&self) -> f64 {
-        self.gear(Member::Wheel).toothing().module()
+        self.gear(Member::Wheel).basic_data().module()
     }
 
     fn pitches(&self) -> Vec<Mating> {

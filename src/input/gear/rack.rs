@@ -1,7 +1,7 @@
 //! `[rack]`: the basic rack.
 
 use crate::error::GearError;
-use crate::gear::Rack;
+use crate::gear::BasicRack;
 use crate::input::entry::Limits;
 use crate::input::problems::Problems;
 use crate::input::table::Table;
@@ -11,18 +11,18 @@ const KEYS: &[&str] = &["addendum", "dedendum", "root_radius"];
 const DEPTH: Limits = Limits {
     allowed: "a number of modules above 0 and up to 10",
     holds: |modules| modules > 0.0 && modules <= 10.0,
-    way_out: "give it in modules; ISO 53 A has addendum 1.0 and dedendum 1.25",
+    help: "give it in modules; ISO 53 A has addendum 1.0 and dedendum 1.25",
 };
 const ROOT_RADIUS: Limits = Limits {
     allowed: "a number of modules, 0 up to the dedendum",
     holds: |modules| modules >= 0.0,
-    way_out: "give the tool's tip round in modules; ISO 53 A has 0.38",
+    help: "give the tool's tip round in modules; ISO 53 A has 0.38",
 };
 
 /// The rack of a gear's table, ISO 53 A where it says nothing.
-pub fn read(gear: &Table, problems: &mut Problems) -> Option<Rack> {
+pub fn read(gear: &Table, problems: &mut Problems) -> Option<BasicRack> {
     let table = gear.table("rack", KEYS, problems)?;
-    let standard = Rack::ISO_53_A;
+    let standard = BasicRack::ISO_53_A;
     let addendum = table.number_or("addendum", standard.addendum(), &DEPTH, problems);
     let dedendum = table.number_or("dedendum", standard.dedendum(), &DEPTH, problems);
     let root_radius = table.number_or(
@@ -31,7 +31,7 @@ pub fn read(gear: &Table, problems: &mut Problems) -> Option<Rack> {
         &ROOT_RADIUS,
         problems,
     );
-    let rack = Rack::new(addendum?, dedendum?, root_radius?);
+    let rack = BasicRack::new(addendum?, dedendum?, root_radius?);
     problems.keep(rack.map_err(|error| match error {
         GearError::OutOfRange { value, allowed, .. } => table.problem(
             "root_radius",

@@ -1,7 +1,7 @@
 //! From the values of a pitch sheet to the cumulative curves.
 
 use super::{Kind, PitchSheet, Sense};
-use crate::gear::{Pitch, Side, Toothing};
+use crate::gear::{BasicGearData, Pitch, Side};
 use crate::input::problems::Problems;
 use crate::input::table::Table;
 use std::f64::consts::PI;
@@ -15,7 +15,7 @@ impl PitchSheet {
     pub fn curves(
         &self,
         gear: &Table,
-        toothing: &Toothing,
+        basic_data: &BasicGearData,
         problems: &mut Problems,
     ) -> Option<Pitch> {
         let mm = |um: &[f64]| -> Vec<f64> { um.iter().map(|um| um / 1000.0).collect() };
@@ -27,7 +27,7 @@ impl PitchSheet {
         if self.sense == Sense::Material {
             pitch = pitch.read_as_material();
         }
-        self.check_half_pitch(gear, &pitch, toothing, problems)?;
+        self.check_half_pitch(gear, &pitch, basic_data, problems)?;
         Some(pitch)
     }
 
@@ -35,10 +35,10 @@ impl PitchSheet {
         &self,
         gear: &Table,
         pitch: &Pitch,
-        toothing: &Toothing,
+        basic_data: &BasicGearData,
         problems: &mut Problems,
     ) -> Option<()> {
-        let half = PI * toothing.module() / 2.0;
+        let half = PI * basic_data.module() / 2.0;
         let mut good = Some(());
         for side in Side::BOTH {
             let worst = pitch

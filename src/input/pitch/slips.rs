@@ -1,8 +1,8 @@
 //! A single pitch value that stands out.
 
 use super::{Kind, PitchSheet};
-use crate::gear::{GradedQuantity, Side, Toothing};
-use crate::input::slips::{FEWEST, STANDS_OUT, Slip, coarse, median};
+use crate::gear::{BasicGearData, GradedQuantity, Side};
+use crate::input::slips::{FEWEST, Outlier, STANDS_OUT, coarse, median};
 use crate::input::table::Table;
 
 impl PitchSheet {
@@ -10,8 +10,8 @@ impl PitchSheet {
     /// others do and than two neighbours of even a coarse gear differ.
     ///
     /// A step in cumulative values, such as the last tooth cut leaves, lies half its height off either neighbours' mean.
-    pub fn slip(&self, gear: &Table, toothing: &Toothing) -> Option<Slip> {
-        let plausible = 1000.0 * coarse(GradedQuantity::SinglePitch, toothing);
+    pub fn slip(&self, gear: &Table, basic_data: &BasicGearData) -> Option<Outlier> {
+        let plausible = 1000.0 * coarse(GradedQuantity::SinglePitch, basic_data);
         let flanks = [(Side::Right, &self.right_um), (Side::Left, &self.left_um)];
         let farthest = |(side, um): (Side, &Vec<f64>)| {
             let off = self.off(um);
@@ -30,7 +30,7 @@ impl PitchSheet {
             Kind::Cumulative => "its neighbours' mean",
             Kind::Single => "the median",
         };
-        Some(Slip {
+        Some(Outlier {
             key: gear.path_of(self.key(side)),
             what: format!(
                 "tooth {} of the {} flanks, {value} µm,",

@@ -22,7 +22,7 @@ const PLACES: [(&str, At); 2] = [("tooth", At::Tooth), ("space", At::Space)];
 const BALL: Limits = Limits {
     allowed: "a number of mm above 0 and up to 1e9",
     holds: |mm| mm > 0.0 && mm <= 1e9,
-    way_out: "give the diameter of the ball that was read with",
+    help: "give the diameter of the ball that was read with",
 };
 /// Standard deviations by which the readings must refuse what the flanks say of them.
 const CERTAIN: f64 = 3.0;
@@ -130,8 +130,8 @@ impl RunoutSheet {
             (At::Tooth, _) => Probe::Fork,
             (At::Space, Some(diameter)) => {
                 problems.keep(check_ball(gear, diameter).map_err(|error| {
-                    let way_out = "check it: about 1.7 modules is usual";
-                    table.problem("runout.ball_mm", error.to_string(), way_out)
+                    let help = "check it: about 1.7 modules is usual";
+                    table.problem("runout.ball_mm", error.to_string(), help)
                 }))?;
                 Probe::Ball(diameter)
             }
@@ -153,7 +153,7 @@ impl RunoutSheet {
             let others = extreme_balls(gear).into_iter().filter_map(|ball| {
                 let other = self.with(Probe::Ball(ball), gear, known, table).ok()?;
                 let (this, other) = (eccentricity(&fit), eccentricity(&other));
-                Some(apart_um(this, other, gear.toothing()))
+                Some(apart_um(this, other, gear.basic_data()))
             });
             others.fold(0.0, f64::max)
         });
@@ -178,8 +178,8 @@ impl RunoutSheet {
         };
         let fit = readings.fit(gear, known);
         fit.map_err(|error| {
-            let way_out = "check the readings and their unit, µm";
-            table.problem("runout.file", error.to_string(), way_out)
+            let help = "check the readings and their unit, µm";
+            table.problem("runout.file", error.to_string(), help)
         })
     }
 }
@@ -195,8 +195,8 @@ fn check_ball(gear: &Gear, diameter: f64) -> Result<(), GearError> {
 /// The ball that touches `gear` at the reference circle: its centre has `α_K = α + (p_b − s_b)/d_b − inv α`. Where there is
 /// none, the least one that rests on the involutes.
 fn usual_ball(gear: &Gear) -> Option<f64> {
-    let roll = gear.toothing().pressure_angle().tan();
-    let ball = thickness::pin_touching(gear.toothing(), roll, gear.base_thickness());
+    let roll = gear.basic_data().pressure_angle().tan();
+    let ball = thickness::pin_touching(gear.basic_data(), roll, gear.base_thickness());
     let there = ball > 0.0 && ball.is_finite();
     if there {
         Some(ball)
@@ -210,7 +210,7 @@ fn extreme_balls(gear: &Gear) -> Vec<f64> {
     let (form, tip) = (gear.form_roll(), gear.tip_roll());
     let fitting: Vec<f64> = (0..=20)
         .map(|part| form + f64::from(part) / 20.0 * (tip - form))
-        .map(|roll| thickness::pin_touching(gear.toothing(), roll, gear.base_thickness()))
+        .map(|roll| thickness::pin_touching(gear.basic_data(), roll, gear.base_thickness()))
         .filter(|&ball| ball > 0.0 && ball.is_finite() && check_ball(gear, ball).is_ok())
         .collect();
     [fitting.first(), fitting.last()]

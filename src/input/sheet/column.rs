@@ -24,12 +24,12 @@ pub enum Column {
 const DEVIATION: Limits = Limits {
     allowed: "a number of µm, −1e7 … 1e7",
     holds: |um| um.abs() <= 1e7,
-    way_out: "correct the line",
+    help: "correct the line",
 };
 const LENGTH: Limits = Limits {
     allowed: "a number of mm above 0 and up to 1e9",
     holds: |mm| mm > 0.0 && mm <= 1e9,
-    way_out: "correct the line",
+    help: "correct the line",
 };
 
 /// Names of the column of tooth numbers.

@@ -51,8 +51,8 @@ pub fn check<const N: usize>(
             sign.name(),
             stated.map_or("", |_| " by the key `decimal`"),
         );
-        let way_out = "write all numbers with one decimal sign and without thousands separators";
-        problems.add(file.problem_at(line, reason, way_out));
+        let help = "write all numbers with one decimal sign and without thousands separators";
+        problems.add(file.problem_at(line, reason, help));
         good = None;
     }
     let mut unsure = with_sign().filter(|(.., found)| *found == sign && !proven);
@@ -67,11 +67,11 @@ pub fn check<const N: usize>(
             file.bare(value.text),
             sign.name(),
         );
-        let way_out = format!(
+        let help = format!(
             "state the decimal sign beside the file: decimal = \"{}\", and write numbers without thousands separators",
             sign.sign()
         );
-        problems.add(file.problem_at(line, reason, way_out));
+        problems.add(file.problem_at(line, reason, help));
         good = None;
     }
     good

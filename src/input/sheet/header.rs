@@ -1,7 +1,7 @@
 //! What a protocol says of the gear in its numbered header lines, held against the pair file.
 
 use super::number;
-use crate::gear::Blank;
+use crate::gear::GearDesign;
 use crate::input::data_file::DataFile;
 use crate::input::problems::Problems;
 
@@ -68,7 +68,7 @@ struct Said {
 #[derive(Debug, Clone, Copy)]
 pub struct Drawn<'a> {
     /// The gear, its tip diameter filled in.
-    pub blank: &'a Blank,
+    pub design: &'a GearDesign,
     /// `α`, degrees as written.
     pub pressure_angle_deg: f64,
 }
@@ -133,15 +133,15 @@ impl Header {
 
     /// Reports what contradicts the pair file by more than the rounding of the printed value.
     pub fn check(&self, drawn: &Drawn, problems: &mut Problems) {
-        let blank = drawn.blank;
+        let design = drawn.design;
         for said in &self.said {
             let stated = match said.fact {
-                Fact::Teeth => f64::from(blank.toothing.teeth()),
-                Fact::Module => blank.toothing.module(),
+                Fact::Teeth => f64::from(design.basic_data.teeth()),
+                Fact::Module => design.basic_data.module(),
                 Fact::PressureAngle => drawn.pressure_angle_deg,
                 Fact::HelixAngle => 0.0,
-                Fact::ProfileShift => blank.profile_shift,
-                Fact::TipDiameter => 2.0 * blank.tip_radius(),
+                Fact::ProfileShift => design.profile_shift,
+                Fact::TipDiameter => 2.0 * design.tip_radius(),
             };
             // Rounding of the comparison itself: some ulps of the value.
             let allowed = said.rounding + 1e-12 * stated.abs();

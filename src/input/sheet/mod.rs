@@ -129,8 +129,8 @@ fn read<const N: usize>(
         None => None,
     };
     if bytes.starts_with(OLD_WORKBOOK) {
-        let way_out = "save it as .xlsx or CSV";
-        problems.add(file.problem("is an old Excel workbook, .xls", way_out));
+        let help = "save it as .xlsx or CSV";
+        problems.add(file.problem("is an old Excel workbook, .xls", help));
         return None;
     }
     let grid = if workbook::is_one(file, &bytes) {

@@ -22,7 +22,7 @@ pub fn places<const N: usize>(
     wanted: &Wanted<N>,
     problems: &mut Problems,
 ) -> Option<Places<N>> {
-    let way_out = format!(
+    let help = format!(
         "name the columns {} there",
         column::headings(&wanted.columns)
     );
@@ -30,8 +30,8 @@ pub fn places<const N: usize>(
     let mut tooth = None;
     let mut places = [None; N];
     let mut good = Some(());
-    let mut wrong = |reason: String, way_out: String| {
-        problems.add(file.problem_at(line, reason, way_out));
+    let mut wrong = |reason: String, help: String| {
+        problems.add(file.problem_at(line, reason, help));
         good = None;
     };
     for (place, cell) in header.cells.iter().enumerate() {
@@ -41,15 +41,15 @@ pub fn places<const N: usize>(
         let Cell::Text(text) = cell else {
             wrong(
                 format!("{} is no name of a column", cell.shown(file)),
-                way_out.clone(),
+                help.clone(),
             );
             continue;
         };
         let slot = match column::named(file, text, &wanted.columns) {
             Named::Tooth => &mut tooth,
             Named::Wanted(index) => &mut places[index],
-            Named::Wrong(reason, way_out) => {
-                wrong(reason, way_out);
+            Named::Wrong(reason, help) => {
+                wrong(reason, help);
                 continue;
             }
         };
@@ -69,11 +69,7 @@ pub fn places<const N: usize>(
         .chain(names.into_iter().zip(places))
     {
         if place.is_none() {
-            problems.add(file.problem_at(
-                line,
-                format!("column {name} is missing"),
-                way_out.clone(),
-            ));
+            problems.add(file.problem_at(line, format!("column {name} is missing"), help.clone()));
         }
     }
     let mut found = [0; N];

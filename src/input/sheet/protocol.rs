@@ -87,8 +87,8 @@ fn parse<'a>(
     let mut good = Some(());
     for (index, text) in text.lines().enumerate() {
         let line = index as u64 + 1;
-        let mut wrong = |reason: String, way_out: &str| {
-            problems.add(file.problem_at(line, reason, way_out));
+        let mut wrong = |reason: String, help: &str| {
+            problems.add(file.problem_at(line, reason, help));
             good = None;
         };
         if let Some(side) = side(text) {

@@ -17,11 +17,11 @@
 //! All bounds come from the distance and turn of the curve from its middle ([`super::shape::Shape::spread`]);
 //! nothing is assumed of the curves' shape.
 
-use super::curves::{Curves, Unsettled};
-use super::hit::Hit;
+use super::candidate::CandidateContact;
+use super::curves::{Curves, SearchExhausted};
 use super::placed::{Placed, invert};
 use super::shape::C;
-use crate::gear::Curve;
+use crate::gear::ProfilePart;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Nodes of one side of a pose, over all its pairs, after which its contact counts as lost. A node takes some 0.3 µs:
@@ -35,7 +35,7 @@ const FINEST: f64 = 16.0 * f64::EPSILON;
 /// A piece of a curve and what is known of it.
 #[derive(Debug, Clone, Copy)]
 struct Arc {
-    curve: Curve,
+    curve: ProfilePart,
     low: f64,
     high: f64,
     middle: C,
@@ -49,7 +49,7 @@ struct Arc {
 }
 
 impl Arc {
-    fn new(placed: &Placed, curve: Curve, low: f64, high: f64) -> Arc {
+    fn new(placed: &Placed, curve: ProfilePart, low: f64, high: f64) -> Arc {
         let sample = placed.at(curve, 0.5 * (low + high));
         let (reach, bend) = placed.shape.spread(curve, low, high);
         let radius = sample.point.norm();
@@ -129,12 +129,12 @@ pub(super) fn search(
     floor: f64,
     curves: Curves,
     nodes_left: &mut usize,
-) -> Result<Option<Hit>, Unsettled> {
-    let mut best: Option<Hit> = None;
+) -> Result<Option<CandidateContact>, SearchExhausted> {
+    let mut best: Option<CandidateContact> = None;
     let mut level = floor;
     let mut nodes = Vec::new();
-    let frees = Curve::ALL.map(|curve| free_arc(free, curve));
-    for (ours, row) in Curve::ALL.into_iter().zip(curves.0) {
+    let frees = ProfilePart::ALL.map(|curve| free_arc(free, curve));
+    for (ours, row) in ProfilePart::ALL.into_iter().zip(curves.0) {
         if row == [false; 4] || !locked.has(ours) {
             continue;
         }
@@ -145,7 +145,7 @@ pub(super) fn search(
     }
     while let Some((ours, theirs)) = nodes.pop() {
         if *nodes_left == 0 {
-            return Err(Unsettled(ours.curve, theirs.curve));
+            return Err(SearchExhausted(ours.curve, theirs.curve));
         }
         *nodes_left -= 1;
         let inner = ours.radii.0.max(theirs.radii.0);
@@ -156,7 +156,7 @@ pub(super) fn search(
             continue;
         }
         let mut record = |t: f64, u: f64, slack: f64| {
-            let hit = Hit::new(
+            let hit = CandidateContact::new(
                 (locked, (ours.curve, t)),
                 (free, (theirs.curve, u)),
                 origin,
@@ -206,7 +206,7 @@ pub(super) fn search(
 /// The whole of one curve of the free gear, if it has any length. About its own centre a land has one radius, on which
 /// only its end farthest clockwise can touch: of the tip land the corner (which ends the involute
 /// too), of the root land the middle of the space.
-fn free_arc(free: &Placed, curve: Curve) -> Option<Arc> {
+fn free_arc(free: &Placed, curve: ProfilePart) -> Option<Arc> {
     if !free.has(curve) {
         return None;
     }
@@ -215,8 +215,8 @@ fn free_arc(free: &Placed, curve: Curve) -> Option<Arc> {
         return Some(Arc::new(free, curve, low, high));
     }
     match curve {
-        Curve::Tip => None,
-        Curve::Root => Some(Arc::new(free, curve, high, high)),
-        Curve::Involute | Curve::Fillet => Some(Arc::new(free, curve, low, high)),
+        ProfilePart::Tip => None,
+        ProfilePart::Root => Some(Arc::new(free, curve, high, high)),
+        ProfilePart::Involute | ProfilePart::Fillet => Some(Arc::new(free, curve, low, high)),
     }
 }

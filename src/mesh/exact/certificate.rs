@@ -27,7 +27,7 @@
 use super::curves::Curves;
 use super::facing::lens_half;
 use super::shape::Shape;
-use crate::gear::Curve::{self, Fillet, Involute, Root, Tip};
+use crate::gear::ProfilePart::{self, Fillet, Involute, Root, Tip};
 use crate::gear::involute;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -96,7 +96,7 @@ impl Setting<'_> {
         let mut open = Curves::default();
         let free_reach = reached(theirs, self.inmost() - self.free_off);
         let locked_reach = reached(ours, near - self.outmost());
-        for curve in Curve::ALL {
+        for curve in ProfilePart::ALL {
             open.add_unless(free_reach != Reach::Root, curve, Root);
             open.add_unless(locked_reach != Reach::Root, Root, curve);
         }

@@ -11,7 +11,7 @@
 
 use super::placed::{Placed, invert};
 use super::shape::{C, turn};
-use crate::gear::{Curve, involute};
+use crate::gear::{ProfilePart, involute};
 use std::f64::consts::TAU;
 
 /// Whose half tooth it is: from tip to root `ρ` rises on a locked one, falls on a free one.
@@ -21,7 +21,7 @@ pub(super) enum Sense {
     Free,
 }
 
-/// Curve and parameter where `half` has the radius `rho` about the free axis.
+/// Profile part and parameter where `half` has the radius `rho` about the free axis.
 ///
 /// `fillet` is the least `γ` that can be reached; `near` is a point of the half tooth's own frame near
 /// the one sought. `None`: the half tooth has no such point, or the search has it.
@@ -31,7 +31,7 @@ pub(super) fn meet(
     fillet: Option<f64>,
     rho: f64,
     near: C,
-) -> Option<(Curve, f64)> {
+) -> Option<(ProfilePart, f64)> {
     let shape = half.shape;
     let (tip_roll, tip) = outer_end(half);
     let form = half.own_to_axis(shape.joint);
@@ -40,22 +40,22 @@ pub(super) fn meet(
         Sense::Free => -1.0,
     };
     Some(if (rho - tip) * inward < 0.0 {
-        (Curve::Tip, on_land(half, Curve::Tip, rho)?)
+        (ProfilePart::Tip, on_land(half, ProfilePart::Tip, rho)?)
     } else if (rho - form) * inward <= 0.0 {
         let radius = near.norm_sqr().sqrt();
         let start = involute::roll_at(radius, shape.base).clamp(shape.form_roll, tip_roll);
         let bracket = bracket(shape.form_roll, tip_roll, inward);
         (
-            Curve::Involute,
-            invert(half, Curve::Involute, rho, bracket, start),
+            ProfilePart::Involute,
+            invert(half, ProfilePart::Involute, rho, bracket, start),
         )
     } else {
         let least = fillet?;
         let bracket = bracket(least, shape.fillet_end, inward);
         let start = 0.5 * (least + shape.fillet_end);
         (
-            Curve::Fillet,
-            invert(half, Curve::Fillet, rho, bracket, start),
+            ProfilePart::Fillet,
+            invert(half, ProfilePart::Fillet, rho, bracket, start),
         )
     })
 }
@@ -76,7 +76,7 @@ fn outer_end(half: &Placed) -> (f64, f64) {
         return tip;
     }
     let roll = (shape.tip_roll - beyond).max(shape.form_roll);
-    let point = half.at(Curve::Involute, roll).point;
+    let point = half.at(ProfilePart::Involute, roll).point;
     (roll, point.norm_sqr().sqrt())
 }
 
@@ -113,7 +113,7 @@ fn bracket(low: f64, high: f64, inward: f64) -> [f64; 2] {
 ///
 /// On the circle of radius `r` about `C` a point `δ` from the direction to the axis has
 /// `ρ² = (|C| − r)² + 4 |C| r sin² δ/2 = (|C| + r)² − 4 |C| r cos² δ/2`: no difference of large squares.
-pub(super) fn on_land(half: &Placed, land: Curve, rho: f64) -> Option<f64> {
+pub(super) fn on_land(half: &Placed, land: ProfilePart, rho: f64) -> Option<f64> {
     let (centre, radius) = (half.centre, half.shape.radius(land, 0.0));
     let distance = centre.norm_sqr().sqrt();
     let (least, most) = ((distance - radius).abs(), distance + radius);

@@ -1,6 +1,6 @@
 //! Pairs of curves, as sets and as what an error names.
 
-use crate::gear::Curve;
+use crate::gear::ProfilePart;
 
 /// A set of pairs of curves, the locked gear's first.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -11,20 +11,20 @@ impl Curves {
     pub const ALL: Curves = Curves([[true; 4]; 4]);
 
     /// All of these but one.
-    pub fn without(mut self, locked: Curve, free: Curve) -> Curves {
+    pub fn without(mut self, locked: ProfilePart, free: ProfilePart) -> Curves {
         self.0[locked as usize][free as usize] = false;
         self
     }
 
-    pub fn has(self, locked: Curve, free: Curve) -> bool {
+    pub fn has(self, locked: ProfilePart, free: ProfilePart) -> bool {
         self.0[locked as usize][free as usize]
     }
 
-    pub fn add(&mut self, locked: Curve, free: Curve) {
+    pub fn add(&mut self, locked: ProfilePart, free: ProfilePart) {
         self.0[locked as usize][free as usize] = true;
     }
 
-    pub fn add_unless(&mut self, settled: bool, locked: Curve, free: Curve) {
+    pub fn add_unless(&mut self, settled: bool, locked: ProfilePart, free: ProfilePart) {
         self.0[locked as usize][free as usize] |= !settled;
     }
 
@@ -35,9 +35,9 @@ impl Curves {
 
 /// Two curves whose search did not end, the locked gear's first.
 #[derive(Debug)]
-pub(super) struct Unsettled(pub Curve, pub Curve);
+pub(super) struct SearchExhausted(pub ProfilePart, pub ProfilePart);
 
-impl Unsettled {
+impl SearchExhausted {
     /// In words, for the error message.
     pub fn reason(&self) -> &'static str {
         const REASONS: [[&str; 4]; 4] = [

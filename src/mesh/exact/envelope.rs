@@ -10,7 +10,7 @@
 //! stand beside `f(x)` again.
 
 use super::shape::C;
-use crate::gear::{Curve, Gear, HalfTooth, Segment, Side};
+use crate::gear::{Gear, HalfTooth, ProfilePart, Segment, Side};
 
 /// Cells over the tooth depth. Tuned: 24 leave 1 point in 60 to the exact test on ordinary gears, 12 leave twice as many.
 const CELLS: usize = 32;
@@ -54,7 +54,7 @@ impl Envelope {
         // A cell reaches as far as the curve may lie beside the polygon's border.
         let border = |cell: usize| start + cell as f64 * width;
         let mut pieces: [Vec<(f64, f64)>; CELLS] = std::array::from_fn(|_| Vec::new());
-        let on_land = |segment: &Segment| segment.curve == Curve::Tip;
+        let on_land = |segment: &Segment| segment.curve == ProfilePart::Tip;
         let flank = polygon.segments().iter().take_while(|s| on_land(s)).count();
         let beyond = [(end, corner), (gear.tip_radius() * half_tip.cos(), corner)];
         let below = polygon.points()[flank..]

@@ -9,13 +9,13 @@
 //! *Steps* count places counter-clockwise from the locked tooth nearest to the line of
 //! centres; the free tooth facing it lies as many steps clockwise of its own.
 
+use super::direct::{DirectSolver, Envelopes};
 use super::envelope::Envelope;
-use super::fast::{Envelopes, Shortcut};
 use super::placed::Placed;
 use super::shape::C;
 use super::teeth::{Teeth, nearest, reduced};
 use crate::gear::{AsBuilt, Side};
-use crate::pair::{Assembly, Pose};
+use crate::pair::{GearPair, Pose};
 use std::f64::consts::PI;
 use std::ops::Range;
 use std::sync::Arc;
@@ -27,7 +27,7 @@ const TIE_MM: f64 = 1e-9;
 
 /// Both gears' half teeth of one side.
 #[derive(Debug, Clone)]
-pub(super) struct Facing {
+pub(super) struct FlankProblem {
     pub side: Side,
     pub locked: Arc<Teeth>,
     pub free: Arc<Teeth>,
@@ -36,7 +36,7 @@ pub(super) struct Facing {
     /// Half teeth whose undisturbed centre line lies within these angles of the line of centres can reach the mate.
     window: Option<(f64, f64)>,
     /// For pairs that need little or no search.
-    pub shortcut: Option<Shortcut>,
+    pub shortcut: Option<DirectSolver>,
     /// `1/r_bF` and `1/r_bL`.
     pub per_free_base: f64,
     pub per_locked_base: f64,
@@ -48,25 +48,25 @@ pub(super) struct Facing {
     pub pitch_point: C,
 }
 
-impl Facing {
-    pub fn new(assembly: &Assembly, side: Side) -> Facing {
+impl FlankProblem {
+    pub fn new(assembly: &GearPair, side: Side) -> FlankProblem {
         let teeth = |member| Arc::new(Teeth::new(assembly.gear(member), side));
         let teeth = (teeth(assembly.locked()), teeth(assembly.free()));
-        Facing::of(assembly, side, teeth)
+        FlankProblem::of(assembly, side, teeth)
     }
 
     /// The same gears as `assembly` has them: its teeth are these.
-    pub fn at(&self, assembly: &Assembly) -> Facing {
+    pub fn at(&self, assembly: &GearPair) -> FlankProblem {
         let teeth = (Arc::clone(&self.locked), Arc::clone(&self.free));
-        Facing::of(assembly, self.side, teeth)
+        FlankProblem::of(assembly, self.side, teeth)
     }
 
-    fn of(assembly: &Assembly, side: Side, teeth: (Arc<Teeth>, Arc<Teeth>)) -> Facing {
+    fn of(assembly: &GearPair, side: Side, teeth: (Arc<Teeth>, Arc<Teeth>)) -> FlankProblem {
         let (locked, free) = (
             assembly.gear(assembly.locked()),
             assembly.gear(assembly.free()),
         );
-        let mut facing = Facing {
+        let mut facing = FlankProblem {
             side,
             locked: teeth.0,
             free: teeth.1,
@@ -75,7 +75,7 @@ impl Facing {
             shortcut: None,
             per_free_base: 1.0 / free.gear().base_radius(),
             per_locked_base: 1.0 / locked.gear().base_radius(),
-            per_pitch: 1.0 / locked.gear().toothing().angular_pitch(),
+            per_pitch: 1.0 / locked.gear().basic_data().angular_pitch(),
             tie: 0.0,
             pitch_point: C::from(assembly.operating_pitch_radius(assembly.free())),
         };
@@ -86,12 +86,16 @@ impl Facing {
     }
 
     /// What spares searching, with these envelopes; the same for both sides.
-    pub fn find_shortcut(&self, assembly: &Assembly, envelopes: &Envelopes) -> Option<Shortcut> {
-        Shortcut::new(self, assembly, envelopes.clone())
+    pub fn find_shortcut(
+        &self,
+        assembly: &GearPair,
+        envelopes: &Envelopes,
+    ) -> Option<DirectSolver> {
+        DirectSolver::new(self, assembly, envelopes.clone())
     }
 
     /// The envelopes of both gears, good at every centre distance at which they reach each other.
-    pub fn envelopes(&self, assembly: &Assembly) -> Envelopes {
+    pub fn envelopes(&self, assembly: &GearPair) -> Envelopes {
         let (ours, theirs) = (
             assembly.gear(assembly.locked()),
             assembly.gear(assembly.free()),
@@ -107,7 +111,13 @@ impl Facing {
 
     /// Puts the teeth where `pose` has them: `rotation` is the locked gear's, reduced, and `turned` `e^{i rotation}`,
     /// both as the picture counts them.
-    pub fn stand(&self, pose: &Pose, teeth: (u32, u32), rotation: f64, turned: C) -> Stand<'_> {
+    pub fn stand(
+        &self,
+        pose: &Pose,
+        teeth: (u32, u32),
+        rotation: f64,
+        turned: C,
+    ) -> PosedFlanks<'_> {
         let (mirror, turned) = match self.side {
             Side::Right => (1.0, turned),
             Side::Left => (-1.0, turned.conj()),
@@ -121,7 +131,7 @@ impl Facing {
         let beyond = i64::from(pose.mating().flank != self.side);
         let free_place = self.free.place(teeth.1, beyond - steps);
         let origin = self.free.direction(free_place);
-        Stand {
+        PosedFlanks {
             facing: self,
             turned,
             centre: C::from(self.distance) - turned * self.locked.displacement,
@@ -194,8 +204,8 @@ pub(super) fn lens_half(ours: f64, theirs: f64, distance: f64) -> Option<f64> {
 
 /// The half teeth of one side at one pose.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Stand<'a> {
-    pub facing: &'a Facing,
+pub(super) struct PosedFlanks<'a> {
+    pub facing: &'a FlankProblem,
     /// Rotation of the locked gear.
     pub turned: C,
     /// Centre of the locked outline.
@@ -211,7 +221,7 @@ pub(super) struct Stand<'a> {
     pub free_centre: C,
 }
 
-impl<'a> Stand<'a> {
+impl<'a> PosedFlanks<'a> {
     /// Steps whose locked half tooth can reach the free gear; empty when none can.
     pub fn steps(&self) -> Range<i64> {
         let Some((low, high)) = self.facing.window else {

@@ -11,15 +11,15 @@
 //! (Where an arc's radius about the axis turns, the gap goes on along the arc: no extremum.) A search would take the
 //! longest here: a free land runs so nearly round the axis that its polar slope bounds nothing.
 
+use super::candidate::CandidateContact;
 use super::corner::on_land;
 use super::curves::Curves;
-use super::hit::Hit;
 use super::placed::Placed;
 use super::shape::{C, turn};
-use crate::gear::Curve::{self, Root, Tip};
+use crate::gear::ProfilePart::{self, Root, Tip};
 
 /// The pairs of lands that can touch, the locked gear's first. Two roots are always apart.
-pub(super) const LANDS: [(Curve, Curve); 3] = [(Tip, Tip), (Tip, Root), (Root, Tip)];
+pub(super) const LANDS: [(ProfilePart, ProfilePart); 3] = [(Tip, Tip), (Tip, Root), (Root, Tip)];
 
 /// `curves` without pairs of lands.
 pub(super) fn without_lands(curves: Curves) -> Curves {
@@ -35,7 +35,7 @@ pub(super) fn land_on_land(
     free: &Placed,
     origin: C,
     curves: Curves,
-) -> Option<Hit> {
+) -> Option<CandidateContact> {
     LANDS
         .into_iter()
         .filter(|&(ours, theirs)| curves.has(ours, theirs) && locked.has(ours) && free.has(theirs))
@@ -43,18 +43,20 @@ pub(super) fn land_on_land(
         .reduce(greater)
 }
 
-fn greater(one: Hit, other: Hit) -> Hit {
+fn greater(one: CandidateContact, other: CandidateContact) -> CandidateContact {
     if other.gap > one.gap { other } else { one }
 }
 
 fn greatest(
     locked: &Placed,
     free: &Placed,
-    (ours, theirs): (Curve, Curve),
+    (ours, theirs): (ProfilePart, ProfilePart),
     origin: C,
-) -> Option<Hit> {
-    let hit = |t: f64, u: f64| Hit::new((locked, (ours, t)), (free, (theirs, u)), origin, 0.0);
-    let ends = |placed: &Placed, curve: Curve| {
+) -> Option<CandidateContact> {
+    let hit = |t: f64, u: f64| {
+        CandidateContact::new((locked, (ours, t)), (free, (theirs, u)), origin, 0.0)
+    };
+    let ends = |placed: &Placed, curve: ProfilePart| {
         let (low, high) = placed.range(curve);
         [low, high].map(|t| (t, placed.at(curve, t).point.norm()))
     };
@@ -75,7 +77,7 @@ fn greatest(
 fn tangents(
     locked: &Placed,
     free: &Placed,
-    (on_locked, on_free): (Curve, Curve),
+    (on_locked, on_free): (ProfilePart, ProfilePart),
 ) -> [Option<(f64, f64)>; 2] {
     let (ours, theirs) = (locked.centre, free.centre);
     let radius = locked.shape.radius(on_locked, 0.0);
@@ -86,7 +88,7 @@ fn tangents(
     if !(cos.abs() <= 1.0) {
         return [None; 2];
     }
-    let on = |placed: &Placed, curve: Curve, centre: C, point: C| {
+    let on = |placed: &Placed, curve: ProfilePart, centre: C, point: C| {
         let t = -((point - centre) * placed.direction.conj()).arg();
         let (low, high) = placed.range(curve);
         (low..=high).contains(&t).then_some(t)

@@ -18,7 +18,7 @@
 //! `(−T B·B' + Σ B×B')/(|B|² r_bF)`, at most `e_F/r_bF < 1` by amount, so Newton's method
 //! converges from anywhere.
 
-use super::facing::Facing;
+use super::facing::FlankProblem;
 use super::shape::C;
 
 /// Rolls this far beyond an involute's end count as on it: contact moves off the line by the square of it.
@@ -70,7 +70,7 @@ impl Line {
 
 /// How the line of action may move, for one pair of gears.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Swerve {
+pub(super) struct TangentVariation {
     /// The line itself, where both outlines are centred on their axes.
     pub fixed: Option<Line>,
     /// The line of centred outlines, to start from.
@@ -84,13 +84,13 @@ pub(super) struct Swerve {
     pub curl: f64,
 }
 
-impl Swerve {
+impl TangentVariation {
     /// `None` where the base circles may overlap.
     ///
     /// With `|B| ≥ b`: `d(arg B + α)/dμ` is at most `e (1 + Σ/T)/b` and `dT/dμ` at most `e |B|/T ≤ e b/T(b)`, while
     /// a gap is off by at most the change `G` makes to it over `1 − e/r_b`. The slope of `G` is `(e/r_b)`
     /// times a sine; its own derivative at most `(e/r_b)` times the turn of `B'` and of the line.
-    pub fn new(facing: &Facing, locked_off: f64, off: f64) -> Option<Swerve> {
+    pub fn new(facing: &FlankProblem, locked_off: f64, off: f64) -> Option<TangentVariation> {
         let (base, sum) = (facing.free.shape.base, facing.sum());
         let least = facing.distance - locked_off - off;
         let centred = Line::new(C::from(facing.distance), sum)?;
@@ -100,7 +100,7 @@ impl Swerve {
         let length = ((least - sum) * (least + sum)).sqrt();
         let shrink = 1.0 - off / base;
         let turn = off * (1.0 + sum / length) / least;
-        Some(Swerve {
+        Some(TangentVariation {
             fixed: (locked_off == 0.0 && off == 0.0).then_some(centred),
             centred,
             moves: off > 0.0,
@@ -111,11 +111,11 @@ impl Swerve {
     }
 }
 
-impl Swerve {
+impl TangentVariation {
     /// Plays of both rolls on a line taken at a gap that is `error` off for the pair of step 0.
     ///
     /// Another pair's gap differs from its by no more than all offsets do.
-    pub fn plays(&self, facing: &Facing, error: f64) -> (f64, f64) {
+    pub fn plays(&self, facing: &FlankProblem, error: f64) -> (f64, f64) {
         if !self.moves {
             return (ROLL_PLAY, ROLL_PLAY);
         }

@@ -21,57 +21,57 @@
 //! `right.rotation` lies in (−π, π], `left.rotation` continues from it.
 
 mod branch;
+mod candidate;
 mod certificate;
 mod corner;
 mod curves;
+mod direct;
 mod envelope;
 mod facing;
-mod fast;
-mod hit;
 mod lands;
 mod line;
 mod path;
 mod placed;
-mod plain;
 mod report;
+mod search;
 mod shape;
 mod tangent;
 mod teeth;
-mod ties;
+mod tightest;
 
 use super::body::{is_solid, may_be_solid, reaches_over_an_axis};
 use super::lost_motion::{Contact, LostMotion};
 use crate::error::Error;
 use crate::gear::Side;
-use crate::pair::{Assembly, Member, Pose};
-use curves::Unsettled;
-use facing::{Facing, Stand};
-use fast::Envelopes;
+use crate::pair::{GearPair, Member, Pose};
+use curves::SearchExhausted;
+use direct::Envelopes;
+use facing::{FlankProblem, PosedFlanks};
 use shape::turn;
 use std::f64::consts::{PI, TAU};
 use teeth::reduced;
-use ties::Touching;
+use tightest::Touching;
 
 /// Lost motion of one assembly on its exact curves.
 ///
 /// Holds what does not depend on the pose, 48 bytes a tooth and side; poses may be asked for from any thread.
 #[derive(Debug, Clone)]
 pub struct ExactKernel {
-    right: Facing,
-    left: Facing,
+    right: FlankProblem,
+    left: FlankProblem,
     /// What is the same at every centre distance, beside the teeth.
     envelopes: Envelopes,
     free: Member,
     /// The pair, where teeth may stand in the mate's body.
-    bodies: Option<Box<Assembly>>,
+    bodies: Option<Box<GearPair>>,
     /// Whether no pose can be assembled.
     blocked: bool,
 }
 
 impl ExactKernel {
     /// The kernel of `assembly`.
-    pub fn new(assembly: &Assembly) -> ExactKernel {
-        let facings = Side::BOTH.map(|side| Facing::new(assembly, side));
+    pub fn new(assembly: &GearPair) -> ExactKernel {
+        let facings = Side::BOTH.map(|side| FlankProblem::new(assembly, side));
         let envelopes = facings[0].envelopes(assembly);
         ExactKernel::of(assembly, facings, envelopes)
     }
@@ -79,13 +79,13 @@ impl ExactKernel {
     /// The kernel of the same gears at another centre distance, in a time that does not depend on the number of teeth.
     ///
     /// It is that of [`ExactKernel::new`] to the last bit of any result. `assembly` is one that
-    /// [`Assembly::at`] made of this kernel's.
-    pub fn at(&self, assembly: &Assembly) -> ExactKernel {
+    /// [`GearPair::at`] made of this kernel's.
+    pub fn at(&self, assembly: &GearPair) -> ExactKernel {
         let facings = [&self.right, &self.left].map(|facing| facing.at(assembly));
         ExactKernel::of(assembly, facings, self.envelopes.clone())
     }
 
-    fn of(assembly: &Assembly, facings: [Facing; 2], envelopes: Envelopes) -> ExactKernel {
+    fn of(assembly: &GearPair, facings: [FlankProblem; 2], envelopes: Envelopes) -> ExactKernel {
         let [mut right, mut left] = facings;
         // Of both gears the left half teeth mirror the right ones.
         right.shortcut = right.find_shortcut(assembly, &envelopes);
@@ -107,7 +107,7 @@ impl ExactKernel {
     /// # Errors
     /// [`Error::ContactLost`] when a pair of flanks cannot be resolved; never a pair left out.
     pub fn lost_motion(&self, pose: &Pose) -> Result<LostMotion, Error> {
-        self.with(pose, fast::touching)
+        self.with(pose, direct::touching)
     }
 
     /// The same by branch and bound over all pairs and curves, no case told apart: a thousand times
@@ -116,7 +116,7 @@ impl ExactKernel {
     /// # Errors
     /// As [`ExactKernel::lost_motion`].
     pub fn lost_motion_by_search(&self, pose: &Pose) -> Result<LostMotion, Error> {
-        self.with(pose, plain::by_search)
+        self.with(pose, search::by_search)
     }
 
     /// Whether this pair needs no search: its contacts are on the line of action, at corners,
@@ -131,7 +131,7 @@ impl ExactKernel {
     fn with(
         &self,
         pose: &Pose,
-        method: impl Fn(&Stand) -> Result<Option<Touching>, (i64, Unsettled)>,
+        method: impl Fn(&PosedFlanks) -> Result<Option<Touching>, (i64, SearchExhausted)>,
     ) -> Result<LostMotion, Error> {
         if self.blocked {
             return Ok(LostMotion::JAMMED);
@@ -140,7 +140,7 @@ impl ExactKernel {
         let teeth = (mating.tooth(self.free.mate()), mating.tooth(self.free));
         let rotation = reduced(pose.locked_rotation());
         let turned = turn(rotation);
-        let contact = |facing: &Facing| -> Result<Option<Contact>, Error> {
+        let contact = |facing: &FlankProblem| -> Result<Option<Contact>, Error> {
             let stand = facing.stand(pose, teeth, rotation, turned);
             match method(&stand) {
                 Ok(touching) => {
@@ -161,7 +161,7 @@ impl ExactKernel {
         Ok(result.within(self.right.free.pitch))
     }
 
-    fn lost(&self, stand: &Stand, step: i64, lost: &Unsettled, pose: &Pose) -> Error {
+    fn lost(&self, stand: &PosedFlanks, step: i64, lost: &SearchExhausted, pose: &Pose) -> Error {
         let (locked_place, free_place) = stand.places(step);
         let locked = stand.facing.locked.number(locked_place);
         let free = stand.facing.free.number(free_place);

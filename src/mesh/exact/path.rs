@@ -1,11 +1,11 @@
 //! Which pairs touch on the line of action at a pose; [`super::line`] has the equations.
 
-use super::facing::Stand;
-use super::hit::Hit;
-use super::line::{Line, ROLL_PLAY, Swerve};
+use super::candidate::CandidateContact;
+use super::facing::PosedFlanks;
+use super::line::{Line, ROLL_PLAY, TangentVariation};
 use super::shape::{C, turn};
-use super::ties::Ties;
-use crate::gear::Curve;
+use super::tightest::TightestContacts;
+use crate::gear::ProfilePart;
 use std::ops::Range;
 
 /// A pair that may touch on the line of action.
@@ -17,7 +17,7 @@ pub(super) struct Pair {
     pub free_base: f64,
 }
 
-impl Stand<'_> {
+impl PosedFlanks<'_> {
     pub(super) fn pair(&self, step: i64) -> Pair {
         let (locked, free) = (&self.facing.locked, &self.facing.free);
         let (ours, theirs) = self.places(step);
@@ -80,7 +80,7 @@ impl Stand<'_> {
     }
 
     /// The gap of `pair` and the line there, from the gap `first`.
-    fn settle(&self, pair: &Pair, swerve: &Swerve, first: f64) -> Option<(f64, Line)> {
+    fn settle(&self, pair: &Pair, swerve: &TangentVariation, first: f64) -> Option<(f64, Line)> {
         let sum = self.facing.sum();
         let mut mu = first;
         // Two or three steps; sixty would do by bisection's pace.
@@ -98,7 +98,7 @@ impl Stand<'_> {
         None
     }
 
-    fn hit(&self, gap: f64, line: &Line, pair: &Pair) -> Hit {
+    fn hit(&self, gap: f64, line: &Line, pair: &Pair) -> CandidateContact {
         let (ours, theirs) = (&self.facing.locked.shape, &self.facing.free.shape);
         let (locked, free) = self.rolls(line, pair);
         let locked = locked.clamp(ours.form_roll, ours.tip_roll);
@@ -108,12 +108,12 @@ impl Stand<'_> {
         let point = self.centre + e * C::new(ours.base, -ours.base * locked);
         let normal = C::new(e.im, -e.re);
         let z = point.conj() * normal;
-        Hit {
+        CandidateContact {
             gap,
             slack: 0.0,
             slope: -z.re / z.im,
-            locked: (Curve::Involute, locked),
-            free: (Curve::Involute, free),
+            locked: (ProfilePart::Involute, locked),
+            free: (ProfilePart::Involute, free),
             point,
             normal,
         }
@@ -122,7 +122,7 @@ impl Stand<'_> {
     /// Offers every pair that touches on the line of action and may be the tightest within a tie.
     ///
     /// False when one did not settle: then nothing is known.
-    pub(super) fn on_line(&self, swerve: &Swerve, ties: &mut Ties) -> bool {
+    pub(super) fn on_line(&self, swerve: &TangentVariation, ties: &mut TightestContacts) -> bool {
         // The gap the pair of step 0 has between centred outlines: a good place to take the line at.
         let (guess, start) = match swerve.fixed {
             Some(line) => (0.0, line),

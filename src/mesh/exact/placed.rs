@@ -1,7 +1,7 @@
 //! A half tooth where the pose puts it.
 
 use super::shape::{C, Sample, Shape};
-use crate::gear::Curve;
+use crate::gear::ProfilePart;
 
 /// A half tooth where the pose puts it: `centre + direction · P`, from the free gear's axis.
 #[derive(Debug, Clone, Copy)]
@@ -23,35 +23,35 @@ impl Placed<'_> {
 
     /// Parameters of a curve's two ends, the lesser first: the tip land is a whole one, down to its far corner, the
     /// root land reaches to the middle of the space as built. Equal ends: the curve has no length.
-    pub fn range(&self, curve: Curve) -> (f64, f64) {
+    pub fn range(&self, curve: ProfilePart) -> (f64, f64) {
         let (low, high) = self.shape.range(curve);
         match curve {
-            Curve::Tip => (-self.far.arg(), high),
-            Curve::Root => (low.min(self.root_end), self.root_end),
-            Curve::Involute | Curve::Fillet => (low, high),
+            ProfilePart::Tip => (-self.far.arg(), high),
+            ProfilePart::Root => (low.min(self.root_end), self.root_end),
+            ProfilePart::Involute | ProfilePart::Fillet => (low, high),
         }
     }
 
     /// Whether a curve has any length.
-    pub fn has(&self, curve: Curve) -> bool {
+    pub fn has(&self, curve: ProfilePart) -> bool {
         let (low, high) = self.range(curve);
         low < high
     }
 
     /// Whether it is a point without one normal.
-    pub fn is_corner(&self, (curve, t): (Curve, f64)) -> bool {
+    pub fn is_corner(&self, (curve, t): (ProfilePart, f64)) -> bool {
         match curve {
-            Curve::Tip | Curve::Root => {
+            ProfilePart::Tip | ProfilePart::Root => {
                 let (low, high) = self.range(curve);
-                t >= high || curve == Curve::Tip && t <= low
+                t >= high || curve == ProfilePart::Tip && t <= low
             }
             // Where no land follows, the half tooth ends at the bottom of the fillet.
-            Curve::Fillet if t <= 0.0 => !self.has(Curve::Root),
-            Curve::Involute | Curve::Fillet => self.shape.is_corner((curve, t)),
+            ProfilePart::Fillet if t <= 0.0 => !self.has(ProfilePart::Root),
+            ProfilePart::Involute | ProfilePart::Fillet => self.shape.is_corner((curve, t)),
         }
     }
 
-    pub fn at(&self, curve: Curve, t: f64) -> Sample {
+    pub fn at(&self, curve: ProfilePart, t: f64) -> Sample {
         let sample = self.shape.at(curve, t);
         Sample {
             point: self.centre + self.direction * sample.point,
@@ -66,7 +66,7 @@ impl Placed<'_> {
 /// ends when the step or the rest is lost in rounding.
 pub(super) fn invert(
     placed: &Placed,
-    curve: Curve,
+    curve: ProfilePart,
     rho: f64,
     [mut inner, mut outer]: [f64; 2],
     start: f64,

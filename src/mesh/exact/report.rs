@@ -1,9 +1,9 @@
 //! From a pair that touches, in the frame of [`super::facing`], to a [`Contact`] in the picture.
 
-use super::facing::Stand;
+use super::facing::PosedFlanks;
 use super::shape::{C, Shape};
-use super::ties::Touching;
-use crate::gear::{Curve, Side};
+use super::tightest::Touching;
+use crate::gear::{ProfilePart, Side};
 use crate::mesh::lost_motion::{Contact, Touch};
 use crate::pair::Member;
 use nalgebra::{Point2, Vector2};
@@ -14,7 +14,7 @@ use std::f64::consts::PI;
 const CORNER_MM: f64 = 1e-7;
 
 /// The contact of `touching`; its rotation is not yet normalised.
-pub(super) fn contact(stand: &Stand, touching: &Touching, free: Member) -> Contact {
+pub(super) fn contact(stand: &PosedFlanks, touching: &Touching, free: Member) -> Contact {
     let (facing, hit) = (stand.facing, &touching.hit);
     let radius = hit.point.norm_sqr().sqrt();
     let error = facing.rounding(radius, hit.slope) + hit.slack;
@@ -52,12 +52,12 @@ pub(super) fn contact(stand: &Stand, touching: &Touching, free: Member) -> Conta
 
 /// Curves as results name them: an involute that ends at the tip circle is the tip corner, a fillet
 /// that ends in the involute the involute, one that ends at the root circle the root.
-fn touch(shape: &Shape, tooth: u32, (curve, t): (Curve, f64)) -> Touch {
+fn touch(shape: &Shape, tooth: u32, (curve, t): (ProfilePart, f64)) -> Touch {
     let radius = shape.radius(curve, t);
     let curve = match curve {
-        Curve::Involute if radius > shape.tip_radius - CORNER_MM => Curve::Tip,
-        Curve::Fillet if t >= shape.fillet_end => Curve::Involute,
-        Curve::Fillet if radius < shape.root_radius + CORNER_MM => Curve::Root,
+        ProfilePart::Involute if radius > shape.tip_radius - CORNER_MM => ProfilePart::Tip,
+        ProfilePart::Fillet if t >= shape.fillet_end => ProfilePart::Involute,
+        ProfilePart::Fillet if radius < shape.root_radius + CORNER_MM => ProfilePart::Root,
         other => other,
     };
     Touch {

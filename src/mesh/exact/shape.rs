@@ -5,7 +5,7 @@
 //! cosine; a unit test holds the two together. The left-hand half is the mirror
 //! image, and the exact method solves the left side as the mirrored right side.
 
-use crate::gear::{Curve, Gear, involute};
+use crate::gear::{Gear, ProfilePart, involute};
 use nalgebra::Complex;
 use std::f64::consts::PI;
 
@@ -55,8 +55,8 @@ pub(super) struct Shape {
 
 impl Shape {
     pub fn new(gear: &Gear) -> Shape {
-        let (toothing, rack, fillet) = (gear.toothing(), &gear.blank().rack, gear.fillet());
-        let module = toothing.module();
+        let (basic_data, rack, fillet) = (gear.basic_data(), &gear.design().rack, gear.fillet());
+        let module = basic_data.module();
         let mut shape = Shape {
             base: gear.base_radius(),
             half_base: gear.half_base_angle(),
@@ -65,21 +65,21 @@ impl Shape {
             tip_roll: gear.tip_roll(),
             form_roll: gear.form_roll(),
             tip_half_angle: gear.half_angle_at_roll(gear.tip_roll()),
-            pitch_radius: toothing.reference_radius(),
+            pitch_radius: basic_data.reference_radius(),
             depth: (rack.dedendum() - rack.root_radius() - gear.generating_shift()) * module,
             round: rack.root_radius() * module,
             root_angle: fillet.root_angle(),
             fillet_end: fillet.end(),
-            half_pitch: PI / f64::from(toothing.teeth()),
-            undercut: fillet.end() < PI / 2.0 - toothing.pressure_angle(),
+            half_pitch: PI / f64::from(basic_data.teeth()),
+            undercut: fillet.end() < PI / 2.0 - basic_data.pressure_angle(),
             joint: C::ZERO,
             tip_normal: C::ZERO,
             corners: [(0.0, C::ZERO); 2],
         };
         shape.corners = [shape.tip_roll, shape.form_roll]
-            .map(|roll| (roll, shape.at(Curve::Involute, roll).point));
+            .map(|roll| (roll, shape.at(ProfilePart::Involute, roll).point));
         shape.joint = shape.corners[1].1;
-        shape.tip_normal = shape.at(Curve::Involute, shape.tip_roll).normal;
+        shape.tip_normal = shape.at(ProfilePart::Involute, shape.tip_roll).normal;
         shape
     }
 
@@ -89,21 +89,21 @@ impl Shape {
     }
 
     /// Parameters of a curve's two ends, the lesser first. Equal ends: the curve has no length.
-    pub fn range(&self, curve: Curve) -> (f64, f64) {
+    pub fn range(&self, curve: ProfilePart) -> (f64, f64) {
         match curve {
-            Curve::Tip => (0.0, self.tip_half_angle),
-            Curve::Involute => (self.form_roll, self.tip_roll),
-            Curve::Fillet => (0.0, self.fillet_end),
-            Curve::Root => (-self.root_angle, self.half_pitch),
+            ProfilePart::Tip => (0.0, self.tip_half_angle),
+            ProfilePart::Involute => (self.form_roll, self.tip_roll),
+            ProfilePart::Fillet => (0.0, self.fillet_end),
+            ProfilePart::Root => (-self.root_angle, self.half_pitch),
         }
     }
 
     /// Point and normal of `curve` at parameter `t`.
-    pub fn at(&self, curve: Curve, t: f64) -> Sample {
+    pub fn at(&self, curve: ProfilePart, t: f64) -> Sample {
         match curve {
-            Curve::Tip | Curve::Root => {
+            ProfilePart::Tip | ProfilePart::Root => {
                 let normal = turn(-t);
-                let radius = if curve == Curve::Tip {
+                let radius = if curve == ProfilePart::Tip {
                     self.tip_radius
                 } else {
                     self.root_radius
@@ -114,7 +114,7 @@ impl Shape {
                 }
             }
             // P = r_b E (1 − iξ), n = −iE.
-            Curve::Involute => {
+            ProfilePart::Involute => {
                 let e = turn(t - self.half_base);
                 let normal = C::new(e.im, -e.re);
                 Sample {
@@ -123,7 +123,7 @@ impl Shape {
                 }
             }
             // P = E (r − L e^{−iγ}), n = E e^{−iγ}, E = e^{i(root − h_0 tan γ/r)}, L = h_0/cos γ + ρ.
-            Curve::Fillet => {
+            ProfilePart::Fillet => {
                 let (sin, cos) = t.sin_cos();
                 let e = turn(self.root_angle - self.depth * sin / (cos * self.pitch_radius));
                 let normal = e * C::new(cos, -sin);
@@ -141,13 +141,13 @@ impl Shape {
     /// `d` is the length of the longer half, `w` the turn of the normal over it.
     /// Involute: length `r_b ξ²/2`, turn `ξ`. Fillet: `dP/dγ = S`, turn `q`
     /// ([`crate::gear::Fillet`]); both rise with `γ` once `h_0` is taken by its amount.
-    pub fn spread(&self, curve: Curve, low: f64, high: f64) -> (f64, f64) {
+    pub fn spread(&self, curve: ProfilePart, low: f64, high: f64) -> (f64, f64) {
         let half = 0.5 * (high - low);
         match curve {
-            Curve::Tip => (self.tip_radius * half, half),
-            Curve::Root => (self.root_radius * half, half),
-            Curve::Involute => (0.5 * self.base * half * (high + 0.5 * (low + high)), half),
-            Curve::Fillet => {
+            ProfilePart::Tip => (self.tip_radius * half, half),
+            ProfilePart::Root => (self.root_radius * half, half),
+            ProfilePart::Involute => (0.5 * self.base * half * (high + 0.5 * (low + high)), half),
+            ProfilePart::Fillet => {
                 let c = 1.0 / high.cos();
                 let depth = self.depth.abs();
                 let lift = depth * c * c / self.pitch_radius;
@@ -158,13 +158,13 @@ impl Shape {
     }
 
     /// `dP/dt = i n · speed`, with its sign.
-    pub fn speed(&self, curve: Curve, t: f64) -> f64 {
+    pub fn speed(&self, curve: ProfilePart, t: f64) -> f64 {
         match curve {
-            Curve::Tip => -self.tip_radius,
-            Curve::Root => -self.root_radius,
+            ProfilePart::Tip => -self.tip_radius,
+            ProfilePart::Root => -self.root_radius,
             // dP/dξ = r_b ξ E = r_b ξ · i n.
-            Curve::Involute => self.base * t,
-            Curve::Fillet => {
+            ProfilePart::Involute => self.base * t,
+            ProfilePart::Fillet => {
                 let c = 1.0 / t.cos();
                 let lift = self.depth * c * c / self.pitch_radius;
                 self.round + lift * (self.round + self.depth * c)
@@ -183,7 +183,7 @@ impl Shape {
             return PI / 2.0;
         }
         let psi = |gamma: f64| {
-            let sample = self.at(Curve::Fillet, gamma);
+            let sample = self.at(ProfilePart::Fillet, gamma);
             let z = sample.normal.conj() * sample.point;
             z.re.atan2(z.im.abs())
         };
@@ -196,22 +196,22 @@ impl Shape {
     }
 
     /// Radius about the gear's own centre, mm.
-    pub fn radius(&self, curve: Curve, t: f64) -> f64 {
+    pub fn radius(&self, curve: ProfilePart, t: f64) -> f64 {
         match curve {
-            Curve::Tip => self.tip_radius,
-            Curve::Root => self.root_radius,
-            Curve::Involute => self.base * (1.0 + t * t).sqrt(),
-            Curve::Fillet => self.at(curve, t).point.norm_sqr().sqrt(),
+            ProfilePart::Tip => self.tip_radius,
+            ProfilePart::Root => self.root_radius,
+            ProfilePart::Involute => self.base * (1.0 + t * t).sqrt(),
+            ProfilePart::Fillet => self.at(curve, t).point.norm_sqr().sqrt(),
         }
     }
 
     /// Whether it is a point without one normal: the tip corner or an undercut joint. Where a land ends is the
     /// placed tooth's to know.
-    pub fn is_corner(&self, (curve, t): (Curve, f64)) -> bool {
+    pub fn is_corner(&self, (curve, t): (ProfilePart, f64)) -> bool {
         match curve {
-            Curve::Tip | Curve::Root => false,
-            Curve::Involute => t >= self.tip_roll || self.undercut && t <= self.form_roll,
-            Curve::Fillet => self.undercut && t >= self.fillet_end,
+            ProfilePart::Tip | ProfilePart::Root => false,
+            ProfilePart::Involute => t >= self.tip_roll || self.undercut && t <= self.form_roll,
+            ProfilePart::Fillet => self.undercut && t >= self.fillet_end,
         }
     }
 }
@@ -219,22 +219,22 @@ impl Shape {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gear::{Blank, Profile, Rack, Side, Toothing};
+    use crate::gear::{BasicGearData, BasicRack, GearDesign, Profile, Side};
 
     /// The two ways of writing the curves agree, undercut and `h_0 < 0` included.
     #[test]
     fn the_curves_are_those_of_the_profile() {
         for (teeth, shift) in [(9, -0.1), (44, 0.0), (200, 1.2)] {
-            let gear = Gear::nominal(Blank {
-                toothing: Toothing::new(teeth, 2.0, 20f64.to_radians()).unwrap(),
+            let gear = Gear::nominal(GearDesign {
+                basic_data: BasicGearData::new(teeth, 2.0, 20f64.to_radians()).unwrap(),
                 profile_shift: shift,
-                rack: Rack::ISO_53_A,
+                rack: BasicRack::ISO_53_A,
                 tip_diameter: None,
             })
             .unwrap();
             let (shape, profile) = (Shape::new(&gear), Profile::new(&gear));
             assert_eq!(shape.undercut, teeth == 9);
-            for curve in Curve::ALL {
+            for curve in ProfilePart::ALL {
                 let (low, high) = shape.range(curve);
                 for k in 0..=10 {
                     let t = low + (high - low) * f64::from(k) / 10.0;

@@ -12,12 +12,12 @@
 //! and Newton's method solves it as there. The curves are both convex, so that along them
 //! the gap has this one maximum; where there is none, it is greatest at an end: a corner of either tip.
 
-use super::facing::Stand;
-use super::hit::Hit;
+use super::candidate::CandidateContact;
+use super::facing::PosedFlanks;
 use super::line::Line;
 use super::shape::C;
-use super::ties::Ties;
-use crate::gear::Curve;
+use super::tightest::TightestContacts;
+use crate::gear::ProfilePart;
 
 /// After a step this small, rad, one more ends in rounding.
 const SETTLED: f64 = 1e-9;
@@ -30,9 +30,9 @@ struct Tangent {
     normal: C,
 }
 
-impl Stand<'_> {
+impl PosedFlanks<'_> {
     /// Offers every contact of a locked tip land between its corners with a free involute.
-    pub(super) fn on_tangents(&self, eccentric: bool, ties: &mut Ties) {
+    pub(super) fn on_tangents(&self, eccentric: bool, ties: &mut TightestContacts) {
         let theirs = &self.facing.free.shape;
         let Some(start) = self.tangent_line(0.0) else {
             return;
@@ -53,17 +53,17 @@ impl Stand<'_> {
             if seen.re * locked.shape.tip_radius < far.re.min(corner.re) {
                 continue;
             }
-            let (far, corner) = locked.range(Curve::Tip);
+            let (far, corner) = locked.range(ProfilePart::Tip);
             let t = -seen.arg();
             if t < far || t > corner {
                 continue;
             }
             let roll = found.roll.clamp(theirs.form_roll, theirs.tip_roll);
             let on = (
-                (&locked, (Curve::Tip, t)),
-                (&self.free(step), (Curve::Involute, roll)),
+                (&locked, (ProfilePart::Tip, t)),
+                (&self.free(step), (ProfilePart::Involute, roll)),
             );
-            let hit = Hit::new(on.0, on.1, self.origin, 0.0);
+            let hit = CandidateContact::new(on.0, on.1, self.origin, 0.0);
             if ties.admits(hit.gap) {
                 ties.offer(step, hit);
             }

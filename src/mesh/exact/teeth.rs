@@ -5,7 +5,7 @@
 //! frame too. A place takes 48 bytes.
 
 use super::shape::{C, Shape, turn};
-use crate::gear::{AsBuilt, Curve, Side};
+use crate::gear::{AsBuilt, ProfilePart, Side};
 use std::f64::consts::TAU;
 
 /// One side of all teeth of a gear.
@@ -36,11 +36,11 @@ pub(super) struct Teeth {
 
 impl Teeth {
     pub fn new(gear: &AsBuilt, side: Side) -> Teeth {
-        let toothing = gear.gear().toothing();
-        let pitch = toothing.angular_pitch();
+        let basic_data = gear.gear().basic_data();
+        let pitch = basic_data.angular_pitch();
         // Right stays, left is mirrored in the x axis: angles change sign.
         let mirror = -side.sense();
-        let count = toothing.teeth();
+        let count = basic_data.teeth();
         let ascending = (mirror * gear.face().ascending()) as i64;
         let mut teeth = Teeth {
             shape: Shape::new(gear.gear()),
@@ -55,7 +55,7 @@ impl Teeth {
             farthest: f64::NEG_INFINITY,
             deepest: f64::NEG_INFINITY,
         };
-        let (_, half_tip) = teeth.shape.range(Curve::Tip);
+        let (_, half_tip) = teeth.shape.range(ProfilePart::Tip);
         for place in 0..i64::from(count) {
             let tooth = (ascending * place).rem_euclid(i64::from(count)) as u32 + 1;
             let offset = mirror * gear.flank_offset(side, tooth);
@@ -189,17 +189,17 @@ pub(super) fn nearest(value: f64) -> i64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gear::{Blank, Face, Gear, Rack, Toothing};
+    use crate::gear::{BasicGearData, BasicRack, Face, Gear, GearDesign};
     use std::f64::consts::PI;
 
     fn teeth(face: Face, side: Side) -> (AsBuilt, Teeth) {
-        let blank = Blank {
-            toothing: Toothing::new(17, 2.0, 20f64.to_radians()).unwrap(),
+        let design = GearDesign {
+            basic_data: BasicGearData::new(17, 2.0, 20f64.to_radians()).unwrap(),
             profile_shift: 0.0,
-            rack: Rack::ISO_53_A,
+            rack: BasicRack::ISO_53_A,
             tip_diameter: None,
         };
-        let gear = AsBuilt::perfect(Gear::nominal(blank).unwrap(), face);
+        let gear = AsBuilt::perfect(Gear::nominal(design).unwrap(), face);
         let teeth = Teeth::new(&gear, side);
         (gear, teeth)
     }

@@ -7,7 +7,7 @@
 //! finest polygons resolve. Nothing of the method under test is used but its answer.
 
 use super::chord::Chord;
-use super::facing::Facing;
+use super::facing::FlankProblem;
 use super::graphs;
 use super::search::search;
 use super::{PolygonKernel, finest_chord, steps_in_reach};
@@ -69,7 +69,7 @@ impl<'a> Certifier<'a> {
     fn check_rotations(&self, pose: &Pose, found: &LostMotion) -> Result<(), Error> {
         for (side, contact) in [(Side::Right, &found.right), (Side::Left, &found.left)] {
             let pitch = self.kernel.assembly.gear(self.kernel.assembly.free());
-            let pitch = pitch.gear().toothing().angular_pitch();
+            let pitch = pitch.gear().basic_data().angular_pitch();
             let seen = match contact {
                 Some(contact) if contact.error > NARROW * pitch => {
                     self.touches_within(pose, side, contact)?
@@ -91,7 +91,7 @@ impl<'a> Certifier<'a> {
         let opening = side.sense() * (pose.free_rotation() - contact.rotation);
         let (mut touching, mut left) = (false, EFFORT);
         for steps in steps_in_reach(assembly, pose) {
-            let facing = Facing::new(&self.kernel, pose, side, steps);
+            let facing = FlankProblem::new(&self.kernel, pose, side, steps);
             // Clear polygons are 2δ apart, and a fillet's chords stand up to δ in front of it;
             // another δ and the rounding leave no doubt.
             let little = contact.error + (4.0 * finest + facing.rounding()) / lever;
@@ -148,7 +148,8 @@ impl<'a> Certifier<'a> {
             return Ok(Ok(()));
         };
         let here = self.kernel.assembly;
-        let doubt = 4.0 * finest_chord(here) + Facing::new(&self.kernel, pose, side, 0).rounding();
+        let doubt =
+            4.0 * finest_chord(here) + FlankProblem::new(&self.kernel, pose, side, 0).rounding();
         let apart = here.at(here.center_distance() + doubt)?;
         let apart = PolygonKernel {
             assembly: &apart,
@@ -176,8 +177,8 @@ impl<'a> Certifier<'a> {
 
 /// Whether any pair's polygons touch.
 fn first_touching(kernel: &PolygonKernel, pose: &Pose, side: Side) -> Result<bool, Error> {
-    let facings: Vec<Facing> = steps_in_reach(kernel.assembly, pose)
-        .map(|steps| Facing::new(kernel, pose, side, steps))
+    let facings: Vec<FlankProblem> = steps_in_reach(kernel.assembly, pose)
+        .map(|steps| FlankProblem::new(kernel, pose, side, steps))
         .collect();
     Ok(!search(&facings, finest_chord(kernel.assembly))?.is_empty())
 }
@@ -200,7 +201,7 @@ enum Seen {
 ///
 /// Where a touch is known already the narrower one is of no interest.
 fn seen(
-    facing: &Facing,
+    facing: &FlankProblem,
     [open, closed]: [f64; 2],
     finest: f64,
     known: bool,
@@ -238,7 +239,7 @@ fn seen(
 
 /// A look at a pair of half teeth at one opening.
 struct Looking<'a> {
-    facing: &'a Facing<'a>,
+    facing: &'a FlankProblem<'a>,
     finest: f64,
     /// What is clear by no more than this is close.
     slack: f64,

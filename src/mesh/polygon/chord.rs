@@ -7,7 +7,7 @@
 //! Of the lands only what all teeth share is cut beforehand: the near half of the tip land, or the land of a tooth thinner than
 //! that; the root land of the narrowest space. What a tooth has beyond them depends on its own deviations ([`Half`]).
 
-use crate::gear::{AsBuilt, Curve, Gear, Profile, Side};
+use crate::gear::{AsBuilt, Gear, Profile, ProfilePart, Side};
 use nalgebra::{Isometry2, Point2};
 
 /// Chordal error of what [`Half::outline`] gives, in radii of the half tooth (tuned for the certificate).
@@ -16,7 +16,7 @@ const OUTLINE: f64 = 0.03;
 /// A stretch of one curve of a half tooth, and the chord through its ends.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Chord {
-    pub curve: Curve,
+    pub curve: ProfilePart,
     /// Parameters of the ends, the one nearer the tip first.
     pub parameters: [f64; 2],
     pub ends: [Point2<f64>; 2],
@@ -29,14 +29,14 @@ pub(super) struct Chord {
 }
 
 impl Chord {
-    fn new(profile: &Profile, side: Side, curve: Curve, [from, to]: [f64; 2]) -> Chord {
+    fn new(profile: &Profile, side: Side, curve: ProfilePart, [from, to]: [f64; 2]) -> Chord {
         let ends = [from, to].map(|t| profile.point(curve, t, side));
         Chord::between(profile, curve, [from, to], ends)
     }
 
     fn between(
         profile: &Profile,
-        curve: Curve,
+        curve: ProfilePart,
         parameters: [f64; 2],
         ends: [Point2<f64>; 2],
     ) -> Chord {
@@ -124,23 +124,23 @@ impl CutGear {
 impl CutHalf {
     fn new(gear: &AsBuilt, side: Side, chord: f64) -> CutHalf {
         let profile = Profile::new(gear.gear());
-        let teeth = 1..=gear.gear().toothing().teeth();
+        let teeth = 1..=gear.gear().basic_data().teeth();
         let root_ends = teeth.clone().map(|tooth| gear.root_end(side, tooth));
         let land_starts = teeth.map(|tooth| gear.land_start(tooth));
         let land_start = land_starts.fold(0.0, f64::max);
         // Where every space is wider than its nominal width, the rest of each land begins beyond the nominal middle.
         let root_end = root_ends.fold(f64::INFINITY, f64::min);
-        let mut chords: Vec<Chord> = Curve::ALL
+        let mut chords: Vec<Chord> = ProfilePart::ALL
             .into_iter()
             .filter_map(|curve| {
                 let (from, to) = match (curve, profile.range(curve)) {
-                    (Curve::Tip, (_, to)) => (land_start, to),
-                    (Curve::Root, (from, _)) => (from, root_end),
+                    (ProfilePart::Tip, (_, to)) => (land_start, to),
+                    (ProfilePart::Root, (from, _)) => (from, root_end),
                     (_, range) => range,
                 };
                 let is_there = match curve {
-                    Curve::Tip | Curve::Root => to > from,
-                    Curve::Involute | Curve::Fillet => from > to,
+                    ProfilePart::Tip | ProfilePart::Root => to > from,
+                    ProfilePart::Involute | ProfilePart::Fillet => from > to,
                 };
                 is_there.then(|| Chord::new(&profile, side, curve, [from, to]))
             })
@@ -173,7 +173,7 @@ impl CutHalf {
             chords,
             curves,
             outline,
-            root_start: profile.range(Curve::Root).0,
+            root_start: profile.range(ProfilePart::Root).0,
             root_end,
             land_start,
         }
@@ -237,10 +237,11 @@ impl<'a> Half<'a> {
     /// Its longest chords that are its own: the rest of the tip land, and of the root land.
     pub fn own(&self) -> [Option<Chord>; 2] {
         let shared = self.cut.land_start;
-        let far = (self.land_start < shared).then_some((Curve::Tip, [self.land_start, shared]));
+        let far =
+            (self.land_start < shared).then_some((ProfilePart::Tip, [self.land_start, shared]));
         // Where a space is closed at its root there is none in any tooth's half.
         let from = self.cut.root_end.max(self.cut.root_start);
-        let rest = (self.root_end > from).then_some((Curve::Root, [from, self.root_end]));
+        let rest = (self.root_end > from).then_some((ProfilePart::Root, [from, self.root_end]));
         let chord = |(curve, range)| Chord::new(&self.profile, self.side, curve, range);
         [far.map(chord), rest.map(chord)]
     }

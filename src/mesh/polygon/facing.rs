@@ -9,7 +9,7 @@ use super::chord::{Chord, Half};
 use crate::error::Error;
 use crate::gear::Side;
 use crate::mesh::contact::Closest;
-use crate::pair::{Assembly, Member, Pose};
+use crate::pair::{GearPair, Member, Pose};
 use nalgebra::{Isometry2, Point2, UnitComplex, Vector2};
 use std::f64::consts::{PI, TAU};
 
@@ -24,8 +24,8 @@ const WELL_KNOWN: f64 = 1e-6;
 
 /// A pair of half teeth of one side.
 #[derive(Clone, Copy)]
-pub(super) struct Facing<'a> {
-    pub assembly: &'a Assembly,
+pub(super) struct FlankProblem<'a> {
+    pub assembly: &'a GearPair,
     pub pose: &'a Pose,
     pub side: Side,
     pub locked_tooth: u32,
@@ -44,9 +44,14 @@ pub(super) struct Facing<'a> {
     nominal: f64,
 }
 
-impl<'a> Facing<'a> {
+impl<'a> FlankProblem<'a> {
     /// The locked tooth `steps` places counter-clockwise of the mating's, and the free tooth that faces its `side`.
-    pub fn new(kernel: &PolygonKernel<'a>, pose: &'a Pose, side: Side, steps: i64) -> Facing<'a> {
+    pub fn new(
+        kernel: &PolygonKernel<'a>,
+        pose: &'a Pose,
+        side: Side,
+        steps: i64,
+    ) -> FlankProblem<'a> {
         let assembly = kernel.assembly;
         let (locked, free) = (assembly.locked(), assembly.free());
         let mating = pose.mating().tooth(locked);
@@ -59,10 +64,10 @@ impl<'a> Facing<'a> {
         let free_frame = frame(assembly, free, pose.free_rotation(), side, free_tooth);
         let axis = assembly.axis(free);
         let back = locked_frame.rotation.inverse();
-        let pitch = |member| assembly.gear(member).gear().toothing().angular_pitch();
+        let pitch = |member| assembly.gear(member).gear().basic_data().angular_pitch();
         let here = pose.locked_rotation() + assembly.gear(locked).tooth_angle(f64::from(mating));
         let pitches = here / pitch(locked) + steps as f64;
-        Facing {
+        FlankProblem {
             assembly,
             pose,
             side,
@@ -260,7 +265,7 @@ fn distances(chord: &Chord, point: &Point2<f64>) -> [f64; 2] {
 
 /// Frame in the picture of the half tooth of `member` on `side` of `tooth`, the gear turned to `rotation`.
 fn frame(
-    assembly: &Assembly,
+    assembly: &GearPair,
     member: Member,
     rotation: f64,
     side: Side,

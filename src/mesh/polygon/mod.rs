@@ -16,10 +16,10 @@ use super::body::{is_solid, may_be_solid, reaches_over_an_axis};
 use super::lost_motion::{Contact, LostMotion};
 use crate::error::Error;
 use crate::gear::{Profile, Side};
-use crate::pair::{Assembly, Member, Pose};
+use crate::pair::{GearPair, Member, Pose};
 pub use certificate::Certifier;
 pub use chord::CutGear;
-use facing::Facing;
+use facing::FlankProblem;
 use nalgebra::Point2;
 use search::{Found, search};
 use std::f64::consts::PI;
@@ -27,7 +27,7 @@ use std::ops::Range;
 
 /// The polygon method on one assembly.
 pub struct PolygonKernel<'a> {
-    assembly: &'a Assembly,
+    assembly: &'a GearPair,
     locked: &'a CutGear,
     free: &'a CutGear,
     /// Of the locked and of the free gear.
@@ -38,7 +38,7 @@ pub struct PolygonKernel<'a> {
 
 impl<'a> PolygonKernel<'a> {
     /// The kernel for `assembly`, whose wheel and pinion were cut beforehand, with the same chord.
-    pub fn new(assembly: &'a Assembly, wheel: &'a CutGear, pinion: &'a CutGear) -> Self {
+    pub fn new(assembly: &'a GearPair, wheel: &'a CutGear, pinion: &'a CutGear) -> Self {
         let (locked, free) = match assembly.locked() {
             Member::Wheel => (wheel, pinion),
             Member::Pinion => (pinion, wheel),
@@ -54,7 +54,7 @@ impl<'a> PolygonKernel<'a> {
     }
 
     /// The same, with the polygons cut again ever finer round each contact, down to what f64 resolves.
-    pub fn refined(assembly: &'a Assembly, wheel: &'a CutGear, pinion: &'a CutGear) -> Self {
+    pub fn refined(assembly: &'a GearPair, wheel: &'a CutGear, pinion: &'a CutGear) -> Self {
         PolygonKernel {
             finest: finest_chord(assembly),
             ..PolygonKernel::new(assembly, wheel, pinion)
@@ -75,7 +75,7 @@ impl<'a> PolygonKernel<'a> {
             solid: may_be_solid(self.assembly) && is_solid(self.assembly, pose),
         };
         let free = self.assembly.gear(self.assembly.free());
-        Ok(found.within(free.gear().toothing().angular_pitch()))
+        Ok(found.within(free.gear().basic_data().angular_pitch()))
     }
 
     /// The tightest contact of one side.
@@ -83,8 +83,8 @@ impl<'a> PolygonKernel<'a> {
     /// Pairs that their brackets cannot tell apart tie (perfect gears always do); the one
     /// that touches nearest the operating pitch point gives the contact its name.
     fn side(&self, pose: &Pose, side: Side) -> Result<Option<Contact>, Error> {
-        let facings: Vec<Facing> = steps_in_reach(self.assembly, pose)
-            .map(|steps| Facing::new(self, pose, side, steps))
+        let facings: Vec<FlankProblem> = steps_in_reach(self.assembly, pose)
+            .map(|steps| FlankProblem::new(self, pose, side, steps))
             .collect();
         let found = search(&facings, self.finest)?;
         let tightest = |end: fn(&Found) -> f64| {
@@ -108,7 +108,7 @@ impl<'a> PolygonKernel<'a> {
 
 /// Chordal error, mm, below which finer polygons tell no more: 64 ulps of the centre distance
 /// (1.9e-12 mm at 132 mm); a point of a gear is known to some dozens.
-fn finest_chord(assembly: &Assembly) -> f64 {
+fn finest_chord(assembly: &GearPair) -> f64 {
     64.0 * f64::EPSILON * assembly.center_distance()
 }
 
@@ -118,7 +118,7 @@ fn finest_chord(assembly: &Assembly) -> f64 {
 /// end, or as the foot of the perpendicular, `a sin ζ`, where that lies on it. The
 /// greatest `ζ` at which that is still `R_f` bounds the window; a tooth spreads half a pitch to
 /// either side of its centre, and deviations of up to another half.
-fn steps_in_reach(assembly: &Assembly, pose: &Pose) -> Range<i64> {
+fn steps_in_reach(assembly: &GearPair, pose: &Pose) -> Range<i64> {
     let locked = assembly.gear(assembly.locked());
     let a = assembly.center_distance();
     let (reach, other) = (locked.reach(), assembly.gear(assembly.free()).reach());
@@ -133,10 +133,10 @@ fn steps_in_reach(assembly: &Assembly, pose: &Pose) -> Range<i64> {
     } else {
         (other / a).asin()
     };
-    let toothing = locked.gear().toothing();
+    let basic_data = locked.gear().basic_data();
     let mating = f64::from(pose.mating().tooth(assembly.locked()));
     let here = pose.locked_rotation() + locked.tooth_angle(mating);
-    let first = ((-widest - here) / toothing.angular_pitch() - 1.0).ceil() as i64;
-    let last = ((widest - here) / toothing.angular_pitch() + 1.0).floor() as i64;
-    first..(last + 1).min(first + i64::from(toothing.teeth()))
+    let first = ((-widest - here) / basic_data.angular_pitch() - 1.0).ceil() as i64;
+    let last = ((widest - here) / basic_data.angular_pitch() + 1.0).floor() as i64;
+    first..(last + 1).min(first + i64::from(basic_data.teeth()))
 }

@@ -1,8 +1,8 @@
 //! What touches where two half teeth are closest: curves, radii, point and normal.
 
 use super::chord::{Chord, Half};
-use super::facing::Facing;
-use crate::gear::{Curve, Profile};
+use super::facing::FlankProblem;
+use crate::gear::{Profile, ProfilePart};
 use crate::mesh::contact::Closest;
 use crate::mesh::lost_motion::{Contact, Touch};
 use crate::pair::Member;
@@ -37,7 +37,12 @@ struct Part {
 
 impl Place {
     /// What touches at the opening `touching`, where `chords` are `closest`.
-    pub fn new(facing: &Facing, touching: f64, chords: &[Chord; 2], closest: &Closest) -> Place {
+    pub fn new(
+        facing: &FlankProblem,
+        touching: f64,
+        chords: &[Chord; 2],
+        closest: &Closest,
+    ) -> Place {
         let free_frame = facing.at(touching);
         let points = closest.points;
         let locked = part(
@@ -102,14 +107,14 @@ impl Place {
 }
 
 /// What `half` brings at the point `at` of its chord, in its own frame.
-fn part(facing: &Facing, half: &Half, tooth: u32, chord: &Chord, at: &Point2<f64>) -> Part {
+fn part(facing: &FlankProblem, half: &Half, tooth: u32, chord: &Chord, at: &Point2<f64>) -> Part {
     let profile = Profile::new(half.gear());
     let (curve, parameter) = (chord.curve, chord.parameter_at(at));
     let radius = at.coords.norm();
     let normal = profile.normal(curve, parameter, facing.side);
     let named = match curve {
-        _ if radius >= half.gear().tip_radius() - CORNER => Curve::Tip,
-        Curve::Fillet if radius < half.gear().root_radius() + CORNER => Curve::Root,
+        _ if radius >= half.gear().tip_radius() - CORNER => ProfilePart::Tip,
+        ProfilePart::Fillet if radius < half.gear().root_radius() + CORNER => ProfilePart::Root,
         _ => curve,
     };
     let end = |curve, parameter: f64| {
@@ -124,33 +129,34 @@ fn part(facing: &Facing, half: &Half, tooth: u32, chord: &Chord, at: &Point2<f64
         },
         normal: (!is_edge(half, curve, parameter, radius)).then_some(normal),
         curvature: match curve {
-            Curve::Tip | Curve::Root => 1.0 / radius,
-            Curve::Involute => 1.0 / (half.gear().base_radius() * chord.parameters[1]),
+            ProfilePart::Tip | ProfilePart::Root => 1.0 / radius,
+            ProfilePart::Involute => 1.0 / (half.gear().base_radius() * chord.parameters[1]),
             // Hollow, or flat enough beside the arm.
-            Curve::Fillet => 0.0,
+            ProfilePart::Fillet => 0.0,
         },
         hollow: match curve {
-            Curve::Fillet | Curve::Root => true,
-            Curve::Involute => end(Curve::Involute, chord.parameters[1]),
-            Curve::Tip => false,
+            ProfilePart::Fillet | ProfilePart::Root => true,
+            ProfilePart::Involute => end(ProfilePart::Involute, chord.parameters[1]),
+            ProfilePart::Tip => false,
         },
     }
 }
 
 /// Whether a half tooth has an edge or ends at the place: a corner of its tip, or the middle of the space.
-fn is_edge(half: &Half, curve: Curve, parameter: f64, radius: f64) -> bool {
+fn is_edge(half: &Half, curve: ProfilePart, parameter: f64, radius: f64) -> bool {
     let gear = half.gear();
     let profile = Profile::new(gear);
     let inside = CORNER / radius;
     match curve {
-        Curve::Tip => {
-            parameter >= profile.range(Curve::Tip).1 - inside
+        ProfilePart::Tip => {
+            parameter >= profile.range(ProfilePart::Tip).1 - inside
                 || parameter <= half.land_start + inside
         }
-        Curve::Involute => radius >= gear.tip_radius() - CORNER,
-        Curve::Fillet => {
-            half.root_end <= profile.range(Curve::Root).0 && radius <= gear.root_radius() + CORNER
+        ProfilePart::Involute => radius >= gear.tip_radius() - CORNER,
+        ProfilePart::Fillet => {
+            half.root_end <= profile.range(ProfilePart::Root).0
+                && radius <= gear.root_radius() + CORNER
         }
-        Curve::Root => parameter >= half.root_end - inside,
+        ProfilePart::Root => parameter >= half.root_end - inside,
     }
 }

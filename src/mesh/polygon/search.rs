@@ -27,7 +27,7 @@
 //! is gone after `X/M`. Where the root is not real nothing proves that there is a contact at all: the inner end is then half a turn off.
 
 use super::chord::Chord;
-use super::facing::Facing;
+use super::facing::FlankProblem;
 use super::place::Place;
 use crate::error::Error;
 use crate::mesh::contact::closest;
@@ -109,7 +109,7 @@ enum Turned {
 ///
 /// # Errors
 /// [`Error::ContactLost`] when the effort is spent.
-pub(super) fn search(facings: &[Facing], finest: f64) -> Result<Vec<Found>, Error> {
+pub(super) fn search(facings: &[FlankProblem], finest: f64) -> Result<Vec<Found>, Error> {
     let mut waiting = BinaryHeap::new();
     for (index, facing) in facings.iter().enumerate() {
         start(index, facing, &mut waiting);
@@ -164,7 +164,7 @@ const SPENT: &str = "the effort allowed for one pose was spent: too many stretch
                      other to be told apart";
 
 /// All pairs of the longest chords of a facing pair that may meet, from where they share no direction.
-fn start(index: usize, facing: &Facing, waiting: &mut BinaryHeap<Pair>) {
+fn start(index: usize, facing: &FlankProblem, waiting: &mut BinaryHeap<Pair>) {
     let [locked, free] = [facing.locked.own(), facing.free.own()];
     for theirs in facing.free.shared().iter().chain(free.iter().flatten()) {
         let radii = facing.radii(theirs);
@@ -184,7 +184,7 @@ fn start(index: usize, facing: &Facing, waiting: &mut BinaryHeap<Pair>) {
 }
 
 /// Cuts the chord that may be farther off its curve.
-fn cut(facing: &Facing, pair: &Pair, opening: f64, waiting: &mut BinaryHeap<Pair>) {
+fn cut(facing: &FlankProblem, pair: &Pair, opening: f64, waiting: &mut BinaryHeap<Pair>) {
     let [ours, theirs] = pair.chords;
     let mut made = None;
     let is_ours = ours.error >= theirs.error;
@@ -208,7 +208,7 @@ fn cut(facing: &Facing, pair: &Pair, opening: f64, waiting: &mut BinaryHeap<Pair
 }
 
 /// Turns the chords of `pair` in by safe steps.
-fn turn_in(facing: &Facing, pair: &Pair, finest: f64) -> Turned {
+fn turn_in(facing: &FlankProblem, pair: &Pair, finest: f64) -> Turned {
     let [ours, theirs] = &pair.chords;
     // Below its own rounding a distance says nothing.
     let rounding = facing.rounding() / 8.0;
@@ -239,7 +239,7 @@ fn turn_in(facing: &Facing, pair: &Pair, finest: f64) -> Turned {
 /// The bracket of a contact whose finest chords touch at the opening `touching`.
 fn bracket(
     index: usize,
-    facing: &Facing,
+    facing: &FlankProblem,
     chords: &[Chord; 2],
     clear: f64,
     touching: f64,

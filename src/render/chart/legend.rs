@@ -1,6 +1,6 @@
 //! The legend: entries in rows.
 
-use super::brush::{Area, Drawn, SIDES, closed, dot, fine, plain, spot, style};
+use super::canvas::{Area, Drawn, SIDES, closed, dot, fine, plain, spot, style};
 use super::paint::{INK, Look};
 use super::panel::{Entry, Sample};
 use crate::render::labels;

@@ -1,10 +1,10 @@
 //! What stands in a plot: lines, bands, bars and single values.
 
-use super::brush::{Drawn, FINE, closed, dot, fine};
+use super::canvas::{Drawn, FINE, closed, dot, fine};
+use super::overplotting::Overplotting;
 use super::paint::{Dash, HATCH, INTERFERENCE, Look};
 use super::panel::Mark;
-use super::thicket::Thicket;
-use super::{Plot, thicket, thin};
+use super::{Plot, overplotting, thin};
 use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
 
@@ -80,16 +80,18 @@ pub(super) fn draw_mark(chart: &mut Context, mark: &Mark, plot: &Plot) -> Drawn<
                     chart.draw_series([spot])?;
                     continue;
                 }
-                match thicket::of(&run, scale) {
-                    Thicket::Clear => draw_line(chart, run, *look, *width, plot)?,
-                    Thicket::Dense => draw_line(chart, run, *look, thicket::FINE * width, plot)?,
-                    Thicket::Solid([low, high]) => {
+                match overplotting::of(&run, scale) {
+                    Overplotting::Clear => draw_line(chart, run, *look, *width, plot)?,
+                    Overplotting::Dense => {
+                        draw_line(chart, run, *look, overplotting::FINE * width, plot)?
+                    }
+                    Overplotting::Solid([low, high]) => {
                         solid = true;
                         // Two fills over each other would be a third colour: left flanks keep to their edges.
                         if *look != Look::Left {
                             let outline: Vec<(f64, f64)> =
                                 high.iter().chain(low.iter().rev()).copied().collect();
-                            let fill = look.colour().mix(thicket::FILL).filled();
+                            let fill = look.colour().mix(overplotting::FILL).filled();
                             chart.draw_series([Polygon::new(outline, fill)])?;
                         }
                         for edge in [low, high] {

@@ -12,7 +12,7 @@
 //! its prefix, so that several can stand in one page.
 
 mod bars;
-mod brush;
+mod canvas;
 mod difference;
 mod distance;
 mod inspection;
@@ -20,12 +20,12 @@ mod legend;
 mod lines;
 mod marks;
 mod materials;
+mod overplotting;
 mod paint;
 mod panel;
 mod plot;
 mod revolution;
 mod sheet;
-mod thicket;
 mod thin;
 mod ticks;
 mod words;

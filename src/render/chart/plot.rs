@@ -1,7 +1,7 @@
 //! One panel by `plotters`: axes, grid and marks.
 
 use super::Plot;
-use super::brush::{Area, Drawn, FINE, SIDES, WIDTH, fine, plain, style};
+use super::canvas::{Area, Drawn, FINE, SIDES, WIDTH, fine, plain, style};
 use super::marks::{draw_ground, draw_mark};
 use super::paint::{GRID, INK};
 use super::panel::{Axis, Mark, Panel};

@@ -1,6 +1,6 @@
 //! Drawing panels with `plotters`, and the element round them.
 
-use super::brush::{Drawn, FINE, SIDES, WIDTH, fine, plain, spot, style};
+use super::canvas::{Drawn, FINE, SIDES, WIDTH, fine, plain, spot, style};
 use super::legend::{self, ROW};
 use super::paint::{GREY, INK};
 use super::panel::{Anchor, Entry, Mark, Panel};

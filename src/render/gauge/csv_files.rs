@@ -100,7 +100,7 @@ pub fn teeth_csv(gears: &[GaugedGear]) -> Result<String, csv::Error> {
             let names = columns.iter().map(|column| column.name);
             writer.write_record(["gear", "material", "tooth"].into_iter().chain(names))?;
         }
-        for tooth in 1..=gauged.gear.gear().toothing().teeth() {
+        for tooth in 1..=gauged.gear.gear().basic_data().teeth() {
             let cells = columns.iter().map(|column| {
                 let value = column.values.get(tooth as usize - 1);
                 value.map_or(String::new(), f64::to_string)

@@ -82,7 +82,7 @@ fn thickness(gauged: &GaugedGear, stated: &StatedThickness) -> String {
             },
             spans,
         ) => {
-            let teeth = gauged.gear.gear().toothing().teeth();
+            let teeth = gauged.gear.gear().basic_data().teeth();
             if *per_tooth != 0.0 {
                 text += "# The root circle was cut for this allowance; every flank pair stands off it by per_tooth_um.\n";
             }

@@ -25,7 +25,7 @@ fn gear(gauged: &GaugedGear) -> Value {
     json!({
         "gear": gauged.name,
         "material": gauged.material.name(),
-        "teeth": gauged.gear.gear().toothing().teeth(),
+        "teeth": gauged.gear.gear().basic_data().teeth(),
         "spans": of(&read.spans, |spans| json!({
             "teeth": spans.teeth,
             "formula_mm": formula.span,
@@ -77,7 +77,7 @@ fn gear(gauged: &GaugedGear) -> Value {
             "values": graded.iter().map(grade).collect::<Vec<_>>(),
         })),
         "roll": of(&read.roll, |roll| json!({
-            "master_teeth": roll.master.toothing().teeth(),
+            "master_teeth": roll.master.basic_data().teeth(),
             "master_tip_diameter_mm": 2.0 * roll.master.tip_radius(),
             "formula_mm": formula.distance,
             "total_um": roll.total().found * 1e3,

@@ -62,12 +62,12 @@ impl GaugedGear<'_> {
 
     /// The gear in a few words.
     fn words(&self) -> String {
-        let toothing = self.gear.gear().toothing();
+        let basic_data = self.gear.gear().basic_data();
         format!(
             "{}, {} teeth, module {} mm, material {}",
             self.name,
-            toothing.teeth(),
-            toothing.module(),
+            basic_data.teeth(),
+            basic_data.module(),
             self.material.name()
         )
     }

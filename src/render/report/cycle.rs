@@ -2,7 +2,7 @@
 
 use super::Page;
 use super::words::few;
-use crate::cycle::Others;
+use crate::cycle::RemainingMatings;
 use crate::outcome::Found;
 use crate::pair::{Member, SweepPlan};
 use crate::phases::phase;
@@ -13,11 +13,11 @@ use std::collections::BTreeSet;
 pub(super) fn limit(page: &Page) -> Option<String> {
     let cycle = page.report.cycle;
     match cycle.others {
-        Others::TooMany { .. } => Some(format!(
+        RemainingMatings::TooMany { .. } => Some(format!(
             "That is so at the {} of {} matings that were simulated; other matings can have less backlash",
             cycle.simulated, cycle.matings
         )),
-        Others::None | Others::Seen { .. } => None,
+        RemainingMatings::None | RemainingMatings::Seen { .. } => None,
     }
 }
 
@@ -67,9 +67,9 @@ fn others(page: &Page) -> Markup {
     let (simulated, matings) = (cycle.simulated, cycle.matings);
     html! {
         @match cycle.others {
-            Others::None if matings == 1 => "Neither gear has deviations: all matings are alike.",
-            Others::None => { "After " (matings) " matings everything repeats: no other teeth meet." }
-            Others::Seen { steps_per_pitch, poses } => {
+            RemainingMatings::None if matings == 1 => "Neither gear has deviations: all matings are alike.",
+            RemainingMatings::None => { "After " (matings) " matings everything repeats: no other teeth meet." }
+            RemainingMatings::Seen { steps_per_pitch, poses } => {
                 "These revolutions meet " (simulated) " of " (matings) " matings. The others were gone through too, on the exact tooth "
                 "curves (" (poses) " poses, " (steps_per_pitch) " a pitch); where they are least and greatest, the pair was simulated like the rest."
                 @if cycle.lost > 0 {
@@ -77,7 +77,7 @@ fn others(page: &Page) -> Markup {
                     ", and can have less backlash, or none."
                 }
             }
-            Others::TooMany { most } => {
+            RemainingMatings::TooMany { most } => {
                 strong { "These revolutions meet " (simulated) " of " (matings) " matings" }
                 "; the others were not looked at (at one pose a pitch they are more than " (most) "): they can have less backlash, and more."
             }
@@ -98,7 +98,7 @@ fn phases(page: &Page) -> Markup {
         return html! {};
     };
     let [wheel, pinion] = [Member::Wheel, Member::Pinion]
-        .map(|member| run.run.assembly.gear(member).gear().toothing().teeth());
+        .map(|member| run.run.assembly.gear(member).gear().basic_data().teeth());
     let ways = SweepPlan::phase_count(wheel, pinion);
     let mating = pose.swept.pose.mating();
     // Where one gear is perfect, it does not matter which of its teeth are met.

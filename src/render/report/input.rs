@@ -31,7 +31,7 @@ const DERIVED: [Property; 7] = [
         |g| g.gear().generating_shift(),
     ),
     ("d", "", "reference diameter", "mm", 4, |g| {
-        2.0 * g.gear().toothing().reference_radius()
+        2.0 * g.gear().basic_data().reference_radius()
     }),
     ("d", "a", "tip diameter", "mm", 4, |g| {
         2.0 * g.gear().tip_radius()
@@ -53,20 +53,22 @@ const DERIVED: [Property; 7] = [
 /// What the drawing says.
 const DRAWN: [Property; 7] = [
     ("z", "", "number of teeth", "–", 0, |g| {
-        f64::from(g.gear().toothing().teeth())
+        f64::from(g.gear().basic_data().teeth())
     }),
-    ("m", "", "module", "mm", 4, |g| g.gear().toothing().module()),
+    ("m", "", "module", "mm", 4, |g| {
+        g.gear().basic_data().module()
+    }),
     ("α", "", "pressure angle", "°", 4, |g| {
-        g.gear().toothing().pressure_angle().to_degrees()
+        g.gear().basic_data().pressure_angle().to_degrees()
     }),
     ("x", "", "profile shift coefficient", "–", 4, |g| {
-        g.gear().blank().profile_shift
+        g.gear().design().profile_shift
     }),
     ("h*", "aP", "addendum of the basic rack", "module", 3, |g| {
-        g.gear().blank().rack.addendum()
+        g.gear().design().rack.addendum()
     }),
     ("h*", "fP", "dedendum of the basic rack", "module", 3, |g| {
-        g.gear().blank().rack.dedendum()
+        g.gear().design().rack.dedendum()
     }),
     (
         "ρ*",
@@ -74,7 +76,7 @@ const DRAWN: [Property; 7] = [
         "root radius of the basic rack",
         "module",
         3,
-        |g| g.gear().blank().rack.root_radius(),
+        |g| g.gear().design().rack.root_radius(),
     ),
 ];
 

@@ -9,7 +9,7 @@ pub(super) fn list(page: &Page) -> Markup {
     let notes = &page.report.study.notes;
     let first = page.report.study.materials.first();
     let teeth = first.map_or([0; 2], |(_, wheel, pinion)| {
-        [wheel, pinion].map(|gear| gear.gear().toothing().teeth() as usize)
+        [wheel, pinion].map(|gear| gear.gear().basic_data().teeth() as usize)
     });
     let gears = || {
         let named = ["Wheel", "Pinion"].into_iter().zip(teeth);

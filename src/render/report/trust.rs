@@ -4,7 +4,7 @@ use super::cycle::limit;
 use super::measured::sentence;
 use super::words::{bound, fine, j_wt, written};
 use super::{Page, unproven};
-use crate::cycle::Others;
+use crate::cycle::RemainingMatings;
 use crate::mesh::Method;
 use crate::outcome::{MODELS, deviation};
 use maud::{Markup, html};
@@ -88,7 +88,7 @@ fn certificate(page: &Page) -> Markup {
         @if let Some(error) = page.whole.error_bound {
             "The numerical error of " (j_wt()) " is at most " (bound(error)) " µm."
         }
-        @if matches!(page.report.cycle.others, Others::Seen { .. }) {
+        @if matches!(page.report.cycle.others, RemainingMatings::Seen { .. }) {
             " Of the rest of the hunting cycle this holds at its extremes; the other poses were found on the exact tooth curves alone."
         }
     }

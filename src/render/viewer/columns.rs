@@ -7,7 +7,7 @@ use super::viewed::Viewed;
 use crate::compare::ComparedRun;
 use crate::curves::Course;
 use crate::gear::Side;
-use crate::mesh::{Status, SweptPose};
+use crate::mesh::{PoseResult, Status};
 use crate::study::Study;
 use serde::Serialize;
 
@@ -78,7 +78,7 @@ pub fn outlines(study: &Study, run: &ComparedRun) -> usize {
 }
 
 /// Where the free gear is drawn first: in right-flank contact, or else at its nominal rotation.
-pub fn free_rotation(pose: &SweptPose) -> f64 {
+pub fn free_rotation(pose: &PoseResult) -> f64 {
     touching(pose, Side::Right).map_or(pose.pose.free_rotation(), |contact| contact.rotation)
 }
 

@@ -3,8 +3,8 @@
 use super::precision::{Precision, rounded};
 use super::readout;
 use crate::gear::Side;
-use crate::mesh::{Contact, SweptPose};
-use crate::pair::Assembly;
+use crate::mesh::{Contact, PoseResult};
+use crate::pair::GearPair;
 use serde::Serialize;
 
 /// Decimals of a normal's direction in degrees: 0.1 µm along the longest line drawn at module 3.
@@ -25,9 +25,9 @@ pub struct Contacts {
 impl Contacts {
     /// Those of `poses` on `side`. Classes that are not in `classes` yet are added there.
     pub fn of<'p>(
-        assembly: &Assembly,
+        assembly: &GearPair,
         side: Side,
-        poses: impl Iterator<Item = &'p SweptPose>,
+        poses: impl Iterator<Item = &'p PoseResult>,
         precision: Precision,
         classes: &mut Vec<String>,
     ) -> Contacts {
@@ -40,7 +40,7 @@ impl Contacts {
 
     fn push(
         &mut self,
-        assembly: &Assembly,
+        assembly: &GearPair,
         side: Side,
         contact: Option<&Contact>,
         precision: Precision,
@@ -65,7 +65,7 @@ impl Contacts {
 }
 
 /// The contact on `side`; none where nothing of the pose is a number.
-pub fn touching(pose: &SweptPose, side: Side) -> Option<&Contact> {
+pub fn touching(pose: &PoseResult, side: Side) -> Option<&Contact> {
     let found = pose.proven()?;
     let contact = match side {
         Side::Right => &found.right,

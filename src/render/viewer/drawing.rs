@@ -9,7 +9,7 @@ use super::outline::path;
 use super::precision::{Precision, rounded};
 use crate::compare::{ComparedPose, ComparedRun};
 use crate::gear::{AsBuilt, Placed, Side};
-use crate::pair::{Assembly, Member};
+use crate::pair::{GearPair, Member};
 use crate::render::page::{INK, OVERLAP, PINION, WHEEL};
 use crate::study::Study;
 use nalgebra::Point2;
@@ -26,7 +26,7 @@ const BORDER: f64 = 2.0;
 /// The picture of `pose` in `run`.
 pub fn draw(study: &Study, run: &ComparedRun, pose: &ComparedPose, precision: Precision) -> String {
     let assembly = &run.run.assembly;
-    let module = assembly.gear(Member::Wheel).gear().toothing().module();
+    let module = assembly.gear(Member::Wheel).gear().basic_data().module();
     let turn = |member: Member| {
         let turned = match member == assembly.locked() {
             true => degrees(pose.swept.pose.locked_rotation()),
@@ -103,12 +103,12 @@ pub fn draw(study: &Study, run: &ComparedRun, pose: &ComparedPose, precision: Pr
 }
 
 /// The gear of `member` at rotation 0, its axis at the origin.
-fn at_origin<'a>(assembly: &Assembly, gear: &'a AsBuilt, member: Member) -> Placed<'a> {
+fn at_origin<'a>(assembly: &GearPair, gear: &'a AsBuilt, member: Member) -> Placed<'a> {
     Placed::new(gear, Point2::origin(), assembly.mate_direction(member))
 }
 
 /// The outlines of all materials, `viewer-wheel-0` and so on.
-fn definitions(study: &Study, assembly: &Assembly, precision: Precision) -> Definitions {
+fn definitions(study: &Study, assembly: &GearPair, precision: Precision) -> Definitions {
     let materials = study.materials.iter().enumerate();
     let gears = materials.flat_map(|(number, (_, wheel, pinion))| {
         [
@@ -130,7 +130,7 @@ fn definitions(study: &Study, assembly: &Assembly, precision: Precision) -> Defi
 }
 
 /// The `viewBox` of the mesh zone and of the whole gears.
-fn views(assembly: &Assembly, module: f64) -> [String; 2] {
+fn views(assembly: &GearPair, module: f64) -> [String; 2] {
     let a = assembly.center_distance();
     let [wheel, pinion] = MEMBERS.map(|member| assembly.gear(member).reach());
     let view = |middle: f64, half_width: f64, half_height: f64| {

@@ -6,7 +6,7 @@ use super::precision::{Precision, rounded};
 use crate::compare::ComparedPose;
 use crate::gear::{Placed, Side};
 use crate::mesh::{LostMotion, Status};
-use crate::pair::{Assembly, Member};
+use crate::pair::{GearPair, Member};
 use crate::render::page::{ACTION, GREY, INK};
 use svg::node::element::{Group, Path, Text};
 
@@ -37,7 +37,7 @@ pub fn axis(module: f64) -> Path {
 
 /// The number of every tooth of a gear on the origin, upright where the tooth points at the mate.
 pub fn numbers(gear: &Placed, member: Member, module: f64, precision: Precision) -> Group {
-    let teeth = gear.as_built().gear().toothing().teeth();
+    let teeth = gear.as_built().gear().basic_data().teeth();
     let root = gear.as_built().gear().root_radius();
     let radius = rounded(root - INSIDE * module, precision.decimals);
     let centre = gear.centre();
@@ -69,7 +69,7 @@ pub fn numbers(gear: &Placed, member: Member, module: f64, precision: Precision)
 
 /// The contact on `side`: its normal, and the points on the locked and on the free gear. The free
 /// gear is drawn in right-flank contact, so the left points are apart by the lost motion.
-pub fn marks(assembly: &Assembly, pose: &ComparedPose, side: Side, precision: Precision) -> Group {
+pub fn marks(assembly: &GearPair, pose: &ComparedPose, side: Side, precision: Precision) -> Group {
     let contact = touching(&pose.swept, side);
     let place = contact.map_or(String::from("translate(0 0)"), |contact| {
         let [x, y] = [contact.point.x, contact.point.y].map(|v| rounded(v, precision.decimals));
@@ -85,7 +85,7 @@ pub fn marks(assembly: &Assembly, pose: &ComparedPose, side: Side, precision: Pr
         Side::Left => -lost,
     };
     let axis = assembly.axis(assembly.free()).x;
-    let half = NORMAL * assembly.gear(Member::Wheel).gear().toothing().module();
+    let half = NORMAL * assembly.gear(Member::Wheel).gear().basic_data().module();
     let name = side.name();
     let normal = stroke(ACTION, "1.2")
         .set("id", format!("viewer-normal-{name}"))

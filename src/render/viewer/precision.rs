@@ -1,6 +1,6 @@
 //! How finely the viewer draws, by the size of the teeth.
 
-use crate::pair::{Assembly, Member};
+use crate::pair::{GearPair, Member};
 
 /// Chordal error of an outline, in modules: 0.05 µm at module 3, so that a backlash of a few micrometres can be looked
 /// at and the dot of a contact stands on both outlines.
@@ -29,9 +29,9 @@ pub struct Precision {
 
 impl Precision {
     /// What suits the gears of `assembly`.
-    pub fn of(assembly: &Assembly) -> Precision {
-        let toothing = |member| *assembly.gear(member).gear().toothing();
-        let (wheel, pinion) = (toothing(Member::Wheel), toothing(Member::Pinion));
+    pub fn of(assembly: &GearPair) -> Precision {
+        let basic_data = |member| *assembly.gear(member).gear().basic_data();
+        let (wheel, pinion) = (basic_data(Member::Wheel), basic_data(Member::Pinion));
         let module = wheel.module();
         let reach = |member| assembly.gear(member).reach();
         let reach = f64::max(reach(Member::Wheel), reach(Member::Pinion));

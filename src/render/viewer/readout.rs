@@ -5,7 +5,7 @@ use super::precision::two_digits_up;
 use crate::compare::ComparedRun;
 use crate::gear::Side;
 use crate::mesh::{Contact, ContactClass, Status};
-use crate::pair::{Assembly, Member};
+use crate::pair::{GearPair, Member};
 use crate::render::bound::decades;
 use crate::render::caption::decimals;
 use crate::render::decimal::fixed;
@@ -30,7 +30,7 @@ pub fn run(run: &ComparedRun) -> String {
 }
 
 /// The class of a contact, and whose tip takes part when.
-pub fn class(assembly: &Assembly, side: Side, contact: &Contact) -> String {
+pub fn class(assembly: &GearPair, side: Side, contact: &Contact) -> String {
     let class = ContactClass::of(assembly, side, contact);
     let tip = class.tip.map(|member| format!("{} tip", member.name()));
     let moment = class.moment.map(|moment| moment.name().to_owned());

@@ -8,7 +8,7 @@ use super::viewed::Viewed;
 use crate::compare::ComparedRun;
 use crate::curves::{Course, CourseLine};
 use crate::gear::Side;
-use crate::mesh::{LostMotion, SweptPose};
+use crate::mesh::{LostMotion, PoseResult};
 use crate::pair::Member;
 use crate::study::Study;
 use serde::Serialize;
@@ -119,6 +119,6 @@ fn places(run: &ComparedRun, course: &Course) -> Vec<Option<f64>> {
         .collect()
 }
 
-fn is_left(pose: &SweptPose) -> bool {
+fn is_left(pose: &PoseResult) -> bool {
     pose.pose.mating().flank == Side::Left
 }

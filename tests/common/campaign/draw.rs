@@ -8,7 +8,7 @@ use super::pair_file;
 use super::random::Random;
 use gearlash::analytic::InvolutePair;
 use gearlash::gear::{AsBuilt, Side};
-use gearlash::pair::{Assembly, Mating, Member};
+use gearlash::pair::{GearPair, Mating, Member};
 use std::sync::Arc;
 
 /// Poses of one drawn pair: each at its own centre distance, with its own locked gear, mating and fraction.
@@ -50,7 +50,7 @@ pub struct Pair {
 /// A pose of a drawn pair.
 pub struct Drawn {
     pub gears: Arc<[Numbers; 2]>,
-    pub assembly: Assembly,
+    pub assembly: GearPair,
     pub mating: Mating,
     pub depth: Depth,
 }
@@ -117,7 +117,7 @@ impl Pair {
         let depths = std::iter::repeat_n(depth, 20).chain(std::iter::repeat(Depth::Any));
         let assembly = depths
             .map(|depth| self.distance(&mut random, depth))
-            .find_map(|a| Assembly::new(wheel.clone(), pinion.clone(), a, locked).ok())
+            .find_map(|a| GearPair::new(wheel.clone(), pinion.clone(), a, locked).ok())
             .expect("a distance between jam and out of mesh");
         let whole = match random.chance(0.2) {
             true => random.within(-50.0, 50.0).round(),

@@ -1,7 +1,9 @@
 //! One gear of the campaign, as the numbers of a pair file.
 
 use super::random::Random;
-use gearlash::gear::{AsBuilt, Blank, Deviations, Face, Gear, Pitch, Rack, Toothing, thickness};
+use gearlash::gear::{
+    AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Pitch, thickness,
+};
 use std::f64::consts::{FRAC_PI_4, PI};
 
 /// What kind of basic rack a gear was cut by.
@@ -215,15 +217,15 @@ impl Numbers {
     pub fn build(&self) -> Option<AsBuilt> {
         let mm = |list: &[f64]| list.iter().map(|um| um / 1e3).collect::<Vec<f64>>();
         let alpha = self.pressure_angle_deg.to_radians();
-        let blank = Blank {
-            toothing: Toothing::new(self.teeth, self.module_mm, alpha).ok()?,
+        let design = GearDesign {
+            basic_data: BasicGearData::new(self.teeth, self.module_mm, alpha).ok()?,
             profile_shift: self.profile_shift,
-            rack: Rack::new(self.rack[0], self.rack[1], self.rack[2]).ok()?,
+            rack: BasicRack::new(self.rack[0], self.rack[1], self.rack[2]).ok()?,
             tip_diameter: Some(self.tip_diameter_mm),
         };
         let base = thickness::base_from_allowance(
-            &blank.toothing,
-            blank.nominal_base_thickness(),
+            &design.basic_data,
+            design.nominal_base_thickness(),
             self.allowance_um / 1e3,
         );
         let pitch = !self.right_um.is_empty();
@@ -233,6 +235,6 @@ impl Numbers {
             eccentricity: self.runout_um / 1e3 / 2.0,
             high_tooth: self.high_tooth,
         };
-        AsBuilt::new(Gear::new(blank, base).ok()?, self.face, &deviations).ok()
+        AsBuilt::new(Gear::new(design, base).ok()?, self.face, &deviations).ok()
     }
 }

@@ -39,7 +39,7 @@ pub fn run(depth: Option<Depth>, seed: u64, first: u64, poses: u64, longest: Dur
         .map(|number| {
             let pair = Pair::new(seed, number);
             let [wheel, pinion] = pair.gears();
-            let cut = CutPair::new(wheel, pinion, 1e-4 * wheel.gear().toothing().module());
+            let cut = CutPair::new(wheel, pinion, 1e-4 * wheel.gear().basic_data().module());
             let mut tally = tally::of_pair(&pair);
             let poses = number * POSES_A_PAIR..(number + 1) * POSES_A_PAIR;
             for index in poses.filter(|index| (first..end).contains(index)) {

@@ -2,9 +2,9 @@
 
 use super::draw::Drawn;
 use gearlash::error::Error;
-use gearlash::gear::{Curve, Profile};
+use gearlash::gear::{Profile, ProfilePart};
 use gearlash::mesh::{Certifier, Contact, CutPair, ExactKernel, LostMotion, Status, Touch};
-use gearlash::pair::{Assembly, Member, Pose};
+use gearlash::pair::{GearPair, Member, Pose};
 use std::f64::consts::TAU;
 use std::time::{Duration, Instant};
 
@@ -143,7 +143,7 @@ fn judge(drawn: &Drawn, cut: &CutPair, exact: &LostMotion, polygon: &LostMotion)
 }
 
 /// Whether a tip circle reaches the centre of the mate's outline: jammed by definition, and no rotation means anything.
-pub fn reaches_the_centre(assembly: &Assembly) -> bool {
+pub fn reaches_the_centre(assembly: &GearPair) -> bool {
     let passes = |one: Member| {
         let (one, other) = (assembly.gear(one), assembly.gear(one.mate()));
         one.reach() + other.eccentricity() >= assembly.center_distance()
@@ -153,11 +153,11 @@ pub fn reaches_the_centre(assembly: &Assembly) -> bool {
 
 /// Whether a contact lies where a fillet ends and a root land begins: either name is right, and with it either status. A tool
 /// without a flat leaves no land: there the name must be the same.
-fn begins_a_land(assembly: &Assembly, found: &LostMotion) -> bool {
+fn begins_a_land(assembly: &GearPair, found: &LostMotion) -> bool {
     let on = |member: Member, touch: &Touch| {
         let gear = assembly.gear(member).gear();
-        let (start, end) = Profile::new(gear).range(Curve::Root);
-        touch.curve == Curve::Fillet
+        let (start, end) = Profile::new(gear).range(ProfilePart::Root);
+        touch.curve == ProfilePart::Fillet
             && (touch.radius - gear.root_radius()).abs() <= JOINT
             && (end - start) * gear.root_radius() > JOINT
     };
@@ -194,7 +194,7 @@ fn loses_contact_nearby(drawn: &Drawn, cut: &CutPair) -> bool {
 }
 
 /// The curves of a contact, the locked gear's first.
-pub fn combination(assembly: &Assembly, contact: &Contact) -> String {
+pub fn combination(assembly: &GearPair, contact: &Contact) -> String {
     let name = |member: Member| {
         let touch: &Touch = match member {
             Member::Wheel => &contact.wheel,

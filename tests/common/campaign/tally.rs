@@ -227,7 +227,7 @@ fn classes(drawn: &Drawn, outcome: &Outcome) -> Vec<(&'static str, String)> {
 
 fn is_undercut(gear: &AsBuilt) -> bool {
     let gear = gear.gear();
-    gear.fillet().end() < FRAC_PI_2 - gear.toothing().pressure_angle()
+    gear.fillet().end() < FRAC_PI_2 - gear.basic_data().pressure_angle()
 }
 
 fn expected(depth: Option<Depth>, long: bool) -> Vec<(&'static str, String)> {

@@ -63,21 +63,21 @@ pub struct Clearance {
 impl Half {
     /// From the drawing's numbers and the mean base thickness alone.
     pub fn new(gear: &Gear) -> Half {
-        let blank = gear.blank();
-        let toothing = &blank.toothing;
-        let (teeth, module) = (f64::from(toothing.teeth()), toothing.module());
-        let alpha = toothing.pressure_angle();
+        let design = gear.design();
+        let basic_data = &design.basic_data;
+        let (teeth, module) = (f64::from(basic_data.teeth()), basic_data.module());
+        let alpha = basic_data.pressure_angle();
         let reference = 0.5 * module * teeth;
         let base = reference * alpha.cos();
         let half_base = gear.base_thickness() / (2.0 * base);
         // Thickness at the reference circle s = 2 r (ψ_b − inv α) = m (π/2 + 2 x_E tan α).
         let fed = reference * (half_base - (alpha.tan() - alpha)) / alpha.tan()
             - 0.25 * PI * module / alpha.tan();
-        let round = blank.rack.root_radius() * module;
-        let depth = blank.rack.dedendum() * module - round - fed;
+        let round = design.rack.root_radius() * module;
+        let depth = design.rack.dedendum() * module - round - fed;
         // From the middle of the tool's tip to the centre of its round.
         let flat = 0.25 * PI * module
-            - (blank.rack.dedendum() * module - round) * alpha.tan()
+            - (design.rack.dedendum() * module - round) * alpha.tan()
             - round / alpha.cos();
         let mut half = Half {
             base,

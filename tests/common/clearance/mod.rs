@@ -13,7 +13,7 @@ mod verdict;
 mod whole;
 
 use gearlash::gear::Side;
-use gearlash::pair::{Assembly, Member, Pose};
+use gearlash::pair::{GearPair, Member, Pose};
 use half::{Clearance, Ends, Half};
 #[allow(unused_imports)] // likewise
 pub use verdict::{against, contacts};
@@ -26,13 +26,13 @@ const NEAR: f64 = 0.03;
 
 /// One gear of the pair and where its tooth 1 stands.
 struct Stood<'a> {
-    assembly: &'a Assembly,
+    assembly: &'a GearPair,
     member: Member,
     half: Half,
 }
 
 impl<'a> Stood<'a> {
-    fn new(assembly: &'a Assembly, member: Member) -> Stood<'a> {
+    fn new(assembly: &'a GearPair, member: Member) -> Stood<'a> {
         Stood {
             assembly,
             member,
@@ -109,7 +109,7 @@ struct Faced {
 
 /// The pairs of one side at one pose.
 pub struct Referee<'a> {
-    assembly: &'a Assembly,
+    assembly: &'a GearPair,
     side: Side,
     free: Stood<'a>,
     locked: Stood<'a>,
@@ -160,17 +160,17 @@ fn crosses(found: &[f64], along: impl Fn(usize) -> f64, at: impl Fn(f64) -> Clea
 }
 
 impl<'a> Referee<'a> {
-    pub fn new(assembly: &'a Assembly, pose: &Pose, side: Side) -> Referee<'a> {
+    pub fn new(assembly: &'a GearPair, pose: &Pose, side: Side) -> Referee<'a> {
         let locked = Stood::new(assembly, assembly.locked());
         let free = Stood::new(assembly, assembly.free());
-        let module = assembly.gear(Member::Wheel).gear().toothing().module();
+        let module = assembly.gear(Member::Wheel).gear().basic_data().module();
         let gear = assembly.gear(assembly.locked());
-        let toothing = *gear.gear().toothing();
-        let teeth = i64::from(toothing.teeth());
+        let basic_data = *gear.gear().basic_data();
+        let teeth = i64::from(basic_data.teeth());
         let mating = pose.mating().tooth(assembly.locked());
         // From the locked tooth that points at the mate, once round.
         let ahead = pose.locked_rotation() + gear.tooth_angle(f64::from(mating));
-        let middle = -(ahead / toothing.angular_pitch()).round() as i64;
+        let middle = -(ahead / basic_data.angular_pitch()).round() as i64;
         let axis = assembly.axis(assembly.free());
         let mate = assembly.gear(assembly.free());
         let mut pairs = Vec::new();
@@ -318,7 +318,7 @@ impl<'a> Referee<'a> {
     /// By steps of a 200th of a pitch; a step that has its least clearance inside is looked into.
     pub fn contact(&self, near: f64, pitches: f64) -> Option<f64> {
         let gear = self.assembly.gear(self.assembly.free()).gear();
-        let pitch = gear.toothing().angular_pitch();
+        let pitch = gear.basic_data().angular_pitch();
         let steps = (400.0 * pitches) as i64;
         let at = |k: i64| near + self.opening() * pitch * (pitches - k as f64 / 200.0);
         if self.pairs.is_empty() || self.out_of_reach() {
@@ -348,7 +348,7 @@ impl<'a> Referee<'a> {
     /// Steps on the open side, ever wider, from `first` to `pitches` of the free gear, rad.
     pub fn open_steps(&self, first: f64, pitches: f64) -> impl Iterator<Item = f64> {
         let gear = self.assembly.gear(self.assembly.free()).gear();
-        let most = pitches * gear.toothing().angular_pitch();
+        let most = pitches * gear.basic_data().angular_pitch();
         // Not finer than a millionth of a pitch: overlap that begins nearer lasts longer, or is what `first` sees.
         let start = first.max(1e-6 * most);
         (1..60)
@@ -359,7 +359,7 @@ impl<'a> Referee<'a> {
     /// Least clearance within a 200th of a pitch of `rotation`, by steps.
     pub fn deepest(&self, rotation: f64) -> f64 {
         let gear = self.assembly.gear(self.assembly.free()).gear();
-        let width = gear.toothing().angular_pitch() / 200.0;
+        let width = gear.basic_data().angular_pitch() / 200.0;
         let steps = (-20..=20).map(|k| self.least(rotation + width * f64::from(k) / 20.0));
         steps.fold(f64::INFINITY, f64::min)
     }

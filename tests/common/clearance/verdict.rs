@@ -4,7 +4,7 @@ use super::Referee;
 use super::whole::{overlap, overlap_everywhere};
 use gearlash::gear::Side;
 use gearlash::mesh::{LostMotion, Status};
-use gearlash::pair::{Assembly, Member, Pose};
+use gearlash::pair::{GearPair, Member, Pose};
 use std::f64::consts::TAU;
 
 /// Pitches of the free gear looked at on the open side of a contact, and on either side where none is claimed: what is
@@ -12,7 +12,7 @@ use std::f64::consts::TAU;
 const PITCHES: f64 = 1.5;
 
 /// Brute force's own contacts, right and left.
-pub fn contacts(assembly: &Assembly, pose: &Pose) -> [Option<f64>; 2] {
+pub fn contacts(assembly: &GearPair, pose: &Pose) -> [Option<f64>; 2] {
     Side::BOTH.map(|side| Referee::new(assembly, pose, side).contact(pose.free_rotation(), PITCHES))
 }
 
@@ -22,7 +22,7 @@ pub fn contacts(assembly: &Assembly, pose: &Pose) -> [Option<f64>; 2] {
 /// much more closed something must, or be as near as rounding. Where no contact is claimed there must be none. In the
 /// middle of the lost motion of a clear pose no metal stands in the other gear's. Of a pose called solid metal must
 /// stand in metal wherever the free gear is turned. Where a tip reaches over the mate's axis every pose must be jammed.
-pub fn against(assembly: &Assembly, pose: &Pose, found: &LostMotion) -> Vec<String> {
+pub fn against(assembly: &GearPair, pose: &Pose, found: &LostMotion) -> Vec<String> {
     let reach = |member: Member| {
         assembly.gear(member).reach() + assembly.gear(member.mate()).eccentricity()
     };
@@ -86,7 +86,7 @@ pub fn against(assembly: &Assembly, pose: &Pose, found: &LostMotion) -> Vec<Stri
 }
 
 /// What stands in the way in the middle of a clear pose's lost motion.
-fn in_the_middle(assembly: &Assembly, pose: &Pose, found: &LostMotion) -> Option<String> {
+fn in_the_middle(assembly: &GearPair, pose: &Pose, found: &LostMotion) -> Option<String> {
     let (right, left) = found.right.zip(found.left)?;
     let middle = 0.5 * (right.rotation + left.rotation);
     let deep = overlap(assembly, pose, middle);

@@ -3,7 +3,7 @@
 use super::Stood;
 use super::half::Half;
 use gearlash::gear::{AsBuilt, Side};
-use gearlash::pair::{Assembly, Pose};
+use gearlash::pair::{GearPair, Pose};
 
 /// Points a curve.
 const POINTS: usize = 60;
@@ -12,7 +12,7 @@ const POINTS: usize = 60;
 const ROTATIONS: u32 = 400;
 
 /// Depth to which some point stands in the other gear's metal, mm: 0 when none does, the free gear at `rotation`.
-pub fn overlap(assembly: &Assembly, pose: &Pose, rotation: f64) -> f64 {
+pub fn overlap(assembly: &GearPair, pose: &Pose, rotation: f64) -> f64 {
     let locked = Stood::new(assembly, assembly.locked());
     let free = Stood::new(assembly, assembly.free());
     let stand = [(&locked, pose.locked_rotation()), (&free, rotation)];
@@ -20,12 +20,12 @@ pub fn overlap(assembly: &Assembly, pose: &Pose, rotation: f64) -> f64 {
 }
 
 /// Whether the gears overlap wherever the free one is turned to.
-pub fn overlap_everywhere(assembly: &Assembly, pose: &Pose) -> bool {
+pub fn overlap_everywhere(assembly: &GearPair, pose: &Pose) -> bool {
     let gear = assembly.gear(assembly.free()).gear();
-    let pitch = gear.toothing().angular_pitch();
+    let pitch = gear.basic_data().angular_pitch();
     (0..ROTATIONS).all(|k| {
         // All round, and everywhere in a pitch.
-        let turns = f64::from(k % gear.toothing().teeth()) + f64::from(k) / f64::from(ROTATIONS);
+        let turns = f64::from(k % gear.basic_data().teeth()) + f64::from(k) / f64::from(ROTATIONS);
         overlap(assembly, pose, pose.free_rotation() + pitch * turns) > 0.0
     })
 }
@@ -36,7 +36,7 @@ fn deepest((one, turned): (&Stood, f64), (other, stands): (&Stood, f64)) -> f64 
     let axis = other.assembly.axis(other.member);
     let reach = other.assembly.gear(other.member).reach();
     let mut most = 0.0f64;
-    for tooth in 1..=gear.gear().toothing().teeth() {
+    for tooth in 1..=gear.gear().basic_data().teeth() {
         for side in Side::BOTH {
             let frame = one.frame(turned, side, tooth);
             let ends = one.ends(side, tooth);
@@ -68,13 +68,13 @@ fn depth(stood: &Stood, rotation: f64, point: [f64; 2]) -> f64 {
     if radius <= half.root {
         return half.root - radius;
     }
-    let toothing = gear.gear().toothing();
+    let basic_data = gear.gear().basic_data();
     let angle = y.atan2(x) + gear.flank_offset(Side::Right, 1);
-    let nearest = (angle / toothing.angular_pitch()).round() as i64;
+    let nearest = (angle / basic_data.angular_pitch()).round() as i64;
     let thick = half.half_angle(radius);
     let in_tooth = (nearest - 1..=nearest + 1).map(|steps| {
         let tooth = gear.counter_clockwise(1, steps);
-        let beside = angle - steps as f64 * toothing.angular_pitch();
+        let beside = angle - steps as f64 * basic_data.angular_pitch();
         let from_right = beside - (gear.flank_offset(Side::Right, tooth) - thick);
         let to_left = gear.flank_offset(Side::Left, tooth) + thick - beside;
         (from_right.min(to_left) * radius).min(half.tip - radius)

@@ -47,15 +47,15 @@ fn by_tooth(
 }
 
 fn subtitle(gauged: &GaugedGear) -> String {
-    let blank = gauged.gear.gear().blank();
-    let (toothing, shift) = (&blank.toothing, blank.profile_shift);
+    let design = gauged.gear.gear().design();
+    let (basic_data, shift) = (&design.basic_data, design.profile_shift);
     // Degrees do not convert exactly.
-    let degrees = (1e9 * toothing.pressure_angle().to_degrees()).round() / 1e9;
+    let degrees = (1e9 * basic_data.pressure_angle().to_degrees()).round() / 1e9;
     format!(
         "{} · z {}, m {} mm, α {degrees}°, x {shift} · material {}",
         gauged.name,
-        toothing.teeth(),
-        toothing.module(),
+        basic_data.teeth(),
+        basic_data.module(),
         gauged.material.name(),
     )
 }

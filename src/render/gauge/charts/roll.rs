@@ -12,7 +12,7 @@ pub(super) fn chart(gauged: &GaugedGear) -> Result<Option<(String, String)>, Err
         return Ok(None);
     };
     let mean = roll.mean();
-    let teeth = gauged.gear.gear().toothing().teeth();
+    let teeth = gauged.gear.gear().basic_data().teeth();
     let value = |pose: &RollPose| Some(1e3 * (pose.distance - mean));
     let place = |pose: &RollPose| f64::from(pose.mating.wheel_tooth) + pose.mating.fraction;
     let mut points: Vec<(f64, Option<f64>)> = roll
@@ -40,7 +40,7 @@ pub(super) fn chart(gauged: &GaugedGear) -> Result<Option<(String, String)>, Err
     };
     let title = format!(
         "roll test with a master of z {} · F_i'' {:.3}, f_i'' {:.3} µm · {}{level}",
-        roll.master.toothing().teeth(),
+        roll.master.basic_data().teeth(),
         1e3 * roll.total().found,
         1e3 * roll.tooth_to_tooth().found,
         means(mean, gauged.gauged.formula.distance)

@@ -90,7 +90,7 @@ fn rows(read: &Gauged) -> Vec<Row> {
     }
     if let Ok(roll) = &read.roll {
         rows.push(Row {
-            name: format!("a'', master z {}", roll.master.toothing().teeth()),
+            name: format!("a'', master z {}", roll.master.basic_data().teeth()),
             ends: roll.ends(),
             mean: roll.mean(),
             error: roll.reading_error(),

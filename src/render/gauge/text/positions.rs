@@ -12,7 +12,7 @@ pub(super) fn table_of(gauged: &GaugedGear) -> String {
         .chain(shown().map(|column| column.heading))
         .collect();
     let mut table = table(&headings);
-    for tooth in 1..=gauged.gear.gear().toothing().teeth() {
+    for tooth in 1..=gauged.gear.gear().basic_data().teeth() {
         let cells = shown().map(|column| {
             let value = column.values.get(tooth as usize - 1);
             value.map_or("–".to_owned(), |value| ascii(*value, column.decimals))

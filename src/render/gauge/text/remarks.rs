@@ -1,7 +1,7 @@
 //! What was not measured, and what was touched off the involute.
 
 use crate::gauge::{Gauged, Unmeasured};
-use crate::gear::Curve;
+use crate::gear::ProfilePart;
 use crate::mesh::{ContactKind, PoseClass, Touch};
 use std::fmt::Write;
 
@@ -54,7 +54,7 @@ pub(super) fn lines(read: &Gauged) -> String {
 
 fn touched(what: &str, touches: &[[Touch; 2]]) -> String {
     let mut text = String::new();
-    for curve in [Curve::Tip, Curve::Fillet, Curve::Root] {
+    for curve in [ProfilePart::Tip, ProfilePart::Fillet, ProfilePart::Root] {
         let on = |both: &&[Touch; 2]| both.iter().any(|touch| touch.curve == curve);
         let count = touches.iter().filter(on).count();
         if count > 0 {

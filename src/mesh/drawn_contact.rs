@@ -1,14 +1,14 @@
 //! The two points of a contact, where the gears stand in a picture.
 
 use super::{Contact, Touch};
-use crate::gear::{Curve, Side};
-use crate::pair::{Assembly, Member};
+use crate::gear::{ProfilePart, Side};
+use crate::pair::{GearPair, Member};
 use nalgebra::{Point2, Rotation2, Vector2};
 use std::f64::consts::TAU;
 
 /// The two points of a contact, apart unless the gears are drawn in that contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Meeting {
+pub struct DrawnContact {
     /// The flanks that meet.
     pub side: Side,
     /// The contact they meet in.
@@ -28,13 +28,18 @@ pub struct Meeting {
     pub along_normal: f64,
 }
 
-impl Meeting {
-    pub(super) fn new(assembly: &Assembly, side: Side, contact: Contact, rotation: f64) -> Meeting {
+impl DrawnContact {
+    pub(super) fn new(
+        assembly: &GearPair,
+        side: Side,
+        contact: Contact,
+        rotation: f64,
+    ) -> DrawnContact {
         let turn = contact.rotation - rotation;
         let turn = turn - TAU * (turn / TAU).round();
         let free = assembly.axis(assembly.free());
         let lever = (contact.point - free).perp(&contact.normal).abs();
-        Meeting {
+        DrawnContact {
             side,
             contact,
             on_locked: contact.point,
@@ -62,6 +67,9 @@ impl Meeting {
 
     /// Whether the contact lies on a fillet or a root of `member`.
     pub fn is_below_form_circle(&self, member: Member) -> bool {
-        matches!(self.touch(member).curve, Curve::Fillet | Curve::Root)
+        matches!(
+            self.touch(member).curve,
+            ProfilePart::Fillet | ProfilePart::Root
+        )
     }
 }

@@ -5,19 +5,19 @@ use std::f64::consts::{PI, TAU};
 
 /// Teeth `z`, module `m` (mm) and pressure angle `α` (rad) of a spur gear.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Toothing {
+pub struct BasicGearData {
     teeth: u32,
     module: f64,
     pressure_angle: f64,
 }
 
-impl Toothing {
-    /// A toothing; `module` in mm, `pressure_angle` in radians.
+impl BasicGearData {
+    /// A basic_data; `module` in mm, `pressure_angle` in radians.
     ///
     /// # Errors
     /// Outside 3…10 000 teeth, 0.01…1000 mm, 5…45°. (An angle within 1e-12 of
     /// its end counts as in: degrees do not convert exactly.)
-    pub fn new(teeth: u32, module: f64, pressure_angle: f64) -> Result<Toothing, GearError> {
+    pub fn new(teeth: u32, module: f64, pressure_angle: f64) -> Result<BasicGearData, GearError> {
         let range = |what, value, allowed| {
             Err(GearError::OutOfRange {
                 what,
@@ -35,7 +35,7 @@ impl Toothing {
         if !(5.0 - 1e-12..=45.0 + 1e-12).contains(&degrees) {
             return range("pressure angle", degrees, "5 … 45 degrees");
         }
-        Ok(Toothing {
+        Ok(BasicGearData {
             teeth,
             module,
             pressure_angle,

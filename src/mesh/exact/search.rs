@@ -1,18 +1,18 @@
 //! The plain path: branch and bound over every facing pair, nothing left out.
 
 use super::branch::{MOST_NODES, search};
-use super::curves::{Curves, Unsettled};
-use super::facing::Stand;
+use super::curves::{Curves, SearchExhausted};
+use super::facing::PosedFlanks;
 use super::lands::without_lands;
-use super::ties::{Ties, Touching};
+use super::tightest::{TightestContacts, Touching};
 
 /// The pair that touches first, from the greatest gap of every pair in reach; lands in closed form.
 ///
 /// # Errors
 /// The step whose pair could not be settled.
 #[cold]
-pub(super) fn touching(stand: &Stand) -> Result<Option<Touching>, (i64, Unsettled)> {
-    let mut ties = Ties::new(stand.facing);
+pub(super) fn touching(stand: &PosedFlanks) -> Result<Option<Touching>, (i64, SearchExhausted)> {
+    let mut ties = TightestContacts::new(stand.facing);
     stand.on_lands(Curves::ALL, &mut ties);
     over(stand, ties, without_lands(Curves::ALL), MOST_NODES)
 }
@@ -22,16 +22,21 @@ pub(super) fn touching(stand: &Stand) -> Result<Option<Touching>, (i64, Unsettle
 /// # Errors
 /// As [`touching`].
 #[cold]
-pub(super) fn by_search(stand: &Stand) -> Result<Option<Touching>, (i64, Unsettled)> {
-    over(stand, Ties::new(stand.facing), Curves::ALL, 16 * MOST_NODES)
+pub(super) fn by_search(stand: &PosedFlanks) -> Result<Option<Touching>, (i64, SearchExhausted)> {
+    over(
+        stand,
+        TightestContacts::new(stand.facing),
+        Curves::ALL,
+        16 * MOST_NODES,
+    )
 }
 
 fn over(
-    stand: &Stand,
-    mut ties: Ties,
+    stand: &PosedFlanks,
+    mut ties: TightestContacts,
     curves: Curves,
     mut nodes_left: usize,
-) -> Result<Option<Touching>, (i64, Unsettled)> {
+) -> Result<Option<Touching>, (i64, SearchExhausted)> {
     for step in stand.steps() {
         let (ours, theirs) = (stand.locked(step), stand.free(step));
         let found = search(

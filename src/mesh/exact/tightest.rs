@@ -1,7 +1,7 @@
 //! The greatest gap so far, and every pair that ties with it.
 
-use super::facing::Facing;
-use super::hit::Hit;
+use super::candidate::CandidateContact;
+use super::facing::FlankProblem;
 use super::shape::C;
 
 /// Of pairs that tie, contacts whose distances from the pitch point differ by less count as
@@ -13,18 +13,18 @@ const FEW: usize = 4;
 
 /// Hits whose gaps lie within a tie of the greatest.
 #[derive(Debug, Clone)]
-pub(super) struct Ties {
+pub(super) struct TightestContacts {
     width: f64,
     pitch_point: C,
     greatest: f64,
-    few: [Option<(i64, Hit)>; FEW],
+    few: [Option<(i64, CandidateContact)>; FEW],
     count: usize,
-    more: Vec<(i64, Hit)>,
+    more: Vec<(i64, CandidateContact)>,
 }
 
-impl Ties {
-    pub fn new(facing: &Facing) -> Ties {
-        Ties {
+impl TightestContacts {
+    pub fn new(facing: &FlankProblem) -> TightestContacts {
+        TightestContacts {
             width: facing.tie,
             pitch_point: facing.pitch_point,
             greatest: f64::NEG_INFINITY,
@@ -54,7 +54,7 @@ impl Ties {
     }
 
     /// Takes the hit of a step.
-    pub fn offer(&mut self, step: i64, hit: Hit) {
+    pub fn offer(&mut self, step: i64, hit: CandidateContact) {
         if hit.gap > self.greatest + self.width {
             self.count = 0;
             self.more.clear();
@@ -68,7 +68,7 @@ impl Ties {
         }
     }
 
-    fn hits(&self) -> impl Iterator<Item = &(i64, Hit)> {
+    fn hits(&self) -> impl Iterator<Item = &(i64, CandidateContact)> {
         let level = self.level();
         let few = self.few[..self.count].iter().flatten();
         few.chain(&self.more)
@@ -78,8 +78,8 @@ impl Ties {
     /// Of the hits that tie with the greatest, the one to name: nearest to the operating pitch point, of equally
     /// near ones the first counter-clockwise of the locked gear as [`super::facing`] sees it. Of one pair's hits its greatest.
     pub fn choose(&self) -> Option<Touching> {
-        let away = |hit: &Hit| (hit.point - self.pitch_point).norm_sqr().sqrt();
-        let mut chosen: Option<&(i64, Hit)> = None;
+        let away = |hit: &CandidateContact| (hit.point - self.pitch_point).norm_sqr().sqrt();
+        let mut chosen: Option<&(i64, CandidateContact)> = None;
         for one in self.hits() {
             let better = match chosen {
                 None => true,
@@ -105,6 +105,6 @@ impl Ties {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Touching {
     pub step: i64,
-    pub hit: Hit,
+    pub hit: CandidateContact,
     pub greatest: f64,
 }

@@ -4,27 +4,27 @@
 //! of lines shows ([`super::envelope`]); only the rest are put on the curves.
 
 use super::branch::{MOST_NODES, search};
+use super::candidate::CandidateContact;
 use super::certificate::{Certificate, Setting};
 use super::corner::{Sense, least_flank_radius, meet, nearest_turn, on_land, tip_arm};
-use super::curves::{Curves, Unsettled};
+use super::curves::{Curves, SearchExhausted};
 use super::envelope::Envelope;
-use super::facing::{Facing, Stand};
-use super::hit::Hit;
+use super::facing::{FlankProblem, PosedFlanks};
 use super::lands::{land_on_land, without_lands};
-use super::line::Swerve;
+use super::line::TangentVariation;
 use super::placed::Placed;
-use super::plain;
+use super::search;
 use super::shape::{C, turn};
-use super::ties::{Ties, Touching};
-use crate::gear::Curve;
-use crate::pair::Assembly;
+use super::tightest::{TightestContacts, Touching};
+use crate::gear::ProfilePart;
+use crate::pair::GearPair;
 use std::sync::Arc;
 
 /// What a certified pair needs besides its teeth.
 #[derive(Debug, Clone)]
-pub(super) struct Shortcut {
+pub(super) struct DirectSolver {
     pub certificate: Certificate,
-    pub swerve: Swerve,
+    pub swerve: TangentVariation,
     envelopes: Envelopes,
     /// Eccentricity of the free gear.
     free_off: f64,
@@ -43,13 +43,13 @@ pub(super) struct Envelopes {
 ///
 /// # Errors
 /// The step whose pair could not be settled.
-pub(super) fn touching(stand: &Stand) -> Result<Option<Touching>, (i64, Unsettled)> {
+pub(super) fn touching(stand: &PosedFlanks) -> Result<Option<Touching>, (i64, SearchExhausted)> {
     let Some(shortcut) = &stand.facing.shortcut else {
-        return plain::touching(stand);
+        return search::touching(stand);
     };
-    let mut ties = Ties::new(stand.facing);
+    let mut ties = TightestContacts::new(stand.facing);
     if !stand.on_line(&shortcut.swerve, &mut ties) {
-        return plain::touching(stand);
+        return search::touching(stand);
     }
     let certificate = &shortcut.certificate;
     if certificate.tangents {
@@ -71,7 +71,7 @@ pub(super) fn touching(stand: &Stand) -> Result<Option<Touching>, (i64, Unsettle
             .steep_arm
             .is_some_and(|arm| shortcut.is_steep(&locked, arm))
         {
-            curves.add(Curve::Involute, Curve::Tip);
+            curves.add(ProfilePart::Involute, ProfilePart::Tip);
         }
         if curves.is_empty() {
             continue;
@@ -91,9 +91,13 @@ pub(super) fn touching(stand: &Stand) -> Result<Option<Touching>, (i64, Unsettle
     Ok(ties.choose())
 }
 
-impl Shortcut {
+impl DirectSolver {
     /// The shortcut of a pair of gears; `None` for one that must be searched all through.
-    pub fn new(facing: &Facing, assembly: &Assembly, envelopes: Envelopes) -> Option<Shortcut> {
+    pub fn new(
+        facing: &FlankProblem,
+        assembly: &GearPair,
+        envelopes: Envelopes,
+    ) -> Option<DirectSolver> {
         let ours = assembly.gear(assembly.locked());
         let theirs = assembly.gear(assembly.free());
         let setting = Setting {
@@ -103,11 +107,11 @@ impl Shortcut {
             free_off: theirs.eccentricity(),
             distance: facing.distance,
         };
-        Some(Shortcut {
+        Some(DirectSolver {
             certificate: setting.certify()?,
             free_off: setting.free_off,
             outmost: theirs.reach(),
-            swerve: Swerve::new(facing, setting.locked_off, setting.free_off)?,
+            swerve: TangentVariation::new(facing, setting.locked_off, setting.free_off)?,
             envelopes,
         })
     }
@@ -121,9 +125,9 @@ impl Shortcut {
     }
 }
 
-impl Stand<'_> {
+impl PosedFlanks<'_> {
     /// Offers the greatest gap of those pairs of lands that `curves` has, step by step.
-    pub(super) fn on_lands(&self, curves: Curves, ties: &mut Ties) {
+    pub(super) fn on_lands(&self, curves: Curves, ties: &mut TightestContacts) {
         for step in self.steps() {
             let (locked, free) = (self.locked(step), self.free(step));
             if let Some(hit) = land_on_land(&locked, &free, self.origin, curves)
@@ -139,7 +143,7 @@ impl Stand<'_> {
     /// With `R` the free gear's rotation at the greatest gap so far, a locked point `C_L + D_L p` stands at
     /// `(R* (C_L + D_L p) − C_F) D_F*` in the free tooth's own frame, `C_F` and `D_F` at rotation 0, and a free point
     /// at `(R (C_F + D_F p) − C_L) D_L*` in the locked one's.
-    fn on_corners(&self, shortcut: &Shortcut, ties: &mut Ties) {
+    fn on_corners(&self, shortcut: &DirectSolver, ties: &mut TightestContacts) {
         let mut level = Level::new(self, ties);
         let (ours, theirs) = (&self.facing.locked, &self.facing.free);
         let steps = self.steps();
@@ -153,7 +157,7 @@ impl Stand<'_> {
             for &corner in ours.shape.corners() {
                 let near = (centre + seen * corner.1) * facing.conj();
                 if !(known && shortcut.envelopes.free.clears(near)) {
-                    let edge = (Curve::Involute, corner.0);
+                    let edge = (ProfilePart::Involute, corner.0);
                     self.locked_corner(shortcut, step, (edge, corner.1, near), &mut level, ties);
                 }
             }
@@ -161,7 +165,7 @@ impl Stand<'_> {
                 let far = ours.far(locked_place);
                 let near = (centre + seen * far) * facing.conj();
                 if !(known && shortcut.envelopes.free.clears(near)) {
-                    let edge = (Curve::Tip, -far.arg());
+                    let edge = (ProfilePart::Tip, -far.arg());
                     self.locked_corner(shortcut, step, (edge, far, near), &mut level, ties);
                 }
             }
@@ -185,11 +189,11 @@ impl Stand<'_> {
     #[cold]
     fn locked_corner(
         &self,
-        shortcut: &Shortcut,
+        shortcut: &DirectSolver,
         step: i64,
-        (edge, corner, near): ((Curve, f64), C, C),
+        (edge, corner, near): ((ProfilePart, f64), C, C),
         level: &mut Level,
-        ties: &mut Ties,
+        ties: &mut TightestContacts,
     ) {
         let (locked, free) = (self.locked(step), self.free(step));
         let rho = locked.own_to_axis(corner);
@@ -203,7 +207,7 @@ impl Stand<'_> {
             rho,
             near,
         ) {
-            let hit = Hit::new((&locked, edge), (&free, met), self.origin, 0.0);
+            let hit = CandidateContact::new((&locked, edge), (&free, met), self.origin, 0.0);
             level.offer(self, ties, step, hit);
         }
     }
@@ -214,11 +218,11 @@ impl Stand<'_> {
     #[inline]
     fn far_corner(
         &self,
-        shortcut: &Shortcut,
+        shortcut: &DirectSolver,
         step: i64,
         place: usize,
         level: &mut Level,
-        ties: &mut Ties,
+        ties: &mut TightestContacts,
     ) {
         let (ours, theirs) = (&self.facing.locked, &self.facing.free);
         let point = self.centre - self.turned * ours.direction(place) * ours.far(place);
@@ -228,9 +232,13 @@ impl Stand<'_> {
             return;
         }
         let (locked, free) = (self.locked(step), self.free(step));
-        if let Some(met) = on_land(&free, Curve::Tip, point.norm_sqr().sqrt()) {
-            let edge = (&locked, (Curve::Tip, locked.range(Curve::Tip).0));
-            let hit = Hit::new(edge, (&free, (Curve::Tip, met)), self.origin, 0.0);
+        if let Some(met) = on_land(&free, ProfilePart::Tip, point.norm_sqr().sqrt()) {
+            let edge = (
+                &locked,
+                (ProfilePart::Tip, locked.range(ProfilePart::Tip).0),
+            );
+            let hit =
+                CandidateContact::new(edge, (&free, (ProfilePart::Tip, met)), self.origin, 0.0);
             level.offer(self, ties, step, hit);
         }
     }
@@ -239,11 +247,11 @@ impl Stand<'_> {
     #[cold]
     fn free_corner(
         &self,
-        shortcut: &Shortcut,
+        shortcut: &DirectSolver,
         step: i64,
         ((roll, corner), near, clear): ((f64, C), C, bool),
         level: &mut Level,
-        ties: &mut Ties,
+        ties: &mut TightestContacts,
     ) {
         let (locked, free) = (self.locked(step), self.free(step));
         let rho = free.own_to_axis(corner);
@@ -263,8 +271,8 @@ impl Stand<'_> {
             rho,
             near,
         ) {
-            let edge = (&free, (Curve::Involute, roll));
-            let hit = Hit::new((&locked, met), edge, self.origin, 0.0);
+            let edge = (&free, (ProfilePart::Involute, roll));
+            let hit = CandidateContact::new((&locked, met), edge, self.origin, 0.0);
             level.offer(self, ties, step, hit);
         }
     }
@@ -284,7 +292,7 @@ struct Level {
 }
 
 impl Level {
-    fn new(stand: &Stand, ties: &Ties) -> Level {
+    fn new(stand: &PosedFlanks, ties: &TightestContacts) -> Level {
         let mut level = Level {
             greatest: 0.0,
             known: false,
@@ -296,7 +304,7 @@ impl Level {
         level
     }
 
-    fn set(&mut self, stand: &Stand, greatest: f64) {
+    fn set(&mut self, stand: &PosedFlanks, greatest: f64) {
         self.known = greatest > f64::NEG_INFINITY;
         self.greatest = greatest;
         let gap = if self.known { greatest } else { 0.0 };
@@ -306,7 +314,13 @@ impl Level {
         self.axis = -back * stand.centre;
     }
 
-    fn offer(&mut self, stand: &Stand, ties: &mut Ties, step: i64, hit: Hit) {
+    fn offer(
+        &mut self,
+        stand: &PosedFlanks,
+        ties: &mut TightestContacts,
+        step: i64,
+        hit: CandidateContact,
+    ) {
         if ties.admits(hit.gap) {
             ties.offer(step, hit);
             if ties.greatest() > self.greatest {

@@ -2,7 +2,7 @@
 
 /// How dense a line is on the sheet.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum Thicket {
+pub(super) enum Overplotting {
     /// Can be followed.
     Clear,
     /// Can be followed where it is thin.
@@ -26,9 +26,9 @@ const SWINGS: f64 = 1.5;
 const FEWEST: f64 = 6.0;
 
 /// What `run`, a line without gaps, is at `scale` (units of the sheet a unit of data, across and up).
-pub(super) fn of(run: &[(f64, f64)], scale: [f64; 2]) -> Thicket {
+pub(super) fn of(run: &[(f64, f64)], scale: [f64; 2]) -> Overplotting {
     let (Some(first), Some(last)) = (run.first(), run.last()) else {
-        return Thicket::Clear;
+        return Overplotting::Clear;
     };
     let width = (last.0 - first.0) * scale[0];
     let rises = || {
@@ -37,7 +37,7 @@ pub(super) fn of(run: &[(f64, f64)], scale: [f64; 2]) -> Thicket {
     };
     let length = rises().map(f64::abs).sum::<f64>();
     if length < DENSE * width {
-        return Thicket::Clear;
+        return Overplotting::Clear;
     }
     let ways: Vec<bool> = rises()
         .filter(|rise| *rise != 0.0)
@@ -46,9 +46,9 @@ pub(super) fn of(run: &[(f64, f64)], scale: [f64; 2]) -> Thicket {
     let turns = ways.windows(2).filter(|pair| pair[0] != pair[1]).count();
     let window = f64::max(LEAST, SWINGS * 2.0 * width / turns.max(1) as f64);
     if length < SOLID * width || width < FEWEST * window {
-        return Thicket::Dense;
+        return Overplotting::Dense;
     }
-    Thicket::Solid(edges(run, window / scale[0]))
+    Overplotting::Solid(edges(run, window / scale[0]))
 }
 
 /// The least and the greatest value of each `window` (data) of `run`, at its middle, from end to end.
@@ -89,9 +89,9 @@ mod tests {
 
     #[test]
     fn a_few_swings_are_a_line_and_many_are_their_edges() {
-        assert_eq!(of(&swings(3, 100.0), [1.0, 1.0]), Thicket::Clear);
-        assert_eq!(of(&swings(15, 100.0), [1.0, 1.0]), Thicket::Dense);
-        let Thicket::Solid([low, high]) = of(&swings(86, 100.0), [1.0, 1.0]) else {
+        assert_eq!(of(&swings(3, 100.0), [1.0, 1.0]), Overplotting::Clear);
+        assert_eq!(of(&swings(15, 100.0), [1.0, 1.0]), Overplotting::Dense);
+        let Overplotting::Solid([low, high]) = of(&swings(86, 100.0), [1.0, 1.0]) else {
             panic!("86 swings of 200 units over 700 are 49 times its width");
         };
         for (edge, value) in [(&low, -100.0), (&high, 100.0)] {
@@ -107,7 +107,7 @@ mod tests {
     fn no_edge_loses_the_extreme() {
         let mut run = swings(86, 100.0);
         run[333].1 = 500.0;
-        let Thicket::Solid([_, high]) = of(&run, [1.0, 1.0]) else {
+        let Overplotting::Solid([_, high]) = of(&run, [1.0, 1.0]) else {
             panic!("as above");
         };
         assert_eq!(

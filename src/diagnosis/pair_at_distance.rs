@@ -2,19 +2,19 @@
 
 use crate::error::Error;
 use crate::mesh::{ExactKernel, LostMotion, PoseClass, Status};
-use crate::pair::{Assembly, Mating, Member, Pose};
+use crate::pair::{GearPair, Mating, Member, Pose};
 use rayon::prelude::*;
 
 /// The pair at one centre distance.
-pub struct Bench {
-    pub(super) assembly: Assembly,
+pub struct PairAtDistance {
+    pub(super) assembly: GearPair,
     kernel: ExactKernel,
 }
 
-impl Bench {
+impl PairAtDistance {
     /// The pair as assembled.
-    pub fn new(assembly: &Assembly) -> Bench {
-        Bench {
+    pub fn new(assembly: &GearPair) -> PairAtDistance {
+        PairAtDistance {
             kernel: ExactKernel::new(assembly),
             assembly: assembly.clone(),
         }
@@ -24,16 +24,16 @@ impl Bench {
     ///
     /// # Errors
     /// Base circles that overlap.
-    pub fn at(&self, distance: f64) -> Result<Bench, Error> {
+    pub fn at(&self, distance: f64) -> Result<PairAtDistance, Error> {
         let assembly = self.assembly.at(distance)?;
-        Ok(Bench {
+        Ok(PairAtDistance {
             kernel: self.kernel.at(&assembly),
             assembly,
         })
     }
 
     /// The pair where it stands.
-    pub fn assembly(&self) -> &Assembly {
+    pub fn assembly(&self) -> &GearPair {
         &self.assembly
     }
 
@@ -64,7 +64,7 @@ impl Bench {
         })
     }
 
-    /// [`Bench::play`] of each mating, in order.
+    /// [`PairAtDistance::play`] of each mating, in order.
     pub(super) fn plays(&self, matings: &[Mating]) -> Result<Vec<f64>, Error> {
         let plays: Vec<_> = matings.par_iter().map(|mating| self.play(mating)).collect();
         plays.into_iter().collect()
@@ -73,7 +73,7 @@ impl Bench {
 
 /// Centre distances between which two gears can touch at all, mm: from touching base circles (a
 /// millionth of them apart) to tips that do not reach each other.
-pub(super) fn reach(assembly: &Assembly) -> [f64; 2] {
+pub(super) fn reach(assembly: &GearPair) -> [f64; 2] {
     let members = [Member::Wheel, Member::Pinion];
     let base: f64 = members
         .map(|m| assembly.gear(m).gear().base_radius())

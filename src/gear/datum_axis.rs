@@ -18,7 +18,7 @@ pub(super) fn own_deviation(
     reading: f64,
     e: Vector2<f64>,
 ) -> Result<f64, GearError> {
-    let r = gear.toothing().reference_radius();
+    let r = gear.basic_data().reference_radius();
     let mut own = reading;
     let mut change = f64::INFINITY;
     for _ in 0..MOST_STEPS {
@@ -49,9 +49,9 @@ pub(super) fn read(
     own: f64,
     e: Vector2<f64>,
 ) -> Result<f64, GearError> {
-    let toothing = gear.toothing();
-    let (r, base) = (toothing.reference_radius(), toothing.base_radius());
-    let alpha = toothing.pressure_angle();
+    let basic_data = gear.basic_data();
+    let (r, base) = (basic_data.reference_radius(), basic_data.base_radius());
+    let alpha = basic_data.pressure_angle();
     let e = Complex::new(e.x, e.y);
     // Everything is seen from the undisturbed crossing, so that the angle read is a small one.
     let e = e * Complex::from_polar(1.0, -place);
@@ -85,14 +85,14 @@ pub(super) fn read(
 #[cfg(test)]
 pub(super) mod tests {
     use super::*;
-    use crate::gear::{Blank, Rack, Toothing};
+    use crate::gear::{BasicGearData, BasicRack, GearDesign};
 
     pub(in crate::gear) fn gear(teeth: u32) -> Gear {
-        let toothing = Toothing::new(teeth, 3.0, 20f64.to_radians()).unwrap();
-        Gear::nominal(Blank {
-            toothing,
+        let basic_data = BasicGearData::new(teeth, 3.0, 20f64.to_radians()).unwrap();
+        Gear::nominal(GearDesign {
+            basic_data,
             profile_shift: 0.0,
-            rack: Rack::ISO_53_A,
+            rack: BasicRack::ISO_53_A,
             tip_diameter: None,
         })
         .unwrap()
@@ -102,12 +102,12 @@ pub(super) mod tests {
     #[test]
     fn reads_the_first_order_sine() {
         let gear = gear(44);
-        let alpha = gear.toothing().pressure_angle();
+        let alpha = gear.basic_data().pressure_angle();
         let e = 1e-4;
         for (ahead, place) in [(1.0, 0.7), (-1.0, 0.7), (1.0, 3.0), (-1.0, -2.0)] {
             let exact = read(&gear, ahead, place, 0.0, Vector2::new(e, 0.0)).unwrap();
             let first = -e * (place - ahead * alpha).sin() / alpha.cos();
-            assert!((exact - first).abs() < 10.0 * e * e / gear.toothing().reference_radius());
+            assert!((exact - first).abs() < 10.0 * e * e / gear.basic_data().reference_radius());
         }
     }
 }

@@ -34,14 +34,14 @@ impl Member {
 
 /// A pair as assembled: wheel axis at the origin, pinion axis at `(a, 0)`, y up.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Assembly {
+pub struct GearPair {
     wheel: AsBuilt,
     pinion: AsBuilt,
     center_distance: f64,
     locked: Member,
 }
 
-impl Assembly {
+impl GearPair {
     /// Puts two gears at `center_distance` `a`, mm.
     ///
     /// # Errors
@@ -52,8 +52,8 @@ impl Assembly {
         pinion: AsBuilt,
         center_distance: f64,
         locked: Member,
-    ) -> Result<Assembly, GearError> {
-        let (w, p) = (*wheel.gear().toothing(), *pinion.gear().toothing());
+    ) -> Result<GearPair, GearError> {
+        let (w, p) = (*wheel.gear().basic_data(), *pinion.gear().basic_data());
         for (what, wheel, pinion) in [
             ("module_mm", w.module(), p.module()),
             (
@@ -77,7 +77,7 @@ impl Assembly {
                 least_mm: least,
             });
         }
-        Ok(Assembly {
+        Ok(GearPair {
             wheel,
             pinion,
             center_distance,
@@ -88,9 +88,9 @@ impl Assembly {
     /// The same gears at another centre distance.
     ///
     /// # Errors
-    /// As [`Assembly::new`].
-    pub fn at(&self, center_distance: f64) -> Result<Assembly, GearError> {
-        Assembly::new(
+    /// As [`GearPair::new`].
+    pub fn at(&self, center_distance: f64) -> Result<GearPair, GearError> {
+        GearPair::new(
             self.wheel.clone(),
             self.pinion.clone(),
             center_distance,

@@ -2,38 +2,38 @@
 
 use super::placed::Placed;
 use super::shape::{C, Sample};
-use crate::gear::Curve;
+use crate::gear::ProfilePart;
 
 /// A common point of a locked and a free half tooth.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Hit {
+pub(super) struct CandidateContact {
     /// Gap, rad: the free gear's rotation, counted from the caller's `origin`.
     pub gap: f64,
     /// Bound on what a search left out, rad.
     pub slack: f64,
     /// `σ = ρ dθ/dρ` of the curve that decides how rounding shifts the gap.
     pub slope: f64,
-    /// Curve and parameter on the locked gear.
-    pub locked: (Curve, f64),
-    /// Curve and parameter on the free gear.
-    pub free: (Curve, f64),
+    /// Profile part and parameter on the locked gear.
+    pub locked: (ProfilePart, f64),
+    /// Profile part and parameter on the free gear.
+    pub free: (ProfilePart, f64),
     /// The locked gear's point.
     pub point: C,
     /// Unit normal there, out of the locked metal.
     pub normal: C,
 }
 
-impl Hit {
+impl CandidateContact {
     /// The hit at one parameter each.
     ///
     /// A corner has no normal: there the other curve's counts, and where two corners meet the
     /// direction in which they do. Likewise with `σ`; of two smooth curves the steeper counts.
     pub fn new(
-        (ours, locked): (&Placed, (Curve, f64)),
-        (theirs, free): (&Placed, (Curve, f64)),
+        (ours, locked): (&Placed, (ProfilePart, f64)),
+        (theirs, free): (&Placed, (ProfilePart, f64)),
         origin: C,
         slack: f64,
-    ) -> Hit {
+    ) -> CandidateContact {
         let p = ours.at(locked.0, locked.1);
         let q = theirs.at(free.0, free.1);
         let turned = p.point * q.point.conj();
@@ -45,7 +45,7 @@ impl Hit {
             [false, true] => (p.normal, slope(&p)),
             [false, false] => (p.normal, slope(&p).abs().max(slope(&q).abs())),
         };
-        Hit {
+        CandidateContact {
             gap: (turned * origin).arg(),
             slack,
             slope,

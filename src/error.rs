@@ -1,13 +1,7 @@
-//! What can go wrong, and the way out of it.
+//! What can go wrong in the library.
 //!
-//! Three layers: [`GearError`] is a gear or pair that cannot exist, in the
-//! terms of the geometry; [`Problem`] ties such a reason to the key of a pair
-//! file; [`Error`] is what a command ends with. An interfering, jammed or
-//! unmeshed pair is a result, never an error.
-
-use crate::characters;
-use std::fmt;
-use std::path::PathBuf;
+//! [`GearError`] is a gear or pair that cannot exist, in the terms of the geometry; [`Error`] is what a calculation ends with.
+//! An interfering, jammed or unmeshed pair is a result, never an error.
 
 /// A gear or a pair that cannot exist. Lengths in mm, angles in radians inside;
 /// the messages print mm and degrees.
@@ -157,6 +151,14 @@ pub enum GearError {
         /// `r_b1 + r_b2`.
         least_mm: f64,
     },
+    /// A tooth number beyond the gear's.
+    #[error("the gear has teeth 1 … {teeth}, not {tooth}")]
+    NoSuchTooth {
+        /// The number given.
+        tooth: u32,
+        /// How many there are.
+        teeth: u32,
+    },
     /// Readings all round that no gear has.
     #[error("{0}")]
     Readings(&'static str),
@@ -165,96 +167,12 @@ pub enum GearError {
     DatumPitch(&'static str),
 }
 
-/// One thing wrong with one value of a pair file.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Problem {
-    /// Dotted path of the key, such as `wheel.runout.high_tooth`; empty for the whole file.
-    pub key: String,
-    /// The value as written, where there is one.
-    pub value: Option<String>,
-    /// What is wrong and what is allowed.
-    pub reason: String,
-    /// What to do.
-    pub help: String,
-}
-
-impl fmt::Display for Problem {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if !self.key.is_empty() {
-            write!(f, "{}", self.key)?;
-            if let Some(value) = &self.value {
-                write!(f, " = {value}")?;
-            }
-            write!(f, ": ")?;
-        }
-        write!(f, "{}; {}", self.reason, self.help)
-    }
-}
-
-/// What a command ends with when it cannot do its work.
-#[derive(Debug, thiserror::Error)]
+/// What a calculation ends with when it has no result.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum Error {
-    /// All problems of one input file.
-    #[error("{}", self.lines().join("\n"))]
-    Input {
-        /// The file.
-        file: PathBuf,
-        /// At least one.
-        problems: Vec<Problem>,
-    },
-    /// What is wrong with several files.
-    #[error("{}", self.lines().join("\n"))]
-    Several(Vec<Error>),
-    /// A command-line value that does not suit the file.
-    #[error("{0}")]
-    Usage(String),
-    /// A pair that cannot be assembled, asked for outside a pair file.
+    /// A pair that cannot be assembled.
     #[error(transparent)]
     Gear(#[from] GearError),
-    /// A chart that cannot be drawn.
-    #[error("the chart cannot be drawn: {0}")]
-    Chart(String),
-    /// A result that cannot be written.
-    #[error("{}: cannot be written: {source}; choose another place with -o", path.display())]
-    Output {
-        /// The file or folder.
-        path: PathBuf,
-        /// The system's reason.
-        source: std::io::Error,
-    },
-    /// A result that would take the place of a file that was read.
-    #[error(
-        "{}: this is the file {}, which was read and would be lost; name another place for the result",
-        output.display(), input.display()
-    )]
-    OverInput {
-        /// Where the result was to go.
-        output: PathBuf,
-        /// The name under which the file was read.
-        input: PathBuf,
-    },
-    /// A folder that another run is about to write to.
-    #[error("{}: another run of gearlash writes to this folder; wait for its end, or name another folder with -o", folder.display())]
-    Busy {
-        /// The folder.
-        folder: PathBuf,
-    },
-    /// A folder in which files of two runs stand, because neither the new ones nor the old ones could be put in place.
-    #[error(
-        "{}: holds files of this run beside older ones: {reason}; putting these back failed, too: {source}. The next run that can write there puts them back",
-        folder.display()
-    )]
-    HalfWritten {
-        /// The folder.
-        folder: PathBuf,
-        /// What failed first.
-        reason: String,
-        /// What failed then.
-        source: std::io::Error,
-    },
-    /// Standard output that takes no more.
-    #[error("standard output: cannot be written: {0}")]
-    Printing(std::io::Error),
     /// The contact search gave up on a pair of flanks: a fault of gearlash. In a sweep the pose is unproven; elsewhere exit 1.
     #[error(
         "the contact of wheel tooth {wheel_tooth} and pinion tooth {pinion_tooth} ({flank} flanks) was lost at locked rotation {locked_rotation_rad} rad: {reason}"
@@ -291,40 +209,12 @@ pub enum Error {
         /// What was seen.
         reason: String,
     },
-    /// Ctrl-C.
+    /// The caller's `tick` asked to stop.
     #[error("interrupted; nothing was written")]
     Interrupted,
 }
 
-/// Characters of a line of an error message: a path as long as Linux allows (4096 bytes) and what is said of it. Nothing should
-/// come near it; where something does, the line is cut visibly.
-const LONGEST_LINE: usize = 6000;
-
 impl Error {
-    /// The message, a line for each problem: whatever stands in the files, it breaks no line and acts on no terminal or log.
-    pub fn lines(&self) -> Vec<String> {
-        let line = |text: String| characters::cut(&characters::plain(&text), LONGEST_LINE);
-        match self {
-            Error::Input { file, problems } => {
-                let problems = problems.iter();
-                let told = problems.map(|problem| line(format!("{}: {problem}", file.display())));
-                told.collect()
-            }
-            Error::Several(errors) => errors.iter().flat_map(Error::lines).collect(),
-            other => vec![line(other.to_string())],
-        }
-    }
-
-    /// What the process ends with: 1 when a result did not hold, 2 when there was none to be had or it could not be
-    /// written, 130 (128 + SIGINT, as shells count) when the work was to stop. (A signal ends the program by itself.)
-    pub fn exit_code(&self) -> u8 {
-        match self {
-            Error::CertificateFailed { .. } | Error::ContactLost { .. } => 1,
-            Error::Interrupted => 130,
-            _ => 2,
-        }
-    }
-
     /// What was seen, in words, where it concerns nothing but the pose at hand: a contact that was lost, a certificate
     /// that failed. `None` of all that ends a command.
     pub fn of_one_pose(&self) -> Option<String> {

@@ -43,8 +43,6 @@
 //! ```
 
 pub mod analytic;
-mod characters;
-pub mod cli;
 pub mod compare;
 pub mod curves;
 pub mod cycle;
@@ -52,16 +50,12 @@ pub mod diagnosis;
 pub mod error;
 pub mod gauge;
 pub mod gear;
-pub mod input;
 pub mod measured;
 pub mod mesh;
 pub mod notes;
 pub mod outcome;
-pub mod output;
 pub mod pair;
 pub mod phases;
-pub mod render;
 pub mod simulate;
-pub mod sources;
 pub mod study;
 pub mod tally;

@@ -53,7 +53,7 @@ pub fn simulate_plans(
     tick: &(dyn Fn() -> ControlFlow<()> + Sync),
 ) -> Result<Vec<Run>, Error> {
     let mut runs: Vec<Run> = Vec::new();
-    each_block(study, plans, method, tick, &mut |block| {
+    each_block::<Error>(study, plans, method, tick, &mut |block| {
         if block.first {
             runs.push(Run {
                 material: block.material,
@@ -71,7 +71,7 @@ pub fn simulate_plans(
 }
 
 /// Some poses of one run, as they are found.
-pub(crate) struct Block<'a> {
+pub struct Block<'a> {
     /// As [`Run::material`].
     pub material: Material,
     /// As [`Run::assembly`].
@@ -92,13 +92,13 @@ pub(crate) struct Block<'a> {
 ///
 /// # Errors
 /// As [`simulate`], and of `take`.
-pub(crate) fn each_block(
+pub fn each_block<E: From<Error>>(
     study: &Study,
     plans: Vec<RunPlan>,
     method: Method,
     tick: &(dyn Fn() -> ControlFlow<()> + Sync),
-    take: &mut dyn FnMut(Block) -> Result<(), Error>,
-) -> Result<(), Error> {
+    take: &mut dyn FnMut(Block) -> Result<(), E>,
+) -> Result<(), E> {
     let cut = |material: Material| {
         let gears = study.materials.iter().find(|gears| gears.0 == material);
         gears.map(|(_, wheel, pinion)| match method {

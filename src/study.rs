@@ -1,13 +1,9 @@
-//! What a pair file asks for: two gears as measured, where they stand, which poses to run.
-//!
-//! Made by [`crate::input::read`], which checks everything first. Lengths in mm
-//! unless the name says µm.
+//! What is asked of a pair: two gears as measured, where they stand, which poses to run. Lengths in mm unless the name says µm.
 
 use crate::error::GearError;
 use crate::gear::{AsBuilt, Side};
 use crate::notes::GearNotes;
 use crate::pair::{GearPair, Mating, Member, SweepPlan};
-use crate::sources::Sources;
 use std::collections::HashMap;
 
 /// Poses of a study, over all centre distances and materials: their result fills 25 GB.
@@ -20,7 +16,7 @@ pub const POSE_BYTES_JSON: u64 = 2100;
 pub const POSE_BYTES_CSV: u64 = 400;
 
 /// So many bytes in words, to about two digits.
-pub(crate) fn size(bytes: u64) -> String {
+pub fn size(bytes: u64) -> String {
     match bytes {
         0..1_000_000_000 => format!("{} MB", bytes.div_ceil(1_000_000)),
         1_000_000_000..10_000_000_000 => format!("{:.1} GB", bytes as f64 / 1e9),
@@ -74,10 +70,8 @@ pub struct MeasuredRow {
 /// A pair file, understood.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Study {
-    /// Title; the file stem when the file has none.
+    /// Title.
     pub title: String,
-    /// File stem, the name of the folder for results.
-    pub stem: String,
     /// Wheel and pinion of each material: `AsMeasured` alone, or `Most` and `Least`.
     pub materials: Vec<(Material, AsBuilt, AsBuilt)>,
     /// The gear that stands still.
@@ -96,103 +90,8 @@ pub struct Study {
     pub tolerance_um: f64,
     /// Whether contact off the line of action passes a comparison.
     pub allow_off_line_contact: bool,
-    /// The input as understood: keys as in a pair file, defaults filled in. Read as a pair file
-    /// (beside the same measured file) it gives the same study.
-    pub echo: serde_json::Value,
     /// What the statements about the wheel and about the pinion say of each other.
     pub notes: [GearNotes; 2],
-    /// What the user should know, for standard error.
-    pub warnings: Vec<String>,
-    /// What was found to be in order, for standard error.
-    pub remarks: Vec<String>,
-    /// The files it was read from.
-    pub sources: Sources,
-}
-
-/// One gear of a file, for what needs no mate.
-#[derive(Debug, Clone, PartialEq)]
-pub struct GearStudy {
-    /// `wheel` or `pinion` of a pair file, `gear` of a gear file.
-    pub name: &'static str,
-    /// In the thicknesses it states: `AsMeasured` alone, or `Most` and `Least`.
-    pub materials: Vec<(Material, AsBuilt)>,
-    /// Its table as understood, defaults filled in.
-    pub echo: serde_json::Value,
-}
-
-impl GearStudy {
-    /// `k` of the span that states the thickness, or else of the one that cross-checks it.
-    pub fn span_teeth(&self) -> Option<u32> {
-        let teeth = stated(&self.echo, "span", "teeth")?.as_u64()?;
-        u32::try_from(teeth).ok()
-    }
-
-    /// `D_M`, mm, of the dimension over pins that states the thickness, or else of the one that cross-checks it.
-    pub fn pin(&self) -> Option<f64> {
-        stated(&self.echo, "over_pins", "pin_mm")?.as_f64()
-    }
-}
-
-/// `key` of the `measurement` of a gear's thickness that counts, or else of its cross-check.
-fn stated<'a>(
-    gear: &'a serde_json::Value,
-    measurement: &str,
-    key: &str,
-) -> Option<&'a serde_json::Value> {
-    let thickness = &gear["thickness"];
-    [thickness, &thickness["cross_check"]]
-        .into_iter()
-        .find_map(|statement| statement[measurement].get(key))
-}
-
-/// The gears of a gear file or a pair file.
-///
-/// Made by [`crate::input::read_gears`].
-#[derive(Debug, Clone, PartialEq)]
-pub struct GearsStudy {
-    /// Title; the file stem when the file has none.
-    pub title: String,
-    /// File stem, the name of the folder for results.
-    pub stem: String,
-    /// One gear, or wheel and pinion.
-    pub gears: Vec<GearStudy>,
-    /// What the user should know, for standard error.
-    pub warnings: Vec<String>,
-    /// What was found to be in order, for standard error.
-    pub remarks: Vec<String>,
-    /// The files it was read from.
-    pub sources: Sources,
-}
-
-impl From<Study> for GearsStudy {
-    fn from(study: Study) -> GearsStudy {
-        let gear = |name: &'static str, of: fn(&(Material, AsBuilt, AsBuilt)) -> &AsBuilt| {
-            let mut materials: Vec<(Material, AsBuilt)> = Vec::new();
-            for pair in &study.materials {
-                // A gear with a single thickness has it in both materials of its pair.
-                match materials.first_mut() {
-                    Some(first) if first.1 == *of(pair) => first.0 = Material::AsMeasured,
-                    _ => materials.push((pair.0, of(pair).clone())),
-                }
-            }
-            GearStudy {
-                name,
-                materials,
-                echo: study.echo[name].clone(),
-            }
-        };
-        GearsStudy {
-            gears: vec![
-                gear("wheel", |pair| &pair.1),
-                gear("pinion", |pair| &pair.2),
-            ],
-            title: study.title,
-            stem: study.stem,
-            warnings: study.warnings,
-            remarks: study.remarks,
-            sources: study.sources,
-        }
-    }
 }
 
 /// One run: a pair as assembled and the matings to pose it in.
@@ -209,11 +108,6 @@ pub struct RunPlan {
 }
 
 impl Study {
-    /// `D_M`, mm, of the dimension over pins that states or cross-checks the thickness of `gear`, `wheel` or `pinion`.
-    pub fn pin(&self, gear: &str) -> Option<f64> {
-        stated(&self.echo[gear], "over_pins", "pin_mm")?.as_f64()
-    }
-
     /// Whether its poses are whole revolutions.
     pub fn sweeps(&self) -> bool {
         matches!(
@@ -241,7 +135,6 @@ impl Study {
                 GearPair::new(wheel.clone(), pinion.clone(), closest, self.locked)?;
             }
         }
-        self.echo["assembly"]["center_distance_mm"] = serde_json::json!(center_distances);
         self.center_distances = center_distances;
         Ok(self)
     }

@@ -209,7 +209,7 @@ pub enum Piece<'a> {
 }
 
 /// As [`simulate_by_blocks`], of `runs` that are there already.
-pub(crate) fn whole<E>(
+pub fn whole<E>(
     runs: &[ComparedRun],
     take: &mut dyn FnMut(Piece) -> Result<(), E>,
 ) -> Result<Vec<RunTally>, E> {
@@ -238,18 +238,19 @@ pub(crate) fn whole<E>(
 ///
 /// # Errors
 /// As [`crate::simulate::simulate`], and of `take`.
-pub fn simulate_by_blocks(
+pub fn simulate_by_blocks<E: From<Error>>(
     study: &Study,
     method: Method,
     tolerance_um: f64,
     unproven: usize,
     tick: &(dyn Fn() -> ControlFlow<()> + Sync),
-    take: &mut dyn FnMut(Piece) -> Result<(), Error>,
-) -> Result<Vec<RunTally>, Error> {
+    take: &mut dyn FnMut(Piece) -> Result<(), E>,
+) -> Result<Vec<RunTally>, E> {
     let poses = study.pose_count();
     let mut done: Vec<RunTally> = Vec::new();
     let mut current: Option<(RunTally, Keep)> = None;
-    each_block(study, study.runs()?, method, tick, &mut |block| {
+    let plans = study.runs().map_err(Error::from)?;
+    each_block::<E>(study, plans, method, tick, &mut |block| {
         if block.first {
             let run = RunTally::new(block.material, block.assembly.clone(), block.phase);
             take(Piece::Begin(&run))?;

@@ -2,7 +2,7 @@
 
 use super::Followed;
 use crate::compare::compare;
-use crate::error::Error;
+use crate::error::{Error, GearError};
 use crate::gear::Side;
 use crate::measured::{Bands, bands};
 use crate::mesh::{Method, Status};
@@ -54,7 +54,7 @@ pub struct DistancePoint {
 /// What is `followed` over a grid of centre distances round the study's and those at which it was measured.
 ///
 /// # Errors
-/// [`Error::Usage`] for a tooth that is not there; else as [`crate::simulate::simulate`].
+/// [`GearError::NoSuchTooth`]; else as [`crate::simulate::simulate`].
 pub fn over_distance(
     study: &Study,
     followed: Followed,
@@ -126,9 +126,7 @@ fn poses(assembly: &GearPair, followed: Followed, measured: bool) -> Result<Vec<
     for (member, tooth) in [(Member::Wheel, wheel_tooth), (Member::Pinion, pinion_tooth)] {
         let teeth = assembly.gear(member).gear().basic_data().teeth();
         if !(1..=teeth).contains(&tooth) {
-            return Err(Error::Usage(format!(
-                "--mating {wheel_tooth},{pinion_tooth}: the gear has teeth 1 … {teeth}, not {tooth}"
-            )));
+            return Err(GearError::NoSuchTooth { tooth, teeth }.into());
         }
     }
     let right = Mating {

@@ -226,7 +226,7 @@ pub fn sweep(
     let mut all = Vec::with_capacity(matings.len());
     let each = &mut |poses: Vec<PoseResult>| {
         all.extend(poses);
-        Ok(())
+        Ok::<(), Error>(())
     };
     sweep_blocks(assembly, cut, method, matings, clearance, tick, each)?;
     Ok(all)
@@ -239,16 +239,18 @@ pub const BLOCK: usize = 4096;
 ///
 /// # Errors
 /// As [`sweep`], and of `each`.
-pub fn sweep_blocks(
+pub fn sweep_blocks<E: From<Error>>(
     assembly: &GearPair,
     cut: &CutPair,
     method: Method,
     matings: &[Mating],
     clearance: f64,
     tick: &(dyn Fn() -> ControlFlow<()> + Sync),
-    each: &mut dyn FnMut(Vec<PoseResult>) -> Result<(), Error>,
-) -> Result<(), Error> {
-    let apart = |distance: f64| assembly.at(assembly.center_distance() + distance);
+    each: &mut dyn FnMut(Vec<PoseResult>) -> Result<(), E>,
+) -> Result<(), E> {
+    let apart = |distance: f64| -> Result<GearPair, Error> {
+        Ok(assembly.at(assembly.center_distance() + distance)?)
+    };
     let moved = match clearance > 0.0 {
         true => Some([apart(-clearance)?, apart(clearance)?]),
         false => None,

@@ -1,0 +1,130 @@
+//! `gearlash chart`: curves and bars as SVG.
+
+mod drawn;
+
+use super::distances::{self, Distances};
+use super::drawing::{End, teeth};
+use super::method::MethodArgs;
+use super::studies;
+use super::target::Target;
+use crate::error::Error;
+use clap::ValueEnum;
+use gearlash_files::PairFile;
+use drawn::Drawn;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// Draw backlash over teeth or centre distance, or a gear's deviations, as SVG
+///
+/// The poses are the pair file's where it sweeps a revolution, and one wheel revolution at 16 poses a pitch
+/// where it does not. Made for 800 px and for A4, for print in black and white and for the colour-blind.
+#[derive(clap::Args)]
+pub(super) struct Args {
+    /// The pair file (TOML or JSON)
+    pair: PathBuf,
+    /// What to draw
+    #[arg(long, value_enum)]
+    kind: Kind,
+    /// The gear, for --kind inspection [default: wheel]
+    #[arg(long, value_enum)]
+    gear: Option<Gear>,
+    /// Centre distance in mm, for --kind revolution and difference [default: the first of the pair file]
+    #[arg(long, value_name = "A", value_parser = distances::parse, allow_hyphen_values = true)]
+    center_distance: Option<Distances>,
+    /// One end of the thickness tolerances, for --kind revolution and difference [default: both]
+    #[arg(long, value_enum)]
+    material: Option<End>,
+    /// Wheel tooth and pinion tooth, for --kind distance [default: the pose that binds]
+    #[arg(long, value_name = "W,P", value_parser = teeth)]
+    mating: Option<(u32, u32)>,
+    /// The chart [default: out/<file stem>/chart_….svg]; - for standard output
+    #[arg(short, long, value_name = "FILE.svg")]
+    output: Option<PathBuf>,
+    #[command(flatten)]
+    method: MethodArgs,
+}
+
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+enum Kind {
+    /// Backlash over the wheel's teeth, most to least material, right and left flanks
+    Revolution,
+    /// Backlash over the centre distance, with bearing clearance, beside what was measured
+    Distance,
+    /// Simulated minus analytic backlash over the wheel's teeth
+    Difference,
+    /// Pitch, thickness and runout of one gear, tooth by tooth
+    Inspection,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Gear {
+    Wheel,
+    Pinion,
+}
+
+/// Runs the command.
+pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
+    check_options(args)?;
+    let PairFile {
+        study,
+        stem,
+        sources,
+        ..
+    } = studies::pair(&args.pair)?;
+    let given = args.output.clone();
+    let given = given.map(|file| Target::prepare_beside(file, &sources));
+    let given = given.transpose()?;
+    let drawn = match args.kind {
+        Kind::Revolution | Kind::Difference => Drawn::over_teeth(args, study)?,
+        Kind::Distance => Drawn::over_distance(args, &study)?,
+        Kind::Inspection => Drawn::inspection(args, &study)?,
+    };
+    let target = match given {
+        Some(target) => target,
+        None => Target::prepare(PathBuf::from("out").join(stem).join(drawn.file), &sources)?,
+    };
+    target.write(&drawn.chart.svg)?;
+    Ok(if drawn.agrees {
+        ExitCode::SUCCESS
+    } else {
+        ExitCode::from(1)
+    })
+}
+
+/// Options that say nothing about the kind asked for are mistakes.
+fn check_options(args: &Args) -> Result<(), Error> {
+    let over_teeth = matches!(args.kind, Kind::Revolution | Kind::Difference);
+    for (given, suits, option, kinds) in [
+        (
+            args.gear.is_some(),
+            args.kind == Kind::Inspection,
+            "--gear",
+            "inspection",
+        ),
+        (
+            args.mating.is_some(),
+            args.kind == Kind::Distance,
+            "--mating",
+            "distance",
+        ),
+        (
+            args.center_distance.is_some(),
+            over_teeth,
+            "--center-distance",
+            "revolution or difference",
+        ),
+        (
+            args.material.is_some(),
+            over_teeth,
+            "--material",
+            "revolution or difference",
+        ),
+    ] {
+        if given && !suits {
+            return Err(Error::Usage(format!(
+                "{option} belongs to --kind {kinds}; leave it out"
+            )));
+        }
+    }
+    Ok(())
+}

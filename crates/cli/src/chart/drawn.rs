@@ -1,0 +1,173 @@
+//! What each kind of chart is drawn from.
+
+use super::super::console::tell;
+use super::super::distances::Distances;
+use super::super::drawing::{End, material};
+use super::super::method::{agreement_within, all_proven, unproven, whole_agreement};
+use super::super::poses;
+use super::super::progress::Progress;
+use super::{Args, Gear, Kind};
+use gearlash::compare::ComparedRun;
+use gearlash::curves::{self, Course, Followed};
+use gearlash::cycle;
+use crate::error::Error;
+use gearlash::error::{Error as Run, GearError};
+use gearlash::gear::Inspection;
+use gearlash::mesh::Method;
+use gearlash::outcome::by_distance;
+use gearlash_render::chart::{self, Chart, Heading};
+use gearlash::study::Study;
+
+/// A chart and the name of its file.
+pub(super) struct Drawn {
+    pub chart: Chart,
+    pub file: String,
+    /// Whether every pose is proven, and both methods agree where both were asked for.
+    pub agrees: bool,
+}
+
+impl Drawn {
+    /// A curve over the teeth at one centre distance.
+    pub fn over_teeth(args: &Args, study: Study) -> Result<Drawn, Error> {
+        let mut study = curves::swept(study);
+        if let Some(end) = args.material {
+            let wanted = material(end, &study)?;
+            study.materials.retain(|(material, ..)| *material == wanted);
+        }
+        let distance = match &args.center_distance {
+            Some(Distances(given)) if given.len() == 1 => given.clone(),
+            Some(_) => {
+                return Err(Error::Usage(
+                    "--center-distance: a chart is drawn at one centre distance".to_owned(),
+                ));
+            }
+            None => study.center_distances.iter().take(1).copied().collect(),
+        };
+        if args.center_distance.is_none() && study.center_distances.len() > 1 {
+            tell(&format!(
+                "note: at the first of {} centre distances; choose with --center-distance",
+                study.center_distances.len()
+            ));
+        }
+        let study = study
+            .at(distance)
+            .map_err(|reason| Error::Usage(format!("--center-distance: {reason}")))?;
+        let poses = curves::revolution_pose_count(&study)?;
+        poses::allow(&args.pair, poses as u64, &poses::HELD)?;
+        let progress = Progress::start(poses);
+        let runs = curves::revolution(&study, args.method.method(), &|| progress.tick())?;
+        drop(progress);
+        let courses = curves::courses(&runs);
+        let course = courses
+            .first()
+            .ok_or_else(|| Error::Usage("the pair file asks for no poses".to_owned()))?;
+        if let (Some((wheel, pinion)), true) = (course.phase, courses.len() > 1) {
+            tell(&format!(
+                "note: phase {wheel},{pinion}, the first of {}; for another give [sweep] revolutions and start",
+                courses.len()
+            ));
+        }
+        let (name, chart) = match args.kind {
+            Kind::Difference => (
+                "difference",
+                chart::difference(&heading(&study), course, study.tolerance_um)?,
+            ),
+            _ => ("revolution", chart::revolution(&heading(&study), course)?),
+        };
+        Ok(Drawn {
+            file: file(name, args, course),
+            agrees: whole_agreement(&runs),
+            chart,
+        })
+    }
+
+    /// One mating over the centre distance.
+    pub fn over_distance(args: &Args, study: &Study) -> Result<Drawn, Error> {
+        let (followed, swept_runs) = match args.mating {
+            Some((wheel, pinion)) => (Followed::Teeth(wheel, pinion), Vec::new()),
+            None => binding(args, study)?,
+        };
+        let swept: Vec<&ComparedRun> = swept_runs.iter().collect();
+        let swept = by_distance(&swept, &[]);
+        let poses = curves::over_distance_pose_count(study);
+        poses::allow(&args.pair, poses as u64, &poses::HELD)?;
+        let progress = Progress::start(poses);
+        let (method, tick) = (args.method.method(), || progress.tick());
+        let curve = curves::over_distance(study, followed, method, &tick);
+        let curve = curve.map_err(|error| match (error, args.mating) {
+            (Run::Gear(reason @ GearError::NoSuchTooth { .. }), Some((wheel, pinion))) => {
+                Error::Usage(format!("--mating {wheel},{pinion}: {reason}"))
+            }
+            (error, _) => error.into(),
+        })?;
+        drop(progress);
+        let (wheel, pinion) = teeth(followed);
+        let unproven = curve.unproven + unproven(swept_runs.iter());
+        Ok(Drawn {
+            chart: chart::distance(&heading(study), &curve, &swept)?,
+            file: format!("chart_distance_{wheel}_{pinion}.svg"),
+            agrees: agreement_within(curve.polygon_difference) & all_proven(unproven),
+        })
+    }
+
+    /// One gear's deviations.
+    pub fn inspection(args: &Args, study: &Study) -> Result<Drawn, Error> {
+        let gears = study.materials.first();
+        let (_, wheel, pinion) =
+            gears.ok_or_else(|| Error::Usage("the pair file has no gears".to_owned()))?;
+        let (name, gear) = match args.gear {
+            Some(Gear::Pinion) => ("pinion", pinion),
+            Some(Gear::Wheel) | None => ("wheel", wheel),
+        };
+        let inspection = Inspection::of(gear);
+        Ok(Drawn {
+            chart: chart::inspection(&heading(study), name, &inspection)?,
+            file: format!("chart_inspection_{name}.svg"),
+            agrees: true,
+        })
+    }
+}
+
+fn heading(study: &Study) -> Heading<'_> {
+    Heading {
+        prefix: "chart",
+        title: &study.title,
+        subtitle: "",
+    }
+}
+
+fn file(name: &str, args: &Args, course: &Course) -> String {
+    let end = match args.material {
+        Some(End::Most) => "_most",
+        Some(End::Least) => "_least",
+        None => "",
+    };
+    format!("chart_{name}_a{}{end}.svg", course.center_distance)
+}
+
+/// What binds over whole revolutions and the poses of the pair file, as a report has it, and all those poses.
+fn binding(args: &Args, study: &Study) -> Result<(Followed, Vec<ComparedRun>), Error> {
+    // They only choose, and bound the curve: what is drawn as a curve is certified.
+    let method = Method::Exact { certify: false };
+    let poses = curves::with_revolution_pose_count(study)?;
+    poses::allow(&args.pair, poses as u64, &poses::HELD)?;
+    let progress = Progress::start(poses + cycle::pose_count(study)?);
+    let tick = || progress.tick();
+    let [own, mut all] = curves::with_revolution(study, method, &tick)?;
+    all.extend(own);
+    all.extend(cycle::cycle(study, method, &tick)?.extremes);
+    drop(progress);
+    let binding = curves::binding(study, all.iter());
+    let (wheel, pinion) = teeth(binding);
+    tell(&format!(
+        "note: wheel tooth {wheel} with pinion tooth {pinion}, which bind; choose with --mating"
+    ));
+    Ok((binding, all))
+}
+
+fn teeth(followed: Followed) -> (u32, u32) {
+    match followed {
+        Followed::Teeth(wheel, pinion) => (wheel, pinion),
+        Followed::Pose(mating) => (mating.wheel_tooth, mating.pinion_tooth),
+    }
+}

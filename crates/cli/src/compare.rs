@@ -1,0 +1,179 @@
+//! `gearlash compare`: the referee in a CI run.
+
+use super::console::{print, tell};
+use super::method::{MethodArgs, agreement};
+use super::progress::Progress;
+use super::studies;
+use super::target::Target;
+use gearlash::compare::tolerance_um;
+use crate::error::Error;
+use gearlash_render::{ComparedPair, comparison};
+use gearlash::simulate::pose_count;
+use gearlash_files::Sources;
+use gearlash::tally::{MOST_UNPROVEN, simulate_by_blocks};
+use clap::ValueEnum;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+/// Compare simulated with analytic backlash; exit 1 when they disagree
+///
+/// Model 3 (line of action) gates: a pose fails when |simulated − model 3| exceeds tolerance + error
+/// bound. Contact off the line of action (tip corner, fillet, root) makes a real pair tighter than the
+/// formula; that fails too, named as such, unless the pair file says allow_off_line_contact = true. So does a
+/// centre distance at which there is nothing to compare, jammed or out of mesh throughout.
+#[derive(clap::Args)]
+pub(super) struct Args {
+    /// Pair files (TOML or JSON)
+    #[arg(required = true)]
+    pairs: Vec<PathBuf>,
+    /// Tolerance of j_wt in µm [default: the pair file's, or 0.1]
+    #[arg(long, value_name = "T", allow_negative_numbers = true)]
+    tolerance_um: Option<f64>,
+    /// What to print
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+    /// Also write the outcome as a Markdown table
+    ///
+    /// With --format github it goes to the step summary ($GITHUB_STEP_SUMMARY), too.
+    #[arg(long, value_name = "FILE")]
+    markdown: Option<PathBuf>,
+    #[command(flatten)]
+    method: MethodArgs,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Format {
+    /// A line a run
+    Text,
+    /// The same, for programs
+    Json,
+    /// JUnit XML: a suite a file, a case a run
+    Junit,
+    /// GitHub annotations
+    Github,
+}
+
+/// Runs the command.
+pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
+    if let Some(tolerance) = args.tolerance_um
+        && !(tolerance >= 0.0 && tolerance.is_finite())
+    {
+        return Err(Error::Usage(format!(
+            "--tolerance-um {tolerance}: a tolerance is a number of µm, 0 or more"
+        )));
+    }
+    let slip = args
+        .tolerance_um
+        .and_then(|um| gearlash_files::tolerance_slip("--tolerance-um", um));
+    if let Some(told) = slip {
+        tell(&format!("warning: {told}"));
+    }
+    let mut studies = Vec::new();
+    let mut sources = Sources::new();
+    let mut faults = Vec::new();
+    for path in &args.pairs {
+        match studies::pair(path) {
+            Ok(pair) => {
+                sources.extend(&pair.sources);
+                studies.push((path, pair.study));
+            }
+            Err(error) => faults.push(error),
+        }
+    }
+    if !faults.is_empty() {
+        return Err(Error::Several(faults));
+    }
+    let markdown = args.markdown.clone();
+    let markdown = markdown.map(|file| Target::prepare_beside(file, &sources));
+    let markdown = markdown.transpose();
+    let markdown = markdown.map_err(|error| of_option(error, "--markdown"))?;
+    let summary = summary(args.format, &sources)?;
+    let mut poses = 0;
+    for (_, study) in &studies {
+        poses += pose_count(study)?;
+    }
+    let progress = Progress::start(poses);
+    let (mut pairs, files) = (Vec::new(), studies.len());
+    for (path, study) in studies {
+        let tolerance_um = tolerance_um(&study, args.tolerance_um);
+        let runs = simulate_by_blocks(
+            &study,
+            args.method.method(),
+            tolerance_um,
+            MOST_UNPROVEN / files,
+            &|| progress.tick(),
+            &mut |_| Ok::<(), Error>(()),
+        )?;
+        pairs.push(ComparedPair {
+            file: path.display().to_string(),
+            title: study.title,
+            tolerance_um,
+            allow_off_line: study.allow_off_line_contact,
+            runs,
+        });
+    }
+    drop(progress);
+    let unwritable =
+        |error: String| Error::Usage(format!("the outcome cannot be written: {error}"));
+    print(&match args.format {
+        Format::Text => comparison::text(&pairs),
+        Format::Json => comparison::json(&pairs).map_err(|error| unwritable(error.to_string()))?,
+        Format::Junit => {
+            comparison::junit(&pairs).map_err(|error| unwritable(error.to_string()))?
+        }
+        Format::Github => comparison::github(&pairs),
+    })?;
+    if let Some(target) = markdown {
+        let written = target.write_silently(&comparison::markdown(&pairs));
+        written.map_err(|error| of_option(error, "--markdown"))?;
+    }
+    if let Some(summary) = summary {
+        append(&summary, &comparison::markdown(&pairs))?;
+    }
+    let agree = agreement(pairs.iter().flat_map(|pair| &pair.runs));
+    Ok(if agree && pairs.iter().all(ComparedPair::passes) {
+        ExitCode::SUCCESS
+    } else {
+        ExitCode::from(1)
+    })
+}
+
+/// The same error, naming the option that chose the place.
+fn of_option(error: Error, option: &str) -> Error {
+    match error {
+        Error::Output { path, source } => Error::Usage(format!(
+            "{}: cannot be written: {source}; choose another place with {option}",
+            path.display()
+        )),
+        other => other,
+    }
+}
+
+/// The step summary, where it is to be written; never one of `sources`.
+fn summary(format: Format, sources: &Sources) -> Result<Option<PathBuf>, Error> {
+    let (Format::Github, Some(summary)) = (format, std::env::var_os("GITHUB_STEP_SUMMARY")) else {
+        return Ok(None);
+    };
+    let summary = PathBuf::from(summary);
+    match sources.named(&summary) {
+        None => Ok(Some(summary)),
+        Some(input) => Err(Error::OverInput {
+            input: input.to_path_buf(),
+            output: summary,
+        }),
+    }
+}
+
+/// Adds `text` to a step summary; what earlier steps wrote stays.
+fn append(summary: &Path, text: &str) -> Result<(), Error> {
+    let mut options = std::fs::OpenOptions::new();
+    let file = options.append(true).create(true).open(summary);
+    file.and_then(|mut file| file.write_all(text.as_bytes()))
+        .map_err(|source| {
+            Error::Usage(format!(
+                "GITHUB_STEP_SUMMARY={}: cannot be written: {source}; unset the variable, or have --markdown FILE alone",
+                summary.display()
+            ))
+        })
+}

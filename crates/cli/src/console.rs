@@ -1,0 +1,133 @@
+//! Standard output and standard error: the only file that writes to either.
+//!
+//! What does not reach standard output is an error, as a disk that is full would otherwise leave a result cut short; only a
+//! reader that has gone away (`| head`) is none. What does not reach standard error is lost: nobody is left to tell.
+
+use gearlash_files::characters::plain;
+use crate::error::Error;
+use gearlash_files::Sources;
+use std::io::{BufWriter, ErrorKind, Write};
+use std::path::Path;
+
+/// Bytes written to standard output at a time (tuned).
+const PIECE: usize = 1 << 16;
+
+/// Prints to standard output, down to the last byte.
+///
+/// # Errors
+/// [`Error::Printing`] with the system's reason.
+pub(super) fn print(text: &str) -> Result<(), Error> {
+    let mut output = std::io::stdout().lock();
+    printed(
+        output
+            .write_all(text.as_bytes())
+            .and_then(|()| output.flush()),
+    )
+}
+
+/// Standard output for what comes piece by piece, after which [`std::io::Write::flush`] is due.
+///
+/// Where a reader has gone away the rest goes nowhere: the work is done to its end, for the exit code.
+pub(super) struct Printer {
+    /// In large pieces: Rust's own standard output writes line by line.
+    output: BufWriter<std::io::Stdout>,
+    /// Whether anybody reads.
+    read: bool,
+}
+
+impl Printer {
+    pub(super) fn new() -> Printer {
+        Printer {
+            output: BufWriter::with_capacity(PIECE, std::io::stdout()),
+            read: true,
+        }
+    }
+
+    fn unless_gone<T>(
+        &mut self,
+        nothing: T,
+        write: impl FnOnce(&mut BufWriter<std::io::Stdout>) -> std::io::Result<T>,
+    ) -> std::io::Result<T> {
+        if !self.read {
+            return Ok(nothing);
+        }
+        match write(&mut self.output) {
+            Err(error) if error.kind() == ErrorKind::BrokenPipe => {
+                self.read = false;
+                Ok(nothing)
+            }
+            other => other,
+        }
+    }
+}
+
+impl Write for Printer {
+    fn write(&mut self, content: &[u8]) -> std::io::Result<usize> {
+        self.unless_gone(content.len(), |output| output.write(content))
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        self.unless_gone((), |output| output.flush())
+    }
+}
+
+/// Whether something was printed: a closed pipe is as good.
+pub(super) fn printed(result: std::io::Result<()>) -> Result<(), Error> {
+    match result {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Error::Printing(error)),
+        _ => Ok(()),
+    }
+}
+
+/// Writes a line to standard error, whatever the texts from files in it.
+pub(super) fn tell(line: &str) {
+    let text = plain(line);
+    let mut output = std::io::stderr().lock();
+    let _ = output
+        .write_all(text.as_bytes())
+        .and_then(|()| output.write_all(b"\n"));
+}
+
+/// Tells what the user should know, and what was found to be in order.
+pub(super) fn warn(file: &Path, warnings: &[String], remarks: &[String]) {
+    for (kind, list) in [("warning", warnings), ("note", remarks)] {
+        for told in list {
+            tell(&format!("{kind}: {}: {told}", file.display()));
+        }
+    }
+}
+
+/// An error where standard output or standard error is one of `sources`, as after `>> pair.toml`.
+pub(super) fn guard(sources: &Sources) -> Result<(), Error> {
+    for (name, file) in streams() {
+        let name = Path::new(name);
+        if let Some(input) = file.and_then(|file| sources.named_open(name, &file)) {
+            return Err(Error::OverInput {
+                output: name.to_path_buf(),
+                input: input.to_path_buf(),
+            });
+        }
+    }
+    Ok(())
+}
+
+#[cfg(unix)]
+fn streams() -> [(&'static str, Option<std::fs::File>); 2] {
+    use std::os::fd::AsFd;
+    let open = |stream: std::io::Result<std::os::fd::OwnedFd>| stream.ok().map(Into::into);
+    [
+        (
+            "standard output",
+            open(std::io::stdout().as_fd().try_clone_to_owned()),
+        ),
+        (
+            "standard error",
+            open(std::io::stderr().as_fd().try_clone_to_owned()),
+        ),
+    ]
+}
+
+#[cfg(not(unix))]
+fn streams() -> [(&'static str, Option<std::fs::File>); 0] {
+    []
+}

@@ -1,0 +1,32 @@
+//! What the commands that draw share: which gears and teeth.
+
+use crate::error::Error;
+use gearlash::study::{Material, Study};
+use clap::ValueEnum;
+
+/// `--material`.
+#[derive(Clone, Copy, ValueEnum)]
+pub(super) enum End {
+    Most,
+    Least,
+}
+
+/// Wheel and pinion tooth, such as `11,11`.
+pub(super) fn teeth(text: &str) -> Result<(u32, u32), String> {
+    let parsed = text.split_once(',').and_then(|(wheel, pinion)| {
+        Some((wheel.trim().parse().ok()?, pinion.trim().parse().ok()?))
+    });
+    parsed.ok_or_else(|| "two tooth numbers are needed, wheel,pinion, such as 11,11".to_owned())
+}
+
+/// The material of `study` that `--material` names.
+pub(super) fn material(end: End, study: &Study) -> Result<Material, Error> {
+    match (end, study.materials.len()) {
+        (End::Most, 2) => Ok(Material::Most),
+        (End::Least, 2) => Ok(Material::Least),
+        _ => Err(Error::Usage(
+            "--material: this pair file states one thickness a gear; leave the option out"
+                .to_owned(),
+        )),
+    }
+}

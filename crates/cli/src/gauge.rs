@@ -1,0 +1,197 @@
+//! `gearlash gauge`: measures a gear on the model as the shop does.
+
+use super::console::{print, warn};
+use super::progress::Progress;
+use super::results::{Format, ResultsArgs};
+use super::studies;
+use crate::error::Error;
+use gearlash::gauge::{Settings, gauge, pose_count};
+use gearlash::gear::AsBuilt;
+use gearlash_render::gauge::{
+    GaugedGear, charts, csv_files, json, possible_files, stem, teeth_csv, text,
+};
+use gearlash::study::Material;
+use gearlash_files::{GearEntry, GearsFile};
+use clap::ValueEnum;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// Measure a gear on the model as the shop does: span, pins, runout, pitch, thickness, roll test
+///
+/// Anvils, pins, balls, measuring circles and a perfect master gear are brought to the outline of the gear
+/// as built. Prints least, mean and greatest of each reading; --positions adds a table with a row a tooth.
+/// Writes the readings of each gear and material into DIR as CSV, a chart of each, and a gear file
+/// gauge_<gear>.toml that states them. Files that an earlier run wrote there for the same gear and material are
+/// replaced, those without a successor removed; nothing else is touched.
+#[derive(clap::Args)]
+pub(super) struct Args {
+    /// A pair file, or a gear file: `title` and one [gear] with the keys of [wheel] (TOML or JSON)
+    file: PathBuf,
+    /// Only this gear of a pair
+    #[arg(long, value_enum)]
+    gear: Option<GearName>,
+    /// Only this end of the thickness tolerance
+    #[arg(long, value_enum)]
+    material: Option<MaterialName>,
+    /// Teeth spanned [default: as the file states the thickness, else contact near mid-height]
+    #[arg(long, value_name = "K", value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    span_teeth: Option<u32>,
+    /// Diameter of the pins, mm [default: as the file states the thickness, else contact near mid-height]
+    #[arg(long, value_name = "D", value_parser = diameter, allow_negative_numbers = true)]
+    pin_mm: Option<f64>,
+    /// Diameter of the ball for the runout, mm [default: the pin's]
+    #[arg(long, value_name = "D", value_parser = diameter, allow_negative_numbers = true)]
+    ball_mm: Option<f64>,
+    /// Teeth of the master gear [default: 30, or as many as the gear's tips need]
+    #[arg(long, value_name = "Z", value_parser = clap::value_parser!(u32).range(3..=10_000))]
+    master_teeth: Option<u32>,
+    /// Poses a pitch of the roll test
+    #[arg(long, value_name = "N", default_value_t = 16, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    steps_per_pitch: u32,
+    /// Print every reading tooth by tooth, too (with --format csv that is what is printed)
+    #[arg(long)]
+    positions: bool,
+    #[command(flatten)]
+    results: ResultsArgs,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum GearName {
+    /// Gear 1
+    Wheel,
+    /// Gear 2
+    Pinion,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum MaterialName {
+    /// Teeth at their thickest
+    Most,
+    /// Teeth at their thinnest
+    Least,
+}
+
+/// A diameter in mm.
+fn diameter(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(mm) if mm > 0.0 && mm <= 1e6 => Ok(mm),
+        _ => Err("a number of mm above 0 and up to 1e6 is needed".to_owned()),
+    }
+}
+
+/// Runs the command.
+pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
+    let study = studies::gears(&args.file)?;
+    let chosen = choose(args, &study)?;
+    for (gear, _, as_built) in &chosen {
+        check_span(args, gear.name, as_built)?;
+    }
+    let own: Vec<String> = chosen
+        .iter()
+        .flat_map(|(gear, material, _)| possible_files(&stem(gear.name, *material)))
+        .collect();
+    let own = move |name: &str| own.iter().any(|own| own == name);
+    let folder = args.results.folder(&study.stem, &study.sources, own)?;
+
+    let settings = |gear: &GearEntry| Settings {
+        span_teeth: args.span_teeth.or(gear.span_teeth()),
+        pin: args.pin_mm.or(gear.pin()),
+        ball: args.ball_mm,
+        master_teeth: args.master_teeth,
+        steps_per_pitch: args.steps_per_pitch,
+    };
+    let poses = chosen.iter();
+    let poses = poses.map(|(gear, _, as_built)| pose_count(as_built, &settings(gear)));
+    let progress = Progress::start(poses.sum());
+    let mut gears = Vec::new();
+    for (gear, material, as_built) in chosen {
+        progress.now(&format!("({} {})", gear.name, material.name()));
+        let more = |poses| progress.more(poses);
+        gears.push(GaugedGear {
+            title: &study.title,
+            name: gear.name,
+            material,
+            gear: as_built,
+            echo: &gear.echo,
+            gauged: gauge(as_built, &settings(gear), &more, &|| progress.tick())?,
+        });
+    }
+    drop(progress);
+
+    let unwritable = |error: &dyn std::error::Error| {
+        Error::Usage(format!("the readings cannot be written as text: {error}"))
+    };
+    print(&match args.results.format {
+        Format::Text => text(&study.title, &gears, args.positions),
+        Format::Json => json(&study.title, &gears).map_err(|error| unwritable(&error))?,
+        Format::Csv => teeth_csv(&gears).map_err(|error| unwritable(&error))?,
+    })?;
+    if let Format::Csv = args.results.format {
+        // Blank columns say nothing; the other formats tell.
+        for gauged in &gears {
+            warn(&args.file, &gauged.missing(), &[]);
+        }
+    }
+    if let Some(folder) = folder {
+        let mut files = Vec::new();
+        for gauged in &gears {
+            files.extend(csv_files(gauged).map_err(|error| unwritable(&error))?);
+            files.extend(charts(gauged)?);
+            match gauged.gear_file() {
+                Ok(file) => files.push(file),
+                Err(reason) => warn(
+                    &args.file,
+                    &[format!("no gear file of the {}: {reason}", gauged.name)],
+                    &[],
+                ),
+            }
+        }
+        args.results.write(folder, &files)?;
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Whether the gear has the teeth to span.
+fn check_span(args: &Args, name: &str, gear: &AsBuilt) -> Result<(), Error> {
+    let z = gear.gear().basic_data().teeth();
+    match args.span_teeth {
+        Some(k) if k > z => Err(Error::Usage(format!(
+            "--span-teeth {k}: the {name} has {z} teeth, allowed is 1 … {z}; give fewer, or choose the other gear with --gear"
+        ))),
+        _ => Ok(()),
+    }
+}
+
+/// The gears and materials asked for, in the order of the file.
+fn choose<'a>(
+    args: &Args,
+    study: &'a GearsFile,
+) -> Result<Vec<(&'a GearEntry, Material, &'a AsBuilt)>, Error> {
+    let name = args.gear.map(|gear| match gear {
+        GearName::Wheel => "wheel",
+        GearName::Pinion => "pinion",
+    });
+    let material = args.material.map(|material| match material {
+        MaterialName::Most => Material::Most,
+        MaterialName::Least => Material::Least,
+    });
+    let mut chosen = Vec::new();
+    for gear in &study.gears {
+        if name.is_some_and(|name| name != gear.name) {
+            continue;
+        }
+        for (of, as_built) in &gear.materials {
+            // A single thickness is both ends of its tolerance.
+            if material.is_none_or(|material| *of == material || *of == Material::AsMeasured) {
+                chosen.push((gear, *of, as_built));
+            }
+        }
+    }
+    match (chosen.is_empty(), name) {
+        (true, Some(name)) => Err(Error::Usage(format!(
+            "--gear {name}: {} has one gear only; leave --gear out",
+            args.file.display()
+        ))),
+        _ => Ok(chosen),
+    }
+}

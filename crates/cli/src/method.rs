@@ -1,0 +1,142 @@
+//! `--method` and `--no-certify`: what several commands share.
+
+use super::console::tell;
+use gearlash::compare::ComparedRun;
+use gearlash::mesh::Method;
+use gearlash::tally::RunTally;
+use clap::ValueEnum;
+
+/// Largest difference between the two methods that passes, mm: 1e-6 µm, a picometre.
+const AGREEMENT: f64 = 1e-9;
+
+#[derive(clap::Args)]
+pub(super) struct MethodArgs {
+    /// How lost motion is found
+    #[arg(long, value_enum, default_value_t = Name::Exact)]
+    method: Name,
+    /// Leave out the check of each exact result by polygons
+    #[arg(long)]
+    no_certify: bool,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Name {
+    /// On the smooth curves, each result checked by polygons
+    Exact,
+    /// On polygons cut ever finer round each contact: the referee, slower
+    Polygon,
+    /// By both: prints the largest difference, exit 1 above 1e-6 µm
+    Both,
+}
+
+impl MethodArgs {
+    /// The method asked for.
+    pub fn method(&self) -> Method {
+        match self.method {
+            Name::Exact => Method::Exact {
+                certify: !self.no_certify,
+            },
+            Name::Polygon => Method::Polygon,
+            Name::Both => Method::Both,
+        }
+    }
+}
+
+/// Says on standard error how far both methods lie apart, where both were asked for, and how many poses are not proven;
+/// whether both pass.
+pub(super) fn agreement<'a>(runs: impl IntoIterator<Item = &'a RunTally> + Clone) -> bool {
+    let differences = runs.clone().into_iter().map(|run| run.polygon_difference);
+    let agree = agreement_within(differences.flatten().reduce(f64::max));
+    agree & all_proven(runs.into_iter().map(|run| run.unproven).sum())
+}
+
+/// The same of runs whose poses are all there.
+pub(super) fn whole_agreement(runs: &[ComparedRun]) -> bool {
+    let agree = agreement_within(largest_difference(runs));
+    agree & all_proven(unproven(runs))
+}
+
+/// How many poses of `runs` are not proven, or not at an end of the bearing clearance.
+pub(super) fn unproven<'a>(runs: impl IntoIterator<Item = &'a ComparedRun>) -> usize {
+    let runs = runs.into_iter();
+    runs.map(|run| run.unproven().count()).sum()
+}
+
+/// Says on standard error how many poses are not proven, if any; whether all are.
+pub(super) fn all_proven(unproven: usize) -> bool {
+    match unproven {
+        0 => return true,
+        1 => tell("warning: 1 pose is UNPROVEN; the result tells which and why"),
+        poses => tell(&format!(
+            "warning: {poses} poses are UNPROVEN; the result tells which and why"
+        )),
+    }
+    false
+}
+
+/// The largest difference of the two methods over `runs`, mm; `None` where only one was asked for.
+pub(super) fn largest_difference<'a>(
+    runs: impl IntoIterator<Item = &'a ComparedRun>,
+) -> Option<f64> {
+    let poses = runs.into_iter().flat_map(|run| &run.poses);
+    let differences = poses.filter_map(|pose| pose.swept.polygon_difference);
+    differences.map(f64::abs).reduce(f64::max)
+}
+
+/// The same of the largest difference, mm; `None` where one method alone was asked for.
+pub(super) fn agreement_within(largest: Option<f64>) -> bool {
+    let Some(largest) = largest else {
+        return true;
+    };
+    let passes = largest <= AGREEMENT;
+    let verdict = if passes { "agree" } else { "DISAGREE" };
+    tell(&format!(
+        "exact and polygon method {verdict}: largest difference {:.2e} µm of j_wt (allowed 1e-6)",
+        largest * 1e3
+    ));
+    passes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use gearlash::compare::compare;
+    use gearlash_files;
+    use gearlash::mesh::{CutPair, sweep};
+    use gearlash::pair::Member;
+    use gearlash::simulate::Run;
+    use std::ops::ControlFlow;
+    use std::path::Path;
+
+    /// The rig pair, its polygons cut from gears of another pair file: no certificate can hold.
+    #[test]
+    fn an_unproven_pose_does_not_pass() {
+        let read = |file: &str| {
+            let fixtures = Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures");
+            let study = gearlash_files::read(&fixtures.join(file)).unwrap();
+            study.runs().unwrap().remove(0)
+        };
+        let (plan, other) = (read("karba_44x44.toml"), read("karba_86x21.toml"));
+        let cut_of = |assembly: &gearlash::pair::GearPair| {
+            CutPair::for_certificates(assembly.gear(Member::Wheel), assembly.gear(Member::Pinion))
+        };
+        let compared = |cut: &CutPair| {
+            let method = Method::Exact { certify: true };
+            let matings = &plan.matings[..1];
+            let poses = sweep(&plan.assembly, cut, method, matings, 0.0, &|| {
+                ControlFlow::Continue(())
+            });
+            let run = Run {
+                material: plan.material,
+                assembly: plan.assembly.clone(),
+                phase: None,
+                poses: poses.unwrap(),
+            };
+            compare(vec![run], 0.1)
+        };
+        assert!(whole_agreement(&compared(&cut_of(&plan.assembly))));
+        let runs = compared(&cut_of(&other.assembly));
+        assert_eq!(unproven(&runs), 1);
+        assert!(!whole_agreement(&runs));
+    }
+}

@@ -1,0 +1,68 @@
+//! How many poses a command takes, stated in poses and bytes before it begins.
+
+use super::console::tell;
+use crate::error::Error;
+use gearlash_files::{InputError, Problem};
+use gearlash::study::{MOST_POSES, POSE_BYTES_CSV, POSE_BYTES_JSON, size};
+use std::path::Path;
+
+/// What bounds the poses of a command.
+pub(super) struct Bound {
+    /// Poses allowed.
+    most: u64,
+    /// Bytes each takes, and of what.
+    bytes: u64,
+    of: &'static str,
+    help: &'static str,
+}
+
+/// Poses are written and forgotten: what they take is on the disk.
+pub(super) const STREAMED: Bound = Bound {
+    most: MOST_POSES,
+    bytes: POSE_BYTES_JSON + POSE_BYTES_CSV,
+    of: "result",
+    help: "take fewer steps_per_pitch or fractions, or fewer centre distances at a time",
+};
+
+/// Poses are held until the command ends, contacts and formulas included: what they take is memory.
+pub(super) const HELD: Bound = Bound {
+    most: 2_000_000,
+    bytes: 1000,
+    of: "memory",
+    help: "take fewer steps_per_pitch, fractions or centre distances in a file for this command; simulate and compare go up to 10 million poses",
+};
+
+/// An error where `poses`, which `file` asks for, are more than `bound` allows.
+pub(super) fn allow(file: &Path, poses: u64, bound: &Bound) -> Result<(), Error> {
+    if poses <= bound.most {
+        return Ok(());
+    }
+    let Bound {
+        most, bytes, of, ..
+    } = bound;
+    Err(Error::Input(InputError {
+        file: file.to_path_buf(),
+        problems: vec![Problem {
+            key: "sweep".to_owned(),
+            value: None,
+            reason: format!(
+                "{poses} poses over all centre distances and materials, about {} of {of}; allowed here are up to {} million, {}",
+                size(poses.saturating_mul(*bytes)),
+                most / 1_000_000,
+                size(most * bytes),
+            ),
+            help: bound.help.to_owned(),
+        }],
+    }))
+}
+
+/// Poses from which on their number and size are told (tuned: gigabytes, and minutes of work).
+const MANY: u64 = 1_000_000;
+
+/// Tells how much `poses` will write, where that is much: so many `bytes` each.
+pub(super) fn announce(poses: u64, bytes: u64) {
+    if poses >= MANY {
+        let bytes = size(poses.saturating_mul(bytes));
+        tell(&format!("note: {poses} poses, about {bytes} of result"));
+    }
+}

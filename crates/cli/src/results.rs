@@ -1,0 +1,67 @@
+//! What a command prints of its results, and the folder that takes all of them.
+
+use super::console::print;
+use gearlash_files::characters::plain;
+use crate::error::Error;
+use crate::output::OutputFolder;
+use gearlash_files::Sources;
+use clap::ValueEnum;
+use std::path::{Path, PathBuf};
+
+#[derive(clap::Args)]
+pub(super) struct ResultsArgs {
+    /// What to print; with json or csv nothing else is printed, and nothing written without -o
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub(super) format: Format,
+    /// Folder for results and pictures [default: out/<file stem>]
+    #[arg(short, long, value_name = "DIR")]
+    output: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+pub(super) enum Format {
+    /// A readable table
+    Text,
+    /// The whole result
+    Json,
+    /// One table: a row a pose, or a tooth
+    Csv,
+}
+
+impl ResultsArgs {
+    /// Where the files go, tried before the work begins; `None`: nothing is written. `own` are the names of the command's files,
+    /// which replace those of an earlier run; never one of `sources`.
+    ///
+    /// # Errors
+    /// As [`OutputFolder::prepare`].
+    pub(super) fn folder(
+        &self,
+        stem: &str,
+        sources: &Sources,
+        own: impl Fn(&str) -> bool + 'static,
+    ) -> Result<Option<OutputFolder>, Error> {
+        let path = match (&self.output, self.format) {
+            (Some(folder), _) => folder.clone(),
+            (None, Format::Text) => Path::new("out").join(stem),
+            (None, Format::Json | Format::Csv) => return Ok(None),
+        };
+        OutputFolder::prepare(&path, sources, own).map(Some)
+    }
+
+    /// Writes `files`, beside those begun already, and, after a table, says where they are.
+    ///
+    /// # Errors
+    /// As [`OutputFolder::write`].
+    pub(super) fn write(
+        &self,
+        folder: OutputFolder,
+        files: &[(String, String)],
+    ) -> Result<(), Error> {
+        let (path, files) = folder.write(files)?;
+        let path = plain(&path.display().to_string());
+        match self.format {
+            Format::Text => print(&format!("\n{files} files in {path}\n")),
+            Format::Json | Format::Csv => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,36 @@
+//! `gearlash schema`: what an editor needs to complete and check pair and gear files.
+
+use super::console::print;
+use crate::error::Error;
+use gearlash_files::{PAIR_SCHEMA, gear_schema};
+use clap::ValueEnum;
+use std::process::ExitCode;
+
+/// Print the JSON Schema of a pair file or a gear file, for editors
+///
+/// Draft 07. With Taplo (Even Better TOML) write `#:schema ./gearlash.schema.json` into the first line of
+/// a pair file, and `gearlash schema > gearlash.schema.json` beside it. The program checks more than a
+/// schema can say.
+#[derive(clap::Args)]
+pub(super) struct Args {
+    /// Of which files
+    #[arg(value_enum, default_value = "pair")]
+    files: Files,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Files {
+    /// Two gears and their assembly
+    Pair,
+    /// A title and one [gear], for gearlash gauge
+    Gear,
+}
+
+/// Runs the command.
+pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
+    match args.files {
+        Files::Pair => print(PAIR_SCHEMA)?,
+        Files::Gear => print(&format!("{:#}\n", gear_schema()))?,
+    }
+    Ok(ExitCode::SUCCESS)
+}

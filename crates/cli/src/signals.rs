@@ -1,0 +1,74 @@
+//! Ctrl-C, and being told to end.
+//!
+//! A thread of its own waits for the signal: it takes away what is unfinished and ends the process, whatever the others
+//! are busy with. Results that are just being put in their place come to their end first, a matter of
+//! milliseconds; a second signal does not wait for that either.
+
+use super::console::tell;
+use super::progress;
+use crate::error::Error;
+use crate::output;
+
+/// From here on a signal ends the process tidily, with 128 + its number as shells count.
+pub(super) fn handle() {
+    // Without a handler the system ends the process, untidily: no reason not to begin.
+    let _ = install();
+}
+
+fn end(code: i32) -> ! {
+    progress::clear();
+    let ended = output::abandon();
+    tell(&match ended.written() {
+        false => format!("error: {}", Error::INTERRUPTED),
+        true => "error: interrupted; what had been written before is complete".to_owned(),
+    });
+    // With the hold on what is unfinished: no other thread writes any more.
+    std::process::exit(code)
+}
+
+#[cfg(unix)]
+fn install() -> std::io::Result<()> {
+    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
+    use signal_hook::flag;
+    use signal_hook::iterator::Signals;
+    use std::sync::Arc;
+    use std::sync::atomic::AtomicBool;
+
+    let mut heard = vec![SIGINT, SIGTERM];
+    // Ignored from the start, as under nohup, it stays so. (SIGINT does not: a script that starts a job beside itself has
+    // it ignored there, and may yet send one.)
+    if !ignored(SIGHUP) {
+        heard.push(SIGHUP);
+    }
+    let mut signals = Signals::new(&heard)?;
+    let second = Arc::new(AtomicBool::new(false));
+    for &signal in &heard {
+        // In this order: the first signal finds the flag unset and sets it.
+        flag::register_conditional_shutdown(signal, 128 + signal, Arc::clone(&second))?;
+        flag::register(signal, Arc::clone(&second))?;
+    }
+    let wait = move || {
+        if let Some(signal) = signals.forever().next() {
+            end(128 + signal);
+        }
+    };
+    std::thread::Builder::new()
+        .name("signals".to_owned())
+        .spawn(wait)?;
+    Ok(())
+}
+
+/// Whether this process was started to ignore `signal`; no where the system does not say.
+#[cfg(unix)]
+fn ignored(signal: i32) -> bool {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let mut lines = status.lines();
+    let mask = lines.find_map(|line| line.strip_prefix("SigIgn:"));
+    let mask = mask.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok());
+    mask.is_some_and(|mask| mask & 1 << (signal - 1) != 0)
+}
+
+#[cfg(not(unix))]
+fn install() -> Result<(), ctrlc::Error> {
+    ctrlc::set_handler(|| end(130))
+}

@@ -1,0 +1,196 @@
+//! `gearlash simulate`: the main job.
+
+use super::console::{Printer, print};
+use super::distances::{self, Distances};
+use super::method::{MethodArgs, agreement};
+use super::progress::Progress;
+use super::results::{Format, ResultsArgs};
+use super::{poses, studies};
+use crate::error::Error;
+use gearlash::measured::MeasuredTally;
+use crate::output::{NewFile, OutputFolder};
+use gearlash_files::ResultWriter;
+use gearlash_render::Snapshot;
+use gearlash::simulate::pose_count;
+use gearlash::study::{POSE_BYTES_CSV, POSE_BYTES_JSON, Study};
+use gearlash::tally::{MOST_UNPROVEN, Piece, RunTally, simulate_by_blocks};
+use std::io::{IsTerminal, Write};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// Find the lost motion at every pose a pair file asks for
+///
+/// Prints a table and writes DIR/result.json, DIR/result.csv and, for each run (a centre distance and a
+/// material), snapshots of the pose with the least (…_min.svg) and with the greatest backlash (…_max.svg).
+/// Up to 10 million poses, which take 25 GB of result; from a million on their size is told beforehand. With --format
+/// json or csv and no -o the result is printed as it grows: only exit code 0 or 1 says that it is whole.
+#[derive(clap::Args)]
+pub(super) struct Args {
+    /// The pair file (TOML or JSON)
+    pair: PathBuf,
+    /// Other centre distances than the pair file's, mm: one, or a scan FROM..TO:STEP
+    #[arg(long, value_name = "A", value_parser = distances::parse, allow_hyphen_values = true)]
+    center_distance: Option<Distances>,
+    #[command(flatten)]
+    results: ResultsArgs,
+    #[command(flatten)]
+    method: MethodArgs,
+}
+
+/// Runs the command.
+pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
+    let mut file = studies::pair(&args.pair)?;
+    if let Some(Distances(distances)) = &args.center_distance {
+        let moved = file.at(distances.clone());
+        file = moved.map_err(|reason| Error::Usage(format!("--center-distance: {reason}")))?;
+    }
+    let study = &file.study;
+    poses::allow(&args.pair, study.pose_count(), &poses::STREAMED)?;
+    // Before the simulation, not after it.
+    let mut folder = args.results.folder(&file.stem, &file.sources, is_own)?;
+    let printed = folder.is_none();
+    let bytes = match args.results.format {
+        _ if !printed => POSE_BYTES_JSON + POSE_BYTES_CSV,
+        Format::Csv => POSE_BYTES_CSV,
+        Format::Json | Format::Text => POSE_BYTES_JSON,
+    };
+    poses::announce(study.pose_count(), bytes);
+
+    let progress = match printed && std::io::stdout().is_terminal() {
+        // The result appears there as it grows.
+        true => Progress::none(),
+        false => Progress::start(pose_count(study)?),
+    };
+    let [json, csv] = outputs(args.results.format, folder.as_mut())?;
+    let mut writer = ResultWriter::begin(&file, json, csv).map_err(unwritable)?;
+    let mut measured = MeasuredTally::new(study);
+    let (method, tick) = (args.method.method(), || progress.tick());
+    let each = &mut |piece: Piece| {
+        match piece {
+            Piece::Begin(run) => measured.begin(run.assembly.center_distance(), run.material),
+            Piece::Poses(_, poses) => measured.add(poses),
+            Piece::End(_) => {}
+        }
+        writer.take(piece).map_err(unwritable)
+    };
+    let tolerance = study.tolerance_um;
+    let runs = simulate_by_blocks(study, method, tolerance, MOST_UNPROVEN, &tick, each)?;
+    writer.finish().map_err(unwritable)?;
+    drop(progress);
+
+    match (args.results.format, &mut folder) {
+        (Format::Text, _) => {
+            let measured = measured.matings(study);
+            print(&gearlash_render::simulation_table(study, &runs, &measured))?;
+        }
+        (Format::Json, Some(folder)) => print_file(folder, JSON)?,
+        (Format::Csv, Some(folder)) => print_file(folder, CSV)?,
+        // Printed already.
+        (Format::Json | Format::Csv, None) => {}
+    }
+    if let Some(mut folder) = folder {
+        snapshots(study, &runs, &mut folder)?;
+        args.results.write(folder, &[])?;
+    }
+    Ok(match agreement(&runs) {
+        true => ExitCode::SUCCESS,
+        false => ExitCode::from(1),
+    })
+}
+
+const JSON: &str = "result.json";
+const CSV: &str = "result.csv";
+
+/// Where JSON and CSV go: both into the folder, or one to standard output where there is none.
+fn outputs(
+    format: Format,
+    folder: Option<&mut OutputFolder>,
+) -> Result<[Option<Box<dyn Write>>; 2], Error> {
+    let Some(folder) = folder else {
+        let printed = |of: Format| {
+            let wanted = (format == of).then(Printer::new);
+            wanted.map(|printer| Box::new(printer) as Box<dyn Write>)
+        };
+        return Ok([Format::Json, Format::Csv].map(printed));
+    };
+    let mut file = |name| -> Result<Option<Box<dyn Write>>, Error> {
+        let output = InFolder {
+            file: folder.create(name)?,
+            failed: Box::new(folder.failed(name)),
+        };
+        Ok(Some(Box::new(output)))
+    };
+    Ok([file(JSON)?, file(CSV)?])
+}
+
+/// A file of the folder, its errors naming it.
+struct InFolder {
+    file: NewFile,
+    failed: Box<dyn Fn(std::io::Error) -> Error>,
+}
+
+impl Write for InFolder {
+    fn write(&mut self, content: &[u8]) -> std::io::Result<usize> {
+        let written = self.file.write(content);
+        written.map_err(|error| std::io::Error::other((self.failed)(error)))
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        let flushed = self.file.flush();
+        flushed.map_err(|error| std::io::Error::other((self.failed)(error)))
+    }
+}
+
+/// The error of a file in the folder, or of standard output.
+fn unwritable(error: std::io::Error) -> Error {
+    error.downcast().unwrap_or_else(Error::Printing)
+}
+
+/// Prints a file of the folder that nobody sees yet.
+fn print_file(folder: &mut OutputFolder, name: &str) -> Result<(), Error> {
+    let mut file = folder.open(name)?;
+    let mut printer = Printer::new();
+    std::io::copy(&mut file, &mut printer)
+        .and_then(|_| printer.flush())
+        .map_err(Error::Printing)
+}
+
+/// Whether a run of this command may write a file called `name`.
+fn is_own(name: &str) -> bool {
+    let picture = |name: &str| {
+        let ending = name
+            .strip_suffix("_min.svg")
+            .or(name.strip_suffix("_max.svg"));
+        let run = ending.and_then(|run| run.strip_prefix('a'));
+        run.is_some_and(|run| run.starts_with(|c: char| c.is_ascii_digit()) && run.contains('_'))
+    };
+    matches!(name, "result.json" | "result.csv") || picture(name)
+}
+
+/// Snapshots of each run's least and greatest pose, into `folder`.
+fn snapshots(study: &Study, runs: &[RunTally], folder: &mut OutputFolder) -> Result<(), Error> {
+    for run in runs {
+        let Some((least, greatest)) = run.extremes() else {
+            continue;
+        };
+        let phase = run.phase.map_or(String::new(), |(wheel, pinion)| {
+            format!("_phase{wheel}-{pinion}")
+        });
+        for (which, pose) in [("min", least), ("max", greatest)] {
+            let name = format!(
+                "a{}_{}{phase}_{which}.svg",
+                run.assembly.center_distance(),
+                run.material.name()
+            );
+            let picture = gearlash_render::snapshot(&Snapshot {
+                title: &study.title,
+                assembly: &run.assembly,
+                pose: &pose.swept.pose,
+                material: run.material.name(),
+                found: pose.swept.found.as_ref(),
+            });
+            folder.add(&name, &picture)?;
+        }
+    }
+    Ok(())
+}

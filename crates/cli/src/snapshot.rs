@@ -1,0 +1,237 @@
+//! `gearlash snapshot`: one contact as a picture.
+
+use super::console::tell;
+use super::distances;
+use super::drawing::{End, material, teeth};
+use super::method::all_proven;
+use super::pictures::{exaggeration, pitch};
+use super::target::Target;
+use super::{studies, worst};
+use crate::error::Error;
+use gearlash_files::PairFile;
+use gearlash::gear::Side;
+use gearlash::mesh::{CutPair, LostMotion, Method, Unproven, sweep};
+use gearlash::pair::{GearPair, Mating, Member, Pose};
+use gearlash_render::Snapshot;
+use gearlash::study::{Material, Study};
+use clap::ValueEnum;
+use std::ops::ControlFlow;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// Draw the contact at one pose as SVG
+///
+/// True to scale: both outlines in the mesh, pitch and base circles, line and path of contact, both
+/// contacts with their normals, the gap or overlap, and an enlarged inset of each contact.
+#[derive(clap::Args)]
+pub(super) struct Args {
+    /// The pair file (TOML or JSON)
+    pair: PathBuf,
+    /// Wheel tooth and pinion tooth that mate, such as 11,11
+    #[arg(long, value_name = "W,P", value_parser = teeth)]
+    mating: Option<(u32, u32)>,
+    /// Flank, seen from the front, that passes through the operating pitch point
+    #[arg(long, value_enum)]
+    flank: Option<Flank>,
+    /// The pose with the least backlash of all the pair file asks for, instead of --mating and --flank
+    #[arg(long, conflicts_with_all = ["mating", "flank", "fraction"])]
+    worst: bool,
+    /// Pitches beyond that pose
+    #[arg(
+        long,
+        value_name = "F",
+        default_value_t = 0.0,
+        allow_negative_numbers = true
+    )]
+    fraction: f64,
+    /// Centre distance in mm [default: the first of the pair file; with --worst all]
+    #[arg(long, value_name = "A", value_parser = distances::one, allow_hyphen_values = true)]
+    center_distance: Option<f64>,
+    /// Which end of the thickness tolerances [default: most, where there are two; with --worst both]
+    #[arg(long, value_enum)]
+    material: Option<End>,
+    /// Draw the deviations (thickness, pitch, eccentricity) this many times as large, before perfect teeth
+    #[arg(long, value_name = "FACTOR", allow_negative_numbers = true)]
+    exaggerate: Option<f64>,
+    /// Turn the gears through a pitch from this pose on, in contact: an animated SVG for a browser
+    #[arg(long, conflicts_with = "exaggerate")]
+    animate: bool,
+    /// The picture [default: out/<file stem>/snapshot_….svg or worst_….svg]; - for standard output
+    #[arg(short, long, value_name = "FILE.svg")]
+    output: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Flank {
+    Right,
+    Left,
+}
+
+/// Runs the command.
+pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
+    let PairFile {
+        study,
+        stem,
+        sources,
+        ..
+    } = studies::pair(&args.pair)?;
+    let title = study.title.clone();
+    let given = args.output.clone();
+    let given = given.map(|file| Target::prepare_beside(file, &sources));
+    let given = given.transpose()?;
+    let subject = subject(args, study)?;
+    let view = Snapshot {
+        title: &title,
+        assembly: &subject.assembly,
+        pose: &subject.pose,
+        material: subject.material.name(),
+        found: subject.found.as_ref(),
+    };
+    let mut unproven = subject.unproven;
+    let picture = match args.exaggerate {
+        None if args.animate => {
+            let steps = pitch(&subject.assembly, &subject.pose)?;
+            unproven += steps.iter().filter(|step| step.is_unproven()).count();
+            gearlash_render::animation(&view, &steps)
+        }
+        None => gearlash_render::snapshot(&view),
+        Some(factor) => gearlash_render::exaggerated(&view, &exaggeration(&subject.assembly, factor)?),
+    };
+    let target = match given {
+        Some(target) => target,
+        None => Target::prepare(
+            PathBuf::from("out").join(stem).join(&subject.file),
+            &sources,
+        )?,
+    };
+    target.write(&picture)?;
+    Ok(match all_proven(unproven) {
+        true => ExitCode::SUCCESS,
+        false => ExitCode::from(1),
+    })
+}
+
+/// What is drawn, and the name of its file.
+struct Subject {
+    material: Material,
+    assembly: GearPair,
+    pose: Pose,
+    found: Result<LostMotion, Unproven>,
+    /// Poses that are not proven: this one, or those that the worst was looked for among.
+    unproven: usize,
+    file: String,
+}
+
+/// The pose asked for, or the worst.
+fn subject(args: &Args, study: Study) -> Result<Subject, Error> {
+    if args.worst {
+        let material = args.material.map(|end| material(end, &study)).transpose()?;
+        let (run, pose, unproven) = worst::find(study, args.center_distance, material)?;
+        let (distance, end) = (run.assembly.center_distance(), run.material.name());
+        return Ok(Subject {
+            file: format!("worst_a{distance}_{end}.svg"),
+            material: run.material,
+            assembly: run.assembly,
+            pose: pose.pose,
+            found: pose.found,
+            unproven,
+        });
+    }
+    let (Some(teeth), Some(flank)) = (args.mating, args.flank) else {
+        return Err(Error::Usage(
+            "which pose? give --mating W,P and --flank right|left, or --worst".to_owned(),
+        ));
+    };
+    let (material, assembly) = assembly(args, &study)?;
+    let flank = match flank {
+        Flank::Right => Side::Right,
+        Flank::Left => Side::Left,
+    };
+    let mating = mating(teeth, args.fraction, &assembly, flank)?;
+    let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|member| assembly.gear(member));
+    let cut = CutPair::for_certificates(wheel, pinion);
+    let method = Method::Exact { certify: true };
+    let swept = sweep(&assembly, &cut, method, &[mating], 0.0, &|| {
+        ControlFlow::Continue(())
+    })?;
+    let Some(swept) = swept.into_iter().next() else {
+        // One mating makes one pose.
+        return Err(Error::Usage("no pose to draw".to_owned()));
+    };
+    Ok(Subject {
+        file: format!(
+            "snapshot_{}_{}_{}_a{}_{}.svg",
+            mating.wheel_tooth,
+            mating.pinion_tooth,
+            flank.name(),
+            assembly.center_distance(),
+            material.name()
+        ),
+        material,
+        assembly,
+        pose: swept.pose,
+        unproven: usize::from(swept.is_unproven()),
+        found: swept.found,
+    })
+}
+
+/// The gears at the material and centre distance asked for.
+fn assembly(args: &Args, study: &Study) -> Result<(Material, GearPair), Error> {
+    let wanted = match args.material {
+        Some(end) => material(end, study)?,
+        None if study.materials.len() == 1 => Material::AsMeasured,
+        None => Material::Most,
+    };
+    let first = study.center_distances.first().copied();
+    let Some(distance) = args.center_distance.or(first) else {
+        return Err(Error::Usage(
+            "--center-distance: the pair file has none; give one".to_owned(),
+        ));
+    };
+    if args.center_distance.is_none() && study.center_distances.len() > 1 {
+        tell(&format!(
+            "note: at centre distance {distance} mm, the first of {}; choose with --center-distance",
+            study.center_distances.len()
+        ));
+    }
+    let gears = study
+        .materials
+        .iter()
+        .find(|(material, ..)| *material == wanted);
+    let Some((material, wheel, pinion)) = gears else {
+        return Err(Error::Usage(
+            "--material: the pair file has no such material".to_owned(),
+        ));
+    };
+    GearPair::new(wheel.clone(), pinion.clone(), distance, study.locked)
+        .map(|assembly| (*material, assembly))
+        .map_err(|reason| Error::Usage(format!("--center-distance {distance}: {reason}")))
+}
+
+fn mating(
+    (wheel_tooth, pinion_tooth): (u32, u32),
+    fraction: f64,
+    assembly: &GearPair,
+    flank: Side,
+) -> Result<Mating, Error> {
+    for (member, tooth) in [(Member::Wheel, wheel_tooth), (Member::Pinion, pinion_tooth)] {
+        let teeth = assembly.gear(member).gear().basic_data().teeth();
+        if !(1..=teeth).contains(&tooth) {
+            return Err(Error::Usage(format!(
+                "--mating {wheel_tooth},{pinion_tooth}: the {} has teeth 1 … {teeth}, not {tooth}",
+                member.name()
+            )));
+        }
+    }
+    if !(fraction.abs() <= 1000.0) {
+        return Err(Error::Usage(format!(
+            "--fraction {fraction}: a number of pitches between -1000 and 1000"
+        )));
+    }
+    Ok(Mating {
+        wheel_tooth,
+        pinion_tooth,
+        flank,
+        fraction,
+    })
+}

@@ -1,0 +1,71 @@
+//! Where one file goes: `-o FILE`, or `-` for standard output.
+
+use super::console::print;
+use gearlash_files::characters::plain;
+use crate::error::Error;
+use crate::output::OutputFile;
+use gearlash_files::Sources;
+use std::path::{Path, PathBuf};
+
+/// A place for one file, tried before the work begins.
+pub(super) struct Target {
+    path: PathBuf,
+    /// `None`: standard output.
+    place: Option<OutputFile>,
+}
+
+/// Endings of what gearlash reads: pair files and tables.
+const READ: [&str; 7] = ["toml", "json", "csv", "tsv", "xlsx", "xlsm", "xls"];
+
+impl Target {
+    /// As [`Target::prepare`], for a page, a picture or Markdown: never in the place of a pair file or table, read or not.
+    ///
+    /// # Errors
+    /// [`Error::Usage`] for these places; else as [`Target::prepare`].
+    pub(super) fn prepare_beside(path: PathBuf, sources: &Sources) -> Result<Target, Error> {
+        let ending = path.extension().map(|ending| ending.to_ascii_lowercase());
+        if ending.is_some_and(|ending| READ.iter().any(|read| ending == *read)) {
+            return Err(Error::Usage(format!(
+                "{}: this is the place of a pair file or a table, which would be lost; name another file",
+                path.display()
+            )));
+        }
+        Target::prepare(path, sources)
+    }
+
+    /// Makes the folder of `path` where it is missing and tries to write in it; never in the place of one of `sources`.
+    ///
+    /// # Errors
+    /// As [`OutputFile::prepare`].
+    pub(super) fn prepare(path: PathBuf, sources: &Sources) -> Result<Target, Error> {
+        let place = match path == Path::new("-") {
+            true => None,
+            false => Some(OutputFile::prepare(&path, sources)?),
+        };
+        Ok(Target { path, place })
+    }
+
+    /// Writes `content` in one piece and prints where it is.
+    ///
+    /// # Errors
+    /// [`Error::Output`]; what was there stays. [`Error::Printing`].
+    pub(super) fn write(self, content: &str) -> Result<(), Error> {
+        let shown = match self.place {
+            Some(_) => format!("{}\n", plain(&self.path.display().to_string())),
+            None => String::new(),
+        };
+        self.write_silently(content)?;
+        print(&shown)
+    }
+
+    /// The same, for a command whose standard output is its outcome.
+    ///
+    /// # Errors
+    /// As [`Target::write`].
+    pub(super) fn write_silently(self, content: &str) -> Result<(), Error> {
+        match self.place {
+            None => print(content),
+            Some(file) => file.write(content),
+        }
+    }
+}

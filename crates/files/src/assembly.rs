@@ -1,0 +1,222 @@
+//! `[assembly]`: how the two gears are put together.
+
+use super::entry::{Entry, Limits};
+use super::gear::GearPart;
+use super::node::Node;
+use super::problems::Problems;
+use super::table::Table;
+use gearlash::error::GearError;
+use gearlash::pair::Member;
+use serde_json::{Value, json};
+use std::collections::HashSet;
+
+pub const KEYS: &[&str] = &["center_distance_mm", "locked", "bearing_clearance_mm"];
+const MEMBERS: [(&str, Member); 2] = [("wheel", Member::Wheel), ("pinion", Member::Pinion)];
+
+/// Twenty times the largest pair there can be; beyond, squares of lengths would lose the gears.
+const DISTANCE: Limits = Limits {
+    allowed: "a number of mm above 0 and up to 1e9",
+    holds: |mm| mm > 0.0 && mm <= 1e9,
+    help: "give the distance between the two axes in mm",
+};
+const CLEARANCE: Limits = Limits {
+    allowed: "a number of mm, 0 or more",
+    holds: |mm| mm >= 0.0,
+    help: "give the radial play of the gear on its axis, 0 for none",
+};
+
+/// Each is a run that holds both gears.
+pub const MOST_DISTANCES: usize = 10_000;
+
+/// Radial clearance of each gear's bearing, mm.
+#[derive(Debug, Clone, Copy)]
+pub struct Bearings {
+    wheel: f64,
+    pinion: f64,
+}
+
+impl Bearings {
+    /// `c`: both together.
+    pub fn sum(&self) -> f64 {
+        self.wheel + self.pinion
+    }
+
+    /// The wheel's.
+    pub fn wheel(&self) -> f64 {
+        self.wheel
+    }
+
+    /// The pinion's.
+    pub fn pinion(&self) -> f64 {
+        self.pinion
+    }
+
+    fn read(table: &Table, problems: &mut Problems) -> Option<Bearings> {
+        let Some(entry) = table.optional("bearing_clearance_mm")? else {
+            return Some(Bearings {
+                wheel: 0.0,
+                pinion: 0.0,
+            });
+        };
+        match entry.node() {
+            Node::Table(_) => {
+                let each = table.table("bearing_clearance_mm", &["wheel", "pinion"], problems)?;
+                let wheel = each.number("wheel", &CLEARANCE, problems);
+                let pinion = each.number("pinion", &CLEARANCE, problems);
+                Some(Bearings {
+                    wheel: wheel?,
+                    pinion: pinion?,
+                })
+            }
+            Node::Whole(_) | Node::Number(_) => {
+                let both = problems.keep(entry.number(&CLEARANCE))?;
+                Some(Bearings {
+                    wheel: both,
+                    pinion: both,
+                })
+            }
+            _ => {
+                let allowed = format!("{}, or {{ wheel = …, pinion = … }}", CLEARANCE.allowed);
+                problems.add(entry.wrong_type(&allowed, CLEARANCE.help));
+                None
+            }
+        }
+    }
+}
+
+/// What is good of the table.
+#[derive(Debug)]
+pub struct AssemblyPart {
+    /// Centre distances, mm; `Some(None)` when not given.
+    pub distances: Option<Option<Vec<f64>>>,
+    pub locked: Option<Member>,
+    pub bearings: Option<Bearings>,
+}
+
+impl AssemblyPart {
+    /// Reads the table; the centre distances may be absent when not `needed`.
+    pub fn read(table: &Table, needed: bool, problems: &mut Problems) -> AssemblyPart {
+        let entry = if needed {
+            let what = format!("{}, or a list of such", DISTANCE.allowed);
+            table.need("center_distance_mm", &what, problems).map(Some)
+        } else {
+            table.optional("center_distance_mm")
+        };
+        AssemblyPart {
+            distances: match entry {
+                Some(Some(entry)) => distances(&entry, problems).map(Some),
+                absent => absent.map(|_| None),
+            },
+            locked: table.choice_or_first("locked", &MEMBERS, problems),
+            bearings: Bearings::read(table, problems),
+        }
+    }
+
+    /// As in the pair file, with the distances that are run.
+    pub fn echo(distances: &[f64], locked: Member, bearings: &Bearings) -> Value {
+        json!({
+            "center_distance_mm": distances,
+            "locked": locked.name(),
+            "bearing_clearance_mm": { "wheel": bearings.wheel, "pinion": bearings.pinion },
+        })
+    }
+}
+
+fn distances(entry: &Entry, problems: &mut Problems) -> Option<Vec<f64>> {
+    let list = match entry.node() {
+        Node::List(_) => entry.numbers(&DISTANCE, problems)?,
+        _ => return problems.keep(entry.number(&DISTANCE)).map(|mm| vec![mm]),
+    };
+    let mut seen = HashSet::new();
+    let wrong = if list.is_empty() {
+        "an empty list, needed is at least one centre distance".to_owned()
+    } else if list.len() > MOST_DISTANCES {
+        format!("{} centre distances, allowed are up to 10 000", list.len())
+    } else if let Some(twice) = list.iter().find(|mm| !seen.insert(mm.to_bits())) {
+        format!("{twice:?} stands there twice, allowed is each distance once")
+    } else {
+        return Some(list);
+    };
+    problems.add(entry.problem(wrong, "list each centre distance to be run once"));
+    None
+}
+
+/// Reports module or pressure angle that the gears do not share; `None` then, or when either is not known.
+pub fn check_shared(
+    file: &Table,
+    wheel: &GearPart,
+    pinion: &GearPart,
+    problems: &mut Problems,
+) -> Option<()> {
+    let mut shared = Some(());
+    for (name, wheel, pinion) in [
+        ("module_mm", wheel.module_mm, pinion.module_mm),
+        (
+            "pressure_angle_deg",
+            wheel.pressure_angle_deg,
+            pinion.pressure_angle_deg,
+        ),
+    ] {
+        let (Some(wheel), Some(pinion)) = (wheel, pinion) else {
+            shared = None;
+            continue;
+        };
+        if wheel != pinion {
+            problems.add(file.problem(
+                &format!("pinion.{name}"),
+                format!("differs from wheel.{name} = {wheel:?}, allowed is the same on both gears"),
+                "correct one of them: gears of different basic racks do not mesh",
+            ));
+            shared = None;
+        }
+    }
+    shared
+}
+
+/// What is wrong with the centre distance `a`, mm, between gears of these base radii' sum, if anything.
+pub fn overlap(a: f64, base_radii: f64) -> Option<String> {
+    let overlap = GearError::BaseCirclesOverlap {
+        center_distance_mm: a,
+        least_mm: base_radii,
+    };
+    (a <= base_radii).then(|| overlap.to_string())
+}
+
+/// Reports each distance of the pair file at which base circles overlap.
+pub fn check_distances(file: &Table, list: &[f64], base_radii: f64, problems: &mut Problems) {
+    let mut bad = Problems::of_list();
+    for reason in list.iter().filter_map(|&a| overlap(a, base_radii)) {
+        bad.add(file.problem(
+            "assembly.center_distance_mm",
+            reason,
+            "check the distance, teeth and module: a pair without profile shift runs at m (z_1 + z_2)/2",
+        ));
+    }
+    problems.add_list("assembly.center_distance_mm", bad);
+}
+
+/// Reports a bearing clearance that lets the base circles overlap at the least good distance of `list`.
+pub fn check_clearance(
+    file: &Table,
+    list: &[f64],
+    base_radii: f64,
+    clearance: f64,
+    problems: &mut Problems,
+) {
+    let least = list
+        .iter()
+        .copied()
+        .filter(|&a| a > base_radii)
+        .min_by(f64::total_cmp);
+    if let Some(a) = least.filter(|&a| a - clearance <= base_radii) {
+        problems.add(file.problem(
+            "assembly.bearing_clearance_mm",
+            format!(
+                "lets the gears at {a:?} mm approach to {:.6} mm, where base circles overlap: allowed is both clearances together below {:.6} mm",
+                a - clearance,
+                a - base_radii
+            ),
+            "check the unit: mm, as radial play",
+        ));
+    }
+}

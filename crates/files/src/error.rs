@@ -1,0 +1,49 @@
+//! What is wrong with an input file: every problem at once, each with its key and the way out.
+
+use std::fmt;
+use std::path::PathBuf;
+
+/// One thing wrong with one value of a pair file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Problem {
+    /// Dotted path of the key, such as `wheel.runout.high_tooth`; empty for the whole file.
+    pub key: String,
+    /// The value as written, where there is one.
+    pub value: Option<String>,
+    /// What is wrong and what is allowed.
+    pub reason: String,
+    /// What to do.
+    pub help: String,
+}
+
+impl fmt::Display for Problem {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if !self.key.is_empty() {
+            write!(f, "{}", self.key)?;
+            if let Some(value) = &self.value {
+                write!(f, " = {value}")?;
+            }
+            write!(f, ": ")?;
+        }
+        write!(f, "{}; {}", self.reason, self.help)
+    }
+}
+
+/// An input file that cannot be used.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("{}", self.lines().join("\n"))]
+pub struct InputError {
+    /// The file.
+    pub file: PathBuf,
+    /// At least one.
+    pub problems: Vec<Problem>,
+}
+
+impl InputError {
+    /// A line for each problem, the file before it.
+    pub fn lines(&self) -> Vec<String> {
+        let problems = self.problems.iter();
+        let line = |problem| format!("{}: {problem}", self.file.display());
+        problems.map(line).collect()
+    }
+}

@@ -1,0 +1,105 @@
+//! From a pair file to a [`Study`](gearlash::study::Study): every key of the interface, every problem at once.
+//!
+//! A file becomes a tree of values (`source`, `node`); each table is read by
+//! type and range (`table`, `entry`); what is good goes on to the geometry,
+//! whose refusals are traced back to the keys they come from (`faults`).
+//! Nothing here computes what a gear is.
+
+mod all_round;
+mod assembly;
+pub mod characters;
+mod contradictions;
+mod cross_check;
+mod data_file;
+mod eccentricity;
+mod entry;
+mod error;
+mod faults;
+mod first_harmonic;
+mod flanks;
+mod gear;
+mod gear_file;
+mod measured;
+mod measured_row;
+mod nearest;
+mod node;
+mod options;
+mod pair_file;
+mod pair_slips;
+mod per_tooth;
+mod pitch;
+mod place;
+mod problems;
+mod readings;
+mod read;
+pub mod results;
+mod runout;
+mod schema;
+mod sheet;
+mod slips;
+mod source;
+mod sources;
+mod stated;
+mod sweep;
+mod table;
+mod thickness;
+mod tooth;
+mod unit_slips;
+
+
+use node::Node;
+use pair_file::PairTables;
+use place::Place;
+use problems::Problems;
+use std::path::Path;
+
+pub use error::{InputError, Problem};
+pub use pair_slips::in_tolerance as tolerance_slip;
+pub use read::{GearEntry, GearsFile, PairFile};
+pub use results::{ResultFile, ResultWriter, result_file};
+pub use schema::{PAIR_SCHEMA, gear_schema};
+pub use sources::Sources;
+
+/// Reads the pair file at `path`: TOML, or JSON with the same keys.
+///
+/// # Errors
+/// [`InputError`] with all problems of the file, each with key, value, what is allowed and what to do.
+pub fn read(path: &Path) -> Result<PairFile, InputError> {
+    with_entries(path, |place, entries, problems| {
+        PairTables::read(path, place, entries, problems).study(problems)
+    })
+}
+
+/// Reads the gears of the file at `path`: a gear file (`title` and one `[gear]` with the keys of `[wheel]`), or a pair file.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_gears(path: &Path) -> Result<GearsFile, InputError> {
+    with_entries(path, |place, entries, problems| {
+        if gear_file::is_one(entries) {
+            return gear_file::read(path, place, entries, problems);
+        }
+        let pair = PairTables::read(path, place, entries, problems).study(problems);
+        pair.map(GearsFile::from)
+    })
+}
+
+/// What `understand` makes of the entries of the file at `path`, when nothing was wrong.
+fn with_entries<T>(
+    path: &Path,
+    understand: impl FnOnce(&Place, &[(String, Node)], &mut Problems) -> Option<T>,
+) -> Result<T, InputError> {
+    let mut problems = Problems::new();
+    let place = Place::of(path);
+    let entries = source::text(path).and_then(|text| source::parse(path, &text));
+    let understood = problems
+        .keep(entries)
+        .and_then(|entries| understand(&place, &entries, &mut problems));
+    match understood {
+        Some(understood) if problems.is_empty() => Ok(understood),
+        _ => Err(InputError {
+            file: path.to_owned(),
+            problems: problems.into_list(),
+        }),
+    }
+}

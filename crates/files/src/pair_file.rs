@@ -1,0 +1,255 @@
+//! The tables of a pair file put together: what both gears must share, and the study they make.
+
+use super::assembly::{self, AssemblyPart, MOST_DISTANCES};
+use super::gear::GearPart;
+use super::measured::{self, Measured};
+use super::node::Node;
+use super::options::{Accuracy, Compare};
+use super::pair_slips;
+use super::place::Place;
+use super::read::PairFile;
+use super::problems::Problems;
+use super::sweep::Sweep;
+use super::table::Table;
+use gearlash::gear::AsBuilt;
+use gearlash::study::{MOST_POSES, Material, POSE_BYTES_CSV, POSE_BYTES_JSON, Study, size};
+use serde_json::json;
+use std::path::Path;
+
+const KEYS: &[&str] = &[
+    "title", "wheel", "pinion", "assembly", "measured", "sweep", "accuracy", "compare",
+];
+
+/// What is good of each table: `None` where something was wrong, `Some(None)` where nothing was asked for.
+pub struct PairTables<'a> {
+    table: Table<'a>,
+    title: Option<String>,
+    stem: String,
+    wheel: GearPart,
+    pinion: GearPart,
+    assembly: Option<AssemblyPart>,
+    measured: Option<Option<Measured>>,
+    /// `Some(None)`: exactly the measured rows are run.
+    sweep: Option<Option<Sweep>>,
+    accuracy: Option<Accuracy>,
+    compare: Option<Compare>,
+}
+
+impl<'a> PairTables<'a> {
+    /// Reads every table of the file at `path`.
+    pub fn read(
+        path: &Path,
+        place: &'a Place,
+        entries: &'a [(String, Node)],
+        problems: &mut Problems,
+    ) -> PairTables<'a> {
+        let table = Table::new("", place, entries, KEYS, problems);
+        let (stem, title) = names(&table, path, problems);
+        let wheel = GearPart::read(&table, "wheel", problems);
+        let pinion = GearPart::read(&table, "pinion", problems);
+        let teeth = (wheel.teeth, pinion.teeth);
+        let there = |name| table.has(name) || table.is_mistyped(name);
+        let with_measured = there("measured");
+        let rows_only = with_measured && !there("sweep");
+        PairTables {
+            assembly: table
+                .table("assembly", assembly::KEYS, problems)
+                .map(|table| AssemblyPart::read(&table, !rows_only, problems)),
+            measured: if with_measured {
+                table
+                    .table("measured", measured::KEYS, problems)
+                    .and_then(|table| Measured::read(&table, teeth, problems))
+                    .map(Some)
+            } else {
+                Some(None)
+            },
+            sweep: if rows_only {
+                Some(None)
+            } else {
+                Sweep::read(&table, teeth, problems).map(Some)
+            },
+            accuracy: Accuracy::read(&table, problems),
+            compare: Compare::read(&table, problems),
+            table,
+            title,
+            stem,
+            wheel,
+            pinion,
+        }
+    }
+
+    /// The study, once what lies between the tables is checked too.
+    pub fn study(self, problems: &mut Problems) -> Option<PairFile> {
+        let mut warnings = [&self.wheel.warnings[..], &self.pinion.warnings].concat();
+        let remarks = [&self.wheel.remarks[..], &self.pinion.remarks].concat();
+        let center_distances = self.distances(problems, &mut warnings);
+        self.check_poses(center_distances.as_deref(), problems)?;
+        let center_distances = center_distances?;
+        let materials = materials(&self.wheel, &self.pinion)?;
+        let assembly = self.assembly?;
+        let (locked, bearings) = (assembly.locked?, assembly.bearings?);
+        let (measured, sweep) = (self.measured?, self.sweep?);
+        let (accuracy, compare, title) = (self.accuracy?, self.compare?, self.title?);
+        warnings.extend(pair_slips::in_bearings(&bearings));
+        warnings.extend(pair_slips::in_distances(
+            &self.wheel,
+            &self.pinion,
+            &center_distances,
+        ));
+        let tolerance = pair_slips::in_tolerance("compare.tolerance_um", compare.tolerance_um);
+        warnings.extend(tolerance);
+        warnings.extend(measured.as_ref().and_then(Measured::equal_rows));
+
+        let mut echo = json!({
+            "title": title,
+            "wheel": self.wheel.echo?,
+            "pinion": self.pinion.echo?,
+            "assembly": AssemblyPart::echo(&center_distances, locked, &bearings),
+        });
+        if let Some(measured) = &measured {
+            echo["measured"] = measured.echo();
+        }
+        if let Some(sweep) = &sweep {
+            echo["sweep"] = sweep.echo.clone();
+        }
+        echo["accuracy"] = accuracy.echo();
+        echo["compare"] = compare.echo();
+        let study = Study {
+            title,
+            materials,
+            locked,
+            center_distances,
+            bearing_clearance: bearings.sum(),
+            sweep: sweep.map(|sweep| sweep.plan),
+            measured: measured.map_or_else(Vec::new, Measured::into_rows),
+            chord: accuracy.chord_um / 1000.0,
+            tolerance_um: compare.tolerance_um,
+            allow_off_line_contact: compare.allow_off_line_contact,
+            notes: [self.wheel.notes, self.pinion.notes],
+        };
+        Some(PairFile {
+            study,
+            stem: self.stem,
+            echo,
+            warnings,
+            remarks,
+            sources: self.table.place().sources(),
+        })
+    }
+
+    /// The centre distances to run, those checked against the base circles.
+    fn distances(&self, problems: &mut Problems, warnings: &mut Vec<String>) -> Option<Vec<f64>> {
+        let file = &self.table;
+        let shared = assembly::check_shared(file, &self.wheel, &self.pinion, problems);
+        let base_radii = match (shared, &self.wheel.basic_data, &self.pinion.basic_data) {
+            (Some(()), Some(wheel), Some(pinion)) => {
+                Some(wheel.base_radius() + pinion.base_radius())
+            }
+            _ => None,
+        };
+        let given = self.assembly.as_ref()?.distances.as_ref()?;
+        let list = match (&self.sweep, self.measured.as_ref()?) {
+            (Some(None), Some(measured)) => {
+                let list = self.measured_distances(measured, base_radii, problems);
+                if let Some(given) = given
+                    && (given.len() != list.len() || list.iter().any(|mm| !given.contains(mm)))
+                {
+                    warnings.push(
+                        "assembly.center_distance_mm is not used: without [sweep] exactly the rows of [measured] are run, at their centre distances".to_owned(),
+                    );
+                }
+                list
+            }
+            _ => {
+                let list = given.clone()?;
+                if let Some(base_radii) = base_radii {
+                    assembly::check_distances(file, &list, base_radii, problems);
+                }
+                list
+            }
+        };
+        let bearings = self.assembly.as_ref()?.bearings.as_ref();
+        if let (Some(base_radii), Some(bearings)) = (base_radii, bearings) {
+            assembly::check_clearance(file, &list, base_radii, bearings.sum(), problems);
+        }
+        Some(list)
+    }
+
+    fn measured_distances(
+        &self,
+        measured: &Measured,
+        base_radii: Option<f64>,
+        problems: &mut Problems,
+    ) -> Vec<f64> {
+        let list = measured.distances();
+        let mut bad = Problems::of_list();
+        for &(line, a) in &list {
+            if let Some(reason) = base_radii.and_then(|sum| assembly::overlap(a, sum)) {
+                bad.add(measured.problem_at(line, &reason, "correct the line, or remove it"));
+            }
+        }
+        problems.add_list("measured.file", bad);
+        if let Some((line, _)) = list.get(MOST_DISTANCES) {
+            problems.add(measured.problem_at(
+                *line,
+                "one centre distance too many, allowed are up to 10 000",
+                "split the file",
+            ));
+        }
+        list.into_iter().map(|(_, a)| a).collect()
+    }
+
+    /// Reports a study of too many poses.
+    fn check_poses(&self, distances: Option<&[f64]>, problems: &mut Problems) -> Option<()> {
+        let bands = [&self.wheel.as_built, &self.pinion.as_built]
+            .iter()
+            .any(|gear| gear.as_ref().is_some_and(|gear| gear.is_band()));
+        let materials = 1 + u64::from(bands);
+        let (poses, key) = match (self.sweep.as_ref()?, self.measured.as_ref()?) {
+            (Some(sweep), _) => {
+                let runs = distances.map_or(1, <[f64]>::len) as u64 * materials;
+                (sweep.plan.poses().saturating_mul(runs), "sweep")
+            }
+            (None, Some(measured)) => (2 * measured.rows.len() as u64 * materials, "measured.file"),
+            (None, None) => return None,
+        };
+        if poses <= MOST_POSES {
+            return Some(());
+        }
+        problems.add(self.table.problem(
+            key,
+            format!(
+                "{poses} poses over all centre distances and materials, about {} of result, allowed are up to 10 million, {}",
+                size(poses.saturating_mul(POSE_BYTES_JSON + POSE_BYTES_CSV)),
+                size(MOST_POSES * (POSE_BYTES_JSON + POSE_BYTES_CSV)),
+            ),
+            "take fewer steps_per_pitch or fractions, or split the centre distances over several files",
+        ));
+        None
+    }
+}
+
+/// The stem of the file at `path`, and its title, the stem where it has none.
+pub fn names(table: &Table, path: &Path, problems: &mut Problems) -> (String, Option<String>) {
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    let title = match table.optional("title") {
+        Some(Some(entry)) => problems
+            .keep(entry.text("write the title in quotes"))
+            .map(str::to_owned),
+        absent => absent.map(|_| stem.to_string()),
+    };
+    (stem.into_owned(), title)
+}
+
+fn materials(wheel: &GearPart, pinion: &GearPart) -> Option<Vec<(Material, AsBuilt, AsBuilt)>> {
+    let (wheel, pinion) = (wheel.as_built.as_ref()?, pinion.as_built.as_ref()?);
+    let most = (wheel.most().clone(), pinion.most().clone());
+    if !wheel.is_band() && !pinion.is_band() {
+        return Some(vec![(Material::AsMeasured, most.0, most.1)]);
+    }
+    let least = (wheel.least().clone(), pinion.least().clone());
+    Some(vec![
+        (Material::Most, most.0, most.1),
+        (Material::Least, least.0, least.1),
+    ])
+}

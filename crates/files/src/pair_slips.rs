@@ -1,0 +1,149 @@
+//! Numbers of a pair that look as if something else were meant: warnings, never changes.
+
+use super::assembly::Bearings;
+use super::gear::GearPart;
+use gearlash::gear::involute::{inv, roll_of_inv};
+
+/// Radial play above which a bearing is no bearing, mm: plain bearings of 100 mm bore have 0.1 mm in diameter.
+const MOST_PLAY_MM: f64 = 0.1;
+/// The part of the radial clearance that a runout may take: eccentric by half of it, the tips come that much nearer to the roots.
+const MOST_OF_CLEARANCE: f64 = 0.5;
+/// Tolerance of `compare` above which it says nothing, µm: more than the backlash of many gears.
+pub const MOST_TOLERANCE_UM: f64 = 100.0;
+/// Pressure angles of usual basic racks, degrees: 20 (ISO 53, DIN 867), 14.5, 20 and 25 (AGMA), 17.5 and 22.5 between them.
+const USUAL_ANGLES: [f64; 5] = [14.5, 17.5, 20.0, 22.5, 25.0];
+/// How near a centre distance lies to the one it was computed as, in modules: the rounding of a drawing and a tolerance.
+const SUITS: f64 = 0.002;
+/// How far it must lie from that of the pair as stated, in modules, to be questioned: backlash by distance is within that, twice the
+/// tangent of 20° of it being 0.04 modules.
+const OFF: f64 = 0.05;
+/// Both where only the pressure angle is another: such distances lie close together.
+const SUITS_BY_ANGLE: f64 = 0.0005;
+const OFF_BY_ANGLE: f64 = 0.01;
+/// Sums of profile shifts that are sought where none is stated: tenths, from more than pairs are opened by to more than racks allow.
+const SHIFTS: std::ops::RangeInclusive<i32> = 3..=15;
+
+/// Radial play that no bearing has.
+pub fn in_bearings(bearings: &Bearings) -> Vec<String> {
+    let members = [("wheel", bearings.wheel()), ("pinion", bearings.pinion())];
+    let large = members.into_iter().filter(|(_, mm)| *mm > MOST_PLAY_MM);
+    let told = large.map(|(name, mm)| {
+        format!(
+            "assembly.bearing_clearance_mm: {mm} mm of radial play of the {name} is more than a bearing has: if µm were meant, write {}; the play in \
+             diameter is twice the radial one",
+            mm / 1000.0
+        )
+    });
+    told.collect()
+}
+
+/// A tolerance of `compare` that lets everything pass; `key`: where it stands.
+pub fn in_tolerance(key: &str, um: f64) -> Option<String> {
+    (um > MOST_TOLERANCE_UM).then(|| {
+        format!(
+            "{key}: {um} µm is as large as backlash itself, and hardly a difference would fail: the default is 0.1; if nm were meant, write {}",
+            um / 1000.0
+        )
+    })
+}
+
+/// What of the centre `distances`, mm, looks wrong beside the gears.
+pub fn in_distances(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Vec<String> {
+    let mut told = Vec::new();
+    told.extend(runouts(wheel, pinion, distances));
+    told.extend(other_distance(wheel, pinion, distances));
+    told
+}
+
+/// Runouts that take more than half of the radial clearance.
+fn runouts(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Option<String> {
+    let a = distances.iter().copied().reduce(f64::min)?;
+    let gears = [("wheel", wheel), ("pinion", pinion)]
+        .map(|(name, part)| part.as_built.as_ref().map(|gear| (name, gear.most())));
+    let [Some(wheel), Some(pinion)] = gears else {
+        return None;
+    };
+    let clearance = [(wheel, pinion), (pinion, wheel)]
+        .map(|(tip, root)| a - tip.1.gear().tip_radius() - root.1.gear().root_radius())
+        .into_iter()
+        .reduce(f64::min)?;
+    // Without clearance there is more to say than this; the check says it.
+    let large = |gear: &(&str, &gearlash::gear::AsBuilt)| {
+        clearance > 0.0 && 2.0 * gear.1.eccentricity() > MOST_OF_CLEARANCE * clearance
+    };
+    let (name, gear) = [wheel, pinion].into_iter().find(large)?;
+    let um = 2000.0 * gear.eccentricity();
+    Some(format!(
+        "{name}.runout: {um:.1} µm is more than half of the radial clearance, {:.1} µm at a = {a} mm: check the unit (µm), and that it is the runout \
+         F_r = 2e of the teeth",
+        1000.0 * clearance
+    ))
+}
+
+/// A centre distance that suits another pair than the one that is stated.
+fn other_distance(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Option<String> {
+    let basic_data = wheel.basic_data.as_ref()?;
+    let module = basic_data.module();
+    let teeth = f64::from(wheel.teeth? + pinion.teeth?);
+    let shifts = [wheel, pinion].map(|part| {
+        let gear = part.as_built.as_ref()?;
+        Some(gear.most().gear().design().profile_shift)
+    });
+    let (x_1, x_2) = (shifts[0]?, shifts[1]?);
+    let angle = wheel.pressure_angle_deg?;
+    let without_backlash = |degrees: f64, shift: f64| {
+        let alpha = degrees.to_radians();
+        let roll = roll_of_inv(inv(alpha) + 2.0 * shift * alpha.tan() / teeth);
+        module * teeth / 2.0 * alpha.cos() * roll.hypot(1.0)
+    };
+    // A scan is meant to leave the distance: one of its distances that is right answers for all.
+    let suits = |mm: f64, within: f64| {
+        let near = |a: &&f64| (**a - mm).abs() <= within * module;
+        mm.is_finite() && distances.iter().any(|a| near(&a))
+    };
+    let (stated, a) = (without_backlash(angle, x_1 + x_2), *distances.first()?);
+    let off = format!(
+        "assembly.center_distance_mm: {a} mm lies {:+.4} mm from {stated:.4} mm, where the pair as stated has no backlash with nominal teeth",
+        a - stated
+    );
+    if x_1 != 0.0 || x_2 != 0.0 {
+        let otherwise = [
+            ("no profile shift", 0.0),
+            ("the wheel's profile shift alone", x_1),
+            ("the pinion's profile shift alone", x_2),
+            ("profile shifts of the other sign", -x_1 - x_2),
+        ];
+        let mut otherwise = otherwise
+            .into_iter()
+            .map(|(words, x)| (words, without_backlash(angle, x)));
+        if !suits(stated, OFF)
+            && let Some((words, mm)) = otherwise.find(|(_, mm)| suits(*mm, SUITS))
+        {
+            return Some(format!(
+                "{off}; it would suit {words} ({mm:.4} mm): was a profile shift forgotten, in the distance or in the file?"
+            ));
+        }
+        let mut angles = USUAL_ANGLES.into_iter().filter(|usual| *usual != angle);
+        if !suits(stated, OFF_BY_ANGLE)
+            && let Some(usual) =
+                angles.find(|usual| suits(without_backlash(*usual, x_1 + x_2), SUITS_BY_ANGLE))
+        {
+            return Some(format!(
+                "{off}; it would suit a pressure angle of {usual}° ({:.4} mm): check pressure_angle_deg",
+                without_backlash(usual, x_1 + x_2)
+            ));
+        }
+    } else if !suits(stated, f64::from(*SHIFTS.start()) / 10.0 - 0.1) {
+        let tenths = SHIFTS
+            .flat_map(|tenths| [tenths, -tenths])
+            .map(|tenths| f64::from(tenths) / 10.0);
+        let shift = tenths
+            .into_iter()
+            .find(|x| suits(without_backlash(angle, *x), SUITS))?;
+        return Some(format!(
+            "{off}; it would suit profile shifts of {shift} together ({:.4} mm): was profile_shift forgotten?",
+            without_backlash(angle, shift)
+        ));
+    }
+    None
+}

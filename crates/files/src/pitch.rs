@@ -1,0 +1,239 @@
+//! `[pitch]`: pitch deviation of both flanks as the inspection sheet states it.
+
+mod curves;
+mod slips;
+
+use super::eccentricity::{COUNTS, Counts};
+use super::entry::Limits;
+use super::per_tooth::one_a_tooth;
+use super::problems::Problems;
+use super::sheet::{self, Column, Coverage, Header, Sheet, Wanted};
+use super::table::Table;
+use gearlash::gear::Side;
+use serde_json::{Value, json};
+
+pub const KEYS: &[&str] = &[
+    "kind",
+    "axis",
+    "sense",
+    "eccentricity",
+    "right_um",
+    "left_um",
+    "file",
+    "sheet",
+    "decimal",
+];
+
+const DEVIATION: Limits = Limits {
+    allowed: "a number of µm, −1e7 … 1e7",
+    holds: |um| um.abs() <= 1e7,
+    help: "give a deviation for every tooth, measured at the reference circle",
+};
+
+/// What a pitch value counts from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Kind {
+    /// `F`: from the first tooth, or any one place.
+    Cumulative,
+    /// `f`: from the tooth before.
+    Single,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Axis {
+    Own,
+    Datum,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Sense {
+    Numbers,
+    Material,
+}
+
+const KINDS: [(&str, Kind); 2] = [("cumulative", Kind::Cumulative), ("single", Kind::Single)];
+const AXES: [(&str, Axis); 2] = [("own", Axis::Own), ("datum", Axis::Datum)];
+const SENSES: [(&str, Sense); 2] = [("numbers", Sense::Numbers), ("material", Sense::Material)];
+
+/// The table's values, both flanks given.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PitchSheet {
+    kind: Kind,
+    axis: Axis,
+    sense: Sense,
+    counts: Option<Counts>,
+    right_um: Vec<f64>,
+    left_um: Vec<f64>,
+    /// What the file they come from says of the gear; `None`: they are lists.
+    header: Option<Header>,
+}
+
+impl PitchSheet {
+    /// Reads `[pitch]` of a gear's table; `Some(None)` when it has no values.
+    pub fn read(
+        gear: &Table,
+        teeth: Option<u32>,
+        problems: &mut Problems,
+    ) -> Option<Option<PitchSheet>> {
+        let table = gear.table("pitch", KEYS, problems)?;
+        let axis = table.choice_or_first("axis", &AXES, problems);
+        let sense = table.choice_or_first("sense", &SENSES, problems);
+        let counts = match table.optional("eccentricity")? {
+            Some(entry) => problems.keep(entry.choice(&COUNTS)).map(Some),
+            None => Some(None),
+        };
+        if table.has("file") {
+            let kind = Self::read_kind(&table, problems);
+            let (flanks, header) = Self::read_file(&table, kind, teeth, problems)?;
+            let [right_um, left_um] = flanks;
+            return Some(Some(PitchSheet {
+                kind: kind?,
+                axis: axis?,
+                sense: sense?,
+                counts: counts?,
+                right_um,
+                left_um,
+                header: Some(header),
+            }));
+        }
+        sheet::without_file(&table, problems)?;
+        let right = table.numbers("right_um", &DEVIATION, problems);
+        let left = table.numbers("left_um", &DEVIATION, problems);
+        let lengths = [&right, &left].map(|list| list.as_ref().map(Vec::len));
+        for (name, mate, lengths) in [
+            ("right_um", "left_um", lengths),
+            ("left_um", "right_um", [lengths[1], lengths[0]]),
+        ] {
+            if let [Some(0), Some(found @ 1..)] = lengths {
+                problems.add(table.problem(
+                    name,
+                    format!("no values, {mate} has {found}, needed are both flanks"),
+                    format!("give {name} too, or leave out both"),
+                ));
+                return None;
+            }
+        }
+        let kind = if lengths == [Some(0), Some(0)] && table.optional("kind")?.is_none() {
+            Some(Kind::Cumulative)
+        } else {
+            Self::read_kind(&table, problems)
+        };
+        let right = right.and_then(|um| one_a_tooth(&table, "right_um", um, teeth, problems));
+        let left = left.and_then(|um| one_a_tooth(&table, "left_um", um, teeth, problems));
+        let sheet = PitchSheet {
+            kind: kind?,
+            axis: axis?,
+            sense: sense?,
+            counts: counts?,
+            right_um: right?,
+            left_um: left?,
+            header: None,
+        };
+        if let (true, Some(_)) = (sheet.right_um.is_empty(), counts?) {
+            problems.add(table.problem(
+                "eccentricity",
+                "there are no pitch values that could contain one",
+                "remove it, or give right_um and left_um",
+            ));
+            return None;
+        }
+        Some((!sheet.right_um.is_empty()).then_some(sheet))
+    }
+
+    fn read_kind(table: &Table, problems: &mut Problems) -> Option<Kind> {
+        let needed = "\"cumulative\" or \"single\"";
+        let entry = table.need("kind", needed, problems)?;
+        problems.keep(entry.choice(&KINDS))
+    }
+
+    /// Both flanks' values from the file that `table` names, right first.
+    fn read_file(
+        table: &Table,
+        kind: Option<Kind>,
+        teeth: Option<u32>,
+        problems: &mut Problems,
+    ) -> Option<([Vec<f64>; 2], Header)> {
+        let listed = ["right_um", "left_um"]
+            .into_iter()
+            .find(|name| table.has(name));
+        if let Some(listed) = listed {
+            problems.add(table.problem(
+                "file",
+                format!("stands beside {listed}, allowed is one of file and the lists"),
+                "remove one or the other",
+            ));
+            return None;
+        }
+        // A kind that is wrong is told already; the file is read for its own problems.
+        let kind = kind.unwrap_or(Kind::Cumulative);
+        let wanted = Wanted {
+            columns: [Column::Right(kind), Column::Left(kind)],
+            teeth,
+            coverage: Coverage::EveryTooth,
+        };
+        let sheet = Sheet::read(table, &wanted, problems)?;
+        Some(([sheet.values(0), sheet.values(1)], sheet.header))
+    }
+
+    /// What the file they come from says of the gear.
+    pub fn header(&self) -> Option<&Header> {
+        self.header.as_ref()
+    }
+
+    /// The key, below the gear's table, that gives the values of a flank.
+    pub fn key(&self, side: Side) -> &'static str {
+        match (side, &self.header) {
+            (_, Some(_)) => "pitch.file",
+            (Side::Right, None) => "pitch.right_um",
+            (Side::Left, None) => "pitch.left_um",
+        }
+    }
+
+    /// Whether the values were measured about the datum axis.
+    pub fn is_datum(&self) -> bool {
+        self.axis == Axis::Datum
+    }
+
+    /// The values of a flank as they stand in the file, µm.
+    pub fn values(&self, side: Side) -> &[f64] {
+        match side {
+            Side::Right => &self.right_um,
+            Side::Left => &self.left_um,
+        }
+    }
+
+    /// Which eccentricity counts, where the file says so.
+    pub fn counts(&self) -> Option<Counts> {
+        self.counts
+    }
+
+    /// The `sense` that reads the left flank the other way round.
+    pub fn other_sense(&self) -> &'static str {
+        match self.sense {
+            Sense::Numbers => name_of(Sense::Material, &SENSES),
+            Sense::Material => name_of(Sense::Numbers, &SENSES),
+        }
+    }
+
+    /// As in the pair file.
+    pub fn echo(&self) -> Value {
+        let mut echo = json!({
+            "kind": name_of(self.kind, &KINDS),
+            "axis": name_of(self.axis, &AXES),
+            "sense": name_of(self.sense, &SENSES),
+            "right_um": self.right_um,
+            "left_um": self.left_um,
+        });
+        if let Some(counts) = self.counts {
+            echo["eccentricity"] = json!(name_of(counts, &COUNTS));
+        }
+        echo
+    }
+}
+
+fn name_of<T: PartialEq>(value: T, names: &[(&'static str, T)]) -> &'static str {
+    names
+        .iter()
+        .find(|(_, choice)| *choice == value)
+        .map_or("", |&(name, _)| name)
+}

@@ -1,0 +1,56 @@
+//! What the statements about each gear say of each other.
+
+use gearlash::notes::{Eccentricity, EccentricityNote, GearNotes, ThicknessStatements};
+use gearlash::study::Study;
+use serde_json::{Map, Value, json};
+
+/// A key a gear that there is something to tell of; `None` without any.
+pub(super) fn notes(study: &Study) -> Option<Value> {
+    let gears = ["wheel", "pinion"].into_iter().zip(&study.notes);
+    let told = gears.filter_map(|(name, notes)| Some((name.to_owned(), of_gear(notes)?)));
+    filled(told.collect())
+}
+
+fn of_gear(notes: &GearNotes) -> Option<Value> {
+    let all_round = notes
+        .all_round
+        .map(|note| json!({ "readings": note.readings, "amplification": note.amplification }));
+    let told = [
+        (
+            "eccentricity",
+            notes.eccentricity.as_ref().map(eccentricity),
+        ),
+        ("all_round", all_round),
+        ("cross_check", notes.thickness.as_ref().map(cross_check)),
+    ];
+    let told = told.into_iter();
+    filled(
+        told.filter_map(|(key, value)| Some((key.to_owned(), value?)))
+            .collect(),
+    )
+}
+
+fn filled(told: Map<String, Value>) -> Option<Value> {
+    (!told.is_empty()).then_some(Value::Object(told))
+}
+
+fn eccentricity(note: &EccentricityNote) -> Value {
+    let shown = |e: Eccentricity| json!({ "um": e.um, "high_tooth": e.high_tooth });
+    json!({
+        "in_pitch": shown(note.in_pitch),
+        "in_runout": note.stated.map(shown),
+        "counts": if note.stated_counts { "runout" } else { "pitch" },
+        "difference_um": note.difference_um,
+    })
+}
+
+fn cross_check(note: &ThicknessStatements) -> Value {
+    json!({
+        "base_thickness_mm": note.counts,
+        "cross_check_mm": note.cross,
+        "difference_um": note.difference_um,
+        "gap_um": note.gap_um,
+        "tolerance_um": note.tolerance_um,
+        "agree": note.agree(),
+    })
+}

@@ -1,0 +1,126 @@
+//! One block of a protocol: its head, its columns, its rows.
+
+use super::number::{self, Decimal, Written};
+use gearlash::gear::Side;
+use crate::data_file::DataFile;
+
+/// What such machines print for a value that was not measured.
+const NOT_MEASURED: [f64; 2] = [-2147483.648, -9999.0];
+
+/// A column of a block.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Name {
+    /// `Zahn-Nr.`
+    Tooth,
+    /// `fp`: single pitch deviation.
+    Single,
+    /// `Fp`: cumulative pitch deviation.
+    Cumulative,
+    /// `Fr`: runout reading.
+    Runout,
+    /// `fu`: difference of neighbouring single pitches, which the others contain.
+    Jump,
+}
+
+const NAMES: [(&str, Name); 5] = [
+    ("Zahn-Nr.", Name::Tooth),
+    ("fp", Name::Single),
+    ("Fp", Name::Cumulative),
+    ("Fr", Name::Runout),
+    ("fu", Name::Jump),
+];
+
+/// The rows of one flank.
+#[derive(Debug)]
+pub struct Block<'a> {
+    /// Which.
+    pub side: Side,
+    /// The line of its head.
+    pub line: u64,
+    /// Its columns, `Zahn-Nr.` first; none before their line is read.
+    pub columns: Vec<Name>,
+    /// Line, tooth, and the values of the other columns.
+    pub rows: Vec<(u64, u32, Vec<Written<'a>>)>,
+}
+
+/// The flank a block's head names.
+pub fn side(line: &str) -> Option<Side> {
+    match line.trim().trim_end_matches(':').to_lowercase().as_str() {
+        "linke zahnflanke" => Some(Side::Left),
+        "rechte zahnflanke" => Some(Side::Right),
+        _ => None,
+    }
+}
+
+/// The columns of a block.
+pub fn names(file: &DataFile, text: &str) -> Result<Vec<Name>, String> {
+    let mut names = Vec::new();
+    for word in text.split_whitespace() {
+        let word = word.strip_suffix("[µm]").unwrap_or(word);
+        match NAMES.iter().find(|(known, _)| *known == word) {
+            Some((_, name)) if names.contains(name) => return Err(format!("column {word} twice")),
+            Some((_, name)) => names.push(*name),
+            None => return Err(format!("unknown column {}", file.quote(word))),
+        }
+    }
+    if names.first() != Some(&Name::Tooth) {
+        return Err("column Zahn-Nr. is missing".to_owned());
+    }
+    Ok(names)
+}
+
+/// The tooth and the values of a row, those in the order of the columns behind `Zahn-Nr.`.
+pub fn row<'a>(
+    file: &DataFile,
+    text: &'a str,
+    columns: &[Name],
+) -> Result<(u32, Vec<Written<'a>>), String> {
+    let found = text.split_whitespace().count();
+    let mut words = text.split_whitespace();
+    let (Some(first), true) = (words.next(), found == columns.len()) else {
+        return Err(format!(
+            "{found} values, the block has {} columns",
+            columns.len()
+        ));
+    };
+    let tooth = number::tooth(first).filter(|&tooth| (1..=10_000).contains(&tooth));
+    let tooth = tooth.ok_or_else(|| {
+        format!(
+            "Zahn-Nr. is {}, allowed is a whole number from 1 on",
+            file.quote(first)
+        )
+    })?;
+    let mut values = Vec::new();
+    for word in words {
+        let written =
+            number::written(word).filter(|written| written.decimal != Some(Decimal::Comma));
+        let written =
+            written.filter(|written| written.value.abs() <= 1e7 && !number::zero_first(word));
+        let written = written.ok_or_else(|| {
+            format!(
+                "{}, allowed is a number of µm with a decimal point, −1e7 … 1e7",
+                file.quote(word)
+            )
+        })?;
+        if NOT_MEASURED.contains(&written.value) {
+            return Err(format!(
+                "{} stands for a value that was not measured",
+                file.bare(word)
+            ));
+        }
+        values.push(written);
+    }
+    Ok((tooth, values))
+}
+
+impl<'a> Block<'a> {
+    /// The values of a column, with their lines and teeth; `None` when the block does not have it.
+    pub fn column(&self, name: Name) -> Option<Vec<(u64, u32, Written<'a>)>> {
+        let place = self.columns.iter().position(|column| *column == name)?;
+        let values = self.rows.iter();
+        let value = |(line, tooth, values): &(u64, u32, Vec<Written<'a>>)| {
+            Some((*line, *tooth, *values.get(place.checked_sub(1)?)?))
+        };
+        values.map(value).collect()
+    }
+}

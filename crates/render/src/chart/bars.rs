@@ -1,0 +1,217 @@
+//! Bars, one place a tooth.
+
+use super::paint::Look;
+use super::panel::{Anchor, Axis, Entry, Mark, Panel, Sample, range};
+use super::{Chart, Heading, sheet};
+use crate::error::PictureError;
+
+/// Teeth beyond which lines stand for bars: narrower than a unit, two flanks' bars cannot be told apart.
+const MOST_BARS: usize = 350;
+
+/// One series of a bar chart.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BarSeries<'a> {
+    /// As the legend names it.
+    pub name: &'a str,
+    /// One value a tooth, from tooth 1 on.
+    pub values: Vec<Option<f64>>,
+    /// How it is drawn.
+    pub look: Look,
+}
+
+/// Two lines between which values should lie, in the unit of the y axis.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Limits {
+    /// Lower and upper.
+    pub values: [f64; 2],
+    /// Stands at the upper one.
+    pub name: String,
+}
+
+/// One panel of bars.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BarPanel<'a> {
+    /// What stands above the plot; may be empty.
+    pub title: &'a str,
+    /// Quantity, where its zero is, and unit.
+    pub y_axis: &'a str,
+    /// Side by side.
+    pub series: &'a [BarSeries<'a>],
+    /// Lines; the axis has room for them.
+    pub limits: Vec<Limits>,
+    /// Where no value reaches this amount the panel says so.
+    pub level: f64,
+}
+
+/// A bar chart of `series` over tooth numbers, side by side; the axes name what the numbers count, and
+/// quantity and unit.
+///
+/// # Errors
+/// [`PictureError`] when no series has a value.
+pub fn bars(
+    heading: &Heading,
+    [x_axis, y_axis]: [&str; 2],
+    series: &[BarSeries],
+) -> Result<Chart, PictureError> {
+    let panel = BarPanel {
+        title: "",
+        y_axis,
+        series,
+        limits: Vec::new(),
+        level: 0.0,
+    };
+    bar_panels(heading, x_axis, &[panel])
+}
+
+/// Bar charts over the same teeth, one below the other; `x_axis` stands below the last. The legend names the series of
+/// the first panel where there are several.
+///
+/// # Errors
+/// [`PictureError`] when a panel has no value.
+pub fn bar_panels(heading: &Heading, x_axis: &str, panels: &[BarPanel]) -> Result<Chart, PictureError> {
+    let height = if panels.len() > 1 { 260.0 } else { 340.0 };
+    let mut drawn = Vec::new();
+    for (index, bars) in panels.iter().enumerate() {
+        let x_axis = if index + 1 == panels.len() {
+            x_axis
+        } else {
+            ""
+        };
+        let panel = panel([bars.title, x_axis, bars.y_axis], height, bars.series);
+        let mut panel =
+            panel.ok_or_else(|| PictureError("there are no values to draw".to_owned()))?;
+        bars.limit(&mut panel);
+        bars.say_level(&mut panel);
+        drawn.push(panel);
+    }
+    let names = match panels.first() {
+        Some(first) if first.series.len() > 1 => legend(first.series),
+        _ => Vec::new(),
+    };
+    sheet::draw(heading, "", &names, &drawn)
+}
+
+impl BarPanel<'_> {
+    /// Draws the limits and makes room for them.
+    fn limit(&self, panel: &mut Panel) {
+        for limits in &self.limits {
+            let [low, high] = panel.y.range;
+            let shown = range([low, high].into_iter().chain(limits.values), [0.0; 2], 0.1);
+            // Room for the name above the upper line.
+            let [low, high] = shown.unwrap_or([low, high]);
+            let room = 0.07 * (high - low);
+            panel.y.range = [
+                low.min(limits.values[0] - room),
+                high.max(limits.values[1] + 2.0 * room),
+            ];
+            let ends = panel.x.range;
+            for value in limits.values {
+                panel.marks.push(Mark::Line {
+                    points: ends.map(|x| (x, Some(value))).to_vec(),
+                    look: Look::Limit,
+                    width: 1.2,
+                });
+            }
+            panel.marks.push(Mark::Text {
+                at: [ends[1], limits.values[1]],
+                // Clear of the line with its subscripts, too.
+                shift: [-4.0, -8.0],
+                text: limits.name.clone(),
+                anchor: Anchor::End,
+            });
+        }
+    }
+
+    /// Says so where no value is above the level.
+    fn say_level(&self, panel: &mut Panel) {
+        let mut values = self.series.iter().flat_map(|bars| &bars.values).flatten();
+        // Zeros alone are told by the panel itself.
+        let zeros = values.clone().all(|value| *value == 0.0);
+        if !zeros && values.all(|value| value.abs() < self.level) {
+            let [from, to] = panel.x.range;
+            panel.marks.push(Mark::Text {
+                at: [0.5 * (from + to), 0.0],
+                shift: [0.0, -10.0],
+                text: format!("no deviation within {} µm", self.level),
+                anchor: Anchor::Middle,
+            });
+        }
+    }
+}
+
+/// The legend of bars.
+pub(super) fn legend(series: &[BarSeries]) -> Vec<Entry> {
+    let entry = |bars: &BarSeries| Entry {
+        name: bars.name.to_owned(),
+        look: bars.look,
+        sample: Sample::Bar,
+    };
+    series.iter().map(entry).collect()
+}
+
+/// Bars from zero under a title, with the names of both axes; `None` without any value.
+pub(super) fn panel(
+    [title, x_axis, y_axis]: [&str; 3],
+    height: f64,
+    series: &[BarSeries],
+) -> Option<Panel> {
+    let values = || series.iter().flat_map(|bars| &bars.values).flatten();
+    values().next()?;
+    // A tenth of a unit at least: zeros stay on a line.
+    let y = range(values().copied().chain([0.0]), [0.08; 2], 0.1)?;
+    let teeth = series.iter().map(|bars| bars.values.len()).max()?;
+    let ends = [0.4, teeth as f64 + 0.6];
+    let width = 0.8 / series.len() as f64;
+    let mut marks = vec![Mark::Line {
+        points: vec![(ends[0], Some(0.0)), (ends[1], Some(0.0))],
+        look: Look::Plain,
+        width: 1.0,
+    }];
+    for (place, bars) in series.iter().enumerate() {
+        let left = 0.6 + place as f64 * width;
+        match teeth > MOST_BARS {
+            true => marks.push(curve(bars)),
+            false => marks.extend(rods(bars, [left, left + width])),
+        }
+    }
+    if values().all(|value| *value == 0.0) {
+        marks.push(Mark::Text {
+            at: [0.5 * (ends[0] + ends[1]), 0.0],
+            shift: [0.0, -10.0],
+            text: "none".to_owned(),
+            anchor: Anchor::Middle,
+        });
+    }
+    Some(Panel {
+        title: title.to_owned(),
+        x: Axis {
+            teeth: u32::try_from(teeth).ok(),
+            ..Axis::new(x_axis, ends)
+        },
+        y: Axis::new(y_axis, y),
+        height,
+        marks,
+    })
+}
+
+/// Bars from `x[0]` to `x[1]` for tooth 1, a tooth further for each next.
+fn rods(bars: &BarSeries, x: [f64; 2]) -> impl Iterator<Item = Mark> {
+    let known = bars.values.iter().enumerate();
+    known.filter_map(move |(index, value)| {
+        let value = (*value)?;
+        Some(Mark::Bar {
+            x: x.map(|x| x + index as f64),
+            y: [value.min(0.0), value.max(0.0)],
+            look: bars.look,
+        })
+    })
+}
+
+fn curve(bars: &BarSeries) -> Mark {
+    let teeth = (1..).map(f64::from);
+    Mark::Line {
+        points: teeth.zip(bars.values.iter().copied()).collect(),
+        look: bars.look,
+        width: 1.0,
+    }
+}

@@ -1,0 +1,184 @@
+//! Simulation minus formula over the teeth.
+
+use super::materials::{ends, thin, width};
+use super::paint::Look;
+use super::panel::{Anchor, Axis, Mark, Panel, Point, Sample, range};
+use super::words::{course_axis, course_words, empty, entry, unproven_of, unproven_words};
+use super::{Chart, Heading, sheet};
+use gearlash::curves::{Course, CourseLine, CoursePoint};
+use crate::error::PictureError;
+use gearlash::gear::Side;
+
+/// Fill of the error bound.
+const BOUND: f64 = 0.16;
+
+/// Simulated minus analytic backlash of the right-flank poses at one centre distance, a line a material: models 1
+/// and 2 in the upper panel, model 3 with the error bound of the simulation in the lower, on an axis of its own.
+///
+/// # Errors
+/// [`PictureError`] when no pose has both values, all being proven.
+pub fn difference(heading: &Heading, course: &Course, tolerance_um: f64) -> Result<Chart, PictureError> {
+    let lines = || course.lines.iter().filter(|line| line.flank == Side::Right);
+    let of = |model: fn(&CoursePoint) -> Option<f64>, look: Look| {
+        let lines = lines().map(move |line| Mark::Line {
+            points: points(line, model, 1.0),
+            look,
+            width: width(line.material),
+        });
+        lines.collect::<Vec<Mark>>()
+    };
+    let models: [fn(&CoursePoint) -> Option<f64>; 2] =
+        [|point| point.off_michalec_um, |point| point.off_involute_um];
+    let all = |model: fn(&CoursePoint) -> Option<f64>| {
+        let points = lines().flat_map(|line| &line.points);
+        points.filter_map(model)
+    };
+    let mut panels = Vec::new();
+    let mut legend = Vec::new();
+    // Zero is always in sight.
+    let both = || models.into_iter().flat_map(all);
+    let zero = both().next().map(|_| 0.0);
+    if let Some(y) = range(both().chain(zero), [0.1; 2], 1e-3) {
+        legend.push(entry("minus model 1, Michalec", Look::Left, Sample::Line));
+        legend.push(entry("minus model 2, involute", Look::Plain, Sample::Line));
+        let mut marks = of(models[1], Look::Plain);
+        marks.extend(of(models[0], Look::Left));
+        // At the lines of the model that tells the materials apart, if one does.
+        let labels = models.map(|model| ends(lines(), model, 1.0, y));
+        let labels = labels.into_iter().find(|labels| !labels.is_empty());
+        marks.extend(labels.into_iter().flatten());
+        panels.push(Panel {
+            title: format!("minus models 1 and 2{}", thin(course)),
+            x: Axis {
+                name: String::new(),
+                ..course_axis(course)
+            },
+            y: Axis::new("µm", y),
+            height: 230.0,
+            marks,
+        });
+    }
+    if let Some(lower) = line_of_action(course, tolerance_um) {
+        legend.push(entry(
+            "minus model 3, line of action",
+            Look::Right,
+            Sample::Line,
+        ));
+        legend.push(entry(
+            "error bound of the simulation",
+            Look::Limit,
+            Sample::Band(BOUND),
+        ));
+        panels.push(lower);
+    }
+    if panels.is_empty() {
+        let unproven = unproven_of(lines());
+        if unproven > 0 {
+            let words = "no pose that is proven has both a simulated and an analytic value";
+            let details = unproven_words(unproven) + &course_words(course);
+            let panel = empty(course_axis(course), words);
+            return sheet::draw(heading, &details, &[], &[panel]);
+        }
+        return Err(PictureError(format!(
+            "no pose at centre distance {} mm has both a simulated and an analytic value: jammed or out of mesh",
+            course.center_distance
+        )));
+    }
+    let details = format!(
+        "{}simulated − formula, right flanks · {}",
+        unproven_words(unproven_of(lines())),
+        course_words(course)
+    );
+    sheet::draw(heading, &details, &legend, &panels)
+}
+
+/// The panel of model 3.
+fn line_of_action(course: &Course, tolerance_um: f64) -> Option<Panel> {
+    let lines = || course.lines.iter().filter(|line| line.flank == Side::Right);
+    let all = || lines().flat_map(|line| &line.points);
+    let known = || all().filter_map(|point| point.off_line_of_action_um);
+    known().next()?;
+    let largest = known()
+        .chain(all().filter_map(|point| point.error_bound_um))
+        .map(f64::abs)
+        .reduce(f64::max)?;
+    let (unit, name) = unit(largest);
+    let off = |point: &CoursePoint| point.off_line_of_action_um;
+    let bound = |point: &CoursePoint| point.error_bound_um;
+    let mut marks = Vec::new();
+    for line in lines() {
+        marks.push(Mark::Band {
+            low: points(line, bound, -1.0 / unit),
+            high: points(line, bound, 1.0 / unit),
+            look: Look::Limit,
+            opacity: BOUND,
+        });
+    }
+    for line in lines() {
+        marks.push(Mark::Line {
+            points: points(line, off, 1.0 / unit),
+            look: Look::Right,
+            width: width(line.material),
+        });
+    }
+    let values = all().filter_map(off);
+    let bounds = all().filter_map(bound).flat_map(|bound| [-bound, bound]);
+    let y = range(
+        values.chain(bounds).map(|value| value / unit),
+        [0.18; 2],
+        0.1,
+    )?;
+    marks.extend(ends(lines(), off, 1.0 / unit, y));
+    let tolerance = tolerance_um / unit;
+    let words = match y[0] < -tolerance || y[1] > tolerance {
+        true => {
+            for limit in [-tolerance, tolerance] {
+                if y[0] < limit && limit < y[1] {
+                    marks.push(Mark::Line {
+                        points: course.span.map(|x| (x, Some(limit))).to_vec(),
+                        look: Look::Limit,
+                        width: 1.2,
+                    });
+                }
+            }
+            format!("tolerance ±{tolerance_um} µm: short dashes")
+        }
+        false => format!("tolerance ±{tolerance_um} µm: far outside this axis"),
+    };
+    marks.push(Mark::Text {
+        at: [course.span[0], y[1]],
+        shift: [8.0, 10.0],
+        text: words,
+        anchor: Anchor::Start,
+    });
+    Some(Panel {
+        title: format!("minus model 3, on an axis of its own{}", thin(course)),
+        x: course_axis(course),
+        y: Axis::new(name, y),
+        height: 230.0,
+        marks,
+    })
+}
+
+fn points(
+    line: &CourseLine,
+    value: impl Fn(&CoursePoint) -> Option<f64>,
+    factor: f64,
+) -> Vec<Point> {
+    let points = line.points.iter();
+    points
+        .map(|point| (point.x, value(point).map(|value| value * factor)))
+        .collect()
+}
+
+/// A power of a thousandth of a micrometre that suits values up to `largest`, and its name.
+fn unit(largest: f64) -> (f64, &'static str) {
+    let units = [
+        (1.0, "µm"),
+        (1e-3, "10⁻³ µm"),
+        (1e-6, "10⁻⁶ µm"),
+        (1e-9, "10⁻⁹ µm"),
+    ];
+    let suits = |unit: &&(f64, &str)| largest >= 0.1 * unit.0;
+    *units.iter().find(suits).unwrap_or(&(1e-12, "10⁻¹² µm"))
+}

@@ -1,0 +1,212 @@
+//! Backlash over the centre distance, as Figures 20–21 of the study the project started from.
+
+use super::paint::Look;
+use super::panel::{Anchor, Axis, Mark, Panel, Point, Sample, backlash_range, range};
+use super::words::{empty, entry, interference, unproven_words, without_value};
+use super::{Chart, Heading, sheet};
+use gearlash::curves::{DistancePoint, OverDistance};
+use crate::error::PictureError;
+use gearlash::measured::Band;
+use gearlash::outcome::AtDistance;
+use gearlash::pair::Mating;
+use crate::caption::decimals;
+
+/// Fill of the band with and without bearing clearance.
+const FILLS: [f64; 2] = [0.14, 0.22];
+
+/// Backlash of one pose, or the mean of two, over the centre distance: simulated and analytic band, the band with bearing clearance,
+/// and the measured values.
+///
+/// # Errors
+/// [`PictureError`] when there is neither a value nor a measurement, all poses being proven.
+pub fn distance(
+    heading: &Heading,
+    curve: &OverDistance,
+    swept: &[AtDistance],
+) -> Result<Chart, PictureError> {
+    let line = |band: fn(&DistancePoint) -> Option<Band>, end: fn(Band) -> f64| -> Vec<Point> {
+        let points = curve.points.iter();
+        points
+            .map(|point| (point.center_distance, band(point).map(end)))
+            .collect()
+    };
+    let ends = |band| {
+        [
+            line(band, |band| band.min_um),
+            line(band, |band| band.max_um),
+        ]
+    };
+    let simulated = ends(|point| point.bands.simulated);
+    let analytic = ends(|point| point.bands.analytic);
+    let with_clearance = ends(|point| point.bands.with_clearance);
+    let measured = |side: fn(&gearlash::study::MeasuredRow) -> f64| -> Vec<Point> {
+        let rows = curve.measured.iter();
+        rows.map(|row| (row.center_distance, Some(side(row))))
+            .collect()
+    };
+    let (right, left) = (measured(|row| row.right_um), measured(|row| row.left_um));
+    let mut marks = Vec::new();
+    let mut legend = Vec::new();
+    // What is not there is not drawn and not named.
+    let any = |ends: &[Vec<Point>; 2]| ends[0].iter().any(|point| point.1.is_some());
+    if curve.clearance > 0.0 && any(&with_clearance) {
+        marks.extend(band(&with_clearance, Look::Limit, FILLS[0]));
+        let name = format!(
+            "with bearing clearance (a ± {} mm)",
+            decimals(curve.clearance, 3, 6)
+        );
+        legend.push(entry(&name, Look::Limit, Sample::LineInBand(FILLS[0])));
+    }
+    if any(&simulated) {
+        marks.extend(band(&simulated, Look::Plain, FILLS[1]));
+        let name = match curve.two_materials {
+            true => "simulated, most to least material",
+            false => "simulated",
+        };
+        legend.push(entry(name, Look::Plain, Sample::LineInBand(FILLS[1])));
+    }
+    if any(&analytic) {
+        marks.extend(outline(&analytic, Look::Third));
+        legend.push(entry("by formula (model 2)", Look::Third, Sample::Line));
+    }
+    let ranges: Vec<[Point; 2]> = swept.iter().map(range_of).collect();
+    for points in ranges.iter().map(|ends| ends.to_vec()) {
+        let look = Look::Plain;
+        marks.push(Mark::Dots {
+            points: points.clone(),
+            look,
+        });
+        marks.push(Mark::Line {
+            points,
+            look,
+            width: 1.0,
+        });
+    }
+    if !ranges.is_empty() {
+        let name = "least and greatest of all poses, every tooth";
+        legend.push(entry(name, Look::Plain, Sample::Dot));
+    }
+    for (name, points, look) in [
+        ("measured, right flanks", &right, Look::Right),
+        ("measured, left flanks", &left, Look::Left),
+    ] {
+        if !points.is_empty() {
+            legend.push(entry(name, look, Sample::Dot));
+            marks.push(Mark::Dots {
+                points: points.clone(),
+                look,
+            });
+        }
+    }
+    let drawn = [&simulated, &analytic, &with_clearance]
+        .into_iter()
+        .flatten();
+    let values = drawn
+        .chain([&right, &left])
+        .flatten()
+        .filter_map(|point| point.1);
+    let values = values.chain(ranges.iter().flatten().filter_map(|point| point.1));
+    let x = range(
+        curve.points.iter().map(|point| point.center_distance),
+        [0.0; 2],
+        1e-6,
+    );
+    let (Some(x), Some(y)) = (x, backlash_range(values)) else {
+        if let (Some(x), true) = (x, curve.unproven > 0) {
+            let panel = empty(
+                Axis::new("centre distance a, mm", x),
+                "no pose that is proven has a backlash",
+            );
+            let details = unproven_words(curve.unproven) + &poses(&curve.matings);
+            return sheet::draw(heading, &details, &[], &[panel]);
+        }
+        return Err(PictureError(
+            "the mating is jammed or out of mesh at every centre distance".to_owned(),
+        ));
+    };
+    let mut panel = Panel {
+        title: String::new(),
+        x: Axis::new("centre distance a, mm", x),
+        y: Axis::new("circumferential backlash j_wt, µm", y),
+        height: 380.0,
+        marks,
+    };
+    // The bands come from below on the left.
+    interference(&mut panel, x[0]);
+    panel.marks.extend(gaps(curve, [x, y]));
+    let details = unproven_words(curve.unproven) + &poses(&curve.matings);
+    sheet::draw(heading, &details, &legend, &[panel])
+}
+
+/// Least and greatest of all poses at a centre distance.
+fn range_of(at: &AtDistance) -> [Point; 2] {
+    [at.all.least, at.all.greatest].map(|found| {
+        let backlash = found.and_then(|found| found.pose.swept.backlash);
+        (at.center_distance, backlash.map(|mm| mm * 1e3))
+    })
+}
+
+/// What the lines are of.
+fn poses(matings: &[Mating]) -> String {
+    let teeth = |mating: &Mating| format!("{}·{}", mating.wheel_tooth, mating.pinion_tooth);
+    match matings {
+        [one] => {
+            let beyond = match one.fraction {
+                0.0 => String::new(),
+                fraction => format!(" + {} pitch", decimals(fraction, 0, 4)),
+            };
+            let flank = one.flank.name();
+            format!("wheel·pinion tooth {}, {flank} flanks{beyond}", teeth(one))
+        }
+        poses => {
+            let named = poses
+                .iter()
+                .map(|one| format!("{} flanks {}", one.flank.name(), teeth(one)));
+            format!(
+                "mean of two poses: {} (wheel·pinion)",
+                named.collect::<Vec<_>>().join(", ")
+            )
+        }
+    }
+}
+
+/// Why there is no simulated backlash, in the middle of each stretch of centre distances that has none.
+fn gaps(curve: &OverDistance, [x, y]: [[f64; 2]; 2]) -> impl Iterator<Item = Mark> {
+    let stretches = curve.points.chunk_by(|a, b| a.gap == b.gap);
+    stretches.filter_map(move |stretch| {
+        let status = stretch.first()?.gap?;
+        let ends = [stretch.first()?, stretch.last()?].map(|point| point.center_distance);
+        let middle = 0.5 * (ends[0] + ends[1]);
+        // A narrow stretch at an edge is named inside the plot.
+        let (at, shift, anchor) = match (middle - x[0]) / (x[1] - x[0]) {
+            part if part < 0.1 => (x[0], 6.0, Anchor::Start),
+            part if part > 0.9 => (x[1], -6.0, Anchor::End),
+            _ => (middle, 0.0, Anchor::Middle),
+        };
+        Some(Mark::Text {
+            at: [at, 0.5 * (y[0] + y[1])],
+            shift: [shift, 0.0],
+            text: without_value([status].into_iter()).to_owned(),
+            anchor,
+        })
+    })
+}
+
+fn band([low, high]: &[Vec<Point>; 2], look: Look, opacity: f64) -> [Mark; 3] {
+    let fill = Mark::Band {
+        low: low.clone(),
+        high: high.clone(),
+        look,
+        opacity,
+    };
+    let [low, high] = outline(&[low.clone(), high.clone()], look);
+    [fill, low, high]
+}
+
+fn outline(ends: &[Vec<Point>; 2], look: Look) -> [Mark; 2] {
+    ends.clone().map(|points| Mark::Line {
+        points,
+        look,
+        width: 1.4,
+    })
+}

@@ -1,0 +1,89 @@
+//! Several series as lines or single values.
+
+use super::paint::Look;
+use super::panel::{Axis, Entry, Mark, Panel, Sample, range};
+use super::{Chart, Heading, sheet};
+use crate::error::PictureError;
+
+/// One series of a line chart.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LineSeries<'a> {
+    /// As the legend names it.
+    pub name: &'a str,
+    /// Places in ascending order with their values; a gap where there is none.
+    pub points: Vec<(f64, Option<f64>)>,
+    /// How it is drawn.
+    pub look: Look,
+    /// Single marks instead of a line.
+    pub dots: bool,
+}
+
+/// The axes of a line chart.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LineAxes<'a> {
+    /// What stands above the plot; may be empty.
+    pub title: &'a str,
+    /// Quantity and unit.
+    pub x: &'a str,
+    /// Where x goes over tooth numbers: how many there are.
+    pub teeth: Option<u32>,
+    /// Quantity and unit.
+    pub y: &'a str,
+    /// The least height shown, in that unit: below it rounding noise would fill the chart.
+    pub least: f64,
+}
+
+/// A chart of `series`.
+///
+/// # Errors
+/// [`PictureError`] when no series has a value.
+pub fn lines(heading: &Heading, axes: LineAxes, series: &[LineSeries]) -> Result<Chart, PictureError> {
+    let points = || series.iter().flat_map(|line| &line.points);
+    // Less than a tooth beyond the teeth: before 1 stands the number of the last.
+    let (margin, beyond) = match axes.teeth {
+        Some(_) => (0.0, 0.6),
+        None => (0.02, 0.0),
+    };
+    let x = range(points().map(|point| point.0), [margin; 2], 1e-9);
+    let x = x.map(|[from, to]| [from - beyond, to + beyond]);
+    let values = || points().filter_map(|point| point.1);
+    let y = range(values(), [0.08; 2], axes.least);
+    let (Some(x), Some(y)) = (x, y) else {
+        return Err(PictureError("there are no values to draw".to_owned()));
+    };
+    let marks = series.iter().map(|line| {
+        let points = line.points.clone();
+        match line.dots {
+            true => Mark::Dots {
+                points,
+                look: line.look,
+            },
+            false => Mark::Line {
+                points,
+                look: line.look,
+                width: 1.6,
+            },
+        }
+    });
+    let legend: Vec<Entry> = series
+        .iter()
+        .map(|line| Entry {
+            name: line.name.to_owned(),
+            look: line.look,
+            sample: if line.dots { Sample::Dot } else { Sample::Line },
+        })
+        .collect();
+    let panel = Panel {
+        title: axes.title.to_owned(),
+        x: Axis {
+            teeth: axes.teeth,
+            ..Axis::new(axes.x, x)
+        },
+        y: Axis::new(axes.y, y),
+        height: 340.0,
+        marks: marks.collect(),
+    };
+    // The axis names a single line.
+    let legend = if series.len() > 1 { &legend[..] } else { &[] };
+    sheet::draw(heading, "", legend, &[panel])
+}

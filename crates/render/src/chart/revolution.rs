@@ -1,0 +1,142 @@
+//! Backlash over the teeth, as Figures 17–19 of the study the project started from.
+
+use super::paint::Look;
+use super::panel::{Anchor, Axis, Mark, Panel, Point, Sample, backlash_range};
+use super::words::{
+    course_axis, course_words, empty, entry, interference, micrometres, unproven_of,
+    unproven_words, without_value,
+};
+use super::{Chart, Heading, sheet};
+use gearlash::curves::{Course, CourseLine, Extreme};
+use crate::error::PictureError;
+use gearlash::gear::Side;
+use gearlash::study::Material;
+
+/// How strongly a band is filled.
+const FILL: f64 = 0.2;
+
+/// Backlash over the teeth at one centre distance: a band a flank, from most to least material, with the teeth
+/// that bind where it is least and greatest.
+///
+/// # Errors
+/// [`PictureError`]: none for a course that has poses.
+pub fn revolution(heading: &Heading, course: &Course) -> Result<Chart, PictureError> {
+    let points_of_all = || course.lines.iter().flat_map(|line| &line.points);
+    let without = || {
+        let without = points_of_all().filter(|point| point.simulated_um.is_none());
+        without_value(without.map(|point| point.status))
+    };
+    let values = points_of_all().filter_map(|point| point.simulated_um);
+    let Some(y) = backlash_range(values) else {
+        let words = format!("no pose has a backlash: {}", without());
+        let panel = empty(course_axis(course), &words);
+        let unproven = unproven_words(unproven_of(course.lines.iter()));
+        let details = unproven + &course_words(course);
+        return sheet::draw(heading, &details, &[], &[panel]);
+    };
+    let mut panel = Panel {
+        title: String::new(),
+        x: course_axis(course),
+        y: Axis::new("circumferential backlash j_wt, µm", y),
+        height: 360.0,
+        marks: Vec::new(),
+    };
+    let mut legend = Vec::new();
+    // Only one band is filled: the two lie over each other where there are no pitch deviations.
+    for (flank, look, fill) in [
+        (Side::Right, Look::Right, true),
+        (Side::Left, Look::Left, false),
+    ] {
+        let of = |material: Material| {
+            let mut lines = course.lines.iter();
+            lines.find(|line| (line.flank, line.material) == (flank, material))
+        };
+        let name = format!("{} flank at the pitch point", flank.name());
+        let (most, least) = (of(Material::Most), of(Material::Least));
+        if let (Some(most), Some(least)) = (most, least) {
+            let mut sample = Sample::Line;
+            if fill {
+                panel.marks.push(Mark::Band {
+                    low: points(most),
+                    high: points(least),
+                    look,
+                    opacity: FILL,
+                });
+                sample = Sample::LineInBand(FILL);
+            }
+            let name = format!("{name}: most material (below) to least (above)");
+            legend.push(entry(&name, look, sample));
+        } else if let Some(line) = most.or(least).or(of(Material::AsMeasured)) {
+            let name = match line.material {
+                Material::AsMeasured => name,
+                material => format!("{name}, {} material", material.name()),
+            };
+            legend.push(entry(&name, look, Sample::Line));
+        }
+        let lines = course.lines.iter().filter(|line| line.flank == flank);
+        panel.marks.extend(lines.map(|line| Mark::Line {
+            points: points(line),
+            look,
+            width: 1.6,
+        }));
+    }
+    let busy = course.least.as_ref().map_or(0.0, |least| least.x);
+    interference(&mut panel, busy);
+    match (&course.least, &course.greatest) {
+        // One pose is both where the error bounds tell no two apart.
+        (Some(least), Some(greatest)) if least == greatest => panel.marks.push(Mark::Text {
+            at: [panel.x.range[0], least.backlash_um],
+            shift: [8.0, -14.0],
+            text: format!("{} µm everywhere", micrometres(least.backlash_um)),
+            anchor: Anchor::Start,
+        }),
+        (Some(least), Some(greatest)) => {
+            for (word, extreme, shift) in [("least", least, 16.0), ("greatest", greatest, -16.0)] {
+                panel
+                    .marks
+                    .extend(label(word, extreme, shift, panel.x.range));
+            }
+        }
+        _ => {}
+    }
+    let gaps = match points_of_all().any(|point| point.simulated_um.is_none()) {
+        true => format!(" · gaps: {}", without()),
+        false => String::new(),
+    };
+    let unproven = unproven_words(unproven_of(course.lines.iter()));
+    let details = format!("{unproven}{}{gaps}", course_words(course));
+    sheet::draw(heading, &details, &legend, &[panel])
+}
+
+fn points(line: &CourseLine) -> Vec<Point> {
+    let points = line.points.iter();
+    points.map(|point| (point.x, point.simulated_um)).collect()
+}
+
+/// A cross at an extreme and what binds there.
+fn label(word: &str, extreme: &Extreme, shift: f64, [left, right]: [f64; 2]) -> [Mark; 2] {
+    let part = (extreme.x - left) / (right - left);
+    let (anchor, across) = match part {
+        _ if part < 0.3 => (Anchor::Start, 7.0),
+        _ if part > 0.7 => (Anchor::End, -7.0),
+        _ => (Anchor::Middle, 0.0),
+    };
+    let teeth = |(wheel, pinion): (u32, u32)| format!("{wheel}·{pinion}");
+    [
+        Mark::Dots {
+            points: vec![(extreme.x, Some(extreme.backlash_um))],
+            look: Look::Plain,
+        },
+        Mark::Text {
+            at: [extreme.x, extreme.backlash_um],
+            shift: [across, shift],
+            text: format!(
+                "{word} {} µm: right flanks {}, left flanks {} touch",
+                micrometres(extreme.backlash_um),
+                teeth(extreme.right),
+                teeth(extreme.left)
+            ),
+            anchor,
+        },
+    ]
+}

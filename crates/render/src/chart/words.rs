@@ -1,0 +1,137 @@
+//! Numbers and phrases that several charts share.
+
+use super::paint::Look;
+use super::panel::{Anchor, Axis, Entry, Mark, Panel, Sample};
+use gearlash::curves::{Course, CourseLine};
+use gearlash::mesh::Status;
+use crate::decimal::fixed;
+
+/// µm with one decimal.
+pub(super) fn micrometres(value: f64) -> String {
+    fixed(value, 1)
+}
+
+/// The axis of a course, with its number of teeth.
+pub(super) fn course_axis(course: &Course) -> Axis {
+    let name = match course.teeth {
+        Some(_) => "wheel tooth at the pitch point",
+        None => "pitches from the first pose",
+    };
+    Axis {
+        teeth: course.teeth,
+        ..Axis::new(name, course.span)
+    }
+}
+
+/// Centre distance, start and phase of a course.
+pub(super) fn course_words(course: &Course) -> String {
+    let over = match course.teeth {
+        Some(teeth) if course.span[1] - course.span[0] >= f64::from(teeth) => {
+            "one wheel revolution".to_owned()
+        }
+        _ => format!("{} pitches", course.span[1] - course.span[0]),
+    };
+    let phase = match course.phase {
+        Some((wheel, pinion)) => format!(" · phase {wheel}·{pinion}"),
+        None => String::new(),
+    };
+    format!(
+        "a = {} mm · {over} from mating {}·{} on{phase}",
+        course.center_distance, course.start.0, course.start.1
+    )
+}
+
+/// Zero line, and the ground below it where the axis reaches there; its name stands away from `busy`, a place on x.
+pub(super) fn interference(panel: &mut Panel, busy: f64) {
+    let ([left, right], [low, high]) = (panel.x.range, panel.y.range);
+    let (corner, shift, anchor) = match busy < 0.5 * (left + right) {
+        true => (right, -8.0, Anchor::End),
+        false => (left, 8.0, Anchor::Start),
+    };
+    if low >= 0.0 {
+        return;
+    }
+    panel.marks.insert(
+        0,
+        Mark::Ground {
+            y: [low, high.min(0.0)],
+        },
+    );
+    if high > 0.0 {
+        panel.marks.push(Mark::Line {
+            points: panel.x.range.map(|x| (x, Some(0.0))).to_vec(),
+            look: Look::Plain,
+            width: 1.0,
+        });
+    }
+    panel.marks.push(Mark::Text {
+        at: [corner, low],
+        shift: [shift, -10.0],
+        text: "interference".to_owned(),
+        anchor,
+    });
+}
+
+/// The legend's entry of a line or band.
+pub(super) fn entry(name: &str, look: Look, sample: Sample) -> Entry {
+    Entry {
+        name: name.to_owned(),
+        look,
+        sample,
+    }
+}
+
+/// A panel that says why it is empty.
+pub(super) fn empty(x: Axis, words: &str) -> Panel {
+    let middle = 0.5 * (x.range[0] + x.range[1]);
+    Panel {
+        title: String::new(),
+        x,
+        y: Axis {
+            bare: true,
+            ..Axis::new("", [0.0, 1.0])
+        },
+        height: 130.0,
+        marks: vec![Mark::Text {
+            at: [middle, 0.5],
+            shift: [0.0; 2],
+            text: words.to_owned(),
+            anchor: Anchor::Middle,
+        }],
+    }
+}
+
+/// How many poses are not proven, at the head of a caption, where nothing cuts it off; nothing where all are.
+pub(super) fn unproven_words(poses: usize) -> String {
+    match poses {
+        0 => String::new(),
+        1 => "1 pose unproven, not drawn · ".to_owned(),
+        poses => format!("{poses} poses unproven, not drawn · "),
+    }
+}
+
+/// How many poses of a course are not proven.
+pub(super) fn unproven_of<'a>(lines: impl Iterator<Item = &'a CourseLine>) -> usize {
+    let points = lines.flat_map(|line| &line.points);
+    let unproven = points.filter(|point| point.status == Status::Unproven);
+    unproven.count()
+}
+
+/// Why there is no backlash, of poses that ended so.
+pub(super) fn without_value(statuses: impl Iterator<Item = Status>) -> &'static str {
+    let (mut jammed, mut apart, mut unproven) = (false, false, false);
+    for status in statuses {
+        jammed |= status == Status::Jammed;
+        apart |= status == Status::NoContact;
+        unproven |= status == Status::Unproven;
+    }
+    match (jammed, apart, unproven) {
+        (true, false, false) => "jammed",
+        (false, true, false) => "out of mesh",
+        (_, _, false) => "jammed or out of mesh",
+        (false, false, true) => "unproven",
+        (true, false, true) => "jammed or unproven",
+        (false, true, true) => "out of mesh or unproven",
+        (true, true, true) => "jammed, out of mesh or unproven",
+    }
+}

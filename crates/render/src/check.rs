@@ -1,0 +1,245 @@
+//! The checks of a pair as text and as JSON.
+
+use super::decimal::ascii;
+use gearlash_files::results::{ContactCountRecord, contact_count_record};
+use super::table::{finish, table};
+use gearlash_files::characters;
+use gearlash::diagnosis::{Check, Diagnosis, Group, Verdict};
+use gearlash::pair::Member;
+use gearlash::study::Study;
+use gearlash_files::PairFile;
+use serde::Serialize;
+use serde_json::{Map, Value};
+use std::fmt::Write;
+
+#[derive(Debug, Serialize)]
+struct CheckFile<'a> {
+    gearlash: &'static str,
+    pair: &'a Value,
+    verdict: &'static str,
+    checks: Vec<CheckRecord<'a>>,
+    contact: ContactCountRecord,
+    runs: Vec<GroupRecord>,
+}
+
+#[derive(Debug, Serialize)]
+struct CheckRecord<'a> {
+    id: &'static str,
+    gear: Option<&'static str>,
+    analytic: Option<f64>,
+    measured: Option<f64>,
+    limit: Option<f64>,
+    margin: Option<f64>,
+    unit: &'static str,
+    verdict: &'static str,
+    center_distance_mm: f64,
+    material: &'static str,
+    details: Map<String, Value>,
+    note: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    unproven: Option<&'a str>,
+}
+
+#[derive(Debug, Serialize)]
+struct GroupRecord {
+    center_distance_mm: f64,
+    material: &'static str,
+    contact: ContactCountRecord,
+}
+
+/// As JSON, one line end at the end: every check of each centre distance and material.
+///
+/// # Errors
+/// None for a diagnosis; a number that JSON cannot hold otherwise.
+pub fn json(file: &PairFile, diagnosis: &Diagnosis) -> Result<String, serde_json::Error> {
+    let groups = || diagnosis.groups.iter();
+    let file = CheckFile {
+        gearlash: env!("CARGO_PKG_VERSION"),
+        pair: &file.echo,
+        verdict: diagnosis.verdict().name(),
+        checks: groups()
+            .flat_map(|group| group.checks.iter().map(|check| check_record(group, check)))
+            .collect(),
+        contact: contact_count_record(&diagnosis.contact),
+        runs: groups()
+            .map(|group| GroupRecord {
+                center_distance_mm: group.assembly.center_distance(),
+                material: group.material.name(),
+                contact: contact_count_record(&group.contact),
+            })
+            .collect(),
+    };
+    Ok(characters::json(serde_json::to_string_pretty(&file)?) + "\n")
+}
+
+fn check_record<'a>(group: &Group, check: &'a Check) -> CheckRecord<'a> {
+    let details = check.details.iter();
+    CheckRecord {
+        id: check.id,
+        gear: check.gear.map(Member::name),
+        analytic: check.analytic,
+        measured: check.measured,
+        limit: check.limit,
+        margin: check.margin,
+        unit: check.unit,
+        verdict: check.verdict.name(),
+        center_distance_mm: group.assembly.center_distance(),
+        material: group.material.name(),
+        details: details
+            .map(|(name, value)| ((*name).to_owned(), (*value).into()))
+            .collect(),
+        note: &check.note,
+        unproven: check.unproven.as_deref(),
+    }
+}
+
+/// As text: each check once, of the centre distance and material that keeps its limit least.
+pub fn text(study: &Study, diagnosis: &Diagnosis) -> String {
+    let mut text = format!("{}\n\n", characters::plain(&study.title));
+    let several = diagnosis.groups.len() > 1;
+    let mut headings = vec!["verdict", "check", "gear"];
+    if several {
+        headings.extend(["a mm", "material"]);
+    }
+    headings.extend(["formula", "measured", "limit", "margin", "", ""]);
+    let mut rows = table(&headings);
+    for column in [1, 2, headings.len() - 2, headings.len() - 1] {
+        if let Some(column) = rows.column_mut(column) {
+            column.set_cell_alignment(comfy_table::CellAlignment::Left);
+        }
+    }
+    for (group, check) in governing(diagnosis) {
+        let mut row = vec![
+            check.verdict.name().to_owned(),
+            check.title.to_owned(),
+            check.gear.map_or("", Member::name).to_owned(),
+        ];
+        if several {
+            row.push(format!("{:.3}", group.assembly.center_distance()));
+            row.push(group.material.name().to_owned());
+        }
+        row.push(shown(check.analytic));
+        row.push(measured(check, shown));
+        row.extend([check.limit, check.margin].map(shown));
+        row.push(unit(check.unit).to_owned());
+        row.push(check.note.clone());
+        rows.add_row(row);
+    }
+    text += &finish(&rows);
+    if several {
+        text += "\nEach check of the centre distance and material that keeps its limit least; --format json has all.\n";
+    }
+    for reason in doubts(diagnosis) {
+        let _ = writeln!(text, "\nUNPROVEN: {reason}.");
+    }
+    text += &contact(diagnosis);
+    text
+}
+
+/// Each check of the gravest verdict, then of the least margin, the first of equals.
+pub(super) fn governing(diagnosis: &Diagnosis) -> Vec<(&Group, &Check)> {
+    let mut governing: Vec<(&Group, &Check)> = Vec::new();
+    for group in &diagnosis.groups {
+        for check in &group.checks {
+            let same = |known: &&mut (&Group, &Check)| {
+                known.1.id == check.id && known.1.gear == check.gear
+            };
+            match governing.iter_mut().find(same) {
+                None => governing.push((group, check)),
+                Some(known) => {
+                    let graver = check.verdict > known.1.verdict;
+                    let closer = check.verdict == known.1.verdict && check.margin < known.1.margin;
+                    if graver || closer {
+                        *known = (group, check);
+                    }
+                }
+            }
+        }
+    }
+    governing
+}
+
+fn contact(diagnosis: &Diagnosis) -> String {
+    let count = &diagnosis.contact;
+    let classes: Vec<String> = count
+        .classes
+        .iter()
+        .map(|(class, poses)| format!("{} {poses}", class.name()))
+        .collect();
+    let mut text = format!("\n{} poses: {}.\n", count.poses(), classes.join(", "));
+    if let Some(loss) = &count.loss {
+        let worst = &loss.worst;
+        let mating = worst.pose.mating();
+        let _ = writeln!(
+            text,
+            "Lost motion the formula does not see: least {}, mean {}, most {} µm of j_wt (formula {}, found {} µm).",
+            um(loss.least),
+            um(loss.mean),
+            um(worst.loss),
+            um(worst.backlash + worst.loss),
+            um(worst.backlash),
+        );
+        let _ = writeln!(
+            text,
+            "Most at mating {},{} {} +{:.4}, a {:.3} mm, {}: wheel tooth {} {} (radius {:.3} mm) on pinion tooth {} {} (radius {:.3} mm), {} flanks.",
+            mating.wheel_tooth,
+            mating.pinion_tooth,
+            mating.flank.name(),
+            mating.fraction,
+            worst.assembly.center_distance(),
+            worst.material.name(),
+            worst.contact.wheel.tooth,
+            worst.contact.wheel.curve.name(),
+            worst.contact.wheel.radius,
+            worst.contact.pinion.tooth,
+            worst.contact.pinion.curve.name(),
+            worst.contact.pinion.radius,
+            worst.side.name(),
+        );
+    }
+    text + match diagnosis.verdict() {
+        Verdict::Pass => "Every check passes.\n",
+        Verdict::Warn => "No check fails.\n",
+        Verdict::Unproven => {
+            "No check fails, but some are unproven: nobody knows whether their limits are kept.\n"
+        }
+        Verdict::Fail => "A check fails.\n",
+    }
+}
+
+/// Why checks are not proven, each reason once.
+pub(super) fn doubts(diagnosis: &Diagnosis) -> Vec<&str> {
+    let checks = diagnosis.groups.iter().flat_map(|group| &group.checks);
+    let mut doubts = Vec::new();
+    for reason in checks.filter_map(|check| check.unproven.as_deref()) {
+        if !doubts.contains(&reason) {
+            doubts.push(reason);
+        }
+    }
+    doubts
+}
+
+/// The measured value as `shown`, or that it is not proven.
+pub(super) fn measured(check: &Check, shown: impl Fn(Option<f64>) -> String) -> String {
+    match (&check.unproven, check.measured) {
+        (Some(_), None) => "unproven".to_owned(),
+        (_, measured) => shown(measured),
+    }
+}
+
+/// µm with three decimals.
+fn um(length: f64) -> String {
+    ascii(length * 1e3, 3)
+}
+
+fn shown(value: Option<f64>) -> String {
+    value.map_or("–".to_owned(), |value| ascii(value, 4))
+}
+
+/// A check's unit as it is shown.
+pub(super) fn unit(unit: &'static str) -> &'static str {
+    match unit {
+        "1" => "",
+        unit => unit,
+    }
+}

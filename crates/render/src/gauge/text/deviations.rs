@@ -1,0 +1,62 @@
+//! Runout, pitch and roll in µm.
+
+use gearlash::gauge::{Eccentricity, Gauged, PitchReadings};
+use gearlash::gear::Side;
+use crate::table::um;
+use std::fmt::Write;
+
+pub(super) fn lines(read: &Gauged) -> String {
+    let mut text = String::from("\n");
+    if let Ok(runout) = &read.runout {
+        let _ = writeln!(
+            text,
+            "F_r {} µm ({})",
+            um(Some(runout.total()), 3),
+            eccentricity(&read.eccentricity),
+        );
+    }
+    if let Ok(roll) = &read.roll {
+        let [total, single] = [roll.total(), roll.tooth_to_tooth()].map(|range| {
+            format!(
+                "{} µm (+ {:.0e} at most)",
+                um(Some(range.found), 3),
+                1e3 * range.missed
+            )
+        });
+        let _ = writeln!(
+            text,
+            "F_i'' {total}, f_i'' {single}: {} poses a pitch and {} more round the extremes, each ± {:.0e} µm",
+            roll.steps_per_pitch,
+            roll.between.len(),
+            1e3 * roll.reading_error(),
+        );
+    }
+    for pitch in [&read.pitch_own, &read.pitch_datum].into_iter().flatten() {
+        let _ = writeln!(text, "pitch, {}: {}", pitch.axis.name(), both(pitch));
+    }
+    text
+}
+
+fn eccentricity(found: &Eccentricity) -> String {
+    if found.amount > 0.0 {
+        format!(
+            "2 e = {} µm towards tooth {:.2}",
+            um(Some(2.0 * found.amount), 3),
+            found.high_tooth
+        )
+    } else {
+        "no eccentricity".to_owned()
+    }
+}
+
+fn both(pitch: &PitchReadings) -> String {
+    let side = |side: Side| {
+        format!(
+            "{} flanks f_p {} µm, F_p {} µm",
+            side.name(),
+            um(Some(pitch.greatest_single(side)), 3),
+            um(Some(pitch.total(side)), 3),
+        )
+    };
+    format!("{}; {}", side(Side::Right), side(Side::Left))
+}

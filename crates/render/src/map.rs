@@ -1,0 +1,304 @@
+//! The map of what touches over centre distance and mesh phase, as a picture and as rows.
+
+use super::page::{Frame, GREY, INK, line, number, text};
+use gearlash::diagnosis::{Map, MapCell};
+use gearlash::mesh::{ContactKind, PoseClass};
+use svg::Document;
+use svg::node::Node;
+use svg::node::element::{Element, Group, Rectangle};
+
+const WIDTH: f64 = 900.0;
+const HEIGHT: f64 = 640.0;
+const FIELD: Frame = Frame {
+    left: 90.0,
+    top: 80.0,
+    right: 560.0,
+    bottom: 520.0,
+};
+
+/// What a cell is coloured by; told apart by lightness first.
+#[derive(Clone, Copy, PartialEq)]
+enum Shade {
+    Nothing,
+    Involute,
+    Overlap,
+    Corner,
+    Fillet,
+    Jam,
+    Unproven,
+}
+
+impl Shade {
+    const ALL: [Shade; 7] = [
+        Shade::Involute,
+        Shade::Overlap,
+        Shade::Corner,
+        Shade::Fillet,
+        Shade::Jam,
+        Shade::Nothing,
+        Shade::Unproven,
+    ];
+
+    fn of(cell: &MapCell) -> Shade {
+        match cell.class {
+            PoseClass::NoContact => Shade::Nothing,
+            PoseClass::Jammed => Shade::Jam,
+            PoseClass::Unproven => Shade::Unproven,
+            PoseClass::Contact(ContactKind::Involute) => {
+                match cell.backlash.is_some_and(|j| j < 0.0) {
+                    true => Shade::Overlap,
+                    false => Shade::Involute,
+                }
+            }
+            PoseClass::Contact(ContactKind::TipInvolute | ContactKind::TipTip) => Shade::Corner,
+            PoseClass::Contact(_) => Shade::Fillet,
+        }
+    }
+
+    fn colour(self) -> &'static str {
+        match self {
+            Shade::Nothing => "#ffffff",
+            Shade::Involute => "#d7ebdf",
+            Shade::Overlap => "#a9c7e0",
+            Shade::Corner => "#f0b45a",
+            Shade::Fillet => "#c8452f",
+            Shade::Jam => "#4a1f2e",
+            Shade::Unproven => "#ff00ff",
+        }
+    }
+
+    fn name(self) -> &'static str {
+        match self {
+            Shade::Nothing => "nothing touches",
+            Shade::Involute => "involutes, with backlash",
+            Shade::Overlap => "involutes, interference",
+            Shade::Corner => "tip corner off the line",
+            Shade::Fillet => "fillet or undercut edge",
+            Shade::Jam => "jam: tip in root",
+            Shade::Unproven => "unproven: contact lost",
+        }
+    }
+}
+
+/// `map` as SVG; `title` and what pair it is of (`caption`) stand above.
+pub fn map_picture(map: &Map, title: &str, caption: &str) -> String {
+    let mut document = Document::new()
+        .set("viewBox", (0, 0, WIDTH as i32, HEIGHT as i32))
+        .set("width", "225mm")
+        .set("height", "160mm")
+        .set("font-family", "Helvetica, Arial, sans-serif")
+        .set("fill", INK);
+    document.append(
+        Rectangle::new()
+            .set("width", number(WIDTH))
+            .set("height", number(HEIGHT))
+            .set("fill", "#ffffff"),
+    );
+    document.append(text(title, [FIELD.left, 34.0], 18.0, true));
+    document.append(grey(caption, [FIELD.left, 56.0], 12.0));
+    document.append(cells(map));
+    document.append(FIELD.border());
+    document.append(axes(map));
+    document.append(limits(map));
+    document.append(legend(map));
+    document.to_string() + "\n"
+}
+
+/// `map` as CSV, a row a pose.
+///
+/// # Errors
+/// None that a map can cause; the writer's otherwise.
+pub fn map_csv(map: &Map) -> Result<String, csv::Error> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record(["center_distance_mm", "fraction", "class", "j_wt_um"])?;
+    let places = map
+        .distances
+        .iter()
+        .flat_map(|a| map.fractions.iter().map(move |fraction| (a, fraction)));
+    for ((distance, fraction), cell) in places.zip(&map.cells) {
+        let backlash = cell
+            .backlash
+            .map_or(String::new(), |j| (j * 1e3).to_string());
+        writer.write_record([
+            distance.to_string(),
+            fraction.to_string(),
+            cell.class.name().to_owned(),
+            backlash,
+        ])?;
+    }
+    let bytes = writer.into_inner().map_err(|error| error.into_error())?;
+    Ok(String::from_utf8_lossy(&bytes).into_owned())
+}
+
+fn grey(content: &str, at: [f64; 2], size: f64) -> Element {
+    let mut element = text(content, at, size, true);
+    element.assign("fill", GREY);
+    element
+}
+
+fn ended(mut element: Element) -> Element {
+    element.assign("text-anchor", "end");
+    element
+}
+
+/// Least and greatest centre distance of the field.
+fn range(map: &Map) -> (f64, f64) {
+    let first = map.distances.first().copied().unwrap_or_default();
+    let last = map.distances.last().copied().unwrap_or_default();
+    let half = 0.5 * (last - first) / (map.distances.len().max(2) - 1) as f64;
+    (first - half, last + half)
+}
+
+fn height_of(map: &Map, distance: f64) -> f64 {
+    let (low, high) = range(map);
+    FIELD.bottom - FIELD.height() * (distance - low) / (high - low)
+}
+
+/// Cells of one shade beside each other in a row are one rectangle.
+fn cells(map: &Map) -> Group {
+    let mut group = Group::new().set("shape-rendering", "crispEdges");
+    let (rows, columns) = (map.distances.len(), map.fractions.len());
+    let (width, height) = (FIELD.width() / columns as f64, FIELD.height() / rows as f64);
+    for (row, cells) in map.cells.chunks(columns.max(1)).enumerate() {
+        let top = FIELD.bottom - (row + 1) as f64 * height;
+        let mut column = 0;
+        for run in cells.chunk_by(|a, b| Shade::of(a) == Shade::of(b)) {
+            let left = FIELD.left + column as f64 * width;
+            column += run.len();
+            let right = FIELD.left + column as f64 * width;
+            let frame = Frame {
+                left,
+                top,
+                right,
+                bottom: top + height,
+            };
+            group.append(frame.rectangle().set("fill", Shade::of(&run[0]).colour()));
+        }
+    }
+    group
+}
+
+fn axes(map: &Map) -> Group {
+    let mut group = Group::new();
+    for quarter in 0..=4 {
+        let fraction = f64::from(quarter) / 4.0;
+        let x = FIELD.left + fraction * FIELD.width();
+        group.append(line(
+            &[[x, FIELD.bottom], [x, FIELD.bottom + 5.0]],
+            INK,
+            1.0,
+        ));
+        let mut label = text(&format!("{fraction}"), [x, FIELD.bottom + 20.0], 12.0, true);
+        label.assign("text-anchor", "middle");
+        group.append(label);
+    }
+    let mut label = text(
+        &format!(
+            "mesh phase: pitches beyond mating {},{} {}",
+            map.start.wheel_tooth,
+            map.start.pinion_tooth,
+            map.start.flank.name()
+        ),
+        [0.5 * (FIELD.left + FIELD.right), FIELD.bottom + 42.0],
+        13.0,
+        true,
+    );
+    label.assign("text-anchor", "middle");
+    group.append(label);
+    let (low, high) = range(map);
+    let step = super::scale::round_down((high - low) / 4.0, super::scale::ISO_5455);
+    let decimals = (-step.log10().floor()).max(0.0) as usize;
+    let mut tick = (low / step).ceil();
+    while tick * step <= high {
+        let y = height_of(map, tick * step);
+        group.append(line(&[[FIELD.left - 5.0, y], [FIELD.left, y]], INK, 1.0));
+        let label = format!("{:.decimals$}", tick * step);
+        group.append(ended(text(&label, [FIELD.left - 9.0, y + 4.0], 12.0, true)));
+        tick += 1.0;
+    }
+    group.append(text(
+        "centre distance a, mm",
+        [FIELD.left - 70.0, FIELD.top - 8.0],
+        13.0,
+        true,
+    ));
+    group
+}
+
+/// Lines across the field, their names on the right, moved apart where they would collide.
+fn limits(map: &Map) -> Group {
+    const APART: f64 = 17.0;
+    let mut group = Group::new();
+    // From the top down.
+    let named: Vec<(f64, String)> = map
+        .limits
+        .iter()
+        .rev()
+        .map(|limit| {
+            let label = format!("{:.4} {}", limit.distance, limit.name);
+            (height_of(map, limit.distance), label)
+        })
+        .collect();
+    let inside = |y: f64| y <= FIELD.bottom;
+    let mut heights: Vec<f64> = named.iter().map(|(y, _)| *y).collect();
+    // Down past the one above, then up from the bottom.
+    for i in 1..heights.len() {
+        heights[i] = heights[i].max(heights[i - 1] + APART);
+    }
+    let mut lowest = FIELD.bottom + 2.0 * APART;
+    for height in heights.iter_mut().rev() {
+        *height = height.min(lowest);
+        lowest = *height - APART;
+    }
+    for ((y, label), at) in named.iter().zip(heights) {
+        if !inside(*y) {
+            let label = format!("{label}: below the map");
+            group.append(grey(&label, [FIELD.right + 25.0, at + 4.0], 12.0));
+            continue;
+        }
+        let own = label.contains("a of the pair");
+        let mut across = line(
+            &[[FIELD.left, *y], [FIELD.right, *y]],
+            INK,
+            if own { 2.0 } else { 1.0 },
+        );
+        if !own {
+            across = across.set("stroke-dasharray", "6 3");
+        }
+        // Light under dark: the line shows on any shade.
+        let halo = line(&[[FIELD.left, *y], [FIELD.right, *y]], "#ffffff", 3.0);
+        group.append(halo.set("stroke-opacity", "0.60"));
+        group.append(across);
+        group.append(line(
+            &[
+                [FIELD.right, *y],
+                [FIELD.right + 12.0, at],
+                [FIELD.right + 20.0, at],
+            ],
+            GREY,
+            0.8,
+        ));
+        group.append(text(label, [FIELD.right + 25.0, at + 4.0], 12.0, true));
+    }
+    group
+}
+
+/// The shades that occur.
+fn legend(map: &Map) -> Group {
+    let mut group = Group::new();
+    let used = |shade: &Shade| map.cells.iter().any(|cell| Shade::of(cell) == *shade);
+    for (i, shade) in Shade::ALL.into_iter().filter(used).enumerate() {
+        let left = FIELD.left + (i % 3) as f64 * 250.0;
+        let top = FIELD.bottom + 66.0 + (i / 3) as f64 * 24.0;
+        let frame = Frame {
+            left,
+            top,
+            right: left + 22.0,
+            bottom: top + 14.0,
+        };
+        let swatch = frame.rectangle().set("fill", shade.colour());
+        group.append(swatch.set("stroke", GREY).set("stroke-width", "0.8"));
+        group.append(text(shade.name(), [left + 30.0, top + 11.5], 13.0, true));
+    }
+    group
+}

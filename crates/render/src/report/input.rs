@@ -1,0 +1,211 @@
+//! The input as understood: both gears side by side, the assembly, what the user should know.
+
+use super::figures::inspections;
+use super::stated::{high_tooth, pitch, runout, thickness, words};
+use super::words::{distance, plain, symbol, value};
+use super::{Page, grades, notes};
+use crate::error::PictureError;
+use gearlash::gear::{AsBuilt, Inspection};
+use gearlash::pair::Member;
+use maud::{Markup, html};
+use serde_json::Value;
+
+/// A property of a gear as built: symbol, index, name, unit, decimals, value.
+type Property = (
+    &'static str,
+    &'static str,
+    &'static str,
+    &'static str,
+    usize,
+    fn(&AsBuilt) -> f64,
+);
+
+/// What follows from the drawing and the measured thickness, lengths in mm.
+const DERIVED: [Property; 7] = [
+    (
+        "x",
+        "E",
+        "generating profile shift coefficient",
+        "–",
+        5,
+        |g| g.gear().generating_shift(),
+    ),
+    ("d", "", "reference diameter", "mm", 4, |g| {
+        2.0 * g.gear().basic_data().reference_radius()
+    }),
+    ("d", "a", "tip diameter", "mm", 4, |g| {
+        2.0 * g.gear().tip_radius()
+    }),
+    ("d", "f", "root diameter", "mm", 4, |g| {
+        2.0 * g.gear().root_radius()
+    }),
+    ("d", "b", "base diameter", "mm", 4, |g| {
+        2.0 * g.gear().base_radius()
+    }),
+    ("d", "Ff", "root form diameter", "mm", 4, |g| {
+        2.0 * g.gear().form_radius()
+    }),
+    ("s", "b", "base tooth thickness", "mm", 5, |g| {
+        g.gear().base_thickness()
+    }),
+];
+
+/// What the drawing says.
+const DRAWN: [Property; 7] = [
+    ("z", "", "number of teeth", "–", 0, |g| {
+        f64::from(g.gear().basic_data().teeth())
+    }),
+    ("m", "", "module", "mm", 4, |g| {
+        g.gear().basic_data().module()
+    }),
+    ("α", "", "pressure angle", "°", 4, |g| {
+        g.gear().basic_data().pressure_angle().to_degrees()
+    }),
+    ("x", "", "profile shift coefficient", "–", 4, |g| {
+        g.gear().design().profile_shift
+    }),
+    ("h*", "aP", "addendum of the basic rack", "module", 3, |g| {
+        g.gear().design().rack.addendum()
+    }),
+    ("h*", "fP", "dedendum of the basic rack", "module", 3, |g| {
+        g.gear().design().rack.dedendum()
+    }),
+    (
+        "ρ*",
+        "fP",
+        "root radius of the basic rack",
+        "module",
+        3,
+        |g| g.gear().design().rack.root_radius(),
+    ),
+];
+
+pub(super) fn section(page: &Page) -> Result<Markup, PictureError> {
+    let study = &page.report.pair.study;
+    let echo = &page.report.pair.echo;
+    let several = study.materials.len() > 1;
+    let stated = |table: &str, words: fn(&Value) -> String| {
+        ["wheel", "pinion"].map(|gear| words(&echo[gear][table]))
+    };
+    let by_tooth = |gear: &AsBuilt| {
+        let of = Inspection::of(gear);
+        of.thickness().iter().any(|thickness| *thickness != 0.0)
+    };
+    let by_tooth = study
+        .materials
+        .first()
+        .map_or([false; 2], |(_, wheel, pinion)| {
+            [by_tooth(wheel), by_tooth(pinion)]
+        });
+    let pitches = [("wheel", by_tooth[0]), ("pinion", by_tooth[1])];
+    let pitches = pitches.map(|(gear, by_tooth)| pitch(&echo[gear]["pitch"], by_tooth));
+    let face = ["wheel", "pinion"].map(|gear| words(&echo[gear]["reference_face"]));
+    Ok(html! {
+        section id="input" {
+            h2 { "Input" }
+            div.scroll tabindex="0" role="region" aria-label="Both gears" {
+                table {
+                    caption {
+                        "The gears as understood, defaults filled in"
+                        @if several { "; two values: at most material, at least material" }
+                    }
+                    thead { tr {
+                        th scope="col" { "symbol" } th scope="col" { "name" } th scope="col" { "unit" }
+                        th.n scope="col" { "wheel (1)" } th.n scope="col" { "pinion (2)" }
+                    } }
+                    tbody {
+                        @for property in DRAWN.iter().chain(&DERIVED) { (row(page, property)) }
+                        (text_row(("", ""), "thickness as stated", "", stated("thickness", thickness)))
+                        (text_row(("2 e", ""), "twice the eccentricity, the runout as stated", "µm", stated("runout", runout)))
+                        (text_row(("", ""), "high tooth", "–", stated("runout", high_tooth)))
+                        (text_row(("F", "p"), "pitch deviations", "", pitches))
+                        (text_row(("", ""), "reference face towards", "", face))
+                    }
+                }
+            }
+            (assembly(page))
+            @for warning in page.report.pair.warnings.iter().chain(&page.report.pair.remarks) { p.warning { strong { "Note: " } (plain(warning)) "." } }
+            (notes::list(page))
+            (grades::table(page))
+            (inspections(page)?)
+        }
+    })
+}
+
+fn row(page: &Page, (letter, index, name, unit, decimals, of): &Property) -> Markup {
+    let cell = |member: Member| {
+        let gears = page.report.pair.study.materials.iter();
+        let mut values: Vec<String> = gears
+            .map(|(_, wheel, pinion)| match member {
+                Member::Wheel => shortest(of(wheel), *decimals),
+                Member::Pinion => shortest(of(pinion), *decimals),
+            })
+            .collect();
+        values.dedup();
+        values.join(" / ")
+    };
+    text_row(
+        (letter, index),
+        name,
+        unit,
+        [Member::Wheel, Member::Pinion].map(cell),
+    )
+}
+
+fn text_row(
+    (letter, index): (&str, &str),
+    name: &str,
+    unit: &str,
+    [wheel, pinion]: [String; 2],
+) -> Markup {
+    html! {
+        tr {
+            td.w { (symbol(letter, index)) }
+            th scope="row" { (name) }
+            td { (unit) }
+            td.n { (wheel) }
+            td.n { (pinion) }
+        }
+    }
+}
+
+/// So many decimals, without zeros at the end.
+fn shortest(number: f64, decimals: usize) -> String {
+    let text = value(Some(number), decimals);
+    match text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => text,
+    }
+}
+
+fn assembly(page: &Page) -> Markup {
+    let study = &page.report.pair.study;
+    let clearance = &page.report.pair.echo["assembly"]["bearing_clearance_mm"];
+    let distances: Vec<String> = study
+        .center_distances
+        .iter()
+        .map(|a| distance(*a))
+        .collect();
+    let angles = page.report.runs.iter();
+    let angles = angles.map(|run| run.run.assembly.operating_pressure_angle().to_degrees());
+    let (least, most) = (angles.clone().reduce(f64::min), angles.reduce(f64::max));
+    let angle = match least == most {
+        true => value(least, 4),
+        false => format!("{} … {}", value(least, 4), value(most, 4)),
+    };
+    html! {
+        div.scroll tabindex="0" role="region" aria-label="Assembly" {
+            table {
+                caption { "Assembly" }
+                tbody {
+                    tr { td { i { "a" } } th scope="row" { "centre distance" } td { "mm" }
+                        td { (distances.join(", ")) } }
+                    tr { td { (symbol("α", "wt")) } th scope="row" { "operating pressure angle" } td { "°" } td { (angle) } }
+                    tr { td {} th scope="row" { "radial bearing clearance, wheel / pinion" } td { "mm" }
+                        td { (words(&clearance["wheel"])) " / " (words(&clearance["pinion"])) } }
+                    tr { td {} th scope="row" { "locked gear" } td {} td { (study.locked.name()) } }
+                }
+            }
+        }
+    }
+}

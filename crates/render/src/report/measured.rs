@@ -1,0 +1,105 @@
+//! Measured backlash beside the predicted bands.
+
+use super::words::{distance, plain, value};
+use super::{Page, Report};
+use gearlash::measured::{Band, MeasuredMating, sides};
+use maud::{Markup, html};
+
+/// How many measured values lie in their bands; `None` without measurements.
+pub(super) fn sentence(report: &Report) -> Option<String> {
+    if report.measured.is_empty() {
+        return None;
+    }
+    let [below, inside, above] = sides(report.measured, |mating| mating.simulated);
+    let of = below + inside + above;
+    let mut text = format!(
+        "{inside} of {of} measured values lie inside the simulated band, {below} below it, {above} above it"
+    );
+    if report.pair.study.bearing_clearance > 0.0 {
+        let [_, inside, _] = sides(report.measured, |mating| mating.with_clearance);
+        text += &format!("; {inside} of {of} with the bearing clearance taken in");
+    }
+    Some(text + ".")
+}
+
+pub(super) fn section(page: &Page) -> Markup {
+    let report = page.report;
+    let Some(sentence) = sentence(report) else {
+        return html! {};
+    };
+    let clearance = report.pair.study.bearing_clearance > 0.0;
+    html! {
+        section id="measured" {
+            h2 { "Measured and predicted" }
+            p { (sentence) }
+            div.scroll tabindex="0" role="region" aria-label="Measured and predicted backlash" {
+                table {
+                    caption {
+                        "Backlash, µm. Bands from most to least material, means of the mating’s right-flank and left-flank pose. "
+                        "↓ ↑: below or above the simulated band. Predicted in the file: what the file of measurements gives beside them."
+                    }
+                    thead { tr {
+                        th scope="col" { "mating" }
+                        th.n scope="col" { i { "a" } " mm" }
+                        th.n scope="col" { "measured right" }
+                        th.n scope="col" { "left" }
+                        th.n scope="col" { "simulated" }
+                        @if clearance { th.n scope="col" { "with bearing clearance" } }
+                        th.n scope="col" { "involute formula" }
+                        th.n scope="col" { "predicted in the file" }
+                    } }
+                    tbody { @for mating in report.measured { (row(mating, clearance)) } }
+                }
+            }
+            (sources(report.measured))
+        }
+    }
+}
+
+fn row(mating: &MeasuredMating, clearance: bool) -> Markup {
+    let row = &mating.row;
+    let marked = |um: f64| {
+        let mark = match mating.simulated.map_or(0, |band| band.side_of(um)) {
+            0 => "\u{2007}",
+            1 => "↑",
+            _ => "↓",
+        };
+        format!("{} {mark}", super::words::written(um))
+    };
+    html! {
+        tr {
+            th scope="row" { (row.wheel_tooth) "·" (row.pinion_tooth) }
+            td.n { (distance(row.center_distance)) }
+            td.n { (marked(row.right_um)) }
+            td.n { (marked(row.left_um)) }
+            td.n { (band(mating.simulated)) }
+            @if clearance { td.n { (band(mating.with_clearance)) } }
+            td.n { (band(mating.analytic)) }
+            td.n { (band(Some(mating.printed))) }
+        }
+    }
+}
+
+fn band(band: Option<Band>) -> String {
+    band.map_or("–".to_owned(), |band| {
+        format!(
+            "{} … {}",
+            value(Some(band.min_um), 1),
+            value(Some(band.max_um), 1)
+        )
+    })
+}
+
+/// Where the rows come from, each source once.
+fn sources(measured: &[MeasuredMating]) -> Markup {
+    let mut sources: Vec<&str> = Vec::new();
+    for mating in measured {
+        let source = mating.row.source.as_str();
+        if !source.is_empty() && !sources.contains(&source) {
+            sources.push(source);
+        }
+    }
+    html! {
+        @if !sources.is_empty() { p.note { "Source as that file names it: " (plain(&sources.join("; "))) "." } }
+    }
+}

@@ -1,0 +1,39 @@
+//! How the numbers were found, how closely, and what they leave out.
+
+use super::Page;
+use super::words::{bound, j_wt, symbol};
+use maud::{Markup, html};
+
+pub(super) fn section(page: &Page) -> Markup {
+    html! {
+        section id="method" {
+            h2 { "Method and error bound" }
+            p {
+                "Both outlines are built as measured: involutes, generated fillets, tips and roots, each flank where its "
+                "thickness and pitch deviation put it, each gear off its axis by half its runout. The "
+                (page.report.pair.study.locked.name()) " is locked; its mate is turned until the right flanks touch, and until the "
+                "left flanks touch. The angle between is the lost motion, signed: negative backlash means that the teeth "
+                "would have to overlap, and that the pair cannot be assembled. Times the mate’s operating pitch radius it is "
+                "the circumferential backlash " (j_wt()) "."
+            }
+            p {
+                "Contacts are found on the curves themselves. The bound on the error of " (j_wt())
+                " covers rounding alone and follows each pose"
+                @if let Some(error) = page.whole.error_bound {
+                    "; the greatest here is " (bound(error)) " µm"
+                }
+                ". Symbols follow ISO 21771: " (symbol("s", "b")) " base tooth thickness, " (symbol("x", "E"))
+                " generating profile shift coefficient, " (symbol("d", "Ff")) " root form diameter."
+            }
+            p {
+                "In a mating (w, p) the flank of wheel tooth w stands in the operating pitch point; flanks are named as seen "
+                "from the front, teeth numbered on each gear’s reference face."
+            }
+            h3 { "Not in the model" }
+            p {
+                "Helical gears, crowning and other profile modifications, form deviations of single flanks, deflection under "
+                "load, temperature and axis misalignment. Pitch and thickness deviations turn a flank as a whole."
+            }
+        }
+    }
+}

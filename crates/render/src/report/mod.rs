@@ -1,0 +1,174 @@
+//! A study as one HTML page, in the manner of a calculation report: for a colleague who never saw the tool.
+//!
+//! The page needs nothing but itself: style, pictures and script stand in it. Built with `maud`: the page is
+//! Rust that the compiler checks, every text is escaped unless said otherwise, and nothing is read or
+//! parsed when it runs.
+
+mod checks;
+mod cycle;
+mod figures;
+mod grades;
+mod inline;
+mod input;
+mod measured;
+mod method;
+mod models;
+mod notes;
+mod poses;
+mod results;
+mod stated;
+mod trust;
+mod unproven;
+mod verdict;
+mod words;
+
+use gearlash::compare::ComparedRun;
+use gearlash::curves::{Course, OverDistance, courses};
+use gearlash::cycle::Cycle;
+use gearlash::diagnosis::Diagnosis;
+use crate::error::PictureError;
+use gearlash::gauge::{GradedReading, Unmeasured};
+use gearlash::measured::MeasuredMating;
+use gearlash::mesh::Method;
+use gearlash::outcome::{Agreement, AtDistance, Outcome, by_distance};
+use crate::viewer;
+use gearlash_files::PairFile;
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+use words::plain;
+
+const STYLE: &str = include_str!("style.css");
+
+/// What a report tells.
+#[derive(Debug, Clone, Copy)]
+pub struct Report<'a> {
+    /// The pair as read.
+    pub pair: &'a PairFile,
+    /// Name of its file.
+    pub file: &'a str,
+    /// Day of the report, as it shall stand there.
+    pub date: &'a str,
+    /// How lost motion was found.
+    pub method: Method,
+    /// The poses the pair file asks for.
+    pub runs: &'a [ComparedRun],
+    /// Whole revolutions at the same centre distances.
+    pub revolution: &'a [ComparedRun],
+    /// The hunting cycle beyond these.
+    pub cycle: &'a Cycle,
+    /// Over the centre distance: what binds, then the matings that were measured.
+    pub over_distance: &'a [OverDistance],
+    /// Measured values beside their bands.
+    pub measured: &'a [MeasuredMating],
+    /// Every check.
+    pub diagnosis: &'a Diagnosis,
+    /// Pitch and runout of each gear that deviates, as the gauge reads and grades them.
+    pub grades: &'a [(&'static str, Result<Vec<GradedReading>, Unmeasured>)],
+}
+
+impl<'a> Report<'a> {
+    /// Every run that counts, none twice: whole revolutions, and what the pair file asks for beside them.
+    fn runs(&self) -> Vec<&'a ComparedRun> {
+        let asked = match self.pair.study.sweeps() {
+            true => &[],
+            false => self.runs,
+        };
+        self.revolution.iter().chain(asked).collect()
+    }
+}
+
+/// What the sections of a page share.
+struct Page<'a> {
+    report: &'a Report<'a>,
+    /// Every run, and the extremes of the rest of the hunting cycle.
+    all: Vec<&'a ComparedRun>,
+    whole: Outcome<'a>,
+    agreement: Agreement,
+    distances: Vec<AtDistance<'a>>,
+    courses: Vec<Course>,
+}
+
+/// The page of `report`, in UTF-8.
+///
+/// # Errors
+/// A chart that cannot be drawn or data that cannot be written: none for results of a simulation.
+pub fn report(report: &Report) -> Result<String, PictureError> {
+    let runs = report.runs();
+    let picked: Vec<&ComparedRun> = report.cycle.extremes.iter().collect();
+    let all = [&runs[..], &picked[..]].concat();
+    let page = Page {
+        whole: Outcome::of(&runs, &picked),
+        agreement: Agreement::of(&all),
+        distances: by_distance(&runs, &picked),
+        courses: courses(report.revolution),
+        all,
+        report,
+    };
+    let title = title(report);
+    let style = PreEscaped(format!("\n{STYLE}{}", viewer::STYLE));
+    let markup = html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                meta name="generator" content=(format!("gearlash {}", env!("CARGO_PKG_VERSION")));
+                title { (title) " – backlash" }
+                style { (style) }
+            }
+            body {
+                (head(report, &title))
+                main {
+                    (verdict::section(&page))
+                    (unproven::section(&page))
+                    (trust::section(&page))
+                    (input::section(&page)?)
+                    (checks::section(&page))
+                    (results::section(&page)?)
+                    (measured::section(&page))
+                    (models::section(&page)?)
+                    (poses::section(&page)?)
+                    (method::section(&page))
+                }
+                footer { p {
+                    "gearlash " (env!("CARGO_PKG_VERSION")) ", " (report.date)
+                    ". The same pair file and version give the same numbers."
+                } }
+            }
+        }
+    };
+    Ok(markup.into_string() + "\n")
+}
+
+/// The pair's title; its file where that holds nothing to be read.
+fn title(report: &Report) -> String {
+    [report.pair.study.title.as_str(), report.file]
+        .map(plain)
+        .into_iter()
+        .find(|title| !title.trim().is_empty())
+        .unwrap_or_else(|| "Gear pair".to_owned())
+}
+
+fn head(report: &Report, title: &str) -> Markup {
+    html! {
+        header {
+            p.kind { "Backlash of a gear pair · calculation report" }
+            h1 { (title) }
+            dl.about {
+                div { dt { "Pair file" } dd { (plain(report.file)) } }
+                div { dt { "Date" } dd { (report.date) " (UTC)" } }
+                div { dt { "Program" } dd { "gearlash " (env!("CARGO_PKG_VERSION")) } }
+            }
+        }
+        nav aria-label="Contents" {
+            a href="#result" { "Result" }
+            a href="#trust" { "Trust" }
+            a href="#input" { "Input" }
+            a href="#checks" { "Checks" }
+            a href="#backlash" { "Backlash and mesh" }
+            @if !report.measured.is_empty() { a href="#measured" { "Measured" } }
+            a href="#models" { "Formulas" }
+            a href="#poses" { "Worst poses" }
+            a href="#method" { "Method" }
+        }
+    }
+}

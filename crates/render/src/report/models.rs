@@ -1,0 +1,84 @@
+//! The three formulas beside the simulation.
+
+use super::Page;
+use super::figures::difference;
+use super::words::fine;
+use crate::error::PictureError;
+use gearlash::outcome::{MODELS, deviation};
+use maud::{Markup, html};
+
+/// What each formula knows, in the order of [`MODELS`].
+const NAMES: [(&str, &str); 3] = [
+    (
+        "1 Michalec, K (1)–(7)",
+        "mean thickness, eccentricity; linear in the centre distance",
+    ),
+    (
+        "2 involute, K (11)–(17)",
+        "mean thickness, eccentricity at the pose",
+    ),
+    (
+        "3 line of action",
+        "every flank’s thickness and pitch, eccentricity; exact while involutes touch",
+    ),
+];
+
+pub(super) fn section(page: &Page) -> Result<Markup, PictureError> {
+    let of = &page.agreement;
+    let counts = [
+        (of.agree, "agree with model 3"),
+        (
+            of.off_line,
+            "lie below model 3, the teeth touching off the line of action",
+        ),
+        (of.below, "lie below model 3 though involutes touch"),
+        (of.above, "lie above model 3"),
+        (
+            of.simulated_alone,
+            "have no value of model 3, no two involutes reaching each other",
+        ),
+        (of.jammed, "are jammed, though model 3 has a value"),
+        (of.apart, "are out of mesh, though model 3 has a value"),
+        (of.neither, "are jammed or out of mesh: neither has a value"),
+        (of.unproven, "are unproven: not compared"),
+    ];
+    let counts: Vec<String> = counts
+        .iter()
+        .filter(|(poses, _)| *poses > 0)
+        .map(|(poses, words)| format!("{poses} {words}"))
+        .collect();
+    Ok(html! {
+        section id="models" {
+            h2 { "Formulas beside the simulation" }
+            p {
+                "Of " (of.poses) " poses " (counts.join("; "))
+                " (tolerance " (super::words::written(page.report.pair.study.tolerance_um)) " µm and the error bound)."
+            }
+            div.scroll tabindex="0" role="region" aria-label="Formulas beside the simulation" {
+                table {
+                    caption { "Simulated minus formula, µm" }
+                    thead { tr {
+                        th scope="col" { "model" }
+                        th scope="col" { "what it knows" }
+                        th.n scope="col" { "poses" }
+                        th.n scope="col" { "mean" }
+                        th.n scope="col" { "largest" }
+                    } }
+                    tbody {
+                        @for ((name, knows), model) in NAMES.into_iter().zip(MODELS) {
+                            @let deviation = deviation(&page.all, model);
+                            tr {
+                                th.w scope="row" { (name) }
+                                td { (knows) }
+                                td.n { (deviation.map_or(0, |deviation| deviation.poses)) }
+                                td.n { (fine(deviation.map(|deviation| deviation.mean))) }
+                                td.n { (fine(deviation.map(|deviation| deviation.largest))) }
+                            }
+                        }
+                    }
+                }
+            }
+            (difference(page)?)
+        }
+    })
+}

@@ -1,0 +1,118 @@
+//! The poses with the least and the greatest backlash, drawn.
+
+use super::Page;
+use super::figures::not_on_paper;
+use super::inline::inline;
+use super::words::{distance, material, pose, um};
+use crate::error::PictureError;
+use gearlash::mesh::Status;
+use gearlash::outcome::Found;
+use crate::{Snapshot, snapshot};
+use maud::{Markup, PreEscaped, html};
+
+/// Centre distances, beside that of the least pose, whose least pose is drawn too (tuned: some 30 kB each).
+const MOST_DRAWN: usize = 8;
+
+/// The pictures that have to be opened.
+const OTHERS: &str = "least backlash at the other centre distances";
+
+pub(super) fn section(page: &Page) -> Result<Markup, PictureError> {
+    let whole = &page.whole;
+    let others = others(page);
+    Ok(html! {
+        section id="poses" {
+            h2 { "Worst poses" }
+            @if whole.worst.is_none() { p { (nothing_drawn(page)) } }
+            @if let Some(jammed) = whole.worst.filter(jams) {
+                (figure(page, "jammed", "Jammed, a tip in a root", jammed)?)
+            }
+            @if let Some(least) = whole.least { (figure(page, "least", "Least backlash", least)?) }
+            @if let Some(greatest) = whole.greatest {
+                (figure(page, "greatest", "Greatest backlash", greatest)?)
+            }
+            @if let Some((most, loss)) = most_lost(page) {
+                (figure(page, "lost", &format!("Most lost to contact off the line of action, {} µm", um(Some(loss), 2)), most)?)
+            }
+            @if whole.worst.is_some() { p.note { "Bars of length are true; the ratios beside them hold on the A4 sheet of " code { "gearlash snapshot" } "." } }
+            @if !others.is_empty() {
+                details {
+                    summary { "More: " (OTHERS) }
+                    @for (number, least) in others.into_iter().enumerate() {
+                        (figure(page, &format!("least{}", number + 1), "Least backlash", least)?)
+                    }
+                }
+                (not_on_paper(OTHERS))
+            }
+        }
+    })
+}
+
+fn nothing_drawn(page: &Page) -> &'static str {
+    match page.whole.unproven {
+        0 => "No pose is in mesh: there is nothing to draw.",
+        _ => "No pose is proven to be in mesh: there is nothing to draw.",
+    }
+}
+
+/// Whether the pose is jammed.
+fn jams(found: &Found) -> bool {
+    found.pose.swept.status() == Status::Jammed
+}
+
+/// The pose that loses most to what no formula sees, where that is more than the tolerance and not drawn yet.
+fn most_lost<'a>(page: &Page<'a>) -> Option<(Found<'a>, f64)> {
+    let loss = page.report.diagnosis.contact.loss.as_ref()?;
+    let worst = &loss.worst;
+    let is_worst = |found: &Found| {
+        let run = &found.run.run;
+        run.material == worst.material
+            && run.assembly.center_distance() == worst.assembly.center_distance()
+            && found.pose.swept.pose == worst.pose
+    };
+    let runs = page.report.runs.iter();
+    let mut all = runs.flat_map(|run| run.poses.iter().map(move |pose| Found { run, pose }));
+    let found = all.find(is_worst)?;
+    let drawn = [page.whole.least, page.whole.greatest];
+    let known = drawn.iter().flatten().any(is_worst);
+    (worst.loss > page.report.pair.study.tolerance_um * 1e-3 && !known).then_some((found, worst.loss))
+}
+
+/// The least poses of the other centre distances, where they are few.
+fn others<'a>(page: &Page<'a>) -> Vec<Found<'a>> {
+    let distance = |found: Found| found.run.run.assembly.center_distance();
+    let drawn = page.whole.least.map(distance);
+    let least = page.distances.iter().filter_map(|at| at.all.least);
+    let others: Vec<Found> = least
+        .filter(|found| Some(distance(*found)) != drawn)
+        .collect();
+    match others.len() {
+        0..=MOST_DRAWN => others,
+        _ => Vec::new(),
+    }
+}
+
+fn figure(page: &Page, id: &str, what: &str, found: Found) -> Result<Markup, PictureError> {
+    let run = &found.run.run;
+    let swept = &found.pose.swept;
+    let picture = snapshot(&Snapshot {
+        title: &page.report.pair.study.title,
+        assembly: &run.assembly,
+        pose: &swept.pose,
+        material: run.material.name(),
+        found: swept.found.as_ref(),
+    });
+    let backlash = swept.backlash.map(|mm| format!(": {} µm", um(Some(mm), 2)));
+    let words = format!(
+        "{what}{}, {}, centre distance {} mm, {}.",
+        backlash.unwrap_or_default(),
+        pose(found),
+        distance(run.assembly.center_distance()),
+        material(run.material)
+    );
+    Ok(html! {
+        figure.sheet tabindex="0" {
+            (PreEscaped(inline(&picture, id, &words)?))
+            figcaption { (words) }
+        }
+    })
+}

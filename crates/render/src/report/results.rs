@@ -1,0 +1,125 @@
+//! Backlash over the teeth and over the centre distance, and the mesh itself.
+
+use super::Page;
+use super::figures::{charted, over_distance, revolutions};
+use super::words::{distance, material, um};
+use crate::error::PictureError;
+use gearlash::outcome::{Found, Outcome};
+use gearlash::phases::phase_groups;
+use crate::viewer;
+use gearlash::tally::{RunTally, tally};
+use maud::{Markup, PreEscaped, html};
+
+pub(super) fn section(page: &Page) -> Result<Markup, PictureError> {
+    let charts = charted(page);
+    let charts: Vec<_> = charts
+        .iter()
+        .map(|(id, course)| (id.as_str(), *course))
+        .collect();
+    let mesh = viewer::fragment(&page.report.pair.study, page.report.revolution, &charts)
+        .map_err(|error| PictureError(format!("the poses cannot be written: {error}")))?;
+    Ok(html! {
+        section id="backlash" {
+            h2 { "Backlash and mesh" }
+            (materials(page))
+            (phases(page))
+            h3 { "Over the teeth" }
+            (revolutions(page)?)
+            h3 { "The mesh" }
+            (PreEscaped(mesh))
+            h3 { "Over the centre distance" }
+            (over_distance(page)?)
+        }
+    })
+}
+
+/// Each centre distance and material.
+fn materials(page: &Page) -> Markup {
+    let rows = page
+        .distances
+        .iter()
+        .flat_map(|at| at.materials.iter().map(move |(end, of)| (at, *end, of)));
+    html! {
+        div.scroll tabindex="0" role="region" aria-label="Backlash of each centre distance and material" {
+            table {
+                caption { "Each centre distance and material, µm" }
+                thead { tr {
+                    th.n scope="col" { i { "a" } " mm" }
+                    th scope="col" { "material" }
+                    th.n scope="col" { "poses" }
+                    th.n scope="col" { "least" }
+                    th.n scope="col" { "mean" }
+                    th.n scope="col" { "greatest" }
+                    th.n scope="col" { "interfering" }
+                    th.n scope="col" { "jammed" }
+                    th.n scope="col" { "out of mesh" }
+                    @if page.whole.unproven > 0 { th.n scope="col" { "unproven" } }
+                } }
+                tbody { @for (at, end, of) in rows {
+                    tr {
+                        th.n scope="row" { (distance(at.center_distance)) }
+                        td.w { (material(end)) }
+                        (counts(of))
+                        @if page.whole.unproven > 0 { td.n { (of.unproven) } }
+                    }
+                } }
+            }
+        }
+    }
+}
+
+/// Which teeth to mark together, where phases are run apart.
+fn phases(page: &Page) -> Markup {
+    let runs = tally(page.report.revolution);
+    let groups = phase_groups(&runs);
+    let cells = |run: Option<&RunTally>| {
+        let phase = run.and_then(|run| run.phase);
+        html! {
+            td { (phase.map_or("–".to_owned(), |(wheel, pinion)| format!("{wheel}·{pinion}"))) }
+            td.n { (um(run.and_then(|run| run.summary().min), 2)) }
+            td.n { (um(run.and_then(RunTally::variation), 2)) }
+        }
+    };
+    let assemble = |runs: &[&RunTally]| runs.iter().filter(|run| run.assembles()).count();
+    html! {
+        @if !groups.is_empty() {
+            div.scroll tabindex="0" role="region" aria-label="Assembly phases" {
+                table {
+                    caption { "Assembly phases: teeth to mark together (wheel·pinion), the least backlash then, and how much it varies, µm" }
+                    thead { tr {
+                        th.n scope="col" { i { "a" } " mm" }
+                        th scope="col" { "material" }
+                        th.n scope="col" { "phases" } th.n scope="col" { "assemble" }
+                        th scope="col" { "best" } th.n scope="col" { "least" } th.n scope="col" { "varies by" }
+                        th scope="col" { "worst" } th.n scope="col" { "least" } th.n scope="col" { "varies by" }
+                    } }
+                    tbody { @for group in &groups {
+                        tr {
+                            @if let Some(run) = group.runs.first() {
+                                th.n scope="row" { (distance(run.assembly.center_distance())) }
+                                td.w { (material(run.material)) }
+                            }
+                            td.n { (group.runs.len()) }
+                            td.n { (assemble(&group.runs)) }
+                            (cells(group.best))
+                            (cells(group.worst))
+                        }
+                    } }
+                }
+            }
+        }
+    }
+}
+
+fn counts(of: &Outcome) -> Markup {
+    let backlash = |found: Option<Found>| um(found.and_then(|f| f.pose.swept.backlash), 2);
+    html! {
+        td.n { (of.poses) }
+        td.n { (backlash(of.least)) }
+        td.n { (um(of.mean, 2)) }
+        td.n { (backlash(of.greatest)) }
+        td.n { (of.interfering) }
+        td.n { (of.jammed) }
+        td.n { (of.apart) }
+    }
+}

@@ -1,0 +1,169 @@
+//! Whether to trust the numbers, and why.
+
+use super::cycle::limit;
+use super::measured::sentence;
+use super::words::{bound, fine, j_wt, written};
+use super::{Page, unproven};
+use gearlash::cycle::RemainingMatings;
+use gearlash::mesh::Method;
+use gearlash::outcome::{MODELS, deviation};
+use maud::{Markup, html};
+
+pub(super) fn section(page: &Page) -> Markup {
+    let measured = sentence(page.report);
+    html! {
+        section id="trust" {
+            h2 { "Can the numbers be trusted?" }
+            p { strong { (answer(page)) } }
+            ul {
+                li { (certificate(page)) }
+                li { (formula(page)) }
+                @if let Some(measured) = measured { li { (measured) } }
+                li {
+                    "The result is as good as the measurements it starts from: 1 µm more tooth thickness, at the reference "
+                    "circle, is 1 µm less backlash there."
+                }
+            }
+        }
+    }
+}
+
+fn answer(page: &Page) -> String {
+    let of = &page.agreement;
+    let (fails, bad) = (of.formula_fails(), of.unexplained());
+    if let Some(unproven) = unproven::count(page) {
+        return format!(
+            "Not without a look: {unproven}; nothing vouches for what happens there. Please report the pair file."
+        );
+    }
+    if bad > 0 {
+        return format!(
+            "Not without a look: at {bad} poses simulation and formula disagree for no reason found. Please report the pair file."
+        );
+    }
+    if page.whole.least.is_none() {
+        return "There is no number to trust: at no pose is the free gear free to turn and held by its mate.".to_owned();
+    }
+    let valued = of.valued();
+    let trusted = match (fails, of.agree) {
+        (0, _) if valued == of.poses => {
+            "Yes, for the gears as measured: simulation and formula agree at every pose.".to_owned()
+        }
+        (0, _) => format!(
+            "Yes, for the gears as measured: simulation and formula agree at all {valued} poses that have a backlash."
+        ),
+        (_, 0) => "Yes, the simulation, for the gears as measured; the formula is wrong about this pair: at every pose the teeth touch off the line of action, which it does not know.".to_owned(),
+        (_, agree) => format!(
+            "Yes, the simulation, for the gears as measured; the formula is wrong about this pair at {fails} of {valued} poses, where the teeth touch off the line of action, which it does not know. At the other {agree} they agree."
+        ),
+    };
+    let limited = limit(page).map_or(String::new(), |limit| format!(" {limit}."));
+    trusted + &limited
+}
+
+fn certificate(page: &Page) -> Markup {
+    let how = match page.report.method {
+        Method::Exact { certify: true } => {
+            "Each rotation was found on the exact tooth curves and certified by polygons: a little more open everything is clear, a little more closed something touches. "
+        }
+        Method::Exact { certify: false } => {
+            "Each rotation was found on the exact tooth curves; the check by polygons was left out (--no-certify). "
+        }
+        Method::Polygon => "Each rotation was found on polygons cut ever finer round the contact. ",
+        Method::Both => {
+            "Each rotation was found twice, on the exact tooth curves and on polygons. "
+        }
+    };
+    let largest = page
+        .all
+        .iter()
+        .flat_map(|run| &run.poses)
+        .filter_map(|pose| pose.swept.proven().and(pose.swept.polygon_difference))
+        .map(f64::abs)
+        .reduce(f64::max);
+    html! {
+        (how)
+        @if page.whole.unproven > 0 { "What follows is of the proven poses alone. " }
+        @if let Some(largest) = largest { "Both lie within " (bound(largest)) " µm. " }
+        @if let Some(error) = page.whole.error_bound {
+            "The numerical error of " (j_wt()) " is at most " (bound(error)) " µm."
+        }
+        @if matches!(page.report.cycle.others, RemainingMatings::Seen { .. }) {
+            " Of the rest of the hunting cycle this holds at its extremes; the other poses were found on the exact tooth curves alone."
+        }
+    }
+}
+
+fn formula(page: &Page) -> Markup {
+    let of = &page.agreement;
+    let [.., line_of_action] = MODELS;
+    html! {
+        @if of.both > 0 {
+            "The line-of-action formula, which shares nothing with the simulation but the gears’ data, agrees within "
+            (written(page.report.pair.study.tolerance_um)) " µm at " (of.agree) " of the " (of.both) " poses that both have a value of"
+            @if let Some(deviation) = deviation(&page.all, line_of_action) {
+                "; the largest difference is " (fine(Some(deviation.largest))) " µm"
+            }
+            ". "
+        } @else {
+            "There is no pose that simulation and line-of-action formula both have a value of: nothing was compared. "
+        }
+        @if of.poses > of.both {
+            (without(page)) ". "
+        }
+        (off_line(page))
+    }
+}
+
+/// Why the other poses cannot be compared.
+fn without(page: &Page) -> String {
+    let of = &page.agreement;
+    let parts = [
+        (page.whole.jammed, "jammed"),
+        (page.whole.apart, "out of mesh"),
+        (page.whole.unproven, "unproven"),
+        (
+            of.simulated_alone,
+            "in contact where no two involutes reach each other",
+        ),
+    ];
+    let parts = parts.into_iter().filter(|(poses, _)| *poses > 0);
+    let parts: Vec<(usize, &str)> = parts.collect();
+    let other = of.poses - of.both;
+    match (&parts[..], other == of.poses) {
+        ([(_, what)], true) => format!("Every pose is {what}"),
+        ([(1, what)], false) => format!("The other pose is {what}"),
+        ([(_, what)], false) => format!("The other {other} poses are {what}"),
+        (parts, _) => {
+            let named = parts.iter().map(|(poses, what)| format!("{poses} {what}"));
+            let named = named.collect::<Vec<_>>().join(", ");
+            format!("The other {other} poses: {named}")
+        }
+    }
+}
+
+/// How many poses touch off the line of action, and at how many it matters.
+fn off_line(page: &Page) -> Markup {
+    let of = &page.agreement;
+    let valued = of.valued();
+    // Beyond the tolerance these are what the formula is wrong about.
+    let slight = of.touch_off_line.saturating_sub(of.formula_fails());
+    let tolerance = written(page.report.pair.study.tolerance_um);
+    html! {
+        @match of.touch_off_line {
+            0 if valued == 0 => "",
+            0 if valued == of.poses => "Only involutes touch, at every pose.",
+            0 => "Where there is backlash, only involutes touch.",
+            1 => "At one pose a tip corner, a fillet or a root takes part in a contact",
+            poses => { "At " (poses) " poses a tip corner, a fillet or a root takes part in a contact" }
+        }
+        @match (of.touch_off_line, slight) {
+            (0, _) => "",
+            (_, 0) => ".",
+            (1, _) => { ", and costs no more than " (tolerance) " µm." }
+            (_, 1) => { "; at 1 of them that costs no more than " (tolerance) " µm." }
+            (all, slight) if all == slight => { ", which costs no more than " (tolerance) " µm." }
+            (_, slight) => { "; at " (slight) " of them that costs no more than " (tolerance) " µm." }
+        }
+    }
+}

@@ -1,0 +1,62 @@
+//! Poses that nothing vouches for: how many, which, why.
+
+use super::Page;
+use super::words::{distance, material, plain, pose};
+use gearlash::outcome::Found;
+use crate::unproven::doubts;
+use maud::{Markup, html};
+
+/// Poses up to this many are told one by one (tuned: a screen).
+const MOST_TOLD: usize = 12;
+
+/// How many poses are not proven, in words; `None` where all are.
+pub(super) fn count(page: &Page) -> Option<String> {
+    let poses = page.whole.poses;
+    let (unproven, ends) = (page.whole.unproven, page.whole.unproven_ends);
+    let with_clearance = page.report.pair.study.bearing_clearance > 0.0;
+    let mut parts = Vec::new();
+    match unproven {
+        0 => {}
+        1 => parts.push(format!("1 of {poses} poses is unproven")),
+        _ => parts.push(format!("{unproven} of {poses} poses are unproven")),
+    }
+    for (end, name) in ends.into_iter().zip(["a − c", "a + c"]) {
+        if with_clearance && end > 0 {
+            parts.push(format!(
+                "{end} of {poses} are unproven at {name} of the bearing clearance"
+            ));
+        }
+    }
+    (!parts.is_empty()).then(|| parts.join(", "))
+}
+
+/// Each of them with its reason and its doubtful values; nothing where all are proven.
+pub(super) fn section(page: &Page) -> Markup {
+    let runs = page.all.iter().copied();
+    let unproven: Vec<Found> = runs
+        .flat_map(|run| run.unproven().map(move |pose| Found { run, pose }))
+        .collect();
+    html! {
+        @if let Some(count) = count(page) {
+            section id="unproven" {
+                h2 { "Unproven poses" }
+                p {
+                    strong { (count) "." }
+                    " A certificate failed there, a contact was lost, or the two methods differ by more than their error bounds. "
+                    "No table, curve or verdict of this page takes such a pose in; the values below are in doubt, and only here to be looked into."
+                }
+                ul {
+                    @for found in unproven.iter().take(MOST_TOLD) {
+                        li {
+                            (pose(*found)) ", centre distance " (distance(found.run.run.assembly.center_distance())) " mm, "
+                            (material(found.run.run.material)) ": " (plain(&doubts(found.pose)))
+                        }
+                    }
+                }
+                @if unproven.len() > MOST_TOLD {
+                    p.note { (unproven.len() - MOST_TOLD) " more; " code { "gearlash simulate --format json" } " tells each pose’s." }
+                }
+            }
+        }
+    }
+}

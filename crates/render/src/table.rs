@@ -1,0 +1,198 @@
+//! The result as text for a terminal. Lengths in µm unless the heading says mm.
+
+mod measured;
+mod phases;
+
+use super::decimal::ascii;
+use super::unproven;
+use gearlash_files::characters::plain;
+use gearlash::compare::{ComparedPose, Verdict};
+use gearlash::measured::MeasuredMating;
+use gearlash::mesh::Contact;
+use gearlash::phases::phase_groups;
+use gearlash::study::Study;
+use gearlash::tally::{MOST_LISTED, RunTally};
+use comfy_table::{CellAlignment, Table, presets};
+use measured::{measured_count, measured_table};
+use phases::phase_table;
+
+/// The text `simulate` prints.
+pub fn simulation(study: &Study, runs: &[RunTally], measured: &[MeasuredMating]) -> String {
+    let mut text = format!("{}\n\n", plain(&study.title));
+    if !measured.is_empty() {
+        text += &measured_table(measured);
+        text += &measured_count(study, measured);
+        text.push('\n');
+    }
+    let poses: usize = runs.iter().map(|run| run.poses).sum();
+    if measured.is_empty() && poses <= MOST_LISTED {
+        text += &pose_table(runs);
+        text.push('\n');
+    }
+    let groups = phase_groups(runs);
+    if groups.is_empty() {
+        text += &run_table(study, runs);
+        text += RUN_LEGEND;
+    }
+    for group in &groups {
+        text += &phase_table(group);
+    }
+    text += &off_line_note(runs);
+    text += &unproven::note(runs);
+    text
+}
+
+const RUN_LEGEND: &str = "\
+j_wt in µm, simulated; \"at\": mating, fraction of a pitch beyond it, flank. Off model 2, 3: largest
+difference to the involute and to the line-of-action formula. Negative backlash: interference.
+";
+
+pub(super) fn table(headings: &[&str]) -> Table {
+    let mut table = Table::new();
+    table.load_style(presets::NOTHING);
+    table.set_header(headings);
+    for column in table.column_iter_mut() {
+        column.set_cell_alignment(CellAlignment::Right);
+    }
+    table
+}
+
+pub(super) fn finish(table: &Table) -> String {
+    let lines: Vec<String> = table
+        .lines()
+        .map(|line| line.trim_end().to_owned())
+        .collect();
+    lines.join("\n") + "\n"
+}
+
+/// µm, or a dash.
+pub(super) fn um(length_mm: Option<f64>, decimals: usize) -> String {
+    match length_mm {
+        Some(length) => ascii(length * 1e3, decimals),
+        None => "–".to_owned(),
+    }
+}
+
+fn pose_table(runs: &[RunTally]) -> String {
+    let mut table = table(&[
+        "a mm",
+        "material",
+        "mating",
+        "flank",
+        "j_wt",
+        "± bound",
+        "status",
+        "right contact",
+        "left contact",
+        "Michalec",
+        "involute",
+        "line of action",
+    ]);
+    for run in runs {
+        for pose in &run.listed {
+            let mating = pose.swept.pose.mating();
+            let beyond = match mating.fraction {
+                0.0 => String::new(),
+                fraction => format!(" +{fraction}"),
+            };
+            let found = pose.swept.backlash.and(pose.swept.proven());
+            let contact = |contact: Option<&Contact>| match contact {
+                Some(contact) => format!(
+                    "{},{} {}-{}",
+                    contact.wheel.tooth,
+                    contact.pinion.tooth,
+                    contact.wheel.curve.name(),
+                    contact.pinion.curve.name()
+                ),
+                None => "–".to_owned(),
+            };
+            table.add_row(vec![
+                format!("{:.3}", run.assembly.center_distance()),
+                run.material.name().to_owned(),
+                format!("{},{}{beyond}", mating.wheel_tooth, mating.pinion_tooth),
+                mating.flank.name().to_owned(),
+                um(pose.swept.backlash, 3),
+                pose.swept
+                    .error_bound
+                    .map_or("–".to_owned(), |bound| format!("{:.0e}", bound * 1e3)),
+                pose.swept.status().name().to_owned(),
+                contact(found.and_then(|found| found.right.as_ref())),
+                contact(found.and_then(|found| found.left.as_ref())),
+                um(pose.michalec, 3),
+                um(pose.involute, 3),
+                um(pose.line_of_action, 3),
+            ]);
+        }
+    }
+    finish(&table)
+}
+
+fn run_table(study: &Study, runs: &[RunTally]) -> String {
+    let mut headings = vec![
+        "a mm", "material", "poses", "least", "at", "mean", "greatest", "at",
+    ];
+    let clearance = format!("a ± {:.3} mm", study.bearing_clearance);
+    if study.bearing_clearance > 0.0 {
+        headings.push(&clearance);
+    }
+    headings.extend(["off model 2", "off model 3"]);
+    let unproven = runs.iter().any(|run| run.unproven > 0);
+    if unproven {
+        headings.push("unproven");
+    }
+    let mut table = table(&headings);
+    for run in runs {
+        let summary = run.summary();
+        let at = |pose: Option<&ComparedPose>| pose.map_or("–".to_owned(), where_it_is);
+        let (least, most) = run.extremes().unzip();
+        let mut row = vec![
+            format!("{:.3}", run.assembly.center_distance()),
+            run.material.name().to_owned(),
+            run.poses.to_string(),
+            um(summary.min, 3),
+            at(least),
+            um(summary.mean, 3),
+            um(summary.max, 3),
+            at(most),
+        ];
+        if study.bearing_clearance > 0.0 {
+            let [near, far] = summary.with_clearance;
+            row.push(format!("{} … {}", um(near, 1), um(far, 1)));
+        }
+        row.extend([
+            um(summary.off_involute, 3),
+            um(summary.off_line_of_action, 3),
+        ]);
+        if unproven {
+            row.push(run.unproven.to_string());
+        }
+        table.add_row(row);
+    }
+    finish(&table)
+}
+
+/// A pose in a word: mating, fraction to four decimals, flank.
+pub(super) fn where_it_is(pose: &ComparedPose) -> String {
+    let mating = pose.swept.pose.mating();
+    let beyond = match mating.fraction {
+        0.0 => String::new(),
+        fraction => format!("+{}", (fraction * 1e4).round() / 1e4),
+    };
+    format!(
+        "{},{}{beyond} {}",
+        mating.wheel_tooth,
+        mating.pinion_tooth,
+        mating.flank.name()
+    )
+}
+
+fn off_line_note(runs: &[RunTally]) -> String {
+    let total: usize = runs.iter().map(|run| run.poses).sum();
+    let off: usize = runs.iter().map(|run| run.count(Verdict::OffLine)).sum();
+    if off == 0 {
+        return String::new();
+    }
+    format!(
+        "\nIn {off} of {total} poses a tooth corner, fillet or root touches off the line of action: the pair has less backlash there than model 3 says.\n"
+    )
+}

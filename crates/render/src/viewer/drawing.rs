@@ -1,0 +1,157 @@
+//! The SVG of one pose, of which the script moves the parts.
+//!
+//! Places are mm in the picture frame, y up by a flip of the outermost group. A gear's group turns about its axis; the
+//! outline in it stands off that axis by the eccentricity.
+
+use super::columns::{degrees, free_rotation, outlines};
+use super::marks::{axis, circle, line, marks, numbers};
+use super::outline::path;
+use super::precision::{Precision, rounded};
+use gearlash::compare::{ComparedPose, ComparedRun};
+use gearlash::gear::{AsBuilt, Placed, Side};
+use gearlash::pair::{GearPair, Member};
+use crate::page::{INK, OVERLAP, PINION, WHEEL};
+use gearlash::study::Study;
+use nalgebra::Point2;
+use svg::node::element::{ClipPath, Definitions, Group, Path, SVG, Use};
+
+const MEMBERS: [Member; 2] = [Member::Wheel, Member::Pinion];
+/// Width over height of the picture.
+const ASPECT: f64 = 1.25;
+/// Half the height shown first, modules: more than one and a half pitches, as in a snapshot.
+const HALF_HEIGHT: f64 = 5.0;
+/// Room kept round whole gears, modules.
+const BORDER: f64 = 2.0;
+
+/// The picture of `pose` in `run`.
+pub fn draw(study: &Study, run: &ComparedRun, pose: &ComparedPose, precision: Precision) -> String {
+    let assembly = &run.run.assembly;
+    let module = assembly.gear(Member::Wheel).gear().basic_data().module();
+    let turn = |member: Member| {
+        let turned = match member == assembly.locked() {
+            true => degrees(pose.swept.pose.locked_rotation()),
+            false => degrees(free_rotation(&pose.swept)),
+        };
+        format!("translate({} 0) rotate({turned})", assembly.axis(member).x)
+    };
+    let material = outlines(study, run);
+    let metal = |member: Member| {
+        Use::new()
+            .set("href", format!("#viewer-{}-{material}", member.name()))
+            .set("data-outline", member.name())
+    };
+    let gear = |(member, fill): (Member, &str)| {
+        let outline = metal(member).set("fill", fill).set("stroke", INK);
+        let placed = at_origin(assembly, assembly.gear(member), member);
+        Group::new()
+            .set("id", format!("viewer-{}", member.name()))
+            .set("transform", turn(member))
+            .add(outline.set("stroke-width", "1.3"))
+            .add(axis(module))
+            .add(numbers(&placed, member, module, precision))
+    };
+    let overlap = Group::new().set("clip-path", "url(#viewer-clip)").add(
+        Group::new()
+            .set("id", "viewer-overlap")
+            .set("transform", turn(Member::Pinion))
+            .add(metal(Member::Pinion).set("fill", OVERLAP)),
+    );
+    let clip = metal(Member::Wheel)
+        .set("id", "viewer-clip-shape")
+        .set("transform", turn(Member::Wheel));
+    // Dashes without end: a view 0.02 mm wide would have millions. The script cuts both to what is seen.
+    let centres = line()
+        .set("id", "viewer-centres")
+        .set("d", format!("M0 0H{}", assembly.center_distance()))
+        .set("stroke-dasharray", "22 4 2 4 2 4");
+    let pitch_circle = |member: Member| {
+        let radius = assembly.operating_pitch_radius(member);
+        line()
+            .set("id", format!("viewer-pitch-{}", member.name()))
+            .set(
+                "transform",
+                format!("translate({} 0)", assembly.axis(member).x),
+            )
+            .set("d", circle(rounded(radius, precision.decimals)))
+            .set("stroke-dasharray", "14 3 2 3")
+    };
+    let gears = [(Member::Wheel, WHEEL), (Member::Pinion, PINION)].map(gear);
+    let picture = Group::new().set("transform", "scale(1 -1)");
+    let picture = gears.into_iter().fold(picture, Group::add);
+    let picture = picture.add(overlap).add(centres);
+    let picture = MEMBERS
+        .map(pitch_circle)
+        .into_iter()
+        .fold(picture, Group::add);
+    let marks = Side::BOTH.map(|side| marks(assembly, pose, side, precision));
+    let picture = marks.into_iter().fold(picture, Group::add);
+    let [home, whole] = views(assembly, module);
+    let definitions = definitions(study, assembly, precision)
+        .add(ClipPath::new().set("id", "viewer-clip").add(clip));
+    let sheet = SVG::new()
+        .set("id", "viewer-picture")
+        .set("viewBox", home.as_str())
+        .set("data-home", home)
+        .set("data-whole", whole)
+        .set("data-narrowest", rounded(precision.narrowest(), 6))
+        .set("role", "img")
+        .set("aria-label", "Both gears in mesh")
+        .set("font-family", "sans-serif")
+        .add(definitions)
+        .add(picture);
+    format!("{sheet}\n")
+}
+
+/// The gear of `member` at rotation 0, its axis at the origin.
+fn at_origin<'a>(assembly: &GearPair, gear: &'a AsBuilt, member: Member) -> Placed<'a> {
+    Placed::new(gear, Point2::origin(), assembly.mate_direction(member))
+}
+
+/// The outlines of all materials, `viewer-wheel-0` and so on.
+fn definitions(study: &Study, assembly: &GearPair, precision: Precision) -> Definitions {
+    let materials = study.materials.iter().enumerate();
+    let gears = materials.flat_map(|(number, (_, wheel, pinion))| {
+        [
+            (number, Member::Wheel, wheel),
+            (number, Member::Pinion, pinion),
+        ]
+    });
+    gears.fold(Definitions::new(), |definitions, (number, member, gear)| {
+        let placed = at_origin(assembly, gear, member);
+        definitions.add(
+            Path::new()
+                .set("id", format!("viewer-{}-{number}", member.name()))
+                .set("transform", format!("scale({})", precision.unit()))
+                .set("vector-effect", "non-scaling-stroke")
+                .set("stroke-linejoin", "round")
+                .set("d", path(&placed, precision)),
+        )
+    })
+}
+
+/// The `viewBox` of the mesh zone and of the whole gears.
+fn views(assembly: &GearPair, module: f64) -> [String; 2] {
+    let a = assembly.center_distance();
+    let [wheel, pinion] = MEMBERS.map(|member| assembly.gear(member).reach());
+    let view = |middle: f64, half_width: f64, half_height: f64| {
+        let half_height = f64::max(half_height, half_width / ASPECT);
+        let half_width = half_height * ASPECT;
+        let [x, y, width, height] = [
+            middle - half_width,
+            -half_height,
+            2.0 * half_width,
+            2.0 * half_height,
+        ]
+        .map(|v| rounded(v, 4));
+        format!("{x} {y} {width} {height}")
+    };
+    let border = BORDER * module;
+    [
+        view(0.5 * (wheel + a - pinion), 0.0, HALF_HEIGHT * module),
+        view(
+            0.5 * (a + pinion - wheel),
+            0.5 * (a + wheel + pinion) + border,
+            f64::max(wheel, pinion) + border,
+        ),
+    ]
+}

@@ -1,0 +1,145 @@
+//! What is drawn over the metal: axes, tooth numbers, contacts, normals. Strokes keep their width on the screen.
+
+use super::columns::degrees;
+use super::contacts::{normal_degrees, touching};
+use super::precision::{Precision, rounded};
+use gearlash::compare::ComparedPose;
+use gearlash::gear::{Placed, Side};
+use gearlash::mesh::{LostMotion, Status};
+use gearlash::pair::{GearPair, Member};
+use crate::page::{ACTION, GREY, INK};
+use svg::node::element::{Group, Path, Text};
+
+/// Half the length of a normal, modules: across the mesh zone.
+const NORMAL: f64 = 12.0;
+/// Half the arms of the cross on an axis, modules.
+const CROSS: f64 = 1.0;
+/// Size of a tooth number, modules.
+const NUMBER: f64 = 0.75;
+/// How far inside the root circle a tooth's number stands, modules: clear of contacts and circles.
+const INSIDE: f64 = 0.6;
+
+/// A thin grey line.
+pub fn line() -> Path {
+    stroke(GREY, "1")
+}
+
+/// A circle about the origin.
+pub fn circle(radius: f64) -> String {
+    format!("M{radius} 0A{radius} {radius} 0 1 1 -{radius} 0A{radius} {radius} 0 1 1 {radius} 0Z")
+}
+
+/// A cross on the origin.
+pub fn axis(module: f64) -> Path {
+    let arm = CROSS * module;
+    line().set("d", format!("M-{arm} 0H{arm}M0 -{arm}V{arm}"))
+}
+
+/// The number of every tooth of a gear on the origin, upright where the tooth points at the mate.
+pub fn numbers(gear: &Placed, member: Member, module: f64, precision: Precision) -> Group {
+    let teeth = gear.as_built().gear().basic_data().teeth();
+    let root = gear.as_built().gear().root_radius();
+    let radius = rounded(root - INSIDE * module, precision.decimals);
+    let centre = gear.centre();
+    let [x, y] = [centre.x, centre.y].map(|value| rounded(value, precision.decimals));
+    let at_mate = match member {
+        Member::Wheel => 1.0,
+        Member::Pinion => -1.0,
+    };
+    let group = Group::new()
+        .set("transform", format!("translate({x} {y})"))
+        .set("font-size", rounded(NUMBER * module, 4))
+        .set("text-anchor", "middle")
+        .set("fill", GREY);
+    (1..=teeth).fold(group, |group, tooth| {
+        let direction = gear.direction(tooth) - gear.direction(1);
+        let place = format!(
+            "rotate({}) translate({} 0) scale(1 -1)",
+            degrees(direction),
+            at_mate * radius
+        );
+        group.add(
+            Text::new(tooth.to_string())
+                .set("id", format!("viewer-{}-tooth-{tooth}", member.name()))
+                .set("transform", place)
+                .set("dy", "0.35em"),
+        )
+    })
+}
+
+/// The contact on `side`: its normal, and the points on the locked and on the free gear. The free
+/// gear is drawn in right-flank contact, so the left points are apart by the lost motion.
+pub fn marks(assembly: &GearPair, pose: &ComparedPose, side: Side, precision: Precision) -> Group {
+    let contact = touching(&pose.swept, side);
+    let place = contact.map_or(String::from("translate(0 0)"), |contact| {
+        let [x, y] = [contact.point.x, contact.point.y].map(|v| rounded(v, precision.decimals));
+        format!("translate({x} {y})")
+    });
+    let lost = pose
+        .swept
+        .proven()
+        .and_then(LostMotion::angle)
+        .map_or(0.0, degrees);
+    let back = match side {
+        Side::Right => 0.0,
+        Side::Left => -lost,
+    };
+    let axis = assembly.axis(assembly.free()).x;
+    let half = NORMAL * assembly.gear(Member::Wheel).gear().basic_data().module();
+    let name = side.name();
+    let normal = stroke(ACTION, "1.2")
+        .set("id", format!("viewer-normal-{name}"))
+        .set(
+            "transform",
+            format!("rotate({})", contact.map_or(0.0, normal_degrees)),
+        )
+        .set("d", format!("M-{half} 0H{half}"));
+    let dot = |id: &str, open: bool| {
+        let dot = Group::new().set("id", format!("viewer-{id}-{name}")).set(
+            "class",
+            if open {
+                "viewer-dot viewer-open"
+            } else {
+                "viewer-dot"
+            },
+        );
+        dot.add(point(INK, "10").set("transform", place.as_str()))
+            .add(
+                point("white", "6")
+                    .set("transform", place.as_str())
+                    .set("class", "viewer-hole"),
+            )
+    };
+    let open = side == Side::Left;
+    // An overlap of some µm is no pixel wide at first: its dots are red and large.
+    let class = match pose.swept.status() {
+        Status::Interference => "viewer-overlapping",
+        Status::Clear | Status::Jammed | Status::NoContact | Status::Unproven => "",
+    };
+    let group = Group::new()
+        .set("id", format!("viewer-{name}-contact"))
+        .set("class", class);
+    let group = match contact {
+        Some(_) => group,
+        None => group.set("display", "none"),
+    };
+    group
+        .add(Group::new().set("transform", place.as_str()).add(normal))
+        .add(dot("locked", open))
+        .add(dot("free", open).set("transform", format!("rotate({back} {axis} 0)")))
+}
+
+fn stroke(colour: &str, width: &str) -> Path {
+    Path::new()
+        .set("fill", "none")
+        .set("stroke", colour)
+        .set("stroke-width", width)
+        .set("vector-effect", "non-scaling-stroke")
+}
+
+/// A dot of constant size: a round cap without a line.
+fn point(colour: &str, size: &str) -> Path {
+    stroke(colour, size)
+        .set("stroke-linecap", "round")
+        .set("d", "M0 0h0")
+}

@@ -1,0 +1,101 @@
+//! The mesh in a page: both gears as built, to be zoomed, panned and stepped through the poses of a run.
+//!
+//! The page gets an SVG of the worst pose, complete without a script, the results in columns, and `viewer.js`,
+//! which only sets transforms and texts from those columns. Where gears stand, what touches and of
+//! which class are read from the results. What is shown is rounded: outlines and contact points
+//! as finely as `precision.rs` says, rotations to 1e-6°; `j_wt` is the result's own f64.
+
+mod columns;
+mod contacts;
+mod drawing;
+mod marks;
+mod outline;
+mod precision;
+mod readout;
+mod run_columns;
+mod viewed;
+
+use gearlash::compare::ComparedRun;
+use gearlash::curves::Course;
+use gearlash::mesh::Status;
+use gearlash::study::Study;
+use columns::Columns;
+use precision::Precision;
+use std::fmt::Write;
+use viewed::{viewed, worst};
+
+/// The style sheet, for the head of the page.
+pub const STYLE: &str = include_str!("viewer.css");
+const SCRIPT: &str = include_str!("viewer.js");
+const CONTROLS: &str = include_str!("controls.html");
+/// Poses of all runs together that a page holds, but for a few a run (tuned: some 140 bytes each, so that a page with
+/// a dozen charts stays below 8 MB).
+const MOST_POSES: usize = 30_000;
+
+/// The part of a page that shows the mesh of `runs`: HTML to stand in the body once; empty without a pose.
+///
+/// `charts` are curves over the teeth of these runs, each with the id of its chart's `<svg>` in the page: a
+/// cursor goes along in it, and a click there leads to the nearest pose. Of more poses than a page can hold
+/// every n-th of each run is in it, with each run's least and greatest backlash; the page says so.
+///
+/// # Errors
+/// None for results of a simulation: the columns are numbers and names.
+pub fn fragment(
+    study: &Study,
+    runs: &[ComparedRun],
+    charts: &[(&str, &Course)],
+) -> Result<String, serde_json::Error> {
+    let Some(start) = worst(runs) else {
+        return Ok(String::new());
+    };
+    let (run, pose) = (&runs[start[0]], &runs[start[0]].poses[start[1]]);
+    let precision = Precision::of(&run.run.assembly);
+    let (views, every) = viewed(runs, MOST_POSES);
+    let [first_run, first_pose] = start;
+    let place = views[first_run].numbers.binary_search(&first_pose);
+    let shown = [first_run, place.unwrap_or(0)];
+    let data = serde_json::to_string(&Columns::new(study, &views, charts, shown, precision))?;
+    let mut html = String::from("<div class=\"viewer\" id=\"viewer\">\n");
+    html.push_str(CONTROLS);
+    html.push_str(&drawing::draw(study, run, pose, precision));
+    html.push_str(&readout::draw(run, start[1]));
+    if every > 1 {
+        let held: usize = views.iter().map(|run| run.numbers.len()).sum();
+        let all: usize = runs.iter().map(|run| run.poses.len()).sum();
+        let _ = writeln!(
+            html,
+            "<p class=\"viewer-note\">{held} of {all} poses can be looked at here: of each run every {every}{}, and those \
+             with the least and the greatest backlash. The numbers on this page are of all.</p>",
+            ordinal(every),
+        );
+    }
+    let _ = writeln!(
+        html,
+        "<p class=\"viewer-note\">{} Outlines: chords within {} µm of the curves, places to {} µm, rotations to 1e-6°.</p>\n\
+         <noscript><p class=\"viewer-note\">This is {} pose. With JavaScript every pose can be looked at.</p></noscript>",
+        readout::LEGEND,
+        precision.chord_um(),
+        precision.place_um(),
+        match pose.swept.status() {
+            Status::NoContact | Status::Unproven => "the first",
+            _ => "the worst",
+        },
+    );
+    // `<` occurs in strings alone, where JSON may write it so: nothing can end the element early.
+    let _ = writeln!(
+        html,
+        "<script type=\"application/json\" id=\"viewer-data\">{}</script>\n<script>\n{SCRIPT}</script>\n</div>",
+        data.replace('<', "\\u003c")
+    );
+    Ok(html)
+}
+
+/// The ending of an ordinal number.
+fn ordinal(number: usize) -> &'static str {
+    match (number % 10, number % 100) {
+        (1, tens) if tens != 11 => "st",
+        (2, tens) if tens != 12 => "nd",
+        (3, tens) if tens != 13 => "rd",
+        _ => "th",
+    }
+}

@@ -1,0 +1,122 @@
+//! How finely the viewer draws, by the size of the teeth.
+
+use gearlash::pair::{GearPair, Member};
+
+/// Chordal error of an outline, in modules: 0.05 µm at module 3, so that a backlash of a few micrometres can be looked
+/// at and the dot of a contact stands on both outlines.
+const CHORD: f64 = 1.0 / 60_000.0;
+/// Teeth of both gears together up to which the chord holds. Beyond it grows with their square, for points
+/// go with teeth/√chord: the outlines of a material stay some 500 kB.
+const TEETH: f64 = 130.0;
+/// Coarsest chord, in modules: teeth still look like teeth.
+const COARSEST: f64 = 1.0 / 50.0;
+/// A place is given to the power of ten below this part of a module, 0.01 µm at module 3, or, for large gears, the finest that stays exact in a browser.
+const PLACE: f64 = 1.0 / 150_000.0;
+/// Whole numbers below it are exact in the single precision browsers draw with: 24 bits.
+const EXACT: f64 = 16_777_216.0;
+/// Pixels that a chord may lie off its curve in the narrowest view, of a picture so many pixels wide.
+const OFF: f64 = 2.0;
+const PIXELS: f64 = 800.0;
+
+/// Chordal error and decimals of a drawing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Precision {
+    /// Chordal error of outlines, mm.
+    pub chord: f64,
+    /// Decimals of a place in mm.
+    pub decimals: usize,
+}
+
+impl Precision {
+    /// What suits the gears of `assembly`.
+    pub fn of(assembly: &GearPair) -> Precision {
+        let basic_data = |member| *assembly.gear(member).gear().basic_data();
+        let (wheel, pinion) = (basic_data(Member::Wheel), basic_data(Member::Pinion));
+        let module = wheel.module();
+        let reach = |member| assembly.gear(member).reach();
+        let reach = f64::max(reach(Member::Wheel), reach(Member::Pinion));
+        let exact = (EXACT / reach).log10().floor();
+        let many = f64::from(wheel.teeth() + pinion.teeth()) / TEETH;
+        Precision {
+            chord: module * (CHORD * many.max(1.0).powi(2)).min(COARSEST),
+            // From 0 to 8; `ceil` of a negative is 0.
+            decimals: (-(PLACE * module).log10()).ceil().min(exact).max(0.0) as usize,
+        }
+    }
+
+    /// Width of the narrowest view, mm: nearer, chords would show.
+    pub fn narrowest(&self) -> f64 {
+        self.chord * PIXELS / OFF
+    }
+
+    /// Length of the last decimal, mm.
+    pub fn unit(&self) -> String {
+        match self.decimals {
+            0 => "1".to_owned(),
+            decimals => format!("0.{}1", "0".repeat(decimals - 1)),
+        }
+    }
+
+    /// `value` in units of the last decimal.
+    pub fn units(&self, value: f64) -> i64 {
+        (value * 10f64.powi(self.decimals as i32)).round() as i64
+    }
+
+    /// Chordal error, µm, two digits.
+    pub fn chord_um(&self) -> f64 {
+        two_digits_up(self.chord * 1e3)
+    }
+
+    /// The last decimal, µm.
+    pub fn place_um(&self) -> f64 {
+        rounded(10f64.powi(3 - self.decimals as i32), 6)
+    }
+}
+
+/// `value` to so many decimals; never −0.
+pub fn rounded(value: f64, decimals: usize) -> f64 {
+    let scale = 10f64.powi(decimals as i32);
+    (value * scale).round() / scale + 0.0
+}
+
+/// A bound to two digits, rounded up; zero stays.
+pub fn two_digits_up(value: f64) -> f64 {
+    if !(value > 0.0 && value.is_finite()) {
+        return value;
+    }
+    let text = format!("{value:.15e}");
+    let parts = text.split_once('e');
+    let parts = parts.and_then(|(digits, power)| {
+        Some((digits.parse::<f64>().ok()?, power.parse::<i32>().ok()?))
+    });
+    let up = parts.and_then(|(digits, power)| {
+        // What has two digits stays: 1e-14 is above the rounding of a product.
+        let tenths = (digits * 10.0 * (1.0 - 1e-14)).ceil();
+        format!("{tenths}e{}", power - 1).parse().ok()
+    });
+    up.unwrap_or(value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{rounded, two_digits_up};
+
+    #[test]
+    fn bounds_are_rounded_up_and_kept_when_short() {
+        for (value, shown) in [
+            (1.301e-9, 1.4e-9),
+            (1.4e-9, 1.4e-9),
+            (0.0, 0.0),
+            (9.91, 10.0),
+            (2.0, 2.0),
+        ] {
+            assert_eq!(two_digits_up(value), shown);
+        }
+    }
+
+    #[test]
+    fn rounding_leaves_no_negative_zero() {
+        assert_eq!(rounded(-0.00004, 4).to_bits(), 0f64.to_bits());
+        assert_eq!(rounded(-66.100_05, 4), -66.1001);
+    }
+}

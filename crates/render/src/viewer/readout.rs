@@ -1,0 +1,119 @@
+//! What is said of a pose beside the picture. `viewer.js` says the same of the others.
+
+use super::contacts::touching;
+use super::precision::two_digits_up;
+use gearlash::compare::ComparedRun;
+use gearlash::gear::Side;
+use gearlash::mesh::{Contact, ContactClass, Status};
+use gearlash::pair::{GearPair, Member};
+use crate::bound::decades;
+use crate::caption::decimals;
+use crate::decimal::fixed;
+use gearlash::study::Material;
+
+/// What the marks mean.
+pub const LEGEND: &str = "Filled dot: the gears touch. Open dots: the two points of the other flanks that will meet. \
+    Red and large: teeth have passed each other there. Blue: normals at the contacts, between involutes the line of action. \
+    Red, where teeth overlap: metal of both gears. Dash-dotted: operating pitch circles.";
+
+/// A run by centre distance, material and phase.
+pub fn run(run: &ComparedRun) -> String {
+    let distance = decimals(run.run.assembly.center_distance(), 3, 6);
+    let material = match run.run.material {
+        Material::Most => ", most material",
+        Material::Least => ", least material",
+        Material::AsMeasured => "",
+    };
+    let phase = run.run.phase;
+    let phase = phase.map_or(String::new(), |(w, p)| format!(", phase {w}·{p}"));
+    format!("a = {distance} mm{material}{phase}")
+}
+
+/// The class of a contact, and whose tip takes part when.
+pub fn class(assembly: &GearPair, side: Side, contact: &Contact) -> String {
+    let class = ContactClass::of(assembly, side, contact);
+    let tip = class.tip.map(|member| format!("{} tip", member.name()));
+    let moment = class.moment.map(|moment| moment.name().to_owned());
+    let more: Vec<String> = tip.into_iter().chain(moment).collect();
+    match more.is_empty() {
+        true => class.kind.name().to_owned(),
+        false => format!("{} ({})", class.kind.name(), more.join(", ")),
+    }
+}
+
+/// The list beside the picture.
+pub fn draw(run: &ComparedRun, number: usize) -> String {
+    let pose = &run.poses[number];
+    let mating = pose.swept.pose.mating();
+    let fraction = match mating.fraction {
+        0.0 => String::new(),
+        fraction if fraction > 0.0 => format!(" + {} pitch", decimals(fraction, 0, 6)),
+        fraction => format!(" − {} pitch", decimals(-fraction, 0, 6)),
+    };
+    let contact = |side| match touching(&pose.swept, side) {
+        None => "none".to_owned(),
+        Some(contact) => format!(
+            "wheel tooth {} on pinion tooth {}, {}",
+            contact.wheel.tooth,
+            contact.pinion.tooth,
+            class(&run.run.assembly, side, contact)
+        ),
+    };
+    let (j_wt, bound) = (
+        pose.swept.backlash.map(|j| j * 1e3),
+        pose.swept
+            .error_bound
+            .map(|bound| two_digits_up(bound * 1e3)),
+    );
+    let shown = j_wt.map_or("none".to_owned(), |j| format!("{} µm", fixed(j, 3)));
+    let full = j_wt.map_or(String::new(), |j| format!("{j}"));
+    let title = j_wt.map_or(String::new(), |j| format!("{j} µm"));
+    let bound = bound.map_or("none".to_owned(), |bound| {
+        format!("≤ {} µm", decades(bound))
+    });
+    let rows = [
+        ("run", "Run", self::run(run)),
+        (
+            "pose",
+            "Pose",
+            format!(
+                "{} of {}: wheel tooth {} with pinion tooth {}, {} flank{fraction}",
+                number + 1,
+                run.poses.len(),
+                mating.tooth(Member::Wheel),
+                mating.tooth(Member::Pinion),
+                mating.flank.name()
+            ),
+        ),
+        ("status", "Status", status(pose.swept.status())),
+        ("bound", "Error of <i>j</i><sub>wt</sub>", bound),
+        ("right", "Right contact", contact(Side::Right)),
+        ("left", "Left contact", contact(Side::Left)),
+    ];
+    let rows = rows.map(|(id, name, value)| {
+        format!("<div><dt>{name}</dt><dd id=\"viewer-{id}\">{value}</dd></div>\n")
+    });
+    format!(
+        "<p class=\"viewer-backlash\">Backlash <i>j</i><sub>wt</sub> = <output id=\"viewer-backlash\" aria-live=\"polite\" \
+         title=\"{title}\" data-um=\"{full}\">{shown}</output> <span id=\"viewer-overlapping\">{}</span></p>\n<dl class=\"viewer-readout\">\n{}</dl>\n",
+        overlapping(j_wt),
+        rows.concat()
+    )
+}
+
+/// What an overlap looks like.
+fn overlapping(j_wt_um: Option<f64>) -> String {
+    match j_wt_um {
+        Some(um) if um < 0.0 => {
+            format!(
+                "Teeth overlap by {} µm at the red dots: zoom in to see it.",
+                fixed(-um, 1)
+            )
+        }
+        _ => String::new(),
+    }
+}
+
+fn status(status: Status) -> String {
+    status.name().replace('_', " ")
+}

@@ -1,7 +1,0 @@
-//! The command line: parse, run, exit code.
-
-use std::process::ExitCode;
-
-fn main() -> ExitCode {
-    gearlash::cli::run()
-}

@@ -1,7 +1,7 @@
 //! Files in memory: the library reads pair files and tables from paths.
 
 use gearlash::error::Error;
-use gearlash::input;
+use gearlash_files as input;
 use gearlash::study::Study;
 use std::fs;
 use std::path::Path;

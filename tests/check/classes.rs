@@ -105,7 +105,7 @@ fn a_corner_that_costs_nothing_is_not_off_the_line_of_action() {
     let (_folder, file) = written(&eccentric_17_100(
         "[assembly]\ncenter_distance_mm = 117.4\n[sweep]\nmating = [[4, 41]]\nfraction = [0.5]\n",
     ));
-    let study = input::read(&file).unwrap();
+    let study = input::read(&file).unwrap().study;
     let found = diagnosed(&study);
     let corner = PoseClass::Contact(ContactKind::TipInvolute);
     assert_eq!(

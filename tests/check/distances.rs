@@ -29,7 +29,7 @@ fn zero_backlash_distance_of_perfect_gears_is_k_17() {
 /// worst of the sweep's poses is the one model 3 has for worst, and no rotation of the phase has less.
 #[test]
 fn zero_backlash_distance_of_the_rig_agrees_with_model_3() {
-    let study = input::read(&fixture("karba_44x44.toml")).unwrap();
+    let study = input::read(&fixture("karba_44x44.toml")).unwrap().study;
     let found = diagnosed(&study);
     let group = &found.groups[0];
     assert_eq!(group.material.name(), "most");

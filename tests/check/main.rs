@@ -1,7 +1,6 @@
 //! Checks of a pair: classes of contact, what they cost, limits by formula and as measured.
 
 mod classes;
-mod command;
 mod distances;
 mod onset;
 mod undercut;
@@ -11,7 +10,9 @@ mod common;
 #[path = "../common/eccentric_17_100.rs"]
 mod eccentric_17_100;
 
-use assert_cmd::Command;
+#[path = "../common/pair_86_21.rs"]
+mod pair_86_21;
+
 use common::{ReferenceContact, reference_pair};
 use eccentric_17_100::eccentric_17_100;
 use gearlash::analytic::{LineOfAction, SideContact, limits};
@@ -20,12 +21,12 @@ use gearlash::diagnosis::{
     Check, Diagnosis, Verdict, diagnose, non_involute_onset, radial_clearance, zero_distance,
 };
 use gearlash::gear::{AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Side};
-use gearlash::input;
 use gearlash::mesh::{ContactClass, ContactKind, ExactKernel, Method, Moment, PoseClass};
 use gearlash::pair::{GearPair, Mating, Member, Pose, SweepPlan};
 use gearlash::simulate::simulate;
 use gearlash::study::Study;
-use serde_json::Value;
+use gearlash_files as input;
+use pair_86_21::{pair_86_21, written};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
@@ -33,26 +34,6 @@ fn fixture(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("fixtures")
         .join(name)
-}
-
-fn pair_86_21(distance: f64) -> String {
-    format!(
-        "[wheel]\nteeth = 86\nmodule_mm = 3.0\npressure_angle_deg = 20.0\n\
-         [pinion]\nteeth = 21\nmodule_mm = 3.0\npressure_angle_deg = 20.0\n\
-         [assembly]\ncenter_distance_mm = {distance}\n\
-         [sweep]\nmating = [[1, 1]]\nfraction = [{}]\n",
-        (0..24)
-            .map(|phase| (f64::from(phase) / 24.0).to_string())
-            .collect::<Vec<_>>()
-            .join(", ")
-    )
-}
-
-fn written(text: &str) -> (tempfile::TempDir, PathBuf) {
-    let folder = tempfile::tempdir().unwrap();
-    let file = folder.path().join("pair.toml");
-    std::fs::write(&file, text).unwrap();
-    (folder, file)
 }
 
 fn diagnosed(study: &Study) -> Diagnosis {

@@ -6,7 +6,7 @@ use super::*;
 #[test]
 fn the_fillet_of_86_21_costs_what_no_formula_sees() {
     let (_folder, file) = written(&pair_86_21(160.2));
-    let found = diagnosed(&input::read(&file).unwrap());
+    let found = diagnosed(&input::read(&file).unwrap().study);
     let worst = &found.contact.loss.as_ref().unwrap().worst;
     let close = |found: f64, stated: f64| {
         assert!((found - stated).abs() <= 5e-4, "{found} {stated}");
@@ -47,7 +47,7 @@ fn the_fillet_of_86_21_costs_what_no_formula_sees() {
     );
 
     let (_folder, file) = written(&pair_86_21(160.3));
-    let farther = diagnosed(&input::read(&file).unwrap());
+    let farther = diagnosed(&input::read(&file).unwrap().study);
     let loss = farther.contact.loss.as_ref().unwrap();
     assert!(loss.worst.loss.abs() <= 1e-9, "{}", loss.worst.loss);
     assert_eq!(
@@ -63,7 +63,7 @@ fn the_fillet_of_86_21_costs_what_no_formula_sees() {
 #[test]
 fn below_the_onset_something_is_touched_above_it_nothing() {
     let (_folder, file) = written(&pair_86_21(160.2));
-    let study = input::read(&file).unwrap();
+    let study = input::read(&file).unwrap().study;
     let run = &study.runs().unwrap()[0];
     let onset = non_involute_onset(&run.assembly, &run.matings)
         .unwrap()

@@ -17,7 +17,7 @@ fn the_margin_to_undercut_is_the_racks() {
             1.5 * f64::from(teeth + 40) + 3.0 * x + 0.5
         );
         let (_folder, file) = written(&text);
-        let found = diagnosed(&input::read(&file).unwrap());
+        let found = diagnosed(&input::read(&file).unwrap().study);
         let undercut = check(&found, "undercut", Some(Member::Wheel));
         let round = 1.25 - 0.38 * (1.0 - sin);
         let expected = 1.5 * f64::from(teeth) * sin - (round - x) * 3.0 / sin;

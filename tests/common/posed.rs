@@ -1,13 +1,13 @@
 //! One pose of a pair file.
 
 use gearlash::gear::Side;
-use gearlash::input;
 use gearlash::pair::{GearPair, Mating};
+use gearlash_files as input;
 use std::path::Path;
 
 /// The first pose at `flank` of a pair file that has one centre distance and one thickness.
 pub fn pose(path: &Path, flank: Side) -> (GearPair, Mating) {
-    let study = input::read(path).unwrap();
+    let study = input::read(path).unwrap().study;
     let (_, wheel, pinion) = &study.materials[0];
     let assembly = GearPair::new(
         wheel.clone(),

@@ -1,16 +1,17 @@
 //! The gauge against formulas, published values and the deviations that were put in. Lengths in mm.
 
 mod as_built;
-mod command;
-mod files;
 mod perfect;
 mod roll;
-mod round_trip;
+
+#[path = "../common/made_up.rs"]
+mod made_up;
 
 use gearlash::gauge::{Gauged, Settings, gauge};
 use gearlash::gear::{
     AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Pitch,
 };
+use made_up::{made_up, scaled};
 use std::ops::ControlFlow;
 
 /// Issue 5: 1e-6 µm.
@@ -35,25 +36,6 @@ fn quick() -> Settings {
         steps_per_pitch: 1,
         ..Settings::default()
     }
-}
-
-/// Reproducible values between −1 and 1, with mean zero.
-fn made_up(count: u32, seed: u64) -> Vec<f64> {
-    let mut state = seed;
-    let values = (0..count).map(|_| {
-        // Knuth's MMIX generator.
-        state = state
-            .wrapping_mul(6364136223846793005)
-            .wrapping_add(1442695040888963407);
-        (state >> 11) as f64 / (1u64 << 52) as f64 - 1.0
-    });
-    let values: Vec<f64> = values.collect();
-    let mean = values.iter().sum::<f64>() / f64::from(count);
-    values.into_iter().map(|value| value - mean).collect()
-}
-
-fn scaled(values: &[f64], by: f64) -> Vec<f64> {
-    values.iter().map(|value| value * by).collect()
 }
 
 /// A gear with deviations of every kind: per-tooth thickness ±8 µm, pitch ±12 µm.

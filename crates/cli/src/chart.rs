@@ -9,8 +9,8 @@ use super::studies;
 use super::target::Target;
 use crate::error::Error;
 use clap::ValueEnum;
-use gearlash_files::PairFile;
 use drawn::Drawn;
+use gearlash_files::PairFile;
 use std::path::PathBuf;
 use std::process::ExitCode;
 

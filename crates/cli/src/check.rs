@@ -4,16 +4,16 @@ use super::console::{print, tell};
 use super::method::{MethodArgs, whole_agreement};
 use super::progress::Progress;
 use super::{poses, studies};
-use gearlash_files::characters::plain;
+use crate::error::Error;
+use crate::output::OutputFolder;
+use clap::ValueEnum;
 use gearlash::compare::{ComparedRun, compare};
 use gearlash::diagnosis::{
     Diagnosis, Group, MAP_ROWS, Verdict, ZeroDistance, diagnose, map, pitch_count,
 };
-use crate::error::Error;
-use crate::output::OutputFolder;
 use gearlash::simulate::{pose_count, simulate};
 use gearlash::study::{Material, Study};
-use clap::ValueEnum;
+use gearlash_files::characters::plain;
 use std::path::PathBuf;
 use std::process::ExitCode;
 

@@ -3,9 +3,9 @@
 //! What does not reach standard output is an error, as a disk that is full would otherwise leave a result cut short; only a
 //! reader that has gone away (`| head`) is none. What does not reach standard error is lost: nobody is left to tell.
 
-use gearlash_files::characters::plain;
 use crate::error::Error;
 use gearlash_files::Sources;
+use gearlash_files::characters::plain;
 use std::io::{BufWriter, ErrorKind, Write};
 use std::path::Path;
 

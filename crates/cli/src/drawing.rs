@@ -1,8 +1,8 @@
 //! What the commands that draw share: which gears and teeth.
 
 use crate::error::Error;
-use gearlash::study::{Material, Study};
 use clap::ValueEnum;
+use gearlash::study::{Material, Study};
 
 /// `--material`.
 #[derive(Clone, Copy, ValueEnum)]

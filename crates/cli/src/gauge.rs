@@ -5,14 +5,14 @@ use super::progress::Progress;
 use super::results::{Format, ResultsArgs};
 use super::studies;
 use crate::error::Error;
+use clap::ValueEnum;
 use gearlash::gauge::{Settings, gauge, pose_count};
 use gearlash::gear::AsBuilt;
+use gearlash::study::Material;
+use gearlash_files::{GearEntry, GearsFile};
 use gearlash_render::gauge::{
     GaugedGear, charts, csv_files, json, possible_files, stem, teeth_csv, text,
 };
-use gearlash::study::Material;
-use gearlash_files::{GearEntry, GearsFile};
-use clap::ValueEnum;
 use std::path::PathBuf;
 use std::process::ExitCode;
 

@@ -25,10 +25,10 @@ mod studies;
 mod target;
 mod worst;
 
-use gearlash_files::characters::plain;
 use crate::error::Error;
 use clap::{Parser, Subcommand};
 use console::{printed, tell};
+use gearlash_files::characters::plain;
 use std::io::Write;
 use std::process::ExitCode;
 

@@ -1,10 +1,10 @@
 //! `--method` and `--no-certify`: what several commands share.
 
 use super::console::tell;
+use clap::ValueEnum;
 use gearlash::compare::ComparedRun;
 use gearlash::mesh::Method;
 use gearlash::tally::RunTally;
-use clap::ValueEnum;
 
 /// Largest difference between the two methods that passes, mm: 1e-6 µm, a picometre.
 const AGREEMENT: f64 = 1e-9;
@@ -101,7 +101,6 @@ pub(super) fn agreement_within(largest: Option<f64>) -> bool {
 mod tests {
     use super::*;
     use gearlash::compare::compare;
-    use gearlash_files;
     use gearlash::mesh::{CutPair, sweep};
     use gearlash::pair::Member;
     use gearlash::simulate::Run;
@@ -112,9 +111,9 @@ mod tests {
     #[test]
     fn an_unproven_pose_does_not_pass() {
         let read = |file: &str| {
-            let fixtures = Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures");
+            let fixtures = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../fixtures"));
             let study = gearlash_files::read(&fixtures.join(file)).unwrap();
-            study.runs().unwrap().remove(0)
+            study.study.runs().unwrap().remove(0)
         };
         let (plan, other) = (read("karba_44x44.toml"), read("karba_86x21.toml"));
         let cut_of = |assembly: &gearlash::pair::GearPair| {

@@ -2,8 +2,8 @@
 
 use super::console::tell;
 use crate::error::Error;
-use gearlash_files::{InputError, Problem};
 use gearlash::study::{MOST_POSES, POSE_BYTES_CSV, POSE_BYTES_JSON, size};
+use gearlash_files::{InputError, Problem};
 use std::path::Path;
 
 /// What bounds the poses of a command.

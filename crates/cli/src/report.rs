@@ -6,13 +6,13 @@ use super::method::{MethodArgs, agreement_within, all_proven, largest_difference
 use super::progress::Progress;
 use super::target::Target;
 use super::{poses, studies};
-use gearlash_files::PairFile;
+use crate::error::Error;
 use gearlash::curves;
 use gearlash::cycle::{self, cycle};
-use crate::error::Error;
 use gearlash::gauge::{GradedReading, Unmeasured, graded};
 use gearlash::gear::Inspection;
 use gearlash::measured::measured_matings;
+use gearlash_files::PairFile;
 use gearlash_render::{self, Report};
 use std::path::PathBuf;
 use std::process::ExitCode;

@@ -1,11 +1,11 @@
 //! What a command prints of its results, and the folder that takes all of them.
 
 use super::console::print;
-use gearlash_files::characters::plain;
 use crate::error::Error;
 use crate::output::OutputFolder;
-use gearlash_files::Sources;
 use clap::ValueEnum;
+use gearlash_files::Sources;
+use gearlash_files::characters::plain;
 use std::path::{Path, PathBuf};
 
 #[derive(clap::Args)]

@@ -2,8 +2,8 @@
 
 use super::console::print;
 use crate::error::Error;
-use gearlash_files::{PAIR_SCHEMA, gear_schema};
 use clap::ValueEnum;
+use gearlash_files::{PAIR_SCHEMA, gear_schema};
 use std::process::ExitCode;
 
 /// Print the JSON Schema of a pair file or a gear file, for editors

@@ -8,13 +8,13 @@ use super::pictures::{exaggeration, pitch};
 use super::target::Target;
 use super::{studies, worst};
 use crate::error::Error;
-use gearlash_files::PairFile;
+use clap::ValueEnum;
 use gearlash::gear::Side;
 use gearlash::mesh::{CutPair, LostMotion, Method, Unproven, sweep};
 use gearlash::pair::{GearPair, Mating, Member, Pose};
-use gearlash_render::Snapshot;
 use gearlash::study::{Material, Study};
-use clap::ValueEnum;
+use gearlash_files::PairFile;
+use gearlash_render::Snapshot;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -95,7 +95,9 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             gearlash_render::animation(&view, &steps)
         }
         None => gearlash_render::snapshot(&view),
-        Some(factor) => gearlash_render::exaggerated(&view, &exaggeration(&subject.assembly, factor)?),
+        Some(factor) => {
+            gearlash_render::exaggerated(&view, &exaggeration(&subject.assembly, factor)?)
+        }
     };
     let target = match given {
         Some(target) => target,

@@ -1,10 +1,10 @@
 //! Where one file goes: `-o FILE`, or `-` for standard output.
 
 use super::console::print;
-use gearlash_files::characters::plain;
 use crate::error::Error;
 use crate::output::OutputFile;
 use gearlash_files::Sources;
+use gearlash_files::characters::plain;
 use std::path::{Path, PathBuf};
 
 /// A place for one file, tried before the work begins.

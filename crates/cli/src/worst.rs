@@ -2,8 +2,8 @@
 
 use super::console::tell;
 use super::progress::Progress;
-use gearlash::analytic::evaluate;
 use crate::error::Error;
+use gearlash::analytic::evaluate;
 use gearlash::mesh::{FirstLeast, Method, PoseResult, Status};
 use gearlash::simulate::{Run, each_block, pose_count};
 use gearlash::study::{Material, Study};

@@ -30,8 +30,8 @@ mod per_tooth;
 mod pitch;
 mod place;
 mod problems;
-mod readings;
 mod read;
+mod readings;
 pub mod results;
 mod runout;
 mod schema;
@@ -45,7 +45,6 @@ mod table;
 mod thickness;
 mod tooth;
 mod unit_slips;
-
 
 use node::Node;
 use pair_file::PairTables;

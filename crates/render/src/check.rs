@@ -1,13 +1,13 @@
 //! The checks of a pair as text and as JSON.
 
 use super::decimal::ascii;
-use gearlash_files::results::{ContactCountRecord, contact_count_record};
 use super::table::{finish, table};
-use gearlash_files::characters;
 use gearlash::diagnosis::{Check, Diagnosis, Group, Verdict};
 use gearlash::pair::Member;
 use gearlash::study::Study;
 use gearlash_files::PairFile;
+use gearlash_files::characters;
+use gearlash_files::results::{ContactCountRecord, contact_count_record};
 use serde::Serialize;
 use serde_json::{Map, Value};
 use std::fmt::Write;

@@ -3,12 +3,12 @@
 mod junit;
 mod markdown;
 
-use gearlash_files::results::{MatingRecord, UnprovenRecord, mating_record, unproven_record};
 use super::table::where_it_is;
 use super::unproven::doubts;
-use gearlash_files::characters::{self, plain};
 use gearlash::compare::{ComparedPose, Verdict};
 use gearlash::tally::RunTally;
+use gearlash_files::characters::{self, plain};
+use gearlash_files::results::{MatingRecord, UnprovenRecord, mating_record, unproven_record};
 use serde::Serialize;
 use std::fmt::Write;
 

@@ -5,14 +5,14 @@ mod phases;
 
 use super::decimal::ascii;
 use super::unproven;
-use gearlash_files::characters::plain;
+use comfy_table::{CellAlignment, Table, presets};
 use gearlash::compare::{ComparedPose, Verdict};
 use gearlash::measured::MeasuredMating;
 use gearlash::mesh::Contact;
 use gearlash::phases::phase_groups;
 use gearlash::study::Study;
 use gearlash::tally::{MOST_LISTED, RunTally};
-use comfy_table::{CellAlignment, Table, presets};
+use gearlash_files::characters::plain;
 use measured::{measured_count, measured_table};
 use phases::phase_table;
 

@@ -7,16 +7,16 @@ use super::super::method::{agreement_within, all_proven, unproven, whole_agreeme
 use super::super::poses;
 use super::super::progress::Progress;
 use super::{Args, Gear, Kind};
+use crate::error::Error;
 use gearlash::compare::ComparedRun;
 use gearlash::curves::{self, Course, Followed};
 use gearlash::cycle;
-use crate::error::Error;
 use gearlash::error::{Error as Run, GearError};
 use gearlash::gear::Inspection;
 use gearlash::mesh::Method;
 use gearlash::outcome::by_distance;
-use gearlash_render::chart::{self, Chart, Heading};
 use gearlash::study::Study;
+use gearlash_render::chart::{self, Chart, Heading};
 
 /// A chart and the name of its file.
 pub(super) struct Drawn {

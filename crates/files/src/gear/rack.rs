@@ -1,10 +1,10 @@
 //! `[rack]`: the basic rack.
 
-use gearlash::error::GearError;
-use gearlash::gear::BasicRack;
 use crate::entry::Limits;
 use crate::problems::Problems;
 use crate::table::Table;
+use gearlash::error::GearError;
+use gearlash::gear::BasicRack;
 
 const KEYS: &[&str] = &["addendum", "dedendum", "root_radius"];
 

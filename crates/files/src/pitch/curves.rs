@@ -1,9 +1,9 @@
 //! From the values of a pitch sheet to the cumulative curves.
 
 use super::{Kind, PitchSheet, Sense};
-use gearlash::gear::{BasicGearData, Pitch, Side};
 use crate::problems::Problems;
 use crate::table::Table;
+use gearlash::gear::{BasicGearData, Pitch, Side};
 use std::f64::consts::PI;
 
 /// Sheets round single pitch deviations to 0.1 µm: half of that a tooth, 0.05 µm, may be left in

@@ -1,9 +1,9 @@
 //! A single pitch value that stands out.
 
 use super::{Kind, PitchSheet};
-use gearlash::gear::{BasicGearData, GradedQuantity, Side};
 use crate::slips::{FEWEST, Outlier, STANDS_OUT, coarse, median};
 use crate::table::Table;
+use gearlash::gear::{BasicGearData, GradedQuantity, Side};
 
 impl PitchSheet {
     /// The value that lies farthest from its neighbours (cumulative) or from the others (single), where that is more than all the

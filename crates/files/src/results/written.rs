@@ -3,8 +3,8 @@
 use super::csv_row::CsvRow;
 use super::json::Json;
 use super::{PoseRecord, RunHead, notes, pose_record, summary_record};
-use gearlash::compare::ComparedRun;
 use crate::read::PairFile;
+use gearlash::compare::ComparedRun;
 use gearlash::tally::{Piece, whole};
 use rayon::prelude::*;
 use std::io::{Error, Result, Write};

@@ -1,13 +1,13 @@
 //! Runout readings from a file: which eccentricity they hold, once the flanks are known.
 
-use crate::error::Problem;
-use gearlash::error::GearError;
-use gearlash::gear::{Deviations, Gear, Probe, RunoutFit, RunoutReadings, thickness};
 use crate::eccentricity::{apart_um, shown};
 use crate::entry::Limits;
+use crate::error::Problem;
 use crate::problems::Problems;
 use crate::sheet::{Column, Coverage, Header, Sheet, Wanted};
 use crate::table::Table;
+use gearlash::error::GearError;
+use gearlash::gear::{Deviations, Gear, Probe, RunoutFit, RunoutReadings, thickness};
 use gearlash::notes::Eccentricity;
 
 /// Where a reading was taken.

@@ -1,8 +1,8 @@
 //! One block of a protocol: its head, its columns, its rows.
 
 use super::number::{self, Decimal, Written};
-use gearlash::gear::Side;
 use crate::data_file::DataFile;
+use gearlash::gear::Side;
 
 /// What such machines print for a value that was not measured.
 const NOT_MEASURED: [f64; 2] = [-2147483.648, -9999.0];

@@ -5,9 +5,9 @@ use super::decimal::{self, Numbers};
 use super::number::{self, Decimal, Written};
 use super::places::{self, Places};
 use super::{Row, Wanted};
-use crate::error::Problem;
 use crate::data_file::DataFile;
 use crate::entry::whole_in;
+use crate::error::Problem;
 use crate::problems::Problems;
 
 /// One line of cells.

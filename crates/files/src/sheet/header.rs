@@ -1,9 +1,9 @@
 //! What a protocol says of the gear in its numbered header lines, held against the pair file.
 
 use super::number;
-use gearlash::gear::GearDesign;
 use crate::data_file::DataFile;
 use crate::problems::Problems;
+use gearlash::gear::GearDesign;
 
 /// A quantity that a header line may state.
 #[derive(Debug, Clone, Copy, PartialEq)]

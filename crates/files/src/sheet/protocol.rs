@@ -11,10 +11,10 @@ use super::header::Header;
 use super::limits::MOST_ROWS;
 use super::number::Written;
 use super::{Row, Wanted, by_tooth, story};
-use gearlash::gear::Side;
 use crate::data_file::DataFile;
 use crate::pitch::Kind;
 use crate::problems::Problems;
+use gearlash::gear::Side;
 use std::collections::HashMap;
 
 /// Whether `text` has the head of a block.

@@ -68,7 +68,11 @@ pub fn bars(
 ///
 /// # Errors
 /// [`PictureError`] when a panel has no value.
-pub fn bar_panels(heading: &Heading, x_axis: &str, panels: &[BarPanel]) -> Result<Chart, PictureError> {
+pub fn bar_panels(
+    heading: &Heading,
+    x_axis: &str,
+    panels: &[BarPanel],
+) -> Result<Chart, PictureError> {
     let height = if panels.len() > 1 { 260.0 } else { 340.0 };
     let mut drawn = Vec::new();
     for (index, bars) in panels.iter().enumerate() {

@@ -5,8 +5,8 @@ use super::paint::Look;
 use super::panel::{Anchor, Axis, Mark, Panel, Point, Sample, range};
 use super::words::{course_axis, course_words, empty, entry, unproven_of, unproven_words};
 use super::{Chart, Heading, sheet};
-use gearlash::curves::{Course, CourseLine, CoursePoint};
 use crate::error::PictureError;
+use gearlash::curves::{Course, CourseLine, CoursePoint};
 use gearlash::gear::Side;
 
 /// Fill of the error bound.
@@ -17,7 +17,11 @@ const BOUND: f64 = 0.16;
 ///
 /// # Errors
 /// [`PictureError`] when no pose has both values, all being proven.
-pub fn difference(heading: &Heading, course: &Course, tolerance_um: f64) -> Result<Chart, PictureError> {
+pub fn difference(
+    heading: &Heading,
+    course: &Course,
+    tolerance_um: f64,
+) -> Result<Chart, PictureError> {
     let lines = || course.lines.iter().filter(|line| line.flank == Side::Right);
     let of = |model: fn(&CoursePoint) -> Option<f64>, look: Look| {
         let lines = lines().map(move |line| Mark::Line {

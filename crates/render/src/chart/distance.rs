@@ -4,12 +4,12 @@ use super::paint::Look;
 use super::panel::{Anchor, Axis, Mark, Panel, Point, Sample, backlash_range, range};
 use super::words::{empty, entry, interference, unproven_words, without_value};
 use super::{Chart, Heading, sheet};
-use gearlash::curves::{DistancePoint, OverDistance};
+use crate::caption::decimals;
 use crate::error::PictureError;
+use gearlash::curves::{DistancePoint, OverDistance};
 use gearlash::measured::Band;
 use gearlash::outcome::AtDistance;
 use gearlash::pair::Mating;
-use crate::caption::decimals;
 
 /// Fill of the band with and without bearing clearance.
 const FILLS: [f64; 2] = [0.14, 0.22];

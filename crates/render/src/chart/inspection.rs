@@ -15,7 +15,11 @@ const PANEL: f64 = 168.0;
 ///
 /// # Errors
 /// [`PictureError`]: none for a gear that has teeth.
-pub fn inspection(heading: &Heading, gear: &str, inspection: &Inspection) -> Result<Chart, PictureError> {
+pub fn inspection(
+    heading: &Heading,
+    gear: &str,
+    inspection: &Inspection,
+) -> Result<Chart, PictureError> {
     let flanks = [
         (Side::Right, "right flanks", Look::Right),
         (Side::Left, "left flanks", Look::Left),

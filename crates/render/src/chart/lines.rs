@@ -37,7 +37,11 @@ pub struct LineAxes<'a> {
 ///
 /// # Errors
 /// [`PictureError`] when no series has a value.
-pub fn lines(heading: &Heading, axes: LineAxes, series: &[LineSeries]) -> Result<Chart, PictureError> {
+pub fn lines(
+    heading: &Heading,
+    axes: LineAxes,
+    series: &[LineSeries],
+) -> Result<Chart, PictureError> {
     let points = || series.iter().flat_map(|line| &line.points);
     // Less than a tooth beyond the teeth: before 1 stands the number of the last.
     let (margin, beyond) = match axes.teeth {

@@ -7,8 +7,8 @@ use super::words::{
     unproven_words, without_value,
 };
 use super::{Chart, Heading, sheet};
-use gearlash::curves::{Course, CourseLine, Extreme};
 use crate::error::PictureError;
+use gearlash::curves::{Course, CourseLine, Extreme};
 use gearlash::gear::Side;
 use gearlash::study::Material;
 

@@ -2,9 +2,9 @@
 
 use super::paint::Look;
 use super::panel::{Anchor, Axis, Entry, Mark, Panel, Sample};
+use crate::decimal::fixed;
 use gearlash::curves::{Course, CourseLine};
 use gearlash::mesh::Status;
-use crate::decimal::fixed;
 
 /// µm with one decimal.
 pub(super) fn micrometres(value: f64) -> String {

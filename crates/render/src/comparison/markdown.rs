@@ -1,10 +1,10 @@
 //! The outcome of `compare` as GitHub-flavoured Markdown: the table a reviewer wants.
 
 use super::{ComparedPair, PairOutcome, run_name, trouble};
-use gearlash_files::characters::plain;
-use gearlash::compare::{ComparedPose, Verdict};
 use crate::table::{um, where_it_is};
+use gearlash::compare::{ComparedPose, Verdict};
 use gearlash::tally::RunTally;
+use gearlash_files::characters::plain;
 use std::fmt::Write;
 
 const HEADINGS: [&str; 8] = [

@@ -7,8 +7,8 @@
 
 use super::GaugedGear;
 use super::file_names::FileName;
-use gearlash_files::characters::plain;
 use gearlash::gauge::{StatedThickness, Unmeasured};
+use gearlash_files::characters::plain;
 use serde_json::Value;
 use std::fmt::Write;
 

@@ -2,10 +2,10 @@
 
 use super::GaugedGear;
 use super::by_tooth::um;
-use gearlash_files::characters;
 use gearlash::gauge::{GradedReading, OverPins, PitchReadings, RollPose, Unmeasured};
 use gearlash::gear::{GRADE_SOURCE, Grade, Side};
 use gearlash::mesh::Touch;
+use gearlash_files::characters;
 use serde_json::{Value, json};
 
 /// All gears: lengths in mm where the name says so, deviations in µm. What was not measured is

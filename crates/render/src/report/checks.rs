@@ -2,9 +2,9 @@
 
 use super::Page;
 use super::words::{distance, j_wt, material, plain, study, value};
+use crate::check::{doubts, governing, measured, unit};
 use gearlash::diagnosis::{Check, Group, Verdict};
 use gearlash::pair::Member;
-use crate::check::{doubts, governing, measured, unit};
 use maud::{Markup, html};
 
 pub(super) fn section(page: &Page) -> Markup {

@@ -2,10 +2,10 @@
 
 use super::Page;
 use super::words::distance;
-use gearlash::curves::{Course, DistancePoint, Followed};
-use crate::error::PictureError;
-use gearlash::gear::Inspection;
 use crate::chart::{self, Chart, Heading};
+use crate::error::PictureError;
+use gearlash::curves::{Course, DistancePoint, Followed};
+use gearlash::gear::Inspection;
 use maud::{Markup, PreEscaped, html};
 
 /// Centre distances and phases whose curves stand in the page (tuned: some 100 kB each).

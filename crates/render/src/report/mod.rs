@@ -22,16 +22,16 @@ mod unproven;
 mod verdict;
 mod words;
 
+use crate::error::PictureError;
+use crate::viewer;
 use gearlash::compare::ComparedRun;
 use gearlash::curves::{Course, OverDistance, courses};
 use gearlash::cycle::Cycle;
 use gearlash::diagnosis::Diagnosis;
-use crate::error::PictureError;
 use gearlash::gauge::{GradedReading, Unmeasured};
 use gearlash::measured::MeasuredMating;
 use gearlash::mesh::Method;
 use gearlash::outcome::{Agreement, AtDistance, Outcome, by_distance};
-use crate::viewer;
 use gearlash_files::PairFile;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use words::plain;

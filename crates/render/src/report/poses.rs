@@ -5,9 +5,9 @@ use super::figures::not_on_paper;
 use super::inline::inline;
 use super::words::{distance, material, pose, um};
 use crate::error::PictureError;
+use crate::{Snapshot, snapshot};
 use gearlash::mesh::Status;
 use gearlash::outcome::Found;
-use crate::{Snapshot, snapshot};
 use maud::{Markup, PreEscaped, html};
 
 /// Centre distances, beside that of the least pose, whose least pose is drawn too (tuned: some 30 kB each).
@@ -74,7 +74,8 @@ fn most_lost<'a>(page: &Page<'a>) -> Option<(Found<'a>, f64)> {
     let found = all.find(is_worst)?;
     let drawn = [page.whole.least, page.whole.greatest];
     let known = drawn.iter().flatten().any(is_worst);
-    (worst.loss > page.report.pair.study.tolerance_um * 1e-3 && !known).then_some((found, worst.loss))
+    (worst.loss > page.report.pair.study.tolerance_um * 1e-3 && !known)
+        .then_some((found, worst.loss))
 }
 
 /// The least poses of the other centre distances, where they are few.

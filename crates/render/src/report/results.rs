@@ -4,9 +4,9 @@ use super::Page;
 use super::figures::{charted, over_distance, revolutions};
 use super::words::{distance, material, um};
 use crate::error::PictureError;
+use crate::viewer;
 use gearlash::outcome::{Found, Outcome};
 use gearlash::phases::phase_groups;
-use crate::viewer;
 use gearlash::tally::{RunTally, tally};
 use maud::{Markup, PreEscaped, html};
 

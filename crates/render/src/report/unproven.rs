@@ -2,8 +2,8 @@
 
 use super::Page;
 use super::words::{distance, material, plain, pose};
-use gearlash::outcome::Found;
 use crate::unproven::doubts;
+use gearlash::outcome::Found;
 use maud::{Markup, html};
 
 /// Poses up to this many are told one by one (tuned: a screen).

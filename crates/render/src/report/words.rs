@@ -1,13 +1,13 @@
 //! How numbers, symbols and the user's words get into the page.
 
-pub(super) use gearlash_files::characters::plain;
-use gearlash::mesh::Contact;
-use gearlash::outcome::Found;
 pub(super) use crate::bound::bound;
 use crate::bound::scientific;
 use crate::caption::decimals;
 use crate::decimal::{fixed, shortest};
+use gearlash::mesh::Contact;
+use gearlash::outcome::Found;
 use gearlash::study::Material;
+pub(super) use gearlash_files::characters::plain;
 use maud::{Markup, html};
 
 /// A length given in mm as µm, with a true minus sign, never `−0.00`; a dash for none.

@@ -15,11 +15,11 @@ mod readout;
 mod run_columns;
 mod viewed;
 
+use columns::Columns;
 use gearlash::compare::ComparedRun;
 use gearlash::curves::Course;
 use gearlash::mesh::Status;
 use gearlash::study::Study;
-use columns::Columns;
 use precision::Precision;
 use std::fmt::Write;
 use viewed::{viewed, worst};

@@ -2,13 +2,13 @@
 
 use super::contacts::touching;
 use super::precision::two_digits_up;
+use crate::bound::decades;
+use crate::caption::decimals;
+use crate::decimal::fixed;
 use gearlash::compare::ComparedRun;
 use gearlash::gear::Side;
 use gearlash::mesh::{Contact, ContactClass, Status};
 use gearlash::pair::{GearPair, Member};
-use crate::bound::decades;
-use crate::caption::decimals;
-use crate::decimal::fixed;
 use gearlash::study::Material;
 
 /// What the marks mean.

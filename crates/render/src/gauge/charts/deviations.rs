@@ -4,10 +4,10 @@ use super::super::GaugedGear;
 use super::super::by_tooth::um;
 use super::super::file_names::FileName;
 use super::{LEVEL, by_tooth};
+use crate::chart::{BarPanel, BarSeries, Limits, Look};
 use crate::error::PictureError;
 use gearlash::gauge::{GradedReading, PitchAxis, PitchReadings, RunoutReadings};
 use gearlash::gear::{Grade, GradedQuantity, Side};
-use crate::chart::{BarPanel, BarSeries, Limits, Look};
 
 pub(super) fn charts(gauged: &GaugedGear) -> Result<Vec<(String, String)>, PictureError> {
     let read = &gauged.gauged;

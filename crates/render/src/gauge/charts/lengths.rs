@@ -4,9 +4,9 @@ use super::super::GaugedGear;
 use super::super::by_tooth::um;
 use super::super::file_names::FileName;
 use super::{LEVEL, by_tooth, means};
+use crate::chart::{BarPanel, BarSeries, Look};
 use crate::error::PictureError;
 use gearlash::gauge::OverPins;
-use crate::chart::{BarPanel, BarSeries, Look};
 
 /// One chart: file, what is read, x and y axis, readings and their mean, mm.
 struct Chart<'a> {

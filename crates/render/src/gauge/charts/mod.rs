@@ -9,8 +9,8 @@ mod roll;
 
 use super::GaugedGear;
 use super::file_names::FileName;
-use crate::error::PictureError;
 use crate::chart::{BarPanel, Heading, bar_panels};
+use crate::error::PictureError;
 
 /// Below this, µm, values are level: far below what a gauge in a shop tells, far above the rounding of readings. Axes
 /// are a hundred times as high at least.

@@ -3,9 +3,9 @@
 use super::super::GaugedGear;
 use super::super::file_names::FileName;
 use super::{LEVEL, NUMBERS, means, subtitle};
+use crate::chart::{Heading, LineAxes, LineSeries, Look, lines};
 use crate::error::PictureError;
 use gearlash::gauge::RollPose;
-use crate::chart::{Heading, LineAxes, LineSeries, Look, lines};
 
 pub(super) fn chart(gauged: &GaugedGear) -> Result<Option<(String, String)>, PictureError> {
     let Ok(roll) = &gauged.gauged.roll else {

@@ -1,8 +1,8 @@
 //! Runout, pitch and roll in µm.
 
+use crate::table::um;
 use gearlash::gauge::{Eccentricity, Gauged, PitchReadings};
 use gearlash::gear::Side;
-use crate::table::um;
 use std::fmt::Write;
 
 pub(super) fn lines(read: &Gauged) -> String {

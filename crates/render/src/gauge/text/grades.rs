@@ -1,8 +1,8 @@
 //! Accuracy grades, or why there are none.
 
+use crate::table::{finish, table, um};
 use gearlash::gauge::{Gauged, GradedReading};
 use gearlash::gear::Grade;
-use crate::table::{finish, table, um};
 
 pub(super) fn table_of(read: &Gauged) -> String {
     let graded = match &read.grades {

@@ -1,7 +1,7 @@
 //! Lengths with their least, mean and greatest reading.
 
-use gearlash::gauge::{Gauged, OverPins};
 use crate::table::{finish, table, um};
+use gearlash::gauge::{Gauged, OverPins};
 
 /// One length, mm: `[least, greatest]`, mean, bound on the error of a reading, what a formula says.
 struct Row {

@@ -9,8 +9,8 @@ mod remarks;
 pub(super) use remarks::missing;
 
 use super::GaugedGear;
-use gearlash_files::characters::plain;
 use gearlash::gear::GRADE_SOURCE;
+use gearlash_files::characters::plain;
 use std::fmt::Write;
 
 /// The text `gauge` prints; with `by_position` every reading tooth by tooth, too.

@@ -1,0 +1,179 @@
+//! `gearlash chart`, as a user runs it.
+
+use assert_cmd::Command;
+use predicates::prelude::*;
+use std::path::{Path, PathBuf};
+use tempfile::TempDir;
+
+fn fixture(name: &str) -> PathBuf {
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
+        .join("fixtures")
+        .join(name)
+}
+
+fn chart(folder: &TempDir, file: &Path, arguments: &[&str]) -> Command {
+    let mut command = Command::cargo_bin("gearlash").unwrap();
+    command
+        .current_dir(folder.path())
+        .arg("chart")
+        .arg(file)
+        .args(arguments);
+    command
+}
+
+#[test]
+fn each_kind_has_its_file() {
+    let folder = TempDir::new().unwrap();
+    let pair = fixture("karba_44x44.toml");
+    for (arguments, file) in [
+        (
+            &["--kind", "revolution"][..],
+            "chart_revolution_a132.21.svg",
+        ),
+        (
+            &[
+                "--kind",
+                "difference",
+                "--center-distance",
+                "132.0",
+                "--material",
+                "most",
+            ],
+            "chart_difference_a132_most.svg",
+        ),
+        (
+            &["--kind", "distance", "--mating", "44,33"],
+            "chart_distance_44_33.svg",
+        ),
+        // The mating that binds, where none is asked for.
+        (&["--kind", "distance"], "chart_distance_33_33.svg"),
+        (&["--kind", "inspection"], "chart_inspection_wheel.svg"),
+        (
+            &["--kind", "inspection", "--gear", "pinion"],
+            "chart_inspection_pinion.svg",
+        ),
+    ] {
+        let path = format!("out/karba_44x44/{file}");
+        chart(&folder, &pair, arguments)
+            .assert()
+            .success()
+            .stdout(format!("{path}\n"));
+        let svg = std::fs::read_to_string(folder.path().join(path)).unwrap();
+        assert!(roxmltree::Document::parse(&svg).is_ok());
+        // The same, elsewhere, and the same again on standard output.
+        chart(&folder, &pair, arguments)
+            .args(["-o", "new/chart.svg"])
+            .assert()
+            .success();
+        assert_eq!(
+            std::fs::read_to_string(folder.path().join("new/chart.svg")).unwrap(),
+            svg
+        );
+        chart(&folder, &pair, arguments)
+            .args(["-o", "-"])
+            .assert()
+            .success()
+            .stdout(svg);
+    }
+}
+
+#[test]
+fn the_first_of_several_distances_is_drawn_and_said() {
+    let folder = TempDir::new().unwrap();
+    chart(
+        &folder,
+        &fixture("karba_44x44.toml"),
+        &["--kind", "revolution", "-o", "-"],
+    )
+    .assert()
+    .success()
+    .stdout(predicate::str::contains(
+        "a = 132.21 mm · one wheel revolution from mating 1·1 on",
+    ))
+    .stderr(predicate::str::contains(
+        "note: at the first of 5 centre distances",
+    ));
+}
+
+#[test]
+fn what_does_not_suit_is_exit_2_and_writes_nothing() {
+    let folder = TempDir::new().unwrap();
+    let pair = fixture("karba_86x21.toml");
+    for (arguments, message) in [
+        (
+            &["--kind", "revolution", "--gear", "wheel"][..],
+            "--gear belongs to --kind inspection",
+        ),
+        (
+            &["--kind", "inspection", "--mating", "1,1"],
+            "--mating belongs to --kind distance",
+        ),
+        (
+            &["--kind", "distance", "--center-distance", "160.5"],
+            "--center-distance belongs to --kind revolution or difference",
+        ),
+        (
+            &["--kind", "distance", "--material", "most"],
+            "--material belongs to",
+        ),
+        (
+            &["--kind", "revolution", "--material", "most"],
+            "states one thickness a gear",
+        ),
+        (
+            &["--kind", "revolution", "--center-distance", "150"],
+            "base circles overlap",
+        ),
+        (
+            &[
+                "--kind",
+                "revolution",
+                "--center-distance",
+                "160.5..160.6:0.05",
+            ],
+            "one centre distance",
+        ),
+        (
+            &["--kind", "distance", "--mating", "87,1"],
+            "1 … 86, not 87",
+        ),
+        (
+            &["--kind", "difference", "--center-distance", "159.6"],
+            "jammed or out of mesh",
+        ),
+    ] {
+        chart(&folder, &pair, arguments)
+            .assert()
+            .code(2)
+            .stdout("")
+            .stderr(predicate::str::contains(message));
+    }
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
+}
+
+/// `--method both` is judged for curves over the distance, too.
+#[test]
+fn both_methods_are_compared() {
+    let folder = TempDir::new().unwrap();
+    let arguments = ["--kind", "distance", "--method", "both", "-o", "c.svg"];
+    chart(&folder, &fixture("karba_86x21.toml"), &arguments)
+        .assert()
+        .success()
+        .stderr(predicate::str::contains("exact and polygon method agree"));
+}
+
+/// Issue 6: the synthetic values say so in title and chart.
+#[test]
+fn synthetic_pitch_is_named_in_the_chart() {
+    let folder = TempDir::new().unwrap();
+    for kind in ["revolution", "inspection"] {
+        chart(
+            &folder,
+            &fixture("karba_44x44_pitch.toml"),
+            &["--kind", kind, "-o", "-"],
+        )
+        .assert()
+        .success()
+        .stdout(predicate::str::contains("with synthetic pitch deviations"));
+    }
+}

@@ -1,0 +1,137 @@
+//! `gearlash snapshot`: the worst pose, exaggerated deviations, turning gears, from the command line.
+
+use assert_cmd::Command;
+use predicates::prelude::*;
+use std::path::Path;
+use tempfile::TempDir;
+
+/// Of mirrored poses, which perfect gears have, the first counts.
+///
+/// Issue 4: 86/21, m 3, nominal, 24 phases of a pitch, at a = 160.2 the worst has −238.948 µm.
+fn pair_file(folder: &Path) -> String {
+    let fractions: Vec<String> = (0..24)
+        .map(|i| format!("{:?}", f64::from(i) / 24.0))
+        .collect();
+    let gear = |name: &str, teeth: u32| {
+        format!("[{name}]\nteeth = {teeth}\nmodule_mm = 3.0\npressure_angle_deg = 20.0\n")
+    };
+    let text = format!(
+        "{}{}[assembly]\ncenter_distance_mm = [160.2, 160.3]\n[sweep]\nmating = [[1, 1]]\nfraction = [{}]\n",
+        gear("wheel", 86),
+        gear("pinion", 21),
+        fractions.join(", ")
+    );
+    let file = folder.join("pair.toml");
+    std::fs::write(&file, text).unwrap();
+    file.to_str().unwrap().to_owned()
+}
+
+fn snapshot(folder: &TempDir, arguments: &[&str]) -> Command {
+    let mut command = Command::cargo_bin("gearlash").unwrap();
+    command
+        .current_dir(folder.path())
+        .arg("snapshot")
+        .args(arguments);
+    command
+}
+
+#[test]
+fn the_worst_pose_is_found_and_named() {
+    let folder = TempDir::new().unwrap();
+    let pair = pair_file(folder.path());
+    snapshot(&folder, &[&pair, "--worst"])
+        .assert()
+        .success()
+        .stdout("out/pair/worst_a160.2_as-measured.svg\n")
+        .stderr(predicate::str::contains(
+            "worst of 96 poses: wheel 1 – pinion 1 at right flank +0.25 pitch, centre distance 160.2 mm",
+        ))
+        .stderr(predicate::str::contains(
+            "j_wt = -238.948 µm (line of action: -216.426 µm, lost to other contact: 22.522 µm)",
+        ));
+    let svg = std::fs::read_to_string(folder.path().join("out/pair/worst_a160.2_as-measured.svg"));
+    let svg = svg.unwrap();
+    assert!(svg.contains(" tip on pinion ") && svg.contains(" fillet<"));
+    // At 160.3 nothing is lost.
+    snapshot(
+        &folder,
+        &[&pair, "--worst", "--center-distance", "160.3", "-o", "-"],
+    )
+    .assert()
+    .success()
+    .stderr(predicate::str::contains("worst of 48 poses"))
+    .stderr(predicate::str::contains("lost to other contact: 0.000 µm"));
+    // Any jam is worse than any overlap.
+    snapshot(
+        &folder,
+        &[&pair, "--worst", "--center-distance", "158", "-o", "-"],
+    )
+    .assert()
+    .success()
+    .stderr(predicate::str::contains("jammed"));
+}
+
+#[test]
+fn pictures_of_one_pose() {
+    let folder = TempDir::new().unwrap();
+    let rig = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../fixtures/karba_44x44.toml"
+    );
+    let pose = [rig, "--mating", "11,11", "--flank", "left", "-o", "-"];
+    snapshot(&folder, &[&pose[..], &["--exaggerate", "200"]].concat())
+        .assert()
+        .success()
+        .stdout(predicate::str::contains("deviations × 200: not to scale"));
+    snapshot(&folder, &[&pose[..], &["--animate"]].concat())
+        .assert()
+        .success()
+        .stdout(predicate::str::contains("<animateTransform"));
+}
+
+#[test]
+fn what_does_not_go_together_ends_with_2() {
+    let folder = TempDir::new().unwrap();
+    let pair = pair_file(folder.path());
+    let pins = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../fixtures/karba_86x21.toml"
+    );
+    let rig = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../fixtures/karba_44x44.toml"
+    );
+    for (arguments, says) in [
+        (vec![&*pair], "--worst"),
+        (vec![&*pair, "--mating", "1,1"], "--flank"),
+        (vec![&*pair, "--worst", "--mating", "1,1"], "--mating"),
+        (vec![&*pair, "--worst", "--flank", "left"], "--flank"),
+        (vec![&*pair, "--worst", "--fraction", "0.5"], "--fraction"),
+        (vec![&*pair, "--worst", "--material", "most"], "--material"),
+        (
+            vec![&*pair, "--worst", "--center-distance", "100"],
+            "base circles",
+        ),
+        (
+            vec![&*pair, "--worst", "--center-distance", "170"],
+            "in mesh",
+        ),
+        (
+            vec![&*pair, "--worst", "--animate", "--exaggerate", "9"],
+            "--exaggerate",
+        ),
+        (vec![&*pair, "--worst", "--exaggerate", "0"], "between 1"),
+        (vec![&*pair, "--worst", "--exaggerate", "nan"], "between 1"),
+        (vec![pins, "--worst", "--exaggerate", "1000"], "50 would do"),
+        (
+            vec![rig, "--worst", "--center-distance", "132.5"],
+            "[measured]",
+        ),
+    ] {
+        snapshot(&folder, &arguments)
+            .assert()
+            .code(2)
+            .stderr(predicate::str::contains(says));
+    }
+    assert!(!folder.path().join("out").exists());
+}

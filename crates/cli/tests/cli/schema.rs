@@ -1,0 +1,343 @@
+//! `gearlash schema` and `gearlash init`: what editors are told is what the reader accepts.
+
+use assert_cmd::Command;
+use serde_json::{Value, json};
+use std::collections::BTreeSet;
+use std::path::Path;
+
+fn gearlash(folder: &Path, arguments: &[&str]) -> Command {
+    let mut command = Command::cargo_bin("gearlash").unwrap();
+    command.current_dir(folder).args(arguments);
+    command
+}
+
+/// What `gearlash schema` prints with these further arguments.
+fn schema(files: &[&str]) -> Value {
+    let folder = tempfile::tempdir().unwrap();
+    let arguments = [&["schema"], files].concat();
+    let output = gearlash(folder.path(), &arguments).output().unwrap();
+    assert!(output.status.success());
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+/// A TOML file as the JSON value an editor checks.
+fn value(toml: &str) -> Value {
+    let table: toml::Table = toml.parse().unwrap();
+    serde_json::to_value(table).unwrap()
+}
+
+/// Every place of the schema where keys are named: path from the top, keys. `wheel` stands for both gears.
+fn tables(schema: &Value, node: &Value, path: &str, found: &mut Vec<(String, BTreeSet<String>)>) {
+    if let Some(Value::String(target)) = node.get("$ref") {
+        let target = schema.pointer(target.trim_start_matches('#')).unwrap();
+        return tables(schema, target, path, found);
+    }
+    for alternative in node["anyOf"].as_array().into_iter().flatten() {
+        tables(schema, alternative, path, found);
+    }
+    if let Some(Value::Object(keys)) = node.get("properties") {
+        found.push((path.to_owned(), keys.keys().cloned().collect()));
+        for (key, inner) in keys.iter().filter(|(key, _)| *key != "pinion") {
+            let below = match path {
+                "" => key.clone(),
+                _ => format!("{path}.{key}"),
+            };
+            tables(schema, inner, &below, found);
+        }
+    }
+}
+
+/// The smallest pair file.
+fn smallest() -> Value {
+    let gear = json!({ "teeth": 20, "module_mm": 2.0, "pressure_angle_deg": 20.0 });
+    json!({ "wheel": gear, "pinion": gear, "assembly": { "center_distance_mm": 40.3 } })
+}
+
+/// The reader names the keys it allows when it meets one it does not know: those of the schema, everywhere.
+fn reader_allows(schema: &Value, smallest: &Value, command: &[&str]) {
+    let mut found = Vec::new();
+    tables(schema, schema, "", &mut found);
+    assert!(found.len() > 12, "{found:?}");
+    let folder = tempfile::tempdir().unwrap();
+    for (path, keys) in found {
+        let mut pair = smallest.clone();
+        let mut place = &mut pair;
+        for key in path.split('.').filter(|key| !key.is_empty()) {
+            place = &mut place[key];
+        }
+        place["qqqqqqqqqqqq"] = json!(1);
+        let file = folder.path().join("pair.json");
+        std::fs::write(&file, pair.to_string()).unwrap();
+        let output = gearlash(folder.path(), command).output().unwrap();
+        assert_eq!(output.status.code(), Some(2), "{path}");
+        let errors = String::from_utf8(output.stderr).unwrap();
+        let line = errors.lines().find(|line| line.contains("qqqqqqqqqqqq"));
+        let allowed = line
+            .and_then(|line| line.split_once("allowed here is "))
+            .expect(&errors);
+        let allowed = allowed.1.split(';').next().unwrap();
+        let allowed: BTreeSet<String> = allowed
+            .split('`')
+            .skip(1)
+            .step_by(2)
+            .map(str::to_owned)
+            .collect();
+        assert_eq!(allowed, keys, "{path}: the reader's, the schema's");
+    }
+}
+
+#[test]
+fn the_schema_has_the_keys_the_reader_allows() {
+    let simulate = ["simulate", "pair.json", "--format", "json"];
+    assert_eq!(schema(&[]), schema(&["pair"]));
+    reader_allows(&schema(&[]), &smallest(), &simulate);
+    let gear = json!({ "gear": smallest()["wheel"] });
+    let gauge = ["gauge", "pair.json", "--format", "json"];
+    reader_allows(&schema(&["gear"]), &gear, &gauge);
+}
+
+/// A gear file is no pair file, and a pair file no gear file.
+#[test]
+fn the_gear_schema_is_that_of_gear_files() {
+    let gears = jsonschema::validator_for(&schema(&["gear"])).unwrap();
+    let wheel = &smallest()["wheel"];
+    assert!(gears.is_valid(&json!({ "gear": wheel, "title": "Wheel" })));
+    let mut few = wheel.clone();
+    few["teeth"] = json!(2);
+    for fault in [
+        json!({ "gear": few }),
+        json!({ "title": "Wheel" }),
+        smallest(),
+    ] {
+        assert!(!gears.is_valid(&fault), "{fault}");
+    }
+    let pairs = jsonschema::validator_for(&schema(&[])).unwrap();
+    assert!(!pairs.is_valid(&json!({ "gear": wheel })));
+}
+
+/// Every pair file of the repository, and the one `init` writes.
+#[test]
+fn the_schema_accepts_good_pair_files() {
+    let validator = jsonschema::validator_for(&schema(&[])).unwrap();
+    let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../fixtures"));
+    let mut count = 0;
+    for folder in [
+        root.to_path_buf(),
+        root.join("reference/lost_motion"),
+        root.join("sheets"),
+    ] {
+        for entry in std::fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path
+                .extension()
+                .is_some_and(|extension| extension == "toml")
+            {
+                let pair = value(&std::fs::read_to_string(&path).unwrap());
+                let faults: Vec<String> = validator
+                    .iter_errors(&pair)
+                    .map(|fault| fault.to_string())
+                    .collect();
+                assert!(faults.is_empty(), "{}: {faults:?}", path.display());
+                count += 1;
+            }
+        }
+    }
+    assert!(count >= 20, "{count}");
+    let folder = tempfile::tempdir().unwrap();
+    let output = gearlash(folder.path(), &["init", "-"]).output().unwrap();
+    assert!(validator.is_valid(&value(&String::from_utf8(output.stdout).unwrap())));
+}
+
+#[test]
+fn the_schema_refuses_what_the_reader_refuses() {
+    let validator = jsonschema::validator_for(&schema(&[])).unwrap();
+    assert!(validator.is_valid(&smallest()));
+    let zeros = vec![0; 20];
+    let faults = [
+        ("/wheel/teeth", json!(2)),
+        ("/wheel/teeth", json!("20")),
+        ("/wheel/module_mm", json!(0.001)),
+        ("/wheel/pressure_angle_deg", json!(50)),
+        ("/wheel/reference_face", json!("left")),
+        ("/wheel/thickness", json!({ "span": { "mm": 50.0 } })),
+        ("/assembly/center_distance_mm", json!(-1)),
+        ("/title", json!(1)),
+        // Keys that go together, or never.
+        ("/wheel/thickness", json!({ "span": { "teeth": 3 } })),
+        (
+            "/wheel/thickness",
+            json!({ "span": { "teeth": 3, "min_mm": 15.3 } }),
+        ),
+        (
+            "/wheel/thickness",
+            json!({ "span": { "teeth": 3, "mm": 15.3, "max_mm": 15.3 } }),
+        ),
+        (
+            "/wheel/thickness",
+            json!({ "span": { "teeth": 3, "mm": 15.3, "first_tooth": [1] } }),
+        ),
+        (
+            "/wheel/thickness",
+            json!({ "span": { "teeth": 3, "mm": 15.3, "per_tooth": false } }),
+        ),
+        (
+            "/wheel/thickness",
+            json!({ "span": { "teeth": 3, "mm": [15.3], "file": "s.csv" } }),
+        ),
+        (
+            "/wheel/thickness",
+            json!({ "span": { "teeth": 3, "mm": 15.3, "decimal": "," } }),
+        ),
+        (
+            "/wheel/thickness",
+            json!({ "over_pins": { "pin_mm": 5.25, "max_mm": 70.0 } }),
+        ),
+        (
+            "/wheel/thickness",
+            json!({ "allowance_um": 0, "base_thickness_mm": 3.5 }),
+        ),
+        (
+            "/wheel/thickness",
+            json!({ "span": { "teeth": 3, "mm": 15.3 }, "allowance_um": 0 }),
+        ),
+        (
+            "/wheel/thickness",
+            json!({ "cross_check": { "allowance_um": 0 } }),
+        ),
+        (
+            "/wheel/thickness",
+            json!({ "allowance_um": 0, "cross_check": { "tolerance_um": 3 } }),
+        ),
+        ("/wheel/runout", json!({ "total_um": 5 })),
+        ("/wheel/runout", json!({ "high_tooth": 5 })),
+        ("/wheel/runout", json!({ "file": "r.csv" })),
+        (
+            "/wheel/runout",
+            json!({ "file": "r.csv", "at": "tooth", "total_um": 5 }),
+        ),
+        (
+            "/wheel/runout",
+            json!({ "total_um": 5, "high_tooth": 5, "at": "tooth" }),
+        ),
+        (
+            "/wheel/pitch",
+            json!({ "right_um": zeros, "left_um": zeros }),
+        ),
+        (
+            "/wheel/pitch",
+            json!({ "kind": "single", "right_um": zeros }),
+        ),
+        (
+            "/wheel/pitch",
+            json!({ "kind": "single", "left_um": zeros, "right_um": [] }),
+        ),
+        ("/wheel/pitch", json!({ "file": "p.csv" })),
+        (
+            "/wheel/pitch",
+            json!({ "kind": "single", "file": "p.csv", "left_um": zeros }),
+        ),
+        ("/wheel/pitch", json!({ "kind": "single", "sheet": "p" })),
+    ];
+    let folder = tempfile::tempdir().unwrap();
+    for (pointer, fault) in faults {
+        let mut pair = smallest();
+        let (parent, key) = pointer.rsplit_once('/').unwrap();
+        pair.pointer_mut(parent).unwrap()[key] = fault;
+        assert!(!validator.is_valid(&pair), "{pair}");
+        let file = folder.path().join("pair.json");
+        std::fs::write(&file, pair.to_string()).unwrap();
+        let output = gearlash(
+            folder.path(),
+            &["simulate", "pair.json", "--format", "json"],
+        )
+        .output()
+        .unwrap();
+        assert_eq!(output.status.code(), Some(2), "{pair}");
+    }
+}
+
+/// What goes together does so for both: the schema is no stricter than the reader.
+#[test]
+fn the_schema_accepts_what_the_reader_accepts() {
+    let validator = jsonschema::validator_for(&schema(&[])).unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(
+        folder.path().join("s.csv"),
+        "tooth;span\n1;15,310\n2;15,310\n",
+    )
+    .unwrap();
+    let zeros = vec![0; 20];
+    for (key, good) in [
+        ("thickness", json!({})),
+        (
+            "thickness",
+            json!({ "span": { "teeth": 3, "min_mm": 15.3, "max_mm": 15.32 } }),
+        ),
+        (
+            "thickness",
+            json!({ "span": { "teeth": 3, "mm": [15.32], "first_tooth": [4], "per_tooth": false } }),
+        ),
+        (
+            "thickness",
+            json!({ "span": { "teeth": 3, "file": "s.csv", "decimal": ",", "per_tooth": false } }),
+        ),
+        (
+            "thickness",
+            json!({ "allowance_um": { "min": -3, "max": -2 }, "per_tooth_um": zeros }),
+        ),
+        (
+            "thickness",
+            json!({ "base_thickness_mm": 3.5, "cross_check": { "allowance_um": 0 } }),
+        ),
+        ("runout", json!({ "total_um": 0 })),
+        ("runout", json!({ "total_um": 5, "high_tooth": 2.5 })),
+        ("pitch", json!({})),
+        ("pitch", json!({ "right_um": [] })),
+        (
+            "pitch",
+            json!({ "kind": "single", "axis": "datum", "eccentricity": "pitch", "right_um": zeros, "left_um": zeros }),
+        ),
+    ] {
+        let mut pair = smallest();
+        pair["wheel"][key] = good;
+        assert!(validator.is_valid(&pair), "{pair}");
+        let file = folder.path().join("pair.json");
+        std::fs::write(&file, pair.to_string()).unwrap();
+        let simulate = ["simulate", "pair.json", "--format", "json"];
+        let output = gearlash(folder.path(), &simulate).output().unwrap();
+        let told = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(0), "{pair}: {told}");
+    }
+}
+
+/// The file `init` writes runs as it stands, and is not written over.
+#[test]
+fn init_writes_a_pair_file_that_runs() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = gearlash(folder.path(), &["init"]).output().unwrap();
+    assert!(output.status.success());
+    assert_eq!(String::from_utf8(output.stdout).unwrap(), "pair.toml\n");
+    let written = std::fs::read_to_string(folder.path().join("pair.toml")).unwrap();
+    let run = gearlash(
+        folder.path(),
+        &["simulate", "pair.toml", "--format", "json"],
+    )
+    .output()
+    .unwrap();
+    assert!(run.status.success());
+    assert!(run.stderr.is_empty(), "no warning: {run:?}");
+    let result: Value = serde_json::from_slice(&run.stdout).unwrap();
+    assert_eq!(result["runs"].as_array().unwrap().len(), 4);
+
+    let again = gearlash(folder.path(), &["init"]).output().unwrap();
+    assert_eq!(again.status.code(), Some(2));
+    assert!(
+        String::from_utf8(again.stderr)
+            .unwrap()
+            .contains("pair.toml: there is such a file")
+    );
+    assert_eq!(
+        std::fs::read_to_string(folder.path().join("pair.toml")).unwrap(),
+        written
+    );
+}

@@ -1,0 +1,7 @@
+//! `gearlash gauge`, as a user runs it, and the files it writes.
+
+mod command;
+mod files;
+#[path = "../../../../tests/common/made_up.rs"]
+mod made_up;
+mod round_trip;

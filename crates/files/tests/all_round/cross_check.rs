@@ -1,0 +1,121 @@
+//! Two statements about one gear.
+
+use super::*;
+
+/// Table 4 of the study, z 44, m 3, 20°. `M_dK` is not at hand in print; 139.502 and 139.524 mm are the lengths of three
+/// decimals whose base thickness (pin 5.25 mm) is the 6.272242 and 6.280663 mm that the issue names.
+#[test]
+fn table_4_tells_one_story() {
+    for (span, base, over, cross) in [
+        ([50.548, 50.561], [6.266028, 6.279028], 139.502, 6.272242),
+        ([50.559, 50.567], [6.277028, 6.285028], 139.524, 6.280663),
+    ] {
+        let study = pair(&format!(
+            "teeth = 44\nmodule_mm = 3\nthickness.span = {{ teeth = 6, min_mm = {}, max_mm = {} }}\n\
+             thickness.cross_check.over_pins = {{ pin_mm = 5.25, mm = {over} }}",
+            span[0], span[1]
+        ));
+        let found = study.study.notes[0].thickness.unwrap();
+        for (found, expected) in [
+            (found.counts[0], base[0]),
+            (found.counts[1], base[1]),
+            (found.cross[0], cross),
+            (found.cross[1], cross),
+        ] {
+            assert!((found - expected).abs() < 6e-7, "{found} {expected}");
+        }
+        let difference = 1000.0 * (cross - (base[0] + base[1]) / 2.0);
+        assert!((found.difference_um - difference).abs() < 2e-3);
+        assert!(found.gap_um == 0.0 && found.agree());
+        assert!(
+            study.remarks[0].ends_with("they agree"),
+            "{}",
+            study.remarks[0]
+        );
+        assert_eq!(study.warnings, [""; 0]);
+        // It is never built.
+        assert_eq!(wheel(&study).gear().base_thickness(), found.counts[1]);
+    }
+}
+
+#[test]
+fn statements_that_disagree() {
+    let study = pair(
+        "teeth = 20\nmodule_mm = 3\nthickness.base_thickness_mm = 5.25\nthickness.cross_check = { base_thickness_mm = { min = 5.255, max = 5.257 }, tolerance_um = 4 }",
+    );
+    let found = study.study.notes[0].thickness.unwrap();
+    assert!((found.difference_um - 6.0).abs() < 1e-9 && (found.gap_um - 5.0).abs() < 1e-9);
+    assert!(!found.agree());
+    assert!(
+        study.warnings[0]
+            .contains("the single value lies 5.0 µm outside the band, 4.0 µm is allowed"),
+        "{}",
+        study.warnings[0]
+    );
+}
+
+/// 6.263830 mm beside 6.266028 … 6.279028 mm: 2.198 µm outside, 8.698 µm from the middle. The number that is compared with the
+/// tolerance is told, and that it agrees is no warning.
+#[test]
+fn a_value_outside_the_band_but_within_the_tolerance() {
+    let study = pair(
+        "teeth = 44\nmodule_mm = 3\nthickness.base_thickness_mm = { min = 6.266028, max = 6.279028 }\nthickness.cross_check.base_thickness_mm = 6.263830",
+    );
+    assert_eq!(study.warnings, [""; 0]);
+    for words in [
+        "difference of the means -8.70 µm: ",
+        "the single value lies 2.2 µm outside the band, within the tolerance of 3.0 µm: they agree",
+    ] {
+        assert!(study.remarks[0].contains(words), "{}", study.remarks[0]);
+    }
+}
+
+#[test]
+fn cross_checks_that_are_none() {
+    for (keys, key, words) in [
+        (
+            "cross_check.allowance_um = -20",
+            "cross_check",
+            "no other statement",
+        ),
+        (
+            "allowance_um = 0\nthickness.cross_check = {}",
+            "cross_check",
+            "states no thickness",
+        ),
+        (
+            "allowance_um = 0\nthickness.cross_check.span = { teeth = 3, mm = [23], first_tooth = [1], per_tooth = false }",
+            "cross_check.span.per_tooth",
+            "needless",
+        ),
+        (
+            "allowance_um = 0\nthickness.cross_check.over_pins = { pin_mm = 4.5, mm = 64.70726526176731 }",
+            "cross_check.over_pins.pin_mm",
+            "below the tip diameter",
+        ),
+        (
+            "allowance_um = 0\nthickness.cross_check = { allowance_um = 0, tolerance_um = -1 }",
+            "cross_check.tolerance_um",
+            "0 or more",
+        ),
+    ] {
+        let found = problem(&format!("teeth = 20\nmodule_mm = 3\nthickness.{keys}"));
+        assert_eq!(found.key, format!("wheel.thickness.{key}"));
+        assert!(found.reason.contains(words), "{found}");
+    }
+}
+
+/// Its echo said `per_tooth`, which no cross-check may: the pair in a result could not be read again ([`pair`] does).
+#[test]
+fn a_cross_check_by_spans_all_round_is_echoed_as_one() {
+    // W_6 = 3 cos 20° (5.5 π + 44 inv 20°).
+    let alpha = 20f64.to_radians();
+    let inv = alpha.tan() - alpha;
+    let nominal = 3.0 * alpha.cos() * (5.5 * std::f64::consts::PI + 44.0 * inv);
+    let study = pair(&format!(
+        "teeth = 44\nmodule_mm = 3\nthickness = {{ allowance_um = 0, cross_check = {{ span = {{ teeth = 6, mm = {:?} }} }} }}",
+        vec![nominal; 44]
+    ));
+    let agree = |told: &String| told.contains("cross_check: ") && told.contains("they agree");
+    assert!(study.remarks.iter().any(agree), "{:?}", study.remarks);
+}

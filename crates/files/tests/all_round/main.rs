@@ -1,0 +1,73 @@
+//! Thickness from readings all round, eccentricity from pitch, and data that contradict what the file says of them.
+
+#[path = "../../../../tests/common/mod.rs"]
+mod common;
+
+mod contradictions;
+mod cross_check;
+mod datum;
+mod mean;
+mod pins;
+mod runout;
+mod slips;
+mod spans;
+
+use gearlash::gear::{AsBuilt, Side};
+use gearlash_files::PairFile;
+use gearlash_files::read;
+use gearlash_files::{InputError, Problem};
+use std::fs;
+use tempfile::TempDir;
+
+/// A pair whose wheel has `keys`; `spans.csv` beside it holds `table`.
+fn pair_beside(keys: &str, table: &str) -> Result<PairFile, InputError> {
+    let gear = "pressure_angle_deg = 20.0\nmodule_mm = ";
+    let module = keys
+        .lines()
+        .find_map(|line| line.strip_prefix("module_mm = "))
+        .unwrap();
+    let teeth: f64 = keys
+        .lines()
+        .find_map(|line| line.strip_prefix("teeth = "))
+        .unwrap()
+        .parse()
+        .unwrap();
+    let a = module.parse::<f64>().unwrap() * (teeth + 30.0) / 2.0 * 1.05 + 1.0;
+    let folder = TempDir::new().unwrap();
+    fs::write(folder.path().join("spans.csv"), table).unwrap();
+    let path = folder.path().join("pair.toml");
+    let text = format!(
+        "[pinion]\nteeth = 30\n{gear}{module}\n[assembly]\ncenter_distance_mm = {a}\n[sweep]\nmating = [[1, 1]]\n[wheel]\npressure_angle_deg = 20.0\n{keys}\n"
+    );
+    fs::write(&path, text).unwrap();
+    let study = read(&path)?;
+    // The echo is the same study.
+    let again = folder.path().join("pair.json");
+    fs::write(&again, serde_json::to_string(&study.echo).unwrap()).unwrap();
+    let again = read(&again).unwrap_or_else(|error| panic!("{error}"));
+    assert!(again == study, "{:#}", study.echo);
+    Ok(study)
+}
+
+fn pair(keys: &str) -> PairFile {
+    pair_beside(keys, "").unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// The only problem of the pair.
+fn problem(keys: &str) -> Problem {
+    match pair_beside(keys, "") {
+        Err(InputError { mut problems, .. }) if problems.len() == 1 => problems.remove(0),
+        Err(error) => panic!("{error}"),
+        Ok(_) => panic!("no problem in\n{keys}"),
+    }
+}
+
+fn wheel(study: &PairFile) -> &AsBuilt {
+    &study.study.materials[0].1
+}
+
+/// Where a flank really stands on the base circle from its tooth's undisturbed centre line, as an arc, mm, counter-clockwise.
+fn place(gear: &AsBuilt, side: Side, tooth: u32) -> f64 {
+    let angle = side.sense() * gear.gear().half_base_angle() + gear.flank_offset(side, tooth);
+    gear.gear().base_radius() * angle
+}

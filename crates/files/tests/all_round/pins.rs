@@ -1,0 +1,134 @@
+//! Dimensions over pins between displaced flanks, found by rolling both flanks until one circle touches both.
+
+use super::common::random_pair::case;
+use super::*;
+use gearlash::gear::{Face, thickness};
+use nalgebra::{Complex, Matrix2, Vector2};
+use proptest::prelude::*;
+
+/// The centre of the circle of `radius` between two involutes of the base circle `base`, one that starts at the
+/// angle `low` and winds back from there, one that starts at `high` and winds on: points
+/// `r_b e^{i(o ∓ ξ)}(1 ± iξ)`, normals along the base tangent. Newton in both rolls.
+pub(super) fn centre(base: f64, low: f64, high: f64, radius: f64) -> Complex<f64> {
+    let beside = |origin: f64, sense: f64, roll: f64| {
+        let tangent = Complex::from_polar(base, origin - sense * roll);
+        tangent * Complex::new(1.0, sense * (roll + radius / base))
+    };
+    let mut rolls = Vector2::new(0.4, 0.4);
+    for _ in 0..60 {
+        let gap = |u: f64, v: f64| {
+            let apart = beside(low, 1.0, u) - beside(high, -1.0, v);
+            Vector2::new(apart.re, apart.im)
+        };
+        let h = 1e-6;
+        let (at, u, v) = (gap(rolls.x, rolls.y), rolls.x, rolls.y);
+        let by_u = (gap(u + h, v) - gap(u - h, v)) / (2.0 * h);
+        let by_v = (gap(u, v + h) - gap(u, v - h)) / (2.0 * h);
+        rolls -= Matrix2::from_columns(&[by_u, by_v]).try_inverse().unwrap() * at;
+    }
+    (beside(low, 1.0, rolls.x) + beside(high, -1.0, rolls.y)) / Complex::new(2.0, 0.0)
+}
+
+/// The dimension over pins at each space: in the space after tooth i and in the one z/2 (rounded down) farther on.
+fn over_pins(gear: &AsBuilt, pin: f64) -> Vec<f64> {
+    let basic_data = gear.gear().basic_data();
+    let (z, base) = (basic_data.teeth(), gear.gear().base_radius());
+    let sign = if gear.face() == Face::Front {
+        -1.0
+    } else {
+        1.0
+    };
+    let centre_of = |space: u32| {
+        let next = space % z + 1;
+        // Counted along ascending numbers; the flanks at the ascending end of a tooth are own right ones.
+        let (ahead, behind) = match gear.face() {
+            Face::Front => (Side::Right, Side::Left),
+            Face::Back => (Side::Left, Side::Right),
+        };
+        let middle = f64::from(space - 1) * basic_data.angular_pitch();
+        let low = middle + sign * place(gear, ahead, space) / base;
+        let high = middle + basic_data.angular_pitch() + sign * place(gear, behind, next) / base;
+        centre(base, low, high, pin / 2.0)
+    };
+    (1..=z)
+        .map(|space| (centre_of(space) - centre_of((space - 1 + z / 2) % z + 1)).norm() + pin)
+        .collect()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(40))]
+
+    #[test]
+    fn pins_all_round_give_the_mean_thickness_back(case in case(), few in 1usize..10) {
+        let recipe = &case.wheel;
+        let gear = recipe.build(1.0).unwrap();
+        let pin = 1.75 * 2.0;
+        prop_assume!(thickness::check_pins(gear.gear(), pin).is_ok());
+        let column = |n: usize| -> Vec<f64> { recipe.per_tooth_um.iter().map(|row| row[n]).collect() };
+        let mut over = over_pins(&gear, pin);
+        let face = if recipe.face == Face::Front { "front" } else { "back" };
+        let keys = |list: &[f64], space: &str| format!(
+            "teeth = {}\nmodule_mm = 2.0\nprofile_shift = {:?}\nreference_face = {face:?}\n\
+             pitch = {{ kind = \"cumulative\", right_um = {:?}, left_um = {:?} }}\n\
+             thickness = {{ per_tooth_um = {:?}, over_pins = {{ pin_mm = {pin}, mm = {list:?}{space} }} }}",
+            recipe.teeth, recipe.shift, column(1), column(2), column(0),
+        );
+        let study = pair(&keys(&over, ""));
+        let base = |study: &PairFile| wheel(study).gear().base_thickness();
+        prop_assert!((base(&study) - gear.gear().base_thickness()).abs() < 1e-9);
+        prop_assert!(study.warnings.iter().any(|w| w.contains("no thickness by tooth")));
+        // A few of them, in any order.
+        let spaces: Vec<u32> = (1..=few as u32).rev().collect();
+        over.truncate(few);
+        over.reverse();
+        let study = pair(&keys(&over, &format!(", space = {spaces:?}")));
+        prop_assert!((base(&study) - gear.gear().base_thickness()).abs() < 1e-9);
+    }
+}
+
+/// Without deviations every reading is M = 2 r_K + D_M, or 2 r_K cos(π/2z) + D_M for odd z, and so the base thickness
+/// s_b = d_b inv α_K − D_M + p_b with cos α_K = r_b/r_K (ISO 21771): by a list and by a single dimension.
+#[test]
+fn even_readings_give_the_closed_form() {
+    for (teeth, over) in [(20, 67.34917010670293), (21, 70.65919178333365)] {
+        let shift = if teeth == 21 { 0.1 } else { 0.0 };
+        let keys = |mm: String| {
+            format!(
+                "teeth = {teeth}\nmodule_mm = 3\nprofile_shift = {shift}\nthickness.over_pins = {{ pin_mm = 5.25, mm = {mm} }}"
+            )
+        };
+        let z = f64::from(teeth);
+        let opposite = match teeth % 2 {
+            0 => 1.0,
+            _ => (std::f64::consts::FRAC_PI_2 / z).cos(),
+        };
+        let cos = 20f64.to_radians().cos();
+        let angle = (0.5 * 3.0 * z * cos / ((over - 5.25) / (2.0 * opposite))).acos();
+        let expected =
+            3.0 * z * cos * (angle.tan() - angle) - 5.25 + std::f64::consts::PI * 3.0 * cos;
+        for mm in [
+            format!("{:?}", vec![over; teeth as usize]),
+            format!("{over:?}"),
+        ] {
+            let found = wheel(&pair(&keys(mm))).gear().base_thickness();
+            assert!(
+                (found - expected).abs() < 1e-11,
+                "z {teeth}: {found} {expected}"
+            );
+        }
+    }
+}
+
+#[test]
+fn pins_that_reach_the_base_circle() {
+    let found = problem(
+        "teeth = 20\nmodule_mm = 3\nthickness.over_pins = { pin_mm = 5.25, mm = [67.3, 30], space = [1, 2] }",
+    );
+    assert_eq!(found.key, "wheel.thickness.over_pins.mm");
+    assert!(
+        found
+            .reason
+            .contains("above the base diameter plus the pin"),
+        "{found}"
+    );
+}

@@ -1,0 +1,129 @@
+//! Which poses are run, and where they stand.
+
+use super::*;
+use gearlash::pair::{Pose, SweepPlan};
+use serde_json::Value;
+use std::f64::consts::TAU;
+
+/// The 126 poses of the reference data, in their order, and the wheel's rotation at each (1e-12 rad):
+/// it takes teeth, face, thickness and centre distance to get it right.
+#[test]
+fn matings_of_the_reference_poses() {
+    let mut poses = 0;
+    for path in fixtures() {
+        let Ok(text) = fs::read_to_string(path.with_extension("json")) else {
+            continue;
+        };
+        let reference: Vec<Value> = serde_json::from_str(&text).unwrap();
+        let runs = read(&path).unwrap().study.runs().unwrap();
+        let ours = runs
+            .iter()
+            .flat_map(|run| run.matings.iter().map(move |mating| (run, *mating)));
+        assert_eq!(ours.clone().count(), reference.len());
+        for ((run, mating), reference) in ours.zip(&reference) {
+            assert_eq!(
+                run.assembly.center_distance(),
+                reference["center_distance_mm"]
+            );
+            assert_eq!(run.material.name(), reference["material"]);
+            assert_eq!(mating.wheel_tooth, reference["wheel_tooth"]);
+            assert_eq!(mating.pinion_tooth, reference["pinion_tooth"]);
+            assert_eq!(mating.flank.name(), reference["flank"]);
+            assert_eq!(mating.fraction, reference["fraction"]);
+            let rotation = Pose::new(&run.assembly, mating).locked_rotation();
+            let expected = reference["wheel_rotation_rad"].as_f64().unwrap();
+            let turns = (rotation - expected) / TAU;
+            assert!(
+                (turns - turns.round()).abs() * TAU < 1e-12,
+                "{}",
+                path.display()
+            );
+            poses += 1;
+        }
+    }
+    assert_eq!(poses, 126);
+}
+
+#[test]
+fn without_sweep_and_measured_one_wheel_revolution() {
+    let study = study(PAIR);
+    let expected = SweepPlan::Revolution {
+        pitches: 20,
+        steps_per_pitch: 16,
+        start: (1, 1),
+    };
+    assert_eq!(study.study.sweep, Some(expected));
+    assert_eq!(study.study.runs().unwrap()[0].matings.len(), 320);
+}
+
+/// lcm(20, 30) = 60.
+#[test]
+fn revolutions_as_asked() {
+    let keys = "[sweep]\nrevolutions = \"hunting\"\nsteps_per_pitch = 2\nstart = [20, 30]";
+    let expected = SweepPlan::Revolution {
+        pitches: 60,
+        steps_per_pitch: 2,
+        start: (20, 30),
+    };
+    let study = study(&format!("{PAIR}{keys}"));
+    assert_eq!(study.study.sweep, Some(expected));
+    let matings = &study.study.runs().unwrap()[0].matings;
+    assert_eq!(matings.len(), 120);
+    assert_eq!((matings[0].wheel_tooth, matings[0].pinion_tooth), (20, 30));
+    assert_eq!((matings[1].wheel_tooth, matings[1].fraction), (20, 0.5));
+}
+
+#[test]
+fn a_sweep_beside_measured_rows_wins() {
+    let text = fs::read_to_string("fixtures/karba_44x44.toml").unwrap();
+    let text = text.replace("[assembly]", "[assembly]\ncenter_distance_mm = [132.5]")
+        + "[sweep]\nmating = [[1, 2]]\n";
+    let study = study(&text);
+    assert_eq!(study.study.center_distances, [132.5]);
+    assert_eq!(study.study.measured.len(), 36);
+    assert_eq!(study.study.runs().unwrap()[0].matings.len(), 2);
+    assert_eq!(study.warnings, [""; 0]);
+}
+
+/// Without [sweep] the measured rows say where: other centre distances are not run, and said to be not.
+#[test]
+fn centre_distances_beside_measured_rows() {
+    let text = fs::read_to_string("fixtures/karba_44x44.toml").unwrap();
+    let with = |list: &str| {
+        study(&text.replace(
+            "[assembly]",
+            &format!("[assembly]\ncenter_distance_mm = {list}"),
+        ))
+    };
+    let rows = [132.21, 132.15, 132.09, 132.04, 132.1];
+    let same = with("[132.04, 132.09, 132.1, 132.15, 132.21]");
+    assert_eq!(same.study.center_distances, rows);
+    assert_eq!(same.warnings, [""; 0]);
+    let other = with("132.21");
+    assert_eq!(other.study.center_distances, rows);
+    assert_eq!(other.warnings.len(), 1);
+    assert!(other.warnings[0].starts_with("assembly.center_distance_mm is not used"));
+}
+
+/// A spreadsheet's CSV: columns in another order, carriage returns, quotes, blank lines.
+#[test]
+fn measured_columns_in_any_order() {
+    let folder = TempDir::new().unwrap();
+    let csv = "\u{feff}source, predicted_max_um ,predicted_min_um,measured_left_um,measured_right_um,\
+               pinion_tooth,wheel_tooth,center_distance_mm\r\n\r\n\"rig, 2nd\",171.7,149.3,155,159,12,11,75.2\r\n";
+    fs::write(folder.path().join("rig.csv"), csv).unwrap();
+    let path = folder.path().join("pair.toml");
+    let text = PAIR.replace("center_distance_mm = 75.2", "") + "[measured]\nfile = \"rig.csv\"";
+    fs::write(&path, text).unwrap();
+    let study = read(&path).unwrap();
+    let [row] = &study.study.measured[..] else {
+        panic!("one row");
+    };
+    assert_eq!(
+        (row.center_distance, row.wheel_tooth, row.pinion_tooth),
+        (75.2, 11, 12)
+    );
+    assert_eq!((row.right_um, row.left_um), (159.0, 155.0));
+    assert_eq!((row.predicted_min_um, row.predicted_max_um), (149.3, 171.7));
+    assert_eq!(row.source, "rig, 2nd");
+}

@@ -1,0 +1,116 @@
+//! The two pairs of the study as the design's section 8 states them.
+
+use super::*;
+use gearlash::gear::{Gear, thickness::allowance_from_base};
+use gearlash::pair::GearPair;
+
+fn gear(assembly: &GearPair, member: Member) -> &Gear {
+    assembly.gear(member).gear()
+}
+
+/// Unrounded values to Table 1: allowances −17.830833 µm and −22.195630 µm at the reference circle.
+#[test]
+fn thickness_over_pins_of_the_86_21_pair() {
+    let study = read("fixtures/karba_86x21.toml".as_ref()).unwrap();
+    assert_eq!(study.study.center_distances, [160.470, 160.500, 160.550]);
+    assert_eq!(study.study.chord, 0.0002 / 1000.0);
+    let runs = study.study.runs().unwrap();
+    assert_eq!(runs.len(), 3);
+    for run in &runs {
+        assert_eq!(run.material, Material::AsMeasured);
+        for (member, expected) in [(Member::Wheel, -17.830833), (Member::Pinion, -22.195630)] {
+            let gear = gear(&run.assembly, member);
+            let nominal = gear.design().nominal_base_thickness();
+            let um =
+                1000.0 * allowance_from_base(gear.basic_data(), nominal, gear.base_thickness());
+            assert!((um - expected).abs() < 5e-7, "{um} {expected}");
+        }
+        let teeth: Vec<_> = run
+            .matings
+            .iter()
+            .map(|m| (m.wheel_tooth, m.pinion_tooth, m.flank.name()))
+            .collect();
+        assert_eq!(teeth, [(1, 1, "right"), (1, 1, "left")]);
+    }
+}
+
+/// Tables 3 and 4 by K (15): s_b = W_6 − 5 π 3 cos 20° mm, 6.266028 … 6.279028 on the wheel.
+#[test]
+fn spans_of_the_44_44_pair() {
+    let study = read("fixtures/karba_44x44.toml".as_ref()).unwrap();
+    let expected = [
+        (Material::Most, 6.279028, 6.285028),
+        (Material::Least, 6.266028, 6.277028),
+    ];
+    assert_eq!(study.study.materials.len(), 2);
+    for ((material, wheel, pinion), expected) in study.study.materials.iter().zip(expected) {
+        assert_eq!(*material, expected.0);
+        assert!((wheel.gear().base_thickness() - expected.1).abs() < 5e-7);
+        assert!((pinion.gear().base_thickness() - expected.2).abs() < 5e-7);
+        assert_eq!(wheel.eccentricity(), 0.0033);
+        assert_eq!(pinion.eccentricity(), 0.005);
+        assert_eq!((wheel.high_tooth(), pinion.high_tooth()), (33.0, 33.0));
+    }
+    assert_eq!(study.study.bearing_clearance, 0.010);
+    assert_eq!(study.study.chord, 1e-6);
+}
+
+/// Without [sweep] exactly the 36 rows of Tables 5 and 6 are run, twice on each flank.
+#[test]
+fn matings_of_the_44_44_pair() {
+    let study = read("fixtures/karba_44x44.toml".as_ref()).unwrap();
+    assert_eq!(study.study.measured.len(), 36);
+    assert!(study.study.sweep.is_none());
+    let first = &study.study.measured[0];
+    assert_eq!(
+        (first.center_distance, first.wheel_tooth, first.pinion_tooth),
+        (132.21, 11, 11)
+    );
+    assert_eq!((first.right_um, first.left_um), (159.0, 155.0));
+    assert_eq!(
+        (first.predicted_min_um, first.predicted_max_um),
+        (149.3, 171.7)
+    );
+    assert_eq!(first.source, "Table 6");
+    assert_eq!(
+        study.study.center_distances,
+        [132.21, 132.15, 132.09, 132.04, 132.1]
+    );
+
+    let runs = study.study.runs().unwrap();
+    let order: Vec<_> = runs
+        .iter()
+        .map(|run| (run.assembly.center_distance(), run.material))
+        .collect();
+    let expected: Vec<_> = study
+        .study
+        .center_distances
+        .iter()
+        .flat_map(|&a| [(a, Material::Most), (a, Material::Least)])
+        .collect();
+    assert_eq!(order, expected);
+    for run in &runs {
+        let rows = study
+            .study
+            .measured
+            .iter()
+            .filter(|row| row.center_distance == run.assembly.center_distance());
+        let expected: Vec<_> = rows
+            .flat_map(|row| ["right", "left"].map(|f| (row.wheel_tooth, row.pinion_tooth, f, 0.0)))
+            .collect();
+        let matings: Vec<_> = run
+            .matings
+            .iter()
+            .map(|m| (m.wheel_tooth, m.pinion_tooth, m.flank.name(), m.fraction))
+            .collect();
+        assert_eq!(matings, expected);
+    }
+    assert_eq!(runs.iter().map(|run| run.matings.len()).sum::<usize>(), 144);
+}
+
+#[test]
+fn the_measured_file_is_the_reference() {
+    let fixture = fs::read("fixtures/karba_tables_5_6.csv").unwrap();
+    let reference = fs::read("fixtures/reference/karba_tables_5_6.csv").unwrap();
+    assert_eq!(fixture, reference);
+}

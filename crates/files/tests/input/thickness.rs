@@ -1,0 +1,92 @@
+//! Thickness by span, over pins, by allowance, by base thickness: one tooth, four statements.
+
+use super::*;
+
+/// `s_b` of the wheel's materials, mm.
+fn wheel_base(study: &PairFile) -> Vec<f64> {
+    let gears = study.study.materials.iter();
+    gears
+        .map(|(_, wheel, _)| wheel.gear().base_thickness())
+        .collect()
+}
+
+/// The same tooth, 20 µm thinner than nominal, computed apart from the program (inv by bisection):
+/// z 20, x 0 (even) and z 21, x 0.1 (odd), m 3, 20°.
+#[test]
+fn every_statement_of_the_same_tooth_gives_the_same_base_thickness() {
+    for (teeth, shift, base, span, over_pins) in [
+        (
+            20,
+            0.0,
+            "5.249735670974402",
+            "22.9625242755357",
+            "67.34917010670293",
+        ),
+        (
+            21,
+            0.1,
+            "5.496964375582293",
+            "23.20975298014359",
+            "70.65919178333365",
+        ),
+    ] {
+        let expected: f64 = base.parse().unwrap();
+        for statement in [
+            format!("base_thickness_mm = {base}"),
+            "allowance_um = -20".to_owned(),
+            format!("span = {{ teeth = 3, mm = {span} }}"),
+            format!("over_pins = {{ pin_mm = 5.25, mm = {over_pins} }}"),
+        ] {
+            let study = study(&PAIR.replace(
+                "teeth = 20",
+                &format!("teeth = {teeth}\nprofile_shift = {shift}\nthickness.{statement}"),
+            ));
+            let [found] = wheel_base(&study)[..] else {
+                panic!("{statement}: one material");
+            };
+            assert!((found - expected).abs() < 1e-12, "{statement}: {found}");
+        }
+    }
+}
+
+/// The larger value is the thicker tooth in every statement; a single value serves both materials.
+#[test]
+fn min_and_max_make_least_and_most_material() {
+    for statement in [
+        "span = { teeth = 3, min_mm = 22.95, max_mm = 22.97 }",
+        "over_pins = { pin_mm = 5.25, min_mm = 67.33, max_mm = 67.36 }",
+        "allowance_um = { min = -30, max = -22 }",
+        "base_thickness_mm = { min = 5.24, max = 5.26 }",
+    ] {
+        let study = wheel(&format!("thickness.{statement}"));
+        let materials: Vec<Material> = study.study.materials.iter().map(|m| m.0).collect();
+        assert_eq!(materials, [Material::Most, Material::Least], "{statement}");
+        let base = wheel_base(&study);
+        assert!(base[0] > base[1], "{statement}: {base:?}");
+        assert_eq!(
+            study.study.materials[0].2, study.study.materials[1].2,
+            "the pinion has one thickness"
+        );
+        let runs = study.study.runs().unwrap();
+        assert_eq!(runs.len(), 2);
+        assert_eq!(runs[0].material.name(), "most");
+        assert_eq!(runs[1].material.name(), "least");
+    }
+}
+
+#[test]
+fn nothing_stated_is_nominal() {
+    for keys in [
+        "",
+        "thickness = {}",
+        "thickness.per_tooth_um = []",
+        "thickness.allowance_um = 0",
+    ] {
+        let study = wheel(keys);
+        let gear = study.study.materials[0].1.gear();
+        assert_eq!(
+            gear.base_thickness(),
+            gear.design().nominal_base_thickness()
+        );
+    }
+}

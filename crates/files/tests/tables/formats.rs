@@ -1,0 +1,167 @@
+//! The formats of text tables, and what is right of each.
+
+use super::*;
+use oracle::{Rows, column, delimited, protocol};
+
+/// The right data of a table for a number of teeth: a list a column; `None` where it is malformed.
+pub type Oracle = fn(&[u8], u32) -> Option<Vec<Vec<f64>>>;
+
+/// A format: the file's name, the keys that name it, a table of so many teeth, and what its rows say.
+pub struct Format {
+    pub name: &'static str,
+    pub keys: &'static str,
+    pub table: fn(u32) -> Vec<u8>,
+    pub oracle: Oracle,
+    /// What gearlash understood, in the same order.
+    pub understood: fn(&PairFile) -> Vec<Vec<f64>>,
+    /// How far the two may lie apart of a value and of so many teeth: nothing where values are taken over as they stand.
+    pub apart: fn(f64, u32) -> f64,
+}
+
+impl Format {
+    pub fn alike(&self, study: &PairFile, expected: &[Vec<f64>], teeth: u32) -> bool {
+        let understood = (self.understood)(study);
+        let near = |(one, other): (&f64, &f64)| (one - other).abs() <= (self.apart)(*other, teeth);
+        understood.len() == expected.len()
+            && understood
+                .iter()
+                .zip(expected)
+                .all(|(one, other)| one.len() == other.len() && one.iter().zip(other).all(near))
+    }
+}
+
+/// A deviation of tooth `tooth`, in tenths of a µm.
+pub fn tenths(tooth: u32) -> f64 {
+    f64::from((tooth * 7) % 31) / 10.0 - 1.5
+}
+
+/// That of the tooth's other flank, which goes with it as on real gears.
+pub fn others(tooth: u32) -> f64 {
+    tenths(tooth) + f64::from(tooth % 3) / 10.0
+}
+
+fn rows(teeth: u32, row: impl Fn(u32) -> String) -> String {
+    (1..=teeth).map(row).collect()
+}
+
+fn flanks(rows: Rows) -> Vec<Vec<f64>> {
+    vec![column(&rows, 0), column(&rows, 1)]
+}
+
+pub fn pitch_lists(study: &PairFile) -> Vec<Vec<f64>> {
+    ["right_um", "left_um"]
+        .map(|list| echoed(study, "pitch", list))
+        .to_vec()
+}
+
+pub const FORMATS: [Format; 5] = [
+    Format {
+        name: "pitch.csv",
+        keys: "pitch = { kind = \"cumulative\", file = \"pitch.csv\" }",
+        table: |teeth| {
+            let row = |tooth| format!("{tooth},{:.1},{:.1}\n", tenths(tooth), others(tooth));
+            format!("tooth,left (µm),right (µm)\n{}", rows(teeth, row)).into_bytes()
+        },
+        oracle: |bytes, teeth| {
+            delimited(bytes, teeth, &[["right", "rechts"], ["left", "links"]]).map(flanks)
+        },
+        understood: pitch_lists,
+        apart: |_, _| 0.0,
+    },
+    Format {
+        name: "german.csv",
+        keys: "pitch = { kind = \"cumulative\", file = \"german.csv\" }",
+        table: |teeth| {
+            let row = |tooth| {
+                format!("{tooth};{:.1};{:.1}\r\n", tenths(tooth), others(tooth)).replace('.', ",")
+            };
+            let text = format!("Zahn-Nr.;rechts (µm);links (µm)\r\n{}", rows(teeth, row));
+            // Windows-1252 has these letters at their Unicode numbers.
+            text.chars().map(|letter| letter as u8).collect()
+        },
+        oracle: |bytes, teeth| {
+            delimited(bytes, teeth, &[["right", "rechts"], ["left", "links"]]).map(flanks)
+        },
+        understood: pitch_lists,
+        apart: |_, _| 0.0,
+    },
+    Format {
+        name: "thickness.csv",
+        keys: "thickness.per_tooth_um = { file = \"thickness.csv\" }",
+        table: |teeth| {
+            let row = |tooth| format!("{:.1}\t{tooth}\n", tenths(tooth));
+            format!("\u{feff}thickness\ttooth\n{}", rows(teeth, row)).into_bytes()
+        },
+        oracle: |bytes, teeth| {
+            delimited(bytes, teeth, &[["thickness", "dicke"]]).map(|rows| vec![column(&rows, 0)])
+        },
+        understood: |study| vec![echoed(study, "thickness", "per_tooth_um")],
+        apart: |_, _| 0.0,
+    },
+    Format {
+        name: "runout.csv",
+        keys: "runout = { file = \"runout.csv\", at = \"tooth\" }",
+        table: |teeth| {
+            let row = |tooth| format!("{tooth},{:.1}\n", tenths(tooth));
+            format!("tooth,runout (µm)\n{}", rows(teeth, row)).into_bytes()
+        },
+        oracle: |bytes, teeth| {
+            let readings = column(&delimited(bytes, teeth, &[["runout", "rundlauf"]])?, 0);
+            let step = std::f64::consts::TAU / f64::from(teeth);
+            let sum = |wave: fn(f64) -> f64| -> f64 {
+                readings
+                    .iter()
+                    .enumerate()
+                    .map(|(i, reading)| reading * wave(i as f64 * step))
+                    .sum()
+            };
+            // Twice the amplitude of the discrete Fourier transform.
+            let total = 4.0 / f64::from(teeth) * sum(f64::cos).hypot(sum(f64::sin));
+            Some(vec![vec![total]])
+        },
+        understood: |study| {
+            let total = study.echo["wheel"]["runout"]["total_um"].as_f64().unwrap();
+            vec![vec![total]]
+        },
+        // What a sum of 10 000 floats leaves, µm; and the harmonic is that of a small e: readings go as √(r² − e² sin²), of
+        // third order in e; of module 3 mm, r is 3 z/2.
+        apart: |total, teeth| {
+            let e_to_r = total / 1000.0 / (3.0 * f64::from(teeth));
+            1e-6 + total * e_to_r * e_to_r
+        },
+    },
+    Format {
+        name: "protocol.txt",
+        keys: "pitch = { kind = \"single\", file = \"protocol.txt\" }",
+        table: |teeth| {
+            let block = |side: &str, deviation: fn(u32) -> f64| {
+                let row = |tooth: u32| {
+                    let before = if tooth == 1 { teeth } else { tooth - 1 };
+                    let (now, before) = (deviation(tooth), deviation(before));
+                    format!(
+                        "{tooth:8}{:8.1}{now:8.1}{:8.1}\n",
+                        now - before,
+                        tenths(tooth)
+                    )
+                };
+                format!(
+                    "\n   {side} Zahnflanke\n   Zahn-Nr.   fp   Fp   Fr\n\n{}",
+                    rows(teeth, row)
+                )
+            };
+            let header = format!("  21 :Normalmodul....: 3.000\n  22 :Zähnezahl....: {teeth}\n");
+            format!(
+                "{header}{}{}\n",
+                block("linke", tenths),
+                block("rechte", others)
+            )
+            .into_bytes()
+        },
+        oracle: |bytes, teeth| {
+            let [left, right] = protocol(bytes, teeth, 1)?;
+            Some(vec![column(&right, 0), column(&left, 0)])
+        },
+        understood: pitch_lists,
+        apart: |_, _| 0.0,
+    },
+];

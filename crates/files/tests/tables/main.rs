@@ -1,0 +1,43 @@
+//! Inspection tables in files: each layout gives the study of the same lists written inline, each fault has its line.
+
+mod faults;
+mod formats;
+mod good;
+mod mutant;
+mod mutated_workbooks;
+mod mutations;
+mod oracle;
+#[path = "../../../../tests/common/pair_with_table.rs"]
+mod pair_with_table;
+mod protocols;
+mod readings;
+mod sheets;
+mod workbooks;
+
+use gearlash_files::{PairFile, Problem, read};
+use pair_with_table::pair;
+use std::fs;
+use std::path::Path;
+use tempfile::TempDir;
+
+/// Reads the pair with `table` as the file `name` beside it.
+fn read_with(name: &str, table: &[u8], pair: &str) -> Result<PairFile, Vec<Problem>> {
+    let folder = TempDir::new().unwrap();
+    fs::write(folder.path().join(name), table).unwrap();
+    let path = folder.path().join("pair.toml");
+    fs::write(&path, pair).unwrap();
+    read_pair(&path)
+}
+
+fn read_pair(path: &Path) -> Result<PairFile, Vec<Problem>> {
+    read(path).map_err(|error| {
+        assert!(!error.problems.is_empty());
+        error.problems
+    })
+}
+
+/// The values of a list in the wheel's echo.
+fn echoed(study: &PairFile, table: &str, list: &str) -> Vec<f64> {
+    let list = study.echo["wheel"][table][list].as_array().unwrap();
+    list.iter().map(|value| value.as_f64().unwrap()).collect()
+}

@@ -1,0 +1,10 @@
+//! The analytic models: published tables, closed forms, properties of random pairs.
+
+mod analytic;
+#[path = "../common/mod.rs"]
+mod common;
+mod karba;
+mod limits;
+mod line_of_action;
+mod properties;
+mod published;

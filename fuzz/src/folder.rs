@@ -1,8 +1,7 @@
 //! Files in memory: the library reads pair files and tables from paths.
 
-use gearlash::error::Error;
-use gearlash_files as input;
 use gearlash::study::Study;
+use gearlash_files::PairFile;
 use std::fs;
 use std::path::Path;
 use tempfile::TempDir;
@@ -30,30 +29,31 @@ impl Folder {
 
     /// The study of the pair file; `None` where the file is wrong and every problem says so as it must.
     pub fn read(&self) -> Option<Study> {
+        self.file().map(|file| file.study)
+    }
+
+    fn file(&self) -> Option<PairFile> {
         read(&self.0.path().join("pair"))
     }
 
     /// The same, and what was understood of a good file reads again as the same.
     pub fn read_twice(&self) -> Option<Study> {
-        let study = self.read()?;
-        self.write("echo.json", study.echo.to_string().as_bytes());
+        let file = self.file()?;
+        self.write("echo.json", file.echo.to_string().as_bytes());
         let again = read(&self.0.path().join("echo.json")).expect("the echo is no good pair file");
-        assert!(again.materials == study.materials, "{}", study.echo);
-        assert_eq!(again.echo, study.echo);
-        Some(study)
+        assert!(again.study.materials == file.study.materials, "{}", file.echo);
+        assert_eq!(again.echo, file.echo);
+        Some(file.study)
     }
 }
 
-fn read(path: &Path) -> Option<Study> {
-    let error = match input::read(path) {
-        Ok(study) => return Some(study),
+fn read(path: &Path) -> Option<PairFile> {
+    let error = match gearlash_files::read(path) {
+        Ok(file) => return Some(file),
         Err(error) => error,
     };
-    let Error::Input { problems, .. } = &error else {
-        panic!("{error}");
-    };
-    assert!(!problems.is_empty());
-    for problem in problems {
+    assert!(!error.problems.is_empty());
+    for problem in &error.problems {
         assert!(
             !problem.reason.is_empty() && !problem.help.is_empty(),
             "{problem}"

@@ -17,7 +17,7 @@ fn run_by(fixture: &str, method: Method) -> (Study, Vec<ComparedRun>) {
         .join(fixture);
     let study = gearlash_files::read(&path).unwrap().study;
     let runs = gearlash::simulate::simulate(&study, method, &|| ControlFlow::Continue(())).unwrap();
-    let tolerance = study.study.tolerance_um;
+    let tolerance = study.tolerance_um;
     (study, compare(runs, tolerance))
 }
 

@@ -12,9 +12,9 @@ use crate::error::Error;
 use crate::gear::{AsBuilt, Inspection};
 use crate::mesh::{ExactKernel, LostMotion, Method, Status, first_least};
 use crate::pair::{GearPair, Mating, Member, Pose, SweepPlan};
+use crate::parallel;
 use crate::simulate::simulate_plans;
 use crate::study::{RunPlan, Study};
-use rayon::prelude::*;
 use std::ops::{ControlFlow, Range};
 
 /// Poses gone through in all, at most (tuned: one takes a microsecond or a few, so some seconds; a hunting cycle of
@@ -156,21 +156,18 @@ impl RemainingRun {
         let assembly = &self.plan.assembly;
         let kernel = ExactKernel::new(assembly);
         let from = range.start;
-        let found: Result<Vec<Seen>, Error> = range
-            .into_par_iter()
-            .map(|step| {
-                if tick().is_break() {
-                    return Err(Error::Interrupted);
-                }
-                let pose = Pose::new(assembly, self.mating(step, steps_per_pitch));
-                match kernel.lost_motion(&pose) {
-                    Ok(found) => Ok(Seen::new(&found)),
-                    Err(error) if error.of_one_pose().is_some() => Ok(Seen::LOST),
-                    Err(error) => Err(error),
-                }
-            })
-            .collect();
-        let found = found?;
+        let found = parallel::map(range, |step| {
+            if tick().is_break() {
+                return Err(Error::Interrupted);
+            }
+            let pose = Pose::new(assembly, self.mating(step, steps_per_pitch));
+            match kernel.lost_motion(&pose) {
+                Ok(found) => Ok(Seen::new(&found)),
+                Err(error) if error.of_one_pose().is_some() => Ok(Seen::LOST),
+                Err(error) => Err(error),
+            }
+        });
+        let found = found.into_iter().collect::<Result<Vec<Seen>, Error>>()?;
         let steps = || (from..).zip(&found);
         let first = |status: Status| {
             let mut of_status = steps().filter(move |(_, seen)| seen.status == status);

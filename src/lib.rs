@@ -55,6 +55,7 @@ pub mod mesh;
 pub mod notes;
 pub mod outcome;
 pub mod pair;
+mod parallel;
 pub mod phases;
 pub mod simulate;
 pub mod study;

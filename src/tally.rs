@@ -8,9 +8,9 @@ use crate::diagnosis::ContactCount;
 use crate::error::Error;
 use crate::mesh::{BLOCK, FirstLeast, Method, Status};
 use crate::pair::GearPair;
+use crate::parallel;
 use crate::simulate::each_block;
 use crate::study::{Material, Study};
-use rayon::prelude::*;
 use std::convert::Infallible;
 use std::ops::ControlFlow;
 
@@ -260,11 +260,9 @@ pub fn simulate_by_blocks<E: From<Error>>(
         let Some((run, keep)) = &mut current else {
             return Ok(());
         };
-        let poses: Vec<ComparedPose> = block
-            .poses
-            .into_par_iter()
-            .map(|swept| compared(&run.assembly, swept, tolerance_um))
-            .collect();
+        let poses = parallel::map(block.poses, |swept| {
+            compared(&run.assembly, swept, tolerance_um)
+        });
         for pose in &poses {
             run.add(pose, *keep);
         }

@@ -9,7 +9,7 @@ use crate::analytic::InvolutePair;
 use crate::error::Error;
 use crate::gear::{Placed, Side};
 use crate::pair::{GearPair, Mating, Member, Pose};
-use rayon::prelude::*;
+use crate::parallel;
 use std::collections::HashSet;
 use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
@@ -60,24 +60,19 @@ pub(super) fn least_over(
     tick: &(dyn Fn() -> ControlFlow<()> + Sync),
 ) -> Result<Option<RadialClearance>, Error> {
     let rolling = Rolling::new(assembly, member);
-    let bounds: Vec<f64> = pitches
-        .par_iter()
-        .map(|mating| rolling.least_possible(*mating))
-        .collect();
+    let bounds = parallel::map(pitches, |mating| rolling.least_possible(*mating));
     let Some(first) = (0..pitches.len()).min_by(|i, j| bounds[*i].total_cmp(&bounds[*j])) else {
         return Ok(None);
     };
     let reached = rolling.within_pitch(pitches[first]).distance;
-    let found: Vec<Result<Option<RadialClearance>, Error>> = pitches
-        .par_iter()
-        .zip(&bounds)
-        .map(|(mating, bound)| match tick() {
+    let found = parallel::map(pitches.iter().zip(&bounds), |(mating, bound)| {
+        match tick() {
             ControlFlow::Continue(()) => {
                 Ok((*bound <= reached).then(|| rolling.within_pitch(*mating)))
             }
             ControlFlow::Break(()) => Err(Error::Interrupted),
-        })
-        .collect();
+        }
+    });
     // In order: of equals the first, whatever the threads.
     let mut least: Option<RadialClearance> = None;
     for found in found {

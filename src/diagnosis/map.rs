@@ -7,7 +7,7 @@ use crate::analytic::limits;
 use crate::error::Error;
 use crate::mesh::PoseClass;
 use crate::pair::{GearPair, Mating, Member};
-use rayon::prelude::*;
+use crate::parallel;
 use std::ops::ControlFlow;
 
 /// Rows of a map, and as many columns (tuned: what can be told apart on a sheet).
@@ -76,34 +76,31 @@ pub fn map(
         .map(|column| f64::from(column) / f64::from(COLUMNS))
         .collect();
     let as_assembled = PairAtDistance::new(assembly);
-    let rows: Vec<Result<Vec<MapCell>, Error>> = distances
-        .par_iter()
-        .map(|&distance| {
-            let bench = as_assembled.at(distance)?;
-            let radius = bench.assembly.operating_pitch_radius(bench.assembly.free());
-            let cells: Result<Vec<MapCell>, Error> = fractions
-                .iter()
-                .map(|&fraction| {
-                    let mating = start.onward(&bench.assembly, fraction);
-                    match bench.lost_motion(&mating) {
-                        Ok(found) => Ok(MapCell {
-                            class: PoseClass::of(&bench.assembly, &found),
-                            backlash: found.angle().map(|angle| angle * radius),
-                        }),
-                        Err(error) if error.of_one_pose().is_some() => Ok(MapCell {
-                            class: PoseClass::Unproven,
-                            backlash: None,
-                        }),
-                        Err(error) => Err(error),
-                    }
-                })
-                .collect();
-            match tick() {
-                ControlFlow::Continue(()) => cells,
-                ControlFlow::Break(()) => Err(Error::Interrupted),
-            }
-        })
-        .collect();
+    let rows = parallel::map(distances.iter().copied(), |distance| {
+        let bench = as_assembled.at(distance)?;
+        let radius = bench.assembly.operating_pitch_radius(bench.assembly.free());
+        let cells: Result<Vec<MapCell>, Error> = fractions
+            .iter()
+            .map(|&fraction| {
+                let mating = start.onward(&bench.assembly, fraction);
+                match bench.lost_motion(&mating) {
+                    Ok(found) => Ok(MapCell {
+                        class: PoseClass::of(&bench.assembly, &found),
+                        backlash: found.angle().map(|angle| angle * radius),
+                    }),
+                    Err(error) if error.of_one_pose().is_some() => Ok(MapCell {
+                        class: PoseClass::Unproven,
+                        backlash: None,
+                    }),
+                    Err(error) => Err(error),
+                }
+            })
+            .collect();
+        match tick() {
+            ControlFlow::Continue(()) => cells,
+            ControlFlow::Break(()) => Err(Error::Interrupted),
+        }
+    });
     let mut cells = Vec::new();
     for row in rows {
         cells.extend(row?);

@@ -5,7 +5,7 @@ use crate::analytic::limits;
 use crate::error::Error;
 use crate::mesh::PoseClass;
 use crate::pair::{GearPair, Mating, Member};
-use rayon::prelude::*;
+use crate::parallel;
 
 /// Width of the bracket, mm: a nanometre, far below what a centre distance can be set to.
 const WIDTH: f64 = 1e-6;
@@ -133,10 +133,7 @@ fn touching(
     matings: &[Mating],
 ) -> Result<Vec<Mating>, Error> {
     let bench = bench.at(distance)?;
-    let classes: Vec<Result<PoseClass, Error>> = matings
-        .par_iter()
-        .map(|mating| bench.class(mating))
-        .collect();
+    let classes = parallel::map(matings, |mating| bench.class(mating));
     let mut touching = Vec::new();
     for (class, mating) in classes.into_iter().zip(matings) {
         if class?.is_non_involute() {

@@ -3,7 +3,7 @@
 use crate::error::Error;
 use crate::mesh::{ExactKernel, LostMotion, PoseClass, Status};
 use crate::pair::{GearPair, Mating, Member, Pose};
-use rayon::prelude::*;
+use crate::parallel;
 
 /// The pair at one centre distance.
 pub struct PairAtDistance {
@@ -66,7 +66,7 @@ impl PairAtDistance {
 
     /// [`PairAtDistance::play`] of each mating, in order.
     pub(super) fn plays(&self, matings: &[Mating]) -> Result<Vec<f64>, Error> {
-        let plays: Vec<_> = matings.par_iter().map(|mating| self.play(mating)).collect();
+        let plays = parallel::map(matings, |mating| self.play(mating));
         plays.into_iter().collect()
     }
 }

@@ -6,7 +6,7 @@
 
 use super::Unmeasured;
 use super::master::master;
-use super::roll_extremes::{ProfilePart, Sample, bracketed};
+use super::roll_extremes::{RollCurve, Sample, bracketed};
 use super::spread::{ends, mean};
 use crate::analytic::InvolutePair;
 use crate::diagnosis::PairAtDistance;
@@ -119,7 +119,7 @@ pub(super) fn roll(
         }
         ControlFlow::Break(()) => Err(Error::Interrupted),
     };
-    let curve = ProfilePart {
+    let curve = RollCurve {
         steps: matings.len(),
         steps_per_pitch: steps_per_pitch as usize,
         step: gear.gear().basic_data().angular_pitch() / f64::from(steps_per_pitch),

@@ -19,7 +19,7 @@
 use super::roll::{RollPose, RollRange};
 use crate::error::Error;
 use crate::gear;
-use rayon::prelude::*;
+use crate::parallel;
 use std::collections::BTreeMap;
 
 /// What F_i'' may be short of, mm: a thousandth of a micrometre, far below what roll testers resolve.
@@ -35,7 +35,7 @@ const MOST: usize = 8;
 const PARTS: u64 = 1 << 30;
 
 /// The even poses of a curve.
-pub(super) struct ProfilePart {
+pub(super) struct RollCurve {
     /// Of one revolution.
     pub steps: usize,
     pub steps_per_pitch: usize,
@@ -85,20 +85,17 @@ impl Piece {
 ///
 /// `None` where a pose has no distance.
 pub(super) fn bracketed(
-    curve: &ProfilePart,
+    curve: &RollCurve,
     more: &dyn Fn(usize),
     take: &(dyn Fn(usize, f64) -> Result<Option<Sample>, Error> + Sync),
 ) -> Result<Option<Bracketed>, Error> {
     let mut samples: BTreeMap<u64, Sample> = BTreeMap::new();
     let mut wanted: Vec<u64> = (0..curve.steps as u64).map(|step| step * PARTS).collect();
     for round in 0.. {
-        let taken: Vec<_> = wanted
-            .par_iter()
-            .map(|place| {
-                let beyond = (place % PARTS) as f64 / PARTS as f64;
-                take((place / PARTS) as usize, beyond)
-            })
-            .collect();
+        let taken = parallel::map(&wanted, |place| {
+            let beyond = (place % PARTS) as f64 / PARTS as f64;
+            take((place / PARTS) as usize, beyond)
+        });
         for (place, sample) in wanted.iter().zip(taken) {
             let Some(sample) = sample? else {
                 return Ok(None);
@@ -135,7 +132,7 @@ pub(super) fn bracketed(
     Ok(None)
 }
 
-fn pieces(curve: &ProfilePart, samples: &BTreeMap<u64, Sample>) -> Vec<Piece> {
+fn pieces(curve: &RollCurve, samples: &BTreeMap<u64, Sample>) -> Vec<Piece> {
     let round = curve.steps as u64 * PARTS;
     let first = samples.first_key_value();
     let next = samples
@@ -170,7 +167,7 @@ struct Ranges {
 }
 
 impl Ranges {
-    fn of(curve: &ProfilePart, pieces: &[Piece]) -> Ranges {
+    fn of(curve: &RollCurve, pieces: &[Piece]) -> Ranges {
         let all = Span::of(pieces.iter());
         let mut within = vec![false; pieces.len()];
         let total: Vec<bool> = pieces

@@ -9,8 +9,8 @@ use super::Unmeasured;
 use super::workpiece::{Place, Workpiece};
 use crate::gear::{ProfilePart, Side};
 use crate::mesh::Touch;
+use crate::parallel;
 use nalgebra::{Matrix2, Point2, UnitComplex, Vector2};
-use rayon::prelude::*;
 
 /// A pin or ball at rest.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,8 +32,8 @@ const LONGEST: f64 = 0.25;
 
 /// Lays a pin of `diameter` into every space.
 pub(super) fn seats(work: &Workpiece, diameter: f64) -> Result<Vec<Seat>, Unmeasured> {
-    let teeth = (1..=work.as_built.gear().basic_data().teeth()).into_par_iter();
-    let seats: Vec<_> = teeth.map(|tooth| seat(work, tooth, diameter)).collect();
+    let teeth = 1..=work.as_built.gear().basic_data().teeth();
+    let seats = parallel::map(teeth, |tooth| seat(work, tooth, diameter));
     // In order: of several faults the first is told, whatever the threads.
     seats.into_iter().collect()
 }

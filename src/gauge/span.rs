@@ -11,7 +11,7 @@ use super::spread::{ends, mean};
 use super::workpiece::Workpiece;
 use crate::gear::{Profile, ProfilePart, Side};
 use crate::mesh::Touch;
-use rayon::prelude::*;
+use crate::parallel;
 
 /// One span.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -66,8 +66,7 @@ pub(super) fn spans(work: &Workpiece, k: u32) -> Result<Spans, Unmeasured> {
             basic_data.teeth()
         )));
     }
-    let readings = (1..=basic_data.teeth()).into_par_iter();
-    let readings: Vec<_> = readings.map(|first| span(work, k, first)).collect();
+    let readings = parallel::map(1..=basic_data.teeth(), |first| span(work, k, first));
     let spans = Spans {
         teeth: k,
         readings: readings.into_iter().collect::<Result<_, _>>()?,

@@ -7,7 +7,7 @@ use super::swept::{PoseResult, Unproven};
 use crate::error::Error;
 use crate::gear::AsBuilt;
 use crate::pair::{GearPair, Mating, Pose};
-use rayon::prelude::*;
+use crate::parallel;
 use std::ops::ControlFlow;
 
 /// How lost motion is found.
@@ -282,8 +282,8 @@ pub fn sweep_blocks<E: From<Error>>(
         })
     };
     for block in matings.chunks(BLOCK) {
-        let poses: Vec<Result<PoseResult, Error>> = block.par_iter().map(find).collect();
-        each(poses.into_iter().collect::<Result<_, Error>>()?)?;
+        let poses = parallel::map(block, find).into_iter();
+        each(poses.collect::<Result<_, Error>>()?)?;
     }
     Ok(())
 }

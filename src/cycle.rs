@@ -22,7 +22,7 @@ use std::ops::{ControlFlow, Range};
 const MOST: u64 = 1_000_000;
 
 /// The matings of one assembly, and which of them were gone through.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Cycle {
     /// Matings that differ, until the same teeth meet again.
     pub matings: u64,
@@ -38,9 +38,10 @@ pub struct Cycle {
 }
 
 /// The matings that no revolution simulated meets.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum RemainingMatings {
     /// There are none.
+    #[default]
     None,
     /// All were gone through at so many poses a pitch.
     Seen {

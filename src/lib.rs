@@ -42,6 +42,7 @@
 //! # Ok::<(), gearlash::error::Error>(())
 //! ```
 
+pub mod analysis;
 pub mod analytic;
 pub mod compare;
 pub mod curves;

@@ -182,7 +182,8 @@ impl Random {
             * match &self.distance {
                 Distance::Any(part) => {
                     let base = reference * angle.cos();
-                    part.within(base, reference, tip + mates_tip + 0.5)
+                    let apart = tip + mates_tip + 0.5;
+                    part.within(base, reference, apart.max(reference))
                 }
                 Distance::Tips(part) => tip + mates_tip + part.either_way(0.3),
                 Distance::Root(true, part) => tip + mates_root + part.either_way(0.3),

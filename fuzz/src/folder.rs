@@ -41,7 +41,11 @@ impl Folder {
         let file = self.file()?;
         self.write("echo.json", file.echo.to_string().as_bytes());
         let again = read(&self.0.path().join("echo.json")).expect("the echo is no good pair file");
-        assert!(again.study.materials == file.study.materials, "{}", file.echo);
+        assert!(
+            again.study.materials == file.study.materials,
+            "{}",
+            file.echo
+        );
         assert_eq!(again.echo, file.echo);
         Some(file.study)
     }

@@ -50,12 +50,19 @@ pub fn binding<'a>(study: &Study, runs: impl Iterator<Item = &'a ComparedRun> + 
 
 /// `binding`, then the matings that were measured, in the order of their file.
 pub fn followed(study: &Study, binding: Followed) -> Vec<Followed> {
-    let mut followed = vec![binding];
+    let measured = measured_teeth(study).into_iter();
+    let others = measured.filter(|teeth| *teeth != binding);
+    std::iter::once(binding).chain(others).collect()
+}
+
+/// The matings that were measured, each once, in the order of their file.
+pub fn measured_teeth(study: &Study) -> Vec<Followed> {
+    let mut measured = Vec::new();
     for row in &study.measured {
         let teeth = Followed::Teeth(row.wheel_tooth, row.pinion_tooth);
-        if !followed.contains(&teeth) {
-            followed.push(teeth);
+        if !measured.contains(&teeth) {
+            measured.push(teeth);
         }
     }
-    followed
+    measured
 }

@@ -9,7 +9,7 @@ mod course;
 mod over_distance;
 mod scale;
 
-pub use binding::{Followed, binding, followed};
+pub use binding::{Followed, binding, followed, measured_teeth};
 pub use course::{Course, CourseLine, CoursePoint, Extreme, courses};
 pub use over_distance::{DistancePoint, OverDistance, over_distance, over_distance_pose_count};
 

@@ -1,17 +1,14 @@
 //! `gearlash check`: does the pair interfere, where, why, and what does it cost.
 
 use super::console::{print, tell};
-use super::method::{MethodArgs, whole_agreement};
-use super::progress::Progress;
+use super::method::{MethodArgs, agreed};
+use super::progress::{Progress, run_under_bar};
 use super::{poses, studies};
 use crate::error::Error;
 use crate::output::OutputFolder;
 use clap::ValueEnum;
-use gearlash::compare::{ComparedRun, compare};
-use gearlash::diagnosis::{
-    Diagnosis, Group, MAP_ROWS, Verdict, ZeroDistance, diagnose, map, pitch_count,
-};
-use gearlash::simulate::{pose_count, simulate};
+use gearlash::analysis::Plan;
+use gearlash::diagnosis::{Diagnosis, Group, MAP_ROWS, Verdict, ZeroDistance, map};
 use gearlash::study::{Material, Study};
 use gearlash_files::characters::plain;
 use std::path::PathBuf;
@@ -61,19 +58,17 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         .transpose()?;
 
     poses::allow(&args.pair, study.pose_count(), &poses::HELD)?;
-    let progress = Progress::start(pose_count(&study)?);
-    let runs = simulate(&study, args.method.method(), &|| progress.tick())?;
-    drop(progress);
-    let runs = compare(runs, study.tolerance_um);
-    let diagnosis = diagnosis(&study, &runs)?;
+    let plan = Plan::new(study, args.method.method()).with_checks();
+    let analysis = run_under_bar(&plan)?;
+    let diagnosis = &analysis.diagnosis;
     let maps = match &folder {
-        Some(_) => maps(&study, &diagnosis)?,
+        Some(_) => maps(study, diagnosis)?,
         None => Vec::new(),
     };
 
     print(&match args.format {
-        Format::Text => gearlash_render::check::text(&study, &diagnosis),
-        Format::Json => gearlash_render::check::json(&file, &diagnosis)
+        Format::Text => gearlash_render::check::text(study, diagnosis),
+        Format::Json => gearlash_render::check::json(&file, diagnosis)
             .map_err(|error| Error::Usage(format!("the checks cannot be written: {error}")))?,
     })?;
     if let Some(folder) = folder {
@@ -83,21 +78,12 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             print(&format!("\n{} files in {folder}\n", maps.len()))?;
         }
     }
-    let holds = whole_agreement(&runs) && diagnosis.verdict() < Verdict::Unproven;
+    let agree = agreed(&analysis);
+    let holds = agree && diagnosis.verdict() < Verdict::Unproven;
     Ok(match holds {
         true => ExitCode::SUCCESS,
         false => ExitCode::from(1),
     })
-}
-
-/// Checks what was simulated, under a bar.
-pub(super) fn diagnosis(study: &Study, runs: &[ComparedRun]) -> Result<Diagnosis, Error> {
-    let progress = Progress::of(pitch_count(runs), "pitches");
-    let mut step = |doing: &str| {
-        progress.now(&format!("({doing})"));
-        Ok(())
-    };
-    Ok(diagnose(study, runs, &mut step, &|| progress.tick())?)
 }
 
 /// Whether a run of this command may write a file called `name`.

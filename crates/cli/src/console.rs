@@ -88,6 +88,11 @@ pub(super) fn tell(line: &str) {
         .and_then(|()| output.write_all(b"\n"));
 }
 
+/// Writes lines to standard error that are fit to be shown.
+pub(super) fn tell_lines(lines: &str) {
+    let _ = std::io::stderr().lock().write_all(lines.as_bytes());
+}
+
 /// Tells what the user should know, and what was found to be in order.
 pub(super) fn warn(file: &Path, warnings: &[String], remarks: &[String]) {
     for (kind, list) in [("warning", warnings), ("note", remarks)] {

@@ -73,21 +73,16 @@ impl From<GearError> for Error {
     }
 }
 
-/// Characters of a line of an error message: a path as long as Linux allows (4096 bytes) and what is said of it. Nothing should
-/// come near it; where something does, the line is cut visibly.
-const LONGEST_LINE: usize = 6000;
-
 impl Error {
     /// Ctrl-C.
     pub const INTERRUPTED: Error = Error::Run(gearlash::error::Error::Interrupted);
 
     /// The message, a line for each problem: whatever stands in the files, it breaks no line and acts on no terminal or log.
     pub fn lines(&self) -> Vec<String> {
-        let line = |text: String| characters::cut(&characters::plain(&text), LONGEST_LINE);
         match self {
-            Error::Input(input) => input.lines().into_iter().map(line).collect(),
+            Error::Input(input) => input.lines(),
             Error::Several(errors) => errors.iter().flat_map(Error::lines).collect(),
-            other => vec![line(other.to_string())],
+            other => vec![characters::line(&other.to_string())],
         }
     }
 

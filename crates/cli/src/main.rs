@@ -8,6 +8,7 @@ mod date;
 mod distances;
 mod drawing;
 mod error;
+mod explain;
 mod gauge;
 mod init;
 mod method;
@@ -27,7 +28,7 @@ mod worst;
 
 use crate::error::Error;
 use clap::{Parser, Subcommand};
-use console::{printed, tell};
+use console::{printed, tell, tell_lines};
 use gearlash_files::characters::plain;
 use std::io::Write;
 use std::process::ExitCode;
@@ -89,9 +90,7 @@ fn main() -> ExitCode {
     match ended {
         Ok(code) => code,
         Err(error) => {
-            for line in error.lines() {
-                tell(&format!("error: {line}"));
-            }
+            tell_lines(&explain::explain(&error));
             ExitCode::from(error.exit_code())
         }
     }

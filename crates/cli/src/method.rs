@@ -2,7 +2,7 @@
 
 use super::console::tell;
 use clap::ValueEnum;
-use gearlash::compare::ComparedRun;
+use gearlash::analysis::Analysis;
 use gearlash::mesh::Method;
 use gearlash::tally::RunTally;
 
@@ -50,16 +50,9 @@ pub(super) fn agreement<'a>(runs: impl IntoIterator<Item = &'a RunTally> + Clone
     agree & all_proven(runs.into_iter().map(|run| run.unproven).sum())
 }
 
-/// The same of runs whose poses are all there.
-pub(super) fn whole_agreement(runs: &[ComparedRun]) -> bool {
-    let agree = agreement_within(largest_difference(runs));
-    agree & all_proven(unproven(runs))
-}
-
-/// How many poses of `runs` are not proven, or not at an end of the bearing clearance.
-pub(super) fn unproven<'a>(runs: impl IntoIterator<Item = &'a ComparedRun>) -> usize {
-    let runs = runs.into_iter();
-    runs.map(|run| run.unproven().count()).sum()
+/// The same of all that was analysed.
+pub(super) fn agreed(analysis: &Analysis) -> bool {
+    agreement_within(analysis.polygon_difference()) & all_proven(analysis.unproven())
 }
 
 /// Says on standard error how many poses are not proven, if any; whether all are.
@@ -74,16 +67,7 @@ pub(super) fn all_proven(unproven: usize) -> bool {
     false
 }
 
-/// The largest difference of the two methods over `runs`, mm; `None` where only one was asked for.
-pub(super) fn largest_difference<'a>(
-    runs: impl IntoIterator<Item = &'a ComparedRun>,
-) -> Option<f64> {
-    let poses = runs.into_iter().flat_map(|run| &run.poses);
-    let differences = poses.filter_map(|pose| pose.swept.polygon_difference);
-    differences.map(f64::abs).reduce(f64::max)
-}
-
-/// The same of the largest difference, mm; `None` where one method alone was asked for.
+/// Says on standard error how far both methods lie apart, `largest` mm; whether that passes. `None` where one method alone was asked for.
 pub(super) fn agreement_within(largest: Option<f64>) -> bool {
     let Some(largest) = largest else {
         return true;
@@ -100,7 +84,7 @@ pub(super) fn agreement_within(largest: Option<f64>) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use gearlash::compare::compare;
+    use gearlash::compare::{ComparedRun, compare};
     use gearlash::mesh::{CutPair, sweep};
     use gearlash::pair::Member;
     use gearlash::simulate::Run;
@@ -133,9 +117,11 @@ mod tests {
             };
             compare(vec![run], 0.1)
         };
-        assert!(whole_agreement(&compared(&cut_of(&plan.assembly))));
+        let unproven =
+            |runs: &[ComparedRun]| -> usize { runs.iter().map(|run| run.unproven().count()).sum() };
+        assert!(all_proven(unproven(&compared(&cut_of(&plan.assembly)))));
         let runs = compared(&cut_of(&other.assembly));
         assert_eq!(unproven(&runs), 1);
-        assert!(!whole_agreement(&runs));
+        assert!(!all_proven(unproven(&runs)));
     }
 }

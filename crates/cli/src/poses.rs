@@ -53,6 +53,7 @@ pub(super) fn allow(file: &Path, poses: u64, bound: &Bound) -> Result<(), Error>
             ),
             help: bound.help.to_owned(),
         }],
+        text: String::new(),
     }))
 }
 

@@ -1,5 +1,7 @@
 //! A progress bar on a terminal, silence in a pipe.
 
+use crate::error::Error;
+use gearlash::analysis::{self, Analysis, Plan};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::ops::ControlFlow;
 use std::sync::{Mutex, PoisonError};
@@ -71,6 +73,20 @@ impl Progress {
         self.bar.inc(1);
         ControlFlow::Continue(())
     }
+}
+
+/// Does the work of `plan` under a bar of its length.
+pub(super) fn run_under_bar<'a>(plan: &Plan<'a>) -> Result<Analysis<'a>, Error> {
+    let bar = Progress::of(
+        usize::try_from(plan.steps()?).unwrap_or(usize::MAX),
+        "steps",
+    );
+    let (mut stage, tick) = (|doing: &str| bar.now(doing), || bar.tick());
+    let mut progress = analysis::Progress {
+        stage: &mut stage,
+        tick: &tick,
+    };
+    Ok(Analysis::run(plan, &mut progress)?)
 }
 
 impl Drop for Progress {

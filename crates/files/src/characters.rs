@@ -38,6 +38,36 @@ pub fn plain(text: &str) -> String {
     plain
 }
 
+/// Characters of a line of an error message: a path as long as Linux allows (4096 bytes) and what is said of it. Nothing should
+/// come near it; where something does, the line is cut visibly.
+const LONGEST_LINE: usize = 6000;
+
+/// `text` as one line of a message: [`plain`] and not too long.
+pub fn line(text: &str) -> String {
+    cut(&plain(text), LONGEST_LINE)
+}
+
+/// `text` of a file to be shown with its lines and at its byte offsets: each byte of a character that acts is a space, line ends
+/// excepted, and so is the second sign of a `##` that would begin a command of a CI log.
+pub fn quoted_source(text: &str) -> String {
+    let mut shown = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '\n' | '\t' => shown.push(c),
+            c if acts(c) => shown.extend(std::iter::repeat_n(' ', c.len_utf8())),
+            c => shown.push(c),
+        }
+    }
+    let mut from = 0;
+    while let Some(at) = shown[from..].find("##").map(|at| from + at) {
+        if begins_command(shown[at + 2..].lines().next().unwrap_or("")) {
+            shown.replace_range(at + 1..at + 2, " ");
+        }
+        from = at + 1;
+    }
+    shown
+}
+
 /// Whether `rest` behind `##` makes it a command: a word or none, and a bracket.
 fn begins_command(rest: &str) -> bool {
     let word = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.');

@@ -1,6 +1,8 @@
 //! What is wrong with an input file: every problem at once, each with its key and the way out.
 
+use crate::{characters, location};
 use std::fmt;
+use std::ops::Range;
 use std::path::PathBuf;
 
 /// One thing wrong with one value of a pair file.
@@ -37,13 +39,21 @@ pub struct InputError {
     pub file: PathBuf,
     /// At least one.
     pub problems: Vec<Problem>,
+    /// What stands in the file, as far as it is text.
+    pub text: String,
 }
 
 impl InputError {
-    /// A line for each problem, the file before it.
+    /// A line for each problem, the file before it: whatever stands in the file, it breaks no line and acts on no terminal or log.
     pub fn lines(&self) -> Vec<String> {
         let problems = self.problems.iter();
-        let line = |problem| format!("{}: {problem}", self.file.display());
+        let line = |problem| characters::line(&format!("{}: {problem}", self.file.display()));
         problems.map(line).collect()
+    }
+
+    /// Where each problem stands in a TOML file, in bytes of its text; `None` for what stands nowhere in it, and in JSON.
+    pub fn spans(&self) -> Vec<Option<Range<usize>>> {
+        let keys = self.problems.iter().map(|problem| problem.key.as_str());
+        location::of_keys(&self.text, keys)
     }
 }

@@ -19,6 +19,7 @@ mod first_harmonic;
 mod flanks;
 mod gear;
 mod gear_file;
+mod location;
 mod measured;
 mod measured_row;
 mod nearest;
@@ -90,15 +91,17 @@ fn with_entries<T>(
 ) -> Result<T, InputError> {
     let mut problems = Problems::new();
     let place = Place::of(path);
-    let entries = source::text(path).and_then(|text| source::parse(path, &text));
-    let understood = problems
-        .keep(entries)
+    let text = problems.keep(source::text(path));
+    let entries = text.as_ref().map(|text| source::parse(path, text));
+    let understood = entries
+        .and_then(|entries| problems.keep(entries))
         .and_then(|entries| understand(&place, &entries, &mut problems));
     match understood {
         Some(understood) if problems.is_empty() => Ok(understood),
         _ => Err(InputError {
             file: path.to_owned(),
             problems: problems.into_list(),
+            text: text.unwrap_or_default(),
         }),
     }
 }

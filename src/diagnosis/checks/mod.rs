@@ -15,13 +15,13 @@ use crate::error::Error;
 use crate::gear::{Gear, Side};
 use crate::mesh::{Contact, Touch};
 use crate::pair::{GearPair, Mating, Member};
-use crate::study::{Material, Study};
+use crate::study::{Material, RunPlan, Study};
 use std::ops::ControlFlow;
 
 const MEMBERS: [Member; 2] = [Member::Wheel, Member::Pinion];
 
 /// All that is to be said of a study's pair.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Diagnosis {
     /// Each centre distance and material, in the order of the study.
     pub groups: Vec<Group>,
@@ -60,16 +60,18 @@ impl Diagnosis {
     }
 }
 
-/// How often [`diagnose`] will tick for `runs`: the pitches over which the clearance of both gears' tips is looked for.
-pub fn pitch_count(runs: &[ComparedRun]) -> usize {
-    let of_group = |runs: &[ComparedRun]| {
-        let first = runs.first();
+/// How often [`diagnose`] will tick for the runs of `plans`: the pitches over which the clearance of both gears' tips is looked for.
+pub fn pitch_count(plans: &[RunPlan]) -> usize {
+    let of_group = |plans: &[RunPlan]| {
+        let first = plans.first();
+        let planned = plans.iter().flat_map(|plan| &plan.matings).copied();
         first.map_or(0, |first| {
-            pitches(&first.run.assembly, &matings(runs.iter())).len()
+            pitches(&first.assembly, &distinct(planned)).len()
         })
     };
-    let groups = runs.chunk_by(same_group);
-    groups.map(|runs| MEMBERS.len() * of_group(runs)).sum()
+    let key = |plan: &RunPlan| (plan.assembly.center_distance(), plan.material);
+    let groups = plans.chunk_by(|one, other| key(one) == key(other));
+    groups.map(|plans| MEMBERS.len() * of_group(plans)).sum()
 }
 
 /// Checks the pair of `study`, whose `runs` were simulated and compared.
@@ -174,9 +176,13 @@ fn doubt<'a>(runs: impl Iterator<Item = &'a ComparedRun> + Clone) -> Option<Stri
 
 /// The matings of `runs`, each once, in order.
 fn matings<'a>(runs: impl Iterator<Item = &'a ComparedRun>) -> Vec<Mating> {
-    let mut met = std::collections::HashSet::new();
     let poses = runs.flat_map(|run| &run.poses);
-    let matings = poses.map(|pose| *pose.swept.pose.mating());
+    distinct(poses.map(|pose| *pose.swept.pose.mating()))
+}
+
+/// `matings`, each once.
+fn distinct(matings: impl Iterator<Item = Mating>) -> Vec<Mating> {
+    let mut met = std::collections::HashSet::new();
     matings
         .filter(|m| met.insert((m.wheel_tooth, m.pinion_tooth, m.flank, m.fraction.to_bits())))
         .collect()

@@ -3,14 +3,14 @@
 use super::super::console::tell;
 use super::super::distances::Distances;
 use super::super::drawing::{End, material};
-use super::super::method::{agreement_within, all_proven, unproven, whole_agreement};
+use super::super::method::{agreed, agreement_within, all_proven};
 use super::super::poses;
-use super::super::progress::Progress;
+use super::super::progress::{Progress, run_under_bar};
 use super::{Args, Gear, Kind};
 use crate::error::Error;
+use gearlash::analysis::{Analysis, Plan};
 use gearlash::compare::ComparedRun;
 use gearlash::curves::{self, Course, Followed};
-use gearlash::cycle;
 use gearlash::error::{Error as Run, GearError};
 use gearlash::gear::Inspection;
 use gearlash::mesh::Method;
@@ -52,12 +52,10 @@ impl Drawn {
         let study = study
             .at(distance)
             .map_err(|reason| Error::Usage(format!("--center-distance: {reason}")))?;
-        let poses = curves::revolution_pose_count(&study)?;
-        poses::allow(&args.pair, poses as u64, &poses::HELD)?;
-        let progress = Progress::start(poses);
-        let runs = curves::revolution(&study, args.method.method(), &|| progress.tick())?;
-        drop(progress);
-        let courses = curves::courses(&runs);
+        let plan = Plan::new(&study, args.method.method()).with_revolution();
+        poses::allow(&args.pair, plan.poses()?, &poses::HELD)?;
+        let analysis = run_under_bar(&plan)?;
+        let courses = curves::courses(&analysis.revolution);
         let course = courses
             .first()
             .ok_or_else(|| Error::Usage("the pair file asks for no poses".to_owned()))?;
@@ -76,19 +74,22 @@ impl Drawn {
         };
         Ok(Drawn {
             file: file(name, args, course),
-            agrees: whole_agreement(&runs),
+            agrees: agreed(&analysis),
             chart,
         })
     }
 
     /// One mating over the centre distance.
     pub fn over_distance(args: &Args, study: &Study) -> Result<Drawn, Error> {
-        let (followed, swept_runs) = match args.mating {
-            Some((wheel, pinion)) => (Followed::Teeth(wheel, pinion), Vec::new()),
-            None => binding(args, study)?,
+        let swept = match args.mating {
+            Some(_) => None,
+            None => Some(swept(args, study)?),
         };
-        let swept: Vec<&ComparedRun> = swept_runs.iter().collect();
-        let swept = by_distance(&swept, &[]);
+        let all: Vec<&ComparedRun> = swept.iter().flat_map(Analysis::all).collect();
+        let followed = match args.mating {
+            Some((wheel, pinion)) => Followed::Teeth(wheel, pinion),
+            None => binding(study, &all),
+        };
         let poses = curves::over_distance_pose_count(study);
         poses::allow(&args.pair, poses as u64, &poses::HELD)?;
         let progress = Progress::start(poses);
@@ -102,9 +103,9 @@ impl Drawn {
         })?;
         drop(progress);
         let (wheel, pinion) = teeth(followed);
-        let unproven = curve.unproven + unproven(swept_runs.iter());
+        let unproven = curve.unproven + swept.as_ref().map_or(0, Analysis::unproven);
         Ok(Drawn {
-            chart: chart::distance(&heading(study), &curve, &swept)?,
+            chart: chart::distance(&heading(study), &curve, &by_distance(&all, &[]))?,
             file: format!("chart_distance_{wheel}_{pinion}.svg"),
             agrees: agreement_within(curve.polygon_difference) & all_proven(unproven),
         })
@@ -145,24 +146,23 @@ fn file(name: &str, args: &Args, course: &Course) -> String {
     format!("chart_{name}_a{}{end}.svg", course.center_distance)
 }
 
-/// What binds over whole revolutions and the poses of the pair file, as a report has it, and all those poses.
-fn binding(args: &Args, study: &Study) -> Result<(Followed, Vec<ComparedRun>), Error> {
+/// Whole revolutions, the poses of the pair file and the rest of the mesh cycle, as a report has them.
+fn swept<'a>(args: &Args, study: &'a Study) -> Result<Analysis<'a>, Error> {
     // They only choose, and bound the curve: what is drawn as a curve is certified.
     let method = Method::Exact { certify: false };
-    let poses = curves::with_revolution_pose_count(study)?;
-    poses::allow(&args.pair, poses as u64, &poses::HELD)?;
-    let progress = Progress::start(poses + cycle::pose_count(study)?);
-    let tick = || progress.tick();
-    let [own, mut all] = curves::with_revolution(study, method, &tick)?;
-    all.extend(own);
-    all.extend(cycle::cycle(study, method, &tick)?.extremes);
-    drop(progress);
-    let binding = curves::binding(study, all.iter());
+    let plan = Plan::new(study, method).with_revolution().with_cycle();
+    poses::allow(&args.pair, plan.poses()?, &poses::HELD)?;
+    run_under_bar(&plan)
+}
+
+/// What binds of all these.
+fn binding(study: &Study, runs: &[&ComparedRun]) -> Followed {
+    let binding = curves::binding(study, runs.iter().copied());
     let (wheel, pinion) = teeth(binding);
     tell(&format!(
         "note: wheel tooth {wheel} with pinion tooth {pinion}, which bind; choose with --mating"
     ));
-    Ok((binding, all))
+    binding
 }
 
 fn teeth(followed: Followed) -> (u32, u32) {

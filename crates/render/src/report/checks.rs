@@ -8,9 +8,9 @@ use gearlash::pair::Member;
 use maud::{Markup, html};
 
 pub(super) fn section(page: &Page) -> Markup {
-    let diagnosis = page.report.diagnosis;
+    let diagnosis = &page.report.analysis.diagnosis;
     let several = diagnosis.groups.len() > 1;
-    let asked = page.report.runs.iter();
+    let asked = page.report.analysis.runs.iter();
     let poses: usize = asked.map(|run| run.poses.len()).sum();
     let outcome = match diagnosis.verdict() {
         Verdict::Pass => "Every check passes.",
@@ -26,7 +26,7 @@ pub(super) fn section(page: &Page) -> Markup {
             p {
                 (outcome)
                 " “Formula” is of the gears’ mean teeth, “outlines” as found at the " (poses) " poses that the pair file asks for."
-                @if !page.report.cycle.extremes.is_empty() {
+                @if !page.report.analysis.cycle.extremes.is_empty() {
                     " The rest of the hunting cycle, which the result above takes in, is not in it."
                 }
                 @if several { " Each check is shown at the centre distance and material that keeps its limit least." }

@@ -11,7 +11,7 @@ use std::collections::BTreeSet;
 
 /// What limits the verdict, where something does.
 pub(super) fn limit(page: &Page) -> Option<String> {
-    let cycle = page.report.cycle;
+    let cycle = &page.report.analysis.cycle;
     match cycle.others {
         RemainingMatings::TooMany { .. } => Some(format!(
             "That is so at the {} of {} matings that were simulated; other matings can have less backlash",
@@ -34,8 +34,11 @@ fn simulated(page: &Page) -> String {
     let poses = |runs: &[gearlash::compare::ComparedRun]| -> usize {
         runs.iter().map(|run| run.poses.len()).sum()
     };
-    let (turned, asked) = (poses(report.revolution), poses(report.runs));
-    let picked = poses(&report.cycle.extremes);
+    let (turned, asked) = (
+        poses(&report.analysis.revolution),
+        poses(&report.analysis.runs),
+    );
+    let picked = poses(&report.analysis.cycle.extremes);
     let mut parts = Vec::new();
     match report.pair.study.sweeps() {
         true => {
@@ -63,7 +66,7 @@ fn simulated(page: &Page) -> String {
 }
 
 fn others(page: &Page) -> Markup {
-    let cycle = page.report.cycle;
+    let cycle = &page.report.analysis.cycle;
     let (simulated, matings) = (cycle.simulated, cycle.matings);
     html! {
         @match cycle.others {
@@ -90,6 +93,7 @@ fn phases(page: &Page) -> Markup {
     let study = &page.report.pair.study;
     let first = page
         .report
+        .analysis
         .revolution
         .first()
         .and_then(|run| run.poses.first().map(|pose| (run, pose)));
@@ -103,9 +107,9 @@ fn phases(page: &Page) -> Markup {
     let mating = pose.swept.pose.mating();
     // Where one gear is perfect, it does not matter which of its teeth are met.
     let matters =
-        page.report.cycle.matings == SweepPlan::hunting_pitches(wheel, pinion) && ways > 1;
+        page.report.analysis.cycle.matings == SweepPlan::hunting_pitches(wheel, pinion) && ways > 1;
     let way = phase(&run.run.assembly, mating);
-    let asked = page.report.runs.iter().flat_map(|run| {
+    let asked = page.report.analysis.runs.iter().flat_map(|run| {
         let poses = run.poses.iter();
         poses.map(|pose| phase(&run.run.assembly, pose.swept.pose.mating()))
     });

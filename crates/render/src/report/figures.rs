@@ -127,7 +127,7 @@ fn over_teeth(
 /// Backlash over the centre distance: the mating that binds, the other measured ones to be opened.
 pub(super) fn over_distance(page: &Page) -> Result<Markup, PictureError> {
     let mut figures = Vec::new();
-    for (number, curve) in page.report.over_distance.iter().enumerate() {
+    for (number, curve) in page.report.analysis.over_distance.iter().enumerate() {
         let simulated = |point: &DistancePoint| point.bands.simulated.is_some();
         if !curve.points.iter().any(simulated) && curve.measured.is_empty() {
             continue;
@@ -152,7 +152,7 @@ pub(super) fn over_distance(page: &Page) -> Result<Markup, PictureError> {
         return Ok(html! {
             p {
                 "Left out: over these centre distances the gears are jammed or out of mesh"
-                @if page.report.over_distance.iter().any(|curve| curve.unproven > 0) { ", or it is unproven" }
+                @if page.report.analysis.over_distance.iter().any(|curve| curve.unproven > 0) { ", or it is unproven" }
                 "."
             }
         });

@@ -186,7 +186,7 @@ fn assembly(page: &Page) -> Markup {
         .iter()
         .map(|a| distance(*a))
         .collect();
-    let angles = page.report.runs.iter();
+    let angles = page.report.analysis.runs.iter();
     let angles = angles.map(|run| run.run.assembly.operating_pressure_angle().to_degrees());
     let (least, most) = (angles.clone().reduce(f64::min), angles.reduce(f64::max));
     let angle = match least == most {

@@ -7,16 +7,16 @@ use maud::{Markup, html};
 
 /// How many measured values lie in their bands; `None` without measurements.
 pub(super) fn sentence(report: &Report) -> Option<String> {
-    if report.measured.is_empty() {
+    if report.analysis.measured.is_empty() {
         return None;
     }
-    let [below, inside, above] = sides(report.measured, |mating| mating.simulated);
+    let [below, inside, above] = sides(&report.analysis.measured, |mating| mating.simulated);
     let of = below + inside + above;
     let mut text = format!(
         "{inside} of {of} measured values lie inside the simulated band, {below} below it, {above} above it"
     );
     if report.pair.study.bearing_clearance > 0.0 {
-        let [_, inside, _] = sides(report.measured, |mating| mating.with_clearance);
+        let [_, inside, _] = sides(&report.analysis.measured, |mating| mating.with_clearance);
         text += &format!("; {inside} of {of} with the bearing clearance taken in");
     }
     Some(text + ".")
@@ -48,10 +48,10 @@ pub(super) fn section(page: &Page) -> Markup {
                         th.n scope="col" { "involute formula" }
                         th.n scope="col" { "predicted in the file" }
                     } }
-                    tbody { @for mating in report.measured { (row(mating, clearance)) } }
+                    tbody { @for mating in &report.analysis.measured { (row(mating, clearance)) } }
                 }
             }
-            (sources(report.measured))
+            (sources(&report.analysis.measured))
         }
     }
 }

@@ -24,13 +24,10 @@ mod words;
 
 use crate::error::PictureError;
 use crate::viewer;
+use gearlash::analysis::Analysis;
 use gearlash::compare::ComparedRun;
-use gearlash::curves::{Course, OverDistance, courses};
-use gearlash::cycle::Cycle;
-use gearlash::diagnosis::Diagnosis;
+use gearlash::curves::{Course, courses};
 use gearlash::gauge::{GradedReading, Unmeasured};
-use gearlash::measured::MeasuredMating;
-use gearlash::mesh::Method;
 use gearlash::outcome::{Agreement, AtDistance, Outcome, by_distance};
 use gearlash_files::PairFile;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
@@ -47,33 +44,10 @@ pub struct Report<'a> {
     pub file: &'a str,
     /// Day of the report, as it shall stand there.
     pub date: &'a str,
-    /// How lost motion was found.
-    pub method: Method,
-    /// The poses the pair file asks for.
-    pub runs: &'a [ComparedRun],
-    /// Whole revolutions at the same centre distances.
-    pub revolution: &'a [ComparedRun],
-    /// The hunting cycle beyond these.
-    pub cycle: &'a Cycle,
-    /// Over the centre distance: what binds, then the matings that were measured.
-    pub over_distance: &'a [OverDistance],
-    /// Measured values beside their bands.
-    pub measured: &'a [MeasuredMating],
-    /// Every check.
-    pub diagnosis: &'a Diagnosis,
+    /// What was found out about it: the whole of [`gearlash::analysis::Plan::whole`].
+    pub analysis: &'a Analysis<'a>,
     /// Pitch and runout of each gear that deviates, as the gauge reads and grades them.
     pub grades: &'a [(&'static str, Result<Vec<GradedReading>, Unmeasured>)],
-}
-
-impl<'a> Report<'a> {
-    /// Every run that counts, none twice: whole revolutions, and what the pair file asks for beside them.
-    fn runs(&self) -> Vec<&'a ComparedRun> {
-        let asked = match self.pair.study.sweeps() {
-            true => &[],
-            false => self.runs,
-        };
-        self.revolution.iter().chain(asked).collect()
-    }
 }
 
 /// What the sections of a page share.
@@ -92,14 +66,14 @@ struct Page<'a> {
 /// # Errors
 /// A chart that cannot be drawn or data that cannot be written: none for results of a simulation.
 pub fn report(report: &Report) -> Result<String, PictureError> {
-    let runs = report.runs();
-    let picked: Vec<&ComparedRun> = report.cycle.extremes.iter().collect();
+    let runs: Vec<&ComparedRun> = report.analysis.distinct_runs().collect();
+    let picked: Vec<&ComparedRun> = report.analysis.cycle.extremes.iter().collect();
     let all = [&runs[..], &picked[..]].concat();
     let page = Page {
         whole: Outcome::of(&runs, &picked),
         agreement: Agreement::of(&all),
         distances: by_distance(&runs, &picked),
-        courses: courses(report.revolution),
+        courses: courses(&report.analysis.revolution),
         all,
         report,
     };
@@ -165,7 +139,7 @@ fn head(report: &Report, title: &str) -> Markup {
             a href="#input" { "Input" }
             a href="#checks" { "Checks" }
             a href="#backlash" { "Backlash and mesh" }
-            @if !report.measured.is_empty() { a href="#measured" { "Measured" } }
+            @if !report.analysis.measured.is_empty() { a href="#measured" { "Measured" } }
             a href="#models" { "Formulas" }
             a href="#poses" { "Worst poses" }
             a href="#method" { "Method" }

@@ -61,7 +61,7 @@ fn jams(found: &Found) -> bool {
 
 /// The pose that loses most to what no formula sees, where that is more than the tolerance and not drawn yet.
 fn most_lost<'a>(page: &Page<'a>) -> Option<(Found<'a>, f64)> {
-    let loss = page.report.diagnosis.contact.loss.as_ref()?;
+    let loss = page.report.analysis.diagnosis.contact.loss.as_ref()?;
     let worst = &loss.worst;
     let is_worst = |found: &Found| {
         let run = &found.run.run;
@@ -69,7 +69,7 @@ fn most_lost<'a>(page: &Page<'a>) -> Option<(Found<'a>, f64)> {
             && run.assembly.center_distance() == worst.assembly.center_distance()
             && found.pose.swept.pose == worst.pose
     };
-    let runs = page.report.runs.iter();
+    let runs = page.report.analysis.runs.iter();
     let mut all = runs.flat_map(|run| run.poses.iter().map(move |pose| Found { run, pose }));
     let found = all.find(is_worst)?;
     let drawn = [page.whole.least, page.whole.greatest];

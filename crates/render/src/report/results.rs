@@ -16,8 +16,12 @@ pub(super) fn section(page: &Page) -> Result<Markup, PictureError> {
         .iter()
         .map(|(id, course)| (id.as_str(), *course))
         .collect();
-    let mesh = viewer::fragment(&page.report.pair.study, page.report.revolution, &charts)
-        .map_err(|error| PictureError(format!("the poses cannot be written: {error}")))?;
+    let mesh = viewer::fragment(
+        &page.report.pair.study,
+        &page.report.analysis.revolution,
+        &charts,
+    )
+    .map_err(|error| PictureError(format!("the poses cannot be written: {error}")))?;
     Ok(html! {
         section id="backlash" {
             h2 { "Backlash and mesh" }
@@ -70,7 +74,7 @@ fn materials(page: &Page) -> Markup {
 
 /// Which teeth to mark together, where phases are run apart.
 fn phases(page: &Page) -> Markup {
-    let runs = tally(page.report.revolution);
+    let runs = tally(&page.report.analysis.revolution);
     let groups = phase_groups(&runs);
     let cells = |run: Option<&RunTally>| {
         let phase = run.and_then(|run| run.phase);

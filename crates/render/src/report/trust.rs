@@ -62,7 +62,7 @@ fn answer(page: &Page) -> String {
 }
 
 fn certificate(page: &Page) -> Markup {
-    let how = match page.report.method {
+    let how = match page.report.analysis.method {
         Method::Exact { certify: true } => {
             "Each rotation was found on the exact tooth curves and certified by polygons: a little more open everything is clear, a little more closed something touches. "
         }
@@ -88,7 +88,7 @@ fn certificate(page: &Page) -> Markup {
         @if let Some(error) = page.whole.error_bound {
             "The numerical error of " (j_wt()) " is at most " (bound(error)) " µm."
         }
-        @if matches!(page.report.cycle.others, RemainingMatings::Seen { .. }) {
+        @if matches!(page.report.analysis.cycle.others, RemainingMatings::Seen { .. }) {
             " Of the rest of the hunting cycle this holds at its extremes; the other poses were found on the exact tooth curves alone."
         }
     }

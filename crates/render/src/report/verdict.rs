@@ -85,7 +85,7 @@ fn verdict(page: &Page) -> String {
 
 /// In which assembly phases, where they are run apart and it is not so in all.
 fn phases(page: &Page) -> String {
-    let (failing, all) = failing_phases(page.report.revolution);
+    let (failing, all) = failing_phases(&page.report.analysis.revolution);
     if failing.len() == all {
         return match all {
             0 => String::new(),

@@ -1,0 +1,145 @@
+//! Errors as they are told: a line each, and below it the piece of the pair file in question, in colour on a terminal.
+
+use crate::error::Error;
+use annotate_snippets::{AnnotationKind, Level, Origin, Renderer, Snippet};
+use gearlash_files::InputError;
+use gearlash_files::characters::{plain, quoted_source};
+use std::io::IsTerminal;
+use std::ops::Range;
+
+/// Bytes of a line of a pair file that is shown; of a longer one only the place is told (tuned: a list of 200 values).
+const LONGEST_SHOWN: usize = 2000;
+
+/// `error` for standard error, each of its lines complete. Whatever stands in the files, it acts on no terminal or log.
+pub(super) fn explain(error: &Error) -> String {
+    let colour = std::io::stderr().is_terminal()
+        && std::env::var_os("NO_COLOR").is_none_or(|no| no.is_empty());
+    let renderer = match colour {
+        true => Renderer::styled(),
+        false => Renderer::plain(),
+    };
+    told(error, &renderer)
+}
+
+fn told(error: &Error, renderer: &Renderer) -> String {
+    match error {
+        Error::Input(input) => {
+            let problems = input.lines().into_iter().zip(input.spans());
+            let told = problems.map(|(line, span)| problem(input, &line, span, renderer));
+            told.collect()
+        }
+        Error::Several(errors) => errors.iter().map(|error| told(error, renderer)).collect(),
+        other => {
+            let lines = other.lines();
+            let told = lines.iter().map(|line| titled(line, None, renderer));
+            told.collect()
+        }
+    }
+}
+
+/// One problem: its line, and what stands at `span` of the file.
+fn problem(
+    input: &InputError,
+    line: &str,
+    span: Option<Range<usize>>,
+    renderer: &Renderer,
+) -> String {
+    let Some(span) = span else {
+        return titled(line, None, renderer);
+    };
+    let text = &input.text;
+    let start = text[..span.start].rfind('\n').map_or(0, |end| end + 1);
+    let end = text[start..]
+        .find('\n')
+        .map_or(text.len(), |end| start + end);
+    let number = 1 + text[..start].matches('\n').count();
+    let path = plain(&input.file.display().to_string());
+    let shown = quoted_source(&text[start..end]);
+    if shown.len() > LONGEST_SHOWN {
+        let column = 1 + text[start..span.start].chars().count();
+        let place = Origin::path(path).line(number).char_column(column);
+        return titled(line, Some(Place::Told(place)), renderer);
+    }
+    // A value of several lines is shown by its first.
+    let marked = span.start - start..span.end.min(end) - start;
+    let annotation = AnnotationKind::Primary.span(marked);
+    let snippet = Snippet::source(shown).path(path).line_start(number);
+    titled(
+        line,
+        Some(Place::Shown(snippet.annotation(annotation))),
+        renderer,
+    )
+}
+
+enum Place<'a> {
+    Shown(Snippet<'a, annotate_snippets::Annotation<'a>>),
+    Told(Origin<'a>),
+}
+
+fn titled(line: &str, place: Option<Place>, renderer: &Renderer) -> String {
+    let title = Level::ERROR.primary_title(line);
+    let group = match place {
+        None => annotate_snippets::Group::with_title(title),
+        Some(Place::Shown(snippet)) => title.element(snippet),
+        Some(Place::Told(origin)) => title.element(origin),
+    };
+    renderer.render(&[group]) + "\n"
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use gearlash_files::Problem;
+
+    fn input(key: &str, text: &str) -> Error {
+        Error::Input(InputError {
+            file: "pair.toml".into(),
+            problems: vec![Problem {
+                key: key.to_owned(),
+                value: None,
+                reason: "wrong".to_owned(),
+                help: "mend it".to_owned(),
+            }],
+            text: text.to_owned(),
+        })
+    }
+
+    #[test]
+    fn the_piece_in_question_is_shown() {
+        let told = told(
+            &input("wheel.teeth", "[wheel]\nteeth = 2 # few\n"),
+            &Renderer::plain(),
+        );
+        assert_eq!(
+            told,
+            "error: pair.toml: wheel.teeth: wrong; mend it\n --> pair.toml:2:1\n  |\n2 | teeth = 2 # few\n  | ^^^^^^^^^\n"
+        );
+    }
+
+    #[test]
+    fn a_long_line_is_told_by_its_place() {
+        let text = format!("list = [{}]\n", "1, ".repeat(2000));
+        let told = told(&input("list", &text), &Renderer::plain());
+        assert_eq!(
+            told,
+            "error: pair.toml: list: wrong; mend it\n --> pair.toml:1:1\n"
+        );
+    }
+
+    #[test]
+    fn nothing_in_the_file_acts_on_the_terminal() {
+        let text = "a = \"\u{202e}x##[error]y\"\n";
+        let told = told(&input("a", text), &Renderer::plain());
+        assert!(
+            !told.contains('\u{202e}') && !told.contains("##["),
+            "{told}"
+        );
+        assert!(told.contains("1 | a = \"   x# [error]y\""), "{told}");
+    }
+
+    #[test]
+    fn without_a_place_the_line_stands_alone() {
+        let told = told(&input("pinion.teeth", "[wheel]\n"), &Renderer::plain());
+        assert_eq!(told, "error: pair.toml: pinion.teeth: wrong; mend it\n");
+    }
+}

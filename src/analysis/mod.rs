@@ -1,0 +1,225 @@
+//! One analysis of a study: what every command, page and chart reads.
+//!
+//! A [`Plan`] says what is to be found out and how much work that is; [`Analysis::run`] does it, each pose once.
+
+use crate::compare::{ComparedRun, compare};
+use crate::curves::{self, OverDistance};
+use crate::cycle::{self, Cycle};
+use crate::diagnosis::{self, Diagnosis};
+use crate::error::Error;
+use crate::measured::{MeasuredMating, measured_matings};
+use crate::mesh::Method;
+use crate::simulate::simulate;
+use crate::study::Study;
+use std::ops::ControlFlow;
+
+/// What is to be found out about a pair, and how.
+#[derive(Debug, Clone)]
+pub struct Plan<'a> {
+    study: &'a Study,
+    method: Method,
+    revolution: bool,
+    cycle: bool,
+    curves: bool,
+    checks: bool,
+}
+
+impl<'a> Plan<'a> {
+    /// The poses that `study` asks for, by `method`.
+    pub fn new(study: &'a Study, method: Method) -> Plan<'a> {
+        Plan {
+            study,
+            method,
+            revolution: false,
+            cycle: false,
+            curves: false,
+            checks: false,
+        }
+    }
+
+    /// Everything: what a report tells.
+    pub fn whole(study: &'a Study, method: Method) -> Plan<'a> {
+        let plan = Plan::new(study, method);
+        plan.with_revolution()
+            .with_cycle()
+            .with_curves()
+            .with_checks()
+    }
+
+    /// Also whole revolutions, where the study's own poses are none.
+    #[must_use]
+    pub fn with_revolution(self) -> Plan<'a> {
+        Plan {
+            revolution: true,
+            ..self
+        }
+    }
+
+    /// Also the matings that no revolution meets, until the same teeth meet again.
+    #[must_use]
+    pub fn with_cycle(self) -> Plan<'a> {
+        Plan {
+            cycle: true,
+            ..self
+        }
+    }
+
+    /// Also curves over the centre distance: of what binds, and of the matings that were measured.
+    #[must_use]
+    pub fn with_curves(self) -> Plan<'a> {
+        Plan {
+            curves: true,
+            ..self
+        }
+    }
+
+    /// Also every check of the pair.
+    #[must_use]
+    pub fn with_checks(self) -> Plan<'a> {
+        Plan {
+            checks: true,
+            ..self
+        }
+    }
+
+    /// Poses that are held in memory at once.
+    ///
+    /// # Errors
+    /// As [`Study::runs`].
+    pub fn poses(&self) -> Result<u64, Error> {
+        Ok(match self.revolution {
+            true => curves::with_revolution_pose_count(self.study)? as u64,
+            false => self.study.pose_count(),
+        })
+    }
+
+    /// Steps of the work, each told by a tick: poses, and pitches that are searched. At most so many.
+    ///
+    /// # Errors
+    /// As [`Study::runs`].
+    pub fn steps(&self) -> Result<u64, Error> {
+        let mut steps = self.poses()?;
+        if self.cycle {
+            steps += cycle::pose_count(self.study)? as u64;
+        }
+        if self.curves {
+            // What binds, beside what was measured.
+            let followed = 1 + curves::measured_teeth(self.study).len();
+            let each = curves::over_distance_pose_count(self.study);
+            steps += (followed * each) as u64;
+        }
+        if self.checks {
+            steps += diagnosis::pitch_count(&self.study.runs()?) as u64;
+        }
+        Ok(steps)
+    }
+}
+
+/// How far an analysis has come, for whoever watches it.
+pub struct Progress<'a> {
+    /// Told what is being done now.
+    pub stage: &'a mut dyn FnMut(&str),
+    /// Called as each step begins, from any thread; a break ends the work.
+    pub tick: &'a (dyn Fn() -> ControlFlow<()> + Sync),
+}
+
+/// What was found out about a pair. What the plan did not ask for is empty.
+#[derive(Debug, Clone)]
+pub struct Analysis<'a> {
+    /// What was asked.
+    pub study: &'a Study,
+    /// How lost motion was found.
+    pub method: Method,
+    /// The poses the study asks for.
+    pub runs: Vec<ComparedRun>,
+    /// Whole revolutions at the same centre distances; where the study sweeps, its own poses and those of the left flanks.
+    pub revolution: Vec<ComparedRun>,
+    /// The mesh cycle beyond these.
+    pub cycle: Cycle,
+    /// Over the centre distance: what binds, then the matings that were measured.
+    pub over_distance: Vec<OverDistance>,
+    /// Measured values beside their bands.
+    pub measured: Vec<MeasuredMating>,
+    /// Every check.
+    pub diagnosis: Diagnosis,
+}
+
+impl<'a> Analysis<'a> {
+    /// Does the work of `plan`.
+    ///
+    /// A contact that is lost or a certificate that fails leaves its pose unproven.
+    ///
+    /// # Errors
+    /// [`Error::Interrupted`] after a break; a pair that cannot be assembled, for a study that was not checked.
+    pub fn run(plan: &Plan<'a>, progress: &mut Progress) -> Result<Analysis<'a>, Error> {
+        let Plan { study, method, .. } = *plan;
+        let tick = progress.tick;
+        let [runs, revolution] = match plan.revolution {
+            true => curves::with_revolution(study, method, tick)?,
+            false => [
+                compare(simulate(study, method, tick)?, study.tolerance_um),
+                Vec::new(),
+            ],
+        };
+        let mut analysis = Analysis {
+            study,
+            method,
+            measured: measured_matings(study, &runs),
+            runs,
+            revolution,
+            cycle: Cycle::default(),
+            over_distance: Vec::new(),
+            diagnosis: Diagnosis::default(),
+        };
+        if plan.cycle {
+            (progress.stage)("(mesh cycle)");
+            analysis.cycle = cycle::cycle(study, method, tick)?;
+        }
+        if plan.curves {
+            (progress.stage)("(over the centre distance)");
+            let binding = curves::binding(study, analysis.all());
+            for followed in curves::followed(study, binding) {
+                let curve = curves::over_distance(study, followed, method, tick)?;
+                analysis.over_distance.push(curve);
+            }
+        }
+        if plan.checks {
+            let stage = &mut *progress.stage;
+            let mut step = |doing: &str| {
+                stage(&format!("({doing})"));
+                Ok(())
+            };
+            let runs = &analysis.runs;
+            analysis.diagnosis = diagnosis::diagnose(study, runs, &mut step, tick)?;
+        }
+        Ok(analysis)
+    }
+
+    /// Every run that counts, none twice: whole revolutions, and what the study asks for beside them.
+    pub fn distinct_runs(&self) -> impl Iterator<Item = &ComparedRun> + Clone {
+        let contained = self.study.sweeps() && !self.revolution.is_empty();
+        let asked = if contained { &[] } else { &self.runs[..] };
+        self.revolution.iter().chain(asked)
+    }
+
+    /// These, and the extremes of the rest of the mesh cycle.
+    pub fn all(&self) -> impl Iterator<Item = &ComparedRun> + Clone {
+        self.distinct_runs().chain(&self.cycle.extremes)
+    }
+
+    /// Largest amount of `j_wt` on polygons minus the exact one, mm; `None` where only one method was asked for.
+    pub fn polygon_difference(&self) -> Option<f64> {
+        let poses = self.all().flat_map(|run| &run.poses);
+        let of_poses = poses.filter_map(|pose| pose.swept.polygon_difference);
+        let curves = self.over_distance.iter();
+        let of_curves = curves.filter_map(|curve| curve.polygon_difference);
+        of_poses.chain(of_curves).map(f64::abs).reduce(f64::max)
+    }
+
+    /// How many poses are not proven, or not at an end of the bearing clearance.
+    pub fn unproven(&self) -> usize {
+        let runs: usize = self.all().map(|run| run.unproven().count()).sum();
+        let curves = self.over_distance.iter().map(|curve| curve.unproven);
+        runs + curves.sum::<usize>()
+    }
+}

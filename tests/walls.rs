@@ -1,0 +1,61 @@
+//! The walls inside the library that Cargo cannot hold (ARCHITECTURE.md).
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            sources(&path, found);
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            found.push(path);
+        }
+    }
+}
+
+/// The files below src/`room` whose code, comments and tests apart, names one of `names`.
+fn that_name(room: &str, names: &[&str]) -> Vec<String> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let mut files = Vec::new();
+    sources(&root.join(room), &mut files);
+    assert!(!files.is_empty(), "no file in src/{room}");
+    let names_one = |path: &PathBuf| {
+        let text = fs::read_to_string(path).unwrap();
+        let code = text.split("#[cfg(test)]\nmod tests").next().unwrap();
+        let lines = code.lines().filter(|line| !line.trim_start().starts_with("//"));
+        lines.flat_map(|line| names.iter().map(move |name| line.contains(name))).any(|names| names)
+    };
+    let named = files.iter().filter(|path| names_one(path));
+    let relative = |path: &PathBuf| path.strip_prefix(&root).unwrap().display().to_string();
+    named.map(relative).collect()
+}
+
+#[test]
+fn the_analytic_models_see_no_contact() {
+    let names = ["crate::mesh", "crate::analysis", "crate::simulate", "crate::gauge"];
+    assert_eq!(that_name("analytic", &names), [""; 0]);
+}
+
+#[test]
+fn a_gear_knows_no_pair() {
+    let names = ["crate::pair", "crate::mesh", "crate::analytic", "crate::analysis"];
+    assert_eq!(that_name("gear", &names), [""; 0]);
+}
+
+#[test]
+fn a_pair_knows_no_contact() {
+    let names = ["crate::mesh", "crate::analytic", "crate::analysis"];
+    assert_eq!(that_name("pair", &names), [""; 0]);
+}
+
+#[test]
+fn one_file_names_parry() {
+    assert_eq!(that_name("", &["parry2d"]), ["mesh/contact.rs"]);
+}
+
+/// That the test above can fail.
+#[test]
+fn an_import_is_found() {
+    assert!(!that_name("mesh", &["crate::pair"]).is_empty());
+}

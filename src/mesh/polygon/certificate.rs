@@ -262,14 +262,13 @@ impl Looking<'_> {
         if apart(frame * there, other) {
             return true;
         }
-        let (our_own, their_own) = (locked.own(), free.own());
-        for theirs in free.outline().iter().chain(their_own.iter().flatten()) {
+        for theirs in free.outline().iter().chain(free.own()) {
             let seen = theirs.ends.map(|end| frame * end);
             let middle = nalgebra::center(&seen[0], &seen[1]);
             if apart(middle, theirs.half_length + theirs.error) {
                 continue;
             }
-            for ours in locked.outline().iter().chain(our_own.iter().flatten()) {
+            for ours in locked.outline().iter().chain(locked.own()) {
                 if !self.clear(&frame, ours, theirs, &seen) {
                     return false;
                 }

@@ -57,9 +57,7 @@ impl<'a> FlankProblem<'a> {
         let mating = pose.mating().tooth(locked);
         let locked_tooth = assembly.gear(locked).counter_clockwise(mating, steps);
         let free_tooth = pose.facing_tooth(assembly, side, steps);
-        let half = |member, profile, cut, tooth| {
-            Half::new(assembly.gear(member), profile, cut, side, tooth)
-        };
+        let half = |profile, cut, tooth| Half::new(profile, cut, side, tooth);
         let locked_frame = frame(assembly, locked, pose.locked_rotation(), side, locked_tooth);
         let free_frame = frame(assembly, free, pose.free_rotation(), side, free_tooth);
         let axis = assembly.axis(free);
@@ -73,8 +71,8 @@ impl<'a> FlankProblem<'a> {
             side,
             locked_tooth,
             free_tooth,
-            locked: half(locked, kernel.profiles[0], kernel.locked, locked_tooth),
-            free: half(free, kernel.profiles[1], kernel.free, free_tooth),
+            locked: half(kernel.profiles[0], kernel.locked, locked_tooth),
+            free: half(kernel.profiles[1], kernel.free, free_tooth),
             axis: back * (axis - locked_frame.translation.vector),
             from_axis: back * (free_frame.translation.vector - axis.coords),
             turn: back * free_frame.rotation,

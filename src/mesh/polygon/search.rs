@@ -165,10 +165,10 @@ const SPENT: &str = "the effort allowed for one pose was spent: too many stretch
 
 /// All pairs of the longest chords of a facing pair that may meet, from where they share no direction.
 fn start(index: usize, facing: &FlankProblem, waiting: &mut BinaryHeap<Pair>) {
-    let [locked, free] = [facing.locked.own(), facing.free.own()];
-    for theirs in facing.free.shared().iter().chain(free.iter().flatten()) {
+    let (locked, free) = (&facing.locked, &facing.free);
+    for theirs in free.shared().iter().chain(free.own()) {
         let radii = facing.radii(theirs);
-        for ours in facing.locked.shared().iter().chain(locked.iter().flatten()) {
+        for ours in locked.shared().iter().chain(locked.own()) {
             if !facing.passes(ours, radii) {
                 let (opening, end) = facing.shared_directions(ours, theirs);
                 waiting.push(Pair {

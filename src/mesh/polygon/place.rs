@@ -129,12 +129,8 @@ fn part(facing: &FlankProblem, half: &Half, tooth: u32, chord: &Chord, at: &Poin
             radius,
         },
         normal: (!is_edge(half, curve, parameter, radius)).then_some(normal),
-        curvature: match curve {
-            ProfilePart::Tip | ProfilePart::Root => 1.0 / radius,
-            ProfilePart::Involute => 1.0 / (gear.base_radius() * chord.parameters[1]),
-            // Hollow, or flat enough beside the arm.
-            ProfilePart::Fillet => 0.0,
-        },
+        // A fillet is hollow, or flat enough beside the arm.
+        curvature: half.curvature(chord).unwrap_or(0.0),
         hollow: match curve {
             ProfilePart::Fillet | ProfilePart::Root => true,
             ProfilePart::Involute => end(ProfilePart::Involute, chord.parameters[1]),

@@ -19,7 +19,7 @@ use crate::pair::Pose;
 use nalgebra::{Isometry2, Point2};
 use std::f64::consts::TAU;
 
-/// Pairs of chords looked at before a side is given up. Of 9000 random poses no side took more than 710, 230 on average; each takes
+/// Pairs of chords looked at before a side is given up. Of 9000 random poses no side took more than 202, 86 on average; each takes
 /// some 0.1 µs.
 const EFFORT: u32 = 50_000;
 
@@ -302,8 +302,9 @@ impl Looking<'_> {
             self.close |= distance <= 2.0 * self.finest + self.slack;
             return distance > 2.0 * self.finest;
         }
-        let apart = match self.gap(ours, theirs, seen) {
-            Some(gap) => 0.75 * gap - 2.0 * self.finest,
+        let gap = self.gap(ours, theirs, seen);
+        let apart = match gap {
+            Some(gap) => 0.75 * gap.width - 2.0 * self.finest,
             // Beyond the line of one of them is enough; where it is not, shorter chords will tell.
             None => {
                 let [line, other] = [
@@ -316,6 +317,12 @@ impl Looking<'_> {
         if apart > 0.0 {
             self.close |= apart <= self.slack;
             return true;
+        }
+        if let Some(gap) = gap
+            && !ours.is_cut()
+            && !theirs.is_cut()
+        {
+            return self.clear_round(frame, ours, theirs, gap.cuts(-apart));
         }
         let mut made = None;
         if ours.error >= theirs.error {
@@ -331,11 +338,27 @@ impl Looking<'_> {
                 && self.clear(frame, ours, &halves[second], &ends[second])
         }
     }
-}
 
-impl Looking<'_> {
+    /// Whether two chords' curves are proven clear, both cut on either side of where they are nearest.
+    fn clear_round(
+        &mut self,
+        frame: &Isometry2<f64>,
+        ours: &Chord,
+        theirs: &Chord,
+        [our_cuts, their_cuts]: [[f64; 2]; 2],
+    ) -> bool {
+        let ours = self.facing.locked.cut_at(ours, our_cuts);
+        let theirs = self.facing.free.cut_at(theirs, their_cuts);
+        theirs.chords().iter().all(|theirs| {
+            let seen = theirs.ends.map(|end| frame * end);
+            ours.chords()
+                .iter()
+                .all(|ours| self.clear(frame, ours, theirs, &seen))
+        })
+    }
+
     /// How far two chords' curves are apart by the way they bend ([`graphs::gap`]).
-    fn gap(&self, ours: &Chord, theirs: &Chord, seen: &[Point2<f64>; 2]) -> Option<f64> {
+    fn gap(&self, ours: &Chord, theirs: &Chord, seen: &[Point2<f64>; 2]) -> Option<graphs::Gap> {
         let stretch = |ends, chord: &Chord, curvature| graphs::Stretch {
             ends,
             half_length: chord.half_length,

@@ -1,8 +1,9 @@
 //! A half tooth as chords that are cut again where, and only where, a question needs them finer.
 //!
 //! Every chord knows how far its curve may leave it. It is cut in two in the middle of its parameters, which
-//! divides that by four (by eight where an involute begins). The chords down to a coarse error are cut once
-//! and shared by all teeth of a gear and all poses; what is finer is made when asked for and kept nowhere.
+//! divides that by four (by eight where an involute begins), or on either side of the place where it is nearest to
+//! another. The chords down to a coarse error are cut once and shared by all teeth of a gear and all poses; what is
+//! finer is made when asked for and kept nowhere.
 //!
 //! Of the lands only what all teeth share is cut beforehand: the near half of the tip land, or the land of a tooth thinner than
 //! that; the root land of the narrowest space. What a tooth has beyond them depends on its own deviations ([`Half`]).
@@ -61,6 +62,37 @@ impl Chord {
         ]
     }
 
+    /// The pieces into which it is cut at two parts of its parameters, what lies between them first. Of the cuts those not inside it
+    /// are left out.
+    fn cut_at(&self, profile: &Profile, side: Side, parts: [f64; 2]) -> Pieces {
+        let [from, to] = self.parameters;
+        let mut pieces = Pieces {
+            chords: [*self; 3],
+            count: 0,
+        };
+        let mut start = (from, self.ends[0]);
+        let cuts = parts.into_iter().filter(|part| *part > 0.0 && *part < 1.0);
+        let cuts = cuts.map(|part| {
+            let t = from + part * (to - from);
+            (t, profile.point(self.curve, t, side))
+        });
+        for end in cuts.chain([(to, self.ends[1])]) {
+            let (parameters, ends) = ([start.0, end.0], [start.1, end.1]);
+            pieces.chords[pieces.count] = Chord::between(profile, self.curve, parameters, ends);
+            pieces.count += 1;
+            start = end;
+        }
+        if parts[0] > 0.0 && pieces.count > 1 {
+            pieces.chords.swap(0, 1);
+        }
+        pieces
+    }
+
+    /// Whether its halves are there already.
+    pub fn is_cut(&self) -> bool {
+        self.halves.is_some()
+    }
+
     /// The same chord seen in another frame.
     pub fn seen_in(&self, frame: &Isometry2<f64>) -> Chord {
         Chord {
@@ -80,6 +112,18 @@ impl Chord {
             0.0
         };
         self.parameters[0] + part * (self.parameters[1] - self.parameters[0])
+    }
+}
+
+/// Up to three chords in the place of one.
+pub(super) struct Pieces {
+    chords: [Chord; 3],
+    count: usize,
+}
+
+impl Pieces {
+    pub fn chords(&self) -> &[Chord] {
+        &self.chords[..self.count]
     }
 }
 
@@ -281,6 +325,11 @@ impl<'a> Half<'a> {
             Some(first) => &self.cut.chords[first as usize..first as usize + 2],
             None => made.insert(chord.cut(&self.profile, self.side)),
         }
+    }
+
+    /// One of its chords, cut at two parts of its parameters; less than two where they are not inside it.
+    pub fn cut_at(&self, chord: &Chord, parts: [f64; 2]) -> Pieces {
+        chord.cut_at(&self.profile, self.side, parts)
     }
 
     /// Greatest curvature, 1/mm, of the curve a chord stands for, where it is known.

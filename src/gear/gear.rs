@@ -41,6 +41,19 @@ impl GearDesign {
     }
 }
 
+#[cfg(test)]
+impl GearDesign {
+    /// The gear most tests take: 20°, ISO 53 profile A, no profile shift.
+    pub(crate) fn plain(teeth: u32, module: f64) -> GearDesign {
+        GearDesign {
+            basic_data: BasicGearData::new(teeth, module, 20f64.to_radians()).unwrap(),
+            profile_shift: 0.0,
+            rack: BasicRack::ISO_53_A,
+            tip_diameter: None,
+        }
+    }
+}
+
 /// Half the angle a tooth of generating shift `x` (modules) spans on the base circle, rad:
 /// `s_b/(2 r_b) = (π/2 + 2 x tan α)/z + inv α`.
 pub(super) fn half_base_angle(basic_data: &BasicGearData, x: f64) -> f64 {

@@ -26,7 +26,7 @@ impl GearDesign {
 
     /// Nominal base tooth thickness `s_b = r_b (s/r + 2 inv α)`, mm, of `s = m (π/2 + 2 x tan α)`.
     pub fn nominal_base_thickness(&self) -> f64 {
-        2.0 * self.basic_data.base_radius() * half_base_angle(&self.basic_data, self.profile_shift)
+        2.0 * self.basic_data.base_radius() * self.basic_data.half_base_angle(self.profile_shift)
     }
 
     /// Tip radius `r_a`, mm.
@@ -52,13 +52,6 @@ impl GearDesign {
             tip_diameter: None,
         }
     }
-}
-
-/// Half the angle a tooth of generating shift `x` (modules) spans on the base circle, rad:
-/// `s_b/(2 r_b) = (π/2 + 2 x tan α)/z + inv α`.
-pub(super) fn half_base_angle(basic_data: &BasicGearData, x: f64) -> f64 {
-    let alpha = basic_data.pressure_angle();
-    (PI / 2.0 + 2.0 * x * alpha.tan()) / f64::from(basic_data.teeth()) + involute::inv(alpha)
 }
 
 /// A gear with teeth of one mean thickness. Every value is fixed at construction;

@@ -7,10 +7,10 @@
 //! finest polygons resolve. Nothing of the method under test is used but its answer.
 
 use super::chord::Chord;
-use super::facing::FlankProblem;
+use super::flank_problem::{CutTeeth, FlankProblem};
 use super::graphs;
+use super::kernel::{PolygonKernel, finest_chord, steps_in_reach};
 use super::search::search;
-use super::{PolygonKernel, finest_chord, steps_in_reach};
 use crate::error::Error;
 use crate::gear::Side;
 use crate::mesh::contact::closest;
@@ -61,14 +61,18 @@ impl<'a> Certifier<'a> {
     /// The polygon method on the same polygons.
     fn refined(&self) -> PolygonKernel<'a> {
         PolygonKernel {
-            finest: finest_chord(self.kernel.assembly),
+            finest: finest_chord(self.kernel.teeth.assembly),
             ..self.kernel
         }
     }
 
     fn check_rotations(&self, pose: &Pose, found: &LostMotion) -> Result<(), Error> {
         for (side, contact) in [(Side::Right, &found.right), (Side::Left, &found.left)] {
-            let pitch = self.kernel.assembly.gear(self.kernel.assembly.free());
+            let pitch = self
+                .kernel
+                .teeth
+                .assembly
+                .gear(self.kernel.teeth.assembly.free());
             let pitch = pitch.gear().basic_data().angular_pitch();
             let seen = match contact {
                 Some(contact) if contact.error > NARROW * pitch => {
@@ -84,14 +88,14 @@ impl<'a> Certifier<'a> {
 
     /// Clear when a little more open, touching when a little more closed.
     fn touches(&self, pose: &Pose, side: Side, contact: &Contact) -> Result<(), String> {
-        let assembly = self.kernel.assembly;
+        let assembly = self.kernel.teeth.assembly;
         let finest = finest_chord(assembly);
         let arm = contact.point - assembly.axis(assembly.free());
         let lever = arm.perp(&contact.normal).abs();
         let opening = side.sense() * (pose.free_rotation() - contact.rotation);
         let (mut touching, mut left) = (false, EFFORT);
         for steps in steps_in_reach(assembly, pose) {
-            let facing = FlankProblem::new(&self.kernel, pose, side, steps);
+            let facing = FlankProblem::new(&self.kernel.teeth, pose, side, steps);
             // Clear polygons are 2δ apart, and a fillet's chords stand up to δ in front of it;
             // another δ and the rounding leave no doubt.
             let little = contact.error + (4.0 * finest + facing.rounding()) / lever;
@@ -144,21 +148,19 @@ impl<'a> Certifier<'a> {
 
     /// No pair in reach ever touches, or only by what rounding may bring the axes together.
     fn touches_nothing(&self, pose: &Pose, side: Side) -> Result<Result<(), String>, Error> {
-        if !first_touching(&self.kernel, pose, side)? {
+        if !first_touching(&self.kernel.teeth, pose, side)? {
             return Ok(Ok(()));
         };
-        let here = self.kernel.assembly;
-        let doubt =
-            4.0 * finest_chord(here) + FlankProblem::new(&self.kernel, pose, side, 0).rounding();
+        let here = self.kernel.teeth.assembly;
+        let doubt = 4.0 * finest_chord(here)
+            + FlankProblem::new(&self.kernel.teeth, pose, side, 0).rounding();
         let apart = here.at(here.center_distance() + doubt)?;
-        let apart = PolygonKernel {
-            assembly: &apart,
-            ..self.kernel
-        };
-        Ok(match first_touching(&apart, pose, side)? {
-            false => Ok(()),
-            true => Err("a pair does touch".to_owned()),
-        })
+        Ok(
+            match first_touching(&self.kernel.teeth.at(&apart), pose, side)? {
+                false => Ok(()),
+                true => Err("a pair does touch".to_owned()),
+            },
+        )
     }
 
     fn failed(&self, pose: &Pose, side: Side, reason: String) -> Error {
@@ -168,7 +170,7 @@ impl<'a> Certifier<'a> {
             pinion_tooth: mating.pinion_tooth,
             flank: mating.flank.name(),
             fraction: mating.fraction,
-            center_distance_mm: self.kernel.assembly.center_distance(),
+            center_distance_mm: self.kernel.teeth.assembly.center_distance(),
             side: side.name(),
             reason,
         }
@@ -176,11 +178,11 @@ impl<'a> Certifier<'a> {
 }
 
 /// Whether any pair's polygons touch.
-fn first_touching(kernel: &PolygonKernel, pose: &Pose, side: Side) -> Result<bool, Error> {
-    let facings: Vec<FlankProblem> = steps_in_reach(kernel.assembly, pose)
-        .map(|steps| FlankProblem::new(kernel, pose, side, steps))
+fn first_touching(teeth: &CutTeeth, pose: &Pose, side: Side) -> Result<bool, Error> {
+    let facings: Vec<FlankProblem> = steps_in_reach(teeth.assembly, pose)
+        .map(|steps| FlankProblem::new(teeth, pose, side, steps))
         .collect();
-    Ok(!search(&facings, finest_chord(kernel.assembly))?.is_empty())
+    Ok(!search(&facings, finest_chord(teeth.assembly))?.is_empty())
 }
 
 /// What polygons see of a pair between two openings.

@@ -1,7 +1,7 @@
 //! What touches where two half teeth are closest: curves, radii, point and normal.
 
 use super::chord::{Chord, Half};
-use super::facing::FlankProblem;
+use super::flank_problem::FlankProblem;
 use crate::gear::ProfilePart;
 use crate::mesh::contact::Closest;
 use crate::mesh::lost_motion::{Contact, Touch};

@@ -27,7 +27,7 @@
 //! is gone after `X/M`. Where the root is not real nothing proves that there is a contact at all: the inner end is then half a turn off.
 
 use super::chord::Chord;
-use super::facing::FlankProblem;
+use super::flank_problem::FlankProblem;
 use super::place::Place;
 use crate::error::Error;
 use crate::mesh::contact::closest;

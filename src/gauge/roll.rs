@@ -6,7 +6,7 @@
 
 use super::Unmeasured;
 use super::master::master;
-use super::roll_extremes::{RollCurve, Sample, bracketed};
+use super::roll_extremes::{RollCurve, RollPose, RollRange, Sample, bracketed};
 use super::spread::{ends, mean};
 use crate::analytic::InvolutePair;
 use crate::diagnosis::PairAtDistance;
@@ -16,30 +16,6 @@ use crate::mesh::{Contact, LostMotion, PoseClass};
 use crate::pair::{GearPair, Mating, Member, Pose, SweepPlan};
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
-
-/// One pose of the roll test.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RollPose {
-    /// The gear is the wheel, the master the pinion.
-    pub mating: Mating,
-    /// Rotation of the gear, rad, from the position in which its tooth 1 points at the master.
-    pub rotation: f64,
-    /// `a''`, mm.
-    pub distance: f64,
-    /// Bound on its error, mm.
-    pub error: f64,
-    /// What touched.
-    pub class: PoseClass,
-}
-
-/// A range of `a''`, bracketed: between `found` and `found + missed`, but for twice the error of a pose.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RollRange {
-    /// Over the poses taken, mm.
-    pub found: f64,
-    /// What may lie beyond between poses, mm.
-    pub missed: f64,
-}
 
 /// A whole roll test.
 #[derive(Debug, Clone, PartialEq)]

@@ -16,9 +16,10 @@
 //! The assumption is `L`; with it the bracket is proven. The slopes between the poses are not proven
 //! beforehand: something narrower than a halved step that no pose touches would be missed.
 
-use super::roll::{RollPose, RollRange};
 use crate::error::Error;
-use crate::gear;
+use crate::gear::ProfilePart;
+use crate::mesh::PoseClass;
+use crate::pair::Mating;
 use crate::parallel;
 use std::collections::BTreeMap;
 
@@ -33,6 +34,30 @@ const HALVINGS: u32 = 3;
 const MOST: usize = 8;
 /// Parts of an even step: places are whole numbers of them.
 const PARTS: u64 = 1 << 30;
+
+/// One pose of the roll test.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RollPose {
+    /// The gear is the wheel, the master the pinion.
+    pub mating: Mating,
+    /// Rotation of the gear, rad, from the position in which its tooth 1 points at the master.
+    pub rotation: f64,
+    /// `a''`, mm.
+    pub distance: f64,
+    /// Bound on its error, mm.
+    pub error: f64,
+    /// What touched.
+    pub class: PoseClass,
+}
+
+/// A range of `a''`, bracketed: between `found` and `found + missed`, but for twice the error of a pose.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RollRange {
+    /// Over the poses taken, mm.
+    pub found: f64,
+    /// What may lie beyond between poses, mm.
+    pub missed: f64,
+}
 
 /// The even poses of a curve.
 pub(super) struct RollCurve {
@@ -50,7 +75,7 @@ pub(super) struct Sample {
     /// Amount, mm a radian.
     pub slope: f64,
     /// Right and left contact: teeth and curves of the gear and of the master.
-    pub touched: [Option<[(u32, gear::ProfilePart); 2]>; 2],
+    pub touched: [Option<[(u32, ProfilePart); 2]>; 2],
 }
 
 /// The poses taken and what they come to.

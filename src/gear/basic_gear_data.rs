@@ -1,5 +1,6 @@
 //! What two gears must share to mesh, and the circles that follow from it.
 
+use super::involute;
 use crate::error::GearError;
 use std::f64::consts::{PI, TAU};
 
@@ -12,7 +13,7 @@ pub struct BasicGearData {
 }
 
 impl BasicGearData {
-    /// A basic_data; `module` in mm, `pressure_angle` in radians.
+    /// The basic data of a gear; `module` in mm, `pressure_angle` in radians.
     ///
     /// # Errors
     /// Outside 3…10 000 teeth, 0.01…1000 mm, 5…45°. (An angle within 1e-12 of
@@ -79,6 +80,13 @@ impl BasicGearData {
     /// Base radius `r_b = r cos α`, mm.
     pub fn base_radius(&self) -> f64 {
         self.reference_radius() * self.pressure_angle.cos()
+    }
+
+    /// Half the angle a tooth of generating shift `x` (modules) spans on the base circle, rad:
+    /// `s_b/(2 r_b) = (π/2 + 2 x tan α)/z + inv α`.
+    pub fn half_base_angle(&self, x: f64) -> f64 {
+        let alpha = self.pressure_angle;
+        (PI / 2.0 + 2.0 * x * alpha.tan()) / f64::from(self.teeth) + involute::inv(alpha)
     }
 
     /// Base pitch `p_b = π m cos α`, mm (the study's `t_g`).

@@ -288,19 +288,13 @@ impl AsBuilt {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gear::{BasicGearData, BasicRack, GearDesign};
+    use crate::gear::GearDesign;
 
     /// Both half teeth of a space end in the same direction, on either face, whatever the deviations; the land
     /// widens and narrows with the space, and a space closed at its root leaves none.
     #[test]
     fn root_lands_meet_in_the_middle_of_the_space() {
-        let design = GearDesign {
-            basic_data: BasicGearData::new(20, 2.0, 20f64.to_radians()).unwrap(),
-            profile_shift: 0.0,
-            rack: BasicRack::ISO_53_A,
-            tip_diameter: None,
-        };
-        let gear = Gear::nominal(design).unwrap();
+        let gear = Gear::nominal(GearDesign::plain(20, 2.0)).unwrap();
         let mut right = vec![0.0; 20];
         (right[4], right[9]) = (0.9, -0.9);
         let deviations = Deviations {

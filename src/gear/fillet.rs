@@ -80,7 +80,7 @@ impl Fillet {
             });
         }
         if fillet.form_roll < 0.0 {
-            let half_base = super::gear::half_base_angle(basic_data, x_e);
+            let half_base = basic_data.half_base_angle(x_e);
             fillet.undercut(base, half_base);
         }
         Ok(fillet)

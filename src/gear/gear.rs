@@ -26,7 +26,7 @@ impl GearDesign {
 
     /// Nominal base tooth thickness `s_b = r_b (s/r + 2 inv α)`, mm, of `s = m (π/2 + 2 x tan α)`.
     pub fn nominal_base_thickness(&self) -> f64 {
-        2.0 * self.basic_data.base_radius() * half_base_angle(&self.basic_data, self.profile_shift)
+        2.0 * self.basic_data.base_radius() * self.basic_data.half_base_angle(self.profile_shift)
     }
 
     /// Tip radius `r_a`, mm.
@@ -41,11 +41,17 @@ impl GearDesign {
     }
 }
 
-/// Half the angle a tooth of generating shift `x` (modules) spans on the base circle, rad:
-/// `s_b/(2 r_b) = (π/2 + 2 x tan α)/z + inv α`.
-pub(super) fn half_base_angle(basic_data: &BasicGearData, x: f64) -> f64 {
-    let alpha = basic_data.pressure_angle();
-    (PI / 2.0 + 2.0 * x * alpha.tan()) / f64::from(basic_data.teeth()) + involute::inv(alpha)
+#[cfg(test)]
+impl GearDesign {
+    /// The gear most tests take: 20°, ISO 53 profile A, no profile shift.
+    pub(crate) fn plain(teeth: u32, module: f64) -> GearDesign {
+        GearDesign {
+            basic_data: BasicGearData::new(teeth, module, 20f64.to_radians()).unwrap(),
+            profile_shift: 0.0,
+            rack: BasicRack::ISO_53_A,
+            tip_diameter: None,
+        }
+    }
 }
 
 /// A gear with teeth of one mean thickness. Every value is fixed at construction;

@@ -170,19 +170,13 @@ impl<'a> Placed<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gear::{BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Profile};
+    use crate::gear::{Deviations, Face, Gear, GearDesign, Profile};
 
     /// A tooth thinner by more than half its land: its outline stays between its own two tip corners. Source: their angles,
     /// the mean land's half angle turned with each flank.
     #[test]
     fn a_thin_tooth_has_no_land_beyond_its_corners() {
-        let design = GearDesign {
-            basic_data: BasicGearData::new(20, 2.0, 20f64.to_radians()).unwrap(),
-            profile_shift: 0.0,
-            rack: BasicRack::ISO_53_A,
-            tip_diameter: None,
-        };
-        let gear = Gear::nominal(design).unwrap();
+        let gear = Gear::nominal(GearDesign::plain(20, 2.0)).unwrap();
         let (_, half) = Profile::new(&gear).range(ProfilePart::Tip);
         let mut per_tooth = vec![0.0; 20];
         // Three quarters of the land, at the reference circle.

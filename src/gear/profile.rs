@@ -60,6 +60,11 @@ impl<'a> Profile<'a> {
         }
     }
 
+    /// The gear.
+    pub fn gear(&self) -> &'a Gear {
+        self.gear
+    }
+
     /// Parameters at the two ends of `curve`, the end nearer the tip first.
     ///
     /// Involute and fillet descend, the lands ascend. A root land of a full tip round has no length.

@@ -5,28 +5,24 @@
 
 #[path = "../common/campaign/mod.rs"]
 mod campaign;
+#[path = "../common/design.rs"]
+mod design;
 #[path = "../common/posed.rs"]
 mod posed;
 #[path = "../common/solid.rs"]
 mod solid;
 
 use campaign::{Depth, Drawn, LONGEST, run};
-use gearlash::gear::{
-    AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, ProfilePart, Side,
-};
+use design::design;
+use gearlash::gear::{AsBuilt, BasicRack, Deviations, Face, Gear, GearDesign, ProfilePart, Side};
 use gearlash::mesh::{Certifier, CutPair, ExactKernel, LostMotion, Status};
 use gearlash::pair::{GearPair, Mating, Member, Pose};
 use std::f64::consts::TAU;
 
 /// A gear of the test rig pair (Karba et al., Tables 3 and 4), of the span `W_6` and the runout, mm.
 fn rig_gear(span: f64, runout: f64, face: Face) -> AsBuilt {
-    let basic_data = BasicGearData::new(44, 3.0, 20f64.to_radians()).unwrap();
-    let design = GearDesign {
-        basic_data,
-        profile_shift: 0.0,
-        rack: BasicRack::ISO_53_A,
-        tip_diameter: None,
-    };
+    let design = design(44, 3.0);
+    let basic_data = &design.basic_data;
     // W_k = (k − 1) p_b + s_b.
     let base = span - 5.0 * basic_data.base_radius() * basic_data.angular_pitch();
     let deviations = Deviations {
@@ -212,10 +208,8 @@ fn tip_circles_that_just_touch() {
 #[test]
 fn a_tip_within_a_nanometre_of_a_root() {
     let design = GearDesign {
-        basic_data: BasicGearData::new(30, 3.0, 20f64.to_radians()).unwrap(),
-        profile_shift: 0.0,
         rack: BasicRack::new(1.0, 1.25, 0.2).unwrap(),
-        tip_diameter: None,
+        ..design(30, 3.0)
     };
     let thin = design.nominal_base_thickness() - 1.5;
     // Shorter teeth: they do not reach the other's root land first.

@@ -4,6 +4,8 @@
 mod campaign;
 #[path = "../common/clearance/mod.rs"]
 mod clearance;
+#[path = "../common/design.rs"]
+mod design;
 mod hard;
 mod perfect;
 mod random;

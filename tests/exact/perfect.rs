@@ -1,9 +1,8 @@
 //! Perfect gears against the closed form, and results that depend on the pose alone.
 
+use crate::design::design;
 use crate::random::{self, Kind, Random};
-use gearlash::gear::{
-    AsBuilt, BasicGearData, BasicRack, Face, Gear, GearDesign, ProfilePart, Side, involute,
-};
+use gearlash::gear::{AsBuilt, Face, Gear, ProfilePart, Side, involute};
 use gearlash::mesh::{ExactKernel, LostMotion};
 use gearlash::pair::{GearPair, Mating, Member, Pose};
 
@@ -188,13 +187,7 @@ fn of_pairs_that_tie_the_nearest_to_the_pitch_point_is_named() {
 /// right-flank contact, its mirror image in left-flank contact, as the method's description says.
 #[test]
 fn of_two_equally_near_pairs_the_clockwise_one_is_named_at_the_right() {
-    let basic_data = BasicGearData::new(44, 3.0, 20f64.to_radians()).unwrap();
-    let design = GearDesign {
-        basic_data,
-        profile_shift: 0.0,
-        rack: BasicRack::ISO_53_A,
-        tip_diameter: None,
-    };
+    let design = design(44, 3.0);
     let [wheel, pinion] = [Face::Front, Face::Back]
         .map(|face| AsBuilt::perfect(Gear::nominal(design).unwrap(), face));
     for locked in [Member::Wheel, Member::Pinion] {

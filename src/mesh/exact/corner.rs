@@ -5,7 +5,7 @@
 //! the mate's tip, on its land.
 //!
 //! On the flank of a locked tooth `ρ` rises from tip to root wherever the free gear reaches
-//! ([`super::certificate`]). So a flank that the free gear reaches at all it reaches from the tip down: one that leaves its
+//! ([`super::search_free_proof`]). So a flank that the free gear reaches at all it reaches from the tip down: one that leaves its
 //! reach does not come back, and where the tip corner is out of reach all of the flank is. What `ρ` does there is
 //! unknown (the flank of a tooth that points sideways turns back), and does not matter.
 

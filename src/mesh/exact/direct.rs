@@ -5,15 +5,15 @@
 
 use super::branch::{MOST_NODES, search};
 use super::candidate::CandidateContact;
-use super::certificate::{Certificate, Setting};
 use super::corner::{Sense, least_flank_radius, meet, nearest_turn, on_land, tip_arm};
 use super::curves::{Curves, SearchExhausted};
 use super::envelope::Envelope;
-use super::facing::{FlankProblem, PosedFlanks};
+use super::flank_problem::{FlankProblem, PosedFlanks};
 use super::lands::{land_on_land, without_lands};
 use super::line::TangentVariation;
 use super::placed::Placed;
 use super::search;
+use super::search_free_proof::{SearchFreeProof, Setting};
 use super::shape::{C, turn};
 use super::tightest::{TightestContacts, Touching};
 use crate::gear::ProfilePart;
@@ -23,8 +23,8 @@ use std::sync::Arc;
 /// What a certified pair needs besides its teeth.
 #[derive(Debug, Clone)]
 pub(super) struct DirectSolver {
-    pub certificate: Certificate,
-    pub swerve: TangentVariation,
+    pub proof: SearchFreeProof,
+    pub variation: TangentVariation,
     envelopes: Envelopes,
     /// Eccentricity of the free gear.
     free_off: f64,
@@ -32,44 +32,64 @@ pub(super) struct DirectSolver {
     outmost: f64,
 }
 
-/// What lies clear of each gear's teeth, whatever the centre distance.
+/// What lies clear of each gear's teeth, good at every centre distance at which they reach each other.
 #[derive(Debug, Clone)]
 pub(super) struct Envelopes {
-    pub locked: Arc<Envelope>,
-    pub free: Arc<Envelope>,
+    locked: Arc<Envelope>,
+    free: Arc<Envelope>,
 }
 
-/// The pair that touches first.
+impl Envelopes {
+    /// The envelopes of both gears of `assembly`, whose flanks are those of `problem`.
+    pub fn new(problem: &FlankProblem, assembly: &GearPair) -> Envelopes {
+        let (locked, free) = (
+            assembly.gear(assembly.locked()),
+            assembly.gear(assembly.free()),
+        );
+        // A tie below the greatest gap must not be ruled out: both gears' points move by less than this.
+        let farthest = problem.distance.max(locked.reach() + free.reach());
+        let margin = 4.0 * problem.tie_at(farthest) * (farthest + problem.locked.shape.tip_radius);
+        Envelopes {
+            locked: Arc::new(Envelope::new(locked.gear(), margin, 0.0)),
+            free: Arc::new(Envelope::new(free.gear(), margin, free.eccentricity())),
+        }
+    }
+}
+
+/// The pair that touches first; without a solver by the search.
 ///
 /// # Errors
 /// The step whose pair could not be settled.
-pub(super) fn touching(stand: &PosedFlanks) -> Result<Option<Touching>, (i64, SearchExhausted)> {
-    let Some(shortcut) = &stand.facing.shortcut else {
+pub(super) fn touching(
+    stand: &PosedFlanks,
+    solver: Option<&DirectSolver>,
+) -> Result<Option<Touching>, (i64, SearchExhausted)> {
+    let Some(solver) = solver else {
         return search::touching(stand);
     };
-    let mut ties = TightestContacts::new(stand.facing);
-    if !stand.on_line(&shortcut.swerve, &mut ties) {
+    let mut ties = TightestContacts::new(stand.problem);
+    if !stand.on_line(&solver.variation, &mut ties) {
         return search::touching(stand);
     }
-    let certificate = &shortcut.certificate;
-    if certificate.tangents {
-        stand.on_tangents(shortcut.free_off > 0.0, &mut ties);
+    let proof = &solver.proof;
+    if proof.tangents {
+        stand.on_tangents(solver.free_off > 0.0, &mut ties);
     }
-    stand.on_corners(shortcut, &mut ties);
-    if certificate.is_direct() {
+    stand.on_corners(solver, &mut ties);
+    if proof.is_direct() {
         return Ok(ties.choose());
     }
-    if !certificate.open.is_empty() {
-        stand.on_lands(certificate.open, &mut ties);
+    if !proof.open.is_empty() {
+        stand.on_lands(proof.open, &mut ties);
     }
-    let rest = without_lands(certificate.open);
+    let rest = without_lands(proof.open);
     let mut nodes_left = MOST_NODES;
     for step in stand.steps() {
         let mut curves = rest;
         let (locked, free) = (stand.locked(step), stand.free(step));
-        if certificate
+        if proof
             .steep_arm
-            .is_some_and(|arm| shortcut.is_steep(&locked, arm))
+            .is_some_and(|arm| solver.is_steep(&locked, arm))
         {
             curves.add(ProfilePart::Involute, ProfilePart::Tip);
         }
@@ -92,26 +112,26 @@ pub(super) fn touching(stand: &PosedFlanks) -> Result<Option<Touching>, (i64, Se
 }
 
 impl DirectSolver {
-    /// The shortcut of a pair of gears; `None` for one that must be searched all through.
+    /// The solver of a pair of gears; `None` for one that must be searched all through.
     pub fn new(
-        facing: &FlankProblem,
+        problem: &FlankProblem,
         assembly: &GearPair,
         envelopes: Envelopes,
     ) -> Option<DirectSolver> {
         let ours = assembly.gear(assembly.locked());
         let theirs = assembly.gear(assembly.free());
         let setting = Setting {
-            locked: &facing.locked.shape,
-            free: &facing.free.shape,
+            locked: &problem.locked.shape,
+            free: &problem.free.shape,
             locked_off: ours.eccentricity(),
             free_off: theirs.eccentricity(),
-            distance: facing.distance,
+            distance: problem.distance,
         };
         Some(DirectSolver {
-            certificate: setting.certify()?,
+            proof: setting.prove()?,
             free_off: setting.free_off,
             outmost: theirs.reach(),
-            swerve: TangentVariation::new(facing, setting.locked_off, setting.free_off)?,
+            variation: TangentVariation::new(problem, setting.locked_off, setting.free_off)?,
             envelopes,
         })
     }
@@ -143,43 +163,43 @@ impl PosedFlanks<'_> {
     /// With `R` the free gear's rotation at the greatest gap so far, a locked point `C_L + D_L p` stands at
     /// `(R* (C_L + D_L p) − C_F) D_F*` in the free tooth's own frame, `C_F` and `D_F` at rotation 0, and a free point
     /// at `(R (C_F + D_F p) − C_L) D_L*` in the locked one's.
-    fn on_corners(&self, shortcut: &DirectSolver, ties: &mut TightestContacts) {
+    fn on_corners(&self, solver: &DirectSolver, ties: &mut TightestContacts) {
         let mut level = Level::new(self, ties);
-        let (ours, theirs) = (&self.facing.locked, &self.facing.free);
+        let (ours, theirs) = (&self.problem.locked, &self.problem.free);
         let steps = self.steps();
         // The pair at the line of centres first: what it touches at leaves the others clear.
         let middle = steps.contains(&0).then_some(0);
         for step in middle.into_iter().chain(steps.filter(|&step| step != 0)) {
             let (locked_place, free_place) = self.places(step);
-            let facing = theirs.direction(free_place);
+            let toward = theirs.direction(free_place);
             let seen = level.direction * ours.direction(locked_place);
             let (centre, axis, known) = (level.centre, level.axis, level.known);
             for &corner in ours.shape.corners() {
-                let near = (centre + seen * corner.1) * facing.conj();
-                if !(known && shortcut.envelopes.free.clears(near)) {
+                let near = (centre + seen * corner.1) * toward.conj();
+                if !(known && solver.envelopes.free.clears(near)) {
                     let edge = (ProfilePart::Involute, corner.0);
-                    self.locked_corner(shortcut, step, (edge, corner.1, near), &mut level, ties);
+                    self.locked_corner(solver, step, (edge, corner.1, near), &mut level, ties);
                 }
             }
-            if shortcut.certificate.tangents {
+            if solver.proof.tangents {
                 let far = ours.far(locked_place);
-                let near = (centre + seen * far) * facing.conj();
-                if !(known && shortcut.envelopes.free.clears(near)) {
+                let near = (centre + seen * far) * toward.conj();
+                if !(known && solver.envelopes.free.clears(near)) {
                     let edge = (ProfilePart::Tip, -far.arg());
-                    self.locked_corner(shortcut, step, (edge, far, near), &mut level, ties);
+                    self.locked_corner(solver, step, (edge, far, near), &mut level, ties);
                 }
             }
             // A land that is not quite round may pass the near corner clear and end on the far one.
-            if shortcut.free_off > 0.0 {
-                self.far_corner(shortcut, step, locked_place, &mut level, ties);
+            if solver.free_off > 0.0 {
+                self.far_corner(solver, step, locked_place, &mut level, ties);
             }
             for &corner in theirs.shape.corners() {
-                let near = (facing * corner.1 - centre) * seen.conj();
+                let near = (toward * corner.1 - centre) * seen.conj();
                 // Ahead of the axis, seen along the tooth: there a point that turns in comes nearer to its centre line.
                 let inside = near.re < axis.re * seen.re + axis.im * seen.im;
-                let clear = known && inside && shortcut.envelopes.locked.clears(near);
-                if !clear || shortcut.certificate.turns_back {
-                    self.free_corner(shortcut, step, (corner, near, clear), &mut level, ties);
+                let clear = known && inside && solver.envelopes.locked.clears(near);
+                if !clear || solver.proof.turns_back {
+                    self.free_corner(solver, step, (corner, near, clear), &mut level, ties);
                 }
             }
         }
@@ -189,7 +209,7 @@ impl PosedFlanks<'_> {
     #[cold]
     fn locked_corner(
         &self,
-        shortcut: &DirectSolver,
+        solver: &DirectSolver,
         step: i64,
         (edge, corner, near): ((ProfilePart, f64), C, C),
         level: &mut Level,
@@ -197,16 +217,10 @@ impl PosedFlanks<'_> {
     ) {
         let (locked, free) = (self.locked(step), self.free(step));
         let rho = locked.own_to_axis(corner);
-        if level.known && shortcut.envelopes.free.is_beyond_tip(near) && rho > shortcut.outmost {
+        if level.known && solver.envelopes.free.is_beyond_tip(near) && rho > solver.outmost {
             return;
         }
-        if let Some(met) = meet(
-            &free,
-            Sense::Free,
-            shortcut.certificate.free_fillet,
-            rho,
-            near,
-        ) {
+        if let Some(met) = meet(&free, Sense::Free, solver.proof.free_fillet, rho, near) {
             let hit = CandidateContact::new((&locked, edge), (&free, met), self.origin, 0.0);
             level.offer(self, ties, step, hit);
         }
@@ -214,21 +228,21 @@ impl PosedFlanks<'_> {
 
     /// The far corner of a locked land, on the free tip land where that has its radius.
     ///
-    /// Everywhere else the near corners, or a search, have the greatest gap ([`super::certificate`]).
+    /// Everywhere else the near corners, or a search, have the greatest gap ([`super::search_free_proof`]).
     #[inline]
     fn far_corner(
         &self,
-        shortcut: &DirectSolver,
+        solver: &DirectSolver,
         step: i64,
         place: usize,
         level: &mut Level,
         ties: &mut TightestContacts,
     ) {
-        let (ours, theirs) = (&self.facing.locked, &self.facing.free);
+        let (ours, theirs) = (&self.problem.locked, &self.problem.free);
         let point = self.centre - self.turned * ours.direction(place) * ours.far(place);
         let off = point.norm_sqr() - theirs.shape.tip_radius * theirs.shape.tip_radius;
         // |ρ² − r²| ≤ e (2r + e) on a circle that is e off its axis.
-        if off.abs() > shortcut.free_off * (2.0 * theirs.shape.tip_radius + shortcut.free_off) {
+        if off.abs() > solver.free_off * (2.0 * theirs.shape.tip_radius + solver.free_off) {
             return;
         }
         let (locked, free) = (self.locked(step), self.free(step));
@@ -247,7 +261,7 @@ impl PosedFlanks<'_> {
     #[cold]
     fn free_corner(
         &self,
-        shortcut: &DirectSolver,
+        solver: &DirectSolver,
         step: i64,
         ((roll, corner), near, clear): ((f64, C), C, bool),
         level: &mut Level,
@@ -256,18 +270,17 @@ impl PosedFlanks<'_> {
         let (locked, free) = (self.locked(step), self.free(step));
         let rho = free.own_to_axis(corner);
         // Past a flank that turns back a clear point may still lie behind it, if it ever came as near.
-        let behind = shortcut.certificate.turns_back
-            && tip_arm(&locked) <= 0.0
-            && rho >= nearest_turn(&locked);
+        let behind =
+            solver.proof.turns_back && tip_arm(&locked) <= 0.0 && rho >= nearest_turn(&locked);
         let trusted = level.known && !behind;
-        let over = || shortcut.envelopes.locked.is_beyond_tip(near) && rho < least_radius(&locked);
+        let over = || solver.envelopes.locked.is_beyond_tip(near) && rho < least_radius(&locked);
         if trusted && (clear || over()) {
             return;
         }
         if let Some(met) = meet(
             &locked,
             Sense::Locked,
-            shortcut.certificate.locked_fillet,
+            solver.proof.locked_fillet,
             rho,
             near,
         ) {
@@ -309,7 +322,7 @@ impl Level {
         self.greatest = greatest;
         let gap = if self.known { greatest } else { 0.0 };
         let back = turn(-gap) * stand.origin;
-        self.centre = back * stand.centre - stand.facing.free.displacement;
+        self.centre = back * stand.centre - stand.problem.free.displacement;
         self.direction = -back * stand.turned;
         self.axis = -back * stand.centre;
     }

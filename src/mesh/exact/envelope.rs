@@ -4,7 +4,7 @@
 //! corner, is bounded from above by one straight line in each of a few cells of `x`. A point below all of that
 //! still has a way to go until it touches, so its gap is less than the rotation at which it was tested:
 //! it did not come through the metal. A point that turns in crosses the flank only inwards (its polar radius is
-//! monotone there: [`super::certificate`]), and beyond the corner it comes nearer to the centre line as
+//! monotone there: [`super::search_free_proof`]), and beyond the corner it comes nearer to the centre line as
 //! long as the axis lies farther out along the tooth than itself (or, for the gear that turns, farther in). The
 //! land itself would not do for a border: a point that went in through the flank may come out of the land, and
 //! stand beside `f(x)` again.

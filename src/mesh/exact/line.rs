@@ -18,7 +18,7 @@
 //! `(−T B·B' + Σ B×B')/(|B|² r_bF)`, at most `e_F/r_bF < 1` by amount, so Newton's method
 //! converges from anywhere.
 
-use super::facing::FlankProblem;
+use super::flank_problem::FlankProblem;
 use super::shape::C;
 
 /// Rolls this far beyond an involute's end count as on it: contact moves off the line by the square of it.
@@ -81,7 +81,7 @@ pub(super) struct TangentVariation {
     pub turning: f64,
     stretching: f64,
     /// Bound on half the second derivative of `G`.
-    pub curl: f64,
+    pub half_second_derivative: f64,
 }
 
 impl TangentVariation {
@@ -90,10 +90,10 @@ impl TangentVariation {
     /// With `|B| ≥ b`: `d(arg B + α)/dμ` is at most `e (1 + Σ/T)/b` and `dT/dμ` at most `e |B|/T ≤ e b/T(b)`, while
     /// a gap is off by at most the change `G` makes to it over `1 − e/r_b`. The slope of `G` is `(e/r_b)`
     /// times a sine; its own derivative at most `(e/r_b)` times the turn of `B'` and of the line.
-    pub fn new(facing: &FlankProblem, locked_off: f64, off: f64) -> Option<TangentVariation> {
-        let (base, sum) = (facing.free.shape.base, facing.sum());
-        let least = facing.distance - locked_off - off;
-        let centred = Line::new(C::from(facing.distance), sum)?;
+    pub fn new(problem: &FlankProblem, locked_off: f64, off: f64) -> Option<TangentVariation> {
+        let (base, sum) = (problem.free.shape.base, problem.sum());
+        let least = problem.distance - locked_off - off;
+        let centred = Line::new(C::from(problem.distance), sum)?;
         if !(least > sum && base > off) {
             return None;
         }
@@ -106,7 +106,7 @@ impl TangentVariation {
             moves: off > 0.0,
             turning: turn / shrink,
             stretching: off * least / length / shrink,
-            curl: 0.5 * (off / base) * (1.0 + turn) / shrink,
+            half_second_derivative: 0.5 * (off / base) * (1.0 + turn) / shrink,
         })
     }
 }
@@ -115,16 +115,16 @@ impl TangentVariation {
     /// Plays of both rolls on a line taken at a gap that is `error` off for the pair of step 0.
     ///
     /// Another pair's gap differs from its by no more than all offsets do.
-    pub fn plays(&self, facing: &FlankProblem, error: f64) -> (f64, f64) {
+    pub fn plays(&self, problem: &FlankProblem, error: f64) -> (f64, f64) {
         if !self.moves {
             return (ROLL_PLAY, ROLL_PLAY);
         }
         let spread = |(low, high): (f64, f64)| high - low;
-        let ratio = facing.locked.shape.base * facing.per_free_base;
+        let ratio = problem.locked.shape.base * problem.per_free_base;
         let error =
-            error + 2.0 * (ratio * spread(facing.locked.extremes) + spread(facing.free.extremes));
+            error + 2.0 * (ratio * spread(problem.locked.extremes) + spread(problem.free.extremes));
         let play = self.turning * error;
-        let free_play = ratio * play + self.stretching * facing.per_free_base * error;
+        let free_play = ratio * play + self.stretching * problem.per_free_base * error;
         (play + ROLL_PLAY, free_play + ROLL_PLAY)
     }
 }

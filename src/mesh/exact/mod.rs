@@ -22,18 +22,18 @@
 
 mod branch;
 mod candidate;
-mod certificate;
 mod corner;
 mod curves;
 mod direct;
 mod envelope;
-mod facing;
+mod flank_problem;
 mod lands;
 mod line;
 mod path;
 mod placed;
 mod report;
 mod search;
+mod search_free_proof;
 mod shape;
 mod tangent;
 mod teeth;
@@ -45,8 +45,8 @@ use crate::error::Error;
 use crate::gear::Side;
 use crate::pair::{GearPair, Member, Pose};
 use curves::SearchExhausted;
-use direct::Envelopes;
-use facing::{FlankProblem, PosedFlanks};
+use direct::{DirectSolver, Envelopes};
+use flank_problem::{FlankProblem, PosedFlanks};
 use shape::turn;
 use std::f64::consts::{PI, TAU};
 use teeth::reduced;
@@ -61,6 +61,8 @@ pub struct ExactKernel {
     left: FlankProblem,
     /// What is the same at every centre distance, beside the teeth.
     envelopes: Envelopes,
+    /// What spares searching, the same for both sides; `None` where all must be searched.
+    solver: Option<DirectSolver>,
     free: Member,
     /// The pair, where teeth may stand in the mate's body.
     bodies: Option<Box<GearPair>>,
@@ -71,9 +73,9 @@ pub struct ExactKernel {
 impl ExactKernel {
     /// The kernel of `assembly`.
     pub fn new(assembly: &GearPair) -> ExactKernel {
-        let facings = Side::BOTH.map(|side| FlankProblem::new(assembly, side));
-        let envelopes = facings[0].envelopes(assembly);
-        ExactKernel::of(assembly, facings, envelopes)
+        let problems = Side::BOTH.map(|side| FlankProblem::new(assembly, side));
+        let envelopes = Envelopes::new(&problems[0], assembly);
+        ExactKernel::of(assembly, problems, envelopes)
     }
 
     /// The kernel of the same gears at another centre distance, in a time that does not depend on the number of teeth.
@@ -81,19 +83,19 @@ impl ExactKernel {
     /// It is that of [`ExactKernel::new`] to the last bit of any result. `assembly` is one that
     /// [`GearPair::at`] made of this kernel's.
     pub fn at(&self, assembly: &GearPair) -> ExactKernel {
-        let facings = [&self.right, &self.left].map(|facing| facing.at(assembly));
-        ExactKernel::of(assembly, facings, self.envelopes.clone())
+        let problems = [&self.right, &self.left].map(|problem| problem.at(assembly));
+        ExactKernel::of(assembly, problems, self.envelopes.clone())
     }
 
-    fn of(assembly: &GearPair, facings: [FlankProblem; 2], envelopes: Envelopes) -> ExactKernel {
-        let [mut right, mut left] = facings;
+    fn of(assembly: &GearPair, problems: [FlankProblem; 2], envelopes: Envelopes) -> ExactKernel {
+        let [right, left] = problems;
         // Of both gears the left half teeth mirror the right ones.
-        right.shortcut = right.find_shortcut(assembly, &envelopes);
-        left.shortcut = right.shortcut.clone();
+        let solver = DirectSolver::new(&right, assembly, envelopes.clone());
         ExactKernel {
             right,
             left,
             envelopes,
+            solver,
             free: assembly.free(),
             bodies: may_be_solid(assembly).then(|| Box::new(assembly.clone())),
             blocked: reaches_over_an_axis(assembly),
@@ -107,7 +109,7 @@ impl ExactKernel {
     /// # Errors
     /// [`Error::ContactLost`] when a pair of flanks cannot be resolved; never a pair left out.
     pub fn lost_motion(&self, pose: &Pose) -> Result<LostMotion, Error> {
-        self.with(pose, direct::touching)
+        self.with(pose, |stand| direct::touching(stand, self.solver.as_ref()))
     }
 
     /// The same by branch and bound over all pairs and curves, no case told apart: a thousand times
@@ -122,10 +124,9 @@ impl ExactKernel {
     /// Whether this pair needs no search: its contacts are on the line of action, at corners,
     /// or where a tip land touches an involute.
     pub fn is_direct(&self) -> bool {
-        self.right
-            .shortcut
+        self.solver
             .as_ref()
-            .is_some_and(|shortcut| shortcut.certificate.is_direct())
+            .is_some_and(|solver| solver.proof.is_direct())
     }
 
     fn with(
@@ -140,8 +141,8 @@ impl ExactKernel {
         let teeth = (mating.tooth(self.free.mate()), mating.tooth(self.free));
         let rotation = reduced(pose.locked_rotation());
         let turned = turn(rotation);
-        let contact = |facing: &FlankProblem| -> Result<Option<Contact>, Error> {
-            let stand = facing.stand(pose, teeth, rotation, turned);
+        let contact = |problem: &FlankProblem| -> Result<Option<Contact>, Error> {
+            let stand = problem.stand(pose, teeth, rotation, turned);
             match method(&stand) {
                 Ok(touching) => {
                     Ok(touching.map(|touching| report::contact(&stand, &touching, self.free)))
@@ -163,8 +164,8 @@ impl ExactKernel {
 
     fn lost(&self, stand: &PosedFlanks, step: i64, lost: &SearchExhausted, pose: &Pose) -> Error {
         let (locked_place, free_place) = stand.places(step);
-        let locked = stand.facing.locked.number(locked_place);
-        let free = stand.facing.free.number(free_place);
+        let locked = stand.problem.locked.number(locked_place);
+        let free = stand.problem.free.number(free_place);
         let (wheel_tooth, pinion_tooth) = match self.free {
             Member::Pinion => (locked, free),
             Member::Wheel => (free, locked),
@@ -172,7 +173,7 @@ impl ExactKernel {
         Error::ContactLost {
             wheel_tooth,
             pinion_tooth,
-            flank: stand.facing.side.name(),
+            flank: stand.problem.side.name(),
             locked_rotation_rad: pose.locked_rotation(),
             reason: lost.reason(),
         }

@@ -1,7 +1,7 @@
 //! Which pairs touch on the line of action at a pose; [`super::line`] has the equations.
 
 use super::candidate::CandidateContact;
-use super::facing::PosedFlanks;
+use super::flank_problem::PosedFlanks;
 use super::line::{Line, ROLL_PLAY, TangentVariation};
 use super::shape::{C, turn};
 use super::tightest::TightestContacts;
@@ -19,7 +19,7 @@ pub(super) struct Pair {
 
 impl PosedFlanks<'_> {
     pub(super) fn pair(&self, step: i64) -> Pair {
-        let (locked, free) = (&self.facing.locked, &self.facing.free);
+        let (locked, free) = (&self.problem.locked, &self.problem.free);
         let (ours, theirs) = self.places(step);
         let steps = step as f64;
         Pair {
@@ -40,22 +40,22 @@ impl PosedFlanks<'_> {
 
     /// `G`: `μ` by the equation above.
     fn gap(&self, line: &Line, pair: &Pair) -> f64 {
-        let facing = self.facing;
-        (facing.sum() * line.angle - line.length - facing.locked.shape.base * pair.locked_base)
-            * facing.per_free_base
+        let problem = self.problem;
+        (problem.sum() * line.angle - line.length - problem.locked.shape.base * pair.locked_base)
+            * problem.per_free_base
             - pair.free_base
     }
 
     /// Rolls `(ξ_L, ξ_F)` of `pair` on `line`.
     fn rolls(&self, line: &Line, pair: &Pair) -> (f64, f64) {
         let locked = line.angle - pair.locked_base;
-        let rest = line.length - self.facing.locked.shape.base * locked;
-        (locked, rest * self.facing.per_free_base)
+        let rest = line.length - self.problem.locked.shape.base * locked;
+        (locked, rest * self.problem.per_free_base)
     }
 
     /// Whether both rolls lie on the involutes, give or take the plays.
     fn on_path(&self, rolls: (f64, f64), plays: (f64, f64)) -> bool {
-        let (ours, theirs) = (&self.facing.locked.shape, &self.facing.free.shape);
+        let (ours, theirs) = (&self.problem.locked.shape, &self.problem.free.shape);
         rolls.0 >= ours.form_roll - plays.0
             && rolls.0 <= ours.tip_roll + plays.0
             && rolls.1 >= theirs.form_roll - plays.1
@@ -64,34 +64,36 @@ impl PosedFlanks<'_> {
 
     /// Steps whose rolls on `line` may lie on the involutes, give or take the plays.
     fn steps_on(&self, line: &Line, plays: (f64, f64)) -> Range<i64> {
-        let facing = self.facing;
-        let (ours, theirs) = (&facing.locked.shape, &facing.free.shape);
-        let opposite = |roll: f64| (line.length - theirs.base * roll) * facing.per_locked_base;
-        let free_play = plays.1 * theirs.base * facing.per_locked_base;
+        let problem = self.problem;
+        let (ours, theirs) = (&problem.locked.shape, &problem.free.shape);
+        let opposite = |roll: f64| (line.length - theirs.base * roll) * problem.per_locked_base;
+        let free_play = plays.1 * theirs.base * problem.per_locked_base;
         let least = (ours.form_roll - plays.0).max(opposite(theirs.tip_roll) - free_play);
         let most = (ours.tip_roll + plays.0).min(opposite(theirs.form_roll) + free_play);
         // ξ_L = arg B + α − (λ_0 + s τ + δ − ψ_b), δ anywhere between the extremes.
-        let (low, high) = facing.locked.extremes;
-        let first = (line.angle - self.ahead + ours.half_base - most - high) * facing.per_pitch;
-        let last = (line.angle - self.ahead + ours.half_base - least - low) * facing.per_pitch;
+        let (low, high) = problem.locked.extremes;
+        let first = (line.angle - self.ahead + ours.half_base - most - high) * problem.per_pitch;
+        let last = (line.angle - self.ahead + ours.half_base - least - low) * problem.per_pitch;
         // The cast cuts towards zero: never a step too few.
         let all = self.steps();
         (first as i64).max(all.start)..(last as i64 + 1).min(all.end)
     }
 
     /// The gap of `pair` and the line there, from the gap `first`.
-    fn settle(&self, pair: &Pair, swerve: &TangentVariation, first: f64) -> Option<(f64, Line)> {
-        let sum = self.facing.sum();
+    fn settle(&self, pair: &Pair, variation: &TangentVariation, first: f64) -> Option<(f64, Line)> {
+        let sum = self.problem.sum();
         let mut mu = first;
         // Two or three steps; sixty would do by bisection's pace.
         for _ in 0..60 {
             let (between, rate) = self.between(mu);
             let line = Line::new(between, sum)?;
-            let slope = line.slope(rate, sum) * self.facing.per_free_base;
+            let slope = line.slope(rate, sum) * self.problem.per_free_base;
             let step = (self.gap(&line, pair) - mu) / (1.0 - slope);
             mu += step;
-            // What the step leaves is its square times the curl; the line moves on by its linear part.
-            if swerve.curl.max(swerve.turning) * step * step < 0.125 * f64::EPSILON {
+            // What the step leaves is its square times the half_second_derivative; the line moves on by its linear part.
+            if variation.half_second_derivative.max(variation.turning) * step * step
+                < 0.125 * f64::EPSILON
+            {
                 return Some((mu, line.moved(rate * step, sum)));
             }
         }
@@ -99,12 +101,12 @@ impl PosedFlanks<'_> {
     }
 
     fn hit(&self, gap: f64, line: &Line, pair: &Pair) -> CandidateContact {
-        let (ours, theirs) = (&self.facing.locked.shape, &self.facing.free.shape);
+        let (ours, theirs) = (&self.problem.locked.shape, &self.problem.free.shape);
         let (locked, free) = self.rolls(line, pair);
         let locked = locked.clamp(ours.form_roll, ours.tip_roll);
         let free = free.clamp(theirs.form_roll, theirs.tip_roll);
         // E = −e^{i (arg B + α)} at the locked gear, cos α = Σ/|B|: P = C_L + r_b E (1 − iξ), n = −iE.
-        let e = -line.between * C::new(self.facing.sum(), line.length) / line.between.norm_sqr();
+        let e = -line.between * C::new(self.problem.sum(), line.length) / line.between.norm_sqr();
         let point = self.centre + e * C::new(ours.base, -ours.base * locked);
         let normal = C::new(e.im, -e.re);
         let z = point.conj() * normal;
@@ -122,19 +124,26 @@ impl PosedFlanks<'_> {
     /// Offers every pair that touches on the line of action and may be the tightest within a tie.
     ///
     /// False when one did not settle: then nothing is known.
-    pub(super) fn on_line(&self, swerve: &TangentVariation, ties: &mut TightestContacts) -> bool {
+    pub(super) fn on_line(
+        &self,
+        variation: &TangentVariation,
+        ties: &mut TightestContacts,
+    ) -> bool {
         // The gap the pair of step 0 has between centred outlines: a good place to take the line at.
-        let (guess, start) = match swerve.fixed {
+        let (guess, start) = match variation.fixed {
             Some(line) => (0.0, line),
             None => {
-                let guess = self.gap(&swerve.centred, &self.pair(0));
-                match Line::new(self.between(guess).0, self.facing.sum()) {
+                let guess = self.gap(&variation.centred, &self.pair(0));
+                match Line::new(self.between(guess).0, self.problem.sum()) {
                     Some(line) => (guess, line),
                     None => return false,
                 }
             }
         };
-        let plays = swerve.plays(self.facing, (self.gap(&start, &self.pair(0)) - guess).abs());
+        let plays = variation.plays(
+            self.problem,
+            (self.gap(&start, &self.pair(0)) - guess).abs(),
+        );
         let mut tightest = f64::NEG_INFINITY;
         for step in self.steps_on(&start, plays) {
             let pair = self.pair(step);
@@ -145,8 +154,8 @@ impl PosedFlanks<'_> {
             {
                 continue;
             }
-            let (gap, line) = if swerve.moves {
-                let Some(settled) = self.settle(&pair, swerve, first) else {
+            let (gap, line) = if variation.moves {
+                let Some(settled) = self.settle(&pair, variation, first) else {
                     return false;
                 };
                 if !self.on_path(self.rolls(&settled.1, &pair), (ROLL_PLAY, ROLL_PLAY)) {

@@ -1,6 +1,6 @@
-//! From a pair that touches, in the frame of [`super::facing`], to a [`Contact`] in the picture.
+//! From a pair that touches, in the frame of [`super::flank_problem`], to a [`Contact`] in the picture.
 
-use super::facing::PosedFlanks;
+use super::flank_problem::PosedFlanks;
 use super::shape::{C, Shape};
 use super::tightest::Touching;
 use crate::gear::{ProfilePart, Side};
@@ -15,17 +15,21 @@ const CORNER_MM: f64 = 1e-7;
 
 /// The contact of `touching`; its rotation is not yet normalised.
 pub(super) fn contact(stand: &PosedFlanks, touching: &Touching, free: Member) -> Contact {
-    let (facing, hit) = (stand.facing, &touching.hit);
+    let (problem, hit) = (stand.problem, &touching.hit);
     let radius = hit.point.norm_sqr().sqrt();
-    let error = facing.rounding(radius, hit.slope) + hit.slack;
+    let error = problem.rounding(radius, hit.slope) + hit.slack;
     let (locked_place, free_place) = stand.places(touching.step);
     let locked = touch(
-        &facing.locked.shape,
-        facing.locked.number(locked_place),
+        &problem.locked.shape,
+        problem.locked.number(locked_place),
         hit.locked,
     );
-    let mated = touch(&facing.free.shape, facing.free.number(free_place), hit.free);
-    let mirror = |z: C| match facing.side {
+    let mated = touch(
+        &problem.free.shape,
+        problem.free.number(free_place),
+        hit.free,
+    );
+    let mirror = |z: C| match problem.side {
         Side::Right => z,
         Side::Left => z.conj(),
     };
@@ -35,13 +39,13 @@ pub(super) fn contact(stand: &PosedFlanks, touching: &Touching, free: Member) ->
         Member::Pinion => (
             locked,
             mated,
-            C::from(facing.distance) - point,
+            C::from(problem.distance) - point,
             -out_of_locked,
         ),
         Member::Wheel => (mated, locked, point, -out_of_locked),
     };
     Contact {
-        rotation: -facing.side.sense() * stand.rotation(touching.greatest),
+        rotation: -problem.side.sense() * stand.rotation(touching.greatest),
         error: error.min(PI),
         wheel,
         pinion,

@@ -2,7 +2,7 @@
 
 use super::branch::{MOST_NODES, search};
 use super::curves::{Curves, SearchExhausted};
-use super::facing::PosedFlanks;
+use super::flank_problem::PosedFlanks;
 use super::lands::without_lands;
 use super::tightest::{TightestContacts, Touching};
 
@@ -12,7 +12,7 @@ use super::tightest::{TightestContacts, Touching};
 /// The step whose pair could not be settled.
 #[cold]
 pub(super) fn touching(stand: &PosedFlanks) -> Result<Option<Touching>, (i64, SearchExhausted)> {
-    let mut ties = TightestContacts::new(stand.facing);
+    let mut ties = TightestContacts::new(stand.problem);
     stand.on_lands(Curves::ALL, &mut ties);
     over(stand, ties, without_lands(Curves::ALL), MOST_NODES)
 }
@@ -25,7 +25,7 @@ pub(super) fn touching(stand: &PosedFlanks) -> Result<Option<Touching>, (i64, Se
 pub(super) fn by_search(stand: &PosedFlanks) -> Result<Option<Touching>, (i64, SearchExhausted)> {
     over(
         stand,
-        TightestContacts::new(stand.facing),
+        TightestContacts::new(stand.problem),
         Curves::ALL,
         16 * MOST_NODES,
     )

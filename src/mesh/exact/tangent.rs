@@ -13,7 +13,7 @@
 //! the gap has this one maximum; where there is none, it is greatest at an end: a corner of either tip.
 
 use super::candidate::CandidateContact;
-use super::facing::PosedFlanks;
+use super::flank_problem::PosedFlanks;
 use super::line::Line;
 use super::shape::C;
 use super::tightest::TightestContacts;
@@ -33,7 +33,7 @@ struct Tangent {
 impl PosedFlanks<'_> {
     /// Offers every contact of a locked tip land between its corners with a free involute.
     pub(super) fn on_tangents(&self, eccentric: bool, ties: &mut TightestContacts) {
-        let theirs = &self.facing.free.shape;
+        let theirs = &self.problem.free.shape;
         let Some(start) = self.tangent_line(0.0) else {
             return;
         };
@@ -72,22 +72,22 @@ impl PosedFlanks<'_> {
 
     /// The tangent from the locked outline's centre to the free base circle, the free gear turned by `gap`.
     fn tangent_line(&self, gap: f64) -> Option<Line> {
-        Line::new(self.between(gap).0, self.facing.free.shape.base)
+        Line::new(self.between(gap).0, self.problem.free.shape.base)
     }
 
     fn roll_on(&self, line: &Line) -> f64 {
-        (line.length - self.facing.locked.shape.tip_radius) * self.facing.per_free_base
+        (line.length - self.problem.locked.shape.tip_radius) * self.problem.per_free_base
     }
 
     fn is_on_involute(&self, roll: f64) -> bool {
-        let theirs = &self.facing.free.shape;
+        let theirs = &self.problem.free.shape;
         roll >= theirs.form_roll && roll <= theirs.tip_roll
     }
 
     /// `None` where the line does not settle: the base circle reaches the land's centre.
     fn tangent(&self, step: i64, start: &Line, eccentric: bool) -> Option<Tangent> {
-        let facing = self.facing;
-        let base = facing.free.shape.base;
+        let problem = self.problem;
+        let base = problem.free.shape.base;
         let own = self.pair(step).free_base;
         let gap_on = |line: &Line| line.angle - self.roll_on(line) - own;
         let mut gap = gap_on(start);
@@ -98,7 +98,7 @@ impl PosedFlanks<'_> {
             for _ in 0..60 {
                 let (between, rate) = self.between(gap);
                 line = Line::new(between, base)?;
-                let slope = line.slope(rate, base) * facing.per_free_base;
+                let slope = line.slope(rate, base) * problem.per_free_base;
                 let change = (gap_on(&line) - gap) / (1.0 - slope);
                 gap += change;
                 if settled {

@@ -189,16 +189,11 @@ pub(super) fn nearest(value: f64) -> i64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gear::{BasicGearData, BasicRack, Face, Gear, GearDesign};
+    use crate::gear::{Face, Gear, GearDesign};
     use std::f64::consts::PI;
 
     fn teeth(face: Face, side: Side) -> (AsBuilt, Teeth) {
-        let design = GearDesign {
-            basic_data: BasicGearData::new(17, 2.0, 20f64.to_radians()).unwrap(),
-            profile_shift: 0.0,
-            rack: BasicRack::ISO_53_A,
-            tip_diameter: None,
-        };
+        let design = GearDesign::plain(17, 2.0);
         let gear = AsBuilt::perfect(Gear::nominal(design).unwrap(), face);
         let teeth = Teeth::new(&gear, side);
         (gear, teeth)

@@ -1,7 +1,7 @@
 //! The greatest gap so far, and every pair that ties with it.
 
 use super::candidate::CandidateContact;
-use super::facing::FlankProblem;
+use super::flank_problem::FlankProblem;
 use super::shape::C;
 
 /// Of pairs that tie, contacts whose distances from the pitch point differ by less count as
@@ -23,10 +23,10 @@ pub(super) struct TightestContacts {
 }
 
 impl TightestContacts {
-    pub fn new(facing: &FlankProblem) -> TightestContacts {
+    pub fn new(problem: &FlankProblem) -> TightestContacts {
         TightestContacts {
-            width: facing.tie,
-            pitch_point: facing.pitch_point,
+            width: problem.tie,
+            pitch_point: problem.pitch_point,
             greatest: f64::NEG_INFINITY,
             few: [None; FEW],
             count: 0,
@@ -76,7 +76,7 @@ impl TightestContacts {
     }
 
     /// Of the hits that tie with the greatest, the one to name: nearest to the operating pitch point, of equally
-    /// near ones the first counter-clockwise of the locked gear as [`super::facing`] sees it. Of one pair's hits its greatest.
+    /// near ones the first counter-clockwise of the locked gear as [`super::flank_problem`] sees it. Of one pair's hits its greatest.
     pub fn choose(&self) -> Option<Touching> {
         let away = |hit: &CandidateContact| (hit.point - self.pitch_point).norm_sqr().sqrt();
         let mut chosen: Option<&(i64, CandidateContact)> = None;

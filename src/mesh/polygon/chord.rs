@@ -1,13 +1,14 @@
 //! A half tooth as chords that are cut again where, and only where, a question needs them finer.
 //!
 //! Every chord knows how far its curve may leave it. It is cut in two in the middle of its parameters, which
-//! divides that by four (by eight where an involute begins). The chords down to a coarse error are cut once
-//! and shared by all teeth of a gear and all poses; what is finer is made when asked for and kept nowhere.
+//! divides that by four (by eight where an involute begins), or on either side of the place where it is nearest to
+//! another. The chords down to a coarse error are cut once and shared by all teeth of a gear and all poses; what is
+//! finer is made when asked for and kept nowhere.
 //!
 //! Of the lands only what all teeth share is cut beforehand: the near half of the tip land, or the land of a tooth thinner than
 //! that; the root land of the narrowest space. What a tooth has beyond them depends on its own deviations ([`Half`]).
 
-use crate::gear::{AsBuilt, Gear, Profile, ProfilePart, Side};
+use crate::gear::{AsBuilt, Profile, ProfilePart, Side};
 use nalgebra::{Isometry2, Point2};
 
 /// Chordal error of what [`Half::outline`] gives, in radii of the half tooth (tuned for the certificate).
@@ -61,6 +62,37 @@ impl Chord {
         ]
     }
 
+    /// The pieces into which it is cut at two parts of its parameters, what lies between them first. Of the cuts those not inside it
+    /// are left out.
+    fn cut_at(&self, profile: &Profile, side: Side, parts: [f64; 2]) -> Pieces {
+        let [from, to] = self.parameters;
+        let mut pieces = Pieces {
+            chords: [*self; 3],
+            count: 0,
+        };
+        let mut start = (from, self.ends[0]);
+        let cuts = parts.into_iter().filter(|part| *part > 0.0 && *part < 1.0);
+        let cuts = cuts.map(|part| {
+            let t = from + part * (to - from);
+            (t, profile.point(self.curve, t, side))
+        });
+        for end in cuts.chain([(to, self.ends[1])]) {
+            let (parameters, ends) = ([start.0, end.0], [start.1, end.1]);
+            pieces.chords[pieces.count] = Chord::between(profile, self.curve, parameters, ends);
+            pieces.count += 1;
+            start = end;
+        }
+        if parts[0] > 0.0 && pieces.count > 1 {
+            pieces.chords.swap(0, 1);
+        }
+        pieces
+    }
+
+    /// Whether its halves are there already.
+    pub fn is_cut(&self) -> bool {
+        self.halves.is_some()
+    }
+
     /// The same chord seen in another frame.
     pub fn seen_in(&self, frame: &Isometry2<f64>) -> Chord {
         Chord {
@@ -83,6 +115,18 @@ impl Chord {
     }
 }
 
+/// Up to three chords in the place of one.
+pub(super) struct Pieces {
+    chords: [Chord; 3],
+    count: usize,
+}
+
+impl Pieces {
+    pub fn chords(&self) -> &[Chord] {
+        &self.chords[..self.count]
+    }
+}
+
 /// A gear's two half teeth, cut beforehand. Shared by all its teeth.
 pub struct CutGear {
     halves: [CutHalf; 2],
@@ -99,11 +143,20 @@ struct CutHalf {
     /// A disc that holds them, and what each tooth has of its own up to the far corner and the middle of its space.
     centre: Point2<f64>,
     radius: f64,
-    /// Where the root land cut beforehand starts, and where it ends.
-    root_start: f64,
-    root_end: f64,
-    /// Where the tip land cut beforehand starts.
+    /// What each tooth has of its own, tooth 1 first.
+    own: Vec<OwnLands>,
+}
+
+/// What the half tooth of one tooth has beyond what all share.
+struct OwnLands {
+    /// The tip land's parameter at its far corner.
     land_start: f64,
+    /// The root land's parameter in the middle of the space as built.
+    root_end: f64,
+    /// The rest of the tip land, and of the root land.
+    chords: [Option<Chord>; 2],
+    /// No longer than this, mm.
+    length: f64,
 }
 
 impl CutGear {
@@ -167,15 +220,43 @@ impl CutHalf {
             let cut = outline[place].halves.map_or(0, |first| first as usize);
             outline.splice(place..=place, chords[cut..cut + 2].iter().copied());
         }
+        let teeth = 1..=gear.gear().basic_data().teeth();
+        let own =
+            teeth.map(|tooth| OwnLands::new(gear, &profile, side, tooth, land_start, root_end));
         CutHalf {
             centre: nalgebra::center(&low, &high),
             radius,
             chords,
             curves,
             outline,
-            root_start: profile.range(ProfilePart::Root).0,
-            root_end,
+            own: own.collect(),
+        }
+    }
+}
+
+impl OwnLands {
+    /// Of the half tooth on `side` of `tooth`, where all share the tip land from `shared_start` on and the root land up to `shared_end`.
+    fn new(
+        gear: &AsBuilt,
+        profile: &Profile,
+        side: Side,
+        tooth: u32,
+        shared_start: f64,
+        shared_end: f64,
+    ) -> OwnLands {
+        let (land_start, root_end) = (gear.land_start(tooth), gear.root_end(side, tooth));
+        let far =
+            (land_start < shared_start).then_some((ProfilePart::Tip, [land_start, shared_start]));
+        // Where a space is closed at its root there is none in any tooth's half.
+        let from = shared_end.max(profile.range(ProfilePart::Root).0);
+        let rest = (root_end > from).then_some((ProfilePart::Root, [from, root_end]));
+        let chord = |(curve, range)| Chord::new(profile, side, curve, range);
+        OwnLands {
             land_start,
+            root_end,
+            chords: [far.map(chord), rest.map(chord)],
+            length: gear.gear().tip_radius() * (shared_start - land_start)
+                + gear.gear().root_radius() * (root_end - shared_end).max(0.0),
         }
     }
 }
@@ -187,41 +268,40 @@ impl CutHalf {
 /// it can.
 #[derive(Clone, Copy)]
 pub(super) struct Half<'a> {
-    gear: &'a Gear,
     profile: Profile<'a>,
     side: Side,
     cut: &'a CutHalf,
-    /// The land's parameter at its far corner.
-    pub land_start: f64,
-    /// The root land's parameter in the middle of the space as built.
-    pub root_end: f64,
+    own: &'a OwnLands,
 }
 
 impl<'a> Half<'a> {
     /// The half tooth on `side` of `tooth`; `profile` is the gear's.
-    pub fn new(
-        gear: &'a AsBuilt,
-        profile: Profile<'a>,
-        cut: &'a CutGear,
-        side: Side,
-        tooth: u32,
-    ) -> Half<'a> {
+    pub fn new(profile: Profile<'a>, cut: &'a CutGear, side: Side, tooth: u32) -> Half<'a> {
         let cut = match side {
             Side::Right => &cut.halves[0],
             Side::Left => &cut.halves[1],
         };
         Half {
-            gear: gear.gear(),
             profile,
             side,
             cut,
-            land_start: gear.land_start(tooth),
-            root_end: gear.root_end(side, tooth),
+            own: &cut.own[tooth as usize - 1],
         }
     }
 
-    pub fn gear(&self) -> &'a Gear {
-        self.gear
+    /// The curves of the gear's half teeth.
+    pub fn profile(&self) -> &Profile<'a> {
+        &self.profile
+    }
+
+    /// The tip land's parameter at its far corner.
+    pub fn land_start(&self) -> f64 {
+        self.own.land_start
+    }
+
+    /// The root land's parameter in the middle of the space as built.
+    pub fn root_end(&self) -> f64 {
+        self.own.root_end
     }
 
     /// Its longest chords that all teeth share: one a curve.
@@ -235,15 +315,8 @@ impl<'a> Half<'a> {
     }
 
     /// Its longest chords that are its own: the rest of the tip land, and of the root land.
-    pub fn own(&self) -> [Option<Chord>; 2] {
-        let shared = self.cut.land_start;
-        let far =
-            (self.land_start < shared).then_some((ProfilePart::Tip, [self.land_start, shared]));
-        // Where a space is closed at its root there is none in any tooth's half.
-        let from = self.cut.root_end.max(self.cut.root_start);
-        let rest = (self.root_end > from).then_some((ProfilePart::Root, [from, self.root_end]));
-        let chord = |(curve, range)| Chord::new(&self.profile, self.side, curve, range);
-        [far.map(chord), rest.map(chord)]
+    pub fn own(&self) -> impl Iterator<Item = &'a Chord> + use<'a> {
+        self.own.chords.iter().flatten()
     }
 
     /// The two halves of one of its chords; `made` holds them unless they were cut beforehand.
@@ -252,6 +325,11 @@ impl<'a> Half<'a> {
             Some(first) => &self.cut.chords[first as usize..first as usize + 2],
             None => made.insert(chord.cut(&self.profile, self.side)),
         }
+    }
+
+    /// One of its chords, cut at two parts of its parameters; less than two where they are not inside it.
+    pub fn cut_at(&self, chord: &Chord, parts: [f64; 2]) -> Pieces {
+        chord.cut_at(&self.profile, self.side, parts)
     }
 
     /// Greatest curvature, 1/mm, of the curve a chord stands for, where it is known.
@@ -263,8 +341,6 @@ impl<'a> Half<'a> {
     /// Centre and radius, mm, of a disc that holds the half tooth.
     pub fn disc(&self) -> (Point2<f64>, f64) {
         // What is its own is no longer than its arcs.
-        let own = self.gear.tip_radius() * (self.cut.land_start - self.land_start)
-            + self.gear.root_radius() * (self.root_end - self.cut.root_end).max(0.0);
-        (self.cut.centre, self.cut.radius + own)
+        (self.cut.centre, self.cut.radius + self.own.length)
     }
 }

@@ -17,6 +17,9 @@ use nalgebra::{Point2, Vector2};
 /// Greatest angle `θ`, rad, that the bound above holds for.
 const STEEPEST: f64 = 0.5;
 
+/// The greatest part of a stretch that is cut out to either side: it becomes shorter by as much, whatever is missing.
+const WIDEST: f64 = 0.25;
+
 /// A stretch of a curve: its ends, mm, and its greatest curvature, 1/mm.
 #[derive(Clone, Copy)]
 pub(super) struct Stretch<'a> {
@@ -48,9 +51,38 @@ impl Graph {
     }
 }
 
-/// How far two stretches are surely apart, mm, measured across the mean of their chords: 0 or less says nothing, and `None` that the
-/// chords are too steep, or the curves bend too much, to be graphs over it. The distance of the curves is at least 0.75 of it.
-pub(super) fn gap(ours: &Stretch, theirs: &Stretch) -> Option<f64> {
+/// How far two stretches are surely apart, and where the bound is least.
+#[derive(Clone, Copy)]
+pub(super) struct Gap {
+    /// Measured across the mean of the chords, mm; 0 or less says nothing. The distance of the curves is at least 0.75 of it.
+    pub width: f64,
+    /// Where over the line.
+    lowest: f64,
+    /// `K_1 + K_2`, 1/mm.
+    bend: f64,
+    /// Where each stretch's first end stands over the line, and how far it runs from there.
+    runs: [(f64, f64); 2],
+}
+
+impl Gap {
+    /// Parts of each stretch at which both are best cut where `width` falls short by `missing`: on either side of where it is least.
+    ///
+    /// Beside a place where curves touch their gap is `(K_1 + K_2) t²/2`: beyond `δ = √(2 d/(K_1 + K_2))` it is more than the `d` that
+    /// is missing, and the outer pieces are seen to be clear. What is missing goes with the third power of the length, so that of a
+    /// stretch of the length `L` the middle piece is but `L √L` long. Where curves cross by as little as `d` they do so within `δ`.
+    pub fn cuts(&self, missing: f64) -> [[f64; 2]; 2] {
+        let longest = self.runs[0].1.abs().max(self.runs[1].1.abs());
+        let half = (2.0 * missing / self.bend).sqrt().min(WIDEST * longest);
+        self.runs.map(|(start, run)| {
+            let [middle, half] = [(self.lowest - start) / run, half / run.abs()];
+            [middle - half, middle + half]
+        })
+    }
+}
+
+/// How far two stretches are surely apart; `None` that the chords are too steep, or the curves bend too much, to be graphs over
+/// the mean of their chords.
+pub(super) fn gap(ours: &Stretch, theirs: &Stretch) -> Option<Gap> {
     let turn = |stretch: &Stretch| 2.04 * stretch.half_length * stretch.curvature;
     // An arc that turns by no more than half a radian is within 2 % of its chord.
     let turn = turn(ours).max(turn(theirs));
@@ -92,16 +124,29 @@ pub(super) fn gap(ours: &Stretch, theirs: &Stretch) -> Option<f64> {
     };
     let (one, other) = (graph(ours, false), graph(theirs, reversed));
     let (from, to) = (one.start.max(other.start), one.end.min(other.end));
+    let bend = one.bend + other.bend;
+    let run = |graph: &Graph, reversed: bool| match reversed {
+        true => (graph.end, graph.start - graph.end),
+        false => (graph.start, graph.end - graph.start),
+    };
+    let at = |width: f64, lowest: f64| Gap {
+        width,
+        lowest,
+        bend,
+        runs: [run(&one, false), run(&other, reversed)],
+    };
     if from > to {
-        return Some(from - to);
+        return Some(at(from - to, from));
     }
     let apart = |x: f64| other.chord(x) - one.chord(x);
     let side = apart(0.5 * (from + to)).signum();
     // The parabola opens upward, with the curvature K_1 + K_2.
     let slope = side * (other.slope - one.slope);
     let level = one.bend * one.middle() + other.bend * other.middle() - slope;
-    let lowest = (level / (one.bend + other.bend)).clamp(from, to);
-    Some(side * apart(lowest) - one.remainder(lowest) - other.remainder(lowest))
+    // Of parallel lines 0/0: any place will do.
+    let lowest = (level / bend).max(from).min(to);
+    let width = side * apart(lowest) - one.remainder(lowest) - other.remainder(lowest);
+    Some(at(width, lowest))
 }
 
 #[cfg(test)]
@@ -141,7 +186,7 @@ mod tests {
             );
             for theirs in [theirs, ([theirs.0[1], theirs.0[0]], theirs.1)] {
                 for [one, other] in [[&ours, &theirs], [&theirs, &ours]] {
-                    let gap = gap(&stretch(one), &stretch(other)).unwrap();
+                    let gap = gap(&stretch(one), &stretch(other)).unwrap().width;
                     assert!(
                         gap <= distance && gap >= distance - loss,
                         "{gap} of {distance}"
@@ -159,7 +204,7 @@ mod tests {
             for overlap in [0.0, 1e-12, 1e-6] {
                 let ours = arc([0.0, -10.0], 10.0, [up - half, up + half]);
                 let theirs = arc([0.0, 20.0 - overlap], 20.0, [-up - half, -up + half]);
-                let gap = gap(&stretch(&ours), &stretch(&theirs)).unwrap();
+                let gap = gap(&stretch(&ours), &stretch(&theirs)).unwrap().width;
                 assert!(gap <= 1e-14, "{gap}");
             }
         }
@@ -171,7 +216,47 @@ mod tests {
         let up = std::f64::consts::FRAC_PI_2;
         let ours = arc([0.0, -10.0], 10.0, [up + 0.01, up + 0.03]);
         let theirs = arc([0.0, 20.0], 20.0, [-up - 0.005, -up + 0.005]);
-        assert!(gap(&stretch(&ours), &stretch(&theirs)).unwrap() > 0.0);
+        assert!(gap(&stretch(&ours), &stretch(&theirs)).unwrap().width > 0.0);
+    }
+
+    /// An arc whose curvature is known as no more than 1.02 times of what it is, as that of an involute, touches another. Cut where the
+    /// bound says, the outer pieces are told apart, and the middle ones are shorter than halves.
+    #[test]
+    fn a_cut_leaves_clear_pieces_outside() {
+        let up = std::f64::consts::FRAC_PI_2;
+        for half in [0.1, 0.01, 0.001] {
+            let (ours_at, theirs_at) = (
+                [up - half, up + 0.8 * half],
+                [-up + 0.4 * half, -up - 0.5 * half],
+            );
+            let part = |ends: [f64; 2], part: f64| ends[0] + part * (ends[1] - ends[0]);
+            let ours =
+                |from: f64, to: f64| arc([0.0, -10.0], 10.0, [from, to].map(|p| part(ours_at, p)));
+            let theirs =
+                |from: f64, to: f64| arc([0.0, 20.0], 20.0, [from, to].map(|p| part(theirs_at, p)));
+            let judged = |ours: ([Point2<f64>; 2], f64), theirs: ([Point2<f64>; 2], f64)| {
+                let bent = |arc| Stretch {
+                    curvature: 1.02 * stretch(arc).curvature,
+                    ..stretch(arc)
+                };
+                gap(&bent(&ours), &bent(&theirs)).unwrap()
+            };
+            let whole = judged(ours(0.0, 1.0), theirs(0.0, 1.0));
+            assert!(whole.width < 0.0);
+            let [a, b] = whole.cuts(-whole.width);
+            assert!(a[0] > 0.0 && a[1] < 1.0 && a[1] - a[0] < 0.4, "{a:?}");
+            for (ours, theirs) in [
+                (ours(0.0, a[0]), theirs(0.0, b[0])),
+                (ours(0.0, a[0]), theirs(b[0], b[1])),
+                (ours(a[0], a[1]), theirs(0.0, b[0])),
+                (ours(a[0], a[1]), theirs(b[1], 1.0)),
+                (ours(a[1], 1.0), theirs(b[0], b[1])),
+                (ours(a[1], 1.0), theirs(b[1], 1.0)),
+            ] {
+                let width = judged(ours, theirs).width;
+                assert!(width > 0.0, "{half}: {width}");
+            }
+        }
     }
 
     #[test]

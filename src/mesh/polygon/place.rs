@@ -1,8 +1,8 @@
 //! What touches where two half teeth are closest: curves, radii, point and normal.
 
 use super::chord::{Chord, Half};
-use super::facing::FlankProblem;
-use crate::gear::{Profile, ProfilePart};
+use super::flank_problem::FlankProblem;
+use crate::gear::ProfilePart;
 use crate::mesh::contact::Closest;
 use crate::mesh::lost_motion::{Contact, Touch};
 use crate::pair::Member;
@@ -108,13 +108,14 @@ impl Place {
 
 /// What `half` brings at the point `at` of its chord, in its own frame.
 fn part(facing: &FlankProblem, half: &Half, tooth: u32, chord: &Chord, at: &Point2<f64>) -> Part {
-    let profile = Profile::new(half.gear());
+    let profile = half.profile();
+    let gear = profile.gear();
     let (curve, parameter) = (chord.curve, chord.parameter_at(at));
     let radius = at.coords.norm();
     let normal = profile.normal(curve, parameter, facing.side);
     let named = match curve {
-        _ if radius >= half.gear().tip_radius() - CORNER => ProfilePart::Tip,
-        ProfilePart::Fillet if radius < half.gear().root_radius() + CORNER => ProfilePart::Root,
+        _ if radius >= gear.tip_radius() - CORNER => ProfilePart::Tip,
+        ProfilePart::Fillet if radius < gear.root_radius() + CORNER => ProfilePart::Root,
         _ => curve,
     };
     let end = |curve, parameter: f64| {
@@ -128,12 +129,8 @@ fn part(facing: &FlankProblem, half: &Half, tooth: u32, chord: &Chord, at: &Poin
             radius,
         },
         normal: (!is_edge(half, curve, parameter, radius)).then_some(normal),
-        curvature: match curve {
-            ProfilePart::Tip | ProfilePart::Root => 1.0 / radius,
-            ProfilePart::Involute => 1.0 / (half.gear().base_radius() * chord.parameters[1]),
-            // Hollow, or flat enough beside the arm.
-            ProfilePart::Fillet => 0.0,
-        },
+        // A fillet is hollow, or flat enough beside the arm.
+        curvature: half.curvature(chord).unwrap_or(0.0),
         hollow: match curve {
             ProfilePart::Fillet | ProfilePart::Root => true,
             ProfilePart::Involute => end(ProfilePart::Involute, chord.parameters[1]),
@@ -144,19 +141,19 @@ fn part(facing: &FlankProblem, half: &Half, tooth: u32, chord: &Chord, at: &Poin
 
 /// Whether a half tooth has an edge or ends at the place: a corner of its tip, or the middle of the space.
 fn is_edge(half: &Half, curve: ProfilePart, parameter: f64, radius: f64) -> bool {
-    let gear = half.gear();
-    let profile = Profile::new(gear);
+    let profile = half.profile();
+    let gear = profile.gear();
     let inside = CORNER / radius;
     match curve {
         ProfilePart::Tip => {
             parameter >= profile.range(ProfilePart::Tip).1 - inside
-                || parameter <= half.land_start + inside
+                || parameter <= half.land_start() + inside
         }
         ProfilePart::Involute => radius >= gear.tip_radius() - CORNER,
         ProfilePart::Fillet => {
-            half.root_end <= profile.range(ProfilePart::Root).0
+            half.root_end() <= profile.range(ProfilePart::Root).0
                 && radius <= gear.root_radius() + CORNER
         }
-        ProfilePart::Root => parameter >= half.root_end - inside,
+        ProfilePart::Root => parameter >= half.root_end() - inside,
     }
 }

@@ -27,7 +27,7 @@
 //! is gone after `X/M`. Where the root is not real nothing proves that there is a contact at all: the inner end is then half a turn off.
 
 use super::chord::Chord;
-use super::facing::FlankProblem;
+use super::flank_problem::FlankProblem;
 use super::place::Place;
 use crate::error::Error;
 use crate::mesh::contact::closest;
@@ -165,10 +165,10 @@ const SPENT: &str = "the effort allowed for one pose was spent: too many stretch
 
 /// All pairs of the longest chords of a facing pair that may meet, from where they share no direction.
 fn start(index: usize, facing: &FlankProblem, waiting: &mut BinaryHeap<Pair>) {
-    let [locked, free] = [facing.locked.own(), facing.free.own()];
-    for theirs in facing.free.shared().iter().chain(free.iter().flatten()) {
+    let (locked, free) = (&facing.locked, &facing.free);
+    for theirs in free.shared().iter().chain(free.own()) {
         let radii = facing.radii(theirs);
-        for ours in facing.locked.shared().iter().chain(locked.iter().flatten()) {
+        for ours in locked.shared().iter().chain(locked.own()) {
             if !facing.passes(ours, radii) {
                 let (opening, end) = facing.shared_directions(ours, theirs);
                 waiting.push(Pair {

@@ -1,9 +1,10 @@
 //! Deviations drawn larger than they are.
 
 use crate::check_labels;
+use crate::design::design;
 use crate::picture::read;
 use crate::solved::{Solved, deviated};
-use gearlash::gear::{AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Side};
+use gearlash::gear::{AsBuilt, Deviations, Face, Gear, GearDesign, Side};
 use gearlash::mesh::Exaggeration;
 use gearlash::pair::Member;
 use gearlash_render::{Snapshot, exaggerated};
@@ -29,12 +30,9 @@ fn strong() -> Solved {
 /// to each side), eccentricity is as given; all of it times the factor.
 #[test]
 fn every_flank_moves_by_its_deviation_times_the_factor() {
-    let basic_data = BasicGearData::new(30, 2.0, 20f64.to_radians()).unwrap();
     let design = GearDesign {
-        basic_data,
         profile_shift: 0.1,
-        rack: BasicRack::ISO_53_A,
-        tip_diameter: None,
+        ..design(30, 2.0)
     };
     // s_b = cos α (s + 2 r inv α): base thickness grows by the cosine of the reference thickness.
     let thicker = design.nominal_base_thickness() + 0.03 * 20f64.to_radians().cos();

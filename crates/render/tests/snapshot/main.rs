@@ -2,6 +2,8 @@
 
 mod animated;
 mod closed_form;
+#[path = "../../../../tests/common/design.rs"]
+mod design;
 mod exaggerated;
 mod picture;
 mod scene;

@@ -25,7 +25,7 @@
 //! eccentricity `e_L` of its axis. Pairs of curves that fail are *open*: left to branch and bound.
 
 use super::curves::Curves;
-use super::facing::lens_half;
+use super::flank_problem::lens_half;
 use super::shape::Shape;
 use crate::gear::ProfilePart::{self, Fillet, Involute, Root, Tip};
 use crate::gear::involute;
@@ -33,7 +33,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 /// What is known of a pair of gears at every pose.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Certificate {
+pub(super) struct SearchFreeProof {
     /// Pairs of curves that must be searched.
     pub open: Curves,
     /// Least `γ` of the locked and of the free fillet that can be reached; `None` where
@@ -48,7 +48,7 @@ pub(super) struct Certificate {
     pub steep_arm: Option<f64>,
 }
 
-impl Certificate {
+impl SearchFreeProof {
     /// Whether no pose needs a search.
     pub fn is_direct(&self) -> bool {
         self.open.is_empty() && self.steep_arm.is_none()
@@ -79,8 +79,8 @@ impl Setting<'_> {
         self.near() - self.locked.tip_radius
     }
 
-    /// The certificate; `None` where not even involutes can do without a search.
-    pub fn certify(&self) -> Option<Certificate> {
+    /// The proof; `None` where not even involutes can do without a search.
+    pub fn prove(&self) -> Option<SearchFreeProof> {
         let (ours, theirs, near) = (self.locked, self.free, self.near());
         if !(self.inmost() > self.free_off && theirs.base > self.free_off) {
             return None;
@@ -129,7 +129,7 @@ impl Setting<'_> {
         if free_reach != Reach::Involute && free_fillet.is_none() {
             open.add(Tip, Fillet);
         }
-        Some(Certificate {
+        Some(SearchFreeProof {
             open,
             locked_fillet: fillet_arm.map(|(gamma, _)| gamma),
             free_fillet,

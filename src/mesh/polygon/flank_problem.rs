@@ -4,10 +4,9 @@
 //! from its nominal rotation in the sense away from contact: of two pairs, the one that touches at the greater opening is
 //! tighter.
 
-use super::PolygonKernel;
-use super::chord::{Chord, Half};
+use super::chord::{Chord, CutGear, Half};
 use crate::error::Error;
-use crate::gear::Side;
+use crate::gear::{Profile, Side};
 use crate::mesh::contact::Closest;
 use crate::pair::{GearPair, Member, Pose};
 use nalgebra::{Isometry2, Point2, UnitComplex, Vector2};
@@ -21,6 +20,39 @@ const SPLITS: u32 = 12;
 
 /// A direction off by less than this, rad, costs a safe turn nothing.
 const WELL_KNOWN: f64 = 1e-6;
+
+/// A pair of gears, each cut beforehand.
+#[derive(Clone, Copy)]
+pub(super) struct CutTeeth<'a> {
+    pub assembly: &'a GearPair,
+    locked: (Profile<'a>, &'a CutGear),
+    free: (Profile<'a>, &'a CutGear),
+}
+
+impl<'a> CutTeeth<'a> {
+    pub fn new(assembly: &'a GearPair, wheel: &'a CutGear, pinion: &'a CutGear) -> CutTeeth<'a> {
+        let of = |member: Member| {
+            let cut = match member {
+                Member::Wheel => wheel,
+                Member::Pinion => pinion,
+            };
+            (Profile::new(assembly.gear(member).gear()), cut)
+        };
+        CutTeeth {
+            assembly,
+            locked: of(assembly.locked()),
+            free: of(assembly.free()),
+        }
+    }
+
+    /// The same gears at another distance, as `assembly` has them.
+    pub fn at<'b>(&self, assembly: &'b GearPair) -> CutTeeth<'b>
+    where
+        'a: 'b,
+    {
+        CutTeeth { assembly, ..*self }
+    }
+}
 
 /// A pair of half teeth of one side.
 #[derive(Clone, Copy)]
@@ -46,20 +78,13 @@ pub(super) struct FlankProblem<'a> {
 
 impl<'a> FlankProblem<'a> {
     /// The locked tooth `steps` places counter-clockwise of the mating's, and the free tooth that faces its `side`.
-    pub fn new(
-        kernel: &PolygonKernel<'a>,
-        pose: &'a Pose,
-        side: Side,
-        steps: i64,
-    ) -> FlankProblem<'a> {
-        let assembly = kernel.assembly;
+    pub fn new(teeth: &CutTeeth<'a>, pose: &'a Pose, side: Side, steps: i64) -> FlankProblem<'a> {
+        let assembly = teeth.assembly;
         let (locked, free) = (assembly.locked(), assembly.free());
         let mating = pose.mating().tooth(locked);
         let locked_tooth = assembly.gear(locked).counter_clockwise(mating, steps);
         let free_tooth = pose.facing_tooth(assembly, side, steps);
-        let half = |member, profile, cut, tooth| {
-            Half::new(assembly.gear(member), profile, cut, side, tooth)
-        };
+        let half = |(profile, cut), tooth| Half::new(profile, cut, side, tooth);
         let locked_frame = frame(assembly, locked, pose.locked_rotation(), side, locked_tooth);
         let free_frame = frame(assembly, free, pose.free_rotation(), side, free_tooth);
         let axis = assembly.axis(free);
@@ -73,8 +98,8 @@ impl<'a> FlankProblem<'a> {
             side,
             locked_tooth,
             free_tooth,
-            locked: half(locked, kernel.profiles[0], kernel.locked, locked_tooth),
-            free: half(free, kernel.profiles[1], kernel.free, free_tooth),
+            locked: half(teeth.locked, locked_tooth),
+            free: half(teeth.free, free_tooth),
             axis: back * (axis - locked_frame.translation.vector),
             from_axis: back * (free_frame.translation.vector - axis.coords),
             turn: back * free_frame.rotation,

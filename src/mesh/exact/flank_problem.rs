@@ -9,8 +9,6 @@
 //! *Steps* count places counter-clockwise from the locked tooth nearest to the line of
 //! centres; the free tooth facing it lies as many steps clockwise of its own.
 
-use super::direct::{DirectSolver, Envelopes};
-use super::envelope::Envelope;
 use super::placed::Placed;
 use super::shape::C;
 use super::teeth::{Teeth, nearest, reduced};
@@ -35,8 +33,6 @@ pub(super) struct FlankProblem {
     pub distance: f64,
     /// Half teeth whose undisturbed centre line lies within these angles of the line of centres can reach the mate.
     window: Option<(f64, f64)>,
-    /// For pairs that need little or no search.
-    pub shortcut: Option<DirectSolver>,
     /// `1/r_bF` and `1/r_bL`.
     pub per_free_base: f64,
     pub per_locked_base: f64,
@@ -66,47 +62,26 @@ impl FlankProblem {
             assembly.gear(assembly.locked()),
             assembly.gear(assembly.free()),
         );
-        let mut facing = FlankProblem {
+        let mut problem = FlankProblem {
             side,
             locked: teeth.0,
             free: teeth.1,
             distance: assembly.center_distance(),
             window: None,
-            shortcut: None,
             per_free_base: 1.0 / free.gear().base_radius(),
             per_locked_base: 1.0 / locked.gear().base_radius(),
             per_pitch: 1.0 / locked.gear().basic_data().angular_pitch(),
             tie: 0.0,
             pitch_point: C::from(assembly.operating_pitch_radius(assembly.free())),
         };
-        facing.tie = facing.tie_at(facing.distance);
-        facing.window = window_half(locked, free, facing.distance)
-            .map(|half| (-half - facing.locked.farthest, half + facing.locked.deepest));
-        facing
-    }
-
-    /// What spares searching, with these envelopes; the same for both sides.
-    pub fn find_shortcut(
-        &self,
-        assembly: &GearPair,
-        envelopes: &Envelopes,
-    ) -> Option<DirectSolver> {
-        DirectSolver::new(self, assembly, envelopes.clone())
-    }
-
-    /// The envelopes of both gears, good at every centre distance at which they reach each other.
-    pub fn envelopes(&self, assembly: &GearPair) -> Envelopes {
-        let (ours, theirs) = (
-            assembly.gear(assembly.locked()),
-            assembly.gear(assembly.free()),
-        );
-        // A tie below the greatest gap must not be ruled out: both gears' points move by less than this.
-        let farthest = self.distance.max(ours.reach() + theirs.reach());
-        let margin = 4.0 * self.tie_at(farthest) * (farthest + self.locked.shape.tip_radius);
-        Envelopes {
-            locked: Arc::new(Envelope::new(ours.gear(), margin, 0.0)),
-            free: Arc::new(Envelope::new(theirs.gear(), margin, theirs.eccentricity())),
-        }
+        problem.tie = problem.tie_at(problem.distance);
+        problem.window = window_half(locked, free, problem.distance).map(|half| {
+            (
+                -half - problem.locked.farthest,
+                half + problem.locked.deepest,
+            )
+        });
+        problem
     }
 
     /// Puts the teeth where `pose` has them: `rotation` is the locked gear's, reduced, and `turned` `e^{i rotation}`,
@@ -132,7 +107,7 @@ impl FlankProblem {
         let free_place = self.free.place(teeth.1, beyond - steps);
         let origin = self.free.direction(free_place);
         PosedFlanks {
-            facing: self,
+            problem: self,
             turned,
             centre: C::from(self.distance) - turned * self.locked.displacement,
             ahead: reduced(mirror * rotation + self.locked.angle(locked_place)),
@@ -161,7 +136,7 @@ impl FlankProblem {
     }
 
     /// The tie tolerance at a centre distance.
-    fn tie_at(&self, distance: f64) -> f64 {
+    pub fn tie_at(&self, distance: f64) -> f64 {
         let base = self.free.shape.base;
         TIE_MM / base + 2.0 * self.rounding_at(distance, base, 1.0)
     }
@@ -205,7 +180,7 @@ pub(super) fn lens_half(ours: f64, theirs: f64, distance: f64) -> Option<f64> {
 /// The half teeth of one side at one pose.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct PosedFlanks<'a> {
-    pub facing: &'a FlankProblem,
+    pub problem: &'a FlankProblem,
     /// Rotation of the locked gear.
     pub turned: C,
     /// Centre of the locked outline.
@@ -224,12 +199,12 @@ pub(super) struct PosedFlanks<'a> {
 impl<'a> PosedFlanks<'a> {
     /// Steps whose locked half tooth can reach the free gear; empty when none can.
     pub fn steps(&self) -> Range<i64> {
-        let Some((low, high)) = self.facing.window else {
+        let Some((low, high)) = self.problem.window else {
             return 0..0;
         };
-        let per_pitch = self.facing.per_pitch;
+        let per_pitch = self.problem.per_pitch;
         // Never more than once round. The cast cuts towards zero: at worst a tooth too many.
-        let half = (self.facing.locked.count() - 1) / 2;
+        let half = (self.problem.locked.count() - 1) / 2;
         let first = ((low - self.ahead) * per_pitch) as i64;
         let last = ((high - self.ahead) * per_pitch) as i64;
         first.max(-half)..last.min(half + 1) + 1
@@ -238,14 +213,14 @@ impl<'a> PosedFlanks<'a> {
     /// Places of the locked and the free tooth of a step.
     pub fn places(&self, step: i64) -> (usize, usize) {
         (
-            self.facing.locked.beside(self.locked_place, step),
-            self.facing.free.beside(self.free_place, -step),
+            self.problem.locked.beside(self.locked_place, step),
+            self.problem.free.beside(self.free_place, -step),
         )
     }
 
     /// The locked half tooth of a step.
     pub fn locked(&self, step: i64) -> Placed<'a> {
-        let teeth = &self.facing.locked;
+        let teeth = &self.problem.locked;
         let place = teeth.beside(self.locked_place, step);
         Placed {
             shape: &teeth.shape,
@@ -258,7 +233,7 @@ impl<'a> PosedFlanks<'a> {
 
     /// The free half tooth of a step, at rotation 0.
     pub fn free(&self, step: i64) -> Placed<'a> {
-        let teeth = &self.facing.free;
+        let teeth = &self.problem.free;
         let place = teeth.beside(self.free_place, -step);
         Placed {
             shape: &teeth.shape,
@@ -271,6 +246,6 @@ impl<'a> PosedFlanks<'a> {
 
     /// The free gear's rotation at a gap, in this (mirrored) frame.
     pub fn rotation(&self, gap: f64) -> f64 {
-        gap - (self.facing.free.angle(self.free_place) + self.free_offset)
+        gap - (self.problem.free.angle(self.free_place) + self.free_offset)
     }
 }

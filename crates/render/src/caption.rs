@@ -1,13 +1,12 @@
 //! The words above the picture.
 
-use super::bound::bound;
-use super::decimal::fixed;
 use super::labels;
 use super::page::{GREY, INK, text};
 use super::snapshot::Snapshot;
 use gearlash::gear::Side;
 use gearlash::mesh::{Drawn, Scene, Status};
 use gearlash::pair::Mating;
+use gearlash_files::numbers::{bound_um, pitches_beyond, trimmed, um};
 use svg::node::Node;
 use svg::node::element::Group;
 
@@ -46,15 +45,11 @@ fn pose_line(view: &Snapshot) -> String {
         flank,
         fraction,
     } = *view.pose.mating();
-    let fraction = match fraction {
-        0.0 => String::new(),
-        _ if fraction > 0.0 => format!(" + {} pitch", decimals(fraction, 0, 6)),
-        _ => format!(" − {} pitch", decimals(-fraction, 0, 6)),
-    };
+    let fraction = pitches_beyond(fraction, 6);
     format!(
         "mating: wheel {wheel_tooth} – pinion {pinion_tooth} at {} flank{fraction} · centre distance {} mm · material: {}",
         flank.name(),
-        decimals(view.assembly.center_distance(), 3, 6),
+        trimmed(view.assembly.center_distance(), 3, 6),
         view.material
     )
 }
@@ -91,22 +86,7 @@ fn result_line(view: &Snapshot, scene: &Scene) -> String {
 fn j_wt((value, error): (f64, f64)) -> String {
     format!(
         "j_wt = {} µm (error ≤ {} µm)",
-        micrometres(value),
-        bound(error)
+        um(value, 2),
+        bound_um(error)
     )
-}
-
-/// A length in µm to 0.01, with a true minus sign.
-pub fn micrometres(mm: f64) -> String {
-    fixed(mm * 1e3, 2)
-}
-
-/// At least `least` and at most `most` decimals, no more than the value has.
-pub fn decimals(value: f64, least: usize, most: usize) -> String {
-    let mut text = format!("{value:.most$}");
-    let shortest = text.len() - (most - least);
-    while text.len() > shortest && text.ends_with('0') {
-        text.pop();
-    }
-    text.trim_end_matches('.').to_owned()
 }

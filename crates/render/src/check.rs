@@ -1,12 +1,12 @@
 //! The checks of a pair as text and as JSON.
 
-use super::decimal::ascii;
 use super::table::{finish, table};
 use gearlash::diagnosis::{Check, Diagnosis, Group, Verdict};
 use gearlash::pair::Member;
 use gearlash::study::Study;
 use gearlash_files::PairFile;
 use gearlash_files::characters;
+use gearlash_files::numbers::{ascii, distance, um_ascii};
 use gearlash_files::results::{ContactCountRecord, contact_count_record};
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -115,12 +115,12 @@ pub fn text(study: &Study, diagnosis: &Diagnosis) -> String {
             check.gear.map_or("", Member::name).to_owned(),
         ];
         if several {
-            row.push(format!("{:.3}", group.assembly.center_distance()));
+            row.push(distance(group.assembly.center_distance()));
             row.push(group.material.name().to_owned());
         }
-        row.push(shown(check.analytic));
-        row.push(measured(check, shown));
-        row.extend([check.limit, check.margin].map(shown));
+        row.push(ascii(check.analytic, 4));
+        row.push(measured(check, |value| ascii(value, 4)));
+        row.extend([check.limit, check.margin].map(|value| ascii(value, 4)));
         row.push(unit(check.unit).to_owned());
         row.push(check.note.clone());
         rows.add_row(row);
@@ -173,11 +173,11 @@ fn contact(diagnosis: &Diagnosis) -> String {
         let _ = writeln!(
             text,
             "Lost motion the formula does not see: least {}, mean {}, most {} µm of j_wt (formula {}, found {} µm).",
-            um(loss.least),
-            um(loss.mean),
-            um(worst.loss),
-            um(worst.backlash + worst.loss),
-            um(worst.backlash),
+            um_ascii(loss.least, 3),
+            um_ascii(loss.mean, 3),
+            um_ascii(worst.loss, 3),
+            um_ascii(worst.backlash + worst.loss, 3),
+            um_ascii(worst.backlash, 3),
         );
         let _ = writeln!(
             text,
@@ -225,15 +225,6 @@ pub(super) fn measured(check: &Check, shown: impl Fn(Option<f64>) -> String) -> 
         (Some(_), None) => "unproven".to_owned(),
         (_, measured) => shown(measured),
     }
-}
-
-/// µm with three decimals.
-fn um(length: f64) -> String {
-    ascii(length * 1e3, 3)
-}
-
-fn shown(value: Option<f64>) -> String {
-    value.map_or("–".to_owned(), |value| ascii(value, 4))
 }
 
 /// A check's unit as it is shown.

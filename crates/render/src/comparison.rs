@@ -8,6 +8,7 @@ use super::unproven::doubts;
 use gearlash::compare::{ComparedPose, Verdict};
 use gearlash::tally::RunTally;
 use gearlash_files::characters::{self, plain};
+use gearlash_files::numbers::{distance, signed_um, um_ascii};
 use gearlash_files::results::{MatingRecord, UnprovenRecord, mating_record, unproven_record};
 use serde::Serialize;
 use std::fmt::Write;
@@ -99,11 +100,11 @@ impl ComparedPair {
         }
         let worst = run.worst().map_or(String::new(), |(pose, difference)| {
             format!(
-                "; largest difference {:+.4} µm at {} (tolerance {} + bound {:.4} µm)",
-                difference * 1e3,
+                "; largest difference {} µm at {} (tolerance {} + bound {} µm)",
+                signed_um(difference, 4),
                 where_it_is(pose),
                 self.tolerance_um,
-                pose.swept.error_bound.unwrap_or(0.0) * 1e3,
+                um_ascii(pose.swept.error_bound.unwrap_or(0.0), 4),
             )
         });
         Some(parts.join(", ") + &worst)
@@ -141,8 +142,8 @@ fn at_poses(run: &RunTally, parts: &[(usize, &str)]) -> Option<String> {
 
 fn run_name(run: &RunTally) -> String {
     format!(
-        "a = {:.3} mm, {}",
-        run.assembly.center_distance(),
+        "a = {} mm, {}",
+        distance(run.assembly.center_distance()),
         run.material.name()
     )
 }
@@ -155,7 +156,7 @@ pub fn text(pairs: &[ComparedPair]) -> String {
         for run in &pair.runs {
             let difference = match run.worst() {
                 Some((_, difference)) => {
-                    format!("simulated − model 3 up to {:+.4} µm", difference * 1e3)
+                    format!("simulated − model 3 up to {} µm", signed_um(difference, 4))
                 }
                 None => "nothing to compare".to_owned(),
             };

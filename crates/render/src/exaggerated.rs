@@ -12,6 +12,7 @@ use super::view::{MARGIN, View};
 use gearlash::gear::Placed;
 use gearlash::mesh::Exaggeration;
 use gearlash::pair::Member;
+use gearlash_files::numbers::{rounded, um};
 use svg::node::Node;
 use svg::node::element::{ClipPath, Definitions, Group, Path, Use};
 
@@ -180,30 +181,29 @@ fn whole(view: &Snapshot, gears: &Exaggeration, member: Member, tooth: u32, fram
             .add(line(&[[x - arm, y], [x + arm, y]], colour, 1.4))
             .add(line(&[[x, y - arm], [x, y + arm]], colour, 1.4));
     }
-    let um = caption::micrometres;
     let found = gears.found(member);
     let (eccentricity, high) = found.eccentricity;
     let flanks = gears.flanks_of(member, tooth);
     let rows = [
         match eccentricity > 0.0 {
-            true => format!("eccentricity {} µm", um(eccentricity)),
+            true => format!("eccentricity {} µm", um(eccentricity, 2)),
             false => "no eccentricity".to_owned(),
         },
         match eccentricity > 0.0 {
-            true => format!("towards tooth {}", (high * 100.0).round() / 100.0),
+            true => format!("towards tooth {}", rounded(high, 2)),
             false => String::new(),
         },
         "flanks off their perfect place, µm".to_owned(),
         "(reference circle, + more metal):".to_owned(),
         format!(
             "all teeth {} … {}",
-            um(found.flanks[0]),
-            um(found.flanks[1])
+            um(found.flanks[0], 2),
+            um(found.flanks[1], 2)
         ),
         format!(
             "tooth {tooth}: right {}, left {}",
-            um(flanks[0]),
-            um(flanks[1])
+            um(flanks[0], 2),
+            um(flanks[1], 2)
         ),
     ];
     let (left, room) = (square.right + 8.0, frame.right - square.right - 16.0);

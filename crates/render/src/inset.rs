@@ -1,6 +1,5 @@
 //! A contact enlarged until its gap can be seen.
 
-use super::caption::micrometres;
 use super::gears::Look;
 use super::labels::{self, Occupied};
 use super::main_view::centred;
@@ -10,6 +9,7 @@ use super::view::View;
 use super::{gears, met, overlap_label, scale};
 use gearlash::gear::Side;
 use gearlash::mesh::{Drawn, DrawnContact, Scene, Status, Touch};
+use gearlash_files::numbers::um;
 use nalgebra::{Point2, center};
 use svg::node::Node;
 use svg::node::element::{Element, Group, Rectangle};
@@ -96,7 +96,7 @@ pub fn heading(scene: &Scene, side: Side, meeting: Option<&DrawnContact>, corner
         ),
         Some(meeting) => {
             let gap = meeting.gap;
-            let length = micrometres(gap);
+            let length = um(gap, 2);
             let first = match scene.drawn() {
                 _ if meeting.turn == 0.0 => format!("{name} flanks touch"),
                 Drawn::AtContact(_) if gap > 0.0 => {

@@ -1,13 +1,11 @@
 //! Pictures, tables and files. The renderer computes nothing about gears: it takes results and draws them.
 
 mod animation;
-mod bound;
 mod caption;
 pub mod chart;
 pub mod check;
 mod clip;
 pub mod comparison;
-mod decimal;
 mod error;
 mod exaggerated;
 pub mod gauge;

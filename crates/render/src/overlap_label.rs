@@ -1,11 +1,11 @@
 //! How deep an overlap is and how large, written beside it.
 
-use super::caption::micrometres;
 use super::clip;
 use super::labels::{self, Occupied};
 use super::page::{Frame, INK, Spot, line, text};
 use super::view::View;
 use gearlash::mesh::{Drawn, DrawnContact, Scene};
+use gearlash_files::numbers::{significant, um};
 use svg::node::Node;
 use svg::node::element::Group;
 
@@ -21,7 +21,7 @@ pub fn draw(scene: &Scene, meeting: &DrawnContact, view: &View, occupied: &mut O
     };
     let mut rows = Vec::new();
     if let Drawn::AtContact(_) = scene.drawn() {
-        rows.push(format!("depth {} µm", micrometres(-meeting.along_normal)));
+        rows.push(format!("depth {} µm", um(-meeting.along_normal, 2)));
     }
     rows.push(format!("area {} mm²", significant(overlap.area)));
     let width = rows.iter().map(|row| labels::width(row, SIZE));
@@ -109,31 +109,4 @@ fn place(
             .min_by(|a, b| far(a).total_cmp(&far(b)))
             .map(|room| (*room, leader(room)))
     })
-}
-
-/// Three significant digits; below 1e-4 as a power of ten.
-fn significant(value: f64) -> String {
-    if value >= 1e-4 {
-        let decimals = (0..9)
-            .find(|d| value * 10f64.powi(*d) >= 100.0)
-            .unwrap_or(9);
-        return format!("{value:.*}", decimals as usize);
-    }
-    let exponent = (1..30)
-        .find(|e| value * 10f64.powi(*e) >= 1.0)
-        .unwrap_or(30);
-    format!(
-        "{:.2} · 10⁻{}",
-        value * 10f64.powi(exponent),
-        superscript(exponent)
-    )
-}
-
-fn superscript(number: i32) -> String {
-    const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
-    let digits = number.to_string();
-    digits
-        .chars()
-        .filter_map(|c| c.to_digit(10).map(|d| DIGITS[d as usize]))
-        .collect()
 }

@@ -4,8 +4,8 @@
 //! print: metal light, gap middling, overlap dark and hatched. Of the hues only
 //! green and red are easily mistaken, and those two differ in lightness and hatching.
 
-use super::decimal::ascii;
 use gearlash_files::characters::plain;
+use gearlash_files::numbers::ascii;
 use svg::node::Blob;
 use svg::node::element::{Element, Path, Rectangle, SVG};
 use svg::node::{Node, Text};

@@ -1,11 +1,11 @@
 //! `j_wt` over a pitch as a small chart.
 
-use super::caption;
 use super::marks::dot;
 use super::motion::{course, motion};
 use super::page::{Frame, GREY, INK, PATH, Spot, line, text};
 use super::snapshot::INSETS;
 use gearlash::mesh::{PoseResult, Status};
+use gearlash_files::numbers::um;
 use svg::node::Node;
 use svg::node::element::Group;
 
@@ -78,11 +78,7 @@ pub fn draw(steps: &[PoseResult]) -> Group {
                 line(&[[CHART.left, y], [CHART.right, y]], GREY, 0.8)
                     .set("stroke-dasharray", "2 4"),
             )
-            .add(label(
-                &caption::micrometres(value),
-                [CHART.left - 12.0, y + 4.5],
-                "end",
-            ));
+            .add(label(&um(value, 2), [CHART.left - 12.0, y + 4.5], "end"));
     }
     let last = (values.len() - 1) as f64;
     let spots: Vec<Option<Spot>> = values

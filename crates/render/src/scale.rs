@@ -1,6 +1,7 @@
 //! Round scales and the bars that show them.
 
 use super::page::{GREY, INK, Spot, UNITS_PER_MM, line, text};
+use gearlash_files::numbers::rounded;
 use svg::node::Node;
 use svg::node::element::{Element, Group};
 
@@ -50,7 +51,7 @@ fn power(decade: i32) -> f64 {
 /// `20 : 1`, `1 : 5` for `scale` units of the sheet a millimetre.
 pub fn ratio(scale: f64) -> String {
     let ratio = scale / UNITS_PER_MM;
-    let tidy = |x: f64| format!("{}", (x * 1000.0).round() / 1000.0);
+    let tidy = |x: f64| rounded(x, 3).to_string();
     if ratio >= 1.0 {
         format!("{} : 1", tidy(ratio))
     } else {
@@ -83,5 +84,5 @@ fn length_text(mm: f64) -> String {
         _ if mm >= 1e-4 => (mm * 1e3, "µm"),
         _ => (mm * 1e6, "nm"),
     };
-    format!("{} {unit}", (value * 1000.0).round() / 1000.0)
+    format!("{} {unit}", rounded(value, 3))
 }

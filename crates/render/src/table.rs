@@ -3,7 +3,6 @@
 mod measured;
 mod phases;
 
-use super::decimal::ascii;
 use super::unproven;
 use comfy_table::{CellAlignment, Table, presets};
 use gearlash::compare::{ComparedPose, Verdict};
@@ -13,6 +12,7 @@ use gearlash::phases::phase_groups;
 use gearlash::study::Study;
 use gearlash::tally::{MOST_LISTED, RunTally};
 use gearlash_files::characters::plain;
+use gearlash_files::numbers::{NONE, distance, order_um, rounded, um_ascii};
 use measured::{measured_count, measured_table};
 use phases::phase_table;
 
@@ -65,14 +65,6 @@ pub(super) fn finish(table: &Table) -> String {
     lines.join("\n") + "\n"
 }
 
-/// µm, or a dash.
-pub(super) fn um(length_mm: Option<f64>, decimals: usize) -> String {
-    match length_mm {
-        Some(length) => ascii(length * 1e3, decimals),
-        None => "–".to_owned(),
-    }
-}
-
 fn pose_table(runs: &[RunTally]) -> String {
     let mut table = table(&[
         "a mm",
@@ -104,23 +96,21 @@ fn pose_table(runs: &[RunTally]) -> String {
                     contact.wheel.curve.name(),
                     contact.pinion.curve.name()
                 ),
-                None => "–".to_owned(),
+                None => NONE.to_owned(),
             };
             table.add_row(vec![
-                format!("{:.3}", run.assembly.center_distance()),
+                distance(run.assembly.center_distance()),
                 run.material.name().to_owned(),
                 format!("{},{}{beyond}", mating.wheel_tooth, mating.pinion_tooth),
                 mating.flank.name().to_owned(),
-                um(pose.swept.backlash, 3),
-                pose.swept
-                    .error_bound
-                    .map_or("–".to_owned(), |bound| format!("{:.0e}", bound * 1e3)),
+                um_ascii(pose.swept.backlash, 3),
+                pose.swept.error_bound.map_or(NONE.to_owned(), order_um),
                 pose.swept.status().name().to_owned(),
                 contact(found.and_then(|found| found.right.as_ref())),
                 contact(found.and_then(|found| found.left.as_ref())),
-                um(pose.michalec, 3),
-                um(pose.involute, 3),
-                um(pose.line_of_action, 3),
+                um_ascii(pose.michalec, 3),
+                um_ascii(pose.involute, 3),
+                um_ascii(pose.line_of_action, 3),
             ]);
         }
     }
@@ -131,7 +121,7 @@ fn run_table(study: &Study, runs: &[RunTally]) -> String {
     let mut headings = vec![
         "a mm", "material", "poses", "least", "at", "mean", "greatest", "at",
     ];
-    let clearance = format!("a ± {:.3} mm", study.bearing_clearance);
+    let clearance = format!("a ± {} mm", distance(study.bearing_clearance));
     if study.bearing_clearance > 0.0 {
         headings.push(&clearance);
     }
@@ -143,25 +133,25 @@ fn run_table(study: &Study, runs: &[RunTally]) -> String {
     let mut table = table(&headings);
     for run in runs {
         let summary = run.summary();
-        let at = |pose: Option<&ComparedPose>| pose.map_or("–".to_owned(), where_it_is);
+        let at = |pose: Option<&ComparedPose>| pose.map_or(NONE.to_owned(), where_it_is);
         let (least, most) = run.extremes().unzip();
         let mut row = vec![
-            format!("{:.3}", run.assembly.center_distance()),
+            distance(run.assembly.center_distance()),
             run.material.name().to_owned(),
             run.poses.to_string(),
-            um(summary.min, 3),
+            um_ascii(summary.min, 3),
             at(least),
-            um(summary.mean, 3),
-            um(summary.max, 3),
+            um_ascii(summary.mean, 3),
+            um_ascii(summary.max, 3),
             at(most),
         ];
         if study.bearing_clearance > 0.0 {
             let [near, far] = summary.with_clearance;
-            row.push(format!("{} … {}", um(near, 1), um(far, 1)));
+            row.push(format!("{} … {}", um_ascii(near, 1), um_ascii(far, 1)));
         }
         row.extend([
-            um(summary.off_involute, 3),
-            um(summary.off_line_of_action, 3),
+            um_ascii(summary.off_involute, 3),
+            um_ascii(summary.off_line_of_action, 3),
         ]);
         if unproven {
             row.push(run.unproven.to_string());
@@ -176,7 +166,7 @@ pub(super) fn where_it_is(pose: &ComparedPose) -> String {
     let mating = pose.swept.pose.mating();
     let beyond = match mating.fraction {
         0.0 => String::new(),
-        fraction => format!("+{}", (fraction * 1e4).round() / 1e4),
+        fraction => format!("+{}", rounded(fraction, 4)),
     };
     format!(
         "{},{}{beyond} {}",

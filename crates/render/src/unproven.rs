@@ -1,10 +1,10 @@
 //! Poses that nothing vouches for, in words: each with its reason, and its doubtful values named as such.
 
-use super::decimal::ascii;
 use super::table::where_it_is;
 use gearlash::compare::ComparedPose;
 use gearlash::mesh::Unproven;
 use gearlash::tally::RunTally;
+use gearlash_files::numbers::{distance, um_ascii};
 
 /// Poses up to this many are told one by one (tuned: a screen).
 const MOST_TOLD: usize = 10;
@@ -12,7 +12,7 @@ const MOST_TOLD: usize = 10;
 /// Why something is not proven, and the values that it leaves in doubt.
 pub(super) fn doubt(unproven: &Unproven) -> String {
     let told = |name: &str, value: Option<f64>| {
-        let um = ascii(value? * 1e3, 3);
+        let um = um_ascii(value?, 3);
         Some(format!("{name} method, not proven: {um} µm"))
     };
     let values = [
@@ -56,8 +56,8 @@ pub(super) fn note(runs: &[RunTally]) -> String {
     );
     for (run, pose) in first.take(MOST_TOLD) {
         text += &format!(
-            "  a = {:.3} mm, {}, {}: {}\n",
-            run.assembly.center_distance(),
+            "  a = {} mm, {}, {}: {}\n",
+            distance(run.assembly.center_distance()),
             run.material.name(),
             where_it_is(pose),
             doubts(pose)

@@ -26,7 +26,7 @@ pub(super) fn columns(read: &Gauged) -> Vec<Column> {
     let pitch = |read: &Result<PitchReadings, _>, values: fn(&PitchReadings, Side) -> Vec<f64>| {
         [Side::Left, Side::Right].map(|side| {
             read.as_ref()
-                .map_or(Vec::new(), |pitch| um(&values(pitch, side)))
+                .map_or(Vec::new(), |pitch| micrometres(&values(pitch, side)))
         })
     };
     let cumulative = |pitch: &PitchReadings, side| pitch.cumulative.flank(side).to_vec();
@@ -61,7 +61,7 @@ pub(super) fn columns(read: &Gauged) -> Vec<Column> {
             3,
             read.runout
                 .as_ref()
-                .map_or(Vec::new(), |runout| um(&runout.deviations())),
+                .map_or(Vec::new(), |runout| micrometres(&runout.deviations())),
         ),
         column("single_pitch_own_left_um", "f own left", 3, f_own_left),
         column("single_pitch_own_right_um", "f own right", 3, f_own_right),
@@ -87,12 +87,12 @@ pub(super) fn columns(read: &Gauged) -> Vec<Column> {
             3,
             read.thickness
                 .as_ref()
-                .map_or(Vec::new(), |thickness| um(&thickness.deviations())),
+                .map_or(Vec::new(), |thickness| micrometres(&thickness.deviations())),
         ),
     ]
 }
 
 /// mm to µm.
-pub(super) fn um(lengths: &[f64]) -> Vec<f64> {
+pub(super) fn micrometres(lengths: &[f64]) -> Vec<f64> {
     lengths.iter().map(|mm| mm * 1e3).collect()
 }

@@ -4,7 +4,7 @@
 //! read back to the same f64.
 
 use super::GaugedGear;
-use super::by_tooth::{columns, um};
+use super::by_tooth::{columns, micrometres};
 use super::file_names::FileName;
 use gearlash::gauge::{OverPins, PitchReadings};
 use gearlash::gear::Side;
@@ -35,7 +35,10 @@ pub fn csv_files(gauged: &GaugedGear) -> Result<Vec<(String, String)>, csv::Erro
         }
     }
     if let Ok(runout) = &readings.runout {
-        add(FileName::Runout, &[("runout", um(&runout.deviations()))])?;
+        add(
+            FileName::Runout,
+            &[("runout", micrometres(&runout.deviations()))],
+        )?;
     }
     for (cumulative, single, pitch) in [
         (
@@ -60,7 +63,7 @@ pub fn csv_files(gauged: &GaugedGear) -> Result<Vec<(String, String)>, csv::Erro
     if let Ok(thickness) = &readings.thickness {
         add(
             FileName::Thickness,
-            &[("thickness", um(&thickness.deviations()))],
+            &[("thickness", micrometres(&thickness.deviations()))],
         )?;
     }
     if let Ok(roll) = &readings.roll {
@@ -117,7 +120,8 @@ pub fn teeth_csv(gears: &[GaugedGear]) -> Result<String, csv::Error> {
 }
 
 fn flanks(values: impl Fn(Side) -> Vec<f64>) -> [Column; 2] {
-    [("left", Side::Left), ("right", Side::Right)].map(|(name, side)| (name, um(&values(side))))
+    [("left", Side::Left), ("right", Side::Right)]
+        .map(|(name, side)| (name, micrometres(&values(side))))
 }
 
 fn by_tooth(columns: &[Column]) -> Result<String, csv::Error> {

@@ -1,7 +1,7 @@
 //! The readings as JSON.
 
 use super::GaugedGear;
-use super::by_tooth::um;
+use super::by_tooth::micrometres;
 use gearlash::gauge::{GradedReading, OverPins, PitchReadings, RollPose, Unmeasured};
 use gearlash::gear::{GRADE_SOURCE, Grade, Side};
 use gearlash::mesh::Touch;
@@ -126,8 +126,8 @@ fn pitch(pitch: &PitchReadings) -> Value {
         json!({
             "single_greatest_um": pitch.greatest_single(side) * 1e3,
             "total_um": pitch.total(side) * 1e3,
-            "single_um": um(&pitch.single(side)),
-            "cumulative_um": um(pitch.cumulative.flank(side)),
+            "single_um": micrometres(&pitch.single(side)),
+            "cumulative_um": micrometres(pitch.cumulative.flank(side)),
         })
     };
     json!({

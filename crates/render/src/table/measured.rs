@@ -1,18 +1,15 @@
 //! A rig's measurements beside the bands they should lie in.
 
-use super::{finish, table, um};
+use super::{finish, table};
 use gearlash::measured::{Band, MeasuredMating, sides};
 use gearlash::study::Study;
+use gearlash_files::numbers::{NONE, ascii, distance};
 use std::fmt::Write;
 
 fn band(band: Option<Band>) -> String {
     match band {
-        Some(band) => format!(
-            "{} … {}",
-            um(Some(band.min_um * 1e-3), 1),
-            um(Some(band.max_um * 1e-3), 1)
-        ),
-        None => "–".to_owned(),
+        Some(band) => format!("{} … {}", ascii(band.min_um, 1), ascii(band.max_um, 1)),
+        None => NONE.to_owned(),
     }
 }
 
@@ -37,7 +34,7 @@ pub(super) fn measured_table(measured: &[MeasuredMating]) -> String {
         };
         table.add_row(vec![
             format!("{},{}", mating.row.wheel_tooth, mating.row.pinion_tooth),
-            format!("{:.3}", mating.row.center_distance),
+            distance(mating.row.center_distance),
             band(Some(mating.printed)),
             band(mating.analytic),
             band(mating.simulated),
@@ -58,8 +55,8 @@ pub(super) fn measured_count(study: &Study, measured: &[MeasuredMating]) -> Stri
         let [_, inside, _] = sides(measured, |mating| mating.with_clearance);
         let _ = writeln!(
             text,
-            "With the bearing clearance taken in (a ± {:.3} mm), {inside} of {total} lie inside the simulated band.",
-            study.bearing_clearance
+            "With the bearing clearance taken in (a ± {} mm), {inside} of {total} lie inside the simulated band.",
+            distance(study.bearing_clearance)
         );
     }
     text += "\

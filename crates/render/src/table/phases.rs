@@ -1,9 +1,10 @@
 //! Assembly phases, and which teeth to mark together.
 
-use super::{finish, table, um, where_it_is};
+use super::{finish, table, where_it_is};
 use gearlash::compare::ComparedPose;
 use gearlash::phases::PhaseGroup;
 use gearlash::tally::RunTally;
+use gearlash_files::numbers::{NONE, distance, um_ascii};
 
 pub(super) fn phase_table(group: &PhaseGroup) -> String {
     let mating = |run: &RunTally| {
@@ -24,16 +25,16 @@ pub(super) fn phase_table(group: &PhaseGroup) -> String {
     let mut table = table(&headings);
     for run in &group.runs {
         let summary = run.summary();
-        let at = |pose: Option<&ComparedPose>| pose.map_or("–".to_owned(), where_it_is);
+        let at = |pose: Option<&ComparedPose>| pose.map_or(NONE.to_owned(), where_it_is);
         let (least, most) = run.extremes().unzip();
         let mut row = vec![
             mating(run),
-            um(summary.min, 3),
+            um_ascii(summary.min, 3),
             at(least),
-            um(summary.mean, 3),
-            um(summary.max, 3),
+            um_ascii(summary.mean, 3),
+            um_ascii(summary.max, 3),
             at(most),
-            um(run.variation(), 3),
+            um_ascii(run.variation(), 3),
         ];
         row.extend(unproven.then(|| run.unproven.to_string()));
         table.add_row(row);
@@ -42,8 +43,8 @@ pub(super) fn phase_table(group: &PhaseGroup) -> String {
         return String::new();
     };
     let mut text = format!(
-        "centre distance {:.3} mm, material {}\n\n{}",
-        first.assembly.center_distance(),
+        "centre distance {} mm, material {}\n\n{}",
+        distance(first.assembly.center_distance()),
         first.material.name(),
         finish(&table)
     );
@@ -56,9 +57,9 @@ pub(super) fn phase_table(group: &PhaseGroup) -> String {
             mating(best),
             best.phase.map_or(1, |phase| phase.0),
             best.phase.map_or(1, |phase| phase.1),
-            um(best.variation(), 3),
+            um_ascii(best.variation(), 3),
             mating(worst),
-            um(worst.variation(), 3),
+            um_ascii(worst.variation(), 3),
         ),
         _ => "No phase has backlash at every pose.\n".to_owned(),
     };

@@ -1,7 +1,7 @@
 //! The results as the script reads them: a column a quantity, an entry a pose.
 
 use super::contacts::touching;
-use super::precision::{Precision, rounded};
+use super::precision::Precision;
 use super::run_columns::RunColumns;
 use super::viewed::Viewed;
 use gearlash::compare::ComparedRun;
@@ -9,6 +9,7 @@ use gearlash::curves::Course;
 use gearlash::gear::Side;
 use gearlash::mesh::{PoseResult, Status};
 use gearlash::study::Study;
+use gearlash_files::numbers::rounded;
 use serde::Serialize;
 
 /// Decimals of a rotation in degrees: 2 nm at a radius of 130 mm.

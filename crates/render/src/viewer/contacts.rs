@@ -1,10 +1,11 @@
 //! The contacts on one side as the script reads them.
 
-use super::precision::{Precision, rounded};
+use super::precision::Precision;
 use super::readout;
 use gearlash::gear::Side;
 use gearlash::mesh::{Contact, PoseResult};
 use gearlash::pair::GearPair;
+use gearlash_files::numbers::rounded;
 use serde::Serialize;
 
 /// Decimals of a normal's direction in degrees: 0.1 µm along the longest line drawn at module 3.

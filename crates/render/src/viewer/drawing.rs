@@ -6,12 +6,13 @@
 use super::columns::{degrees, free_rotation, outlines};
 use super::marks::{axis, circle, line, marks, numbers};
 use super::outline::path;
-use super::precision::{Precision, rounded};
+use super::precision::Precision;
 use crate::page::{INK, OVERLAP, PINION, WHEEL};
 use gearlash::compare::{ComparedPose, ComparedRun};
 use gearlash::gear::{AsBuilt, Placed, Side};
 use gearlash::pair::{GearPair, Member};
 use gearlash::study::Study;
+use gearlash_files::numbers::rounded;
 use nalgebra::Point2;
 use svg::node::element::{ClipPath, Definitions, Group, Path, SVG, Use};
 

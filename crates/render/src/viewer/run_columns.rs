@@ -2,7 +2,7 @@
 
 use super::columns::{degrees, free_rotation, outlines, place_of};
 use super::contacts::Contacts;
-use super::precision::{Precision, rounded, two_digits_up};
+use super::precision::Precision;
 use super::readout;
 use super::viewed::Viewed;
 use gearlash::compare::ComparedRun;
@@ -11,6 +11,7 @@ use gearlash::gear::Side;
 use gearlash::mesh::{LostMotion, PoseResult};
 use gearlash::pair::Member;
 use gearlash::study::Study;
+use gearlash_files::numbers::{rounded, two_digits_up};
 use serde::Serialize;
 
 /// What the script knows of a run.

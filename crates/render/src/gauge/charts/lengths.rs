@@ -1,7 +1,7 @@
 //! Spans, dimensions over pins and thickness: each reading less the mean.
 
 use super::super::GaugedGear;
-use super::super::by_tooth::um;
+use super::super::by_tooth::micrometres;
 use super::super::file_names::FileName;
 use super::{LEVEL, by_tooth, means};
 use crate::chart::{BarPanel, BarSeries, Look};
@@ -89,7 +89,7 @@ fn draw(gauged: &GaugedGear, chart: &Chart) -> Result<(String, String), PictureE
     let less: Vec<f64> = chart.lengths.iter().map(|mm| mm - chart.mean).collect();
     let series = [BarSeries {
         name: "reading",
-        values: um(&less).into_iter().map(Some).collect(),
+        values: micrometres(&less).into_iter().map(Some).collect(),
         look: Look::Plain,
     }];
     let panel = BarPanel {

@@ -11,6 +11,7 @@ use super::GaugedGear;
 use super::file_names::FileName;
 use crate::chart::{BarPanel, Heading, bar_panels};
 use crate::error::PictureError;
+use gearlash_files::numbers::{fixed, rounded};
 
 /// Below this, µm, values are level: far below what a gauge in a shop tells, far above the rounding of readings. Axes
 /// are a hundred times as high at least.
@@ -50,7 +51,7 @@ fn subtitle(gauged: &GaugedGear) -> String {
     let design = gauged.gear.gear().design();
     let (basic_data, shift) = (&design.basic_data, design.profile_shift);
     // Degrees do not convert exactly.
-    let degrees = (1e9 * basic_data.pressure_angle().to_degrees()).round() / 1e9;
+    let degrees = rounded(basic_data.pressure_angle().to_degrees(), 9);
     format!(
         "{} · z {}, m {} mm, α {degrees}°, x {shift} · material {}",
         gauged.name,
@@ -62,6 +63,6 @@ fn subtitle(gauged: &GaugedGear) -> String {
 
 /// The mean, on which the chart's zero stands, and the formula's value.
 fn means(mean: f64, formula: Option<f64>) -> String {
-    let formula = formula.map_or(String::new(), |mm| format!(", formula {mm:.6} mm"));
-    format!("mean {mean:.6} mm{formula}")
+    let formula = formula.map_or(String::new(), |mm| format!(", formula {} mm", fixed(mm, 6)));
+    format!("mean {} mm{formula}", fixed(mean, 6))
 }

@@ -6,6 +6,7 @@ use super::{LEVEL, NUMBERS, means, subtitle};
 use crate::chart::{Heading, LineAxes, LineSeries, Look, lines};
 use crate::error::PictureError;
 use gearlash::gauge::RollPose;
+use gearlash_files::numbers::um;
 
 pub(super) fn chart(gauged: &GaugedGear) -> Result<Option<(String, String)>, PictureError> {
     let Ok(roll) = &gauged.gauged.roll else {
@@ -39,10 +40,10 @@ pub(super) fn chart(gauged: &GaugedGear) -> Result<Option<(String, String)>, Pic
         subtitle: &subtitle(gauged),
     };
     let title = format!(
-        "roll test with a master of z {} · F_i'' {:.3}, f_i'' {:.3} µm · {}{level}",
+        "roll test with a master of z {} · F_i'' {}, f_i'' {} µm · {}{level}",
         roll.master.basic_data().teeth(),
-        1e3 * roll.total().found,
-        1e3 * roll.tooth_to_tooth().found,
+        um(roll.total().found, 3),
+        um(roll.tooth_to_tooth().found, 3),
         means(mean, gauged.gauged.formula.distance)
     );
     let x = format!("tooth of the gear at the master, one revolution back to 1 · {NUMBERS}");

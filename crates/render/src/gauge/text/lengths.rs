@@ -1,7 +1,8 @@
 //! Lengths with their least, mean and greatest reading.
 
-use crate::table::{finish, table, um};
+use crate::table::{finish, table};
 use gearlash::gauge::{Gauged, OverPins};
+use gearlash_files::numbers::{ascii, order_um, um_ascii};
 
 /// One length, mm: `[least, greatest]`, mean, bound on the error of a reading, what a formula says.
 struct Row {
@@ -17,17 +18,16 @@ pub(super) fn table_of(read: &Gauged) -> String {
         "", "least", "mean", "greatest", "range", "formula", "off", "bound",
     ]);
     for row in rows(read) {
-        let mm = |length: f64| format!("{length:.6}");
         let [least, most] = row.ends;
         table.add_row(vec![
             row.name,
-            mm(least),
-            mm(row.mean),
-            mm(most),
-            um(Some(most - least), 3),
-            row.formula.map_or("–".to_owned(), mm),
-            um(row.formula.map(|formula| row.mean - formula), 3),
-            format!("{:.0e}", 1e3 * row.error),
+            ascii(least, 6),
+            ascii(row.mean, 6),
+            ascii(most, 6),
+            um_ascii(most - least, 3),
+            ascii(row.formula, 6),
+            um_ascii(row.formula.map(|formula| row.mean - formula), 3),
+            order_um(row.error),
         ]);
     }
     finish(&table)

@@ -2,8 +2,8 @@
 
 use super::super::GaugedGear;
 use super::super::by_tooth::columns;
-use crate::decimal::ascii;
 use crate::table::{finish, table};
+use gearlash_files::numbers::ascii;
 
 pub(super) fn table_of(gauged: &GaugedGear) -> String {
     let columns = columns(&gauged.gauged);
@@ -15,7 +15,7 @@ pub(super) fn table_of(gauged: &GaugedGear) -> String {
     for tooth in 1..=gauged.gear.gear().basic_data().teeth() {
         let cells = shown().map(|column| {
             let value = column.values.get(tooth as usize - 1);
-            value.map_or("–".to_owned(), |value| ascii(*value, column.decimals))
+            ascii(value.copied(), column.decimals)
         });
         table.add_row(std::iter::once(tooth.to_string()).chain(cells));
     }

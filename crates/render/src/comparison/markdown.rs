@@ -1,11 +1,12 @@
 //! The outcome of `compare` as GitHub-flavoured Markdown: the table a reviewer wants.
 
-use super::{ComparedPair, PairOutcome, run_name, trouble};
-use crate::table::where_it_is;
+use super::{PairOutcome, failure, outcome, run_name, trouble};
+use crate::text::where_it_is;
 use gearlash::compare::{ComparedPose, Verdict};
 use gearlash::tally::RunTally;
 use gearlash_files::characters::plain;
 use gearlash_files::numbers::{NONE, um_ascii};
+use gearlash_files::results::ComparedPair;
 use std::fmt::Write;
 
 const HEADINGS: [&str; 8] = [
@@ -21,9 +22,9 @@ const HEADINGS: [&str; 8] = [
 
 /// A heading with the verdict, and for each pair a table with a row a run; what failed in words below it.
 pub fn markdown(pairs: &[ComparedPair]) -> String {
-    let count = |outcome: PairOutcome| {
+    let count = |of: PairOutcome| {
         let pairs = pairs.iter();
-        pairs.filter(|pair| pair.outcome() == outcome).count()
+        pairs.filter(|pair| outcome(pair) == of).count()
     };
     let all = pairs.len();
     let mut failing = Vec::new();
@@ -65,7 +66,7 @@ pub fn markdown(pairs: &[ComparedPair]) -> String {
             let _ = writeln!(text, "| {} |", row(pair, run).join(" | "));
         }
         for run in &pair.runs {
-            if let Some(reason) = pair.failure(run) {
+            if let Some(reason) = failure(pair, run) {
                 let _ = writeln!(text, "\n**{}**: {}", run_name(run), escape(&reason));
             }
         }

@@ -1,8 +1,8 @@
 //! Every check with its margin.
 
-use super::Page;
+use super::page::Page;
 use super::words::{j_wt, material, plain, study};
-use crate::check::{doubts, governing, measured, unit};
+use crate::text::check::{doubts, governing, measured, unit};
 use gearlash::diagnosis::{Check, Group, Verdict};
 use gearlash::pair::Member;
 use gearlash_files::numbers::{fixed, stated_distance};

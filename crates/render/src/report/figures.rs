@@ -1,6 +1,6 @@
 //! The charts of the page.
 
-use super::Page;
+use super::page::Page;
 
 use crate::chart::{self, Chart, Heading};
 use crate::error::PictureError;

@@ -1,6 +1,6 @@
 //! Accuracy grades of pitch and runout, as the gauge reads them.
 
-use super::Page;
+use super::page::Page;
 use super::words::symbol;
 use gearlash::gauge::{GradedReading, PitchAxis, Unmeasured};
 use gearlash::gear::{GRADE_SOURCE, Grade, GradedQuantity, Side};

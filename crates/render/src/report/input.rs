@@ -1,9 +1,10 @@
 //! The input as understood: both gears side by side, the assembly, what the user should know.
 
 use super::figures::inspections;
+use super::page::Page;
 use super::stated::{high_tooth, pitch, runout, thickness, words};
 use super::words::{plain, symbol};
-use super::{Page, grades, notes};
+use super::{grades, notes};
 use crate::error::PictureError;
 use gearlash::gear::{AsBuilt, Inspection};
 use gearlash::pair::Member;

@@ -1,7 +1,7 @@
 //! The three formulas beside the simulation.
 
-use super::Page;
 use super::figures::difference;
+use super::page::Page;
 
 use crate::error::PictureError;
 use gearlash::outcome::{MODELS, deviation};

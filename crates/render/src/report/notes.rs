@@ -1,6 +1,6 @@
 //! What the statements about a gear say of each other.
 
-use super::Page;
+use super::page::Page;
 use super::words::symbol;
 use gearlash::notes::{AllRoundNote, Eccentricity, EccentricityNote, ThicknessStatements};
 use gearlash_files::numbers::fixed;

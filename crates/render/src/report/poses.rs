@@ -1,8 +1,8 @@
 //! The poses with the least and the greatest backlash, drawn.
 
-use super::Page;
 use super::figures::not_on_paper;
 use super::inline::inline;
+use super::page::Page;
 use super::words::{material, pose};
 use crate::error::PictureError;
 use crate::{Snapshot, snapshot};

@@ -1,7 +1,7 @@
 //! Backlash over the teeth and over the centre distance, and the mesh itself.
 
-use super::Page;
 use super::figures::{charted, over_distance, revolutions};
+use super::page::Page;
 use super::words::material;
 use crate::error::PictureError;
 use crate::viewer;

@@ -2,8 +2,9 @@
 
 use super::cycle::limit;
 use super::measured::sentence;
+use super::page::Page;
+use super::unproven;
 use super::words::j_wt;
-use super::{Page, unproven};
 use gearlash::cycle::RemainingMatings;
 use gearlash::mesh::Method;
 use gearlash::outcome::{MODELS, deviation};

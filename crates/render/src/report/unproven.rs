@@ -1,10 +1,10 @@
 //! Poses that nothing vouches for: how many, which, why.
 
-use super::Page;
+use super::page::Page;
 use super::words::{material, plain, pose};
-use crate::unproven::doubts;
 use gearlash::outcome::Found;
 use gearlash_files::numbers::stated_distance;
+use gearlash_files::results::doubts;
 use maud::{Markup, html};
 
 /// Poses up to this many are told one by one (tuned: a screen).

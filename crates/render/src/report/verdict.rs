@@ -1,8 +1,9 @@
 //! The answer: does the pair assemble, how much backlash, where, which teeth.
 
 use super::cycle::{limit, same_everywhere};
+use super::page::Page;
 use super::words::{band, few, j_wt, material, touching};
-use super::{Page, cycle, unproven};
+use super::{cycle, unproven};
 use gearlash::outcome::{AtDistance, Found, Outcome};
 use gearlash::phases::failing_phases;
 use gearlash_files::numbers::{bound_um, stated_distance, um};

@@ -1,10 +1,10 @@
 //! What is said of a pose beside the picture. `viewer.js` says the same of the others.
 
-use super::contacts::touching;
+use super::contacts::{class, touching};
 use gearlash::compare::ComparedRun;
 use gearlash::gear::Side;
-use gearlash::mesh::{Contact, ContactClass, Status};
-use gearlash::pair::{GearPair, Member};
+use gearlash::mesh::Status;
+use gearlash::pair::Member;
 use gearlash::study::Material;
 use gearlash_files::numbers::{decades, fixed, pitches_beyond, trimmed, two_digits_up};
 
@@ -24,18 +24,6 @@ pub fn run(run: &ComparedRun) -> String {
     let phase = run.run.phase;
     let phase = phase.map_or(String::new(), |(w, p)| format!(", phase {w}·{p}"));
     format!("a = {distance} mm{material}{phase}")
-}
-
-/// The class of a contact, and whose tip takes part when.
-pub fn class(assembly: &GearPair, side: Side, contact: &Contact) -> String {
-    let class = ContactClass::of(assembly, side, contact);
-    let tip = class.tip.map(|member| format!("{} tip", member.name()));
-    let moment = class.moment.map(|moment| moment.name().to_owned());
-    let more: Vec<String> = tip.into_iter().chain(moment).collect();
-    match more.is_empty() {
-        true => class.kind.name().to_owned(),
-        false => format!("{} ({})", class.kind.name(), more.join(", ")),
-    }
 }
 
 /// The list beside the picture.

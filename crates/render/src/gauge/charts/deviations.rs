@@ -1,14 +1,12 @@
 //! Runout and pitch, with the lines of their accuracy grades.
 
-use super::super::GaugedGear;
-use super::super::by_tooth::micrometres;
-use super::super::file_names::FileName;
-use super::{LEVEL, by_tooth};
+use super::bars::{LEVEL, bars};
 use crate::chart::{BarPanel, BarSeries, Limits, Look};
 use crate::error::PictureError;
 use gearlash::gauge::{GradedReading, PitchAxis, PitchReadings, RunoutReadings};
 use gearlash::gear::{Grade, GradedQuantity, Side};
 use gearlash_files::numbers::{rounded, um};
+use gearlash_files::results::gauge::{GaugedGear, Reading};
 
 pub(super) fn charts(gauged: &GaugedGear) -> Result<Vec<(String, String)>, PictureError> {
     let read = &gauged.gauged;
@@ -17,8 +15,8 @@ pub(super) fn charts(gauged: &GaugedGear) -> Result<Vec<(String, String)>, Pictu
         files.push(runout(gauged, read)?);
     }
     for (name, read) in [
-        (FileName::PitchOwn, &read.pitch_own),
-        (FileName::PitchDatum, &read.pitch_datum),
+        (Reading::PitchOwn, &read.pitch_own),
+        (Reading::PitchDatum, &read.pitch_datum),
     ] {
         if let Ok(read) = read {
             files.push(pitch(gauged, name, read)?);
@@ -45,13 +43,13 @@ fn runout(gauged: &GaugedGear, read: &RunoutReadings) -> Result<(String, String)
             .collect(),
         level: LEVEL,
     };
-    by_tooth(gauged, FileName::Runout, "tooth before the ball", &[panel])
+    bars(gauged, Reading::Runout, "tooth before the ball", &[panel])
 }
 
 /// Single pitch above cumulative pitch.
 fn pitch(
     gauged: &GaugedGear,
-    name: FileName,
+    reading: Reading,
     read: &PitchReadings,
 ) -> Result<(String, String), PictureError> {
     let about = match read.axis {
@@ -111,7 +109,7 @@ fn pitch(
         },
     ];
     let x_axis = "tooth · + along ascending numbers";
-    by_tooth(gauged, name, x_axis, &panels)
+    bars(gauged, reading, x_axis, &panels)
 }
 
 /// The greatest reading of `quantity` about `axis`: of both flanks that with the coarser grade.
@@ -158,7 +156,7 @@ fn range(graded: &GradedReading, [least, most]: [f64; 2]) -> Limits {
 fn series<'a>(name: &'a str, lengths: &[f64], look: Look) -> BarSeries<'a> {
     BarSeries {
         name,
-        values: micrometres(lengths).into_iter().map(Some).collect(),
+        values: lengths.iter().map(|mm| Some(mm * 1e3)).collect(),
         look,
     }
 }

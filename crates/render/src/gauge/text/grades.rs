@@ -1,6 +1,6 @@
 //! Accuracy grades, or why there are none.
 
-use crate::table::{finish, table};
+use crate::text::{finish, table};
 use gearlash::gauge::{Gauged, GradedReading};
 use gearlash::gear::Grade;
 use gearlash_files::numbers::um_ascii;

@@ -67,8 +67,8 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     };
 
     print(&match args.format {
-        Format::Text => gearlash_render::check::text(study, diagnosis),
-        Format::Json => gearlash_render::check::json(&file, diagnosis)
+        Format::Text => gearlash_render::text::check::text(study, diagnosis),
+        Format::Json => gearlash_files::results::checks_json(&file, diagnosis)
             .map_err(|error| Error::Usage(format!("the checks cannot be written: {error}")))?,
     })?;
     if let Some(folder) = folder {
@@ -137,7 +137,7 @@ fn maps(study: &Study, diagnosis: &Diagnosis) -> Result<Vec<(String, String)>, E
             material.name(),
         );
         let picture = gearlash_render::map_picture(&map, &study.title, &caption);
-        let csv = gearlash_render::map_csv(&map)
+        let csv = gearlash_files::results::map_csv(&map)
             .map_err(|error| Error::Usage(format!("the map cannot be written: {error}")))?;
         files.push((format!("map_{}.svg", material.name()), picture));
         files.push((format!("map_{}.csv", material.name()), csv));

@@ -11,7 +11,8 @@ use gearlash::compare::tolerance_um;
 use gearlash::simulate::pose_count;
 use gearlash::tally::{MOST_UNPROVEN, simulate_by_blocks};
 use gearlash_files::Sources;
-use gearlash_render::{ComparedPair, comparison};
+use gearlash_files::results::{ComparedPair, comparison_json};
+use gearlash_render::comparison;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -118,7 +119,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         |error: String| Error::Usage(format!("the outcome cannot be written: {error}"));
     print(&match args.format {
         Format::Text => comparison::text(&pairs),
-        Format::Json => comparison::json(&pairs).map_err(|error| unwritable(error.to_string()))?,
+        Format::Json => comparison_json(&pairs).map_err(|error| unwritable(error.to_string()))?,
         Format::Junit => {
             comparison::junit(&pairs).map_err(|error| unwritable(error.to_string()))?
         }

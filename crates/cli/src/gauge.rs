@@ -9,10 +9,11 @@ use clap::ValueEnum;
 use gearlash::gauge::{Settings, gauge, pose_count};
 use gearlash::gear::AsBuilt;
 use gearlash::study::Material;
-use gearlash_files::{GearEntry, GearsFile};
-use gearlash_render::gauge::{
-    GaugedGear, charts, csv_files, json, possible_files, stem, teeth_csv, text,
+use gearlash_files::results::gauge::{
+    GaugedGear, csv_files, json, possible_files, stem, teeth_csv,
 };
+use gearlash_files::{GearEntry, GearsFile};
+use gearlash_render::gauge::{charts, gear_file, missing, text};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -129,7 +130,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     if let Format::Csv = args.results.format {
         // Blank columns say nothing; the other formats tell.
         for gauged in &gears {
-            warn(&args.file, &gauged.missing(), &[]);
+            warn(&args.file, &missing(gauged), &[]);
         }
     }
     if let Some(folder) = folder {
@@ -137,7 +138,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         for gauged in &gears {
             files.extend(csv_files(gauged).map_err(|error| unwritable(&error))?);
             files.extend(charts(gauged)?);
-            match gauged.gear_file() {
+            match gear_file(gauged) {
                 Ok(file) => files.push(file),
                 Err(reason) => warn(
                     &args.file,

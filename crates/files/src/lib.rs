@@ -24,6 +24,7 @@ mod measured;
 mod measured_row;
 mod nearest;
 mod node;
+pub mod numbers;
 mod options;
 mod pair_file;
 mod pair_slips;

@@ -1,43 +1,18 @@
-//! Pictures, tables and files. The renderer computes nothing about gears: it takes results and draws them.
+//! Pictures, pages and text tables. Nothing here computes anything about gears: it takes results and draws them.
 
-mod animation;
-mod bound;
-mod caption;
 pub mod chart;
-pub mod check;
-mod clip;
 pub mod comparison;
-mod decimal;
 mod error;
-mod exaggerated;
 pub mod gauge;
-mod gears;
-mod inset;
-mod labels;
-mod legend;
-mod link;
-mod main_view;
+mod kit;
 mod map;
-mod marks;
-mod met;
-mod motion;
-mod overlap_label;
-mod page;
-mod pitch_chart;
 mod report;
-mod scale;
 mod snapshot;
-mod table;
-mod turning;
-mod unproven;
-mod view;
+pub mod text;
 pub mod viewer;
 
-pub use animation::animation;
-pub use comparison::ComparedPair;
 pub use error::PictureError;
-pub use exaggerated::exaggerated;
-pub use map::{map_csv, map_picture};
+pub use map::map_picture;
 pub use report::{Report, report};
-pub use snapshot::{Snapshot, snapshot};
-pub use table::simulation as simulation_table;
+pub use snapshot::{Snapshot, animation, exaggerated, snapshot};
+pub use text::simulation as simulation_table;

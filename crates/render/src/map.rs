@@ -1,6 +1,6 @@
 //! The map of what touches over centre distance and mesh phase, as a picture and as rows.
 
-use super::page::{Frame, GREY, INK, line, number, text};
+use crate::kit::sheet::{Frame, GREY, INK, line, number, text};
 use gearlash::diagnosis::{Map, MapCell};
 use gearlash::mesh::{ContactKind, PoseClass};
 use svg::Document;
@@ -104,32 +104,6 @@ pub fn map_picture(map: &Map, title: &str, caption: &str) -> String {
     document.to_string() + "\n"
 }
 
-/// `map` as CSV, a row a pose.
-///
-/// # Errors
-/// None that a map can cause; the writer's otherwise.
-pub fn map_csv(map: &Map) -> Result<String, csv::Error> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record(["center_distance_mm", "fraction", "class", "j_wt_um"])?;
-    let places = map
-        .distances
-        .iter()
-        .flat_map(|a| map.fractions.iter().map(move |fraction| (a, fraction)));
-    for ((distance, fraction), cell) in places.zip(&map.cells) {
-        let backlash = cell
-            .backlash
-            .map_or(String::new(), |j| (j * 1e3).to_string());
-        writer.write_record([
-            distance.to_string(),
-            fraction.to_string(),
-            cell.class.name().to_owned(),
-            backlash,
-        ])?;
-    }
-    let bytes = writer.into_inner().map_err(|error| error.into_error())?;
-    Ok(String::from_utf8_lossy(&bytes).into_owned())
-}
-
 fn grey(content: &str, at: [f64; 2], size: f64) -> Element {
     let mut element = text(content, at, size, true);
     element.assign("fill", GREY);
@@ -206,7 +180,7 @@ fn axes(map: &Map) -> Group {
     label.assign("text-anchor", "middle");
     group.append(label);
     let (low, high) = range(map);
-    let step = super::scale::round_down((high - low) / 4.0, super::scale::ISO_5455);
+    let step = crate::kit::scale::round_down((high - low) / 4.0, crate::kit::scale::ISO_5455);
     let decimals = (-step.log10().floor()).max(0.0) as usize;
     let mut tick = (low / step).ceil();
     while tick * step <= high {

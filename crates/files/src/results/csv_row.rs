@@ -1,96 +1,105 @@
-//! One pose of a result as a flat row.
+//! Poses of a result as flat rows.
 
-use super::{PoseRecord, RunHead};
-use serde::Serialize;
+use super::records::{PoseRecord, RunHead};
+use super::table::Cell;
+use std::io::{Error, Result, Write};
 
-/// One pose as a flat row.
-#[derive(Debug, Serialize)]
-pub(super) struct CsvRow<'r> {
-    center_distance_mm: f64,
-    material: &'static str,
-    phase_wheel_tooth: Option<u32>,
-    phase_pinion_tooth: Option<u32>,
-    wheel_tooth: u32,
-    pinion_tooth: u32,
-    flank: &'static str,
-    fraction: f64,
-    wheel_rotation_rad: Option<f64>,
-    pinion_rotation_rad: Option<f64>,
-    right_rad: Option<f64>,
-    left_rad: Option<f64>,
-    lost_motion_rad: Option<f64>,
-    j_wt_um: Option<f64>,
-    j_t_um: Option<f64>,
-    j_bn_um: Option<f64>,
-    j_wt_range_min_um: Option<f64>,
-    j_wt_range_max_um: Option<f64>,
-    error_bound_um: Option<f64>,
-    status: &'static str,
-    class: &'static str,
-    right_wheel_tooth: Option<u32>,
-    right_pinion_tooth: Option<u32>,
-    right_wheel_curve: Option<&'static str>,
-    right_pinion_curve: Option<&'static str>,
-    left_wheel_tooth: Option<u32>,
-    left_pinion_tooth: Option<u32>,
-    left_wheel_curve: Option<&'static str>,
-    left_pinion_curve: Option<&'static str>,
-    michalec_um: Option<f64>,
-    involute_um: Option<f64>,
-    line_of_action_um: Option<f64>,
-    unproven_reason: Option<&'r str>,
-    unproven_exact_j_wt_um: Option<f64>,
-    unproven_polygon_j_wt_um: Option<f64>,
-    unproven_range_min_reason: Option<&'r str>,
-    unproven_range_max_reason: Option<&'r str>,
+/// CSV as it grows: names above the first row, a row a pose.
+pub(super) struct Csv<W: Write> {
+    writer: csv::Writer<W>,
+    begun: bool,
 }
 
-impl<'r> CsvRow<'r> {
-    pub(super) fn new(run: &RunHead, pose: &'r PoseRecord) -> CsvRow<'r> {
-        let unproven = pose.unproven.as_ref();
-        let end = |end: usize| {
-            let ends = pose.unproven_range.as_ref()?;
-            Some(ends[end].as_ref()?.reason.as_str())
-        };
-        let (right, left) = (pose.right.as_ref(), pose.left.as_ref());
-        CsvRow {
-            center_distance_mm: run.center_distance_mm,
-            material: run.material,
-            phase_wheel_tooth: run.phase.map(|phase| phase.wheel_tooth),
-            phase_pinion_tooth: run.phase.map(|phase| phase.pinion_tooth),
-            wheel_tooth: pose.mating.wheel_tooth,
-            pinion_tooth: pose.mating.pinion_tooth,
-            flank: pose.mating.flank,
-            fraction: pose.mating.fraction,
-            wheel_rotation_rad: pose.wheel_rotation_rad,
-            pinion_rotation_rad: pose.pinion_rotation_rad,
-            right_rad: pose.right_rad,
-            left_rad: pose.left_rad,
-            lost_motion_rad: pose.lost_motion_rad,
-            j_wt_um: pose.j_wt_um,
-            j_t_um: pose.j_t_um,
-            j_bn_um: pose.j_bn_um,
-            j_wt_range_min_um: pose.j_wt_range_um[0],
-            j_wt_range_max_um: pose.j_wt_range_um[1],
-            error_bound_um: pose.error_bound_um,
-            status: pose.status,
-            class: pose.class,
-            right_wheel_tooth: right.map(|c| c.wheel_tooth),
-            right_pinion_tooth: right.map(|c| c.pinion_tooth),
-            right_wheel_curve: right.map(|c| c.wheel_curve),
-            right_pinion_curve: right.map(|c| c.pinion_curve),
-            left_wheel_tooth: left.map(|c| c.wheel_tooth),
-            left_pinion_tooth: left.map(|c| c.pinion_tooth),
-            left_wheel_curve: left.map(|c| c.wheel_curve),
-            left_pinion_curve: left.map(|c| c.pinion_curve),
-            michalec_um: pose.analytic.michalec_um,
-            involute_um: pose.analytic.involute_um,
-            line_of_action_um: pose.analytic.line_of_action_um,
-            unproven_reason: unproven.map(|of| of.reason.as_str()),
-            unproven_exact_j_wt_um: unproven.and_then(|of| of.exact_j_wt_um),
-            unproven_polygon_j_wt_um: unproven.and_then(|of| of.polygon_j_wt_um),
-            unproven_range_min_reason: end(0),
-            unproven_range_max_reason: end(1),
+impl<W: Write> Csv<W> {
+    pub fn new(out: W) -> Csv<W> {
+        Csv {
+            writer: csv::Writer::from_writer(out),
+            begun: false,
         }
+    }
+
+    pub fn row(&mut self, run: &RunHead, pose: &PoseRecord) -> Result<()> {
+        let (names, cells): (Vec<&str>, Vec<Cell>) = columns(run, pose).into_iter().unzip();
+        if !self.begun {
+            self.begun = true;
+            self.writer.write_record(names).map_err(of_csv)?;
+        }
+        self.writer.serialize(cells).map_err(of_csv)
+    }
+
+    pub fn finish(mut self) -> Result<()> {
+        self.writer.flush()
+    }
+}
+
+/// Name and value of each column.
+fn columns(run: &RunHead, pose: &PoseRecord) -> [(&'static str, Cell); 37] {
+    let unproven = pose.unproven.as_ref();
+    let end = |end: usize| {
+        let ends = pose.unproven_range.as_ref()?;
+        Some(ends[end].as_ref()?.reason.clone())
+    };
+    let (right, left) = (pose.right.as_ref(), pose.left.as_ref());
+    [
+        ("center_distance_mm", run.center_distance_mm.into()),
+        ("material", run.material.into()),
+        (
+            "phase_wheel_tooth",
+            run.phase.map(|phase| phase.wheel_tooth).into(),
+        ),
+        (
+            "phase_pinion_tooth",
+            run.phase.map(|phase| phase.pinion_tooth).into(),
+        ),
+        ("wheel_tooth", pose.mating.wheel_tooth.into()),
+        ("pinion_tooth", pose.mating.pinion_tooth.into()),
+        ("flank", pose.mating.flank.into()),
+        ("fraction", pose.mating.fraction.into()),
+        ("wheel_rotation_rad", pose.wheel_rotation_rad.into()),
+        ("pinion_rotation_rad", pose.pinion_rotation_rad.into()),
+        ("right_rad", pose.right_rad.into()),
+        ("left_rad", pose.left_rad.into()),
+        ("lost_motion_rad", pose.lost_motion_rad.into()),
+        ("j_wt_um", pose.j_wt_um.into()),
+        ("j_t_um", pose.j_t_um.into()),
+        ("j_bn_um", pose.j_bn_um.into()),
+        ("j_wt_range_min_um", pose.j_wt_range_um[0].into()),
+        ("j_wt_range_max_um", pose.j_wt_range_um[1].into()),
+        ("error_bound_um", pose.error_bound_um.into()),
+        ("status", pose.status.into()),
+        ("class", pose.class.into()),
+        ("right_wheel_tooth", right.map(|c| c.wheel_tooth).into()),
+        ("right_pinion_tooth", right.map(|c| c.pinion_tooth).into()),
+        ("right_wheel_curve", right.map(|c| c.wheel_curve).into()),
+        ("right_pinion_curve", right.map(|c| c.pinion_curve).into()),
+        ("left_wheel_tooth", left.map(|c| c.wheel_tooth).into()),
+        ("left_pinion_tooth", left.map(|c| c.pinion_tooth).into()),
+        ("left_wheel_curve", left.map(|c| c.wheel_curve).into()),
+        ("left_pinion_curve", left.map(|c| c.pinion_curve).into()),
+        ("michalec_um", pose.analytic.michalec_um.into()),
+        ("involute_um", pose.analytic.involute_um.into()),
+        ("line_of_action_um", pose.analytic.line_of_action_um.into()),
+        (
+            "unproven_reason",
+            unproven.map(|of| of.reason.clone()).into(),
+        ),
+        (
+            "unproven_exact_j_wt_um",
+            unproven.and_then(|of| of.exact_j_wt_um).into(),
+        ),
+        (
+            "unproven_polygon_j_wt_um",
+            unproven.and_then(|of| of.polygon_j_wt_um).into(),
+        ),
+        ("unproven_range_min_reason", end(0).into()),
+        ("unproven_range_max_reason", end(1).into()),
+    ]
+}
+
+/// The writer's own error, where it is one.
+fn of_csv(error: csv::Error) -> Error {
+    match error.into_kind() {
+        csv::ErrorKind::Io(error) => error,
+        other => Error::other(format!("{other:?}")),
     }
 }

@@ -1,8 +1,10 @@
 //! A result on its way out: JSON and CSV grow pose by pose, and nothing of them is kept.
 
-use super::csv_row::CsvRow;
+use super::csv_row::Csv;
 use super::json::Json;
-use super::{PoseRecord, RunHead, notes, pose_record, summary_record};
+use super::notes;
+use super::records::{PoseRecord, RunHead, pose_record};
+use super::summary::summary_record;
 use crate::read::PairFile;
 use gearlash::compare::ComparedRun;
 use gearlash::tally::{Piece, whole};
@@ -18,7 +20,7 @@ type Out<'w> = Box<dyn Write + 'w>;
 /// where a value is null.
 pub struct ResultWriter<'w> {
     json: Option<Json<Out<'w>>>,
-    csv: Option<csv::Writer<Out<'w>>>,
+    csv: Option<Csv<Out<'w>>>,
 }
 
 impl<'w> ResultWriter<'w> {
@@ -44,7 +46,7 @@ impl<'w> ResultWriter<'w> {
         }
         Ok(ResultWriter {
             json,
-            csv: csv.map(csv::Writer::from_writer),
+            csv: csv.map(Csv::new),
         })
     }
 
@@ -73,8 +75,7 @@ impl<'w> ResultWriter<'w> {
                         json.text_element(&text)?;
                     }
                     if let Some(csv) = &mut self.csv {
-                        let row = CsvRow::new(&head, &record);
-                        csv.serialize(row).map_err(of_csv)?;
+                        csv.row(&head, &record)?;
                     }
                 }
                 Ok(())
@@ -102,7 +103,7 @@ impl<'w> ResultWriter<'w> {
             json.finish()?.flush()?;
         }
         match self.csv {
-            Some(mut csv) => csv.flush(),
+            Some(csv) => csv.finish(),
             None => Ok(()),
         }
     }
@@ -120,14 +121,6 @@ fn begin_run<W: Write>(json: &mut Json<W>, head: &RunHead) -> Result<()> {
     json.entry("operating_pressure_angle_deg", &angle)?;
     json.key("poses")?;
     json.open_list()
-}
-
-/// The writer's own error, where it is one.
-fn of_csv(error: csv::Error) -> Error {
-    match error.into_kind() {
-        csv::ErrorKind::Io(error) => error,
-        other => Error::other(format!("{other:?}")),
-    }
 }
 
 /// The whole result of a study whose poses are there already.

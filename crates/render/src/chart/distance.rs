@@ -4,12 +4,12 @@ use super::paint::Look;
 use super::panel::{Anchor, Axis, Mark, Panel, Point, Sample, backlash_range, range};
 use super::words::{empty, entry, interference, unproven_words, without_value};
 use super::{Chart, Heading, sheet};
-use crate::caption::decimals;
 use crate::error::PictureError;
 use gearlash::curves::{DistancePoint, OverDistance};
 use gearlash::measured::Band;
 use gearlash::outcome::AtDistance;
 use gearlash::pair::Mating;
+use gearlash_files::numbers::{pitches_beyond, trimmed};
 
 /// Fill of the band with and without bearing clearance.
 const FILLS: [f64; 2] = [0.14, 0.22];
@@ -53,7 +53,7 @@ pub fn distance(
         marks.extend(band(&with_clearance, Look::Limit, FILLS[0]));
         let name = format!(
             "with bearing clearance (a ± {} mm)",
-            decimals(curve.clearance, 3, 6)
+            trimmed(curve.clearance, 3, 6)
         );
         legend.push(entry(&name, Look::Limit, Sample::LineInBand(FILLS[0])));
     }
@@ -151,10 +151,7 @@ fn poses(matings: &[Mating]) -> String {
     let teeth = |mating: &Mating| format!("{}·{}", mating.wheel_tooth, mating.pinion_tooth);
     match matings {
         [one] => {
-            let beyond = match one.fraction {
-                0.0 => String::new(),
-                fraction => format!(" + {} pitch", decimals(fraction, 0, 4)),
-            };
+            let beyond = pitches_beyond(one.fraction, 4);
             let flank = one.flank.name();
             format!("wheel·pinion tooth {}, {flank} flanks{beyond}", teeth(one))
         }

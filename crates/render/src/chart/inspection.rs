@@ -3,10 +3,11 @@
 use super::bars::{BarSeries, legend, panel};
 use super::paint::Look;
 use super::panel::{Axis, Sample};
-use super::words::{self, entry, micrometres};
+use super::words::{self, entry};
 use super::{Chart, Heading, sheet};
 use crate::error::PictureError;
 use gearlash::gear::{Inspection, Side};
+use gearlash_files::numbers::um;
 
 /// Height of a panel.
 const PANEL: f64 = 168.0;
@@ -69,9 +70,8 @@ pub fn inspection(
     if deviates(&thickness) || deviates(&runout) {
         names.push(entry(plain, Look::Plain, Sample::Bar));
     }
-    let both = |value: fn(&Inspection, Side) -> f64| {
-        Side::BOTH.map(|side| micrometres(value(inspection, side) * 1e3))
-    };
+    let both =
+        |value: fn(&Inspection, Side) -> f64| Side::BOTH.map(|side| um(value(inspection, side), 1));
     let [right, left] = both(Inspection::largest_single);
     let [total_right, total_left] = both(Inspection::total_cumulative);
     let subtitle = match deviates(&single) {

@@ -3,7 +3,7 @@
 use super::canvas::{Area, Drawn, SIDES, closed, dot, fine, plain, spot, style};
 use super::paint::{INK, Look};
 use super::panel::{Entry, Sample};
-use crate::labels;
+use crate::kit::labels;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, VPos};
 

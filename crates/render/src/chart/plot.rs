@@ -6,7 +6,7 @@ use super::marks::{draw_ground, draw_mark};
 use super::paint::{GRID, INK};
 use super::panel::{Axis, Mark, Panel};
 use super::ticks::Ticks;
-use crate::labels;
+use crate::kit::labels;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, VPos};
 

@@ -3,14 +3,15 @@
 use super::paint::Look;
 use super::panel::{Anchor, Axis, Mark, Panel, Point, Sample, backlash_range};
 use super::words::{
-    course_axis, course_words, empty, entry, interference, micrometres, unproven_of,
-    unproven_words, without_value,
+    course_axis, course_words, empty, entry, interference, unproven_of, unproven_words,
+    without_value,
 };
 use super::{Chart, Heading, sheet};
 use crate::error::PictureError;
 use gearlash::curves::{Course, CourseLine, Extreme};
 use gearlash::gear::Side;
 use gearlash::study::Material;
+use gearlash_files::numbers::fixed;
 
 /// How strongly a band is filled.
 const FILL: f64 = 0.2;
@@ -87,7 +88,7 @@ pub fn revolution(heading: &Heading, course: &Course) -> Result<Chart, PictureEr
         (Some(least), Some(greatest)) if least == greatest => panel.marks.push(Mark::Text {
             at: [panel.x.range[0], least.backlash_um],
             shift: [8.0, -14.0],
-            text: format!("{} µm everywhere", micrometres(least.backlash_um)),
+            text: format!("{} µm everywhere", fixed(least.backlash_um, 1)),
             anchor: Anchor::Start,
         }),
         (Some(least), Some(greatest)) => {
@@ -132,7 +133,7 @@ fn label(word: &str, extreme: &Extreme, shift: f64, [left, right]: [f64; 2]) -> 
             shift: [across, shift],
             text: format!(
                 "{word} {} µm: right flanks {}, left flanks {} touch",
-                micrometres(extreme.backlash_um),
+                fixed(extreme.backlash_um, 1),
                 teeth(extreme.right),
                 teeth(extreme.left)
             ),

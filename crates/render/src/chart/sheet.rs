@@ -6,7 +6,7 @@ use super::paint::{GREY, INK};
 use super::panel::{Anchor, Entry, Mark, Panel};
 use super::{Chart, Heading, Plot, plot};
 use crate::error::PictureError;
-use crate::labels;
+use crate::kit::labels;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, VPos};
 use std::fmt::Write;

@@ -1,6 +1,6 @@
 //! The numbers along an axis.
 
-use crate::decimal::fixed;
+use gearlash_files::numbers::{decimals_of, fixed};
 use plotters::coord::ranged1d::{BoldPoints, Ranged};
 use plotters::coord::types::RangedCoordf64;
 
@@ -26,14 +26,7 @@ impl Ticks {
             [first, second, ..] => second - first,
             _ => range[1] - range[0],
         };
-        let told = |decimals: &usize| {
-            let off = |value: f64| {
-                let shown: f64 = format!("{value:.decimals$}").parse().unwrap_or(f64::NAN);
-                (shown - value).abs() <= OFF * step.abs()
-            };
-            at.iter().all(|value| off(*value))
-        };
-        let decimals = (0..MOST_DECIMALS).find(told).unwrap_or(MOST_DECIMALS);
+        let decimals = decimals_of(&at, OFF * step.abs(), MOST_DECIMALS);
         Ticks { at, decimals }
     }
 

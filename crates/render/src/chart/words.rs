@@ -2,14 +2,8 @@
 
 use super::paint::Look;
 use super::panel::{Anchor, Axis, Entry, Mark, Panel, Sample};
-use crate::decimal::fixed;
 use gearlash::curves::{Course, CourseLine};
 use gearlash::mesh::Status;
-
-/// µm with one decimal.
-pub(super) fn micrometres(value: f64) -> String {
-    fixed(value, 1)
-}
 
 /// The axis of a course, with its number of teeth.
 pub(super) fn course_axis(course: &Course) -> Axis {

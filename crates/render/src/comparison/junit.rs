@@ -1,7 +1,8 @@
 //! The outcome of `compare` as JUnit XML.
 
-use super::{ComparedPair, run_name};
+use super::{failure, run_name};
 use gearlash_files::characters::plain;
+use gearlash_files::results::ComparedPair;
 use quick_xml::Writer;
 use quick_xml::events::{BytesDecl, BytesEnd, BytesStart, Event};
 use std::io;
@@ -27,7 +28,7 @@ pub fn junit(pairs: &[ComparedPair]) -> io::Result<String> {
 
 /// Runs, and those of them that fail.
 fn counts(pair: &ComparedPair) -> [usize; 2] {
-    let failing = pair.runs.iter().filter(|run| pair.failure(run).is_some());
+    let failing = pair.runs.iter().filter(|run| failure(pair, run).is_some());
     [pair.runs.len(), failing.count()]
 }
 
@@ -55,7 +56,7 @@ fn suite(xml: &mut Xml, pair: &ComparedPair) -> io::Result<()> {
         let mut case = BytesStart::new("testcase");
         case.push_attribute(("name", run_name(run).as_str()));
         case.push_attribute(("classname", plain(&pair.title).as_str()));
-        within(xml, case, pair.failure(run).as_slice(), |xml, reason| {
+        within(xml, case, failure(pair, run).as_slice(), |xml, reason| {
             let mut failure = BytesStart::new("failure");
             failure.push_attribute(("message", reason.as_str()));
             xml.write_event(Event::Empty(failure))

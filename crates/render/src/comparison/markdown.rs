@@ -1,10 +1,12 @@
 //! The outcome of `compare` as GitHub-flavoured Markdown: the table a reviewer wants.
 
-use super::{ComparedPair, PairOutcome, run_name, trouble};
-use crate::table::{um, where_it_is};
+use super::{PairOutcome, failure, outcome, run_name, trouble};
+use crate::text::where_it_is;
 use gearlash::compare::{ComparedPose, Verdict};
 use gearlash::tally::RunTally;
 use gearlash_files::characters::plain;
+use gearlash_files::numbers::{NONE, um_ascii};
+use gearlash_files::results::ComparedPair;
 use std::fmt::Write;
 
 const HEADINGS: [&str; 8] = [
@@ -20,9 +22,9 @@ const HEADINGS: [&str; 8] = [
 
 /// A heading with the verdict, and for each pair a table with a row a run; what failed in words below it.
 pub fn markdown(pairs: &[ComparedPair]) -> String {
-    let count = |outcome: PairOutcome| {
+    let count = |of: PairOutcome| {
         let pairs = pairs.iter();
-        pairs.filter(|pair| pair.outcome() == outcome).count()
+        pairs.filter(|pair| outcome(pair) == of).count()
     };
     let all = pairs.len();
     let mut failing = Vec::new();
@@ -64,7 +66,7 @@ pub fn markdown(pairs: &[ComparedPair]) -> String {
             let _ = writeln!(text, "| {} |", row(pair, run).join(" | "));
         }
         for run in &pair.runs {
-            if let Some(reason) = pair.failure(run) {
+            if let Some(reason) = failure(pair, run) {
                 let _ = writeln!(text, "\n**{}**: {}", run_name(run), escape(&reason));
             }
         }
@@ -82,8 +84,8 @@ fn row(pair: &ComparedPair, run: &RunTally) -> Vec<String> {
     let summary = run.summary();
     let (least, greatest) = run.extremes().unzip();
     let at = |length, pose: Option<&ComparedPose>| match pose {
-        Some(pose) => format!("{} at {}", um(length, 3), where_it_is(pose)),
-        None => "–".to_owned(),
+        Some(pose) => format!("{} at {}", um_ascii(length, 3), where_it_is(pose)),
+        None => NONE.to_owned(),
     };
     let passes = run.passes(pair.allow_off_line);
     let verdict = format!("{} {}", mark(passes), if passes { "ok" } else { "FAIL" });
@@ -92,11 +94,11 @@ fn row(pair: &ComparedPair, run: &RunTally) -> Vec<String> {
         run.poses.to_string(),
         at(summary.min, least),
         at(summary.max, greatest),
-        um(summary.off_involute, 3),
+        um_ascii(summary.off_involute, 3),
         match summary.off_line_of_action {
             // Rounding alone: its size, rather than 0.000.
             Some(length) if length < 1e-6 => format!("{:.1e}", length * 1e3),
-            length => um(length, 3),
+            length => um_ascii(length, 3),
         },
         run.count(Verdict::OffLine).to_string(),
         match trouble(run) {

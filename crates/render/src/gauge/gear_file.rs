@@ -5,18 +5,21 @@
 //! stands by tooth, the same for all (see [`StatedThickness`]). Flanks that go against each other (thickness alone makes
 //! them) look like a left flank turned round; the spans bear out the sign, so they stand as a cross-check where they do not count.
 
-use super::GaugedGear;
-use super::file_names::FileName;
 use gearlash::gauge::{StatedThickness, Unmeasured};
 use gearlash_files::characters::plain;
+use gearlash_files::results::gauge::{GaugedGear, Reading, gear_file_name};
 use serde_json::Value;
 use std::fmt::Write;
 
-/// The gear file of `gauged`.
+/// The gear file of `gauged`: name and content.
 ///
 /// # Errors
 /// Where the readings do not say enough: a file that left something out would be of another gear.
-pub(super) fn gear_file(gauged: &GaugedGear) -> Result<String, Unmeasured> {
+pub fn gear_file(gauged: &GaugedGear) -> Result<(String, String), Unmeasured> {
+    Ok((gear_file_name(&gauged.stem()), content(gauged)?))
+}
+
+fn content(gauged: &GaugedGear) -> Result<String, Unmeasured> {
     let readings = &gauged.gauged;
     let stated = readings.stated.clone()?;
     let mut text = format!(
@@ -49,7 +52,7 @@ pub(super) fn gear_file(gauged: &GaugedGear) -> Result<String, Unmeasured> {
     let _ = write!(
         text,
         "\n[gear.pitch]                    # carries the variation of thickness, too\nkind = \"cumulative\"\naxis = \"own\"\nfile = \"{}\"\n",
-        FileName::PitchOwn.csv(&gauged.stem()),
+        Reading::PitchOwn.csv(&gauged.stem()),
     );
     Ok(text)
 }
@@ -71,7 +74,7 @@ fn thickness(gauged: &GaugedGear, stated: &StatedThickness) -> String {
                 text,
                 "span = {{ teeth = {}, file = \"{}\", per_tooth = false }}",
                 spans.teeth,
-                FileName::Spans.csv(&gauged.stem()),
+                Reading::Spans.csv(&gauged.stem()),
             );
         }
         (
@@ -96,7 +99,7 @@ fn thickness(gauged: &GaugedGear, stated: &StatedThickness) -> String {
                     text,
                     "\n[gear.thickness.cross_check]    # bears out the sign of the flanks\nspan = {{ teeth = {}, file = \"{}\" }}",
                     spans.teeth,
-                    FileName::Spans.csv(&gauged.stem()),
+                    Reading::Spans.csv(&gauged.stem()),
                 );
             }
         }

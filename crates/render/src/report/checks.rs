@@ -1,10 +1,11 @@
 //! Every check with its margin.
 
-use super::Page;
-use super::words::{distance, j_wt, material, plain, study, value};
-use crate::check::{doubts, governing, measured, unit};
+use super::page::Page;
+use super::words::{j_wt, material, plain, study};
+use crate::text::check::{doubts, governing, measured, unit};
 use gearlash::diagnosis::{Check, Group, Verdict};
 use gearlash::pair::Member;
+use gearlash_files::numbers::{fixed, stated_distance};
 use maud::{Markup, html};
 
 pub(super) fn section(page: &Page) -> Markup {
@@ -88,13 +89,13 @@ fn row(several: bool, group: &Group, check: &Check) -> Markup {
             }
             td { (check.gear.map_or("", Member::name)) }
             @if several {
-                td.n { (distance(group.assembly.center_distance())) }
+                td.n { (stated_distance(group.assembly.center_distance())) }
                 td.w { (material(group.material)) }
             }
-            td.n { (value(check.analytic, 4)) }
-            td.n { (measured(check, |number| value(number, 4))) }
-            td.n { (value(check.limit, 4)) }
-            td.n { (value(check.margin, 4)) }
+            td.n { (fixed(check.analytic, 4)) }
+            td.n { (measured(check, |number| fixed(number, 4))) }
+            td.n { (fixed(check.limit, 4)) }
+            td.n { (fixed(check.margin, 4)) }
             td { (unit(check.unit)) }
         }
     }

@@ -1,6 +1,6 @@
 //! Which poses the result is of, and which it is not.
 
-use super::Page;
+use super::page::Page;
 use super::words::few;
 use gearlash::cycle::RemainingMatings;
 use gearlash::outcome::Found;

@@ -1,11 +1,12 @@
 //! The charts of the page.
 
-use super::Page;
-use super::words::distance;
+use super::page::Page;
+
 use crate::chart::{self, Chart, Heading};
 use crate::error::PictureError;
 use gearlash::curves::{Course, DistancePoint, Followed};
 use gearlash::gear::Inspection;
+use gearlash_files::numbers::stated_distance;
 use maud::{Markup, PreEscaped, html};
 
 /// Centre distances and phases whose curves stand in the page (tuned: some 100 kB each).
@@ -28,7 +29,10 @@ fn place(course: &Course) -> String {
     let phase = course.phase.map_or(String::new(), |(wheel, pinion)| {
         format!(", phase {wheel}·{pinion}")
     });
-    format!("at a = {} mm{phase}", distance(course.center_distance))
+    format!(
+        "at a = {} mm{phase}",
+        stated_distance(course.center_distance)
+    )
 }
 
 /// Id of the chart of a course.

@@ -1,9 +1,10 @@
 //! Accuracy grades of pitch and runout, as the gauge reads them.
 
-use super::Page;
-use super::words::{symbol, um};
+use super::page::Page;
+use super::words::symbol;
 use gearlash::gauge::{GradedReading, PitchAxis, Unmeasured};
 use gearlash::gear::{GRADE_SOURCE, Grade, GradedQuantity, Side};
+use gearlash_files::numbers::um;
 use maud::{Markup, html};
 
 pub(super) fn table(page: &Page) -> Markup {

@@ -1,7 +1,7 @@
 //! An SVG picture as part of a page: ids of its own, a name for screen readers.
 
 use crate::error::PictureError;
-use crate::legend::PAPER_NOTE;
+use crate::snapshot::PAPER_NOTE;
 use quick_xml::events::attributes::Attribute;
 use quick_xml::events::{BytesStart, Event};
 use quick_xml::{Reader, Writer};

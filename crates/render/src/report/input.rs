@@ -1,12 +1,14 @@
 //! The input as understood: both gears side by side, the assembly, what the user should know.
 
 use super::figures::inspections;
+use super::page::Page;
 use super::stated::{high_tooth, pitch, runout, thickness, words};
-use super::words::{distance, plain, symbol, value};
-use super::{Page, grades, notes};
+use super::words::{plain, symbol};
+use super::{grades, notes};
 use crate::error::PictureError;
 use gearlash::gear::{AsBuilt, Inspection};
 use gearlash::pair::Member;
+use gearlash_files::numbers::{fixed, stated_distance, trimmed};
 use maud::{Markup, html};
 use serde_json::Value;
 
@@ -137,8 +139,8 @@ fn row(page: &Page, (letter, index, name, unit, decimals, of): &Property) -> Mar
         let gears = page.report.pair.study.materials.iter();
         let mut values: Vec<String> = gears
             .map(|(_, wheel, pinion)| match member {
-                Member::Wheel => shortest(of(wheel), *decimals),
-                Member::Pinion => shortest(of(pinion), *decimals),
+                Member::Wheel => trimmed(of(wheel), 0, *decimals),
+                Member::Pinion => trimmed(of(pinion), 0, *decimals),
             })
             .collect();
         values.dedup();
@@ -169,29 +171,20 @@ fn text_row(
     }
 }
 
-/// So many decimals, without zeros at the end.
-fn shortest(number: f64, decimals: usize) -> String {
-    let text = value(Some(number), decimals);
-    match text.contains('.') {
-        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
-        false => text,
-    }
-}
-
 fn assembly(page: &Page) -> Markup {
     let study = &page.report.pair.study;
     let clearance = &page.report.pair.echo["assembly"]["bearing_clearance_mm"];
     let distances: Vec<String> = study
         .center_distances
         .iter()
-        .map(|a| distance(*a))
+        .map(|a| stated_distance(*a))
         .collect();
     let angles = page.report.analysis.runs.iter();
     let angles = angles.map(|run| run.run.assembly.operating_pressure_angle().to_degrees());
     let (least, most) = (angles.clone().reduce(f64::min), angles.reduce(f64::max));
     let angle = match least == most {
-        true => value(least, 4),
-        false => format!("{} … {}", value(least, 4), value(most, 4)),
+        true => fixed(least, 4),
+        false => format!("{} … {}", fixed(least, 4), fixed(most, 4)),
     };
     html! {
         div.scroll tabindex="0" role="region" aria-label="Assembly" {

@@ -1,8 +1,9 @@
 //! Measured backlash beside the predicted bands.
 
-use super::words::{distance, plain, value};
-use super::{Page, Report};
+use super::page::{Page, Report};
+use super::words::plain;
 use gearlash::measured::{Band, MeasuredMating, sides};
+use gearlash_files::numbers::{fixed, stated_distance};
 use maud::{Markup, html};
 
 /// How many measured values lie in their bands; `None` without measurements.
@@ -64,12 +65,12 @@ fn row(mating: &MeasuredMating, clearance: bool) -> Markup {
             1 => "↑",
             _ => "↓",
         };
-        format!("{} {mark}", super::words::written(um))
+        format!("{} {mark}", gearlash_files::numbers::shortest(um))
     };
     html! {
         tr {
             th scope="row" { (row.wheel_tooth) "·" (row.pinion_tooth) }
-            td.n { (distance(row.center_distance)) }
+            td.n { (stated_distance(row.center_distance)) }
             td.n { (marked(row.right_um)) }
             td.n { (marked(row.left_um)) }
             td.n { (band(mating.simulated)) }
@@ -84,8 +85,8 @@ fn band(band: Option<Band>) -> String {
     band.map_or("–".to_owned(), |band| {
         format!(
             "{} … {}",
-            value(Some(band.min_um), 1),
-            value(Some(band.max_um), 1)
+            fixed(Some(band.min_um), 1),
+            fixed(Some(band.max_um), 1)
         )
     })
 }

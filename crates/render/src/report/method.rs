@@ -1,7 +1,8 @@
 //! How the numbers were found, how closely, and what they leave out.
 
-use super::Page;
-use super::words::{bound, j_wt, symbol};
+use super::page::Page;
+use super::words::{j_wt, symbol};
+use gearlash_files::numbers::bound_um;
 use maud::{Markup, html};
 
 pub(super) fn section(page: &Page) -> Markup {
@@ -20,7 +21,7 @@ pub(super) fn section(page: &Page) -> Markup {
                 "Contacts are found on the curves themselves. The bound on the error of " (j_wt())
                 " covers rounding alone and follows each pose"
                 @if let Some(error) = page.whole.error_bound {
-                    "; the greatest here is " (bound(error)) " µm"
+                    "; the greatest here is " (bound_um(error)) " µm"
                 }
                 ". Symbols follow ISO 21771: " (symbol("s", "b")) " base tooth thickness, " (symbol("x", "E"))
                 " generating profile shift coefficient, " (symbol("d", "Ff")) " root form diameter."

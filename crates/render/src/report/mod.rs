@@ -14,6 +14,7 @@ mod measured;
 mod method;
 mod models;
 mod notes;
+mod page;
 mod poses;
 mod results;
 mod stated;
@@ -24,42 +25,16 @@ mod words;
 
 use crate::error::PictureError;
 use crate::viewer;
-use gearlash::analysis::Analysis;
 use gearlash::compare::ComparedRun;
-use gearlash::curves::{Course, courses};
-use gearlash::gauge::{GradedReading, Unmeasured};
-use gearlash::outcome::{Agreement, AtDistance, Outcome, by_distance};
-use gearlash_files::PairFile;
+use gearlash::curves::courses;
+use gearlash::outcome::{Agreement, Outcome, by_distance};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
+use page::Page;
 use words::plain;
 
+pub use page::Report;
+
 const STYLE: &str = include_str!("style.css");
-
-/// What a report tells.
-#[derive(Debug, Clone, Copy)]
-pub struct Report<'a> {
-    /// The pair as read.
-    pub pair: &'a PairFile,
-    /// Name of its file.
-    pub file: &'a str,
-    /// Day of the report, as it shall stand there.
-    pub date: &'a str,
-    /// What was found out about it: the whole of [`gearlash::analysis::Plan::whole`].
-    pub analysis: &'a Analysis<'a>,
-    /// Pitch and runout of each gear that deviates, as the gauge reads and grades them.
-    pub grades: &'a [(&'static str, Result<Vec<GradedReading>, Unmeasured>)],
-}
-
-/// What the sections of a page share.
-struct Page<'a> {
-    report: &'a Report<'a>,
-    /// Every run, and the extremes of the rest of the hunting cycle.
-    all: Vec<&'a ComparedRun>,
-    whole: Outcome<'a>,
-    agreement: Agreement,
-    distances: Vec<AtDistance<'a>>,
-    courses: Vec<Course>,
-}
 
 /// The page of `report`, in UTF-8.
 ///

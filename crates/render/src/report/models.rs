@@ -1,10 +1,11 @@
 //! The three formulas beside the simulation.
 
-use super::Page;
 use super::figures::difference;
-use super::words::fine;
+use super::page::Page;
+
 use crate::error::PictureError;
 use gearlash::outcome::{MODELS, deviation};
+use gearlash_files::numbers::difference_um;
 use maud::{Markup, html};
 
 /// What each formula knows, in the order of [`MODELS`].
@@ -52,7 +53,7 @@ pub(super) fn section(page: &Page) -> Result<Markup, PictureError> {
             h2 { "Formulas beside the simulation" }
             p {
                 "Of " (of.poses) " poses " (counts.join("; "))
-                " (tolerance " (super::words::written(page.report.pair.study.tolerance_um)) " µm and the error bound)."
+                " (tolerance " (gearlash_files::numbers::shortest(page.report.pair.study.tolerance_um)) " µm and the error bound)."
             }
             div.scroll tabindex="0" role="region" aria-label="Formulas beside the simulation" {
                 table {
@@ -71,8 +72,8 @@ pub(super) fn section(page: &Page) -> Result<Markup, PictureError> {
                                 th.w scope="row" { (name) }
                                 td { (knows) }
                                 td.n { (deviation.map_or(0, |deviation| deviation.poses)) }
-                                td.n { (fine(deviation.map(|deviation| deviation.mean))) }
-                                td.n { (fine(deviation.map(|deviation| deviation.largest))) }
+                                td.n { (difference_um(deviation.map(|deviation| deviation.mean))) }
+                                td.n { (difference_um(deviation.map(|deviation| deviation.largest))) }
                             }
                         }
                     }

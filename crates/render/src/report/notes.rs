@@ -1,8 +1,9 @@
 //! What the statements about a gear say of each other.
 
-use super::Page;
-use super::words::{symbol, value};
+use super::page::Page;
+use super::words::symbol;
 use gearlash::notes::{AllRoundNote, Eccentricity, EccentricityNote, ThicknessStatements};
+use gearlash_files::numbers::fixed;
 use maud::{Markup, html};
 
 pub(super) fn list(page: &Page) -> Markup {
@@ -36,8 +37,8 @@ fn eccentricity(note: &EccentricityNote) -> Markup {
     let words = |of: &Eccentricity| {
         format!(
             "{} µm towards tooth {}",
-            value(Some(of.um), 3),
-            value(Some(of.high_tooth), 2)
+            fixed(Some(of.um), 3),
+            fixed(Some(of.high_tooth), 2)
         )
     };
     html! {
@@ -45,7 +46,7 @@ fn eccentricity(note: &EccentricityNote) -> Markup {
         @if let Some(stated) = &note.stated {
             "; the runout states " (words(stated))
             @if let Some(difference) = note.difference_um {
-                ", " (value(Some(difference), 3)) " µm from it"
+                ", " (fixed(Some(difference), 3)) " µm from it"
             }
         }
         @match note.stated_counts {
@@ -71,18 +72,18 @@ fn all_round(note: &AllRoundNote, teeth: usize) -> Markup {
 
 fn thickness(note: &ThicknessStatements) -> Markup {
     let range = |[least, most]: [f64; 2]| match least == most {
-        true => value(Some(least), 5),
-        false => format!("{} … {}", value(Some(least), 5), value(Some(most), 5)),
+        true => fixed(Some(least), 5),
+        false => format!("{} … {}", fixed(Some(least), 5), fixed(Some(most), 5)),
     };
     html! {
         "base tooth thickness " (symbol("s", "b")) " is stated twice: " (range(note.counts))
         " mm counts, " (range(note.cross)) " mm is the cross-check, in the middle "
-        (value(Some(note.difference_um), 2)) " µm off. "
+        (fixed(Some(note.difference_um), 2)) " µm off. "
         @match note.agree() {
             true => "They agree.",
             false => {
-                "They do not agree: " (value(Some(note.gap_um), 2)) " µm lie between them, "
-                (value(Some(note.tolerance_um), 2)) " µm are allowed."
+                "They do not agree: " (fixed(Some(note.gap_um), 2)) " µm lie between them, "
+                (fixed(Some(note.tolerance_um), 2)) " µm are allowed."
             }
         }
     }

@@ -1,13 +1,14 @@
 //! The poses with the least and the greatest backlash, drawn.
 
-use super::Page;
 use super::figures::not_on_paper;
 use super::inline::inline;
-use super::words::{distance, material, pose, um};
+use super::page::Page;
+use super::words::{material, pose};
 use crate::error::PictureError;
 use crate::{Snapshot, snapshot};
 use gearlash::mesh::Status;
 use gearlash::outcome::Found;
+use gearlash_files::numbers::{stated_distance, um};
 use maud::{Markup, PreEscaped, html};
 
 /// Centre distances, beside that of the least pose, whose least pose is drawn too (tuned: some 30 kB each).
@@ -107,7 +108,7 @@ fn figure(page: &Page, id: &str, what: &str, found: Found) -> Result<Markup, Pic
         "{what}{}, {}, centre distance {} mm, {}.",
         backlash.unwrap_or_default(),
         pose(found),
-        distance(run.assembly.center_distance()),
+        stated_distance(run.assembly.center_distance()),
         material(run.material)
     );
     Ok(html! {

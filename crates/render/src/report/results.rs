@@ -1,13 +1,14 @@
 //! Backlash over the teeth and over the centre distance, and the mesh itself.
 
-use super::Page;
 use super::figures::{charted, over_distance, revolutions};
-use super::words::{distance, material, um};
+use super::page::Page;
+use super::words::material;
 use crate::error::PictureError;
 use crate::viewer;
 use gearlash::outcome::{Found, Outcome};
 use gearlash::phases::phase_groups;
 use gearlash::tally::{RunTally, tally};
+use gearlash_files::numbers::{stated_distance, um};
 use maud::{Markup, PreEscaped, html};
 
 pub(super) fn section(page: &Page) -> Result<Markup, PictureError> {
@@ -61,7 +62,7 @@ fn materials(page: &Page) -> Markup {
                 } }
                 tbody { @for (at, end, of) in rows {
                     tr {
-                        th.n scope="row" { (distance(at.center_distance)) }
+                        th.n scope="row" { (stated_distance(at.center_distance)) }
                         td.w { (material(end)) }
                         (counts(of))
                         @if page.whole.unproven > 0 { td.n { (of.unproven) } }
@@ -100,7 +101,7 @@ fn phases(page: &Page) -> Markup {
                     tbody { @for group in &groups {
                         tr {
                             @if let Some(run) = group.runs.first() {
-                                th.n scope="row" { (distance(run.assembly.center_distance())) }
+                                th.n scope="row" { (stated_distance(run.assembly.center_distance())) }
                                 td.w { (material(run.material)) }
                             }
                             td.n { (group.runs.len()) }

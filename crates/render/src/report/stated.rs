@@ -1,6 +1,7 @@
 //! What a pair file states of a gear, in words.
 
-use super::words::{plain, written};
+use super::words::plain;
+use gearlash_files::numbers::{rounded, shortest};
 use serde_json::Value;
 
 /// A value of the pair file.
@@ -8,7 +9,7 @@ pub(super) fn words(value: &Value) -> String {
     match value {
         Value::Null => "–".to_owned(),
         Value::String(text) => plain(text),
-        Value::Number(number) => number.as_f64().map_or_else(|| number.to_string(), written),
+        Value::Number(number) => number.as_f64().map_or_else(|| number.to_string(), shortest),
         other => plain(&other.to_string()),
     }
 }
@@ -27,7 +28,7 @@ fn measured(table: &Value) -> String {
         Value::Array(readings) => {
             let numbers = || readings.iter().filter_map(Value::as_f64);
             let ends = [numbers().reduce(f64::min), numbers().reduce(f64::max)];
-            let [least, most] = ends.map(|end| end.map_or("–".to_owned(), written));
+            let [least, most] = ends.map(|end| end.map_or("–".to_owned(), shortest));
             format!("{} readings, {least} … {most}", readings.len())
         }
         _ => single_or_band(table, ["mm", "min_mm", "max_mm"]),
@@ -75,7 +76,7 @@ fn found(value: &Value) -> String {
     let full = words(value);
     match value.as_f64() {
         Some(number) => {
-            let short = written((number * 1e4).round() / 1e4);
+            let short = shortest(rounded(number, 4));
             if short.len() < full.len() {
                 short
             } else {

@@ -2,11 +2,13 @@
 
 use super::cycle::limit;
 use super::measured::sentence;
-use super::words::{bound, fine, j_wt, written};
-use super::{Page, unproven};
+use super::page::Page;
+use super::unproven;
+use super::words::j_wt;
 use gearlash::cycle::RemainingMatings;
 use gearlash::mesh::Method;
 use gearlash::outcome::{MODELS, deviation};
+use gearlash_files::numbers::{bound_um, difference_um, shortest};
 use maud::{Markup, html};
 
 pub(super) fn section(page: &Page) -> Markup {
@@ -84,9 +86,9 @@ fn certificate(page: &Page) -> Markup {
     html! {
         (how)
         @if page.whole.unproven > 0 { "What follows is of the proven poses alone. " }
-        @if let Some(largest) = largest { "Both lie within " (bound(largest)) " µm. " }
+        @if let Some(largest) = largest { "Both lie within " (bound_um(largest)) " µm. " }
         @if let Some(error) = page.whole.error_bound {
-            "The numerical error of " (j_wt()) " is at most " (bound(error)) " µm."
+            "The numerical error of " (j_wt()) " is at most " (bound_um(error)) " µm."
         }
         @if matches!(page.report.analysis.cycle.others, RemainingMatings::Seen { .. }) {
             " Of the rest of the hunting cycle this holds at its extremes; the other poses were found on the exact tooth curves alone."
@@ -100,9 +102,9 @@ fn formula(page: &Page) -> Markup {
     html! {
         @if of.both > 0 {
             "The line-of-action formula, which shares nothing with the simulation but the gears’ data, agrees within "
-            (written(page.report.pair.study.tolerance_um)) " µm at " (of.agree) " of the " (of.both) " poses that both have a value of"
+            (shortest(page.report.pair.study.tolerance_um)) " µm at " (of.agree) " of the " (of.both) " poses that both have a value of"
             @if let Some(deviation) = deviation(&page.all, line_of_action) {
-                "; the largest difference is " (fine(Some(deviation.largest))) " µm"
+                "; the largest difference is " (difference_um(Some(deviation.largest))) " µm"
             }
             ". "
         } @else {
@@ -148,7 +150,7 @@ fn off_line(page: &Page) -> Markup {
     let valued = of.valued();
     // Beyond the tolerance these are what the formula is wrong about.
     let slight = of.touch_off_line.saturating_sub(of.formula_fails());
-    let tolerance = written(page.report.pair.study.tolerance_um);
+    let tolerance = shortest(page.report.pair.study.tolerance_um);
     html! {
         @match of.touch_off_line {
             0 if valued == 0 => "",

@@ -1,9 +1,10 @@
 //! Poses that nothing vouches for: how many, which, why.
 
-use super::Page;
-use super::words::{distance, material, plain, pose};
-use crate::unproven::doubts;
+use super::page::Page;
+use super::words::{material, plain, pose};
 use gearlash::outcome::Found;
+use gearlash_files::numbers::stated_distance;
+use gearlash_files::results::doubts;
 use maud::{Markup, html};
 
 /// Poses up to this many are told one by one (tuned: a screen).
@@ -48,7 +49,7 @@ pub(super) fn section(page: &Page) -> Markup {
                 ul {
                     @for found in unproven.iter().take(MOST_TOLD) {
                         li {
-                            (pose(*found)) ", centre distance " (distance(found.run.run.assembly.center_distance())) " mm, "
+                            (pose(*found)) ", centre distance " (stated_distance(found.run.run.assembly.center_distance())) " mm, "
                             (material(found.run.run.material)) ": " (plain(&doubts(found.pose)))
                         }
                     }

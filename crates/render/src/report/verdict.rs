@@ -1,10 +1,12 @@
 //! The answer: does the pair assemble, how much backlash, where, which teeth.
 
 use super::cycle::{limit, same_everywhere};
-use super::words::{band, bound, distance, few, j_wt, material, touching, um};
-use super::{Page, cycle, unproven};
+use super::page::Page;
+use super::words::{band, few, j_wt, material, touching};
+use super::{cycle, unproven};
 use gearlash::outcome::{AtDistance, Found, Outcome};
 use gearlash::phases::failing_phases;
+use gearlash_files::numbers::{bound_um, stated_distance, um};
 use maud::{Markup, html};
 
 pub(super) fn section(page: &Page) -> Markup {
@@ -67,12 +69,15 @@ fn verdict(page: &Page) -> String {
     }
     let none = format!(
         "without backlash (0 within the error bound of {} µm)",
-        page.whole.error_bound.map_or("0".to_owned(), bound)
+        page.whole.error_bound.map_or("0".to_owned(), bound_um)
     );
     match &page.distances[..] {
         [] => "Nothing was run".to_owned(),
         [_] if !touching.is_empty() => format!("Assembles {none} {}", places(&touching, number)),
-        [only] => format!("Assembles at a = {} mm", distance(only.center_distance)),
+        [only] => format!(
+            "Assembles at a = {} mm",
+            stated_distance(only.center_distance)
+        ),
         _ if !touching.is_empty() => {
             format!(
                 "Assembles at all {number} centre distances, {none} {}",
@@ -98,7 +103,10 @@ fn phases(page: &Page) -> String {
 
 /// Up to four centre distances by name.
 fn places(at: &[&AtDistance], number: usize) -> String {
-    let named = at.iter().take(4).map(|at| distance(at.center_distance));
+    let named = at
+        .iter()
+        .take(4)
+        .map(|at| stated_distance(at.center_distance));
     let named = named.collect::<Vec<_>>().join(", ");
     let more = match at.len() {
         0..=4 => String::new(),
@@ -118,7 +126,7 @@ fn extreme(page: &Page, found: Found) -> Markup {
     let [right, left] = touching(Some(found));
     html! {
         span.w { (um(found.pose.swept.backlash, 2)) " µm" } " at "
-        span.w { i { "a" } " = " (distance(run.assembly.center_distance())) " mm" }
+        span.w { i { "a" } " = " (stated_distance(run.assembly.center_distance())) " mm" }
         @if same_everywhere(page, found) {
             ", the same at every pose, "
         } @else {
@@ -141,7 +149,7 @@ fn clearance(page: &Page) -> Markup {
     let binds = whole.assembles() && tighter;
     html! {
         p {
-            "With the bearing clearance taken in (" i { "a" } " ± " (distance(c)) " mm) "
+            "With the bearing clearance taken in (" i { "a" } " ± " (stated_distance(c)) " mm) "
             @if ends == [None, None] {
                 "no pose has a value: the gears are jammed or out of mesh there"
                 @if whole.unproven_ends != [0, 0] { ", or it is unproven" }
@@ -151,7 +159,7 @@ fn clearance(page: &Page) -> Markup {
                 @for (end, poses) in ["−", "+"].into_iter().zip(whole.without_value) {
                     @if poses > 0 {
                         "; at " (poses) " of " (whole.poses) " poses the gears are jammed or out of mesh at "
-                        span.w { i { "a" } " " (end) " " (distance(c)) " mm" }
+                        span.w { i { "a" } " " (end) " " (stated_distance(c)) " mm" }
                     }
                 }
             }
@@ -180,12 +188,12 @@ fn table(page: &Page) -> Markup {
                     th.n scope="col" { "mean" }
                     th.n scope="col" { "greatest" }
                     th scope="col" { "teeth there" }
-                    @if c > 0.0 { th.n scope="col" { "with " i { "a" } " ± " (distance(c)) " mm" } }
+                    @if c > 0.0 { th.n scope="col" { "with " i { "a" } " ± " (stated_distance(c)) " mm" } }
                 } }
                 tbody {
                     @for at in &page.distances {
                         tr {
-                            th.n scope="row" { (distance(at.center_distance)) }
+                            th.n scope="row" { (stated_distance(at.center_distance)) }
                             (fits(&at.all))
                             (extreme_cells(page, at.all.least))
                             td.n { (um(at.all.mean, 2)) }

@@ -1,14 +1,16 @@
 //! The results as the script reads them: a column a quantity, an entry a pose.
 
-use super::contacts::touching;
-use super::precision::{Precision, rounded};
-use super::run_columns::RunColumns;
+use super::contacts::{Contacts, touching};
+use super::precision::Precision;
+use super::readout;
 use super::viewed::Viewed;
 use gearlash::compare::ComparedRun;
-use gearlash::curves::Course;
+use gearlash::curves::{Course, CourseLine};
 use gearlash::gear::Side;
-use gearlash::mesh::{PoseResult, Status};
+use gearlash::mesh::{LostMotion, PoseResult, Status};
+use gearlash::pair::Member;
 use gearlash::study::Study;
+use gearlash_files::numbers::{rounded, two_digits_up};
 use serde::Serialize;
 
 /// Decimals of a rotation in degrees: 2 nm at a radius of 130 mm.
@@ -85,6 +87,116 @@ pub fn free_rotation(pose: &PoseResult) -> f64 {
 /// A rotation, rad, in degrees as shown.
 pub fn degrees(rotation: f64) -> f64 {
     rounded(rotation.to_degrees(), DEGREES)
+}
+
+/// What the script knows of a run.
+#[derive(Serialize)]
+pub struct RunColumns {
+    label: String,
+    center_distance_mm: f64,
+    /// Which of the outlines.
+    outlines: usize,
+    pitch_radius_mm: [f64; 2],
+    /// How many poses the run has.
+    of: usize,
+    /// Which of them these are, from 1; none: all.
+    number: Option<Vec<usize>>,
+    /// Id of the chart, and each pose's place on its horizontal axis.
+    chart: Option<String>,
+    chart_x: Vec<Option<f64>>,
+    mating: [Vec<u32>; 2],
+    left_flank: Vec<u8>,
+    fraction: Vec<f64>,
+    locked_deg: Vec<f64>,
+    /// The free gear at right-flank contact; its nominal rotation where there is no lost motion.
+    free_deg: Vec<f64>,
+    lost_motion_deg: Vec<Option<f64>>,
+    j_wt_um: Vec<Option<f64>>,
+    error_bound_um: Vec<Option<f64>>,
+    status: Vec<usize>,
+    right: Contacts,
+    left: Contacts,
+}
+
+impl RunColumns {
+    /// The columns of `viewed`. Classes of contact that are not in `classes` yet are added there.
+    pub fn new(
+        study: &Study,
+        viewed: &Viewed,
+        charts: &[(&str, &Course)],
+        precision: Precision,
+        classes: &mut Vec<String>,
+    ) -> RunColumns {
+        let run = viewed.run;
+        let key = (run.run.assembly.center_distance(), run.run.phase);
+        let mut charts = charts.iter();
+        let chart = charts.find(|(_, course)| (course.center_distance, course.phase) == key);
+        let assembly = &run.run.assembly;
+        let poses = || viewed.poses().map(|pose| &pose.swept);
+        let mating = |member| {
+            poses()
+                .map(|pose| pose.pose.mating().tooth(member))
+                .collect()
+        };
+        let [right, left] =
+            Side::BOTH.map(|side| Contacts::of(assembly, side, poses(), precision, classes));
+        let places = chart.map_or(Vec::new(), |(_, course)| places(run, course));
+        let place = |number: &usize| places.get(*number).copied().flatten();
+        let all = viewed.numbers.len() == run.poses.len();
+        RunColumns {
+            label: readout::run(run),
+            center_distance_mm: assembly.center_distance(),
+            outlines: outlines(study, run),
+            pitch_radius_mm: [Member::Wheel, Member::Pinion]
+                .map(|member| rounded(assembly.operating_pitch_radius(member), precision.decimals)),
+            of: run.poses.len(),
+            number: (!all).then(|| viewed.numbers.iter().map(|number| number + 1).collect()),
+            chart: chart.map(|(id, _)| (*id).to_owned()),
+            chart_x: viewed.numbers.iter().map(place).collect(),
+            mating: [Member::Wheel, Member::Pinion].map(mating),
+            left_flank: poses().map(|pose| u8::from(is_left(pose))).collect(),
+            fraction: poses()
+                .map(|pose| rounded(pose.pose.mating().fraction, 6))
+                .collect(),
+            locked_deg: poses()
+                .map(|pose| degrees(pose.pose.locked_rotation()))
+                .collect(),
+            free_deg: poses().map(|pose| degrees(free_rotation(pose))).collect(),
+            lost_motion_deg: poses()
+                .map(|pose| pose.proven().and_then(LostMotion::angle).map(degrees))
+                .collect(),
+            j_wt_um: poses().map(|pose| pose.backlash.map(|j| j * 1e3)).collect(),
+            error_bound_um: poses()
+                .map(|pose| pose.error_bound.map(|bound| two_digits_up(bound * 1e3)))
+                .collect(),
+            status: poses().map(|pose| place_of(pose.status())).collect(),
+            right,
+            left,
+        }
+    }
+}
+
+/// Each pose's place in the curves of `course`, where the poses of a flank follow each other; none for a pose that
+/// has no point there.
+fn places(run: &ComparedRun, course: &Course) -> Vec<Option<f64>> {
+    let mut lines = Side::BOTH.map(|flank| {
+        let of_run =
+            move |line: &&CourseLine| (line.material, line.flank) == (run.run.material, flank);
+        let points = course
+            .lines
+            .iter()
+            .filter(of_run)
+            .flat_map(|line| &line.points);
+        points.map(|point| rounded(point.x, 6))
+    });
+    let poses = run.poses.iter();
+    poses
+        .map(|pose| lines[usize::from(is_left(&pose.swept))].next())
+        .collect()
+}
+
+fn is_left(pose: &PoseResult) -> bool {
+    pose.pose.mating().flank == Side::Left
 }
 
 #[cfg(test)]

@@ -1,10 +1,10 @@
 //! The contacts on one side as the script reads them.
 
-use super::precision::{Precision, rounded};
-use super::readout;
+use super::precision::Precision;
 use gearlash::gear::Side;
-use gearlash::mesh::{Contact, PoseResult};
+use gearlash::mesh::{Contact, ContactClass, PoseResult};
 use gearlash::pair::GearPair;
+use gearlash_files::numbers::rounded;
 use serde::Serialize;
 
 /// Decimals of a normal's direction in degrees: 0.1 µm along the longest line drawn at module 3.
@@ -47,7 +47,7 @@ impl Contacts {
         classes: &mut Vec<String>,
     ) {
         let class = contact.map(|contact| {
-            let class = readout::class(assembly, side, contact);
+            let class = class(assembly, side, contact);
             let known = classes.iter().position(|known| *known == class);
             known.unwrap_or_else(|| {
                 classes.push(class);
@@ -80,4 +80,16 @@ pub fn normal_degrees(contact: &Contact) -> f64 {
         contact.normal.y.atan2(contact.normal.x).to_degrees(),
         NORMAL,
     )
+}
+
+/// The class of a contact, and whose tip takes part when.
+pub fn class(assembly: &GearPair, side: Side, contact: &Contact) -> String {
+    let class = ContactClass::of(assembly, side, contact);
+    let tip = class.tip.map(|member| format!("{} tip", member.name()));
+    let moment = class.moment.map(|moment| moment.name().to_owned());
+    let more: Vec<String> = tip.into_iter().chain(moment).collect();
+    match more.is_empty() {
+        true => class.kind.name().to_owned(),
+        false => format!("{} ({})", class.kind.name(), more.join(", ")),
+    }
 }

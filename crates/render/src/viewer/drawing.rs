@@ -5,14 +5,15 @@
 
 use super::columns::{degrees, free_rotation, outlines};
 use super::marks::{axis, circle, line, marks, numbers};
-use super::outline::path;
-use super::precision::{Precision, rounded};
-use crate::page::{INK, OVERLAP, PINION, WHEEL};
+use super::precision::Precision;
+use crate::kit::sheet::{INK, OVERLAP, PINION, WHEEL};
 use gearlash::compare::{ComparedPose, ComparedRun};
 use gearlash::gear::{AsBuilt, Placed, Side};
 use gearlash::pair::{GearPair, Member};
 use gearlash::study::Study;
+use gearlash_files::numbers::rounded;
 use nalgebra::Point2;
+use std::fmt::Write;
 use svg::node::element::{ClipPath, Definitions, Group, Path, SVG, Use};
 
 const MEMBERS: [Member; 2] = [Member::Wheel, Member::Pinion];
@@ -154,4 +155,35 @@ fn views(assembly: &GearPair, module: f64) -> [String; 2] {
             f64::max(wheel, pinion) + border,
         ),
     ]
+}
+
+/// The whole outline, displaced by its eccentricity: relative path data in units of the last decimal.
+///
+/// Whole numbers stay whole: browsers add up single-precision numbers, and theirs hold 24 bits.
+fn path(gear: &Placed, precision: Precision) -> String {
+    // A disc about the axis, no smaller than the gear, holds its centre: all teeth.
+    let reach = gear.as_built().reach();
+    let mut data = String::new();
+    let mut last: Option<[i64; 2]> = None;
+    for point in gear.outline_near(gear.axis(), reach, precision.chord) {
+        let [x, y] = [point.x, point.y].map(|value| precision.units(value));
+        let _ = match last {
+            None => write!(data, "M{x} {y}l"),
+            Some(before) if before == [x, y] => Ok(()),
+            Some([left, low]) => {
+                let [dx, dy] = [x - left, y - low];
+                // A minus sign parts two numbers as well as a space.
+                let apart = if data.ends_with('l') || dx < 0 {
+                    ""
+                } else {
+                    " "
+                };
+                let between = if dy < 0 { "" } else { " " };
+                write!(data, "{apart}{dx}{between}{dy}")
+            }
+        };
+        last = Some([x, y]);
+    }
+    data.push('z');
+    data
 }

@@ -2,12 +2,13 @@
 
 use super::columns::degrees;
 use super::contacts::{normal_degrees, touching};
-use super::precision::{Precision, rounded};
-use crate::page::{ACTION, GREY, INK};
+use super::precision::Precision;
+use crate::kit::sheet::{ACTION, GREY, INK};
 use gearlash::compare::ComparedPose;
 use gearlash::gear::{Placed, Side};
 use gearlash::mesh::{LostMotion, Status};
 use gearlash::pair::{GearPair, Member};
+use gearlash_files::numbers::rounded;
 use svg::node::element::{Group, Path, Text};
 
 /// Half the length of a normal, modules: across the mesh zone.

@@ -9,10 +9,8 @@ mod columns;
 mod contacts;
 mod drawing;
 mod marks;
-mod outline;
 mod precision;
 mod readout;
-mod run_columns;
 mod viewed;
 
 use columns::Columns;

@@ -1,6 +1,7 @@
 //! How finely the viewer draws, by the size of the teeth.
 
 use gearlash::pair::{GearPair, Member};
+use gearlash_files::numbers::{rounded, two_digits_up};
 
 /// Chordal error of an outline, in modules: 0.05 µm at module 3, so that a backlash of a few micrometres can be looked
 /// at and the dot of a contact stands on both outlines.
@@ -70,53 +71,5 @@ impl Precision {
     /// The last decimal, µm.
     pub fn place_um(&self) -> f64 {
         rounded(10f64.powi(3 - self.decimals as i32), 6)
-    }
-}
-
-/// `value` to so many decimals; never −0.
-pub fn rounded(value: f64, decimals: usize) -> f64 {
-    let scale = 10f64.powi(decimals as i32);
-    (value * scale).round() / scale + 0.0
-}
-
-/// A bound to two digits, rounded up; zero stays.
-pub fn two_digits_up(value: f64) -> f64 {
-    if !(value > 0.0 && value.is_finite()) {
-        return value;
-    }
-    let text = format!("{value:.15e}");
-    let parts = text.split_once('e');
-    let parts = parts.and_then(|(digits, power)| {
-        Some((digits.parse::<f64>().ok()?, power.parse::<i32>().ok()?))
-    });
-    let up = parts.and_then(|(digits, power)| {
-        // What has two digits stays: 1e-14 is above the rounding of a product.
-        let tenths = (digits * 10.0 * (1.0 - 1e-14)).ceil();
-        format!("{tenths}e{}", power - 1).parse().ok()
-    });
-    up.unwrap_or(value)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{rounded, two_digits_up};
-
-    #[test]
-    fn bounds_are_rounded_up_and_kept_when_short() {
-        for (value, shown) in [
-            (1.301e-9, 1.4e-9),
-            (1.4e-9, 1.4e-9),
-            (0.0, 0.0),
-            (9.91, 10.0),
-            (2.0, 2.0),
-        ] {
-            assert_eq!(two_digits_up(value), shown);
-        }
-    }
-
-    #[test]
-    fn rounding_leaves_no_negative_zero() {
-        assert_eq!(rounded(-0.00004, 4).to_bits(), 0f64.to_bits());
-        assert_eq!(rounded(-66.100_05, 4), -66.1001);
     }
 }

@@ -1,15 +1,12 @@
 //! What is said of a pose beside the picture. `viewer.js` says the same of the others.
 
-use super::contacts::touching;
-use super::precision::two_digits_up;
-use crate::bound::decades;
-use crate::caption::decimals;
-use crate::decimal::fixed;
+use super::contacts::{class, touching};
 use gearlash::compare::ComparedRun;
 use gearlash::gear::Side;
-use gearlash::mesh::{Contact, ContactClass, Status};
-use gearlash::pair::{GearPair, Member};
+use gearlash::mesh::Status;
+use gearlash::pair::Member;
 use gearlash::study::Material;
+use gearlash_files::numbers::{decades, fixed, pitches_beyond, trimmed, two_digits_up};
 
 /// What the marks mean.
 pub const LEGEND: &str = "Filled dot: the gears touch. Open dots: the two points of the other flanks that will meet. \
@@ -18,7 +15,7 @@ pub const LEGEND: &str = "Filled dot: the gears touch. Open dots: the two points
 
 /// A run by centre distance, material and phase.
 pub fn run(run: &ComparedRun) -> String {
-    let distance = decimals(run.run.assembly.center_distance(), 3, 6);
+    let distance = trimmed(run.run.assembly.center_distance(), 3, 6);
     let material = match run.run.material {
         Material::Most => ", most material",
         Material::Least => ", least material",
@@ -29,27 +26,11 @@ pub fn run(run: &ComparedRun) -> String {
     format!("a = {distance} mm{material}{phase}")
 }
 
-/// The class of a contact, and whose tip takes part when.
-pub fn class(assembly: &GearPair, side: Side, contact: &Contact) -> String {
-    let class = ContactClass::of(assembly, side, contact);
-    let tip = class.tip.map(|member| format!("{} tip", member.name()));
-    let moment = class.moment.map(|moment| moment.name().to_owned());
-    let more: Vec<String> = tip.into_iter().chain(moment).collect();
-    match more.is_empty() {
-        true => class.kind.name().to_owned(),
-        false => format!("{} ({})", class.kind.name(), more.join(", ")),
-    }
-}
-
 /// The list beside the picture.
 pub fn draw(run: &ComparedRun, number: usize) -> String {
     let pose = &run.poses[number];
     let mating = pose.swept.pose.mating();
-    let fraction = match mating.fraction {
-        0.0 => String::new(),
-        fraction if fraction > 0.0 => format!(" + {} pitch", decimals(fraction, 0, 6)),
-        fraction => format!(" − {} pitch", decimals(-fraction, 0, 6)),
-    };
+    let fraction = pitches_beyond(mating.fraction, 6);
     let contact = |side| match touching(&pose.swept, side) {
         None => "none".to_owned(),
         Some(contact) => format!(

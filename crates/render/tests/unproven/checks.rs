@@ -3,7 +3,8 @@
 use super::{CERTIFIED, Case};
 use gearlash::diagnosis::{Check, Diagnosis, Verdict, diagnose};
 use gearlash::mesh::{Method, PoseClass};
-use gearlash_render::check;
+use gearlash_files::results::checks_json;
+use gearlash_render::text::check;
 use serde_json::Value;
 
 /// Those that are measured over the poses.
@@ -68,7 +69,7 @@ fn its_text_and_json_say_so() {
         .unwrap();
     assert!(backlash.trim_start().starts_with("unproven"), "{backlash}");
     assert_eq!(backlash.matches("unproven").count(), 2);
-    let json: Value = serde_json::from_str(&check::json(&case.pair, &found).unwrap()).unwrap();
+    let json: Value = serde_json::from_str(&checks_json(&case.pair, &found).unwrap()).unwrap();
     assert_eq!(json["verdict"], "unproven");
     for check in json["checks"].as_array().unwrap() {
         let id = check["id"].as_str().unwrap();

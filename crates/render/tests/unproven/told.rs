@@ -9,8 +9,9 @@ use gearlash::mesh::Method;
 use gearlash::outcome::{Agreement, Outcome};
 use gearlash::tally::tally;
 use gearlash_files::result_file;
+use gearlash_files::results::{ComparedPair, comparison_json};
 use gearlash_render::chart::{self, Heading};
-use gearlash_render::{ComparedPair, Report, Snapshot, comparison, report};
+use gearlash_render::{Report, Snapshot, comparison, report};
 use gearlash_render::{simulation_table, snapshot};
 use serde_json::Value;
 
@@ -173,7 +174,7 @@ fn a_comparison_fails_for_them_in_every_format() {
     assert!(texts[1].contains("<failure"));
     assert!(texts[2].starts_with("::error"));
     assert!(texts[3].contains("❌ unproven poses in 1 of 1 pairs"));
-    let json: Value = serde_json::from_str(&comparison::json(&pairs).unwrap()).unwrap();
+    let json: Value = serde_json::from_str(&comparison_json(&pairs).unwrap()).unwrap();
     let run = &json["pairs"][0]["runs"][0];
     assert_eq!(
         (&run["passed"], &run["unproven"]),

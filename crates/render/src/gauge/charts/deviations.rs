@@ -1,13 +1,12 @@
 //! Runout and pitch, with the lines of their accuracy grades.
 
-use super::super::GaugedGear;
-use super::super::by_tooth::um;
-use super::super::file_names::FileName;
-use super::{LEVEL, by_tooth};
+use super::bars::{LEVEL, bars};
 use crate::chart::{BarPanel, BarSeries, Limits, Look};
 use crate::error::PictureError;
 use gearlash::gauge::{GradedReading, PitchAxis, PitchReadings, RunoutReadings};
 use gearlash::gear::{Grade, GradedQuantity, Side};
+use gearlash_files::numbers::{rounded, um};
+use gearlash_files::results::gauge::{GaugedGear, Reading};
 
 pub(super) fn charts(gauged: &GaugedGear) -> Result<Vec<(String, String)>, PictureError> {
     let read = &gauged.gauged;
@@ -16,8 +15,8 @@ pub(super) fn charts(gauged: &GaugedGear) -> Result<Vec<(String, String)>, Pictu
         files.push(runout(gauged, read)?);
     }
     for (name, read) in [
-        (FileName::PitchOwn, &read.pitch_own),
-        (FileName::PitchDatum, &read.pitch_datum),
+        (Reading::PitchOwn, &read.pitch_own),
+        (Reading::PitchDatum, &read.pitch_datum),
     ] {
         if let Ok(read) = read {
             files.push(pitch(gauged, name, read)?);
@@ -28,10 +27,10 @@ pub(super) fn charts(gauged: &GaugedGear) -> Result<Vec<(String, String)>, Pictu
 
 fn runout(gauged: &GaugedGear, read: &RunoutReadings) -> Result<(String, String), PictureError> {
     let title = format!(
-        "ball {} mm in each space · F_r {:.3} µm, 2 e {:.3} µm",
+        "ball {} mm in each space · F_r {} µm, 2 e {} µm",
         read.diameter,
-        1e3 * read.total(),
-        2e3 * gauged.gauged.eccentricity.amount
+        um(read.total(), 3),
+        um(2.0 * gauged.gauged.eccentricity.amount, 3)
     );
     let series = [series("ball", &read.deviations(), Look::Plain)];
     let panel = BarPanel {
@@ -44,13 +43,13 @@ fn runout(gauged: &GaugedGear, read: &RunoutReadings) -> Result<(String, String)
             .collect(),
         level: LEVEL,
     };
-    by_tooth(gauged, FileName::Runout, "tooth before the ball", &[panel])
+    bars(gauged, Reading::Runout, "tooth before the ball", &[panel])
 }
 
 /// Single pitch above cumulative pitch.
 fn pitch(
     gauged: &GaugedGear,
-    name: FileName,
+    reading: Reading,
     read: &PitchReadings,
 ) -> Result<(String, String), PictureError> {
     let about = match read.axis {
@@ -58,9 +57,7 @@ fn pitch(
         PitchAxis::Datum => "the rotation axis",
     };
     let both = |of: fn(&PitchReadings, Side) -> f64| {
-        Side::BOTH
-            .map(|side| format!("{:.3}", 1e3 * of(read, side)))
-            .join(" / ")
+        Side::BOTH.map(|side| um(of(read, side), 3)).join(" / ")
     };
     let graded = |quantity| coarsest(gauged, quantity, Some(read.axis));
     let total = graded(GradedQuantity::TotalPitch).map_or(String::new(), |graded| {
@@ -112,7 +109,7 @@ fn pitch(
         },
     ];
     let x_axis = "tooth · + along ascending numbers";
-    by_tooth(gauged, name, x_axis, &panels)
+    bars(gauged, reading, x_axis, &panels)
 }
 
 /// The greatest reading of `quantity` about `axis`: of both flanks that with the coarser grade.
@@ -137,17 +134,13 @@ fn tolerance(graded: &GradedReading) -> (f64, String) {
     match graded.grade {
         Grade::Within { grade, tolerance } => (
             1e3 * tolerance,
-            format!("grade {grade}, {} µm", shown(tolerance)),
+            format!("grade {grade}, {} µm", rounded(1e3 * tolerance, 1)),
         ),
         Grade::Beyond { last, tolerance } => (
             1e3 * tolerance,
-            format!("beyond grade {last}, {} µm", shown(tolerance)),
+            format!("beyond grade {last}, {} µm", rounded(1e3 * tolerance, 1)),
         ),
     }
-}
-
-fn shown(tolerance: f64) -> f64 {
-    (1e4 * tolerance).round() / 10.0
 }
 
 /// The tolerance of a range, laid about the middle of `ends`, mm.
@@ -163,7 +156,7 @@ fn range(graded: &GradedReading, [least, most]: [f64; 2]) -> Limits {
 fn series<'a>(name: &'a str, lengths: &[f64], look: Look) -> BarSeries<'a> {
     BarSeries {
         name,
-        values: um(lengths).into_iter().map(Some).collect(),
+        values: lengths.iter().map(|mm| Some(mm * 1e3)).collect(),
         look,
     }
 }

@@ -1,11 +1,11 @@
 //! The double-flank roll test as a curve over one revolution.
 
-use super::super::GaugedGear;
-use super::super::file_names::FileName;
-use super::{LEVEL, NUMBERS, means, subtitle};
+use super::bars::{LEVEL, NUMBERS, means, subtitle};
 use crate::chart::{Heading, LineAxes, LineSeries, Look, lines};
 use crate::error::PictureError;
 use gearlash::gauge::RollPose;
+use gearlash_files::numbers::um;
+use gearlash_files::results::gauge::{GaugedGear, Reading};
 
 pub(super) fn chart(gauged: &GaugedGear) -> Result<Option<(String, String)>, PictureError> {
     let Ok(roll) = &gauged.gauged.roll else {
@@ -34,15 +34,15 @@ pub(super) fn chart(gauged: &GaugedGear) -> Result<Option<(String, String)>, Pic
     };
     let stem = gauged.stem();
     let heading = Heading {
-        prefix: &FileName::Roll.prefix(&stem),
+        prefix: &Reading::Roll.file_stem(&stem),
         title: gauged.title,
         subtitle: &subtitle(gauged),
     };
     let title = format!(
-        "roll test with a master of z {} · F_i'' {:.3}, f_i'' {:.3} µm · {}{level}",
+        "roll test with a master of z {} · F_i'' {}, f_i'' {} µm · {}{level}",
         roll.master.basic_data().teeth(),
-        1e3 * roll.total().found,
-        1e3 * roll.tooth_to_tooth().found,
+        um(roll.total().found, 3),
+        um(roll.tooth_to_tooth().found, 3),
         means(mean, gauged.gauged.formula.distance)
     );
     let x = format!("tooth of the gear at the master, one revolution back to 1 · {NUMBERS}");
@@ -60,5 +60,5 @@ pub(super) fn chart(gauged: &GaugedGear) -> Result<Option<(String, String)>, Pic
         dots: false,
     };
     let svg = lines(&heading, axes, &[line])?.svg;
-    Ok(Some((FileName::Roll.svg(&stem), svg)))
+    Ok(Some((Reading::Roll.svg(&stem), svg)))
 }

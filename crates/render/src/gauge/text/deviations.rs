@@ -1,8 +1,8 @@
 //! Runout, pitch and roll in µm.
 
-use crate::table::um;
 use gearlash::gauge::{Eccentricity, Gauged, PitchReadings};
 use gearlash::gear::Side;
+use gearlash_files::numbers::{ascii, order_um, um_ascii};
 use std::fmt::Write;
 
 pub(super) fn lines(read: &Gauged) -> String {
@@ -11,24 +11,24 @@ pub(super) fn lines(read: &Gauged) -> String {
         let _ = writeln!(
             text,
             "F_r {} µm ({})",
-            um(Some(runout.total()), 3),
+            um_ascii(runout.total(), 3),
             eccentricity(&read.eccentricity),
         );
     }
     if let Ok(roll) = &read.roll {
         let [total, single] = [roll.total(), roll.tooth_to_tooth()].map(|range| {
             format!(
-                "{} µm (+ {:.0e} at most)",
-                um(Some(range.found), 3),
-                1e3 * range.missed
+                "{} µm (+ {} at most)",
+                um_ascii(range.found, 3),
+                order_um(range.missed)
             )
         });
         let _ = writeln!(
             text,
-            "F_i'' {total}, f_i'' {single}: {} poses a pitch and {} more round the extremes, each ± {:.0e} µm",
+            "F_i'' {total}, f_i'' {single}: {} poses a pitch and {} more round the extremes, each ± {} µm",
             roll.steps_per_pitch,
             roll.between.len(),
-            1e3 * roll.reading_error(),
+            order_um(roll.reading_error()),
         );
     }
     for pitch in [&read.pitch_own, &read.pitch_datum].into_iter().flatten() {
@@ -40,9 +40,9 @@ pub(super) fn lines(read: &Gauged) -> String {
 fn eccentricity(found: &Eccentricity) -> String {
     if found.amount > 0.0 {
         format!(
-            "2 e = {} µm towards tooth {:.2}",
-            um(Some(2.0 * found.amount), 3),
-            found.high_tooth
+            "2 e = {} µm towards tooth {}",
+            um_ascii(2.0 * found.amount, 3),
+            ascii(found.high_tooth, 2)
         )
     } else {
         "no eccentricity".to_owned()
@@ -54,8 +54,8 @@ fn both(pitch: &PitchReadings) -> String {
         format!(
             "{} flanks f_p {} µm, F_p {} µm",
             side.name(),
-            um(Some(pitch.greatest_single(side)), 3),
-            um(Some(pitch.total(side)), 3),
+            um_ascii(pitch.greatest_single(side), 3),
+            um_ascii(pitch.total(side), 3),
         )
     };
     format!("{}; {}", side(Side::Right), side(Side::Left))

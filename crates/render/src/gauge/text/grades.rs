@@ -1,8 +1,9 @@
 //! Accuracy grades, or why there are none.
 
-use crate::table::{finish, table, um};
+use crate::text::{finish, table};
 use gearlash::gauge::{Gauged, GradedReading};
 use gearlash::gear::Grade;
+use gearlash_files::numbers::um_ascii;
 
 pub(super) fn table_of(read: &Gauged) -> String {
     let graded = match &read.grades {
@@ -18,9 +19,9 @@ pub(super) fn table_of(read: &Gauged) -> String {
         };
         table.add_row(vec![
             words(one),
-            um(Some(one.measured), 3),
+            um_ascii(one.measured, 3),
             grade,
-            um(Some(tolerance), 1),
+            um_ascii(tolerance, 1),
         ]);
     }
     format!("\n{}", finish(&table))

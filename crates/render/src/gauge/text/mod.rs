@@ -6,11 +6,11 @@ mod lengths;
 mod positions;
 mod remarks;
 
-pub(super) use remarks::missing;
+pub use remarks::missing;
 
-use super::GaugedGear;
 use gearlash::gear::GRADE_SOURCE;
 use gearlash_files::characters::plain;
+use gearlash_files::results::gauge::GaugedGear;
 use std::fmt::Write;
 
 /// The text `gauge` prints; with `by_position` every reading tooth by tooth, too.

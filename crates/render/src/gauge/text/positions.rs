@@ -1,21 +1,24 @@
 //! Every reading tooth by tooth.
 
-use super::super::GaugedGear;
-use super::super::by_tooth::columns;
-use crate::decimal::ascii;
-use crate::table::{finish, table};
+use crate::text::{finish, table};
+use gearlash_files::numbers::ascii;
+use gearlash_files::results::gauge::{GaugedGear, by_tooth};
 
 pub(super) fn table_of(gauged: &GaugedGear) -> String {
-    let columns = columns(&gauged.gauged);
-    let shown = || columns.iter().filter(|column| !column.values.is_empty());
+    let columns = by_tooth(&gauged.gauged);
+    let shown = || {
+        columns
+            .iter()
+            .filter(|(_, column)| !column.cells.is_empty())
+    };
     let headings: Vec<&str> = std::iter::once("tooth")
-        .chain(shown().map(|column| column.heading))
+        .chain(shown().map(|(heading, _)| *heading))
         .collect();
     let mut table = table(&headings);
     for tooth in 1..=gauged.gear.gear().basic_data().teeth() {
-        let cells = shown().map(|column| {
-            let value = column.values.get(tooth as usize - 1);
-            value.map_or("–".to_owned(), |value| ascii(*value, column.decimals))
+        let cells = shown().map(|(_, column)| {
+            let value = column.cell(tooth as usize - 1).number();
+            ascii(value, column.unit.decimals())
         });
         table.add_row(std::iter::once(tooth.to_string()).chain(cells));
     }

@@ -3,10 +3,18 @@
 use gearlash::gauge::{Gauged, Unmeasured};
 use gearlash::gear::ProfilePart;
 use gearlash::mesh::{ContactKind, PoseClass, Touch};
+use gearlash_files::results::gauge::GaugedGear;
 use std::fmt::Write;
 
+/// What the gauges did not read on `gauged`, and why: a line each.
+pub fn missing(gauged: &GaugedGear) -> Vec<String> {
+    let lines = unmeasured(&gauged.gauged).into_iter();
+    let named = |line| format!("{}: {line}", gauged.words());
+    lines.map(named).collect()
+}
+
 /// What was not measured, and why.
-pub(in super::super) fn missing(read: &Gauged) -> Vec<String> {
+fn unmeasured(read: &Gauged) -> Vec<String> {
     let mut lines = Vec::new();
     let mut missing = |what: &str, reason: Option<&Unmeasured>| {
         lines.extend(reason.map(|reason| format!("not measured, {what}: {reason}")));
@@ -24,7 +32,7 @@ pub(in super::super) fn missing(read: &Gauged) -> Vec<String> {
 
 pub(super) fn lines(read: &Gauged) -> String {
     let mut text = String::new();
-    for line in missing(read) {
+    for line in unmeasured(read) {
         let _ = writeln!(text, "{line}");
     }
     if let Err(reason) = &read.stated {

@@ -1,0 +1,268 @@
+//! Numbers as text for people: one place for decimals, minus signs, raised digits and bounds.
+//!
+//! Pages and pictures have the true minus `−`, a terminal has ASCII's, since what it shows is pasted elsewhere.
+//! Neither has a negative zero. Lengths come in mm; what says µm in its name multiplies by 1000. Results for
+//! programs are not written here: JSON and CSV hold the shortest text that reads back to the same f64.
+
+/// What stands where there is no value.
+pub const NONE: &str = "–";
+
+/// `value` with so many decimals and a true minus sign; a dash for none.
+pub fn fixed(value: impl Into<Option<f64>>, decimals: usize) -> String {
+    match value.into() {
+        Some(value) => true_minus(format!("{value:.decimals$}")),
+        None => NONE.to_owned(),
+    }
+}
+
+/// The same in ASCII.
+pub fn ascii(value: impl Into<Option<f64>>, decimals: usize) -> String {
+    fixed(value, decimals).replace('−', "-")
+}
+
+/// A length in µm with so many decimals and a true minus sign; a dash for none.
+pub fn um(length_mm: impl Into<Option<f64>>, decimals: usize) -> String {
+    fixed(length_mm.into().map(|mm| mm * 1e3), decimals)
+}
+
+/// The same in ASCII.
+pub fn um_ascii(length_mm: impl Into<Option<f64>>, decimals: usize) -> String {
+    ascii(length_mm.into().map(|mm| mm * 1e3), decimals)
+}
+
+/// A length in µm with so many decimals and its sign, plus or minus, in ASCII.
+pub fn signed_um(length_mm: f64, decimals: usize) -> String {
+    format!("{:+.decimals$}", length_mm * 1e3)
+}
+
+/// `value` in as few digits as read back to the same number, with a true minus sign: what a user wrote.
+pub fn shortest(value: f64) -> String {
+    true_minus(format!("{value}"))
+}
+
+/// At least `least` and at most `most` decimals, no more than the value has.
+pub fn trimmed(value: f64, least: usize, most: usize) -> String {
+    let mut text = fixed(value, most);
+    let whole = text.len() - most;
+    while text.len() > whole + least && text.ends_with('0') {
+        text.pop();
+    }
+    text.trim_end_matches('.').to_owned()
+}
+
+/// A centre distance: three decimals, as all in a table.
+pub fn distance(mm: f64) -> String {
+    fixed(mm, 3)
+}
+
+/// A centre distance as it was stated: three decimals, or as many as it has, up to nine.
+pub fn stated_distance(mm: f64) -> String {
+    trimmed(mm, 3, 9)
+}
+
+/// `value` to the nearest of so many decimals; never −0.
+pub fn rounded(value: f64, decimals: usize) -> f64 {
+    let scale = 10f64.powi(decimals as i32);
+    (value * scale).round() / scale + 0.0
+}
+
+/// How far a pose stands beyond its mating, up to so many decimals; nothing where it stands there.
+pub fn pitches_beyond(fraction: f64, most: usize) -> String {
+    match fraction {
+        0.0 => String::new(),
+        _ if fraction > 0.0 => format!(" + {} pitch", trimmed(fraction, 0, most)),
+        _ => format!(" − {} pitch", trimmed(-fraction, 0, most)),
+    }
+}
+
+/// As many decimals as tell every one of `values` to within `off`, `most` at most.
+pub fn decimals_of(values: &[f64], off: f64, most: usize) -> usize {
+    let told = |decimals: &usize| {
+        let shown = |value: f64| format!("{value:.decimals$}").parse().unwrap_or(f64::NAN);
+        values
+            .iter()
+            .all(|value| (shown(*value) - value).abs() <= off)
+    };
+    (0..most).find(told).unwrap_or(most)
+}
+
+/// Three significant digits of a positive value; below 1e-4 as a power of ten.
+pub fn significant(value: f64) -> String {
+    if value >= 1e-4 {
+        let decimals = (0..9)
+            .find(|d| value * 10f64.powi(*d) >= 100.0)
+            .unwrap_or(9);
+        return format!("{value:.*}", decimals as usize);
+    }
+    let exponent = (1..30)
+        .find(|e| value * 10f64.powi(*e) >= 1.0)
+        .unwrap_or(30);
+    let digits = value * 10f64.powi(exponent);
+    format!("{digits:.2} · 10{}", raised(-exponent))
+}
+
+/// The order of a length in µm, such as `3e-9`; for tables in ASCII.
+pub fn order_um(length_mm: f64) -> String {
+    format!("{:.0e}", length_mm * 1e3)
+}
+
+/// An error bound, given in mm, in µm: one digit, rounded up.
+pub fn bound_um(length_mm: f64) -> String {
+    let um = length_mm * 1e3;
+    if !(um > 0.0 && um.is_finite()) {
+        return "0".to_owned();
+    }
+    let power = um.log10().floor();
+    // What rounding of a product adds to a whole digit is none.
+    let digit = (um / 10f64.powf(power) * (1.0 - 1e-12)).ceil();
+    match digit {
+        10.0 => scientific(1.0, power + 1.0),
+        _ => scientific(digit, power),
+    }
+}
+
+/// A bound to two digits, rounded up; zero stays.
+pub fn two_digits_up(value: f64) -> f64 {
+    if !(value > 0.0 && value.is_finite()) {
+        return value;
+    }
+    let text = format!("{value:.15e}");
+    let parts = text.split_once('e');
+    let parts = parts.and_then(|(digits, power)| {
+        Some((digits.parse::<f64>().ok()?, power.parse::<i32>().ok()?))
+    });
+    let up = parts.and_then(|(digits, power)| {
+        // What has two digits stays: 1e-14 is above the rounding of a product.
+        let tenths = (digits * 10.0 * (1.0 - 1e-14)).ceil();
+        format!("{tenths}e{}", power - 1).parse().ok()
+    });
+    up.unwrap_or(value)
+}
+
+/// A difference, given in mm, in µm: four decimals, or its order where they would show none of it.
+pub fn difference_um(length_mm: impl Into<Option<f64>>) -> String {
+    match length_mm.into() {
+        Some(mm) if mm != 0.0 && mm.abs() < 5e-7 => {
+            let um = mm.abs() * 1e3;
+            let power = um.log10().floor();
+            let sign = if mm < 0.0 { "−" } else { "" };
+            let digit = (um / 10f64.powf(power)).round();
+            format!("{sign}{}", scientific(digit, power))
+        }
+        other => um(other, 4),
+    }
+}
+
+/// A number as `digits·10^power` with raised digits, or as it is where that is short.
+pub fn decades(number: f64) -> String {
+    let text = format!("{number:e}");
+    let (digits, power) = text.split_once('e').unwrap_or((&text, "0"));
+    match (digits.parse(), power.parse::<f64>()) {
+        (Ok(digits), Ok(power)) if power.abs() > 3.0 => scientific(digits, power),
+        _ => format!("{number}"),
+    }
+}
+
+/// `digit·10^power` with raised digits, or as it is where that is short.
+fn scientific(digit: f64, power: f64) -> String {
+    if (-3.0..=3.0).contains(&power) {
+        return format!("{}", digit * 10f64.powf(power));
+    }
+    format!("{digit}·10{}", raised(power as i32))
+}
+
+/// A power as raised digits.
+fn raised(power: i32) -> String {
+    let raised = |c| match c {
+        '-' => '⁻',
+        '1' => '¹',
+        '2' => '²',
+        '3' => '³',
+        '4'..='9' => char::from_u32('⁴' as u32 + c as u32 - '4' as u32).unwrap_or(c),
+        _ => '⁰',
+    };
+    power.to_string().chars().map(raised).collect()
+}
+
+fn true_minus(text: String) -> String {
+    match text.strip_prefix('-') {
+        Some(digits) if digits.chars().all(|c| c == '0' || c == '.') => digits.to_owned(),
+        Some(digits) => format!("−{digits}"),
+        None => text,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_minus_is_true_and_zero_has_none() {
+        for (value, decimals, text) in [
+            (-16.2741, 2, "−16.27"),
+            (-0.004, 2, "0.00"),
+            (-0.0, 0, "0"),
+            (-0.4, 0, "0"),
+            (-0.005_1, 2, "−0.01"),
+            (3.0, 1, "3.0"),
+        ] {
+            assert_eq!(fixed(value, decimals), text);
+        }
+        assert_eq!(ascii(-16.2741, 2), "-16.27");
+        assert_eq!(shortest(-0.25), "−0.25");
+        assert_eq!(shortest(-0.0), "0");
+        assert_eq!(um(-0.0162741, 2), "−16.27");
+        assert_eq!(um(-1e-9, 2), "0.00");
+        assert_eq!(um_ascii(-0.0162741, 2), "-16.27");
+        assert_eq!(um(None, 2), "–");
+    }
+
+    #[test]
+    fn a_number_has_no_more_decimals_than_it_needs() {
+        assert_eq!(trimmed(132.12345, 3, 6), "132.12345");
+        assert_eq!(trimmed(0.25, 0, 6), "0.25");
+        assert_eq!(trimmed(-120.0, 0, 6), "−120");
+        assert_eq!(trimmed(120.0, 0, 0), "120");
+        assert_eq!(stated_distance(132.04), "132.040");
+        assert_eq!(stated_distance(132.12345), "132.12345");
+        assert_eq!(stated_distance(160.0), "160.000");
+        assert_eq!(decimals_of(&[-0.5, 0.0, 0.5], 1e-6, 15), 1);
+    }
+
+    #[test]
+    fn a_bound_is_rounded_up() {
+        assert_eq!(bound_um(3.14e-12), "4·10⁻⁹");
+        assert_eq!(bound_um(1e-12), "1·10⁻⁹");
+        assert_eq!(bound_um(9.5e-12), "1·10⁻⁸");
+        assert_eq!(bound_um(3.2e-5), "0.04");
+        assert_eq!(bound_um(0.0), "0");
+        for (value, shown) in [
+            (1.301e-9, 1.4e-9),
+            (1.4e-9, 1.4e-9),
+            (0.0, 0.0),
+            (9.91, 10.0),
+            (2.0, 2.0),
+        ] {
+            assert_eq!(two_digits_up(value), shown);
+        }
+    }
+
+    #[test]
+    fn small_numbers_show_their_size() {
+        assert_eq!(decades(3.2e-9), "3.2·10⁻⁹");
+        assert_eq!(decades(1e-12), "1·10⁻¹²");
+        assert_eq!(decades(0.0032), "0.0032");
+        assert_eq!(decades(0.0), "0");
+        assert_eq!(difference_um(-2.2e-15), "−2·10⁻¹²");
+        assert_eq!(difference_um(-2.25218e-2), "−22.5218");
+        assert_eq!(significant(3.14159e-7), "3.14 · 10⁻⁷");
+        assert_eq!(significant(0.0123456), "0.0123");
+        assert_eq!(order_um(6.2e-12), "6e-9");
+    }
+
+    #[test]
+    fn rounding_leaves_no_negative_zero() {
+        assert_eq!(rounded(-0.00004, 4).to_bits(), 0f64.to_bits());
+        assert_eq!(rounded(-66.100_05, 4), -66.1001);
+    }
+}

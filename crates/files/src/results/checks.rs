@@ -1,0 +1,90 @@
+//! The checks of a pair as JSON.
+
+use super::summary::{ContactCountRecord, contact_count_record};
+use crate::characters;
+use crate::read::PairFile;
+use gearlash::diagnosis::{Check, Diagnosis, Group};
+use gearlash::pair::Member;
+use serde::Serialize;
+use serde_json::{Map, Value};
+
+#[derive(Debug, Serialize)]
+struct CheckFile<'a> {
+    gearlash: &'static str,
+    pair: &'a Value,
+    verdict: &'static str,
+    checks: Vec<CheckRecord<'a>>,
+    contact: ContactCountRecord,
+    runs: Vec<GroupRecord>,
+}
+
+#[derive(Debug, Serialize)]
+struct CheckRecord<'a> {
+    id: &'static str,
+    gear: Option<&'static str>,
+    analytic: Option<f64>,
+    measured: Option<f64>,
+    limit: Option<f64>,
+    margin: Option<f64>,
+    unit: &'static str,
+    verdict: &'static str,
+    center_distance_mm: f64,
+    material: &'static str,
+    details: Map<String, Value>,
+    note: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    unproven: Option<&'a str>,
+}
+
+#[derive(Debug, Serialize)]
+struct GroupRecord {
+    center_distance_mm: f64,
+    material: &'static str,
+    contact: ContactCountRecord,
+}
+
+/// The checks of a pair as JSON, one line end at the end: every check of each centre distance and material.
+///
+/// # Errors
+/// None for a diagnosis; a number that JSON cannot hold otherwise.
+pub fn checks_json(file: &PairFile, diagnosis: &Diagnosis) -> Result<String, serde_json::Error> {
+    let groups = || diagnosis.groups.iter();
+    let file = CheckFile {
+        gearlash: env!("CARGO_PKG_VERSION"),
+        pair: &file.echo,
+        verdict: diagnosis.verdict().name(),
+        checks: groups()
+            .flat_map(|group| group.checks.iter().map(|check| check_record(group, check)))
+            .collect(),
+        contact: contact_count_record(&diagnosis.contact),
+        runs: groups()
+            .map(|group| GroupRecord {
+                center_distance_mm: group.assembly.center_distance(),
+                material: group.material.name(),
+                contact: contact_count_record(&group.contact),
+            })
+            .collect(),
+    };
+    Ok(characters::json(serde_json::to_string_pretty(&file)?) + "\n")
+}
+
+fn check_record<'a>(group: &Group, check: &'a Check) -> CheckRecord<'a> {
+    let details = check.details.iter();
+    CheckRecord {
+        id: check.id,
+        gear: check.gear.map(Member::name),
+        analytic: check.analytic,
+        measured: check.measured,
+        limit: check.limit,
+        margin: check.margin,
+        unit: check.unit,
+        verdict: check.verdict.name(),
+        center_distance_mm: group.assembly.center_distance(),
+        material: group.material.name(),
+        details: details
+            .map(|(name, value)| ((*name).to_owned(), (*value).into()))
+            .collect(),
+        note: &check.note,
+        unproven: check.unproven.as_deref(),
+    }
+}

@@ -1,0 +1,158 @@
+//! The readings as JSON.
+
+use super::GaugedGear;
+use super::readings::{Reading, roll};
+use crate::characters;
+use crate::results::table::{Column, Table};
+use gearlash::gauge::{Gauged, GradedReading, PitchReadings, Unmeasured};
+use gearlash::gear::{GRADE_SOURCE, Grade, Side};
+use serde_json::{Value, json};
+
+/// All gears: lengths in mm where the name says so, deviations in µm. What was not measured is
+/// `{ "not_measured": reason }`.
+///
+/// # Errors
+/// None that readings can cause; the writer's otherwise.
+pub fn json(title: &str, gears: &[GaugedGear]) -> Result<String, serde_json::Error> {
+    let gears: Vec<Value> = gears.iter().map(gear).collect();
+    let all = json!({ "gearlash": env!("CARGO_PKG_VERSION"), "title": title, "gears": gears });
+    Ok(characters::json(serde_json::to_string_pretty(&all)?) + "\n")
+}
+
+fn gear(gauged: &GaugedGear) -> Value {
+    let read = &gauged.gauged;
+    let formula = &read.formula;
+    json!({
+        "gear": gauged.name,
+        "material": gauged.material.name(),
+        "teeth": gauged.gear.gear().basic_data().teeth(),
+        "spans": of(&read.spans, |spans| json!({
+            "teeth": spans.teeth,
+            "formula_mm": formula.span,
+            "readings": rows(read, Reading::Spans, &["tooth", "span", "error_bound", "touched"], &LENGTH),
+        })),
+        "pins": of(&read.pins, |pins| json!({
+            "pin_mm": pins.diameter,
+            "formula_two_mm": formula.over_two,
+            "two": over(read, Reading::Pins, "pins"),
+            "formula_three_mm": formula.over_three,
+            "three": over(read, Reading::ThreePins, "three_pins"),
+        })),
+        "runout": of(&read.runout, |runout| json!({
+            "ball_mm": runout.diameter,
+            "total_um": runout.total() * 1e3,
+            "error_bound_um": runout.error() * 1e3,
+            "readings": rows(read, Reading::Runout, &["tooth", "radius", "error_bound", "touched"], &RADIUS),
+        })),
+        "eccentricity": {
+            "um": read.eccentricity.amount * 1e3,
+            "high_tooth": read.eccentricity.high_tooth,
+            "error_bound_um": read.eccentricity.error * 1e3,
+        },
+        "pitch_own": of(&read.pitch_own, |found| pitch(found, read, [Reading::SinglePitchOwn, Reading::PitchOwn])),
+        "pitch_datum": of(&read.pitch_datum, |found| pitch(found, read, [Reading::SinglePitchDatum, Reading::PitchDatum])),
+        "thickness": of(&read.thickness, |thickness| json!({
+            "circle_mm": 2.0 * thickness.radius,
+            "formula_mm": formula.thickness,
+            "error_bound_um": thickness.error * 1e3,
+            "arc_mm": thickness.arcs,
+        })),
+        "root": of(&read.root, |root| json!({
+            "diameter_mm": 2.0 * root.radius,
+            "formula_mm": 2.0 * formula.root,
+            "error_bound_um": 2.0 * root.error * 1e3,
+        })),
+        "grades": of(&read.grades, |graded| json!({
+            "source": GRADE_SOURCE,
+            "values": graded.iter().map(grade).collect::<Vec<_>>(),
+        })),
+        "roll": of(&read.roll, |found| json!({
+            "master_teeth": found.master.basic_data().teeth(),
+            "master_tip_diameter_mm": 2.0 * found.master.tip_radius(),
+            "formula_mm": formula.distance,
+            "total_um": found.total().found * 1e3,
+            "total_missed_um": found.total().missed * 1e3,
+            "tooth_to_tooth_um": found.tooth_to_tooth().found * 1e3,
+            "tooth_to_tooth_missed_um": found.tooth_to_tooth().missed * 1e3,
+            "error_bound_um": 2.0 * found.reading_error() * 1e3,
+            "poses": poses(roll(&found.poses)),
+            "between": poses(roll(&found.between)),
+        })),
+    })
+}
+
+fn of<T>(read: &Result<T, Unmeasured>, shown: impl Fn(&T) -> Value) -> Value {
+    match read {
+        Ok(read) => shown(read),
+        Err(reason) => json!({ "not_measured": reason.to_string() }),
+    }
+}
+
+/// Keys of a row of lengths, and of radii.
+const LENGTH: [&str; 4] = ["tooth", "mm", "error_bound_um", "touched"];
+const RADIUS: [&str; 4] = ["tooth", "radius_mm", "error_bound_um", "touched"];
+/// Keys of a dimension over pins.
+const OVER: [&str; 4] = ["tooth", "opposite", "mm", "error_bound_um"];
+/// Keys of a pose of the roll test.
+const POSE: [&str; 6] = [
+    "tooth",
+    "fraction",
+    "rotation_rad",
+    "mm",
+    "error_bound_um",
+    "class",
+];
+
+/// The columns `names` of a reading, a row a tooth, under `keys`.
+fn rows(read: &Gauged, reading: Reading, names: &[&str], keys: &[&str]) -> Value {
+    let table = reading.table(read);
+    table.map_or_else(|| json!([]), |table| table.of(names).to_json(keys))
+}
+
+fn over(read: &Gauged, reading: Reading, length: &str) -> Value {
+    let names = ["tooth", "opposite", length, "error_bound"];
+    rows(read, reading, &names, &OVER)
+}
+
+fn poses(columns: Vec<Column>) -> Value {
+    let name = Reading::Roll.name();
+    Table { name, columns }.to_json(&POSE)
+}
+
+fn pitch(found: &PitchReadings, read: &Gauged, readings: [Reading; 2]) -> Value {
+    let [single, cumulative] = readings.map(|reading| reading.table(read));
+    let list = |table: &Option<Table>, side: Side| {
+        let column = table.as_ref()?.column(side.name())?;
+        Some(column.numbers())
+    };
+    let flank = |side| {
+        json!({
+            "single_greatest_um": found.greatest_single(side) * 1e3,
+            "total_um": found.total(side) * 1e3,
+            "single_um": list(&single, side),
+            "cumulative_um": list(&cumulative, side),
+        })
+    };
+    json!({
+        "error_bound_um": found.error * 1e3,
+        "right": flank(Side::Right),
+        "left": flank(Side::Left),
+    })
+}
+
+/// `grade` is null beyond the last one; the tolerance is then the last one's.
+fn grade(one: &GradedReading) -> Value {
+    let (grade, tolerance) = match one.grade {
+        Grade::Within { grade, tolerance } => (Some(grade), tolerance),
+        Grade::Beyond { tolerance, .. } => (None, tolerance),
+    };
+    json!({
+        "symbol": one.quantity.symbol(),
+        "axis": one.pitch.map(|(axis, _)| axis.name()),
+        "flank": one.pitch.map(|(_, side)| side.name()),
+        "measured_um": one.measured * 1e3,
+        "error_bound_um": one.error * 1e3,
+        "grade": grade,
+        "tolerance_um": tolerance * 1e3,
+    })
+}

@@ -1,0 +1,115 @@
+//! What the gauges read, as JSON and CSV.
+
+mod json;
+mod readings;
+
+use super::table::{Cell, Column, Table, Unit};
+use gearlash::gauge::Gauged;
+use gearlash::gear::AsBuilt;
+use gearlash::study::Material;
+use serde_json::Value;
+
+pub use json::json;
+pub use readings::{Reading, by_tooth};
+
+/// One gear in one material and what the gauges read on it.
+#[derive(Debug)]
+pub struct GaugedGear<'a> {
+    /// Title of the file.
+    pub title: &'a str,
+    /// `wheel`, `pinion` or `gear`.
+    pub name: &'static str,
+    /// Which thickness.
+    pub material: Material,
+    /// The gear.
+    pub gear: &'a AsBuilt,
+    /// Its table as understood.
+    pub echo: &'a Value,
+    /// The readings.
+    pub gauged: Gauged,
+}
+
+impl GaugedGear<'_> {
+    /// How its files begin: `gauge_wheel`, with the material where there are two.
+    pub fn stem(&self) -> String {
+        stem(self.name, self.material)
+    }
+
+    /// The gear in a few words.
+    pub fn words(&self) -> String {
+        let basic_data = self.gear.gear().basic_data();
+        format!(
+            "{}, {} teeth, module {} mm, material {}",
+            self.name,
+            basic_data.teeth(),
+            basic_data.module(),
+            self.material.name()
+        )
+    }
+}
+
+/// How the files of the gear called `name` begin: `gauge_wheel`, with the material where there are two.
+pub fn stem(name: &str, material: Material) -> String {
+    match material {
+        Material::AsMeasured => format!("gauge_{name}"),
+        material => format!("gauge_{name}_{}", material.name()),
+    }
+}
+
+/// The gear file of the gear of `stem`.
+pub fn gear_file_name(stem: &str) -> String {
+    format!("{stem}.toml")
+}
+
+/// Every name that a run could write for the gear of `stem`.
+pub fn possible_files(stem: &str) -> Vec<String> {
+    let readings = Reading::ALL.into_iter();
+    readings
+        .flat_map(|reading| [reading.csv(stem), reading.svg(stem)])
+        .chain([gear_file_name(stem)])
+        .collect()
+}
+
+/// The CSV files of one gear: name and content. What could not be measured has none.
+///
+/// # Errors
+/// None that readings can cause; the writer's otherwise.
+pub fn csv_files(gauged: &GaugedGear) -> Result<Vec<(String, String)>, csv::Error> {
+    let tables = Reading::ALL.into_iter().filter_map(|reading| {
+        let table = reading.file_table(&gauged.gauged)?;
+        Some((reading.csv(&gauged.stem()), table))
+    });
+    tables
+        .map(|(name, table)| Ok((name, table.to_csv()?)))
+        .collect()
+}
+
+/// All readings by tooth of several gears, a row a tooth; what could not be measured is left empty.
+///
+/// # Errors
+/// As [`csv_files`].
+pub fn teeth_csv(gears: &[GaugedGear]) -> Result<String, csv::Error> {
+    let tables: Vec<Table> = gears.iter().map(all_by_tooth).collect();
+    Table::all_to_csv(&tables)
+}
+
+fn all_by_tooth(gauged: &GaugedGear) -> Table {
+    let teeth = gauged.gear.gear().basic_data().teeth();
+    let same = |name, word: &'static str| {
+        let cells = vec![Cell::from(word); teeth as usize];
+        Column::new(name, Unit::None, cells)
+    };
+    let readings = by_tooth(&gauged.gauged).into_iter();
+    let columns = [
+        same("gear", gauged.name),
+        same("material", gauged.material.name()),
+        Column::new("tooth", Unit::None, 1..=teeth),
+    ];
+    Table {
+        name: "teeth",
+        columns: columns
+            .into_iter()
+            .chain(readings.map(|(_, column)| column))
+            .collect(),
+    }
+}

@@ -1,0 +1,135 @@
+//! Lengths with their least, mean and greatest reading: the rows of the text, the charts of each less its mean.
+
+use gearlash::gauge::{Gauged, OverPins};
+use gearlash_files::results::gauge::Reading;
+
+/// One length, mm.
+pub(super) struct Length {
+    /// What was read.
+    pub name: String,
+    /// Least and greatest reading.
+    pub ends: [f64; 2],
+    pub mean: f64,
+    /// Bound on the error of a reading.
+    pub error: f64,
+    /// What a formula says of the mean thickness.
+    pub formula: Option<f64>,
+    /// Where each tooth has a length of its own.
+    pub by_tooth: Option<ByTooth>,
+}
+
+/// A length at each tooth.
+pub(super) struct ByTooth {
+    pub reading: Reading,
+    /// Its column in the reading's table.
+    pub column: &'static str,
+    /// Its symbol.
+    pub symbol: String,
+    /// What the tooth of a reading is to it.
+    pub tooth: &'static str,
+}
+
+/// Every length that was measured.
+pub(super) fn lengths(read: &Gauged) -> Vec<Length> {
+    let formula = &read.formula;
+    let mut rows = Vec::new();
+    if let Ok(spans) = &read.spans {
+        rows.push(Length {
+            name: format!("span W_{}", spans.teeth),
+            ends: spans.ends(),
+            mean: spans.mean(),
+            error: spans.error(),
+            formula: formula.span,
+            by_tooth: Some(ByTooth {
+                reading: Reading::Spans,
+                column: "span",
+                symbol: format!("W_{}", spans.teeth),
+                tooth: "first tooth spanned",
+            }),
+        });
+    }
+    if let Ok(pins) = &read.pins {
+        let two = (&pins.two, formula.over_two, Reading::Pins, "pins");
+        let three = (
+            &pins.three,
+            formula.over_three,
+            Reading::ThreePins,
+            "three_pins",
+        );
+        for ((list, formula, reading, column), count, tooth) in [
+            (two, "two", "tooth before the first pin"),
+            (three, "three", "tooth before the single pin"),
+        ] {
+            if !list.is_empty() {
+                rows.push(Length {
+                    name: format!("M_dK, {count} pins {} mm", pins.diameter),
+                    ends: OverPins::ends(list),
+                    mean: OverPins::mean(list),
+                    error: OverPins::error(list),
+                    formula,
+                    by_tooth: Some(ByTooth {
+                        reading,
+                        column,
+                        symbol: "M_dK".to_owned(),
+                        tooth,
+                    }),
+                });
+            }
+        }
+    }
+    if let Ok(thickness) = &read.thickness {
+        rows.push(Length {
+            name: "thickness s".to_owned(),
+            ends: thickness.ends(),
+            mean: thickness.mean(),
+            error: thickness.error,
+            formula: Some(formula.thickness),
+            by_tooth: Some(ByTooth {
+                reading: Reading::Thickness,
+                column: "arc",
+                symbol: "s".to_owned(),
+                tooth: "tooth",
+            }),
+        });
+    }
+    let whole = |name, ends, mean, error, formula| Length {
+        name,
+        ends,
+        mean,
+        error,
+        formula,
+        by_tooth: None,
+    };
+    if let Ok(runout) = &read.runout {
+        let name = format!("ball {} mm", runout.diameter);
+        let error = runout.reading_error();
+        rows.push(whole(
+            name,
+            runout.ends(),
+            runout.mean(),
+            error,
+            formula.ball_centre,
+        ));
+    }
+    if let Ok(root) = &read.root {
+        let (name, d) = ("root diameter".to_owned(), 2.0 * root.radius);
+        rows.push(whole(
+            name,
+            [d; 2],
+            d,
+            2.0 * root.error,
+            Some(2.0 * formula.root),
+        ));
+    }
+    if let Ok(roll) = &read.roll {
+        let name = format!("a'', master z {}", roll.master.basic_data().teeth());
+        rows.push(whole(
+            name,
+            roll.ends(),
+            roll.mean(),
+            roll.reading_error(),
+            formula.distance,
+        ));
+    }
+    rows
+}

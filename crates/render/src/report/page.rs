@@ -1,0 +1,34 @@
+//! What a page is made of.
+
+use gearlash::analysis::Analysis;
+use gearlash::compare::ComparedRun;
+use gearlash::curves::Course;
+use gearlash::gauge::{GradedReading, Unmeasured};
+use gearlash::outcome::{Agreement, AtDistance, Outcome};
+use gearlash_files::PairFile;
+
+/// What a report tells.
+#[derive(Debug, Clone, Copy)]
+pub struct Report<'a> {
+    /// The pair as read.
+    pub pair: &'a PairFile,
+    /// Name of its file.
+    pub file: &'a str,
+    /// Day of the report, as it shall stand there.
+    pub date: &'a str,
+    /// What was found out about it: the whole of [`gearlash::analysis::Plan::whole`].
+    pub analysis: &'a Analysis<'a>,
+    /// Pitch and runout of each gear that deviates, as the gauge reads and grades them.
+    pub grades: &'a [(&'static str, Result<Vec<GradedReading>, Unmeasured>)],
+}
+
+/// What the sections of a page share.
+pub(super) struct Page<'a> {
+    pub report: &'a Report<'a>,
+    /// Every run, and the extremes of the rest of the hunting cycle.
+    pub all: Vec<&'a ComparedRun>,
+    pub whole: Outcome<'a>,
+    pub agreement: Agreement,
+    pub distances: Vec<AtDistance<'a>>,
+    pub courses: Vec<Course>,
+}

@@ -1,0 +1,143 @@
+//! The gears turning through a pitch, in contact all the time: one SVG, moved by SMIL.
+//!
+//! Without SMIL it shows its first frame. Rotations between two steps are interpolated; marks jump where
+//! another pair of teeth takes over.
+
+use super::contact_marks::{around, dot};
+use super::gears::lines_over;
+use super::motion::{course, motion, rotation};
+use super::subject::{MAIN, Snapshot, hatch, names};
+use super::turning::{metal, turns};
+use super::view::View;
+use super::{caption, main_view, pitch_chart};
+use crate::kit::labels::Occupied;
+use crate::kit::scale;
+use crate::kit::sheet::{GREY, INK, Spot, WIDTH, blank_sheet, text};
+use gearlash::gear::Side;
+use gearlash::mesh::{DrawnContact, PoseResult, Scene};
+use gearlash::pair::Member;
+use svg::node::Node;
+use svg::node::element::Group;
+
+const MEMBERS: [Member; 2] = [Member::Wheel, Member::Pinion];
+
+/// The SVG text of `steps` through a pitch, evenly apart, of which `view` shows the first.
+pub fn animation(view: &Snapshot, steps: &[PoseResult]) -> String {
+    let scenes: Vec<Scene> = steps
+        .iter()
+        .map(|step| match &step.found {
+            Ok(lost_motion) => Scene::new(view.assembly, &step.pose, lost_motion),
+            Err(_) => Scene::unproven(view.assembly, &step.pose),
+        })
+        .collect();
+    let first = view.scene();
+    let main = main_view::view(&first, MAIN);
+    let mut occupied = Occupied::default();
+    let mating = [
+        view.pose.mating().wheel_tooth,
+        view.pose.mating().pinion_tooth,
+    ];
+    let metal = metal(&first, &scenes, &main, &mut occupied);
+    let over = lines_over(&first, &main, &Side::BOTH, Group::new(), &mut occupied);
+    for meeting in first.meetings() {
+        for point in [meeting.on_locked, meeting.on_free] {
+            occupied.frame(around(main.spot(point), 4.0));
+        }
+    }
+    let (numbers, _) = main_view::tooth_numbers(&first, &main, mating, &mut occupied);
+    let turning = |(member, numbers)| {
+        let axis = main.spot(first.placed(member).axis());
+        let motion = rotation(&turns(&scenes, member), axis);
+        Group::new().add(motion).add(numbers)
+    };
+    let numbers = MEMBERS.into_iter().zip(numbers).map(turning);
+    let numbers = numbers.fold(
+        Group::new().set("clip-path", "url(#mesh-frame)"),
+        Group::add,
+    );
+    let sheet = blank_sheet()
+        .add(hatch())
+        .add(caption::draw(
+            view,
+            &first,
+            MAIN.left,
+            WIDTH - 2.0 * MAIN.left,
+        ))
+        .add(names(&first))
+        .add(metal)
+        .add(Group::new().set("clip-path", "url(#mesh-frame)").add(over))
+        .add(MAIN.border())
+        .add(marks(&scenes, &main))
+        .add(numbers)
+        .add(scale::bar([MAIN.left, MAIN.bottom + 16.0], main.scale()))
+        .add(pitch_chart::draw(steps))
+        .add(key());
+    format!("{sheet}\n")
+}
+
+/// The contacts: filled where the gears touch, open the two points that meet on the other side.
+fn marks(scenes: &[Scene], view: &View) -> Group {
+    let mut group = Group::new().set("clip-path", "url(#mesh-frame)");
+    for side in Side::BOTH {
+        let meetings: Vec<Option<&DrawnContact>> = scenes
+            .iter()
+            .map(|scene| scene.meetings().iter().find(|meeting| meeting.side == side))
+            .collect();
+        for on_free in [true, false] {
+            let spots: Option<Vec<(Spot, [u32; 2])>> = meetings
+                .iter()
+                .map(|meeting| {
+                    let meeting = (*meeting)?;
+                    let at = if on_free {
+                        meeting.on_free
+                    } else {
+                        meeting.on_locked
+                    };
+                    let teeth = MEMBERS.map(|member| meeting.touch(member).tooth);
+                    Some((view.spot(at), teeth))
+                })
+                .collect();
+            let touching = meetings
+                .iter()
+                .all(|meeting| meeting.is_some_and(|meeting| meeting.turn == 0.0));
+            // A side that is out of mesh at some step has no marks; one in contact needs one dot.
+            if let Some(spots) = spots.filter(|_| !(touching && on_free)) {
+                let [x, y] = [0, 1].map(|axis| course(&spots, axis));
+                group = group.add(
+                    dot(spots[0].0, 4.0, touching)
+                        .add(motion("cx", &x))
+                        .add(motion("cy", &y)),
+                );
+            }
+        }
+    }
+    group
+}
+
+/// What the marks mean, and what to do with a still picture.
+fn key() -> Group {
+    let [x, y] = [MAIN.left, 780.0];
+    let mut group = Group::new()
+        .add(dot([x + 8.0, y], 4.0, true))
+        .add(dot([x + 214.0, y], 4.0, false))
+        .add(dot([x + 230.0, y], 4.0, false));
+    for (words, left) in [
+        ("where the gears touch", 20.0),
+        (
+            "points of the other flanks that would meet · lines and circles as in a snapshot",
+            242.0,
+        ),
+    ] {
+        let mut words = text(words, [x + left, y + 4.5], 13.0, true);
+        words.assign("fill", INK);
+        group = group.add(words);
+    }
+    let mut note = text(
+        "animated in a browser; elsewhere its first frame. Rotations found at every sixtieth of the pitch, to scale",
+        [x, y + 29.5],
+        13.0,
+        true,
+    );
+    note.assign("fill", GREY);
+    group.add(note)
+}

@@ -1,0 +1,92 @@
+//! The words above the picture.
+
+use super::subject::Snapshot;
+use crate::kit::labels;
+use crate::kit::sheet::{GREY, INK, text};
+use gearlash::gear::Side;
+use gearlash::mesh::{Drawn, Scene, Status};
+use gearlash::pair::Mating;
+use gearlash_files::numbers::{bound_um, pitches_beyond, trimmed, um};
+use svg::node::Node;
+use svg::node::element::Group;
+
+/// Size below which a result is cut rather than set smaller.
+const LEAST: f64 = 9.0;
+
+/// Title, mating and result, from `left` on and no wider than `room`.
+pub fn draw(view: &Snapshot, scene: &Scene, left: f64, room: f64) -> Group {
+    let result = result_line(view, scene);
+    let size = f64::min(16.0, 16.0 * room / labels::width(&result, 16.0)).max(LEAST);
+    let result = labels::shortened(&result, size, room);
+    let mut result = text(&result, [left, 97.0], size, false);
+    result.assign("fill", INK);
+    heading(view, left, room).add(result)
+}
+
+/// Title and mating.
+pub fn heading(view: &Snapshot, left: f64, room: f64) -> Group {
+    let mut title = text(
+        &labels::shortened(view.title, 24.0, room),
+        [left, 46.0],
+        24.0,
+        true,
+    );
+    title.assign("font-weight", "bold");
+    let pose = labels::shortened(&pose_line(view), 16.0, room);
+    let mut pose = text(&pose, [left, 73.0], 16.0, true);
+    pose.assign("fill", GREY);
+    Group::new().add(title).add(pose)
+}
+
+fn pose_line(view: &Snapshot) -> String {
+    let Mating {
+        wheel_tooth,
+        pinion_tooth,
+        flank,
+        fraction,
+    } = *view.pose.mating();
+    let fraction = pitches_beyond(fraction, 6);
+    format!(
+        "mating: wheel {wheel_tooth} – pinion {pinion_tooth} at {} flank{fraction} · centre distance {} mm · material: {}",
+        flank.name(),
+        trimmed(view.assembly.center_distance(), 3, 6),
+        view.material
+    )
+}
+
+fn result_line(view: &Snapshot, scene: &Scene) -> String {
+    let what = match (scene.status(), scene.circumferential_backlash()) {
+        (Status::Interference, Some(backlash)) => {
+            format!("{} · interference", j_wt(backlash))
+        }
+        (_, Some(backlash)) => format!("{} · clear", j_wt(backlash)),
+        (Status::Jammed, None) => "jammed: a tip sits in a root".to_owned(),
+        (_, None) => "no contact: out of mesh".to_owned(),
+    };
+    let what = match view.found {
+        Ok(_) => what,
+        Err(unproven) => format!("unproven, no contact is drawn: {}", unproven.reason),
+    };
+    let free = scene.assembly().free().name();
+    let drawn = match scene.drawn() {
+        Drawn::AtContact(side) => format!(
+            "{free} turned {} to {}-flank contact",
+            match side {
+                Side::Right => "clockwise",
+                Side::Left => "counter-clockwise",
+            },
+            side.name()
+        ),
+        Drawn::Nominal => format!("{free} at its nominal rotation"),
+    };
+    format!("{what} · drawn with the {drawn}")
+}
+
+/// `j_wt` in µm to 0.01, with the bound on its error before that rounding.
+fn j_wt((value, error): (f64, f64)) -> String {
+    format!(
+        "j_wt = {} µm (error ≤ {} µm)",
+        um(value, 2),
+        bound_um(error)
+    )
+}

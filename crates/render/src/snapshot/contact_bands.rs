@@ -1,0 +1,135 @@
+//! The curves that met: which, how they are told apart, and what belongs to a fillet's contact.
+//!
+//! Each kind has a colour of its own lightness and a line style of its own, so that colour-blind readers
+//! and black-and-white print tell them apart.
+
+use super::contact_marks::around;
+use super::view::{MARGIN, View};
+use crate::kit::clip;
+use crate::kit::labels::Occupied;
+use crate::kit::sheet::{Frame, GREY, INK, Spot, line, path_data};
+use gearlash::gear::ProfilePart;
+use gearlash::mesh::{DrawnContact, Scene};
+use gearlash::pair::Member;
+use svg::node::element::{Group, Path};
+
+/// Width of a band in the mesh zone and in an inset; the half of it on the metal's side shows, its
+/// outer part under the outline.
+pub const BANDS: [f64; 2] = [9.0, 13.0];
+/// Dots.
+pub const FORM_DASH: &str = "1.6 3.4";
+
+/// Colour and dashes of a curve's band; no dashes: solid.
+pub fn style(curve: ProfilePart) -> (&'static str, &'static str) {
+    match curve {
+        ProfilePart::Involute => ("#5b3a8c", ""),
+        ProfilePart::Fillet => ("#e69f00", "9 4"),
+        ProfilePart::Tip => ("#b0176b", "2.5 2.5"),
+        ProfilePart::Root => ("#7a4a12", "12 3 2.5 3"),
+    }
+}
+
+/// The bands of one meeting, on the metal's side of both outlines (clips `{id}-wheel-clip`, `{id}-pinion-clip`).
+pub fn bands(scene: &Scene, meeting: &DrawnContact, view: &View, id: &str, width: f64) -> Group {
+    let wide = view.frame().grown(MARGIN);
+    let mut group = Group::new();
+    for member in [Member::Wheel, Member::Pinion] {
+        let touch = meeting.touch(member);
+        let (colour, dashes) = style(touch.curve);
+        let placed = scene.placed(member);
+        let points = placed.curve(meeting.side, touch.tooth, touch.curve, view.chord());
+        let spots: Vec<Spot> = points.iter().map(|point| view.spot(*point)).collect();
+        for run in clip::parts(&spots, &wide) {
+            let clip = format!("url(#{id}-{}-clip)", member.name());
+            group = group.add(band(&run, width, colour, dashes).set("clip-path", clip));
+        }
+    }
+    group
+}
+
+/// A coloured line, dashed on white.
+pub fn band(points: &[Spot], width: f64, colour: &str, dashes: &str) -> Group {
+    let coloured = line(points, colour, width);
+    match dashes {
+        "" => Group::new().add(coloured),
+        _ => Group::new()
+            .add(line(points, "white", width))
+            .add(coloured.set("stroke-dasharray", dashes)),
+    }
+}
+
+/// Where a contact lies below a gear's form circle: that circle, and the point where the line of
+/// action touches its base circle, beyond which there is no involute.
+pub fn limits(
+    scene: &Scene,
+    meeting: &DrawnContact,
+    view: &View,
+    occupied: &mut Occupied,
+) -> Group {
+    let wide = view.frame().grown(MARGIN);
+    let mut group = Group::new();
+    for member in below_form(meeting) {
+        let placed = scene.placed(member);
+        let radius = placed.as_built().gear().form_radius();
+        for run in clip::runs(&view.arc(placed.centre(), radius), &wide) {
+            occupied.line(&run);
+            group = group.add(line(&run, INK, 1.6).set("stroke-dasharray", FORM_DASH));
+        }
+    }
+    for spot in tangent_points(scene, meeting, view) {
+        occupied.frame(around(spot, 6.0));
+        group = group.add(diamond(spot));
+    }
+    group
+}
+
+/// The gears on whose fillet or root the contact lies.
+pub fn below_form(meeting: &DrawnContact) -> Vec<Member> {
+    let members = [Member::Wheel, Member::Pinion].into_iter();
+    members
+        .filter(|member| meeting.is_below_form_circle(*member))
+        .collect()
+}
+
+/// The base tangent points to show, those in view.
+pub fn tangent_points(scene: &Scene, meeting: &DrawnContact, view: &View) -> Vec<Spot> {
+    let Some(action) = scene.line_of_action(meeting.side) else {
+        return Vec::new();
+    };
+    let members = below_form(meeting).into_iter();
+    let ends = members.map(|member| action.ends[usize::from(member == Member::Pinion)]);
+    let inner = view.frame().grown(-8.0);
+    ends.map(|end| view.spot(end))
+        .filter(|spot| inner.holds(&around(*spot, 0.0)))
+        .collect()
+}
+
+/// The mark of a base tangent point.
+pub fn diamond([x, y]: Spot) -> Path {
+    let corners = [[x, y - 6.0], [x + 6.0, y], [x, y + 6.0], [x - 6.0, y]];
+    Path::new()
+        .set("d", path_data(&corners, true))
+        .set("fill", "white")
+        .set("stroke", INK)
+        .set("stroke-width", "1.60")
+}
+
+/// Sample of a band for the legend.
+pub fn sample(x: f64, y: f64, width: f64, curve: ProfilePart) -> Group {
+    let (colour, dashes) = style(curve);
+    let frame = Frame {
+        left: x,
+        top: y - 4.0,
+        right: x + width,
+        bottom: y + 4.0,
+    };
+    Group::new()
+        .add(band(&[[x, y], [x + width, y]], 7.0, colour, dashes))
+        .add(
+            frame
+                .rectangle()
+                .set("fill", "none")
+                .set("stroke", GREY)
+                .set("stroke-width", "0.60"),
+        )
+}

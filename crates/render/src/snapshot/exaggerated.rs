@@ -1,0 +1,243 @@
+//! The deviations of both gears, enlarged until they can be seen, before the ghosts of perfect teeth.
+
+use super::caption;
+use super::main_view;
+use super::subject::{INSETS, MAIN, Snapshot, names};
+use super::view::{MARGIN, View};
+use crate::kit::clip;
+use crate::kit::labels::{self, Occupied};
+use crate::kit::sheet::{
+    Frame, GREY, INK, OVERLAP, PINION, Spot, WHEEL, WIDTH, blank_sheet, line, path_data, text,
+};
+use gearlash::gear::Placed;
+use gearlash::mesh::Exaggeration;
+use gearlash::pair::Member;
+use gearlash_files::numbers::{rounded, um};
+use svg::node::Node;
+use svg::node::element::{ClipPath, Definitions, Group, Path, Use};
+
+/// Perfect teeth.
+const GHOST_DASH: &str = "5 3";
+/// Teeth narrower than this on the sheet are not drawn but as their circles.
+const LEAST_TOOTH: f64 = 4.0;
+
+/// The SVG text of `view`'s gears with their deviations as `gears` has them.
+pub fn exaggerated(view: &Snapshot, gears: &Exaggeration) -> String {
+    let scene = view.scene();
+    let main = main_view::view(&scene, MAIN);
+    let mut occupied = Occupied::default();
+    let mesh = mesh(view, gears, &main, &mut occupied);
+    let mating = [
+        view.pose.mating().wheel_tooth,
+        view.pose.mating().pinion_tooth,
+    ];
+    let ([wheel_numbers, pinion_numbers], _) =
+        main_view::tooth_numbers(&scene, &main, mating, &mut occupied);
+    let mut sheet = blank_sheet()
+        .add(caption::heading(view, MAIN.left, WIDTH - 2.0 * MAIN.left))
+        .add(warning(gears))
+        .add(names(&scene))
+        .add(mesh)
+        .add(MAIN.border())
+        .add(wheel_numbers)
+        .add(pinion_numbers);
+    for ((member, tooth), frame) in MEMBERS.into_iter().zip(mating).zip(INSETS) {
+        sheet = sheet.add(whole(view, gears, member, tooth, frame));
+    }
+    format!("{}\n", sheet.add(legend()))
+}
+
+const MEMBERS: [Member; 2] = [Member::Wheel, Member::Pinion];
+
+/// The line that no reader may miss.
+fn warning(gears: &Exaggeration) -> Group {
+    let words = format!(
+        "deviations × {}: not to scale · gears at their nominal rotation, not in contact",
+        gears.factor()
+    );
+    let mut words = text(&words, [MAIN.left, 97.0], 16.0, true);
+    words.assign("fill", "#a32014");
+    words.assign("font-weight", "bold");
+    Group::new().add(words)
+}
+
+/// The mesh zone: metal as exaggerated, perfect outlines dashed over it.
+fn mesh(view: &Snapshot, gears: &Exaggeration, main: &View, occupied: &mut Occupied) -> Group {
+    let wide = main.frame().grown(MARGIN);
+    let outline = |placed: &Placed| -> Vec<Spot> {
+        let points = Exaggeration::outline_near(placed, main.middle(), main.reach(), main.chord());
+        let spots: Vec<Spot> = points.iter().map(|point| main.spot(*point)).collect();
+        clip::polygon(&spots, &wide)
+    };
+    let mut definitions = Definitions::new().add(
+        ClipPath::new()
+            .set("id", "mesh-frame")
+            .add(main.frame().rectangle()),
+    );
+    let mut metal = Group::new();
+    let mut ghosts = Group::new();
+    for (member, fill) in MEMBERS.into_iter().zip([WHEEL, PINION]) {
+        let [drawn, perfect] = gears.placed(view.pose, member);
+        let (polygon, ghost) = (outline(&drawn), outline(&perfect));
+        occupied.line(&polygon);
+        occupied.line(&ghost);
+        let name = member.name();
+        let shape = Path::new()
+            .set("id", name)
+            .set("d", path_data(&polygon, true));
+        definitions = definitions.add(shape).add(
+            ClipPath::new()
+                .set("id", format!("{name}-clip"))
+                .add(Use::new().set("href", format!("#{name}"))),
+        );
+        let shape = || Use::new().set("href", format!("#{name}"));
+        metal = metal
+            .add(shape().set("fill", fill).set("fill-opacity", "0.8"))
+            .add(
+                shape()
+                    .set("fill", "none")
+                    .set("stroke", INK)
+                    .set("stroke-width", "2.40")
+                    .set("stroke-linejoin", "round")
+                    .set("clip-path", format!("url(#{name}-clip)")),
+            );
+        ghosts = ghosts.add(ghost_line(&ghost, 1.2));
+    }
+    Group::new()
+        .set("clip-path", "url(#mesh-frame)")
+        .add(definitions)
+        .add(metal)
+        .add(ghosts)
+}
+
+fn ghost_line(points: &[Spot], width: f64) -> Path {
+    Path::new()
+        .set("d", path_data(points, true))
+        .set("fill", "none")
+        .set("stroke", OVERLAP)
+        .set("stroke-width", crate::kit::sheet::number(width))
+        .set("stroke-dasharray", GHOST_DASH)
+}
+
+/// A whole gear on the left of `frame`, what was found on it on the right.
+fn whole(view: &Snapshot, gears: &Exaggeration, member: Member, tooth: u32, frame: Frame) -> Group {
+    let [drawn, perfect] = gears.placed(view.pose, member);
+    let square = Frame {
+        right: frame.left + frame.height(),
+        ..frame
+    };
+    let gear = perfect.as_built().gear();
+    let reach = gear.tip_radius() + drawn.as_built().eccentricity();
+    let scale = 0.5 * (square.height() - 16.0) / reach;
+    let seen = View::new(square, drawn.axis(), scale);
+    let name = member.name();
+    let mut title = text(
+        &format!("the whole {name}"),
+        [frame.left, frame.top - 9.0],
+        16.0,
+        false,
+    );
+    title.assign("font-weight", "bold");
+    let mut group = Group::new().add(title).add(frame.border());
+    for (placed, is_ghost) in [(&drawn, false), (&perfect, true)] {
+        let rings =
+            match gear.basic_data().angular_pitch() * gear.tip_radius() * scale < LEAST_TOOTH {
+                true => vec![gear.tip_radius(), gear.root_radius()]
+                    .into_iter()
+                    .map(|radius| seen.arc(placed.centre(), radius))
+                    .collect(),
+                false => {
+                    let points =
+                        Exaggeration::outline_near(placed, placed.centre(), reach, seen.chord());
+                    vec![
+                        points
+                            .iter()
+                            .map(|point| seen.spot(*point))
+                            .collect::<Vec<Spot>>(),
+                    ]
+                }
+            };
+        for ring in rings {
+            group = group.add(match is_ghost {
+                true => ghost_line(&ring, 0.7),
+                false => Path::new()
+                    .set("d", path_data(&ring, true))
+                    .set(
+                        "fill",
+                        if member == Member::Wheel {
+                            WHEEL
+                        } else {
+                            PINION
+                        },
+                    )
+                    .set("stroke", INK)
+                    .set("stroke-width", "0.90"),
+            });
+        }
+    }
+    for (centre, arm, colour) in [(perfect.centre(), 9.0, OVERLAP), (drawn.centre(), 6.0, INK)] {
+        let [x, y] = seen.spot(centre);
+        group = group
+            .add(line(&[[x - arm, y], [x + arm, y]], colour, 1.4))
+            .add(line(&[[x, y - arm], [x, y + arm]], colour, 1.4));
+    }
+    let found = gears.found(member);
+    let (eccentricity, high) = found.eccentricity;
+    let flanks = gears.flanks_of(member, tooth);
+    let rows = [
+        match eccentricity > 0.0 {
+            true => format!("eccentricity {} µm", um(eccentricity, 2)),
+            false => "no eccentricity".to_owned(),
+        },
+        match eccentricity > 0.0 {
+            true => format!("towards tooth {}", rounded(high, 2)),
+            false => String::new(),
+        },
+        "flanks off their perfect place, µm".to_owned(),
+        "(reference circle, + more metal):".to_owned(),
+        format!(
+            "all teeth {} … {}",
+            um(found.flanks[0], 2),
+            um(found.flanks[1], 2)
+        ),
+        format!(
+            "tooth {tooth}: right {}, left {}",
+            um(flanks[0], 2),
+            um(flanks[1], 2)
+        ),
+    ];
+    let (left, room) = (square.right + 8.0, frame.right - square.right - 16.0);
+    let tops = [48.0, 70.0, 118.0, 138.0, 160.0, 182.0];
+    for (row, top) in rows.iter().zip(tops) {
+        let size = f64::min(13.0, 13.0 * room / labels::width(row, 13.0).max(1.0));
+        let mut words = text(row, [left, frame.top + top], size, true);
+        words.assign("fill", INK);
+        group = group.add(words);
+    }
+    group
+}
+
+fn legend() -> Group {
+    let [x, y] = [MAIN.left, 772.0];
+    let mut group = Group::new()
+        .add(line(&[[x, y], [x + 36.0, y]], INK, 2.4))
+        .add(
+            line(&[[x + 390.0, y], [x + 426.0, y]], OVERLAP, 1.2)
+                .set("stroke-dasharray", GHOST_DASH),
+        );
+    for (words, left) in [
+        ("outline, its deviations enlarged", 44.0),
+        (
+            "perfect teeth of nominal thickness, without eccentricity",
+            434.0,
+        ),
+    ] {
+        let mut words = text(words, [x + left, y + 4.5], 13.0, true);
+        words.assign("fill", INK);
+        group = group.add(words);
+    }
+    let note = "centre distance, rotations and the shape of each flank are to scale; where the flanks stand is not";
+    let mut note = text(note, [x, y + 29.5], 13.0, true);
+    note.assign("fill", GREY);
+    group.add(note)
+}

@@ -1,0 +1,180 @@
+//! Both gears in one view: metal, gap, overlap, circles, lines of action.
+
+use super::contact_bands;
+use super::view::{MARGIN, View};
+use crate::kit::clip;
+use crate::kit::labels::Occupied;
+use crate::kit::sheet::{
+    ACTION, GAP, GREY, INK, OVERLAP, PATH, PINION, Spot, WHEEL, line, path_data,
+};
+use gearlash::gear::Side;
+use gearlash::mesh::{DrawnContact, Scene};
+use gearlash::pair::Member;
+use svg::node::element::{ClipPath, Definitions, Group, Path, Use};
+
+/// What the gears of one view give: the drawing, and the polygons as drawn, wheel first.
+pub struct Gears {
+    pub group: Group,
+    pub metal: [Vec<Spot>; 2],
+}
+
+/// How the gears of one view are drawn.
+#[derive(Debug, Clone, Copy)]
+pub struct Look<'a> {
+    /// Tells the definitions of one view from another's.
+    pub id: &'a str,
+    /// The sides whose lines of action are shown.
+    pub sides: &'a [Side],
+    /// Whether outlines are drawn over an overlap, or it over them.
+    pub outlines_last: bool,
+    /// Width of the bands on the curves that met.
+    pub band: f64,
+}
+
+/// Draws the gears of `scene` into `view`.
+///
+/// Outlines are stroked on their metal's side only, so that a
+/// gap keeps its true width; the overlap is the pinion's metal cut by the wheel's.
+pub fn draw(scene: &Scene, view: &View, look: &Look, occupied: &mut Occupied) -> Gears {
+    let id = look.id;
+    let frame = view.frame();
+    let wide = frame.grown(MARGIN);
+    let names = [Member::Wheel, Member::Pinion].map(|member| format!("{id}-{}", member.name()));
+    let metal = [Member::Wheel, Member::Pinion].map(|member| {
+        let outline = scene
+            .placed(member)
+            .outline_near(view.middle(), view.reach(), view.chord());
+        let spots: Vec<Spot> = outline.iter().map(|point| view.spot(*point)).collect();
+        clip::polygon(&spots, &wide)
+    });
+    let mut definitions = Definitions::new().add(
+        ClipPath::new()
+            .set("id", format!("{id}-frame"))
+            .add(frame.rectangle()),
+    );
+    for (polygon, name) in metal.iter().zip(&names) {
+        occupied.line(polygon);
+        definitions = definitions
+            .add(
+                Path::new()
+                    .set("id", name.as_str())
+                    .set("d", path_data(polygon, true)),
+            )
+            .add(
+                ClipPath::new()
+                    .set("id", format!("{name}-clip"))
+                    .add(Use::new().set("href", format!("#{name}"))),
+            );
+    }
+    let mut group = Group::new()
+        .set("clip-path", format!("url(#{id}-frame)"))
+        .add(definitions)
+        .add(frame.rectangle().set("fill", "white"));
+    for meeting in scene.meetings() {
+        // The room's ends are cut at whole chords: a finer cut keeps them in place.
+        let room = scene.room_between(meeting, view.chord() / 16.0);
+        let room: Vec<Spot> = room.iter().map(|point| view.spot(*point)).collect();
+        let room = clip::polygon(&room, &wide);
+        if !room.is_empty() {
+            group = group.add(
+                Path::new()
+                    .set("d", path_data(&room, true))
+                    .set("fill", GAP),
+            );
+        }
+    }
+    let metal_of = |name: &str| Use::new().set("href", format!("#{name}"));
+    for (name, fill) in names.iter().zip([WHEEL, PINION]) {
+        group = group.add(metal_of(name).set("fill", fill));
+    }
+    let shown = |meeting: &&DrawnContact| look.sides.contains(&meeting.side);
+    let outlines = names.each_ref().map(|name| {
+        metal_of(name)
+            .set("fill", "none")
+            .set("stroke", INK)
+            .set("stroke-width", "2.40")
+            .set("stroke-linejoin", "round")
+            .set("clip-path", format!("url(#{name}-clip)"))
+    });
+    let overlap = [OVERLAP, "url(#hatch)"].map(|fill| {
+        metal_of(&names[1])
+            .set("fill", fill)
+            .set("clip-path", format!("url(#{}-clip)", names[0]))
+    });
+    let met = scene.meetings().iter().filter(shown);
+    let bands = met.fold(Group::new(), |bands, meeting| {
+        bands.add(contact_bands::bands(scene, meeting, view, id, look.band))
+    });
+    let [outlines, overlap] =
+        [outlines, overlap].map(|layers| layers.into_iter().fold(Group::new(), Group::add));
+    let layers = match look.outlines_last {
+        true => [overlap, bands, outlines],
+        false => [bands, outlines, overlap],
+    };
+    group = layers.into_iter().fold(group, Group::add);
+    group = lines_over(scene, view, look.sides, group, occupied);
+    for meeting in scene.meetings().iter().filter(shown) {
+        group = group.add(contact_bands::limits(scene, meeting, view, occupied));
+    }
+    Gears { group, metal }
+}
+
+/// Pitch and base circles, line of centres, lines of action with the paths of contact.
+pub fn lines_over(
+    scene: &Scene,
+    view: &View,
+    sides: &[Side],
+    mut group: Group,
+    occupied: &mut Occupied,
+) -> Group {
+    let wide = view.frame().grown(MARGIN);
+    for member in [Member::Wheel, Member::Pinion] {
+        let placed = scene.placed(member);
+        let pitch = scene.assembly().operating_pitch_radius(member);
+        let base = placed.as_built().gear().base_radius();
+        for (centre, radius, dash) in [
+            (placed.axis(), pitch, PITCH_DASH),
+            (placed.centre(), base, BASE_DASH),
+        ] {
+            for run in clip::runs(&view.arc(centre, radius), &wide) {
+                occupied.line(&run);
+                group = group.add(line(&run, GREY, 1.1).set("stroke-dasharray", dash));
+            }
+        }
+    }
+    let axes =
+        [Member::Wheel, Member::Pinion].map(|member| view.spot(scene.assembly().axis(member)));
+    if let Some(centres) = clip::segment(axes[0], axes[1], &wide) {
+        occupied.line(&centres);
+        group = group.add(line(&centres, GREY, 1.1).set("stroke-dasharray", CENTRES_DASH));
+    }
+    for side in sides {
+        let Some(action) = scene.line_of_action(*side) else {
+            continue;
+        };
+        if let Some([from, to]) = action.path {
+            let ends = [view.spot(from), view.spot(to)];
+            if let Some(path) = clip::segment(ends[0], ends[1], &wide) {
+                occupied.line(&path);
+                group = group.add(
+                    line(&path, PATH, 6.0)
+                        .set("stroke-linecap", "round")
+                        .set("stroke-opacity", "0.75"),
+                );
+            }
+        }
+        let ends = action.ends.map(|end| view.spot(end));
+        if let Some(whole) = clip::segment(ends[0], ends[1], &wide) {
+            occupied.line(&whole);
+            group = group.add(line(&whole, ACTION, 1.2));
+        }
+    }
+    group
+}
+
+/// Long dash, dot.
+pub const PITCH_DASH: &str = "14 3 2 3";
+/// Short dashes.
+pub const BASE_DASH: &str = "5 4";
+/// Long dash, two dots.
+pub const CENTRES_DASH: &str = "22 4 2 4 2 4";

@@ -1,0 +1,169 @@
+//! A contact enlarged until its gap can be seen.
+
+use super::contact_marks::{self, IN_INSET};
+use super::gears::Look;
+use super::main_view::centred;
+use super::view::View;
+use super::{contact_bands, gears, overlap_label};
+use crate::kit::labels::{self, Occupied};
+use crate::kit::scale;
+use crate::kit::sheet::{Frame, GREY, Spot, UNITS_PER_MM, text};
+use gearlash::gear::Side;
+use gearlash::mesh::{Drawn, DrawnContact, Scene, Status, Touch};
+use gearlash_files::numbers::um;
+use nalgebra::{Point2, center};
+use svg::node::Node;
+use svg::node::element::{Element, Group, Rectangle};
+
+/// Greatest width of a gap in an inset, units of the sheet: with steps of 2 and 2.5 no gap is
+/// drawn narrower than 36, 9 mm of paper.
+const GAP_WIDTH: f64 = 90.0;
+/// Greatest enlargement of a closed contact over the main view: enough to see both flanks curve away.
+const ENLARGEMENT: f64 = 12.0;
+/// Least enlargement of any inset.
+const LEAST: f64 = 2.0;
+/// Greatest enlargement, units a millimetre: 1 µm is then 40 units, and the contact's own error can be seen.
+const GREATEST: f64 = 40_000.0;
+/// Text size inside.
+const SIZE: f64 = 14.0;
+
+/// The view of one contact in `frame`, for a main view at `main` units a millimetre.
+pub fn view(meeting: &DrawnContact, frame: Frame, main: f64) -> View {
+    let apart = (meeting.on_free - meeting.on_locked).norm();
+    let wanted = if meeting.turn != 0.0 {
+        (GAP_WIDTH / apart).clamp(LEAST * main, GREATEST.max(LEAST * main))
+    } else {
+        ENLARGEMENT * main
+    };
+    let middle: Point2<f64> = center(&meeting.on_locked, &meeting.on_free);
+    View::new(
+        frame,
+        middle,
+        UNITS_PER_MM * scale::at_most(wanted / UNITS_PER_MM, scale::ISO_5455),
+    )
+}
+
+/// The enlarged contact with its frame and the gears' names.
+pub fn draw(scene: &Scene, meeting: &DrawnContact, view: &View) -> Group {
+    let mut occupied = Occupied::default();
+    let id = meeting.side.name();
+    let look = Look {
+        id,
+        sides: &[meeting.side],
+        outlines_last: true,
+        band: contact_bands::BANDS[1],
+    };
+    let gears = gears::draw(scene, view, &look, &mut occupied);
+    let mark = contact_marks::draw(meeting, view, IN_INSET, &mut occupied)
+        .set("clip-path", format!("url(#{id}-frame)"));
+    let label = overlap_label::draw(scene, meeting, view, &mut occupied);
+    let mut group = Group::new().add(gears.group).add(mark).add(label);
+    let names = [
+        ("wheel", meeting.contact.wheel),
+        ("pinion", meeting.contact.pinion),
+    ];
+    let [wheel, pinion] = &gears.metal;
+    for ((name, touch), metal) in names.iter().zip([[wheel, pinion], [pinion, wheel]]) {
+        let name = format!("{name} {}", touch.tooth);
+        if let Some(room) = place(&name, metal, view, &occupied) {
+            occupied.frame(room);
+            group = group.add(centred(&name, &room, SIZE, false));
+        }
+    }
+    group.add(view.frame().border())
+}
+
+/// The frame of a side without contact.
+pub fn empty(frame: Frame) -> Rectangle {
+    frame
+        .rectangle()
+        .set("fill", "#f4f5f6")
+        .set("stroke", GREY)
+        .set("stroke-width", "1.00")
+        .set("stroke-dasharray", "6 4")
+}
+
+/// The words above an inset whose frame starts at `corner`.
+pub fn heading(scene: &Scene, side: Side, meeting: Option<&DrawnContact>, corner: Spot) -> Group {
+    let [left, top] = corner;
+    let name = capital(side);
+    let (first, second) = match meeting {
+        None => (
+            format!("{name} flanks: no contact"),
+            match scene.status() {
+                Status::Unproven => "not proven: none is drawn".to_owned(),
+                _ => "out of mesh on this side".to_owned(),
+            },
+        ),
+        Some(meeting) => {
+            let gap = meeting.gap;
+            let length = um(gap, 2);
+            let first = match scene.drawn() {
+                _ if meeting.turn == 0.0 => format!("{name} flanks touch"),
+                Drawn::AtContact(_) if gap > 0.0 => {
+                    format!("{name} flanks: gap j_bn = {length} µm")
+                }
+                Drawn::AtContact(_) => format!("{name} flanks: overlap, j_bn = {length} µm"),
+                Drawn::Nominal if gap >= 0.0 => format!("{name} flanks, short of their contact"),
+                Drawn::Nominal => format!("{name} flanks, past their contact"),
+            };
+            let touch = |name: &str, touch: &Touch| {
+                format!("{name} {} {}", touch.tooth, touch.curve.name())
+            };
+            let second = format!(
+                "{} on {}",
+                touch("wheel", &meeting.contact.wheel),
+                touch("pinion", &meeting.contact.pinion)
+            );
+            (first, second)
+        }
+    };
+    let mut first: Element = text(&first, [left, top - 27.0], 16.0, false);
+    first.assign("font-weight", "bold");
+    let mut second: Element = text(&second, [left, top - 9.0], 13.0, true);
+    second.assign("fill", GREY);
+    Group::new().add(first).add(second)
+}
+
+fn capital(side: Side) -> &'static str {
+    match side {
+        Side::Right => "Right",
+        Side::Left => "Left",
+    }
+}
+
+/// A free place for `name` on the first `metal` and off the other, as near to the middle as leaves it well clear, or clear at all.
+fn place(name: &str, metal: [&Vec<Spot>; 2], view: &View, occupied: &Occupied) -> Option<Frame> {
+    let inner = view.frame().grown(-8.0);
+    let middle = view.frame().middle();
+    let size = labels::room(name, SIZE, middle);
+    let (dx, dy) = (0.5 * size.width(), 0.5 * size.height());
+    let steps =
+        |low: f64, high: f64| (0..=16).map(move |i| low + (high - low) * f64::from(i) / 16.0);
+    let spots: Vec<Spot> = steps(inner.top + dy, inner.bottom - dy)
+        .flat_map(|y| steps(inner.left + dx, inner.right - dx).map(move |x| [x, y]))
+        .filter(|spot| holds(metal[0], *spot) && !holds(metal[1], *spot))
+        .collect();
+    let far = |spot: &Spot| (spot[0] - middle[0]).hypot(spot[1] - middle[1]);
+    [16.0, 8.0, labels::CLEAR].into_iter().find_map(|clear| {
+        let free = spots
+            .iter()
+            .filter(|spot| occupied.is_clear(&labels::room(name, SIZE, **spot), clear));
+        free.min_by(|a, b| far(a).total_cmp(&far(b)))
+            .map(|spot| labels::room(name, SIZE, *spot))
+    })
+}
+
+/// Whether a closed polygon holds `spot`: a ray to the right crosses it an odd number of times.
+fn holds(polygon: &[Spot], [x, y]: Spot) -> bool {
+    let mut inside = false;
+    for (i, to) in polygon.iter().enumerate() {
+        let from = polygon[(i + polygon.len() - 1) % polygon.len()];
+        if (from[1] > y) != (to[1] > y)
+            && x < from[0] + (y - from[1]) / (to[1] - from[1]) * (to[0] - from[0])
+        {
+            inside = !inside;
+        }
+    }
+    inside
+}

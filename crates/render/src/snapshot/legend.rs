@@ -1,0 +1,144 @@
+//! What the lines, marks and colours mean.
+
+use super::contact_bands;
+use super::contact_bands::FORM_DASH;
+use super::contact_marks::{arrow, dot};
+use super::gears::{BASE_DASH, CENTRES_DASH, PITCH_DASH};
+use crate::kit::labels;
+use crate::kit::sheet::{ACTION, Frame, GAP, GREY, INK, OVERLAP, PATH, Spot, line, text};
+use gearlash::gear::ProfilePart;
+use svg::node::Node;
+use svg::node::element::Group;
+
+/// What holds of the printed sheet alone.
+pub const PAPER_NOTE: &str = "scales hold in print on A4";
+
+/// Room for a sample, units of the sheet.
+const SAMPLE: f64 = 36.0;
+
+/// What of the things that are not in every picture is in this one.
+#[derive(Debug, Clone, Default)]
+pub struct Shown {
+    /// A gap.
+    pub gap: bool,
+    /// An overlap.
+    pub overlap: bool,
+    /// The kinds of curve that met.
+    pub met: Vec<ProfilePart>,
+    /// A form circle.
+    pub form: bool,
+    /// A base tangent point.
+    pub tangent: bool,
+}
+
+/// Rows of samples with their names, no wider than `room`, the first sample's left end at `at`.
+pub fn draw(at: Spot, room: f64, shown: &Shown) -> Group {
+    let dashed = |x: f64, y: f64, dash: &str| {
+        Group::new().add(line(&[[x, y], [x + SAMPLE, y]], GREY, 1.1).set("stroke-dasharray", dash))
+    };
+    let swatch = |x: f64, y: f64, fills: &[&str]| {
+        let frame = Frame {
+            left: x + 4.0,
+            top: y - 6.0,
+            right: x + SAMPLE - 4.0,
+            bottom: y + 6.0,
+        };
+        fills.iter().fold(Group::new(), |group, fill| {
+            group.add(
+                frame
+                    .rectangle()
+                    .set("fill", *fill)
+                    .set("stroke", INK)
+                    .set("stroke-width", "0.80"),
+            )
+        })
+    };
+    type Sample<'a> = Box<dyn Fn(f64, f64) -> Group + 'a>;
+    let mut samples: Vec<(&str, Sample)> = vec![
+        (
+            "contact, normal out of the locked gear",
+            Box::new(|x, y| {
+                Group::new()
+                    .add(arrow([x + 5.0, y], [x + SAMPLE, y], 1.8))
+                    .add(dot([x + 5.0, y], 4.0, true))
+            }),
+        ),
+        (
+            "points that meet as the free gear turns",
+            Box::new(|x, y| {
+                Group::new().add(dot([x + 8.0, y], 4.0, false)).add(dot(
+                    [x + SAMPLE - 8.0, y],
+                    4.0,
+                    false,
+                ))
+            }),
+        ),
+        (
+            "line of action, path of contact",
+            Box::new(|x, y| {
+                Group::new()
+                    .add(line(&[[x + 8.0, y], [x + SAMPLE - 8.0, y]], PATH, 6.0))
+                    .add(line(&[[x, y], [x + SAMPLE, y]], ACTION, 1.2))
+            }),
+        ),
+        ("gap", Box::new(|x, y| swatch(x, y, &[GAP]))),
+        (
+            "overlap",
+            Box::new(|x, y| swatch(x, y, &[OVERLAP, "url(#hatch)"])),
+        ),
+        (
+            "operating pitch circle",
+            Box::new(|x, y| dashed(x, y, PITCH_DASH)),
+        ),
+        ("base circle", Box::new(|x, y| dashed(x, y, BASE_DASH))),
+        ("form circle", Box::new(|x, y| dashed(x, y, FORM_DASH))),
+        (
+            "base tangent point",
+            Box::new(|x, y| Group::new().add(contact_bands::diamond([x + 0.5 * SAMPLE, y]))),
+        ),
+        (
+            "line of centres",
+            Box::new(|x, y| dashed(x, y, CENTRES_DASH)),
+        ),
+    ];
+    samples.retain(|(name, _)| match *name {
+        "gap" => shown.gap,
+        "overlap" => shown.overlap,
+        "form circle" => shown.form,
+        "base tangent point" => shown.tangent,
+        _ => true,
+    });
+    for curve in ProfilePart::ALL {
+        if shown.met.contains(&curve) {
+            let name = match curve {
+                ProfilePart::Involute => "involute that met",
+                ProfilePart::Fillet => "fillet that met",
+                ProfilePart::Tip => "tip that met",
+                ProfilePart::Root => "root that met",
+            };
+            samples.push((
+                name,
+                Box::new(move |x, y| contact_bands::sample(x, y, SAMPLE, curve)),
+            ));
+        }
+    }
+    let mut group = Group::new();
+    let [mut x, mut y] = at;
+    for (name, sample) in &samples {
+        let width = SAMPLE + 8.0 + labels::width(name, 13.0);
+        if x + width > at[0] + room {
+            [x, y] = [at[0], y + 25.0];
+        }
+        let mut words = text(name, [x + SAMPLE + 8.0, y + 4.5], 13.0, true);
+        words.assign("fill", INK);
+        group = group.add(sample(x, y)).add(words);
+        x += width + 16.0;
+    }
+    if x + labels::width(PAPER_NOTE, 13.0) > at[0] + room {
+        y += 25.0;
+    }
+    let mut note = text(PAPER_NOTE, [at[0] + room, y + 4.5], 13.0, true);
+    note.assign("text-anchor", "end");
+    note.assign("fill", GREY);
+    group.add(note)
+}

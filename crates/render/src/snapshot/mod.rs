@@ -1,0 +1,25 @@
+//! Snapshots: one pose of a gear pair, true to scale, on an A4 sheet; its deviations enlarged; its motion over a pitch.
+
+mod animation;
+mod caption;
+mod contact_bands;
+mod contact_marks;
+mod exaggerated;
+mod gears;
+mod inset;
+mod legend;
+mod link;
+mod main_view;
+mod motion;
+mod overlap_label;
+mod picture;
+mod pitch_chart;
+mod subject;
+mod turning;
+mod view;
+
+pub use animation::animation;
+pub use exaggerated::exaggerated;
+pub(crate) use legend::PAPER_NOTE;
+pub use picture::snapshot;
+pub use subject::Snapshot;

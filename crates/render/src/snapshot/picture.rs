@@ -1,0 +1,141 @@
+//! The contact snapshot: one pose, true to scale, on an A4 sheet.
+//!
+//! The mesh zone on the left; on the right both contacts enlarged, the upper one above;
+//! caption over it and legend under it. Same input, same bytes.
+
+use super::contact_marks::{self, IN_MAIN};
+use super::gears::Look;
+use super::legend::Shown;
+use super::link::Link;
+use super::subject::{INSETS, MAIN, Snapshot, hatch, names};
+use super::view::View;
+use super::{caption, contact_bands, gears, inset, legend, main_view};
+use crate::kit::labels::Occupied;
+use crate::kit::scale;
+use crate::kit::sheet::{Frame, WIDTH, blank_sheet};
+use gearlash::gear::Side;
+use gearlash::mesh::{DrawnContact, Scene, Status};
+use gearlash::pair::Member;
+use svg::node::element::Group;
+
+/// Both sides' lines of action; a thin overlap shows over the outlines.
+const MESH: Look = Look {
+    id: "mesh",
+    sides: &Side::BOTH,
+    outlines_last: false,
+    band: contact_bands::BANDS[0],
+};
+/// The SVG text of a snapshot.
+pub fn snapshot(view: &Snapshot) -> String {
+    let scene = view.scene();
+    let main = main_view::view(&scene, MAIN);
+    let mut occupied = Occupied::default();
+    let look = Look {
+        outlines_last: scene.status() == Status::Jammed,
+        ..MESH
+    };
+    let drawn = gears::draw(&scene, &main, &look, &mut occupied);
+    let mut over = Group::new().set("clip-path", "url(#mesh-frame)");
+    let mut links = Vec::new();
+    let mut insets = Group::new();
+    for (meeting, side, frame) in slots(&scene, &main) {
+        insets = insets.add(inset::heading(
+            &scene,
+            side,
+            meeting,
+            [frame.left, frame.top],
+        ));
+        let Some(meeting) = meeting else {
+            insets = insets.add(inset::empty(frame));
+            continue;
+        };
+        let enlarged = inset::view(meeting, frame, main.scale());
+        let link = Link::new(&main, &enlarged);
+        occupied.border(*link.shown());
+        links.push(link);
+        over = over.add(contact_marks::draw(meeting, &main, IN_MAIN, &mut occupied));
+        insets = insets
+            .add(inset::draw(&scene, meeting, &enlarged))
+            .add(scale::bar(
+                [frame.left, frame.bottom + 16.0],
+                enlarged.scale(),
+            ));
+    }
+    let mating = view.pose.mating();
+    let ([wheel_numbers, pinion_numbers], taken) = main_view::tooth_numbers(
+        &scene,
+        &main,
+        [mating.wheel_tooth, mating.pinion_tooth],
+        &mut occupied,
+    );
+    let links = links
+        .iter()
+        .fold(Group::new(), |group, link| group.add(link.draw(&taken)));
+    let shown = shown(&scene, &main);
+    let sheet = blank_sheet()
+        .add(hatch())
+        .add(caption::draw(
+            view,
+            &scene,
+            MAIN.left,
+            WIDTH - 2.0 * MAIN.left,
+        ))
+        .add(names(&scene))
+        .add(drawn.group)
+        .add(MAIN.border())
+        .add(over)
+        .add(links)
+        .add(insets)
+        .add(wheel_numbers)
+        .add(pinion_numbers)
+        .add(scale::bar([MAIN.left, MAIN.bottom + 16.0], main.scale()))
+        .add(legend::draw(
+            [MAIN.left, 772.0],
+            WIDTH - 2.0 * MAIN.left,
+            &shown,
+        ));
+    format!("{sheet}\n")
+}
+
+/// Each side with its contact and the frame it gets: the higher contact the upper frame.
+fn slots<'s>(scene: &'s Scene, main: &View) -> Vec<(Option<&'s DrawnContact>, Side, Frame)> {
+    let mut sides: Vec<(Option<&DrawnContact>, Side)> = Side::BOTH
+        .into_iter()
+        .map(|side| {
+            (
+                scene.meetings().iter().find(|meeting| meeting.side == side),
+                side,
+            )
+        })
+        .collect();
+    if let [(Some(first), _), (Some(second), _)] = sides[..]
+        && main.spot(second.on_locked)[1] < main.spot(first.on_locked)[1]
+    {
+        sides.reverse();
+    }
+    sides
+        .into_iter()
+        .zip(INSETS)
+        .map(|((meeting, side), frame)| (meeting, side, frame))
+        .collect()
+}
+
+/// What the legend must explain.
+fn shown(scene: &Scene, main: &View) -> Shown {
+    let meetings = scene.meetings();
+    let members = [Member::Wheel, Member::Pinion];
+    let touches = meetings
+        .iter()
+        .flat_map(|m| members.map(|member| m.touch(member)));
+    Shown {
+        gap: meetings.iter().any(|meeting| meeting.gap > 0.0),
+        overlap: matches!(scene.status(), Status::Interference | Status::Jammed),
+        met: touches.map(|touch| touch.curve).collect(),
+        form: meetings
+            .iter()
+            .any(|m| !contact_bands::below_form(m).is_empty()),
+        tangent: meetings
+            .iter()
+            .any(|m| !contact_bands::tangent_points(scene, m, main).is_empty()),
+    }
+}

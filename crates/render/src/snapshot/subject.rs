@@ -1,0 +1,97 @@
+//! What a snapshot is of, and where things stand on its sheet.
+
+use crate::kit::sheet::{Frame, line, text};
+use gearlash::mesh::{LostMotion, Scene, Unproven};
+use gearlash::pair::{GearPair, Member, Pose};
+use svg::node::Node;
+use svg::node::element::{Definitions, Group, Pattern};
+
+/// What a snapshot shows.
+#[derive(Debug, Clone, Copy)]
+pub struct Snapshot<'a> {
+    /// The pair's title.
+    pub title: &'a str,
+    /// The pair.
+    pub assembly: &'a GearPair,
+    /// The pose.
+    pub pose: &'a Pose,
+    /// `most`, `least` or `as-measured`.
+    pub material: &'a str,
+    /// What the simulation found at the pose; of an unproven pose nothing is drawn as contact.
+    pub found: Result<&'a LostMotion, &'a Unproven>,
+}
+
+impl<'a> Snapshot<'a> {
+    /// What is drawn.
+    pub(crate) fn scene(&self) -> Scene<'a> {
+        match self.found {
+            Ok(lost_motion) => Scene::new(self.assembly, self.pose, lost_motion),
+            Err(_) => Scene::unproven(self.assembly, self.pose),
+        }
+    }
+}
+
+/// The mesh zone's frame.
+pub const MAIN: Frame = Frame {
+    left: 30.0,
+    top: 142.0,
+    right: 610.0,
+    bottom: 730.0,
+};
+/// The insets' frames, the upper one first.
+pub const INSETS: [Frame; 2] = [
+    Frame {
+        left: 662.0,
+        top: 162.0,
+        right: 1158.0,
+        bottom: 400.0,
+    },
+    Frame {
+        left: 662.0,
+        top: 492.0,
+        right: 1158.0,
+        bottom: 730.0,
+    },
+];
+
+/// The gears' names over the mesh zone.
+pub fn names(scene: &Scene) -> Group {
+    let name = |member: Member| {
+        let role = match member == scene.assembly().locked() {
+            true => "locked",
+            false => "free",
+        };
+        format!(
+            "{} ({role}), z = {}",
+            member.name(),
+            scene.assembly().gear(member).gear().basic_data().teeth()
+        )
+    };
+    let wheel = text(
+        &name(Member::Wheel),
+        [MAIN.left, MAIN.top - 8.0],
+        14.0,
+        true,
+    );
+    let mut pinion = text(
+        &name(Member::Pinion),
+        [MAIN.right, MAIN.top - 8.0],
+        14.0,
+        true,
+    );
+    pinion.assign("text-anchor", "end");
+    Group::new().add(wheel).add(pinion)
+}
+
+/// Dark diagonal lines, so that an overlap shows without colour.
+pub fn hatch() -> Definitions {
+    Definitions::new().add(
+        Pattern::new()
+            .set("id", "hatch")
+            .set("width", "6")
+            .set("height", "6")
+            .set("patternUnits", "userSpaceOnUse")
+            .set("patternTransform", "rotate(45)")
+            .add(line(&[[0.0, 3.0], [6.0, 3.0]], "#5a0d05", 1.4)),
+    )
+}

@@ -1,0 +1,115 @@
+//! Both gears' metal in one view, turning about their axes, and where they overlap.
+
+use super::motion::rotation;
+use super::view::{MARGIN, View};
+use crate::kit::clip;
+use crate::kit::labels::Occupied;
+use crate::kit::sheet::{INK, OVERLAP, PINION, Spot, WHEEL, path_data};
+use gearlash::mesh::Scene;
+use gearlash::pair::Member;
+use std::f64::consts::TAU;
+use svg::node::element::{ClipPath, Definitions, Group, Path, Use};
+
+const MEMBERS: [Member; 2] = [Member::Wheel, Member::Pinion];
+
+/// Both gears, each turned about its axis.
+pub fn metal(first: &Scene, scenes: &[Scene], view: &View, occupied: &mut Occupied) -> Group {
+    let mut definitions = Definitions::new().add(
+        ClipPath::new()
+            .set("id", "mesh-frame")
+            .add(view.frame().rectangle()),
+    );
+    let mut turned = Vec::new();
+    for member in MEMBERS {
+        let placed = first.placed(member);
+        let turns = turns(scenes, member);
+        let axis = view.spot(placed.axis());
+        let frame = view.frame();
+        // What comes into the frame in a pitch stands no farther off than its farthest corner moves.
+        let corners = [
+            [frame.left, frame.top],
+            [frame.right, frame.top],
+            [frame.left, frame.bottom],
+            [frame.right, frame.bottom],
+        ];
+        let far = corners.map(|[x, y]| (x - axis[0]).hypot(y - axis[1]));
+        let angle = turns
+            .iter()
+            .fold(0.0, |most, turn| f64::max(most, turn.abs()));
+        let moved = far.into_iter().fold(0.0, f64::max) * angle;
+        let reach = view.reach() + moved / view.scale();
+        let outline = placed.outline_near(view.middle(), reach, view.chord());
+        let spots: Vec<Spot> = outline.iter().map(|point| view.spot(*point)).collect();
+        let polygon = clip::polygon(&spots, &frame.grown(MARGIN + moved));
+        occupied.line(&polygon);
+        let motion = || rotation(&turns, axis);
+        let name = member.name();
+        let shape = || Use::new().set("href", format!("#{name}"));
+        definitions = definitions
+            .add(
+                Path::new()
+                    .set("id", name)
+                    .set("d", path_data(&polygon, true)),
+            )
+            .add(
+                ClipPath::new()
+                    .set("id", format!("{name}-clip"))
+                    .add(shape()),
+            )
+            .add(
+                ClipPath::new()
+                    .set("id", format!("{name}-turning"))
+                    .add(shape().add(motion())),
+            );
+        let fill = if member == Member::Wheel {
+            WHEEL
+        } else {
+            PINION
+        };
+        let gear = Group::new().add(motion()).add(shape().set("fill", fill));
+        let outline = Group::new().add(motion()).add(
+            shape()
+                .set("fill", "none")
+                .set("stroke", INK)
+                .set("stroke-width", "2.40")
+                .set("stroke-linejoin", "round")
+                .set("clip-path", format!("url(#{name}-clip)")),
+        );
+        turned.push((gear, outline));
+    }
+    let mut group = Group::new()
+        .set("clip-path", "url(#mesh-frame)")
+        .add(definitions);
+    let mut outlines = Group::new();
+    for (gear, outline) in turned {
+        group = group.add(gear);
+        outlines = outlines.add(outline);
+    }
+    group.add(outlines).add(overlap(scenes, view))
+}
+
+/// The pinion's metal once more, where the wheel's is too.
+fn overlap(scenes: &[Scene], view: &View) -> Group {
+    let pinion = Member::Pinion;
+    let axis = view.spot(scenes[0].placed(pinion).axis());
+    let turns = turns(scenes, pinion);
+    let layers = [OVERLAP, "url(#hatch)"].map(|fill| {
+        let shape = Use::new().set("href", format!("#{}", pinion.name()));
+        Group::new()
+            .add(rotation(&turns, axis))
+            .add(shape.set("fill", fill))
+    });
+    let clip = Group::new().set("clip-path", "url(#wheel-turning)");
+    layers.into_iter().fold(clip, Group::add)
+}
+
+/// How far a gear has turned at each step since the first, rad.
+pub fn turns(scenes: &[Scene], member: Member) -> Vec<f64> {
+    let mut turns: Vec<f64> = Vec::new();
+    for scene in scenes {
+        let turn = scene.placed(member).direction(1) - scenes[0].placed(member).direction(1);
+        let last = turns.last().copied().unwrap_or(0.0);
+        turns.push(turn - TAU * ((turn - last) / TAU).round());
+    }
+    turns
+}

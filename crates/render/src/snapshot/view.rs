@@ -1,0 +1,88 @@
+//! A window onto the gears: which millimetres a frame of the sheet shows, and how large.
+
+use crate::kit::sheet::{Frame, Spot};
+use nalgebra::{Point2, Vector2};
+use std::f64::consts::{PI, TAU};
+
+/// Greatest distance between a drawn chord and its curve, in units of the sheet: 0.0125 mm of
+/// paper, an eighth of the thinnest line.
+pub const CHORD: f64 = 0.05;
+
+/// A frame with the point in its middle and its scale.
+#[derive(Debug, Clone, Copy)]
+pub struct View {
+    frame: Frame,
+    middle: Point2<f64>,
+    scale: f64,
+}
+
+impl View {
+    /// A view of `middle` (mm) in `frame` at `scale` units of the sheet a millimetre.
+    pub fn new(frame: Frame, middle: Point2<f64>, scale: f64) -> View {
+        View {
+            frame,
+            middle,
+            scale,
+        }
+    }
+
+    pub fn frame(&self) -> &Frame {
+        &self.frame
+    }
+
+    pub fn middle(&self) -> Point2<f64> {
+        self.middle
+    }
+
+    /// Units of the sheet in a millimetre of gear.
+    pub fn scale(&self) -> f64 {
+        self.scale
+    }
+
+    /// Radius of a disc about [`View::middle`] that holds all the frame shows and a margin, mm.
+    pub fn reach(&self) -> f64 {
+        let frame = self.frame.grown(MARGIN);
+        0.5 * frame.width().hypot(frame.height()) / self.scale
+    }
+
+    /// Chordal error that cannot be seen, mm.
+    pub fn chord(&self) -> f64 {
+        CHORD / self.scale
+    }
+
+    /// The place of a point of the gears on the sheet.
+    pub fn spot(&self, point: Point2<f64>) -> Spot {
+        let from_middle = (point - self.middle) * self.scale;
+        [
+            0.5 * (self.frame.left + self.frame.right) + from_middle.x,
+            0.5 * (self.frame.top + self.frame.bottom) - from_middle.y,
+        ]
+    }
+
+    /// The arc of a circle that may be in view, as points no chord of which can be told from it.
+    pub fn arc(&self, centre: Point2<f64>, radius: f64) -> Vec<Spot> {
+        let to_middle = self.middle - centre;
+        let (distance, reach) = (to_middle.norm(), self.reach());
+        if (distance - radius).abs() > reach {
+            return Vec::new();
+        }
+        let half = if distance > reach {
+            (reach / distance).asin()
+        } else {
+            PI
+        };
+        // A chord over the angle Δ leaves the arc by r (1 − cos Δ/2) ≤ r Δ²/8.
+        let step = (8.0 * self.chord() / radius).sqrt().min(TAU / 16.0);
+        let steps = (2.0 * half / step).ceil();
+        let towards = to_middle.y.atan2(to_middle.x);
+        (0..=steps as u32)
+            .map(|i| {
+                let angle = towards - half + 2.0 * half * f64::from(i) / steps;
+                self.spot(centre + radius * Vector2::new(angle.cos(), angle.sin()))
+            })
+            .collect()
+    }
+}
+
+/// What is drawn beyond a frame's edge before it is cut off, so that no outline runs along the edge.
+pub const MARGIN: f64 = 12.0;

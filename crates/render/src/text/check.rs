@@ -1,0 +1,151 @@
+//! The checks of a pair as text.
+
+use super::layout::{finish, table};
+use gearlash::diagnosis::{Check, Diagnosis, Group, Verdict};
+use gearlash::pair::Member;
+use gearlash::study::Study;
+use gearlash_files::characters;
+use gearlash_files::numbers::{ascii, distance, um_ascii};
+use std::fmt::Write;
+
+/// As text: each check once, of the centre distance and material that keeps its limit least.
+pub fn text(study: &Study, diagnosis: &Diagnosis) -> String {
+    let mut text = format!("{}\n\n", characters::plain(&study.title));
+    let several = diagnosis.groups.len() > 1;
+    let mut headings = vec!["verdict", "check", "gear"];
+    if several {
+        headings.extend(["a mm", "material"]);
+    }
+    headings.extend(["formula", "measured", "limit", "margin", "", ""]);
+    let mut rows = table(&headings);
+    for column in [1, 2, headings.len() - 2, headings.len() - 1] {
+        if let Some(column) = rows.column_mut(column) {
+            column.set_cell_alignment(comfy_table::CellAlignment::Left);
+        }
+    }
+    for (group, check) in governing(diagnosis) {
+        let mut row = vec![
+            check.verdict.name().to_owned(),
+            check.title.to_owned(),
+            check.gear.map_or("", Member::name).to_owned(),
+        ];
+        if several {
+            row.push(distance(group.assembly.center_distance()));
+            row.push(group.material.name().to_owned());
+        }
+        row.push(ascii(check.analytic, 4));
+        row.push(measured(check, |value| ascii(value, 4)));
+        row.extend([check.limit, check.margin].map(|value| ascii(value, 4)));
+        row.push(unit(check.unit).to_owned());
+        row.push(check.note.clone());
+        rows.add_row(row);
+    }
+    text += &finish(&rows);
+    if several {
+        text += "\nEach check of the centre distance and material that keeps its limit least; --format json has all.\n";
+    }
+    for reason in doubts(diagnosis) {
+        let _ = writeln!(text, "\nUNPROVEN: {reason}.");
+    }
+    text += &contact(diagnosis);
+    text
+}
+
+/// Each check of the gravest verdict, then of the least margin, the first of equals.
+pub(crate) fn governing(diagnosis: &Diagnosis) -> Vec<(&Group, &Check)> {
+    let mut governing: Vec<(&Group, &Check)> = Vec::new();
+    for group in &diagnosis.groups {
+        for check in &group.checks {
+            let same = |known: &&mut (&Group, &Check)| {
+                known.1.id == check.id && known.1.gear == check.gear
+            };
+            match governing.iter_mut().find(same) {
+                None => governing.push((group, check)),
+                Some(known) => {
+                    let graver = check.verdict > known.1.verdict;
+                    let closer = check.verdict == known.1.verdict && check.margin < known.1.margin;
+                    if graver || closer {
+                        *known = (group, check);
+                    }
+                }
+            }
+        }
+    }
+    governing
+}
+
+fn contact(diagnosis: &Diagnosis) -> String {
+    let count = &diagnosis.contact;
+    let classes: Vec<String> = count
+        .classes
+        .iter()
+        .map(|(class, poses)| format!("{} {poses}", class.name()))
+        .collect();
+    let mut text = format!("\n{} poses: {}.\n", count.poses(), classes.join(", "));
+    if let Some(loss) = &count.loss {
+        let worst = &loss.worst;
+        let mating = worst.pose.mating();
+        let _ = writeln!(
+            text,
+            "Lost motion the formula does not see: least {}, mean {}, most {} µm of j_wt (formula {}, found {} µm).",
+            um_ascii(loss.least, 3),
+            um_ascii(loss.mean, 3),
+            um_ascii(worst.loss, 3),
+            um_ascii(worst.backlash + worst.loss, 3),
+            um_ascii(worst.backlash, 3),
+        );
+        let _ = writeln!(
+            text,
+            "Most at mating {},{} {} +{:.4}, a {:.3} mm, {}: wheel tooth {} {} (radius {:.3} mm) on pinion tooth {} {} (radius {:.3} mm), {} flanks.",
+            mating.wheel_tooth,
+            mating.pinion_tooth,
+            mating.flank.name(),
+            mating.fraction,
+            worst.assembly.center_distance(),
+            worst.material.name(),
+            worst.contact.wheel.tooth,
+            worst.contact.wheel.curve.name(),
+            worst.contact.wheel.radius,
+            worst.contact.pinion.tooth,
+            worst.contact.pinion.curve.name(),
+            worst.contact.pinion.radius,
+            worst.side.name(),
+        );
+    }
+    text + match diagnosis.verdict() {
+        Verdict::Pass => "Every check passes.\n",
+        Verdict::Warn => "No check fails.\n",
+        Verdict::Unproven => {
+            "No check fails, but some are unproven: nobody knows whether their limits are kept.\n"
+        }
+        Verdict::Fail => "A check fails.\n",
+    }
+}
+
+/// Why checks are not proven, each reason once.
+pub(crate) fn doubts(diagnosis: &Diagnosis) -> Vec<&str> {
+    let checks = diagnosis.groups.iter().flat_map(|group| &group.checks);
+    let mut doubts = Vec::new();
+    for reason in checks.filter_map(|check| check.unproven.as_deref()) {
+        if !doubts.contains(&reason) {
+            doubts.push(reason);
+        }
+    }
+    doubts
+}
+
+/// The measured value as `shown`, or that it is not proven.
+pub(crate) fn measured(check: &Check, shown: impl Fn(Option<f64>) -> String) -> String {
+    match (&check.unproven, check.measured) {
+        (Some(_), None) => "unproven".to_owned(),
+        (_, measured) => shown(measured),
+    }
+}
+
+/// A check's unit as it is shown.
+pub(crate) fn unit(unit: &'static str) -> &'static str {
+    match unit {
+        "1" => "",
+        unit => unit,
+    }
+}

@@ -1,0 +1,68 @@
+//! A rig's measurements beside the bands they should lie in.
+
+use super::layout::{finish, table};
+use gearlash::measured::{Band, MeasuredMating, sides};
+use gearlash::study::Study;
+use gearlash_files::numbers::{NONE, ascii, distance};
+use std::fmt::Write;
+
+fn band(band: Option<Band>) -> String {
+    match band {
+        Some(band) => format!("{} … {}", ascii(band.min_um, 1), ascii(band.max_um, 1)),
+        None => NONE.to_owned(),
+    }
+}
+
+pub fn measured_table(measured: &[MeasuredMating]) -> String {
+    let mut table = table(&[
+        "mating",
+        "a mm",
+        "predicted (printed)",
+        "analytic",
+        "simulated",
+        "measured right",
+        "left",
+    ]);
+    for mating in measured {
+        let marked = |value: f64| {
+            let mark = match mating.printed.side_of(value) {
+                0 => ' ',
+                1 => '↑',
+                _ => '↓',
+            };
+            format!("{value} {mark}")
+        };
+        table.add_row(vec![
+            format!("{},{}", mating.row.wheel_tooth, mating.row.pinion_tooth),
+            distance(mating.row.center_distance),
+            band(Some(mating.printed)),
+            band(mating.analytic),
+            band(mating.simulated),
+            marked(mating.row.right_um),
+            marked(mating.row.left_um),
+        ]);
+    }
+    finish(&table)
+}
+
+pub fn measured_count(study: &Study, measured: &[MeasuredMating]) -> String {
+    let [below, inside, above] = sides(measured, |mating| Some(mating.printed));
+    let total = below + inside + above;
+    let mut text = format!(
+        "\n{inside} of {total} measured values lie inside the predicted band: {below} below it (↓), {above} above it (↑).\n",
+    );
+    if study.bearing_clearance > 0.0 {
+        let [_, inside, _] = sides(measured, |mating| mating.with_clearance);
+        let _ = writeln!(
+            text,
+            "With the bearing clearance taken in (a ± {} mm), {inside} of {total} lie inside the simulated band.",
+            distance(study.bearing_clearance)
+        );
+    }
+    text += "\
+Backlash j_wt in µm. Bands run from most to least material. Predicted: as printed beside the
+measurement. Analytic: model 2 (involute); simulated: on the tooth outlines; both are means of the
+mating's right-flank and left-flank pose. ↓ ↑: measured below or above the predicted band.
+";
+    text
+}

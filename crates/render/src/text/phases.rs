@@ -1,0 +1,67 @@
+//! Assembly phases, and which teeth to mark together.
+
+use super::layout::{finish, table, where_it_is};
+use gearlash::compare::ComparedPose;
+use gearlash::phases::PhaseGroup;
+use gearlash::tally::RunTally;
+use gearlash_files::numbers::{NONE, distance, um_ascii};
+
+pub fn phase_table(group: &PhaseGroup) -> String {
+    let mating = |run: &RunTally| {
+        let (wheel, pinion) = run.phase.unwrap_or((1, 1));
+        format!("{wheel},{pinion}")
+    };
+    let unproven = group.runs.iter().any(|run| run.unproven > 0);
+    let mut headings = vec![
+        "phase",
+        "least",
+        "at",
+        "mean",
+        "greatest",
+        "at",
+        "variation",
+    ];
+    headings.extend(unproven.then_some("unproven"));
+    let mut table = table(&headings);
+    for run in &group.runs {
+        let summary = run.summary();
+        let at = |pose: Option<&ComparedPose>| pose.map_or(NONE.to_owned(), where_it_is);
+        let (least, most) = run.extremes().unzip();
+        let mut row = vec![
+            mating(run),
+            um_ascii(summary.min, 3),
+            at(least),
+            um_ascii(summary.mean, 3),
+            um_ascii(summary.max, 3),
+            at(most),
+            um_ascii(run.variation(), 3),
+        ];
+        row.extend(unproven.then(|| run.unproven.to_string()));
+        table.add_row(row);
+    }
+    let Some(first) = group.runs.first() else {
+        return String::new();
+    };
+    let mut text = format!(
+        "centre distance {} mm, material {}\n\n{}",
+        distance(first.assembly.center_distance()),
+        first.material.name(),
+        finish(&table)
+    );
+    text += &match (group.best, group.worst) {
+        _ if group.runs.len() == 1 => {
+            "There is only one assembly phase: the tooth numbers have no common divisor, every tooth meets every tooth.\n".to_owned()
+        }
+        (Some(best), Some(worst)) => format!(
+            "Best phase {}: mark wheel tooth {} and pinion tooth {} together (least variation, {} µm); worst {} ({} µm).\n",
+            mating(best),
+            best.phase.map_or(1, |phase| phase.0),
+            best.phase.map_or(1, |phase| phase.1),
+            um_ascii(best.variation(), 3),
+            mating(worst),
+            um_ascii(worst.variation(), 3),
+        ),
+        _ => "No phase has backlash at every pose.\n".to_owned(),
+    };
+    text + "\n"
+}

@@ -2,7 +2,7 @@
 
 use super::Page;
 use super::words::{symbol, value};
-use gearlash::notes::{AllRoundNote, Eccentricity, EccentricityNote, ThicknessStatements};
+use gearlash::metrology::{AllRoundNote, Eccentricity, EccentricityNote, ThicknessStatements};
 use maud::{Markup, html};
 
 pub(super) fn list(page: &Page) -> Markup {

@@ -8,10 +8,11 @@
 //! The way through the crate, each stage importing only earlier ones:
 //!
 //! ```text
-//! gear → pair → notes, sources, study ← input (the pair file)
-//!         │       └→ simulate → compare → measured, outcome, phases, curves, cycle, diagnosis → gauge → render → cli
-//!         ├→ mesh ───┘             │
-//!         └→ analytic ─────────────┘
+//! gear → metrology ┐
+//!   └→ pair ───────┴→ study ← input (the pair file)
+//!       │              └→ simulate → compare → measured, outcome, phases, curves, cycle, diagnosis → gauge → render → cli
+//!       ├→ mesh ───────────────┘        │
+//!       └→ analytic ────────────────────┘
 //! ```
 //!
 //! [`analytic`] shares nothing with [`mesh`] but gears, deviations and poses: their agreement means something.
@@ -53,7 +54,8 @@ pub mod gauge;
 pub mod gear;
 pub mod measured;
 pub mod mesh;
-pub mod notes;
+pub mod metrology;
+
 pub mod outcome;
 pub mod pair;
 mod parallel;

@@ -2,7 +2,7 @@
 
 use crate::error::GearError;
 use crate::gear::{AsBuilt, Side};
-use crate::notes::GearNotes;
+use crate::metrology::GearNotes;
 use crate::pair::{GearPair, Mating, Member, SweepPlan};
 use std::collections::HashMap;
 

@@ -7,7 +7,7 @@ use super::stated::Stated;
 use super::table::Table;
 use super::thickness::Statement;
 use gearlash::gear::{Deviations, Gear};
-use gearlash::notes::ThicknessStatements;
+use gearlash::metrology::ThicknessStatements;
 use serde_json::{Value, json};
 
 const KEYS: &[&str] = &[

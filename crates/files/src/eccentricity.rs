@@ -6,7 +6,7 @@ use super::runout::Runout;
 use super::table::Table;
 use gearlash::error::GearError;
 use gearlash::gear::{BasicGearData, Gear, Pitch};
-use gearlash::notes::{Eccentricity, EccentricityNote};
+use gearlash::metrology::{Eccentricity, EccentricityNote};
 
 /// Of `[pitch] eccentricity`: which one counts where pitch and runout both state it.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -5,7 +5,7 @@ use super::flanks::Flanks;
 use super::pitch::PitchSheet;
 use super::table::Table;
 use gearlash::gear::{Pitch, Side};
-use gearlash::notes::Eccentricity;
+use gearlash::metrology::Eccentricity;
 
 /// The part of the stated eccentricity that may be missing for own-axis pitch to look as if it held it. An error of a quarter
 /// lies within 25 % of the amount and, by its sine, within 14.5° of the direction. That is what an own harmonic or noise of

@@ -7,7 +7,7 @@ use super::problems::Problems;
 use super::runout::{Knowledge, ReadingsFit, Runout};
 use super::stated::Stated;
 use gearlash::gear::{Deviations, Gear, Pitch};
-use gearlash::notes::{AllRoundNote, Eccentricity, EccentricityNote};
+use gearlash::metrology::{AllRoundNote, Eccentricity, EccentricityNote};
 
 /// What the tables of one gear say of its flanks.
 pub struct Sheets<'a> {

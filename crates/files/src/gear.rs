@@ -17,7 +17,7 @@ use super::table::Table;
 use super::thickness::{self, Statement};
 use super::{all_round, contradictions, eccentricity, first_harmonic, unit_slips};
 use gearlash::gear::{AsBuilt, BasicGearData, Deviations, Face, GearDesign};
-use gearlash::notes::GearNotes;
+use gearlash::metrology::GearNotes;
 use serde_json::{Value, json};
 
 const KEYS: &[&str] = &[

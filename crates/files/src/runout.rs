@@ -8,7 +8,7 @@ use super::sheet::{self, Header};
 use super::stated::Stated;
 use super::table::Table;
 use gearlash::gear::Gear;
-use gearlash::notes::Eccentricity;
+use gearlash::metrology::Eccentricity;
 use serde_json::{Map, Value, json};
 
 pub use readings::{Knowledge, ReadingsFit, RunoutSheet};

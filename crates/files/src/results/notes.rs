@@ -1,6 +1,6 @@
 //! What the statements about each gear say of each other.
 
-use gearlash::notes::{Eccentricity, EccentricityNote, GearNotes, ThicknessStatements};
+use gearlash::metrology::{Eccentricity, EccentricityNote, GearNotes, ThicknessStatements};
 use gearlash::study::Study;
 use serde_json::{Map, Value, json};
 

@@ -8,7 +8,7 @@ use crate::sheet::{Column, Coverage, Header, Sheet, Wanted};
 use crate::table::Table;
 use gearlash::error::GearError;
 use gearlash::gear::{Deviations, Gear, Probe, RunoutFit, RunoutReadings, thickness};
-use gearlash::notes::Eccentricity;
+use gearlash::metrology::Eccentricity;
 
 /// Where a reading was taken.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -79,7 +79,7 @@ fn problem<'a>(key: &'a str, value: &'a str, reason: &'a [&'a str], help: &'a st
 fn problems_of(path: &Path) -> Vec<Problem> {
     match read(path) {
         Ok(_) => Vec::new(),
-        Err(InputError { file, problems }) => {
+        Err(InputError { file, problems, .. }) => {
             assert_eq!(file, path);
             assert!(!problems.is_empty());
             problems

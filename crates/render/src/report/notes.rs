@@ -2,7 +2,7 @@
 
 use super::page::Page;
 use super::words::symbol;
-use gearlash::notes::{AllRoundNote, Eccentricity, EccentricityNote, ThicknessStatements};
+use gearlash::metrology::{AllRoundNote, Eccentricity, EccentricityNote, ThicknessStatements};
 use gearlash_files::numbers::fixed;
 use maud::{Markup, html};
 

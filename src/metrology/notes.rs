@@ -1,4 +1,4 @@
-//! What the statements of a pair file about one gear say of each other; for tables and reports.
+//! What the measurements of one gear say of each other; for tables and reports.
 
 /// What was found of one gear beyond the gear itself.
 #[derive(Debug, Clone, Default, PartialEq)]

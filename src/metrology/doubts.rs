@@ -1,0 +1,94 @@
+//! Values that look as if something else were meant: another unit or sign, a mean that is not taken out, the same measurement twice.
+
+use super::finding::{Finding, Quantity, SameKind};
+use super::statement::ThicknessStatement;
+use super::toleranced::Toleranced;
+use crate::gear::BasicGearData;
+
+/// Standard deviations of a list within which its mean must lie. Values about the stated mean thickness have a mean of 0, within
+/// their scatter by `√z`; three of them from 0 the whole list lies on one side of it. Tuned: that is how values from the nominal thickness look.
+const OFF: f64 = 3.0;
+/// The mean of a list, in modules, that no allowance explains: DIN 3967's greatest, a, stays below it from a module of 2 mm on. Tuned.
+const MOST_MEAN: f64 = 0.1;
+/// Below this a value in µm looks like one in mm: no shop measures teeth so finely, and 0.5 mm is more than any deviation of a gear that
+/// is worth measuring.
+const LEAST_UM: f64 = 0.5;
+/// Below this it is 0 but for rounding: as mm it would be 0.1 µm, less than the last digit that machines print.
+const ROUNDING_UM: f64 = 1e-4;
+
+/// Per-tooth thickness that varies about a mean that is large beside its scatter and adds to the one that is stated.
+///
+/// One value for all teeth is an offset and meant as one; the nominal thickness is what such a list may count from; readings all round
+/// hold the list's mean, so it does not add to them.
+pub(super) fn off_mean(
+    statement: &ThicknessStatement,
+    basic_data: &BasicGearData,
+    per_tooth_um: &[f64],
+) -> Option<Finding> {
+    let first = *per_tooth_um.first()?;
+    let count = per_tooth_um.len() as f64;
+    let mean_um = per_tooth_um.iter().sum::<f64>() / count;
+    let module_um = 1000.0 * basic_data.module();
+    if mean_um.abs() > MOST_MEAN * module_um {
+        return Some(Finding::PerToothMeanTooLarge { mean_um });
+    }
+    match statement {
+        ThicknessStatement::Nominal
+        | ThicknessStatement::AllowanceUm(Toleranced::Single(0.0))
+        | ThicknessStatement::SpanReadings { .. }
+        | ThicknessStatement::PinReadings { .. } => return None,
+        _ => {}
+    }
+    if per_tooth_um.iter().all(|um| *um == first) {
+        return None;
+    }
+    let squares: f64 = per_tooth_um.iter().map(|um| (um - mean_um).powi(2)).sum();
+    let scatter_um = (squares / (count - 1.0)).sqrt();
+    (mean_um.abs() > OFF * scatter_um).then_some(Finding::PerToothOffMean {
+        mean_um,
+        scatter_um,
+    })
+}
+
+/// An allowance that looks as if another unit or sign were meant.
+pub(super) fn of_allowance(statement: &ThicknessStatement) -> Vec<Finding> {
+    let ThicknessStatement::AllowanceUm(um) = statement else {
+        return Vec::new();
+    };
+    let mm = looks_like_mm(Quantity::Allowance, [*um.least(), *um.most()]);
+    let thickens = (*um.most() > 0.0).then_some(Finding::AllowanceThickens { um: *um.most() });
+    mm.into_iter().chain(thickens).collect()
+}
+
+/// Where the greatest of `um` is no size of a deviation in µm, but one in mm.
+pub(super) fn looks_like_mm(
+    quantity: Quantity,
+    um: impl IntoIterator<Item = f64>,
+) -> Option<Finding> {
+    let greatest_um = um.into_iter().max_by(|a, b| a.abs().total_cmp(&b.abs()))?;
+    let small = (ROUNDING_UM..LEAST_UM).contains(&greatest_um.abs());
+    small.then_some(Finding::LooksLikeMm {
+        quantity,
+        greatest_um,
+    })
+}
+
+/// What `cross_check` has in common with the statement that `counts`, where it is the same measurement: it repeats its faults, the
+/// pin's or the count of teeth.
+pub(super) fn same_kind(
+    counts: &ThicknessStatement,
+    cross_check: &ThicknessStatement,
+) -> Option<Finding> {
+    let of = |statement: &ThicknessStatement| match statement {
+        // A base thickness may come from any measurement.
+        ThicknessStatement::Nominal | ThicknessStatement::BaseThickness(_) => None,
+        ThicknessStatement::Span { teeth, .. } | ThicknessStatement::SpanReadings { teeth, .. } => {
+            Some((SameKind::Span, f64::from(*teeth)))
+        }
+        ThicknessStatement::OverPins { pin_mm, .. }
+        | ThicknessStatement::PinReadings { pin_mm, .. } => Some((SameKind::OverPins, *pin_mm)),
+        ThicknessStatement::AllowanceUm(_) => Some((SameKind::Allowance, 0.0)),
+    };
+    let (kind, _) = of(cross_check).filter(|kind| of(counts) == Some(*kind))?;
+    Some(Finding::CrossCheckOfSameKind(kind))
+}

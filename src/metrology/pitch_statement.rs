@@ -1,0 +1,136 @@
+//! Pitch deviation of both flanks as an inspection sheet states it, and the cumulative curves it means.
+
+use super::error::MeasurementError;
+use super::finding::Finding;
+use crate::error::GearError;
+use crate::gear::{BasicGearData, Pitch, Side};
+use std::f64::consts::PI;
+
+/// What a pitch value counts from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PitchKind {
+    /// `F`: from the first tooth, or any one place.
+    Cumulative,
+    /// `f`: from the tooth before.
+    Single,
+}
+
+/// The axis about which pitch was measured.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PitchAxis {
+    /// The centre of the teeth: the values hold no eccentricity.
+    Own,
+    /// The datum (rotation) axis: they hold the eccentricity.
+    Datum,
+}
+
+/// What `+` means.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PitchSense {
+    /// Farther along ascending tooth numbers.
+    Numbers,
+    /// Plus material, on both flanks.
+    Material,
+}
+
+/// Which eccentricity is the gear's where pitch about the datum axis and runout both state one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum EccentricitySource {
+    /// That of the pitch.
+    Pitch,
+    /// That of the runout.
+    Runout,
+}
+
+/// Pitch deviation of the gear's own right and left flanks, µm at the reference circle, one value a tooth, tooth 1 first.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PitchStatement {
+    /// What a value counts from.
+    pub kind: PitchKind,
+    /// The axis about which it was measured.
+    pub axis: PitchAxis,
+    /// What `+` means.
+    pub sense: PitchSense,
+    /// Which eccentricity counts; needed where the axis is the datum axis and a runout is stated.
+    pub eccentricity: Option<EccentricitySource>,
+    /// Right flanks, µm.
+    pub right_um: Vec<f64>,
+    /// Left flanks, µm.
+    pub left_um: Vec<f64>,
+}
+
+/// Sheets round single pitch deviations to 0.1 µm: half of that a tooth, 0.05 µm, may be left in
+/// their sum; more is a slip, or not a list of single deviations.
+const ROUNDING_UM: f64 = 0.05;
+
+impl PitchStatement {
+    /// Whether the values were measured about the datum axis.
+    pub fn is_datum(&self) -> bool {
+        self.axis == PitchAxis::Datum
+    }
+
+    /// The values of a flank as they are stated, µm.
+    pub fn values(&self, flank: Side) -> &[f64] {
+        match flank {
+            Side::Right => &self.right_um,
+            Side::Left => &self.left_um,
+        }
+    }
+
+    /// The cumulative curves as measured, each within half a pitch.
+    ///
+    /// # Errors
+    /// [`MeasurementError::Pitch`] for lists that are not one value a tooth, [`MeasurementError::PitchOffHalf`] for each flank that is off by more.
+    pub fn curves(&self, basic_data: &BasicGearData) -> Result<Pitch, Vec<MeasurementError>> {
+        let teeth = basic_data.teeth();
+        let lengths = Side::BOTH.map(|flank| self.values(flank).len());
+        if let Some(found) = lengths.into_iter().find(|found| *found != teeth as usize) {
+            return Err(vec![MeasurementError::Pitch(GearError::WrongLength {
+                what: "pitch",
+                found,
+                teeth,
+            })]);
+        }
+        let mm = |um: &[f64]| -> Vec<f64> { um.iter().map(|um| um / 1000.0).collect() };
+        let (right, left) = (mm(&self.right_um), mm(&self.left_um));
+        let mut pitch = match self.kind {
+            PitchKind::Cumulative => Pitch::from_cumulative(&right, &left),
+            PitchKind::Single => Pitch::from_single(&right, &left),
+        };
+        if self.sense == PitchSense::Material {
+            pitch = pitch.read_as_material();
+        }
+        let half = PI * basic_data.module() / 2.0;
+        let off = |flank: Side| {
+            let numbered = (1..).zip(pitch.flank(flank));
+            let worst = numbered.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
+            let (tooth, f) = worst.filter(|(_, f)| !(f.abs() < half))?;
+            Some(MeasurementError::PitchOffHalf {
+                flank,
+                tooth,
+                off_um: 1000.0 * f,
+                half_pitch_um: 1000.0 * half,
+            })
+        };
+        let off: Vec<MeasurementError> = Side::BOTH.into_iter().filter_map(off).collect();
+        if off.is_empty() { Ok(pitch) } else { Err(off) }
+    }
+
+    /// Each flank whose single pitches do not close the circle.
+    pub(super) fn open_circles(&self) -> Vec<Finding> {
+        if self.kind != PitchKind::Single {
+            return Vec::new();
+        }
+        let open = |flank: Side| {
+            let um = self.values(flank);
+            let sum_um: f64 = um.iter().sum();
+            let rounding_um = ROUNDING_UM * um.len() as f64;
+            (sum_um.abs() > rounding_um).then_some(Finding::PitchDoesNotClose {
+                flank,
+                sum_um,
+                rounding_um,
+            })
+        };
+        Side::BOTH.into_iter().filter_map(open).collect()
+    }
+}

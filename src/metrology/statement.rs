@@ -1,0 +1,193 @@
+//! What is stated of the mean tooth thickness: the tooth it means, and where it was measured.
+
+use super::toleranced::Toleranced;
+use crate::error::GearError;
+use crate::gear::{
+    BasicGearData, Deviations, Gear, GearDesign, PerTooth, PinReadings, Readings, Spans, thickness,
+};
+
+/// One statement of the mean tooth thickness.
+#[derive(Debug, Clone, PartialEq)]
+pub enum ThicknessStatement {
+    /// None: nominal.
+    Nominal,
+    /// Allowance `A_s`, µm, transverse at the reference circle, negative when thinner than nominal.
+    AllowanceUm(Toleranced<f64>),
+    /// Base tooth thickness `s_b`, mm.
+    BaseThickness(Toleranced<f64>),
+    /// A span `W_k`.
+    Span {
+        /// `k`.
+        teeth: u32,
+        /// `W_k`, mm.
+        mm: Toleranced<f64>,
+    },
+    /// A dimension over pins `M_dK`.
+    OverPins {
+        /// `D_M`, mm.
+        pin_mm: f64,
+        /// `M_dK`, mm.
+        mm: Toleranced<f64>,
+    },
+    /// Spans `W_k` read at several teeth.
+    SpanReadings {
+        /// `k`.
+        teeth: u32,
+        /// First tooth and span, mm.
+        readings: Vec<(u32, f64)>,
+        /// Whether they give each tooth's thickness, too, where they determine it.
+        per_tooth: bool,
+    },
+    /// Dimensions over pins `M_dK` read at several spaces.
+    PinReadings {
+        /// `D_M`, mm.
+        pin_mm: f64,
+        /// Space (see [`PinReadings`]) and dimension, mm.
+        readings: Vec<(u32, f64)>,
+    },
+}
+
+impl ThicknessStatement {
+    /// Its readings, where it has several: place, from 1, and length, mm.
+    pub fn readings(&self) -> Option<&[(u32, f64)]> {
+        match self {
+            ThicknessStatement::SpanReadings { readings, .. }
+            | ThicknessStatement::PinReadings { readings, .. } => Some(readings),
+            _ => None,
+        }
+    }
+
+    /// Whether it states a least and a greatest value.
+    pub fn is_band(&self) -> bool {
+        match self {
+            ThicknessStatement::AllowanceUm(value)
+            | ThicknessStatement::BaseThickness(value)
+            | ThicknessStatement::Span { mm: value, .. }
+            | ThicknessStatement::OverPins { mm: value, .. } => value.is_band(),
+            _ => false,
+        }
+    }
+
+    /// The span readings, where these are stated.
+    ///
+    /// # Errors
+    /// Readings that a gear of `basic_data` cannot have.
+    pub fn spans(&self, basic_data: &BasicGearData) -> Result<Option<Spans>, GearError> {
+        match self {
+            ThicknessStatement::SpanReadings {
+                teeth, readings, ..
+            } => {
+                let readings = Readings::new(basic_data, readings.clone())?;
+                Spans::new(basic_data, *teeth, readings).map(Some)
+            }
+            _ => Ok(None),
+        }
+    }
+
+    /// The readings over pins, where these are stated.
+    fn pins(&self, basic_data: &BasicGearData) -> Result<Option<PinReadings>, GearError> {
+        match self {
+            ThicknessStatement::PinReadings { pin_mm, readings } => {
+                let readings = Readings::new(basic_data, readings.clone())?;
+                Ok(Some(PinReadings::new(basic_data, *pin_mm, readings)))
+            }
+            _ => Ok(None),
+        }
+    }
+
+    /// What each of its readings is beyond their mean, and what the deviations `of` say it is, mm; empty without readings.
+    ///
+    /// # Errors
+    /// Readings that go with no tooth thickness; [`GearError::WrongLength`] for lists of another gear.
+    pub fn beside(
+        &self,
+        basic_data: &BasicGearData,
+        of: &Deviations,
+    ) -> Result<Vec<(f64, f64)>, GearError> {
+        if let Some(spans) = self.spans(basic_data)? {
+            return spans.beside(of);
+        }
+        match self.pins(basic_data)? {
+            Some(pins) => pins.beside(of),
+            None => Ok(Vec::new()),
+        }
+    }
+
+    /// Each tooth's thickness beyond the mean and `known`, where spans all round are to give and do determine it.
+    ///
+    /// # Errors
+    /// [`GearError::WrongLength`] for lists of another gear.
+    pub fn per_tooth(
+        &self,
+        basic_data: &BasicGearData,
+        known: &Deviations,
+    ) -> Result<Option<PerTooth>, GearError> {
+        match self {
+            ThicknessStatement::SpanReadings {
+                per_tooth: true, ..
+            } => match self.spans(basic_data)? {
+                Some(spans) => spans.per_tooth(known),
+                None => Ok(None),
+            },
+            _ => Ok(None),
+        }
+    }
+
+    /// Mean base tooth thickness `s_b`, mm, of a gear with the deviations `known`.
+    ///
+    /// # Errors
+    /// A span of no number of teeth, a dimension over pins whose pins would sit inside the base circle, readings that a
+    /// gear of `design` cannot have.
+    pub fn base_thickness(
+        &self,
+        design: &GearDesign,
+        known: &Deviations,
+    ) -> Result<Toleranced<f64>, GearError> {
+        let basic_data = &design.basic_data;
+        let nominal = design.nominal_base_thickness();
+        match self {
+            ThicknessStatement::Nominal => Ok(Toleranced::Single(nominal)),
+            ThicknessStatement::AllowanceUm(um) => um.try_map(|&um| {
+                let mm = um / 1000.0;
+                Ok(thickness::base_from_allowance(basic_data, nominal, mm))
+            }),
+            ThicknessStatement::BaseThickness(mm) => Ok(*mm),
+            ThicknessStatement::Span { teeth, mm } => {
+                if !(1..=basic_data.teeth()).contains(teeth) {
+                    return Err(GearError::OutOfRange {
+                        what: "number of teeth spanned",
+                        value: f64::from(*teeth),
+                        allowed: "1 … number of teeth",
+                    });
+                }
+                mm.try_map(|&mm| Ok(thickness::base_from_span(basic_data, *teeth, mm)))
+            }
+            ThicknessStatement::OverPins { pin_mm, mm } => {
+                mm.try_map(|&mm| thickness::base_from_pins(basic_data, *pin_mm, mm))
+            }
+            ThicknessStatement::SpanReadings { .. } | ThicknessStatement::PinReadings { .. } => {
+                let spans = self.spans(basic_data)?;
+                let base = match (spans, self.pins(basic_data)?) {
+                    (Some(spans), _) => spans.base_thickness(known)?,
+                    (None, Some(pins)) => pins.base_thickness(known)?,
+                    (None, None) => nominal,
+                };
+                Ok(Toleranced::Single(base))
+            }
+        }
+    }
+
+    /// Whether the measurement touches `gear` where it measures its thickness.
+    ///
+    /// # Errors
+    /// A span or a pin that does not touch the involute, a pin below the tip or in the root.
+    pub fn check(&self, gear: &Gear) -> Result<(), GearError> {
+        match *self {
+            ThicknessStatement::Span { teeth, .. }
+            | ThicknessStatement::SpanReadings { teeth, .. } => thickness::check_span(gear, teeth),
+            ThicknessStatement::OverPins { pin_mm, .. }
+            | ThicknessStatement::PinReadings { pin_mm, .. } => thickness::check_pins(gear, pin_mm),
+            _ => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,159 @@
+//! Gears from measurements in memory: against closed forms, and against the same data in a pair file.
+
+mod findings;
+mod pair_file;
+mod refused;
+mod settled;
+
+use gearlash::gear::{BasicGearData, BasicRack, Face, GearDesign};
+use gearlash::metrology::{
+    EccentricitySource, Finding, MeasuredGear, Measurements, PitchAxis, PitchKind, PitchSense,
+    PitchStatement, ProbeReadings, ReadWith, RunoutStatement, ThicknessStatement,
+};
+
+const TEETH: u32 = 21;
+/// `k` of the spans.
+const SPANNED: u32 = 3;
+/// Eccentricity of the gear, mm, and the tooth it points to.
+const ECCENTRICITY: f64 = 0.02;
+const HIGH_TOOTH: f64 = 6.25;
+
+fn design() -> GearDesign {
+    GearDesign {
+        basic_data: BasicGearData::new(TEETH, 3.0, 20f64.to_radians()).unwrap(),
+        profile_shift: 0.0,
+        rack: BasicRack::ISO_53_A,
+        tip_diameter: Some(69.0),
+    }
+}
+
+/// What was put into a gear: thickness and pitch deviation of each tooth about their means, mm.
+struct Truth {
+    base_thickness: f64,
+    per_tooth: Vec<f64>,
+    right: Vec<f64>,
+    left: Vec<f64>,
+}
+
+impl Truth {
+    fn new() -> Truth {
+        let wave = |amount: f64, order: f64, from: f64| -> Vec<f64> {
+            let angle = std::f64::consts::TAU / f64::from(TEETH);
+            (0..TEETH)
+                .map(|i| amount * (order * angle * f64::from(i) + from).sin())
+                .collect()
+        };
+        Truth {
+            base_thickness: design().nominal_base_thickness() - 0.04,
+            per_tooth: wave(0.004, 4.0, 0.3),
+            right: wave(0.006, 2.0, 0.0),
+            left: wave(0.005, 2.0, 0.2),
+        }
+    }
+
+    /// Where the own flanks of the tooth `steps` on from tooth `index` + 1 stand, right and left: `F ± δ/2`.
+    fn flanks(&self, index: u32, steps: u32) -> (f64, f64) {
+        let at = ((index + steps) % TEETH) as usize;
+        let half = self.per_tooth[at] / 2.0;
+        (self.right[at] + half, self.left[at] - half)
+    }
+
+    /// `W_k = (k − 1) p_b + s_b + cos α (x_R,i+k−1 − x_L,i)` (own derivation in `gear::Spans`).
+    fn spans(&self) -> ThicknessStatement {
+        let basic_data = design().basic_data;
+        let span = |index| {
+            let (right, _) = self.flanks(index, SPANNED - 1);
+            let (_, left) = self.flanks(index, 0);
+            f64::from(SPANNED - 1) * basic_data.base_pitch()
+                + self.base_thickness
+                + basic_data.pressure_angle().cos() * (right - left)
+        };
+        ThicknessStatement::SpanReadings {
+            teeth: SPANNED,
+            readings: (0..TEETH).map(|index| (index + 1, span(index))).collect(),
+            per_tooth: true,
+        }
+    }
+
+    fn pitch(&self) -> PitchStatement {
+        let um = |mm: &[f64]| mm.iter().map(|mm| 1000.0 * mm).collect();
+        PitchStatement {
+            kind: PitchKind::Cumulative,
+            axis: PitchAxis::Own,
+            sense: PitchSense::Numbers,
+            eccentricity: None,
+            right_um: um(&self.right),
+            left_um: um(&self.left),
+        }
+    }
+
+    /// What a fork reads to first order in `e`, µm: `e cos θ + (x_R − x_L)/(2 tan α)` (`gear::RunoutReadings`).
+    fn fork(&self) -> ProbeReadings {
+        let basic_data = design().basic_data;
+        let reading = |index: u32| {
+            let (right, left) = self.flanks(index, 0);
+            let angle = (f64::from(index + 1) - HIGH_TOOTH) * basic_data.angular_pitch();
+            let alpha = basic_data.pressure_angle();
+            1000.0 * (ECCENTRICITY * angle.cos() + (right - left) / (2.0 * alpha.tan()))
+        };
+        ProbeReadings {
+            um: (0..TEETH).map(reading).collect(),
+            with: ReadWith::Fork,
+        }
+    }
+
+    /// Spans all round, pitch about the gear's own axis, runout by a fork.
+    fn measurements(&self) -> Measurements {
+        Measurements {
+            thickness: self.spans(),
+            pitch: Some(self.pitch()),
+            runout: RunoutStatement::Readings(self.fork()),
+            ..Measurements::nominal(design(), Face::Front)
+        }
+    }
+
+    /// The same with pitch about the datum axis, which holds the eccentricity to first order (design section 6:
+    /// `F_R = −e sin(ψ − α)/cos α`, `F_L = −e sin(ψ + α)/cos α`), and a stated runout beside it.
+    fn about_datum(&self, counts: EccentricitySource) -> Measurements {
+        let basic_data = design().basic_data;
+        let alpha = basic_data.pressure_angle();
+        // Half the angle of a tooth at the reference circle: s/d, s_b = cos α (s + d inv α).
+        let inv = alpha.tan() - alpha;
+        let half = self.base_thickness / (2.0 * basic_data.base_radius()) - inv;
+        let with = |own: &[f64], ahead: f64| -> Vec<f64> {
+            let reading = |(index, own): (usize, &f64)| {
+                let tooth = (index as f64 + 1.0 - HIGH_TOOTH) * basic_data.angular_pitch();
+                let sine = (tooth + ahead * half - ahead * alpha).sin();
+                1000.0 * (own - ECCENTRICITY * sine / alpha.cos())
+            };
+            own.iter().enumerate().map(reading).collect()
+        };
+        Measurements {
+            pitch: Some(PitchStatement {
+                axis: PitchAxis::Datum,
+                eccentricity: Some(counts),
+                right_um: with(&self.right, 1.0),
+                left_um: with(&self.left, -1.0),
+                ..self.pitch()
+            }),
+            runout: RunoutStatement::Total {
+                total_um: 2000.0 * ECCENTRICITY,
+                high_tooth: HIGH_TOOTH,
+            },
+            ..self.measurements()
+        }
+    }
+}
+
+fn measured(measurements: &Measurements) -> MeasuredGear {
+    measurements
+        .measure()
+        .unwrap_or_else(|errors| panic!("{errors:?}"))
+}
+
+/// What `of` makes of the one finding that it is about.
+fn only<T>(gear: &MeasuredGear, of: impl Fn(&Finding) -> Option<T>) -> T {
+    let mut found: Vec<T> = gear.findings.iter().filter_map(of).collect();
+    assert_eq!(found.len(), 1, "{:#?}", gear.findings);
+    found.remove(0)
+}

@@ -23,8 +23,12 @@ fn that_name(room: &str, names: &[&str]) -> Vec<String> {
     let names_one = |path: &PathBuf| {
         let text = fs::read_to_string(path).unwrap();
         let code = text.split("#[cfg(test)]\nmod tests").next().unwrap();
-        let lines = code.lines().filter(|line| !line.trim_start().starts_with("//"));
-        lines.flat_map(|line| names.iter().map(move |name| line.contains(name))).any(|names| names)
+        let lines = code
+            .lines()
+            .filter(|line| !line.trim_start().starts_with("//"));
+        lines
+            .flat_map(|line| names.iter().map(move |name| line.contains(name)))
+            .any(|names| names)
     };
     let named = files.iter().filter(|path| names_one(path));
     let relative = |path: &PathBuf| path.strip_prefix(&root).unwrap().display().to_string();
@@ -33,13 +37,23 @@ fn that_name(room: &str, names: &[&str]) -> Vec<String> {
 
 #[test]
 fn the_analytic_models_see_no_contact() {
-    let names = ["crate::mesh", "crate::analysis", "crate::simulate", "crate::gauge"];
+    let names = [
+        "crate::mesh",
+        "crate::analysis",
+        "crate::simulate",
+        "crate::gauge",
+    ];
     assert_eq!(that_name("analytic", &names), [""; 0]);
 }
 
 #[test]
 fn a_gear_knows_no_pair() {
-    let names = ["crate::pair", "crate::mesh", "crate::analytic", "crate::analysis"];
+    let names = [
+        "crate::pair",
+        "crate::mesh",
+        "crate::analytic",
+        "crate::analysis",
+    ];
     assert_eq!(that_name("gear", &names), [""; 0]);
 }
 

@@ -1,7 +1,8 @@
 //! `[assembly]`: how the two gears are put together.
 
-use super::entry::{Entry, Limits};
+use super::entry::Entry;
 use super::gear::GearPart;
+use super::limits::{CENTER_DISTANCE, CLEARANCE, MOST_DISTANCES};
 use super::node::Node;
 use super::problems::Problems;
 use super::table::Table;
@@ -12,21 +13,6 @@ use std::collections::HashSet;
 
 pub const KEYS: &[&str] = &["center_distance_mm", "locked", "bearing_clearance_mm"];
 const MEMBERS: [(&str, Member); 2] = [("wheel", Member::Wheel), ("pinion", Member::Pinion)];
-
-/// Twenty times the largest pair there can be; beyond, squares of lengths would lose the gears.
-const DISTANCE: Limits = Limits {
-    allowed: "a number of mm above 0 and up to 1e9",
-    holds: |mm| mm > 0.0 && mm <= 1e9,
-    help: "give the distance between the two axes in mm",
-};
-const CLEARANCE: Limits = Limits {
-    allowed: "a number of mm, 0 or more",
-    holds: |mm| mm >= 0.0,
-    help: "give the radial play of the gear on its axis, 0 for none",
-};
-
-/// Each is a run that holds both gears.
-pub const MOST_DISTANCES: usize = 10_000;
 
 /// Radial clearance of each gear's bearing, mm.
 #[derive(Debug, Clone, Copy)]
@@ -97,7 +83,7 @@ impl AssemblyPart {
     /// Reads the table; the centre distances may be absent when not `needed`.
     pub fn read(table: &Table, needed: bool, problems: &mut Problems) -> AssemblyPart {
         let entry = if needed {
-            let what = format!("{}, or a list of such", DISTANCE.allowed);
+            let what = format!("{}, or a list of such", CENTER_DISTANCE.allowed);
             table.need("center_distance_mm", &what, problems).map(Some)
         } else {
             table.optional("center_distance_mm")
@@ -124,8 +110,12 @@ impl AssemblyPart {
 
 fn distances(entry: &Entry, problems: &mut Problems) -> Option<Vec<f64>> {
     let list = match entry.node() {
-        Node::List(_) => entry.numbers(&DISTANCE, problems)?,
-        _ => return problems.keep(entry.number(&DISTANCE)).map(|mm| vec![mm]),
+        Node::List(_) => entry.numbers(&CENTER_DISTANCE, problems)?,
+        _ => {
+            return problems
+                .keep(entry.number(&CENTER_DISTANCE))
+                .map(|mm| vec![mm]);
+        }
     };
     let mut seen = HashSet::new();
     let wrong = if list.is_empty() {

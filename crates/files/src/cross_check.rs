@@ -1,7 +1,7 @@
 //! `[thickness.cross_check]`: a second statement about the thickness, compared and never built.
 
-use super::entry::Limits;
 use super::faults::Drawing;
+use super::limits::CROSS_CHECK;
 use super::problems::Problems;
 use super::stated::Stated;
 use super::table::Table;
@@ -20,11 +20,6 @@ const KEYS: &[&str] = &[
 /// Tuned: two readings of 1 µm each, and what a pin's own diameter adds. Above it lies a slip of a
 /// micrometer's thimble line, 10 µm; below it the rounding of printed lengths, 0.5 µm each.
 const TOLERANCE_UM: f64 = 3.0;
-const TOLERANCE: Limits = Limits {
-    allowed: "a number of µm, 0 or more",
-    holds: |um| um >= 0.0,
-    help: "give how far the two may lie apart as base thickness",
-};
 
 /// The second statement.
 #[derive(Debug, Clone, PartialEq)]
@@ -57,7 +52,7 @@ impl CrossCheck {
             return None;
         }
         let statement = Statement::read(&table, teeth, problems);
-        let tolerance = table.number_or("tolerance_um", TOLERANCE_UM, &TOLERANCE, problems);
+        let tolerance = table.number_or("tolerance_um", TOLERANCE_UM, &CROSS_CHECK, problems);
         let (statement, tolerance_um) = (statement?, tolerance?);
         if statement == Statement::Nominal {
             problems.add(thickness.problem(

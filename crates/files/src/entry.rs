@@ -4,14 +4,14 @@ use super::nearest::{is_slip, nearest};
 use super::node::Node;
 use super::problems::Problems;
 use crate::error::Problem;
-use std::ops::RangeInclusive;
+use std::ops::{Bound, RangeBounds, RangeInclusive};
 
 /// What a number must be.
 pub struct Limits {
     /// The allowed range, in words: "a number of mm, 0.01 … 1000".
     pub allowed: &'static str,
-    /// The same as a test; every number it sees is finite.
-    pub holds: fn(f64) -> bool,
+    /// The same for the machine.
+    pub range: (Bound<f64>, Bound<f64>),
     /// What to do when the number is outside.
     pub help: &'static str,
 }
@@ -68,7 +68,7 @@ impl<'a> Entry<'a> {
         };
         let wrong = if !number.is_finite() {
             "not finite"
-        } else if !(limits.holds)(number) {
+        } else if !limits.range.contains(&number) {
             "out of range"
         } else {
             return Ok(number);

@@ -3,9 +3,9 @@
 mod rack;
 
 use super::cross_check::CrossCheck;
-use super::entry::Limits;
 use super::faults::Drawing;
 use super::flanks::{Flanks, Sheets};
+use super::limits::{MODULE, PRESSURE_ANGLE, PROFILE_SHIFT, TEETH, TIP_DIAMETER};
 use super::per_tooth;
 use super::pitch::PitchSheet;
 use super::problems::Problems;
@@ -33,27 +33,6 @@ const KEYS: &[&str] = &[
     "pitch",
 ];
 const FACES: [(&str, Face); 2] = [("front", Face::Front), ("back", Face::Back)];
-
-const MODULE: Limits = Limits {
-    allowed: "a number of mm, 0.01 … 1000",
-    holds: |mm| (0.01..=1000.0).contains(&mm),
-    help: "give the module in mm",
-};
-const PRESSURE_ANGLE: Limits = Limits {
-    allowed: "a number of degrees, 5 … 45",
-    holds: |degrees| (5.0..=45.0).contains(&degrees),
-    help: "give the pressure angle in degrees",
-};
-const PROFILE_SHIFT: Limits = Limits {
-    allowed: "a number of modules, −100 … 100",
-    holds: |x| x.abs() <= 100.0,
-    help: "give the profile shift coefficient x, 0 for none",
-};
-const TIP_DIAMETER: Limits = Limits {
-    allowed: "a number of mm above 0 and up to 1e9",
-    holds: |mm| mm > 0.0 && mm <= 1e9,
-    help: "give the tip diameter, or leave it out to have it follow from addendum and profile shift",
-};
 
 /// What is good of one gear.
 #[derive(Debug, Default)]
@@ -87,7 +66,7 @@ impl GearPart {
         };
         let teeth = table.whole(
             "teeth",
-            3..=10_000,
+            TEETH,
             "give the number of teeth all round",
             problems,
         );

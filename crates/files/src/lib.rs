@@ -19,6 +19,7 @@ mod first_harmonic;
 mod flanks;
 mod gear;
 mod gear_file;
+mod limits;
 mod location;
 mod measured;
 mod measured_row;

@@ -1,20 +1,9 @@
 //! `[accuracy]` and `[compare]`: how finely and how strictly.
 
-use super::entry::Limits;
+use super::limits::{CHORD, TOLERANCE};
 use super::problems::Problems;
 use super::table::Table;
 use serde_json::{Value, json};
-
-const CHORD: Limits = Limits {
-    allowed: "a number of µm, 1e-5 … 100",
-    holds: |um| (1e-5..=100.0).contains(&um),
-    help: "0.01 is the default; finer is slower",
-};
-const TOLERANCE: Limits = Limits {
-    allowed: "a number of µm, 0 or more",
-    holds: |um| um >= 0.0,
-    help: "give by how much simulated and analytic backlash may differ, 0.1 by default",
-};
 
 /// `[accuracy]`.
 #[derive(Debug, Clone, Copy)]

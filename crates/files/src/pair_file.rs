@@ -1,7 +1,8 @@
 //! The tables of a pair file put together: what both gears must share, and the study they make.
 
-use super::assembly::{self, AssemblyPart, MOST_DISTANCES};
+use super::assembly::{self, AssemblyPart};
 use super::gear::GearPart;
+use super::limits::MOST_DISTANCES;
 use super::measured::{self, Measured};
 use super::node::Node;
 use super::options::{Accuracy, Compare};

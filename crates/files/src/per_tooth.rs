@@ -1,19 +1,13 @@
 //! Lists of one value a tooth.
 
-use super::entry::Limits;
 use super::faults::Drawing;
+use super::limits::PER_TOOTH;
 use super::node::Node;
 use super::problems::Problems;
 use super::sheet::{self, Column, Coverage, Sheet, Wanted};
 use super::stated::Stated;
 use super::table::Table;
 use super::thickness::Statement;
-
-const PER_TOOTH: Limits = Limits {
-    allowed: "a number of µm, −1e7 … 1e7",
-    holds: |um| um.abs() <= 1e7,
-    help: "give what each tooth is thicker than the mean, negative when thinner",
-};
 
 /// `per_tooth_um` of `[thickness]`, listed or in a file: empty or one value a tooth, µm.
 pub fn thickness(table: &Table, teeth: Option<u32>, problems: &mut Problems) -> Option<Vec<f64>> {

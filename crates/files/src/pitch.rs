@@ -4,7 +4,7 @@ mod curves;
 mod slips;
 
 use super::eccentricity::{COUNTS, Counts};
-use super::entry::Limits;
+use super::limits::PITCH;
 use super::per_tooth::one_a_tooth;
 use super::problems::Problems;
 use super::sheet::{self, Column, Coverage, Header, Sheet, Wanted};
@@ -23,12 +23,6 @@ pub const KEYS: &[&str] = &[
     "sheet",
     "decimal",
 ];
-
-const DEVIATION: Limits = Limits {
-    allowed: "a number of µm, −1e7 … 1e7",
-    holds: |um| um.abs() <= 1e7,
-    help: "give a deviation for every tooth, measured at the reference circle",
-};
 
 /// What a pitch value counts from.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -97,8 +91,8 @@ impl PitchSheet {
             }));
         }
         sheet::without_file(&table, problems)?;
-        let right = table.numbers("right_um", &DEVIATION, problems);
-        let left = table.numbers("left_um", &DEVIATION, problems);
+        let right = table.numbers("right_um", &PITCH, problems);
+        let left = table.numbers("left_um", &PITCH, problems);
         let lengths = [&right, &left].map(|list| list.as_ref().map(Vec::len));
         for (name, mate, lengths) in [
             ("right_um", "left_um", lengths),

@@ -1,10 +1,10 @@
 //! Readings all round a gear: a list of lengths, and the tooth or space each was read at.
 
+use super::limits::LENGTH;
 use super::node::Node;
 use super::problems::Problems;
 use super::sheet::{self, Column, Coverage, Sheet, Wanted};
 use super::table::Table;
-use super::thickness::LENGTH;
 use gearlash::error::GearError;
 use gearlash::gear;
 use gearlash::gear::BasicGearData;

@@ -2,7 +2,7 @@
 
 mod readings;
 
-use super::entry::Limits;
+use super::limits::{HIGH_TOOTH, RUNOUT};
 use super::problems::Problems;
 use super::sheet::{self, Header};
 use super::stated::Stated;
@@ -22,12 +22,6 @@ pub const KEYS: &[&str] = &[
     "at",
     "ball_mm",
 ];
-
-const TOTAL: Limits = Limits {
-    allowed: "a number of µm, 0 or more, less than the tooth depth",
-    holds: |um| um >= 0.0,
-    help: "give the radial runout F_r, twice the eccentricity",
-};
 
 /// Runout `F_r`, µm, and the tooth towards which the teeth are displaced.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -65,7 +59,7 @@ impl Runout {
             ));
             return None;
         }
-        let total_um = table.number("total_um", &TOTAL, problems);
+        let total_um = table.number("total_um", &RUNOUT, problems);
         let high_tooth = Runout::read_high_tooth(&table, teeth, problems);
         let (total_um, high_tooth) = (total_um?, high_tooth?);
         if total_um > 0.0 && high_tooth.is_none() {
@@ -106,19 +100,14 @@ impl Runout {
         teeth: Option<u32>,
         problems: &mut Problems,
     ) -> Option<Option<f64>> {
-        const ANY: Limits = Limits {
-            allowed: "a tooth number, 1 or more, fractions allowed",
-            holds: |tooth| tooth >= 1.0,
-            help: "give the number of the tooth at the highest reading",
-        };
         let Some(entry) = table.optional("high_tooth")? else {
             return Some(None);
         };
-        let tooth = problems.keep(entry.number(&ANY))?;
+        let tooth = problems.keep(entry.number(&HIGH_TOOTH))?;
         if teeth.is_some_and(|teeth| tooth >= f64::from(teeth) + 1.0) {
             problems.add(entry.problem(
                 format!("out of range, allowed is {}", allowed(teeth)),
-                ANY.help,
+                HIGH_TOOTH.help,
             ));
             return None;
         }

@@ -1,6 +1,7 @@
 //! `[sweep]`: which poses are run.
 
-use super::entry::{Entry, Limits, whole_in};
+use super::entry::{Entry, whole_in};
+use super::limits::{FRACTION, STEPS_PER_PITCH};
 use super::node::Node;
 use super::problems::Problems;
 use super::table::Table;
@@ -17,11 +18,6 @@ pub const KEYS: &[&str] = &[
     "phases",
 ];
 
-const FRACTION: Limits = Limits {
-    allowed: "a number of pitches, −1000 … 1000",
-    holds: |pitches| pitches.abs() <= 1000.0,
-    help: "give how far beyond the mating each pose stands, 0.5 for half a pitch",
-};
 const DEFAULT_STEPS: u32 = 16;
 
 #[derive(Debug, Clone, Copy)]
@@ -159,7 +155,7 @@ fn steps_per_pitch(table: &Table, problems: &mut Problems) -> Option<u32> {
     match table.optional("steps_per_pitch") {
         Some(Some(entry)) => {
             let help = "give how many poses a pitch gets, 16 by default";
-            problems.keep(entry.whole(1..=1000, help))
+            problems.keep(entry.whole(STEPS_PER_PITCH, help))
         }
         absent => absent.map(|_| DEFAULT_STEPS),
     }

@@ -1,6 +1,7 @@
 //! `[thickness]`: one statement of the mean tooth thickness.
 
 use super::entry::{Limits, quoted};
+use super::limits::{ALLOWANCE, LENGTH};
 use super::node::Node;
 use super::problems::Problems;
 use super::readings::LengthReadings;
@@ -33,16 +34,6 @@ const PIN_KEYS: &[&str] = &[
     "pin_mm", "mm", "min_mm", "max_mm", "space", "file", "sheet", "decimal",
 ];
 
-pub const LENGTH: Limits = Limits {
-    allowed: "a number of mm above 0 and up to 1e9",
-    holds: |mm| mm > 0.0 && mm <= 1e9,
-    help: "give the measured length in mm",
-};
-const ALLOWANCE: Limits = Limits {
-    allowed: "a number of µm, −1e7 … 1e7",
-    holds: |um| um.abs() <= 1e7,
-    help: "give the deviation from the nominal thickness, negative when thinner",
-};
 const MEASURED: Keys = Keys {
     single: Some("mm"),
     min: "min_mm",

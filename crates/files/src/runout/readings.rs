@@ -1,8 +1,8 @@
 //! Runout readings from a file: which eccentricity they hold, once the flanks are known.
 
 use crate::eccentricity::{apart_um, shown};
-use crate::entry::Limits;
 use crate::error::Problem;
+use crate::limits::BALL;
 use crate::problems::Problems;
 use crate::sheet::{Column, Coverage, Header, Sheet, Wanted};
 use crate::table::Table;
@@ -20,11 +20,6 @@ enum At {
 }
 
 const PLACES: [(&str, At); 2] = [("tooth", At::Tooth), ("space", At::Space)];
-const BALL: Limits = Limits {
-    allowed: "a number of mm above 0 and up to 1e9",
-    holds: |mm| mm > 0.0 && mm <= 1e9,
-    help: "give the diameter of the ball that was read with",
-};
 /// Standard deviations by which the readings must refuse what the flanks say of them.
 const CERTAIN: f64 = 3.0;
 /// What may be left of the readings, µm r.m.s., whatever the flanks explain. Tuned: readings and flanks of 1 µm each leave

@@ -3,6 +3,7 @@
 use crate::data_file::DataFile;
 use crate::entry::Limits;
 use crate::pitch::Kind;
+use std::ops::Bound::{Excluded, Included};
 
 /// A column of values beside the tooth.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,12 +24,12 @@ pub enum Column {
 
 const DEVIATION: Limits = Limits {
     allowed: "a number of µm, −1e7 … 1e7",
-    holds: |um| um.abs() <= 1e7,
+    range: (Included(-1e7), Included(1e7)),
     help: "correct the line",
 };
 const LENGTH: Limits = Limits {
     allowed: "a number of mm above 0 and up to 1e9",
-    holds: |mm| mm > 0.0 && mm <= 1e9,
+    range: (Excluded(0.0), Included(1e9)),
     help: "correct the line",
 };
 

@@ -9,6 +9,7 @@ use crate::data_file::DataFile;
 use crate::entry::whole_in;
 use crate::error::Problem;
 use crate::problems::Problems;
+use std::ops::RangeBounds;
 
 /// One line of cells.
 #[derive(Debug, Clone, PartialEq)]
@@ -121,7 +122,7 @@ impl Grid {
             let limits = column.limits();
             values[index] = cell
                 .number()
-                .filter(|written| (limits.holds)(written.value));
+                .filter(|written| limits.range.contains(&written.value));
             if values[index].is_none() {
                 let name = column.names()[0];
                 problems.add(wrong_cell(file, line.number, name, cell, limits.allowed));

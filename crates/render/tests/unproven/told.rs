@@ -1,6 +1,7 @@
 //! Every text, file and picture says that a pose is not proven, and none gives its value as if it were.
 
 use super::{CERTIFIED, Case, REVOLUTION, unproven};
+use gearlash::analysis::Analysis;
 use gearlash::compare::ComparedRun;
 use gearlash::curves::courses;
 use gearlash::cycle::{Cycle, RemainingMatings};
@@ -271,17 +272,21 @@ fn a_report_vouches_for_nothing() {
         extremes: Vec::new(),
         lost: 0,
     };
+    let analysis = Analysis {
+        study: &case.study,
+        method: CERTIFIED,
+        runs: runs.clone(),
+        revolution: runs.clone(),
+        cycle,
+        over_distance: Vec::new(),
+        measured: Vec::new(),
+        diagnosis,
+    };
     let page = report(&Report {
         pair: &case.pair,
         file: "pair.toml",
         date: "2026-01-01",
-        method: CERTIFIED,
-        runs: &runs,
-        revolution: &runs,
-        cycle: &cycle,
-        over_distance: &[],
-        measured: &[],
-        diagnosis: &diagnosis,
+        analysis: &analysis,
         grades: &[],
     })
     .unwrap();

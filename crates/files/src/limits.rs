@@ -1,0 +1,131 @@
+//! How large each number of a pair file may be: what the reader allows, and what the schema says.
+
+use super::entry::Limits;
+use std::ops::Bound::{Excluded, Included, Unbounded};
+use std::ops::RangeInclusive;
+
+/// `z`.
+pub const TEETH: RangeInclusive<u32> = 3..=10_000;
+/// `m`.
+pub const MODULE: Limits = Limits {
+    allowed: "a number of mm, 0.01 … 1000",
+    range: (Included(0.01), Included(1000.0)),
+    help: "give the module in mm",
+};
+/// `α`.
+pub const PRESSURE_ANGLE: Limits = Limits {
+    allowed: "a number of degrees, 5 … 45",
+    range: (Included(5.0), Included(45.0)),
+    help: "give the pressure angle in degrees",
+};
+/// `x`.
+pub const PROFILE_SHIFT: Limits = Limits {
+    allowed: "a number of modules, −100 … 100",
+    range: (Included(-100.0), Included(100.0)),
+    help: "give the profile shift coefficient x, 0 for none",
+};
+/// `d_a`.
+pub const TIP_DIAMETER: Limits = Limits {
+    allowed: "a number of mm above 0 and up to 1e9",
+    range: (Excluded(0.0), Included(1e9)),
+    help: "give the tip diameter, or leave it out to have it follow from addendum and profile shift",
+};
+
+/// Addendum and dedendum of the basic rack.
+pub const RACK_DEPTH: Limits = Limits {
+    allowed: "a number of modules above 0 and up to 10",
+    range: (Excluded(0.0), Included(10.0)),
+    help: "give it in modules; ISO 53 A has addendum 1.0 and dedendum 1.25",
+};
+/// Its root radius; what the dedendum leaves room for is the geometry's to say.
+pub const ROOT_RADIUS: Limits = Limits {
+    allowed: "a number of modules, 0 up to the dedendum",
+    range: (Included(0.0), Unbounded),
+    help: "give the tool's tip round in modules; ISO 53 A has 0.38",
+};
+
+/// A measured length, as of a span or over pins.
+pub const LENGTH: Limits = Limits {
+    allowed: "a number of mm above 0 and up to 1e9",
+    range: (Excluded(0.0), Included(1e9)),
+    help: "give the measured length in mm",
+};
+/// `A_s`.
+pub const ALLOWANCE: Limits = Limits {
+    allowed: "a number of µm, −1e7 … 1e7",
+    range: (Included(-1e7), Included(1e7)),
+    help: "give the deviation from the nominal thickness, negative when thinner",
+};
+/// Thickness of a tooth beyond the mean.
+pub const PER_TOOTH: Limits = Limits {
+    allowed: "a number of µm, −1e7 … 1e7",
+    range: (Included(-1e7), Included(1e7)),
+    help: "give what each tooth is thicker than the mean, negative when thinner",
+};
+/// Of `[thickness.cross_check]`.
+pub const CROSS_CHECK: Limits = Limits {
+    allowed: "a number of µm, 0 or more",
+    range: (Included(0.0), Unbounded),
+    help: "give how far the two may lie apart as base thickness",
+};
+
+/// `F_r`; the tooth depth is checked once it is known.
+pub const RUNOUT: Limits = Limits {
+    allowed: "a number of µm, 0 or more, less than the tooth depth",
+    range: (Included(0.0), Unbounded),
+    help: "give the radial runout F_r, twice the eccentricity",
+};
+/// Its direction; the number of teeth is checked beside it.
+pub const HIGH_TOOTH: Limits = Limits {
+    allowed: "a tooth number, 1 or more, fractions allowed",
+    range: (Included(1.0), Unbounded),
+    help: "give the number of the tooth at the highest reading",
+};
+/// The ball of runout readings.
+pub const BALL: Limits = Limits {
+    allowed: "a number of mm above 0 and up to 1e9",
+    range: (Excluded(0.0), Included(1e9)),
+    help: "give the diameter of the ball that was read with",
+};
+/// A pitch deviation.
+pub const PITCH: Limits = Limits {
+    allowed: "a number of µm, −1e7 … 1e7",
+    range: (Included(-1e7), Included(1e7)),
+    help: "give a deviation for every tooth, measured at the reference circle",
+};
+
+/// `a`. Twenty times the largest pair there can be; beyond, squares of lengths would lose the gears.
+pub const CENTER_DISTANCE: Limits = Limits {
+    allowed: "a number of mm above 0 and up to 1e9",
+    range: (Excluded(0.0), Included(1e9)),
+    help: "give the distance between the two axes in mm",
+};
+/// How many of them: each is a run that holds both gears.
+pub const MOST_DISTANCES: usize = 10_000;
+/// Radial play of a bearing.
+pub const CLEARANCE: Limits = Limits {
+    allowed: "a number of mm, 0 or more",
+    range: (Included(0.0), Unbounded),
+    help: "give the radial play of the gear on its axis, 0 for none",
+};
+
+/// Of a pose beyond its mating.
+pub const FRACTION: Limits = Limits {
+    allowed: "a number of pitches, −1000 … 1000",
+    range: (Included(-1000.0), Included(1000.0)),
+    help: "give how far beyond the mating each pose stands, 0.5 for half a pitch",
+};
+/// Poses a pitch.
+pub const STEPS_PER_PITCH: RangeInclusive<u32> = 1..=1000;
+/// Chordal error of the polygons.
+pub const CHORD: Limits = Limits {
+    allowed: "a number of µm, 1e-5 … 100",
+    range: (Included(1e-5), Included(100.0)),
+    help: "0.01 is the default; finer is slower",
+};
+/// Of a comparison.
+pub const TOLERANCE: Limits = Limits {
+    allowed: "a number of µm, 0 or more",
+    range: (Included(0.0), Unbounded),
+    help: "give by how much simulated and analytic backlash may differ, 0.1 by default",
+};

@@ -14,6 +14,8 @@ use crate::study::Study;
 
 /// What the comparison says of one pose.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Verdict {
     /// Within tolerance + error bound.
     Agrees,
@@ -55,6 +57,7 @@ impl Verdict {
 
 /// A pose with its analytic values. Lengths in mm, all as `j_wt`.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ComparedPose {
     /// What was simulated.
     pub swept: PoseResult,
@@ -158,6 +161,7 @@ impl ComparedRun {
 
 /// What a run comes to. Lengths in mm, as `j_wt`; `None` where no pose has the value.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Summary {
     /// Poses that are not proven: none of their values counts below.
     pub unproven: usize,

@@ -39,6 +39,8 @@ pub struct Cycle {
 
 /// The matings that no revolution simulated meets.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum RemainingMatings {
     /// There are none.
     #[default]

@@ -7,6 +7,7 @@ use std::collections::{HashMap, HashSet};
 
 /// A band of backlash, µm.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Band {
     /// At most material, unless there is only one.
     pub min_um: f64,
@@ -24,6 +25,7 @@ impl Band {
 /// A measured mating and the bands it should lie in. Bands are means of the right-flank and the
 /// left-flank pose; `None` where a pose has no value or was not run.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct MeasuredMating {
     /// As read.
     pub row: MeasuredRow,
@@ -39,6 +41,7 @@ pub struct MeasuredMating {
 
 /// A mating's bands; means of the right-flank and the left-flank pose; `None` where a pose has no value or was not run.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Bands {
     /// Model 2.
     pub analytic: Option<Band>,

@@ -62,6 +62,7 @@ pub struct AtDistance<'a> {
 
 /// Simulated minus a formula, over the poses that have both.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Deviation {
     /// Poses that have both.
     pub poses: usize,
@@ -199,6 +200,7 @@ pub fn deviation(
 
 /// How simulation and model 3 stand to each other, in poses.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Agreement {
     /// All of them.
     pub poses: usize,

@@ -26,6 +26,8 @@ pub fn size(bytes: u64) -> String {
 
 /// Which end of the thickness tolerance a run takes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Material {
     /// Both gears thickest.
     Most,
@@ -48,6 +50,7 @@ impl Material {
 
 /// One measurement on a rig, and what was predicted for it.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct MeasuredRow {
     /// Centre distance `a`, mm.
     pub center_distance: f64,

@@ -9,6 +9,8 @@ use crate::study::Study;
 
 /// What a curve over the centre distance is of.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Followed {
     /// Wheel and pinion tooth: the mean of their right-flank and their left-flank pose at the pitch point.
     Teeth(u32, u32),

@@ -8,6 +8,7 @@ use crate::study::Material;
 
 /// All curves of one centre distance and phase.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Course {
     /// `a`, mm.
     pub center_distance: f64,
@@ -30,6 +31,7 @@ pub struct Course {
 
 /// The poses of one material and flank.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct CourseLine {
     /// Which thickness.
     pub material: Material,
@@ -41,6 +43,7 @@ pub struct CourseLine {
 
 /// One pose of a curve; values in µm of `j_wt`, `None` where there is none.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct CoursePoint {
     /// Place: the wheel tooth at the pitch point and the part of a pitch beyond it, or pitches since the first pose.
     pub x: f64,
@@ -60,6 +63,7 @@ pub struct CoursePoint {
 
 /// The pose with the least or the greatest backlash, and what binds there.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Extreme {
     /// Its place.
     pub x: f64,

@@ -20,6 +20,7 @@ const AROUND: f64 = 0.02;
 
 /// Backlash of one or two poses over the centre distance.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct OverDistance {
     /// What was followed.
     pub followed: Followed,
@@ -42,6 +43,7 @@ pub struct OverDistance {
 
 /// The bands at one centre distance, from most to least material.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct DistancePoint {
     /// `a`, mm.
     pub center_distance: f64,

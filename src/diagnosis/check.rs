@@ -5,6 +5,8 @@ use crate::pair::Member;
 
 /// What a check says.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Verdict {
     /// The limit is kept.
     Pass,
@@ -43,6 +45,7 @@ pub(super) fn met(margin: f64) -> bool {
 
 /// One check of one pair as assembled.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Check {
     /// Its name for programs.
     pub id: &'static str,

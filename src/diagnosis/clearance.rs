@@ -23,6 +23,7 @@ const PITCHES: f64 = 1e-9;
 
 /// Where a tip comes nearest to a root.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct RadialClearance {
     /// Least distance, mm; negative when the tip stands in the root.
     pub distance: f64,

@@ -18,6 +18,7 @@ const ROOM: f64 = 0.05;
 
 /// A grid of poses.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Map {
     /// Mating of the first column; the columns go on from it by one pitch.
     pub start: Mating,
@@ -33,6 +34,7 @@ pub struct Map {
 
 /// One pose.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct MapCell {
     /// What touches.
     pub class: PoseClass,
@@ -42,6 +44,7 @@ pub struct MapCell {
 
 /// A centre distance that means something.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Limit {
     /// What.
     pub name: String,

@@ -17,6 +17,7 @@ const REFINEMENTS: usize = 4;
 
 /// Where non-involute contact begins.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Onset {
     /// Centre distance, mm: below it some pose touches a fillet, a root or the edge of an undercut flank.
     pub distance: f64,

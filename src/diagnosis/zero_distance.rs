@@ -19,6 +19,7 @@ const ROUNDS: usize = 4;
 
 /// `a_0` of a pair as built, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ZeroDistance {
     /// `a_0` of the worst pose, the rotation continuous.
     pub distance: f64,

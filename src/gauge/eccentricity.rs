@@ -11,6 +11,7 @@ use nalgebra::{Matrix3, Point2, UnitComplex, Vector2, Vector3};
 
 /// Where the gear's own centre stands off the rotation axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Eccentricity {
     /// `e`, mm; 0 where it is no more than its error.
     pub amount: f64,

@@ -12,6 +12,8 @@ use nalgebra::{Point2, UnitComplex, Vector2};
 
 /// What the measuring circle is centred on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum PitchAxis {
     /// The gear's own centre.
     Own,
@@ -31,6 +33,7 @@ impl PitchAxis {
 
 /// Pitch deviation of both of a gear's own flanks as read on the measuring circle.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct PitchReadings {
     /// Centre of the circle.
     pub axis: PitchAxis,
@@ -61,6 +64,7 @@ impl PitchReadings {
 
 /// Tooth thickness all round.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ThicknessReadings {
     /// Radius of the measuring circle, mm.
     pub radius: f64,

@@ -7,6 +7,7 @@ use std::f64::consts::PI;
 
 /// Values by formula. Lengths in mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Formula {
     /// `W_k = (k − 1) p_b + s_b`.
     pub span: Option<f64>,

@@ -46,6 +46,7 @@ impl Default for Settings {
 
 /// What the gauges read on one gear. Lengths in mm; each reading carries the bound on its error.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Gauged {
     /// `W_k`.
     pub spans: Result<Spans, Unmeasured>,

@@ -8,6 +8,7 @@ use crate::gear::{BasicGearData, Grade, GradedQuantity, Side};
 
 /// One measured value and its grade.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct GradedReading {
     /// What was measured.
     pub quantity: GradedQuantity,

@@ -12,6 +12,7 @@ use super::workpiece::Workpiece;
 
 /// One dimension over pins.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct OverPins {
     /// The first pin lies in the space after this tooth.
     pub tooth: u32,
@@ -25,6 +26,7 @@ pub struct OverPins {
 
 /// `M_dK` at every space.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Pins {
     /// Pin diameter `D_M`, mm.
     pub diameter: f64,

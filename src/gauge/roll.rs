@@ -19,8 +19,10 @@ use std::ops::ControlFlow;
 
 /// A whole roll test.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Roll {
     /// The master gear.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub master: Gear,
     /// Poses a pitch.
     pub steps_per_pitch: u32,

@@ -37,6 +37,7 @@ const PARTS: u64 = 1 << 30;
 
 /// One pose of the roll test.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct RollPose {
     /// The gear is the wheel, the master the pinion.
     pub mating: Mating,
@@ -52,6 +53,7 @@ pub struct RollPose {
 
 /// A range of `a''`, bracketed: between `found` and `found + missed`, but for twice the error of a pose.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct RollRange {
     /// Over the poses taken, mm.
     pub found: f64,

@@ -10,6 +10,7 @@ use crate::gear::{GearDesign, Side};
 
 /// The root circle about the gear's own centre.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct RootReading {
     /// `r_f`, mm: mean over the spaces where it shows.
     pub radius: f64,

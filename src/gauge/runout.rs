@@ -7,6 +7,7 @@ use super::workpiece::Workpiece;
 
 /// The ball in one space.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct BallReading {
     /// How it lies: the space after this seat's tooth, and what it touches.
     pub seat: Seat,
@@ -16,6 +17,7 @@ pub struct BallReading {
 
 /// Readings all round.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct RunoutReadings {
     /// Ball diameter, mm.
     pub diameter: f64,

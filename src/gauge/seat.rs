@@ -14,6 +14,7 @@ use nalgebra::{Matrix2, Point2, UnitComplex, Vector2};
 
 /// A pin or ball at rest.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Seat {
     /// The space after this tooth, towards the next number.
     pub tooth: u32,

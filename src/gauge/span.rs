@@ -15,6 +15,7 @@ use crate::parallel;
 
 /// One span.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Span {
     /// First of the teeth spanned, in ascending numbers.
     pub first_tooth: u32,
@@ -28,6 +29,7 @@ pub struct Span {
 
 /// `W_k` at every first tooth.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Spans {
     /// `k`.
     pub teeth: u32,

@@ -15,6 +15,8 @@ use crate::gear::{Gear, thickness};
 
 /// The thickness as a gear file states it. Lengths in mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum StatedThickness {
     /// The spans as read; no tooth is thicker or thinner than the root says.
     Spans,

@@ -16,6 +16,8 @@ pub const GRADES: RangeInclusive<u32> = 1..=11;
 
 /// What a grade limits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum GradedQuantity {
     /// Single pitch deviation `f_p`, the largest amount.
     SinglePitch,
@@ -27,6 +29,8 @@ pub enum GradedQuantity {
 
 /// A grade with its tolerance, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Grade {
     /// The finest grade that admits the value.
     Within {

@@ -8,6 +8,7 @@ use super::Side;
 
 /// Cumulative pitch deviation `F` of a gear's own right and left flanks, mm, each about its mean.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Pitch {
     right: Vec<f64>,
     left: Vec<f64>,

@@ -10,6 +10,8 @@ use std::f64::consts::PI;
 
 /// One of the four curves of a half tooth.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum ProfilePart {
     /// Tip land or its corner. Parameter: angle past the tooth's centre line, rad.
     Tip,

@@ -2,6 +2,8 @@
 
 /// A flank as seen from the front of the picture (design frame, not the gear's own face).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Side {
     /// Front-right: the right-hand flank of a tooth that points up, its clockwise side.
     Right,
@@ -40,6 +42,8 @@ impl Side {
 
 /// Which way a gear's reference face looks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Face {
     /// The viewer sees the reference face: teeth are numbered clockwise.
     Front,

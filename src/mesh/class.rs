@@ -15,6 +15,8 @@ const EDGE_MM: f64 = 1e-7;
 
 /// The curves that meet, in order of gravity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum ContactKind {
     /// Involute on involute, on the line of action.
     Involute,
@@ -65,6 +67,8 @@ impl ContactKind {
 
 /// When in the mesh of its teeth a tip corner touches, the gears turning as in a sweep.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Moment {
     /// Before the teeth reach the line of action.
     Premature,
@@ -101,6 +105,7 @@ impl Moment {
 
 /// The class of one contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ContactClass {
     /// What meets.
     pub kind: ContactKind,
@@ -162,6 +167,8 @@ fn is_edge(assembly: &GearPair, member: Member, touch: &Touch) -> bool {
 
 /// The class of a pose: the graver of its two contacts, or why it has none.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum PoseClass {
     /// Out of mesh.
     NoContact,

@@ -5,6 +5,7 @@ use nalgebra::{Point2, Vector2};
 
 /// What one gear brings to a contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Touch {
     /// Tooth number, `1..=z`.
     pub tooth: u32,
@@ -16,6 +17,7 @@ pub struct Touch {
 
 /// Contact of the free gear on one side.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Contact {
     /// Rotation of the free gear at contact, rad, counted as in [`crate::pair::Pose`].
     pub rotation: f64,
@@ -33,6 +35,8 @@ pub struct Contact {
 
 /// What a lost motion says about the pair at this pose, or that nothing vouches for it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Status {
     /// Lost motion ≥ 0: the free gear has room to turn.
     Clear,
@@ -62,6 +66,7 @@ impl Status {
 
 /// Right- and left-flank contact of the free gear at one pose of the locked gear.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct LostMotion {
     /// Limit of clockwise rotation.
     pub right: Option<Contact>,

@@ -7,6 +7,7 @@ use std::collections::VecDeque;
 
 /// One pose of a sweep and what was found there.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct PoseResult {
     /// Where the gears stand.
     pub pose: Pose,
@@ -26,6 +27,7 @@ pub struct PoseResult {
 
 /// Why a pose is not proven, and the values that nothing vouches for. They are never more than something to look into.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Unproven {
     /// In words: which method or certificate saw what.
     pub reason: String,

@@ -7,6 +7,8 @@ use crate::gear::{Probe, Side};
 
 /// Something that a user should know of the measurements of one gear.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Finding {
     /// Single pitch deviations of a flank do not sum to 0; the rest is shared out evenly.
     PitchDoesNotClose {
@@ -136,6 +138,8 @@ impl Finding {
 
 /// What is known of the flanks on which a runout was read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum FlankKnowledge {
     /// No pitch.
     NoPitch,
@@ -147,6 +151,7 @@ pub enum FlankKnowledge {
 
 /// What was made of runout readings.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct FittedReadings {
     /// What was known of the flanks.
     pub knowledge: FlankKnowledge,
@@ -168,6 +173,7 @@ pub struct FittedReadings {
 
 /// Runout readings beside what the flanks say of them, without mean and first harmonic.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct RunoutContradiction {
     /// What touched the flanks.
     pub probe: Probe,
@@ -187,6 +193,8 @@ pub struct RunoutContradiction {
 
 /// Why spans give the mean thickness only.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum MeanOnly {
     /// No more was asked for.
     AsAsked,
@@ -201,6 +209,8 @@ pub enum MeanOnly {
 
 /// Per-tooth thickness beside that of the pitch of both flanks.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum ThicknessBesidePitch {
     /// It says the same.
     Same,
@@ -230,6 +240,8 @@ pub enum ThicknessBesidePitch {
 
 /// A list or value stated in µm.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Quantity {
     /// Thickness allowance.
     Allowance,
@@ -243,6 +255,8 @@ pub enum Quantity {
 
 /// What two statements of the thickness have in common.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum SameKind {
     /// A span over as many teeth.
     Span,
@@ -254,6 +268,8 @@ pub enum SameKind {
 
 /// How a runout is stated.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum RunoutSource {
     /// Its amount and high tooth.
     Total,
@@ -266,6 +282,8 @@ pub enum RunoutSource {
 
 /// A single value that lies far from all the others.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Outlier {
     /// Of spans or dimensions over pins.
     Reading(ReadingOutlier),
@@ -275,6 +293,7 @@ pub enum Outlier {
 
 /// A length that stands out.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ReadingOutlier {
     /// Whether it is a dimension over pins, read at a space; otherwise a span, read at a tooth.
     pub over_pins: bool,
@@ -296,6 +315,8 @@ pub struct ReadingOutlier {
 
 /// Why a length lies too far from the others.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum TooFar {
     /// By more than even a coarse gear varies, µm.
     CoarseGear(f64),
@@ -305,6 +326,7 @@ pub enum TooFar {
 
 /// A pitch deviation that stands out.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct PitchOutlier {
     /// The own flank.
     pub flank: Side,

@@ -2,6 +2,7 @@
 
 /// What was found of one gear beyond the gear itself.
 #[derive(Debug, Clone, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct GearNotes {
     /// Where the pitch was measured about the datum axis.
     pub eccentricity: Option<EccentricityNote>,
@@ -13,6 +14,7 @@ pub struct GearNotes {
 
 /// An eccentricity: amount and direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Eccentricity {
     /// `e`, µm.
     pub um: f64,
@@ -22,6 +24,7 @@ pub struct Eccentricity {
 
 /// The eccentricity that datum-axis pitch contains, beside the one that is stated.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct EccentricityNote {
     /// By the pitch of both flanks; a first harmonic of the gear's own pitch cannot be told from it.
     pub in_pitch: Eccentricity,
@@ -35,6 +38,7 @@ pub struct EccentricityNote {
 
 /// What readings all round determine.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct AllRoundNote {
     /// How many there are.
     pub readings: usize,
@@ -45,6 +49,7 @@ pub struct AllRoundNote {
 
 /// Two statements about the thickness of one gear, as base thickness.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ThicknessStatements {
     /// `s_b` least and greatest, mm, of the statement that counts.
     pub counts: [f64; 2],

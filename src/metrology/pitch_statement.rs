@@ -17,6 +17,8 @@ pub enum PitchKind {
 
 /// The axis about which pitch was measured.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum PitchAxis {
     /// The centre of the teeth: the values hold no eccentricity.
     Own,

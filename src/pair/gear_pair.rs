@@ -7,6 +7,8 @@ use std::f64::consts::PI;
 
 /// One of the two gears.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Member {
     /// Gear 1, its axis at the origin.
     Wheel,

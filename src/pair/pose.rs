@@ -5,6 +5,7 @@ use crate::gear::Side;
 
 /// Mating (w, p) at a flank, and a fraction of a pitch beyond it.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Mating {
     /// Wheel tooth, `1..=z_1`.
     pub wheel_tooth: u32,
@@ -81,6 +82,7 @@ impl Mating {
 /// Rotations count from the position in which tooth 1 points at the mate, rad,
 /// counter-clockwise.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Pose {
     mating: Mating,
     locked_rotation: f64,

@@ -1,6 +1,7 @@
 //! Results larger than what is kept of them in memory.
 
 use super::*;
+use crate::skip::skip;
 
 /// 17 and 25 teeth: lcm = 425 pitches a hunting cycle.
 fn hunting(distances: &str, steps_per_pitch: u32) -> String {
@@ -116,7 +117,7 @@ fn memory_does_not_grow_with_the_poses() {
         .ok()
         .is_ok_and(|run| run.status.success())
     {
-        eprintln!("SKIPPED: this shell cannot limit the address space (ulimit -v)");
+        skip("this shell cannot limit the address space (ulimit -v)");
         return;
     }
     let mut run = command(256 << 10);

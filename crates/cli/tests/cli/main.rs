@@ -17,6 +17,8 @@ mod refused;
 mod runs;
 mod schema;
 mod simulate;
+#[path = "../../../../tests/common/skip.rs"]
+mod skip;
 mod slips;
 mod small;
 mod snapshot;

@@ -2,6 +2,7 @@
 
 use super::kills::{Sets, injected, traces};
 use super::*;
+use crate::skip::skip;
 
 /// 40 injections: exit 2 and the old set, or, where another way was left, exit 0 and the new one.
 #[test]
@@ -82,7 +83,7 @@ fn a_full_disk_leaves_the_old_set() {
         status.is_ok_and(|status| status.success())
     };
     if !mount(&["-t", "tmpfs", "-o", "size=512k", "none"]) {
-        eprintln!("SKIPPED: needs the right to mount a small file system");
+        skip("needs the right to mount a small file system");
         return;
     }
     let gauge = |name: &str| {

@@ -3,6 +3,7 @@
 //! By default a part of the kills; all of them: `GEARLASH_KILLS=200 cargo test --release --test files kills`
 
 use super::*;
+use crate::skip::skip;
 use std::time::{Duration, Instant};
 
 type Set = BTreeMap<PathBuf, Vec<u8>>;
@@ -154,7 +155,7 @@ pub fn traces() -> bool {
         .output();
     let traces = traced.is_ok_and(|output| output.status.success());
     if !traces {
-        eprintln!("SKIPPED: needs strace and the right to trace");
+        skip("needs strace and the right to trace");
     }
     traces
 }

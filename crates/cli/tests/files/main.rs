@@ -8,6 +8,8 @@ mod kills;
 mod links;
 mod sets;
 mod signals;
+#[path = "../../../../tests/common/skip.rs"]
+mod skip;
 mod streams;
 
 use std::collections::BTreeMap;

@@ -1,5 +1,6 @@
 //! `gearlash gauge` as a user and as a script runs it.
 
+use crate::skip::skip;
 use assert_cmd::Command;
 use serde_json::Value;
 use std::path::Path;
@@ -303,7 +304,7 @@ fn a_bar_tells_how_long_it_will_take() {
         .args(["-qec", &line, "/dev/null"])
         .current_dir(folder.path());
     let Ok(output) = script.stdin(std::process::Stdio::null()).output() else {
-        println!("skipped: there is no `script`");
+        skip("there is no `script`");
         return;
     };
     let shown = String::from_utf8_lossy(&output.stdout);

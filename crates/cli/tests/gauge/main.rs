@@ -5,3 +5,5 @@ mod files;
 #[path = "../../../../tests/common/made_up.rs"]
 mod made_up;
 mod round_trip;
+#[path = "../../../../tests/common/skip.rs"]
+mod skip;

@@ -1,0 +1,16 @@
+//! What a test says when this machine has not what it needs.
+
+use std::io::Write;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+static SKIPPED: AtomicUsize = AtomicUsize::new(0);
+
+/// Says that the running test is skipped and why, and how many of this binary are by now. Past the harness, which keeps what a
+/// passing test prints.
+pub fn skip(why: &str) {
+    let count = 1 + SKIPPED.fetch_add(1, Ordering::Relaxed);
+    let thread = std::thread::current();
+    let test = thread.name().unwrap_or("a test");
+    let line = format!("SKIPPED ({count} in this binary): {test}: {why}\n");
+    let _ = std::io::stderr().write_all(line.as_bytes());
+}

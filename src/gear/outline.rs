@@ -164,7 +164,8 @@ impl HalfTooth {
 /// such steps is cut evenly, which is faster and hardly more.
 fn cut(low: f64, high: f64, step: impl Fn(f64) -> f64) -> Vec<f64> {
     const FEW: f64 = 64.0;
-    let pieces = ((high - low) / step(high)).ceil();
+    // A straight part is one chord.
+    let pieces = ((high - low) / step(high)).ceil().max(1.0);
     if pieces <= FEW {
         let width = (high - low) / pieces;
         let pieces = pieces as u32;
@@ -191,6 +192,9 @@ fn cut(low: f64, high: f64, step: impl Fn(f64) -> f64) -> Vec<f64> {
 ///
 /// Newton's method on the increasing convex left side, from a start above the root.
 fn step((a, b): (f64, f64), chord: f64) -> f64 {
+    if a == 0.0 && b == 0.0 {
+        return f64::INFINITY;
+    }
     let target = 8.0 * chord;
     let mut delta = f64::min(
         if a > 0.0 {

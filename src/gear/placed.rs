@@ -104,8 +104,7 @@ impl<'a> Placed<'a> {
     /// A flank from the tip corner to the root land: involute and fillet, mm, chords within `chord` mm.
     pub fn flank(&self, side: Side, tooth: u32, chord: f64) -> Vec<Point2<f64>> {
         let half = HalfTooth::new(self.as_built.gear(), side, chord);
-        let is_land =
-            |segment: &Segment| matches!(segment.curve, ProfilePart::Tip | ProfilePart::Root);
+        let is_land = |segment: &Segment| segment.curve.is_land();
         let segments = half.segments();
         let first = segments.iter().take_while(|s| is_land(s)).count();
         let last = segments.len() - segments.iter().rev().take_while(|s| is_land(s)).count();

@@ -217,6 +217,6 @@ fn free_arc(free: &Placed, curve: ProfilePart) -> Option<Arc> {
     match curve {
         ProfilePart::Tip => None,
         ProfilePart::Root => Some(Arc::new(free, curve, high, high)),
-        ProfilePart::Involute | ProfilePart::Fillet => Some(Arc::new(free, curve, low, high)),
+        _ => Some(Arc::new(free, curve, low, high)),
     }
 }

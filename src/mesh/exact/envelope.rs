@@ -48,7 +48,7 @@ impl Envelope {
             end,
             lines: [(f64::INFINITY, 0.0); CELLS + 2],
         };
-        let half_tip = gear.half_angle_at_roll(gear.tip_roll());
+        let half_tip = gear.tip_half_angle();
         let corner = gear.tip_radius() * half_tip.sin();
         envelope.lines[CELLS + 1] = (corner + margin, 0.0);
         // A cell reaches as far as the curve may lie beside the polygon's border.

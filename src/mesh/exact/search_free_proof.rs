@@ -82,6 +82,9 @@ impl Setting<'_> {
     /// The proof; `None` where not even involutes can do without a search.
     pub fn prove(&self) -> Option<SearchFreeProof> {
         let (ours, theirs, near) = (self.locked, self.free, self.near());
+        if !(ours.is_generated && theirs.is_generated) {
+            return None;
+        }
         if !(self.inmost() > self.free_off && theirs.base > self.free_off) {
             return None;
         }

@@ -191,9 +191,9 @@ impl CutHalf {
                     (ProfilePart::Root, (from, _)) => (from, root_end),
                     (_, range) => range,
                 };
-                let is_there = match curve {
-                    ProfilePart::Tip | ProfilePart::Root => to > from,
-                    ProfilePart::Involute | ProfilePart::Fillet => from > to,
+                let is_there = match curve.is_land() {
+                    true => to > from,
+                    false => from > to,
                 };
                 is_there.then(|| Chord::new(&profile, side, curve, [from, to]))
             })

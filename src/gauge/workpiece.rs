@@ -50,13 +50,13 @@ impl Cut {
 impl<'a> Workpiece<'a> {
     pub fn new(as_built: &'a AsBuilt) -> Workpiece<'a> {
         let gear = as_built.gear();
-        let chord = COARSE * gear.basic_data().module();
-        let halves = Side::BOTH.map(|side| HalfTooth::new(gear, side, chord));
+        let chordal_error = COARSE * gear.basic_data().module();
+        let halves = Side::BOTH.map(|side| HalfTooth::new(gear, side, chordal_error));
         let flanks = [0, 1].map(|i: usize| {
             let above = |curve| matches!(curve, ProfilePart::Tip | ProfilePart::Involute);
             let segments = halves[i].segments().iter();
             let count = segments.take_while(|s| above(s.curve)).count();
-            halves[i].recut(gear, 0..count, chord)
+            halves[i].recut(gear, 0..count, chordal_error)
         });
         Workpiece {
             as_built,
@@ -121,16 +121,16 @@ impl<'a> Workpiece<'a> {
                     (best, most) = (i, value);
                 }
             }
-            let chord = polygon.chord();
-            if chord <= self.finest() {
+            let chordal_error = polygon.chordal_error();
+            if chordal_error <= self.finest() {
                 let at = polygon.points()[best];
                 let last = polygon.segments().len() - 1;
                 let curve = polygon.segments()[best.min(last)].curve;
                 return self.place(at, curve);
             }
-            let near = |i: &usize| ahead[*i].max(ahead[*i + 1]) >= most - chord;
+            let near = |i: &usize| ahead[*i].max(ahead[*i + 1]) >= most - chordal_error;
             let window = stretch((0..polygon.segments().len()).filter(near));
-            cut = Some(polygon.recut(gear, window, (chord * FINER).max(self.finest())));
+            cut = Some(polygon.recut(gear, window, (chordal_error * FINER).max(self.finest())));
         }
     }
 
@@ -141,14 +141,16 @@ impl<'a> Workpiece<'a> {
         loop {
             let on = cut.as_ref().unwrap_or(&self.halves[index(side)]);
             let found = on.shape.nearest(&point);
-            let chord = on.polygon.chord();
-            if chord <= self.finest() {
+            let chordal_error = on.polygon.chordal_error();
+            if chordal_error <= self.finest() {
                 let (curve, _) = on.polygon.locate(found.segment, &found.at);
                 return (self.place(found.at, curve), found.distance);
             }
             // The curve is at most δ farther than its nearest chord, and any chord at most δ farther than its curve.
-            let window = on.shape.near_point(&point, found.distance + 2.0 * chord);
-            let finer = (chord * FINER).max(self.finest());
+            let window = on
+                .shape
+                .near_point(&point, found.distance + 2.0 * chordal_error);
+            let finer = (chordal_error * FINER).max(self.finest());
             cut = Some(Cut::new(on.polygon.recut(gear, window, finer)));
         }
     }
@@ -179,14 +181,14 @@ impl<'a> Workpiece<'a> {
                     && excess(&points[*i + 1]) < 0.0
             };
             let i = (0..polygon.segments().len()).find(crosses)?;
-            if polygon.chord() <= self.finest() {
+            if polygon.chordal_error() <= self.finest() {
                 let ends = [excess(&points[i]), excess(&points[i + 1])];
                 let chord = points[i + 1] - points[i];
                 let at = points[i] + ends[0] / (ends[0] - ends[1]) * chord;
                 let cos = chord.normalize().dot(&(at - centre).normalize()).abs();
                 return Some((at, self.bound() / cos));
             }
-            let finer = (polygon.chord() * FINER).max(self.finest());
+            let finer = (polygon.chordal_error() * FINER).max(self.finest());
             cut = Some(polygon.recut(gear, i..i + 1, finer));
         }
     }

@@ -120,7 +120,11 @@ impl AsBuilt {
     /// As [`Gear::new`] for the perfect gear; a factor that leaves a tooth without tip, a space without room
     /// or a runout of the tooth depth.
     pub fn exaggerated(&self, factor: f64) -> Result<AsBuilt, GearError> {
-        let gear = Gear::nominal(*self.gear.design())?;
+        // Straight flanks have no other thickness than their own.
+        let gear = match self.gear.is_generated() {
+            true => Gear::nominal(*self.gear.design())?,
+            false => self.gear.clone(),
+        };
         let thicker = self.gear.half_base_angle() - gear.half_base_angle();
         let enlarged = |list: &[f64], side: Side| {
             let offsets = list.iter();
@@ -170,10 +174,9 @@ impl AsBuilt {
     /// Every tooth keeps a tip land and a neck, and every space some room at the form circle.
     fn check_teeth(&self) -> Result<(), GearError> {
         let gear = &self.gear;
-        let tip = 2.0 * gear.half_angle_at_roll(gear.tip_roll());
-        let neck = -2.0 * gear.fillet().neck();
-        let space =
-            gear.basic_data().angular_pitch() - 2.0 * gear.half_angle_at_roll(gear.form_roll());
+        let tip = 2.0 * gear.tip_half_angle();
+        let neck = 2.0 * gear.neck_half_angle();
+        let space = gear.basic_data().angular_pitch() - 2.0 * gear.form_half_angle();
         for tooth in 1..=gear.basic_data().teeth() {
             let widening =
                 self.flank_offset(Side::Left, tooth) - self.flank_offset(Side::Right, tooth);

@@ -23,7 +23,7 @@
 
 use super::{BasicGearData, BasicRack, involute};
 use crate::error::GearError;
-use nalgebra::{Point2, UnitComplex, Vector2};
+use nalgebra::{Complex, Point2, UnitComplex, Vector2};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// The generated fillet of a right-hand half tooth, from root land to involute.
@@ -176,6 +176,58 @@ impl Fillet {
     /// The outward unit normal at `gamma`.
     pub fn normal(&self, gamma: f64) -> Vector2<f64> {
         self.pitch_point(gamma) * Vector2::new(gamma.cos(), -gamma.sin())
+    }
+
+    /// Point, mm, and outward unit normal at `gamma`, from one sine and cosine of `γ` and of the pitch point.
+    pub(super) fn at(&self, gamma: f64) -> (Point2<f64>, Vector2<f64>) {
+        let (sin, cos) = gamma.sin_cos();
+        let (pitch_sin, pitch_cos) =
+            (self.root_angle - self.depth * sin / (cos * self.radius)).sin_cos();
+        let e = Complex::new(pitch_cos, pitch_sin);
+        let normal = e * Complex::new(cos, -sin);
+        let point = e * self.radius - normal * (self.depth / cos + self.tip_round);
+        (
+            Point2::new(point.re, point.im),
+            Vector2::new(normal.re, normal.im),
+        )
+    }
+
+    /// Radius about the gear's centre, mm.
+    pub(super) fn radius(&self, gamma: f64) -> f64 {
+        let point = self.at(gamma).0;
+        (point.x * point.x + point.y * point.y).sqrt()
+    }
+
+    /// `S`, mm.
+    pub(super) fn speed(&self, gamma: f64) -> f64 {
+        let c = 1.0 / gamma.cos();
+        let lift = self.depth * c * c / self.radius;
+        self.tip_round + lift * (self.tip_round + self.depth * c)
+    }
+
+    /// `S` times the half length, `q` times the half length: both rise with `γ` once `h_0` is taken by its amount.
+    pub(super) fn spread(&self, low: f64, high: f64) -> (f64, f64) {
+        let half = 0.5 * (high - low);
+        let c = 1.0 / high.cos();
+        let depth = self.depth.abs();
+        let lift = depth * c * c / self.radius;
+        let speed = self.tip_round + lift * (self.tip_round + depth * c);
+        (speed * half, (1.0 + lift) * half)
+    }
+
+    /// None is known: a fillet is hollow, or not by much.
+    pub(super) fn curvature(&self, _: f64, _: f64) -> Option<f64> {
+        None
+    }
+
+    /// `h_0`, mm.
+    pub fn depth(&self) -> f64 {
+        self.depth
+    }
+
+    /// `ρ`, mm.
+    pub fn tip_round(&self) -> f64 {
+        self.tip_round
     }
 
     /// `(A, B)` such that over any `[γ − Δ, γ]` the part of `P''` across the chord is at most `A + B Δ`.

@@ -1,8 +1,10 @@
 //! A gear as generated: radii, mean base tooth thickness, generating shift.
 
+use super::part::{Arc, InvoluteFlank, Line, Part, PartCurve, ProfilePart};
 use super::{BasicGearData, BasicRack, Fillet, involute};
 use crate::error::GearError;
-use std::f64::consts::PI;
+use nalgebra::Point2;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// What the drawing says, before any measured thickness: basic_data, profile shift, rack, tip.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -54,6 +56,49 @@ impl GearDesign {
     }
 }
 
+/// Generated root radius of the generating shift `x_e`, mm.
+fn root_radius(design: &GearDesign, x_e: f64) -> f64 {
+    design.basic_data.reference_radius()
+        - design.basic_data.module() * (design.rack.dedendum() - x_e)
+}
+
+/// The half tooth that the rack cuts.
+fn generated(
+    design: &GearDesign,
+    base_thickness: f64,
+    fillet: &Fillet,
+    generating_shift: f64,
+) -> [Part; 4] {
+    let basic_data = &design.basic_data;
+    let (base, tip) = (basic_data.base_radius(), design.tip_radius());
+    let half_base = base_thickness / (2.0 * base);
+    let tip_roll = involute::roll_at(tip, base);
+    // An undercut fillet ends before the tangency.
+    let undercut = fillet.end() < FRAC_PI_2 - basic_data.pressure_angle();
+    let land = |radius: f64, ends: [f64; 2]| Part {
+        curve: PartCurve::Arc(Arc::new(radius)),
+        ends,
+        corners: [false; 2],
+    };
+    [
+        land(tip, [0.0, half_base - involute::inv_of_roll(tip_roll)]),
+        Part {
+            curve: PartCurve::Involute(InvoluteFlank::new(base, half_base)),
+            ends: [tip_roll, fillet.form_roll()],
+            corners: [true, undercut],
+        },
+        Part {
+            curve: PartCurve::Trochoid(*fillet),
+            ends: [fillet.end(), 0.0],
+            corners: [undercut, false],
+        },
+        land(
+            root_radius(design, generating_shift),
+            [-fillet.root_angle(), PI / f64::from(basic_data.teeth())],
+        ),
+    ]
+}
+
 /// A gear with teeth of one mean thickness. Every value is fixed at construction;
 /// a `Gear` that exists has teeth with a tip land, an involute and a tooth space.
 #[derive(Debug, Clone, PartialEq)]
@@ -62,6 +107,8 @@ pub struct Gear {
     base_thickness: f64,
     generating_shift: f64,
     fillet: Fillet,
+    /// The half tooth, from the tip to the root.
+    parts: [Part; 4],
 }
 
 impl Gear {
@@ -90,11 +137,13 @@ impl Gear {
             + (base_thickness - design.nominal_base_thickness())
                 / (2.0 * basic_data.module() * alpha.sin());
         let fillet = Fillet::new(basic_data, &design.rack, generating_shift)?;
+        let parts = generated(&design, base_thickness, &fillet, generating_shift);
         let gear = Gear {
             design,
             base_thickness,
             generating_shift,
             fillet,
+            parts,
         };
         let pointed = involute::radius_at(involute::roll_of_inv(gear.half_base_angle()), base);
         if gear.tip_radius() >= pointed {
@@ -117,7 +166,7 @@ impl Gear {
                 base_thickness_mm: base_thickness,
             });
         }
-        if gear.fillet.neck() >= 0.0 {
+        if gear.neck_half_angle() <= 0.0 {
             return Err(GearError::NoNeck {
                 base_thickness_mm: base_thickness,
             });
@@ -170,13 +219,95 @@ impl Gear {
 
     /// Generated root radius `r_f = r − m (h_fP* − x_E)`, mm.
     pub fn root_radius(&self) -> f64 {
-        self.basic_data().reference_radius()
-            - self.basic_data().module() * (self.design.rack.dedendum() - self.generating_shift)
+        root_radius(&self.design, self.generating_shift)
     }
 
     /// Root form radius `r_Ff = d_Ff/2`, mm: where the usable involute begins.
+    ///
+    /// Of a straight flank where it ends.
     pub fn form_radius(&self) -> f64 {
-        involute::radius_at(self.form_roll(), self.base_radius())
+        let flank = self.part(ProfilePart::Involute);
+        match flank.curve {
+            PartCurve::Involute(_) => involute::radius_at(self.form_roll(), self.base_radius()),
+            other => other.radius(flank.ends[1]),
+        }
+    }
+
+    /// One part of its half tooth.
+    pub fn part(&self, part: ProfilePart) -> &Part {
+        &self.parts[part as usize]
+    }
+
+    /// Whether its flanks are involutes and its fillets what the rack leaves: what the formulas of gears are about.
+    pub fn is_generated(&self) -> bool {
+        matches!(
+            self.part(ProfilePart::Involute).curve,
+            PartCurve::Involute(_)
+        )
+    }
+
+    /// Whether the fillet meets the flank in an edge.
+    pub fn is_undercut(&self) -> bool {
+        self.part(ProfilePart::Fillet).corners[0]
+    }
+
+    /// Half the angle a tooth spans at the tip circle, rad.
+    pub fn tip_half_angle(&self) -> f64 {
+        self.part(ProfilePart::Tip).ends[1]
+    }
+
+    /// Half the angle a tooth spans where its flank ends at the form circle, rad.
+    pub(super) fn form_half_angle(&self) -> f64 {
+        let flank = self.part(ProfilePart::Involute);
+        match flank.curve {
+            PartCurve::Involute(_) => self.half_angle_at_roll(self.form_roll()),
+            other => {
+                let end = other.point(flank.ends[1]);
+                -end.y.atan2(end.x)
+            }
+        }
+    }
+
+    /// Half the angle a tooth spans at its neck below the flank, rad.
+    pub(super) fn neck_half_angle(&self) -> f64 {
+        match self.part(ProfilePart::Fillet).range() {
+            (low, high) if low < high => -self.fillet.neck(),
+            _ => self.form_half_angle(),
+        }
+    }
+
+    /// This gear with straight flanks down to the root circle in place of involutes and fillets: half a tooth spans the angle `tip` at
+    /// the tip circle and `root` at the root circle, rad.
+    ///
+    /// Results call a straight flank `involute`: the part of the profile, not its curve. Radii are the generated gear's; what
+    /// follows from its involutes (base and form rolls, thickness, the analytic models) is not about such teeth.
+    ///
+    /// # Errors
+    /// Half angles that are not `0 < tip ≤ root < π/z`.
+    pub fn with_straight_flanks(&self, tip: f64, root: f64) -> Result<Gear, GearError> {
+        let half_pitch = 0.5 * self.basic_data().angular_pitch();
+        if !(tip > 0.0 && tip <= root && root < half_pitch) {
+            return Err(GearError::OutOfRange {
+                what: "half angle of a straight-sided tooth at the tip circle (rad)",
+                value: tip,
+                allowed: "above 0, at most that at the root circle, which is less than half a pitch",
+            });
+        }
+        let at = |radius: f64, angle: f64| Point2::new(radius * angle.cos(), -radius * angle.sin());
+        let (inner, outer) = (at(self.root_radius(), root), at(self.tip_radius(), tip));
+        let [mut land, _, mut fillet, mut bottom] = self.parts;
+        land.ends[1] = tip;
+        (fillet.ends, fillet.corners) = ([0.0; 2], [false; 2]);
+        bottom.ends[0] = root;
+        let flank = Part {
+            curve: PartCurve::Line(Line::new(inner, outer)),
+            ends: [(outer - inner).norm(), 0.0],
+            corners: [true; 2],
+        };
+        Ok(Gear {
+            parts: [land, flank, fillet, bottom],
+            ..self.clone()
+        })
     }
 
     /// Roll `ξ` at the root form circle.

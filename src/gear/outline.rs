@@ -25,40 +25,40 @@ pub struct Segment {
 #[derive(Debug, Clone)]
 pub struct HalfTooth {
     side: Side,
-    chord: f64,
+    chordal_error: f64,
     points: Vec<Point2<f64>>,
     segments: Vec<Segment>,
 }
 
 impl HalfTooth {
-    /// Cuts the half tooth of `gear` on `side` with chords within `chord` mm (> 0) of its curves.
+    /// Cuts the half tooth of `gear` on `side` with chords within `chordal_error` mm (> 0) of its curves.
     ///
     /// A land narrower than a chord still gets one; a land without length gets none.
-    pub fn new(gear: &Gear, side: Side, chord: f64) -> HalfTooth {
+    pub fn new(gear: &Gear, side: Side, chordal_error: f64) -> HalfTooth {
         let profile = Profile::new(gear);
         let whole = ProfilePart::ALL.map(|curve| (curve, profile.range(curve)));
-        HalfTooth::of_pieces(gear, side, chord, &whole)
+        HalfTooth::of_pieces(gear, side, chordal_error, &whole)
     }
 
     /// The vertices down to the root land where the tip land starts at the parameter `start`, up to its near corner.
-    pub fn from_land(gear: &Gear, side: Side, chord: f64, start: f64) -> Vec<Point2<f64>> {
+    pub fn from_land(gear: &Gear, side: Side, chordal_error: f64, start: f64) -> Vec<Point2<f64>> {
         let profile = Profile::new(gear);
         let land = (start, profile.range(ProfilePart::Tip).1);
         let flank =
             [ProfilePart::Involute, ProfilePart::Fillet].map(|curve| (curve, profile.range(curve)));
         let pieces = [(ProfilePart::Tip, land), flank[0], flank[1]];
-        HalfTooth::of_pieces(gear, side, chord, &pieces).points
+        HalfTooth::of_pieces(gear, side, chordal_error, &pieces).points
     }
 
     /// The vertices of a root land that reaches to the parameter `end`; none where that is not beyond its start.
-    pub fn root_land(gear: &Gear, side: Side, chord: f64, end: f64) -> Vec<Point2<f64>> {
+    pub fn root_land(gear: &Gear, side: Side, chordal_error: f64, end: f64) -> Vec<Point2<f64>> {
         let (start, _) = Profile::new(gear).range(ProfilePart::Root);
         let land = [(ProfilePart::Root, (start, end.max(start)))];
-        HalfTooth::of_pieces(gear, side, chord, &land).points
+        HalfTooth::of_pieces(gear, side, chordal_error, &land).points
     }
 
-    /// Cuts the stretch of `self` that the chords `window` (not empty) stand for anew, within `chord` mm.
-    pub fn recut(&self, gear: &Gear, window: Range<usize>, chord: f64) -> HalfTooth {
+    /// Cuts the stretch of `self` that the chords `window` (not empty) stand for anew, within `chordal_error` mm.
+    pub fn recut(&self, gear: &Gear, window: Range<usize>, chordal_error: f64) -> HalfTooth {
         let mut pieces: Vec<(ProfilePart, (f64, f64))> = Vec::new();
         for &Segment { curve, parameters } in &self.segments[window] {
             match pieces.last_mut() {
@@ -66,13 +66,13 @@ impl HalfTooth {
                 _ => pieces.push((curve, (parameters[0], parameters[1]))),
             }
         }
-        HalfTooth::of_pieces(gear, self.side, chord, &pieces)
+        HalfTooth::of_pieces(gear, self.side, chordal_error, &pieces)
     }
 
     fn of_pieces(
         gear: &Gear,
         side: Side,
-        chord: f64,
+        chordal_error: f64,
         pieces: &[(ProfilePart, (f64, f64))],
     ) -> HalfTooth {
         let profile = Profile::new(gear);
@@ -83,7 +83,7 @@ impl HalfTooth {
                 continue;
             }
             let mut cuts = cut(start.min(end), start.max(end), |t| {
-                step(profile.bend(curve, t), chord)
+                step(profile.bend(curve, t), chordal_error)
             });
             if start < end {
                 cuts.reverse();
@@ -103,7 +103,7 @@ impl HalfTooth {
         }
         HalfTooth {
             side,
-            chord,
+            chordal_error,
             points,
             segments,
         }
@@ -115,8 +115,8 @@ impl HalfTooth {
     }
 
     /// Bound `δ` on the distance between chord and curve, mm.
-    pub fn chord(&self) -> f64 {
-        self.chord
+    pub fn chordal_error(&self) -> f64 {
+        self.chordal_error
     }
 
     /// The vertices, tip first; `segments()[i]` runs from point `i` to `i + 1`.
@@ -164,7 +164,8 @@ impl HalfTooth {
 /// such steps is cut evenly, which is faster and hardly more.
 fn cut(low: f64, high: f64, step: impl Fn(f64) -> f64) -> Vec<f64> {
     const FEW: f64 = 64.0;
-    let pieces = ((high - low) / step(high)).ceil();
+    // A straight part is one chord.
+    let pieces = ((high - low) / step(high)).ceil().max(1.0);
     if pieces <= FEW {
         let width = (high - low) / pieces;
         let pieces = pieces as u32;
@@ -190,8 +191,11 @@ fn cut(low: f64, high: f64, step: impl Fn(f64) -> f64) -> Vec<f64> {
 /// The `Δ` with `(A + B Δ) Δ² = 8 δ`, never above it.
 ///
 /// Newton's method on the increasing convex left side, from a start above the root.
-fn step((a, b): (f64, f64), chord: f64) -> f64 {
-    let target = 8.0 * chord;
+fn step((a, b): (f64, f64), chordal_error: f64) -> f64 {
+    if a == 0.0 && b == 0.0 {
+        return f64::INFINITY;
+    }
+    let target = 8.0 * chordal_error;
     let mut delta = f64::min(
         if a > 0.0 {
             (target / a).sqrt()

@@ -76,17 +76,22 @@ impl<'a> Placed<'a> {
 
     /// A closed counter-clockwise polygon, mm, that is the gear's metal within the disc of radius `reach` about `place`.
     ///
-    /// Every chord of the outline is within `chord` mm of its curve. Where not
+    /// Every chord of the outline is within `chordal_error` mm of its curve. Where not
     /// all teeth are needed the polygon is closed through the gear's centre, outside the disc.
-    pub fn outline_near(&self, place: Point2<f64>, reach: f64, chord: f64) -> Vec<Point2<f64>> {
+    pub fn outline_near(
+        &self,
+        place: Point2<f64>,
+        reach: f64,
+        chordal_error: f64,
+    ) -> Vec<Point2<f64>> {
         let teeth = self.teeth_near(place, reach);
         let [right, left] =
-            Side::BOTH.map(|side| HalfTooth::new(self.as_built.gear(), side, chord));
+            Side::BOTH.map(|side| HalfTooth::new(self.as_built.gear(), side, chordal_error));
         let mut outline = Vec::new();
         for &tooth in &teeth {
             // Each half ends in the middle of the space as built, where the next one begins.
             let half = |half: &HalfTooth| {
-                let land = self.root_land(half.side(), tooth, chord);
+                let land = self.root_land(half.side(), tooth, chordal_error);
                 let above = self.above_root(half, tooth);
                 [&above, land.get(1..).unwrap_or_default()].concat()
             };
@@ -101,11 +106,10 @@ impl<'a> Placed<'a> {
         outline
     }
 
-    /// A flank from the tip corner to the root land: involute and fillet, mm, chords within `chord` mm.
-    pub fn flank(&self, side: Side, tooth: u32, chord: f64) -> Vec<Point2<f64>> {
-        let half = HalfTooth::new(self.as_built.gear(), side, chord);
-        let is_land =
-            |segment: &Segment| matches!(segment.curve, ProfilePart::Tip | ProfilePart::Root);
+    /// A flank from the tip corner to the root land: involute and fillet, mm, chords within `chordal_error` mm.
+    pub fn flank(&self, side: Side, tooth: u32, chordal_error: f64) -> Vec<Point2<f64>> {
+        let half = HalfTooth::new(self.as_built.gear(), side, chordal_error);
+        let is_land = |segment: &Segment| segment.curve.is_land();
         let segments = half.segments();
         let first = segments.iter().take_while(|s| is_land(s)).count();
         let last = segments.len() - segments.iter().rev().take_while(|s| is_land(s)).count();
@@ -113,19 +117,19 @@ impl<'a> Placed<'a> {
         points.map(self.place(side, tooth)).collect()
     }
 
-    /// One curve of a flank, tip end first, mm, chords within `chord` mm; empty where it has no length.
+    /// One curve of a flank, tip end first, mm, chords within `chordal_error` mm; empty where it has no length.
     pub fn curve(
         &self,
         side: Side,
         tooth: u32,
         curve: ProfilePart,
-        chord: f64,
+        chordal_error: f64,
     ) -> Vec<Point2<f64>> {
         if curve == ProfilePart::Root {
-            let land = self.root_land(side, tooth, chord);
+            let land = self.root_land(side, tooth, chordal_error);
             return land.iter().map(self.place(side, tooth)).collect();
         }
-        let half = HalfTooth::new(self.as_built.gear(), side, chord);
+        let half = HalfTooth::new(self.as_built.gear(), side, chordal_error);
         let segments = half.segments();
         let Some(first) = segments.iter().position(|s| s.curve == curve) else {
             return Vec::new();
@@ -146,16 +150,20 @@ impl<'a> Placed<'a> {
         let (_, corner) = Profile::new(gear).range(ProfilePart::Tip);
         match (far > 0.0, half.side()) {
             (false, _) => half.points()[..half.above_root()].to_vec(),
-            (true, Side::Right) => HalfTooth::from_land(gear, Side::Right, half.chord(), far),
-            (true, Side::Left) => HalfTooth::from_land(gear, Side::Left, half.chord(), corner),
+            (true, Side::Right) => {
+                HalfTooth::from_land(gear, Side::Right, half.chordal_error(), far)
+            }
+            (true, Side::Left) => {
+                HalfTooth::from_land(gear, Side::Left, half.chordal_error(), corner)
+            }
         }
     }
 
     /// The root land up to the middle of the space as built, in the half tooth's frame; empty where the space is
     /// closed at its root.
-    fn root_land(&self, side: Side, tooth: u32, chord: f64) -> Vec<Point2<f64>> {
+    fn root_land(&self, side: Side, tooth: u32, chordal_error: f64) -> Vec<Point2<f64>> {
         let end = self.as_built.root_end(side, tooth);
-        HalfTooth::root_land(self.as_built.gear(), side, chord, end)
+        HalfTooth::root_land(self.as_built.gear(), side, chordal_error, end)
     }
 
     /// From the frame of a tooth to the picture, for the half tooth of `side`.

@@ -17,7 +17,7 @@
 //!
 //! Where none holds a pose may still be jammed: what touches then says so ([`super::LostMotion::status`]).
 
-use crate::gear::{AsBuilt, Placed, Profile, ProfilePart, Side};
+use crate::gear::{AsBuilt, Placed, Side};
 use crate::pair::{GearPair, Member, Pose};
 use std::f64::consts::PI;
 
@@ -72,7 +72,7 @@ pub(super) fn is_solid(assembly: &GearPair, pose: &Pose) -> bool {
 fn land_distance(placed: &Placed, tooth: u32, point: nalgebra::Point2<f64>) -> f64 {
     let gear = placed.as_built();
     let tip = gear.gear().tip_radius();
-    let (_, half) = Profile::new(gear.gear()).range(ProfilePart::Tip);
+    let half = gear.gear().tip_half_angle();
     let to_point = point - placed.centre();
     let beside = to_point.y.atan2(to_point.x) - placed.direction(tooth);
     let beside = beside - 2.0 * PI * (beside / (2.0 * PI)).round();
@@ -100,7 +100,7 @@ fn seen(distance: f64, root: f64, free: &AsBuilt) -> f64 {
 
 /// Greatest angle between two neighbouring tip lands.
 fn widest_space(gear: &AsBuilt) -> f64 {
-    let (_, half) = Profile::new(gear.gear()).range(ProfilePart::Tip);
+    let half = gear.gear().tip_half_angle();
     let nominal = gear.gear().basic_data().angular_pitch() - 2.0 * half;
     let teeth = gear.gear().basic_data().teeth();
     let wider = (1..=teeth).map(|tooth| {

@@ -7,7 +7,6 @@
 use super::lost_motion::{Contact, LostMotion, Status, Touch};
 use crate::gear::{ProfilePart, Side};
 use crate::pair::{GearPair, Member};
-use std::f64::consts::FRAC_PI_2;
 
 /// A contact this near to the form circle of an undercut flank, mm, is its edge's: the width within
 /// which results name a tip corner, too.
@@ -161,8 +160,9 @@ impl ContactClass {
 /// Whether a touch is of the edge between fillet and involute, which only undercut leaves.
 fn is_edge(assembly: &GearPair, member: Member, touch: &Touch) -> bool {
     let gear = assembly.gear(member).gear();
-    let undercut = gear.fillet().end() < FRAC_PI_2 - gear.basic_data().pressure_angle();
-    undercut && touch.curve == ProfilePart::Involute && touch.radius <= gear.form_radius() + EDGE_MM
+    gear.is_undercut()
+        && touch.curve == ProfilePart::Involute
+        && touch.radius <= gear.form_radius() + EDGE_MM
 }
 
 /// The class of a pose: the graver of its two contacts, or why it has none.

@@ -68,10 +68,10 @@ impl<'a> Exaggeration<'a> {
         placed: &Placed,
         place: Point2<f64>,
         reach: f64,
-        chord: f64,
+        chordal_error: f64,
     ) -> Vec<Point2<f64>> {
-        let half = HalfTooth::new(placed.as_built().gear(), Side::Right, chord);
-        let outline = placed.outline_near(place, reach, chord);
+        let half = HalfTooth::new(placed.as_built().gear(), Side::Right, chordal_error);
+        let outline = placed.outline_near(place, reach, chordal_error);
         without_loops(outline, half.points().len())
     }
 

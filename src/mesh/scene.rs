@@ -118,10 +118,10 @@ impl<'a> Scene<'a> {
     }
 
     /// The room between the two flanks of `meeting`, a closed polygon in mm with chords within
-    /// `chord` mm; empty where they overlap.
+    /// `chordal_error` mm; empty where they overlap.
     ///
     /// Of each flank it takes what lies inside the mate's tip circle once they are in contact.
-    pub fn room_between(&self, meeting: &DrawnContact, chord: f64) -> Vec<Point2<f64>> {
+    pub fn room_between(&self, meeting: &DrawnContact, chordal_error: f64) -> Vec<Point2<f64>> {
         if meeting.gap <= 0.0 {
             return Vec::new();
         }
@@ -133,8 +133,10 @@ impl<'a> Scene<'a> {
             let (placed, mate) = (at_contact(member), at_contact(member.mate()));
             let tip = mate.as_built().gear().tip_radius();
             let is_inside = |point: &Point2<f64>| (point - mate.centre()).norm() <= tip;
-            let met = placed.flank(meeting.side, tooth, chord);
-            let drawn = self.placed(member).flank(meeting.side, tooth, chord);
+            let met = placed.flank(meeting.side, tooth, chordal_error);
+            let drawn = self
+                .placed(member)
+                .flank(meeting.side, tooth, chordal_error);
             let pairs = drawn.into_iter().zip(met);
             pairs
                 .filter(|(_, met)| is_inside(met))
@@ -156,14 +158,14 @@ impl<'a> Scene<'a> {
             return None;
         }
         let module = self.wheel.as_built().gear().basic_data().module();
-        let chord = (-meeting.along_normal * FINE).clamp(1e-8 * module, 1e-5 * module);
+        let chordal_error = (-meeting.along_normal * FINE).clamp(1e-8 * module, 1e-5 * module);
         let place = center(&meeting.on_locked, &meeting.on_free);
-        let outline = |placed: &Placed| placed.outline_near(place, REACH * module, chord);
+        let outline = |placed: &Placed| placed.outline_near(place, REACH * module, chordal_error);
         let pieces = overlaps(&outline(&self.wheel), &outline(&self.pinion));
         // Where flanks only touch, their chords may cross by both chordal errors.
         let real = pieces
             .into_iter()
-            .filter(|piece| piece.width() > 2.0 * chord);
+            .filter(|piece| piece.width() > 2.0 * chordal_error);
         real.min_by(|a, b| a.distance(place).total_cmp(&b.distance(place)))
     }
 

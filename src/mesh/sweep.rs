@@ -26,7 +26,7 @@ pub enum Method {
 
 /// Chordal error, in modules, of the polygons that a certificate starts from (tuned for speed: it is as
 /// good from any; a tenth of this takes 8 % longer, ten times of it 2 %).
-const CERTIFICATE_CHORD: f64 = 3e-4;
+const CERTIFICATE_CHORDAL_ERROR: f64 = 3e-4;
 
 /// The gears of one material, cut once for all centre distances.
 pub struct CutPair {
@@ -35,11 +35,11 @@ pub struct CutPair {
 }
 
 impl CutPair {
-    /// Cuts both gears with chords within `chord` mm of their curves.
-    pub fn new(wheel: &AsBuilt, pinion: &AsBuilt, chord: f64) -> CutPair {
+    /// Cuts both gears with chords within `chordal_error` mm of their curves.
+    pub fn new(wheel: &AsBuilt, pinion: &AsBuilt, chordal_error: f64) -> CutPair {
         CutPair {
-            wheel: CutGear::new(wheel, chord),
-            pinion: CutGear::new(pinion, chord),
+            wheel: CutGear::new(wheel, chordal_error),
+            pinion: CutGear::new(pinion, chordal_error),
         }
     }
 
@@ -48,7 +48,7 @@ impl CutPair {
         CutPair::new(
             wheel,
             pinion,
-            CERTIFICATE_CHORD * wheel.gear().basic_data().module(),
+            CERTIFICATE_CHORDAL_ERROR * wheel.gear().basic_data().module(),
         )
     }
 

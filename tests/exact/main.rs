@@ -11,4 +11,5 @@ mod perfect;
 mod random;
 mod reference;
 mod reference_poses;
+mod straight_sided;
 mod wide;

@@ -133,32 +133,32 @@ pub(super) fn search(
     let mut best: Option<CandidateContact> = None;
     let mut level = floor;
     let mut nodes = Vec::new();
-    let frees = ProfilePart::ALL.map(|curve| free_arc(free, curve));
-    for (ours, row) in ProfilePart::ALL.into_iter().zip(curves.0) {
-        if row == [false; 4] || !locked.has(ours) {
+    let frees = ProfilePart::ALL.map(|curve| whole_free_arc(free, curve));
+    for (locked_arc, row) in ProfilePart::ALL.into_iter().zip(curves.0) {
+        if row == [false; 4] || !locked.has(locked_arc) {
             continue;
         }
-        let (low, high) = locked.range(ours);
-        let arc = Arc::new(locked, ours, low, high);
-        let theirs = frees.iter().zip(row).filter(|(_, wanted)| *wanted);
-        nodes.extend(theirs.filter_map(|(free, _)| Some((arc, (*free)?))));
+        let (low, high) = locked.range(locked_arc);
+        let arc = Arc::new(locked, locked_arc, low, high);
+        let free_arc = frees.iter().zip(row).filter(|(_, wanted)| *wanted);
+        nodes.extend(free_arc.filter_map(|(free, _)| Some((arc, (*free)?))));
     }
-    while let Some((ours, theirs)) = nodes.pop() {
+    while let Some((locked_arc, free_arc)) = nodes.pop() {
         if *nodes_left == 0 {
-            return Err(SearchExhausted(ours.curve, theirs.curve));
+            return Err(SearchExhausted(locked_arc.curve, free_arc.curve));
         }
         *nodes_left -= 1;
-        let inner = ours.radii.0.max(theirs.radii.0);
-        let outer = ours.radii.1.min(theirs.radii.1);
-        let play = ours.swing + theirs.swing;
-        let middle_gap = (ours.middle * theirs.middle.conj() * origin).arg();
+        let inner = locked_arc.radii.0.max(free_arc.radii.0);
+        let outer = locked_arc.radii.1.min(free_arc.radii.1);
+        let play = locked_arc.swing + free_arc.swing;
+        let middle_gap = (locked_arc.middle * free_arc.middle.conj() * origin).arg();
         if inner > outer || (play < PI && middle_gap + play <= level) {
             continue;
         }
         let mut record = |t: f64, u: f64, slack: f64| {
             let hit = CandidateContact::new(
-                (locked, (ours.curve, t)),
-                (free, (theirs.curve, u)),
+                (locked, (locked_arc.curve, t)),
+                (free, (free_arc.curve, u)),
                 origin,
                 slack,
             );
@@ -168,11 +168,11 @@ pub(super) fn search(
             }
             hit.gap
         };
-        if let (Some(a), Some(b)) = (ours.slope, theirs.slope) {
+        if let (Some(a), Some(b)) = (locked_arc.slope, free_arc.slope) {
             let mut meet = |rho: f64, slack: f64| {
                 record(
-                    ours.at_radius(locked, rho, a.2),
-                    theirs.at_radius(free, rho, b.2),
+                    locked_arc.at_radius(locked, rho, a.2),
+                    free_arc.at_radius(free, rho, b.2),
                     slack,
                 )
             };
@@ -190,14 +190,18 @@ pub(super) fn search(
             if gap + rise <= level + f64::EPSILON {
                 continue;
             }
-        } else if play <= FINEST || !(ours.can_be_cut() || theirs.can_be_cut()) {
-            record(ours.middle_parameter(), theirs.middle_parameter(), play);
+        } else if play <= FINEST || !(locked_arc.can_be_cut() || free_arc.can_be_cut()) {
+            record(
+                locked_arc.middle_parameter(),
+                free_arc.middle_parameter(),
+                play,
+            );
             continue;
         }
-        if !theirs.can_be_cut() || ours.can_be_cut() && ours.reach >= theirs.reach {
-            nodes.extend(ours.cut(locked).map(|arc| (arc, theirs)));
+        if !free_arc.can_be_cut() || locked_arc.can_be_cut() && locked_arc.reach >= free_arc.reach {
+            nodes.extend(locked_arc.cut(locked).map(|arc| (arc, free_arc)));
         } else {
-            nodes.extend(theirs.cut(free).map(|arc| (ours, arc)));
+            nodes.extend(free_arc.cut(free).map(|arc| (locked_arc, arc)));
         }
     }
     Ok(best)
@@ -206,7 +210,7 @@ pub(super) fn search(
 /// The whole of one curve of the free gear, if it has any length. About its own centre a land has one radius, on which
 /// only its end farthest clockwise can touch: of the tip land the corner (which ends the involute
 /// too), of the root land the middle of the space.
-fn free_arc(free: &Placed, curve: ProfilePart) -> Option<Arc> {
+fn whole_free_arc(free: &Placed, curve: ProfilePart) -> Option<Arc> {
     if !free.has(curve) {
         return None;
     }
@@ -217,6 +221,6 @@ fn free_arc(free: &Placed, curve: ProfilePart) -> Option<Arc> {
     match curve {
         ProfilePart::Tip => None,
         ProfilePart::Root => Some(Arc::new(free, curve, high, high)),
-        ProfilePart::Involute | ProfilePart::Fillet => Some(Arc::new(free, curve, low, high)),
+        _ => Some(Arc::new(free, curve, low, high)),
     }
 }

@@ -29,16 +29,16 @@ impl CandidateContact {
     /// A corner has no normal: there the other curve's counts, and where two corners meet the
     /// direction in which they do. Likewise with `σ`; of two smooth curves the steeper counts.
     pub fn new(
-        (ours, locked): (&Placed, (ProfilePart, f64)),
-        (theirs, free): (&Placed, (ProfilePart, f64)),
+        (locked_half, locked): (&Placed, (ProfilePart, f64)),
+        (free_half, free): (&Placed, (ProfilePart, f64)),
         origin: C,
         slack: f64,
     ) -> CandidateContact {
-        let p = ours.at(locked.0, locked.1);
-        let q = theirs.at(free.0, free.1);
+        let p = locked_half.at(locked.0, locked.1);
+        let q = free_half.at(free.0, free.1);
         let turned = p.point * q.point.conj();
         let size = turned.norm_sqr().sqrt();
-        let corners = [ours.is_corner(locked), theirs.is_corner(free)];
+        let corners = [locked_half.is_corner(locked), free_half.is_corner(free)];
         let (normal, slope) = match corners {
             [true, true] => (p.point * C::i() / p.point.norm_sqr().sqrt(), 0.0),
             [true, false] => (-q.normal * turned / size, slope(&q)),

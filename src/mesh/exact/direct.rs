@@ -61,32 +61,32 @@ impl Envelopes {
 /// # Errors
 /// The step whose pair could not be settled.
 pub(super) fn touching(
-    stand: &PosedFlanks,
+    posed: &PosedFlanks,
     solver: Option<&DirectSolver>,
 ) -> Result<Option<Touching>, (i64, SearchExhausted)> {
     let Some(solver) = solver else {
-        return search::touching(stand);
+        return search::touching(posed);
     };
-    let mut ties = TightestContacts::new(stand.problem);
-    if !stand.on_line(&solver.variation, &mut ties) {
-        return search::touching(stand);
+    let mut tightest_contacts = TightestContacts::new(posed.problem);
+    if !posed.on_line(&solver.variation, &mut tightest_contacts) {
+        return search::touching(posed);
     }
     let proof = &solver.proof;
     if proof.tangents {
-        stand.on_tangents(solver.free_off > 0.0, &mut ties);
+        posed.on_tangents(solver.free_off > 0.0, &mut tightest_contacts);
     }
-    stand.on_corners(solver, &mut ties);
+    posed.on_corners(solver, &mut tightest_contacts);
     if proof.is_direct() {
-        return Ok(ties.choose());
+        return Ok(tightest_contacts.choose());
     }
     if !proof.open.is_empty() {
-        stand.on_lands(proof.open, &mut ties);
+        posed.on_lands(proof.open, &mut tightest_contacts);
     }
     let rest = without_lands(proof.open);
     let mut nodes_left = MOST_NODES;
-    for step in stand.steps() {
+    for step in posed.steps() {
         let mut curves = rest;
-        let (locked, free) = (stand.locked(step), stand.free(step));
+        let (locked, free) = (posed.locked(step), posed.free(step));
         if proof
             .steep_arm
             .is_some_and(|arm| solver.is_steep(&locked, arm))
@@ -99,16 +99,16 @@ pub(super) fn touching(
         let found = search(
             &locked,
             &free,
-            stand.origin,
-            ties.level(),
+            posed.origin,
+            tightest_contacts.level(),
             curves,
             &mut nodes_left,
         );
         if let Some(hit) = found.map_err(|lost| (step, lost))? {
-            ties.offer(step, hit);
+            tightest_contacts.offer(step, hit);
         }
     }
-    Ok(ties.choose())
+    Ok(tightest_contacts.choose())
 }
 
 impl DirectSolver {
@@ -118,19 +118,19 @@ impl DirectSolver {
         assembly: &GearPair,
         envelopes: Envelopes,
     ) -> Option<DirectSolver> {
-        let ours = assembly.gear(assembly.locked());
-        let theirs = assembly.gear(assembly.free());
+        let locked_gear = assembly.gear(assembly.locked());
+        let free_gear = assembly.gear(assembly.free());
         let setting = Setting {
             locked: &problem.locked.shape,
             free: &problem.free.shape,
-            locked_off: ours.eccentricity(),
-            free_off: theirs.eccentricity(),
+            locked_off: locked_gear.eccentricity(),
+            free_off: free_gear.eccentricity(),
             distance: problem.distance,
         };
         Some(DirectSolver {
             proof: setting.prove()?,
             free_off: setting.free_off,
-            outmost: theirs.reach(),
+            outmost: free_gear.reach(),
             variation: TangentVariation::new(problem, setting.locked_off, setting.free_off)?,
             envelopes,
         })
@@ -147,59 +147,77 @@ impl DirectSolver {
 
 impl PosedFlanks<'_> {
     /// Offers the greatest gap of those pairs of lands that `curves` has, step by step.
-    pub(super) fn on_lands(&self, curves: Curves, ties: &mut TightestContacts) {
+    pub(super) fn on_lands(&self, curves: Curves, tightest_contacts: &mut TightestContacts) {
         for step in self.steps() {
             let (locked, free) = (self.locked(step), self.free(step));
             if let Some(hit) = land_on_land(&locked, &free, self.origin, curves)
-                && ties.admits(hit.gap)
+                && tightest_contacts.admits(hit.gap)
             {
-                ties.offer(step, hit);
+                tightest_contacts.offer(step, hit);
             }
         }
     }
 
-    /// Offers every corner whose gap may exceed what `ties` holds: tip corners, and undercut joints.
+    /// Offers every corner whose gap may exceed what is held so far: tip corners, and undercut joints.
     ///
     /// With `R` the free gear's rotation at the greatest gap so far, a locked point `C_L + D_L p` stands at
     /// `(R* (C_L + D_L p) − C_F) D_F*` in the free tooth's own frame, `C_F` and `D_F` at rotation 0, and a free point
     /// at `(R (C_F + D_F p) − C_L) D_L*` in the locked one's.
-    fn on_corners(&self, solver: &DirectSolver, ties: &mut TightestContacts) {
-        let mut level = Level::new(self, ties);
-        let (ours, theirs) = (&self.problem.locked, &self.problem.free);
+    fn on_corners(&self, solver: &DirectSolver, tightest_contacts: &mut TightestContacts) {
+        let mut level = Level::new(self, tightest_contacts);
+        let (locked_teeth, free_teeth) = (&self.problem.locked, &self.problem.free);
         let steps = self.steps();
         // The pair at the line of centres first: what it touches at leaves the others clear.
         let middle = steps.contains(&0).then_some(0);
         for step in middle.into_iter().chain(steps.filter(|&step| step != 0)) {
             let (locked_place, free_place) = self.places(step);
-            let toward = theirs.direction(free_place);
-            let seen = level.direction * ours.direction(locked_place);
+            let toward = free_teeth.direction(free_place);
+            let seen = level.direction * locked_teeth.direction(locked_place);
             let (centre, axis, known) = (level.centre, level.axis, level.known);
-            for &corner in ours.shape.corners() {
+            for &corner in locked_teeth.shape.corners() {
                 let near = (centre + seen * corner.1) * toward.conj();
                 if !(known && solver.envelopes.free.clears(near)) {
                     let edge = (ProfilePart::Involute, corner.0);
-                    self.locked_corner(solver, step, (edge, corner.1, near), &mut level, ties);
+                    self.locked_corner(
+                        solver,
+                        step,
+                        (edge, corner.1, near),
+                        &mut level,
+                        tightest_contacts,
+                    );
                 }
             }
             if solver.proof.tangents {
-                let far = ours.far(locked_place);
+                let far = locked_teeth.far(locked_place);
                 let near = (centre + seen * far) * toward.conj();
                 if !(known && solver.envelopes.free.clears(near)) {
                     let edge = (ProfilePart::Tip, -far.arg());
-                    self.locked_corner(solver, step, (edge, far, near), &mut level, ties);
+                    self.locked_corner(
+                        solver,
+                        step,
+                        (edge, far, near),
+                        &mut level,
+                        tightest_contacts,
+                    );
                 }
             }
             // A land that is not quite round may pass the near corner clear and end on the far one.
             if solver.free_off > 0.0 {
-                self.far_corner(solver, step, locked_place, &mut level, ties);
+                self.far_corner(solver, step, locked_place, &mut level, tightest_contacts);
             }
-            for &corner in theirs.shape.corners() {
+            for &corner in free_teeth.shape.corners() {
                 let near = (toward * corner.1 - centre) * seen.conj();
                 // Ahead of the axis, seen along the tooth: there a point that turns in comes nearer to its centre line.
                 let inside = near.re < axis.re * seen.re + axis.im * seen.im;
                 let clear = known && inside && solver.envelopes.locked.clears(near);
                 if !clear || solver.proof.turns_back {
-                    self.free_corner(solver, step, (corner, near, clear), &mut level, ties);
+                    self.free_corner(
+                        solver,
+                        step,
+                        (corner, near, clear),
+                        &mut level,
+                        tightest_contacts,
+                    );
                 }
             }
         }
@@ -213,7 +231,7 @@ impl PosedFlanks<'_> {
         step: i64,
         (edge, corner, near): ((ProfilePart, f64), C, C),
         level: &mut Level,
-        ties: &mut TightestContacts,
+        tightest_contacts: &mut TightestContacts,
     ) {
         let (locked, free) = (self.locked(step), self.free(step));
         let rho = locked.own_to_axis(corner);
@@ -222,7 +240,7 @@ impl PosedFlanks<'_> {
         }
         if let Some(met) = meet(&free, Sense::Free, solver.proof.free_fillet, rho, near) {
             let hit = CandidateContact::new((&locked, edge), (&free, met), self.origin, 0.0);
-            level.offer(self, ties, step, hit);
+            level.offer(self, tightest_contacts, step, hit);
         }
     }
 
@@ -236,13 +254,14 @@ impl PosedFlanks<'_> {
         step: i64,
         place: usize,
         level: &mut Level,
-        ties: &mut TightestContacts,
+        tightest_contacts: &mut TightestContacts,
     ) {
-        let (ours, theirs) = (&self.problem.locked, &self.problem.free);
-        let point = self.centre - self.turned * ours.direction(place) * ours.far(place);
-        let off = point.norm_sqr() - theirs.shape.tip_radius * theirs.shape.tip_radius;
+        let (locked_teeth, free_teeth) = (&self.problem.locked, &self.problem.free);
+        let point =
+            self.centre - self.turned * locked_teeth.direction(place) * locked_teeth.far(place);
+        let off = point.norm_sqr() - free_teeth.shape.tip_radius * free_teeth.shape.tip_radius;
         // |ρ² − r²| ≤ e (2r + e) on a circle that is e off its axis.
-        if off.abs() > solver.free_off * (2.0 * theirs.shape.tip_radius + solver.free_off) {
+        if off.abs() > solver.free_off * (2.0 * free_teeth.shape.tip_radius + solver.free_off) {
             return;
         }
         let (locked, free) = (self.locked(step), self.free(step));
@@ -253,7 +272,7 @@ impl PosedFlanks<'_> {
             );
             let hit =
                 CandidateContact::new(edge, (&free, (ProfilePart::Tip, met)), self.origin, 0.0);
-            level.offer(self, ties, step, hit);
+            level.offer(self, tightest_contacts, step, hit);
         }
     }
 
@@ -265,7 +284,7 @@ impl PosedFlanks<'_> {
         step: i64,
         ((roll, corner), near, clear): ((f64, C), C, bool),
         level: &mut Level,
-        ties: &mut TightestContacts,
+        tightest_contacts: &mut TightestContacts,
     ) {
         let (locked, free) = (self.locked(step), self.free(step));
         let rho = free.own_to_axis(corner);
@@ -286,7 +305,7 @@ impl PosedFlanks<'_> {
         ) {
             let edge = (&free, (ProfilePart::Involute, roll));
             let hit = CandidateContact::new((&locked, met), edge, self.origin, 0.0);
-            level.offer(self, ties, step, hit);
+            level.offer(self, tightest_contacts, step, hit);
         }
     }
 }
@@ -305,7 +324,7 @@ struct Level {
 }
 
 impl Level {
-    fn new(stand: &PosedFlanks, ties: &TightestContacts) -> Level {
+    fn new(posed: &PosedFlanks, tightest_contacts: &TightestContacts) -> Level {
         let mut level = Level {
             greatest: 0.0,
             known: false,
@@ -313,31 +332,31 @@ impl Level {
             direction: C::ZERO,
             axis: C::ZERO,
         };
-        level.set(stand, ties.greatest());
+        level.set(posed, tightest_contacts.greatest());
         level
     }
 
-    fn set(&mut self, stand: &PosedFlanks, greatest: f64) {
+    fn set(&mut self, posed: &PosedFlanks, greatest: f64) {
         self.known = greatest > f64::NEG_INFINITY;
         self.greatest = greatest;
         let gap = if self.known { greatest } else { 0.0 };
-        let back = turn(-gap) * stand.origin;
-        self.centre = back * stand.centre - stand.problem.free.displacement;
-        self.direction = -back * stand.turned;
-        self.axis = -back * stand.centre;
+        let back = turn(-gap) * posed.origin;
+        self.centre = back * posed.centre - posed.problem.free.displacement;
+        self.direction = -back * posed.turned;
+        self.axis = -back * posed.centre;
     }
 
     fn offer(
         &mut self,
-        stand: &PosedFlanks,
-        ties: &mut TightestContacts,
+        posed: &PosedFlanks,
+        tightest_contacts: &mut TightestContacts,
         step: i64,
         hit: CandidateContact,
     ) {
-        if ties.admits(hit.gap) {
-            ties.offer(step, hit);
-            if ties.greatest() > self.greatest {
-                self.set(stand, ties.greatest());
+        if tightest_contacts.admits(hit.gap) {
+            tightest_contacts.offer(step, hit);
+            if tightest_contacts.greatest() > self.greatest {
+                self.set(posed, tightest_contacts.greatest());
             }
         }
     }

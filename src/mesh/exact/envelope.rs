@@ -16,7 +16,7 @@ use crate::gear::{Gear, HalfTooth, ProfilePart, Segment, Side};
 const CELLS: usize = 32;
 
 /// Chordal error of the polygon the lines are laid over, in tooth depths: a tenth of what 24 cells lose by themselves.
-const CHORD: f64 = 2e-5;
+const CHORDAL_ERROR: f64 = 2e-5;
 
 /// Upper bounds `f(x) ≤ intercept + slope x`, cell by cell.
 #[derive(Debug, Clone)]
@@ -33,8 +33,8 @@ impl Envelope {
     /// and farther out along the tooth than `least` mm from its centre.
     pub fn new(gear: &Gear, margin: f64, least: f64) -> Envelope {
         let depth = gear.tip_radius() - gear.root_radius();
-        let chord = CHORD * depth;
-        let polygon = HalfTooth::new(gear, Side::Right, chord);
+        let chordal_error = CHORDAL_ERROR * depth;
+        let polygon = HalfTooth::new(gear, Side::Right, chordal_error);
         let end = gear.tip_radius() + margin;
         let start = polygon
             .points()
@@ -48,7 +48,7 @@ impl Envelope {
             end,
             lines: [(f64::INFINITY, 0.0); CELLS + 2],
         };
-        let half_tip = gear.half_angle_at_roll(gear.tip_roll());
+        let half_tip = gear.tip_half_angle();
         let corner = gear.tip_radius() * half_tip.sin();
         envelope.lines[CELLS + 1] = (corner + margin, 0.0);
         // A cell reaches as far as the curve may lie beside the polygon's border.
@@ -63,15 +63,18 @@ impl Envelope {
         let border_points: Vec<(f64, f64)> = beyond.into_iter().chain(below).collect();
         for pair in border_points.windows(2) {
             let (a, b) = (pair[0], pair[1]);
-            if a.0.max(b.0) <= start - chord {
+            if a.0.max(b.0) <= start - chordal_error {
                 continue;
             }
             let cell = |x: f64| ((x - start) / width) as usize;
-            let first = cell(a.0.min(b.0) - chord);
-            let last = cell(a.0.max(b.0) + chord).min(CELLS - 1);
+            let first = cell(a.0.min(b.0) - chordal_error);
+            let last = cell(a.0.max(b.0) + chordal_error).min(CELLS - 1);
             for (cell, piece) in (first..=last).zip(&mut pieces[first..=last]) {
                 for (x, f) in [a, b] {
-                    let inside = x.clamp(border(cell) - chord, border(cell + 1) + chord);
+                    let inside = x.clamp(
+                        border(cell) - chordal_error,
+                        border(cell + 1) + chordal_error,
+                    );
                     let share = if a.0 == b.0 {
                         0.0
                     } else {
@@ -82,7 +85,7 @@ impl Envelope {
             }
         }
         for (line, piece) in envelope.lines[1..].iter_mut().zip(&pieces) {
-            *line = above(piece, chord + margin).unwrap_or(*line);
+            *line = above(piece, chordal_error + margin).unwrap_or(*line);
         }
         envelope
     }

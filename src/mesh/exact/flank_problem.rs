@@ -86,7 +86,7 @@ impl FlankProblem {
 
     /// Puts the teeth where `pose` has them: `rotation` is the locked gear's, reduced, and `turned` `e^{i rotation}`,
     /// both as the picture counts them.
-    pub fn stand(
+    pub fn posed(
         &self,
         pose: &Pose,
         teeth: (u32, u32),
@@ -159,20 +159,20 @@ fn window_half(locked: &AsBuilt, free: &AsBuilt, distance: f64) -> Option<f64> {
     Some(half + (locked.eccentricity() / nearest).asin())
 }
 
-/// Half the angle at the centre of a circle of radius `ours` under which its overlap with a circle of
-/// radius `theirs`, `distance` away, is seen; `None` without overlap, where circles touch in a point included.
-pub(super) fn lens_half(ours: f64, theirs: f64, distance: f64) -> Option<f64> {
-    if ours + theirs <= distance {
+/// Half the angle at the centre of a circle of this radius under which its overlap with a circle of
+/// radius `other`, `distance` away, is seen; `None` without overlap, where circles touch in a point included.
+pub(super) fn lens_half(radius: f64, other: f64, distance: f64) -> Option<f64> {
+    if radius + other <= distance {
         return None;
     }
-    if theirs >= distance {
+    if other >= distance {
         return Some(PI);
     }
-    let tangent = distance * distance - theirs * theirs;
-    Some(if ours * ours >= tangent {
-        (theirs / distance).asin()
+    let tangent = distance * distance - other * other;
+    Some(if radius * radius >= tangent {
+        (other / distance).asin()
     } else {
-        let cos = (ours * ours + tangent) / (2.0 * distance * ours);
+        let cos = (radius * radius + tangent) / (2.0 * distance * radius);
         cos.min(1.0).acos()
     })
 }

@@ -25,7 +25,9 @@ pub(super) const LANDS: [(ProfilePart, ProfilePart); 3] = [(Tip, Tip), (Tip, Roo
 pub(super) fn without_lands(curves: Curves) -> Curves {
     LANDS
         .into_iter()
-        .fold(curves, |rest, (ours, theirs)| rest.without(ours, theirs))
+        .fold(curves, |rest, (locked_land, free_land)| {
+            rest.without(locked_land, free_land)
+        })
 }
 
 /// The greatest gap of those pairs of lands that `curves` has.
@@ -38,7 +40,9 @@ pub(super) fn land_on_land(
 ) -> Option<CandidateContact> {
     LANDS
         .into_iter()
-        .filter(|&(ours, theirs)| curves.has(ours, theirs) && locked.has(ours) && free.has(theirs))
+        .filter(|&(locked_land, free_land)| {
+            curves.has(locked_land, free_land) && locked.has(locked_land) && free.has(free_land)
+        })
         .filter_map(|lands| greatest(locked, free, lands, origin))
         .reduce(greater)
 }
@@ -50,23 +54,28 @@ fn greater(one: CandidateContact, other: CandidateContact) -> CandidateContact {
 fn greatest(
     locked: &Placed,
     free: &Placed,
-    (ours, theirs): (ProfilePart, ProfilePart),
+    (locked_land, free_land): (ProfilePart, ProfilePart),
     origin: C,
 ) -> Option<CandidateContact> {
     let hit = |t: f64, u: f64| {
-        CandidateContact::new((locked, (ours, t)), (free, (theirs, u)), origin, 0.0)
+        CandidateContact::new(
+            (locked, (locked_land, t)),
+            (free, (free_land, u)),
+            origin,
+            0.0,
+        )
     };
     let ends = |placed: &Placed, curve: ProfilePart| {
         let (low, high) = placed.range(curve);
         [low, high].map(|t| (t, placed.at(curve, t).point.norm()))
     };
-    let locked_ends = ends(locked, ours)
+    let locked_ends = ends(locked, locked_land)
         .into_iter()
-        .filter_map(|(t, rho)| Some(hit(t, on_land(free, theirs, rho)?)));
-    let free_ends = ends(free, theirs)
+        .filter_map(|(t, rho)| Some(hit(t, on_land(free, free_land, rho)?)));
+    let free_ends = ends(free, free_land)
         .into_iter()
-        .filter_map(|(u, rho)| Some(hit(on_land(locked, ours, rho)?, u)));
-    let touching = tangents(locked, free, (ours, theirs))
+        .filter_map(|(u, rho)| Some(hit(on_land(locked, locked_land, rho)?, u)));
+    let touching = tangents(locked, free, (locked_land, free_land))
         .into_iter()
         .flatten()
         .map(|(t, u)| hit(t, u));
@@ -79,10 +88,10 @@ fn tangents(
     free: &Placed,
     (on_locked, on_free): (ProfilePart, ProfilePart),
 ) -> [Option<(f64, f64)>; 2] {
-    let (ours, theirs) = (locked.centre, free.centre);
+    let (locked_centre, free_centre) = (locked.centre, free.centre);
     let radius = locked.shape.radius(on_locked, 0.0);
     let sum = radius + free.shape.radius(on_free, 0.0);
-    let (far, off) = (ours.norm(), theirs.norm());
+    let (far, off) = (locked_centre.norm(), free_centre.norm());
     // (|C| − S)(|C| + S): no difference of large squares.
     let cos = ((far - sum) * (far + sum) + off * off) / (2.0 * far * off);
     if !(cos.abs() <= 1.0) {
@@ -94,11 +103,11 @@ fn tangents(
         (low..=high).contains(&t).then_some(t)
     };
     [cos.acos(), -cos.acos()].map(|beside| {
-        let rotation = (ours * theirs.conj()).arg() + beside;
-        let centre = theirs * turn(rotation);
-        let point = ours + (centre - ours) * (radius / sum);
+        let rotation = (locked_centre * free_centre.conj()).arg() + beside;
+        let centre = free_centre * turn(rotation);
+        let point = locked_centre + (centre - locked_centre) * (radius / sum);
         let back = point * turn(-rotation);
-        let on_locked = on(locked, on_locked, ours, point)?;
-        Some((on_locked, on(free, on_free, theirs, back)?))
+        let on_locked = on(locked, on_locked, locked_centre, point)?;
+        Some((on_locked, on(free, on_free, free_centre, back)?))
     })
 }

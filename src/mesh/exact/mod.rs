@@ -109,7 +109,7 @@ impl ExactKernel {
     /// # Errors
     /// [`Error::ContactLost`] when a pair of flanks cannot be resolved; never a pair left out.
     pub fn lost_motion(&self, pose: &Pose) -> Result<LostMotion, Error> {
-        self.with(pose, |stand| direct::touching(stand, self.solver.as_ref()))
+        self.with(pose, |posed| direct::touching(posed, self.solver.as_ref()))
     }
 
     /// The same by branch and bound over all pairs and curves, no case told apart: a thousand times
@@ -142,12 +142,12 @@ impl ExactKernel {
         let rotation = reduced(pose.locked_rotation());
         let turned = turn(rotation);
         let contact = |problem: &FlankProblem| -> Result<Option<Contact>, Error> {
-            let stand = problem.stand(pose, teeth, rotation, turned);
-            match method(&stand) {
+            let posed = problem.posed(pose, teeth, rotation, turned);
+            match method(&posed) {
                 Ok(touching) => {
-                    Ok(touching.map(|touching| report::contact(&stand, &touching, self.free)))
+                    Ok(touching.map(|touching| report::contact(&posed, &touching, self.free)))
                 }
-                Err((step, lost)) => Err(self.lost(&stand, step, &lost, pose)),
+                Err((step, lost)) => Err(self.lost(&posed, step, &lost, pose)),
             }
         };
         let mut result = LostMotion {
@@ -162,10 +162,10 @@ impl ExactKernel {
         Ok(result.within(self.right.free.pitch))
     }
 
-    fn lost(&self, stand: &PosedFlanks, step: i64, lost: &SearchExhausted, pose: &Pose) -> Error {
-        let (locked_place, free_place) = stand.places(step);
-        let locked = stand.problem.locked.number(locked_place);
-        let free = stand.problem.free.number(free_place);
+    fn lost(&self, posed: &PosedFlanks, step: i64, lost: &SearchExhausted, pose: &Pose) -> Error {
+        let (locked_place, free_place) = posed.places(step);
+        let locked = posed.problem.locked.number(locked_place);
+        let free = posed.problem.free.number(free_place);
         let (wheel_tooth, pinion_tooth) = match self.free {
             Member::Pinion => (locked, free),
             Member::Wheel => (free, locked),
@@ -173,7 +173,7 @@ impl ExactKernel {
         Error::ContactLost {
             wheel_tooth,
             pinion_tooth,
-            flank: stand.problem.side.name(),
+            flank: posed.problem.side.name(),
             locked_rotation_rad: pose.locked_rotation(),
             reason: lost.reason(),
         }

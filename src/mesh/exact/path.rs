@@ -20,12 +20,12 @@ pub(super) struct Pair {
 impl PosedFlanks<'_> {
     pub(super) fn pair(&self, step: i64) -> Pair {
         let (locked, free) = (&self.problem.locked, &self.problem.free);
-        let (ours, theirs) = self.places(step);
+        let (locked_place, free_place) = self.places(step);
         let steps = step as f64;
         Pair {
-            locked_base: self.ahead + steps * locked.pitch + locked.offset(ours)
+            locked_base: self.ahead + steps * locked.pitch + locked.offset(locked_place)
                 - locked.shape.half_base,
-            free_base: free.offset(theirs)
+            free_base: free.offset(free_place)
                 - self.free_offset
                 - steps * free.pitch
                 - free.shape.half_base,
@@ -55,25 +55,29 @@ impl PosedFlanks<'_> {
 
     /// Whether both rolls lie on the involutes, give or take the plays.
     fn on_path(&self, rolls: (f64, f64), plays: (f64, f64)) -> bool {
-        let (ours, theirs) = (&self.problem.locked.shape, &self.problem.free.shape);
-        rolls.0 >= ours.form_roll - plays.0
-            && rolls.0 <= ours.tip_roll + plays.0
-            && rolls.1 >= theirs.form_roll - plays.1
-            && rolls.1 <= theirs.tip_roll + plays.1
+        let (locked_shape, free_shape) = (&self.problem.locked.shape, &self.problem.free.shape);
+        rolls.0 >= locked_shape.form_roll - plays.0
+            && rolls.0 <= locked_shape.tip_roll + plays.0
+            && rolls.1 >= free_shape.form_roll - plays.1
+            && rolls.1 <= free_shape.tip_roll + plays.1
     }
 
     /// Steps whose rolls on `line` may lie on the involutes, give or take the plays.
     fn steps_on(&self, line: &Line, plays: (f64, f64)) -> Range<i64> {
         let problem = self.problem;
-        let (ours, theirs) = (&problem.locked.shape, &problem.free.shape);
-        let opposite = |roll: f64| (line.length - theirs.base * roll) * problem.per_locked_base;
-        let free_play = plays.1 * theirs.base * problem.per_locked_base;
-        let least = (ours.form_roll - plays.0).max(opposite(theirs.tip_roll) - free_play);
-        let most = (ours.tip_roll + plays.0).min(opposite(theirs.form_roll) + free_play);
+        let (locked_shape, free_shape) = (&problem.locked.shape, &problem.free.shape);
+        let opposite = |roll: f64| (line.length - free_shape.base * roll) * problem.per_locked_base;
+        let free_play = plays.1 * free_shape.base * problem.per_locked_base;
+        let least =
+            (locked_shape.form_roll - plays.0).max(opposite(free_shape.tip_roll) - free_play);
+        let most =
+            (locked_shape.tip_roll + plays.0).min(opposite(free_shape.form_roll) + free_play);
         // ξ_L = arg B + α − (λ_0 + s τ + δ − ψ_b), δ anywhere between the extremes.
         let (low, high) = problem.locked.extremes;
-        let first = (line.angle - self.ahead + ours.half_base - most - high) * problem.per_pitch;
-        let last = (line.angle - self.ahead + ours.half_base - least - low) * problem.per_pitch;
+        let first =
+            (line.angle - self.ahead + locked_shape.half_base - most - high) * problem.per_pitch;
+        let last =
+            (line.angle - self.ahead + locked_shape.half_base - least - low) * problem.per_pitch;
         // The cast cuts towards zero: never a step too few.
         let all = self.steps();
         (first as i64).max(all.start)..(last as i64 + 1).min(all.end)
@@ -101,13 +105,13 @@ impl PosedFlanks<'_> {
     }
 
     fn hit(&self, gap: f64, line: &Line, pair: &Pair) -> CandidateContact {
-        let (ours, theirs) = (&self.problem.locked.shape, &self.problem.free.shape);
+        let (locked_shape, free_shape) = (&self.problem.locked.shape, &self.problem.free.shape);
         let (locked, free) = self.rolls(line, pair);
-        let locked = locked.clamp(ours.form_roll, ours.tip_roll);
-        let free = free.clamp(theirs.form_roll, theirs.tip_roll);
+        let locked = locked.clamp(locked_shape.form_roll, locked_shape.tip_roll);
+        let free = free.clamp(free_shape.form_roll, free_shape.tip_roll);
         // E = −e^{i (arg B + α)} at the locked gear, cos α = Σ/|B|: P = C_L + r_b E (1 − iξ), n = −iE.
         let e = -line.between * C::new(self.problem.sum(), line.length) / line.between.norm_sqr();
-        let point = self.centre + e * C::new(ours.base, -ours.base * locked);
+        let point = self.centre + e * C::new(locked_shape.base, -locked_shape.base * locked);
         let normal = C::new(e.im, -e.re);
         let z = point.conj() * normal;
         CandidateContact {
@@ -127,7 +131,7 @@ impl PosedFlanks<'_> {
     pub(super) fn on_line(
         &self,
         variation: &TangentVariation,
-        ties: &mut TightestContacts,
+        tightest_contacts: &mut TightestContacts,
     ) -> bool {
         // The gap the pair of step 0 has between centred outlines: a good place to take the line at.
         let (guess, start) = match variation.fixed {
@@ -149,7 +153,7 @@ impl PosedFlanks<'_> {
             let pair = self.pair(step);
             let first = self.gap(&start, &pair);
             // Between two pairs the true gaps differ in the same sense, by a factor of 1/2 … ∞.
-            if first < tightest - 2.0 * ties.width()
+            if first < tightest - 2.0 * tightest_contacts.width()
                 || !self.on_path(self.rolls(&start, &pair), plays)
             {
                 continue;
@@ -166,8 +170,8 @@ impl PosedFlanks<'_> {
                 (first, start)
             };
             tightest = tightest.max(first);
-            if ties.admits(gap) {
-                ties.offer(step, self.hit(gap, &line, &pair));
+            if tightest_contacts.admits(gap) {
+                tightest_contacts.offer(step, self.hit(gap, &line, &pair));
             }
         }
         true

@@ -28,7 +28,7 @@ impl Placed<'_> {
         match curve {
             ProfilePart::Tip => (-self.far.arg(), high),
             ProfilePart::Root => (low.min(self.root_end), self.root_end),
-            ProfilePart::Involute | ProfilePart::Fillet => (low, high),
+            _ => (low, high),
         }
     }
 
@@ -47,7 +47,7 @@ impl Placed<'_> {
             }
             // Where no land follows, the half tooth ends at the bottom of the fillet.
             ProfilePart::Fillet if t <= 0.0 => !self.has(ProfilePart::Root),
-            ProfilePart::Involute | ProfilePart::Fillet => self.shape.is_corner((curve, t)),
+            _ => self.shape.is_corner((curve, t)),
         }
     }
 

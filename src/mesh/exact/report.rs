@@ -14,11 +14,11 @@ use std::f64::consts::PI;
 const CORNER_MM: f64 = 1e-7;
 
 /// The contact of `touching`; its rotation is not yet normalised.
-pub(super) fn contact(stand: &PosedFlanks, touching: &Touching, free: Member) -> Contact {
-    let (problem, hit) = (stand.problem, &touching.hit);
+pub(super) fn contact(posed: &PosedFlanks, touching: &Touching, free: Member) -> Contact {
+    let (problem, hit) = (posed.problem, &touching.hit);
     let radius = hit.point.norm_sqr().sqrt();
     let error = problem.rounding(radius, hit.slope) + hit.slack;
-    let (locked_place, free_place) = stand.places(touching.step);
+    let (locked_place, free_place) = posed.places(touching.step);
     let locked = touch(
         &problem.locked.shape,
         problem.locked.number(locked_place),
@@ -45,7 +45,7 @@ pub(super) fn contact(stand: &PosedFlanks, touching: &Touching, free: Member) ->
         Member::Wheel => (mated, locked, point, -out_of_locked),
     };
     Contact {
-        rotation: -problem.side.sense() * stand.rotation(touching.greatest),
+        rotation: -problem.side.sense() * posed.rotation(touching.greatest),
         error: error.min(PI),
         wheel,
         pinion,

@@ -11,10 +11,15 @@ use super::tightest::{TightestContacts, Touching};
 /// # Errors
 /// The step whose pair could not be settled.
 #[cold]
-pub(super) fn touching(stand: &PosedFlanks) -> Result<Option<Touching>, (i64, SearchExhausted)> {
-    let mut ties = TightestContacts::new(stand.problem);
-    stand.on_lands(Curves::ALL, &mut ties);
-    over(stand, ties, without_lands(Curves::ALL), MOST_NODES)
+pub(super) fn touching(posed: &PosedFlanks) -> Result<Option<Touching>, (i64, SearchExhausted)> {
+    let mut tightest_contacts = TightestContacts::new(posed.problem);
+    posed.on_lands(Curves::ALL, &mut tightest_contacts);
+    over(
+        posed,
+        tightest_contacts,
+        without_lands(Curves::ALL),
+        MOST_NODES,
+    )
 }
 
 /// The same by nothing but the search, with more patience.
@@ -22,34 +27,34 @@ pub(super) fn touching(stand: &PosedFlanks) -> Result<Option<Touching>, (i64, Se
 /// # Errors
 /// As [`touching`].
 #[cold]
-pub(super) fn by_search(stand: &PosedFlanks) -> Result<Option<Touching>, (i64, SearchExhausted)> {
+pub(super) fn by_search(posed: &PosedFlanks) -> Result<Option<Touching>, (i64, SearchExhausted)> {
     over(
-        stand,
-        TightestContacts::new(stand.problem),
+        posed,
+        TightestContacts::new(posed.problem),
         Curves::ALL,
         16 * MOST_NODES,
     )
 }
 
 fn over(
-    stand: &PosedFlanks,
-    mut ties: TightestContacts,
+    posed: &PosedFlanks,
+    mut tightest_contacts: TightestContacts,
     curves: Curves,
     mut nodes_left: usize,
 ) -> Result<Option<Touching>, (i64, SearchExhausted)> {
-    for step in stand.steps() {
-        let (ours, theirs) = (stand.locked(step), stand.free(step));
+    for step in posed.steps() {
+        let (locked, free) = (posed.locked(step), posed.free(step));
         let found = search(
-            &ours,
-            &theirs,
-            stand.origin,
-            ties.level(),
+            &locked,
+            &free,
+            posed.origin,
+            tightest_contacts.level(),
             curves,
             &mut nodes_left,
         );
         if let Some(hit) = found.map_err(|lost| (step, lost))? {
-            ties.offer(step, hit);
+            tightest_contacts.offer(step, hit);
         }
     }
-    Ok(ties.choose())
+    Ok(tightest_contacts.choose())
 }

@@ -81,29 +81,30 @@ impl Setting<'_> {
 
     /// The proof; `None` where not even involutes can do without a search.
     pub fn prove(&self) -> Option<SearchFreeProof> {
-        let (ours, theirs, near) = (self.locked, self.free, self.near());
-        if !(self.inmost() > self.free_off && theirs.base > self.free_off) {
+        let (locked, free, near) = (self.locked, self.free, self.near());
+        if !(locked.is_generated && free.is_generated) {
             return None;
         }
-        let half = lens_half(ours.tip_radius, self.outmost(), near)?;
+        if !(self.inmost() > self.free_off && free.base > self.free_off) {
+            return None;
+        }
+        let half = lens_half(locked.tip_radius, self.outmost(), near)?;
         // The free involute's arm X = Q × n is r_b + C·E, |C| = e_F. The locked one's E stands at
         // (polar angle) + atan ξ from the line of centres, X = D cos − r_b.
-        if !(ours.base < near && half < (ours.base / near).acos()) {
+        if !(locked.base < near && half < (locked.base / near).acos()) {
             return None;
         }
-        let arm = near * (half + ours.tip_roll.atan()).cos() - ours.base;
+        let arm = near * (half + locked.tip_roll.atan()).cos() - locked.base;
 
         let mut open = Curves::default();
-        let free_reach = reached(theirs, self.inmost() - self.free_off);
-        let locked_reach = reached(ours, near - self.outmost());
+        let free_reach = reached(free, self.inmost() - self.free_off);
+        let locked_reach = reached(locked, near - self.outmost());
         for curve in ProfilePart::ALL {
             open.add_unless(free_reach != Reach::Root, curve, Root);
             open.add_unless(locked_reach != Reach::Root, Root, curve);
         }
         let free_fillet = match free_reach {
-            Reach::Fillet(gamma) if theirs.pitch_radius * gamma.sin() > self.free_off => {
-                Some(gamma)
-            }
+            Reach::Fillet(gamma) if free.pitch_radius * gamma.sin() > self.free_off => Some(gamma),
             _ => None,
         };
         let fillet_arm = match locked_reach {
@@ -113,15 +114,15 @@ impl Setting<'_> {
         // 1. and 2.
         let form_near = near - self.free_off;
         let free_good = free_reach == Reach::Involute
-            || free_fillet.is_some() && hollow(theirs, ours, form_near - theirs.form_radius());
+            || free_fillet.is_some() && hollow(free, locked, form_near - free.form_radius());
         let locked_good = locked_reach == Reach::Involute
-            || fillet_arm.is_some() && hollow(ours, theirs, form_near - ours.form_radius());
+            || fillet_arm.is_some() && hollow(locked, free, form_near - locked.form_radius());
         open.add_unless(free_good, Involute, Fillet);
         open.add_unless(locked_good, Fillet, Involute);
         open.add_unless(free_good && locked_good, Fillet, Fillet);
         // 3.
         self.open_lands(&mut open, fillet_arm.map(|(_, arm)| arm), free_fillet);
-        let level_arm = near * half.cos() - ours.base;
+        let level_arm = near * half.cos() - locked.base;
         open.add_unless(self.is_rounder_than(level_arm), Involute, Tip);
         if locked_reach != Reach::Involute && fillet_arm.is_none() && self.free_off > 0.0 {
             open.add(Fillet, Tip);
@@ -141,10 +142,10 @@ impl Setting<'_> {
 
     /// Opens the pairs in which a tip land does not run round the axis nearly enough.
     fn open_lands(&self, open: &mut Curves, fillet_arm: Option<f64>, free_fillet: Option<f64>) {
-        let (ours, theirs, near) = (self.locked, self.free, self.near());
+        let (locked, free, near) = (self.locked, self.free, self.near());
         if let Some(gamma) = free_fillet {
-            let steepest = slope_at(theirs.steepest_fillet(gamma) + self.shift());
-            let within = lens_half(ours.tip_radius, theirs.form_radius() + self.free_off, near);
+            let steepest = slope_at(free.steepest_fillet(gamma) + self.shift());
+            let within = lens_half(locked.tip_radius, free.form_radius() + self.free_off, near);
             open.add_unless(within.is_none_or(|b| steepest < self.land(b)), Tip, Fillet);
         }
         // The free land: X is D sin b on the locked land, b the angle at which it crosses the free tip circle at its nearest.
@@ -152,11 +153,11 @@ impl Setting<'_> {
             return;
         }
         let (tip, far) = (
-            theirs.tip_radius - self.free_off,
+            free.tip_radius - self.free_off,
             self.distance + self.locked_off,
         );
-        let cos = (ours.tip_radius * ours.tip_radius + far * far - tip * tip)
-            / (2.0 * far * ours.tip_radius);
+        let cos = (locked.tip_radius * locked.tip_radius + far * far - tip * tip)
+            / (2.0 * far * locked.tip_radius);
         let crossing = if cos < 1.0 {
             near * cos.max(0.0).acos().sin()
         } else {

@@ -32,8 +32,8 @@ struct Tangent {
 
 impl PosedFlanks<'_> {
     /// Offers every contact of a locked tip land between its corners with a free involute.
-    pub(super) fn on_tangents(&self, eccentric: bool, ties: &mut TightestContacts) {
-        let theirs = &self.problem.free.shape;
+    pub(super) fn on_tangents(&self, eccentric: bool, tightest_contacts: &mut TightestContacts) {
+        let free_shape = &self.problem.free.shape;
         let Some(start) = self.tangent_line(0.0) else {
             return;
         };
@@ -44,7 +44,7 @@ impl PosedFlanks<'_> {
             let Some(found) = self.tangent(step, &start, eccentric) else {
                 continue;
             };
-            if !self.is_on_involute(found.roll) || !ties.admits(found.gap) {
+            if !self.is_on_involute(found.roll) || !tightest_contacts.admits(found.gap) {
                 continue;
             }
             let locked = self.locked(step);
@@ -58,14 +58,14 @@ impl PosedFlanks<'_> {
             if t < far || t > corner {
                 continue;
             }
-            let roll = found.roll.clamp(theirs.form_roll, theirs.tip_roll);
+            let roll = found.roll.clamp(free_shape.form_roll, free_shape.tip_roll);
             let on = (
                 (&locked, (ProfilePart::Tip, t)),
                 (&self.free(step), (ProfilePart::Involute, roll)),
             );
             let hit = CandidateContact::new(on.0, on.1, self.origin, 0.0);
-            if ties.admits(hit.gap) {
-                ties.offer(step, hit);
+            if tightest_contacts.admits(hit.gap) {
+                tightest_contacts.offer(step, hit);
             }
         }
     }
@@ -80,8 +80,8 @@ impl PosedFlanks<'_> {
     }
 
     fn is_on_involute(&self, roll: f64) -> bool {
-        let theirs = &self.problem.free.shape;
-        roll >= theirs.form_roll && roll <= theirs.tip_roll
+        let free_shape = &self.problem.free.shape;
+        roll >= free_shape.form_roll && roll <= free_shape.tip_roll
     }
 
     /// `None` where the line does not settle: the base circle reaches the land's centre.

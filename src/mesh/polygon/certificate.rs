@@ -95,12 +95,12 @@ impl<'a> Certifier<'a> {
         let opening = side.sense() * (pose.free_rotation() - contact.rotation);
         let (mut touching, mut left) = (false, EFFORT);
         for steps in steps_in_reach(assembly, pose) {
-            let facing = FlankProblem::new(&self.kernel.teeth, pose, side, steps);
+            let problem = FlankProblem::new(&self.kernel.teeth, pose, side, steps);
             // Clear polygons are 2δ apart, and a fillet's chords stand up to δ in front of it;
             // another δ and the rounding leave no doubt.
-            let little = contact.error + (4.0 * finest + facing.rounding()) / lever;
+            let little = contact.error + (4.0 * finest + problem.rounding()) / lever;
             let openings = [opening + little, opening - little];
-            match seen(&facing, openings, finest, touching, &mut left) {
+            match seen(&problem, openings, finest, touching, &mut left) {
                 Seen::Clear => {}
                 Seen::Touch => touching = true,
                 Seen::Overlap => {
@@ -179,10 +179,10 @@ impl<'a> Certifier<'a> {
 
 /// Whether any pair's polygons touch.
 fn first_touching(teeth: &CutTeeth, pose: &Pose, side: Side) -> Result<bool, Error> {
-    let facings: Vec<FlankProblem> = steps_in_reach(teeth.assembly, pose)
+    let problems: Vec<FlankProblem> = steps_in_reach(teeth.assembly, pose)
         .map(|steps| FlankProblem::new(teeth, pose, side, steps))
         .collect();
-    Ok(!search(&facings, finest_chord(teeth.assembly))?.is_empty())
+    Ok(!search(&problems, finest_chord(teeth.assembly))?.is_empty())
 }
 
 /// What polygons see of a pair between two openings.
@@ -197,13 +197,13 @@ enum Seen {
     TooMuch,
 }
 
-/// Looks at `facing` at two openings, the wider first, by polygons down to `finest`.
+/// Looks at `problem` at two openings, the wider first, by polygons down to `finest`.
 ///
 /// Where nothing at the wider one is within both chordal errors and what a point moves to the narrower, both are clear.
 ///
 /// Where a touch is known already the narrower one is of no interest.
 fn seen(
-    facing: &FlankProblem,
+    problem: &FlankProblem,
     [open, closed]: [f64; 2],
     finest: f64,
     known: bool,
@@ -211,7 +211,7 @@ fn seen(
 ) -> Seen {
     let look = |opening: f64, slack: f64, left: &mut u32| {
         let mut looking = Looking {
-            facing,
+            problem,
             finest,
             slack,
             close: false,
@@ -222,7 +222,7 @@ fn seen(
     };
     let between = match known {
         true => 0.0,
-        false => facing.reach() * (open - closed),
+        false => problem.reach() * (open - closed),
     };
     let (clear, close) = look(open, between, left);
     let seen = match (clear, close && !known) {
@@ -241,7 +241,7 @@ fn seen(
 
 /// A look at a pair of half teeth at one opening.
 struct Looking<'a> {
-    facing: &'a FlankProblem<'a>,
+    problem: &'a FlankProblem<'a>,
     finest: f64,
     /// What is clear by no more than this is close.
     slack: f64,
@@ -253,8 +253,8 @@ struct Looking<'a> {
 impl Looking<'_> {
     /// Whether the half teeth are proven clear.
     fn at(&mut self, opening: f64) -> bool {
-        let (locked, free) = (&self.facing.locked, &self.facing.free);
-        let frame = self.facing.at(opening);
+        let (locked, free) = (&self.problem.locked, &self.problem.free);
+        let frame = self.problem.at(opening);
         let [(here, radius), (there, other)] = [locked.disc(), free.disc()];
         let reach_of_ours = radius + self.slack;
         let apart = |point: Point2<f64>, reach: f64| {
@@ -264,14 +264,14 @@ impl Looking<'_> {
         if apart(frame * there, other) {
             return true;
         }
-        for theirs in free.outline().iter().chain(free.own()) {
-            let seen = theirs.ends.map(|end| frame * end);
+        for free_chord in free.outline().iter().chain(free.own()) {
+            let seen = free_chord.ends.map(|end| frame * end);
             let middle = nalgebra::center(&seen[0], &seen[1]);
-            if apart(middle, theirs.half_length + theirs.error) {
+            if apart(middle, free_chord.half_length + free_chord.error) {
                 continue;
             }
-            for ours in locked.outline().iter().chain(locked.own()) {
-                if !self.clear(&frame, ours, theirs, &seen) {
+            for locked_chord in locked.outline().iter().chain(locked.own()) {
+                if !self.clear(&frame, locked_chord, free_chord, &seen) {
                     return false;
                 }
             }
@@ -283,13 +283,13 @@ impl Looking<'_> {
     fn clear(
         &mut self,
         frame: &Isometry2<f64>,
-        ours: &Chord,
-        theirs: &Chord,
+        locked_chord: &Chord,
+        free_chord: &Chord,
         seen: &[Point2<f64>; 2],
     ) -> bool {
-        let tube = ours.error + theirs.error;
-        let within = ours.half_length + theirs.half_length + tube + self.slack;
-        let apart = (ours.ends[0] - seen[0]) + (ours.ends[1] - seen[1]);
+        let tube = locked_chord.error + free_chord.error;
+        let within = locked_chord.half_length + free_chord.half_length + tube + self.slack;
+        let apart = (locked_chord.ends[0] - seen[0]) + (locked_chord.ends[1] - seen[1]);
         if apart.norm_squared() > 4.0 * within * within {
             return true;
         }
@@ -297,21 +297,21 @@ impl Looking<'_> {
             return false;
         }
         *self.left -= 1;
-        let finest = ours.error <= self.finest && theirs.error <= self.finest;
+        let finest = locked_chord.error <= self.finest && free_chord.error <= self.finest;
         if finest {
-            let distance = closest(&ours.ends, seen).distance;
+            let distance = closest(&locked_chord.ends, seen).distance;
             // The finest chords' own errors may be smaller than what rounding leaves of a distance.
             self.close |= distance <= 2.0 * self.finest + self.slack;
             return distance > 2.0 * self.finest;
         }
-        let gap = self.gap(ours, theirs, seen);
+        let gap = self.gap(locked_chord, free_chord, seen);
         let apart = match gap {
             Some(gap) => 0.75 * gap.width - 2.0 * self.finest,
             // Beyond the line of one of them is enough; where it is not, shorter chords will tell.
             None => {
                 let [line, other] = [
-                    off_line(&ours.ends, seen, ours.half_length),
-                    off_line(seen, &ours.ends, theirs.half_length),
+                    off_line(&locked_chord.ends, seen, locked_chord.half_length),
+                    off_line(seen, &locked_chord.ends, free_chord.half_length),
                 ];
                 line.max(other) - tube
             }
@@ -321,23 +321,23 @@ impl Looking<'_> {
             return true;
         }
         if let Some(gap) = gap
-            && !ours.is_cut()
-            && !theirs.is_cut()
+            && !locked_chord.is_cut()
+            && !free_chord.is_cut()
         {
-            return self.clear_round(frame, ours, theirs, gap.cuts(-apart));
+            return self.clear_round(frame, locked_chord, free_chord, gap.cuts(-apart));
         }
         let mut made = None;
-        if ours.error >= theirs.error {
-            let halves = self.facing.locked.halves(ours, &mut made);
+        if locked_chord.error >= free_chord.error {
+            let halves = self.problem.locked.halves(locked_chord, &mut made);
             let [first, second] = nearer_first([halves[0].ends, halves[1].ends], seen);
-            self.clear(frame, &halves[first], theirs, seen)
-                && self.clear(frame, &halves[second], theirs, seen)
+            self.clear(frame, &halves[first], free_chord, seen)
+                && self.clear(frame, &halves[second], free_chord, seen)
         } else {
-            let halves = self.facing.free.halves(theirs, &mut made);
+            let halves = self.problem.free.halves(free_chord, &mut made);
             let ends = [0, 1].map(|i| halves[i].ends.map(|end| frame * end));
-            let [first, second] = nearer_first(ends, &ours.ends);
-            self.clear(frame, ours, &halves[first], &ends[first])
-                && self.clear(frame, ours, &halves[second], &ends[second])
+            let [first, second] = nearer_first(ends, &locked_chord.ends);
+            self.clear(frame, locked_chord, &halves[first], &ends[first])
+                && self.clear(frame, locked_chord, &halves[second], &ends[second])
         }
     }
 
@@ -345,31 +345,41 @@ impl Looking<'_> {
     fn clear_round(
         &mut self,
         frame: &Isometry2<f64>,
-        ours: &Chord,
-        theirs: &Chord,
+        locked_chord: &Chord,
+        free_chord: &Chord,
         [our_cuts, their_cuts]: [[f64; 2]; 2],
     ) -> bool {
-        let ours = self.facing.locked.cut_at(ours, our_cuts);
-        let theirs = self.facing.free.cut_at(theirs, their_cuts);
-        theirs.chords().iter().all(|theirs| {
-            let seen = theirs.ends.map(|end| frame * end);
-            ours.chords()
+        let locked_chord = self.problem.locked.cut_at(locked_chord, our_cuts);
+        let free_chord = self.problem.free.cut_at(free_chord, their_cuts);
+        free_chord.chords().iter().all(|free_chord| {
+            let seen = free_chord.ends.map(|end| frame * end);
+            locked_chord
+                .chords()
                 .iter()
-                .all(|ours| self.clear(frame, ours, theirs, &seen))
+                .all(|locked_chord| self.clear(frame, locked_chord, free_chord, &seen))
         })
     }
 
     /// How far two chords' curves are apart by the way they bend ([`graphs::gap`]).
-    fn gap(&self, ours: &Chord, theirs: &Chord, seen: &[Point2<f64>; 2]) -> Option<graphs::Gap> {
+    fn gap(
+        &self,
+        locked_chord: &Chord,
+        free_chord: &Chord,
+        seen: &[Point2<f64>; 2],
+    ) -> Option<graphs::Gap> {
         let stretch = |ends, chord: &Chord, curvature| graphs::Stretch {
             ends,
             half_length: chord.half_length,
             curvature,
         };
-        let [locked, free] = [&self.facing.locked, &self.facing.free];
-        let ours = stretch(&ours.ends, ours, locked.curvature(ours)?);
-        let theirs = stretch(seen, theirs, free.curvature(theirs)?);
-        graphs::gap(&ours, &theirs)
+        let [locked, free] = [&self.problem.locked, &self.problem.free];
+        let locked_chord = stretch(
+            &locked_chord.ends,
+            locked_chord,
+            locked.curvature(locked_chord)?,
+        );
+        let free_chord = stretch(seen, free_chord, free.curvature(free_chord)?);
+        graphs::gap(&locked_chord, &free_chord)
     }
 }
 

@@ -130,7 +130,7 @@ impl Pieces {
 /// A gear's two half teeth, cut beforehand. Shared by all its teeth.
 pub struct CutGear {
     halves: [CutHalf; 2],
-    chord: f64,
+    chordal_error: f64,
 }
 
 /// What all half teeth of one side share.
@@ -160,22 +160,22 @@ struct OwnLands {
 }
 
 impl CutGear {
-    /// Cuts the half teeth of `gear` with chords within `chord` mm of its curves.
-    pub fn new(gear: &AsBuilt, chord: f64) -> CutGear {
+    /// Cuts the half teeth of `gear` with chords within `chordal_error` mm of its curves.
+    pub fn new(gear: &AsBuilt, chordal_error: f64) -> CutGear {
         CutGear {
-            halves: Side::BOTH.map(|side| CutHalf::new(gear, side, chord)),
-            chord,
+            halves: Side::BOTH.map(|side| CutHalf::new(gear, side, chordal_error)),
+            chordal_error,
         }
     }
 
     /// Chordal error, mm, of what was cut beforehand.
-    pub fn chord(&self) -> f64 {
-        self.chord
+    pub fn chordal_error(&self) -> f64 {
+        self.chordal_error
     }
 }
 
 impl CutHalf {
-    fn new(gear: &AsBuilt, side: Side, chord: f64) -> CutHalf {
+    fn new(gear: &AsBuilt, side: Side, chordal_error: f64) -> CutHalf {
         let profile = Profile::new(gear.gear());
         let teeth = 1..=gear.gear().basic_data().teeth();
         let root_ends = teeth.clone().map(|tooth| gear.root_end(side, tooth));
@@ -191,9 +191,9 @@ impl CutHalf {
                     (ProfilePart::Root, (from, _)) => (from, root_end),
                     (_, range) => range,
                 };
-                let is_there = match curve {
-                    ProfilePart::Tip | ProfilePart::Root => to > from,
-                    ProfilePart::Involute | ProfilePart::Fillet => from > to,
+                let is_there = match curve.is_land() {
+                    true => to > from,
+                    false => from > to,
                 };
                 is_there.then(|| Chord::new(&profile, side, curve, [from, to]))
             })
@@ -201,7 +201,7 @@ impl CutHalf {
         let curves = chords.len();
         let mut next = 0;
         while next < chords.len() {
-            if chords[next].error > chord {
+            if chords[next].error > chordal_error {
                 chords[next].halves = Some(chords.len() as u32);
                 let halves = chords[next].cut(&profile, side);
                 chords.extend(halves);
@@ -213,7 +213,7 @@ impl CutHalf {
             low = low.inf(&end);
             high = high.sup(&end);
         }
-        let radius = 0.5 * (high - low).norm() + chord;
+        let radius = 0.5 * (high - low).norm() + chordal_error;
         let is_close = |chord: &Chord| chord.error <= OUTLINE * radius || chord.halves.is_none();
         let mut outline = chords[..curves].to_vec();
         while let Some(place) = outline.iter().position(|chord| !is_close(chord)) {

@@ -134,13 +134,19 @@ impl<'a> FlankProblem<'a> {
     /// Across the direction from the one's nearest point to the other's there is a strip between them as wide as they are
     /// apart. Where they are hardly farther apart than rounding that direction means nothing; then the lines of both chords
     /// border narrower strips, whose directions are known.
-    pub fn safe_turn(&self, ours: &Chord, theirs: &Chord, closest: &Closest, margin: f64) -> f64 {
+    pub fn safe_turn(
+        &self,
+        locked_chord: &Chord,
+        free_chord: &Chord,
+        closest: &Closest,
+        margin: f64,
+    ) -> f64 {
         let room = closest.distance - margin;
         // No point moves farther than the reach times the angle; a lever says more, but for rounding.
         let plain = room / self.reach();
         let rounding = self.rounding();
         let n = (closest.points[0] - closest.points[1]) / closest.distance;
-        let safe = self.turn_across(n, theirs, room, rounding / closest.distance);
+        let safe = self.turn_across(n, free_chord, room, rounding / closest.distance);
         if rounding <= WELL_KNOWN * closest.distance {
             return safe.max(plain);
         }
@@ -154,49 +160,54 @@ impl<'a> FlankProblem<'a> {
             };
             let n = sense * side * Vector2::new(-along.y, along.x);
             match width > margin {
-                true => self.turn_across(n, theirs, width - margin, rounding / line.half_length),
+                true => {
+                    self.turn_across(n, free_chord, width - margin, rounding / line.half_length)
+                }
                 false => 0.0,
             }
         };
         let [from_ours, from_theirs] = [
-            across_line(ours, theirs, -1.0),
-            across_line(theirs, ours, 1.0),
+            across_line(locked_chord, free_chord, -1.0),
+            across_line(free_chord, locked_chord, 1.0),
         ];
         safe.max(plain).max(from_ours).max(from_theirs)
     }
 
-    /// How far the free gear can be turned in before `theirs` is moved by `room` along `n`, which is off by up to `doubt`, rad.
+    /// How far the free gear can be turned in before `free_chord` is moved by `room` along `n`, which is off by up to `doubt`, rad.
     ///
     /// Turned by `φ` about the axis, a point at `r` from it moves along `n` by
     /// `sin φ n·(k × r) − (1 − cos φ) n·r ≤ φ l + φ² m/2`, `l` and `m` the greatest such parts (not below 0) of the two ends:
     /// of all between, too. A curve lies within its error of its chord, and so do its parts. The lesser root of
     /// `φ l + φ² m/2 = room` is a safe turn.
-    fn turn_across(&self, n: Vector2<f64>, theirs: &Chord, room: f64, doubt: f64) -> f64 {
+    fn turn_across(&self, n: Vector2<f64>, free_chord: &Chord, room: f64, doubt: f64) -> f64 {
         let (mut lever, mut bulge) = (0.0f64, 0.0f64);
-        for end in theirs.ends {
+        for end in free_chord.ends {
             let r = end - self.axis;
             lever = lever.max(self.side.sense() * r.perp(&n));
             bulge = bulge.max(-r.dot(&n));
         }
-        let off = theirs.error + doubt * self.reach();
+        let off = free_chord.error + doubt * self.reach();
         let (lever, bulge) = (lever + off, bulge + off);
         2.0 * room / (lever + (lever * lever + 2.0 * room * bulge).sqrt())
     }
 
     /// Whether no turn brings the two together, seen from the free axis: one is always the farther of them.
-    pub fn passes(&self, ours: &Chord, radii: [f64; 2]) -> bool {
-        let [near, far] = distances(ours, &self.axis);
+    pub fn passes(&self, locked_chord: &Chord, radii: [f64; 2]) -> bool {
+        let [near, far] = distances(locked_chord, &self.axis);
         near > radii[1] || far < radii[0]
     }
 
     /// Least and greatest distance of a chord of the free half tooth from the axis; it may stand at any opening.
-    pub fn radii(&self, theirs: &Chord) -> [f64; 2] {
+    pub fn radii(&self, free_chord: &Chord) -> [f64; 2] {
         // In its own frame, where the axis does not move.
-        distances(theirs, &self.at(0.0).inverse_transform_point(&self.axis))
+        distances(
+            free_chord,
+            &self.at(0.0).inverse_transform_point(&self.axis),
+        )
     }
 
     /// The opening above which, and the one below which, the two chords share no direction seen from the free axis.
-    pub fn shared_directions(&self, ours: &Chord, theirs: &Chord) -> (f64, f64) {
+    pub fn shared_directions(&self, locked_chord: &Chord, free_chord: &Chord) -> (f64, f64) {
         // Directions are counted from the one to the mate, and in a half tooth from its disc's: none jumps by a turn.
         let to_mate = self.locked_frame.rotation.inverse()
             * Vector2::new(
@@ -213,13 +224,13 @@ impl<'a> FlankProblem<'a> {
         let ours_from = from(self.locked.disc().0, 0.0);
         let locked = self.spread(
             &self.locked,
-            ours,
+            locked_chord,
             &Isometry2::identity(),
             ours_from,
             SPLITS,
         );
         let theirs_from = from(at * self.free.disc().0, self.nominal);
-        let free = self.spread(&self.free, theirs, &at, theirs_from, SPLITS);
+        let free = self.spread(&self.free, free_chord, &at, theirs_from, SPLITS);
         (locked.1 - free.0, locked.0 - free.1)
     }
 

@@ -24,7 +24,7 @@ impl<'a> PolygonKernel<'a> {
     pub fn new(assembly: &'a GearPair, wheel: &'a CutGear, pinion: &'a CutGear) -> Self {
         PolygonKernel {
             teeth: CutTeeth::new(assembly, wheel, pinion),
-            finest: wheel.chord().max(pinion.chord()),
+            finest: wheel.chordal_error().max(pinion.chordal_error()),
         }
     }
 
@@ -58,10 +58,10 @@ impl<'a> PolygonKernel<'a> {
     /// Pairs that their brackets cannot tell apart tie (perfect gears always do); the one
     /// that touches nearest the operating pitch point gives the contact its name.
     pub(super) fn side(&self, pose: &Pose, side: Side) -> Result<Option<Contact>, Error> {
-        let facings: Vec<FlankProblem> = steps_in_reach(self.teeth.assembly, pose)
+        let problems: Vec<FlankProblem> = steps_in_reach(self.teeth.assembly, pose)
             .map(|steps| FlankProblem::new(&self.teeth, pose, side, steps))
             .collect();
-        let found = search(&facings, self.finest)?;
+        let found = search(&problems, self.finest)?;
         let tightest = |end: fn(&Found) -> f64| {
             let openings = found.iter().map(end);
             openings.fold(f64::NEG_INFINITY, f64::max)

@@ -38,29 +38,29 @@ struct Part {
 impl Place {
     /// What touches at the opening `touching`, where `chords` are `closest`.
     pub fn new(
-        facing: &FlankProblem,
+        problem: &FlankProblem,
         touching: f64,
         chords: &[Chord; 2],
         closest: &Closest,
     ) -> Place {
-        let free_frame = facing.at(touching);
+        let free_frame = problem.at(touching);
         let points = closest.points;
         let locked = part(
-            facing,
-            &facing.locked,
-            facing.locked_tooth,
+            problem,
+            &problem.locked,
+            problem.locked_tooth,
             &chords[0],
             &points[0],
         );
         let on_free = free_frame.inverse_transform_point(&points[1]);
         let free = part(
-            facing,
-            &facing.free,
-            facing.free_tooth,
+            problem,
+            &problem.free,
+            problem.free_tooth,
             &chords[1],
             &on_free,
         );
-        let frame = &facing.locked_frame;
+        let frame = &problem.locked_frame;
         let point = frame * nalgebra::center(&points[0], &points[1]);
         // The other gear's curve gives an edge its normal, and of
         // two edges the direction in which they meet.
@@ -68,9 +68,9 @@ impl Place {
             (Some(normal), _) => frame * normal,
             (None, Some(normal)) => -(frame * (free_frame * normal)),
             (None, None) => {
-                let axis = facing.assembly.axis(facing.assembly.free());
+                let axis = problem.assembly.axis(problem.assembly.free());
                 let arm = (point - axis).normalize();
-                facing.side.sense() * Vector2::new(arm.y, -arm.x)
+                problem.side.sense() * Vector2::new(arm.y, -arm.x)
             }
         };
         let curvature = match (locked.normal.is_some(), free.normal.is_some()) {
@@ -107,12 +107,12 @@ impl Place {
 }
 
 /// What `half` brings at the point `at` of its chord, in its own frame.
-fn part(facing: &FlankProblem, half: &Half, tooth: u32, chord: &Chord, at: &Point2<f64>) -> Part {
+fn part(problem: &FlankProblem, half: &Half, tooth: u32, chord: &Chord, at: &Point2<f64>) -> Part {
     let profile = half.profile();
     let gear = profile.gear();
     let (curve, parameter) = (chord.curve, chord.parameter_at(at));
     let radius = at.coords.norm();
-    let normal = profile.normal(curve, parameter, facing.side);
+    let normal = profile.normal(curve, parameter, problem.side);
     let named = match curve {
         _ if radius >= gear.tip_radius() - CORNER => ProfilePart::Tip,
         ProfilePart::Fillet if radius < gear.root_radius() + CORNER => ProfilePart::Root,

@@ -52,8 +52,8 @@ const EFFORT: usize = 50_000;
 
 /// Where a pair of half teeth touches.
 pub(super) struct Found {
-    /// Which of the facings.
-    pub facing: usize,
+    /// Which of the problems.
+    pub problem: usize,
     /// The curves are clear of each other at every opening down to this one.
     pub clear: f64,
     /// The polygons touch, as near as the search goes.
@@ -65,7 +65,7 @@ pub(super) struct Found {
 
 /// Two chords of a facing pair, waiting.
 struct Pair {
-    facing: u32,
+    problem: u32,
     /// As fine as asked for, and within their errors of each other at `opening`.
     finest: bool,
     /// Clear of each other down to here.
@@ -109,12 +109,12 @@ enum Turned {
 ///
 /// # Errors
 /// [`Error::ContactLost`] when the effort is spent.
-pub(super) fn search(facings: &[FlankProblem], finest: f64) -> Result<Vec<Found>, Error> {
+pub(super) fn search(problems: &[FlankProblem], finest: f64) -> Result<Vec<Found>, Error> {
     let mut waiting = BinaryHeap::new();
-    for (index, facing) in facings.iter().enumerate() {
-        start(index, facing, &mut waiting);
+    for (index, problem) in problems.iter().enumerate() {
+        start(index, problem, &mut waiting);
     }
-    let mut clear: Vec<Option<f64>> = vec![None; facings.len()];
+    let mut clear: Vec<Option<f64>> = vec![None; problems.len()];
     let mut found: Vec<Found> = Vec::new();
     // What waits below this is no tighter than a contact already found.
     let mut closed = f64::NEG_INFINITY;
@@ -123,25 +123,25 @@ pub(super) fn search(facings: &[FlankProblem], finest: f64) -> Result<Vec<Found>
         if pair.opening < closed {
             break;
         }
-        let index = pair.facing as usize;
-        let facing = &facings[index];
+        let index = pair.problem as usize;
+        let problem = &problems[index];
         looked += 1;
         if looked > EFFORT {
-            return Err(facing.lost(SPENT));
+            return Err(problem.lost(SPENT));
         }
-        if found.iter().any(|found| found.facing == index) {
+        if found.iter().any(|found| found.problem == index) {
             continue;
         }
         if pair.finest {
             // The first of its finest pairs to be the tightest of all: everything else is clear down to here.
             clear[index].get_or_insert(pair.opening);
         }
-        match turn_in(facing, &pair, finest) {
+        match turn_in(problem, &pair, finest) {
             Turned::Clear => {}
             Turned::Waiting(opening) if pair.finest => waiting.push(Pair { opening, ..pair }),
             Turned::Near(opening) if pair.finest => {
                 let clear = clear[index].unwrap_or(opening);
-                let bracket = bracket(index, facing, &pair.chords, clear, opening, finest);
+                let bracket = bracket(index, problem, &pair.chords, clear, opening, finest);
                 closed = closed.max(bracket.closed);
                 found.push(bracket);
             }
@@ -153,7 +153,7 @@ pub(super) fn search(facings: &[FlankProblem], finest: f64) -> Result<Vec<Found>
                 });
             }
             Turned::Near(opening) | Turned::Waiting(opening) => {
-                cut(facing, &pair, opening, &mut waiting);
+                cut(problem, &pair, opening, &mut waiting);
             }
         }
     }
@@ -164,19 +164,19 @@ const SPENT: &str = "the effort allowed for one pose was spent: too many stretch
                      other to be told apart";
 
 /// All pairs of the longest chords of a facing pair that may meet, from where they share no direction.
-fn start(index: usize, facing: &FlankProblem, waiting: &mut BinaryHeap<Pair>) {
-    let (locked, free) = (&facing.locked, &facing.free);
-    for theirs in free.shared().iter().chain(free.own()) {
-        let radii = facing.radii(theirs);
-        for ours in locked.shared().iter().chain(locked.own()) {
-            if !facing.passes(ours, radii) {
-                let (opening, end) = facing.shared_directions(ours, theirs);
+fn start(index: usize, problem: &FlankProblem, waiting: &mut BinaryHeap<Pair>) {
+    let (locked, free) = (&problem.locked, &problem.free);
+    for free_chord in free.shared().iter().chain(free.own()) {
+        let radii = problem.radii(free_chord);
+        for locked_chord in locked.shared().iter().chain(locked.own()) {
+            if !problem.passes(locked_chord, radii) {
+                let (opening, end) = problem.shared_directions(locked_chord, free_chord);
                 waiting.push(Pair {
-                    facing: index as u32,
+                    problem: index as u32,
                     finest: false,
                     opening,
                     end,
-                    chords: [*ours, *theirs],
+                    chords: [*locked_chord, *free_chord],
                 });
             }
         }
@@ -184,20 +184,20 @@ fn start(index: usize, facing: &FlankProblem, waiting: &mut BinaryHeap<Pair>) {
 }
 
 /// Cuts the chord that may be farther off its curve.
-fn cut(facing: &FlankProblem, pair: &Pair, opening: f64, waiting: &mut BinaryHeap<Pair>) {
-    let [ours, theirs] = pair.chords;
+fn cut(problem: &FlankProblem, pair: &Pair, opening: f64, waiting: &mut BinaryHeap<Pair>) {
+    let [locked_chord, free_chord] = pair.chords;
     let mut made = None;
-    let is_ours = ours.error >= theirs.error;
+    let is_ours = locked_chord.error >= free_chord.error;
     let halves = match is_ours {
-        true => facing.locked.halves(&ours, &mut made),
-        false => facing.free.halves(&theirs, &mut made),
+        true => problem.locked.halves(&locked_chord, &mut made),
+        false => problem.free.halves(&free_chord, &mut made),
     };
     for &half in halves {
         let chords = match is_ours {
-            true => [half, theirs],
-            false => [ours, half],
+            true => [half, free_chord],
+            false => [locked_chord, half],
         };
-        if !facing.passes(&chords[0], facing.radii(&chords[1])) {
+        if !problem.passes(&chords[0], problem.radii(&chords[1])) {
             waiting.push(Pair {
                 opening,
                 chords,
@@ -208,14 +208,14 @@ fn cut(facing: &FlankProblem, pair: &Pair, opening: f64, waiting: &mut BinaryHea
 }
 
 /// Turns the chords of `pair` in by safe steps.
-fn turn_in(facing: &FlankProblem, pair: &Pair, finest: f64) -> Turned {
-    let [ours, theirs] = &pair.chords;
+fn turn_in(problem: &FlankProblem, pair: &Pair, finest: f64) -> Turned {
+    let [locked_chord, free_chord] = &pair.chords;
     // Below its own rounding a distance says nothing.
-    let rounding = facing.rounding() / 8.0;
+    let rounding = problem.rounding() / 8.0;
     // Two curves are clear where their chords are farther apart than both errors; finest chords go on until they touch.
     let (margin, near, steps) = match pair.finest {
         false => {
-            let margin = ours.error + theirs.error;
+            let margin = locked_chord.error + free_chord.error;
             // Steps of d − margin never arrive: 5 % above it is near enough.
             (margin, 1.05 * margin + rounding, STEPS)
         }
@@ -226,12 +226,12 @@ fn turn_in(facing: &FlankProblem, pair: &Pair, finest: f64) -> Turned {
         if opening < pair.end {
             return Turned::Clear;
         }
-        let theirs = theirs.seen_in(&facing.at(opening));
-        let closest = closest(&ours.ends, &theirs.ends);
+        let free_chord = free_chord.seen_in(&problem.at(opening));
+        let closest = closest(&locked_chord.ends, &free_chord.ends);
         if closest.distance <= near {
             return Turned::Near(opening);
         }
-        opening -= facing.safe_turn(ours, &theirs, &closest, margin);
+        opening -= problem.safe_turn(locked_chord, &free_chord, &closest, margin);
     }
     Turned::Waiting(opening)
 }
@@ -239,16 +239,16 @@ fn turn_in(facing: &FlankProblem, pair: &Pair, finest: f64) -> Turned {
 /// The bracket of a contact whose finest chords touch at the opening `touching`.
 fn bracket(
     index: usize,
-    facing: &FlankProblem,
+    problem: &FlankProblem,
     chords: &[Chord; 2],
     clear: f64,
     touching: f64,
     finest: f64,
 ) -> Found {
-    let theirs = chords[1].seen_in(&facing.at(touching));
-    let closest = closest(&chords[0].ends, &theirs.ends);
-    let place = Place::new(facing, touching, chords, &closest);
-    let arm = place.point - facing.assembly.axis(facing.assembly.free());
+    let free_chord = chords[1].seen_in(&problem.at(touching));
+    let closest = closest(&chords[0].ends, &free_chord.ends);
+    let place = Place::new(problem, touching, chords, &closest);
+    let arm = place.point - problem.assembly.axis(problem.assembly.free());
     let (lever, rho) = (arm.perp(&place.normal).abs(), arm.norm());
     let bulge = rho + rho * rho * place.curvature;
     // Half a turn is as far as a bracket means anything.
@@ -259,10 +259,10 @@ fn bracket(
             false => PI,
         }
     };
-    let rounding = facing.rounding();
+    let rounding = problem.rounding();
     let depth = place.hollow as f64 * finest + closest.distance + rounding;
     Found {
-        facing: index,
+        problem: index,
         // Rounding may hide as much of the way in.
         clear: clear + turned(rounding),
         touching,

@@ -1,0 +1,254 @@
+//! The parts a half tooth is made of: what every method asks of a curve, answered by each kind of curve in a file of its own.
+//!
+//! All for the right-hand half tooth (clockwise side), its centre line on +x. A part runs over an interval of its parameter; its
+//! unit normal points out of the metal, and `dP/dt = i n · speed` with the sign of `speed`. Another kind of curve is another
+//! file beside these and another variant of [`PartCurve`]; what only involutes can do (contact in closed form) asks for
+//! the variant.
+
+mod arc;
+mod involute;
+mod line;
+
+pub use super::fillet::Fillet;
+pub use arc::Arc;
+pub use involute::InvoluteFlank;
+pub use line::Line;
+
+use nalgebra::{Point2, Vector2};
+
+/// One of the four parts of a half tooth, by the place it has in it. Parameters are those of the usual curves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+pub enum ProfilePart {
+    /// Tip land or its corner. Parameter: angle past the tooth's centre line, rad.
+    Tip,
+    /// The flank, an involute. Parameter: roll `ξ`, rad. (A straight flank has its place and its name.)
+    Involute,
+    /// Generated fillet. Parameter: `γ`, see [`super::Fillet`], rad.
+    Fillet,
+    /// Root land. Parameter: angle past the tooth's centre line, rad.
+    Root,
+}
+
+impl ProfilePart {
+    /// In order from the tip to the root.
+    pub const ALL: [ProfilePart; 4] = [
+        ProfilePart::Tip,
+        ProfilePart::Involute,
+        ProfilePart::Fillet,
+        ProfilePart::Root,
+    ];
+
+    /// Whether it is a tip land or a root land.
+    pub fn is_land(self) -> bool {
+        matches!(self, ProfilePart::Tip | ProfilePart::Root)
+    }
+
+    /// `tip`, `involute`, `fillet` or `root`, as results name it.
+    pub fn name(self) -> &'static str {
+        match self {
+            ProfilePart::Tip => "tip",
+            ProfilePart::Involute => "involute",
+            ProfilePart::Fillet => "fillet",
+            ProfilePart::Root => "root",
+        }
+    }
+}
+
+/// The curve of a part.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum PartCurve {
+    /// About the gear's centre. Parameter: angle past the tooth's centre line, rad.
+    Arc(Arc),
+    /// Parameter: roll `ξ`, rad.
+    Involute(InvoluteFlank),
+    /// A generated fillet. Parameter: `γ`, see [`Fillet`], rad.
+    Trochoid(Fillet),
+    /// Parameter: distance from its end at the root, mm.
+    Line(Line),
+}
+
+/// What a curve is asked, by the variant that answers.
+macro_rules! ask {
+    ($curve:expr, $question:ident($($argument:expr),*)) => {
+        match $curve {
+            PartCurve::Arc(curve) => curve.$question($($argument),*),
+            PartCurve::Involute(curve) => curve.$question($($argument),*),
+            PartCurve::Trochoid(curve) => curve.$question($($argument),*),
+            PartCurve::Line(curve) => curve.$question($($argument),*),
+        }
+    };
+}
+
+impl PartCurve {
+    /// The point at `t`, mm.
+    #[inline]
+    pub fn point(&self, t: f64) -> Point2<f64> {
+        ask!(self, point(t))
+    }
+
+    /// The unit normal at `t`, out of the metal.
+    #[inline]
+    pub fn normal(&self, t: f64) -> Vector2<f64> {
+        ask!(self, normal(t))
+    }
+
+    /// Point and normal at `t` at the price of one; the last digit may be another than that of either by itself.
+    #[inline]
+    pub fn at(&self, t: f64) -> (Point2<f64>, Vector2<f64>) {
+        ask!(self, at(t))
+    }
+
+    /// Radius about the gear's centre at `t`, mm.
+    pub fn radius(&self, t: f64) -> f64 {
+        ask!(self, radius(t))
+    }
+
+    /// `dP/dt = i n · speed`, mm a unit of the parameter.
+    #[inline]
+    pub fn speed(&self, t: f64) -> f64 {
+        ask!(self, speed(t))
+    }
+
+    /// `(d, w)`: every point with parameter in `[low, high]` lies within `d` mm of the middle one, and its normal within the angle
+    /// `w`, rad, of the middle one's.
+    pub fn spread(&self, low: f64, high: f64) -> (f64, f64) {
+        ask!(self, spread(low, high))
+    }
+
+    /// `(A, B)` such that over a piece of length `Δ` on the near side of `t` the part of the second derivative across the chord is at
+    /// most `A + B Δ`; `t` is the piece's greater end.
+    pub fn bend(&self, t: f64) -> (f64, f64) {
+        ask!(self, bend(t))
+    }
+
+    /// Greatest curvature between two parameters, 1/mm, where it is known.
+    pub fn curvature(&self, from: f64, to: f64) -> Option<f64> {
+        ask!(self, curvature(from, to))
+    }
+}
+
+/// A stretch of a curve.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Part {
+    /// The curve.
+    pub curve: PartCurve,
+    /// Parameters of its two ends, the one nearer the tip first. Equal ends: the part has no length.
+    pub ends: [f64; 2],
+    /// Whether the outline has an edge at each end. (Where a land ends is one tooth's to know.)
+    pub corners: [bool; 2],
+}
+
+impl Part {
+    /// Parameters of the two ends, the lesser first.
+    pub fn range(&self) -> (f64, f64) {
+        let [from, to] = self.ends;
+        (from.min(to), from.max(to))
+    }
+
+    /// Whether the outline has an edge at `t`: an end, or beyond it, that is one.
+    pub fn is_corner(&self, t: f64) -> bool {
+        let [from, to] = self.ends;
+        let at = match from > to {
+            true => [t >= from, t <= to],
+            false => [t <= from, t >= to],
+        };
+        at[0] && self.corners[0] || at[1] && self.corners[1]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gear::{Gear, GearDesign};
+
+    /// All kinds of curves: undercut and `h_0 < 0` included, and a straight flank.
+    fn parts() -> Vec<(String, Part)> {
+        let gears = [(9, -0.1), (44, 0.0), (200, 1.2)].map(|(teeth, shift)| {
+            let design = GearDesign {
+                profile_shift: shift,
+                ..GearDesign::plain(teeth, 2.0)
+            };
+            (teeth, Gear::nominal(design).unwrap())
+        });
+        assert!(gears.each_ref().map(|(_, gear)| gear.is_undercut()) == [true, false, false]);
+        let straight = gears[1].1.with_straight_flanks(0.02, 0.05).unwrap();
+        let all = gears.into_iter().chain([(0, straight)]);
+        let parts = all.flat_map(|(teeth, gear)| {
+            ProfilePart::ALL.map(|part| (format!("{teeth} {}", part.name()), *gear.part(part)))
+        });
+        parts
+            .filter(|(_, part)| part.ends[0] != part.ends[1])
+            .collect()
+    }
+
+    /// What a curve says of itself against its own points. Source: differences of them.
+    #[test]
+    fn curves_are_as_they_say() {
+        for (what, part) in parts() {
+            let (curve, (low, high)) = (part.curve, part.range());
+            let (reach, turn) = curve.spread(low, high);
+            let middle = curve.at(0.5 * (low + high));
+            let size = middle.0.coords.norm();
+            let step = 1e-5;
+            for k in 0..=10 {
+                let t = low + (high - low) * f64::from(k) / 10.0;
+                let (point, normal) = curve.at(t);
+                assert!((point - curve.point(t)).norm() < 1e-13 * size, "{what} {t}");
+                assert!((normal - curve.normal(t)).norm() < 1e-13, "{what} {t}");
+                assert!((curve.radius(t) - point.coords.norm()).abs() < 1e-13 * size);
+                // dP/dt = i n · speed.
+                let rise = (curve.point(t + step) - curve.point(t - step)) / (2.0 * step);
+                let along = Vector2::new(-normal.y, normal.x) * curve.speed(t);
+                assert!(
+                    (rise - along).norm() < 1e-6 * size,
+                    "{what} {t}: {rise} {along}"
+                );
+                assert!(
+                    (point - middle.0).norm() <= reach * (1.0 + 1e-12),
+                    "{what} {t}"
+                );
+                let turned = middle.1.perp(&normal).atan2(middle.1.dot(&normal)).abs();
+                assert!(turned <= turn * (1.0 + 1e-12) + 1e-15, "{what} {t}");
+            }
+        }
+    }
+
+    /// No point leaves its chord by more than the bend says, and no normal turns faster than the curvature, where one is known.
+    #[test]
+    fn bend_and_curvature_bound_the_curve() {
+        for (what, part) in parts() {
+            let (curve, (low, high)) = (part.curve, part.range());
+            for k in 0..8 {
+                let (from, to) = (0.125 * f64::from(k), 0.125 * f64::from(k + 1));
+                let [from, to] = [from, to].map(|place| low + (high - low) * place);
+                let (a, b) = curve.bend(to);
+                let bound = (a + b * (to - from)) * (to - from) * (to - from) / 8.0;
+                let ends = [from, to].map(|t| curve.point(t));
+                let along = (ends[1] - ends[0]).normalize();
+                let points: Vec<Point2<f64>> = (0..=50)
+                    .map(|i| curve.point(from + (to - from) * f64::from(i) / 50.0))
+                    .collect();
+                let off = points
+                    .iter()
+                    .map(|point| along.perp(&(point - ends[0])).abs());
+                let off = off.fold(0.0, f64::max);
+                assert!(
+                    off <= bound * (1.0 + 1e-9) + 1e-15 * curve.radius(to),
+                    "{what}: {off} {bound}"
+                );
+                if let Some(curvature) = curve.curvature(from, to) {
+                    let length: f64 = points
+                        .windows(2)
+                        .map(|pair| (pair[1] - pair[0]).norm())
+                        .sum();
+                    let [start, end] = [from, to].map(|t| curve.normal(t));
+                    let turned = start.perp(&end).atan2(start.dot(&end)).abs();
+                    // The points' polygon is shorter than the curve by far less than a thousandth.
+                    assert!(turned <= curvature * length * 1.001 + 1e-15, "{what}");
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,160 @@
+//! Teeth with straight flanks, a line in the place of the involute: two racks' worth of trapezoids. Expected values are worked out by
+//! hand: two straight flanks touch where a tip corner of one lies on the other, and where a circle about the free axis meets a line.
+
+use crate::design::design;
+use gearlash::gear::{AsBuilt, Deviations, Face, Gear, Side};
+use gearlash::mesh::{Certifier, Contact, CutPair, ExactKernel, LostMotion};
+use gearlash::pair::{GearPair, Mating, Member, Pose};
+use std::f64::consts::{PI, TAU};
+
+/// `teeth` of module 3, straight-sided: parts of a quarter pitch that half a tooth spans at the tip and at the root circle.
+fn straight(teeth: u32, [tip, root]: [f64; 2], face: Face, per_tooth: Vec<f64>) -> AsBuilt {
+    let quarter = PI / (2.0 * f64::from(teeth));
+    let gear = Gear::nominal(design(teeth, 3.0)).unwrap();
+    let gear = gear
+        .with_straight_flanks(tip * quarter, root * quarter)
+        .unwrap();
+    assert!(!gear.is_generated());
+    let deviations = Deviations {
+        per_tooth,
+        ..Deviations::default()
+    };
+    AsBuilt::new(gear, face, &deviations).unwrap()
+}
+
+type Point = [f64; 2];
+
+fn polar(radius: f64, angle: f64) -> Point {
+    [radius * angle.cos(), radius * angle.sin()]
+}
+
+/// Tip corner and root corner of a flank in the picture, the gear's axis at `(axis, 0)`, its tooth 1 turned to `tooth_1`.
+fn flank(
+    gear: &AsBuilt,
+    half: [f64; 2],
+    axis: f64,
+    tooth_1: f64,
+    tooth: u32,
+    side: Side,
+) -> [Point; 2] {
+    let quarter = PI / (2.0 * f64::from(gear.gear().basic_data().teeth()));
+    let middle = tooth_1 + gear.tooth_angle(f64::from(tooth)) + gear.flank_offset(side, tooth);
+    let radii = [gear.gear().tip_radius(), gear.gear().root_radius()];
+    [0, 1].map(|end| {
+        let point = polar(radii[end], middle + side.sense() * half[end] * quarter);
+        [point[0] + axis, point[1]]
+    })
+}
+
+/// Where the circle of radius `rho` about `(axis, 0)` meets the line through both ends of a flank, between them: at the foot of the
+/// perpendicular, `h` away, and `√(ρ² − h²)` along the line to either side of it.
+fn on_circle([tip, root]: [Point; 2], axis: f64, rho: f64) -> Vec<Point> {
+    let along = [root[0] - tip[0], root[1] - tip[1]];
+    let length = along[0].hypot(along[1]);
+    let along = [along[0] / length, along[1] / length];
+    let from = [axis - tip[0], -tip[1]];
+    let foot = from[0] * along[0] + from[1] * along[1];
+    let h = from[0] * along[1] - from[1] * along[0];
+    let half = (rho * rho - h * h).sqrt();
+    [foot - half, foot + half]
+        .into_iter()
+        .filter(|s| (0.0..=length).contains(s))
+        .map(|s| [tip[0] + s * along[0], tip[1] + s * along[1]])
+        .collect()
+}
+
+fn direction(point: Point, axis: f64) -> f64 {
+    point[1].atan2(point[0] - axis)
+}
+
+/// The free pinion's rotations at which a flank of one side touches: clockwise it can turn down to the greatest one of the right flanks,
+/// counter-clockwise up to the least one of the left flanks.
+fn by_hand(pair: &GearPair, halves: [[f64; 2]; 2], pose: &Pose) -> [f64; 2] {
+    let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|member| pair.gear(member));
+    let (a, nominal) = (pair.center_distance(), pose.free_rotation());
+    Side::BOTH.map(|side| {
+        let mut rotations = Vec::new();
+        for ours in 1..=wheel.gear().basic_data().teeth() {
+            let locked = flank(wheel, halves[0], 0.0, pose.locked_rotation(), ours, side);
+            for theirs in 1..=pinion.gear().basic_data().teeth() {
+                // At rotation 0 tooth 1 of the pinion points at the wheel.
+                let free = flank(pinion, halves[1], a, PI, theirs, side);
+                // The wheel's tip corner on the pinion's flank, the pinion's tip corner on the wheel's.
+                let rho = (locked[0][0] - a).hypot(locked[0][1]);
+                let met = on_circle(free, a, rho).into_iter();
+                rotations.extend(met.map(|met| direction(locked[0], a) - direction(met, a)));
+                let rho = (free[0][0] - a).hypot(free[0][1]);
+                let met = on_circle(locked, a, rho).into_iter();
+                rotations.extend(met.map(|met| direction(met, a) - direction(free[0], a)));
+            }
+        }
+        let near = rotations.iter().map(|rotation| {
+            let off = rotation - nominal;
+            off - TAU * (off / TAU).round()
+        });
+        // Other teeth of the same side would touch a pitch on.
+        let pitch = pinion.gear().basic_data().angular_pitch();
+        let near = near.filter(|off| off.abs() < pitch / 2.0);
+        match side {
+            Side::Right => near.fold(f64::NEG_INFINITY, f64::max),
+            Side::Left => near.fold(f64::INFINITY, f64::min),
+        }
+    })
+}
+
+/// Lost motion at every phase, by the exact method, its search, polygons, and certified; contacts at a tip corner each.
+#[test]
+fn straight_flanks_touch_where_lines_and_circles_meet() {
+    let mut met = [0; 2];
+    for (teeth, halves, distance) in [
+        ([20, 30], [[0.55, 1.25], [0.6, 1.2]], 75.3),
+        ([24, 24], [[0.7, 1.1], [0.5, 1.3]], 72.2),
+        ([40, 16], [[0.6, 1.3], [0.75, 1.15]], 84.1),
+    ] {
+        let uneven = |count: u32| (0..count).map(|k| 0.02 * f64::from(k % 5)).collect();
+        let wheel = straight(teeth[0], halves[0], Face::Front, uneven(teeth[0]));
+        let pinion = straight(teeth[1], halves[1], Face::Back, Vec::new());
+        let cut = CutPair::for_certificates(&wheel, &pinion);
+        let pair = GearPair::new(wheel, pinion, distance, Member::Wheel).unwrap();
+        let kernel = ExactKernel::new(&pair);
+        assert!(!kernel.is_direct());
+        let (refined, certifier) = (cut.refined_kernel(&pair), Certifier::new(cut.kernel(&pair)));
+        for k in 0..40 {
+            let mating = Mating {
+                wheel_tooth: 1 + k % 7,
+                pinion_tooth: 1,
+                flank: [Side::Right, Side::Left][k as usize % 2],
+                fraction: f64::from(k) / 40.0,
+            };
+            let pose = Pose::new(&pair, mating);
+            let [right, left] = by_hand(&pair, halves, &pose);
+            let expected = left - right;
+            let exact = kernel.lost_motion(&pose).unwrap();
+            for found in [
+                exact,
+                kernel.lost_motion_by_search(&pose).unwrap(),
+                refined.lost_motion(&pose).unwrap(),
+            ] {
+                let (angle, error) = (found.angle().unwrap(), found.error().unwrap());
+                let what = format!("{teeth:?} {k}: {angle} for {expected}, {error}");
+                assert!(error < 1e-11, "{what}");
+                assert!((angle - expected).abs() < error + 1e-14, "{what}");
+            }
+            certifier.check(&pose, &exact).unwrap();
+            for turned in [1e-8, -1e-8] {
+                let turn = |contact: Contact| Contact {
+                    rotation: contact.rotation + turned,
+                    ..contact
+                };
+                let wrong = LostMotion {
+                    right: exact.right.map(turn),
+                    ..exact
+                };
+                assert!(certifier.check(&pose, &wrong).is_err());
+            }
+            met[usize::from(expected < 0.0)] += 1;
+        }
+    }
+    println!("{met:?}");
+    assert!(met.iter().all(|&count| count >= 10), "{met:?}");
+}

@@ -54,7 +54,6 @@ pub mod gear;
 pub mod measured;
 pub mod mesh;
 pub mod metrology;
-
 pub mod outcome;
 pub mod pair;
 pub mod phases;

@@ -40,21 +40,21 @@ pub fn check_pitch(
 
 /// The key, what is wrong and the way out.
 fn problem(of: &Statements, error: MeasurementError) -> Problem {
-    let fault = |role, suspect| Fault { of, role, suspect };
+    let fault = |role, suspects| Fault { of, role, suspects };
     match error {
         MeasurementError::NoGear {
             role,
             error,
-            suspect,
-        } => fault(role, suspect).of_gear(error),
+            suspects,
+        } => fault(role, suspects).of_gear(error),
         MeasurementError::OffInvolute {
             role,
             error,
             fits,
-            suspect,
-        } => fault(role, suspect).off_involute(error.to_string(), fits),
+            suspects,
+        } => fault(role, suspects).off_involute(error.to_string(), fits),
         MeasurementError::Thickness { role, error } => {
-            fault(role, None).pins_inside_base(error.to_string())
+            fault(role, Vec::new()).pins_inside_base(error.to_string())
         }
         error => of_flanks(of.table, of.pitch.as_ref(), &of.runout, error),
     }
@@ -132,12 +132,12 @@ fn of_flanks(
 struct Fault<'a> {
     of: &'a Statements<'a>,
     role: StatementRole,
-    suspect: Option<Outlier>,
+    suspects: Vec<Outlier>,
 }
 
 impl Fault<'_> {
     fn suspected(&self) -> String {
-        self.suspect.as_ref().map_or(String::new(), suspected)
+        self.suspects.iter().map(suspected).collect()
     }
 
     /// A problem of the whole tooth: blame the thickness where a nominal tooth would do, or `otherwise` with its way out.
@@ -253,27 +253,28 @@ impl Fault<'_> {
 
     fn off_involute(&self, reason: String, fits: Fits) -> Problem {
         let (_, under) = self.of.of_thickness(self.role);
-        let (key, help) = match (fits, &self.suspect) {
-            (Fits::Spans(_), Some(_)) => {
-                ("span", format!("check the readings{}", self.suspected()))
+        let suspected = self.suspected();
+        let (key, help) = match fits {
+            Fits::Spans(_) if !suspected.is_empty() => {
+                ("span", format!("check the readings{suspected}"))
             }
-            (Fits::Spans(Some((few, many))), None) if few < many => (
+            Fits::Spans(Some((few, many))) if few < many => (
                 "span.teeth",
                 format!("measure over {few} … {many} teeth, and give that span"),
             ),
-            (Fits::Spans(Some((only, _))), None) => (
+            Fits::Spans(Some((only, _))) => (
                 "span.teeth",
                 format!("measure over {only} teeth, and give that span"),
             ),
-            (Fits::Spans(None), None) => (
+            Fits::Spans(None) => (
                 "span.teeth",
                 "no span fits this gear: measure over pins".to_owned(),
             ),
-            (Fits::Pin(Some(pin)), _) => (
+            Fits::Pin(Some(pin)) => (
                 "over_pins.pin_mm",
                 format!("measure over pins of about {pin:.3} mm, and give that dimension"),
             ),
-            (Fits::Pin(None), _) => (
+            Fits::Pin(None) => (
                 "over_pins.pin_mm",
                 "measure over other pins, or give the span".to_owned(),
             ),

@@ -55,7 +55,6 @@ pub mod gear;
 pub mod measured;
 pub mod mesh;
 pub mod metrology;
-
 pub mod outcome;
 pub mod pair;
 mod parallel;

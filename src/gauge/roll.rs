@@ -23,7 +23,6 @@ use std::ops::ControlFlow;
 pub struct Roll {
     /// The master gear.
     #[cfg_attr(feature = "serde", serde(skip))]
-    #[cfg_attr(feature = "serde", serde(skip))]
     pub master: Gear,
     /// Poses a pitch.
     pub steps_per_pitch: u32,

@@ -22,8 +22,8 @@ pub enum MeasurementError {
         role: StatementRole,
         /// Why.
         error: GearError,
-        /// The reading that may be the reason.
-        suspect: Option<Outlier>,
+        /// The reading that may be the reason, if there is one.
+        suspects: Vec<Outlier>,
     },
     /// A span or a pin that does not touch the involute where the thickness is measured.
     #[error("{error}")]
@@ -34,8 +34,8 @@ pub enum MeasurementError {
         error: GearError,
         /// What would touch.
         fits: Fits,
-        /// The reading that may be the reason.
-        suspect: Option<Outlier>,
+        /// The reading that may be the reason, if there is one.
+        suspects: Vec<Outlier>,
     },
     /// Per-tooth thickness that is not one number a tooth, or is not determined.
     #[error("{0}")]

@@ -24,7 +24,7 @@ impl StatedTooth<'_> {
         let no_gear = |error| MeasurementError::NoGear {
             role: self.role,
             error,
-            suspect: self.suspect(known),
+            suspects: self.suspects(known),
         };
         let round = design.rack.check_tip_round(&design.basic_data);
         round.map_err(no_gear)?;
@@ -71,9 +71,9 @@ impl StatedTooth<'_> {
         })
     }
 
-    fn suspect(&self, known: &Deviations) -> Option<Outlier> {
+    fn suspects(&self, known: &Deviations) -> Vec<Outlier> {
         let outlier = self.statement.outlier(&self.design.basic_data, known);
-        outlier.map(Outlier::Reading)
+        outlier.map(Outlier::Reading).into_iter().collect()
     }
 
     fn off_involute(&self, error: GearError, gear: &Gear, known: &Deviations) -> MeasurementError {
@@ -88,7 +88,10 @@ impl StatedTooth<'_> {
                 true => Fits::Spans(fitting_spans(gear)),
                 false => Fits::Pin(fitting_pin(gear)),
             },
-            suspect: by_span.then(|| self.suspect(known)).flatten(),
+            suspects: match by_span {
+                true => self.suspects(known),
+                false => Vec::new(),
+            },
         }
     }
 }

@@ -1,13 +1,10 @@
 //! `[thickness.cross_check]`: a second statement about the thickness, compared and never built.
 
-use super::faults::Drawing;
 use super::limits::CROSS_CHECK;
 use super::problems::Problems;
-use super::stated::Stated;
 use super::table::Table;
 use super::thickness::Statement;
-use gearlash::gear::{Deviations, Gear};
-use gearlash::metrology::ThicknessStatements;
+use gearlash::metrology;
 use serde_json::{Value, json};
 
 const KEYS: &[&str] = &[
@@ -17,9 +14,7 @@ const KEYS: &[&str] = &[
     "base_thickness_mm",
     "tolerance_um",
 ];
-/// Tuned: two readings of 1 µm each, and what a pin's own diameter adds. Above it lies a slip of a
-/// micrometer's thimble line, 10 µm; below it the rounding of printed lengths, 0.5 µm each.
-const TOLERANCE_UM: f64 = 3.0;
+const TOLERANCE_UM: f64 = metrology::CrossCheck::TOLERANCE_UM;
 
 /// The second statement.
 #[derive(Debug, Clone, PartialEq)]
@@ -81,91 +76,12 @@ impl CrossCheck {
         &self.statement
     }
 
-    /// A warning where it is the same measurement as the one that counts: it repeats its faults, the pin's or the count of teeth.
-    pub fn same_kind(&self, drawing: &Drawing) -> Option<String> {
-        let of = |statement: &Statement| match statement {
-            // A base thickness may come from any measurement.
-            Statement::Nominal | Statement::Base(_) => None,
-            Statement::Span { teeth, .. } | Statement::Spans { teeth, .. } => {
-                Some(("a span over as many teeth", f64::from(*teeth)))
-            }
-            Statement::OverPins { pin_mm, .. } | Statement::Pins { pin_mm, .. } => {
-                Some(("a dimension over the same pins", *pin_mm))
-            }
-            Statement::Allowance(_) => Some(("an allowance", 0.0)),
-        };
-        let (words, _) =
-            of(&self.statement).filter(|kind| of(&drawing.statement) == Some(*kind))?;
-        Some(format!(
-            "{}: is {words}, like the statement that counts, and repeats its faults: a check by another kind of measurement (span, over pins, \
-             another number of teeth or pin) would find them",
-            drawing.table.path_of(CrossCheck::UNDER)
-        ))
-    }
-
-    /// Compares it with `gears`, which have the deviations `known`.
-    pub fn compare(
-        &self,
-        drawing: &Drawing,
-        gears: &Stated<Gear>,
-        known: &Deviations,
-        problems: &mut Problems,
-    ) -> Option<ThicknessStatements> {
-        let second = Drawing {
-            table: drawing.table,
-            design: drawing.design,
-            statement: self.statement.clone(),
-            under: CrossCheck::UNDER,
-        };
-        let cross = second.gears(known, problems)?;
-        let range =
-            |gears: &Stated<Gear>| [gears.least(), gears.most()].map(|gear| gear.base_thickness());
-        Some(ThicknessStatements::new(
-            range(gears),
-            range(&cross),
-            self.tolerance_um,
-        ))
-    }
-
-    /// What the user should know of the comparison.
-    pub fn told(&self, drawing: &Drawing, compared: &ThicknessStatements) -> String {
-        let range = |[least, most]: [f64; 2]| {
-            if least == most {
-                format!("{least:.6} mm")
-            } else {
-                format!("{least:.6} … {most:.6} mm")
-            }
-        };
-        let bands = [compared.counts, compared.cross].map(|[least, most]| least < most);
-        let (gap, tolerance) = (compared.gap_um, compared.tolerance_um);
-        let outside = match bands {
-            [false, false] => "".to_owned(),
-            [true, true] => format!("the bands lie {gap:.1} µm apart, "),
-            _ => format!("the single value lies {gap:.1} µm outside the band, "),
-        };
-        let verdict = match (compared.agree(), gap > 0.0) {
-            (true, false) => "they agree".to_owned(),
-            (true, true) => {
-                format!("{outside}within the tolerance of {tolerance:.1} µm: they agree")
-            }
-            (false, _) => format!(
-                "{outside}{tolerance:.1} µm is allowed: check both measurements, the pins and the number of teeth spanned"
-            ),
-        };
-        format!(
-            "{}: base thickness {} by {}, {} by {}, difference{} {:.2} µm: {verdict}",
-            drawing.table.path_of(CrossCheck::UNDER),
-            range(compared.counts),
-            drawing.statement.key().unwrap_or_default(),
-            range(compared.cross),
-            self.statement.key().unwrap_or_default(),
-            if bands == [false, false] {
-                ""
-            } else {
-                " of the means"
-            },
-            compared.difference_um,
-        )
+    /// What was measured.
+    pub fn measured(&self) -> metrology::CrossCheck {
+        metrology::CrossCheck {
+            statement: self.statement.measured(),
+            tolerance_um: self.tolerance_um,
+        }
     }
 
     /// As in the pair file.

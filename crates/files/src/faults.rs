@@ -1,115 +1,173 @@
-//! Which key of a gear's table a [`GearError`] comes from, and the way out.
+//! Which key of a gear's table a [`MeasurementError`] comes from, and the way out.
 
+use super::findings::suspected;
+use super::pitch::PitchSheet;
 use super::problems::Problems;
-use super::slips::{self, Outlier};
-use super::stated::Stated;
+use super::runout::Runout;
+use super::statements::Statements;
 use super::table::Table;
 use super::thickness::Statement;
 use crate::error::Problem;
 use gearlash::error::GearError;
-use gearlash::gear::{AsBuilt, Deviations, Face, Gear, GearDesign, thickness};
+use gearlash::gear::{BasicGearData, Gear, GearDesign, thickness};
+use gearlash::metrology::{DeviationCause, Fits, MeasurementError, Outlier, StatementRole};
 
-/// A gear as drawn, and the table that drew it.
-pub struct Drawing<'a> {
-    /// `[wheel]` or `[pinion]`.
-    pub table: &'a Table<'a>,
-    /// What it says of the design, the tip diameter filled in.
-    pub design: GearDesign,
-    /// What it says of the thickness.
-    pub statement: Statement,
-    /// The table of that statement, below the gear's.
-    pub under: &'static str,
+/// Adds each of `errors`, with the key it comes from.
+pub fn add_all(of: &Statements, errors: Vec<MeasurementError>, problems: &mut Problems) {
+    for error in errors {
+        problems.add(problem(of, error));
+    }
 }
 
-impl Drawing<'_> {
-    /// The gear in one or both materials, its thickness measurement checked against it.
-    ///
-    /// `known` is what its readings all round contain beside the mean thickness.
-    pub fn gears(&self, known: &Deviations, problems: &mut Problems) -> Option<Stated<Gear>> {
-        let design = &self.design;
-        let round = design.rack.check_tip_round(&design.basic_data);
-        problems.keep(round.map_err(|error| self.fault(error, known)))?;
-        let base = self.statement.base_thickness(design, known);
-        let base = problems.keep(base.map_err(|error| self.pins_inside_base(error)))?;
-        let gears = base.try_map(|&base| Gear::new(*design, base));
-        let gears = problems.keep(gears.map_err(|error| self.fault(error, known)))?;
-        let checked = gears.try_map(|gear| {
-            let check = self.statement.check(gear);
-            check.map_err(|error| self.off_involute(error, gear, known))
-        });
-        problems.keep(checked)?;
-        Some(gears)
+/// Checks the pitch of `sheet` by itself and its eccentricity beside `runout`.
+pub fn check_pitch(
+    table: &Table,
+    sheet: &PitchSheet,
+    runout: &Runout,
+    basic_data: &BasicGearData,
+    problems: &mut Problems,
+) -> Option<()> {
+    let pitch = sheet.measured();
+    let curves = pitch.curves(basic_data).err().into_iter().flatten();
+    let once = pitch.check_eccentricity(&runout.measured()).err();
+    let errors: Vec<MeasurementError> = curves.chain(once).collect();
+    let good = errors.is_empty();
+    for error in errors {
+        problems.add(of_flanks(table, Some(sheet), runout, error));
+    }
+    good.then_some(())
+}
+
+/// The key, what is wrong and the way out.
+fn problem(of: &Statements, error: MeasurementError) -> Problem {
+    let fault = |role, suspects| Fault { of, role, suspects };
+    match error {
+        MeasurementError::NoGear {
+            role,
+            error,
+            suspects,
+        } => fault(role, suspects).of_gear(error),
+        MeasurementError::OffInvolute {
+            role,
+            error,
+            fits,
+            suspects,
+        } => fault(role, suspects).off_involute(error.to_string(), fits),
+        MeasurementError::Thickness { role, error } => {
+            fault(role, Vec::new()).pins_inside_base(error.to_string())
+        }
+        error => of_flanks(of.table, of.pitch.as_ref(), &of.runout, error),
+    }
+}
+
+/// The same of errors that are not of the mean thickness.
+fn of_flanks(
+    table: &Table,
+    pitch: Option<&PitchSheet>,
+    runout: &Runout,
+    error: MeasurementError,
+) -> Problem {
+    let reason = error.to_string();
+    let (key, help) = match error {
+        MeasurementError::Deviations {
+            cause, suspects, ..
+        } => {
+            let key = match cause {
+                DeviationCause::Spans => "thickness.span",
+                DeviationCause::PerTooth => "thickness.per_tooth_um",
+                DeviationCause::Pitch => "pitch",
+            };
+            let suspected: String = suspects.iter().map(suspected).collect();
+            let help = format!("check unit (µm) and sign of the values{suspected}");
+            return table.problem(key, reason, help);
+        }
+        MeasurementError::PitchOffHalf { flank, .. } => (
+            pitch.map_or("pitch", |sheet| sheet.key(flank)),
+            "check the unit (µm) and whether the values are single or cumulative",
+        ),
+        MeasurementError::Pitch(_) => ("pitch", "give one value a tooth for both flanks"),
+        MeasurementError::EccentricityTwice => {
+            return table.problem(
+                "pitch.axis",
+                "pitch measured about the datum axis already contains the eccentricity, and [runout] would count it twice",
+                "drop the runout, or say in [pitch] which counts: eccentricity = \"pitch\" or \"runout\"; \
+                 write axis = \"own\" if the values are free of eccentricity",
+            );
+        }
+        MeasurementError::NoRunout => (
+            "pitch.eccentricity",
+            "add [runout] with total_um and high_tooth, or write eccentricity = \"pitch\"",
+        ),
+        MeasurementError::NoEccentricityInOwnPitch => {
+            return table.problem(
+                "pitch.eccentricity",
+                "goes with axis = \"datum\" only: values about the gear's own axis contain no eccentricity",
+                "remove it, or write axis = \"datum\"",
+            );
+        }
+        MeasurementError::DatumPitch(_) => (
+            "pitch.axis",
+            "check the values, or write axis = \"own\" if they are free of eccentricity",
+        ),
+        MeasurementError::NotSettled => (
+            "pitch.axis",
+            "check the pitch values and the readings of the thickness",
+        ),
+        MeasurementError::Runout(_) => ("runout.file", "check the readings and their unit, µm"),
+        MeasurementError::RunoutBeyondDepth { .. } => (runout.key(), "check the unit: µm"),
+        MeasurementError::Ball(_) => ("runout.ball_mm", "check it: about 1.7 modules is usual"),
+        MeasurementError::NoBall => (
+            "runout.file",
+            "give total_um and high_tooth in place of the file",
+        ),
+        MeasurementError::PerTooth(_)
+        | MeasurementError::Thickness { .. }
+        | MeasurementError::NoGear { .. }
+        | MeasurementError::OffInvolute { .. } => ("thickness.span", "check the readings"),
+    };
+    table.problem(key, reason, help)
+}
+
+/// An error of one statement of the thickness.
+struct Fault<'a> {
+    of: &'a Statements<'a>,
+    role: StatementRole,
+    suspects: Vec<Outlier>,
+}
+
+impl Fault<'_> {
+    fn suspected(&self) -> String {
+        self.suspects.iter().map(suspected).collect()
     }
 
-    /// The gears with `deviations`.
-    pub fn as_built(
-        &self,
-        gears: &Stated<Gear>,
-        face: Face,
-        deviations: &Deviations,
-        slips: &[Outlier],
-        problems: &mut Problems,
-    ) -> Option<Stated<AsBuilt>> {
-        let as_built = gears.try_map(|gear| {
-            AsBuilt::new(gear.clone(), face, deviations).map_err(|error| {
-                let thickness_alone = Deviations {
-                    pitch: None,
-                    ..deviations.clone()
-                };
-                let key = match AsBuilt::new(gear.clone(), face, &thickness_alone) {
-                    Err(_) if matches!(self.statement, Statement::Spans { .. }) => "thickness.span",
-                    Err(_) => "thickness.per_tooth_um",
-                    Ok(_) => "pitch",
-                };
-                let mut help = "check unit (µm) and sign of the values".to_owned();
-                for slip in slips {
-                    help += &slip.suspected();
-                }
-                self.table.problem(key, error.to_string(), help)
-            })
-        });
-        problems.keep(as_built)
-    }
-
-    /// The key that makes the tooth what it is: the thickness where a nominal tooth would do.
-    fn shape_key(&self, otherwise: &str) -> String {
-        match self.statement.key() {
-            Some(key) if Gear::nominal(self.design).is_ok() => format!("{}.{key}", self.under),
-            _ => otherwise.to_owned(),
+    /// A problem of the whole tooth: blame the thickness where a nominal tooth would do, or `otherwise` with its way out.
+    fn shape(&self, reason: String, otherwise: &'static str, help: String) -> Problem {
+        let (statement, under) = self.of.of_thickness(self.role);
+        match statement.key() {
+            Some(key) if Gear::nominal(self.of.design).is_ok() => {
+                let nominal = nominal(statement, &self.of.design);
+                let suspected = self.suspected();
+                let help = format!("check the measurement: {nominal}{suspected}");
+                self.of
+                    .table
+                    .problem(&format!("{under}.{key}"), reason, help)
+            }
+            _ => self.of.table.problem(otherwise, reason, help),
         }
     }
 
-    /// A problem of the whole tooth: blame the thickness, or `otherwise` with its way out.
-    fn shape(
-        &self,
-        reason: String,
-        otherwise: &'static str,
-        help: String,
-        known: &Deviations,
-    ) -> Problem {
-        let key = self.shape_key(otherwise);
-        let help = if key == otherwise {
-            help
-        } else {
-            let nominal = self.statement.nominal(&self.design);
-            let slip = slips::in_readings(self, known);
-            let suspected = slip.map_or(String::new(), |slip| slip.suspected());
-            format!("check the measurement: {nominal}{suspected}")
-        };
-        self.table.problem(&key, reason, help)
-    }
-
-    fn fault(&self, error: GearError, known: &Deviations) -> Problem {
+    fn of_gear(&self, error: GearError) -> Problem {
+        let (table, design) = (self.of.table, &self.of.design);
         let reason = error.to_string();
         // What moves the tip: the first of these that was given.
         let tip_key = ["tip_diameter_mm", "profile_shift", "rack.addendum"]
             .into_iter()
-            .find(|key| self.table.has(key))
+            .find(|key| table.has(key))
             .unwrap_or("profile_shift");
         let tip_given = tip_key == "tip_diameter_mm";
         match error {
             // Rounded down: what is printed fits.
-            GearError::TipRoundTooLarge { most, .. } if most >= 0.0 => self.table.problem(
+            GearError::TipRoundTooLarge { most, .. } if most >= 0.0 => table.problem(
                 "rack.root_radius",
                 format!("too large for the tool's tip, allowed is up to {most:.6} modules with this dedendum and pressure angle"),
                 format!(
@@ -117,7 +175,7 @@ impl Drawing<'_> {
                     (1e4 * most).floor() / 1e4
                 ),
             ),
-            GearError::TipRoundTooLarge { .. } => self.table.problem(
+            GearError::TipRoundTooLarge { .. } => table.problem(
                 "rack.root_radius",
                 "no round is small enough: with this dedendum and pressure angle the tool's tip is pointed",
                 "reduce rack.dedendum",
@@ -132,7 +190,7 @@ impl Drawing<'_> {
                 } else {
                     format!("reduce it, or give a tip_diameter_mm {below}")
                 };
-                self.shape(reason, tip_key, help, known)
+                self.shape(reason, tip_key, help)
             }
             GearError::NoInvolute {
                 form_diameter_mm, ..
@@ -142,22 +200,20 @@ impl Drawing<'_> {
                 } else {
                     "give a greater profile shift, addendum or number of teeth".to_owned()
                 };
-                self.shape(reason, tip_key, help, known)
+                self.shape(reason, tip_key, help)
             }
             GearError::NoSpace { .. } => {
-                let rack = &self.design.rack;
-                let basic_data = &self.design.basic_data;
-                let depth = basic_data.module() * (rack.dedendum() - self.design.profile_shift);
-                let root = basic_data.reference_radius() - depth;
+                let depth =
+                    design.basic_data.module() * (design.rack.dedendum() - design.profile_shift);
+                let root = design.basic_data.reference_radius() - depth;
                 if root > 0.0 {
                     let help = "reduce the profile shift".to_owned();
-                    self.shape(reason, "profile_shift", help, known)
+                    self.shape(reason, "profile_shift", help)
                 } else {
                     self.shape(
                         format!("the root radius would be {root:.4} mm, allowed is above 0"),
                         "rack.dedendum",
                         "reduce the dedendum, or give a greater profile shift".to_owned(),
-                        known,
                     )
                 }
             }
@@ -165,73 +221,84 @@ impl Drawing<'_> {
                 reason,
                 "profile_shift",
                 "give a greater profile shift, more teeth or a rack with less dedendum".to_owned(),
-                known,
             ),
             GearError::OutOfRange { value, .. } => self.shape(
                 format!("makes the base tooth thickness {value:.4} mm, allowed is above 0"),
                 "profile_shift",
                 "give a greater profile shift".to_owned(),
-                known,
             ),
             _ => self.shape(
                 reason,
                 "profile_shift",
                 "reduce the profile shift, or give the rack more dedendum".to_owned(),
-                known,
             ),
         }
     }
 
-    fn pins_inside_base(&self, error: GearError) -> Problem {
-        let key = match &self.statement {
+    fn pins_inside_base(&self, reason: String) -> Problem {
+        let (statement, under) = self.of.of_thickness(self.role);
+        let key = match statement {
             Statement::OverPins { mm, .. } if mm.is_band() => "over_pins.min_mm".to_owned(),
             Statement::Pins { readings, .. } => format!("over_pins.{}", readings.key()),
             _ => "over_pins.mm".to_owned(),
         };
-        let base = 2.0 * self.design.basic_data.base_radius();
-        let nominal = self.statement.nominal(&self.design);
-        self.table.problem(
-            &format!("{}.{key}", self.under),
-            format!("{error} (the base diameter is {base:.4} mm)"),
+        let base = 2.0 * self.of.design.basic_data.base_radius();
+        let nominal = nominal(statement, &self.of.design);
+        self.of.table.problem(
+            &format!("{under}.{key}"),
+            format!("{reason} (the base diameter is {base:.4} mm)"),
             format!("check the measurement: {nominal}"),
         )
     }
 
-    fn off_involute(&self, error: GearError, gear: &Gear, known: &Deviations) -> Problem {
-        let reason = error.to_string();
-        if let Statement::Span { .. } | Statement::Spans { .. } = self.statement {
-            let fits = |teeth: &u32| thickness::check_span(gear, *teeth).is_ok();
-            let teeth = gear.basic_data().teeth();
-            let help = match ((2..=teeth).find(fits), (2..=teeth).rev().find(fits)) {
-                (Some(few), Some(many)) if few < many => {
-                    format!("measure over {few} … {many} teeth, and give that span")
-                }
-                (Some(only), _) => format!("measure over {only} teeth, and give that span"),
-                _ => "no span fits this gear: measure over pins".to_owned(),
-            };
-            if let Some(slip) = slips::in_readings(self, known) {
-                let help = format!("check the readings{}", slip.suspected());
-                return self
-                    .table
-                    .problem(&format!("{}.span", self.under), reason, help);
+    fn off_involute(&self, reason: String, fits: Fits) -> Problem {
+        let (_, under) = self.of.of_thickness(self.role);
+        let suspected = self.suspected();
+        let (key, help) = match fits {
+            Fits::Spans(_) if !suspected.is_empty() => {
+                ("span", format!("check the readings{suspected}"))
             }
-            let key = format!("{}.span.teeth", self.under);
-            return self.table.problem(&key, reason, help);
-        }
-        let (form, tip) = (gear.form_roll(), gear.tip_roll());
-        // Halfway up the involute first; a pin that touches higher is larger and stands out further.
-        let fitting = [0.5, 0.6, 0.7, 0.8, 0.9]
-            .map(|part| {
-                let roll = form + part * (tip - form);
-                thickness::pin_touching(gear.basic_data(), roll, gear.base_thickness())
-            })
-            .into_iter()
-            .find(|&pin| pin > 0.0 && thickness::check_pins(gear, pin).is_ok());
-        let help = match fitting {
-            Some(pin) => format!("measure over pins of about {pin:.3} mm, and give that dimension"),
-            None => "measure over other pins, or give the span".to_owned(),
+            Fits::Spans(Some((few, many))) if few < many => (
+                "span.teeth",
+                format!("measure over {few} … {many} teeth, and give that span"),
+            ),
+            Fits::Spans(Some((only, _))) => (
+                "span.teeth",
+                format!("measure over {only} teeth, and give that span"),
+            ),
+            Fits::Spans(None) => (
+                "span.teeth",
+                "no span fits this gear: measure over pins".to_owned(),
+            ),
+            Fits::Pin(Some(pin)) => (
+                "over_pins.pin_mm",
+                format!("measure over pins of about {pin:.3} mm, and give that dimension"),
+            ),
+            Fits::Pin(None) => (
+                "over_pins.pin_mm",
+                "measure over other pins, or give the span".to_owned(),
+            ),
         };
-        let key = format!("{}.over_pins.pin_mm", self.under);
-        self.table.problem(&key, reason, help)
+        self.of
+            .table
+            .problem(&format!("{under}.{key}"), reason, help)
+    }
+}
+
+/// What the nominal tooth would measure: "nominal is 50.6 mm".
+fn nominal(statement: &Statement, design: &GearDesign) -> String {
+    let basic_data = &design.basic_data;
+    let base = design.nominal_base_thickness();
+    match *statement {
+        Statement::Nominal | Statement::Base(_) => format!("nominal is {base:.4} mm"),
+        Statement::Span { teeth, .. } | Statement::Spans { teeth, .. } => {
+            let span = thickness::span_from_base(basic_data, teeth, base);
+            format!("nominal over {teeth} teeth is {span:.4} mm")
+        }
+        Statement::OverPins { pin_mm, .. } | Statement::Pins { pin_mm, .. } => {
+            let over = thickness::pins_from_base(basic_data, pin_mm, base);
+            format!("nominal over pins of {pin_mm} mm is {over:.4} mm")
+        }
+        Statement::Allowance(_) => "nominal is 0 µm".to_owned(),
     }
 }

@@ -3,21 +3,17 @@
 mod rack;
 
 use super::cross_check::CrossCheck;
-use super::faults::Drawing;
-use super::flanks::{Flanks, Sheets};
 use super::limits::{MODULE, PRESSURE_ANGLE, PROFILE_SHIFT, TEETH, TIP_DIAMETER};
-use super::per_tooth;
 use super::pitch::PitchSheet;
 use super::problems::Problems;
 use super::runout::Runout;
 use super::sheet::Drawn;
-use super::slips::{self, Outlier};
-use super::stated::Stated;
+use super::statements::Statements;
 use super::table::Table;
 use super::thickness::{self, Statement};
-use super::{all_round, contradictions, eccentricity, first_harmonic, unit_slips};
-use gearlash::gear::{AsBuilt, BasicGearData, Deviations, Face, GearDesign};
-use gearlash::metrology::GearNotes;
+use super::{faults, findings, per_tooth};
+use gearlash::gear::{AsBuilt, BasicGearData, Face, GearDesign};
+use gearlash::metrology::{Finding, GearNotes, Toleranced};
 use serde_json::{Value, json};
 
 const KEYS: &[&str] = &[
@@ -46,7 +42,7 @@ pub struct GearPart {
     /// All three of these.
     pub basic_data: Option<BasicGearData>,
     /// The gear, in one or both materials.
-    pub as_built: Option<Stated<AsBuilt>>,
+    pub as_built: Option<Toleranced<AsBuilt>>,
     /// As in the pair file, defaults filled in.
     pub echo: Option<Value>,
     /// What its statements say of each other.
@@ -106,12 +102,9 @@ impl GearPart {
         let sheet = PitchSheet::read(table, teeth, problems);
 
         let pitch = match (&sheet, &self.basic_data, &runout) {
-            (Some(None), ..) => Some(None),
+            (Some(None), ..) => Some(()),
             (Some(Some(sheet)), Some(basic_data), Some(runout)) => {
-                self.warnings.extend(sheet.warnings(table));
-                let curves = sheet.curves(table, basic_data, problems);
-                let once = eccentricity::check(table, sheet, runout, problems);
-                once.and(curves).map(|pitch| Some((sheet, pitch)))
+                faults::check_pitch(table, sheet, runout, basic_data, problems)
             }
             _ => None,
         };
@@ -127,98 +120,69 @@ impl GearPart {
             pressure_angle_deg: self.pressure_angle_deg?,
         };
         let pitch_header = sheet.iter().flatten().filter_map(PitchSheet::header);
+        let mut header_warnings = Vec::new();
         for header in pitch_header.chain(runout.iter().filter_map(Runout::header)) {
             header.check(&drawn, problems);
-            self.warnings.extend_from_slice(header.warnings());
+            header_warnings.extend_from_slice(header.warnings());
         }
-        let drawing = Drawing {
+        let understood = per_tooth.is_some() && pitch.is_some();
+        let statements = Statements {
             table,
             design,
-            statement: statement?,
-            under: "thickness",
+            thickness: statement?,
+            per_tooth_um: per_tooth.unwrap_or_default(),
+            cross_check: cross_check.clone().flatten(),
+            pitch: sheet.flatten(),
+            runout: runout?,
         };
-        let runout = runout?;
-        let (Some(per_tooth_um), Some(pitch)) = (per_tooth, pitch) else {
+        let measurements = statements.measurements(face.unwrap_or(Face::Front));
+        if !understood {
             // Whatever else is wrong is told, too.
-            let gears = drawing.gears(&Deviations::default(), problems)?;
-            return runout.check(table, &gears, problems);
-        };
-        let measured = pitch.clone();
-        let sheets = Sheets {
-            per_tooth: per_tooth_um.iter().map(|um| um / 1000.0).collect(),
-            runout: &runout,
-            pitch,
-        };
-        let flanks = Flanks::settle(&drawing, sheets, problems)?;
-        let (face, cross_check) = (face?, cross_check?);
-        self.warnings.extend_from_slice(&flanks.told);
-        if let Some(note) = &flanks.eccentricity {
-            self.warnings.push(eccentricity::told(table, note));
+            let errors = measurements.check_thickness_and_runout();
+            faults::add_all(&statements, errors, problems);
+            return None;
         }
-        self.warnings.extend(all_round::told(&drawing, &flanks));
-        let measured = measured.as_ref().map(|(sheet, pitch)| (*sheet, pitch));
-        self.warnings.extend(contradictions::told(
-            &drawing,
-            cross_check.as_ref(),
-            measured,
-            &flanks,
-        ));
-        self.warnings
-            .extend(per_tooth::off_mean(&drawing, &per_tooth_um));
-        self.warnings.extend(unit_slips::told(
-            &drawing,
-            &flanks.runout,
-            &per_tooth_um,
-            measured.map(|(sheet, _)| sheet),
-        ));
-        let cross_checks = cross_check.iter();
-        self.warnings
-            .extend(cross_checks.filter_map(|check| check.same_kind(&drawing)));
-        self.warnings
-            .extend(measured.and_then(|(sheet, pitch)| match sheet.is_datum() {
-                true => first_harmonic::not_joint(table, sheet, pitch, &flanks),
-                false => first_harmonic::held(table, pitch, &flanks),
-            }));
-        let basic_data = &drawing.design.basic_data;
-        let in_pitch = measured.and_then(|(sheet, _)| sheet.slip(table, basic_data));
-        let slips: Vec<Outlier> = slips::in_readings(&drawing, &flanks.stated)
-            .into_iter()
-            .chain(in_pitch)
-            .collect();
-        self.warnings.extend(slips.iter().map(Outlier::told));
-        self.notes = GearNotes {
-            eccentricity: flanks.eccentricity,
-            all_round: flanks.all_round,
-            thickness: None,
-        };
-        if let Some(check) = &cross_check {
-            let compared = check.compare(&drawing, &flanks.gears, &flanks.deviations, problems)?;
-            let told = check.told(&drawing, &compared);
-            match compared.agree() {
-                true => self.remarks.push(told),
-                false => self.warnings.push(told),
-            }
-            self.notes.thickness = Some(compared);
-        }
-        let deviations = &flanks.deviations;
-        self.as_built =
-            Some(drawing.as_built(&flanks.gears, face, deviations, &slips, problems)?);
+        let errors = |errors| faults::add_all(&statements, errors, problems);
+        let gear = measurements.measure().map_err(errors).ok()?;
+        let face = face?;
+        cross_check?;
+        self.tell(&statements, &gear.findings, header_warnings);
+        self.notes = gear.notes;
+        self.as_built = Some(gear.as_built);
 
-        let mut echo = self.echo_of(&drawing, face, &flanks.runout);
-        echo["thickness"]["per_tooth_um"] = json!(per_tooth_um);
-        if let Some(check) = &cross_check {
+        let runout = statements.runout.settled(gear.runout);
+        let mut echo = self.echo_of(&statements, face, &runout);
+        echo["thickness"]["per_tooth_um"] = json!(statements.per_tooth_um);
+        if let Some(check) = &statements.cross_check {
             echo["thickness"]["cross_check"] = check.echo();
         }
-        if let Some((sheet, _)) = measured {
+        if let Some(sheet) = &statements.pitch {
             echo["pitch"] = sheet.echo();
         }
         self.echo = Some(echo);
         Some(())
     }
 
+    /// Puts `findings` into words, those of the pitch sheet's own values before the `header_warnings`.
+    fn tell(&mut self, of: &Statements, findings: &[Finding], header_warnings: Vec<String>) {
+        let sheet = |finding: &&Finding| matches!(finding, Finding::PitchDoesNotClose { .. });
+        let of_sheet = findings.iter().take_while(sheet).count();
+        let (before, after) = findings.split_at(of_sheet);
+        self.warnings
+            .extend(before.iter().map(|finding| findings::describe(of, finding)));
+        self.warnings.extend(header_warnings);
+        for finding in after {
+            let told = match finding.is_in_order() {
+                true => &mut self.remarks,
+                false => &mut self.warnings,
+            };
+            told.push(findings::describe(of, finding));
+        }
+    }
+
     /// As in the pair file, without the lists of one value a tooth.
-    fn echo_of(&self, drawing: &Drawing, face: Face, runout: &Runout) -> Value {
-        let design = &drawing.design;
+    fn echo_of(&self, statements: &Statements, face: Face, runout: &Runout) -> Value {
+        let design = &statements.design;
         json!({
             "teeth": self.teeth,
             "module_mm": self.module_mm,
@@ -231,7 +195,7 @@ impl GearPart {
                 "dedendum": design.rack.dedendum(),
                 "root_radius": design.rack.root_radius(),
             },
-            "thickness": drawing.statement.echo(),
+            "thickness": statements.thickness.echo(),
             "runout": runout.echo(),
         })
     }

@@ -1,22 +1,18 @@
 //! From a pair file to a [`Study`](gearlash::study::Study): every key of the interface, every problem at once.
 //!
 //! A file becomes a tree of values (`source`, `node`); each table is read by
-//! type and range (`table`, `entry`); what is good goes on to the geometry,
-//! whose refusals are traced back to the keys they come from (`faults`).
-//! Nothing here computes what a gear is.
+//! type and range (`table`, `entry`); what is good goes on to the metrology and
+//! the geometry, whose refusals are traced back to the keys they come from (`faults`)
+//! and whose findings are put into words (`findings`). Nothing here computes what a gear is.
 
-mod all_round;
 mod assembly;
 pub mod characters;
-mod contradictions;
 mod cross_check;
 mod data_file;
-mod eccentricity;
 mod entry;
 mod error;
 mod faults;
-mod first_harmonic;
-mod flanks;
+mod findings;
 mod gear;
 mod gear_file;
 mod limits;
@@ -39,15 +35,13 @@ pub mod results;
 mod runout;
 mod schema;
 mod sheet;
-mod slips;
 mod source;
 mod sources;
 mod stated;
+mod statements;
 mod sweep;
 mod table;
 mod thickness;
-mod tooth;
-mod unit_slips;
 
 use node::Node;
 use pair_file::PairTables;

@@ -1,7 +1,7 @@
 //! `[measured]`: what a rig measured, in a CSV file beside the pair file.
 
 use super::data_file::{DataFile, line_of};
-use super::measured_row::Fields;
+use super::measured_row::{COLUMNS, Fields};
 use super::nearest::{is_slip, nearest};
 use super::problems::Problems;
 use super::table::Table;
@@ -11,17 +11,6 @@ use serde_json::{Value, json};
 use std::collections::{HashMap, HashSet};
 
 pub const KEYS: &[&str] = &["file"];
-/// The columns, all needed, in any order.
-pub const COLUMNS: [&str; 8] = [
-    "center_distance_mm",
-    "wheel_tooth",
-    "pinion_tooth",
-    "measured_right_um",
-    "measured_left_um",
-    "predicted_min_um",
-    "predicted_max_um",
-    "source",
-];
 
 /// Cells of the file: a million rows of all columns. A file of commas alone would take ten times its size.
 const MOST_CELLS: usize = 8_000_000;
@@ -100,11 +89,6 @@ impl Measured {
         self.file.problem_at(line, reason, help)
     }
 
-    /// A value of the file for a message.
-    pub fn quote(&self, value: &str) -> String {
-        self.file.quote(value)
-    }
-
     fn parse(
         &self,
         text: &str,
@@ -155,7 +139,7 @@ impl Measured {
                 continue;
             }
             let fields = Fields {
-                measured: self,
+                file: &self.file,
                 line,
                 values: columns.map(|column| record.get(column).unwrap_or_default()),
             };

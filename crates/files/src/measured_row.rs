@@ -1,16 +1,28 @@
 //! One line of a measured file, from text to numbers.
 
+use super::data_file::DataFile;
 use super::entry::whole_in;
-use super::measured::{COLUMNS, Measured};
 use super::problems::Problems;
 use crate::error::Problem;
 use gearlash::study::MeasuredRow;
 use std::ops::RangeInclusive;
 
+/// The columns, all needed, in any order.
+pub const COLUMNS: [&str; 8] = [
+    "center_distance_mm",
+    "wheel_tooth",
+    "pinion_tooth",
+    "measured_right_um",
+    "measured_left_um",
+    "predicted_min_um",
+    "predicted_max_um",
+    "source",
+];
+
 /// The values of one line, in the order of [`COLUMNS`].
 pub struct Fields<'a> {
     /// The file.
-    pub measured: &'a Measured,
+    pub file: &'a DataFile,
     /// The line.
     pub line: u64,
     /// As they stand there.
@@ -73,10 +85,10 @@ impl Fields<'_> {
     }
 
     fn problem(&self, column: usize, allowed: &str) -> Problem {
-        let value = self.measured.quote(self.values[column]);
-        self.measured.problem_at(
+        let value = self.file.quote(self.values[column]);
+        self.file.problem_at(
             self.line,
-            &format!("{} is {value}, allowed is {allowed}", COLUMNS[column]),
+            format!("{} is {value}, allowed is {allowed}", COLUMNS[column]),
             "correct the line, or remove it",
         )
     }

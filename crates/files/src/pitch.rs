@@ -1,15 +1,12 @@
 //! `[pitch]`: pitch deviation of both flanks as the inspection sheet states it.
 
-mod curves;
-mod slips;
-
-use super::eccentricity::{COUNTS, Counts};
 use super::limits::PITCH;
 use super::per_tooth::one_a_tooth;
 use super::problems::Problems;
 use super::sheet::{self, Column, Coverage, Header, Sheet, Wanted};
 use super::table::Table;
 use gearlash::gear::Side;
+use gearlash::metrology::{EccentricitySource, PitchAxis, PitchKind, PitchSense, PitchStatement};
 use serde_json::{Value, json};
 
 pub const KEYS: &[&str] = &[
@@ -24,38 +21,27 @@ pub const KEYS: &[&str] = &[
     "decimal",
 ];
 
-/// What a pitch value counts from.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Kind {
-    /// `F`: from the first tooth, or any one place.
-    Cumulative,
-    /// `f`: from the tooth before.
-    Single,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Axis {
-    Own,
-    Datum,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Sense {
-    Numbers,
-    Material,
-}
-
-const KINDS: [(&str, Kind); 2] = [("cumulative", Kind::Cumulative), ("single", Kind::Single)];
-const AXES: [(&str, Axis); 2] = [("own", Axis::Own), ("datum", Axis::Datum)];
-const SENSES: [(&str, Sense); 2] = [("numbers", Sense::Numbers), ("material", Sense::Material)];
+const KINDS: [(&str, PitchKind); 2] = [
+    ("cumulative", PitchKind::Cumulative),
+    ("single", PitchKind::Single),
+];
+const AXES: [(&str, PitchAxis); 2] = [("own", PitchAxis::Own), ("datum", PitchAxis::Datum)];
+const SENSES: [(&str, PitchSense); 2] = [
+    ("numbers", PitchSense::Numbers),
+    ("material", PitchSense::Material),
+];
+const COUNTS: [(&str, EccentricitySource); 2] = [
+    ("pitch", EccentricitySource::Pitch),
+    ("runout", EccentricitySource::Runout),
+];
 
 /// The table's values, both flanks given.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PitchSheet {
-    kind: Kind,
-    axis: Axis,
-    sense: Sense,
-    counts: Option<Counts>,
+    kind: PitchKind,
+    axis: PitchAxis,
+    sense: PitchSense,
+    counts: Option<EccentricitySource>,
     right_um: Vec<f64>,
     left_um: Vec<f64>,
     /// What the file they come from says of the gear; `None`: they are lists.
@@ -108,7 +94,7 @@ impl PitchSheet {
             }
         }
         let kind = if lengths == [Some(0), Some(0)] && table.optional("kind")?.is_none() {
-            Some(Kind::Cumulative)
+            Some(PitchKind::Cumulative)
         } else {
             Self::read_kind(&table, problems)
         };
@@ -134,7 +120,7 @@ impl PitchSheet {
         Some((!sheet.right_um.is_empty()).then_some(sheet))
     }
 
-    fn read_kind(table: &Table, problems: &mut Problems) -> Option<Kind> {
+    fn read_kind(table: &Table, problems: &mut Problems) -> Option<PitchKind> {
         let needed = "\"cumulative\" or \"single\"";
         let entry = table.need("kind", needed, problems)?;
         problems.keep(entry.choice(&KINDS))
@@ -143,7 +129,7 @@ impl PitchSheet {
     /// Both flanks' values from the file that `table` names, right first.
     fn read_file(
         table: &Table,
-        kind: Option<Kind>,
+        kind: Option<PitchKind>,
         teeth: Option<u32>,
         problems: &mut Problems,
     ) -> Option<([Vec<f64>; 2], Header)> {
@@ -159,7 +145,7 @@ impl PitchSheet {
             return None;
         }
         // A kind that is wrong is told already; the file is read for its own problems.
-        let kind = kind.unwrap_or(Kind::Cumulative);
+        let kind = kind.unwrap_or(PitchKind::Cumulative);
         let wanted = Wanted {
             columns: [Column::Right(kind), Column::Left(kind)],
             teeth,
@@ -183,29 +169,23 @@ impl PitchSheet {
         }
     }
 
-    /// Whether the values were measured about the datum axis.
-    pub fn is_datum(&self) -> bool {
-        self.axis == Axis::Datum
-    }
-
-    /// The values of a flank as they stand in the file, µm.
-    pub fn values(&self, side: Side) -> &[f64] {
-        match side {
-            Side::Right => &self.right_um,
-            Side::Left => &self.left_um,
+    /// What was measured.
+    pub fn measured(&self) -> PitchStatement {
+        PitchStatement {
+            kind: self.kind,
+            axis: self.axis,
+            sense: self.sense,
+            eccentricity: self.counts,
+            right_um: self.right_um.clone(),
+            left_um: self.left_um.clone(),
         }
-    }
-
-    /// Which eccentricity counts, where the file says so.
-    pub fn counts(&self) -> Option<Counts> {
-        self.counts
     }
 
     /// The `sense` that reads the left flank the other way round.
     pub fn other_sense(&self) -> &'static str {
         match self.sense {
-            Sense::Numbers => name_of(Sense::Material, &SENSES),
-            Sense::Material => name_of(Sense::Numbers, &SENSES),
+            PitchSense::Numbers => name_of(PitchSense::Material, &SENSES),
+            PitchSense::Material => name_of(PitchSense::Numbers, &SENSES),
         }
     }
 

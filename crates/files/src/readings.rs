@@ -5,9 +5,6 @@ use super::node::Node;
 use super::problems::Problems;
 use super::sheet::{self, Column, Coverage, Sheet, Wanted};
 use super::table::Table;
-use gearlash::error::GearError;
-use gearlash::gear;
-use gearlash::gear::BasicGearData;
 use serde_json::{Map, Value, json};
 use std::collections::HashSet;
 
@@ -160,21 +157,12 @@ impl LengthReadings {
     }
 
     /// Each place with its length, mm.
-    pub fn list(&self) -> impl Iterator<Item = (u32, f64)> {
-        self.places.iter().copied().zip(self.mm.iter().copied())
-    }
-
-    /// How many.
-    pub fn count(&self) -> usize {
-        self.mm.len()
-    }
-
-    /// For a gear of `basic_data`.
-    ///
-    /// # Errors
-    /// [`GearError::Readings`] for a gear with fewer teeth.
-    pub fn on(&self, basic_data: &BasicGearData) -> Result<gear::Readings, GearError> {
-        gear::Readings::new(basic_data, self.list().collect())
+    pub fn measured(&self) -> Vec<(u32, f64)> {
+        self.places
+            .iter()
+            .copied()
+            .zip(self.mm.iter().copied())
+            .collect()
     }
 
     /// As in the pair file.

@@ -5,13 +5,11 @@ mod readings;
 use super::limits::{HIGH_TOOTH, RUNOUT};
 use super::problems::Problems;
 use super::sheet::{self, Header};
-use super::stated::Stated;
 use super::table::Table;
-use gearlash::gear::Gear;
-use gearlash::metrology::Eccentricity;
+use gearlash::metrology::{self, RunoutStatement};
 use serde_json::{Map, Value, json};
 
-pub use readings::{Knowledge, ReadingsFit, RunoutSheet};
+pub use readings::RunoutSheet;
 
 pub const KEYS: &[&str] = &[
     "total_um",
@@ -26,7 +24,7 @@ pub const KEYS: &[&str] = &[
 /// Runout `F_r`, µm, and the tooth towards which the teeth are displaced.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Runout {
-    /// Of readings that are not yet fitted, their range.
+    /// Of readings 0 until they are fitted.
     pub total_um: f64,
     /// `None` only when there is no runout.
     pub high_tooth: Option<f64>,
@@ -43,11 +41,9 @@ impl Runout {
         }
         if table.has("file") {
             let sheet = RunoutSheet::read(&table, teeth, problems)?;
-            let range = sheet.range_um();
             return Some(Runout {
-                total_um: range,
-                high_tooth: (range > 0.0).then_some(1.0),
                 sheet: Some(sheet),
+                ..Runout::default()
             });
         }
         sheet::without_file(&table, problems)?;
@@ -85,13 +81,32 @@ impl Runout {
         self.sheet.as_ref().map(RunoutSheet::header)
     }
 
-    /// The runout of readings once their eccentricity, mm, is known.
-    pub fn fitted(&self, eccentricity: f64, high_tooth: f64) -> Runout {
-        let total_um = 2000.0 * eccentricity;
+    /// What was measured.
+    pub fn measured(&self) -> RunoutStatement {
+        match (&self.sheet, self.high_tooth) {
+            (Some(sheet), _) => RunoutStatement::Readings(sheet.measured()),
+            (None, Some(high_tooth)) => RunoutStatement::Total {
+                total_um: self.total_um,
+                high_tooth,
+            },
+            (None, None) => RunoutStatement::None,
+        }
+    }
+
+    /// The runout of the gear as measured.
+    pub fn settled(&self, runout: metrology::Runout) -> Runout {
         Runout {
-            total_um,
-            high_tooth: (total_um > 0.0).then_some(high_tooth),
+            total_um: runout.total_um,
+            high_tooth: runout.high_tooth,
             sheet: self.sheet.clone(),
+        }
+    }
+
+    /// The key, below the gear's table, that gives it.
+    pub fn key(&self) -> &'static str {
+        match &self.sheet {
+            Some(_) => "runout.file",
+            None => "runout.total_um",
         }
     }
 
@@ -112,42 +127,6 @@ impl Runout {
             return None;
         }
         Some(Some(tooth))
-    }
-
-    /// Checks that the runout stays below the tooth depth of each of `gears`.
-    pub fn check(&self, gear: &Table, gears: &Stated<Gear>, problems: &mut Problems) -> Option<()> {
-        let depth_of = |gear: &Gear| gear.tip_radius() - gear.root_radius();
-        // Both thicknesses have one tip circle; the thicker tooth has the higher root.
-        let depth_mm = depth_of(gears.most()).min(depth_of(gears.least()));
-        if self.total_um / 1000.0 < depth_mm {
-            return Some(());
-        }
-        let key = match &self.sheet {
-            Some(_) => "runout.file",
-            None => "runout.total_um",
-        };
-        problems.add(gear.problem(
-            key,
-            format!(
-                "out of range, allowed is below the tooth depth, {:.1} µm",
-                1000.0 * depth_mm
-            ),
-            "check the unit: µm",
-        ));
-        None
-    }
-
-    /// Eccentricity `e = F_r/2`, mm.
-    pub fn eccentricity(&self) -> f64 {
-        self.total_um / 2000.0
-    }
-
-    /// The eccentricity, where a runout is stated with its high tooth.
-    pub fn stated(&self) -> Option<Eccentricity> {
-        self.high_tooth.map(|high_tooth| Eccentricity {
-            um: self.total_um / 2.0,
-            high_tooth,
-        })
     }
 
     /// As in the pair file.

@@ -3,6 +3,7 @@
 use super::entry::Limits;
 use super::problems::Problems;
 use super::table::Table;
+use gearlash::metrology::Toleranced;
 use serde_json::{Map, Value};
 
 /// What a pair file states about a toleranced quantity.
@@ -19,38 +20,18 @@ pub enum Stated<T> {
     },
 }
 
-impl<T> Stated<T> {
-    /// The value at most material.
-    pub fn most(&self) -> &T {
-        match self {
-            Stated::Single(value) | Stated::Band { most: value, .. } => value,
-        }
-    }
-
-    /// The value at least material.
-    pub fn least(&self) -> &T {
-        match self {
-            Stated::Single(value) | Stated::Band { least: value, .. } => value,
-        }
-    }
-
+impl Stated<f64> {
     /// Whether it has two values.
     pub fn is_band(&self) -> bool {
         matches!(self, Stated::Band { .. })
     }
 
-    /// `make` of each value, most material first; the first error ends it.
-    pub fn try_map<U, E>(&self, mut make: impl FnMut(&T) -> Result<U, E>) -> Result<Stated<U>, E> {
-        Ok(match self {
-            Stated::Single(value) => Stated::Single(make(value)?),
-            Stated::Band { least, most } => {
-                let most = make(most)?;
-                Stated::Band {
-                    least: make(least)?,
-                    most,
-                }
-            }
-        })
+    /// What was measured.
+    pub fn measured(&self) -> Toleranced<f64> {
+        match *self {
+            Stated::Single(value) => Toleranced::Single(value),
+            Stated::Band { least, most } => Toleranced::Band { least, most },
+        }
     }
 }
 

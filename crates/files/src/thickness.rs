@@ -8,6 +8,7 @@ use super::readings::LengthReadings;
 use super::sheet::Column;
 use super::stated::{Keys, Stated};
 use super::table::Table;
+use gearlash::metrology::ThicknessStatement;
 use serde_json::{Map, Value, json};
 
 pub const KEYS: &[&str] = &[
@@ -145,6 +146,36 @@ impl Statement {
                 }
             },
         )
+    }
+
+    /// What was measured.
+    pub fn measured(&self) -> ThicknessStatement {
+        match self {
+            Statement::Nominal => ThicknessStatement::Nominal,
+            Statement::Span { teeth, mm } => ThicknessStatement::Span {
+                teeth: *teeth,
+                mm: mm.measured(),
+            },
+            Statement::OverPins { pin_mm, mm } => ThicknessStatement::OverPins {
+                pin_mm: *pin_mm,
+                mm: mm.measured(),
+            },
+            Statement::Spans {
+                teeth,
+                readings,
+                per_tooth,
+            } => ThicknessStatement::SpanReadings {
+                teeth: *teeth,
+                readings: readings.measured(),
+                per_tooth: *per_tooth,
+            },
+            Statement::Pins { pin_mm, readings } => ThicknessStatement::PinReadings {
+                pin_mm: *pin_mm,
+                readings: readings.measured(),
+            },
+            Statement::Allowance(um) => ThicknessStatement::AllowanceUm(um.measured()),
+            Statement::Base(mm) => ThicknessStatement::BaseThickness(mm.measured()),
+        }
     }
 
     /// The key it stands under, below that of the thickness; `None` when nothing is stated.

@@ -1,6 +1,6 @@
 //! Rows in the order of the teeth, each tooth there as often as it must be.
 
-use super::{Coverage, Row, Wanted};
+use super::wanted::{Coverage, Row, Wanted};
 use crate::data_file::DataFile;
 use crate::problems::Problems;
 

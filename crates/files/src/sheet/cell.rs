@@ -57,3 +57,19 @@ impl Cell {
         }
     }
 }
+
+/// One line of cells.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Line {
+    /// Its number in the file, from 1.
+    pub number: u64,
+    /// From the first column on.
+    pub cells: Vec<Cell>,
+}
+
+impl Line {
+    /// Whether every cell is empty.
+    pub fn is_blank(&self) -> bool {
+        self.cells.iter().all(|cell| *cell == Cell::Empty)
+    }
+}

@@ -2,16 +2,16 @@
 
 use crate::data_file::DataFile;
 use crate::entry::Limits;
-use crate::pitch::Kind;
+use gearlash::metrology::PitchKind;
 use std::ops::Bound::{Excluded, Included};
 
 /// A column of values beside the tooth.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Column {
     /// Pitch deviation of the right flank, µm.
-    Right(Kind),
+    Right(PitchKind),
     /// Pitch deviation of the left flank, µm.
-    Left(Kind),
+    Left(PitchKind),
     /// What the tooth is thicker than the mean, µm.
     Thickness,
     /// Radial runout reading, µm.

@@ -1,7 +1,7 @@
 //! One decimal sign for the whole table.
 
-use super::Wanted;
 use super::number::{Decimal, Written};
+use super::wanted::Wanted;
 use crate::data_file::DataFile;
 use crate::problems::Problems;
 

@@ -1,7 +1,7 @@
 //! CSV, as machines and spreadsheets write it: separated by commas, semicolons or tabs.
 
-use super::cell::Cell;
-use super::grid::{Grid, Line};
+use super::cell::{Cell, Line};
+use super::grid::Grid;
 use super::limits::MOST_CELLS;
 use super::number::Decimal;
 use crate::data_file::{DataFile, line_of};

@@ -1,24 +1,15 @@
 //! A table as cells, and the step from cells to numbers.
 
-use super::cell::Cell;
+use super::cell::{Cell, Line};
 use super::decimal::{self, Numbers};
 use super::number::{self, Decimal, Written};
 use super::places::{self, Places};
-use super::{Row, Wanted};
+use super::wanted::{Row, Wanted};
 use crate::data_file::DataFile;
 use crate::entry::whole_in;
 use crate::error::Problem;
 use crate::problems::Problems;
 use std::ops::RangeBounds;
-
-/// One line of cells.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Line {
-    /// Its number in the file, from 1.
-    pub number: u64,
-    /// From the first column on.
-    pub cells: Vec<Cell>,
-}
 
 /// A header and what stands below it.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,13 +20,6 @@ pub struct Grid {
     pub lines: Vec<Line>,
     /// The decimal sign where the format settles it.
     pub decimal: Option<Decimal>,
-}
-
-impl Line {
-    /// Whether every cell is empty.
-    pub fn is_blank(&self) -> bool {
-        self.cells.iter().all(|cell| *cell == Cell::Empty)
-    }
 }
 
 impl Grid {

@@ -20,6 +20,7 @@ mod places;
 mod protocol;
 mod story;
 mod text;
+mod wanted;
 mod workbook;
 
 use super::data_file::DataFile;
@@ -28,6 +29,7 @@ use super::table::Table;
 pub use column::Column;
 pub use header::{Drawn, Header};
 use number::Decimal;
+pub use wanted::{Coverage, Row, Wanted};
 
 /// Keys that name a table; others may stand beside them.
 pub const KEYS: &[&str] = &["file", "sheet", "decimal"];
@@ -38,26 +40,6 @@ const DECIMALS: [(&str, Decimal); 2] = [(".", Decimal::Point), (",", Decimal::Co
 /// How the container of `.xls` files begins: what CSV cannot.
 const OLD_WORKBOOK: &[u8] = b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1";
 
-/// What a reader needs of a table.
-#[derive(Debug, Clone, Copy)]
-pub struct Wanted<const N: usize> {
-    /// The columns beside the tooth, in the order in which the values come back.
-    pub columns: [Column; N],
-    /// `z`, where it is known.
-    pub teeth: Option<u32>,
-    /// Which teeth must be there.
-    pub coverage: Coverage,
-}
-
-/// Which teeth a table must have.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Coverage {
-    /// Every tooth, exactly once.
-    EveryTooth,
-    /// Some teeth, each at most once.
-    SomeTeeth,
-}
-
 /// A table as read, its rows by ascending tooth.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sheet<const N: usize> {
@@ -65,17 +47,6 @@ pub struct Sheet<const N: usize> {
     pub header: Header,
     /// At least one.
     pub rows: Vec<Row<N>>,
-}
-
-/// What a table says of one tooth.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Row<const N: usize> {
-    /// The line it stands in.
-    pub line: u64,
-    /// The tooth.
-    pub tooth: u32,
-    /// The values, in the order of [`Wanted::columns`] and in their units.
-    pub values: [f64; N],
 }
 
 impl<const N: usize> Sheet<N> {

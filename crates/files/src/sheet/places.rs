@@ -1,9 +1,8 @@
 //! Where the columns of a table stand, by its header.
 
-use super::Wanted;
-use super::cell::Cell;
+use super::cell::{Cell, Line};
 use super::column::{self, Named};
-use super::grid::Line;
+use super::wanted::Wanted;
 use crate::data_file::DataFile;
 use crate::problems::Problems;
 

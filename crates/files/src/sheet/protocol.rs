@@ -10,11 +10,12 @@ use super::column::Column;
 use super::header::Header;
 use super::limits::MOST_ROWS;
 use super::number::Written;
-use super::{Row, Wanted, by_tooth, story};
+use super::wanted::{Row, Wanted};
+use super::{by_tooth, story};
 use crate::data_file::DataFile;
-use crate::pitch::Kind;
 use crate::problems::Problems;
 use gearlash::gear::Side;
+use gearlash::metrology::PitchKind;
 use std::collections::HashMap;
 
 /// Whether `text` has the head of a block.
@@ -153,7 +154,7 @@ fn pitch(
     file: &DataFile,
     blocks: &[Block],
     side: Side,
-    kind: Kind,
+    kind: PitchKind,
     problems: &mut Problems,
 ) -> Option<Vec<Row<1>>> {
     let Some(block) = blocks.iter().find(|block| block.side == side) else {
@@ -169,15 +170,19 @@ fn pitch(
         return None;
     };
     let name = match kind {
-        Kind::Single => Name::Single,
-        Kind::Cumulative => Name::Cumulative,
+        PitchKind::Single => Name::Single,
+        PitchKind::Cumulative => Name::Cumulative,
     };
     let Some(values) = block.column(name) else {
         problems.add(file.problem_at(
             block.line,
             format!(
                 "the block has no column {}",
-                if kind == Kind::Single { "fp" } else { "Fp" }
+                if kind == PitchKind::Single {
+                    "fp"
+                } else {
+                    "Fp"
+                }
             ),
             "give the other kind, or a protocol that has it",
         ));

@@ -3,9 +3,9 @@
 //! Numbers must be numbers: text that looks like one has lost its decimal sign's meaning, and a date may have
 //! been one (`1.2` to a German Excel). Both are problems with a way out.
 
-use super::cell::Cell;
+use super::cell::{Cell, Line};
 use super::container;
-use super::grid::{Grid, Line};
+use super::grid::Grid;
 use super::limits::{MOST_CELLS, MOST_CHARACTERS, MOST_COLUMNS, MOST_NAMED, MOST_TEXT};
 use crate::data_file::DataFile;
 use crate::node::Node;

@@ -1,0 +1,123 @@
+//! What the measurements of a gear say of each other, in words.
+
+mod doubts;
+mod eccentricity;
+mod outlier;
+mod runout;
+mod thickness;
+
+use super::statements::Statements;
+use gearlash::metrology::Finding;
+
+pub use outlier::suspected;
+
+/// The line that the user reads, with the key it is about.
+pub fn describe(of: &Statements, finding: &Finding) -> String {
+    let key = |name: &str| of.table.path_of(name);
+    match finding {
+        Finding::PitchDoesNotClose {
+            flank,
+            sum_um,
+            rounding_um,
+        } => format!(
+            "{}: the single pitch deviations of the {} flanks sum to {sum_um:.2} µm instead of 0 (rounding leaves up to {rounding_um:.2} µm); \
+             the rest is shared out evenly over the teeth",
+            key(of.pitch_key(*flank)),
+            flank.name(),
+        ),
+        Finding::RunoutReadings(readings) => {
+            let key = key("runout.file");
+            format!("{key}: {}", runout::readings(readings))
+        }
+        Finding::RunoutContradictsFlanks(contradiction) => {
+            let key = key("runout.file");
+            format!("{key}: {}", runout::contradiction(contradiction))
+        }
+        Finding::EccentricityInPitch(note) => {
+            format!("{}: {}", key("pitch"), eccentricity::in_pitch(note))
+        }
+        Finding::PinsGiveMeanOnly { .. } => {
+            let key = key("thickness.over_pins");
+            format!("{key}: {}", thickness::all_round(finding))
+        }
+        Finding::SpansGiveEachTooth { .. } | Finding::SpansGiveMeanOnly { .. } => {
+            let key = key("thickness.span");
+            format!("{key}: {}", thickness::all_round(finding))
+        }
+        Finding::LeftFlankReversed { eccentricity_um } => {
+            eccentricity::left_reversed(of, *eccentricity_um)
+        }
+        Finding::ThicknessBesidePitch(beside) => {
+            let key = key("thickness.per_tooth_um");
+            let words = thickness::beside_pitch(beside, of.other_sense());
+            format!("{key}: {words}")
+        }
+        Finding::SpansRefuseThickness { shown, spans_count } => format!(
+            "{}: the spans do not show it (they show {:.0} % of it): check its sign and tooth numbers, or leave it out; {}",
+            key("thickness.per_tooth_um"),
+            100.0 * shown,
+            match spans_count {
+                true => "the spans count",
+                false => "it counts all the same",
+            }
+        ),
+        Finding::PerToothMeanTooLarge { mean_um } => format!(
+            "{}: its mean is {mean_um:.1} µm, more than a tenth of the module: the values are what each tooth is thicker than the mean in µm; if they are \
+             thicknesses, or in another unit, take their mean out or convert them",
+            key("thickness.per_tooth_um")
+        ),
+        Finding::PerToothOffMean {
+            mean_um,
+            scatter_um,
+        } => {
+            let stated = of.thickness.key().unwrap_or_default();
+            format!(
+                "{}: its mean, {mean_um:.1} µm, adds to the stated {stated} (its values scatter about it by {scatter_um:.1} µm r.m.s.): where they were measured \
+                 from the nominal thickness, and {stated} says the same, take their mean out of the list",
+                key("thickness.per_tooth_um")
+            )
+        }
+        Finding::LooksLikeMm {
+            quantity,
+            greatest_um,
+        } => doubts::looks_like_mm(of, *quantity, *greatest_um),
+        Finding::AllowanceThickens { um } => format!(
+            "{}: {um} µm makes the teeth thicker than nominal, and an allowance for backlash makes them thinner: check its sign; if {} µm was \
+             meant, write that",
+            key("thickness.allowance_um"),
+            -um
+        ),
+        Finding::CrossCheckOfSameKind(kind) => doubts::same_kind(of, *kind),
+        Finding::FirstHarmonicNotEccentricity {
+            left_um,
+            left_percent,
+            alike,
+            eccentricity_um,
+        } => format!(
+            "{}: the first harmonic is not that of an eccentricity alone, whose waves of right and left flanks lie twice the pressure angle apart: {left_um:.3} µm of it are left \
+             on a flank, {left_percent:.0} % of its energy, and count as the gear's own pitch{}; the eccentricity of {eccentricity_um:.3} µm is therefore not certain: measure the runout, \
+             and say in [pitch] which counts: eccentricity = \"pitch\" or \"runout\"",
+            key("pitch"),
+            match alike {
+                true => " (both flanks move alike, as an index error of the machine moves them)",
+                false => "",
+            },
+        ),
+        Finding::OwnPitchHoldsEccentricity {
+            in_pitch,
+            in_runout,
+            runout,
+        } => {
+            let key = key("pitch.axis");
+            let words = eccentricity::in_own_pitch(*in_pitch, *in_runout, *runout);
+            format!("{key}: {words}")
+        }
+        Finding::StatedEccentricityElsewhere { in_pitch, stated } => {
+            let key = key("runout.high_tooth");
+            let words = eccentricity::stated_elsewhere(*in_pitch, *stated);
+            format!("{key}: {words}")
+        }
+        Finding::Outlier(outlier) => outlier::describe(of, outlier),
+        Finding::ThicknessStatedTwice(compared) => thickness::stated_twice(of, compared),
+    }
+}

@@ -1,0 +1,32 @@
+//! Values that look as if something else were meant, in words.
+
+use crate::cross_check::CrossCheck;
+use crate::statements::Statements;
+use gearlash::metrology::{Quantity, SameKind};
+
+pub fn looks_like_mm(of: &Statements, quantity: Quantity, greatest: f64) -> String {
+    let name = match quantity {
+        Quantity::Allowance => "thickness.allowance_um",
+        Quantity::Runout => of.runout.key(),
+        Quantity::PerTooth => "thickness.per_tooth_um",
+        Quantity::Pitch => "pitch",
+    };
+    format!(
+        "{}: {greatest} µm is the greatest value, finer than teeth are measured: if mm were meant, multiply by 1000 ({greatest} mm are {:.4} µm)",
+        of.table.path_of(name),
+        1000.0 * greatest
+    )
+}
+
+pub fn same_kind(of: &Statements, kind: SameKind) -> String {
+    let words = match kind {
+        SameKind::Span => "a span over as many teeth",
+        SameKind::OverPins => "a dimension over the same pins",
+        SameKind::Allowance => "an allowance",
+    };
+    format!(
+        "{}: is {words}, like the statement that counts, and repeats its faults: a check by another kind of measurement (span, over pins, \
+         another number of teeth or pin) would find them",
+        of.table.path_of(CrossCheck::UNDER)
+    )
+}

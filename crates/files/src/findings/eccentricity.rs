@@ -1,0 +1,79 @@
+//! What pitch says of the eccentricity, in words.
+
+use crate::statements::Statements;
+use gearlash::gear::Side;
+use gearlash::metrology::{Eccentricity, EccentricityNote, RunoutSource};
+
+/// An eccentricity in words.
+pub fn shown(e: Eccentricity) -> String {
+    format!("{:.3} µm towards tooth {:.2}", e.um, e.high_tooth)
+}
+
+/// What datum-axis pitch contains.
+pub fn in_pitch(note: &EccentricityNote) -> String {
+    let found = shown(note.in_pitch);
+    match (note.stated, note.difference_um) {
+        (Some(stated), Some(apart)) if note.stated_counts => format!(
+            "the datum-axis values contain an eccentricity of {found}; that of [runout], {}, {apart:.3} µm from it, counts and is \
+             taken out of them, and what is left of a first harmonic counts as the gear's own pitch",
+            shown(stated),
+        ),
+        (stated, apart) => {
+            let beside = match (stated, apart) {
+                (Some(stated), Some(apart)) => format!(
+                    "; [runout] says {}, {apart:.3} µm from it, which is not used",
+                    shown(stated)
+                ),
+                _ => String::new(),
+            };
+            format!(
+                "the datum-axis values contain an eccentricity of {found}, which is taken as the gear's \
+                 (a first harmonic of its own pitch cannot be told from it){beside}"
+            )
+        }
+    }
+}
+
+/// What own-axis pitch should not hold.
+pub fn in_own_pitch(in_pitch: Eccentricity, stated: Eccentricity, runout: RunoutSource) -> String {
+    format!(
+        "the values look as if they were measured about the datum axis: their first harmonic is that of an eccentricity of {}, and {}: \
+             if so, write axis = \"datum\" and eccentricity = \"pitch\" or \"runout\"",
+        shown(in_pitch),
+        match runout {
+            RunoutSource::Total => {
+                format!("[runout] says {}, which would count twice", shown(stated))
+            }
+            RunoutSource::Readings { left } => format!(
+                "the readings of [runout] hold one of {}; as the gear's own pitch the values explain the readings, and {} is left to it as eccentricity",
+                shown(stated),
+                left.map_or("nothing".to_owned(), shown),
+            ),
+        },
+    )
+}
+
+/// What own-axis pitch holds towards another tooth.
+pub fn stated_elsewhere(in_pitch: Eccentricity, stated: Eccentricity) -> String {
+    format!(
+        "the pitch of both flanks holds the first harmonic of an eccentricity of {}, the size of the one that is stated here, {}, and both \
+         count: check the tooth, and whether the pitch was measured about the datum axis",
+        shown(in_pitch),
+        shown(stated),
+    )
+}
+
+/// Left flanks against right ones, and what eccentricity they hold reversed and as stated.
+pub fn left_reversed(of: &Statements, eccentricity_um: Option<[f64; 2]>) -> String {
+    let eccentricities = eccentricity_um.map_or(String::new(), |[reversed, stated]| {
+        format!(
+            " (they hold an eccentricity of {reversed:.3} µm then, of {stated:.3} µm as stated)"
+        )
+    });
+    format!(
+        "{}: the left flanks go against the right ones, as if their sign were turned round{eccentricities}: if + means plus material on both flanks \
+         (or the gear was seen from the other face), write sense = {:?}",
+        of.table.path_of(of.pitch_key(Side::Left)),
+        of.other_sense()
+    )
+}

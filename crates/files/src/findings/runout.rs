@@ -1,0 +1,60 @@
+//! What runout readings say, in words.
+
+use super::eccentricity::shown;
+use gearlash::gear::Probe;
+use gearlash::metrology::{FittedReadings, FlankKnowledge, RunoutContradiction};
+
+/// What was made of them.
+pub fn readings(readings: &FittedReadings) -> String {
+    let (range, left) = (readings.range_um, readings.left_um);
+    let fitted = shown(readings.eccentricity);
+    match readings.knowledge {
+        FlankKnowledge::NoPitch => format!(
+            "the readings' first harmonic{} is an eccentricity of {fitted}, which is taken as the gear's: without [pitch] a first harmonic of its own tooth \
+             thickness cannot be told from it; F_r, their range, is {range:.3} µm; it and up to {left:.3} µm of a reading beyond that harmonic are not used",
+            match readings.flanks_taken_out {
+                false => "",
+                true => ", once what the stated tooth thickness does to it is taken out,",
+            },
+        ),
+        FlankKnowledge::Pitch => format!(
+            "the readings hold an eccentricity of {fitted}, once what the stated flanks do{} is taken out (their first harmonic itself is {}); \
+             F_r, their range, is {range:.3} µm; up to {left:.3} µm of a reading is neither and is not used",
+            probe(readings),
+            shown(readings.first_harmonic)
+        ),
+        FlankKnowledge::DatumPitch => format!(
+            "the readings' first harmonic is an eccentricity of {fitted}; datum-axis pitch cannot part it from a first harmonic of the gear's own tooth \
+             thickness, which shows the same in both; F_r, their range, is {range:.3} µm; up to {left:.3} µm of a reading is neither that harmonic nor said by the pitch",
+        ),
+    }
+}
+
+fn probe(readings: &FittedReadings) -> String {
+    match (readings.probe, readings.by_ball_um) {
+        (Probe::Fork, _) => " as a fork at the pressure angle reads".to_owned(),
+        (Probe::Ball(mm), None) => format!(" under a ball of {mm} mm"),
+        (Probe::Ball(mm), Some(um)) => format!(
+            " under a ball of {mm:.3} mm, which touches at the reference circle (another that fits moves it by up to {um:.3} µm; ball_mm states it)"
+        ),
+    }
+}
+
+/// Readings beside the flanks that they refuse.
+pub fn contradiction(found: &RunoutContradiction) -> String {
+    let place = match found.probe {
+        Probe::Ball(_) => "after tooth",
+        Probe::Fork => "at tooth",
+    };
+    format!(
+        "the readings contradict the flanks: beyond their first harmonic they vary by up to {:.3} µm, the stated flanks would make it {:.3} µm, and {place} {} they \
+         lie {:.3} µm apart; their F_r is {:.3} µm, that of the gear as stated {:.3} µm: check whether they are of the same gear, tooth numbers, sense and at; \
+         the flanks count",
+        found.read_um,
+        found.said_um,
+        found.tooth,
+        found.apart_um,
+        found.range_um,
+        found.known_range_um,
+    )
+}

@@ -1,0 +1,143 @@
+//! What measurements say of the tooth thickness, in words.
+
+use crate::cross_check::CrossCheck;
+use crate::statements::Statements;
+use gearlash::metrology::{
+    Finding, MeanOnly, StatementRole, ThicknessBesidePitch, ThicknessStatements,
+};
+
+/// What readings all round determine.
+pub fn all_round(finding: &Finding) -> String {
+    match finding {
+        Finding::PinsGiveMeanOnly {
+            readings,
+            with_pitch,
+        } => {
+            let pitch = match with_pitch {
+                true => "",
+                false => "; without [pitch] that is taken as even",
+            };
+            format!(
+                "{readings} dimensions over pins give the mean thickness only, no thickness by tooth{pitch}"
+            )
+        }
+        Finding::SpansGiveEachTooth {
+            spanned: k,
+            teeth: z,
+            amplification: growth,
+            with_pitch,
+        } => {
+            let pitch = match with_pitch {
+                true => "",
+                false => "; without [pitch] all unevenness of the spans counts as thickness",
+            };
+            format!(
+                "{z} spans over {k} teeth give each tooth's thickness; an error of the readings grows in it up to {growth}-fold, \
+                 {:.1}-fold when random (per_tooth = false takes the mean only){pitch}",
+                f64::from(*growth).sqrt()
+            )
+        }
+        Finding::SpansGiveMeanOnly {
+            spanned: k,
+            teeth: z,
+            readings,
+            why,
+            pitch_in_mean,
+        } => {
+            let mean_only = match pitch_in_mean {
+                true => "; without [pitch] its part in these places stays in the mean thickness",
+                false => "",
+            };
+            let why = match why {
+                MeanOnly::AsAsked => return format!("{readings} spans, {z} teeth{mean_only}"),
+                MeanOnly::TooFew => format!("{readings} spans do not determine {z} teeth"),
+                MeanOnly::Undetermined { other } => {
+                    let other =
+                        other.map_or(String::new(), |k| format!(" (spans over {k} teeth would)"));
+                    format!(
+                        "{z} spans over {k} teeth do not determine single teeth{other}: thickness that alternates from tooth i to tooth i + {} shows in none of them",
+                        k - 1
+                    )
+                }
+            };
+            format!("{why}; only the mean thickness is taken{mean_only}")
+        }
+        _ => String::new(),
+    }
+}
+
+/// Per-tooth thickness beside the pitch of both flanks; `other_sense` reads the left flank the other way round.
+pub fn beside_pitch(beside: &ThicknessBesidePitch, other_sense: &str) -> String {
+    match beside {
+        ThicknessBesidePitch::Same => {
+            "says the same as the pitch of both flanks (a tooth is thicker by right minus left pitch deviation), and the two add: \
+             leave it out, unless the teeth are that much thicker once more"
+                .to_owned()
+        }
+        ThicknessBesidePitch::TakenBack => {
+            "takes back the thickness that the pitch of both flanks gives (right minus left pitch deviation): check which of the two is turned round; \
+             where both were measured on the same teeth, leave it out"
+                .to_owned()
+        }
+        ThicknessBesidePitch::SameIfReversed => format!(
+            "is the thickness that the pitch would give with the left flanks turned round: write pitch.sense = {other_sense:?} and leave it out, \
+             since the two add"
+        ),
+        ThicknessBesidePitch::SameIfMoved { by, down } => format!(
+            "says what the pitch of both flanks says of the teeth, moved {} by {by} in tooth number, and the two add: check the tooth \
+             numbers of both; where they are of the same teeth, leave it out",
+            if *down { "down" } else { "up" }
+        ),
+        ThicknessBesidePitch::Different {
+            list_um,
+            pitch_um,
+            tooth,
+            apart_um,
+        } => format!(
+            "the teeth vary by {list_um:.3} µm by this list and by {pitch_um:.3} µm by the pitch of both flanks (right minus left), \
+             {apart_um:.3} µm apart at tooth {tooth}; the two are added: where both were measured on the same teeth, leave one of them out",
+        ),
+    }
+}
+
+/// The cross-check beside the statement that counts.
+pub fn stated_twice(of: &Statements, compared: &ThicknessStatements) -> String {
+    let range = |[least, most]: [f64; 2]| {
+        if least == most {
+            format!("{least:.6} mm")
+        } else {
+            format!("{least:.6} … {most:.6} mm")
+        }
+    };
+    let bands = [compared.counts, compared.cross].map(|[least, most]| least < most);
+    let (gap, tolerance) = (compared.gap_um, compared.tolerance_um);
+    let outside = match bands {
+        [false, false] => "".to_owned(),
+        [true, true] => format!("the bands lie {gap:.1} µm apart, "),
+        _ => format!("the single value lies {gap:.1} µm outside the band, "),
+    };
+    let verdict = match (compared.agree(), gap > 0.0) {
+        (true, false) => "they agree".to_owned(),
+        (true, true) => {
+            format!("{outside}within the tolerance of {tolerance:.1} µm: they agree")
+        }
+        (false, _) => format!(
+            "{outside}{tolerance:.1} µm is allowed: check both measurements, the pins and the number of teeth spanned"
+        ),
+    };
+    let key = |role| of.of_thickness(role).0.key().unwrap_or_default();
+    format!(
+        "{}: base thickness {} by {}, {} by {}, difference{} {:.2} µm: {verdict}",
+        of.table.path_of(CrossCheck::UNDER),
+        range(compared.counts),
+        key(StatementRole::Counts),
+        range(compared.cross),
+        key(StatementRole::CrossCheck),
+        if bands == [false, false] {
+            ""
+        } else {
+            " of the means"
+        },
+        compared.difference_um,
+    )
+}

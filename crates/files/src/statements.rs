@@ -1,0 +1,57 @@
+//! What the tables of one gear state, and the keys under which they do.
+
+use super::cross_check::CrossCheck;
+use super::pitch::PitchSheet;
+use super::runout::Runout;
+use super::table::Table;
+use super::thickness::Statement;
+use gearlash::gear::{Face, GearDesign, Side};
+use gearlash::metrology::{Measurements, StatementRole};
+
+/// The tables of one gear, understood.
+pub struct Statements<'a> {
+    /// `[wheel]`, `[pinion]` or `[gear]`.
+    pub table: &'a Table<'a>,
+    /// The design, the tip diameter filled in.
+    pub design: GearDesign,
+    pub thickness: Statement,
+    pub per_tooth_um: Vec<f64>,
+    pub cross_check: Option<CrossCheck>,
+    pub pitch: Option<PitchSheet>,
+    pub runout: Runout,
+}
+
+impl Statements<'_> {
+    /// What was measured.
+    pub fn measurements(&self, face: Face) -> Measurements {
+        Measurements {
+            design: self.design,
+            face,
+            thickness: self.thickness.measured(),
+            per_tooth_um: self.per_tooth_um.clone(),
+            cross_check: self.cross_check.as_ref().map(CrossCheck::measured),
+            pitch: self.pitch.as_ref().map(PitchSheet::measured),
+            runout: self.runout.measured(),
+        }
+    }
+
+    /// A statement of the thickness and the table it stands in, below the gear's.
+    pub fn of_thickness(&self, role: StatementRole) -> (&Statement, &'static str) {
+        match (role, &self.cross_check) {
+            (StatementRole::CrossCheck, Some(check)) => (check.statement(), CrossCheck::UNDER),
+            _ => (&self.thickness, "thickness"),
+        }
+    }
+
+    /// The key, below the gear's table, that gives the pitch of a flank.
+    pub fn pitch_key(&self, flank: Side) -> &'static str {
+        self.pitch
+            .as_ref()
+            .map_or("pitch", |sheet| sheet.key(flank))
+    }
+
+    /// The pitch's `sense` that reads the left flank the other way round.
+    pub fn other_sense(&self) -> &'static str {
+        self.pitch.as_ref().map_or("", |sheet| sheet.other_sense())
+    }
+}

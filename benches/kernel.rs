@@ -39,12 +39,12 @@ fn deviated(teeth: u32, module: f64, face: Face) -> AsBuilt {
 fn perfect(teeth: u32, distance: f64) -> GearPair {
     let [wheel, pinion] =
         [Face::Front, Face::Back].map(|face| AsBuilt::perfect(gear(teeth, 3.0), face));
-    GearPair::new(wheel, pinion, distance, Member::Wheel).unwrap()
+    GearPair::with_locked(wheel, pinion, distance, Member::Wheel).unwrap()
 }
 
 fn wild(teeth: u32, distance: f64) -> GearPair {
     let [wheel, pinion] = [Face::Front, Face::Back].map(|face| deviated(teeth, 3.0, face));
-    GearPair::new(wheel, pinion, distance, Member::Wheel).unwrap()
+    GearPair::with_locked(wheel, pinion, distance, Member::Wheel).unwrap()
 }
 
 fn poses(assembly: &GearPair) -> Vec<Pose> {

@@ -59,7 +59,7 @@ fn pair(teeth: [u32; 2], perfect: bool) -> GearPair {
     };
     let distance = 1.5 * f64::from(teeth[0] + teeth[1]) + 0.1;
     let (wheel, pinion) = (build(teeth[0], Face::Front), build(teeth[1], Face::Back));
-    GearPair::new(wheel, pinion, distance, Member::Wheel).unwrap()
+    GearPair::with_locked(wheel, pinion, distance, Member::Wheel).unwrap()
 }
 
 fn cut(assembly: &GearPair) -> CutPair {

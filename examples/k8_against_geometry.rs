@@ -44,7 +44,7 @@ fn gear(teeth: u32, root_radius: f64, face: Face) -> Result<AsBuilt, Error> {
 }
 
 fn finding(teeth: (u32, u32), root_radius: f64, closer: f64) -> Result<Finding, Error> {
-    let assembly = GearPair::new(
+    let assembly = GearPair::with_locked(
         gear(teeth.0, root_radius, Face::Front)?,
         gear(teeth.1, root_radius, Face::Back)?,
         f64::from(teeth.0 + teeth.1) / 2.0 - closer,

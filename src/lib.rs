@@ -1,47 +1,164 @@
 //! Backlash of a measured gear pair, found by turning one gear's true outline against the other's.
 //!
-//! A pair file states two spur gears, what was *measured* on them, and how they are put together. gearlash
-//! builds the real tooth outlines (involutes, generated fillets, undercut, every tooth where it was
-//! measured to be), locks one gear and turns the other to right-flank and to left-flank contact. The angle
-//! between is the lost motion, signed: negative means that the pair cannot be assembled.
+//! gearlash builds the real tooth outlines of two spur gears (involutes, generated fillets, undercut, every tooth where it was
+//! *measured* to be), locks one gear and turns the other to right-flank and to left-flank contact. The angle between is the lost
+//! motion, signed: negative means that the pair cannot be assembled. Lengths are mm and angles rad; a name that ends in `_um`,
+//! `_mm` or `_deg` says otherwise.
 //!
-//! The way through the crate, each stage importing only earlier ones:
-//!
-//! ```text
-//! gear → metrology ┐
-//!   └→ pair ───────┴→ study ← input (the pair file)
-//!       │              └→ simulate → compare → measured, outcome, phases, curves, cycle, diagnosis → gauge → render → cli
-//!       ├→ mesh ───────────────┘        │
-//!       └→ analytic ────────────────────┘
-//! ```
-//!
-//! [`analytic`] shares nothing with [`mesh`] but gears, deviations and poses: their agreement means something.
-//! Lengths are mm and angles radians inside; names at the edge carry their unit (`_um`, `_mm`, `_deg`).
+//! # A pair from drawing data
 //!
 //! ```
-//! use gearlash::gear::{AsBuilt, GearDesign, Face, Gear, BasicRack, Side, BasicGearData};
-//! use gearlash::mesh::{ExactKernel, Status};
-//! use gearlash::pair::{GearPair, Mating, Member, Pose};
+//! use gearlash::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign, Side};
+//! use gearlash::pair::{GearPair, Mating};
 //!
 //! // Two gears of module 3, 20°, with 44 teeth, 0.1 mm farther apart than play-free.
-//! let basic_data = BasicGearData::new(44, 3.0, 20f64.to_radians())?;
-//! let design = GearDesign { basic_data, profile_shift: 0.0, rack: BasicRack::ISO_53_A, tip_diameter: None };
-//! let gear = Gear::nominal(design)?;
+//! let gear = Gear::nominal(GearDesign::standard(BasicGearData::new(44, 3.0, 20f64.to_radians())?))?;
 //! let wheel = AsBuilt::perfect(gear.clone(), Face::Front);
 //! let pinion = AsBuilt::perfect(gear, Face::Back);
-//! let assembly = GearPair::new(wheel, pinion, 132.1, Member::Wheel)?;
-//!
 //! // Tooth 11 of the wheel mates with tooth 11 of the pinion at their right flanks.
 //! let mating = Mating { wheel_tooth: 11, pinion_tooth: 11, flank: Side::Right, fraction: 0.0 };
-//! let pose = Pose::new(&assembly, mating);
-//! let found = ExactKernel::new(&assembly).lost_motion(&pose)?;
-//! assert_eq!(found.status(), Status::Clear);
-//!
-//! // j_wt = φ_j r_w; published for this pair: 0.0730569413863697 mm.
-//! let j_wt = found.angle().unwrap() * assembly.operating_pitch_radius(Member::Pinion);
-//! assert!((j_wt - 0.0730569413863697).abs() < 1e-9);
+//! let j_wt = GearPair::new(wheel, pinion, 132.1)?.lost_motion(mating)?.j_wt();
+//! // Published for this pair.
+//! assert!((j_wt.unwrap() - 0.0730569413863697).abs() < 1e-9);
 //! # Ok::<(), gearlash::error::Error>(())
 //! ```
+//!
+//! # A gear from spans and runout
+//!
+//! ```
+//! use gearlash::gear::{BasicGearData, Face, GearDesign};
+//! use gearlash::metrology::{Measurements, RunoutStatement, ThicknessStatement, Toleranced};
+//!
+//! let design = GearDesign::standard(BasicGearData::new(44, 3.0, 20f64.to_radians())?);
+//! let measured = Measurements {
+//!     thickness: ThicknessStatement::Span { teeth: 6, mm: Toleranced::Single(50.55) },
+//!     runout: RunoutStatement::Total { total_um: 30.0, high_tooth: 7.0 },
+//!     ..Measurements::nominal(design, Face::Front)
+//! };
+//! let gear = measured.measure().map_err(|errors| errors[0].clone())?;
+//! // e = F_r/2.
+//! assert_eq!(gear.as_built.most().eccentricity(), 0.015);
+//! assert!(gear.findings.is_empty());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # A revolution
+//!
+//! ```
+//! # use gearlash::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign};
+//! # let gear = |teeth| -> Result<Gear, gearlash::error::GearError> {
+//! #     Gear::nominal(GearDesign::standard(BasicGearData::new(teeth, 2.0, 20f64.to_radians())?))
+//! # };
+//! # let wheel = AsBuilt::perfect(gear(31)?, Face::Front);
+//! # let pinion = AsBuilt::perfect(gear(17)?, Face::Back);
+//! use gearlash::mesh::{CutPair, Method, sweep};
+//! use gearlash::pair::{GearPair, SweepPlan};
+//! use std::ops::ControlFlow;
+//!
+//! let cut = CutPair::for_certificates(&wheel, &pinion);
+//! let pair = GearPair::new(wheel, pinion, 48.1)?;
+//! let matings = SweepPlan::wheel_revolution(&pair, 16, (1, 1)).matings(&pair);
+//! let go_on = || ControlFlow::Continue(());
+//! let poses = sweep(&pair, &cut, Method::Exact { certify: true }, &matings, 0.0, &go_on)?;
+//! let least = poses.iter().filter_map(|pose| pose.j_wt()).fold(f64::INFINITY, f64::min);
+//! assert!(poses.len() == 31 * 16 && least > 0.0);
+//! # Ok::<(), gearlash::error::Error>(())
+//! ```
+//!
+//! # The models beside it
+//!
+//! [`analytic`] shares nothing with [`mesh`] but gears and poses: where they agree, it means something.
+//!
+//! ```
+//! # use gearlash::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign, Side};
+//! # use gearlash::pair::{GearPair, Mating, Pose};
+//! # let gear = Gear::nominal(GearDesign::standard(BasicGearData::new(44, 3.0, 20f64.to_radians())?))?;
+//! # let (wheel, pinion) = (AsBuilt::perfect(gear.clone(), Face::Front), AsBuilt::perfect(gear, Face::Back));
+//! # let pair = GearPair::new(wheel, pinion, 132.1)?;
+//! # let mating = Mating { wheel_tooth: 1, pinion_tooth: 1, flank: Side::Right, fraction: 0.0 };
+//! let models = gearlash::analytic::evaluate(&pair, &Pose::new(&pair, mating));
+//! let simulated = pair.lost_motion(mating)?.j_wt();
+//! assert!((simulated.unwrap() - models.involute.unwrap()).abs() < 1e-9);
+//! # Ok::<(), gearlash::error::Error>(())
+//! ```
+//!
+//! # What touches
+//!
+//! ```
+//! # use gearlash::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign, ProfilePart, Side};
+//! # use gearlash::pair::{GearPair, Mating};
+//! # let gear = Gear::nominal(GearDesign::standard(BasicGearData::new(44, 3.0, 20f64.to_radians())?))?;
+//! # let (wheel, pinion) = (AsBuilt::perfect(gear.clone(), Face::Front), AsBuilt::perfect(gear, Face::Back));
+//! # let pair = GearPair::new(wheel, pinion, 132.1)?;
+//! # let mating = Mating { wheel_tooth: 1, pinion_tooth: 1, flank: Side::Right, fraction: 0.0 };
+//! let pose = pair.lost_motion(mating)?;
+//! let contacts = pose.proven().ok_or("unproven")?;
+//! let right = contacts.right.ok_or("out of mesh")?;
+//! assert_eq!((right.wheel.tooth, right.wheel.curve), (1, ProfilePart::Involute));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # Every check of a pair
+//!
+//! ```
+//! # use gearlash::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign};
+//! # use gearlash::pair::GearPair;
+//! # let gear = Gear::nominal(GearDesign::standard(BasicGearData::new(20, 2.0, 20f64.to_radians())?))?;
+//! # let (wheel, pinion) = (AsBuilt::perfect(gear.clone(), Face::Front), AsBuilt::perfect(gear, Face::Back));
+//! use gearlash::analysis::{Analysis, Plan};
+//! use gearlash::diagnosis::Verdict;
+//! use gearlash::mesh::Method;
+//! use gearlash::study::Study;
+//!
+//! // 0.5 mm too near: the teeth do not fit.
+//! let study = Study::of_pair("too near", &GearPair::new(wheel, pinion, 39.5)?, 4);
+//! let plan = Plan::new(&study, Method::Exact { certify: true }).with_checks();
+//! let analysis = Analysis::silently(&plan)?;
+//! assert_eq!(analysis.diagnosis.verdict(), Verdict::Fail);
+//! # Ok::<(), gearlash::error::Error>(())
+//! ```
+//!
+//! # The least and the greatest backlash
+//!
+//! ```
+//! # use gearlash::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign};
+//! # use gearlash::pair::GearPair;
+//! # let gear = Gear::nominal(GearDesign::standard(BasicGearData::new(20, 2.0, 20f64.to_radians())?))?;
+//! # let (wheel, pinion) = (AsBuilt::perfect(gear.clone(), Face::Front), AsBuilt::perfect(gear, Face::Back));
+//! # use gearlash::analysis::{Analysis, Plan};
+//! # use gearlash::mesh::Method;
+//! # use gearlash::study::Study;
+//! let study = Study::of_pair("20/20", &GearPair::new(wheel, pinion, 40.1)?, 16);
+//! let analysis = Analysis::silently(&Plan::new(&study, Method::Exact { certify: true }))?;
+//! let runs: Vec<_> = analysis.all().collect();
+//! let outcome = gearlash::outcome::Outcome::of(&runs, &[]);
+//! let [least, greatest] = [outcome.least, outcome.greatest].map(|found| found.and_then(|found| found.pose.swept.j_wt()));
+//! assert!(least > Some(0.0) && least <= greatest && outcome.assembles());
+//! # Ok::<(), gearlash::error::Error>(())
+//! ```
+//!
+//! # The gauge
+//!
+//! [`gauge`] measures the modelled gear as the shop does, on its outline: what went in must come out.
+//!
+//! ```
+//! # use gearlash::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign, thickness};
+//! use gearlash::gauge::{Settings, gauge};
+//! use std::ops::ControlFlow;
+//!
+//! let gear = Gear::nominal(GearDesign::standard(BasicGearData::new(20, 2.0, 20f64.to_radians())?))?;
+//! let settings = Settings { span_teeth: Some(3), steps_per_pitch: 1, ..Settings::default() };
+//! let go_on = || ControlFlow::Continue(());
+//! let gauged = gauge(&AsBuilt::perfect(gear, Face::Front), &settings, &|_| (), &go_on)?;
+//! // W_3 of 20 teeth, module 2: m cos α ((k − ½) π + z inv α), ISO 21771.
+//! let alpha = 20f64.to_radians();
+//! let span = 2.0 * alpha.cos() * (2.5 * std::f64::consts::PI + 20.0 * (alpha.tan() - alpha));
+//! assert!((gauged.spans.map_err(|error| error.to_string())?.mean() - span).abs() < 1e-9);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! Pair files are read by `gearlash-files`, pictures drawn by `gearlash-render`; `ARCHITECTURE.md` says what lies where.
+//! Features: `rayon` (poses on all cores) and `serde` (results serialise), both on by default.
 
 pub mod analysis;
 pub mod analytic;

@@ -111,6 +111,45 @@ pub struct RunPlan {
 }
 
 impl Study {
+    /// One wheel revolution of `pair` at its centre distance, `steps_per_pitch` poses a pitch, wheel tooth 1 and pinion tooth 1 first.
+    ///
+    /// ```
+    /// use gearlash::analysis::{Analysis, Plan};
+    /// use gearlash::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign};
+    /// use gearlash::mesh::Method;
+    /// use gearlash::pair::GearPair;
+    /// use gearlash::study::Study;
+    ///
+    /// let gear = |teeth| -> Result<Gear, gearlash::error::GearError> {
+    ///     Gear::nominal(GearDesign::standard(BasicGearData::new(teeth, 2.0, 20f64.to_radians())?))
+    /// };
+    /// let wheel = AsBuilt::perfect(gear(31)?, Face::Front);
+    /// let pinion = AsBuilt::perfect(gear(17)?, Face::Back);
+    /// let study = Study::of_pair("31/17", &GearPair::new(wheel, pinion, 48.1)?, 8);
+    /// let plan = Plan::new(&study, Method::Exact { certify: true }).with_checks();
+    /// let analysis = Analysis::silently(&plan)?;
+    /// assert_eq!(analysis.runs[0].poses.len(), 31 * 8);
+    /// assert_eq!(analysis.unproven(), 0);
+    /// # Ok::<(), gearlash::error::Error>(())
+    /// ```
+    pub fn of_pair(title: &str, pair: &GearPair, steps_per_pitch: u32) -> Study {
+        let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|member| pair.gear(member));
+        Study {
+            title: title.to_owned(),
+            materials: vec![(Material::AsMeasured, wheel.clone(), pinion.clone())],
+            locked: pair.locked(),
+            center_distances: vec![pair.center_distance()],
+            bearing_clearance: 0.0,
+            sweep: Some(SweepPlan::wheel_revolution(pair, steps_per_pitch, (1, 1))),
+            measured: Vec::new(),
+            // 0.01 µm: the default of a pair file.
+            chord: 1e-5,
+            tolerance_um: 0.1,
+            allow_off_line_contact: false,
+            notes: [GearNotes::default(), GearNotes::default()],
+        }
+    }
+
     /// Whether its poses are whole revolutions.
     pub fn sweeps(&self) -> bool {
         matches!(
@@ -135,7 +174,7 @@ impl Study {
         for (_, wheel, pinion) in &self.materials {
             for a in &center_distances {
                 let closest = a - self.bearing_clearance;
-                GearPair::new(wheel.clone(), pinion.clone(), closest, self.locked)?;
+                GearPair::with_locked(wheel.clone(), pinion.clone(), closest, self.locked)?;
             }
         }
         self.center_distances = center_distances;
@@ -170,7 +209,8 @@ impl Study {
         for &a in &self.center_distances {
             let rows = measured.remove(&a.to_bits()).unwrap_or_default();
             for (material, wheel, pinion) in &self.materials {
-                let assembly = GearPair::new(wheel.clone(), pinion.clone(), a, self.locked)?;
+                let assembly =
+                    GearPair::with_locked(wheel.clone(), pinion.clone(), a, self.locked)?;
                 let parts = match &self.sweep {
                     Some(plan) => plan.parts(),
                     None => Vec::new(),

@@ -57,7 +57,7 @@ fuzz_target!(|text: &str| -> Corpus {
         return Corpus::Keep;
     };
     let (_, wheel, pinion) = &study.materials[0];
-    let assembly = GearPair::new(
+    let assembly = GearPair::with_locked(
         wheel.clone(),
         pinion.clone(),
         study.center_distances[0],

@@ -210,7 +210,7 @@ impl Random {
 fn assembly(study: &Study) -> GearPair {
     let (_, wheel, pinion) = &study.materials[0];
     let distance = study.center_distances[0];
-    GearPair::new(wheel.clone(), pinion.clone(), distance, study.locked)
+    GearPair::with_locked(wheel.clone(), pinion.clone(), distance, study.locked)
         .expect("a good pair file, but no assembly")
 }
 

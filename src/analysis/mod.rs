@@ -195,6 +195,18 @@ impl<'a> Analysis<'a> {
         Ok(analysis)
     }
 
+    /// Does the work of `plan`, telling nobody how far it has come.
+    ///
+    /// # Errors
+    /// As [`Analysis::run`].
+    pub fn silently(plan: &Plan<'a>) -> Result<Analysis<'a>, Error> {
+        let mut progress = Progress {
+            stage: &mut |_| (),
+            tick: &|| ControlFlow::Continue(()),
+        };
+        Analysis::run(plan, &mut progress)
+    }
+
     /// Every run that counts, none twice: whole revolutions, and what the study asks for beside them.
     pub fn distinct_runs(&self) -> impl Iterator<Item = &ComparedRun> + Clone {
         let contained = self.study.sweeps() && !self.revolution.is_empty();

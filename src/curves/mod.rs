@@ -139,7 +139,7 @@ fn from_tooth_1(study: &Study) -> (u32, u32) {
     };
     let first = study.materials.first().zip(study.center_distances.first());
     let assembly = first.and_then(|((_, wheel, pinion), a)| {
-        GearPair::new(wheel.clone(), pinion.clone(), *a, study.locked).ok()
+        GearPair::with_locked(wheel.clone(), pinion.clone(), *a, study.locked).ok()
     });
     let Some(assembly) = assembly else {
         return (wheel_tooth, pinion_tooth);

@@ -390,7 +390,7 @@ mod tests {
                 gear(23, Face::Front, eccentricity),
                 gear(17, Face::Back, 0.5 * eccentricity),
             );
-            let assembly = GearPair::new(wheel, pinion, distance, Member::Wheel).unwrap();
+            let assembly = GearPair::with_locked(wheel, pinion, distance, Member::Wheel).unwrap();
             let start = Mating {
                 wheel_tooth: 1,
                 pinion_tooth: 1,

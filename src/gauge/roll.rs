@@ -86,7 +86,7 @@ pub(super) fn roll(
         Face::Back => Face::Front,
     };
     let mate = AsBuilt::perfect(master.clone(), face);
-    let assembly = GearPair::new(gear.clone(), mate, guess, Member::Wheel)?;
+    let assembly = GearPair::with_locked(gear.clone(), mate, guess, Member::Wheel)?;
     let matings =
         SweepPlan::wheel_revolution(&assembly, steps_per_pitch, (1, 1)).matings(&assembly);
     let bench = PairAtDistance::new(&assembly);

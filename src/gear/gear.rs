@@ -20,6 +20,16 @@ pub struct GearDesign {
 }
 
 impl GearDesign {
+    /// A gear of the ISO 53 rack, profile A, without profile shift; its tip diameter follows.
+    pub fn standard(basic_data: BasicGearData) -> GearDesign {
+        GearDesign {
+            basic_data,
+            profile_shift: 0.0,
+            rack: BasicRack::ISO_53_A,
+            tip_diameter: None,
+        }
+    }
+
     /// Nominal tooth thickness `s = m (π/2 + 2 x tan α)` at the reference circle, mm.
     pub fn nominal_thickness(&self) -> f64 {
         let alpha = self.basic_data.pressure_angle();
@@ -47,12 +57,7 @@ impl GearDesign {
 impl GearDesign {
     /// The gear most tests take: 20°, ISO 53 profile A, no profile shift.
     pub(crate) fn plain(teeth: u32, module: f64) -> GearDesign {
-        GearDesign {
-            basic_data: BasicGearData::new(teeth, module, 20f64.to_radians()).unwrap(),
-            profile_shift: 0.0,
-            rack: BasicRack::ISO_53_A,
-            tip_diameter: None,
-        }
+        GearDesign::standard(BasicGearData::new(teeth, module, 20f64.to_radians()).unwrap())
     }
 }
 

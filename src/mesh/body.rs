@@ -245,7 +245,8 @@ mod tests {
                 .map(|a| [(a, Member::Wheel), (a, Member::Pinion)])
                 .as_flattened()
             {
-                let assembly = GearPair::new(wheel.clone(), pinion.clone(), *a, *locked).unwrap();
+                let assembly =
+                    GearPair::with_locked(wheel.clone(), pinion.clone(), *a, *locked).unwrap();
                 for k in 0..10 {
                     let pose = Pose::new(
                         &assembly,
@@ -314,7 +315,8 @@ mod tests {
                 let just = 8.0 + first + second;
                 for (a, reached) in [(just - 1e-9, true), (just + 1e-9, false)] {
                     let assembly =
-                        GearPair::new(wheel.clone(), pinion.clone(), a, Member::Wheel).unwrap();
+                        GearPair::with_locked(wheel.clone(), pinion.clone(), a, Member::Wheel)
+                            .unwrap();
                     assert_eq!(
                         reaches_over_an_axis(&assembly),
                         reached,

@@ -6,7 +6,7 @@ use super::polygon::{Certifier, CutGear, PolygonKernel};
 use super::swept::{PoseResult, Unproven};
 use crate::error::Error;
 use crate::gear::AsBuilt;
-use crate::pair::{GearPair, Mating, Pose};
+use crate::pair::{GearPair, Mating, Member, Pose};
 use crate::parallel;
 use std::ops::ControlFlow;
 
@@ -263,27 +263,50 @@ pub fn sweep_blocks<E: From<Error>>(
         if tick().is_break() {
             return Err(Error::Interrupted);
         }
-        let pose = Pose::new(assembly, *mating);
-        let found = here.find(&pose)?;
-        let with_clearance = match &ends {
-            None => None,
-            Some([near, far]) => Some([near.backlash_at(mating)?, far.backlash_at(mating)?]),
-        };
-        let lost_motion = found.lost_motion.as_ref().ok();
-        let backlash = lost_motion.and_then(|found| here.backlash(found));
-        let error = backlash.and(lost_motion).and_then(LostMotion::error);
-        Ok(PoseResult {
-            pose,
-            backlash,
-            error_bound: error.map(|error| error * here.pitch_radius()),
-            found: found.lost_motion,
-            with_clearance,
-            polygon_difference: found.polygon_difference,
-        })
+        pose_result(&here, ends.as_ref(), mating)
     };
     for block in matings.chunks(BLOCK) {
         let poses = parallel::map(block, find).into_iter();
         each(poses.collect::<Result<_, Error>>()?)?;
     }
     Ok(())
+}
+
+/// What `here` finds at `mating`, and the solvers at both `ends` of the bearing clearance.
+fn pose_result(
+    here: &Solver,
+    ends: Option<&[Solver; 2]>,
+    mating: &Mating,
+) -> Result<PoseResult, Error> {
+    let pose = Pose::new(here.assembly, *mating);
+    let found = here.find(&pose)?;
+    let with_clearance = match ends {
+        None => None,
+        Some([near, far]) => Some([near.backlash_at(mating)?, far.backlash_at(mating)?]),
+    };
+    let lost_motion = found.lost_motion.as_ref().ok();
+    let backlash = lost_motion.and_then(|found| here.backlash(found));
+    let error = backlash.and(lost_motion).and_then(LostMotion::error);
+    Ok(PoseResult {
+        pose,
+        backlash,
+        error_bound: error.map(|error| error * here.pitch_radius()),
+        found: found.lost_motion,
+        with_clearance,
+        polygon_difference: found.polygon_difference,
+    })
+}
+
+impl GearPair {
+    /// Lost motion where the teeth of `mating` meet: by the exact method, borne out by polygons. For many poses use [`sweep`].
+    ///
+    /// A pose that nothing vouches for is [`Unproven`] in the result.
+    ///
+    /// # Errors
+    /// As [`sweep`]: none here.
+    pub fn lost_motion(&self, mating: Mating) -> Result<PoseResult, Error> {
+        let cut = CutPair::for_certificates(self.gear(Member::Wheel), self.gear(Member::Pinion));
+        let here = Solver::new(self, &cut, Method::Exact { certify: true });
+        pose_result(&here, None, &mating)
+    }
 }

@@ -38,6 +38,12 @@ pub struct Unproven {
 }
 
 impl PoseResult {
+    /// Circumferential backlash `j_wt`, mm, the lost motion as an arc of the free gear's operating pitch circle; negative when the
+    /// pair interferes, `None` when it is jammed, out of mesh or unproven.
+    pub fn j_wt(&self) -> Option<f64> {
+        self.backlash
+    }
+
     /// How the pose ended.
     pub fn status(&self) -> Status {
         self.proven().map_or(Status::Unproven, LostMotion::status)

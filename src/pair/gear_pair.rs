@@ -44,12 +44,24 @@ pub struct GearPair {
 }
 
 impl GearPair {
-    /// Puts two gears at `center_distance` `a`, mm.
+    /// Two gears at `center_distance` `a`, mm, the wheel standing still.
+    ///
+    /// # Errors
+    /// As [`GearPair::with_locked`].
+    pub fn new(
+        wheel: AsBuilt,
+        pinion: AsBuilt,
+        center_distance: f64,
+    ) -> Result<GearPair, GearError> {
+        GearPair::with_locked(wheel, pinion, center_distance, Member::Wheel)
+    }
+
+    /// Two gears at `center_distance` `a`, mm, the gear `locked` standing still.
     ///
     /// # Errors
     /// Unequal module or pressure angle; base circles that overlap
     /// (`a ≤ r_b1 + r_b2`): no operating pressure angle exists then.
-    pub fn new(
+    pub fn with_locked(
         wheel: AsBuilt,
         pinion: AsBuilt,
         center_distance: f64,
@@ -90,9 +102,9 @@ impl GearPair {
     /// The same gears at another centre distance.
     ///
     /// # Errors
-    /// As [`GearPair::new`].
+    /// As [`GearPair::with_locked`].
     pub fn at(&self, center_distance: f64) -> Result<GearPair, GearError> {
-        GearPair::new(
+        GearPair::with_locked(
             self.wheel.clone(),
             self.pinion.clone(),
             center_distance,

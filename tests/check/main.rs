@@ -69,7 +69,7 @@ fn eccentric(distance: f64, high: [(f64, f64); 2], pinion: u32) -> GearPair {
         };
         AsBuilt::new(Gear::nominal(design).unwrap(), face, &deviations).unwrap()
     };
-    GearPair::new(
+    GearPair::with_locked(
         gear(44, Face::Front, high[0]),
         gear(pinion, Face::Back, high[1]),
         distance,

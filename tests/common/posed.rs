@@ -9,7 +9,7 @@ use std::path::Path;
 pub fn pose(path: &Path, flank: Side) -> (GearPair, Mating) {
     let study = input::read(path).unwrap().study;
     let (_, wheel, pinion) = &study.materials[0];
-    let assembly = GearPair::new(
+    let assembly = GearPair::with_locked(
         wheel.clone(),
         pinion.clone(),
         study.center_distances[0],

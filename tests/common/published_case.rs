@@ -104,7 +104,7 @@ impl Case {
     /// Both gears, perfect and of nominal thickness, at `distance`.
     pub fn nominal_pair(&self, distance: f64) -> GearPair {
         let gear = |n, face| AsBuilt::perfect(Gear::nominal(self.design(n)).unwrap(), face);
-        GearPair::new(
+        GearPair::with_locked(
             gear("1", Face::Front),
             gear("2", Face::Back),
             distance,

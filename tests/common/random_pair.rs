@@ -101,7 +101,7 @@ impl Case {
             .center_distance(0.0)
             .unwrap();
         let distance = zero + 2.0 * scale * self.radial_play;
-        GearPair::new(wheel, pinion, distance, self.locked)
+        GearPair::with_locked(wheel, pinion, distance, self.locked)
     }
 
     /// Wheel and pinion exchanged, the locked gear with them: the picture turned by half a turn.

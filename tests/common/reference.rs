@@ -90,7 +90,7 @@ pub fn reference_pair(name: &str) -> ReferencePair {
         .parse()
         .unwrap();
     let distance = number(table(&pair, "assembly").unwrap(), "center_distance_mm").unwrap();
-    let assembly = GearPair::new(
+    let assembly = GearPair::with_locked(
         as_built(table(&pair, "wheel").unwrap()),
         as_built(table(&pair, "pinion").unwrap()),
         distance,

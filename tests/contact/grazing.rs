@@ -36,14 +36,14 @@ fn rig_gear(span: f64, runout: f64, face: Face) -> AsBuilt {
 fn rig(distance: f64) -> GearPair {
     let wheel = rig_gear(50.561, 0.0066, Face::Front);
     let pinion = rig_gear(50.567, 0.010, Face::Back);
-    GearPair::new(wheel, pinion, distance, Member::Wheel).unwrap()
+    GearPair::with_locked(wheel, pinion, distance, Member::Wheel).unwrap()
 }
 
 /// The rig pair without runout.
 fn round_rig(distance: f64) -> GearPair {
     let wheel = rig_gear(50.561, 0.0, Face::Front);
     let pinion = rig_gear(50.567, 0.0, Face::Back);
-    GearPair::new(wheel, pinion, distance, Member::Wheel).unwrap()
+    GearPair::with_locked(wheel, pinion, distance, Member::Wheel).unwrap()
 }
 
 fn mating(tooth: u32, fraction: f64) -> Mating {
@@ -226,7 +226,8 @@ fn a_tip_within_a_nanometre_of_a_root() {
     ] {
         for beside in [-0.01, 0.0, 0.01] {
             let assembly =
-                GearPair::new(wheel.clone(), mate.clone(), distance, Member::Wheel).unwrap();
+                GearPair::with_locked(wheel.clone(), mate.clone(), distance, Member::Wheel)
+                    .unwrap();
             let fraction = tooth_1_at_mate(&assembly) + beside;
             let found = by_both(&assembly, mating(1, fraction));
             assert_eq!(found.status(), expected, "{beside}: {found:?}");

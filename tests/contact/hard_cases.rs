@@ -67,7 +67,8 @@ fn by_both(assembly: &GearPair, fraction: f64) -> LostMotion {
 fn over_a_pitch(wheel: AsBuilt, pinion: AsBuilt, distance: f64) -> Vec<LostMotion> {
     let mut results = Vec::new();
     for locked in [Member::Wheel, Member::Pinion] {
-        let assembly = GearPair::new(wheel.clone(), pinion.clone(), distance, locked).unwrap();
+        let assembly =
+            GearPair::with_locked(wheel.clone(), pinion.clone(), distance, locked).unwrap();
         results.extend((0..16).map(|k| by_both(&assembly, f64::from(k) / 16.0)));
     }
     results
@@ -104,7 +105,8 @@ fn closed_form(assembly: &GearPair) -> f64 {
 
 /// Every pose is on the involutes and has the closed form's backlash.
 fn is_closed_form(wheel: AsBuilt, pinion: AsBuilt, distance: f64) {
-    let assembly = GearPair::new(wheel.clone(), pinion.clone(), distance, Member::Wheel).unwrap();
+    let assembly =
+        GearPair::with_locked(wheel.clone(), pinion.clone(), distance, Member::Wheel).unwrap();
     let expected = closed_form(&assembly);
     let radius = assembly.operating_pitch_radius(Member::Pinion);
     let results = over_a_pitch(wheel, pinion, distance);
@@ -126,7 +128,8 @@ fn contact_ratio_below_one() {
         })
     };
     let (wheel, pinion, distance) = (stub(20), stub(31), 51.2);
-    let assembly = GearPair::new(wheel.clone(), pinion.clone(), distance, Member::Wheel).unwrap();
+    let assembly =
+        GearPair::with_locked(wheel.clone(), pinion.clone(), distance, Member::Wheel).unwrap();
     let angle = assembly.operating_pressure_angle();
     let [one, two] = [&wheel, &pinion].map(AsBuilt::gear);
     let path = one.base_radius() * one.tip_roll() + two.base_radius() * two.tip_roll()
@@ -302,7 +305,8 @@ fn a_tip_just_touches_a_root_land() {
         (touching - 1e-3, Status::Jammed),
         (touching + 1e-3, Status::Clear),
     ] {
-        let assembly = GearPair::new(high.clone(), mate.clone(), distance, Member::Wheel).unwrap();
+        let assembly =
+            GearPair::with_locked(high.clone(), mate.clone(), distance, Member::Wheel).unwrap();
         // Tooth 1 points at the mate once the pose's own half tooth is taken back.
         let half_tooth =
             assembly.operating_half_angle(Member::Wheel) / high.gear().basic_data().angular_pitch();

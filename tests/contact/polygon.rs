@@ -205,7 +205,7 @@ fn a_tip_land_on_the_end_of_a_root_land_ends() {
     };
     let (wheel, pinion) = (gear(9, 0.12, Face::Front), gear(78, 0.56, Face::Back));
     let deep = wheel.gear().root_radius() + pinion.gear().tip_radius() - 0.5;
-    let assembly = GearPair::new(wheel, pinion, deep, Member::Pinion).unwrap();
+    let assembly = GearPair::with_locked(wheel, pinion, deep, Member::Pinion).unwrap();
     let cut = cut(&assembly, 0.3);
     for k in 0..32 {
         let mating = Mating {

@@ -45,7 +45,7 @@ impl Plan {
 }
 
 fn pair(wheel: AsBuilt, pinion: AsBuilt, distance: f64) -> GearPair {
-    GearPair::new(wheel, pinion, distance, Member::Wheel).unwrap()
+    GearPair::with_locked(wheel, pinion, distance, Member::Wheel).unwrap()
 }
 
 /// Sixteen poses over a pitch from the mating (1, 1), each checked against brute force.

@@ -191,7 +191,7 @@ fn of_two_equally_near_pairs_the_clockwise_one_is_named_at_the_right() {
     let [wheel, pinion] = [Face::Front, Face::Back]
         .map(|face| AsBuilt::perfect(Gear::nominal(design).unwrap(), face));
     for locked in [Member::Wheel, Member::Pinion] {
-        let assembly = GearPair::new(wheel.clone(), pinion.clone(), 132.1, locked).unwrap();
+        let assembly = GearPair::with_locked(wheel.clone(), pinion.clone(), 132.1, locked).unwrap();
         let kernel = ExactKernel::new(&assembly);
         let pitch_point =
             nalgebra::Point2::new(assembly.operating_pitch_radius(Member::Wheel), 0.0);

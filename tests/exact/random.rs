@@ -109,7 +109,7 @@ fn try_pair(random: &mut Random, kind: Kind) -> Option<GearPair> {
         .map(|gear| as_built(random, gear, kind.deviation, style))
         .collect::<Option<_>>()?;
     let [wheel, pinion] = <[AsBuilt; 2]>::try_from(built).ok()?;
-    GearPair::new(wheel, pinion, distance, locked).ok()
+    GearPair::with_locked(wheel, pinion, distance, locked).ok()
 }
 
 fn as_built(random: &mut Random, gear: Gear, deviation: f64, style: f64) -> Option<AsBuilt> {

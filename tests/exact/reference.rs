@@ -32,7 +32,7 @@ fn pair(path: &Path) -> (GearPair, Vec<Case>) {
     let text = std::fs::read_to_string(path).expect("pair file");
     let file: Toml = toml::from_str(&text).expect("TOML");
     let distance = number(&file["assembly"]["center_distance_mm"]);
-    let assembly = GearPair::new(
+    let assembly = GearPair::with_locked(
         gear(&file["wheel"]),
         gear(&file["pinion"]),
         distance,

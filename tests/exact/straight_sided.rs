@@ -115,7 +115,7 @@ fn straight_flanks_touch_where_lines_and_circles_meet() {
         let wheel = straight(teeth[0], halves[0], Face::Front, uneven(teeth[0]));
         let pinion = straight(teeth[1], halves[1], Face::Back, Vec::new());
         let cut = CutPair::for_certificates(&wheel, &pinion);
-        let pair = GearPair::new(wheel, pinion, distance, Member::Wheel).unwrap();
+        let pair = GearPair::with_locked(wheel, pinion, distance, Member::Wheel).unwrap();
         let kernel = ExactKernel::new(&pair);
         assert!(!kernel.is_direct());
         let (refined, certifier) = (cut.refined_kernel(&pair), Certifier::new(cut.kernel(&pair)));

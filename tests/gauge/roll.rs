@@ -182,7 +182,7 @@ fn polygons_close_at_every_distance_of_a_deviated_eccentric_gear() {
     assert!(roll.poses.len() == 69 && !roll.between.is_empty());
     for pose in roll.poses.iter().chain(&roll.between) {
         let play = |distance: f64| {
-            let pair = GearPair::new(part.clone(), master.clone(), distance, Member::Wheel);
+            let pair = GearPair::with_locked(part.clone(), master.clone(), distance, Member::Wheel);
             let pair = pair.unwrap();
             // The mating at this distance that turns the gear as the pose has it.
             let turned = pose.rotation - Pose::new(&pair, pose.mating).locked_rotation();

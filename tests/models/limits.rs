@@ -15,7 +15,7 @@ fn design(teeth: u32) -> GearDesign {
 
 fn nominal(wheel: u32, pinion: u32, distance: f64) -> GearPair {
     let gear = |teeth, face| AsBuilt::perfect(Gear::nominal(design(teeth)).unwrap(), face);
-    GearPair::new(
+    GearPair::with_locked(
         gear(wheel, Face::Front),
         gear(pinion, Face::Back),
         distance,
@@ -88,7 +88,7 @@ fn zero_backlash_distance_of_the_rig_from_its_spans() {
         let base = thickness::base_from_span(&design.basic_data, 6, span);
         AsBuilt::perfect(Gear::new(design, base).unwrap(), face)
     };
-    let assembly = GearPair::new(
+    let assembly = GearPair::with_locked(
         gear(50.561, Face::Front),
         gear(50.567, Face::Back),
         132.1,
@@ -120,7 +120,7 @@ fn no_zero_backlash_distance_for_very_thin_teeth() {
         AsBuilt::perfect(Gear::new(design, base).unwrap(), face)
     };
     let assembly =
-        GearPair::new(gear(Face::Front), gear(Face::Back), 130.0, Member::Wheel).unwrap();
+        GearPair::with_locked(gear(Face::Front), gear(Face::Back), 130.0, Member::Wheel).unwrap();
     assert_eq!(limits::zero_backlash_distance(&assembly), None);
     assert_eq!(limits::radial_backlash(&assembly), None);
 }

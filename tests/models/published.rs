@@ -133,7 +133,7 @@ fn thinned_pair(case: &Case) {
         );
         AsBuilt::perfect(Gear::new(design, base).unwrap(), face)
     };
-    let assembly = GearPair::new(
+    let assembly = GearPair::with_locked(
         thinned("1", Face::Front),
         thinned("2", Face::Back),
         distance,
@@ -298,7 +298,7 @@ fn runout(case: &Case) {
         AsBuilt::new(perfect.gear().clone(), perfect.face(), &deviations).unwrap()
     };
     for (name, direction) in [("min", 0.0), ("mean", PI / 2.0), ("max", PI)] {
-        let pair = GearPair::new(
+        let pair = GearPair::with_locked(
             eccentric(Member::Wheel, nominal.locked_rotation(), direction),
             eccentric(Member::Pinion, nominal.free_rotation(), direction),
             assembly.center_distance(),

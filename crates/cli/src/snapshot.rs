@@ -205,7 +205,7 @@ fn assembly(args: &Args, study: &Study) -> Result<(Material, GearPair), Error> {
             "--material: the pair file has no such material".to_owned(),
         ));
     };
-    GearPair::new(wheel.clone(), pinion.clone(), distance, study.locked)
+    GearPair::with_locked(wheel.clone(), pinion.clone(), distance, study.locked)
         .map(|assembly| (*material, assembly))
         .map_err(|reason| Error::Usage(format!("--center-distance {distance}: {reason}")))
 }

@@ -117,7 +117,7 @@ impl Pair {
         let depths = std::iter::repeat_n(depth, 20).chain(std::iter::repeat(Depth::Any));
         let assembly = depths
             .map(|depth| self.distance(&mut random, depth))
-            .find_map(|a| GearPair::new(wheel.clone(), pinion.clone(), a, locked).ok())
+            .find_map(|a| GearPair::with_locked(wheel.clone(), pinion.clone(), a, locked).ok())
             .expect("a distance between jam and out of mesh");
         let whole = match random.chance(0.2) {
             true => random.within(-50.0, 50.0).round(),

@@ -19,7 +19,7 @@ pub fn pair(teeth: [u32; 2], module: f64, center_distance: f64, locked: Member) 
         })
         .unwrap()
     });
-    GearPair::new(
+    GearPair::with_locked(
         AsBuilt::perfect(wheel, Face::Front),
         AsBuilt::perfect(pinion, Face::Back),
         center_distance,

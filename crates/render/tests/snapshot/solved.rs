@@ -68,7 +68,7 @@ pub fn deviated(distance: f64, fraction: f64) -> (GearPair, Pose) {
     };
     let wheel = gear(12, Face::Front, 0.06, 3.5);
     let pinion = gear(60, Face::Back, 0.1, 17.0);
-    let assembly = GearPair::new(wheel, pinion, distance, Member::Wheel).unwrap();
+    let assembly = GearPair::with_locked(wheel, pinion, distance, Member::Wheel).unwrap();
     let at = pose(&assembly, [3, 15], Side::Right, fraction);
     (assembly, at)
 }

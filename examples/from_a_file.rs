@@ -1,0 +1,31 @@
+//! Reads a pair file, finds its worst pose and draws it.
+//!
+//! `cargo run --release --example from_a_file -- fixtures/karba_44x44.toml > worst.svg`
+
+use gearlash::analysis::{Analysis, Plan};
+use gearlash::mesh::Method;
+use gearlash::outcome::Outcome;
+use gearlash_render::{Snapshot, snapshot};
+use std::error::Error;
+use std::path::Path;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let file = std::env::args().nth(1).ok_or("name a pair file")?;
+    let study = gearlash_files::read(Path::new(&file))?.study;
+    let plan = Plan::new(&study, Method::Exact { certify: true });
+    let analysis = Analysis::silently(&plan)?;
+    let runs: Vec<_> = analysis.all().collect();
+    let worst = Outcome::of(&runs, &[]).worst.ok_or("no pose is proven")?;
+    let run = &worst.run.run;
+    print!(
+        "{}",
+        snapshot(&Snapshot {
+            title: &study.title,
+            assembly: &run.assembly,
+            pose: &worst.pose.swept.pose,
+            material: run.material.name(),
+            found: worst.pose.swept.found.as_ref(),
+        })
+    );
+    Ok(())
+}

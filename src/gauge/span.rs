@@ -121,7 +121,9 @@ fn span(work: &Workpiece, k: u32, first_tooth: u32) -> Result<Span, Unmeasured> 
     ];
     let turns = ends.map(|(side, tooth, pitches)| work.turn(side, tooth, pitches));
     let corner = |i: usize| {
-        let corner = Profile::new(gear).point(ProfilePart::Involute, gear.tip_roll(), ends[i].0);
+        let profile = Profile::new(gear);
+        let (tip, _) = profile.range(ProfilePart::Involute);
+        let corner = profile.point(ProfilePart::Involute, tip, ends[i].0);
         turns[i] * corner
     };
     // Two flanks that mirror each other are touched alike by anvils square to the line between their tip corners.

@@ -6,7 +6,7 @@
 
 use super::overlap::{Overlap, overlaps};
 use super::{DrawnContact, LostMotion, Status};
-use crate::gear::{Placed, Side};
+use crate::gear::{Gear, Placed, Side};
 use crate::pair::{GearPair, Member, Pose};
 use nalgebra::{Point2, UnitComplex, center};
 
@@ -189,18 +189,20 @@ impl<'a> Scene<'a> {
         Point2::new(self.assembly.operating_pitch_radius(Member::Wheel), 0.0)
     }
 
-    /// The line of action of `side`; `None` where eccentric base circles overlap.
+    /// The line of action of `side`; `None` where eccentric base circles overlap, and of flanks that are no involutes.
     ///
     /// The centres lie `D` apart; the tangent that crosses between the circles leaves each at
     /// the angle `acos((r_b1 + r_b2)/D)` from the centres' line: towards +y on the wheel for
     /// right flanks, whose normal out of the wheel points clockwise. A tip circle cuts it `√(r_a² − r_b²)` from its own end.
     pub fn line_of_action(&self, side: Side) -> Option<LineOfAction> {
+        let gears = [&self.wheel, &self.pinion].map(|placed| placed.as_built().gear());
+        if !gears.into_iter().all(Gear::is_generated) {
+            return None;
+        }
         let between = self.pinion.centre() - self.wheel.centre();
         let distance = between.norm();
-        let [(base_1, reach_1), (base_2, reach_2)] = [&self.wheel, &self.pinion].map(|placed| {
-            let gear = placed.as_built().gear();
-            (gear.base_radius(), gear.base_radius() * gear.tip_roll())
-        });
+        let [(base_1, reach_1), (base_2, reach_2)] =
+            gears.map(|gear| (gear.base_radius(), gear.base_radius() * gear.tip_roll()));
         let bases = base_1 + base_2;
         if distance <= bases {
             return None;

@@ -23,6 +23,9 @@ use std::f64::consts::TAU;
 /// some 0.1 µs.
 const EFFORT: u32 = 50_000;
 
+/// Pairs of chords cut round a place, a look; beyond these, halves, which surely become shorter. (Three to ten are usual.)
+const ROUNDS: u32 = 64;
+
 /// A bound wider than this part of a pitch is no place to look at two openings: other teeth, or nothing, may stand there.
 const NARROW: f64 = 1e-2;
 
@@ -216,6 +219,7 @@ fn seen(
             slack,
             close: false,
             left,
+            rounds: ROUNDS,
         };
         let clear = looking.at(opening);
         (clear, looking.close)
@@ -248,6 +252,8 @@ struct Looking<'a> {
     close: bool,
     /// Pairs of chords that may still be looked at.
     left: &'a mut u32,
+    /// Pairs that may still be cut round a place.
+    rounds: u32,
 }
 
 impl Looking<'_> {
@@ -256,9 +262,9 @@ impl Looking<'_> {
         let (locked, free) = (&self.problem.locked, &self.problem.free);
         let frame = self.problem.at(opening);
         let [(here, radius), (there, other)] = [locked.disc(), free.disc()];
-        let reach_of_ours = radius + self.slack;
+        let locked_reach = radius + self.slack;
         let apart = |point: Point2<f64>, reach: f64| {
-            let within = reach + reach_of_ours;
+            let within = reach + locked_reach;
             (point - here).norm_squared() > within * within
         };
         if apart(frame * there, other) {
@@ -321,9 +327,11 @@ impl Looking<'_> {
             return true;
         }
         if let Some(gap) = gap
+            && self.rounds > 0
             && !locked_chord.is_cut()
             && !free_chord.is_cut()
         {
+            self.rounds -= 1;
             return self.clear_round(frame, locked_chord, free_chord, gap.cuts(-apart));
         }
         let mut made = None;
@@ -347,16 +355,14 @@ impl Looking<'_> {
         frame: &Isometry2<f64>,
         locked_chord: &Chord,
         free_chord: &Chord,
-        [our_cuts, their_cuts]: [[f64; 2]; 2],
+        cuts: [[f64; 2]; 2],
     ) -> bool {
-        let locked_chord = self.problem.locked.cut_at(locked_chord, our_cuts);
-        let free_chord = self.problem.free.cut_at(free_chord, their_cuts);
-        free_chord.chords().iter().all(|free_chord| {
+        let locked = self.problem.locked.cut_at(locked_chord, cuts[0]);
+        let free = self.problem.free.cut_at(free_chord, cuts[1]);
+        free.chords().iter().all(|free_chord| {
             let seen = free_chord.ends.map(|end| frame * end);
-            locked_chord
-                .chords()
-                .iter()
-                .all(|locked_chord| self.clear(frame, locked_chord, free_chord, &seen))
+            let mut pieces = locked.chords().iter();
+            pieces.all(|locked_chord| self.clear(frame, locked_chord, free_chord, &seen))
         })
     }
 

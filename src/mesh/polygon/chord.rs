@@ -14,6 +14,9 @@ use nalgebra::{Isometry2, Point2};
 /// Chordal error of what [`Half::outline`] gives, in radii of the half tooth (tuned for the certificate).
 const OUTLINE: f64 = 0.03;
 
+/// The least part of a chord that is cut off: far above rounding, so that what is cut off has a direction.
+const SHORTEST: f64 = 1e-6;
+
 /// A stretch of one curve of a half tooth, and the chord through its ends.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Chord {
@@ -71,7 +74,8 @@ impl Chord {
             count: 0,
         };
         let mut start = (from, self.ends[0]);
-        let cuts = parts.into_iter().filter(|part| *part > 0.0 && *part < 1.0);
+        let inside = |part: &f64| *part > SHORTEST && *part < 1.0 - SHORTEST;
+        let cuts = parts.into_iter().filter(inside);
         let cuts = cuts.map(|part| {
             let t = from + part * (to - from);
             (t, profile.point(self.curve, t, side))
@@ -82,7 +86,7 @@ impl Chord {
             pieces.count += 1;
             start = end;
         }
-        if parts[0] > 0.0 && pieces.count > 1 {
+        if inside(&parts[0]) {
             pieces.chords.swap(0, 1);
         }
         pieces

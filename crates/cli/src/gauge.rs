@@ -94,8 +94,8 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let folder = args.results.folder(&study.stem, &study.sources, own)?;
 
     let settings = |gear: &GearEntry| Settings {
-        span_teeth: args.span_teeth.or(gear.span_teeth()),
-        pin: args.pin_mm.or(gear.pin()),
+        span_teeth: args.span_teeth.or(gear.spec.thickness.span_teeth()),
+        pin: args.pin_mm.or(gear.spec.thickness.pin_mm()),
         ball: args.ball_mm,
         master_teeth: args.master_teeth,
         steps_per_pitch: args.steps_per_pitch,
@@ -112,7 +112,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             name: gear.name,
             material,
             gear: as_built,
-            echo: &gear.echo,
+            spec: &gear.spec,
             gauged: gauge(as_built, &settings(gear), &more, &|| progress.tick())?,
         });
     }

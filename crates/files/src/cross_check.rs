@@ -3,12 +3,12 @@
 use super::faults::Drawing;
 use super::limits::CROSS_CHECK;
 use super::problems::Problems;
+use super::spec::{CROSS_CHECK_UM, CrossCheckSpec};
 use super::stated::Stated;
 use super::table::Table;
 use super::thickness::Statement;
 use gearlash::gear::{Deviations, Gear};
 use gearlash::notes::ThicknessStatements;
-use serde_json::{Value, json};
 
 const KEYS: &[&str] = &[
     "span",
@@ -17,9 +17,6 @@ const KEYS: &[&str] = &[
     "base_thickness_mm",
     "tolerance_um",
 ];
-/// Tuned: two readings of 1 µm each, and what a pin's own diameter adds. Above it lies a slip of a
-/// micrometer's thimble line, 10 µm; below it the rounding of printed lengths, 0.5 µm each.
-const TOLERANCE_UM: f64 = 3.0;
 
 /// The second statement.
 #[derive(Debug, Clone, PartialEq)]
@@ -52,7 +49,7 @@ impl CrossCheck {
             return None;
         }
         let statement = Statement::read(&table, teeth, problems);
-        let tolerance = table.number_or("tolerance_um", TOLERANCE_UM, &CROSS_CHECK, problems);
+        let tolerance = table.number_or("tolerance_um", CROSS_CHECK_UM, &CROSS_CHECK, problems);
         let (statement, tolerance_um) = (statement?, tolerance?);
         if statement == Statement::Nominal {
             problems.add(thickness.problem(
@@ -169,13 +166,15 @@ impl CrossCheck {
     }
 
     /// As in the pair file.
-    pub fn echo(&self) -> Value {
-        let mut echo = self.statement.echo();
-        if let Some(Value::Object(span)) = echo.get_mut("span") {
-            // Not a key of a cross-check.
-            span.shift_remove("per_tooth");
+    pub fn spec(&self) -> CrossCheckSpec {
+        let mut statement = self.statement.spec();
+        if let Some(span) = &mut statement.span {
+            // A cross-check has no say in it.
+            span.per_tooth = None;
         }
-        echo.insert("tolerance_um".to_owned(), json!(self.tolerance_um));
-        Value::Object(echo)
+        CrossCheckSpec {
+            statement,
+            tolerance_um: Some(self.tolerance_um),
+        }
     }
 }

@@ -12,13 +12,13 @@ use super::problems::Problems;
 use super::runout::Runout;
 use super::sheet::Drawn;
 use super::slips::{self, Outlier};
+use super::spec::{GearSpec, RackSpec, ThicknessSpec};
 use super::stated::Stated;
 use super::table::Table;
 use super::thickness::{self, Statement};
 use super::{all_round, contradictions, eccentricity, first_harmonic, unit_slips};
 use gearlash::gear::{AsBuilt, BasicGearData, Deviations, Face, GearDesign};
 use gearlash::notes::GearNotes;
-use serde_json::{Value, json};
 
 const KEYS: &[&str] = &[
     "teeth",
@@ -48,7 +48,7 @@ pub struct GearPart {
     /// The gear, in one or both materials.
     pub as_built: Option<Stated<AsBuilt>>,
     /// As in the pair file, defaults filled in.
-    pub echo: Option<Value>,
+    pub spec: Option<GearSpec>,
     /// What its statements say of each other.
     pub notes: GearNotes,
     /// What the user should know.
@@ -204,36 +204,24 @@ impl GearPart {
         self.as_built =
             Some(drawing.as_built(&flanks.gears, face, deviations, &slips, problems)?);
 
-        let mut echo = self.echo_of(&drawing, face, &flanks.runout);
-        echo["thickness"]["per_tooth_um"] = json!(per_tooth_um);
-        if let Some(check) = &cross_check {
-            echo["thickness"]["cross_check"] = check.echo();
-        }
-        if let Some((sheet, _)) = measured {
-            echo["pitch"] = sheet.echo();
-        }
-        self.echo = Some(echo);
-        Some(())
-    }
-
-    /// As in the pair file, without the lists of one value a tooth.
-    fn echo_of(&self, drawing: &Drawing, face: Face, runout: &Runout) -> Value {
         let design = &drawing.design;
-        json!({
-            "teeth": self.teeth,
-            "module_mm": self.module_mm,
-            "pressure_angle_deg": self.pressure_angle_deg,
-            "profile_shift": design.profile_shift,
-            "reference_face": if face == Face::Front { "front" } else { "back" },
-            "tip_diameter_mm": design.tip_diameter,
-            "rack": {
-                "addendum": design.rack.addendum(),
-                "dedendum": design.rack.dedendum(),
-                "root_radius": design.rack.root_radius(),
+        self.spec = Some(GearSpec {
+            teeth: self.teeth?,
+            module_mm: self.module_mm?,
+            pressure_angle_deg: self.pressure_angle_deg?,
+            profile_shift: design.profile_shift,
+            reference_face: face.into(),
+            tip_diameter_mm: design.tip_diameter?,
+            rack: RackSpec::from(&design.rack),
+            thickness: ThicknessSpec {
+                statement: drawing.statement.spec(),
+                per_tooth_um: Some(per_tooth_um),
+                cross_check: cross_check.as_ref().map(CrossCheck::spec),
             },
-            "thickness": drawing.statement.echo(),
-            "runout": runout.echo(),
-        })
+            runout: flanks.runout.spec(),
+            pitch: measured.map(|(sheet, _)| sheet.spec()),
+        });
+        Some(())
     }
 }
 

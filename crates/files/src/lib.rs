@@ -17,6 +17,7 @@ mod error;
 mod faults;
 mod first_harmonic;
 mod flanks;
+mod gauged_file;
 mod gear;
 mod gear_file;
 mod limits;
@@ -35,11 +36,11 @@ mod read;
 mod readings;
 pub mod results;
 mod runout;
-mod schema;
 mod sheet;
 mod slips;
 mod source;
 mod sources;
+pub mod spec;
 mod stated;
 mod sweep;
 mod table;
@@ -54,11 +55,12 @@ use problems::Problems;
 use std::path::Path;
 
 pub use error::{InputError, Problem};
+pub use gauged_file::{GaugedTables, NoGearFile, gauged_file};
 pub use pair_slips::in_tolerance as tolerance_slip;
 pub use read::{GearEntry, GearsFile, PairFile};
 pub use results::{ResultFile, ResultWriter, result_file};
-pub use schema::{PAIR_SCHEMA, gear_schema};
 pub use sources::Sources;
+pub use spec::{gear_schema, pair_schema};
 
 /// Reads the pair file at `path`: TOML, or JSON with the same keys.
 ///

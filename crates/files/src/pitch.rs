@@ -8,9 +8,9 @@ use super::limits::PITCH;
 use super::per_tooth::one_a_tooth;
 use super::problems::Problems;
 use super::sheet::{self, Column, Coverage, Header, Sheet, Wanted};
+use super::spec::{EccentricitySource, PitchAxis, PitchKind, PitchSense, PitchSpec};
 use super::table::Table;
 use gearlash::gear::Side;
-use serde_json::{Value, json};
 
 pub const KEYS: &[&str] = &[
     "kind",
@@ -210,18 +210,28 @@ impl PitchSheet {
     }
 
     /// As in the pair file.
-    pub fn echo(&self) -> Value {
-        let mut echo = json!({
-            "kind": name_of(self.kind, &KINDS),
-            "axis": name_of(self.axis, &AXES),
-            "sense": name_of(self.sense, &SENSES),
-            "right_um": self.right_um,
-            "left_um": self.left_um,
-        });
-        if let Some(counts) = self.counts {
-            echo["eccentricity"] = json!(name_of(counts, &COUNTS));
+    pub fn spec(&self) -> PitchSpec {
+        PitchSpec {
+            kind: match self.kind {
+                Kind::Cumulative => PitchKind::Cumulative,
+                Kind::Single => PitchKind::Single,
+            },
+            axis: match self.axis {
+                Axis::Own => PitchAxis::Own,
+                Axis::Datum => PitchAxis::Datum,
+            },
+            sense: match self.sense {
+                Sense::Numbers => PitchSense::Numbers,
+                Sense::Material => PitchSense::Material,
+            },
+            right_um: Some(self.right_um.clone()),
+            left_um: Some(self.left_um.clone()),
+            eccentricity: self.counts.map(|counts| match counts {
+                Counts::Pitch => EccentricitySource::Pitch,
+                Counts::Runout => EccentricitySource::Runout,
+            }),
+            table: None,
         }
-        echo
     }
 }
 

@@ -5,11 +5,11 @@ mod readings;
 use super::limits::{HIGH_TOOTH, RUNOUT};
 use super::problems::Problems;
 use super::sheet::{self, Header};
+use super::spec::RunoutSpec;
 use super::stated::Stated;
 use super::table::Table;
 use gearlash::gear::Gear;
 use gearlash::notes::Eccentricity;
-use serde_json::{Map, Value, json};
 
 pub use readings::{Knowledge, ReadingsFit, RunoutSheet};
 
@@ -151,12 +151,12 @@ impl Runout {
     }
 
     /// As in the pair file.
-    pub fn echo(&self) -> Value {
-        let mut echo = Map::from_iter([("total_um".to_owned(), json!(self.total_um))]);
-        if let Some(tooth) = self.high_tooth {
-            echo.insert("high_tooth".to_owned(), json!(tooth));
+    pub fn spec(&self) -> RunoutSpec {
+        RunoutSpec {
+            total_um: self.total_um,
+            high_tooth: self.high_tooth,
+            ..RunoutSpec::default()
         }
-        Value::Object(echo)
     }
 }
 

@@ -8,6 +8,7 @@ use gearlash::study::Study;
 use gearlash_files::PairFile;
 use gearlash_files::characters;
 use gearlash_files::results::{ContactCountRecord, contact_count_record};
+use gearlash_files::spec::PairSpec;
 use serde::Serialize;
 use serde_json::{Map, Value};
 use std::fmt::Write;
@@ -15,7 +16,7 @@ use std::fmt::Write;
 #[derive(Debug, Serialize)]
 struct CheckFile<'a> {
     gearlash: &'static str,
-    pair: &'a Value,
+    pair: &'a PairSpec,
     verdict: &'static str,
     checks: Vec<CheckRecord<'a>>,
     contact: ContactCountRecord,
@@ -55,7 +56,7 @@ pub fn json(file: &PairFile, diagnosis: &Diagnosis) -> Result<String, serde_json
     let groups = || diagnosis.groups.iter();
     let file = CheckFile {
         gearlash: env!("CARGO_PKG_VERSION"),
-        pair: &file.echo,
+        pair: &file.spec,
         verdict: diagnosis.verdict().name(),
         checks: groups()
             .flat_map(|group| group.checks.iter().map(|check| check_record(group, check)))

@@ -27,6 +27,7 @@ struct WorstRecord {
     contact: ContactRecord,
 }
 
+/// `count` as results write it.
 pub fn contact_count_record(count: &ContactCount) -> ContactCountRecord {
     let classes = count.classes.iter();
     let classes = classes.map(|(class, n)| (class.name().to_owned(), (*n).into()));

@@ -83,6 +83,7 @@ pub struct UnprovenRecord {
     polygon_j_wt_um: Option<f64>,
 }
 
+/// Which teeth mate, and how far beyond.
 #[derive(Debug, Clone, Serialize)]
 pub struct MatingRecord {
     wheel_tooth: u32,
@@ -190,6 +191,7 @@ fn pose_record(assembly: &GearPair, pose: &ComparedPose) -> PoseRecord {
     }
 }
 
+/// `unproven` as results write it.
 pub fn unproven_record(unproven: &Unproven) -> UnprovenRecord {
     UnprovenRecord {
         reason: unproven.reason.clone(),
@@ -258,6 +260,7 @@ fn summary_record(summary: &Summary, contact: &ContactCount) -> SummaryRecord {
     }
 }
 
+/// `mating` as results write it.
 pub fn mating_record(mating: &Mating) -> MatingRecord {
     MatingRecord {
         wheel_tooth: mating.wheel_tooth,

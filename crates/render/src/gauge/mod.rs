@@ -4,14 +4,15 @@ mod by_tooth;
 mod charts;
 mod csv_files;
 mod file_names;
-mod gear_file;
 mod json;
 mod text;
 
-use gearlash::gauge::{Gauged, Unmeasured};
+use file_names::FileName;
+use gearlash::gauge::Gauged;
 use gearlash::gear::AsBuilt;
 use gearlash::study::Material;
-use serde_json::Value;
+use gearlash_files::spec::GearSpec;
+use gearlash_files::{GaugedTables, NoGearFile, gauged_file};
 
 pub use charts::charts;
 pub use csv_files::{csv_files, teeth_csv};
@@ -31,7 +32,7 @@ pub struct GaugedGear<'a> {
     /// The gear.
     pub gear: &'a AsBuilt,
     /// Its table as understood.
-    pub echo: &'a Value,
+    pub spec: &'a GearSpec,
     /// The readings.
     pub gauged: Gauged,
 }
@@ -46,11 +47,14 @@ impl GaugedGear<'_> {
     ///
     /// # Errors
     /// Where the readings do not say enough for one.
-    pub fn gear_file(&self) -> Result<(String, String), Unmeasured> {
-        Ok((
-            file_names::gear_file_name(&self.stem()),
-            gear_file::gear_file(self)?,
-        ))
+    pub fn gear_file(&self) -> Result<(String, String), NoGearFile> {
+        let stem = self.stem();
+        let tables = GaugedTables {
+            spans: FileName::Spans.csv(&stem),
+            pitch: FileName::PitchOwn.csv(&stem),
+        };
+        let text = gauged_file(self.title, &self.words(), self.spec, &self.gauged, tables)?;
+        Ok((file_names::gear_file_name(&stem), text))
     }
 
     /// What the gauges did not read on it, and why: a line each.

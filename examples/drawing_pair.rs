@@ -14,7 +14,10 @@ fn main() -> Result<(), gearlash::error::Error> {
         };
         // Thinner by the allowance at the reference circle: as much on the base circle, times cos α.
         let thinner = allowance_mm * basic_data.pressure_angle().cos();
-        Ok(Gear::new(design, design.nominal_base_thickness() - thinner)?)
+        Ok(Gear::new(
+            design,
+            design.nominal_base_thickness() - thinner,
+        )?)
     };
     let wheel = AsBuilt::perfect(gear(51, 0.0, 0.06)?, Face::Front);
     let pinion = AsBuilt::perfect(gear(23, 0.2, 0.05)?, Face::Back);

@@ -39,14 +39,14 @@ impl Folder {
     /// The same, and what was understood of a good file reads again as the same.
     pub fn read_twice(&self) -> Option<Study> {
         let file = self.file()?;
-        self.write("echo.json", file.echo.to_string().as_bytes());
+        self.write("echo.json", serde_json::to_string(&file.spec).expect("the spec is no JSON").as_bytes());
         let again = read(&self.0.path().join("echo.json")).expect("the echo is no good pair file");
         assert!(
             again.study.materials == file.study.materials,
-            "{}",
-            file.echo
+            "{:#?}",
+            file.spec
         );
-        assert_eq!(again.echo, file.echo);
+        assert_eq!(again.spec, file.spec);
         Some(file.study)
     }
 }

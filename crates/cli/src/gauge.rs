@@ -13,7 +13,7 @@ use gearlash_files::results::gauge::{
     GaugedGear, csv_files, json, possible_files, stem, teeth_csv,
 };
 use gearlash_files::{GearEntry, GearsFile};
-use gearlash_render::gauge::{charts, gear_file, missing, text};
+use gearlash_render::gauge::{charts, missing, text};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -95,8 +95,8 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let folder = args.results.folder(&study.stem, &study.sources, own)?;
 
     let settings = |gear: &GearEntry| Settings {
-        span_teeth: args.span_teeth.or(gear.span_teeth()),
-        pin: args.pin_mm.or(gear.pin()),
+        span_teeth: args.span_teeth.or(gear.spec.thickness.span_teeth()),
+        pin: args.pin_mm.or(gear.spec.thickness.pin_mm()),
         ball: args.ball_mm,
         master_teeth: args.master_teeth,
         steps_per_pitch: args.steps_per_pitch,
@@ -113,7 +113,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             name: gear.name,
             material,
             gear: as_built,
-            echo: &gear.echo,
+            spec: &gear.spec,
             gauged: gauge(as_built, &settings(gear), &more, &|| progress.tick())?,
         });
     }
@@ -138,7 +138,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         for gauged in &gears {
             files.extend(csv_files(gauged).map_err(|error| unwritable(&error))?);
             files.extend(charts(gauged)?);
-            match gear_file(gauged) {
+            match gauged.gear_file() {
                 Ok(file) => files.push(file),
                 Err(reason) => warn(
                     &args.file,

@@ -71,10 +71,13 @@ fn grades(pair: &PairFile) -> Vec<(&'static str, Result<Vec<GradedReading>, Unme
     let Some((_, wheel, pinion)) = pair.study.materials.first() else {
         return Vec::new();
     };
-    let deviating = [("wheel", wheel), ("pinion", pinion)]
-        .into_iter()
-        .filter(|(_, gear)| Inspection::of(gear).deviates());
+    let deviating = [
+        ("wheel", wheel, &pair.spec.wheel),
+        ("pinion", pinion, &pair.spec.pinion),
+    ]
+    .into_iter()
+    .filter(|(_, gear, _)| Inspection::of(gear).deviates());
     deviating
-        .map(|(name, gear)| (name, graded(gear, pair.pin(name))))
+        .map(|(name, gear, spec)| (name, graded(gear, spec.thickness.pin_mm())))
         .collect()
 }

@@ -3,7 +3,7 @@
 use super::console::print;
 use crate::error::Error;
 use clap::ValueEnum;
-use gearlash_files::{PAIR_SCHEMA, gear_schema};
+use gearlash_files::{gear_schema, pair_schema};
 use std::process::ExitCode;
 
 /// Print the JSON Schema of a pair file or a gear file, for editors
@@ -29,8 +29,8 @@ enum Files {
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     match args.files {
-        Files::Pair => print(PAIR_SCHEMA)?,
-        Files::Gear => print(&format!("{:#}\n", gear_schema()))?,
+        Files::Pair => print(&pair_schema())?,
+        Files::Gear => print(&gear_schema())?,
     }
     Ok(ExitCode::SUCCESS)
 }

@@ -5,70 +5,14 @@ use super::gear::GearPart;
 use super::limits::{CENTER_DISTANCE, CLEARANCE, MOST_DISTANCES};
 use super::node::Node;
 use super::problems::Problems;
+use super::spec::BearingClearanceSpec;
 use super::table::Table;
 use gearlash::error::GearError;
 use gearlash::pair::Member;
-use serde_json::{Value, json};
 use std::collections::HashSet;
 
 pub const KEYS: &[&str] = &["center_distance_mm", "locked", "bearing_clearance_mm"];
 const MEMBERS: [(&str, Member); 2] = [("wheel", Member::Wheel), ("pinion", Member::Pinion)];
-
-/// Radial clearance of each gear's bearing, mm.
-#[derive(Debug, Clone, Copy)]
-pub struct Bearings {
-    wheel: f64,
-    pinion: f64,
-}
-
-impl Bearings {
-    /// `c`: both together.
-    pub fn sum(&self) -> f64 {
-        self.wheel + self.pinion
-    }
-
-    /// The wheel's.
-    pub fn wheel(&self) -> f64 {
-        self.wheel
-    }
-
-    /// The pinion's.
-    pub fn pinion(&self) -> f64 {
-        self.pinion
-    }
-
-    fn read(table: &Table, problems: &mut Problems) -> Option<Bearings> {
-        let Some(entry) = table.optional("bearing_clearance_mm")? else {
-            return Some(Bearings {
-                wheel: 0.0,
-                pinion: 0.0,
-            });
-        };
-        match entry.node() {
-            Node::Table(_) => {
-                let each = table.table("bearing_clearance_mm", &["wheel", "pinion"], problems)?;
-                let wheel = each.number("wheel", &CLEARANCE, problems);
-                let pinion = each.number("pinion", &CLEARANCE, problems);
-                Some(Bearings {
-                    wheel: wheel?,
-                    pinion: pinion?,
-                })
-            }
-            Node::Whole(_) | Node::Number(_) => {
-                let both = problems.keep(entry.number(&CLEARANCE))?;
-                Some(Bearings {
-                    wheel: both,
-                    pinion: both,
-                })
-            }
-            _ => {
-                let allowed = format!("{}, or {{ wheel = …, pinion = … }}", CLEARANCE.allowed);
-                problems.add(entry.wrong_type(&allowed, CLEARANCE.help));
-                None
-            }
-        }
-    }
-}
 
 /// What is good of the table.
 #[derive(Debug)]
@@ -76,7 +20,7 @@ pub struct AssemblyPart {
     /// Centre distances, mm; `Some(None)` when not given.
     pub distances: Option<Option<Vec<f64>>>,
     pub locked: Option<Member>,
-    pub bearings: Option<Bearings>,
+    pub bearings: Option<BearingClearanceSpec>,
 }
 
 impl AssemblyPart {
@@ -94,17 +38,41 @@ impl AssemblyPart {
                 absent => absent.map(|_| None),
             },
             locked: table.choice_or_first("locked", &MEMBERS, problems),
-            bearings: Bearings::read(table, problems),
+            bearings: bearings(table, problems),
         }
     }
+}
 
-    /// As in the pair file, with the distances that are run.
-    pub fn echo(distances: &[f64], locked: Member, bearings: &Bearings) -> Value {
-        json!({
-            "center_distance_mm": distances,
-            "locked": locked.name(),
-            "bearing_clearance_mm": { "wheel": bearings.wheel, "pinion": bearings.pinion },
-        })
+/// `bearing_clearance_mm`: one for both, or one for each; none: 0.
+fn bearings(table: &Table, problems: &mut Problems) -> Option<BearingClearanceSpec> {
+    let Some(entry) = table.optional("bearing_clearance_mm")? else {
+        return Some(BearingClearanceSpec {
+            wheel: 0.0,
+            pinion: 0.0,
+        });
+    };
+    match entry.node() {
+        Node::Table(_) => {
+            let each = table.table("bearing_clearance_mm", &["wheel", "pinion"], problems)?;
+            let wheel = each.number("wheel", &CLEARANCE, problems);
+            let pinion = each.number("pinion", &CLEARANCE, problems);
+            Some(BearingClearanceSpec {
+                wheel: wheel?,
+                pinion: pinion?,
+            })
+        }
+        Node::Whole(_) | Node::Number(_) => {
+            let both = problems.keep(entry.number(&CLEARANCE))?;
+            Some(BearingClearanceSpec {
+                wheel: both,
+                pinion: both,
+            })
+        }
+        _ => {
+            let allowed = format!("{}, or {{ wheel = …, pinion = … }}", CLEARANCE.allowed);
+            problems.add(entry.wrong_type(&allowed, CLEARANCE.help));
+            None
+        }
     }
 }
 

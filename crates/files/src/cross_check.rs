@@ -2,10 +2,10 @@
 
 use super::limits::CROSS_CHECK;
 use super::problems::Problems;
+use super::spec::{CROSS_CHECK_UM, CrossCheckSpec};
 use super::table::Table;
 use super::thickness::Statement;
 use gearlash::metrology;
-use serde_json::{Value, json};
 
 const KEYS: &[&str] = &[
     "span",
@@ -14,7 +14,6 @@ const KEYS: &[&str] = &[
     "base_thickness_mm",
     "tolerance_um",
 ];
-const TOLERANCE_UM: f64 = metrology::CrossCheck::TOLERANCE_UM;
 
 /// The second statement.
 #[derive(Debug, Clone, PartialEq)]
@@ -47,7 +46,7 @@ impl CrossCheck {
             return None;
         }
         let statement = Statement::read(&table, teeth, problems);
-        let tolerance = table.number_or("tolerance_um", TOLERANCE_UM, &CROSS_CHECK, problems);
+        let tolerance = table.number_or("tolerance_um", CROSS_CHECK_UM, &CROSS_CHECK, problems);
         let (statement, tolerance_um) = (statement?, tolerance?);
         if statement == Statement::Nominal {
             problems.add(thickness.problem(
@@ -85,13 +84,15 @@ impl CrossCheck {
     }
 
     /// As in the pair file.
-    pub fn echo(&self) -> Value {
-        let mut echo = self.statement.echo();
-        if let Some(Value::Object(span)) = echo.get_mut("span") {
-            // Not a key of a cross-check.
-            span.shift_remove("per_tooth");
+    pub fn spec(&self) -> CrossCheckSpec {
+        let mut statement = self.statement.spec();
+        if let Some(span) = &mut statement.span {
+            // A cross-check has no say in it.
+            span.per_tooth = None;
         }
-        echo.insert("tolerance_um".to_owned(), json!(self.tolerance_um));
-        Value::Object(echo)
+        CrossCheckSpec {
+            statement,
+            tolerance_um: Some(self.tolerance_um),
+        }
     }
 }

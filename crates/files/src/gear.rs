@@ -8,13 +8,13 @@ use super::pitch::PitchSheet;
 use super::problems::Problems;
 use super::runout::Runout;
 use super::sheet::Drawn;
+use super::spec::{GearSpec, RackSpec, ThicknessSpec};
 use super::statements::Statements;
 use super::table::Table;
 use super::thickness::{self, Statement};
 use super::{faults, findings, per_tooth};
 use gearlash::gear::{AsBuilt, BasicGearData, Face, GearDesign};
 use gearlash::metrology::{Finding, GearNotes, Toleranced};
-use serde_json::{Value, json};
 
 const KEYS: &[&str] = &[
     "teeth",
@@ -44,7 +44,7 @@ pub struct GearPart {
     /// The gear, in one or both materials.
     pub as_built: Option<Toleranced<AsBuilt>>,
     /// As in the pair file, defaults filled in.
-    pub echo: Option<Value>,
+    pub spec: Option<GearSpec>,
     /// What its statements say of each other.
     pub notes: GearNotes,
     /// What the user should know.
@@ -150,16 +150,25 @@ impl GearPart {
         self.notes = gear.notes;
         self.as_built = Some(gear.as_built);
 
+        let design = &statements.design;
+        let cross_check = statements.cross_check.as_ref();
         let runout = statements.runout.settled(gear.runout);
-        let mut echo = self.echo_of(&statements, face, &runout);
-        echo["thickness"]["per_tooth_um"] = json!(statements.per_tooth_um);
-        if let Some(check) = &statements.cross_check {
-            echo["thickness"]["cross_check"] = check.echo();
-        }
-        if let Some(sheet) = &statements.pitch {
-            echo["pitch"] = sheet.echo();
-        }
-        self.echo = Some(echo);
+        self.spec = Some(GearSpec {
+            teeth: self.teeth?,
+            module_mm: self.module_mm?,
+            pressure_angle_deg: self.pressure_angle_deg?,
+            profile_shift: design.profile_shift,
+            reference_face: face.into(),
+            tip_diameter_mm: design.tip_diameter?,
+            rack: RackSpec::from(&design.rack),
+            thickness: ThicknessSpec {
+                statement: statements.thickness.spec(),
+                cross_check: cross_check.map(CrossCheck::spec),
+                per_tooth_um: Some(statements.per_tooth_um),
+            },
+            runout: runout.spec(),
+            pitch: statements.pitch.as_ref().map(PitchSheet::spec),
+        });
         Some(())
     }
 
@@ -178,26 +187,6 @@ impl GearPart {
             };
             told.push(findings::describe(of, finding));
         }
-    }
-
-    /// As in the pair file, without the lists of one value a tooth.
-    fn echo_of(&self, statements: &Statements, face: Face, runout: &Runout) -> Value {
-        let design = &statements.design;
-        json!({
-            "teeth": self.teeth,
-            "module_mm": self.module_mm,
-            "pressure_angle_deg": self.pressure_angle_deg,
-            "profile_shift": design.profile_shift,
-            "reference_face": if face == Face::Front { "front" } else { "back" },
-            "tip_diameter_mm": design.tip_diameter,
-            "rack": {
-                "addendum": design.rack.addendum(),
-                "dedendum": design.rack.dedendum(),
-                "root_radius": design.rack.root_radius(),
-            },
-            "thickness": statements.thickness.echo(),
-            "runout": runout.echo(),
-        })
     }
 }
 

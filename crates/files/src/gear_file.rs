@@ -41,7 +41,7 @@ pub fn read(
         gears: vec![GearEntry {
             name: "gear",
             materials,
-            echo: part.echo?,
+            spec: part.spec?,
         }],
         warnings: part.warnings,
         remarks: part.remarks,

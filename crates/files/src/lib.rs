@@ -13,6 +13,7 @@ mod entry;
 mod error;
 mod faults;
 mod findings;
+mod gauged_file;
 mod gear;
 mod gear_file;
 mod limits;
@@ -33,10 +34,10 @@ mod read;
 mod readings;
 pub mod results;
 mod runout;
-mod schema;
 mod sheet;
 mod source;
 mod sources;
+pub mod spec;
 mod stated;
 mod statements;
 mod sweep;
@@ -50,11 +51,12 @@ use problems::Problems;
 use std::path::Path;
 
 pub use error::{InputError, Problem};
+pub use gauged_file::{GaugedTables, NoGearFile, gauged_file};
 pub use pair_slips::in_tolerance as tolerance_slip;
 pub use read::{GearEntry, GearsFile, PairFile};
 pub use results::{ResultFile, ResultWriter, result_file};
-pub use schema::{PAIR_SCHEMA, gear_schema};
 pub use sources::Sources;
+pub use spec::{gear_schema, pair_schema};
 
 /// Reads the pair file at `path`: TOML, or JSON with the same keys.
 ///

@@ -6,6 +6,8 @@ use std::ops::RangeInclusive;
 
 /// `z`.
 pub const TEETH: RangeInclusive<u32> = 3..=10_000;
+/// A tooth of the largest gear.
+pub const TOOTH: RangeInclusive<u32> = 1..=10_000;
 /// `m`.
 pub const MODULE: Limits = Limits {
     allowed: "a number of mm, 0.01 … 1000",

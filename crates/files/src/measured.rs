@@ -4,10 +4,10 @@ use super::data_file::{DataFile, line_of};
 use super::measured_row::{COLUMNS, Fields};
 use super::nearest::{is_slip, nearest};
 use super::problems::Problems;
+use super::spec::MeasuredSpec;
 use super::table::Table;
 use crate::error::Problem;
 use gearlash::study::MeasuredRow;
-use serde_json::{Value, json};
 use std::collections::{HashMap, HashSet};
 
 pub const KEYS: &[&str] = &["file"];
@@ -80,8 +80,10 @@ impl Measured {
     }
 
     /// As in the pair file.
-    pub fn echo(&self) -> Value {
-        json!({ "file": self.file.name() })
+    pub fn spec(&self) -> MeasuredSpec {
+        MeasuredSpec {
+            file: self.file.name().to_owned(),
+        }
     }
 
     /// A problem of one line.

@@ -5,16 +5,16 @@ use super::gear::GearPart;
 use super::limits::MOST_DISTANCES;
 use super::measured::{self, Measured};
 use super::node::Node;
-use super::options::{Accuracy, Compare};
+use super::options;
 use super::pair_slips;
 use super::place::Place;
 use super::problems::Problems;
 use super::read::PairFile;
+use super::spec::{AccuracySpec, AssemblySpec, CompareSpec, PairSpec};
 use super::sweep::Sweep;
 use super::table::Table;
 use gearlash::gear::AsBuilt;
 use gearlash::study::{MOST_POSES, Material, POSE_BYTES_CSV, POSE_BYTES_JSON, Study, size};
-use serde_json::json;
 use std::path::Path;
 
 const KEYS: &[&str] = &[
@@ -32,8 +32,8 @@ pub struct PairTables<'a> {
     measured: Option<Option<Measured>>,
     /// `Some(None)`: exactly the measured rows are run.
     sweep: Option<Option<Sweep>>,
-    accuracy: Option<Accuracy>,
-    compare: Option<Compare>,
+    accuracy: Option<AccuracySpec>,
+    compare: Option<CompareSpec>,
 }
 
 impl<'a> PairTables<'a> {
@@ -69,8 +69,8 @@ impl<'a> PairTables<'a> {
             } else {
                 Sweep::read(&table, teeth, problems).map(Some)
             },
-            accuracy: Accuracy::read(&table, problems),
-            compare: Compare::read(&table, problems),
+            accuracy: options::accuracy(&table, problems),
+            compare: options::compare(&table, problems),
             table,
             title,
             stem,
@@ -101,26 +101,26 @@ impl<'a> PairTables<'a> {
         warnings.extend(tolerance);
         warnings.extend(measured.as_ref().and_then(Measured::equal_rows));
 
-        let mut echo = json!({
-            "title": title,
-            "wheel": self.wheel.echo?,
-            "pinion": self.pinion.echo?,
-            "assembly": AssemblyPart::echo(&center_distances, locked, &bearings),
-        });
-        if let Some(measured) = &measured {
-            echo["measured"] = measured.echo();
-        }
-        if let Some(sweep) = &sweep {
-            echo["sweep"] = sweep.echo.clone();
-        }
-        echo["accuracy"] = accuracy.echo();
-        echo["compare"] = compare.echo();
+        let spec = PairSpec {
+            title: title.clone(),
+            wheel: self.wheel.spec?,
+            pinion: self.pinion.spec?,
+            assembly: AssemblySpec {
+                center_distance_mm: center_distances.clone(),
+                locked: locked.into(),
+                bearing_clearance_mm: bearings,
+            },
+            measured: measured.as_ref().map(Measured::spec),
+            sweep: sweep.as_ref().map(|sweep| sweep.spec.clone()),
+            accuracy,
+            compare,
+        };
         let study = Study {
             title,
             materials,
             locked,
             center_distances,
-            bearing_clearance: bearings.sum(),
+            bearing_clearance: bearings.sum_mm(),
             sweep: sweep.map(|sweep| sweep.plan),
             measured: measured.map_or_else(Vec::new, Measured::into_rows),
             chord: accuracy.chord_um / 1000.0,
@@ -131,7 +131,7 @@ impl<'a> PairTables<'a> {
         Some(PairFile {
             study,
             stem: self.stem,
-            echo,
+            spec,
             warnings,
             remarks,
             sources: self.table.place().sources(),
@@ -171,7 +171,7 @@ impl<'a> PairTables<'a> {
         };
         let bearings = self.assembly.as_ref()?.bearings.as_ref();
         if let (Some(base_radii), Some(bearings)) = (base_radii, bearings) {
-            assembly::check_clearance(file, &list, base_radii, bearings.sum(), problems);
+            assembly::check_clearance(file, &list, base_radii, bearings.sum_mm(), problems);
         }
         Some(list)
     }

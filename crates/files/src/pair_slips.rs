@@ -1,7 +1,7 @@
 //! Numbers of a pair that look as if something else were meant: warnings, never changes.
 
-use super::assembly::Bearings;
 use super::gear::GearPart;
+use super::spec::BearingClearanceSpec;
 use gearlash::gear::involute::{inv, roll_of_inv};
 
 /// Radial play above which a bearing is no bearing, mm: plain bearings of 100 mm bore have 0.1 mm in diameter.
@@ -24,8 +24,8 @@ const OFF_BY_ANGLE: f64 = 0.01;
 const SHIFTS: std::ops::RangeInclusive<i32> = 3..=15;
 
 /// Radial play that no bearing has.
-pub fn in_bearings(bearings: &Bearings) -> Vec<String> {
-    let members = [("wheel", bearings.wheel()), ("pinion", bearings.pinion())];
+pub fn in_bearings(bearings: &BearingClearanceSpec) -> Vec<String> {
+    let members = [("wheel", bearings.wheel), ("pinion", bearings.pinion)];
     let large = members.into_iter().filter(|(_, mm)| *mm > MOST_PLAY_MM);
     let told = large.map(|(name, mm)| {
         format!(

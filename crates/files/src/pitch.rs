@@ -4,10 +4,10 @@ use super::limits::PITCH;
 use super::per_tooth::one_a_tooth;
 use super::problems::Problems;
 use super::sheet::{self, Column, Coverage, Header, Sheet, Wanted};
+use super::spec::{self, PitchSpec};
 use super::table::Table;
 use gearlash::gear::Side;
 use gearlash::metrology::{EccentricitySource, PitchAxis, PitchKind, PitchSense, PitchStatement};
-use serde_json::{Value, json};
 
 pub const KEYS: &[&str] = &[
     "kind",
@@ -190,18 +190,28 @@ impl PitchSheet {
     }
 
     /// As in the pair file.
-    pub fn echo(&self) -> Value {
-        let mut echo = json!({
-            "kind": name_of(self.kind, &KINDS),
-            "axis": name_of(self.axis, &AXES),
-            "sense": name_of(self.sense, &SENSES),
-            "right_um": self.right_um,
-            "left_um": self.left_um,
-        });
-        if let Some(counts) = self.counts {
-            echo["eccentricity"] = json!(name_of(counts, &COUNTS));
+    pub fn spec(&self) -> PitchSpec {
+        PitchSpec {
+            kind: match self.kind {
+                PitchKind::Cumulative => spec::PitchKind::Cumulative,
+                PitchKind::Single => spec::PitchKind::Single,
+            },
+            axis: match self.axis {
+                PitchAxis::Own => spec::PitchAxis::Own,
+                PitchAxis::Datum => spec::PitchAxis::Datum,
+            },
+            sense: match self.sense {
+                PitchSense::Numbers => spec::PitchSense::Numbers,
+                PitchSense::Material => spec::PitchSense::Material,
+            },
+            right_um: Some(self.right_um.clone()),
+            left_um: Some(self.left_um.clone()),
+            eccentricity: self.counts.map(|counts| match counts {
+                EccentricitySource::Pitch => spec::EccentricitySource::Pitch,
+                EccentricitySource::Runout => spec::EccentricitySource::Runout,
+            }),
+            table: None,
         }
-        echo
     }
 }
 

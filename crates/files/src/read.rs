@@ -1,6 +1,7 @@
 //! What was read from a file: the study or the gears, and what belongs to the file alone.
 
 use crate::sources::Sources;
+use crate::spec::{GearSpec, PairSpec};
 use gearlash::error::GearError;
 use gearlash::gear::AsBuilt;
 use gearlash::study::{Material, Study};
@@ -14,7 +15,7 @@ pub struct PairFile {
     pub stem: String,
     /// The input as understood: keys as in a pair file, defaults filled in. Read as a pair file
     /// (beside the same measured file) it gives the same study.
-    pub echo: serde_json::Value,
+    pub spec: PairSpec,
     /// What the user should know, for standard error.
     pub warnings: Vec<String>,
     /// What was found to be in order, for standard error.
@@ -31,7 +32,7 @@ pub struct GearEntry {
     /// In the thicknesses it states: `AsMeasured` alone, or `Most` and `Least`.
     pub materials: Vec<(Material, AsBuilt)>,
     /// Its table as understood, defaults filled in.
-    pub echo: serde_json::Value,
+    pub spec: GearSpec,
 }
 
 impl PairFile {
@@ -40,40 +41,10 @@ impl PairFile {
     /// # Errors
     /// As [`Study::at`].
     pub fn at(mut self, center_distances: Vec<f64>) -> Result<PairFile, GearError> {
-        self.echo["assembly"]["center_distance_mm"] = serde_json::json!(center_distances);
+        self.spec.assembly.center_distance_mm = center_distances.clone();
         self.study = self.study.at(center_distances)?;
         Ok(self)
     }
-
-    /// `D_M`, mm, of the dimension over pins that states or cross-checks the thickness of `gear`, `wheel` or `pinion`.
-    pub fn pin(&self, gear: &str) -> Option<f64> {
-        stated(&self.echo[gear], "over_pins", "pin_mm")?.as_f64()
-    }
-}
-
-impl GearEntry {
-    /// `k` of the span that states the thickness, or else of the one that cross-checks it.
-    pub fn span_teeth(&self) -> Option<u32> {
-        let teeth = stated(&self.echo, "span", "teeth")?.as_u64()?;
-        u32::try_from(teeth).ok()
-    }
-
-    /// `D_M`, mm, of the dimension over pins that states the thickness, or else of the one that cross-checks it.
-    pub fn pin(&self) -> Option<f64> {
-        stated(&self.echo, "over_pins", "pin_mm")?.as_f64()
-    }
-}
-
-/// `key` of the `measurement` of a gear's thickness that counts, or else of its cross-check.
-fn stated<'a>(
-    gear: &'a serde_json::Value,
-    measurement: &str,
-    key: &str,
-) -> Option<&'a serde_json::Value> {
-    let thickness = &gear["thickness"];
-    [thickness, &thickness["cross_check"]]
-        .into_iter()
-        .find_map(|statement| statement[measurement].get(key))
 }
 
 /// The gears of a gear file or a pair file.
@@ -98,7 +69,7 @@ pub struct GearsFile {
 impl From<PairFile> for GearsFile {
     fn from(file: PairFile) -> GearsFile {
         let study = file.study;
-        let gear = |name: &'static str, of: fn(&(Material, AsBuilt, AsBuilt)) -> &AsBuilt| {
+        let gear = |name, spec, of: fn(&(Material, AsBuilt, AsBuilt)) -> &AsBuilt| {
             let mut materials: Vec<(Material, AsBuilt)> = Vec::new();
             for pair in &study.materials {
                 // A gear with a single thickness has it in both materials of its pair.
@@ -110,13 +81,13 @@ impl From<PairFile> for GearsFile {
             GearEntry {
                 name,
                 materials,
-                echo: file.echo[name].clone(),
+                spec,
             }
         };
         GearsFile {
             gears: vec![
-                gear("wheel", |pair| &pair.1),
-                gear("pinion", |pair| &pair.2),
+                gear("wheel", file.spec.wheel, |pair| &pair.1),
+                gear("pinion", file.spec.pinion, |pair| &pair.2),
             ],
             title: study.title,
             stem: file.stem,

@@ -5,7 +5,6 @@ use super::node::Node;
 use super::problems::Problems;
 use super::sheet::{self, Column, Coverage, Sheet, Wanted};
 use super::table::Table;
-use serde_json::{Map, Value, json};
 use std::collections::HashSet;
 
 /// Lengths, mm, and their places, from 1; as many of both, no place twice.
@@ -68,7 +67,7 @@ impl LengthReadings {
             ));
             return None;
         }
-        let places = LengthReadings::places(table, place_key, mm.len(), teeth?, problems)?;
+        let places = LengthReadings::read_places(table, place_key, mm.len(), teeth?, problems)?;
         Some(Some(LengthReadings {
             places,
             mm,
@@ -105,7 +104,7 @@ impl LengthReadings {
         })
     }
 
-    fn places(
+    fn read_places(
         table: &Table,
         key: &'static str,
         readings: usize,
@@ -165,9 +164,13 @@ impl LengthReadings {
             .collect()
     }
 
-    /// As in the pair file.
-    pub fn echo(&self, place_key: &str, into: &mut Map<String, Value>) {
-        into.insert("mm".to_owned(), json!(self.mm));
-        into.insert(place_key.to_owned(), json!(self.places));
+    /// The places, in the order of the lengths.
+    pub fn places(&self) -> &[u32] {
+        &self.places
+    }
+
+    /// The lengths, mm.
+    pub fn mm(&self) -> &[f64] {
+        &self.mm
     }
 }

@@ -5,9 +5,9 @@ mod readings;
 use super::limits::{HIGH_TOOTH, RUNOUT};
 use super::problems::Problems;
 use super::sheet::{self, Header};
+use super::spec::RunoutSpec;
 use super::table::Table;
 use gearlash::metrology::{self, RunoutStatement};
-use serde_json::{Map, Value, json};
 
 pub use readings::RunoutSheet;
 
@@ -130,12 +130,12 @@ impl Runout {
     }
 
     /// As in the pair file.
-    pub fn echo(&self) -> Value {
-        let mut echo = Map::from_iter([("total_um".to_owned(), json!(self.total_um))]);
-        if let Some(tooth) = self.high_tooth {
-            echo.insert("high_tooth".to_owned(), json!(tooth));
+    pub fn spec(&self) -> RunoutSpec {
+        RunoutSpec {
+            total_um: self.total_um,
+            high_tooth: self.high_tooth,
+            ..RunoutSpec::default()
         }
-        Value::Object(echo)
     }
 }
 

@@ -2,9 +2,9 @@
 
 use super::entry::Limits;
 use super::problems::Problems;
+use super::spec::{BandSpec, Either};
 use super::table::Table;
 use gearlash::metrology::Toleranced;
-use serde_json::{Map, Value};
 
 /// What a pair file states about a toleranced quantity.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -98,16 +98,14 @@ impl Stated<f64> {
         Some(Stated::Band { least, most })
     }
 
-    /// Writes the value back under its keys.
-    pub fn echo(&self, keys: &Keys, into: &mut Map<String, Value>) {
+    /// As a pair file writes it, a single value without a table.
+    pub fn spec(&self) -> Either<f64, BandSpec> {
         match *self {
-            Stated::Single(value) => {
-                into.insert(keys.single.unwrap_or_default().to_owned(), value.into());
-            }
-            Stated::Band { least, most } => {
-                into.insert(keys.min.to_owned(), least.into());
-                into.insert(keys.max.to_owned(), most.into());
-            }
+            Stated::Single(value) => Either::One(value),
+            Stated::Band { least, most } => Either::Other(BandSpec {
+                min: least,
+                max: most,
+            }),
         }
     }
 }

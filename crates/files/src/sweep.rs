@@ -4,10 +4,10 @@ use super::entry::{Entry, whole_in};
 use super::limits::{FRACTION, STEPS_PER_PITCH};
 use super::node::Node;
 use super::problems::Problems;
+use super::spec::{DEFAULT_STEPS, Phases, Revolutions, SweepSpec};
 use super::table::Table;
 use crate::error::Problem;
 use gearlash::pair::SweepPlan;
-use serde_json::{Value, json};
 
 pub const KEYS: &[&str] = &[
     "mating",
@@ -18,25 +18,18 @@ pub const KEYS: &[&str] = &[
     "phases",
 ];
 
-const DEFAULT_STEPS: u32 = 16;
-
-#[derive(Debug, Clone, Copy)]
-enum Revolutions {
-    Wheel,
-    Hunting,
-}
 const REVOLUTIONS: [(&str, Revolutions); 2] = [
     ("wheel", Revolutions::Wheel),
     ("hunting", Revolutions::Hunting),
 ];
 
-const PHASES: [(&str, ()); 1] = [("all", ())];
+const PHASES: [(&str, Phases); 1] = [("all", Phases::All)];
 
 /// The poses of every run, and how the pair file says it.
 #[derive(Debug)]
 pub struct Sweep {
     pub plan: SweepPlan,
-    pub echo: Value,
+    pub spec: SweepSpec,
 }
 
 impl Sweep {
@@ -103,10 +96,13 @@ impl Sweep {
             let all = table.choice_or_first("phases", &PHASES, problems);
             let steps = steps_per_pitch(&table, problems);
             alone?;
-            all?;
-            let steps_per_pitch = steps?;
+            let (all, steps_per_pitch) = (all?, steps?);
             Some(Sweep {
-                echo: json!({ "phases": "all", "steps_per_pitch": steps_per_pitch }),
+                spec: SweepSpec {
+                    phases: Some(all),
+                    steps_per_pitch: Some(steps_per_pitch),
+                    ..SweepSpec::default()
+                },
                 plan: SweepPlan::Phases {
                     steps_per_pitch,
                     teeth: (teeth.0?, teeth.1?),
@@ -125,7 +121,11 @@ impl Sweep {
 
     fn of_matings(matings: Vec<(u32, u32)>, fractions: Vec<f64>) -> Sweep {
         Sweep {
-            echo: json!({ "mating": matings, "fraction": fractions }),
+            spec: SweepSpec {
+                mating: Some(matings.iter().map(|&(w, p)| [w, p]).collect()),
+                fraction: Some(fractions.clone()),
+                ..SweepSpec::default()
+            },
             plan: SweepPlan::Matings { matings, fractions },
         }
     }
@@ -136,12 +136,17 @@ impl Sweep {
         start: (u32, u32),
         (wheel, pinion): (u32, u32),
     ) -> Sweep {
-        let (name, pitches) = match revolution {
-            Revolutions::Wheel => ("wheel", u64::from(wheel)),
-            Revolutions::Hunting => ("hunting", SweepPlan::hunting_pitches(wheel, pinion)),
+        let pitches = match revolution {
+            Revolutions::Wheel => u64::from(wheel),
+            Revolutions::Hunting => SweepPlan::hunting_pitches(wheel, pinion),
         };
         Sweep {
-            echo: json!({ "revolutions": name, "steps_per_pitch": steps_per_pitch, "start": start }),
+            spec: SweepSpec {
+                revolutions: Some(revolution),
+                steps_per_pitch: Some(steps_per_pitch),
+                start: Some([start.0, start.1]),
+                ..SweepSpec::default()
+            },
             plan: SweepPlan::Revolution {
                 pitches,
                 steps_per_pitch,

@@ -6,10 +6,10 @@ use super::node::Node;
 use super::problems::Problems;
 use super::readings::LengthReadings;
 use super::sheet::Column;
+use super::spec::{Either, OverPinsSpec, SpanSpec, StatementSpec};
 use super::stated::{Keys, Stated};
 use super::table::Table;
 use gearlash::metrology::ThicknessStatement;
-use serde_json::{Map, Value, json};
 
 pub const KEYS: &[&str] = &[
     "span",
@@ -190,40 +190,63 @@ impl Statement {
     }
 
     /// As in the pair file; nominal is an allowance of 0.
-    pub fn echo(&self) -> Map<String, Value> {
-        let mut echo = Map::new();
-        let (key, value) = match self {
-            Statement::Nominal => ("allowance_um", json!(0.0)),
+    pub fn spec(&self) -> StatementSpec {
+        let mut spec = StatementSpec::default();
+        match self {
+            Statement::Nominal => spec.allowance_um = Some(Either::One(0.0)),
             Statement::Span { teeth, mm } => {
-                let mut span = Map::from_iter([("teeth".to_owned(), json!(teeth))]);
-                mm.echo(&MEASURED, &mut span);
-                ("span", Value::Object(span))
+                let (mm, [min_mm, max_mm]) = measured(mm);
+                spec.span = Some(SpanSpec {
+                    teeth: *teeth,
+                    mm,
+                    min_mm,
+                    max_mm,
+                    ..SpanSpec::default()
+                });
             }
             Statement::OverPins { pin_mm, mm } => {
-                let mut pins = Map::from_iter([("pin_mm".to_owned(), json!(pin_mm))]);
-                mm.echo(&MEASURED, &mut pins);
-                ("over_pins", Value::Object(pins))
+                let (mm, [min_mm, max_mm]) = measured(mm);
+                spec.over_pins = Some(OverPinsSpec {
+                    pin_mm: *pin_mm,
+                    mm,
+                    min_mm,
+                    max_mm,
+                    ..OverPinsSpec::default()
+                });
             }
             Statement::Spans {
                 teeth,
                 readings,
                 per_tooth,
             } => {
-                let mut span = Map::from_iter([("teeth".to_owned(), json!(teeth))]);
-                readings.echo("first_tooth", &mut span);
-                span.insert("per_tooth".to_owned(), json!(per_tooth));
-                ("span", Value::Object(span))
+                spec.span = Some(SpanSpec {
+                    teeth: *teeth,
+                    mm: Some(Either::Other(readings.mm().to_vec())),
+                    first_tooth: Some(readings.places().to_vec()),
+                    per_tooth: Some(*per_tooth),
+                    ..SpanSpec::default()
+                });
             }
             Statement::Pins { pin_mm, readings } => {
-                let mut pins = Map::from_iter([("pin_mm".to_owned(), json!(pin_mm))]);
-                readings.echo("space", &mut pins);
-                ("over_pins", Value::Object(pins))
+                spec.over_pins = Some(OverPinsSpec {
+                    pin_mm: *pin_mm,
+                    mm: Some(Either::Other(readings.mm().to_vec())),
+                    space: Some(readings.places().to_vec()),
+                    ..OverPinsSpec::default()
+                });
             }
-            Statement::Allowance(um) => ("allowance_um", bare_echo(um)),
-            Statement::Base(mm) => ("base_thickness_mm", bare_echo(mm)),
-        };
-        echo.insert(key.to_owned(), value);
-        echo
+            Statement::Allowance(um) => spec.allowance_um = Some(um.spec()),
+            Statement::Base(mm) => spec.base_thickness_mm = Some(mm.spec()),
+        }
+        spec
+    }
+}
+
+/// A measured length as a pair file writes it: `mm`, or `min_mm` and `max_mm`.
+fn measured(mm: &Stated<f64>) -> (Option<Either<f64, Vec<f64>>>, [Option<f64>; 2]) {
+    match *mm {
+        Stated::Single(mm) => (Some(Either::One(mm)), [None; 2]),
+        Stated::Band { least, most } => (None, [Some(least), Some(most)]),
     }
 }
 
@@ -246,12 +269,5 @@ fn bare(
             problems.add(entry.wrong_type(&allowed, limits.help));
             None
         }
-    }
-}
-
-fn bare_echo(stated: &Stated<f64>) -> Value {
-    match stated {
-        Stated::Single(value) => json!(value),
-        Stated::Band { least, most } => json!({ "min": least, "max": most }),
     }
 }

@@ -32,8 +32,11 @@ fn tables(schema: &Value, node: &Value, path: &str, found: &mut Vec<(String, BTr
         let target = schema.pointer(target.trim_start_matches('#')).unwrap();
         return tables(schema, target, path, found);
     }
-    for alternative in node["anyOf"].as_array().into_iter().flatten() {
-        tables(schema, alternative, path, found);
+    // Draft 07 describes what it refers to in an `allOf` of one.
+    for choice in ["anyOf", "allOf"] {
+        for alternative in node[choice].as_array().into_iter().flatten() {
+            tables(schema, alternative, path, found);
+        }
     }
     if let Some(Value::Object(keys)) = node.get("properties") {
         found.push((path.to_owned(), keys.keys().cloned().collect()));

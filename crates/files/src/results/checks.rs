@@ -3,6 +3,7 @@
 use super::summary::{ContactCountRecord, contact_count_record};
 use crate::characters;
 use crate::read::PairFile;
+use crate::spec::PairSpec;
 use gearlash::diagnosis::{Check, Diagnosis, Group};
 use gearlash::pair::Member;
 use serde::Serialize;
@@ -11,7 +12,7 @@ use serde_json::{Map, Value};
 #[derive(Debug, Serialize)]
 struct CheckFile<'a> {
     gearlash: &'static str,
-    pair: &'a Value,
+    pair: &'a PairSpec,
     verdict: &'static str,
     checks: Vec<CheckRecord<'a>>,
     contact: ContactCountRecord,
@@ -51,7 +52,7 @@ pub fn checks_json(file: &PairFile, diagnosis: &Diagnosis) -> Result<String, ser
     let groups = || diagnosis.groups.iter();
     let file = CheckFile {
         gearlash: env!("CARGO_PKG_VERSION"),
-        pair: &file.echo,
+        pair: &file.spec,
         verdict: diagnosis.verdict().name(),
         checks: groups()
             .flat_map(|group| group.checks.iter().map(|check| check_record(group, check)))

@@ -37,7 +37,7 @@ impl<'w> ResultWriter<'w> {
         if let Some(json) = &mut json {
             json.open_object()?;
             json.entry("gearlash", &env!("CARGO_PKG_VERSION"))?;
-            json.entry("pair", &file.echo)?;
+            json.entry("pair", &file.spec)?;
             if let Some(notes) = notes::notes(&file.study) {
                 json.entry("notes", &notes)?;
             }

@@ -43,9 +43,9 @@ fn pair_beside(keys: &str, table: &str) -> Result<PairFile, InputError> {
     let study = read(&path)?;
     // The echo is the same study.
     let again = folder.path().join("pair.json");
-    fs::write(&again, serde_json::to_string(&study.echo).unwrap()).unwrap();
+    fs::write(&again, serde_json::to_string(&study.spec).unwrap()).unwrap();
     let again = read(&again).unwrap_or_else(|error| panic!("{error}"));
-    assert!(again == study, "{:#}", study.echo);
+    assert!(again == study, "{:#?}", study.spec);
     Ok(study)
 }
 

@@ -150,7 +150,7 @@ fn good(file: usize) -> (&'static str, String) {
             ("pair.json", serde_json::to_string(&value).unwrap())
         }
         _ => {
-            let echo = study(PAIR).echo;
+            let echo = study(PAIR).spec;
             ("pair.json", serde_json::to_string_pretty(&echo).unwrap())
         }
     }
@@ -170,14 +170,14 @@ fn check(path: &Path) {
             assert!(poses > 0);
             // What was understood is a good pair file.
             let echo = path.with_file_name("echo.json");
-            fs::write(&echo, study.echo.to_string()).unwrap();
+            fs::write(&echo, serde_json::to_string(&study.spec).unwrap()).unwrap();
             let again = read(&echo).unwrap_or_else(|error| panic!("{error}"));
             assert!(
                 again.study.materials == study.study.materials,
-                "{}",
-                study.echo
+                "{:#?}",
+                study.spec
             );
-            assert_eq!(again.echo, study.echo);
+            assert_eq!(again.spec, study.spec);
         }
         Err(InputError { problems, .. }) => {
             assert!(!problems.is_empty());

@@ -12,7 +12,7 @@ fn problems(name: &str, table: &[u8], teeth: u32, keys: &str) -> Vec<String> {
     let text = text.replace("[pinion]\n", &format!("[pinion]\n{extra}"));
     let text = text.replace("center_distance_mm = ", "center_distance_mm = 1");
     let told = match read_with(name, table, &text) {
-        Ok(study) => panic!("{:#}", study.echo),
+        Ok(study) => panic!("{:#?}", study.spec),
         Err(problems) => problems,
     };
     let message = |problem: &Problem| {
@@ -149,7 +149,7 @@ fn protocol(from: &str, to: &str, kind: &str) -> String {
     let table = text.replacen(from, to, 1);
     let keys = format!("pitch = {{ kind = \"{kind}\", file = \"p.txt\" }}");
     match read_with("p.txt", table.as_bytes(), &pair(44, &keys)) {
-        Ok(study) => panic!("{:#}", study.echo),
+        Ok(study) => panic!("{:#?}", study.spec),
         Err(told) => {
             let from = |problem: &Problem| {
                 problem

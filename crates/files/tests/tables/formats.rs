@@ -119,10 +119,7 @@ pub const FORMATS: [Format; 5] = [
             let total = 4.0 / f64::from(teeth) * sum(f64::cos).hypot(sum(f64::sin));
             Some(vec![vec![total]])
         },
-        understood: |study| {
-            let total = study.echo["wheel"]["runout"]["total_um"].as_f64().unwrap();
-            vec![vec![total]]
-        },
+        understood: |study| vec![vec![study.spec.wheel.runout.total_um]],
         // What a sum of 10 000 floats leaves, µm; and the harmonic is that of a small e: readings go as √(r² − e² sin²), of
         // third order in e; of module 3 mm, r is 3 z/2.
         apart: |total, teeth| {

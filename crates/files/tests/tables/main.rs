@@ -36,8 +36,9 @@ fn read_pair(path: &Path) -> Result<PairFile, Vec<Problem>> {
     })
 }
 
-/// The values of a list in the wheel's echo.
+/// The values of a list of the wheel as understood.
 fn echoed(study: &PairFile, table: &str, list: &str) -> Vec<f64> {
-    let list = study.echo["wheel"][table][list].as_array().unwrap();
+    let wheel = serde_json::to_value(&study.spec.wheel).unwrap();
+    let list = wheel[table][list].as_array().unwrap();
     list.iter().map(|value| value.as_f64().unwrap()).collect()
 }

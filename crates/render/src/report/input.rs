@@ -2,15 +2,15 @@
 
 use super::figures::inspections;
 use super::page::Page;
-use super::stated::{high_tooth, pitch, runout, thickness, words};
+use super::stated::{high_tooth, pitch, runout, thickness};
 use super::words::{plain, symbol};
 use super::{grades, notes};
 use crate::error::PictureError;
 use gearlash::gear::{AsBuilt, Inspection};
 use gearlash::pair::Member;
-use gearlash_files::numbers::{fixed, stated_distance, trimmed};
+use gearlash_files::numbers::{fixed, shortest, stated_distance, trimmed};
+use gearlash_files::spec::GearSpec;
 use maud::{Markup, html};
-use serde_json::Value;
 
 /// A property of a gear as built: symbol, index, name, unit, decimals, value.
 type Property = (
@@ -84,11 +84,10 @@ const DRAWN: [Property; 7] = [
 
 pub(super) fn section(page: &Page) -> Result<Markup, PictureError> {
     let study = &page.report.pair.study;
-    let echo = &page.report.pair.echo;
+    let spec = &page.report.pair.spec;
+    let gears = [&spec.wheel, &spec.pinion];
     let several = study.materials.len() > 1;
-    let stated = |table: &str, words: fn(&Value) -> String| {
-        ["wheel", "pinion"].map(|gear| words(&echo[gear][table]))
-    };
+    let stated = |words: fn(&GearSpec) -> String| gears.map(words);
     let by_tooth = |gear: &AsBuilt| {
         let of = Inspection::of(gear);
         of.thickness().iter().any(|thickness| *thickness != 0.0)
@@ -99,9 +98,9 @@ pub(super) fn section(page: &Page) -> Result<Markup, PictureError> {
         .map_or([false; 2], |(_, wheel, pinion)| {
             [by_tooth(wheel), by_tooth(pinion)]
         });
-    let pitches = [("wheel", by_tooth[0]), ("pinion", by_tooth[1])];
-    let pitches = pitches.map(|(gear, by_tooth)| pitch(&echo[gear]["pitch"], by_tooth));
-    let face = ["wheel", "pinion"].map(|gear| words(&echo[gear]["reference_face"]));
+    let pitches = [(&spec.wheel, by_tooth[0]), (&spec.pinion, by_tooth[1])];
+    let pitches = pitches.map(|(gear, by_tooth)| pitch(gear.pitch.as_ref(), by_tooth));
+    let face = gears.map(|gear| gear.reference_face.name().to_owned());
     Ok(html! {
         section id="input" {
             h2 { "Input" }
@@ -117,9 +116,9 @@ pub(super) fn section(page: &Page) -> Result<Markup, PictureError> {
                     } }
                     tbody {
                         @for property in DRAWN.iter().chain(&DERIVED) { (row(page, property)) }
-                        (text_row(("", ""), "thickness as stated", "", stated("thickness", thickness)))
-                        (text_row(("2 e", ""), "twice the eccentricity, the runout as stated", "µm", stated("runout", runout)))
-                        (text_row(("", ""), "high tooth", "–", stated("runout", high_tooth)))
+                        (text_row(("", ""), "thickness as stated", "", stated(|gear| thickness(&gear.thickness))))
+                        (text_row(("2 e", ""), "twice the eccentricity, the runout as stated", "µm", stated(|gear| runout(&gear.runout))))
+                        (text_row(("", ""), "high tooth", "–", stated(|gear| high_tooth(&gear.runout))))
                         (text_row(("F", "p"), "pitch deviations", "", pitches))
                         (text_row(("", ""), "reference face towards", "", face))
                     }
@@ -173,7 +172,7 @@ fn text_row(
 
 fn assembly(page: &Page) -> Markup {
     let study = &page.report.pair.study;
-    let clearance = &page.report.pair.echo["assembly"]["bearing_clearance_mm"];
+    let clearance = &page.report.pair.spec.assembly.bearing_clearance_mm;
     let distances: Vec<String> = study
         .center_distances
         .iter()
@@ -195,7 +194,7 @@ fn assembly(page: &Page) -> Markup {
                         td { (distances.join(", ")) } }
                     tr { td { (symbol("α", "wt")) } th scope="row" { "operating pressure angle" } td { "°" } td { (angle) } }
                     tr { td {} th scope="row" { "radial bearing clearance, wheel / pinion" } td { "mm" }
-                        td { (words(&clearance["wheel"])) " / " (words(&clearance["pinion"])) } }
+                        td { (shortest(clearance.wheel)) " / " (shortest(clearance.pinion)) } }
                     tr { td {} th scope="row" { "locked gear" } td {} td { (study.locked.name()) } }
                 }
             }

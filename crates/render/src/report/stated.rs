@@ -1,117 +1,100 @@
 //! What a pair file states of a gear, in words.
 
-use super::words::plain;
 use gearlash_files::numbers::{rounded, shortest};
-use serde_json::Value;
+use gearlash_files::spec::{BandSpec, Either, PitchSpec, RunoutSpec, ThicknessSpec};
 
-/// A value of the pair file.
-pub(super) fn words(value: &Value) -> String {
-    match value {
-        Value::Null => "–".to_owned(),
-        Value::String(text) => plain(text),
-        Value::Number(number) => number.as_f64().map_or_else(|| number.to_string(), shortest),
-        other => plain(&other.to_string()),
+/// A single value, or `min … max`.
+fn single_or_band(stated: &Either<f64, BandSpec>) -> String {
+    match stated {
+        Either::One(value) => shortest(*value),
+        Either::Other(band) => format!("{} … {}", shortest(band.min), shortest(band.max)),
     }
 }
 
-/// `key`, or `min … max`.
-fn single_or_band(table: &Value, [single, min, max]: [&str; 3]) -> String {
-    match &table[single] {
-        Value::Null => format!("{} … {}", words(&table[min]), words(&table[max])),
-        one => words(one),
-    }
-}
-
-/// `key`, or `min … max`, or how many readings and between which.
-fn measured(table: &Value) -> String {
-    match &table["mm"] {
-        Value::Array(readings) => {
-            let numbers = || readings.iter().filter_map(Value::as_f64);
+/// A value, `min … max`, or how many readings and between which; a dash for what is not there.
+fn measured(mm: Option<&Either<f64, Vec<f64>>>, band: [Option<f64>; 2]) -> String {
+    let shown = |end: Option<f64>| end.map_or("–".to_owned(), shortest);
+    match mm {
+        Some(Either::One(mm)) => shortest(*mm),
+        Some(Either::Other(readings)) => {
+            let numbers = || readings.iter().copied();
             let ends = [numbers().reduce(f64::min), numbers().reduce(f64::max)];
-            let [least, most] = ends.map(|end| end.map_or("–".to_owned(), shortest));
+            let [least, most] = ends.map(shown);
             format!("{} readings, {least} … {most}", readings.len())
         }
-        _ => single_or_band(table, ["mm", "min_mm", "max_mm"]),
+        None => {
+            let [least, most] = band.map(shown);
+            format!("{least} … {most}")
+        }
     }
 }
 
 /// The tooth thickness, as it was measured or given.
-pub(super) fn thickness(stated: &Value) -> String {
-    const BARE: [&str; 3] = ["", "min", "max"];
-    let bare = |value: &Value| match value {
-        Value::Object(_) => single_or_band(value, BARE),
-        one => words(one),
-    };
+pub(super) fn thickness(stated: &ThicknessSpec) -> String {
+    let statement = &stated.statement;
     let mut parts = Vec::new();
-    for (key, value) in stated.as_object().into_iter().flatten() {
-        parts.push(match (key.as_str(), value) {
-            ("span", span) => format!(
-                "span over {} teeth {} mm",
-                words(&span["teeth"]),
-                measured(span)
-            ),
-            ("over_pins", pins) => format!(
-                "over pins of {} mm {} mm",
-                words(&pins["pin_mm"]),
-                measured(pins)
-            ),
-            ("allowance_um", value) if value.as_f64() == Some(0.0) => "nominal".to_owned(),
-            ("allowance_um", value) => format!("allowance {} µm", bare(value)),
-            ("base_thickness_mm", value) => format!("base thickness {} mm", bare(value)),
-            ("per_tooth_um", Value::Array(values)) if values.is_empty() => continue,
-            // The notes below the table compare it.
-            ("cross_check", Value::Null) => continue,
-            ("cross_check", _) => "cross-check: see below".to_owned(),
-            ("per_tooth_um", Value::Array(values)) => {
-                format!("{} values tooth by tooth", values.len())
-            }
-            (other, value) => format!("{other} {}", words(value)),
-        });
+    if let Some(span) = &statement.span {
+        let mm = measured(span.mm.as_ref(), [span.min_mm, span.max_mm]);
+        parts.push(format!("span over {} teeth {mm} mm", span.teeth));
+    }
+    if let Some(pins) = &statement.over_pins {
+        let mm = measured(pins.mm.as_ref(), [pins.min_mm, pins.max_mm]);
+        parts.push(format!("over pins of {} mm {mm} mm", shortest(pins.pin_mm)));
+    }
+    match &statement.allowance_um {
+        Some(Either::One(0.0)) => parts.push("nominal".to_owned()),
+        Some(um) => parts.push(format!("allowance {} µm", single_or_band(um))),
+        None => {}
+    }
+    if let Some(mm) = &statement.base_thickness_mm {
+        parts.push(format!("base thickness {} mm", single_or_band(mm)));
+    }
+    match stated.per_tooth_um.as_deref() {
+        None | Some([]) => {}
+        Some(values) => parts.push(format!("{} values tooth by tooth", values.len())),
+    }
+    if stated.cross_check.is_some() {
+        // The notes below the table compare it.
+        parts.push("cross-check: see below".to_owned());
     }
     parts.join(", ")
 }
 
 /// A value that may have been found from readings: no more than four decimals.
-fn found(value: &Value) -> String {
-    let full = words(value);
-    match value.as_f64() {
-        Some(number) => {
-            let short = shortest(rounded(number, 4));
-            if short.len() < full.len() {
-                short
-            } else {
-                full
-            }
-        }
-        None => full,
+fn found(number: f64) -> String {
+    let full = shortest(number);
+    let short = shortest(rounded(number, 4));
+    if short.len() < full.len() {
+        short
+    } else {
+        full
     }
 }
 
 /// `F_r`, µm.
-pub(super) fn runout(stated: &Value) -> String {
-    match &stated["total_um"] {
-        Value::Null => "0".to_owned(),
-        total => found(total),
-    }
+pub(super) fn runout(stated: &RunoutSpec) -> String {
+    found(stated.total_um)
 }
 
 /// The tooth it points to.
-pub(super) fn high_tooth(stated: &Value) -> String {
-    found(&stated["high_tooth"])
+pub(super) fn high_tooth(stated: &RunoutSpec) -> String {
+    stated.high_tooth.map_or("–".to_owned(), found)
 }
 
 /// What kind of pitch deviations, and how many; `by_tooth`: the teeth differ in thickness.
-pub(super) fn pitch(stated: &Value, by_tooth: bool) -> String {
-    let values = |flank: &str| stated[flank].as_array().map_or(0, Vec::len);
-    match values("right_um") + values("left_um") {
-        0 if by_tooth => "not given; those shown below follow from the thickness tooth by tooth, half of it to each flank".to_owned(),
-        0 => "not given".to_owned(),
-        _ => format!(
-            "{}, {} axis, {} + {} values",
-            words(&stated["kind"]),
-            words(&stated["axis"]),
-            values("right_um"),
-            values("left_um")
-        ),
+pub(super) fn pitch(stated: Option<&PitchSpec>, by_tooth: bool) -> String {
+    match stated {
+        None if by_tooth => "not given; those shown below follow from the thickness tooth by tooth, half of it to each flank".to_owned(),
+        None => "not given".to_owned(),
+        Some(pitch) => {
+            let values = |flank: &Option<Vec<f64>>| flank.as_ref().map_or(0, Vec::len);
+            format!(
+                "{}, {} axis, {} + {} values",
+                pitch.kind.name(),
+                pitch.axis.name(),
+                values(&pitch.right_um),
+                values(&pitch.left_um)
+            )
+        }
     }
 }

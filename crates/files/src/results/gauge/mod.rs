@@ -4,10 +4,11 @@ mod json;
 mod readings;
 
 use super::table::{Cell, Column, Table, Unit};
+use crate::gauged_file::{GaugedTables, NoGearFile, gauged_file};
+use crate::spec::GearSpec;
 use gearlash::gauge::Gauged;
 use gearlash::gear::AsBuilt;
 use gearlash::study::Material;
-use serde_json::Value;
 
 pub use json::json;
 pub use readings::{Reading, by_tooth};
@@ -24,7 +25,7 @@ pub struct GaugedGear<'a> {
     /// The gear.
     pub gear: &'a AsBuilt,
     /// Its table as understood.
-    pub echo: &'a Value,
+    pub spec: &'a GearSpec,
     /// The readings.
     pub gauged: Gauged,
 }
@@ -33,6 +34,20 @@ impl GaugedGear<'_> {
     /// How its files begin: `gauge_wheel`, with the material where there are two.
     pub fn stem(&self) -> String {
         stem(self.name, self.material)
+    }
+
+    /// Its gear file: name and content.
+    ///
+    /// # Errors
+    /// Where the readings do not say enough for one.
+    pub fn gear_file(&self) -> Result<(String, String), NoGearFile> {
+        let stem = self.stem();
+        let tables = GaugedTables {
+            spans: Reading::Spans.csv(&stem),
+            pitch: Reading::PitchOwn.csv(&stem),
+        };
+        let text = gauged_file(self.title, &self.words(), self.spec, &self.gauged, tables)?;
+        Ok((gear_file_name(&stem), text))
     }
 
     /// The gear in a few words.

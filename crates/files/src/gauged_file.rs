@@ -1,0 +1,126 @@
+//! A gear file that states what the gauges read.
+//!
+//! The pitch of both flanks carries how the thickness varies from tooth to tooth: beside it stands the mean thickness
+//! alone, or it would count twice. What every tooth is thicker than the mean thickness that cut the root
+//! stands by tooth, the same for all (see [`StatedThickness`]). Flanks that go against each other (thickness alone makes
+//! them) look like a left flank turned round; the spans bear out the sign, so they stand as a cross-check where they do not count.
+
+use crate::characters::plain;
+use crate::spec::{
+    CrossCheckSpec, Either, GearFileSpec, GearSpec, PitchAxis, PitchKind, PitchSense, PitchSpec,
+    RunoutSpec, SpanSpec, StatementSpec, TableFileSpec, ThicknessSpec,
+};
+use gearlash::gauge::{Gauged, StatedThickness, Unmeasured};
+
+/// Why there is no gear file.
+#[derive(Debug, thiserror::Error)]
+pub enum NoGearFile {
+    /// The readings do not say enough: a file that left something out would be of another gear.
+    #[error(transparent)]
+    Unmeasured(#[from] Unmeasured),
+    /// It cannot be written as TOML.
+    #[error(transparent)]
+    Unwritable(#[from] toml::ser::Error),
+}
+
+/// The tables that a gear file names.
+#[derive(Debug, Clone)]
+pub struct GaugedTables {
+    /// Spans.
+    pub spans: String,
+    /// Cumulative pitch about the gear's own axis.
+    pub pitch: String,
+}
+
+/// The gear file, as TOML, of a gear that was understood as `spec` and is called `name` in a few words.
+///
+/// # Errors
+/// [`NoGearFile`].
+pub fn gauged_file(
+    title: &str,
+    name: &str,
+    spec: &GearSpec,
+    readings: &Gauged,
+    tables: GaugedTables,
+) -> Result<String, NoGearFile> {
+    let mut comments = vec![
+        format!("What gearlash's gauges read on this gear ({name})."),
+        "The thickness is the mean: the pitch carries how it varies. The runout is twice the eccentricity, which the tip circle shows.".to_owned(),
+    ];
+    let thickness = thickness(spec.teeth, readings, tables.spans, &mut comments)?;
+    let file = GearFileSpec {
+        title: format!("{}, as gauged", plain(title)),
+        gear: GearSpec {
+            thickness,
+            runout: RunoutSpec {
+                total_um: 2e3 * readings.eccentricity.amount,
+                high_tooth: Some(readings.eccentricity.high_tooth),
+                ..RunoutSpec::default()
+            },
+            pitch: Some(PitchSpec {
+                kind: PitchKind::Cumulative,
+                axis: PitchAxis::Own,
+                sense: PitchSense::Numbers,
+                right_um: None,
+                left_um: None,
+                eccentricity: None,
+                table: Some(TableFileSpec::new(tables.pitch)),
+            }),
+            ..spec.clone()
+        },
+    };
+    let comments: String = comments.iter().map(|line| format!("# {line}\n")).collect();
+    Ok(comments + &toml::to_string(&file)?)
+}
+
+fn thickness(
+    teeth: u32,
+    readings: &Gauged,
+    table: String,
+    comments: &mut Vec<String>,
+) -> Result<ThicknessSpec, Unmeasured> {
+    let stated = readings.stated.clone()?;
+    if let Err(reason) = &readings.root {
+        comments.push(format!(
+            "{reason}: that this mean thickness cut the root is taken for granted."
+        ));
+    }
+    let span = |teeth: u32, per_tooth: Option<bool>| StatementSpec {
+        span: Some(SpanSpec {
+            teeth,
+            per_tooth,
+            table: Some(TableFileSpec::new(table)),
+            ..SpanSpec::default()
+        }),
+        ..StatementSpec::default()
+    };
+    let mut thickness = ThicknessSpec::default();
+    match (stated, &readings.spans) {
+        (StatedThickness::Spans, spans) => {
+            let teeth = spans.as_ref().map_err(Clone::clone)?.teeth;
+            thickness.statement = span(teeth, Some(false));
+        }
+        (
+            StatedThickness::Allowance {
+                allowance,
+                per_tooth,
+                cross_check,
+            },
+            spans,
+        ) => {
+            thickness.statement.allowance_um = Some(Either::One(1e3 * allowance));
+            if per_tooth != 0.0 {
+                comments.push("The root circle was cut for the allowance; every flank pair stands off it by per_tooth_um.".to_owned());
+                thickness.per_tooth_um = Some(vec![1e3 * per_tooth; teeth as usize]);
+            }
+            if let (true, Ok(spans)) = (cross_check, spans) {
+                comments.push("The cross-check bears out the sign of the flanks.".to_owned());
+                thickness.cross_check = Some(CrossCheckSpec {
+                    statement: span(spans.teeth, None),
+                    tolerance_um: None,
+                });
+            }
+        }
+    }
+    Ok(thickness)
+}

@@ -1,0 +1,163 @@
+//! The pair put together, and what is run and compared.
+
+use super::rules::{beside, exactly_one, list_length, whole, within};
+use super::value::Either;
+use crate::limits::{
+    CENTER_DISTANCE, CHORD, CLEARANCE, FRACTION, MOST_DISTANCES, STEPS_PER_PITCH, TOLERANCE, TOOTH,
+};
+use gearlash::pair::Member;
+use schemars::{JsonSchema, Schema};
+use serde::Serialize;
+
+/// Poses a pitch where none are stated.
+pub(crate) const DEFAULT_STEPS: u32 = 16;
+
+/// How the gears are put together.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct AssemblySpec {
+    /// Centre distance a, mm: one or several; with [measured] and no [sweep] its rows decide.
+    #[schemars(with = "Option<Either<f64, Vec<f64>>>")]
+    #[schemars(transform = within(&CENTER_DISTANCE), transform = list_length(1, Some(MOST_DISTANCES)))]
+    pub center_distance_mm: Vec<f64>,
+    /// The gear that stands still; the other is turned.
+    #[schemars(default)]
+    pub locked: GearName,
+    /// Radial play of each gear on its axis, mm.
+    #[schemars(with = "Option<Either<f64, BearingClearanceSpec>>", transform = within(&CLEARANCE))]
+    pub bearing_clearance_mm: BearingClearanceSpec,
+}
+
+/// One for each gear.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[schemars(inline)]
+pub struct BearingClearanceSpec {
+    /// The wheel's, mm.
+    pub wheel: f64,
+    /// The pinion's, mm.
+    pub pinion: f64,
+}
+
+impl BearingClearanceSpec {
+    /// Both together, mm: by so much the gears may approach.
+    pub fn sum_mm(&self) -> f64 {
+        self.wheel + self.pinion
+    }
+}
+
+/// A gear of the pair.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+#[schemars(inline)]
+pub enum GearName {
+    /// Gear 1.
+    #[default]
+    Wheel,
+    /// Gear 2.
+    Pinion,
+}
+
+impl From<Member> for GearName {
+    fn from(member: Member) -> GearName {
+        match member {
+            Member::Wheel => GearName::Wheel,
+            Member::Pinion => GearName::Pinion,
+        }
+    }
+}
+
+/// Measured backlash to set beside the simulation.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct MeasuredSpec {
+    /// CSV file beside the pair file.
+    pub file: String,
+}
+
+/// Which poses: one of mating, revolutions and phases.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, JsonSchema)]
+#[schemars(transform = sweep_keys)]
+pub struct SweepSpec {
+    /// Wheel tooth and pinion tooth: a pose at right and one at left flank each.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(length(min = 1), transform = whole(TOOTH))]
+    pub mating: Option<Vec<[u32; 2]>>,
+    /// Pitches beyond each mating.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(length(min = 1), transform = within(&FRACTION))]
+    pub fraction: Option<Vec<f64>>,
+    /// One turn of the wheel, or until the same teeth meet again.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub revolutions: Option<Revolutions>,
+    /// Every way to put the two together.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub phases: Option<Phases>,
+    /// Poses a pitch.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("default" = DEFAULT_STEPS), transform = whole(STEPS_PER_PITCH))]
+    pub steps_per_pitch: Option<u32>,
+    /// Wheel and pinion tooth that mate first.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(transform = whole(TOOTH))]
+    pub start: Option<[u32; 2]>,
+}
+
+/// How far the gears turn.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+#[schemars(inline)]
+pub enum Revolutions {
+    /// One turn of the wheel.
+    Wheel,
+    /// Until the same teeth meet again.
+    Hunting,
+}
+
+/// Which assembly phases are run.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+#[schemars(inline)]
+pub enum Phases {
+    /// Every one.
+    All,
+}
+
+/// Of the polygon method.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[schemars(default)]
+pub struct AccuracySpec {
+    /// Chordal error of the polygons, µm.
+    #[schemars(transform = within(&CHORD))]
+    pub chord_um: f64,
+}
+
+impl Default for AccuracySpec {
+    fn default() -> AccuracySpec {
+        AccuracySpec { chord_um: 0.01 }
+    }
+}
+
+/// Of gearlash compare.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[schemars(default)]
+pub struct CompareSpec {
+    /// Tolerance of j_wt, µm.
+    #[schemars(transform = within(&TOLERANCE))]
+    pub tolerance_um: f64,
+    /// Whether contact off the line of action passes.
+    pub allow_off_line_contact: bool,
+}
+
+impl Default for CompareSpec {
+    fn default() -> CompareSpec {
+        CompareSpec {
+            tolerance_um: 0.1,
+            allow_off_line_contact: false,
+        }
+    }
+}
+
+fn sweep_keys(schema: &mut Schema) {
+    exactly_one(schema, &[&["mating"], &["revolutions"], &["phases"]]);
+    beside(schema, "fraction", &[&["mating"]]);
+    beside(schema, "start", &[&["revolutions"]]);
+    beside(schema, "steps_per_pitch", &[&["revolutions"], &["phases"]]);
+}

@@ -1,0 +1,152 @@
+//! Where the flanks stand: runout and pitch.
+
+use super::rules::{beside, columns, exactly_one, nonzero_needs, not_beside, values_need, within};
+use super::value::TableFileSpec;
+use crate::limits::{BALL, HIGH_TOOTH, PITCH, RUNOUT};
+use schemars::{JsonSchema, Schema};
+use serde::Serialize;
+
+/// Radial runout.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, JsonSchema)]
+#[schemars(transform = runout_keys, transform = columns("tooth, runout (µm)"))]
+pub struct RunoutSpec {
+    /// Runout F_r, µm: twice the eccentricity.
+    #[schemars(with = "Option<f64>", transform = within(&RUNOUT))]
+    pub total_um: f64,
+    /// Tooth towards which the teeth are displaced; fractions allowed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(transform = within(&HIGH_TOOTH))]
+    pub high_tooth: Option<f64>,
+    /// Readings all round from a table.
+    #[serde(flatten)]
+    pub table: Option<TableFileSpec>,
+    /// Where a reading of the table belongs: the tooth (a fork astride it), or the space after it (a ball).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub at: Option<ReadingPlace>,
+    /// Diameter of the ball that was read with, mm; without it one that touches at the reference circle.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(transform = within(&BALL))]
+    pub ball_mm: Option<f64>,
+}
+
+/// Where a runout reading belongs.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+#[schemars(inline)]
+pub enum ReadingPlace {
+    /// The tooth of its number.
+    Tooth,
+    /// The space after it.
+    Space,
+}
+
+/// Pitch deviation of both flanks, one value a tooth.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(transform = pitch_keys, transform = columns("tooth, left, right (µm)"))]
+pub struct PitchSpec {
+    /// What the values are.
+    #[schemars(with = "Option<PitchKind>")]
+    pub kind: PitchKind,
+    /// own: free of eccentricity; datum: measured about the datum axis.
+    #[schemars(default)]
+    pub axis: PitchAxis,
+    /// What + means: along ascending numbers, or plus material.
+    #[schemars(default)]
+    pub sense: PitchSense,
+    /// Right flanks, µm, tooth 1 first.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(transform = within(&PITCH))]
+    pub right_um: Option<Vec<f64>>,
+    /// Left flanks, µm, tooth 1 first.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(transform = within(&PITCH))]
+    pub left_um: Option<Vec<f64>>,
+    /// With axis = "datum" and a runout: which of them counts.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub eccentricity: Option<EccentricitySource>,
+    /// Both flanks from a table.
+    #[serde(flatten)]
+    pub table: Option<TableFileSpec>,
+}
+
+/// What a pitch value counts from.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+#[schemars(inline)]
+pub enum PitchKind {
+    /// F: from the first tooth, or any one place.
+    Cumulative,
+    /// f: from the tooth before.
+    Single,
+}
+
+impl PitchKind {
+    /// As a pair file writes it.
+    pub fn name(self) -> &'static str {
+        match self {
+            PitchKind::Cumulative => "cumulative",
+            PitchKind::Single => "single",
+        }
+    }
+}
+
+/// About which axis pitch was measured.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+#[schemars(inline)]
+pub enum PitchAxis {
+    /// The gear's own.
+    #[default]
+    Own,
+    /// The rotation axis.
+    Datum,
+}
+
+impl PitchAxis {
+    /// As a pair file writes it.
+    pub fn name(self) -> &'static str {
+        match self {
+            PitchAxis::Own => "own",
+            PitchAxis::Datum => "datum",
+        }
+    }
+}
+
+/// What a positive pitch value means.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+#[schemars(inline)]
+pub enum PitchSense {
+    /// Along ascending numbers.
+    #[default]
+    Numbers,
+    /// Plus material.
+    Material,
+}
+
+/// Which eccentricity counts where pitch and runout both state one.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+#[schemars(inline)]
+pub enum EccentricitySource {
+    /// The one that datum-axis pitch holds.
+    Pitch,
+    /// That of the runout.
+    Runout,
+}
+
+fn runout_keys(schema: &mut Schema) {
+    exactly_one(schema, &[&["total_um"], &["file"]]);
+    beside(schema, "high_tooth", &[&["total_um"]]);
+    nonzero_needs(schema, "total_um", "high_tooth");
+    beside(schema, "file", &[&["at"]]);
+    beside(schema, "at", &[&["file"]]);
+    beside(schema, "ball_mm", &[&["file"]]);
+}
+
+fn pitch_keys(schema: &mut Schema) {
+    values_need(schema, "right_um", "left_um", "kind");
+    values_need(schema, "left_um", "right_um", "kind");
+    beside(schema, "file", &[&["kind"]]);
+    not_beside(schema, "file", &["right_um", "left_um"]);
+}

@@ -1,0 +1,149 @@
+//! The files, and one gear of them.
+
+use super::flanks::{PitchSpec, RunoutSpec};
+use super::rules::{whole, within};
+use super::thickness::ThicknessSpec;
+use super::{AccuracySpec, AssemblySpec, CompareSpec, MeasuredSpec, SweepSpec};
+use crate::limits::{
+    MODULE, PRESSURE_ANGLE, PROFILE_SHIFT, RACK_DEPTH, ROOT_RADIUS, TEETH, TIP_DIAMETER,
+};
+use gearlash::gear::{BasicRack, Face};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// Two spur gears, what was measured on them, how they are put together.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(title = "gearlash pair file")]
+pub struct PairSpec {
+    /// Shown in results and pictures; default: the file's name.
+    #[schemars(with = "Option<String>")]
+    pub title: String,
+    /// Gear 1, left in the picture.
+    pub wheel: GearSpec,
+    /// Gear 2, right in the picture.
+    pub pinion: GearSpec,
+    /// How the gears are put together.
+    #[schemars(with = "Option<AssemblySpec>")]
+    pub assembly: AssemblySpec,
+    /// Measured backlash to set beside the simulation.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub measured: Option<MeasuredSpec>,
+    /// Which poses; none beside measured: exactly its rows, none at all: one wheel revolution.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sweep: Option<SweepSpec>,
+    /// Of the polygon method.
+    #[schemars(with = "Option<AccuracySpec>")]
+    pub accuracy: AccuracySpec,
+    /// Of gearlash compare.
+    #[schemars(with = "Option<CompareSpec>")]
+    pub compare: CompareSpec,
+}
+
+/// One spur gear and what was measured on it.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(title = "gearlash gear file")]
+pub struct GearFileSpec {
+    /// Shown in results and pictures; default: the file's name.
+    #[schemars(with = "Option<String>")]
+    pub title: String,
+    /// The gear.
+    pub gear: GearSpec,
+}
+
+/// A gear: its drawing, and what was measured on it.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct GearSpec {
+    /// Number of teeth z.
+    #[schemars(transform = whole(TEETH))]
+    pub teeth: u32,
+    /// Module m, mm.
+    #[schemars(transform = within(&MODULE))]
+    pub module_mm: f64,
+    /// Pressure angle α, degrees.
+    #[schemars(transform = within(&PRESSURE_ANGLE))]
+    pub pressure_angle_deg: f64,
+    /// Profile shift coefficient x.
+    #[schemars(default, transform = within(&PROFILE_SHIFT))]
+    pub profile_shift: f64,
+    /// Which face the picture shows; on it teeth are numbered clockwise.
+    #[schemars(default)]
+    pub reference_face: FaceName,
+    /// Tip diameter d_a, mm; default from addendum and profile shift.
+    #[schemars(with = "Option<f64>", transform = within(&TIP_DIAMETER))]
+    pub tip_diameter_mm: f64,
+    /// Basic rack, in modules.
+    #[schemars(with = "Option<RackSpec>")]
+    pub rack: RackSpec,
+    /// Mean tooth thickness: one statement; none: nominal.
+    #[schemars(with = "Option<ThicknessSpec>")]
+    pub thickness: ThicknessSpec,
+    /// Radial runout; none: 0.
+    #[schemars(with = "Option<RunoutSpec>")]
+    pub runout: RunoutSpec,
+    /// Pitch deviation of both flanks, one value a tooth.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pitch: Option<PitchSpec>,
+}
+
+/// A face of a gear.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+#[schemars(inline)]
+pub enum FaceName {
+    /// Its numbers run clockwise in the picture.
+    #[default]
+    Front,
+    /// Its numbers run counter-clockwise in the picture.
+    Back,
+}
+
+impl FaceName {
+    /// As a pair file writes it.
+    pub fn name(self) -> &'static str {
+        match self {
+            FaceName::Front => "front",
+            FaceName::Back => "back",
+        }
+    }
+}
+
+impl From<Face> for FaceName {
+    fn from(face: Face) -> FaceName {
+        match face {
+            Face::Front => FaceName::Front,
+            Face::Back => FaceName::Back,
+        }
+    }
+}
+
+/// Basic rack, in modules.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[schemars(default)]
+pub struct RackSpec {
+    /// Addendum h_aP*.
+    #[schemars(transform = within(&RACK_DEPTH))]
+    pub addendum: f64,
+    /// Dedendum h_fP*.
+    #[schemars(transform = within(&RACK_DEPTH))]
+    pub dedendum: f64,
+    /// Root radius ρ_fP*, the tool's tip round.
+    #[schemars(transform = within(&ROOT_RADIUS))]
+    pub root_radius: f64,
+}
+
+/// ISO 53, profile A.
+impl Default for RackSpec {
+    fn default() -> RackSpec {
+        RackSpec::from(&BasicRack::ISO_53_A)
+    }
+}
+
+impl From<&BasicRack> for RackSpec {
+    fn from(rack: &BasicRack) -> RackSpec {
+        RackSpec {
+            addendum: rack.addendum(),
+            dedendum: rack.dedendum(),
+            root_radius: rack.root_radius(),
+        }
+    }
+}

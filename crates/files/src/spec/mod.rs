@@ -1,0 +1,27 @@
+//! What a pair file and a gear file say, as plain structs: units in names, keys as in the files.
+//!
+//! Written as JSON or TOML they are such files; of them the schema is made ([`crate::pair_schema`]), these comments being its
+//! descriptions. Reading does not derive from them: a reader that collects every problem with its place fills them in, each
+//! part as it was understood. A key that is an `Option` is left out where nothing is said; one that is none has a default.
+
+mod assembly;
+mod flanks;
+mod gear;
+mod rules;
+mod schema;
+mod thickness;
+mod value;
+
+pub(crate) use assembly::DEFAULT_STEPS;
+pub use assembly::{
+    AccuracySpec, AssemblySpec, BearingClearanceSpec, CompareSpec, GearName, MeasuredSpec, Phases,
+    Revolutions, SweepSpec,
+};
+pub use flanks::{
+    EccentricitySource, PitchAxis, PitchKind, PitchSense, PitchSpec, ReadingPlace, RunoutSpec,
+};
+pub use gear::{FaceName, GearFileSpec, GearSpec, PairSpec, RackSpec};
+pub use schema::{gear_schema, pair_schema};
+pub(crate) use thickness::CROSS_CHECK_UM;
+pub use thickness::{CrossCheckSpec, OverPinsSpec, SpanSpec, StatementSpec, ThicknessSpec};
+pub use value::{BandSpec, DecimalSign, Either, TableFileSpec};

@@ -1,0 +1,173 @@
+//! What a schema says of numbers, of lists, and of keys that go together: more than a type can.
+//!
+//! What is said of values, each spec names in its `schemars` attributes; what is said of its keys, a function of it.
+
+use crate::entry::Limits;
+use schemars::Schema;
+use schemars::transform::{RecursiveTransform, Transform};
+use serde_json::{Map, Value, json};
+use std::ops::Bound::{self, Excluded, Included, Unbounded};
+use std::ops::RangeInclusive;
+
+type Object = Map<String, Value>;
+
+/// Every number of the value, in lists and alternatives too, is within `limits`.
+pub fn within(limits: &'static Limits) -> impl Fn(&mut Schema) {
+    let least = bound(limits.range.0, ["minimum", "exclusiveMinimum"]);
+    let most = bound(limits.range.1, ["maximum", "exclusiveMaximum"]);
+    let bounds: Object = least.into_iter().chain(most).collect();
+    move |schema| of_type(schema, "number", &bounds)
+}
+
+/// Every whole number of the value is in `range`.
+pub fn whole(range: RangeInclusive<u32>) -> impl Fn(&mut Schema) {
+    let least = ("minimum".to_owned(), json!(range.start()));
+    let bounds = Object::from_iter([least, ("maximum".to_owned(), json!(range.end()))]);
+    move |schema| of_type(schema, "integer", &bounds)
+}
+
+/// A list has at least, and at most, so many elements.
+pub fn list_length(least: usize, most: Option<usize>) -> impl Fn(&mut Schema) {
+    let mut lengths = Object::from_iter([("minItems".to_owned(), json!(least))]);
+    lengths.extend(most.map(|most| ("maxItems".to_owned(), json!(most))));
+    move |schema| of_type(schema, "array", &lengths)
+}
+
+/// Of the groups of keys, one stands there.
+pub fn exactly_one(schema: &mut Schema, groups: &[&[&str]]) {
+    let groups: Vec<Value> = groups.iter().map(|keys| required(keys)).collect();
+    schema.insert("oneOf".to_owned(), json!(groups));
+}
+
+/// Of the groups of keys, no two stand there.
+pub fn at_most_one(schema: &mut Schema, groups: &[&[&str]]) {
+    let mut pairs = Vec::new();
+    for (index, one) in groups.iter().enumerate() {
+        let others = groups.iter().skip(index + 1);
+        pairs.extend(others.map(|other| required(&[one, *other].concat())));
+    }
+    schema.insert("not".to_owned(), json!({ "anyOf": pairs }));
+}
+
+/// `key` stands only where one of the groups of keys does.
+pub fn beside(schema: &mut Schema, key: &str, groups: &[&[&str]]) {
+    depend(
+        schema,
+        key,
+        any_of(groups.iter().map(|keys| required(keys))),
+    );
+}
+
+/// `key` stands only where `list` holds a list, or where one of `others` stands.
+pub fn beside_list(schema: &mut Schema, key: &str, list: &str, others: &[&str]) {
+    let is_list = json!({ "required": [list], "properties": { list: { "type": "array" } } });
+    let others = others.iter().map(|other| required(&[other]));
+    depend(schema, key, any_of([is_list].into_iter().chain(others)));
+}
+
+/// `key` does not stand where one of `others` does.
+pub fn not_beside(schema: &mut Schema, key: &str, others: &[&str]) {
+    let others = any_of(others.iter().map(|other| required(&[other])));
+    depend(schema, key, json!({ "not": others }));
+}
+
+/// A `list` that has values needs the `other` with values, and `key`.
+pub fn values_need(schema: &mut Schema, list: &str, other: &str, key: &str) {
+    let has_values =
+        |list: &str| json!({ "required": [list], "properties": { list: { "minItems": 1 } } });
+    let mut needed = has_values(other);
+    needed["required"] = json!([key, other]);
+    also(schema, json!({ "if": has_values(list), "then": needed }));
+}
+
+/// A `number` above 0 needs `key`.
+pub fn nonzero_needs(schema: &mut Schema, number: &str, key: &str) {
+    let above =
+        json!({ "required": [number], "properties": { number: { "exclusiveMinimum": 0 } } });
+    also(schema, json!({ "if": above, "then": required(&[key]) }));
+}
+
+/// The description of `file` names the columns of the table.
+pub fn columns(words: &str) -> impl Fn(&mut Schema) {
+    fn tell(value: &mut Value, words: &str) {
+        if let Some(Value::String(text)) = value.pointer_mut("/properties/file/description") {
+            *text = format!("{}: {words}", text.trim_end_matches('.'));
+        }
+        if let Some(Value::Array(alternatives)) = value.get_mut("anyOf") {
+            for alternative in alternatives {
+                tell(alternative, words);
+            }
+        }
+    }
+    move |schema| {
+        let mut value = std::mem::take(schema).to_value();
+        tell(&mut value, words);
+        if let Ok(told) = Schema::try_from(value) {
+            *schema = told;
+        }
+    }
+}
+
+fn required(keys: &[&str]) -> Value {
+    json!({ "required": keys })
+}
+
+fn any_of(conditions: impl Iterator<Item = Value>) -> Value {
+    let conditions: Vec<Value> = conditions.collect();
+    match &conditions[..] {
+        [only] => only.clone(),
+        _ => json!({ "anyOf": conditions }),
+    }
+}
+
+/// `condition` holds where `key` stands, beside what does already.
+fn depend(schema: &mut Schema, key: &str, condition: Value) {
+    let dependencies = schema.ensure_object().entry("dependencies");
+    if let Value::Object(all) = dependencies.or_insert_with(|| json!({})) {
+        let both = match all.remove(key) {
+            Some(other) => json!({ "allOf": [other, condition] }),
+            None => condition,
+        };
+        all.insert(key.to_owned(), both);
+    }
+}
+
+/// `rule` holds, beside what does already.
+fn also(schema: &mut Schema, rule: Value) {
+    let rules = schema.ensure_object().entry("allOf");
+    if let Value::Array(rules) = rules.or_insert_with(|| json!([])) {
+        rules.push(rule);
+    }
+}
+
+fn bound(bound: Bound<f64>, [included, excluded]: [&str; 2]) -> Option<(String, Value)> {
+    let number = |number: f64| match number.fract() == 0.0 {
+        // Every whole limit is below 2^53.
+        true => json!(number as i64),
+        false => json!(number),
+    };
+    match bound {
+        Included(at) => Some((included.to_owned(), number(at))),
+        Excluded(at) => Some((excluded.to_owned(), number(at))),
+        Unbounded => None,
+    }
+}
+
+/// Adds `more` to the schema and all below it that are of type `name`.
+fn of_type(schema: &mut Schema, name: &str, more: &Object) {
+    let add = |schema: &mut Schema| {
+        if is_type(schema, name) {
+            schema.ensure_object().extend(more.clone());
+        }
+    };
+    RecursiveTransform(add).transform(schema);
+}
+
+/// Whether a value of type `name` is allowed; a key that may be left out allows `null` beside it until the schema is done.
+pub fn is_type(schema: &Schema, name: &str) -> bool {
+    match schema.get("type") {
+        Some(Value::Array(names)) => names.iter().any(|one| one == name),
+        Some(only) => only == name,
+        None => false,
+    }
+}

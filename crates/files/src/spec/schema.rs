@@ -1,0 +1,81 @@
+//! The JSON Schema of the files: what an editor needs to complete and check them.
+
+use super::rules::is_type;
+use super::{GearFileSpec, PairSpec};
+use schemars::generate::SchemaSettings;
+use schemars::transform::RecursiveTransform;
+use schemars::{JsonSchema, Schema};
+use serde_json::{Map, Value};
+
+/// The JSON Schema (draft 07) of pair files, as text: every key, its type and range, and which go together.
+///
+/// [`read`](crate::read) checks more than it can say.
+pub fn pair_schema() -> String {
+    text::<PairSpec>()
+}
+
+/// The same of gear files, `title` and one `[gear]`.
+pub fn gear_schema() -> String {
+    text::<GearFileSpec>()
+}
+
+fn text<T: JsonSchema>() -> String {
+    let mut settings = SchemaSettings::draft07();
+    // Before `$ref` gets a place of its own, which draft 07 needs.
+    let own: [fn(&mut Schema); 3] = [without_null, without_format, closed];
+    for (place, transform) in own.into_iter().enumerate() {
+        let everywhere = Box::new(RecursiveTransform(transform));
+        settings.transforms.insert(place, everywhere);
+    }
+    let mut schema = settings.into_generator().into_root_schema_for::<T>();
+    // What it is comes first for a reader.
+    let mut ordered = Map::new();
+    for key in ["$schema", "title", "description"] {
+        ordered.extend(schema.ensure_object().shift_remove_entry(key));
+    }
+    let definitions = schema.ensure_object().shift_remove_entry("definitions");
+    ordered.append(schema.ensure_object());
+    ordered.extend(definitions);
+    format!("{:#}\n", Value::Object(ordered))
+}
+
+/// A key that may be left out is left out: no value is `null`.
+fn without_null(schema: &mut Schema) {
+    let Some(object) = schema.as_object_mut() else {
+        return;
+    };
+    if let Some(Value::Array(types)) = object.get_mut("type") {
+        types.retain(|name| name != "null");
+        if let [only] = &types[..] {
+            let only = only.clone();
+            object.insert("type".to_owned(), only);
+        }
+    }
+    if let Some(Value::Array(values)) = object.get_mut("enum") {
+        values.retain(|value| !value.is_null());
+    }
+    if let Some(Value::Array(alternatives)) = object.get_mut("anyOf") {
+        alternatives.retain(|alternative| alternative["type"] != "null");
+        if let [Value::Object(only)] = &alternatives[..] {
+            let only = only.clone();
+            object.shift_remove("anyOf");
+            for (key, value) in only {
+                object.entry(key).or_insert(value);
+            }
+        }
+    }
+}
+
+/// How wide a number is in memory is no matter of the file.
+fn without_format(schema: &mut Schema) {
+    if let Some(object) = schema.as_object_mut() {
+        object.shift_remove("format");
+    }
+}
+
+/// No table has other keys than those that are named.
+fn closed(schema: &mut Schema) {
+    if is_type(schema, "object") && schema.get("properties").is_some() {
+        schema.insert("additionalProperties".to_owned(), false.into());
+    }
+}

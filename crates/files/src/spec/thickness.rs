@@ -1,0 +1,173 @@
+//! How thick the teeth are.
+
+use super::rules::{at_most_one, beside, beside_list, columns, exactly_one, list_length, within};
+use super::value::{BandSpec, Either, TableFileSpec};
+use crate::limits::{ALLOWANCE, CROSS_CHECK, LENGTH, PER_TOOTH};
+use schemars::{JsonSchema, Schema};
+use serde::Serialize;
+
+/// The four statements, each a key.
+const STATEMENTS: [&[&str]; 4] = [
+    &["span"],
+    &["over_pins"],
+    &["allowance_um"],
+    &["base_thickness_mm"],
+];
+
+/// What a pair file that states none gets.
+pub(crate) const CROSS_CHECK_UM: f64 = gearlash::metrology::CrossCheck::TOLERANCE_UM;
+
+/// Mean tooth thickness: one statement; none: nominal.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, JsonSchema)]
+#[schemars(transform = thickness_keys)]
+pub struct ThicknessSpec {
+    /// The statement that counts.
+    #[serde(flatten)]
+    pub statement: StatementSpec,
+    /// Added to it tooth by tooth, µm at the reference circle: empty or one value a tooth.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "Option<Either<Vec<f64>, TableFileSpec>>")]
+    #[schemars(transform = within(&PER_TOOTH), transform = columns("tooth, thickness (µm)"))]
+    pub per_tooth_um: Option<Vec<f64>>,
+    /// A second statement: compared, never used.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cross_check: Option<CrossCheckSpec>,
+}
+
+impl ThicknessSpec {
+    /// `k` of the span that states the thickness, or else of the one that cross-checks it.
+    pub fn span_teeth(&self) -> Option<u32> {
+        self.statements()
+            .find_map(|statement| Some(statement.span.as_ref()?.teeth))
+    }
+
+    /// `D_M`, mm, of the dimension over pins that states the thickness, or else of the one that cross-checks it.
+    pub fn pin_mm(&self) -> Option<f64> {
+        self.statements()
+            .find_map(|statement| Some(statement.over_pins.as_ref()?.pin_mm))
+    }
+
+    fn statements(&self) -> impl Iterator<Item = &StatementSpec> {
+        let second = self.cross_check.iter().map(|check| &check.statement);
+        [&self.statement].into_iter().chain(second)
+    }
+}
+
+/// One statement of the mean thickness: one of its keys.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, JsonSchema)]
+pub struct StatementSpec {
+    /// Span W_k over k teeth.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub span: Option<SpanSpec>,
+    /// Dimension M_dK over two pins.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub over_pins: Option<OverPinsSpec>,
+    /// Thickness allowance A_s, µm, transverse at the reference circle.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(transform = within(&ALLOWANCE))]
+    pub allowance_um: Option<Either<f64, BandSpec>>,
+    /// Base tooth thickness s_b, mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(transform = within(&LENGTH))]
+    pub base_thickness_mm: Option<Either<f64, BandSpec>>,
+}
+
+/// A second statement: compared, never used.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(transform = cross_check_keys)]
+pub struct CrossCheckSpec {
+    /// What it states.
+    #[serde(flatten)]
+    pub statement: StatementSpec,
+    /// How far the two may lie apart as base thickness, µm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("default" = CROSS_CHECK_UM), transform = within(&CROSS_CHECK))]
+    pub tolerance_um: Option<f64>,
+}
+
+/// Span W_k over k teeth.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, JsonSchema)]
+#[schemars(transform = span_keys, transform = columns("tooth (the first), span (mm)"))]
+pub struct SpanSpec {
+    /// Teeth spanned, k.
+    #[schemars(range(min = 1))]
+    pub teeth: u32,
+    /// Measured, mm: one value, or one a place.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(transform = within(&LENGTH), transform = list_length(1, None))]
+    pub mm: Option<Either<f64, Vec<f64>>>,
+    /// Least measured, mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(transform = within(&LENGTH))]
+    pub min_mm: Option<f64>,
+    /// Greatest measured, mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(transform = within(&LENGTH))]
+    pub max_mm: Option<f64>,
+    /// First tooth of each reading; absent: tooth 1, 2, ….
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(inner(range(min = 1)))]
+    pub first_tooth: Option<Vec<u32>>,
+    /// Take per-tooth thickness from spans all round where they determine it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("default" = true))]
+    pub per_tooth: Option<bool>,
+    /// Readings all round from a table.
+    #[serde(flatten)]
+    pub table: Option<TableFileSpec>,
+}
+
+/// Dimension M_dK over two pins.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, JsonSchema)]
+#[schemars(transform = over_pins_keys, transform = columns("tooth (the one before the space), pins (mm)"))]
+pub struct OverPinsSpec {
+    /// Pin diameter D_M, mm.
+    #[schemars(transform = within(&LENGTH))]
+    pub pin_mm: f64,
+    /// Measured, mm: one value, or one a place.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(transform = within(&LENGTH), transform = list_length(1, None))]
+    pub mm: Option<Either<f64, Vec<f64>>>,
+    /// Least measured, mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(transform = within(&LENGTH))]
+    pub min_mm: Option<f64>,
+    /// Greatest measured, mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(transform = within(&LENGTH))]
+    pub max_mm: Option<f64>,
+    /// Tooth before the space of each reading (the other pin lies in the most opposite space); absent: tooth 1, 2, ….
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(inner(range(min = 1)))]
+    pub space: Option<Vec<u32>>,
+    /// Readings all round from a table.
+    #[serde(flatten)]
+    pub table: Option<TableFileSpec>,
+}
+
+fn thickness_keys(schema: &mut Schema) {
+    at_most_one(schema, &STATEMENTS);
+    beside(schema, "cross_check", &STATEMENTS);
+}
+
+fn cross_check_keys(schema: &mut Schema) {
+    exactly_one(schema, &STATEMENTS);
+}
+
+fn span_keys(schema: &mut Schema) {
+    length_keys(schema);
+    beside_list(schema, "first_tooth", "mm", &[]);
+    beside_list(schema, "per_tooth", "mm", &["file"]);
+}
+
+fn over_pins_keys(schema: &mut Schema) {
+    length_keys(schema);
+    beside_list(schema, "space", "mm", &[]);
+}
+
+/// One value, least and greatest, or a table.
+fn length_keys(schema: &mut Schema) {
+    exactly_one(schema, &[&["mm"], &["min_mm", "max_mm"], &["file"]]);
+    beside(schema, "min_mm", &[&["max_mm"]]);
+    beside(schema, "max_mm", &[&["min_mm"]]);
+}

@@ -1,0 +1,70 @@
+//! Values that may be written in more than one way.
+
+use super::rules::beside;
+use schemars::{JsonSchema, Schema};
+use serde::Serialize;
+
+/// A value that is written in either of two ways.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[serde(untagged)]
+#[schemars(inline)]
+pub enum Either<A, B> {
+    /// The simpler one.
+    #[schemars(description = "")]
+    One(A),
+    /// The other.
+    #[schemars(description = "")]
+    Other(B),
+}
+
+/// Least and most material.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[schemars(inline)]
+pub struct BandSpec {
+    /// Thinnest.
+    pub min: f64,
+    /// Thickest.
+    pub max: f64,
+}
+
+/// A table of readings, one row a tooth.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(inline, transform = table_file_keys)]
+pub struct TableFileSpec {
+    /// Table beside the pair file (CSV, .xlsx or text protocol).
+    pub file: String,
+    /// Sheet of an .xlsx file, where it has several.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sheet: Option<String>,
+    /// Decimal sign of a text table, where nothing in it tells.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub decimal: Option<DecimalSign>,
+}
+
+impl TableFileSpec {
+    /// The table `file`, whose sheet and decimal sign need not be told.
+    pub fn new(file: String) -> TableFileSpec {
+        TableFileSpec {
+            file,
+            sheet: None,
+            decimal: None,
+        }
+    }
+}
+
+/// The sign between the whole and the fraction.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[schemars(inline)]
+pub enum DecimalSign {
+    /// A point.
+    #[serde(rename = ".")]
+    Point,
+    /// A comma.
+    #[serde(rename = ",")]
+    Comma,
+}
+
+fn table_file_keys(schema: &mut Schema) {
+    beside(schema, "sheet", &[&["file"]]);
+    beside(schema, "decimal", &[&["file"]]);
+}

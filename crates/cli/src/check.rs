@@ -61,18 +61,18 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         .transpose()?;
 
     poses::allow(&args.pair, study.pose_count(), &poses::HELD)?;
-    let progress = Progress::start(pose_count(&study)?);
-    let runs = simulate(&study, args.method.method(), &|| progress.tick())?;
+    let progress = Progress::start(pose_count(study)?);
+    let runs = simulate(study, args.method.method(), &|| progress.tick())?;
     drop(progress);
     let runs = compare(runs, study.tolerance_um);
-    let diagnosis = diagnosis(&study, &runs)?;
+    let diagnosis = diagnosis(study, &runs)?;
     let maps = match &folder {
-        Some(_) => maps(&study, &diagnosis)?,
+        Some(_) => maps(study, &diagnosis)?,
         None => Vec::new(),
     };
 
     print(&match args.format {
-        Format::Text => gearlash_render::text::check::text(&study, &diagnosis),
+        Format::Text => gearlash_render::text::check::text(study, &diagnosis),
         Format::Json => gearlash_files::results::checks_json(&file, &diagnosis)
             .map_err(|error| Error::Usage(format!("the checks cannot be written: {error}")))?,
     })?;

@@ -1,9 +1,10 @@
 //! Bars, one place a tooth.
 
 use super::paint::Look;
-use super::panel::{Anchor, Axis, Entry, Mark, Panel, Sample, range};
-use super::{Chart, Heading, sheet};
+use super::panel::{Entry, Mark, Panel, Sample, range};
+use super::sheet::{self, Chart, Heading};
 use crate::error::PictureError;
+use crate::kit::{Anchor, Axis};
 
 /// Teeth beyond which lines stand for bars: narrower than a unit, two flanks' bars cannot be told apart.
 const MOST_BARS: usize = 350;

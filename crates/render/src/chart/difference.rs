@@ -2,10 +2,11 @@
 
 use super::materials::{ends, thin, width};
 use super::paint::Look;
-use super::panel::{Anchor, Axis, Mark, Panel, Point, Sample, range};
+use super::panel::{Mark, Panel, Point, Sample, range};
+use super::sheet::{self, Chart, Heading};
 use super::words::{course_axis, course_words, empty, entry, unproven_of, unproven_words};
-use super::{Chart, Heading, sheet};
 use crate::error::PictureError;
+use crate::kit::{Anchor, Axis};
 use gearlash::curves::{Course, CourseLine, CoursePoint};
 use gearlash::gear::Side;
 

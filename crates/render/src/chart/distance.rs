@@ -1,10 +1,11 @@
 //! Backlash over the centre distance, as Figures 20–21 of the study the project started from.
 
 use super::paint::Look;
-use super::panel::{Anchor, Axis, Mark, Panel, Point, Sample, backlash_range, range};
+use super::panel::{Mark, Panel, Point, Sample, backlash_range, range};
+use super::sheet::{self, Chart, Heading};
 use super::words::{empty, entry, interference, unproven_words, without_value};
-use super::{Chart, Heading, sheet};
 use crate::error::PictureError;
+use crate::kit::{Anchor, Axis};
 use gearlash::curves::{DistancePoint, OverDistance};
 use gearlash::measured::Band;
 use gearlash::outcome::AtDistance;

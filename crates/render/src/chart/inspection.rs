@@ -2,10 +2,11 @@
 
 use super::bars::{BarSeries, legend, panel};
 use super::paint::Look;
-use super::panel::{Axis, Sample};
+use super::panel::Sample;
+use super::sheet::{self, Chart, Heading};
 use super::words::{self, entry};
-use super::{Chart, Heading, sheet};
 use crate::error::PictureError;
+use crate::kit::Axis;
 use gearlash::gear::{Inspection, Side};
 use gearlash_files::numbers::um;
 

@@ -1,9 +1,10 @@
 //! Several series as lines or single values.
 
 use super::paint::Look;
-use super::panel::{Axis, Entry, Mark, Panel, Sample, range};
-use super::{Chart, Heading, sheet};
+use super::panel::{Entry, Mark, Panel, Sample, range};
+use super::sheet::{self, Chart, Heading};
 use crate::error::PictureError;
+use crate::kit::Axis;
 
 /// One series of a line chart.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,6 +1,7 @@
 //! Which of two lines is of which material.
 
-use super::panel::{Anchor, Mark};
+use super::panel::Mark;
+use crate::kit::Anchor;
 use gearlash::curves::{Course, CourseLine, CoursePoint};
 use gearlash::study::Material;
 

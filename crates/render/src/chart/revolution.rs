@@ -1,13 +1,14 @@
 //! Backlash over the teeth, as Figures 17–19 of the study the project started from.
 
 use super::paint::Look;
-use super::panel::{Anchor, Axis, Mark, Panel, Point, Sample, backlash_range};
+use super::panel::{Mark, Panel, Point, Sample, backlash_range};
+use super::sheet::{self, Chart, Heading};
 use super::words::{
     course_axis, course_words, empty, entry, interference, unproven_of, unproven_words,
     without_value,
 };
-use super::{Chart, Heading, sheet};
 use crate::error::PictureError;
+use crate::kit::{Anchor, Axis};
 use gearlash::curves::{Course, CourseLine, Extreme};
 use gearlash::gear::Side;
 use gearlash::study::Material;

@@ -1,7 +1,8 @@
 //! Numbers and phrases that several charts share.
 
 use super::paint::Look;
-use super::panel::{Anchor, Axis, Entry, Mark, Panel, Sample};
+use super::panel::{Entry, Mark, Panel, Sample};
+use crate::kit::{Anchor, Axis};
 use gearlash::curves::{Course, CourseLine};
 use gearlash::mesh::Status;
 

@@ -8,7 +8,6 @@ mod checks;
 mod cycle;
 mod figures;
 mod grades;
-mod inline;
 mod input;
 mod measured;
 mod method;
@@ -75,7 +74,7 @@ pub fn report(report: &Report) -> Result<String, PictureError> {
                     (results::section(&page)?)
                     (measured::section(&page))
                     (models::section(&page)?)
-                    (poses::section(&page)?)
+                    (poses::section(&page))
                     (method::section(&page))
                 }
                 footer { p {

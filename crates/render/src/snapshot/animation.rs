@@ -3,20 +3,16 @@
 //! Without SMIL it shows its first frame. Rotations between two steps are interpolated; marks jump where
 //! another pair of teeth takes over.
 
-use super::contact_marks::{around, dot};
 use super::gears::lines_over;
-use super::motion::{course, motion, rotation};
-use super::subject::{MAIN, Snapshot, hatch, names};
+use super::subject::{MAIN, Snapshot, names};
+use super::turning::{course, motion, rotation};
 use super::turning::{metal, turns};
 use super::view::View;
 use super::{caption, main_view, pitch_chart};
-use crate::kit::labels::Occupied;
-use crate::kit::scale;
-use crate::kit::sheet::{GREY, INK, Spot, WIDTH, blank_sheet, text};
+use crate::kit::{Ids, Occupied, Spot, TextStyle, WIDTH, around, blank_sheet, dot, hatch, scale};
 use gearlash::gear::Side;
 use gearlash::mesh::{DrawnContact, PoseResult, Scene};
 use gearlash::pair::Member;
-use svg::node::Node;
 use svg::node::element::Group;
 
 const MEMBERS: [Member; 2] = [Member::Wheel, Member::Pinion];
@@ -56,7 +52,7 @@ pub fn animation(view: &Snapshot, steps: &[PoseResult]) -> String {
         Group::add,
     );
     let sheet = blank_sheet()
-        .add(hatch())
+        .add(hatch(&Ids::default()))
         .add(caption::draw(
             view,
             &first,
@@ -128,16 +124,8 @@ fn key() -> Group {
             242.0,
         ),
     ] {
-        let mut words = text(words, [x + left, y + 4.5], 13.0, true);
-        words.assign("fill", INK);
-        group = group.add(words);
+        group = group.add(TextStyle::new(13.0).text(words, [x + left, y + 4.5]));
     }
-    let mut note = text(
-        "animated in a browser; elsewhere its first frame. Rotations found at every sixtieth of the pitch, to scale",
-        [x, y + 29.5],
-        13.0,
-        true,
-    );
-    note.assign("fill", GREY);
-    group.add(note)
+    let note = "animated in a browser; elsewhere its first frame. Rotations found at every sixtieth of the pitch, to scale";
+    group.add(TextStyle::new(13.0).grey().text(note, [x, y + 29.5]))
 }

@@ -3,15 +3,12 @@
 //! Each kind has a colour of its own lightness and a line style of its own, so that colour-blind readers
 //! and black-and-white print tell them apart.
 
-use super::contact_marks::around;
 use super::view::{MARGIN, View};
-use crate::kit::clip;
-use crate::kit::labels::Occupied;
-use crate::kit::sheet::{Frame, GREY, INK, Spot, line, path_data};
+use crate::kit::{Frame, GREY, INK, Occupied, Spot, around, clip, diamond, line};
 use gearlash::gear::ProfilePart;
 use gearlash::mesh::{DrawnContact, Scene};
 use gearlash::pair::Member;
-use svg::node::element::{Group, Path};
+use svg::node::element::Group;
 
 /// Width of a band in the mesh zone and in an inset; the half of it on the metal's side shows, its
 /// outer part under the outline.
@@ -102,16 +99,6 @@ pub fn tangent_points(scene: &Scene, meeting: &DrawnContact, view: &View) -> Vec
     ends.map(|end| view.spot(end))
         .filter(|spot| inner.holds(&around(*spot, 0.0)))
         .collect()
-}
-
-/// The mark of a base tangent point.
-pub fn diamond([x, y]: Spot) -> Path {
-    let corners = [[x, y - 6.0], [x + 6.0, y], [x, y + 6.0], [x - 6.0, y]];
-    Path::new()
-        .set("d", path_data(&corners, true))
-        .set("fill", "white")
-        .set("stroke", INK)
-        .set("stroke-width", "1.60")
 }
 
 /// Sample of a band for the legend.

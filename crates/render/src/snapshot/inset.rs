@@ -5,15 +5,14 @@ use super::gears::Look;
 use super::main_view::centred;
 use super::view::View;
 use super::{contact_bands, gears, overlap_label};
-use crate::kit::labels::{self, Occupied};
-use crate::kit::scale;
-use crate::kit::sheet::{Frame, GREY, Spot, UNITS_PER_MM, text};
+use crate::kit::{
+    self, Frame, GREY, INK, Ids, Occupied, Spot, TextStyle, UNITS_PER_MM, clip, line, scale,
+};
 use gearlash::gear::Side;
 use gearlash::mesh::{Drawn, DrawnContact, Scene, Status, Touch};
 use gearlash_files::numbers::um;
 use nalgebra::{Point2, center};
-use svg::node::Node;
-use svg::node::element::{Element, Group, Rectangle};
+use svg::node::element::{Group, Rectangle};
 
 /// Greatest width of a gap in an inset, units of the sheet: with steps of 2 and 2.5 no gap is
 /// drawn narrower than 36, 9 mm of paper.
@@ -44,18 +43,19 @@ pub fn view(meeting: &DrawnContact, frame: Frame, main: f64) -> View {
 }
 
 /// The enlarged contact with its frame and the gears' names.
-pub fn draw(scene: &Scene, meeting: &DrawnContact, view: &View) -> Group {
+pub fn draw(scene: &Scene, meeting: &DrawnContact, view: &View, ids: &Ids) -> Group {
     let mut occupied = Occupied::default();
     let id = meeting.side.name();
     let look = Look {
         id,
+        ids,
         sides: &[meeting.side],
         outlines_last: true,
         band: contact_bands::BANDS[1],
     };
     let gears = gears::draw(scene, view, &look, &mut occupied);
     let mark = contact_marks::draw(meeting, view, IN_INSET, &mut occupied)
-        .set("clip-path", format!("url(#{id}-frame)"));
+        .set("clip-path", ids.url(&format!("{id}-frame")));
     let label = overlap_label::draw(scene, meeting, view, &mut occupied);
     let mut group = Group::new().add(gears.group).add(mark).add(label);
     let names = [
@@ -118,11 +118,10 @@ pub fn heading(scene: &Scene, side: Side, meeting: Option<&DrawnContact>, corner
             (first, second)
         }
     };
-    let mut first: Element = text(&first, [left, top - 27.0], 16.0, false);
-    first.assign("font-weight", "bold");
-    let mut second: Element = text(&second, [left, top - 9.0], 13.0, true);
-    second.assign("fill", GREY);
-    Group::new().add(first).add(second)
+    let (title, details) = (TextStyle::new(16.0).bold(), TextStyle::new(13.0).grey());
+    Group::new()
+        .add(title.symbols(&first, [left, top - 27.0]))
+        .add(details.text(&second, [left, top - 9.0]))
 }
 
 fn capital(side: Side) -> &'static str {
@@ -136,7 +135,7 @@ fn capital(side: Side) -> &'static str {
 fn place(name: &str, metal: [&Vec<Spot>; 2], view: &View, occupied: &Occupied) -> Option<Frame> {
     let inner = view.frame().grown(-8.0);
     let middle = view.frame().middle();
-    let size = labels::room(name, SIZE, middle);
+    let size = kit::room(name, SIZE, middle);
     let (dx, dy) = (0.5 * size.width(), 0.5 * size.height());
     let steps =
         |low: f64, high: f64| (0..=16).map(move |i| low + (high - low) * f64::from(i) / 16.0);
@@ -145,12 +144,12 @@ fn place(name: &str, metal: [&Vec<Spot>; 2], view: &View, occupied: &Occupied) -
         .filter(|spot| holds(metal[0], *spot) && !holds(metal[1], *spot))
         .collect();
     let far = |spot: &Spot| (spot[0] - middle[0]).hypot(spot[1] - middle[1]);
-    [16.0, 8.0, labels::CLEAR].into_iter().find_map(|clear| {
+    [16.0, 8.0, kit::CLEAR].into_iter().find_map(|clear| {
         let free = spots
             .iter()
-            .filter(|spot| occupied.is_clear(&labels::room(name, SIZE, **spot), clear));
+            .filter(|spot| occupied.is_clear(&kit::room(name, SIZE, **spot), clear));
         free.min_by(|a, b| far(a).total_cmp(&far(b)))
-            .map(|spot| labels::room(name, SIZE, *spot))
+            .map(|spot| kit::room(name, SIZE, *spot))
     })
 }
 
@@ -166,4 +165,60 @@ fn holds(polygon: &[Spot], [x, y]: Spot) -> bool {
         }
     }
     inside
+}
+
+/// What ties an inset to its place in the main view.
+#[derive(Debug, Clone, Copy)]
+pub struct Link {
+    /// What the inset shows, or a box of its shape round it where that would be too small to see.
+    shown: Frame,
+    inset: Frame,
+}
+
+impl Link {
+    /// Ties what `enlarged` shows to its place in `main`.
+    pub fn new(main: &View, enlarged: &View) -> Link {
+        let inset = *enlarged.frame();
+        let half = f64::max(0.5 * inset.width() * main.scale() / enlarged.scale(), 14.0);
+        let [x, y] = main.spot(enlarged.middle());
+        let rise = half * inset.height() / inset.width();
+        Link {
+            shown: Frame {
+                left: x - half,
+                top: y - rise,
+                right: x + half,
+                bottom: y + rise,
+            },
+            inset,
+        }
+    }
+
+    /// The box in the main view.
+    pub fn shown(&self) -> &Frame {
+        &self.shown
+    }
+
+    /// The box, and a leader to that place on the inset's side, of some from its middle outwards,
+    /// which it reaches across none of the `taken` rooms.
+    pub fn draw(&self, taken: &[Frame]) -> Group {
+        let from = self.shown.middle();
+        let leaders = [0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8, 0.1, 0.9].map(|part| {
+            let to = [self.inset.left, self.inset.top + part * self.inset.height()];
+            let along = [0, 1].map(|i| to[i] - from[i]);
+            let leave = f64::min(
+                0.5 * self.shown.width() / along[0].abs(),
+                0.5 * self.shown.height() / along[1].abs(),
+            );
+            [[0, 1].map(|i| from[i] + leave * along[i]), to]
+        });
+        let is_clear = |leader: &&[Spot; 2]| {
+            !taken
+                .iter()
+                .any(|room| clip::segment(leader[0], leader[1], &room.grown(6.0)).is_some())
+        };
+        let leader = leaders.iter().find(is_clear).unwrap_or(&leaders[0]);
+        Group::new()
+            .add(self.shown.border().set("stroke-width", "1.00"))
+            .add(line(leader, INK, 1.0))
+    }
 }

@@ -1,9 +1,7 @@
 //! The mesh zone: what it shows, and the tooth numbers in it.
 
 use super::view::View;
-use crate::kit::labels::{self, Occupied};
-use crate::kit::scale;
-use crate::kit::sheet::{Frame, INK, Spot, UNITS_PER_MM, text};
+use crate::kit::{self, Frame, Occupied, Spot, TextStyle, UNITS_PER_MM, scale};
 use gearlash::gear::Side;
 use gearlash::mesh::Scene;
 use gearlash::pair::Member;
@@ -100,7 +98,7 @@ pub fn tooth_numbers(
             let outward = unit(placed.direction(tooth));
             let across = Vector2::new(-outward.y, outward.x) * (beside * SIZE / view.scale());
             let at = placed.centre() + ring * outward + across;
-            let room = labels::room(&tooth.to_string(), SIZE, view.spot(at));
+            let room = kit::room(&tooth.to_string(), SIZE, view.spot(at));
             (inside.holds(&room) && occupied.is_free(&room)).then_some(room)
         };
         let fitting = |ring: f64, occupied: &Occupied| {
@@ -136,13 +134,9 @@ pub fn tooth_numbers(
 /// A text in the middle of its room.
 pub fn centred(content: &str, room: &Frame, size: f64, bold: bool) -> svg::node::element::Element {
     let at: Spot = [0.5 * (room.left + room.right), room.bottom];
-    let mut element = text(content, at, size, true);
-    element.assign("text-anchor", "middle");
-    element.assign("fill", INK);
-    if bold {
-        element.assign("font-weight", "bold");
-    }
-    element
+    let style = TextStyle::new(size).middle();
+    let style = if bold { style.bold() } else { style };
+    style.text(content, at)
 }
 
 fn unit(angle: f64) -> Vector2<f64> {

@@ -5,37 +5,43 @@
 
 use super::contact_marks::{self, IN_MAIN};
 use super::gears::Look;
+use super::inset::Link;
 use super::legend::Shown;
-use super::link::Link;
-use super::subject::{INSETS, MAIN, Snapshot, hatch, names};
+use super::subject::{INSETS, MAIN, Snapshot, names};
 use super::view::View;
 use super::{caption, contact_bands, gears, inset, legend, main_view};
-use crate::kit::labels::Occupied;
-use crate::kit::scale;
-use crate::kit::sheet::{Frame, WIDTH, blank_sheet};
+use crate::kit::{Frame, Ids, Occupied, WIDTH, blank_sheet, hatch, scale};
 use gearlash::gear::Side;
 use gearlash::mesh::{DrawnContact, Scene, Status};
 use gearlash::pair::Member;
-use svg::node::element::Group;
+use svg::node::element::{Group, SVG};
 
-/// Both sides' lines of action; a thin overlap shows over the outlines.
-const MESH: Look = Look {
-    id: "mesh",
-    sides: &Side::BOTH,
-    outlines_last: false,
-    band: contact_bands::BANDS[0],
-};
-/// The SVG text of a snapshot.
+/// The SVG text of a snapshot, a sheet of its own.
 pub fn snapshot(view: &Snapshot) -> String {
+    format!("{}\n", draw(view, &Ids::default(), true))
+}
+
+/// The same as a part of a page: its ids begin with `prefix`, screen readers call it `label`.
+pub fn snapshot_in_page(view: &Snapshot, prefix: &str, label: &str) -> String {
+    let picture = draw(view, &Ids::in_page(prefix), false);
+    let picture = picture.set("role", "img").set("aria-label", label);
+    format!("{picture}\n")
+}
+
+fn draw(view: &Snapshot, ids: &Ids, on_paper: bool) -> SVG {
     let scene = view.scene();
     let main = main_view::view(&scene, MAIN);
     let mut occupied = Occupied::default();
+    // Both sides' lines of action; a thin overlap shows over the outlines.
     let look = Look {
+        id: "mesh",
+        ids,
+        sides: &Side::BOTH,
         outlines_last: scene.status() == Status::Jammed,
-        ..MESH
+        band: contact_bands::BANDS[0],
     };
     let drawn = gears::draw(&scene, &main, &look, &mut occupied);
-    let mut over = Group::new().set("clip-path", "url(#mesh-frame)");
+    let mut over = Group::new().set("clip-path", ids.url("mesh-frame"));
     let mut links = Vec::new();
     let mut insets = Group::new();
     for (meeting, side, frame) in slots(&scene, &main) {
@@ -55,7 +61,7 @@ pub fn snapshot(view: &Snapshot) -> String {
         links.push(link);
         over = over.add(contact_marks::draw(meeting, &main, IN_MAIN, &mut occupied));
         insets = insets
-            .add(inset::draw(&scene, meeting, &enlarged))
+            .add(inset::draw(&scene, meeting, &enlarged, ids))
             .add(scale::bar(
                 [frame.left, frame.bottom + 16.0],
                 enlarged.scale(),
@@ -71,9 +77,12 @@ pub fn snapshot(view: &Snapshot) -> String {
     let links = links
         .iter()
         .fold(Group::new(), |group, link| group.add(link.draw(&taken)));
-    let shown = shown(&scene, &main);
-    let sheet = blank_sheet()
-        .add(hatch())
+    let shown = Shown {
+        on_paper,
+        ..shown(&scene, &main)
+    };
+    blank_sheet()
+        .add(hatch(ids))
         .add(caption::draw(
             view,
             &scene,
@@ -93,8 +102,8 @@ pub fn snapshot(view: &Snapshot) -> String {
             [MAIN.left, 772.0],
             WIDTH - 2.0 * MAIN.left,
             &shown,
-        ));
-    format!("{sheet}\n")
+            ids,
+        ))
 }
 
 /// Each side with its contact and the frame it gets: the higher contact the upper frame.
@@ -128,6 +137,7 @@ fn shown(scene: &Scene, main: &View) -> Shown {
         .iter()
         .flat_map(|m| members.map(|member| m.touch(member)));
     Shown {
+        on_paper: true,
         gap: meetings.iter().any(|meeting| meeting.gap > 0.0),
         overlap: matches!(scene.status(), Status::Interference | Status::Jammed),
         met: touches.map(|touch| touch.curve).collect(),

@@ -1,6 +1,6 @@
 //! A window onto the gears: which millimetres a frame of the sheet shows, and how large.
 
-use crate::kit::sheet::{Frame, Spot};
+use crate::kit::{Frame, Spot};
 use nalgebra::{Point2, Vector2};
 use std::f64::consts::{PI, TAU};
 

@@ -18,7 +18,7 @@ const FIELD: Frame = Frame {
 
 const SMALL: TextStyle = TextStyle::new(12.0);
 
-/// What a cell is coloured by; told apart by lightness first.
+/// What a cell is coloured by; distinguished by lightness first.
 #[derive(Clone, Copy, PartialEq)]
 enum Shade {
     Nothing,

@@ -2,8 +2,7 @@
 
 use super::paint::Look;
 use super::panel::{Entry, Mark, Panel, Sample, range};
-use super::sheet::{self, Chart, Heading};
-use crate::error::PictureError;
+use super::sheet::{self, Chart, Heading, PictureError};
 use crate::kit::Axis;
 
 /// One series of a line chart.

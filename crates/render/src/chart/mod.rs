@@ -2,11 +2,12 @@
 //!
 //! Drawn with the kit that all pictures share, on the `svg` crate.
 //!
-//! Colours are Okabe and Ito's, right flanks solid and dark, left flanks dashed, so that they are told apart in
+//! Colours are Okabe and Ito's, right flanks solid and dark, left flanks dashed, so that they are distinguished in
 //! black and white too. The same input gives the same bytes. A chart has no ids but those that start with
 //! its prefix, so that several can stand in one page.
 
 mod bars;
+mod captions;
 mod difference;
 mod distance;
 mod inspection;
@@ -20,7 +21,6 @@ mod panel;
 mod revolution;
 mod sheet;
 mod thin;
-mod words;
 
 pub use crate::kit::Plot;
 pub use bars::{BarPanel, BarSeries, Limits, bar_panels, bars};
@@ -30,4 +30,4 @@ pub use inspection::inspection;
 pub use lines::{LineAxes, LineSeries, lines};
 pub use paint::Look;
 pub use revolution::revolution;
-pub use sheet::{Chart, Heading};
+pub use sheet::{Chart, Heading, PictureError};

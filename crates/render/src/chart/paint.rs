@@ -3,11 +3,11 @@
 use crate::kit::{GREY, INK, Spot, cross, number, square};
 use svg::node::element::{Circle, Element, Path};
 
-/// Ground of negative backlash: lighter than any band, in grey print too, told from paper by its hatch.
+/// Ground of negative backlash: lighter than any band, in grey print too, distinguished from paper by its hatch.
 pub(super) const INTERFERENCE: &str = "#fdf3f0";
 /// Its hatch.
 pub(super) const GROUND_HATCH: &str = "#d99a8c";
-/// Fill of a bar that is told from its neighbour by being pale.
+/// Fill of a bar that is pale beside its neighbour.
 const PALE: f64 = 0.25;
 
 /// How a series looks.

@@ -3,7 +3,6 @@
 use super::legend::{self, ROW};
 use super::marks;
 use super::panel::{Entry, Mark, Panel};
-use crate::error::PictureError;
 use crate::kit::{Frame, NUMBERS, Plot, TextStyle, axes, grid};
 use gearlash_files::characters::plain;
 use svg::node::Node;
@@ -48,6 +47,11 @@ pub struct Chart {
     /// Every panel's frame from above, `plot` first.
     pub panels: Vec<Plot>,
 }
+
+/// A picture that cannot be drawn.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("the chart cannot be drawn: {0}")]
+pub struct PictureError(pub(crate) String);
 
 /// Draws title, `details` (a line below the heading's own; may be empty), legend and panels, one below the other.
 pub(super) fn draw(

@@ -1,6 +1,6 @@
 //! Colours.
 //!
-//! They are told apart by lightness first, so that they survive black-and-white print: metal light, gap middling,
+//! They are distinguished by lightness first, so that they survive black-and-white print: metal light, gap middling,
 //! overlap dark and hatched. Of the hues only green and red are easily mistaken, and those two differ in lightness
 //! and hatching.
 

@@ -14,22 +14,22 @@ mod method;
 mod models;
 mod notes;
 mod page;
+mod phrases;
 mod poses;
 mod results;
 mod stated;
 mod trust;
 mod unproven;
 mod verdict;
-mod words;
 
-use crate::error::PictureError;
+use crate::chart::PictureError;
 use crate::viewer;
 use gearlash::compare::ComparedRun;
 use gearlash::curves::courses;
 use gearlash::outcome::{Agreement, Outcome, by_distance};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use page::Page;
-use words::plain;
+use phrases::plain;
 
 pub use page::Report;
 

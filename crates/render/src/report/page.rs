@@ -10,7 +10,7 @@ use gearlash::mesh::Method;
 use gearlash::outcome::{Agreement, AtDistance, Outcome};
 use gearlash_files::PairFile;
 
-/// What a report tells.
+/// What a report is of.
 #[derive(Debug, Clone, Copy)]
 pub struct Report<'a> {
     /// The pair as read.

@@ -2,7 +2,7 @@
 
 use super::figures::not_on_paper;
 use super::page::Page;
-use super::words::{material, pose};
+use super::phrases::{material, pose};
 use crate::snapshot::{Snapshot, snapshot_in_page};
 use gearlash::mesh::Status;
 use gearlash::outcome::Found;

@@ -1,6 +1,6 @@
 //! What a pair file states of a gear, in words.
 
-use super::words::plain;
+use super::phrases::plain;
 use gearlash_files::numbers::{rounded, shortest};
 use serde_json::Value;
 

@@ -35,8 +35,8 @@ pub fn animation(view: &Snapshot, steps: &[PoseResult]) -> String {
     ];
     let metal = metal(&first, &scenes, &main, &mut occupied);
     let over = lines_over(&first, &main, &Side::BOTH, Group::new(), &mut occupied);
-    for meeting in first.meetings() {
-        for point in [meeting.on_locked, meeting.on_free] {
+    for contact in first.meetings() {
+        for point in [contact.on_locked, contact.on_free] {
             occupied.frame(around(main.spot(point), 4.0));
         }
     }
@@ -75,27 +75,27 @@ pub fn animation(view: &Snapshot, steps: &[PoseResult]) -> String {
 fn marks(scenes: &[Scene], view: &View) -> Group {
     let mut group = Group::new().set("clip-path", "url(#mesh-frame)");
     for side in Side::BOTH {
-        let meetings: Vec<Option<&DrawnContact>> = scenes
+        let contacts: Vec<Option<&DrawnContact>> = scenes
             .iter()
-            .map(|scene| scene.meetings().iter().find(|meeting| meeting.side == side))
+            .map(|scene| scene.meetings().iter().find(|contact| contact.side == side))
             .collect();
         for on_free in [true, false] {
-            let spots: Option<Vec<(Spot, [u32; 2])>> = meetings
+            let spots: Option<Vec<(Spot, [u32; 2])>> = contacts
                 .iter()
-                .map(|meeting| {
-                    let meeting = (*meeting)?;
+                .map(|contact| {
+                    let contact = (*contact)?;
                     let at = if on_free {
-                        meeting.on_free
+                        contact.on_free
                     } else {
-                        meeting.on_locked
+                        contact.on_locked
                     };
-                    let teeth = MEMBERS.map(|member| meeting.touch(member).tooth);
+                    let teeth = MEMBERS.map(|member| contact.touch(member).tooth);
                     Some((view.spot(at), teeth))
                 })
                 .collect();
-            let touching = meetings
+            let touching = contacts
                 .iter()
-                .all(|meeting| meeting.is_some_and(|meeting| meeting.turn == 0.0));
+                .all(|contact| contact.is_some_and(|contact| contact.turn == 0.0));
             // A side that is out of mesh at some step has no marks; one in contact needs one dot.
             if let Some(spots) = spots.filter(|_| !(touching && on_free)) {
                 let [x, y] = [0, 1].map(|axis| course(&spots, axis));

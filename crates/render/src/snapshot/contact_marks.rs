@@ -25,20 +25,20 @@ pub const IN_INSET: MarkSize = MarkSize {
     normal: 64.0,
 };
 
-/// Draws a meeting: filled where the gears touch, else the two points that will meet, open, with
+/// Draws a contact: filled where the gears touch, else the two points that will meet, open, with
 /// the way of the free one to the other when there is room to see it.
-pub fn draw(meeting: &DrawnContact, view: &View, size: MarkSize, occupied: &mut Occupied) -> Group {
-    let locked = view.spot(meeting.on_locked);
-    let free = view.spot(meeting.on_free);
+pub fn draw(contact: &DrawnContact, view: &View, size: MarkSize, occupied: &mut Occupied) -> Group {
+    let locked = view.spot(contact.on_locked);
+    let free = view.spot(contact.on_free);
     // y is down on the sheet.
-    let normal = [meeting.normal.x, -meeting.normal.y];
+    let normal = [contact.normal.x, -contact.normal.y];
     // Across a gap wide enough to see, the normal ends where an involute's other flank stands.
-    let across = meeting.gap * view.scale();
+    let across = contact.gap * view.scale();
     let length = if across > 24.0 { across } else { size.normal };
     let tip = [0, 1].map(|i| locked[i] + length * normal[i]);
     let mut group = Group::new().add(arrow(locked, tip, 1.8));
     occupied.line(&[locked, tip]);
-    let touching = meeting.turn == 0.0;
+    let touching = contact.turn == 0.0;
     if !touching {
         let way = [0, 1].map(|i| locked[i] - free[i]);
         let length = way[0].hypot(way[1]);

@@ -71,9 +71,9 @@ pub fn draw(scene: &Scene, view: &View, look: &Look, occupied: &mut Occupied) ->
         .set("clip-path", ids.url(&format!("{id}-frame")))
         .add(definitions)
         .add(frame.rectangle().set("fill", "white"));
-    for meeting in scene.meetings() {
+    for contact in scene.meetings() {
         // The room's ends are cut at whole chords: a finer cut keeps them in place.
-        let room = scene.room_between(meeting, view.chord() / 16.0);
+        let room = scene.room_between(contact, view.chord() / 16.0);
         let room: Vec<Spot> = room.iter().map(|point| view.spot(*point)).collect();
         let room = clip::polygon(&room, &wide);
         if !room.is_empty() {
@@ -88,7 +88,7 @@ pub fn draw(scene: &Scene, view: &View, look: &Look, occupied: &mut Occupied) ->
     for (name, fill) in names.iter().zip([WHEEL, PINION]) {
         group = group.add(metal_of(name).set("fill", fill));
     }
-    let shown = |meeting: &&DrawnContact| look.sides.contains(&meeting.side);
+    let shown = |contact: &&DrawnContact| look.sides.contains(&contact.side);
     let outlines = names.each_ref().map(|name| {
         metal_of(name)
             .set("fill", "none")
@@ -103,10 +103,10 @@ pub fn draw(scene: &Scene, view: &View, look: &Look, occupied: &mut Occupied) ->
             .set("clip-path", ids.url(&format!("{}-clip", names[0])))
     });
     let met = scene.meetings().iter().filter(shown);
-    let bands = met.fold(Group::new(), |bands, meeting| {
+    let bands = met.fold(Group::new(), |bands, contact| {
         bands.add(contact_bands::bands(
             scene,
-            meeting,
+            contact,
             view,
             &ids.of(id),
             look.band,
@@ -120,8 +120,8 @@ pub fn draw(scene: &Scene, view: &View, look: &Look, occupied: &mut Occupied) ->
     };
     group = layers.into_iter().fold(group, Group::add);
     group = lines_over(scene, view, look.sides, group, occupied);
-    for meeting in scene.meetings().iter().filter(shown) {
-        group = group.add(contact_bands::limits(scene, meeting, view, occupied));
+    for contact in scene.meetings().iter().filter(shown) {
+        group = group.add(contact_bands::limits(scene, contact, view, occupied));
     }
     Gears { group, metal }
 }

@@ -27,14 +27,14 @@ const GREATEST: f64 = 40_000.0;
 const SIZE: f64 = 14.0;
 
 /// The view of one contact in `frame`, for a main view at `main` units a millimetre.
-pub fn view(meeting: &DrawnContact, frame: Frame, main: f64) -> View {
-    let apart = (meeting.on_free - meeting.on_locked).norm();
-    let wanted = if meeting.turn != 0.0 {
+pub fn view(contact: &DrawnContact, frame: Frame, main: f64) -> View {
+    let apart = (contact.on_free - contact.on_locked).norm();
+    let wanted = if contact.turn != 0.0 {
         (GAP_WIDTH / apart).clamp(LEAST * main, GREATEST.max(LEAST * main))
     } else {
         ENLARGEMENT * main
     };
-    let middle: Point2<f64> = center(&meeting.on_locked, &meeting.on_free);
+    let middle: Point2<f64> = center(&contact.on_locked, &contact.on_free);
     View::new(
         frame,
         middle,
@@ -43,24 +43,24 @@ pub fn view(meeting: &DrawnContact, frame: Frame, main: f64) -> View {
 }
 
 /// The enlarged contact with its frame and the gears' names.
-pub fn draw(scene: &Scene, meeting: &DrawnContact, view: &View, ids: &Ids) -> Group {
+pub fn draw(scene: &Scene, contact: &DrawnContact, view: &View, ids: &Ids) -> Group {
     let mut occupied = Occupied::default();
-    let id = meeting.side.name();
+    let id = contact.side.name();
     let look = Look {
         id,
         ids,
-        sides: &[meeting.side],
+        sides: &[contact.side],
         outlines_last: true,
         band: contact_bands::BANDS[1],
     };
     let gears = gears::draw(scene, view, &look, &mut occupied);
-    let mark = contact_marks::draw(meeting, view, IN_INSET, &mut occupied)
+    let mark = contact_marks::draw(contact, view, IN_INSET, &mut occupied)
         .set("clip-path", ids.url(&format!("{id}-frame")));
-    let label = overlap_label::draw(scene, meeting, view, &mut occupied);
+    let label = overlap_label::draw(scene, contact, view, &mut occupied);
     let mut group = Group::new().add(gears.group).add(mark).add(label);
     let names = [
-        ("wheel", meeting.contact.wheel),
-        ("pinion", meeting.contact.pinion),
+        ("wheel", contact.contact.wheel),
+        ("pinion", contact.contact.pinion),
     ];
     let [wheel, pinion] = &gears.metal;
     for ((name, touch), metal) in names.iter().zip([[wheel, pinion], [pinion, wheel]]) {
@@ -84,10 +84,10 @@ pub fn empty(frame: Frame) -> Rectangle {
 }
 
 /// The words above an inset whose frame starts at `corner`.
-pub fn heading(scene: &Scene, side: Side, meeting: Option<&DrawnContact>, corner: Spot) -> Group {
+pub fn heading(scene: &Scene, side: Side, contact: Option<&DrawnContact>, corner: Spot) -> Group {
     let [left, top] = corner;
     let name = capital(side);
-    let (first, second) = match meeting {
+    let (first, second) = match contact {
         None => (
             format!("{name} flanks: no contact"),
             match scene.status() {
@@ -95,11 +95,11 @@ pub fn heading(scene: &Scene, side: Side, meeting: Option<&DrawnContact>, corner
                 _ => "out of mesh on this side".to_owned(),
             },
         ),
-        Some(meeting) => {
-            let gap = meeting.gap;
+        Some(contact) => {
+            let gap = contact.gap;
             let length = um(gap, 2);
             let first = match scene.drawn() {
-                _ if meeting.turn == 0.0 => format!("{name} flanks touch"),
+                _ if contact.turn == 0.0 => format!("{name} flanks touch"),
                 Drawn::AtContact(_) if gap > 0.0 => {
                     format!("{name} flanks: gap j_bn = {length} µm")
                 }
@@ -112,8 +112,8 @@ pub fn heading(scene: &Scene, side: Side, meeting: Option<&DrawnContact>, corner
             };
             let second = format!(
                 "{} on {}",
-                touch("wheel", &meeting.contact.wheel),
-                touch("pinion", &meeting.contact.pinion)
+                touch("wheel", &contact.contact.wheel),
+                touch("pinion", &contact.contact.pinion)
             );
             (first, second)
         }

@@ -36,18 +36,18 @@ pub fn view(scene: &Scene, frame: Frame) -> View {
     };
     include(Point2::new(wheel.root_radius(), 0.0));
     include(Point2::new(distance - pinion.root_radius(), 0.0));
-    for meeting in scene.meetings() {
-        include(meeting.on_locked);
-        include(meeting.on_free);
+    for contact in scene.meetings() {
+        include(contact.on_locked);
+        include(contact.on_free);
     }
     for action in Side::BOTH
         .iter()
         .filter_map(|side| scene.line_of_action(*side))
     {
         action.path.iter().flatten().copied().for_each(&mut include);
-        let meetings = scene.meetings().iter();
-        for meeting in meetings.filter(|meeting| meeting.side == action.side) {
-            let is_limit = [Member::Wheel, Member::Pinion].map(|m| meeting.is_below_form_circle(m));
+        let contacts = scene.meetings().iter();
+        for contact in contacts.filter(|contact| contact.side == action.side) {
+            let is_limit = [Member::Wheel, Member::Pinion].map(|m| contact.is_below_form_circle(m));
             let ends = action.ends.into_iter().zip(is_limit);
             // Tangent points of large gears lie too far off to be worth the smaller scale.
             let is_near = |end: &Point2<f64>| (end - middle).norm() <= NEAR * module;

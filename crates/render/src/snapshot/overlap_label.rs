@@ -8,14 +8,14 @@ use svg::node::element::Group;
 
 const STYLE: TextStyle = TextStyle::new(13.0);
 
-/// The label of the overlap at `meeting`, if there is one, with a leader to it; takes its room in `occupied`.
-pub fn draw(scene: &Scene, meeting: &DrawnContact, view: &View, occupied: &mut Occupied) -> Group {
-    let Some(overlap) = scene.overlap(meeting) else {
+/// The label of the overlap at `contact`, if there is one, with a leader to it; takes its room in `occupied`.
+pub fn draw(scene: &Scene, contact: &DrawnContact, view: &View, occupied: &mut Occupied) -> Group {
+    let Some(overlap) = scene.overlap(contact) else {
         return Group::new();
     };
     let mut rows = Vec::new();
     if let Drawn::AtContact(_) = scene.drawn() {
-        rows.push(format!("depth {} µm", um(-meeting.along_normal, 2)));
+        rows.push(format!("depth {} µm", um(-contact.along_normal, 2)));
     }
     rows.push(format!("area {} mm²", significant(overlap.area)));
     let width = rows.iter().map(|row| STYLE.width(row));
@@ -23,7 +23,7 @@ pub fn draw(scene: &Scene, meeting: &DrawnContact, view: &View, occupied: &mut O
     let height = 18.0 * rows.len() as f64 + 6.0;
     let seen: Vec<Spot> = overlap.outline.iter().map(|p| view.spot(*p)).collect();
     let seen = clip::polygon(&seen, &view.frame().grown(-8.0));
-    let target = amidst(&seen, view.frame()).unwrap_or(view.spot(meeting.on_locked));
+    let target = amidst(&seen, view.frame()).unwrap_or(view.spot(contact.on_locked));
     let Some((room, leader)) = place([width, height], target, view.frame(), occupied) else {
         return Group::new();
     };

@@ -44,24 +44,24 @@ fn draw(view: &Snapshot, ids: &Ids, on_paper: bool) -> SVG {
     let mut over = Group::new().set("clip-path", ids.url("mesh-frame"));
     let mut links = Vec::new();
     let mut insets = Group::new();
-    for (meeting, side, frame) in slots(&scene, &main) {
+    for (contact, side, frame) in slots(&scene, &main) {
         insets = insets.add(inset::heading(
             &scene,
             side,
-            meeting,
+            contact,
             [frame.left, frame.top],
         ));
-        let Some(meeting) = meeting else {
+        let Some(contact) = contact else {
             insets = insets.add(inset::empty(frame));
             continue;
         };
-        let enlarged = inset::view(meeting, frame, main.scale());
+        let enlarged = inset::view(contact, frame, main.scale());
         let link = Link::new(&main, &enlarged);
         occupied.border(*link.shown());
         links.push(link);
-        over = over.add(contact_marks::draw(meeting, &main, IN_MAIN, &mut occupied));
+        over = over.add(contact_marks::draw(contact, &main, IN_MAIN, &mut occupied));
         insets = insets
-            .add(inset::draw(&scene, meeting, &enlarged, ids))
+            .add(inset::draw(&scene, contact, &enlarged, ids))
             .add(scale::bar(
                 [frame.left, frame.bottom + 16.0],
                 enlarged.scale(),
@@ -112,7 +112,7 @@ fn slots<'s>(scene: &'s Scene, main: &View) -> Vec<(Option<&'s DrawnContact>, Si
         .into_iter()
         .map(|side| {
             (
-                scene.meetings().iter().find(|meeting| meeting.side == side),
+                scene.meetings().iter().find(|contact| contact.side == side),
                 side,
             )
         })
@@ -125,26 +125,26 @@ fn slots<'s>(scene: &'s Scene, main: &View) -> Vec<(Option<&'s DrawnContact>, Si
     sides
         .into_iter()
         .zip(INSETS)
-        .map(|((meeting, side), frame)| (meeting, side, frame))
+        .map(|((contact, side), frame)| (contact, side, frame))
         .collect()
 }
 
 /// What the legend must explain.
 fn shown(scene: &Scene, main: &View) -> Shown {
-    let meetings = scene.meetings();
+    let contacts = scene.meetings();
     let members = [Member::Wheel, Member::Pinion];
-    let touches = meetings
+    let touches = contacts
         .iter()
         .flat_map(|m| members.map(|member| m.touch(member)));
     Shown {
         on_paper: true,
-        gap: meetings.iter().any(|meeting| meeting.gap > 0.0),
+        gap: contacts.iter().any(|contact| contact.gap > 0.0),
         overlap: matches!(scene.status(), Status::Interference | Status::Jammed),
         met: touches.map(|touch| touch.curve).collect(),
-        form: meetings
+        form: contacts
             .iter()
             .any(|m| !contact_bands::below_form(m).is_empty()),
-        tangent: meetings
+        tangent: contacts
             .iter()
             .any(|m| !contact_bands::tangent_points(scene, m, main).is_empty()),
     }

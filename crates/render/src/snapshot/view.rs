@@ -59,7 +59,7 @@ impl View {
         ]
     }
 
-    /// The arc of a circle that may be in view, as points no chord of which can be told from it.
+    /// The arc of a circle that may be in view, as points whose chords cannot be distinguished from it.
     pub fn arc(&self, centre: Point2<f64>, radius: f64) -> Vec<Spot> {
         let to_middle = self.middle - centre;
         let (distance, reach) = (to_middle.norm(), self.reach());

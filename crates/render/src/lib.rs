@@ -2,7 +2,6 @@
 
 pub mod chart;
 pub mod comparison;
-mod error;
 pub mod gauge;
 mod kit;
 mod map;
@@ -11,7 +10,7 @@ mod snapshot;
 pub mod text;
 pub mod viewer;
 
-pub use error::PictureError;
+pub use chart::PictureError;
 pub use map::map_picture;
 pub use report::{Report, report};
 pub use snapshot::{Snapshot, animation, exaggerated, snapshot};

@@ -1,11 +1,11 @@
 //! The map of what touches over centre distance and mesh phase, as a picture and as rows.
 
-use crate::kit::sheet::{Frame, GREY, INK, line, number, text};
+use crate::kit::{self, Axis, Frame, GREY, INK, Plot, TextStyle, line, number};
 use gearlash::diagnosis::{Map, MapCell};
 use gearlash::mesh::{ContactKind, PoseClass};
 use svg::Document;
 use svg::node::Node;
-use svg::node::element::{Element, Group, Rectangle};
+use svg::node::element::{Group, Rectangle};
 
 const WIDTH: f64 = 900.0;
 const HEIGHT: f64 = 640.0;
@@ -16,7 +16,9 @@ const FIELD: Frame = Frame {
     bottom: 520.0,
 };
 
-/// What a cell is coloured by; told apart by lightness first.
+const SMALL: TextStyle = TextStyle::new(12.0);
+
+/// What a cell is coloured by; distinguished by lightness first.
 #[derive(Clone, Copy, PartialEq)]
 enum Shade {
     Nothing,
@@ -86,33 +88,21 @@ pub fn map_picture(map: &Map, title: &str, caption: &str) -> String {
         .set("viewBox", (0, 0, WIDTH as i32, HEIGHT as i32))
         .set("width", "225mm")
         .set("height", "160mm")
-        .set("font-family", "Helvetica, Arial, sans-serif")
-        .set("fill", INK);
+        .set("font-family", "sans-serif");
     document.append(
         Rectangle::new()
             .set("width", number(WIDTH))
             .set("height", number(HEIGHT))
             .set("fill", "#ffffff"),
     );
-    document.append(text(title, [FIELD.left, 34.0], 18.0, true));
-    document.append(grey(caption, [FIELD.left, 56.0], 12.0));
+    document.append(TextStyle::new(18.0).text(title, [FIELD.left, 34.0]));
+    document.append(SMALL.grey().text(caption, [FIELD.left, 56.0]));
     document.append(cells(map));
     document.append(FIELD.border());
     document.append(axes(map));
     document.append(limits(map));
     document.append(legend(map));
     document.to_string() + "\n"
-}
-
-fn grey(content: &str, at: [f64; 2], size: f64) -> Element {
-    let mut element = text(content, at, size, true);
-    element.assign("fill", GREY);
-    element
-}
-
-fn ended(mut element: Element) -> Element {
-    element.assign("text-anchor", "end");
-    element
 }
 
 /// Least and greatest centre distance of the field.
@@ -124,8 +114,7 @@ fn range(map: &Map) -> (f64, f64) {
 }
 
 fn height_of(map: &Map, distance: f64) -> f64 {
-    let (low, high) = range(map);
-    FIELD.bottom - FIELD.height() * (distance - low) / (high - low)
+    plot(map).spot((0.0, distance))[1]
 }
 
 /// Cells of one shade beside each other in a row are one rectangle.
@@ -152,51 +141,36 @@ fn cells(map: &Map) -> Group {
     group
 }
 
-fn axes(map: &Map) -> Group {
-    let mut group = Group::new();
-    for quarter in 0..=4 {
-        let fraction = f64::from(quarter) / 4.0;
-        let x = FIELD.left + fraction * FIELD.width();
-        group.append(line(
-            &[[x, FIELD.bottom], [x, FIELD.bottom + 5.0]],
-            INK,
-            1.0,
-        ));
-        let mut label = text(&format!("{fraction}"), [x, FIELD.bottom + 20.0], 12.0, true);
-        label.assign("text-anchor", "middle");
-        group.append(label);
-    }
-    let mut label = text(
-        &format!(
-            "mesh phase: pitches beyond mating {},{} {}",
-            map.start.wheel_tooth,
-            map.start.pinion_tooth,
-            map.start.flank.name()
-        ),
-        [0.5 * (FIELD.left + FIELD.right), FIELD.bottom + 42.0],
-        13.0,
-        true,
-    );
-    label.assign("text-anchor", "middle");
-    group.append(label);
+/// The field with its data: the phase over a pitch, the centre distance upwards.
+fn plot(map: &Map) -> Plot {
+    let Frame {
+        left,
+        right,
+        top,
+        bottom,
+    } = FIELD;
     let (low, high) = range(map);
-    let step = crate::kit::scale::round_down((high - low) / 4.0, crate::kit::scale::ISO_5455);
-    let decimals = (-step.log10().floor()).max(0.0) as usize;
-    let mut tick = (low / step).ceil();
-    while tick * step <= high {
-        let y = height_of(map, tick * step);
-        group.append(line(&[[FIELD.left - 5.0, y], [FIELD.left, y]], INK, 1.0));
-        let label = format!("{:.decimals$}", tick * step);
-        group.append(ended(text(&label, [FIELD.left - 9.0, y + 4.0], 12.0, true)));
-        tick += 1.0;
+    Plot {
+        left,
+        right,
+        top,
+        bottom,
+        x: [0.0, 1.0],
+        y: [low, high],
     }
-    group.append(text(
-        "centre distance a, mm",
-        [FIELD.left - 70.0, FIELD.top - 8.0],
-        13.0,
-        true,
-    ));
-    group
+}
+
+fn axes(map: &Map) -> Group {
+    let plot = plot(map);
+    let phase = format!(
+        "mesh phase: pitches beyond mating {},{} {}",
+        map.start.wheel_tooth,
+        map.start.pinion_tooth,
+        map.start.flank.name()
+    );
+    let x = Axis::new(&phase, plot.x);
+    let y = Axis::new("centre distance a, mm", plot.y);
+    kit::axes(&plot, [&x, &y], [6, 10])
 }
 
 /// Lines across the field, their names on the right, moved apart where they would collide.
@@ -227,7 +201,7 @@ fn limits(map: &Map) -> Group {
     for ((y, label), at) in named.iter().zip(heights) {
         if !inside(*y) {
             let label = format!("{label}: below the map");
-            group.append(grey(&label, [FIELD.right + 25.0, at + 4.0], 12.0));
+            group.append(SMALL.grey().text(&label, [FIELD.right + 25.0, at + 4.0]));
             continue;
         }
         let own = label.contains("a of the pair");
@@ -252,7 +226,7 @@ fn limits(map: &Map) -> Group {
             GREY,
             0.8,
         ));
-        group.append(text(label, [FIELD.right + 25.0, at + 4.0], 12.0, true));
+        group.append(SMALL.text(label, [FIELD.right + 25.0, at + 4.0]));
     }
     group
 }
@@ -272,7 +246,7 @@ fn legend(map: &Map) -> Group {
         };
         let swatch = frame.rectangle().set("fill", shade.colour());
         group.append(swatch.set("stroke", GREY).set("stroke-width", "0.8"));
-        group.append(text(shade.name(), [left + 30.0, top + 11.5], 13.0, true));
+        group.append(TextStyle::new(13.0).text(shade.name(), [left + 30.0, top + 11.5]));
     }
     group
 }

@@ -1,10 +1,11 @@
-//! The checks of a pair as JSON.
+//! The checks of a pair as JSON, and the map of what touches as CSV.
 
 use super::summary::{ContactCountRecord, contact_count_record};
+use super::table::{Column, Table, Unit};
 use crate::characters;
 use crate::read::PairFile;
 use crate::spec::PairSpec;
-use gearlash::diagnosis::{Check, Diagnosis, Group};
+use gearlash::diagnosis::{Check, Diagnosis, Group, Map as ContactMap};
 use gearlash::pair::Member;
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -88,4 +89,32 @@ fn check_record<'a>(group: &Group, check: &'a Check) -> CheckRecord<'a> {
         note: &check.note,
         unproven: check.unproven.as_deref(),
     }
+}
+
+/// `map` as CSV, a row a pose.
+///
+/// # Errors
+/// None that a map can cause; the writer's otherwise.
+pub fn map_csv(map: &ContactMap) -> Result<String, csv::Error> {
+    let distances = map.distances.iter();
+    let places = distances.flat_map(|distance| {
+        let fractions = map.fractions.iter();
+        fractions.map(|fraction| (*distance, *fraction))
+    });
+    let (distances, fractions): (Vec<f64>, Vec<f64>) = places.unzip();
+    let cells = || map.cells.iter();
+    let table = Table {
+        name: "map",
+        columns: vec![
+            Column::new("center_distance_mm", Unit::Mm, distances),
+            Column::new("fraction", Unit::None, fractions),
+            Column::new("class", Unit::None, cells().map(|cell| cell.class.name())),
+            Column::new(
+                "j_wt_um",
+                Unit::Um,
+                cells().map(|cell| cell.backlash.map(|j| j * 1e3)),
+            ),
+        ],
+    };
+    table.to_csv()
 }

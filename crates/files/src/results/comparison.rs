@@ -1,7 +1,6 @@
 //! What `compare` found of a pair, and its JSON.
 
-use super::doubts::doubts;
-use super::records::{MatingRecord, UnprovenRecord, mating_record, unproven_record};
+use super::records::{MatingRecord, UnprovenRecord, doubts, mating_record, unproven_record};
 use crate::characters;
 use gearlash::compare::{ComparedPose, Verdict};
 use gearlash::tally::RunTally;

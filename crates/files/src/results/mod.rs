@@ -3,19 +3,16 @@
 mod checks;
 mod comparison;
 mod csv_row;
-mod doubts;
 pub mod gauge;
 mod json;
-mod map;
 mod notes;
 mod records;
 mod summary;
 mod table;
 mod written;
 
-pub use checks::checks_json;
+pub use checks::{checks_json, map_csv};
 pub use comparison::{ComparedPair, comparison_json};
-pub use doubts::{doubt, doubts};
-pub use map::map_csv;
+pub use records::doubts;
 pub use table::{Cell, Column, Table, Unit};
 pub use written::{ResultFile, ResultWriter, result_file};

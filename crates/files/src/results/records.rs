@@ -1,5 +1,6 @@
 //! A pose of a result: the keys of the interface, units in their names.
 
+use crate::numbers::um_ascii;
 use gearlash::compare::ComparedPose;
 use gearlash::gear::Side;
 use gearlash::mesh::{Contact, ContactClass, LostMotion, PoseResult, Touch, Unproven};
@@ -209,4 +210,34 @@ pub(super) fn mating_record(mating: &Mating) -> MatingRecord {
         flank: mating.flank.name(),
         fraction: mating.fraction,
     }
+}
+
+/// Why something is not proven, and the values that it leaves in doubt.
+fn doubt(unproven: &Unproven) -> String {
+    let value = |name: &str, value: Option<f64>| {
+        let um = um_ascii(value?, 3);
+        Some(format!("{name} method, not proven: {um} µm"))
+    };
+    let values = [
+        value("exact", unproven.exact),
+        value("polygon", unproven.polygon),
+    ];
+    let parts = [Some(unproven.reason.clone())].into_iter().chain(values);
+    parts.flatten().collect::<Vec<_>>().join("; ")
+}
+
+/// Everything about `pose` that is not proven, in words.
+pub fn doubts(pose: &ComparedPose) -> String {
+    let swept = &pose.swept;
+    let here = swept.found.as_ref().err().map(doubt);
+    let ends = swept
+        .with_clearance
+        .iter()
+        .flatten()
+        .zip(["a − c", "a + c"]);
+    let ends = ends.filter_map(|(end, name)| {
+        let doubt = doubt(end.as_ref().err()?);
+        Some(format!("at {name} of the bearing clearance: {doubt}"))
+    });
+    here.into_iter().chain(ends).collect::<Vec<_>>().join("; ")
 }

@@ -1,11 +1,11 @@
 //! Bars, one place a tooth.
 
 use super::paint::Look;
-use super::panel::{Anchor, Axis, Entry, Mark, Panel, Sample, range};
-use super::{Chart, Heading, sheet};
-use crate::error::PictureError;
+use super::panel::{Entry, Mark, Panel, Sample, range};
+use super::sheet::{self, Chart, Heading, PictureError};
+use crate::kit::{Anchor, Axis};
 
-/// Teeth beyond which lines stand for bars: narrower than a unit, two flanks' bars cannot be told apart.
+/// Teeth beyond which lines stand for bars: narrower than a unit, two flanks' bars cannot be distinguished.
 const MOST_BARS: usize = 350;
 
 /// One series of a bar chart.
@@ -129,7 +129,7 @@ impl BarPanel<'_> {
     /// Says so where no value is above the level.
     fn say_level(&self, panel: &mut Panel) {
         let mut values = self.series.iter().flat_map(|bars| &bars.values).flatten();
-        // Zeros alone are told by the panel itself.
+        // The panel itself says so of zeros alone.
         let zeros = values.clone().all(|value| *value == 0.0);
         if !zeros && values.all(|value| value.abs() < self.level) {
             let [from, to] = panel.x.range;

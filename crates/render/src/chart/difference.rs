@@ -1,11 +1,11 @@
 //! Simulation minus formula over the teeth.
 
+use super::captions::{course_axis, course_caption, empty, entry, unproven_note, unproven_of};
 use super::materials::{ends, thin, width};
 use super::paint::Look;
-use super::panel::{Anchor, Axis, Mark, Panel, Point, Sample, range};
-use super::words::{course_axis, course_words, empty, entry, unproven_of, unproven_words};
-use super::{Chart, Heading, sheet};
-use crate::error::PictureError;
+use super::panel::{Mark, Panel, Point, Sample, range};
+use super::sheet::{self, Chart, Heading, PictureError};
+use crate::kit::{Anchor, Axis};
 use gearlash::curves::{Course, CourseLine, CoursePoint};
 use gearlash::gear::Side;
 
@@ -79,7 +79,7 @@ pub fn difference(
         let unproven = unproven_of(lines());
         if unproven > 0 {
             let words = "no pose that is proven has both a simulated and an analytic value";
-            let details = unproven_words(unproven) + &course_words(course);
+            let details = unproven_note(unproven) + &course_caption(course);
             let panel = empty(course_axis(course), words);
             return sheet::draw(heading, &details, &[], &[panel]);
         }
@@ -90,8 +90,8 @@ pub fn difference(
     }
     let details = format!(
         "{}simulated − formula, right flanks · {}",
-        unproven_words(unproven_of(lines())),
-        course_words(course)
+        unproven_note(unproven_of(lines())),
+        course_caption(course)
     );
     sheet::draw(heading, &details, &legend, &panels)
 }

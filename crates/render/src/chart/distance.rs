@@ -1,10 +1,10 @@
 //! Backlash over the centre distance, as Figures 20–21 of the study the project started from.
 
+use super::captions::{empty, entry, interference, unproven_note, without_value};
 use super::paint::Look;
-use super::panel::{Anchor, Axis, Mark, Panel, Point, Sample, backlash_range, range};
-use super::words::{empty, entry, interference, unproven_words, without_value};
-use super::{Chart, Heading, sheet};
-use crate::error::PictureError;
+use super::panel::{Mark, Panel, Point, Sample, backlash_range, range};
+use super::sheet::{self, Chart, Heading, PictureError};
+use crate::kit::{Anchor, Axis};
 use gearlash::curves::{DistancePoint, OverDistance};
 use gearlash::measured::Band;
 use gearlash::outcome::AtDistance;
@@ -117,7 +117,7 @@ pub fn distance(
                 Axis::new("centre distance a, mm", x),
                 "no pose that is proven has a backlash",
             );
-            let details = unproven_words(curve.unproven) + &poses(&curve.matings);
+            let details = unproven_note(curve.unproven) + &poses(&curve.matings);
             return sheet::draw(heading, &details, &[], &[panel]);
         }
         return Err(PictureError(
@@ -134,7 +134,7 @@ pub fn distance(
     // The bands come from below on the left.
     interference(&mut panel, x[0]);
     panel.marks.extend(gaps(curve, [x, y]));
-    let details = unproven_words(curve.unproven) + &poses(&curve.matings);
+    let details = unproven_note(curve.unproven) + &poses(&curve.matings);
     sheet::draw(heading, &details, &legend, &[panel])
 }
 

@@ -1,11 +1,11 @@
 //! One gear's deviations tooth by tooth, as an inspection sheet shows them.
 
 use super::bars::{BarSeries, legend, panel};
+use super::captions::{empty, entry};
 use super::paint::Look;
-use super::panel::{Axis, Sample};
-use super::words::{self, entry};
-use super::{Chart, Heading, sheet};
-use crate::error::PictureError;
+use super::panel::Sample;
+use super::sheet::{self, Chart, Heading, PictureError};
+use crate::kit::Axis;
 use gearlash::gear::{Inspection, Side};
 use gearlash_files::numbers::um;
 
@@ -52,7 +52,7 @@ pub fn inspection(
     if shown.is_empty() {
         let words = "no pitch, thickness or runout deviations are given";
         let teeth = inspection.runout().len() as f64;
-        shown.push(words::empty(Axis::new("", [0.4, teeth + 0.6]), words));
+        shown.push(empty(Axis::new("", [0.4, teeth + 0.6]), words));
     }
     if let Some(last) = shown.last_mut() {
         last.x.name = tooth;

@@ -1,9 +1,9 @@
 //! Several series as lines or single values.
 
 use super::paint::Look;
-use super::panel::{Axis, Entry, Mark, Panel, Sample, range};
-use super::{Chart, Heading, sheet};
-use crate::error::PictureError;
+use super::panel::{Entry, Mark, Panel, Sample, range};
+use super::sheet::{self, Chart, Heading, PictureError};
+use crate::kit::Axis;
 
 /// One series of a line chart.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,12 +1,13 @@
 //! Which of two lines is of which material.
 
-use super::panel::{Anchor, Mark};
+use super::panel::Mark;
+use crate::kit::Anchor;
 use gearlash::curves::{Course, CourseLine, CoursePoint};
 use gearlash::study::Material;
 
 /// Height of a panel's plot, units, or less.
 const PLOT: f64 = 170.0;
-/// From here on two lines are told apart, units.
+/// From here on two lines are distinguished, units.
 const APART: f64 = 2.5;
 /// From a line's end to its label, and from label to label, units.
 const SHIFT: f64 = 10.0;

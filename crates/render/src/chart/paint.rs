@@ -1,17 +1,14 @@
 //! Colours and line styles that survive colour-blindness and a black-and-white printer.
 
-use plotters::style::RGBColor;
+use crate::kit::{GREY, INK, Spot, cross, number, square};
+use svg::node::element::{Circle, Element, Path};
 
-/// Lines and text.
-pub(super) const INK: RGBColor = RGBColor(0x1b, 0x1f, 0x24);
-/// Second-rank text.
-pub(super) const GREY: RGBColor = RGBColor(0x56, 0x5d, 0x66);
-/// Grid.
-pub(super) const GRID: RGBColor = RGBColor(0xd5, 0xd9, 0xde);
-/// Ground of negative backlash: lighter than any band, in grey print too, told from paper by its hatch.
-pub(super) const INTERFERENCE: RGBColor = RGBColor(0xfd, 0xf3, 0xf0);
+/// Ground of negative backlash: lighter than any band, in grey print too, distinguished from paper by its hatch.
+pub(super) const INTERFERENCE: &str = "#fdf3f0";
 /// Its hatch.
-pub(super) const HATCH: RGBColor = RGBColor(0xd9, 0x9a, 0x8c);
+pub(super) const GROUND_HATCH: &str = "#d99a8c";
+/// Fill of a bar that is pale beside its neighbour.
+const PALE: f64 = 0.25;
 
 /// How a series looks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -28,45 +25,47 @@ pub enum Look {
     Limit,
 }
 
-/// Dash and gap, units of the `viewBox`.
-pub(super) type Dash = Option<[f64; 2]>;
-
 impl Look {
-    pub(super) fn colour(self) -> RGBColor {
+    pub(super) fn colour(self) -> &'static str {
         match self {
-            Look::Right => RGBColor(0x00, 0x72, 0xb2),
-            Look::Left => RGBColor(0xd5, 0x5e, 0x00),
+            Look::Right => "#0072b2",
+            Look::Left => "#d55e00",
             Look::Plain => INK,
-            Look::Third => RGBColor(0x00, 0x9e, 0x73),
+            Look::Third => "#009e73",
             Look::Limit => GREY,
         }
     }
 
-    pub(super) fn dash(self) -> Dash {
+    /// A line in this look's dashes.
+    pub(super) fn dashed(self, line: Path) -> Path {
         match self {
-            Look::Right | Look::Plain => None,
-            Look::Left => Some([7.0, 4.0]),
-            Look::Third => Some([2.0, 3.0]),
-            Look::Limit => Some([3.0, 3.0]),
+            Look::Right | Look::Plain => line,
+            Look::Left => line.set("stroke-dasharray", "7 4"),
+            Look::Third => line.set("stroke-dasharray", "2 3"),
+            Look::Limit => line.set("stroke-dasharray", "3 3"),
         }
     }
 
-    pub(super) fn shape(self) -> Shape {
+    /// How much of a bar's fill there is.
+    pub(super) fn bar(self) -> f64 {
         match self {
-            Look::Right => Shape::Disc,
-            Look::Left => Shape::Square,
-            Look::Plain | Look::Third | Look::Limit => Shape::Cross,
+            Look::Left => PALE,
+            _ => 1.0,
         }
     }
-}
 
-/// A mark of one value.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Shape {
-    /// Filled circle.
-    Disc,
-    /// Open square.
-    Square,
-    /// Diagonal cross.
-    Cross,
+    /// The mark of a single value.
+    pub(super) fn mark(self, at: Spot) -> Element {
+        const HALF: f64 = 3.5;
+        match self {
+            Look::Right => Circle::new()
+                .set("cx", number(at[0]))
+                .set("cy", number(at[1]))
+                .set("r", number(HALF))
+                .set("fill", self.colour())
+                .into(),
+            Look::Left => square(at, HALF, self.colour()).into(),
+            Look::Plain | Look::Third | Look::Limit => cross(at, HALF, self.colour()).into(),
+        }
+    }
 }

@@ -1,41 +1,10 @@
 //! What a chart is made of: panels with two axes and marks, in data coordinates.
 
 use super::paint::Look;
+use crate::kit::{Anchor, Axis};
 
 /// A value over a place; `None` where there is none: lines have a gap there.
 pub(super) type Point = (f64, Option<f64>);
-
-/// One axis.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Axis {
-    /// Quantity and unit.
-    pub name: String,
-    /// Data at both ends.
-    pub range: [f64; 2],
-    /// Where the axis goes over tooth numbers: how many teeth there are. Numbers beyond start again.
-    pub teeth: Option<u32>,
-    /// Without numbers and grid: there are no values.
-    pub bare: bool,
-}
-
-impl Axis {
-    pub fn new(name: &str, range: [f64; 2]) -> Axis {
-        Axis {
-            name: name.to_owned(),
-            range,
-            teeth: None,
-            bare: false,
-        }
-    }
-}
-
-/// Where a text stands from its place.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Anchor {
-    Start,
-    Middle,
-    End,
-}
 
 /// What is drawn into a panel, in this order.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,13 +1,13 @@
 //! Backlash over the teeth, as Figures 17–19 of the study the project started from.
 
-use super::paint::Look;
-use super::panel::{Anchor, Axis, Mark, Panel, Point, Sample, backlash_range};
-use super::words::{
-    course_axis, course_words, empty, entry, interference, unproven_of, unproven_words,
+use super::captions::{
+    course_axis, course_caption, empty, entry, interference, unproven_note, unproven_of,
     without_value,
 };
-use super::{Chart, Heading, sheet};
-use crate::error::PictureError;
+use super::paint::Look;
+use super::panel::{Mark, Panel, Point, Sample, backlash_range};
+use super::sheet::{self, Chart, Heading, PictureError};
+use crate::kit::{Anchor, Axis};
 use gearlash::curves::{Course, CourseLine, Extreme};
 use gearlash::gear::Side;
 use gearlash::study::Material;
@@ -31,8 +31,8 @@ pub fn revolution(heading: &Heading, course: &Course) -> Result<Chart, PictureEr
     let Some(y) = backlash_range(values) else {
         let words = format!("no pose has a backlash: {}", without());
         let panel = empty(course_axis(course), &words);
-        let unproven = unproven_words(unproven_of(course.lines.iter()));
-        let details = unproven + &course_words(course);
+        let unproven = unproven_note(unproven_of(course.lines.iter()));
+        let details = unproven + &course_caption(course);
         return sheet::draw(heading, &details, &[], &[panel]);
     };
     let mut panel = Panel {
@@ -84,7 +84,7 @@ pub fn revolution(heading: &Heading, course: &Course) -> Result<Chart, PictureEr
     let busy = course.least.as_ref().map_or(0.0, |least| least.x);
     interference(&mut panel, busy);
     match (&course.least, &course.greatest) {
-        // One pose is both where the error bounds tell no two apart.
+        // One pose is both where all lie within each other's error bounds.
         (Some(least), Some(greatest)) if least == greatest => panel.marks.push(Mark::Text {
             at: [panel.x.range[0], least.backlash_um],
             shift: [8.0, -14.0],
@@ -104,8 +104,8 @@ pub fn revolution(heading: &Heading, course: &Course) -> Result<Chart, PictureEr
         true => format!(" · gaps: {}", without()),
         false => String::new(),
     };
-    let unproven = unproven_words(unproven_of(course.lines.iter()));
-    let details = format!("{unproven}{}{gaps}", course_words(course));
+    let unproven = unproven_note(unproven_of(course.lines.iter()));
+    let details = format!("{unproven}{}{gaps}", course_caption(course));
     sheet::draw(heading, &details, &legend, &[panel])
 }
 

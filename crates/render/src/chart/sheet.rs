@@ -1,18 +1,57 @@
-//! Drawing panels with `plotters`, and the element round them.
+//! A chart's element: title, legend, panels one below the other, and the labels above all lines.
 
-use super::canvas::{Drawn, FINE, SIDES, WIDTH, fine, plain, spot, style};
 use super::legend::{self, ROW};
-use super::paint::{GREY, INK};
-use super::panel::{Anchor, Entry, Mark, Panel};
-use super::{Chart, Heading, Plot, plot};
-use crate::error::PictureError;
-use crate::kit::labels;
-use plotters::prelude::*;
-use plotters::style::text_anchor::{HPos, VPos};
-use std::fmt::Write;
+use super::marks;
+use super::panel::{Entry, Mark, Panel};
+use crate::kit::{Frame, NUMBERS, Plot, TextStyle, axes, grid};
+use gearlash_files::characters::plain;
+use svg::node::Node;
+use svg::node::element::{Group, SVG, Title};
 
+/// Width of every chart, units of the `viewBox`: pixels on a screen, 0.22 mm across A4.
+const WIDTH: f64 = 800.0;
+/// Left and right edge of what is drawn.
+const SIDES: [f64; 2] = [16.0, 784.0];
 /// Height of a line below the title.
 const LINE: f64 = 17.0;
+/// Left edge of every plot: room for the numbers and the name of the y axis.
+const LEFT: f64 = 80.0;
+/// Room of the x axis' numbers and name, and of numbers alone.
+const X_AXIS: [f64; 2] = [42.0, 22.0];
+/// Most numbers along an x axis.
+const MOST: usize = 12;
+/// Height of a y axis a number.
+const NUMBER_HEIGHT: f64 = 32.0;
+
+const TITLE: TextStyle = TextStyle::new(18.0).bold();
+const DETAILS: TextStyle = TextStyle::new(13.0).grey();
+
+/// What stands above and beside a chart. Texts may hold anything: they are escaped.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Heading<'a> {
+    /// Start of every id in the SVG: a letter, then letters, digits, `-` and `_`; unique in a page.
+    pub prefix: &'a str,
+    /// First line.
+    pub title: &'a str,
+    /// Second line; may be empty.
+    pub subtitle: &'a str,
+}
+
+/// A chart, complete.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Chart {
+    /// One `<svg>` element with a `viewBox`, without XML prolog; its `data-` attributes repeat `plot`.
+    pub svg: String,
+    /// Where the data are: the first panel's frame.
+    pub plot: Plot,
+    /// Every panel's frame from above, `plot` first.
+    pub panels: Vec<Plot>,
+}
+
+/// A picture that cannot be drawn.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("the chart cannot be drawn: {0}")]
+pub struct PictureError(pub(crate) String);
 
 /// Draws title, `details` (a line below the heading's own; may be empty), legend and panels, one below the other.
 pub(super) fn draw(
@@ -21,165 +60,168 @@ pub(super) fn draw(
     entries: &[Entry],
     panels: &[Panel],
 ) -> Result<Chart, PictureError> {
-    let lines = [heading.subtitle, details];
-    let lines: Vec<&str> = lines.into_iter().filter(|line| !line.is_empty()).collect();
+    let room = SIDES[1] - SIDES[0];
+    let lines = [heading.subtitle, details].into_iter();
+    let lines: Vec<&str> = lines.filter(|line| !line.is_empty()).collect();
     // Room for one line stays where there is none.
     let above = 41.0 + LINE * lines.len().max(1) as f64;
-    let places = legend::flow(entries);
-    let rows = places.last().map_or(0, |(row, _)| row + 1);
+    let (legend, rows) = legend::draw(entries, SIDES, above + 6.0);
     let top = above + ROW * rows as f64;
     let height = top + panels.iter().map(|panel| panel.height).sum::<f64>() + 8.0;
-    let mut content = String::new();
-    let plots = plot_all(
-        &mut content,
-        height,
-        [above, top],
-        (heading.title, &lines),
-        (entries, &places),
-        panels,
-    )
-    .map_err(|error| PictureError(error.to_string()))?;
-    let Some(&(plot, _)) = plots.first() else {
+    let mut head =
+        Group::new().add(TITLE.text(&TITLE.shortened(heading.title, room), [SIDES[0], 23.5]));
+    for (number, line) in lines.iter().enumerate() {
+        let foot = 43.5 + LINE * number as f64;
+        head.append(DETAILS.text(&DETAILS.shortened(line, room), [SIDES[0], foot]));
+    }
+    let mut from = top;
+    let (mut plots, mut drawn) = (Vec::new(), Group::new());
+    let mut labels = Group::new().set("class", "gearlash-labels");
+    for panel in panels {
+        let plot = place(panel, from);
+        from += panel.height;
+        let solid = draw_panel(panel, &plot, &mut drawn);
+        label(panel, &plot, solid, &mut labels);
+        plots.push(plot);
+    }
+    let Some(&plot) = plots.first() else {
         return Err(PictureError("there is nothing to draw".to_owned()));
     };
+    let mut element = element(heading, height, &plot)
+        .add(head)
+        .add(legend)
+        .add(drawn);
+    if labels
+        .get_children()
+        .is_some_and(|labels| !labels.is_empty())
+    {
+        element = element.add(labels);
+    }
     Ok(Chart {
-        svg: element(
-            heading,
-            height,
-            &plot,
-            inner(&content),
-            &labels(panels, &plots),
-        ),
+        svg: format!("{element}\n"),
         plot,
-        panels: plots.into_iter().map(|(plot, _)| plot).collect(),
+        panels: plots,
     })
 }
 
-fn plot_all(
-    content: &mut String,
-    height: f64,
-    [above, top]: [f64; 2],
-    (title, lines): (&str, &[&str]),
-    (entries, places): (&[Entry], &[(usize, f64)]),
-    panels: &[Panel],
-) -> Drawn<Vec<(Plot, bool)>> {
-    let size = (fine(WIDTH) as u32, fine(height) as u32);
-    let root = SVGBackend::with_string(content, size).into_drawing_area();
-    root.fill(&WHITE)?;
-    let title = plain(&labels::shortened(title, 18.0, SIDES[1] - SIDES[0]));
-    let title_style = style(18.0, &INK, HPos::Left, VPos::Bottom);
-    let bold = TextStyle {
-        font: title_style.font.style(FontStyle::Bold),
-        ..title_style
+/// Where the plot of a panel stands whose upper edge is `from`.
+fn place(panel: &Panel, from: f64) -> Plot {
+    let below = match panel.x.name.is_empty() {
+        true => X_AXIS[1],
+        false => X_AXIS[0],
     };
-    root.draw(&Text::new(title, spot(SIDES[0], 28.0), bold))?;
-    for (number, line) in lines.iter().enumerate() {
-        let line = plain(&labels::shortened(line, 13.0, SIDES[1] - SIDES[0]));
-        let left = style(13.0, &GREY, HPos::Left, VPos::Bottom);
-        let foot = 47.0 + LINE * number as f64;
-        root.draw(&Text::new(line, spot(SIDES[0], foot), left))?;
+    Plot {
+        left: LEFT,
+        right: WIDTH - right_margin(panel),
+        top: from + if panel.title.is_empty() { 8.0 } else { 24.0 },
+        bottom: from + panel.height - below,
+        x: panel.x.range,
+        y: panel.y.range,
     }
-    for (entry, (row, x)) in entries.iter().zip(places) {
-        legend::entry(&root, entry, [*x, above + 6.0 + ROW * *row as f64])?;
-    }
-    let mut from = top;
-    let mut plots = Vec::new();
-    for panel in panels {
-        let to = from + panel.height;
-        let area = root.clone().shrink(
-            spot(SIDES[0] - 6.0, from),
-            (
-                fine(WIDTH - SIDES[0] + 6.0) as u32,
-                fine(panel.height) as u32,
-            ),
-        );
-        plots.push(plot::draw(&area, panel)?);
-        from = to;
-    }
-    root.present()?;
-    Ok(plots)
 }
 
-/// What stands inside the backend's own root element.
-fn inner(content: &str) -> &str {
-    let from = content.find('>').map_or(0, |end| end + 1);
-    let to = content.rfind("</svg>").unwrap_or(content.len());
-    content.get(from..to).unwrap_or_default().trim()
+/// Room beside the plot: half of the last number where it stands near the edge.
+fn right_margin(panel: &Panel) -> f64 {
+    let (x, margin) = (&panel.x, WIDTH - SIDES[1]);
+    let ticks = x.ticks(MOST);
+    let (None, Some(&last)) = (x.teeth, ticks.at.last()) else {
+        return margin;
+    };
+    let half = 0.5 * NUMBERS.width(&ticks.number(last));
+    let left_over = (x.range[1] - last) / (x.range[1] - x.range[0]) * (SIDES[1] - LEFT);
+    f64::max(margin, half + 2.0 - left_over)
 }
 
-/// The texts in the plots, above all lines, with a white halo: readable across a line, and across a cursor that a
-/// script puts below them.
-fn labels(panels: &[Panel], plots: &[(Plot, bool)]) -> String {
-    let mut texts = String::new();
-    for (panel, (plot, solid)) in panels.iter().zip(plots) {
-        if *solid {
-            let _ = writeln!(
-                texts,
-                "<text x=\"{:.1}\" y=\"{:.1}\" font-size=\"11\" text-anchor=\"end\" font-family=\"sans-serif\">shaded: swings faster than can be drawn, between their ends</text>",
-                plot.right,
-                plot.top - 4.0
-            );
+/// Draws a panel; whether one of its lines is drawn by its edges.
+fn draw_panel(panel: &Panel, plot: &Plot, group: &mut Group) -> bool {
+    for mark in &panel.marks {
+        if let Mark::Ground { y } = mark {
+            group.append(marks::ground(plot, *y));
         }
-        for mark in &panel.marks {
-            let Mark::Text {
-                at,
-                shift,
+    }
+    let both = [&panel.x, &panel.y];
+    let most = [MOST, (panel.height / NUMBER_HEIGHT) as usize];
+    group.append(grid(plot, both, most));
+    group.append(axes(plot, both, most));
+    if !panel.title.is_empty() {
+        let above = [plot.left, plot.top - 6.0];
+        let style = TextStyle::new(13.0).fitted(&panel.title, SIDES[1] - LEFT, 9.0);
+        group.append(style.text(&panel.title, above));
+    }
+    let mut solid = false;
+    for mark in &panel.marks {
+        solid |= marks::draw(mark, plot, group);
+    }
+    solid
+}
+
+/// The texts in a plot, with a halo: readable across a line, and across a cursor that a script puts below them.
+fn label(panel: &Panel, plot: &Plot, solid: bool, labels: &mut Group) {
+    let mut add = |style: TextStyle, text: &str, at| {
+        for element in style.haloed(text, at) {
+            labels.append(element);
+        }
+    };
+    if solid {
+        let words = "shaded: swings faster than can be drawn, between their ends";
+        let style = TextStyle::new(11.0).end();
+        add(style, words, [plot.right, plot.top - 4.0]);
+    }
+    for mark in &panel.marks {
+        if let Mark::Text {
+            at,
+            shift,
+            text,
+            anchor,
+        } = mark
+        {
+            let style = TextStyle::new(12.0).anchored(*anchor);
+            let [x, y] = plot.spot((at[0], at[1]));
+            add(
+                style,
                 text,
-                anchor,
-            } = mark
-            else {
-                continue;
-            };
-            let part = |[from, to]: [f64; 2], value: f64| (value - from) / (to - from);
-            let x = plot.left + part(plot.x, at[0]) * (plot.right - plot.left) + shift[0];
-            let y = plot.bottom + part(plot.y, at[1]) * (plot.top - plot.bottom) + shift[1];
-            let anchor = match anchor {
-                Anchor::Start => "start",
-                Anchor::Middle => "middle",
-                Anchor::End => "end",
-            };
-            let text = svg::node::Text::new(plain(text));
-            // Writing to a String cannot fail.
-            let _ = writeln!(
-                texts,
-                "<text x=\"{x:.1}\" y=\"{y:.1}\" dy=\"0.35em\" text-anchor=\"{anchor}\" font-family=\"sans-serif\">{text}</text>"
+                [x + shift[0], y + shift[1] + style.below_middle()],
             );
         }
-    }
-    match texts.is_empty() {
-        true => texts,
-        false => format!(
-            "<g class=\"gearlash-labels\" font-size=\"12\" fill=\"#1b1f24\" stroke=\"#ffffff\" stroke-width=\"3\" \
-             stroke-linejoin=\"round\" paint-order=\"stroke\">\n{texts}</g>\n"
-        ),
     }
 }
 
 /// The chart's element: named for screen readers, with the plot's frame for scripts.
-fn element(heading: &Heading, height: f64, plot: &Plot, content: &str, labels: &str) -> String {
+fn element(heading: &Heading, height: f64, plot: &Plot) -> SVG {
     let prefix = heading.prefix;
-    let title = svg::node::Text::new(plain(heading.title));
-    let mut text = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" id=\"{prefix}\" class=\"gearlash-chart\" role=\"img\" \
-         aria-labelledby=\"{prefix}-title\" viewBox=\"0 0 {WIDTH} {height}\" font-family=\"sans-serif\""
-    );
+    let title = Title::new(plain(heading.title)).set("id", format!("{prefix}-title"));
+    let mut element = SVG::new()
+        .set("id", prefix)
+        .set("class", "gearlash-chart")
+        .set("role", "img")
+        .set("aria-labelledby", format!("{prefix}-title"))
+        .set("viewBox", format!("0 0 {WIDTH} {height}"))
+        .set("font-family", "sans-serif");
+    let Frame {
+        left,
+        right,
+        top,
+        bottom,
+    } = plot.frame();
     for (name, value) in [
-        ("left", plot.left),
-        ("right", plot.right),
-        ("top", plot.top),
-        ("bottom", plot.bottom),
+        ("left", left),
+        ("right", right),
+        ("top", top),
+        ("bottom", bottom),
         ("x0", plot.x[0]),
         ("x1", plot.x[1]),
         ("y0", plot.y[0]),
         ("y1", plot.y[1]),
     ] {
-        // Writing to a String cannot fail.
-        let _ = write!(text, " data-{name}=\"{value}\"");
+        element = element.set(format!("data-{name}"), value.to_string());
     }
-    let scale = 1.0 / FINE;
-    let _ = write!(
-        text,
-        ">\n<title id=\"{prefix}-title\">{title}</title>\n<g transform=\"scale({scale})\">\n{content}\n</g>\n{labels}</svg>\n"
-    );
-    text
+    let ground = Frame {
+        left: 0.0,
+        right: WIDTH,
+        top: 0.0,
+        bottom: height,
+    };
+    element
+        .add(title)
+        .add(ground.rectangle().set("fill", "white"))
 }

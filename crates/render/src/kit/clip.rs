@@ -1,6 +1,6 @@
 //! Cutting polygons and lines to a frame, so that a file holds no more than its picture.
 
-use super::sheet::{Frame, Spot};
+use super::frame::{Frame, Spot};
 
 /// One of the four half planes of a frame: which coordinate, its limit, and +1 to keep what lies above.
 type Edge = (usize, f64, f64);

@@ -1,6 +1,22 @@
-//! What every picture is drawn with.
+//! What every picture is drawn with: sheet, lines, texts, marks, axes and the room that labels take.
+//!
+//! Snapshots, maps and charts share it. It draws on the `svg` crate and uses nothing that a plain SVG reader lacks: no
+//! script, no style sheet, no `paint-order`; a text with a halo is two elements.
 
 pub mod clip;
-pub mod labels;
+mod frame;
+mod marks;
+mod occupied;
+mod paint;
+mod plot;
 pub mod scale;
-pub mod sheet;
+mod sheet;
+mod text;
+
+pub use frame::{Frame, Spot, number};
+pub use marks::{around, arrow, cross, diamond, dot, hatch, square};
+pub use occupied::{CLEAR, Occupied};
+pub use paint::{ACTION, GAP, GREY, HATCH, INK, OVERLAP, PATH, PINION, WHEEL};
+pub use plot::{Axis, NUMBERS, Plot, axes, grid};
+pub use sheet::{Ids, UNITS_PER_MM, WIDTH, blank_sheet, line, path_data, polygon};
+pub use text::{Anchor, TextStyle, room};

@@ -1,9 +1,11 @@
 //! Round scales and the bars that show them.
 
-use super::sheet::{GREY, INK, Spot, UNITS_PER_MM, line, text};
+use super::frame::Spot;
+use super::paint::INK;
+use super::sheet::{UNITS_PER_MM, line};
+use super::text::TextStyle;
 use gearlash_files::numbers::rounded;
-use svg::node::Node;
-use svg::node::element::{Element, Group};
+use svg::node::element::Group;
 
 /// Mantissas of scales: ISO 5455 knows 1, 2 and 5.
 pub const ISO_5455: &[f64] = &[1.0, 2.0, 5.0];
@@ -30,7 +32,7 @@ pub fn round_down(limit: f64, series: &[f64]) -> f64 {
 }
 
 /// The greatest `n` with `10^n ≤ x` (> 0), by comparison: a logarithm's last digit may differ between machines.
-fn decade(x: f64) -> i32 {
+pub fn decade(x: f64) -> i32 {
     let mut decade = 0;
     while x < power(decade) {
         decade -= 1;
@@ -41,7 +43,8 @@ fn decade(x: f64) -> i32 {
     decade
 }
 
-fn power(decade: i32) -> f64 {
+/// `10^decade`, exactly rounded.
+pub fn power(decade: i32) -> f64 {
     match decade {
         0.. => 10f64.powi(decade),
         _ => 1.0 / 10f64.powi(-decade),
@@ -67,8 +70,9 @@ pub fn bar(at: Spot, scale: f64) -> Group {
     let [x, y] = at;
     let caption = format!("{} · {}", length_text(length), ratio(scale));
     let tick = |x: f64| line(&[[x, y - 4.0], [x, y + 4.0]], INK, 1.2);
-    let mut caption: Element = text(&caption, [x + width + 10.0, y + 4.5], 13.0, true);
-    caption.assign("fill", GREY);
+    let caption = TextStyle::new(13.0)
+        .grey()
+        .text(&caption, [x + width + 10.0, y + 4.5]);
     Group::new()
         .add(line(&[at, [x + width, y]], INK, 3.0))
         .add(tick(x))

@@ -1,7 +1,7 @@
 //! Every check with its margin.
 
 use super::page::Page;
-use super::words::{j_wt, material, plain, study};
+use super::phrases::{j_wt, material, plain, study};
 use crate::text::check::{doubts, governing, measured, unit};
 use gearlash::diagnosis::{Check, Group, Verdict};
 use gearlash::pair::Member;

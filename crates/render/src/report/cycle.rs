@@ -1,7 +1,7 @@
 //! Which poses the result is of, and which it is not.
 
 use super::page::Page;
-use super::words::few;
+use super::phrases::few;
 use gearlash::cycle::RemainingMatings;
 use gearlash::outcome::Found;
 use gearlash::pair::{Member, SweepPlan};

@@ -2,8 +2,8 @@
 
 use super::page::Page;
 
+use crate::chart::PictureError;
 use crate::chart::{self, Chart, Heading};
-use crate::error::PictureError;
 use gearlash::curves::{Course, DistancePoint, Followed};
 use gearlash::gear::Inspection;
 use gearlash_files::numbers::stated_distance;

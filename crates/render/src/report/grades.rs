@@ -1,7 +1,7 @@
 //! Accuracy grades of pitch and runout, as the gauge reads them.
 
 use super::page::Page;
-use super::words::symbol;
+use super::phrases::symbol;
 use gearlash::gauge::{GradedReading, PitchAxis, Unmeasured};
 use gearlash::gear::{GRADE_SOURCE, Grade, GradedQuantity, Side};
 use gearlash_files::numbers::um;

@@ -2,10 +2,10 @@
 
 use super::figures::inspections;
 use super::page::Page;
+use super::phrases::{plain, symbol};
 use super::stated::{high_tooth, pitch, runout, thickness};
-use super::words::{plain, symbol};
 use super::{grades, notes};
-use crate::error::PictureError;
+use crate::chart::PictureError;
 use gearlash::gear::{AsBuilt, Inspection};
 use gearlash::pair::Member;
 use gearlash_files::numbers::{fixed, shortest, stated_distance, trimmed};

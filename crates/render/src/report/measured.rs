@@ -1,7 +1,7 @@
 //! Measured backlash beside the predicted bands.
 
 use super::page::{Page, Report};
-use super::words::plain;
+use super::phrases::plain;
 use gearlash::measured::{Band, MeasuredMating, sides};
 use gearlash_files::numbers::{fixed, stated_distance};
 use maud::{Markup, html};

@@ -1,7 +1,7 @@
 //! How the numbers were found, how closely, and what they leave out.
 
 use super::page::Page;
-use super::words::{j_wt, symbol};
+use super::phrases::{j_wt, symbol};
 use gearlash_files::numbers::bound_um;
 use maud::{Markup, html};
 

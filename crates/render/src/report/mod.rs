@@ -8,29 +8,28 @@ mod checks;
 mod cycle;
 mod figures;
 mod grades;
-mod inline;
 mod input;
 mod measured;
 mod method;
 mod models;
 mod notes;
 mod page;
+mod phrases;
 mod poses;
 mod results;
 mod stated;
 mod trust;
 mod unproven;
 mod verdict;
-mod words;
 
-use crate::error::PictureError;
+use crate::chart::PictureError;
 use crate::viewer;
 use gearlash::compare::ComparedRun;
 use gearlash::curves::courses;
 use gearlash::outcome::{Agreement, Outcome, by_distance};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use page::Page;
-use words::plain;
+use phrases::plain;
 
 pub use page::Report;
 
@@ -75,7 +74,7 @@ pub fn report(report: &Report) -> Result<String, PictureError> {
                     (results::section(&page)?)
                     (measured::section(&page))
                     (models::section(&page)?)
-                    (poses::section(&page)?)
+                    (poses::section(&page))
                     (method::section(&page))
                 }
                 footer { p {

@@ -3,7 +3,7 @@
 use super::figures::difference;
 use super::page::Page;
 
-use crate::error::PictureError;
+use crate::chart::PictureError;
 use gearlash::outcome::{MODELS, deviation};
 use gearlash_files::numbers::difference_um;
 use maud::{Markup, html};

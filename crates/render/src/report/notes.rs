@@ -1,7 +1,7 @@
 //! What the statements about a gear say of each other.
 
 use super::page::Page;
-use super::words::symbol;
+use super::phrases::symbol;
 use gearlash::metrology::{AllRoundNote, Eccentricity, EccentricityNote, ThicknessStatements};
 use gearlash_files::numbers::fixed;
 use maud::{Markup, html};

@@ -7,7 +7,7 @@ use gearlash::gauge::{GradedReading, Unmeasured};
 use gearlash::outcome::{Agreement, AtDistance, Outcome};
 use gearlash_files::PairFile;
 
-/// What a report tells.
+/// What a report is of.
 #[derive(Debug, Clone, Copy)]
 pub struct Report<'a> {
     /// The pair as read.

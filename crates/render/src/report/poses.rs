@@ -1,11 +1,9 @@
 //! The poses with the least and the greatest backlash, drawn.
 
 use super::figures::not_on_paper;
-use super::inline::inline;
 use super::page::Page;
-use super::words::{material, pose};
-use crate::error::PictureError;
-use crate::{Snapshot, snapshot};
+use super::phrases::{material, pose};
+use crate::snapshot::{Snapshot, snapshot_in_page};
 use gearlash::mesh::Status;
 use gearlash::outcome::Found;
 use gearlash_files::numbers::{stated_distance, um};
@@ -17,35 +15,35 @@ const MOST_DRAWN: usize = 8;
 /// The pictures that have to be opened.
 const OTHERS: &str = "least backlash at the other centre distances";
 
-pub(super) fn section(page: &Page) -> Result<Markup, PictureError> {
+pub(super) fn section(page: &Page) -> Markup {
     let whole = &page.whole;
     let others = others(page);
-    Ok(html! {
+    html! {
         section id="poses" {
             h2 { "Worst poses" }
             @if whole.worst.is_none() { p { (nothing_drawn(page)) } }
             @if let Some(jammed) = whole.worst.filter(jams) {
-                (figure(page, "jammed", "Jammed, a tip in a root", jammed)?)
+                (figure(page, "jammed", "Jammed, a tip in a root", jammed))
             }
-            @if let Some(least) = whole.least { (figure(page, "least", "Least backlash", least)?) }
+            @if let Some(least) = whole.least { (figure(page, "least", "Least backlash", least)) }
             @if let Some(greatest) = whole.greatest {
-                (figure(page, "greatest", "Greatest backlash", greatest)?)
+                (figure(page, "greatest", "Greatest backlash", greatest))
             }
             @if let Some((most, loss)) = most_lost(page) {
-                (figure(page, "lost", &format!("Most lost to contact off the line of action, {} µm", um(Some(loss), 2)), most)?)
+                (figure(page, "lost", &format!("Most lost to contact off the line of action, {} µm", um(Some(loss), 2)), most))
             }
             @if whole.worst.is_some() { p.note { "Bars of length are true; the ratios beside them hold on the A4 sheet of " code { "gearlash snapshot" } "." } }
             @if !others.is_empty() {
                 details {
                     summary { "More: " (OTHERS) }
                     @for (number, least) in others.into_iter().enumerate() {
-                        (figure(page, &format!("least{}", number + 1), "Least backlash", least)?)
+                        (figure(page, &format!("least{}", number + 1), "Least backlash", least))
                     }
                 }
                 (not_on_paper(OTHERS))
             }
         }
-    })
+    }
 }
 
 fn nothing_drawn(page: &Page) -> &'static str {
@@ -93,16 +91,16 @@ fn others<'a>(page: &Page<'a>) -> Vec<Found<'a>> {
     }
 }
 
-fn figure(page: &Page, id: &str, what: &str, found: Found) -> Result<Markup, PictureError> {
+fn figure(page: &Page, id: &str, what: &str, found: Found) -> Markup {
     let run = &found.run.run;
     let swept = &found.pose.swept;
-    let picture = snapshot(&Snapshot {
+    let view = Snapshot {
         title: &page.report.pair.study.title,
         assembly: &run.assembly,
         pose: &swept.pose,
         material: run.material.name(),
         found: swept.found.as_ref(),
-    });
+    };
     let backlash = swept.backlash.map(|mm| format!(": {} µm", um(Some(mm), 2)));
     let words = format!(
         "{what}{}, {}, centre distance {} mm, {}.",
@@ -111,10 +109,10 @@ fn figure(page: &Page, id: &str, what: &str, found: Found) -> Result<Markup, Pic
         stated_distance(run.assembly.center_distance()),
         material(run.material)
     );
-    Ok(html! {
+    html! {
         figure.sheet tabindex="0" {
-            (PreEscaped(inline(&picture, id, &words)?))
+            (PreEscaped(snapshot_in_page(&view, id, &words)))
             figcaption { (words) }
         }
-    })
+    }
 }

@@ -2,8 +2,8 @@
 
 use super::figures::{charted, over_distance, revolutions};
 use super::page::Page;
-use super::words::material;
-use crate::error::PictureError;
+use super::phrases::material;
+use crate::chart::PictureError;
 use crate::viewer;
 use gearlash::outcome::{Found, Outcome};
 use gearlash::phases::phase_groups;

@@ -3,8 +3,8 @@
 use super::cycle::limit;
 use super::measured::sentence;
 use super::page::Page;
+use super::phrases::j_wt;
 use super::unproven;
-use super::words::j_wt;
 use gearlash::cycle::RemainingMatings;
 use gearlash::mesh::Method;
 use gearlash::outcome::{MODELS, deviation};

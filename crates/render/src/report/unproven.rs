@@ -1,14 +1,14 @@
 //! Poses that nothing vouches for: how many, which, why.
 
 use super::page::Page;
-use super::words::{material, plain, pose};
+use super::phrases::{material, plain, pose};
 use gearlash::outcome::Found;
 use gearlash_files::numbers::stated_distance;
 use gearlash_files::results::doubts;
 use maud::{Markup, html};
 
-/// Poses up to this many are told one by one (tuned: a screen).
-const MOST_TOLD: usize = 12;
+/// Poses up to this many are listed one by one (tuned: a screen).
+const MOST_LISTED: usize = 12;
 
 /// How many poses are not proven, in words; `None` where all are.
 pub(super) fn count(page: &Page) -> Option<String> {
@@ -47,15 +47,15 @@ pub(super) fn section(page: &Page) -> Markup {
                     "No table, curve or verdict of this page takes such a pose in; the values below are in doubt, and only here to be looked into."
                 }
                 ul {
-                    @for found in unproven.iter().take(MOST_TOLD) {
+                    @for found in unproven.iter().take(MOST_LISTED) {
                         li {
                             (pose(*found)) ", centre distance " (stated_distance(found.run.run.assembly.center_distance())) " mm, "
                             (material(found.run.run.material)) ": " (plain(&doubts(found.pose)))
                         }
                     }
                 }
-                @if unproven.len() > MOST_TOLD {
-                    p.note { (unproven.len() - MOST_TOLD) " more; " code { "gearlash simulate --format json" } " tells each pose’s." }
+                @if unproven.len() > MOST_LISTED {
+                    p.note { (unproven.len() - MOST_LISTED) " more; " code { "gearlash simulate --format json" } " tells each pose’s." }
                 }
             }
         }

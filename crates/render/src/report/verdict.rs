@@ -2,7 +2,7 @@
 
 use super::cycle::{limit, same_everywhere};
 use super::page::Page;
-use super::words::{band, few, j_wt, material, touching};
+use super::phrases::{band, few, j_wt, material, touching};
 use super::{cycle, unproven};
 use gearlash::outcome::{AtDistance, Found, Outcome};
 use gearlash::phases::failing_phases;

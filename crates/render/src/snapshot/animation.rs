@@ -3,20 +3,16 @@
 //! Without SMIL it shows its first frame. Rotations between two steps are interpolated; marks jump where
 //! another pair of teeth takes over.
 
-use super::contact_marks::{around, dot};
 use super::gears::lines_over;
-use super::motion::{course, motion, rotation};
-use super::subject::{MAIN, Snapshot, hatch, names};
+use super::subject::{MAIN, Snapshot, names};
+use super::turning::{course, motion, rotation};
 use super::turning::{metal, turns};
 use super::view::View;
 use super::{caption, main_view, pitch_chart};
-use crate::kit::labels::Occupied;
-use crate::kit::scale;
-use crate::kit::sheet::{GREY, INK, Spot, WIDTH, blank_sheet, text};
+use crate::kit::{Ids, Occupied, Spot, TextStyle, WIDTH, around, blank_sheet, dot, hatch, scale};
 use gearlash::gear::Side;
 use gearlash::mesh::{DrawnContact, PoseResult, Scene};
 use gearlash::pair::Member;
-use svg::node::Node;
 use svg::node::element::Group;
 
 const MEMBERS: [Member; 2] = [Member::Wheel, Member::Pinion];
@@ -39,8 +35,8 @@ pub fn animation(view: &Snapshot, steps: &[PoseResult]) -> String {
     ];
     let metal = metal(&first, &scenes, &main, &mut occupied);
     let over = lines_over(&first, &main, &Side::BOTH, Group::new(), &mut occupied);
-    for meeting in first.meetings() {
-        for point in [meeting.on_locked, meeting.on_free] {
+    for contact in first.meetings() {
+        for point in [contact.on_locked, contact.on_free] {
             occupied.frame(around(main.spot(point), 4.0));
         }
     }
@@ -56,7 +52,7 @@ pub fn animation(view: &Snapshot, steps: &[PoseResult]) -> String {
         Group::add,
     );
     let sheet = blank_sheet()
-        .add(hatch())
+        .add(hatch(&Ids::default()))
         .add(caption::draw(
             view,
             &first,
@@ -79,27 +75,27 @@ pub fn animation(view: &Snapshot, steps: &[PoseResult]) -> String {
 fn marks(scenes: &[Scene], view: &View) -> Group {
     let mut group = Group::new().set("clip-path", "url(#mesh-frame)");
     for side in Side::BOTH {
-        let meetings: Vec<Option<&DrawnContact>> = scenes
+        let contacts: Vec<Option<&DrawnContact>> = scenes
             .iter()
-            .map(|scene| scene.meetings().iter().find(|meeting| meeting.side == side))
+            .map(|scene| scene.meetings().iter().find(|contact| contact.side == side))
             .collect();
         for on_free in [true, false] {
-            let spots: Option<Vec<(Spot, [u32; 2])>> = meetings
+            let spots: Option<Vec<(Spot, [u32; 2])>> = contacts
                 .iter()
-                .map(|meeting| {
-                    let meeting = (*meeting)?;
+                .map(|contact| {
+                    let contact = (*contact)?;
                     let at = if on_free {
-                        meeting.on_free
+                        contact.on_free
                     } else {
-                        meeting.on_locked
+                        contact.on_locked
                     };
-                    let teeth = MEMBERS.map(|member| meeting.touch(member).tooth);
+                    let teeth = MEMBERS.map(|member| contact.touch(member).tooth);
                     Some((view.spot(at), teeth))
                 })
                 .collect();
-            let touching = meetings
+            let touching = contacts
                 .iter()
-                .all(|meeting| meeting.is_some_and(|meeting| meeting.turn == 0.0));
+                .all(|contact| contact.is_some_and(|contact| contact.turn == 0.0));
             // A side that is out of mesh at some step has no marks; one in contact needs one dot.
             if let Some(spots) = spots.filter(|_| !(touching && on_free)) {
                 let [x, y] = [0, 1].map(|axis| course(&spots, axis));
@@ -128,16 +124,8 @@ fn key() -> Group {
             242.0,
         ),
     ] {
-        let mut words = text(words, [x + left, y + 4.5], 13.0, true);
-        words.assign("fill", INK);
-        group = group.add(words);
+        group = group.add(TextStyle::new(13.0).text(words, [x + left, y + 4.5]));
     }
-    let mut note = text(
-        "animated in a browser; elsewhere its first frame. Rotations found at every sixtieth of the pitch, to scale",
-        [x, y + 29.5],
-        13.0,
-        true,
-    );
-    note.assign("fill", GREY);
-    group.add(note)
+    let note = "animated in a browser; elsewhere its first frame. Rotations found at every sixtieth of the pitch, to scale";
+    group.add(TextStyle::new(13.0).grey().text(note, [x, y + 29.5]))
 }

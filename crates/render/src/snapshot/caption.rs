@@ -1,13 +1,11 @@
-//! The words above the picture.
+//! The caption above a picture: title, mating, result.
 
 use super::subject::Snapshot;
-use crate::kit::labels;
-use crate::kit::sheet::{GREY, INK, text};
+use crate::kit::TextStyle;
 use gearlash::gear::Side;
 use gearlash::mesh::{Drawn, Scene, Status};
 use gearlash::pair::Mating;
 use gearlash_files::numbers::{bound_um, pitches_beyond, trimmed, um};
-use svg::node::Node;
 use svg::node::element::Group;
 
 /// Size below which a result is cut rather than set smaller.
@@ -16,26 +14,17 @@ const LEAST: f64 = 9.0;
 /// Title, mating and result, from `left` on and no wider than `room`.
 pub fn draw(view: &Snapshot, scene: &Scene, left: f64, room: f64) -> Group {
     let result = result_line(view, scene);
-    let size = f64::min(16.0, 16.0 * room / labels::width(&result, 16.0)).max(LEAST);
-    let result = labels::shortened(&result, size, room);
-    let mut result = text(&result, [left, 97.0], size, false);
-    result.assign("fill", INK);
+    let style = TextStyle::new(16.0).fitted(&result, room, LEAST);
+    let result = style.symbols(&style.shortened(&result, room), [left, 97.0]);
     heading(view, left, room).add(result)
 }
 
 /// Title and mating.
 pub fn heading(view: &Snapshot, left: f64, room: f64) -> Group {
-    let mut title = text(
-        &labels::shortened(view.title, 24.0, room),
-        [left, 46.0],
-        24.0,
-        true,
-    );
-    title.assign("font-weight", "bold");
-    let pose = labels::shortened(&pose_line(view), 16.0, room);
-    let mut pose = text(&pose, [left, 73.0], 16.0, true);
-    pose.assign("fill", GREY);
-    Group::new().add(title).add(pose)
+    let (title, pose) = (TextStyle::new(24.0).bold(), TextStyle::new(16.0).grey());
+    Group::new()
+        .add(title.text(&title.shortened(view.title, room), [left, 46.0]))
+        .add(pose.text(&pose.shortened(&pose_line(view), room), [left, 73.0]))
 }
 
 fn pose_line(view: &Snapshot) -> String {

@@ -1,17 +1,14 @@
-//! The curves that met: which, how they are told apart, and what belongs to a fillet's contact.
+//! Bands along the curves that touch: which curves, how they are distinguished, and what belongs to a fillet's contact.
 //!
 //! Each kind has a colour of its own lightness and a line style of its own, so that colour-blind readers
-//! and black-and-white print tell them apart.
+//! and black-and-white print distinguish them.
 
-use super::contact_marks::around;
 use super::view::{MARGIN, View};
-use crate::kit::clip;
-use crate::kit::labels::Occupied;
-use crate::kit::sheet::{Frame, GREY, INK, Spot, line, path_data};
+use crate::kit::{Frame, GREY, INK, Occupied, Spot, around, clip, diamond, line};
 use gearlash::gear::ProfilePart;
 use gearlash::mesh::{DrawnContact, Scene};
 use gearlash::pair::Member;
-use svg::node::element::{Group, Path};
+use svg::node::element::Group;
 
 /// Width of a band in the mesh zone and in an inset; the half of it on the metal's side shows, its
 /// outer part under the outline.
@@ -29,15 +26,15 @@ pub fn style(curve: ProfilePart) -> (&'static str, &'static str) {
     }
 }
 
-/// The bands of one meeting, on the metal's side of both outlines (clips `{id}-wheel-clip`, `{id}-pinion-clip`).
-pub fn bands(scene: &Scene, meeting: &DrawnContact, view: &View, id: &str, width: f64) -> Group {
+/// The bands of one contact, on the metal's side of both outlines (clips `{id}-wheel-clip`, `{id}-pinion-clip`).
+pub fn bands(scene: &Scene, contact: &DrawnContact, view: &View, id: &str, width: f64) -> Group {
     let wide = view.frame().grown(MARGIN);
     let mut group = Group::new();
     for member in [Member::Wheel, Member::Pinion] {
-        let touch = meeting.touch(member);
+        let touch = contact.touch(member);
         let (colour, dashes) = style(touch.curve);
         let placed = scene.placed(member);
-        let points = placed.curve(meeting.side, touch.tooth, touch.curve, view.chord());
+        let points = placed.curve(contact.side, touch.tooth, touch.curve, view.chord());
         let spots: Vec<Spot> = points.iter().map(|point| view.spot(*point)).collect();
         for run in clip::parts(&spots, &wide) {
             let clip = format!("url(#{id}-{}-clip)", member.name());
@@ -62,13 +59,13 @@ pub fn band(points: &[Spot], width: f64, colour: &str, dashes: &str) -> Group {
 /// action touches its base circle, beyond which there is no involute.
 pub fn limits(
     scene: &Scene,
-    meeting: &DrawnContact,
+    contact: &DrawnContact,
     view: &View,
     occupied: &mut Occupied,
 ) -> Group {
     let wide = view.frame().grown(MARGIN);
     let mut group = Group::new();
-    for member in below_form(meeting) {
+    for member in below_form(contact) {
         let placed = scene.placed(member);
         let radius = placed.as_built().gear().form_radius();
         for run in clip::runs(&view.arc(placed.centre(), radius), &wide) {
@@ -76,7 +73,7 @@ pub fn limits(
             group = group.add(line(&run, INK, 1.6).set("stroke-dasharray", FORM_DASH));
         }
     }
-    for spot in tangent_points(scene, meeting, view) {
+    for spot in tangent_points(scene, contact, view) {
         occupied.frame(around(spot, 6.0));
         group = group.add(diamond(spot));
     }
@@ -84,34 +81,24 @@ pub fn limits(
 }
 
 /// The gears on whose fillet or root the contact lies.
-pub fn below_form(meeting: &DrawnContact) -> Vec<Member> {
+pub fn below_form(contact: &DrawnContact) -> Vec<Member> {
     let members = [Member::Wheel, Member::Pinion].into_iter();
     members
-        .filter(|member| meeting.is_below_form_circle(*member))
+        .filter(|member| contact.is_below_form_circle(*member))
         .collect()
 }
 
 /// The base tangent points to show, those in view.
-pub fn tangent_points(scene: &Scene, meeting: &DrawnContact, view: &View) -> Vec<Spot> {
-    let Some(action) = scene.line_of_action(meeting.side) else {
+pub fn tangent_points(scene: &Scene, contact: &DrawnContact, view: &View) -> Vec<Spot> {
+    let Some(action) = scene.line_of_action(contact.side) else {
         return Vec::new();
     };
-    let members = below_form(meeting).into_iter();
+    let members = below_form(contact).into_iter();
     let ends = members.map(|member| action.ends[usize::from(member == Member::Pinion)]);
     let inner = view.frame().grown(-8.0);
     ends.map(|end| view.spot(end))
         .filter(|spot| inner.holds(&around(*spot, 0.0)))
         .collect()
-}
-
-/// The mark of a base tangent point.
-pub fn diamond([x, y]: Spot) -> Path {
-    let corners = [[x, y - 6.0], [x + 6.0, y], [x, y + 6.0], [x - 6.0, y]];
-    Path::new()
-        .set("d", path_data(&corners, true))
-        .set("fill", "white")
-        .set("stroke", INK)
-        .set("stroke-width", "1.60")
 }
 
 /// Sample of a band for the legend.

@@ -4,16 +4,14 @@ use super::caption;
 use super::main_view;
 use super::subject::{INSETS, MAIN, Snapshot, names};
 use super::view::{MARGIN, View};
-use crate::kit::clip;
-use crate::kit::labels::{self, Occupied};
-use crate::kit::sheet::{
-    Frame, GREY, INK, OVERLAP, PINION, Spot, WHEEL, WIDTH, blank_sheet, line, path_data, text,
+use crate::kit::{
+    Frame, INK, OVERLAP, Occupied, PINION, Spot, TextStyle, WHEEL, WIDTH, blank_sheet, clip, line,
+    number, path_data,
 };
 use gearlash::gear::Placed;
 use gearlash::mesh::Exaggeration;
 use gearlash::pair::Member;
 use gearlash_files::numbers::{rounded, um};
-use svg::node::Node;
 use svg::node::element::{ClipPath, Definitions, Group, Path, Use};
 
 /// Perfect teeth.
@@ -55,10 +53,8 @@ fn warning(gears: &Exaggeration) -> Group {
         "deviations × {}: not to scale · gears at their nominal rotation, not in contact",
         gears.factor()
     );
-    let mut words = text(&words, [MAIN.left, 97.0], 16.0, true);
-    words.assign("fill", "#a32014");
-    words.assign("font-weight", "bold");
-    Group::new().add(words)
+    let style = TextStyle::new(16.0).bold().colour("#a32014");
+    Group::new().add(style.text(&words, [MAIN.left, 97.0]))
 }
 
 /// The mesh zone: metal as exaggerated, perfect outlines dashed over it.
@@ -115,7 +111,7 @@ fn ghost_line(points: &[Spot], width: f64) -> Path {
         .set("d", path_data(points, true))
         .set("fill", "none")
         .set("stroke", OVERLAP)
-        .set("stroke-width", crate::kit::sheet::number(width))
+        .set("stroke-width", number(width))
         .set("stroke-dasharray", GHOST_DASH)
 }
 
@@ -131,13 +127,8 @@ fn whole(view: &Snapshot, gears: &Exaggeration, member: Member, tooth: u32, fram
     let scale = 0.5 * (square.height() - 16.0) / reach;
     let seen = View::new(square, drawn.axis(), scale);
     let name = member.name();
-    let mut title = text(
-        &format!("the whole {name}"),
-        [frame.left, frame.top - 9.0],
-        16.0,
-        false,
-    );
-    title.assign("font-weight", "bold");
+    let title = TextStyle::new(16.0).bold();
+    let title = title.text(&format!("the whole {name}"), [frame.left, frame.top - 9.0]);
     let mut group = Group::new().add(title).add(frame.border());
     for (placed, is_ghost) in [(&drawn, false), (&perfect, true)] {
         let rings =
@@ -209,10 +200,8 @@ fn whole(view: &Snapshot, gears: &Exaggeration, member: Member, tooth: u32, fram
     let (left, room) = (square.right + 8.0, frame.right - square.right - 16.0);
     let tops = [48.0, 70.0, 118.0, 138.0, 160.0, 182.0];
     for (row, top) in rows.iter().zip(tops) {
-        let size = f64::min(13.0, 13.0 * room / labels::width(row, 13.0).max(1.0));
-        let mut words = text(row, [left, frame.top + top], size, true);
-        words.assign("fill", INK);
-        group = group.add(words);
+        let style = TextStyle::new(13.0).fitted(row, room, 0.0);
+        group = group.add(style.text(row, [left, frame.top + top]));
     }
     group
 }
@@ -232,12 +221,8 @@ fn legend() -> Group {
             434.0,
         ),
     ] {
-        let mut words = text(words, [x + left, y + 4.5], 13.0, true);
-        words.assign("fill", INK);
-        group = group.add(words);
+        group = group.add(TextStyle::new(13.0).text(words, [x + left, y + 4.5]));
     }
     let note = "centre distance, rotations and the shape of each flank are to scale; where the flanks stand is not";
-    let mut note = text(note, [x, y + 29.5], 13.0, true);
-    note.assign("fill", GREY);
-    group.add(note)
+    group.add(TextStyle::new(13.0).grey().text(note, [x, y + 29.5]))
 }

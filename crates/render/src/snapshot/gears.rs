@@ -2,10 +2,9 @@
 
 use super::contact_bands;
 use super::view::{MARGIN, View};
-use crate::kit::clip;
-use crate::kit::labels::Occupied;
-use crate::kit::sheet::{
-    ACTION, GAP, GREY, INK, OVERLAP, PATH, PINION, Spot, WHEEL, line, path_data,
+use crate::kit::{
+    ACTION, GAP, GREY, INK, Ids, OVERLAP, Occupied, PATH, PINION, Spot, WHEEL, clip, line,
+    path_data,
 };
 use gearlash::gear::Side;
 use gearlash::mesh::{DrawnContact, Scene};
@@ -23,6 +22,8 @@ pub struct Gears {
 pub struct Look<'a> {
     /// Tells the definitions of one view from another's.
     pub id: &'a str,
+    /// Ids of the picture.
+    pub ids: &'a Ids,
     /// The sides whose lines of action are shown.
     pub sides: &'a [Side],
     /// Whether outlines are drawn over an overlap, or it over them.
@@ -36,7 +37,7 @@ pub struct Look<'a> {
 /// Outlines are stroked on their metal's side only, so that a
 /// gap keeps its true width; the overlap is the pinion's metal cut by the wheel's.
 pub fn draw(scene: &Scene, view: &View, look: &Look, occupied: &mut Occupied) -> Gears {
-    let id = look.id;
+    let (id, ids) = (look.id, look.ids);
     let frame = view.frame();
     let wide = frame.grown(MARGIN);
     let names = [Member::Wheel, Member::Pinion].map(|member| format!("{id}-{}", member.name()));
@@ -49,7 +50,7 @@ pub fn draw(scene: &Scene, view: &View, look: &Look, occupied: &mut Occupied) ->
     });
     let mut definitions = Definitions::new().add(
         ClipPath::new()
-            .set("id", format!("{id}-frame"))
+            .set("id", ids.of(&format!("{id}-frame")))
             .add(frame.rectangle()),
     );
     for (polygon, name) in metal.iter().zip(&names) {
@@ -57,22 +58,22 @@ pub fn draw(scene: &Scene, view: &View, look: &Look, occupied: &mut Occupied) ->
         definitions = definitions
             .add(
                 Path::new()
-                    .set("id", name.as_str())
+                    .set("id", ids.of(name))
                     .set("d", path_data(polygon, true)),
             )
             .add(
                 ClipPath::new()
-                    .set("id", format!("{name}-clip"))
-                    .add(Use::new().set("href", format!("#{name}"))),
+                    .set("id", ids.of(&format!("{name}-clip")))
+                    .add(Use::new().set("href", ids.href(name))),
             );
     }
     let mut group = Group::new()
-        .set("clip-path", format!("url(#{id}-frame)"))
+        .set("clip-path", ids.url(&format!("{id}-frame")))
         .add(definitions)
         .add(frame.rectangle().set("fill", "white"));
-    for meeting in scene.meetings() {
+    for contact in scene.meetings() {
         // The room's ends are cut at whole chords: a finer cut keeps them in place.
-        let room = scene.room_between(meeting, view.chord() / 16.0);
+        let room = scene.room_between(contact, view.chord() / 16.0);
         let room: Vec<Spot> = room.iter().map(|point| view.spot(*point)).collect();
         let room = clip::polygon(&room, &wide);
         if !room.is_empty() {
@@ -83,27 +84,33 @@ pub fn draw(scene: &Scene, view: &View, look: &Look, occupied: &mut Occupied) ->
             );
         }
     }
-    let metal_of = |name: &str| Use::new().set("href", format!("#{name}"));
+    let metal_of = |name: &str| Use::new().set("href", ids.href(name));
     for (name, fill) in names.iter().zip([WHEEL, PINION]) {
         group = group.add(metal_of(name).set("fill", fill));
     }
-    let shown = |meeting: &&DrawnContact| look.sides.contains(&meeting.side);
+    let shown = |contact: &&DrawnContact| look.sides.contains(&contact.side);
     let outlines = names.each_ref().map(|name| {
         metal_of(name)
             .set("fill", "none")
             .set("stroke", INK)
             .set("stroke-width", "2.40")
             .set("stroke-linejoin", "round")
-            .set("clip-path", format!("url(#{name}-clip)"))
+            .set("clip-path", ids.url(&format!("{name}-clip")))
     });
-    let overlap = [OVERLAP, "url(#hatch)"].map(|fill| {
+    let overlap = [OVERLAP.to_owned(), ids.url("hatch")].map(|fill| {
         metal_of(&names[1])
             .set("fill", fill)
-            .set("clip-path", format!("url(#{}-clip)", names[0]))
+            .set("clip-path", ids.url(&format!("{}-clip", names[0])))
     });
     let met = scene.meetings().iter().filter(shown);
-    let bands = met.fold(Group::new(), |bands, meeting| {
-        bands.add(contact_bands::bands(scene, meeting, view, id, look.band))
+    let bands = met.fold(Group::new(), |bands, contact| {
+        bands.add(contact_bands::bands(
+            scene,
+            contact,
+            view,
+            &ids.of(id),
+            look.band,
+        ))
     });
     let [outlines, overlap] =
         [outlines, overlap].map(|layers| layers.into_iter().fold(Group::new(), Group::add));
@@ -113,8 +120,8 @@ pub fn draw(scene: &Scene, view: &View, look: &Look, occupied: &mut Occupied) ->
     };
     group = layers.into_iter().fold(group, Group::add);
     group = lines_over(scene, view, look.sides, group, occupied);
-    for meeting in scene.meetings().iter().filter(shown) {
-        group = group.add(contact_bands::limits(scene, meeting, view, occupied));
+    for contact in scene.meetings().iter().filter(shown) {
+        group = group.add(contact_bands::limits(scene, contact, view, occupied));
     }
     Gears { group, metal }
 }

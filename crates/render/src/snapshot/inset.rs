@@ -5,15 +5,14 @@ use super::gears::Look;
 use super::main_view::centred;
 use super::view::View;
 use super::{contact_bands, gears, overlap_label};
-use crate::kit::labels::{self, Occupied};
-use crate::kit::scale;
-use crate::kit::sheet::{Frame, GREY, Spot, UNITS_PER_MM, text};
+use crate::kit::{
+    self, Frame, GREY, INK, Ids, Occupied, Spot, TextStyle, UNITS_PER_MM, clip, line, scale,
+};
 use gearlash::gear::Side;
 use gearlash::mesh::{Drawn, DrawnContact, Scene, Status, Touch};
 use gearlash_files::numbers::um;
 use nalgebra::{Point2, center};
-use svg::node::Node;
-use svg::node::element::{Element, Group, Rectangle};
+use svg::node::element::{Group, Rectangle};
 
 /// Greatest width of a gap in an inset, units of the sheet: with steps of 2 and 2.5 no gap is
 /// drawn narrower than 36, 9 mm of paper.
@@ -28,14 +27,14 @@ const GREATEST: f64 = 40_000.0;
 const SIZE: f64 = 14.0;
 
 /// The view of one contact in `frame`, for a main view at `main` units a millimetre.
-pub fn view(meeting: &DrawnContact, frame: Frame, main: f64) -> View {
-    let apart = (meeting.on_free - meeting.on_locked).norm();
-    let wanted = if meeting.turn != 0.0 {
+pub fn view(contact: &DrawnContact, frame: Frame, main: f64) -> View {
+    let apart = (contact.on_free - contact.on_locked).norm();
+    let wanted = if contact.turn != 0.0 {
         (GAP_WIDTH / apart).clamp(LEAST * main, GREATEST.max(LEAST * main))
     } else {
         ENLARGEMENT * main
     };
-    let middle: Point2<f64> = center(&meeting.on_locked, &meeting.on_free);
+    let middle: Point2<f64> = center(&contact.on_locked, &contact.on_free);
     View::new(
         frame,
         middle,
@@ -44,23 +43,24 @@ pub fn view(meeting: &DrawnContact, frame: Frame, main: f64) -> View {
 }
 
 /// The enlarged contact with its frame and the gears' names.
-pub fn draw(scene: &Scene, meeting: &DrawnContact, view: &View) -> Group {
+pub fn draw(scene: &Scene, contact: &DrawnContact, view: &View, ids: &Ids) -> Group {
     let mut occupied = Occupied::default();
-    let id = meeting.side.name();
+    let id = contact.side.name();
     let look = Look {
         id,
-        sides: &[meeting.side],
+        ids,
+        sides: &[contact.side],
         outlines_last: true,
         band: contact_bands::BANDS[1],
     };
     let gears = gears::draw(scene, view, &look, &mut occupied);
-    let mark = contact_marks::draw(meeting, view, IN_INSET, &mut occupied)
-        .set("clip-path", format!("url(#{id}-frame)"));
-    let label = overlap_label::draw(scene, meeting, view, &mut occupied);
+    let mark = contact_marks::draw(contact, view, IN_INSET, &mut occupied)
+        .set("clip-path", ids.url(&format!("{id}-frame")));
+    let label = overlap_label::draw(scene, contact, view, &mut occupied);
     let mut group = Group::new().add(gears.group).add(mark).add(label);
     let names = [
-        ("wheel", meeting.contact.wheel),
-        ("pinion", meeting.contact.pinion),
+        ("wheel", contact.contact.wheel),
+        ("pinion", contact.contact.pinion),
     ];
     let [wheel, pinion] = &gears.metal;
     for ((name, touch), metal) in names.iter().zip([[wheel, pinion], [pinion, wheel]]) {
@@ -84,10 +84,10 @@ pub fn empty(frame: Frame) -> Rectangle {
 }
 
 /// The words above an inset whose frame starts at `corner`.
-pub fn heading(scene: &Scene, side: Side, meeting: Option<&DrawnContact>, corner: Spot) -> Group {
+pub fn heading(scene: &Scene, side: Side, contact: Option<&DrawnContact>, corner: Spot) -> Group {
     let [left, top] = corner;
     let name = capital(side);
-    let (first, second) = match meeting {
+    let (first, second) = match contact {
         None => (
             format!("{name} flanks: no contact"),
             match scene.status() {
@@ -95,11 +95,11 @@ pub fn heading(scene: &Scene, side: Side, meeting: Option<&DrawnContact>, corner
                 _ => "out of mesh on this side".to_owned(),
             },
         ),
-        Some(meeting) => {
-            let gap = meeting.gap;
+        Some(contact) => {
+            let gap = contact.gap;
             let length = um(gap, 2);
             let first = match scene.drawn() {
-                _ if meeting.turn == 0.0 => format!("{name} flanks touch"),
+                _ if contact.turn == 0.0 => format!("{name} flanks touch"),
                 Drawn::AtContact(_) if gap > 0.0 => {
                     format!("{name} flanks: gap j_bn = {length} µm")
                 }
@@ -112,17 +112,16 @@ pub fn heading(scene: &Scene, side: Side, meeting: Option<&DrawnContact>, corner
             };
             let second = format!(
                 "{} on {}",
-                touch("wheel", &meeting.contact.wheel),
-                touch("pinion", &meeting.contact.pinion)
+                touch("wheel", &contact.contact.wheel),
+                touch("pinion", &contact.contact.pinion)
             );
             (first, second)
         }
     };
-    let mut first: Element = text(&first, [left, top - 27.0], 16.0, false);
-    first.assign("font-weight", "bold");
-    let mut second: Element = text(&second, [left, top - 9.0], 13.0, true);
-    second.assign("fill", GREY);
-    Group::new().add(first).add(second)
+    let (title, details) = (TextStyle::new(16.0).bold(), TextStyle::new(13.0).grey());
+    Group::new()
+        .add(title.symbols(&first, [left, top - 27.0]))
+        .add(details.text(&second, [left, top - 9.0]))
 }
 
 fn capital(side: Side) -> &'static str {
@@ -136,7 +135,7 @@ fn capital(side: Side) -> &'static str {
 fn place(name: &str, metal: [&Vec<Spot>; 2], view: &View, occupied: &Occupied) -> Option<Frame> {
     let inner = view.frame().grown(-8.0);
     let middle = view.frame().middle();
-    let size = labels::room(name, SIZE, middle);
+    let size = kit::room(name, SIZE, middle);
     let (dx, dy) = (0.5 * size.width(), 0.5 * size.height());
     let steps =
         |low: f64, high: f64| (0..=16).map(move |i| low + (high - low) * f64::from(i) / 16.0);
@@ -145,12 +144,12 @@ fn place(name: &str, metal: [&Vec<Spot>; 2], view: &View, occupied: &Occupied) -
         .filter(|spot| holds(metal[0], *spot) && !holds(metal[1], *spot))
         .collect();
     let far = |spot: &Spot| (spot[0] - middle[0]).hypot(spot[1] - middle[1]);
-    [16.0, 8.0, labels::CLEAR].into_iter().find_map(|clear| {
+    [16.0, 8.0, kit::CLEAR].into_iter().find_map(|clear| {
         let free = spots
             .iter()
-            .filter(|spot| occupied.is_clear(&labels::room(name, SIZE, **spot), clear));
+            .filter(|spot| occupied.is_clear(&kit::room(name, SIZE, **spot), clear));
         free.min_by(|a, b| far(a).total_cmp(&far(b)))
-            .map(|spot| labels::room(name, SIZE, *spot))
+            .map(|spot| kit::room(name, SIZE, *spot))
     })
 }
 
@@ -166,4 +165,60 @@ fn holds(polygon: &[Spot], [x, y]: Spot) -> bool {
         }
     }
     inside
+}
+
+/// What ties an inset to its place in the main view.
+#[derive(Debug, Clone, Copy)]
+pub struct Link {
+    /// What the inset shows, or a box of its shape round it where that would be too small to see.
+    shown: Frame,
+    inset: Frame,
+}
+
+impl Link {
+    /// Ties what `enlarged` shows to its place in `main`.
+    pub fn new(main: &View, enlarged: &View) -> Link {
+        let inset = *enlarged.frame();
+        let half = f64::max(0.5 * inset.width() * main.scale() / enlarged.scale(), 14.0);
+        let [x, y] = main.spot(enlarged.middle());
+        let rise = half * inset.height() / inset.width();
+        Link {
+            shown: Frame {
+                left: x - half,
+                top: y - rise,
+                right: x + half,
+                bottom: y + rise,
+            },
+            inset,
+        }
+    }
+
+    /// The box in the main view.
+    pub fn shown(&self) -> &Frame {
+        &self.shown
+    }
+
+    /// The box, and a leader to that place on the inset's side, of some from its middle outwards,
+    /// which it reaches across none of the `taken` rooms.
+    pub fn draw(&self, taken: &[Frame]) -> Group {
+        let from = self.shown.middle();
+        let leaders = [0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8, 0.1, 0.9].map(|part| {
+            let to = [self.inset.left, self.inset.top + part * self.inset.height()];
+            let along = [0, 1].map(|i| to[i] - from[i]);
+            let leave = f64::min(
+                0.5 * self.shown.width() / along[0].abs(),
+                0.5 * self.shown.height() / along[1].abs(),
+            );
+            [[0, 1].map(|i| from[i] + leave * along[i]), to]
+        });
+        let is_clear = |leader: &&[Spot; 2]| {
+            !taken
+                .iter()
+                .any(|room| clip::segment(leader[0], leader[1], &room.grown(6.0)).is_some())
+        };
+        let leader = leaders.iter().find(is_clear).unwrap_or(&leaders[0]);
+        Group::new()
+            .add(self.shown.border().set("stroke-width", "1.00"))
+            .add(line(leader, INK, 1.0))
+    }
 }

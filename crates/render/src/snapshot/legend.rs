@@ -2,23 +2,26 @@
 
 use super::contact_bands;
 use super::contact_bands::FORM_DASH;
-use super::contact_marks::{arrow, dot};
 use super::gears::{BASE_DASH, CENTRES_DASH, PITCH_DASH};
-use crate::kit::labels;
-use crate::kit::sheet::{ACTION, Frame, GAP, GREY, INK, OVERLAP, PATH, Spot, line, text};
+use crate::kit::{
+    ACTION, Frame, GAP, GREY, INK, Ids, OVERLAP, PATH, Spot, TextStyle, arrow, diamond, dot, line,
+};
 use gearlash::gear::ProfilePart;
-use svg::node::Node;
 use svg::node::element::Group;
 
 /// What holds of the printed sheet alone.
-pub const PAPER_NOTE: &str = "scales hold in print on A4";
+const PAPER_NOTE: &str = "scales hold in print on A4";
 
 /// Room for a sample, units of the sheet.
 const SAMPLE: f64 = 36.0;
 
+const WORDS: TextStyle = TextStyle::new(13.0);
+
 /// What of the things that are not in every picture is in this one.
 #[derive(Debug, Clone, Default)]
 pub struct Shown {
+    /// A sheet of its own, true to scale in print; in a page it has any size.
+    pub on_paper: bool,
     /// A gap.
     pub gap: bool,
     /// An overlap.
@@ -32,7 +35,8 @@ pub struct Shown {
 }
 
 /// Rows of samples with their names, no wider than `room`, the first sample's left end at `at`.
-pub fn draw(at: Spot, room: f64, shown: &Shown) -> Group {
+pub fn draw(at: Spot, room: f64, shown: &Shown, ids: &Ids) -> Group {
+    let hatch = ids.url("hatch");
     let dashed = |x: f64, y: f64, dash: &str| {
         Group::new().add(line(&[[x, y], [x + SAMPLE, y]], GREY, 1.1).set("stroke-dasharray", dash))
     };
@@ -82,10 +86,7 @@ pub fn draw(at: Spot, room: f64, shown: &Shown) -> Group {
             }),
         ),
         ("gap", Box::new(|x, y| swatch(x, y, &[GAP]))),
-        (
-            "overlap",
-            Box::new(|x, y| swatch(x, y, &[OVERLAP, "url(#hatch)"])),
-        ),
+        ("overlap", Box::new(|x, y| swatch(x, y, &[OVERLAP, &hatch]))),
         (
             "operating pitch circle",
             Box::new(|x, y| dashed(x, y, PITCH_DASH)),
@@ -94,7 +95,7 @@ pub fn draw(at: Spot, room: f64, shown: &Shown) -> Group {
         ("form circle", Box::new(|x, y| dashed(x, y, FORM_DASH))),
         (
             "base tangent point",
-            Box::new(|x, y| Group::new().add(contact_bands::diamond([x + 0.5 * SAMPLE, y]))),
+            Box::new(|x, y| Group::new().add(diamond([x + 0.5 * SAMPLE, y]))),
         ),
         (
             "line of centres",
@@ -125,20 +126,20 @@ pub fn draw(at: Spot, room: f64, shown: &Shown) -> Group {
     let mut group = Group::new();
     let [mut x, mut y] = at;
     for (name, sample) in &samples {
-        let width = SAMPLE + 8.0 + labels::width(name, 13.0);
+        let width = SAMPLE + 8.0 + WORDS.width(name);
         if x + width > at[0] + room {
             [x, y] = [at[0], y + 25.0];
         }
-        let mut words = text(name, [x + SAMPLE + 8.0, y + 4.5], 13.0, true);
-        words.assign("fill", INK);
+        let words = WORDS.text(name, [x + SAMPLE + 8.0, y + 4.5]);
         group = group.add(sample(x, y)).add(words);
         x += width + 16.0;
     }
-    if x + labels::width(PAPER_NOTE, 13.0) > at[0] + room {
+    if !shown.on_paper {
+        return group;
+    }
+    if x + WORDS.width(PAPER_NOTE) > at[0] + room {
         y += 25.0;
     }
-    let mut note = text(PAPER_NOTE, [at[0] + room, y + 4.5], 13.0, true);
-    note.assign("text-anchor", "end");
-    note.assign("fill", GREY);
-    group.add(note)
+    let note = WORDS.grey().end();
+    group.add(note.text(PAPER_NOTE, [at[0] + room, y + 4.5]))
 }

@@ -1,9 +1,7 @@
 //! The mesh zone: what it shows, and the tooth numbers in it.
 
 use super::view::View;
-use crate::kit::labels::{self, Occupied};
-use crate::kit::scale;
-use crate::kit::sheet::{Frame, INK, Spot, UNITS_PER_MM, text};
+use crate::kit::{self, Frame, Occupied, Spot, TextStyle, UNITS_PER_MM, scale};
 use gearlash::gear::Side;
 use gearlash::mesh::Scene;
 use gearlash::pair::Member;
@@ -38,18 +36,18 @@ pub fn view(scene: &Scene, frame: Frame) -> View {
     };
     include(Point2::new(wheel.root_radius(), 0.0));
     include(Point2::new(distance - pinion.root_radius(), 0.0));
-    for meeting in scene.meetings() {
-        include(meeting.on_locked);
-        include(meeting.on_free);
+    for contact in scene.meetings() {
+        include(contact.on_locked);
+        include(contact.on_free);
     }
     for action in Side::BOTH
         .iter()
         .filter_map(|side| scene.line_of_action(*side))
     {
         action.path.iter().flatten().copied().for_each(&mut include);
-        let meetings = scene.meetings().iter();
-        for meeting in meetings.filter(|meeting| meeting.side == action.side) {
-            let is_limit = [Member::Wheel, Member::Pinion].map(|m| meeting.is_below_form_circle(m));
+        let contacts = scene.meetings().iter();
+        for contact in contacts.filter(|contact| contact.side == action.side) {
+            let is_limit = [Member::Wheel, Member::Pinion].map(|m| contact.is_below_form_circle(m));
             let ends = action.ends.into_iter().zip(is_limit);
             // Tangent points of large gears lie too far off to be worth the smaller scale.
             let is_near = |end: &Point2<f64>| (end - middle).norm() <= NEAR * module;
@@ -100,7 +98,7 @@ pub fn tooth_numbers(
             let outward = unit(placed.direction(tooth));
             let across = Vector2::new(-outward.y, outward.x) * (beside * SIZE / view.scale());
             let at = placed.centre() + ring * outward + across;
-            let room = labels::room(&tooth.to_string(), SIZE, view.spot(at));
+            let room = kit::room(&tooth.to_string(), SIZE, view.spot(at));
             (inside.holds(&room) && occupied.is_free(&room)).then_some(room)
         };
         let fitting = |ring: f64, occupied: &Occupied| {
@@ -136,13 +134,9 @@ pub fn tooth_numbers(
 /// A text in the middle of its room.
 pub fn centred(content: &str, room: &Frame, size: f64, bold: bool) -> svg::node::element::Element {
     let at: Spot = [0.5 * (room.left + room.right), room.bottom];
-    let mut element = text(content, at, size, true);
-    element.assign("text-anchor", "middle");
-    element.assign("fill", INK);
-    if bold {
-        element.assign("font-weight", "bold");
-    }
-    element
+    let style = TextStyle::new(size).middle();
+    let style = if bold { style.bold() } else { style };
+    style.text(content, at)
 }
 
 fn unit(angle: f64) -> Vector2<f64> {

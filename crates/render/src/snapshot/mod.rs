@@ -8,9 +8,7 @@ mod exaggerated;
 mod gears;
 mod inset;
 mod legend;
-mod link;
 mod main_view;
-mod motion;
 mod overlap_label;
 mod picture;
 mod pitch_chart;
@@ -20,6 +18,6 @@ mod view;
 
 pub use animation::animation;
 pub use exaggerated::exaggerated;
-pub(crate) use legend::PAPER_NOTE;
 pub use picture::snapshot;
+pub(crate) use picture::snapshot_in_page;
 pub use subject::Snapshot;

@@ -1,51 +1,43 @@
 //! How deep an overlap is and how large, written beside it.
 
 use super::view::View;
-use crate::kit::clip;
-use crate::kit::labels::{self, Occupied};
-use crate::kit::sheet::{Frame, INK, Spot, line, text};
+use crate::kit::{self, Frame, HATCH, Occupied, Spot, TextStyle, clip, line};
 use gearlash::mesh::{Drawn, DrawnContact, Scene};
 use gearlash_files::numbers::{significant, um};
-use svg::node::Node;
 use svg::node::element::Group;
 
-/// Text size.
-const SIZE: f64 = 13.0;
-/// Colour of the box's edge: an overlap's hatching.
-const EDGE: &str = "#5a0d05";
+const STYLE: TextStyle = TextStyle::new(13.0);
 
-/// The label of the overlap at `meeting`, if there is one, with a leader to it; takes its room in `occupied`.
-pub fn draw(scene: &Scene, meeting: &DrawnContact, view: &View, occupied: &mut Occupied) -> Group {
-    let Some(overlap) = scene.overlap(meeting) else {
+/// The label of the overlap at `contact`, if there is one, with a leader to it; takes its room in `occupied`.
+pub fn draw(scene: &Scene, contact: &DrawnContact, view: &View, occupied: &mut Occupied) -> Group {
+    let Some(overlap) = scene.overlap(contact) else {
         return Group::new();
     };
     let mut rows = Vec::new();
     if let Drawn::AtContact(_) = scene.drawn() {
-        rows.push(format!("depth {} µm", um(-meeting.along_normal, 2)));
+        rows.push(format!("depth {} µm", um(-contact.along_normal, 2)));
     }
     rows.push(format!("area {} mm²", significant(overlap.area)));
-    let width = rows.iter().map(|row| labels::width(row, SIZE));
+    let width = rows.iter().map(|row| STYLE.width(row));
     let width = width.fold(0.0, f64::max) + 12.0;
     let height = 18.0 * rows.len() as f64 + 6.0;
     let seen: Vec<Spot> = overlap.outline.iter().map(|p| view.spot(*p)).collect();
     let seen = clip::polygon(&seen, &view.frame().grown(-8.0));
-    let target = amidst(&seen, view.frame()).unwrap_or(view.spot(meeting.on_locked));
+    let target = amidst(&seen, view.frame()).unwrap_or(view.spot(contact.on_locked));
     let Some((room, leader)) = place([width, height], target, view.frame(), occupied) else {
         return Group::new();
     };
     occupied.frame(room);
     occupied.line(&leader);
-    let mut group = Group::new().add(line(&leader, EDGE, 1.2)).add(
+    let mut group = Group::new().add(line(&leader, HATCH, 1.2)).add(
         room.rectangle()
             .set("fill", "white")
-            .set("stroke", EDGE)
+            .set("stroke", HATCH)
             .set("stroke-width", "1.00"),
     );
     for (row, i) in rows.iter().zip(0u32..) {
         let at = [room.left + 6.0, room.top + 16.0 + 18.0 * f64::from(i)];
-        let mut words = text(row, at, SIZE, true);
-        words.assign("fill", INK);
-        group = group.add(words);
+        group = group.add(STYLE.text(row, at));
     }
     group
 }
@@ -103,7 +95,7 @@ fn place(
         far(room) > 12.0 && occupied.is_clear(room, clear) && !occupied.crosses_frame(&leader(room))
     };
     let rooms: Vec<Frame> = rooms.collect();
-    [10.0, labels::CLEAR].into_iter().find_map(|clear| {
+    [10.0, kit::CLEAR].into_iter().find_map(|clear| {
         let fitting = rooms.iter().filter(|room| free(room, clear));
         fitting
             .min_by(|a, b| far(a).total_cmp(&far(b)))

@@ -5,57 +5,63 @@
 
 use super::contact_marks::{self, IN_MAIN};
 use super::gears::Look;
+use super::inset::Link;
 use super::legend::Shown;
-use super::link::Link;
-use super::subject::{INSETS, MAIN, Snapshot, hatch, names};
+use super::subject::{INSETS, MAIN, Snapshot, names};
 use super::view::View;
 use super::{caption, contact_bands, gears, inset, legend, main_view};
-use crate::kit::labels::Occupied;
-use crate::kit::scale;
-use crate::kit::sheet::{Frame, WIDTH, blank_sheet};
+use crate::kit::{Frame, Ids, Occupied, WIDTH, blank_sheet, hatch, scale};
 use gearlash::gear::Side;
 use gearlash::mesh::{DrawnContact, Scene, Status};
 use gearlash::pair::Member;
-use svg::node::element::Group;
+use svg::node::element::{Group, SVG};
 
-/// Both sides' lines of action; a thin overlap shows over the outlines.
-const MESH: Look = Look {
-    id: "mesh",
-    sides: &Side::BOTH,
-    outlines_last: false,
-    band: contact_bands::BANDS[0],
-};
-/// The SVG text of a snapshot.
+/// The SVG text of a snapshot, a sheet of its own.
 pub fn snapshot(view: &Snapshot) -> String {
+    format!("{}\n", draw(view, &Ids::default(), true))
+}
+
+/// The same as a part of a page: its ids begin with `prefix`, screen readers call it `label`.
+pub fn snapshot_in_page(view: &Snapshot, prefix: &str, label: &str) -> String {
+    let picture = draw(view, &Ids::in_page(prefix), false);
+    let picture = picture.set("role", "img").set("aria-label", label);
+    format!("{picture}\n")
+}
+
+fn draw(view: &Snapshot, ids: &Ids, on_paper: bool) -> SVG {
     let scene = view.scene();
     let main = main_view::view(&scene, MAIN);
     let mut occupied = Occupied::default();
+    // Both sides' lines of action; a thin overlap shows over the outlines.
     let look = Look {
+        id: "mesh",
+        ids,
+        sides: &Side::BOTH,
         outlines_last: scene.status() == Status::Jammed,
-        ..MESH
+        band: contact_bands::BANDS[0],
     };
     let drawn = gears::draw(&scene, &main, &look, &mut occupied);
-    let mut over = Group::new().set("clip-path", "url(#mesh-frame)");
+    let mut over = Group::new().set("clip-path", ids.url("mesh-frame"));
     let mut links = Vec::new();
     let mut insets = Group::new();
-    for (meeting, side, frame) in slots(&scene, &main) {
+    for (contact, side, frame) in slots(&scene, &main) {
         insets = insets.add(inset::heading(
             &scene,
             side,
-            meeting,
+            contact,
             [frame.left, frame.top],
         ));
-        let Some(meeting) = meeting else {
+        let Some(contact) = contact else {
             insets = insets.add(inset::empty(frame));
             continue;
         };
-        let enlarged = inset::view(meeting, frame, main.scale());
+        let enlarged = inset::view(contact, frame, main.scale());
         let link = Link::new(&main, &enlarged);
         occupied.border(*link.shown());
         links.push(link);
-        over = over.add(contact_marks::draw(meeting, &main, IN_MAIN, &mut occupied));
+        over = over.add(contact_marks::draw(contact, &main, IN_MAIN, &mut occupied));
         insets = insets
-            .add(inset::draw(&scene, meeting, &enlarged))
+            .add(inset::draw(&scene, contact, &enlarged, ids))
             .add(scale::bar(
                 [frame.left, frame.bottom + 16.0],
                 enlarged.scale(),
@@ -71,9 +77,12 @@ pub fn snapshot(view: &Snapshot) -> String {
     let links = links
         .iter()
         .fold(Group::new(), |group, link| group.add(link.draw(&taken)));
-    let shown = shown(&scene, &main);
-    let sheet = blank_sheet()
-        .add(hatch())
+    let shown = Shown {
+        on_paper,
+        ..shown(&scene, &main)
+    };
+    blank_sheet()
+        .add(hatch(ids))
         .add(caption::draw(
             view,
             &scene,
@@ -93,8 +102,8 @@ pub fn snapshot(view: &Snapshot) -> String {
             [MAIN.left, 772.0],
             WIDTH - 2.0 * MAIN.left,
             &shown,
-        ));
-    format!("{sheet}\n")
+            ids,
+        ))
 }
 
 /// Each side with its contact and the frame it gets: the higher contact the upper frame.
@@ -103,7 +112,7 @@ fn slots<'s>(scene: &'s Scene, main: &View) -> Vec<(Option<&'s DrawnContact>, Si
         .into_iter()
         .map(|side| {
             (
-                scene.meetings().iter().find(|meeting| meeting.side == side),
+                scene.meetings().iter().find(|contact| contact.side == side),
                 side,
             )
         })
@@ -116,25 +125,26 @@ fn slots<'s>(scene: &'s Scene, main: &View) -> Vec<(Option<&'s DrawnContact>, Si
     sides
         .into_iter()
         .zip(INSETS)
-        .map(|((meeting, side), frame)| (meeting, side, frame))
+        .map(|((contact, side), frame)| (contact, side, frame))
         .collect()
 }
 
 /// What the legend must explain.
 fn shown(scene: &Scene, main: &View) -> Shown {
-    let meetings = scene.meetings();
+    let contacts = scene.meetings();
     let members = [Member::Wheel, Member::Pinion];
-    let touches = meetings
+    let touches = contacts
         .iter()
         .flat_map(|m| members.map(|member| m.touch(member)));
     Shown {
-        gap: meetings.iter().any(|meeting| meeting.gap > 0.0),
+        on_paper: true,
+        gap: contacts.iter().any(|contact| contact.gap > 0.0),
         overlap: matches!(scene.status(), Status::Interference | Status::Jammed),
         met: touches.map(|touch| touch.curve).collect(),
-        form: meetings
+        form: contacts
             .iter()
             .any(|m| !contact_bands::below_form(m).is_empty()),
-        tangent: meetings
+        tangent: contacts
             .iter()
             .any(|m| !contact_bands::tangent_points(scene, m, main).is_empty()),
     }

@@ -1,12 +1,10 @@
 //! `j_wt` over a pitch as a small chart.
 
-use super::contact_marks::dot;
-use super::motion::{course, motion};
 use super::subject::INSETS;
-use crate::kit::sheet::{Frame, GREY, INK, PATH, Spot, line, text};
+use super::turning::{course, motion};
+use crate::kit::{Anchor, Frame, GREY, INK, PATH, Spot, TextStyle, dot, line};
 use gearlash::mesh::{PoseResult, Status};
 use gearlash_files::numbers::um;
-use svg::node::Node;
 use svg::node::element::Group;
 
 /// The chart's frame.
@@ -28,19 +26,12 @@ fn no_value(steps: &[PoseResult]) -> &'static str {
 pub fn draw(steps: &[PoseResult]) -> Group {
     let values: Vec<Option<f64>> = steps.iter().map(|step| step.backlash).collect();
     let found = || values.iter().flatten().copied();
-    let mut title = text(
-        "j_wt in µm over a pitch",
-        [CHART.left, CHART.top - 14.0],
-        16.0,
-        false,
-    );
-    title.assign("font-weight", "bold");
+    let title = TextStyle::new(16.0).bold();
+    let title = title.symbols("j_wt in µm over a pitch", [CHART.left, CHART.top - 14.0]);
     let mut group = Group::new().add(title).add(CHART.border());
-    let label = |words: &str, at: Spot, anchor: &str| {
-        let mut words = text(words, at, 13.0, true);
-        words.assign("text-anchor", anchor);
-        words.assign("fill", GREY);
-        words
+    let label = |words: &str, at: Spot, anchor: Anchor| {
+        let style = TextStyle::new(13.0).grey();
+        style.anchored(anchor).text(words, at)
     };
     for (words, part) in [("0", 0.0), ("½", 0.5), ("1 pitch", 1.0)] {
         let x = CHART.left + part * CHART.width();
@@ -53,12 +44,16 @@ pub fn draw(steps: &[PoseResult]) -> Group {
             .add(label(
                 words,
                 [x, CHART.bottom + 20.0],
-                if part == 1.0 { "end" } else { "middle" },
+                if part == 1.0 {
+                    Anchor::End
+                } else {
+                    Anchor::Middle
+                },
             ));
     }
     let (Some(least), Some(most)) = (found().reduce(f64::min), found().reduce(f64::max)) else {
         let [x, y] = CHART.middle();
-        return group.add(label(no_value(steps), [x, y], "middle"));
+        return group.add(label(no_value(steps), [x, y], Anchor::Middle));
     };
     // At least a tenth of a micrometre, below which the labels would all be alike.
     let room = f64::max(0.15 * (most - least), 5e-5);
@@ -78,7 +73,11 @@ pub fn draw(steps: &[PoseResult]) -> Group {
                 line(&[[CHART.left, y], [CHART.right, y]], GREY, 0.8)
                     .set("stroke-dasharray", "2 4"),
             )
-            .add(label(&um(value, 2), [CHART.left - 12.0, y + 4.5], "end"));
+            .add(label(
+                &um(value, 2),
+                [CHART.left - 12.0, y + 4.5],
+                Anchor::End,
+            ));
     }
     let last = (values.len() - 1) as f64;
     let spots: Vec<Option<Spot>> = values

@@ -1,10 +1,9 @@
 //! What a snapshot is of, and where things stand on its sheet.
 
-use crate::kit::sheet::{Frame, line, text};
+use crate::kit::{Frame, TextStyle};
 use gearlash::mesh::{LostMotion, Scene, Unproven};
 use gearlash::pair::{GearPair, Member, Pose};
-use svg::node::Node;
-use svg::node::element::{Definitions, Group, Pattern};
+use svg::node::element::Group;
 
 /// What a snapshot shows.
 #[derive(Debug, Clone, Copy)]
@@ -67,31 +66,8 @@ pub fn names(scene: &Scene) -> Group {
             scene.assembly().gear(member).gear().basic_data().teeth()
         )
     };
-    let wheel = text(
-        &name(Member::Wheel),
-        [MAIN.left, MAIN.top - 8.0],
-        14.0,
-        true,
-    );
-    let mut pinion = text(
-        &name(Member::Pinion),
-        [MAIN.right, MAIN.top - 8.0],
-        14.0,
-        true,
-    );
-    pinion.assign("text-anchor", "end");
+    let (style, y) = (TextStyle::new(14.0), MAIN.top - 8.0);
+    let wheel = style.text(&name(Member::Wheel), [MAIN.left, y]);
+    let pinion = style.end().text(&name(Member::Pinion), [MAIN.right, y]);
     Group::new().add(wheel).add(pinion)
-}
-
-/// Dark diagonal lines, so that an overlap shows without colour.
-pub fn hatch() -> Definitions {
-    Definitions::new().add(
-        Pattern::new()
-            .set("id", "hatch")
-            .set("width", "6")
-            .set("height", "6")
-            .set("patternUnits", "userSpaceOnUse")
-            .set("patternTransform", "rotate(45)")
-            .add(line(&[[0.0, 3.0], [6.0, 3.0]], "#5a0d05", 1.4)),
-    )
 }

@@ -1,6 +1,6 @@
 //! A window onto the gears: which millimetres a frame of the sheet shows, and how large.
 
-use crate::kit::sheet::{Frame, Spot};
+use crate::kit::{Frame, Spot};
 use nalgebra::{Point2, Vector2};
 use std::f64::consts::{PI, TAU};
 
@@ -59,7 +59,7 @@ impl View {
         ]
     }
 
-    /// The arc of a circle that may be in view, as points no chord of which can be told from it.
+    /// The arc of a circle that may be in view, as points whose chords cannot be distinguished from it.
     pub fn arc(&self, centre: Point2<f64>, radius: f64) -> Vec<Spot> {
         let to_middle = self.middle - centre;
         let (distance, reach) = (to_middle.norm(), self.reach());

@@ -5,7 +5,6 @@ mod layout;
 mod measured;
 mod phases;
 mod simulation;
-mod unproven;
 
 pub(crate) use layout::{finish, table, where_it_is};
 pub use simulation::simulation;

@@ -3,7 +3,6 @@
 use super::layout::{finish, table, where_it_is};
 use super::measured::{measured_count, measured_table};
 use super::phases::phase_table;
-use super::unproven;
 use gearlash::compare::{ComparedPose, Verdict};
 use gearlash::measured::MeasuredMating;
 use gearlash::mesh::Contact;
@@ -12,6 +11,7 @@ use gearlash::study::Study;
 use gearlash::tally::{MOST_LISTED, RunTally};
 use gearlash_files::characters::plain;
 use gearlash_files::numbers::{NONE, distance, order_um, um_ascii};
+use gearlash_files::results::doubts;
 
 /// The text `simulate` prints.
 pub fn simulation(study: &Study, runs: &[RunTally], measured: &[MeasuredMating]) -> String {
@@ -35,7 +35,7 @@ pub fn simulation(study: &Study, runs: &[RunTally], measured: &[MeasuredMating])
         text += &phase_table(group);
     }
     text += &off_line_note(runs);
-    text += &unproven::note(runs);
+    text += &unproven_note(runs);
     text
 }
 
@@ -149,4 +149,40 @@ fn off_line_note(runs: &[RunTally]) -> String {
     format!(
         "\nIn {off} of {total} poses a tooth corner, fillet or root touches off the line of action: the pair has less backlash there than model 3 says.\n"
     )
+}
+
+/// Poses up to this many are listed one by one (tuned: a screen).
+const MOST_NAMED: usize = 10;
+
+/// How many poses of `runs` are not proven, and the first of them, each on a line; nothing where all are proven.
+fn unproven_note(runs: &[RunTally]) -> String {
+    let poses: usize = runs.iter().map(|run| run.poses).sum();
+    let count: usize = runs.iter().map(|run| run.unproven).sum();
+    let of_run = |run| move |pose| (run, pose);
+    let first = runs
+        .iter()
+        .flat_map(|run: &RunTally| run.first_unproven.iter().map(of_run(run)));
+    if count == 0 {
+        return String::new();
+    }
+    let mut text = format!(
+        "\nUNPROVEN: {count} of {poses} poses. No number above takes them in, and nobody knows whether the pair \
+         has backlash there.\n"
+    );
+    for (run, pose) in first.take(MOST_NAMED) {
+        text += &format!(
+            "  a = {} mm, {}, {}: {}\n",
+            distance(run.assembly.center_distance()),
+            run.material.name(),
+            where_it_is(pose),
+            doubts(pose)
+        );
+    }
+    if count > MOST_NAMED {
+        text += &format!(
+            "  … and {} more: --format json has all\n",
+            count - MOST_NAMED
+        );
+    }
+    text
 }

@@ -6,7 +6,7 @@
 use super::columns::{degrees, free_rotation, outlines};
 use super::marks::{axis, circle, line, marks, numbers};
 use super::precision::Precision;
-use crate::kit::sheet::{INK, OVERLAP, PINION, WHEEL};
+use crate::kit::{INK, OVERLAP, PINION, WHEEL};
 use gearlash::compare::{ComparedPose, ComparedRun};
 use gearlash::gear::{AsBuilt, Placed, Side};
 use gearlash::pair::{GearPair, Member};

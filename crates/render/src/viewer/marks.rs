@@ -3,7 +3,7 @@
 use super::columns::degrees;
 use super::contacts::{normal_degrees, touching};
 use super::precision::Precision;
-use crate::kit::sheet::{ACTION, GREY, INK};
+use crate::kit::{ACTION, GREY, INK};
 use gearlash::compare::ComparedPose;
 use gearlash::gear::{Placed, Side};
 use gearlash::mesh::{LostMotion, Status};

@@ -4,48 +4,50 @@ use gearlash_render::chart::Plot;
 use roxmltree::{Document, Node};
 
 /// Colours of the looks (Okabe and Ito's blue and vermillion; ink).
-pub const RIGHT: &str = "#0072B2";
-pub const LEFT: &str = "#D55E00";
-pub const INK: &str = "#1B1F24";
+pub const RIGHT: &str = "#0072b2";
+pub const LEFT: &str = "#d55e00";
+pub const INK: &str = "#1b1f24";
 
 /// Half a pixel at 800 px.
 pub const HALF: f64 = 0.5;
 
-/// The factor of the group that all marks stand in.
-fn scale(document: &Document) -> f64 {
-    let group = document.descendants().find(|node| node.has_tag_name("g"));
-    let transform = group.unwrap().attribute("transform").unwrap();
-    let factor = transform.strip_prefix("scale(").unwrap();
-    factor.strip_suffix(')').unwrap().parse().unwrap()
+fn number(node: Node, name: &str) -> f64 {
+    node.attribute(name).unwrap().parse().unwrap()
 }
 
-fn pairs(node: Node, scale: f64) -> Vec<(f64, f64)> {
-    let points = node.attribute("points").unwrap().split_whitespace();
-    points
-        .map(|point| {
-            let (x, y) = point.split_once(',').unwrap();
-            let number = |text: &str| text.parse::<f64>().unwrap() * scale;
-            (number(x), number(y))
-        })
-        .collect()
+fn points(data: &str) -> Vec<(f64, f64)> {
+    let points = data.trim_start_matches('M').split('L');
+    let pair = |point: &str| {
+        let (x, y) = point.split_once(' ').unwrap();
+        (x.parse().unwrap(), y.parse().unwrap())
+    };
+    points.map(pair).collect()
 }
 
-/// Points of every polyline of a colour, units of the `viewBox`, in the order of drawing.
+/// Lines, and bars as round their corners from the lower left one on.
+fn line(node: Node) -> Vec<(f64, f64)> {
+    if node.has_tag_name("path") {
+        return points(node.attribute("d").unwrap());
+    }
+    let [x, y, width, height] = ["x", "y", "width", "height"].map(|name| number(node, name));
+    let (left, right, top, bottom) = (x, x + width, y, y + height);
+    vec![(left, bottom), (right, bottom), (right, top), (left, top)]
+}
+
+/// Points of every line of a colour, units of the `viewBox`, in the order of drawing.
 pub fn polylines(document: &Document, colour: &str) -> Vec<Vec<(f64, f64)>> {
-    let scale = scale(document);
-    let lines = document
-        .descendants()
-        .filter(|node| node.has_tag_name("polyline") && node.attribute("stroke") == Some(colour));
-    lines.map(|line| pairs(line, scale)).collect()
+    let lines = document.descendants().filter(|node| {
+        node.attribute("stroke") == Some(colour)
+            && (node.has_tag_name("path") || node.has_tag_name("rect"))
+    });
+    lines.map(line).collect()
 }
 
 /// Centres of the filled circles of a colour, units of the `viewBox`.
 pub fn circles(document: &Document, colour: &str) -> Vec<(f64, f64)> {
-    let scale = scale(document);
     let circles = document
         .descendants()
         .filter(|node| node.has_tag_name("circle") && node.attribute("fill") == Some(colour));
-    let number = |node: Node, name| node.attribute(name).unwrap().parse::<f64>().unwrap() * scale;
     circles
         .map(|node| (number(node, "cx"), number(node, "cy")))
         .collect()

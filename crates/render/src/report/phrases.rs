@@ -1,4 +1,4 @@
-//! How bands, symbols and the user's words get into the page.
+//! Phrases and symbols that sections share: how bands, symbols and the user's words get into the page.
 
 use gearlash::mesh::Contact;
 use gearlash::outcome::Found;

@@ -1,7 +1,8 @@
-//! Numbers and phrases that several charts share.
+//! Captions, axes and legends that several charts share.
 
 use super::paint::Look;
-use super::panel::{Anchor, Axis, Entry, Mark, Panel, Sample};
+use super::panel::{Entry, Mark, Panel, Sample};
+use crate::kit::{Anchor, Axis};
 use gearlash::curves::{Course, CourseLine};
 use gearlash::mesh::Status;
 
@@ -18,7 +19,7 @@ pub(super) fn course_axis(course: &Course) -> Axis {
 }
 
 /// Centre distance, start and phase of a course.
-pub(super) fn course_words(course: &Course) -> String {
+pub(super) fn course_caption(course: &Course) -> String {
     let over = match course.teeth {
         Some(teeth) if course.span[1] - course.span[0] >= f64::from(teeth) => {
             "one wheel revolution".to_owned()
@@ -96,7 +97,7 @@ pub(super) fn empty(x: Axis, words: &str) -> Panel {
 }
 
 /// How many poses are not proven, at the head of a caption, where nothing cuts it off; nothing where all are.
-pub(super) fn unproven_words(poses: usize) -> String {
+pub(super) fn unproven_note(poses: usize) -> String {
     match poses {
         0 => String::new(),
         1 => "1 pose unproven, not drawn · ".to_owned(),

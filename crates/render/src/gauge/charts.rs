@@ -1,0 +1,317 @@
+//! The readings as charts, one a gauge: what each tooth reads less the mean.
+//!
+//! Each says what gear it is of, how its teeth are numbered, where its zero stands, and, where there is an accuracy
+//! grade, between which lines that grade wants the values.
+
+use super::lengths::{ByTooth, Length, lengths};
+use crate::chart::{
+    BarPanel, BarSeries, Heading, Limits, LineAxes, LineSeries, Look, PictureError, bar_panels,
+    lines,
+};
+use gearlash::gauge::{GradedReading, PitchAxis, PitchReadings, RollPose, RunoutReadings};
+use gearlash::gear::{Grade, GradedQuantity, Side};
+use gearlash_files::numbers::{fixed, rounded, um};
+use gearlash_files::results::gauge::{GaugedGear, Reading};
+
+/// Below this, µm, values are level: far below what a gauge in a shop tells, far above the rounding of readings. Axes
+/// are a hundred times as high at least.
+const LEVEL: f64 = 1e-3;
+/// How teeth are numbered and which way a chart runs.
+const NUMBERS: &str = "numbers ascend clockwise on the reference face";
+
+/// The charts of one gear: file name and SVG. What could not be measured has none.
+///
+/// # Errors
+/// [`PictureError`]: none for a gear that has teeth.
+pub fn charts(gauged: &GaugedGear) -> Result<Vec<(String, String)>, PictureError> {
+    let mut files = length_charts(gauged)?;
+    files.extend(deviation_charts(gauged)?);
+    files.extend(roll_chart(gauged)?);
+    Ok(files)
+}
+
+/// File name and SVG of bars over teeth.
+fn bars(
+    gauged: &GaugedGear,
+    reading: Reading,
+    x_axis: &str,
+    panels: &[BarPanel],
+) -> Result<(String, String), PictureError> {
+    let stem = gauged.stem();
+    let heading = Heading {
+        prefix: &reading.file_stem(&stem),
+        title: gauged.title,
+        subtitle: &subtitle(gauged),
+    };
+    let x_axis = format!("{x_axis} · {NUMBERS}");
+    Ok((
+        reading.svg(&stem),
+        bar_panels(&heading, &x_axis, panels)?.svg,
+    ))
+}
+
+fn subtitle(gauged: &GaugedGear) -> String {
+    let design = gauged.gear.gear().design();
+    let (basic_data, shift) = (&design.basic_data, design.profile_shift);
+    // Degrees do not convert exactly.
+    let degrees = rounded(basic_data.pressure_angle().to_degrees(), 9);
+    format!(
+        "{} · z {}, m {} mm, α {degrees}°, x {shift} · material {}",
+        gauged.name,
+        basic_data.teeth(),
+        basic_data.module(),
+        gauged.material.name(),
+    )
+}
+
+/// The mean, on which the chart's zero stands, and the formula's value.
+fn means(mean: f64, formula: Option<f64>) -> String {
+    let formula = formula.map_or(String::new(), |mm| format!(", formula {} mm", fixed(mm, 6)));
+    format!("mean {} mm{formula}", fixed(mean, 6))
+}
+
+/// Spans, dimensions over pins and thickness: each reading less the mean.
+fn length_charts(gauged: &GaugedGear) -> Result<Vec<(String, String)>, PictureError> {
+    let drawn = lengths(&gauged.gauged).into_iter().filter_map(|length| {
+        let by_tooth = length.by_tooth.as_ref()?;
+        Some(length_chart(gauged, &length, by_tooth))
+    });
+    drawn.collect()
+}
+
+fn length_chart(
+    gauged: &GaugedGear,
+    length: &Length,
+    by_tooth: &ByTooth,
+) -> Result<(String, String), PictureError> {
+    let table = by_tooth.reading.table(&gauged.gauged);
+    let column = table
+        .as_ref()
+        .and_then(|table| table.column(by_tooth.column));
+    let lengths = column.map_or(Vec::new(), |column| column.numbers());
+    let less = lengths.iter().map(|mm| Some((mm - length.mean) * 1e3));
+    let series = [BarSeries {
+        name: "reading",
+        values: less.collect(),
+        look: Look::Plain,
+    }];
+    let panel = BarPanel {
+        title: &format!("{}, {}", length.name, means(length.mean, length.formula)),
+        y_axis: &format!("{} − mean, µm", by_tooth.symbol),
+        series: &series,
+        limits: Vec::new(),
+        level: LEVEL,
+    };
+    bars(gauged, by_tooth.reading, by_tooth.tooth, &[panel])
+}
+
+/// Runout and pitch, with the lines of their accuracy grades.
+fn deviation_charts(gauged: &GaugedGear) -> Result<Vec<(String, String)>, PictureError> {
+    let read = &gauged.gauged;
+    let mut files = Vec::new();
+    if let Ok(read) = &read.runout {
+        files.push(runout(gauged, read)?);
+    }
+    for (name, read) in [
+        (Reading::PitchOwn, &read.pitch_own),
+        (Reading::PitchDatum, &read.pitch_datum),
+    ] {
+        if let Ok(read) = read {
+            files.push(pitch(gauged, name, read)?);
+        }
+    }
+    Ok(files)
+}
+
+fn runout(gauged: &GaugedGear, read: &RunoutReadings) -> Result<(String, String), PictureError> {
+    let title = format!(
+        "ball {} mm in each space · F_r {} µm, 2 e {} µm",
+        read.diameter,
+        um(read.total(), 3),
+        um(2.0 * gauged.gauged.eccentricity.amount, 3)
+    );
+    let series = [series("ball", &read.deviations(), Look::Plain)];
+    let panel = BarPanel {
+        title: &title,
+        y_axis: "radius − mean, µm",
+        series: &series,
+        limits: coarsest(gauged, GradedQuantity::Runout, None)
+            .map(|graded| range(&graded, read.ends().map(|end| end - read.mean())))
+            .into_iter()
+            .collect(),
+        level: LEVEL,
+    };
+    bars(gauged, Reading::Runout, "tooth before the ball", &[panel])
+}
+
+/// Single pitch above cumulative pitch.
+fn pitch(
+    gauged: &GaugedGear,
+    reading: Reading,
+    read: &PitchReadings,
+) -> Result<(String, String), PictureError> {
+    let about = match read.axis {
+        PitchAxis::Own => "the gear's own centre",
+        PitchAxis::Datum => "the rotation axis",
+    };
+    let both = |of: fn(&PitchReadings, Side) -> f64| {
+        Side::BOTH.map(|side| um(of(read, side), 3)).join(" / ")
+    };
+    let graded = |quantity| coarsest(gauged, quantity, Some(read.axis));
+    let total = graded(GradedQuantity::TotalPitch).map_or(String::new(), |graded| {
+        format!(", F_p {}", tolerance(&graded).1)
+    });
+    let titles = [
+        format!(
+            "single pitch deviation about {about} · f_p {} µm (right / left)",
+            both(PitchReadings::greatest_single)
+        ),
+        format!(
+            "cumulative pitch deviation about {about} · F_p {} µm (right / left){total}",
+            both(PitchReadings::total)
+        ),
+    ];
+    let flanks = |values: fn(&PitchReadings, Side) -> Vec<f64>| {
+        [
+            (Side::Right, "right flanks", Look::Right),
+            (Side::Left, "left flanks", Look::Left),
+        ]
+        .map(|(side, name, look)| series(name, &values(read, side), look))
+    };
+    let single = flanks(PitchReadings::single);
+    let cumulative = flanks(|read, side| read.cumulative.flank(side).to_vec());
+    let panels = [
+        BarPanel {
+            title: &titles[0],
+            y_axis: "f from the mean pitch, µm",
+            series: &single,
+            limits: graded(GradedQuantity::SinglePitch)
+                .map(|graded| {
+                    let (tolerance, name) = tolerance(&graded);
+                    Limits {
+                        values: [-tolerance, tolerance],
+                        name: format!("f_p {name}"),
+                    }
+                })
+                .into_iter()
+                .collect(),
+            level: LEVEL,
+        },
+        BarPanel {
+            title: &titles[1],
+            y_axis: "F − mean of the flank, µm",
+            series: &cumulative,
+            // A range of each flank, which stand at different heights: the title has its tolerance.
+            limits: Vec::new(),
+            level: LEVEL,
+        },
+    ];
+    let x_axis = "tooth · + along ascending numbers";
+    bars(gauged, reading, x_axis, &panels)
+}
+
+/// The greatest reading of `quantity` about `axis`: of both flanks that with the coarser grade.
+fn coarsest(
+    gauged: &GaugedGear,
+    quantity: GradedQuantity,
+    axis: Option<PitchAxis>,
+) -> Option<GradedReading> {
+    let grades = gauged.gauged.grades.as_ref().ok()?;
+    let of = grades
+        .iter()
+        .copied()
+        .filter(|one| one.quantity == quantity && one.pitch.map(|(axis, _)| axis) == axis);
+    of.reduce(|one, other| match other.measured > one.measured {
+        true => other,
+        false => one,
+    })
+}
+
+/// Tolerance, µm, and what to call it.
+fn tolerance(graded: &GradedReading) -> (f64, String) {
+    match graded.grade {
+        Grade::Within { grade, tolerance } => (
+            1e3 * tolerance,
+            format!("grade {grade}, {} µm", rounded(1e3 * tolerance, 1)),
+        ),
+        Grade::Beyond { last, tolerance } => (
+            1e3 * tolerance,
+            format!("beyond grade {last}, {} µm", rounded(1e3 * tolerance, 1)),
+        ),
+    }
+}
+
+/// The tolerance of a range, laid about the middle of `ends`, mm.
+fn range(graded: &GradedReading, [least, most]: [f64; 2]) -> Limits {
+    let (tolerance, name) = tolerance(graded);
+    let middle = 0.5e3 * (least + most);
+    Limits {
+        values: [middle - 0.5 * tolerance, middle + 0.5 * tolerance],
+        name: format!("{} {name}", graded.quantity.symbol()),
+    }
+}
+
+fn series<'a>(name: &'a str, lengths: &[f64], look: Look) -> BarSeries<'a> {
+    BarSeries {
+        name,
+        values: lengths.iter().map(|mm| Some(mm * 1e3)).collect(),
+        look,
+    }
+}
+
+/// The double-flank roll test as a curve over one revolution.
+fn roll_chart(gauged: &GaugedGear) -> Result<Option<(String, String)>, PictureError> {
+    let Ok(roll) = &gauged.gauged.roll else {
+        return Ok(None);
+    };
+    let mean = roll.mean();
+    let teeth = gauged.gear.gear().basic_data().teeth();
+    let value = |pose: &RollPose| Some(1e3 * (pose.distance - mean));
+    let place = |pose: &RollPose| f64::from(pose.mating.wheel_tooth) + pose.mating.fraction;
+    let mut points: Vec<(f64, Option<f64>)> = roll
+        .poses
+        .iter()
+        .chain(&roll.between)
+        .map(|pose| (place(pose), value(pose)))
+        .collect();
+    points.sort_by(|a, b| a.0.total_cmp(&b.0));
+    // Once round: the first pose comes again.
+    let first = points.first().and_then(|point| point.1);
+    points.push((f64::from(teeth) + 1.0, first));
+    let level = match points
+        .iter()
+        .all(|point| point.1.is_none_or(|um| um.abs() < LEVEL))
+    {
+        true => format!(" · level within {LEVEL} µm"),
+        false => String::new(),
+    };
+    let stem = gauged.stem();
+    let heading = Heading {
+        prefix: &Reading::Roll.file_stem(&stem),
+        title: gauged.title,
+        subtitle: &subtitle(gauged),
+    };
+    let title = format!(
+        "roll test with a master of z {} · F_i'' {}, f_i'' {} µm · {}{level}",
+        roll.master.basic_data().teeth(),
+        um(roll.total().found, 3),
+        um(roll.tooth_to_tooth().found, 3),
+        means(mean, gauged.gauged.formula.distance)
+    );
+    let x = format!("tooth of the gear at the master, one revolution back to 1 · {NUMBERS}");
+    let axes = LineAxes {
+        title: &title,
+        x: &x,
+        teeth: Some(teeth),
+        y: "a'' − mean, µm",
+        least: 100.0 * LEVEL,
+    };
+    let line = LineSeries {
+        name: "a''",
+        points,
+        look: Look::Plain,
+        dots: false,
+    };
+    let svg = lines(&heading, axes, &[line])?.svg;
+    Ok(Some((Reading::Roll.svg(&stem), svg)))
+}

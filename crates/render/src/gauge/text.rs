@@ -1,0 +1,246 @@
+//! What the gauges read, as a short table of each gear.
+
+use super::lengths::lengths;
+use crate::text::{finish, table};
+use gearlash::gauge::{Eccentricity, Gauged, GradedReading, PitchReadings, Unmeasured};
+use gearlash::gear::{GRADE_SOURCE, Grade, ProfilePart, Side};
+use gearlash::mesh::{ContactKind, PoseClass, Touch};
+use gearlash_files::characters::plain;
+use gearlash_files::numbers::{ascii, order_um, um_ascii};
+use gearlash_files::results::gauge::{GaugedGear, by_tooth};
+use std::fmt::Write;
+
+/// The text `gauge` prints; with `by_position` every reading tooth by tooth, too.
+pub fn text(title: &str, gears: &[GaugedGear], by_position: bool) -> String {
+    let mut text = format!("{}\n", plain(title));
+    for gauged in gears {
+        let _ = write!(text, "\n{}\n\n", gauged.words());
+        text += &length_table(&gauged.gauged);
+        text += &deviations(&gauged.gauged);
+        text += &grade_table(&gauged.gauged);
+        text += &remarks(&gauged.gauged);
+        if by_position {
+            text += &position_table(gauged);
+        }
+    }
+    text += LEGEND;
+    let _ = writeln!(text, "Grades: {GRADE_SOURCE}.");
+    text
+}
+
+const LEGEND: &str = "
+Lengths in mm; range, off and bound in µm. Formula: of the mean thickness, no deviations. Off: mean less formula.
+Ball: its centre from the rotation axis, so its range is F_r. a'': tight mesh with the master, its range is F_i''.
+F_r of an eccentricity e alone is 2 e, down to 2 e cos(π/z) where no space is in line with the high tooth;
+pitch and thickness of the teeth add to it.
+Thickness is an arc of the reference circle. Pitch: own, about the gear's own centre; datum, about its rotation axis,
+which is what a standard grades. Grade: the finest that admits the value, with its tolerance; measured and tolerance in µm.
+--positions, --format csv and the CSV files have every reading tooth by tooth.
+";
+
+/// Lengths with their least, mean and greatest reading.
+fn length_table(read: &Gauged) -> String {
+    let mut table = table(&[
+        "", "least", "mean", "greatest", "range", "formula", "off", "bound",
+    ]);
+    for row in lengths(read) {
+        let [least, most] = row.ends;
+        table.add_row(vec![
+            row.name,
+            ascii(least, 6),
+            ascii(row.mean, 6),
+            ascii(most, 6),
+            um_ascii(most - least, 3),
+            ascii(row.formula, 6),
+            um_ascii(row.formula.map(|formula| row.mean - formula), 3),
+            order_um(row.error),
+        ]);
+    }
+    finish(&table)
+}
+
+/// Runout, pitch and roll in µm.
+fn deviations(read: &Gauged) -> String {
+    let mut text = String::from("\n");
+    if let Ok(runout) = &read.runout {
+        let _ = writeln!(
+            text,
+            "F_r {} µm ({})",
+            um_ascii(runout.total(), 3),
+            eccentricity(&read.eccentricity),
+        );
+    }
+    if let Ok(roll) = &read.roll {
+        let [total, single] = [roll.total(), roll.tooth_to_tooth()].map(|range| {
+            format!(
+                "{} µm (+ {} at most)",
+                um_ascii(range.found, 3),
+                order_um(range.missed)
+            )
+        });
+        let _ = writeln!(
+            text,
+            "F_i'' {total}, f_i'' {single}: {} poses a pitch and {} more round the extremes, each ± {} µm",
+            roll.steps_per_pitch,
+            roll.between.len(),
+            order_um(roll.reading_error()),
+        );
+    }
+    for pitch in [&read.pitch_own, &read.pitch_datum].into_iter().flatten() {
+        let _ = writeln!(text, "pitch, {}: {}", pitch.axis.name(), both(pitch));
+    }
+    text
+}
+
+fn eccentricity(found: &Eccentricity) -> String {
+    if found.amount > 0.0 {
+        format!(
+            "2 e = {} µm towards tooth {}",
+            um_ascii(2.0 * found.amount, 3),
+            ascii(found.high_tooth, 2)
+        )
+    } else {
+        "no eccentricity".to_owned()
+    }
+}
+
+fn both(pitch: &PitchReadings) -> String {
+    let side = |side: Side| {
+        format!(
+            "{} flanks f_p {} µm, F_p {} µm",
+            side.name(),
+            um_ascii(pitch.greatest_single(side), 3),
+            um_ascii(pitch.total(side), 3),
+        )
+    };
+    format!("{}; {}", side(Side::Right), side(Side::Left))
+}
+
+/// Accuracy grades, or why there are none.
+fn grade_table(read: &Gauged) -> String {
+    let graded = match &read.grades {
+        Ok(graded) if graded.is_empty() => return String::new(),
+        Ok(graded) => graded,
+        Err(reason) => return format!("\nno accuracy grades: {reason}\n"),
+    };
+    let mut table = table(&["", "measured", "grade", "tolerance"]);
+    for one in graded {
+        let (grade, tolerance) = match one.grade {
+            Grade::Within { grade, tolerance } => (grade.to_string(), tolerance),
+            Grade::Beyond { last, tolerance } => (format!("beyond {last}"), tolerance),
+        };
+        table.add_row(vec![
+            graded_name(one),
+            um_ascii(one.measured, 3),
+            grade,
+            um_ascii(tolerance, 1),
+        ]);
+    }
+    format!("\n{}", finish(&table))
+}
+
+fn graded_name(one: &GradedReading) -> String {
+    let symbol = one.quantity.symbol();
+    match one.pitch {
+        Some((axis, side)) => format!("{symbol} {}, {} flanks", axis.name(), side.name()),
+        None => symbol.to_owned(),
+    }
+}
+
+/// What the gauges did not read on `gauged`, and why: a line each.
+pub fn missing(gauged: &GaugedGear) -> Vec<String> {
+    let lines = unmeasured(&gauged.gauged).into_iter();
+    let named = |line| format!("{}: {line}", gauged.words());
+    lines.map(named).collect()
+}
+
+/// What was not measured, and why.
+fn unmeasured(read: &Gauged) -> Vec<String> {
+    let mut lines = Vec::new();
+    let mut missing = |what: &str, reason: Option<&Unmeasured>| {
+        lines.extend(reason.map(|reason| format!("not measured, {what}: {reason}")));
+    };
+    missing("span", read.spans.as_ref().err());
+    missing("over pins", read.pins.as_ref().err());
+    missing("runout", read.runout.as_ref().err());
+    missing("pitch", read.pitch_own.as_ref().err());
+    missing("pitch about the axis", read.pitch_datum.as_ref().err());
+    missing("thickness", read.thickness.as_ref().err());
+    missing("root diameter", read.root.as_ref().err());
+    missing("roll test", read.roll.as_ref().err());
+    lines
+}
+
+/// What was not measured, and what was touched off the involute.
+fn remarks(read: &Gauged) -> String {
+    let mut text = String::new();
+    for line in unmeasured(read) {
+        let _ = writeln!(text, "{line}");
+    }
+    if let Err(reason) = &read.stated {
+        let _ = writeln!(text, "no gear file: {reason}");
+    }
+    if let Ok(pins) = &read.pins {
+        let touches = pins.seats.iter().map(|seat| seat.touched);
+        text += &touched("pins", &touches.collect::<Vec<_>>());
+    }
+    if let Ok(runout) = &read.runout {
+        let touches = runout.readings.iter().map(|reading| reading.seat.touched);
+        text += &touched("balls", &touches.collect::<Vec<_>>());
+    }
+    if let Ok(roll) = &read.roll {
+        let off = |class: PoseClass| class != PoseClass::Contact(ContactKind::Involute);
+        let count = roll.poses.iter().filter(|pose| off(pose.class)).count();
+        if count > 0 {
+            let _ = writeln!(
+                text,
+                "at {count} of {} poses the roll test touches off the line of action",
+                roll.poses.len()
+            );
+        }
+    }
+    text
+}
+
+fn touched(what: &str, touches: &[[Touch; 2]]) -> String {
+    let mut text = String::new();
+    for curve in [ProfilePart::Tip, ProfilePart::Fillet, ProfilePart::Root] {
+        let on = |both: &&[Touch; 2]| both.iter().any(|touch| touch.curve == curve);
+        let count = touches.iter().filter(on).count();
+        if count > 0 {
+            let _ = writeln!(
+                text,
+                "{count} of {} {what} touch the {}, not the involute alone",
+                touches.len(),
+                curve.name()
+            );
+        }
+    }
+    text
+}
+
+/// Every reading tooth by tooth.
+fn position_table(gauged: &GaugedGear) -> String {
+    let columns = by_tooth(&gauged.gauged);
+    let shown = || {
+        columns
+            .iter()
+            .filter(|(_, column)| !column.cells.is_empty())
+    };
+    let headings: Vec<&str> = std::iter::once("tooth")
+        .chain(shown().map(|(heading, _)| *heading))
+        .collect();
+    let mut table = table(&headings);
+    for tooth in 1..=gauged.gear.gear().basic_data().teeth() {
+        let cells = shown().map(|(_, column)| {
+            let value = column.cell(tooth as usize - 1).number();
+            ascii(value, column.unit.decimals())
+        });
+        table.add_row(std::iter::once(tooth.to_string()).chain(cells));
+    }
+    format!(
+        "\nBy tooth, in µm where not mm. Span: first tooth spanned; pins and ball: tooth before the space of the (first) pin.\n\
+         f: single pitch, F: cumulative; ball and s less their means.\n{}",
+        finish(&table)
+    )
+}

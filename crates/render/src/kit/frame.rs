@@ -1,0 +1,95 @@
+//! Places and rectangles of a sheet, y downwards.
+
+use super::paint::INK;
+use gearlash_files::numbers::ascii;
+use svg::node::element::Rectangle;
+
+/// A point of the sheet: right, down.
+pub type Spot = [f64; 2];
+
+/// Two decimals, a quarter of a hundredth of a millimetre of paper; never `-0.00`.
+pub fn number(value: f64) -> String {
+    ascii(value, 2)
+}
+
+/// A rectangle of the sheet.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Frame {
+    /// Left edge.
+    pub left: f64,
+    /// Upper edge.
+    pub top: f64,
+    /// Right edge.
+    pub right: f64,
+    /// Lower edge.
+    pub bottom: f64,
+}
+
+impl Frame {
+    pub fn width(&self) -> f64 {
+        self.right - self.left
+    }
+
+    pub fn height(&self) -> f64 {
+        self.bottom - self.top
+    }
+
+    /// Larger by `margin` on every side.
+    pub fn grown(&self, margin: f64) -> Frame {
+        Frame {
+            left: self.left - margin,
+            top: self.top - margin,
+            right: self.right + margin,
+            bottom: self.bottom + margin,
+        }
+    }
+
+    /// Whether `other` lies wholly inside.
+    pub fn holds(&self, other: &Frame) -> bool {
+        other.left >= self.left
+            && other.right <= self.right
+            && other.top >= self.top
+            && other.bottom <= self.bottom
+    }
+
+    /// Whether the two share more than an edge.
+    pub fn overlaps(&self, other: &Frame) -> bool {
+        self.left < other.right
+            && other.left < self.right
+            && self.top < other.bottom
+            && other.top < self.bottom
+    }
+
+    pub fn middle(&self) -> Spot {
+        [
+            0.5 * (self.left + self.right),
+            0.5 * (self.top + self.bottom),
+        ]
+    }
+
+    /// The corners, in order round it.
+    pub fn corners(&self) -> [Spot; 4] {
+        [
+            [self.left, self.top],
+            [self.right, self.top],
+            [self.right, self.bottom],
+            [self.left, self.bottom],
+        ]
+    }
+
+    /// Its outline.
+    pub fn border(&self) -> Rectangle {
+        self.rectangle()
+            .set("fill", "none")
+            .set("stroke", INK)
+            .set("stroke-width", "1.40")
+    }
+
+    pub fn rectangle(&self) -> Rectangle {
+        Rectangle::new()
+            .set("x", number(self.left))
+            .set("y", number(self.top))
+            .set("width", number(self.width()))
+            .set("height", number(self.height()))
+    }
+}

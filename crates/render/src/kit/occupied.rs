@@ -1,0 +1,56 @@
+//! What labels keep clear of.
+
+use super::clip;
+use super::frame::{Frame, Spot};
+
+/// Places that are taken.
+#[derive(Debug, Default)]
+pub struct Occupied {
+    lines: Vec<[Spot; 2]>,
+    boxes: Vec<Frame>,
+}
+
+/// Clear room round a label, units of the sheet.
+pub const CLEAR: f64 = 3.0;
+
+impl Occupied {
+    /// Takes the place of a line.
+    pub fn line(&mut self, points: &[Spot]) {
+        self.lines
+            .extend(points.windows(2).map(|pair| [pair[0], pair[1]]));
+    }
+
+    /// Takes the place of a box's edge.
+    pub fn border(&mut self, frame: Frame) {
+        let corners = frame.corners();
+        self.line(&corners);
+        self.line(&[corners[3], corners[0]]);
+    }
+
+    /// Takes the place of a box.
+    pub fn frame(&mut self, frame: Frame) {
+        self.boxes.push(frame);
+    }
+
+    /// Whether a line meets any box.
+    pub fn crosses_frame(&self, line: &[Spot; 2]) -> bool {
+        let [from, to] = *line;
+        let boxes = &mut self.boxes.iter();
+        boxes.any(|taken| clip::segment(from, to, taken).is_some())
+    }
+
+    /// Whether nothing lies in `room` or within [`CLEAR`] of it.
+    pub fn is_free(&self, room: &Frame) -> bool {
+        self.is_clear(room, CLEAR)
+    }
+
+    /// Whether nothing lies in `room` or within `clear` of it.
+    pub fn is_clear(&self, room: &Frame, clear: f64) -> bool {
+        let room = room.grown(clear);
+        !self.boxes.iter().any(|taken| taken.overlaps(&room))
+            && !self
+                .lines
+                .iter()
+                .any(|[from, to]| clip::segment(*from, *to, &room).is_some())
+    }
+}

@@ -112,7 +112,7 @@ pub(super) fn touching(
 }
 
 impl DirectSolver {
-    /// The solver of a pair of gears; `None` for one that must be searched all through.
+    /// The solver of a pair of gears; `None` for one that must be searched all through, as any whose flanks are not all involutes.
     pub fn new(
         problem: &FlankProblem,
         assembly: &GearPair,

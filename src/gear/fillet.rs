@@ -179,6 +179,7 @@ impl Fillet {
     }
 
     /// Point, mm, and outward unit normal at `gamma`, from one sine and cosine of `γ` and of the pitch point.
+    #[inline]
     pub(super) fn at(&self, gamma: f64) -> (Point2<f64>, Vector2<f64>) {
         let (sin, cos) = gamma.sin_cos();
         let (pitch_sin, pitch_cos) =
@@ -199,6 +200,7 @@ impl Fillet {
     }
 
     /// `S`, mm.
+    #[inline]
     pub(super) fn speed(&self, gamma: f64) -> f64 {
         let c = 1.0 / gamma.cos();
         let lift = self.depth * c * c / self.radius;

@@ -284,7 +284,7 @@ impl Gear {
     /// This gear with straight flanks down to the root circle in place of involutes and fillets: half a tooth spans the angle `tip` at
     /// the tip circle and `root` at the root circle, rad.
     ///
-    /// Results call a straight flank `involute`: the part of the profile, not its curve. Radii are the generated gear's; what
+    /// Results call a straight flank `involute`: the part of the profile, not its curve. The exact method searches such pairs. Radii are the generated gear's; what
     /// follows from its involutes (base and form rolls, thickness, the analytic models) is not about such teeth.
     ///
     /// # Errors

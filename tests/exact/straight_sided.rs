@@ -22,6 +22,40 @@ fn straight(teeth: u32, [tip, root]: [f64; 2], face: Face, per_tooth: Vec<f64>) 
     AsBuilt::new(gear, face, &deviations).unwrap()
 }
 
+/// Half a tooth has a width at the tip, no less at the root, and leaves a space.
+#[test]
+fn straight_flanks_that_leave_no_tooth_or_space_are_refused() {
+    let gear = Gear::nominal(design(20, 3.0)).unwrap();
+    let half_pitch = PI / 20.0;
+    for (tip, root) in [
+        (0.0, 0.1),
+        (-0.01, 0.1),
+        (0.08, 0.07),
+        (0.08, half_pitch),
+        (f64::NAN, 0.1),
+        (0.05, f64::NAN),
+    ] {
+        assert!(
+            gear.with_straight_flanks(tip, root).is_err(),
+            "{tip} {root}"
+        );
+    }
+    assert!(gear.with_straight_flanks(0.05, 0.999 * half_pitch).is_ok());
+}
+
+/// Drawn larger, the deviations of straight-sided teeth leave them straight-sided.
+#[test]
+fn exaggerated_straight_flanks_stay_straight() {
+    let uneven = (0..20).map(|k| 0.001 * f64::from(k % 3)).collect();
+    let built = straight(20, [0.55, 1.25], Face::Front, uneven);
+    let large = built.exaggerated(30.0).unwrap();
+    assert_eq!(large.gear(), built.gear());
+    let (small, large) = [&built, &large]
+        .map(|gear| gear.flank_offset(Side::Left, 3))
+        .into();
+    assert!((large - 30.0 * small).abs() < 1e-15 && small > 0.0);
+}
+
 type Point = [f64; 2];
 
 fn polar(radius: f64, angle: f64) -> Point {
@@ -157,4 +191,42 @@ fn straight_flanks_touch_where_lines_and_circles_meet() {
     }
     println!("{met:?}");
     assert!(met.iter().all(|&count| count >= 10), "{met:?}");
+}
+
+/// A straight-sided gear against an involute one, off its axis too: no closed form, but polygons find what the exact method finds.
+#[test]
+fn a_straight_flank_meets_an_involute() {
+    for (eccentricity, distance) in [(0.0, 66.3), (0.08, 66.4), (0.08, 65.9)] {
+        let gear = Gear::nominal(design(20, 3.0)).unwrap();
+        let gear = gear.with_straight_flanks(0.045, 0.11).unwrap();
+        let deviations = Deviations {
+            eccentricity,
+            high_tooth: 4.5,
+            ..Deviations::default()
+        };
+        let wheel = AsBuilt::new(gear, Face::Front, &deviations).unwrap();
+        let mate = Gear::nominal(design(24, 3.0)).unwrap();
+        let pinion = AsBuilt::perfect(mate, Face::Back);
+        let cut = CutPair::for_certificates(&wheel, &pinion);
+        for locked in [Member::Wheel, Member::Pinion] {
+            let pair = GearPair::new(wheel.clone(), pinion.clone(), distance, locked).unwrap();
+            let (kernel, refined) = (ExactKernel::new(&pair), cut.refined_kernel(&pair));
+            let certifier = Certifier::new(cut.kernel(&pair));
+            for k in 0..25 {
+                let mating = Mating {
+                    wheel_tooth: 1 + k % 20,
+                    pinion_tooth: 1,
+                    flank: Side::Right,
+                    fraction: 0.04 * f64::from(k),
+                };
+                let pose = Pose::new(&pair, mating);
+                let exact = kernel.lost_motion(&pose).unwrap();
+                let polygon = refined.lost_motion(&pose).unwrap();
+                let off = exact.angle().unwrap() - polygon.angle().unwrap();
+                let bounds = exact.error().unwrap() + polygon.error().unwrap();
+                assert!(off.abs() <= bounds && bounds < 1e-10, "{k}: {off} {bounds}");
+                certifier.check(&pose, &exact).unwrap();
+            }
+        }
+    }
 }

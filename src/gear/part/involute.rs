@@ -42,6 +42,7 @@ impl InvoluteFlank {
     }
 
     /// `dP/dξ = r_b ξ E = r_b ξ · i n`.
+    #[inline]
     pub(super) fn speed(&self, xi: f64) -> f64 {
         self.base * xi
     }

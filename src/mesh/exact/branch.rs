@@ -156,17 +156,17 @@ pub(super) fn search(
             continue;
         }
         let mut record = |t: f64, u: f64, slack: f64| {
-            let hit = CandidateContact::new(
+            let candidate = CandidateContact::new(
                 (locked, (locked_arc.curve, t)),
                 (free, (free_arc.curve, u)),
                 origin,
                 slack,
             );
-            if hit.gap > level {
-                level = hit.gap;
-                best = Some(hit);
+            if candidate.gap > level {
+                level = candidate.gap;
+                best = Some(candidate);
             }
-            hit.gap
+            candidate.gap
         };
         if let (Some(a), Some(b)) = (locked_arc.slope, free_arc.slope) {
             let mut meet = |rho: f64, slack: f64| {

@@ -24,7 +24,7 @@ pub(super) struct CandidateContact {
 }
 
 impl CandidateContact {
-    /// The hit at one parameter each.
+    /// The candidate at one parameter each.
     ///
     /// A corner has no normal: there the other curve's counts, and where two corners meet the
     /// direction in which they do. Likewise with `σ`; of two smooth curves the steeper counts.

@@ -104,15 +104,15 @@ pub(super) fn touching(
             curves,
             &mut nodes_left,
         );
-        if let Some(hit) = found.map_err(|lost| (step, lost))? {
-            tightest_contacts.offer(step, hit);
+        if let Some(candidate) = found.map_err(|lost| (step, lost))? {
+            tightest_contacts.offer(step, candidate);
         }
     }
     Ok(tightest_contacts.choose())
 }
 
 impl DirectSolver {
-    /// The solver of a pair of gears; `None` for one that must be searched all through.
+    /// The solver of a pair of gears; `None` for one that must be searched all through, as any whose flanks are not all involutes.
     pub fn new(
         problem: &FlankProblem,
         assembly: &GearPair,
@@ -150,10 +150,10 @@ impl PosedFlanks<'_> {
     pub(super) fn on_lands(&self, curves: Curves, tightest_contacts: &mut TightestContacts) {
         for step in self.steps() {
             let (locked, free) = (self.locked(step), self.free(step));
-            if let Some(hit) = land_on_land(&locked, &free, self.origin, curves)
-                && tightest_contacts.admits(hit.gap)
+            if let Some(candidate) = land_on_land(&locked, &free, self.origin, curves)
+                && tightest_contacts.admits(candidate.gap)
             {
-                tightest_contacts.offer(step, hit);
+                tightest_contacts.offer(step, candidate);
             }
         }
     }
@@ -239,8 +239,8 @@ impl PosedFlanks<'_> {
             return;
         }
         if let Some(met) = meet(&free, Sense::Free, solver.proof.free_fillet, rho, near) {
-            let hit = CandidateContact::new((&locked, edge), (&free, met), self.origin, 0.0);
-            level.offer(self, tightest_contacts, step, hit);
+            let candidate = CandidateContact::new((&locked, edge), (&free, met), self.origin, 0.0);
+            level.offer(self, tightest_contacts, step, candidate);
         }
     }
 
@@ -270,9 +270,9 @@ impl PosedFlanks<'_> {
                 &locked,
                 (ProfilePart::Tip, locked.range(ProfilePart::Tip).0),
             );
-            let hit =
+            let candidate =
                 CandidateContact::new(edge, (&free, (ProfilePart::Tip, met)), self.origin, 0.0);
-            level.offer(self, tightest_contacts, step, hit);
+            level.offer(self, tightest_contacts, step, candidate);
         }
     }
 
@@ -304,8 +304,8 @@ impl PosedFlanks<'_> {
             near,
         ) {
             let edge = (&free, (ProfilePart::Involute, roll));
-            let hit = CandidateContact::new((&locked, met), edge, self.origin, 0.0);
-            level.offer(self, tightest_contacts, step, hit);
+            let candidate = CandidateContact::new((&locked, met), edge, self.origin, 0.0);
+            level.offer(self, tightest_contacts, step, candidate);
         }
     }
 }
@@ -313,7 +313,7 @@ impl PosedFlanks<'_> {
 /// Both gears as the free one sees them at the greatest gap so far.
 struct Level {
     greatest: f64,
-    /// False before the first hit: nothing can be ruled out.
+    /// False before the first candidate: nothing can be ruled out.
     known: bool,
     /// `R* C_L − C_F`.
     centre: C,
@@ -351,10 +351,10 @@ impl Level {
         posed: &PosedFlanks,
         tightest_contacts: &mut TightestContacts,
         step: i64,
-        hit: CandidateContact,
+        candidate: CandidateContact,
     ) {
-        if tightest_contacts.admits(hit.gap) {
-            tightest_contacts.offer(step, hit);
+        if tightest_contacts.admits(candidate.gap) {
+            tightest_contacts.offer(step, candidate);
             if tightest_contacts.greatest() > self.greatest {
                 self.set(posed, tightest_contacts.greatest());
             }

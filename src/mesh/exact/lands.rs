@@ -57,7 +57,7 @@ fn greatest(
     (locked_land, free_land): (ProfilePart, ProfilePart),
     origin: C,
 ) -> Option<CandidateContact> {
-    let hit = |t: f64, u: f64| {
+    let candidate = |t: f64, u: f64| {
         CandidateContact::new(
             (locked, (locked_land, t)),
             (free, (free_land, u)),
@@ -71,14 +71,14 @@ fn greatest(
     };
     let locked_ends = ends(locked, locked_land)
         .into_iter()
-        .filter_map(|(t, rho)| Some(hit(t, on_land(free, free_land, rho)?)));
+        .filter_map(|(t, rho)| Some(candidate(t, on_land(free, free_land, rho)?)));
     let free_ends = ends(free, free_land)
         .into_iter()
-        .filter_map(|(u, rho)| Some(hit(on_land(locked, locked_land, rho)?, u)));
+        .filter_map(|(u, rho)| Some(candidate(on_land(locked, locked_land, rho)?, u)));
     let touching = tangents(locked, free, (locked_land, free_land))
         .into_iter()
         .flatten()
-        .map(|(t, u)| hit(t, u));
+        .map(|(t, u)| candidate(t, u));
     locked_ends.chain(free_ends).chain(touching).reduce(greater)
 }
 

@@ -104,7 +104,7 @@ impl PosedFlanks<'_> {
         None
     }
 
-    fn hit(&self, gap: f64, line: &Line, pair: &Pair) -> CandidateContact {
+    fn candidate(&self, gap: f64, line: &Line, pair: &Pair) -> CandidateContact {
         let (locked_shape, free_shape) = (&self.problem.locked.shape, &self.problem.free.shape);
         let (locked, free) = self.rolls(line, pair);
         let locked = locked.clamp(locked_shape.form_roll, locked_shape.tip_roll);
@@ -171,7 +171,7 @@ impl PosedFlanks<'_> {
             };
             tightest = tightest.max(first);
             if tightest_contacts.admits(gap) {
-                tightest_contacts.offer(step, self.hit(gap, &line, &pair));
+                tightest_contacts.offer(step, self.candidate(gap, &line, &pair));
             }
         }
         true

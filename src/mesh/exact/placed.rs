@@ -51,6 +51,7 @@ impl Placed<'_> {
         }
     }
 
+    #[inline]
     pub fn at(&self, curve: ProfilePart, t: f64) -> Sample {
         let sample = self.shape.at(curve, t);
         Sample {

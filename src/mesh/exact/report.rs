@@ -15,26 +15,26 @@ const CORNER_MM: f64 = 1e-7;
 
 /// The contact of `touching`; its rotation is not yet normalised.
 pub(super) fn contact(posed: &PosedFlanks, touching: &Touching, free: Member) -> Contact {
-    let (problem, hit) = (posed.problem, &touching.hit);
-    let radius = hit.point.norm_sqr().sqrt();
-    let error = problem.rounding(radius, hit.slope) + hit.slack;
+    let (problem, candidate) = (posed.problem, &touching.candidate);
+    let radius = candidate.point.norm_sqr().sqrt();
+    let error = problem.rounding(radius, candidate.slope) + candidate.slack;
     let (locked_place, free_place) = posed.places(touching.step);
     let locked = touch(
         &problem.locked.shape,
         problem.locked.number(locked_place),
-        hit.locked,
+        candidate.locked,
     );
     let mated = touch(
         &problem.free.shape,
         problem.free.number(free_place),
-        hit.free,
+        candidate.free,
     );
     let mirror = |z: C| match problem.side {
         Side::Right => z,
         Side::Left => z.conj(),
     };
     // The frame of `facing` is the picture with a free wheel, the picture turned half round with a free pinion.
-    let (point, out_of_locked) = (mirror(hit.point), mirror(hit.normal));
+    let (point, out_of_locked) = (mirror(candidate.point), mirror(candidate.normal));
     let (wheel, pinion, point, normal) = match free {
         Member::Pinion => (
             locked,

@@ -52,8 +52,8 @@ fn over(
             curves,
             &mut nodes_left,
         );
-        if let Some(hit) = found.map_err(|lost| (step, lost))? {
-            tightest_contacts.offer(step, hit);
+        if let Some(candidate) = found.map_err(|lost| (step, lost))? {
+            tightest_contacts.offer(step, candidate);
         }
     }
     Ok(tightest_contacts.choose())

@@ -92,6 +92,7 @@ impl Shape {
     }
 
     /// Point and normal of `part` at parameter `t`.
+    #[inline]
     pub fn at(&self, part: ProfilePart, t: f64) -> Sample {
         let (point, normal) = self.part(part).curve.at(t);
         Sample {
@@ -107,6 +108,7 @@ impl Shape {
     }
 
     /// `dP/dt = i n · speed`, with its sign.
+    #[inline]
     pub fn speed(&self, part: ProfilePart, t: f64) -> f64 {
         self.part(part).curve.speed(t)
     }

@@ -63,9 +63,9 @@ impl PosedFlanks<'_> {
                 (&locked, (ProfilePart::Tip, t)),
                 (&self.free(step), (ProfilePart::Involute, roll)),
             );
-            let hit = CandidateContact::new(on.0, on.1, self.origin, 0.0);
-            if tightest_contacts.admits(hit.gap) {
-                tightest_contacts.offer(step, hit);
+            let candidate = CandidateContact::new(on.0, on.1, self.origin, 0.0);
+            if tightest_contacts.admits(candidate.gap) {
+                tightest_contacts.offer(step, candidate);
             }
         }
     }

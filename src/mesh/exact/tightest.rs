@@ -8,10 +8,10 @@ use super::shape::C;
 /// equally near: far above rounding, far below a base pitch.
 const EQUALLY_NEAR_MM: f64 = 1e-6;
 
-/// Hits kept without an allocation: a contact ratio of four.
+/// Candidates kept without an allocation: a contact ratio of four.
 const FEW: usize = 4;
 
-/// Hits whose gaps lie within a tie of the greatest.
+/// Candidates whose gaps lie within a tie of the greatest.
 #[derive(Debug, Clone)]
 pub(super) struct TightestContacts {
     width: f64,
@@ -48,39 +48,40 @@ impl TightestContacts {
         self.greatest - self.width
     }
 
-    /// Whether a hit of this gap matters.
+    /// Whether a candidate of this gap matters.
     pub fn admits(&self, gap: f64) -> bool {
         gap >= self.level()
     }
 
-    /// Takes the hit of a step.
-    pub fn offer(&mut self, step: i64, hit: CandidateContact) {
-        if hit.gap > self.greatest + self.width {
+    /// Takes the candidate of a step.
+    pub fn offer(&mut self, step: i64, candidate: CandidateContact) {
+        if candidate.gap > self.greatest + self.width {
             self.count = 0;
             self.more.clear();
         }
-        self.greatest = self.greatest.max(hit.gap);
+        self.greatest = self.greatest.max(candidate.gap);
         if self.count < FEW {
-            self.few[self.count] = Some((step, hit));
+            self.few[self.count] = Some((step, candidate));
             self.count += 1;
         } else {
-            self.more.push((step, hit));
+            self.more.push((step, candidate));
         }
     }
 
-    fn hits(&self) -> impl Iterator<Item = &(i64, CandidateContact)> {
+    fn candidates(&self) -> impl Iterator<Item = &(i64, CandidateContact)> {
         let level = self.level();
         let few = self.few[..self.count].iter().flatten();
         few.chain(&self.more)
-            .filter(move |(_, hit)| hit.gap >= level)
+            .filter(move |(_, candidate)| candidate.gap >= level)
     }
 
-    /// Of the hits that tie with the greatest, the one to name: nearest to the operating pitch point, of equally
-    /// near ones the first counter-clockwise of the locked gear as [`super::flank_problem`] sees it. Of one pair's hits its greatest.
+    /// Of the candidates that tie with the greatest, the one to name: nearest to the operating pitch point, of equally
+    /// near ones the first counter-clockwise of the locked gear as [`super::flank_problem`] sees it. Of one pair's candidates its greatest.
     pub fn choose(&self) -> Option<Touching> {
-        let away = |hit: &CandidateContact| (hit.point - self.pitch_point).norm_sqr().sqrt();
+        let away =
+            |candidate: &CandidateContact| (candidate.point - self.pitch_point).norm_sqr().sqrt();
         let mut chosen: Option<&(i64, CandidateContact)> = None;
-        for one in self.hits() {
+        for one in self.candidates() {
             let better = match chosen {
                 None => true,
                 Some(other) if other.0 == one.0 => one.1.gap > other.1.gap,
@@ -93,9 +94,9 @@ impl TightestContacts {
                 chosen = Some(one);
             }
         }
-        chosen.map(|&(step, hit)| Touching {
+        chosen.map(|&(step, candidate)| Touching {
             step,
-            hit,
+            candidate,
             greatest: self.greatest,
         })
     }
@@ -105,6 +106,6 @@ impl TightestContacts {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Touching {
     pub step: i64,
-    pub hit: CandidateContact,
+    pub candidate: CandidateContact,
     pub greatest: f64,
 }

@@ -57,14 +57,22 @@ impl ThicknessStatement {
         }
     }
 
-    /// Whether it states a least and a greatest value.
-    pub fn is_band(&self) -> bool {
+    /// Checks that its least value is no more than its greatest.
+    fn check_range(&self) -> Result<(), GearError> {
         match self {
             ThicknessStatement::AllowanceUm(value)
             | ThicknessStatement::BaseThickness(value)
             | ThicknessStatement::Span { mm: value, .. }
-            | ThicknessStatement::OverPins { mm: value, .. } => value.is_band(),
-            _ => false,
+            | ThicknessStatement::OverPins { mm: value, .. }
+                if !(value.least() <= value.most()) =>
+            {
+                Err(GearError::OutOfRange {
+                    what: "the least value of the tooth thickness",
+                    value: *value.least(),
+                    allowed: "a number up to the greatest",
+                })
+            }
+            _ => Ok(()),
         }
     }
 
@@ -136,13 +144,14 @@ impl ThicknessStatement {
     /// Mean base tooth thickness `s_b`, mm, of a gear with the deviations `known`.
     ///
     /// # Errors
-    /// A span of no number of teeth, a dimension over pins whose pins would sit inside the base circle, readings that a
+    /// A range upside down, a span of no number of teeth, a dimension over pins whose pins would sit inside the base circle, readings that a
     /// gear of `design` cannot have.
     pub fn base_thickness(
         &self,
         design: &GearDesign,
         known: &Deviations,
     ) -> Result<Toleranced<f64>, GearError> {
+        self.check_range()?;
         let basic_data = &design.basic_data;
         let nominal = design.nominal_base_thickness();
         match self {

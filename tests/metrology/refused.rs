@@ -43,7 +43,7 @@ fn every_list_must_have_one_number_a_tooth() {
 }
 
 #[test]
-fn what_is_no_number_is_refused() {
+fn what_is_no_number_or_no_range_is_refused() {
     let truth = Truth::new();
     let with = |change: &dyn Fn(&mut Measurements)| {
         let mut measurements = truth.measurements();
@@ -74,6 +74,10 @@ fn what_is_no_number_is_refused() {
     for statement in [
         ThicknessStatement::BaseThickness(Toleranced::Single(nan)),
         ThicknessStatement::AllowanceUm(Toleranced::Single(nan)),
+        ThicknessStatement::AllowanceUm(Toleranced::Band {
+            least: -20.0,
+            most: -60.0,
+        }),
         ThicknessStatement::Span {
             teeth: 0,
             mm: Toleranced::Single(23.0),

@@ -36,13 +36,32 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
         Finding::EccentricityInPitch(note) => {
             format!("{}: {}", key("pitch"), eccentricity::in_pitch(note))
         }
-        Finding::PinsGiveMeanOnly { .. } => {
-            let key = key("thickness.over_pins");
-            format!("{key}: {}", thickness::all_round(finding))
+        Finding::PinsGiveMeanOnly {
+            readings,
+            with_pitch,
+        } => {
+            let words = thickness::mean_by_pins(*readings, *with_pitch);
+            format!("{}: {words}", key("thickness.over_pins"))
         }
-        Finding::SpansGiveEachTooth { .. } | Finding::SpansGiveMeanOnly { .. } => {
-            let key = key("thickness.span");
-            format!("{key}: {}", thickness::all_round(finding))
+        Finding::SpansGiveEachTooth {
+            spanned,
+            teeth,
+            amplification,
+            with_pitch,
+        } => {
+            let words =
+                thickness::each_tooth_by_spans(*spanned, *teeth, *amplification, *with_pitch);
+            format!("{}: {words}", key("thickness.span"))
+        }
+        Finding::SpansGiveMeanOnly {
+            spanned,
+            teeth,
+            readings,
+            why,
+            pitch_in_mean,
+        } => {
+            let words = thickness::mean_by_spans(*spanned, *teeth, *readings, *why, *pitch_in_mean);
+            format!("{}: {words}", key("thickness.span"))
         }
         Finding::LeftFlankReversed { eccentricity_um } => {
             eccentricity::left_reversed(of, *eccentricity_um)

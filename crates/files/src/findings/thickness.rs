@@ -2,68 +2,56 @@
 
 use crate::cross_check::CrossCheck;
 use crate::statements::Statements;
-use gearlash::metrology::{
-    Finding, MeanOnly, StatementRole, ThicknessBesidePitch, ThicknessStatements,
-};
+use gearlash::metrology::{MeanOnly, StatementRole, ThicknessBesidePitch, ThicknessStatements};
 
-/// What readings all round determine.
-pub fn all_round(finding: &Finding) -> String {
-    match finding {
-        Finding::PinsGiveMeanOnly {
-            readings,
-            with_pitch,
-        } => {
-            let pitch = match with_pitch {
-                true => "",
-                false => "; without [pitch] that is taken as even",
-            };
+/// Dimensions over pins all round.
+pub fn mean_by_pins(readings: usize, with_pitch: bool) -> String {
+    let pitch = match with_pitch {
+        true => "",
+        false => "; without [pitch] that is taken as even",
+    };
+    format!(
+        "{readings} dimensions over pins give the mean thickness only, no thickness by tooth{pitch}"
+    )
+}
+
+/// Spans over `k` teeth at all `z`, which determine each tooth.
+pub fn each_tooth_by_spans(k: u32, z: u32, growth: u32, with_pitch: bool) -> String {
+    let pitch = match with_pitch {
+        true => "",
+        false => "; without [pitch] all unevenness of the spans counts as thickness",
+    };
+    format!(
+        "{z} spans over {k} teeth give each tooth's thickness; an error of the readings grows in it up to {growth}-fold, \
+         {:.1}-fold when random (per_tooth = false takes the mean only){pitch}",
+        f64::from(growth).sqrt()
+    )
+}
+
+/// `readings` spans over `k` of `z` teeth, of which the mean alone is taken.
+pub fn mean_by_spans(
+    k: u32,
+    z: u32,
+    readings: usize,
+    why: MeanOnly,
+    pitch_in_mean: bool,
+) -> String {
+    let mean_only = match pitch_in_mean {
+        true => "; without [pitch] its part in these places stays in the mean thickness",
+        false => "",
+    };
+    let why = match why {
+        MeanOnly::AsAsked => return format!("{readings} spans, {z} teeth{mean_only}"),
+        MeanOnly::TooFew => format!("{readings} spans do not determine {z} teeth"),
+        MeanOnly::Undetermined { other } => {
+            let other = other.map_or(String::new(), |k| format!(" (spans over {k} teeth would)"));
             format!(
-                "{readings} dimensions over pins give the mean thickness only, no thickness by tooth{pitch}"
+                "{z} spans over {k} teeth do not determine single teeth{other}: thickness that alternates from tooth i to tooth i + {} shows in none of them",
+                k - 1
             )
         }
-        Finding::SpansGiveEachTooth {
-            spanned: k,
-            teeth: z,
-            amplification: growth,
-            with_pitch,
-        } => {
-            let pitch = match with_pitch {
-                true => "",
-                false => "; without [pitch] all unevenness of the spans counts as thickness",
-            };
-            format!(
-                "{z} spans over {k} teeth give each tooth's thickness; an error of the readings grows in it up to {growth}-fold, \
-                 {:.1}-fold when random (per_tooth = false takes the mean only){pitch}",
-                f64::from(*growth).sqrt()
-            )
-        }
-        Finding::SpansGiveMeanOnly {
-            spanned: k,
-            teeth: z,
-            readings,
-            why,
-            pitch_in_mean,
-        } => {
-            let mean_only = match pitch_in_mean {
-                true => "; without [pitch] its part in these places stays in the mean thickness",
-                false => "",
-            };
-            let why = match why {
-                MeanOnly::AsAsked => return format!("{readings} spans, {z} teeth{mean_only}"),
-                MeanOnly::TooFew => format!("{readings} spans do not determine {z} teeth"),
-                MeanOnly::Undetermined { other } => {
-                    let other =
-                        other.map_or(String::new(), |k| format!(" (spans over {k} teeth would)"));
-                    format!(
-                        "{z} spans over {k} teeth do not determine single teeth{other}: thickness that alternates from tooth i to tooth i + {} shows in none of them",
-                        k - 1
-                    )
-                }
-            };
-            format!("{why}; only the mean thickness is taken{mean_only}")
-        }
-        _ => String::new(),
-    }
+    };
+    format!("{why}; only the mean thickness is taken{mean_only}")
 }
 
 /// Per-tooth thickness beside the pitch of both flanks; `other_sense` reads the left flank the other way round.

@@ -209,7 +209,8 @@ fn a_straight_flank_meets_an_involute() {
         let pinion = AsBuilt::perfect(mate, Face::Back);
         let cut = CutPair::for_certificates(&wheel, &pinion);
         for locked in [Member::Wheel, Member::Pinion] {
-            let pair = GearPair::new(wheel.clone(), pinion.clone(), distance, locked).unwrap();
+            let pair =
+                GearPair::with_locked(wheel.clone(), pinion.clone(), distance, locked).unwrap();
             let (kernel, refined) = (ExactKernel::new(&pair), cut.refined_kernel(&pair));
             let certifier = Certifier::new(cut.kernel(&pair));
             for k in 0..25 {

@@ -3,7 +3,8 @@
 use super::ending::unfinished;
 use super::failed;
 use super::folder::{Made, guard};
-use super::temporary::{Temporary, clear_dead};
+use super::replace::clear_dead;
+use super::temporary::Temporary;
 use crate::error::Error;
 use gearlash_files::Sources;
 use std::fs::OpenOptions;

@@ -3,8 +3,8 @@
 use super::ending::unfinished;
 use super::exchange::Exchange;
 use super::failed;
-use super::replace::{MANIFEST, replace};
-use super::temporary::{Lock, NewFile, Temporary, clear_dead, is_temporary, lock, same};
+use super::replace::{MANIFEST, New, clear_dead, replace};
+use super::temporary::{Lock, NewFile, Temporary, is_temporary, lock, same};
 use crate::error::Error;
 use gearlash_files::Sources;
 use std::ffi::OsStr;
@@ -209,14 +209,6 @@ pub(super) fn guard(sources: &Sources, path: &Path, named: &Path) -> Result<(), 
             input: input.to_path_buf(),
         }),
     }
-}
-
-/// Files of a set that is to come.
-pub(super) struct New {
-    /// Where they stand.
-    pub temporary: Temporary,
-    /// In order.
-    pub names: Vec<String>,
 }
 
 /// Keeps other runs from the folder at `path`.

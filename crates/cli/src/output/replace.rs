@@ -6,8 +6,7 @@
 
 use super::ending::unfinished;
 use super::failed;
-use super::folder::New;
-use super::temporary::{PIECE, Temporary, sync_folder};
+use super::temporary::{Lock, PIECE, Temporary, is_temporary, lock, sync_folder};
 use crate::error::Error;
 use sha2::{Digest, Sha256};
 use std::fmt::Write;
@@ -19,6 +18,14 @@ use std::path::Path;
 const PLAN: &str = ".gearlash-plan";
 /// Name and form are those that `sha256sum --check` reads.
 pub(super) const MANIFEST: &str = "gearlash.sha256";
+
+/// Files of a set that is to come.
+pub(super) struct New {
+    /// Where they stand.
+    pub temporary: Temporary,
+    /// In order.
+    pub names: Vec<String>,
+}
 
 /// Puts the files that are `to_come` into `folder` and removes those called `stale`; after an error everything is as it was.
 pub(super) fn replace(folder: &Path, to_come: &New, stale: &[String]) -> Result<(), Error> {
@@ -145,6 +152,26 @@ pub(super) fn undo(path: &Path) -> std::io::Result<()> {
     }
     sync_folder(folder)?;
     std::fs::remove_file(path.join(PLAN))
+}
+
+/// Removes from `folder` what killed runs left there, and undoes what they had begun to replace.
+pub(super) fn clear_dead(folder: &Path) {
+    let Ok(entries) = std::fs::read_dir(folder) else {
+        return;
+    };
+    for entry in entries.flatten() {
+        let ours = is_temporary(&entry.file_name());
+        if !ours || !entry.file_type().is_ok_and(|kind| kind.is_dir()) {
+            continue;
+        }
+        let path = entry.path();
+        if let Lock::Held(_lock) = lock(&path) {
+            // A folder that cannot be put right is kept, for a run that can.
+            if undo(&path).is_ok() {
+                let _ = std::fs::remove_dir_all(&path);
+            }
+        }
+    }
 }
 
 /// The hash of each of `names` in the folder `new`, and the lines of other commands' files that the manifest of `folder` has.

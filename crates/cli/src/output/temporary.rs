@@ -1,7 +1,6 @@
 //! Folders for files that are not complete yet.
 
 use super::ending::unfinished;
-use super::replace;
 use std::ffi::OsStr;
 use std::fs::{File, TryLockError};
 use std::io::{Error, ErrorKind, Write};
@@ -178,26 +177,6 @@ pub(super) fn same(file: &File, path: &Path) -> bool {
 #[cfg(not(unix))]
 pub(super) fn same(_: &File, path: &Path) -> bool {
     path.exists()
-}
-
-/// Removes from `folder` what killed runs left there, and undoes what they had begun to replace.
-pub(super) fn clear_dead(folder: &Path) {
-    let Ok(entries) = std::fs::read_dir(folder) else {
-        return;
-    };
-    for entry in entries.flatten() {
-        let ours = is_temporary(&entry.file_name());
-        if !ours || !entry.file_type().is_ok_and(|kind| kind.is_dir()) {
-            continue;
-        }
-        let path = entry.path();
-        if let Lock::Held(_lock) = lock(&path) {
-            // A folder that cannot be put right is kept, for a run that can.
-            if replace::undo(&path).is_ok() {
-                let _ = std::fs::remove_dir_all(&path);
-            }
-        }
-    }
 }
 
 /// Whether a temporary folder may be called that.

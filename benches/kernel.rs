@@ -3,10 +3,10 @@
 //! Every measurement cycles through a revolution at 7 poses a pitch, so that no pose is warm.
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
+use gearlash::contact::ExactKernel;
 use gearlash::gear::{
     AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Pitch, Side,
 };
-use gearlash::mesh::ExactKernel;
 use gearlash::pair::{GearPair, Mating, Member, Pose};
 use std::hint::black_box;
 

@@ -3,10 +3,10 @@
 //! `cargo bench --bench ratios`. Every time is the least of several rounds: what else the machine does adds time, never takes it.
 
 use gearlash::analytic::LineOfAction;
+use gearlash::contact::{Certifier, CutPair, ExactKernel, Method, sweep};
 use gearlash::gear::{
     AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, HalfTooth, Pitch, Side,
 };
-use gearlash::mesh::{Certifier, CutPair, ExactKernel, Method, sweep};
 use gearlash::pair::{GearPair, Mating, Member, Pose, SweepPlan};
 use nalgebra::{Isometry2, Point2, Vector2};
 use parry2d_f64::math::{Pose2, Vector};

@@ -14,7 +14,7 @@ mod clearance;
 
 use campaign::{Depth, Drawn, LONGEST, Tally, run};
 use clap::{Parser, ValueEnum};
-use gearlash::mesh::ExactKernel;
+use gearlash::contact::ExactKernel;
 use gearlash::pair::Pose;
 use rayon::prelude::*;
 use std::process::ExitCode;

@@ -2,9 +2,9 @@
 //!
 //! `cargo run --release --example from_a_file -- fixtures/karba_44x44.toml > worst.svg`
 
+use gearlash::analysis::outcome::Outcome;
 use gearlash::analysis::{Analysis, Plan};
-use gearlash::mesh::Method;
-use gearlash::outcome::Outcome;
+use gearlash::contact::Method;
 use gearlash_render::{Snapshot, snapshot};
 use std::error::Error;
 use std::path::Path;

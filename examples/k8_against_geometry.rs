@@ -10,9 +10,9 @@
 //! `cargo run --release --example k8_against_geometry`
 
 use gearlash::analytic::{InvolutePair, limits};
+use gearlash::contact::ExactKernel;
 use gearlash::error::Error;
 use gearlash::gear::{AsBuilt, BasicGearData, BasicRack, Face, Gear, GearDesign, Side};
-use gearlash::mesh::ExactKernel;
 use gearlash::pair::{GearPair, Mating, Member, Pose};
 use rayon::prelude::*;
 

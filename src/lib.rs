@@ -51,7 +51,7 @@
 //! # };
 //! # let wheel = AsBuilt::perfect(gear(31)?, Face::Front);
 //! # let pinion = AsBuilt::perfect(gear(17)?, Face::Back);
-//! use gearlash::mesh::{CutPair, Method, sweep};
+//! use gearlash::contact::{CutPair, Method, sweep};
 //! use gearlash::pair::{GearPair, SweepPlan};
 //! use std::ops::ControlFlow;
 //!
@@ -67,7 +67,7 @@
 //!
 //! # The models beside it
 //!
-//! [`analytic`] shares nothing with [`mesh`] but gears and poses: where they agree, it means something.
+//! [`analytic`] shares nothing with [`contact`] but gears and poses: where they agree, it means something.
 //!
 //! ```
 //! # use gearlash::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign, Side};
@@ -106,9 +106,9 @@
 //! # let gear = Gear::nominal(GearDesign::standard(BasicGearData::new(20, 2.0, 20f64.to_radians())?))?;
 //! # let (wheel, pinion) = (AsBuilt::perfect(gear.clone(), Face::Front), AsBuilt::perfect(gear, Face::Back));
 //! use gearlash::analysis::{Analysis, Plan};
-//! use gearlash::diagnosis::Verdict;
-//! use gearlash::mesh::Method;
-//! use gearlash::study::Study;
+//! use gearlash::analysis::diagnosis::Verdict;
+//! use gearlash::contact::Method;
+//! use gearlash::analysis::study::Study;
 //!
 //! // 0.5 mm too near: the teeth do not fit.
 //! let study = Study::of_pair("too near", &GearPair::new(wheel, pinion, 39.5)?, 4);
@@ -126,12 +126,12 @@
 //! # let gear = Gear::nominal(GearDesign::standard(BasicGearData::new(20, 2.0, 20f64.to_radians())?))?;
 //! # let (wheel, pinion) = (AsBuilt::perfect(gear.clone(), Face::Front), AsBuilt::perfect(gear, Face::Back));
 //! # use gearlash::analysis::{Analysis, Plan};
-//! # use gearlash::mesh::Method;
-//! # use gearlash::study::Study;
+//! # use gearlash::contact::Method;
+//! # use gearlash::analysis::study::Study;
 //! let study = Study::of_pair("20/20", &GearPair::new(wheel, pinion, 40.1)?, 16);
 //! let analysis = Analysis::silently(&Plan::new(&study, Method::Exact { certify: true }))?;
 //! let runs: Vec<_> = analysis.all().collect();
-//! let outcome = gearlash::outcome::Outcome::of(&runs, &[]);
+//! let outcome = gearlash::analysis::outcome::Outcome::of(&runs, &[]);
 //! let [least, greatest] = [outcome.least, outcome.greatest].map(|found| found.and_then(|found| found.pose.swept.j_wt()));
 //! assert!(least > Some(0.0) && least <= greatest && outcome.assembles());
 //! # Ok::<(), gearlash::error::Error>(())
@@ -162,20 +162,10 @@
 
 pub mod analysis;
 pub mod analytic;
-pub mod compare;
-pub mod curves;
-pub mod cycle;
-pub mod diagnosis;
+pub mod contact;
 pub mod error;
 pub mod gauge;
 pub mod gear;
-pub mod measured;
-pub mod mesh;
 pub mod metrology;
-pub mod outcome;
 pub mod pair;
 mod parallel;
-pub mod phases;
-pub mod simulate;
-pub mod study;
-pub mod tally;

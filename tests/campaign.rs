@@ -9,8 +9,8 @@ mod clearance;
 mod posed;
 
 use campaign::{Drawn, LONGEST, run};
+use gearlash::contact::{CutPair, ExactKernel};
 use gearlash::gear::Side;
-use gearlash::mesh::{CutPair, ExactKernel};
 use gearlash::pair::{Member, Pose};
 use rayon::prelude::*;
 use std::f64::consts::TAU;

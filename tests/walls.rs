@@ -38,7 +38,7 @@ fn that_name(room: &str, names: &[&str]) -> Vec<String> {
 #[test]
 fn the_analytic_models_see_no_contact() {
     let names = [
-        "crate::mesh",
+        "crate::contact",
         "crate::analysis",
         "crate::simulate",
         "crate::gauge",
@@ -50,7 +50,7 @@ fn the_analytic_models_see_no_contact() {
 fn a_gear_knows_no_pair() {
     let names = [
         "crate::pair",
-        "crate::mesh",
+        "crate::contact",
         "crate::analytic",
         "crate::analysis",
     ];
@@ -59,7 +59,7 @@ fn a_gear_knows_no_pair() {
 
 #[test]
 fn a_pair_knows_no_contact() {
-    let names = ["crate::mesh", "crate::analytic", "crate::analysis"];
+    let names = ["crate::contact", "crate::analytic", "crate::analysis"];
     assert_eq!(that_name("pair", &names), [""; 0]);
 }
 

@@ -3,7 +3,7 @@
 
 use arbitrary::Arbitrary;
 use gearlash::pair::GearPair;
-use gearlash::study::Study;
+use gearlash::analysis::study::Study;
 use gearlash_fuzz::folder::Folder;
 use gearlash_fuzz::pose::agree;
 use libfuzzer_sys::{Corpus, fuzz_target};

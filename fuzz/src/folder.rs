@@ -1,6 +1,6 @@
 //! Files in memory: the library reads pair files and tables from paths.
 
-use gearlash::study::Study;
+use gearlash::analysis::study::Study;
 use gearlash_files::PairFile;
 use std::fs;
 use std::path::Path;

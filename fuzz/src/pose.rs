@@ -2,7 +2,7 @@
 
 use gearlash::error::Error;
 use gearlash::gear::ProfilePart;
-use gearlash::mesh::{Certifier, Contact, CutPair, ExactKernel, LostMotion};
+use gearlash::contact::{Certifier, Contact, CutPair, ExactKernel, LostMotion};
 use gearlash::pair::{GearPair, Mating, Member, Pose};
 use std::f64::consts::TAU;
 

@@ -2,15 +2,26 @@
 //!
 //! A [`Plan`] says what is to be found out and how much work that is; [`Analysis::run`] does it, each pose once.
 
-use crate::compare::{ComparedRun, compare};
-use crate::curves::{self, OverDistance};
-use crate::cycle::{self, Cycle};
-use crate::diagnosis::{self, Diagnosis};
+pub mod compare;
+pub mod curves;
+pub mod cycle;
+pub mod diagnosis;
+pub mod measured;
+pub mod outcome;
+pub mod phases;
+pub mod simulate;
+pub mod study;
+pub mod tally;
+
+use self::compare::{ComparedRun, compare};
+use self::curves::OverDistance;
+use self::cycle::Cycle;
+use self::diagnosis::Diagnosis;
+use self::measured::{MeasuredMating, measured_matings};
+use self::simulate::simulate;
+use self::study::Study;
+use crate::contact::Method;
 use crate::error::Error;
-use crate::measured::{MeasuredMating, measured_matings};
-use crate::mesh::Method;
-use crate::simulate::simulate;
-use crate::study::Study;
 use std::ops::ControlFlow;
 
 /// What is to be found out about a pair, and how.

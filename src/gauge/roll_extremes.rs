@@ -16,9 +16,9 @@
 //! The assumption is `L`; with it the bracket is proven. The slopes between the poses are not proven
 //! beforehand: something narrower than a halved step that no pose touches would be missed.
 
+use crate::contact::PoseClass;
 use crate::error::Error;
 use crate::gear::ProfilePart;
-use crate::mesh::PoseClass;
 use crate::pair::Mating;
 use crate::parallel;
 use std::collections::BTreeMap;

@@ -7,8 +7,8 @@
 
 use super::Unmeasured;
 use super::workpiece::{Place, Workpiece};
+use crate::contact::Touch;
 use crate::gear::{ProfilePart, Side};
-use crate::mesh::Touch;
 use crate::parallel;
 use nalgebra::{Matrix2, Point2, UnitComplex, Vector2};
 

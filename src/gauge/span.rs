@@ -9,8 +9,8 @@
 use super::Unmeasured;
 use super::spread::{ends, mean};
 use super::workpiece::Workpiece;
+use crate::contact::Touch;
 use crate::gear::{Profile, ProfilePart, Side};
-use crate::mesh::Touch;
 use crate::parallel;
 
 /// One span.

@@ -4,8 +4,8 @@
 //! [`HalfTooth`]), already turned there by its caller. A coarse polygon tells which
 //! stretch may touch; that stretch is cut again, until chords are as near their curve as f64 tells.
 
+use crate::contact::Shape;
 use crate::gear::{AsBuilt, HalfTooth, ProfilePart, Side};
-use crate::mesh::Shape;
 use nalgebra::{Point2, UnitComplex, Vector2};
 use std::ops::Range;
 

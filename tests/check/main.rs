@@ -15,16 +15,16 @@ mod pair_86_21;
 
 use common::{ReferenceContact, reference_pair};
 use eccentric_17_100::eccentric_17_100;
-use gearlash::analytic::{LineOfAction, SideContact, limits};
-use gearlash::compare::compare;
-use gearlash::diagnosis::{
+use gearlash::analysis::compare::compare;
+use gearlash::analysis::diagnosis::{
     Check, Diagnosis, Verdict, diagnose, non_involute_onset, radial_clearance, zero_distance,
 };
+use gearlash::analysis::simulate::simulate;
+use gearlash::analysis::study::Study;
+use gearlash::analytic::{LineOfAction, SideContact, limits};
+use gearlash::contact::{ContactClass, ContactKind, ExactKernel, Method, Moment, PoseClass};
 use gearlash::gear::{AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Side};
-use gearlash::mesh::{ContactClass, ContactKind, ExactKernel, Method, Moment, PoseClass};
 use gearlash::pair::{GearPair, Mating, Member, Pose, SweepPlan};
-use gearlash::simulate::simulate;
-use gearlash::study::Study;
 use gearlash_files as input;
 use pair_86_21::{pair_86_21, written};
 use std::ops::ControlFlow;

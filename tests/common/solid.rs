@@ -4,8 +4,8 @@
 //! tooth's two flanks there. The outlines' points (lands and the outer flanks, corners among them) of
 //! each gear are asked for in the other's teeth, and rotations bisected. Tips only: nothing below `DEPTH`.
 
+use gearlash::contact::LostMotion;
 use gearlash::gear::{AsBuilt, Profile, ProfilePart, Side, involute};
-use gearlash::mesh::LostMotion;
 use gearlash::pair::{GearPair, Member, Pose};
 use nalgebra::{Point2, Rotation2, Vector2};
 

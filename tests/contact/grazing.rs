@@ -14,8 +14,8 @@ mod solid;
 
 use campaign::{Depth, Drawn, LONGEST, run};
 use design::design;
+use gearlash::contact::{Certifier, CutPair, ExactKernel, LostMotion, Status};
 use gearlash::gear::{AsBuilt, BasicRack, Deviations, Face, Gear, GearDesign, ProfilePart, Side};
-use gearlash::mesh::{Certifier, CutPair, ExactKernel, LostMotion, Status};
 use gearlash::pair::{GearPair, Mating, Member, Pose};
 use std::f64::consts::TAU;
 

@@ -1,11 +1,11 @@
 //! The hard cases, each by both methods: one status a pose, agreement to 1e-6 µm, and what the
 //! case must show. Where the answer has a closed form it is computed in the test.
 
+use gearlash::contact::{Contact, CutPair, ExactKernel, LostMotion, Status};
 use gearlash::gear::{
     AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Pitch, ProfilePart,
     Side, involute,
 };
-use gearlash::mesh::{Contact, CutPair, ExactKernel, LostMotion, Status};
 use gearlash::pair::{GearPair, Mating, Member, Pose};
 use std::f64::consts::{PI, TAU};
 

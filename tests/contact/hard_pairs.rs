@@ -1,9 +1,9 @@
 //! The pairs of fixtures/reference/hard by every method: exact and certified, polygon, both. What is right there was found by
 //! others: each test names who (`fixtures/reference/hard/README.md`; brute force is `tests/common/clearance`).
 
-use gearlash::mesh::{Certifier, CutPair, Method, PoseResult, Status};
+use gearlash::analysis::simulate::simulate;
+use gearlash::contact::{Certifier, CutPair, Method, PoseResult, Status};
 use gearlash::pair::Pose;
-use gearlash::simulate::simulate;
 use gearlash_files as input;
 use std::ops::ControlFlow;
 use std::path::Path;

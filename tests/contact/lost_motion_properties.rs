@@ -4,8 +4,8 @@ use crate::common;
 
 use common::random_pair::{Case, case, rough_case};
 use gearlash::analytic::evaluate;
+use gearlash::contact::{CutPair, LostMotion, Status};
 use gearlash::gear::ProfilePart;
-use gearlash::mesh::{CutPair, LostMotion, Status};
 use gearlash::pair::{GearPair, Member, Pose};
 use proptest::prelude::*;
 

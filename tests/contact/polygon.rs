@@ -3,8 +3,8 @@
 use crate::common;
 
 use common::{ReferenceContact, ReferencePose, reference_names, reference_pair};
+use gearlash::contact::{Certifier, Contact, CutPair, LostMotion, Status};
 use gearlash::gear::{AsBuilt, BasicGearData, BasicRack, Face, Gear, GearDesign, Side};
-use gearlash::mesh::{Certifier, Contact, CutPair, LostMotion, Status};
 use gearlash::pair::{GearPair, Mating, Member, Pose};
 
 /// µm of `j_wt` a radian of the free gear.

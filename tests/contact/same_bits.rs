@@ -3,7 +3,7 @@
 use crate::common;
 
 use common::random_pair::{Case, case, rough_case};
-use gearlash::mesh::{CutPair, ExactKernel, LostMotion, Method, PoseResult, sweep};
+use gearlash::contact::{CutPair, ExactKernel, LostMotion, Method, PoseResult, sweep};
 use gearlash::pair::{GearPair, Mating, Member, Pose};
 use proptest::prelude::*;
 use std::ops::ControlFlow;

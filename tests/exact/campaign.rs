@@ -1,8 +1,8 @@
 //! Random poses against brute force.
 
 use crate::{clearance, random};
+use gearlash::contact::ExactKernel;
 use gearlash::gear::ProfilePart;
-use gearlash::mesh::ExactKernel;
 use gearlash::pair::{GearPair, Mating, Member, Pose};
 use random::Random;
 
@@ -148,7 +148,7 @@ fn quick_against_search(count: u64, first_seed: u64, kind: random::Kind) -> usiz
                 let off = (one.rotation - other.rotation).abs() * radius_um;
                 assert!(off <= 1e-7, "{off:e} µm: {}", what());
                 worst = worst.max(off);
-                let names = |contact: &gearlash::mesh::Contact| {
+                let names = |contact: &gearlash::contact::Contact| {
                     [contact.wheel, contact.pinion].map(|touch| (touch.tooth, touch.curve))
                 };
                 // Within a hair of a curve's end either name is right.

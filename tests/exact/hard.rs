@@ -1,10 +1,10 @@
 //! The hard cases of the issue: each has a definite answer, checked against brute force at several phases.
 
 use crate::campaign::{Tally, compare};
+use gearlash::contact::{ExactKernel, LostMotion, Status};
 use gearlash::gear::{
     AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Pitch, Side,
 };
-use gearlash::mesh::{ExactKernel, LostMotion, Status};
 use gearlash::pair::{GearPair, Mating, Member, Pose};
 use std::f64::consts::{PI, TAU};
 

@@ -2,8 +2,8 @@
 
 use crate::design::design;
 use crate::random::{self, Kind, Random};
+use gearlash::contact::{ExactKernel, LostMotion};
 use gearlash::gear::{AsBuilt, Face, Gear, ProfilePart, Side, involute};
-use gearlash::mesh::{ExactKernel, LostMotion};
 use gearlash::pair::{GearPair, Mating, Member, Pose};
 
 /// `j_bn = p_b − s_b1 − s_b2 + 2 (r_b1 + r_b2) inv α_wt`, mm.

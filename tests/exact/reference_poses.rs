@@ -1,8 +1,8 @@
 //! The 126 reference poses.
 
 use crate::reference;
+use gearlash::contact::{Contact, ExactKernel};
 use gearlash::gear::Side;
-use gearlash::mesh::{Contact, ExactKernel};
 use gearlash::pair::{Member, Pose};
 use serde_json::Value;
 

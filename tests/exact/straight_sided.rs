@@ -2,8 +2,8 @@
 //! hand: two straight flanks touch where a tip corner of one lies on the other, and where a circle about the free axis meets a line.
 
 use crate::design::design;
+use gearlash::contact::{Certifier, Contact, CutPair, ExactKernel, LostMotion};
 use gearlash::gear::{AsBuilt, Deviations, Face, Gear, Side};
-use gearlash::mesh::{Certifier, Contact, CutPair, ExactKernel, LostMotion};
 use gearlash::pair::{GearPair, Mating, Member, Pose};
 use std::f64::consts::{PI, TAU};
 

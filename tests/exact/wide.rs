@@ -7,7 +7,7 @@
 mod drawn;
 
 use drawn::{Depth, Drawn};
-use gearlash::mesh::{Contact, ExactKernel, Status};
+use gearlash::contact::{Contact, ExactKernel, Status};
 use gearlash::pair::Pose;
 use rayon::prelude::*;
 

@@ -2,8 +2,8 @@
 
 use super::*;
 use gearlash::analytic::InvolutePair;
+use gearlash::contact::{ContactKind, CutPair, PoseClass};
 use gearlash::gauge::RollPose;
-use gearlash::mesh::{ContactKind, CutPair, PoseClass};
 use gearlash::pair::{GearPair, Member, Pose};
 
 fn eccentric(eccentricity: f64) -> AsBuilt {

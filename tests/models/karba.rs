@@ -1,9 +1,9 @@
 //! The study's published numbers: Tables 5 and 6 (44/44) and Tables 1 and 2 (86/21), from the fixtures users run.
 
-use gearlash::compare::{ComparedRun, compare};
-use gearlash::measured::measured_matings;
-use gearlash::mesh::Method;
-use gearlash::study::Study;
+use gearlash::analysis::compare::{ComparedRun, compare};
+use gearlash::analysis::measured::measured_matings;
+use gearlash::analysis::study::Study;
+use gearlash::contact::Method;
 use std::ops::ControlFlow;
 use std::path::Path;
 
@@ -16,7 +16,9 @@ fn run_by(fixture: &str, method: Method) -> (Study, Vec<ComparedRun>) {
         .join("fixtures")
         .join(fixture);
     let study = gearlash_files::read(&path).unwrap().study;
-    let runs = gearlash::simulate::simulate(&study, method, &|| ControlFlow::Continue(())).unwrap();
+    let runs =
+        gearlash::analysis::simulate::simulate(&study, method, &|| ControlFlow::Continue(()))
+            .unwrap();
     let tolerance = study.tolerance_um;
     (study, compare(runs, tolerance))
 }

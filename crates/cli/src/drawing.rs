@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use clap::ValueEnum;
-use gearlash::study::{Material, Study};
+use gearlash::analysis::study::{Material, Study};
 
 /// `--material`.
 #[derive(Clone, Copy, ValueEnum)]

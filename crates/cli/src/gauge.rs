@@ -6,9 +6,9 @@ use super::results::{Format, ResultsArgs};
 use super::studies;
 use crate::error::Error;
 use clap::ValueEnum;
+use gearlash::analysis::study::Material;
 use gearlash::gauge::{Settings, gauge, pose_count};
 use gearlash::gear::AsBuilt;
-use gearlash::study::Material;
 use gearlash_files::results::gauge::{
     GaugedGear, csv_files, json, possible_files, stem, teeth_csv,
 };

@@ -3,8 +3,8 @@
 use super::console::tell;
 use clap::ValueEnum;
 use gearlash::analysis::Analysis;
-use gearlash::mesh::Method;
-use gearlash::tally::RunTally;
+use gearlash::analysis::tally::RunTally;
+use gearlash::contact::Method;
 
 /// Largest difference between the two methods that passes, mm: 1e-6 µm, a picometre.
 const AGREEMENT: f64 = 1e-9;
@@ -84,10 +84,10 @@ pub(super) fn agreement_within(largest: Option<f64>) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use gearlash::compare::{ComparedRun, compare};
-    use gearlash::mesh::{CutPair, sweep};
+    use gearlash::analysis::compare::{ComparedRun, compare};
+    use gearlash::analysis::simulate::Run;
+    use gearlash::contact::{CutPair, sweep};
     use gearlash::pair::Member;
-    use gearlash::simulate::Run;
     use std::ops::ControlFlow;
     use std::path::Path;
 

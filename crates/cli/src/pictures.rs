@@ -1,7 +1,7 @@
 //! What `snapshot --animate` and `--exaggerate` draw.
 
 use crate::error::Error;
-use gearlash::mesh::{CutPair, Exaggeration, Method, PoseResult, sweep};
+use gearlash::contact::{CutPair, Exaggeration, Method, PoseResult, sweep};
 use gearlash::pair::{GearPair, Mating, Member, Pose};
 use std::ops::ControlFlow;
 

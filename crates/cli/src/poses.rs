@@ -2,7 +2,7 @@
 
 use super::console::tell;
 use crate::error::Error;
-use gearlash::study::{MOST_POSES, POSE_BYTES_CSV, POSE_BYTES_JSON, size};
+use gearlash::analysis::study::{MOST_POSES, POSE_BYTES_CSV, POSE_BYTES_JSON, size};
 use gearlash_files::{InputError, Problem};
 use std::path::Path;
 

@@ -3,10 +3,10 @@
 use super::console::tell;
 use super::progress::Progress;
 use crate::error::Error;
+use gearlash::analysis::simulate::{Run, each_block, pose_count};
+use gearlash::analysis::study::{Material, Study};
 use gearlash::analytic::evaluate;
-use gearlash::mesh::{FirstLeast, Method, PoseResult, Status};
-use gearlash::simulate::{Run, each_block, pose_count};
-use gearlash::study::{Material, Study};
+use gearlash::contact::{FirstLeast, Method, PoseResult, Status};
 
 /// Runs `study` at `distance` and with `material` alone where they are given, says on standard error which
 /// pose is the worst, and returns it alone in its run, with the number of poses that are not proven. Those are left

@@ -7,7 +7,7 @@ use super::place::Place;
 use super::problems::Problems;
 use super::read::{GearEntry, GearsFile};
 use super::table::Table;
-use gearlash::study::Material;
+use gearlash::analysis::study::Material;
 use std::path::Path;
 
 const KEYS: &[&str] = &["title", "gear"];

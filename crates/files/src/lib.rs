@@ -1,4 +1,4 @@
-//! From a pair file to a [`Study`](gearlash::study::Study): every key of the interface, every problem at once.
+//! From a pair file to a [`Study`](gearlash::analysis::study::Study): every key of the interface, every problem at once.
 //!
 //! A file becomes a tree of values (`source`, `node`); each table is read by
 //! type and range (`table`, `entry`); what is good goes on to the metrology and

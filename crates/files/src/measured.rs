@@ -7,7 +7,7 @@ use super::problems::Problems;
 use super::spec::MeasuredSpec;
 use super::table::Table;
 use crate::error::Problem;
-use gearlash::study::MeasuredRow;
+use gearlash::analysis::study::MeasuredRow;
 use std::collections::{HashMap, HashSet};
 
 pub const KEYS: &[&str] = &["file"];

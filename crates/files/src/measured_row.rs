@@ -4,7 +4,7 @@ use super::data_file::DataFile;
 use super::entry::whole_in;
 use super::problems::Problems;
 use crate::error::Problem;
-use gearlash::study::MeasuredRow;
+use gearlash::analysis::study::MeasuredRow;
 use std::ops::RangeInclusive;
 
 /// The columns, all needed, in any order.

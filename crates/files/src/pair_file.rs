@@ -13,8 +13,10 @@ use super::read::PairFile;
 use super::spec::{AccuracySpec, AssemblySpec, CompareSpec, PairSpec};
 use super::sweep::Sweep;
 use super::table::Table;
+use gearlash::analysis::study::{
+    MOST_POSES, Material, POSE_BYTES_CSV, POSE_BYTES_JSON, Study, size,
+};
 use gearlash::gear::AsBuilt;
-use gearlash::study::{MOST_POSES, Material, POSE_BYTES_CSV, POSE_BYTES_JSON, Study, size};
 use std::path::Path;
 
 const KEYS: &[&str] = &[

@@ -2,9 +2,9 @@
 
 use crate::sources::Sources;
 use crate::spec::{GearSpec, PairSpec};
+use gearlash::analysis::study::{Material, Study};
 use gearlash::error::GearError;
 use gearlash::gear::AsBuilt;
-use gearlash::study::{Material, Study};
 
 /// A pair file, understood.
 #[derive(Debug, Clone, PartialEq)]

@@ -4,8 +4,8 @@ mod junit;
 mod markdown;
 
 use crate::text::where_it_is;
-use gearlash::compare::Verdict;
-use gearlash::tally::RunTally;
+use gearlash::analysis::compare::Verdict;
+use gearlash::analysis::tally::RunTally;
 use gearlash_files::characters::plain;
 use gearlash_files::numbers::{distance, signed_um, um_ascii};
 use gearlash_files::results::{ComparedPair, doubts};

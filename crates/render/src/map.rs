@@ -1,8 +1,8 @@
 //! The map of what touches over centre distance and mesh phase, as a picture and as rows.
 
 use crate::kit::{self, Axis, Frame, GREY, INK, Plot, TextStyle, line, number};
-use gearlash::diagnosis::{Map, MapCell};
-use gearlash::mesh::{ContactKind, PoseClass};
+use gearlash::analysis::diagnosis::{Map, MapCell};
+use gearlash::contact::{ContactKind, PoseClass};
 use svg::Document;
 use svg::node::Node;
 use svg::node::element::{Group, Rectangle};

@@ -18,7 +18,7 @@ mod watch;
 use draw::POSES_A_PAIR;
 use draw::Pair;
 pub use draw::{Depth, Drawn};
-use gearlash::mesh::CutPair;
+use gearlash::contact::CutPair;
 #[allow(unused_imports)] // each test binary uses its part
 use outcome::Outcome;
 use rayon::prelude::*;

@@ -1,9 +1,9 @@
 //! What both methods and the certificate say about one pose, and what of it is a fault.
 
 use super::draw::Drawn;
+use gearlash::contact::{Certifier, Contact, CutPair, ExactKernel, LostMotion, Status, Touch};
 use gearlash::error::Error;
 use gearlash::gear::{Profile, ProfilePart};
-use gearlash::mesh::{Certifier, Contact, CutPair, ExactKernel, LostMotion, Status, Touch};
 use gearlash::pair::{GearPair, Member, Pose};
 use std::f64::consts::TAU;
 use std::time::{Duration, Instant};

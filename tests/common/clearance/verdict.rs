@@ -2,8 +2,8 @@
 
 use super::Referee;
 use super::whole::{overlap, overlap_everywhere};
+use gearlash::contact::{LostMotion, Status};
 use gearlash::gear::Side;
-use gearlash::mesh::{LostMotion, Status};
 use gearlash::pair::{GearPair, Member, Pose};
 use std::f64::consts::TAU;
 

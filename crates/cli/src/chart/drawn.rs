@@ -8,14 +8,14 @@ use super::super::poses;
 use super::super::progress::{Progress, run_under_bar};
 use super::{Args, Gear, Kind};
 use crate::error::Error;
+use gearlash::analysis::compare::ComparedRun;
+use gearlash::analysis::curves::{self, Course, Followed};
+use gearlash::analysis::outcome::by_distance;
+use gearlash::analysis::study::Study;
 use gearlash::analysis::{Analysis, Plan};
-use gearlash::compare::ComparedRun;
-use gearlash::curves::{self, Course, Followed};
+use gearlash::contact::Method;
 use gearlash::error::{Error as Run, GearError};
 use gearlash::gear::Inspection;
-use gearlash::mesh::Method;
-use gearlash::outcome::by_distance;
-use gearlash::study::Study;
 use gearlash_render::chart::{self, Chart, Heading};
 
 /// A chart and the name of its file.

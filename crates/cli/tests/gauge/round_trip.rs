@@ -2,9 +2,9 @@
 
 use super::made_up::{made_up, scaled};
 use assert_cmd::Command;
-use gearlash::mesh::Method;
-use gearlash::simulate::simulate;
-use gearlash::study::Study;
+use gearlash::analysis::simulate::simulate;
+use gearlash::analysis::study::Study;
+use gearlash::contact::Method;
 use gearlash_files as input;
 use std::ops::ControlFlow;
 use std::path::Path;

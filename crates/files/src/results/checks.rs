@@ -5,7 +5,7 @@ use super::table::{Column, Table, Unit};
 use crate::characters;
 use crate::read::PairFile;
 use crate::spec::PairSpec;
-use gearlash::diagnosis::{Check, Diagnosis, Group, Map as ContactMap};
+use gearlash::analysis::diagnosis::{Check, Diagnosis, Group, Map as ContactMap};
 use gearlash::pair::Member;
 use serde::Serialize;
 use serde_json::{Map, Value};

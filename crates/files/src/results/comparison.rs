@@ -2,8 +2,8 @@
 
 use super::records::{MatingRecord, UnprovenRecord, doubts, mating_record, unproven_record};
 use crate::characters;
-use gearlash::compare::{ComparedPose, Verdict};
-use gearlash::tally::RunTally;
+use gearlash::analysis::compare::{ComparedPose, Verdict};
+use gearlash::analysis::tally::RunTally;
 use serde::Serialize;
 
 /// One compared pair file.

@@ -1,7 +1,7 @@
 //! What the statements about each gear say of each other.
 
+use gearlash::analysis::study::Study;
 use gearlash::metrology::{Eccentricity, EccentricityNote, GearNotes, ThicknessStatements};
-use gearlash::study::Study;
 use serde_json::{Map, Value, json};
 
 /// A key a gear that there is something to tell of; `None` without any.

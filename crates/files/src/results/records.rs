@@ -1,11 +1,11 @@
 //! A pose of a result: the keys of the interface, units in their names.
 
 use crate::numbers::um_ascii;
-use gearlash::compare::ComparedPose;
+use gearlash::analysis::compare::ComparedPose;
+use gearlash::analysis::tally::RunTally;
+use gearlash::contact::{Contact, ContactClass, LostMotion, PoseResult, Touch, Unproven};
 use gearlash::gear::Side;
-use gearlash::mesh::{Contact, ContactClass, LostMotion, PoseResult, Touch, Unproven};
 use gearlash::pair::{GearPair, Mating, Member};
-use gearlash::tally::RunTally;
 use serde::Serialize;
 use std::f64::consts::TAU;
 

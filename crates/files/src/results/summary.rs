@@ -1,8 +1,8 @@
 //! What a run comes to, as a result writes it: least, mean and greatest, and what touched.
 
 use super::records::{ContactRecord, MatingRecord, contact_record, mating_record, um};
-use gearlash::compare::Summary;
-use gearlash::diagnosis::{ContactCount, Worst};
+use gearlash::analysis::compare::Summary;
+use gearlash::analysis::diagnosis::{ContactCount, Worst};
 use serde::Serialize;
 
 /// What touched over a run; `classes` counts poses by the graver of their contacts.

@@ -6,8 +6,8 @@ use super::notes;
 use super::records::{PoseRecord, RunHead, pose_record};
 use super::summary::summary_record;
 use crate::read::PairFile;
-use gearlash::compare::ComparedRun;
-use gearlash::tally::{Piece, whole};
+use gearlash::analysis::compare::ComparedRun;
+use gearlash::analysis::tally::{Piece, whole};
 use rayon::prelude::*;
 use std::io::{Error, Result, Write};
 

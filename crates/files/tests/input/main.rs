@@ -6,8 +6,8 @@ mod poses;
 mod published;
 mod thickness;
 
+use gearlash::analysis::study::Material;
 use gearlash::pair::Member;
-use gearlash::study::Material;
 use gearlash_files::PairFile;
 use gearlash_files::read;
 use std::fs;
@@ -32,7 +32,7 @@ center_distance_mm = 75.2
 /// Reads `text` as a file called `name`; the rig's measured rows lie beside it.
 fn read_as(name: &str, text: impl AsRef<[u8]>) -> PairFile {
     let folder = TempDir::new().unwrap();
-    let rows = "fixtures/reference/karba_tables_5_6.csv";
+    let rows = "../../fixtures/reference/karba_tables_5_6.csv";
     fs::copy(rows, folder.path().join("karba_tables_5_6.csv")).unwrap();
     let path = folder.path().join(name);
     fs::write(&path, text).unwrap();
@@ -51,7 +51,7 @@ fn wheel(keys: &str) -> PairFile {
 /// Every pair file of the repository.
 fn fixtures() -> Vec<PathBuf> {
     let mut files = Vec::new();
-    for folder in ["fixtures", "fixtures/reference/lost_motion"] {
+    for folder in ["../../fixtures", "../../fixtures/reference/lost_motion"] {
         let entries = fs::read_dir(folder).unwrap();
         files.extend(
             entries
@@ -203,7 +203,7 @@ fn every_other_key_is_taken_over() {
 /// The pair file that README shows, and with every key that it shows commented out but the contradicting ones.
 #[test]
 fn the_pair_file_of_the_readme_is_one() {
-    let readme = fs::read_to_string("README.md").unwrap();
+    let readme = fs::read_to_string("../../README.md").unwrap();
     let text = readme
         .split("```toml")
         .nth(1)

@@ -139,10 +139,10 @@ fn apply(text: &str, slip: &Outlier) -> String {
 /// Good files: both fixtures, a short one, one with every deviation, and two of them as JSON.
 fn good(file: usize) -> (&'static str, String) {
     let text = |path: &str| fs::read_to_string(path).unwrap();
-    let everything = || text("fixtures/reference/lost_motion/everything_1.toml");
+    let everything = || text("../../fixtures/reference/lost_motion/everything_1.toml");
     match file {
-        0 => ("pair.toml", text("fixtures/karba_44x44.toml")),
-        1 => ("pair.toml", text("fixtures/karba_86x21.toml")),
+        0 => ("pair.toml", text("../../fixtures/karba_44x44.toml")),
+        1 => ("pair.toml", text("../../fixtures/karba_86x21.toml")),
         2 => ("pair.toml", PAIR.to_owned()),
         3 => ("pair.toml", everything()),
         4 => {
@@ -199,7 +199,7 @@ proptest! {
         let (name, text) = good(file);
         let text = slips.iter().fold(text, |text, slip| apply(&text, slip));
         let folder = TempDir::new().unwrap();
-        fs::copy("fixtures/karba_tables_5_6.csv", folder.path().join("karba_tables_5_6.csv")).unwrap();
+        fs::copy("../../fixtures/karba_tables_5_6.csv", folder.path().join("karba_tables_5_6.csv")).unwrap();
         let path = folder.path().join(name);
         fs::write(&path, text).unwrap();
         check(&path);
@@ -207,12 +207,12 @@ proptest! {
 
     #[test]
     fn a_garbled_measured_file(slips in prop::collection::vec(slip(), 1..4)) {
-        let text = fs::read_to_string("fixtures/karba_tables_5_6.csv").unwrap();
+        let text = fs::read_to_string("../../fixtures/karba_tables_5_6.csv").unwrap();
         let text = slips.iter().fold(text, |text, slip| apply(&text, slip));
         let folder = TempDir::new().unwrap();
         fs::write(folder.path().join("karba_tables_5_6.csv"), text).unwrap();
         let path = folder.path().join("pair.toml");
-        fs::copy("fixtures/karba_44x44.toml", &path).unwrap();
+        fs::copy("../../fixtures/karba_44x44.toml", &path).unwrap();
         check(&path);
     }
 }

@@ -75,7 +75,7 @@ fn revolutions_as_asked() {
 
 #[test]
 fn a_sweep_beside_measured_rows_wins() {
-    let text = fs::read_to_string("fixtures/karba_44x44.toml").unwrap();
+    let text = fs::read_to_string("../../fixtures/karba_44x44.toml").unwrap();
     let text = text.replace("[assembly]", "[assembly]\ncenter_distance_mm = [132.5]")
         + "[sweep]\nmating = [[1, 2]]\n";
     let study = study(&text);
@@ -88,7 +88,7 @@ fn a_sweep_beside_measured_rows_wins() {
 /// Without [sweep] the measured rows say where: other centre distances are not run, and said to be not.
 #[test]
 fn centre_distances_beside_measured_rows() {
-    let text = fs::read_to_string("fixtures/karba_44x44.toml").unwrap();
+    let text = fs::read_to_string("../../fixtures/karba_44x44.toml").unwrap();
     let with = |list: &str| {
         study(&text.replace(
             "[assembly]",

@@ -11,7 +11,7 @@ fn gear(assembly: &GearPair, member: Member) -> &Gear {
 /// Unrounded values to Table 1: allowances −17.830833 µm and −22.195630 µm at the reference circle.
 #[test]
 fn thickness_over_pins_of_the_86_21_pair() {
-    let study = read("fixtures/karba_86x21.toml".as_ref()).unwrap();
+    let study = read("../../fixtures/karba_86x21.toml".as_ref()).unwrap();
     assert_eq!(study.study.center_distances, [160.470, 160.500, 160.550]);
     assert_eq!(study.study.chord, 0.0002 / 1000.0);
     let runs = study.study.runs().unwrap();
@@ -37,7 +37,7 @@ fn thickness_over_pins_of_the_86_21_pair() {
 /// Tables 3 and 4 by K (15): s_b = W_6 − 5 π 3 cos 20° mm, 6.266028 … 6.279028 on the wheel.
 #[test]
 fn spans_of_the_44_44_pair() {
-    let study = read("fixtures/karba_44x44.toml".as_ref()).unwrap();
+    let study = read("../../fixtures/karba_44x44.toml".as_ref()).unwrap();
     let expected = [
         (Material::Most, 6.279028, 6.285028),
         (Material::Least, 6.266028, 6.277028),
@@ -58,7 +58,7 @@ fn spans_of_the_44_44_pair() {
 /// Without [sweep] exactly the 36 rows of Tables 5 and 6 are run, twice on each flank.
 #[test]
 fn matings_of_the_44_44_pair() {
-    let study = read("fixtures/karba_44x44.toml".as_ref()).unwrap();
+    let study = read("../../fixtures/karba_44x44.toml".as_ref()).unwrap();
     assert_eq!(study.study.measured.len(), 36);
     assert!(study.study.sweep.is_none());
     let first = &study.study.measured[0];
@@ -110,7 +110,7 @@ fn matings_of_the_44_44_pair() {
 
 #[test]
 fn the_measured_file_is_the_reference() {
-    let fixture = fs::read("fixtures/karba_tables_5_6.csv").unwrap();
-    let reference = fs::read("fixtures/reference/karba_tables_5_6.csv").unwrap();
+    let fixture = fs::read("../../fixtures/karba_tables_5_6.csv").unwrap();
+    let reference = fs::read("../../fixtures/reference/karba_tables_5_6.csv").unwrap();
     assert_eq!(fixture, reference);
 }

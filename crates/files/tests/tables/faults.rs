@@ -144,7 +144,7 @@ fn many_problems_of_a_table_are_told_in_short() {
 }
 
 fn protocol(from: &str, to: &str, kind: &str) -> String {
-    let text = fs::read_to_string("fixtures/sheets/protocol.txt").unwrap();
+    let text = fs::read_to_string("../../fixtures/sheets/protocol.txt").unwrap();
     assert!(text.contains(from), "{from}");
     let table = text.replacen(from, to, 1);
     let keys = format!("pitch = {{ kind = \"{kind}\", file = \"p.txt\" }}");
@@ -166,7 +166,7 @@ fn protocol(from: &str, to: &str, kind: &str) -> String {
 
 #[test]
 fn protocols() {
-    let row = fs::read_to_string("fixtures/sheets/protocol.txt").unwrap();
+    let row = fs::read_to_string("../../fixtures/sheets/protocol.txt").unwrap();
     let row = row
         .lines()
         .find(|line| line.trim().starts_with("7 "))
@@ -197,7 +197,7 @@ fn protocols() {
 /// fp and Fp tell different stories: 1 µm in one row shows in that row only, in `Fp` in two.
 #[test]
 fn contradicting_columns_of_a_protocol() {
-    let text = fs::read_to_string("fixtures/sheets/protocol.txt").unwrap();
+    let text = fs::read_to_string("../../fixtures/sheets/protocol.txt").unwrap();
     let row = text
         .lines()
         .find(|line| line.trim().starts_with("7 "))
@@ -219,7 +219,7 @@ fn contradicting_columns_of_a_protocol() {
 
 #[test]
 fn a_runout_that_differs_between_the_blocks() {
-    let text = fs::read_to_string("fixtures/sheets/protocol.txt").unwrap();
+    let text = fs::read_to_string("../../fixtures/sheets/protocol.txt").unwrap();
     let row = text
         .lines()
         .find(|line| line.trim().starts_with("7 "))

@@ -4,7 +4,7 @@ use super::*;
 use oracle::{column, delimited, protocol};
 
 fn fixture(name: &str) -> Vec<u8> {
-    fs::read(format!("fixtures/sheets/{name}")).unwrap()
+    fs::read(format!("../../fixtures/sheets/{name}")).unwrap()
 }
 
 const FLANKS: [[&str; 2]; 2] = [["right", "rechts"], ["left", "links"]];
@@ -193,7 +193,7 @@ fn no_runout_needs_no_high_tooth() {
 /// The pair of the fixtures: its echo, without any file, gives the same study.
 #[test]
 fn the_echo_of_tables_read_back_gives_the_same_study() {
-    let study = read_pair(Path::new("fixtures/sheets/inspected_44x44.toml")).unwrap();
+    let study = read_pair(Path::new("../../fixtures/sheets/inspected_44x44.toml")).unwrap();
     assert_eq!(study.warnings.len(), 2, "{:#?}", study.warnings);
     let folder = TempDir::new().unwrap();
     let path = folder.path().join("inspected_44x44.json");

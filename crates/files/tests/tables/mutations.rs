@@ -108,7 +108,7 @@ fn garbled_tables_of_ten_thousand_lines() {
 /// A zip archive checks itself: garbled bytes are an error, or the data are as before.
 #[test]
 fn garbled_workbooks() {
-    let good = fs::read("fixtures/sheets/pitch.xlsx").unwrap();
+    let good = fs::read("../../fixtures/sheets/pitch.xlsx").unwrap();
     let text = pair(44, "pitch = { kind = \"cumulative\", file = \"p.xlsx\" }");
     let expected = pitch_lists(&read_with("p.xlsx", &good, &text).unwrap());
     let mut choice = Choice(44);

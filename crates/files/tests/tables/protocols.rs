@@ -3,7 +3,7 @@
 use super::*;
 
 fn good() -> String {
-    fs::read_to_string("fixtures/sheets/protocol.txt").unwrap()
+    fs::read_to_string("../../fixtures/sheets/protocol.txt").unwrap()
 }
 
 /// The study of a wheel with `keys`, or all problems below the file's name, one a line.

@@ -6,7 +6,7 @@ use oracle::{column, delimited, protocol};
 use std::ops::ControlFlow;
 
 fn rows(name: &str, words: [&str; 2]) -> Vec<f64> {
-    let bytes = fs::read(format!("fixtures/sheets/{name}")).unwrap();
+    let bytes = fs::read(format!("../../fixtures/sheets/{name}")).unwrap();
     column(&delimited(&bytes, 44, &[words]).unwrap(), 0)
 }
 
@@ -23,7 +23,7 @@ fn agree(name: &str, file: &[f64], read: &[f64], half: f64) {
 
 #[test]
 fn sheets_are_what_the_gauge_reads_on_their_gear() {
-    let table = fs::read("fixtures/sheets/pitch.csv").unwrap();
+    let table = fs::read("../../fixtures/sheets/pitch.csv").unwrap();
     let keys = "thickness.span = { teeth = 6, mm = 50.555 }\nrunout = { total_um = 6.6, high_tooth = 33 }\n\
                 pitch = { kind = \"cumulative\", file = \"pitch.csv\" }";
     let study = read_with("pitch.csv", &table, &pair(44, keys)).unwrap();
@@ -47,7 +47,7 @@ fn sheets_are_what_the_gauge_reads_on_their_gear() {
         &balls,
         0.05,
     );
-    let text = fs::read("fixtures/sheets/protocol.txt").unwrap();
+    let text = fs::read("../../fixtures/sheets/protocol.txt").unwrap();
     for block in protocol(&text, 44, 3).unwrap() {
         agree("protocol.txt", &column(&block, 0), &balls, 0.05);
     }
@@ -81,7 +81,7 @@ fn sheets_are_what_the_gauge_reads_on_their_gear() {
 /// The pair of the sheets contradicts nothing and gives the gear back: e and high tooth within the rounding of 44 readings.
 #[test]
 fn the_pair_of_the_sheets_is_their_gear() {
-    let study = read_pair(Path::new("fixtures/sheets/inspected_44x44.toml")).unwrap();
+    let study = read_pair(Path::new("../../fixtures/sheets/inspected_44x44.toml")).unwrap();
     assert!(
         !study
             .warnings

@@ -149,7 +149,7 @@ fn an_old_workbook_says_how_to_save_it() {
 
 #[test]
 fn broken_containers() {
-    let good = fs::read("fixtures/sheets/pitch.xlsx").unwrap();
+    let good = fs::read("../../fixtures/sheets/pitch.xlsx").unwrap();
     let keys = "pitch = { kind = \"cumulative\", file = \"p.xlsx\" }";
     for broken in [
         &good[..0],

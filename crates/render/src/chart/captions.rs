@@ -3,8 +3,8 @@
 use super::paint::Look;
 use super::panel::{Entry, Mark, Panel, Sample};
 use crate::kit::{Anchor, Axis};
-use gearlash::curves::{Course, CourseLine};
-use gearlash::mesh::Status;
+use gearlash::analysis::curves::{Course, CourseLine};
+use gearlash::contact::Status;
 
 /// The axis of a course, with its number of teeth.
 pub(super) fn course_axis(course: &Course) -> Axis {

@@ -6,7 +6,7 @@ use super::paint::Look;
 use super::panel::{Mark, Panel, Point, Sample, range};
 use super::sheet::{self, Chart, Heading, PictureError};
 use crate::kit::{Anchor, Axis};
-use gearlash::curves::{Course, CourseLine, CoursePoint};
+use gearlash::analysis::curves::{Course, CourseLine, CoursePoint};
 use gearlash::gear::Side;
 
 /// Fill of the error bound.

@@ -5,9 +5,9 @@ use super::paint::Look;
 use super::panel::{Mark, Panel, Point, Sample, backlash_range, range};
 use super::sheet::{self, Chart, Heading, PictureError};
 use crate::kit::{Anchor, Axis};
-use gearlash::curves::{DistancePoint, OverDistance};
-use gearlash::measured::Band;
-use gearlash::outcome::AtDistance;
+use gearlash::analysis::curves::{DistancePoint, OverDistance};
+use gearlash::analysis::measured::Band;
+use gearlash::analysis::outcome::AtDistance;
 use gearlash::pair::Mating;
 use gearlash_files::numbers::{pitches_beyond, trimmed};
 
@@ -39,7 +39,7 @@ pub fn distance(
     let simulated = ends(|point| point.bands.simulated);
     let analytic = ends(|point| point.bands.analytic);
     let with_clearance = ends(|point| point.bands.with_clearance);
-    let measured = |side: fn(&gearlash::study::MeasuredRow) -> f64| -> Vec<Point> {
+    let measured = |side: fn(&gearlash::analysis::study::MeasuredRow) -> f64| -> Vec<Point> {
         let rows = curve.measured.iter();
         rows.map(|row| (row.center_distance, Some(side(row))))
             .collect()

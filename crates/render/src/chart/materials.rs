@@ -2,8 +2,8 @@
 
 use super::panel::Mark;
 use crate::kit::Anchor;
-use gearlash::curves::{Course, CourseLine, CoursePoint};
-use gearlash::study::Material;
+use gearlash::analysis::curves::{Course, CourseLine, CoursePoint};
+use gearlash::analysis::study::Material;
 
 /// Height of a panel's plot, units, or less.
 const PLOT: f64 = 170.0;

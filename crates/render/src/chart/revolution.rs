@@ -8,9 +8,9 @@ use super::paint::Look;
 use super::panel::{Mark, Panel, Point, Sample, backlash_range};
 use super::sheet::{self, Chart, Heading, PictureError};
 use crate::kit::{Anchor, Axis};
-use gearlash::curves::{Course, CourseLine, Extreme};
+use gearlash::analysis::curves::{Course, CourseLine, Extreme};
+use gearlash::analysis::study::Material;
 use gearlash::gear::Side;
-use gearlash::study::Material;
 use gearlash_files::numbers::fixed;
 
 /// How strongly a band is filled.

@@ -2,8 +2,8 @@
 
 use super::{PairOutcome, failure, outcome, run_name, trouble};
 use crate::text::where_it_is;
-use gearlash::compare::{ComparedPose, Verdict};
-use gearlash::tally::RunTally;
+use gearlash::analysis::compare::{ComparedPose, Verdict};
+use gearlash::analysis::tally::RunTally;
 use gearlash_files::characters::plain;
 use gearlash_files::numbers::{NONE, um_ascii};
 use gearlash_files::results::ComparedPair;

@@ -2,9 +2,9 @@
 
 use super::lengths::lengths;
 use crate::text::{finish, table};
+use gearlash::contact::{ContactKind, PoseClass, Touch};
 use gearlash::gauge::{Eccentricity, Gauged, GradedReading, PitchReadings, Unmeasured};
 use gearlash::gear::{GRADE_SOURCE, Grade, ProfilePart, Side};
-use gearlash::mesh::{ContactKind, PoseClass, Touch};
 use gearlash_files::characters::plain;
 use gearlash_files::numbers::{ascii, order_um, um_ascii};
 use gearlash_files::results::gauge::{GaugedGear, by_tooth};

@@ -3,7 +3,7 @@
 use super::page::Page;
 use super::phrases::{j_wt, material, plain, study};
 use crate::text::check::{doubts, governing, measured, unit};
-use gearlash::diagnosis::{Check, Group, Verdict};
+use gearlash::analysis::diagnosis::{Check, Group, Verdict};
 use gearlash::pair::Member;
 use gearlash_files::numbers::{fixed, stated_distance};
 use maud::{Markup, html};

@@ -2,10 +2,10 @@
 
 use super::page::Page;
 use super::phrases::few;
-use gearlash::cycle::RemainingMatings;
-use gearlash::outcome::Found;
+use gearlash::analysis::cycle::RemainingMatings;
+use gearlash::analysis::outcome::Found;
+use gearlash::analysis::phases::phase;
 use gearlash::pair::{Member, SweepPlan};
-use gearlash::phases::phase;
 use maud::{Markup, html};
 use std::collections::BTreeSet;
 
@@ -31,7 +31,7 @@ pub(super) fn section(page: &Page) -> Markup {
 
 fn simulated(page: &Page) -> String {
     let report = page.report;
-    let poses = |runs: &[gearlash::compare::ComparedRun]| -> usize {
+    let poses = |runs: &[gearlash::analysis::compare::ComparedRun]| -> usize {
         runs.iter().map(|run| run.poses.len()).sum()
     };
     let (turned, asked) = (

@@ -4,7 +4,7 @@ use super::page::Page;
 
 use crate::chart::PictureError;
 use crate::chart::{self, Chart, Heading};
-use gearlash::curves::{Course, DistancePoint, Followed};
+use gearlash::analysis::curves::{Course, DistancePoint, Followed};
 use gearlash::gear::Inspection;
 use gearlash_files::numbers::stated_distance;
 use maud::{Markup, PreEscaped, html};

@@ -2,7 +2,7 @@
 
 use super::page::{Page, Report};
 use super::phrases::plain;
-use gearlash::measured::{Band, MeasuredMating, sides};
+use gearlash::analysis::measured::{Band, MeasuredMating, sides};
 use gearlash_files::numbers::{fixed, stated_distance};
 use maud::{Markup, html};
 

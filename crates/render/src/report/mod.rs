@@ -24,9 +24,9 @@ mod verdict;
 
 use crate::chart::PictureError;
 use crate::viewer;
-use gearlash::compare::ComparedRun;
-use gearlash::curves::courses;
-use gearlash::outcome::{Agreement, Outcome, by_distance};
+use gearlash::analysis::compare::ComparedRun;
+use gearlash::analysis::curves::courses;
+use gearlash::analysis::outcome::{Agreement, Outcome, by_distance};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use page::Page;
 use phrases::plain;

@@ -4,7 +4,7 @@ use super::figures::difference;
 use super::page::Page;
 
 use crate::chart::PictureError;
-use gearlash::outcome::{MODELS, deviation};
+use gearlash::analysis::outcome::{MODELS, deviation};
 use gearlash_files::numbers::difference_um;
 use maud::{Markup, html};
 

@@ -1,10 +1,10 @@
 //! What a page is made of.
 
 use gearlash::analysis::Analysis;
-use gearlash::compare::ComparedRun;
-use gearlash::curves::Course;
+use gearlash::analysis::compare::ComparedRun;
+use gearlash::analysis::curves::Course;
+use gearlash::analysis::outcome::{Agreement, AtDistance, Outcome};
 use gearlash::gauge::{GradedReading, Unmeasured};
-use gearlash::outcome::{Agreement, AtDistance, Outcome};
 use gearlash_files::PairFile;
 
 /// What a report is of.

@@ -1,8 +1,8 @@
 //! Phrases and symbols that sections share: how bands, symbols and the user's words get into the page.
 
-use gearlash::mesh::Contact;
-use gearlash::outcome::Found;
-use gearlash::study::Material;
+use gearlash::analysis::outcome::Found;
+use gearlash::analysis::study::Material;
+use gearlash::contact::Contact;
 pub(super) use gearlash_files::characters::plain;
 use gearlash_files::numbers::{NONE, trimmed, um};
 use maud::{Markup, html};

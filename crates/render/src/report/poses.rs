@@ -4,8 +4,8 @@ use super::figures::not_on_paper;
 use super::page::Page;
 use super::phrases::{material, pose};
 use crate::snapshot::{Snapshot, snapshot_in_page};
-use gearlash::mesh::Status;
-use gearlash::outcome::Found;
+use gearlash::analysis::outcome::Found;
+use gearlash::contact::Status;
 use gearlash_files::numbers::{stated_distance, um};
 use maud::{Markup, PreEscaped, html};
 

@@ -5,9 +5,9 @@ use super::page::Page;
 use super::phrases::material;
 use crate::chart::PictureError;
 use crate::viewer;
-use gearlash::outcome::{Found, Outcome};
-use gearlash::phases::phase_groups;
-use gearlash::tally::{RunTally, tally};
+use gearlash::analysis::outcome::{Found, Outcome};
+use gearlash::analysis::phases::phase_groups;
+use gearlash::analysis::tally::{RunTally, tally};
 use gearlash_files::numbers::{stated_distance, um};
 use maud::{Markup, PreEscaped, html};
 

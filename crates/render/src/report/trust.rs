@@ -5,9 +5,9 @@ use super::measured::sentence;
 use super::page::Page;
 use super::phrases::j_wt;
 use super::unproven;
-use gearlash::cycle::RemainingMatings;
-use gearlash::mesh::Method;
-use gearlash::outcome::{MODELS, deviation};
+use gearlash::analysis::cycle::RemainingMatings;
+use gearlash::analysis::outcome::{MODELS, deviation};
+use gearlash::contact::Method;
 use gearlash_files::numbers::{bound_um, difference_um, shortest};
 use maud::{Markup, html};
 

@@ -2,7 +2,7 @@
 
 use super::page::Page;
 use super::phrases::{material, plain, pose};
-use gearlash::outcome::Found;
+use gearlash::analysis::outcome::Found;
 use gearlash_files::numbers::stated_distance;
 use gearlash_files::results::doubts;
 use maud::{Markup, html};

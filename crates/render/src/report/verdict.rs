@@ -4,8 +4,8 @@ use super::cycle::{limit, same_everywhere};
 use super::page::Page;
 use super::phrases::{band, few, j_wt, material, touching};
 use super::{cycle, unproven};
-use gearlash::outcome::{AtDistance, Found, Outcome};
-use gearlash::phases::failing_phases;
+use gearlash::analysis::outcome::{AtDistance, Found, Outcome};
+use gearlash::analysis::phases::failing_phases;
 use gearlash_files::numbers::{bound_um, stated_distance, um};
 use maud::{Markup, html};
 

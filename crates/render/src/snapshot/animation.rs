@@ -10,8 +10,8 @@ use super::turning::{metal, turns};
 use super::view::View;
 use super::{caption, main_view, pitch_chart};
 use crate::kit::{Ids, Occupied, Spot, TextStyle, WIDTH, around, blank_sheet, dot, hatch, scale};
+use gearlash::contact::{DrawnContact, PoseResult, Scene};
 use gearlash::gear::Side;
-use gearlash::mesh::{DrawnContact, PoseResult, Scene};
 use gearlash::pair::Member;
 use svg::node::element::Group;
 

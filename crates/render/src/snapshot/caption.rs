@@ -2,8 +2,8 @@
 
 use super::subject::Snapshot;
 use crate::kit::TextStyle;
+use gearlash::contact::{Drawn, Scene, Status};
 use gearlash::gear::Side;
-use gearlash::mesh::{Drawn, Scene, Status};
 use gearlash::pair::Mating;
 use gearlash_files::numbers::{bound_um, pitches_beyond, trimmed, um};
 use svg::node::element::Group;

@@ -5,8 +5,8 @@
 
 use super::view::{MARGIN, View};
 use crate::kit::{Frame, GREY, INK, Occupied, Spot, around, clip, diamond, line};
+use gearlash::contact::{DrawnContact, Scene};
 use gearlash::gear::ProfilePart;
-use gearlash::mesh::{DrawnContact, Scene};
 use gearlash::pair::Member;
 use svg::node::element::Group;
 

@@ -2,7 +2,7 @@
 
 use super::view::View;
 use crate::kit::{Occupied, around, arrow, dot};
-use gearlash::mesh::DrawnContact;
+use gearlash::contact::DrawnContact;
 use svg::node::element::Group;
 
 /// How large the marks of a view are, units of the sheet.

@@ -8,8 +8,8 @@ use crate::kit::{
     Frame, INK, OVERLAP, Occupied, PINION, Spot, TextStyle, WHEEL, WIDTH, blank_sheet, clip, line,
     number, path_data,
 };
+use gearlash::contact::Exaggeration;
 use gearlash::gear::Placed;
-use gearlash::mesh::Exaggeration;
 use gearlash::pair::Member;
 use gearlash_files::numbers::{rounded, um};
 use svg::node::element::{ClipPath, Definitions, Group, Path, Use};

@@ -6,8 +6,8 @@ use crate::kit::{
     ACTION, GAP, GREY, INK, Ids, OVERLAP, Occupied, PATH, PINION, Spot, WHEEL, clip, line,
     path_data,
 };
+use gearlash::contact::{DrawnContact, Scene};
 use gearlash::gear::Side;
-use gearlash::mesh::{DrawnContact, Scene};
 use gearlash::pair::Member;
 use svg::node::element::{ClipPath, Definitions, Group, Path, Use};
 

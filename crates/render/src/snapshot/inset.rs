@@ -8,8 +8,8 @@ use super::{contact_bands, gears, overlap_label};
 use crate::kit::{
     self, Frame, GREY, INK, Ids, Occupied, Spot, TextStyle, UNITS_PER_MM, clip, line, scale,
 };
+use gearlash::contact::{Drawn, DrawnContact, Scene, Status, Touch};
 use gearlash::gear::Side;
-use gearlash::mesh::{Drawn, DrawnContact, Scene, Status, Touch};
 use gearlash_files::numbers::um;
 use nalgebra::{Point2, center};
 use svg::node::element::{Group, Rectangle};

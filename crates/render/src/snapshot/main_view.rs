@@ -2,8 +2,8 @@
 
 use super::view::View;
 use crate::kit::{self, Frame, Occupied, Spot, TextStyle, UNITS_PER_MM, scale};
+use gearlash::contact::Scene;
 use gearlash::gear::Side;
-use gearlash::mesh::Scene;
 use gearlash::pair::Member;
 use nalgebra::{Point2, Vector2};
 use svg::node::Node;

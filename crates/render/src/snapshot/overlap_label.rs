@@ -2,7 +2,7 @@
 
 use super::view::View;
 use crate::kit::{self, Frame, HATCH, Occupied, Spot, TextStyle, clip, line};
-use gearlash::mesh::{Drawn, DrawnContact, Scene};
+use gearlash::contact::{Drawn, DrawnContact, Scene};
 use gearlash_files::numbers::{significant, um};
 use svg::node::element::Group;
 

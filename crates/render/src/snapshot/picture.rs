@@ -11,8 +11,8 @@ use super::subject::{INSETS, MAIN, Snapshot, names};
 use super::view::View;
 use super::{caption, contact_bands, gears, inset, legend, main_view};
 use crate::kit::{Frame, Ids, Occupied, WIDTH, blank_sheet, hatch, scale};
+use gearlash::contact::{DrawnContact, Scene, Status};
 use gearlash::gear::Side;
-use gearlash::mesh::{DrawnContact, Scene, Status};
 use gearlash::pair::Member;
 use svg::node::element::{Group, SVG};
 

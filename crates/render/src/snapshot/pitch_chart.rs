@@ -3,7 +3,7 @@
 use super::subject::INSETS;
 use super::turning::{course, motion};
 use crate::kit::{Anchor, Frame, GREY, INK, PATH, Spot, TextStyle, dot, line};
-use gearlash::mesh::{PoseResult, Status};
+use gearlash::contact::{PoseResult, Status};
 use gearlash_files::numbers::um;
 use svg::node::element::Group;
 

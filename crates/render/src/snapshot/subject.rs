@@ -1,7 +1,7 @@
 //! What a snapshot is of, and where things stand on its sheet.
 
 use crate::kit::{Frame, TextStyle};
-use gearlash::mesh::{LostMotion, Scene, Unproven};
+use gearlash::contact::{LostMotion, Scene, Unproven};
 use gearlash::pair::{GearPair, Member, Pose};
 use svg::node::element::Group;
 

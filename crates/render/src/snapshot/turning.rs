@@ -2,7 +2,7 @@
 
 use super::view::{MARGIN, View};
 use crate::kit::{INK, OVERLAP, Occupied, PINION, Spot, WHEEL, clip, number, path_data};
-use gearlash::mesh::Scene;
+use gearlash::contact::Scene;
 use gearlash::pair::Member;
 use std::f64::consts::TAU;
 use svg::node::element::{Animate, AnimateTransform, ClipPath, Definitions, Group, Path, Use};

@@ -1,9 +1,9 @@
 //! The checks of a pair as text.
 
 use super::layout::{finish, table};
-use gearlash::diagnosis::{Check, Diagnosis, Group, Verdict};
+use gearlash::analysis::diagnosis::{Check, Diagnosis, Group, Verdict};
+use gearlash::analysis::study::Study;
 use gearlash::pair::Member;
-use gearlash::study::Study;
 use gearlash_files::characters;
 use gearlash_files::numbers::{ascii, distance, um_ascii};
 use std::fmt::Write;

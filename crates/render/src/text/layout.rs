@@ -1,7 +1,7 @@
 //! What all text for a terminal shares: aligned columns, and a pose in a word.
 
 use comfy_table::{CellAlignment, Table, presets};
-use gearlash::compare::ComparedPose;
+use gearlash::analysis::compare::ComparedPose;
 use gearlash_files::numbers::rounded;
 
 /// A table under `headings`, its columns aligned on the right.

@@ -1,8 +1,8 @@
 //! A rig's measurements beside the bands they should lie in.
 
 use super::layout::{finish, table};
-use gearlash::measured::{Band, MeasuredMating, sides};
-use gearlash::study::Study;
+use gearlash::analysis::measured::{Band, MeasuredMating, sides};
+use gearlash::analysis::study::Study;
 use gearlash_files::numbers::{NONE, ascii, distance};
 use std::fmt::Write;
 

@@ -1,9 +1,9 @@
 //! Assembly phases, and which teeth to mark together.
 
 use super::layout::{finish, table, where_it_is};
-use gearlash::compare::ComparedPose;
-use gearlash::phases::PhaseGroup;
-use gearlash::tally::RunTally;
+use gearlash::analysis::compare::ComparedPose;
+use gearlash::analysis::phases::PhaseGroup;
+use gearlash::analysis::tally::RunTally;
 use gearlash_files::numbers::{NONE, distance, um_ascii};
 
 pub fn phase_table(group: &PhaseGroup) -> String {

@@ -3,12 +3,12 @@
 use super::layout::{finish, table, where_it_is};
 use super::measured::{measured_count, measured_table};
 use super::phases::phase_table;
-use gearlash::compare::{ComparedPose, Verdict};
-use gearlash::measured::MeasuredMating;
-use gearlash::mesh::Contact;
-use gearlash::phases::phase_groups;
-use gearlash::study::Study;
-use gearlash::tally::{MOST_LISTED, RunTally};
+use gearlash::analysis::compare::{ComparedPose, Verdict};
+use gearlash::analysis::measured::MeasuredMating;
+use gearlash::analysis::phases::phase_groups;
+use gearlash::analysis::study::Study;
+use gearlash::analysis::tally::{MOST_LISTED, RunTally};
+use gearlash::contact::Contact;
 use gearlash_files::characters::plain;
 use gearlash_files::numbers::{NONE, distance, order_um, um_ascii};
 use gearlash_files::results::doubts;

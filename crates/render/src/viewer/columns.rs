@@ -4,12 +4,12 @@ use super::contacts::{Contacts, touching};
 use super::precision::Precision;
 use super::readout;
 use super::viewed::Viewed;
-use gearlash::compare::ComparedRun;
-use gearlash::curves::{Course, CourseLine};
+use gearlash::analysis::compare::ComparedRun;
+use gearlash::analysis::curves::{Course, CourseLine};
+use gearlash::analysis::study::Study;
+use gearlash::contact::{LostMotion, PoseResult, Status};
 use gearlash::gear::Side;
-use gearlash::mesh::{LostMotion, PoseResult, Status};
 use gearlash::pair::Member;
-use gearlash::study::Study;
 use gearlash_files::numbers::{rounded, two_digits_up};
 use serde::Serialize;
 

@@ -1,8 +1,8 @@
 //! The contacts on one side as the script reads them.
 
 use super::precision::Precision;
+use gearlash::contact::{Contact, ContactClass, PoseResult};
 use gearlash::gear::Side;
-use gearlash::mesh::{Contact, ContactClass, PoseResult};
 use gearlash::pair::GearPair;
 use gearlash_files::numbers::rounded;
 use serde::Serialize;

@@ -14,10 +14,10 @@ mod readout;
 mod viewed;
 
 use columns::Columns;
-use gearlash::compare::ComparedRun;
-use gearlash::curves::Course;
-use gearlash::mesh::Status;
-use gearlash::study::Study;
+use gearlash::analysis::compare::ComparedRun;
+use gearlash::analysis::curves::Course;
+use gearlash::analysis::study::Study;
+use gearlash::contact::Status;
 use precision::Precision;
 use std::fmt::Write;
 use viewed::{viewed, worst};

@@ -1,11 +1,11 @@
 //! What is said of a pose beside the picture. `viewer.js` says the same of the others.
 
 use super::contacts::{class, touching};
-use gearlash::compare::ComparedRun;
+use gearlash::analysis::compare::ComparedRun;
+use gearlash::analysis::study::Material;
+use gearlash::contact::Status;
 use gearlash::gear::Side;
-use gearlash::mesh::Status;
 use gearlash::pair::Member;
-use gearlash::study::Material;
 use gearlash_files::numbers::{decades, fixed, pitches_beyond, trimmed, two_digits_up};
 
 /// What the marks mean.

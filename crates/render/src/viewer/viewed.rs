@@ -1,7 +1,7 @@
 //! Which poses a page holds: all, or so many of each run that the page stays in hand.
 
-use gearlash::compare::{ComparedPose, ComparedRun};
-use gearlash::mesh::{Status, first_least, worst_pose};
+use gearlash::analysis::compare::{ComparedPose, ComparedRun};
+use gearlash::contact::{Status, first_least, worst_pose};
 use std::collections::BTreeSet;
 
 /// A run, and which of its poses the page holds.

@@ -1,12 +1,12 @@
 //! Curves beside printed and closed-form values.
 
 use super::{METHOD, course, over, study};
-use gearlash::curves::{
+use gearlash::analysis::curves::{
     Followed, binding, courses, followed, revolution, revolution_pose_count, swept,
 };
+use gearlash::analysis::measured::{Band, Bands};
+use gearlash::analysis::study::Material;
 use gearlash::gear::Side;
-use gearlash::measured::{Band, Bands};
-use gearlash::study::Material;
 use std::ops::ControlFlow;
 
 /// README: predicted limits of Tables 5 and 6 are met within 0.07 µm of the printed digit.
@@ -70,7 +70,8 @@ fn over_the_distance_the_printed_limits_are_met() {
 fn a_sweep_of_its_own_is_kept() {
     let study = study("tip_on_fillet_86x21.toml");
     assert_eq!(revolution_pose_count(&study).unwrap(), 2 * 86 * 24);
-    let own = gearlash::simulate::simulate(&study, METHOD, &|| ControlFlow::Continue(())).unwrap();
+    let own = gearlash::analysis::simulate::simulate(&study, METHOD, &|| ControlFlow::Continue(()))
+        .unwrap();
     let runs = revolution(&study, METHOD, &|| ControlFlow::Continue(())).unwrap();
     let right = &runs[0].poses[..86 * 24];
     assert!(right.iter().zip(&own[0].poses).all(|(a, b)| a.swept == *b));
@@ -108,7 +109,7 @@ fn places_are_wheel_teeth_whatever_is_locked() {
 #[test]
 fn a_tooth_that_is_not_there_is_an_error() {
     let tick = || ControlFlow::Continue(());
-    let error = gearlash::curves::over_distance(
+    let error = gearlash::analysis::curves::over_distance(
         &study("karba_86x21.toml"),
         Followed::Teeth(1, 22),
         METHOD,
@@ -149,6 +150,6 @@ fn the_mating_that_binds_comes_first_then_those_measured() {
     );
     // Tables 5 and 6 have eleven matings, 33 & 33 among them.
     assert_eq!(followed.len(), 11);
-    let nothing_run = gearlash::curves::binding(&rig, [].iter());
+    let nothing_run = gearlash::analysis::curves::binding(&rig, [].iter());
     assert_eq!(nothing_run, Followed::Teeth(11, 11));
 }

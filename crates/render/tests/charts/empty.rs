@@ -1,7 +1,7 @@
 //! Charts of pairs that have no backlash, or no deviations, say so.
 
 use super::{METHOD, course, heading, study};
-use gearlash::curves::{Followed, courses, over_distance, revolution, swept};
+use gearlash::analysis::curves::{Followed, courses, over_distance, revolution, swept};
 use gearlash::gear::Inspection;
 use gearlash_render::chart;
 use roxmltree::Document;

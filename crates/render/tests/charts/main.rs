@@ -10,10 +10,12 @@ mod places;
 #[path = "../../../../tests/common/two_thick_teeth.rs"]
 mod two_thick_teeth;
 
-use gearlash::curves::{Course, Followed, OverDistance, courses, over_distance, revolution, swept};
+use gearlash::analysis::curves::{
+    Course, Followed, OverDistance, courses, over_distance, revolution, swept,
+};
+use gearlash::analysis::study::Study;
+use gearlash::contact::Method;
 use gearlash::gear::{Inspection, Side};
-use gearlash::mesh::Method;
-use gearlash::study::Study;
 use gearlash_render::chart::{self, Chart, Heading};
 use std::ops::ControlFlow;
 use std::path::Path;

@@ -2,11 +2,11 @@
 
 use super::two_thick_teeth::two_thick_teeth;
 use super::{METHOD, heading};
-use gearlash::curves::{Followed, binding, courses, over_distance, revolution};
+use gearlash::analysis::curves::{Followed, binding, courses, over_distance, revolution};
+use gearlash::analysis::outcome::by_distance;
+use gearlash::analysis::study::Study;
 use gearlash::gear::{AsBuilt, Face, Side};
-use gearlash::outcome::by_distance;
 use gearlash::pair::{Mating, Pose};
-use gearlash::study::Study;
 use gearlash_render::chart;
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
@@ -58,7 +58,7 @@ fn left_flank_poses_are_of_the_same_assembly() {
 #[test]
 fn the_least_of_a_curve_is_that_of_its_assembly() {
     let phases = study("[sweep]\nphases = \"all\"\n");
-    let runs = gearlash::simulate::simulate(&phases, METHOD, &tick).unwrap();
+    let runs = gearlash::analysis::simulate::simulate(&phases, METHOD, &tick).unwrap();
     let least = |phase: (u32, u32)| {
         let mut runs = runs.iter();
         let run = runs.find(|run| run.phase == Some(phase)).unwrap();

@@ -132,8 +132,8 @@ fn a_hunting_cycle_is_thinned_without_losing_its_extremes() {
         start: (1, 1),
     });
     let tick = || std::ops::ControlFlow::Continue(());
-    let runs = gearlash::curves::revolution(&study, super::METHOD, &tick).unwrap();
-    let course = gearlash::curves::courses(&runs).remove(0);
+    let runs = gearlash::analysis::curves::revolution(&study, super::METHOD, &tick).unwrap();
+    let course = gearlash::analysis::curves::courses(&runs).remove(0);
     assert_eq!(course.lines.len(), 2);
     let data = simulated(&course, Side::Right).remove(0);
     assert_eq!(data.len(), 28_896);

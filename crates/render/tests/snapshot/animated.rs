@@ -2,7 +2,7 @@
 
 use crate::check_labels;
 use crate::solved::{Solved, all, nominal};
-use gearlash::mesh::{CutPair, Method, PoseResult, sweep};
+use gearlash::contact::{CutPair, Method, PoseResult, sweep};
 use gearlash::pair::{Mating, Member};
 use gearlash_render::{Snapshot, animation};
 use roxmltree::{Document, Node};

@@ -1,9 +1,9 @@
 //! Perfect gears, whose lost motion stands in closed form.
 
+use gearlash::contact::{Contact, LostMotion, Touch};
 use gearlash::gear::{
     AsBuilt, BasicGearData, BasicRack, Face, Gear, GearDesign, ProfilePart, Side, involute,
 };
-use gearlash::mesh::{Contact, LostMotion, Touch};
 use gearlash::pair::{GearPair, Mating, Member, Pose};
 use nalgebra::{Point2, UnitComplex, Vector2};
 use std::f64::consts::TAU;

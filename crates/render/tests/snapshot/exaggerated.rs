@@ -4,8 +4,8 @@ use crate::check_labels;
 use crate::design::design;
 use crate::picture::read;
 use crate::solved::{Solved, deviated};
+use gearlash::contact::Exaggeration;
 use gearlash::gear::{AsBuilt, Deviations, Face, Gear, GearDesign, Side};
-use gearlash::mesh::Exaggeration;
 use gearlash::pair::Member;
 use gearlash_render::{Snapshot, exaggerated};
 

@@ -10,8 +10,8 @@ mod scene;
 mod solved;
 
 use closed_form::{j_bn, lost_motion, pair, pose};
+use gearlash::contact::LostMotion;
 use gearlash::gear::{ProfilePart, Side};
-use gearlash::mesh::LostMotion;
 use gearlash::pair::{GearPair, Member, Pose};
 use gearlash_render::{Snapshot, snapshot};
 use nalgebra::{Point2, Vector2};
@@ -87,7 +87,7 @@ fn jammed() -> (GearPair, Pose, LostMotion) {
     let assembly = pair([20, 20], 3.0, 58.5, Member::Wheel);
     let at = pose(&assembly, [1, 1], Side::Right, 0.0);
     let LostMotion { right, left, .. } = lost_motion(&assembly, &at);
-    let made_up = |contact: Option<gearlash::mesh::Contact>, turn: f64| {
+    let made_up = |contact: Option<gearlash::contact::Contact>, turn: f64| {
         let mut contact = contact.unwrap();
         contact.rotation = at.free_rotation() + turn;
         contact.wheel.curve = ProfilePart::Root;

@@ -1,10 +1,10 @@
 //! The scene in mm: outlines, contacts and lines where the closed form says they are.
 
 use crate::closed_form::{j_bn, lost_motion, pair, pose};
+use gearlash::contact::{Drawn, Scene};
 use gearlash::gear::{
     AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Placed, Side,
 };
-use gearlash::mesh::{Drawn, Scene};
 use gearlash::pair::Member;
 use nalgebra::{Point2, Vector2};
 use std::f64::consts::PI;

@@ -2,10 +2,10 @@
 
 use crate::closed_form::{j_bn, pair, pose};
 use crate::picture::read;
+use gearlash::contact::{ExactKernel, LostMotion, Scene, Status};
 use gearlash::gear::{
     AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Pitch, Side,
 };
-use gearlash::mesh::{ExactKernel, LostMotion, Scene, Status};
 use gearlash::pair::{GearPair, Member, Pose};
 use gearlash_render::{Snapshot, snapshot};
 use nalgebra::Point2;

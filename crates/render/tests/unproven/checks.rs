@@ -1,8 +1,8 @@
 //! Checks whose poses are not proven are not proven, and no other.
 
 use super::{CERTIFIED, Case};
-use gearlash::diagnosis::{Check, Diagnosis, Verdict, diagnose};
-use gearlash::mesh::{Method, PoseClass};
+use gearlash::analysis::diagnosis::{Check, Diagnosis, Verdict, diagnose};
+use gearlash::contact::{Method, PoseClass};
 use gearlash_files::results::checks_json;
 use gearlash_render::text::check;
 use serde_json::Value;

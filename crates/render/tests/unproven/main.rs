@@ -9,11 +9,11 @@ mod checks;
 mod poses;
 mod told;
 
-use gearlash::compare::{ComparedRun, compare};
-use gearlash::mesh::{CutPair, Method, PoseResult, Unproven, sweep};
+use gearlash::analysis::compare::{ComparedRun, compare};
+use gearlash::analysis::simulate::Run;
+use gearlash::analysis::study::{RunPlan, Study};
+use gearlash::contact::{CutPair, Method, PoseResult, Unproven, sweep};
 use gearlash::pair::{GearPair, Member};
-use gearlash::simulate::Run;
-use gearlash::study::{RunPlan, Study};
 use gearlash_files::{self as input, PairFile};
 use std::ops::ControlFlow;
 

@@ -1,8 +1,8 @@
 //! Which poses are not proven, why, and what is kept of them.
 
 use super::{CERTIFIED, Case, REVOLUTION, unproven};
+use gearlash::contact::{Method, PoseResult, Status, sweep, worst_pose};
 use gearlash::error::Error;
-use gearlash::mesh::{Method, PoseResult, Status, sweep, worst_pose};
 use std::ops::ControlFlow;
 
 /// Whether the two pairs differ at a pose, which the exact method decides.

@@ -2,13 +2,13 @@
 
 use super::{CERTIFIED, Case, REVOLUTION, unproven};
 use gearlash::analysis::Analysis;
-use gearlash::compare::ComparedRun;
-use gearlash::curves::courses;
-use gearlash::cycle::{Cycle, RemainingMatings};
-use gearlash::diagnosis::diagnose;
-use gearlash::mesh::Method;
-use gearlash::outcome::{Agreement, Outcome};
-use gearlash::tally::tally;
+use gearlash::analysis::compare::ComparedRun;
+use gearlash::analysis::curves::courses;
+use gearlash::analysis::cycle::{Cycle, RemainingMatings};
+use gearlash::analysis::diagnosis::diagnose;
+use gearlash::analysis::outcome::{Agreement, Outcome};
+use gearlash::analysis::tally::tally;
+use gearlash::contact::Method;
 use gearlash_files::result_file;
 use gearlash_files::results::{ComparedPair, comparison_json};
 use gearlash_render::chart::{self, Heading};

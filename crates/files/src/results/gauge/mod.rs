@@ -6,9 +6,9 @@ mod readings;
 use super::table::{Cell, Column, Table, Unit};
 use crate::gauged_file::{GaugedTables, NoGearFile, gauged_file};
 use crate::spec::GearSpec;
+use gearlash::analysis::study::Material;
 use gearlash::gauge::Gauged;
 use gearlash::gear::AsBuilt;
-use gearlash::study::Material;
 
 pub use json::json;
 pub use readings::{Reading, by_tooth};

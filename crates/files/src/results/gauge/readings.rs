@@ -1,9 +1,9 @@
 //! The ten readings of a gear, each as a table with a row a tooth: what every writer and chart takes them from.
 
 use crate::results::table::{Column, Table, Unit};
+use gearlash::contact::Touch;
 use gearlash::gauge::{Gauged, OverPins, PitchReadings, RollPose};
 use gearlash::gear::Side;
-use gearlash::mesh::Touch;
 use serde_json::{Value, json};
 
 /// One gauge's readings; the stem of the gear (`gauge_wheel`, `gauge_wheel_most`) comes before it in the names of files.

@@ -1,0 +1,175 @@
+//! A run's poses as curves over the teeth.
+
+use super::scale::Scale;
+use crate::analysis::compare::{ComparedPose, ComparedRun};
+use crate::analysis::study::Material;
+use crate::contact::{Contact, Status, first_least};
+use crate::gear::Side;
+
+/// All curves of one centre distance and phase.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Course {
+    /// `a`, mm.
+    pub center_distance: f64,
+    /// The assembly phase, where phases are run apart.
+    pub phase: Option<(u32, u32)>,
+    /// First and last place: wheel teeth, or pitches since the first pose.
+    pub span: [f64; 2],
+    /// Number of wheel teeth where places are tooth numbers (those beyond it start again at 1);
+    /// `None` where they are pitches since the first pose.
+    pub teeth: Option<u32>,
+    /// Wheel and pinion tooth of the first right-flank pose.
+    pub start: (u32, u32),
+    /// Material by material, right flank before left.
+    pub lines: Vec<CourseLine>,
+    /// The least backlash of all lines.
+    pub least: Option<Extreme>,
+    /// The greatest.
+    pub greatest: Option<Extreme>,
+}
+
+/// The poses of one material and flank.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct CourseLine {
+    /// Which thickness.
+    pub material: Material,
+    /// The flank that passes through the pitch point, seen from the front.
+    pub flank: Side,
+    /// In the order of the run's poses of this flank.
+    pub points: Vec<CoursePoint>,
+}
+
+/// One pose of a curve; values in µm of `j_wt`, `None` where there is none.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct CoursePoint {
+    /// Place: the wheel tooth at the pitch point and the part of a pitch beyond it, or pitches since the first pose.
+    pub x: f64,
+    /// How the pose ended: why there is no value, where there is none.
+    pub status: Status,
+    /// Simulated.
+    pub simulated_um: Option<f64>,
+    /// Bound on its error.
+    pub error_bound_um: Option<f64>,
+    /// Simulated minus model 1, Michalec.
+    pub off_michalec_um: Option<f64>,
+    /// Simulated minus model 2, involute.
+    pub off_involute_um: Option<f64>,
+    /// Simulated minus model 3, line of action.
+    pub off_line_of_action_um: Option<f64>,
+}
+
+/// The pose with the least or the greatest backlash, and what binds there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Extreme {
+    /// Its place.
+    pub x: f64,
+    /// `j_wt`, µm.
+    pub backlash_um: f64,
+    /// Its line's material.
+    pub material: Material,
+    /// Its line's flank.
+    pub flank: Side,
+    /// Wheel and pinion tooth whose right flanks touch.
+    pub right: (u32, u32),
+    /// Wheel and pinion tooth whose left flanks touch.
+    pub left: (u32, u32),
+}
+
+/// The curves of `runs`, one course a centre distance and phase, in their order.
+///
+/// A run's poses of one flank must go from pitch to pitch, as those of a revolution do.
+pub fn courses(runs: &[ComparedRun]) -> Vec<Course> {
+    let key = |run: &ComparedRun| (run.run.assembly.center_distance(), run.run.phase);
+    let mut places: Vec<(f64, Option<(u32, u32)>)> = Vec::new();
+    for run in runs {
+        if !places.contains(&key(run)) {
+            places.push(key(run));
+        }
+    }
+    let of_place = |place| {
+        let here = runs.iter().filter(|run| key(run) == place).collect();
+        course(place, here)
+    };
+    places.into_iter().map(of_place).collect()
+}
+
+fn course((center_distance, phase): (f64, Option<(u32, u32)>), runs: Vec<&ComparedRun>) -> Course {
+    let mut lines = Vec::new();
+    let mut placed: Vec<(f64, Material, &ComparedPose)> = Vec::new();
+    let (mut span, mut teeth, mut start) = ([0.0, 1.0], None, (1, 1));
+    for run in runs {
+        let assembly = &run.run.assembly;
+        for flank in Side::BOTH {
+            let of_flank = |pose: &&ComparedPose| pose.swept.pose.mating().flank == flank;
+            let poses: Vec<&ComparedPose> = run.poses.iter().filter(of_flank).collect();
+            let Some(first) = poses.first() else {
+                continue;
+            };
+            let scale = Scale::of(assembly, || {
+                poses.iter().map(|pose| pose.swept.pose.mating())
+            });
+            (span, teeth) = (scale.span(), scale.teeth);
+            let first = first.swept.pose.mating().at_flank(assembly, Side::Right);
+            start = (first.wheel_tooth, first.pinion_tooth);
+            let x: Vec<f64> = scale
+                .pitches(poses.iter().map(|pose| pose.swept.pose.mating()))
+                .collect();
+            let points = x.iter().zip(&poses);
+            placed.extend(
+                points
+                    .clone()
+                    .map(|(x, pose)| (*x, run.run.material, *pose)),
+            );
+            lines.push(CourseLine {
+                material: run.run.material,
+                flank,
+                points: points.map(|(x, pose)| point(*x, pose)).collect(),
+            });
+        }
+    }
+    let extreme = |sign: f64| {
+        let known = placed.iter().filter_map(|placed| {
+            let swept = &placed.2.swept;
+            Some((placed, sign * swept.backlash?, swept.error_bound?))
+        });
+        let (x, material, pose) = first_least(known)?;
+        let lost_motion = pose.swept.proven()?;
+        let teeth = |contact: &Contact| (contact.wheel.tooth, contact.pinion.tooth);
+        Some(Extreme {
+            x: *x,
+            backlash_um: pose.swept.backlash? * 1e3,
+            material: *material,
+            flank: pose.swept.pose.mating().flank,
+            right: teeth(lost_motion.right.as_ref()?),
+            left: teeth(lost_motion.left.as_ref()?),
+        })
+    };
+    Course {
+        center_distance,
+        phase,
+        span,
+        teeth,
+        start,
+        least: extreme(1.0),
+        greatest: extreme(-1.0),
+        lines,
+    }
+}
+
+fn point(x: f64, pose: &ComparedPose) -> CoursePoint {
+    let swept = &pose.swept;
+    let off = |model: Option<f64>| Some((swept.backlash? - model?) * 1e3);
+    CoursePoint {
+        x,
+        status: swept.status(),
+        simulated_um: swept.backlash.map(|mm| mm * 1e3),
+        error_bound_um: swept.error_bound.map(|mm| mm * 1e3),
+        off_michalec_um: off(pose.michalec),
+        off_involute_um: off(pose.involute),
+        off_line_of_action_um: off(pose.line_of_action),
+    }
+}

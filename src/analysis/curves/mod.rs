@@ -1,0 +1,153 @@
+//! What charts show, computed: backlash over the teeth and over the centre distance.
+//!
+//! In a curve over the teeth each pose stands where its flank passes through the operating pitch point. A
+//! right-flank and a left-flank pose of one tooth are two rotations, half a pitch or so apart: the two curves of a
+//! gear without pitch deviations are one curve, shifted. Values in µm of `j_wt`, centre distances in mm.
+
+mod binding;
+mod course;
+mod over_distance;
+mod scale;
+
+pub use binding::{Followed, binding, followed, measured_teeth};
+pub use course::{Course, CourseLine, CoursePoint, Extreme, courses};
+pub use over_distance::{DistancePoint, OverDistance, over_distance, over_distance_pose_count};
+
+use crate::analysis::compare::{ComparedRun, compare};
+use crate::analysis::simulate::{pose_count, simulate, simulate_plans};
+use crate::analysis::study::Study;
+use crate::contact::Method;
+use crate::error::Error;
+use crate::gear::Side;
+use crate::pair::{GearPair, Mating, Member, SweepPlan};
+use std::ops::ControlFlow;
+
+/// Poses a pitch where the study does not sweep itself.
+const STEPS_PER_PITCH: u32 = 16;
+
+/// The runs behind curves over the teeth: each centre distance, material and phase.
+///
+/// Where the study sweeps a revolution, its own poses; else one wheel revolution from wheel tooth 1 on, in the
+/// assembly phase of the study's first mating, at 16 steps a pitch. The left-flank poses of the same wheel teeth and
+/// fractions follow the right-flank ones, the gears put together alike.
+///
+/// # Errors
+/// As [`crate::analysis::simulate::simulate`].
+pub fn revolution(
+    study: &Study,
+    method: Method,
+    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+) -> Result<Vec<ComparedRun>, Error> {
+    let study = swept(study.clone());
+    let right = compare(simulate(&study, method, tick)?, study.tolerance_um);
+    with_left_flanks(&study, right, method, tick)
+}
+
+/// The study's own runs, and [`revolution`] beside them; where the study sweeps, its poses are simulated once for both.
+///
+/// # Errors
+/// As [`crate::analysis::simulate::simulate`].
+pub fn with_revolution(
+    study: &Study,
+    method: Method,
+    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+) -> Result<[Vec<ComparedRun>; 2], Error> {
+    let own = compare(simulate(study, method, tick)?, study.tolerance_um);
+    let turned = match study.sweeps() {
+        true => with_left_flanks(study, own.clone(), method, tick)?,
+        false => revolution(study, method, tick)?,
+    };
+    Ok([own, turned])
+}
+
+/// The right-flank `runs` of a `study` that sweeps, each followed by the left-flank poses of the same wheel teeth and
+/// fractions, the gears put together alike.
+fn with_left_flanks(
+    study: &Study,
+    mut runs: Vec<ComparedRun>,
+    method: Method,
+    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+) -> Result<Vec<ComparedRun>, Error> {
+    let mut plans = study.runs()?;
+    for plan in &mut plans {
+        for mating in &mut plan.matings {
+            *mating = mating.at_flank(&plan.assembly, Side::Left);
+        }
+    }
+    let left = simulate_plans(study, plans, method, tick)?;
+    for (run, left) in runs.iter_mut().zip(compare(left, study.tolerance_um)) {
+        run.poses.extend(left.poses);
+    }
+    Ok(runs)
+}
+
+/// How many poses [`revolution`] will take.
+///
+/// # Errors
+/// As [`Study::runs`].
+pub fn revolution_pose_count(study: &Study) -> Result<usize, Error> {
+    Ok(2 * pose_count(&swept(study.clone()))?)
+}
+
+/// How many poses [`with_revolution`] will take.
+///
+/// # Errors
+/// As [`Study::runs`].
+pub fn with_revolution_pose_count(study: &Study) -> Result<usize, Error> {
+    let own = match study.sweeps() {
+        true => 0,
+        false => pose_count(study)?,
+    };
+    Ok(own + revolution_pose_count(study)?)
+}
+
+/// `study` with a sweep over whole revolutions: its own, or else one wheel revolution from wheel
+/// tooth 1 on, in the assembly phase of its first mating, at 16 steps a pitch. Unlike a study of measured rows it can be had [`Study::at`] other centre distances.
+pub fn swept(mut study: Study) -> Study {
+    if let Some((_, wheel, _)) = study.materials.first()
+        && !study.sweeps()
+    {
+        study.sweep = Some(SweepPlan::Revolution {
+            pitches: u64::from(wheel.gear().basic_data().teeth()),
+            steps_per_pitch: STEPS_PER_PITCH,
+            start: from_tooth_1(&study),
+        });
+    }
+    study
+}
+
+/// The mating the study names first.
+fn first_mating(study: &Study) -> (u32, u32) {
+    let of_sweep = match &study.sweep {
+        Some(SweepPlan::Matings { matings, .. }) => matings.first().copied(),
+        Some(SweepPlan::Revolution { start, .. }) => Some(*start),
+        Some(SweepPlan::Phases { .. }) | None => None,
+    };
+    let row = study.measured.first();
+    let of_row = row.map(|row| (row.wheel_tooth, row.pinion_tooth));
+    of_sweep.or(of_row).unwrap_or((1, 1))
+}
+
+/// The mating of wheel tooth 1 in the assembly phase of the study's first mating.
+fn from_tooth_1(study: &Study) -> (u32, u32) {
+    let (wheel_tooth, pinion_tooth) = first_mating(study);
+    let mating = Mating {
+        wheel_tooth,
+        pinion_tooth,
+        flank: Side::Right,
+        fraction: 0.0,
+    };
+    let first = study.materials.first().zip(study.center_distances.first());
+    let assembly = first.and_then(|((_, wheel, pinion), a)| {
+        GearPair::with_locked(wheel.clone(), pinion.clone(), *a, study.locked).ok()
+    });
+    let Some(assembly) = assembly else {
+        return (wheel_tooth, pinion_tooth);
+    };
+    let start = mating.of_wheel_tooth_1(&assembly);
+    (start.wheel_tooth, start.pinion_tooth)
+}
+
+fn wheel_teeth(assembly: &GearPair) -> u32 {
+    assembly.gear(Member::Wheel).gear().basic_data().teeth()
+}

@@ -1,0 +1,175 @@
+//! Backlash of a pose or a mating over the centre distance.
+
+use super::Followed;
+use crate::analysis::compare::compare;
+use crate::analysis::measured::{Bands, bands};
+use crate::analysis::simulate::simulate_plans;
+use crate::analysis::study::{MeasuredRow, RunPlan, Study};
+use crate::contact::{Method, Status};
+use crate::error::{Error, GearError};
+use crate::gear::Side;
+use crate::pair::{GearPair, Mating, Member};
+use std::ops::ControlFlow;
+
+/// Steps over the range of centre distances.
+const STEPS: u32 = 40;
+/// Room beside the listed distances, as a part of their range.
+const MARGIN: f64 = 0.1;
+/// Range on each side of a single distance, modules: some 40 µm of backlash a side at 20°.
+const AROUND: f64 = 0.02;
+
+/// Backlash of one or two poses over the centre distance.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct OverDistance {
+    /// What was followed.
+    pub followed: Followed,
+    /// Its poses; the curve is of their means. Those of two teeth are of the gears put together alike, but in a measured
+    /// mating the teeth are the same at both flanks, as the file names them.
+    pub matings: Vec<Mating>,
+    /// Radial clearance `c` of both bearings together, mm.
+    pub clearance: f64,
+    /// Whether the bands have two ends: most and least material.
+    pub two_materials: bool,
+    /// In ascending order of centre distance.
+    pub points: Vec<DistancePoint>,
+    /// The measured rows of the teeth, in the order of their file.
+    pub measured: Vec<MeasuredRow>,
+    /// With [`Method::Both`]: the largest difference between the two methods, mm.
+    pub polygon_difference: Option<f64>,
+    /// How many of its poses are not proven, or not at an end of the bearing clearance: the bands have gaps there.
+    pub unproven: usize,
+}
+
+/// The bands at one centre distance, from most to least material.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct DistancePoint {
+    /// `a`, mm.
+    pub center_distance: f64,
+    /// Means of the poses.
+    pub bands: Bands,
+    /// How the first pose without a value ended, an unproven one before others, where the simulated band has none.
+    pub gap: Option<Status>,
+}
+
+/// What is `followed` over a grid of centre distances round the study's and those at which it was measured.
+///
+/// # Errors
+/// [`GearError::NoSuchTooth`]; else as [`crate::analysis::simulate::simulate`].
+pub fn over_distance(
+    study: &Study,
+    followed: Followed,
+    method: Method,
+    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+) -> Result<OverDistance, Error> {
+    let of_teeth =
+        |row: &&MeasuredRow| followed == Followed::Teeth(row.wheel_tooth, row.pinion_tooth);
+    let measured: Vec<MeasuredRow> = study.measured.iter().filter(of_teeth).cloned().collect();
+    let distances = grid(study, &measured);
+    let mut plans = Vec::new();
+    for &a in &distances {
+        for (material, wheel, pinion) in &study.materials {
+            let assembly = GearPair::with_locked(wheel.clone(), pinion.clone(), a, study.locked)?;
+            plans.push(RunPlan {
+                material: *material,
+                matings: poses(&assembly, followed, !measured.is_empty())?,
+                assembly,
+                phase: None,
+            });
+        }
+    }
+    let matings = plans
+        .first()
+        .map_or(Vec::new(), |plan| plan.matings.clone());
+    let runs = compare(
+        simulate_plans(study, plans, method, tick)?,
+        study.tolerance_um,
+    );
+    let gap = |a: f64| {
+        let here = runs
+            .iter()
+            .filter(|run| run.run.assembly.center_distance() == a);
+        let poses = here.flat_map(|run| &run.poses);
+        let mut without = poses
+            .filter(|pose| pose.swept.backlash.is_none())
+            .map(|pose| pose.swept.status());
+        // What is not proven comes first: the others' ends are known.
+        match without.clone().any(|status| status == Status::Unproven) {
+            true => Some(Status::Unproven),
+            false => without.next(),
+        }
+    };
+    let point = |&a: &f64| DistancePoint {
+        center_distance: a,
+        bands: bands(study, &runs, a, |_| true),
+        gap: gap(a),
+    };
+    let found = runs.iter().flat_map(|run| &run.poses);
+    let differences = found.filter_map(|pose| pose.swept.polygon_difference);
+    Ok(OverDistance {
+        followed,
+        matings,
+        clearance: study.bearing_clearance,
+        polygon_difference: differences.map(f64::abs).reduce(f64::max),
+        unproven: runs.iter().map(|run| run.unproven().count()).sum(),
+        two_materials: study.materials.len() > 1,
+        points: distances.iter().map(point).collect(),
+        measured,
+    })
+}
+
+/// The poses of what is `followed`; two teeth that were `measured` are the same at both flanks.
+fn poses(assembly: &GearPair, followed: Followed, measured: bool) -> Result<Vec<Mating>, Error> {
+    let (wheel_tooth, pinion_tooth) = match followed {
+        Followed::Pose(mating) => return Ok(vec![mating]),
+        Followed::Teeth(wheel, pinion) => (wheel, pinion),
+    };
+    for (member, tooth) in [(Member::Wheel, wheel_tooth), (Member::Pinion, pinion_tooth)] {
+        let teeth = assembly.gear(member).gear().basic_data().teeth();
+        if !(1..=teeth).contains(&tooth) {
+            return Err(GearError::NoSuchTooth { tooth, teeth }.into());
+        }
+    }
+    let right = Mating {
+        wheel_tooth,
+        pinion_tooth,
+        flank: Side::Right,
+        fraction: 0.0,
+    };
+    let mut left = right.at_flank(assembly, Side::Left);
+    if measured {
+        left.pinion_tooth = pinion_tooth;
+    }
+    Ok(vec![right, left])
+}
+
+/// How many poses [`over_distance`] will take at most.
+pub fn over_distance_pose_count(study: &Study) -> usize {
+    2 * grid(study, &[]).len() * study.materials.len()
+}
+
+/// Centre distances round the study's and the `measured`, none so near that base circles overlap at `a − c`.
+fn grid(study: &Study, measured: &[MeasuredRow]) -> Vec<f64> {
+    let Some((_, wheel, pinion)) = study.materials.first() else {
+        return Vec::new();
+    };
+    let all = || {
+        let measured = measured.iter().map(|row| row.center_distance);
+        study.center_distances.iter().copied().chain(measured)
+    };
+    let (Some(first), Some(last)) = (all().reduce(f64::min), all().reduce(f64::max)) else {
+        return Vec::new();
+    };
+    let module = wheel.gear().basic_data().module();
+    let margin = match last > first {
+        true => MARGIN * (last - first),
+        false => AROUND * module,
+    };
+    let touching = wheel.gear().base_radius() + pinion.gear().base_radius();
+    let possible = |a: &f64| a - study.bearing_clearance > touching;
+    let (from, to) = (first - margin, last + margin);
+    let step = (to - from) / f64::from(STEPS);
+    let grid = (0..=STEPS).map(|i| from + f64::from(i) * step);
+    grid.filter(possible).collect()
+}

@@ -1,0 +1,109 @@
+//! Radial clearance, and tips: what stands how near to what.
+
+use super::{Check, Here, Verdict};
+use crate::analysis::diagnosis::check::met;
+use crate::analysis::diagnosis::clearance::least_over;
+use crate::analytic::limits;
+use crate::error::Error;
+use crate::gear::Side;
+use crate::pair::Member;
+use std::ops::ControlFlow;
+
+/// Tip thickness below which a tooth is thought too sharp, modules (a rule of design offices; hardened teeth take more).
+const LEAST_TIP: f64 = 0.2;
+
+impl Here<'_> {
+    /// K (9), (10): `member`'s tip over its mate's root.
+    pub(super) fn clearance(
+        &self,
+        member: Member,
+        tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+    ) -> Result<Check, Error> {
+        let module = self.module();
+        let analytic = limits::radial_clearance(self.assembly, member);
+        let found = least_over(self.assembly, member, &self.pitches(), tick)?;
+        let least = found.map_or(analytic, |found| found.distance.min(analytic));
+        let limit = limits::LEAST_CLEARANCE * module;
+        let verdict = if !met(least - limit) {
+            Verdict::Fail
+        } else {
+            Verdict::unless(
+                met(least - limits::RECOMMENDED_CLEARANCE * module),
+                Verdict::Warn,
+            )
+        };
+        Ok(Check {
+            unproven: None,
+            id: "radial_clearance",
+            title: "radial clearance of tip, K (9), (10)",
+            gear: Some(member),
+            analytic: Some(analytic),
+            measured: found.map(|found| found.distance),
+            limit: Some(limit),
+            margin: Some(least - limit),
+            unit: "mm",
+            verdict,
+            details: vec![
+                ("least_modules", least / module),
+                ("recommended_mm", limits::RECOMMENDED_CLEARANCE * module),
+            ],
+            note: {
+                let missed = match verdict {
+                    Verdict::Pass | Verdict::Unproven => String::new(),
+                    Verdict::Warn => format!(
+                        ", below the {} recommended ({:.4} mm)",
+                        limits::RECOMMENDED_CLEARANCE,
+                        limits::RECOMMENDED_CLEARANCE * module
+                    ),
+                    Verdict::Fail => format!(", below the limit of {}", limits::LEAST_CLEARANCE),
+                };
+                let teeth = found.map_or(String::new(), |found| {
+                    format!(
+                        "; {} tooth {} beside {} tooth {}",
+                        member.name(),
+                        found.tip_tooth,
+                        member.mate().name(),
+                        found.root_tooth
+                    )
+                });
+                format!("{:.4} module{missed}{teeth}", least / module)
+            },
+        })
+    }
+
+    /// Mean tooth by formula, thinnest tooth as built.
+    pub(super) fn tip(&self, member: Member) -> Check {
+        let as_built = self.assembly.gear(member);
+        let gear = as_built.gear();
+        let analytic = limits::tip_thickness(gear);
+        let widening = |tooth| {
+            as_built.flank_offset(Side::Left, tooth) - as_built.flank_offset(Side::Right, tooth)
+        };
+        let teeth = 1..=gear.basic_data().teeth();
+        let thinnest = teeth.reduce(
+            |thinnest, tooth| match widening(tooth) < widening(thinnest) {
+                true => tooth,
+                false => thinnest,
+            },
+        );
+        let measured = thinnest.map(|tooth| analytic + gear.tip_radius() * widening(tooth));
+        let least = measured.map_or(analytic, |measured| measured.min(analytic));
+        let limit = LEAST_TIP * self.module();
+        Check {
+            unproven: None,
+            id: "tip_thickness",
+            title: "tip thickness; of the thinnest tooth",
+            gear: Some(member),
+            analytic: Some(analytic),
+            measured,
+            limit: Some(limit),
+            margin: Some(least - limit),
+            unit: "mm",
+            verdict: Verdict::unless(met(least - limit), Verdict::Warn),
+            details: vec![],
+            note: thinnest
+                .filter(|_| measured != Some(analytic))
+                .map_or(String::new(), |tooth| format!("tooth {tooth}")),
+        }
+    }
+}

@@ -1,0 +1,165 @@
+//! Backlash, undercut and contact ratio against their limits.
+
+use super::{Check, Here, Verdict, hundredths, place};
+use crate::analysis::diagnosis::check::met;
+use crate::analysis::diagnosis::zero_distance::ZeroDistance;
+use crate::analytic::limits;
+use crate::contact::PoseClass;
+use crate::gear::{Profile, ProfilePart, Side};
+use crate::pair::Member;
+use std::f64::consts::FRAC_PI_2;
+
+/// Contact ratio below which the teeth lose each other.
+const LEAST_CONTACT_RATIO: f64 = 1.0;
+
+impl Here<'_> {
+    pub(super) fn zero(&self, zero: Option<&ZeroDistance>) -> Check {
+        let a = self.assembly.center_distance();
+        let analytic = limits::zero_backlash_distance(self.assembly);
+        let measured = zero.map(|zero| zero.distance);
+        let margin = measured.or(analytic).map(|zero| a - zero);
+        let mut details = Vec::new();
+        let nominal = limits::nominal_zero_backlash_distance(self.assembly);
+        details.extend(nominal.map(|nominal| ("nominal_thickness_mm", nominal)));
+        details.extend(zero.map(|zero| ("of_poses_mm", zero.of_poses)));
+        Check {
+            unproven: None,
+            id: "zero_backlash_distance",
+            title: "zero-backlash centre distance, K (17)",
+            gear: None,
+            analytic,
+            measured,
+            limit: Some(a),
+            margin,
+            unit: "mm",
+            verdict: Verdict::unless(margin.is_none_or(met), Verdict::Fail),
+            details,
+            note: {
+                let of_nominal = nominal.map_or(String::new(), |nominal| {
+                    format!("{nominal:.4} of nominal thickness")
+                });
+                let worst = zero.map_or(String::new(), |zero| {
+                    let [right, left] = zero.teeth;
+                    format!(
+                        "; worst pose: {}; teeth {}·{} (right flanks) and {}·{} (left flanks)",
+                        place(&zero.mating),
+                        right.0,
+                        right.1,
+                        left.0,
+                        left.1
+                    )
+                });
+                of_nominal + &worst
+            },
+        }
+    }
+
+    /// K (12), (13): what both teeth take of a pitch; measured, a pitch less the least backlash.
+    pub(super) fn backlash(&self) -> Check {
+        let pitch = limits::operating_pitch(self.assembly);
+        let thickness = |member| limits::operating_thickness(self.assembly, member);
+        let analytic = thickness(Member::Wheel) + thickness(Member::Pinion);
+        let poses = || self.runs.iter().flat_map(|run| &run.poses);
+        let least = poses()
+            .filter_map(|pose| pose.swept.backlash)
+            .reduce(f64::min);
+        let jammed = self.contact.of_class(|class| class == PoseClass::Jammed);
+        let measured = least.map(|least| pitch - least);
+        let margin = pitch - measured.map_or(analytic, |measured| measured.max(analytic));
+        Check {
+            unproven: None,
+            id: "backlash_condition",
+            title: "both teeth within the pitch, K (12), (13)",
+            gear: None,
+            analytic: Some(analytic),
+            measured,
+            limit: Some(pitch),
+            margin: Some(margin),
+            unit: "mm",
+            verdict: Verdict::unless(met(margin) && jammed == 0, Verdict::Fail),
+            details: least
+                .map(|least| ("least_j_wt_um", least * 1e3))
+                .into_iter()
+                .collect(),
+            note: match jammed {
+                0 => least.map_or(String::new(), |least| {
+                    format!("least j_wt {} µm", hundredths(least))
+                }),
+                _ => format!("jammed in {jammed} of {} poses", self.contact.poses()),
+            },
+        }
+    }
+
+    /// How far the fillet's tangency stands outside the base circle along the line of action (design section 4).
+    pub(super) fn undercut(&self, member: Member) -> Check {
+        let gear = self.gear(member);
+        let (basic_data, rack) = (gear.basic_data(), &gear.design().rack);
+        let least = limits::least_shift_without_undercut(basic_data, rack);
+        // r sin α − (h_0/sin α + ρ) is (x_E − x_E,least) m/sin α.
+        let margin = (gear.generating_shift() - least) * basic_data.module()
+            / basic_data.pressure_angle().sin();
+        let profile = Profile::new(gear);
+        let joint = |curve, t| profile.normal(curve, t, Side::Right);
+        let (fillet, involute) = (
+            joint(ProfilePart::Fillet, gear.fillet().end()),
+            joint(ProfilePart::Involute, gear.form_roll()),
+        );
+        let edge = fillet.perp(&involute).abs().atan2(fillet.dot(&involute));
+        let undercut = gear.fillet().end() < FRAC_PI_2 - basic_data.pressure_angle();
+        Check {
+            unproven: None,
+            id: "undercut",
+            title: "involute begins outside base circle",
+            gear: Some(member),
+            analytic: Some(margin),
+            measured: Some(gear.base_radius() * gear.form_roll()),
+            limit: Some(0.0),
+            margin: Some(margin),
+            unit: "mm",
+            verdict: Verdict::unless(met(margin) && !undercut, Verdict::Warn),
+            details: vec![
+                ("root_form_diameter_mm", 2.0 * gear.form_radius()),
+                ("base_diameter_mm", 2.0 * gear.base_radius()),
+                ("generating_shift_modules", gear.generating_shift()),
+                ("least_shift_modules", least),
+                ("edge_deg", edge.to_degrees()),
+            ],
+            note: match undercut {
+                true => format!(
+                    "undercut: form diameter {:.4} mm, edge of {:.2}°",
+                    2.0 * gear.form_radius(),
+                    edge.to_degrees()
+                ),
+                false => format!("form diameter {:.4} mm", 2.0 * gear.form_radius()),
+            },
+        }
+    }
+
+    pub(super) fn contact_ratio(&self) -> Check {
+        let analytic = limits::contact_ratio(self.assembly);
+        let measured = limits::usable_contact_ratio(self.assembly);
+        let least = analytic.min(measured);
+        let nominal = limits::nominal_zero_backlash_distance(self.assembly)
+            .and_then(|a| self.assembly.at(a).ok())
+            .map(|nominal| limits::contact_ratio(&nominal));
+        Check {
+            unproven: None,
+            id: "contact_ratio",
+            title: "contact ratio; between real form circles",
+            gear: None,
+            analytic: Some(analytic),
+            measured: Some(measured),
+            limit: Some(LEAST_CONTACT_RATIO),
+            margin: Some(least - LEAST_CONTACT_RATIO),
+            unit: "1",
+            verdict: Verdict::unless(met(least - LEAST_CONTACT_RATIO), Verdict::Fail),
+            details: nominal
+                .map(|nominal| ("at_nominal_zero_backlash_distance", nominal))
+                .into_iter()
+                .collect(),
+            note: nominal.map_or(String::new(), |nominal| {
+                format!("{nominal:.4} at the play-free distance of the drawing")
+            }),
+        }
+    }
+}

@@ -1,0 +1,83 @@
+//! Contact off the line of action: from which centre distance on, in which poses, what it costs.
+
+use super::{Check, Here, Verdict, hundredths, percent, place};
+use crate::analysis::diagnosis::check::met;
+use crate::analysis::diagnosis::onset::{Onset, form_onset};
+use crate::analytic::limits;
+use crate::contact::PoseClass;
+use crate::pair::Member;
+
+impl Here<'_> {
+    pub(super) fn onset(&self, onset: Option<&Onset>) -> Check {
+        let a = self.assembly.center_distance();
+        let form = |member| form_onset(self.assembly, member);
+        let analytic = form(Member::Wheel).max(form(Member::Pinion));
+        let measured = onset.map(|onset| onset.distance);
+        let margin = a - measured.unwrap_or(analytic);
+        Check {
+            unproven: None,
+            id: "non_involute_onset",
+            title: "centre distance of first non-involute contact",
+            gear: None,
+            analytic: Some(analytic),
+            measured,
+            limit: Some(a),
+            margin: Some(margin),
+            unit: "mm",
+            verdict: match onset {
+                Some(_) => Verdict::unless(met(margin), Verdict::Fail),
+                None => Verdict::Pass,
+            },
+            details: vec![],
+            note: onset.map_or("never".to_owned(), |onset| {
+                format!("{}, {}", onset.class.name(), place(&onset.mating))
+            }),
+        }
+    }
+
+    pub(super) fn off_line(&self) -> Check {
+        let poses = self.contact.poses();
+        let off = self.contact.off_line;
+        let grave = self.contact.of_class(PoseClass::is_non_involute);
+        let verdict = match (off, grave) {
+            (0, _) => Verdict::Pass,
+            (_, 0) => Verdict::Warn,
+            _ if self.allow_off_line => Verdict::Warn,
+            _ => Verdict::Fail,
+        };
+        let mut details = Vec::new();
+        let mut note = String::new();
+        if let Some(loss) = &self.contact.loss {
+            details.extend([
+                ("least_loss_um", loss.least * 1e3),
+                ("mean_loss_um", loss.mean * 1e3),
+                ("worst_loss_um", loss.worst.loss * 1e3),
+            ]);
+            let worst = &loss.worst;
+            if off > 0 && worst.loss > limits::MET_WITHIN {
+                note = format!(
+                    "worst {} µm lost, {}: {} of wheel tooth {}, pinion tooth {}",
+                    hundredths(worst.loss),
+                    place(worst.pose.mating()),
+                    worst.class.name(),
+                    worst.contact.wheel.tooth,
+                    worst.contact.pinion.tooth
+                );
+            }
+        }
+        Check {
+            unproven: None,
+            id: "off_line_contact",
+            title: "poses that touch off the line of action",
+            gear: None,
+            analytic: Some(0.0),
+            measured: Some(percent(off, poses)),
+            limit: Some(0.0),
+            margin: Some(-percent(off, poses)),
+            unit: "%",
+            verdict,
+            details,
+            note,
+        }
+    }
+}

@@ -1,0 +1,154 @@
+//! What touched over a run, how often, and what it cost.
+
+use crate::analysis::compare::{ComparedPose, ComparedRun};
+use crate::analysis::study::Material;
+use crate::analytic::limits;
+use crate::contact::{Contact, ContactClass, ContactKind, PoseClass};
+use crate::gear::Side;
+use crate::pair::{GearPair, Pose};
+use std::collections::BTreeMap;
+
+/// Poses by class, and the lost motion that no formula saw.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct ContactCount {
+    /// Poses of each class that occurs, in order of gravity.
+    pub classes: BTreeMap<PoseClass, usize>,
+    /// Poses of the classes in which something other than involutes touches, and with less backlash than the
+    /// formula beyond their error bounds: a tip corner that touches on the line of action costs nothing.
+    pub off_line: usize,
+    /// `None` where no pose has both a formula and a lost motion.
+    pub loss: Option<Loss>,
+}
+
+/// Backlash of the formula minus backlash found, mm of `j_wt`. The formula is model 3, or model 2
+/// where that has no value.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Loss {
+    /// Least.
+    pub least: f64,
+    /// Mean over `poses`.
+    pub mean: f64,
+    /// Poses that have one.
+    pub poses: usize,
+    /// Greatest.
+    pub worst: Worst,
+}
+
+/// The pose that loses most, the first of equals.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Worst {
+    /// The pair.
+    pub assembly: GearPair,
+    /// Its material.
+    pub material: Material,
+    /// Where it stands.
+    pub pose: Pose,
+    /// What touches there.
+    pub class: PoseClass,
+    /// The side of the graver contact, right where both are alike.
+    pub side: Side,
+    /// That contact: its teeth, curves and radii.
+    pub contact: Contact,
+    /// `j_wt` found, mm.
+    pub backlash: f64,
+    /// The formula's minus that, mm.
+    pub loss: f64,
+}
+
+impl ContactCount {
+    /// Counts `run`.
+    pub fn of(run: &ComparedRun) -> ContactCount {
+        let mut count = ContactCount::default();
+        for pose in &run.poses {
+            count.add(&run.run.assembly, run.run.material, pose);
+        }
+        count
+    }
+
+    /// Several runs together.
+    pub fn sum<'a>(runs: impl IntoIterator<Item = &'a ComparedRun>) -> ContactCount {
+        let mut count = ContactCount::default();
+        for run in runs {
+            for pose in &run.poses {
+                count.add(&run.run.assembly, run.run.material, pose);
+            }
+        }
+        count
+    }
+
+    /// Poses counted.
+    pub fn poses(&self) -> usize {
+        self.classes.values().sum()
+    }
+
+    /// Poses whose class satisfies `which`.
+    pub fn of_class(&self, which: impl Fn(PoseClass) -> bool) -> usize {
+        let matching = self.classes.iter().filter(|(class, _)| which(**class));
+        matching.map(|(_, count)| count).sum()
+    }
+
+    /// Takes in a pose of `assembly`.
+    pub(crate) fn add(&mut self, assembly: &GearPair, material: Material, pose: &ComparedPose) {
+        let class = pose.swept.class(assembly);
+        *self.classes.entry(class).or_default() += 1;
+        let others_touch = !matches!(
+            class,
+            PoseClass::NoContact | PoseClass::Unproven | PoseClass::Contact(ContactKind::Involute)
+        );
+        let difference = pose
+            .line_of_action
+            .zip(pose.swept.backlash)
+            .map(|(formula, backlash)| formula - backlash);
+        let bound = pose.swept.error_bound.unwrap_or(0.0);
+        let costs = difference.is_none_or(|loss| loss > bound + limits::MET_WITHIN);
+        self.off_line += usize::from(others_touch && costs);
+        let formula = pose.line_of_action.or(pose.involute);
+        let (Some(backlash), Some(formula)) = (pose.swept.backlash, formula) else {
+            return;
+        };
+        let loss = formula - backlash;
+        let known = self.loss.as_ref().map(|known| known.worst.loss);
+        // Losses that differ by rounding are equal.
+        if known.is_none_or(|worst| loss > worst + limits::MET_WITHIN) {
+            let Some((side, contact)) = graver(assembly, pose) else {
+                return;
+            };
+            let worst = Worst {
+                assembly: assembly.clone(),
+                material,
+                pose: pose.swept.pose,
+                class,
+                side,
+                contact,
+                backlash,
+                loss,
+            };
+            match &mut self.loss {
+                Some(known) => known.worst = worst,
+                None => {
+                    self.loss = Some(Loss {
+                        least: loss,
+                        mean: 0.0,
+                        poses: 0,
+                        worst,
+                    });
+                }
+            }
+        }
+        if let Some(known) = &mut self.loss {
+            known.least = known.least.min(loss);
+            known.poses += 1;
+            known.mean += (loss - known.mean) / known.poses as f64;
+        }
+    }
+}
+
+fn graver(assembly: &GearPair, pose: &ComparedPose) -> Option<(Side, Contact)> {
+    let found = pose.swept.proven()?;
+    let (right, left) = (found.right?, found.left?);
+    let kind = |side, contact| ContactClass::of(assembly, side, contact).kind;
+    match kind(Side::Left, &left) > kind(Side::Right, &right) {
+        true => Some((Side::Left, left)),
+        false => Some((Side::Right, right)),
+    }
+}

@@ -1,0 +1,182 @@
+//! What touches over centre distance and mesh phase.
+
+use super::checks::Group;
+use super::onset::form_onset;
+use crate::analytic::limits;
+use crate::contact::PoseClass;
+use crate::contact::{PairAtDistance, reach};
+use crate::error::Error;
+use crate::pair::{GearPair, Mating, Member};
+use crate::parallel;
+use std::ops::ControlFlow;
+
+/// Rows of a map, and as many columns (tuned: what can be told apart on a sheet).
+pub const MAP_ROWS: u32 = 60;
+const COLUMNS: u32 = 60;
+/// Room above and below what is shown, modules.
+const ROOM: f64 = 0.05;
+
+/// A grid of poses.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Map {
+    /// Mating of the first column; the columns go on from it by one pitch.
+    pub start: Mating,
+    /// Centre distances of the rows, mm, rising.
+    pub distances: Vec<f64>,
+    /// Fractions of a pitch of the columns.
+    pub fractions: Vec<f64>,
+    /// Row by row.
+    pub cells: Vec<MapCell>,
+    /// What is drawn across, from the least centre distance up; some may lie below the rows.
+    pub limits: Vec<Limit>,
+}
+
+/// One pose.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct MapCell {
+    /// What touches.
+    pub class: PoseClass,
+    /// `j_wt`, mm.
+    pub backlash: Option<f64>,
+}
+
+/// A centre distance that means something.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Limit {
+    /// What.
+    pub name: String,
+    /// Where, mm.
+    pub distance: f64,
+}
+
+/// The map of `group`'s pair over one pitch from `start`. `tick` is called after each row; a break ends it.
+///
+/// # Errors
+/// [`Error::Interrupted`]. A contact that is lost leaves its cell [`PoseClass::Unproven`].
+pub fn map(
+    group: &Group,
+    start: Mating,
+    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+) -> Result<Map, Error> {
+    let assembly = &group.assembly;
+    let limits = limits_of(group);
+    let module = assembly.gear(Member::Wheel).gear().basic_data().module();
+    let [nearest, farthest] = reach(assembly);
+    let ends = |pick: fn(f64, f64) -> f64| limits.iter().map(|limit| limit.distance).reduce(pick);
+    let middle = assembly.center_distance();
+    // Not far below tips that stand in roots: there is nothing but jam.
+    let jam = middle - least_clearance(assembly);
+    let lowest = ends(f64::min).unwrap_or(middle).max(jam).min(middle);
+    let low = (lowest - ROOM * module).max(nearest);
+    let high = (ends(f64::max).unwrap_or(middle) + ROOM * module).min(farthest);
+    let distances: Vec<f64> = (0..MAP_ROWS)
+        .map(|row| low + (high - low) * (f64::from(row) + 0.5) / f64::from(MAP_ROWS))
+        .collect();
+    let fractions: Vec<f64> = (0..COLUMNS)
+        .map(|column| f64::from(column) / f64::from(COLUMNS))
+        .collect();
+    let as_assembled = PairAtDistance::new(assembly);
+    let rows = parallel::map(distances.iter().copied(), |distance| {
+        let bench = as_assembled.at(distance)?;
+        let radius = bench
+            .assembly()
+            .operating_pitch_radius(bench.assembly().free());
+        let cells: Result<Vec<MapCell>, Error> = fractions
+            .iter()
+            .map(|&fraction| {
+                let mating = start.onward(bench.assembly(), fraction);
+                match bench.lost_motion(&mating) {
+                    Ok(found) => Ok(MapCell {
+                        class: PoseClass::of(bench.assembly(), &found),
+                        backlash: found.angle().map(|angle| angle * radius),
+                    }),
+                    Err(error) if error.of_one_pose().is_some() => Ok(MapCell {
+                        class: PoseClass::Unproven,
+                        backlash: None,
+                    }),
+                    Err(error) => Err(error),
+                }
+            })
+            .collect();
+        match tick() {
+            ControlFlow::Continue(()) => cells,
+            ControlFlow::Break(()) => Err(Error::Interrupted),
+        }
+    });
+    let mut cells = Vec::new();
+    for row in rows {
+        cells.extend(row?);
+    }
+    Ok(Map {
+        start,
+        distances,
+        fractions,
+        cells,
+        limits,
+    })
+}
+
+fn limits_of(group: &Group) -> Vec<Limit> {
+    let assembly: &GearPair = &group.assembly;
+    let a = assembly.center_distance();
+    let module = assembly.gear(Member::Wheel).gear().basic_data().module();
+    let limit = |name: &str, distance: f64| Limit {
+        name: name.to_owned(),
+        distance,
+    };
+    let mut limits = vec![limit("a of the pair", a)];
+    let zero = limits::zero_backlash_distance(assembly);
+    limits.extend(zero.map(|zero| limit("zero backlash, K (17)", zero)));
+    limits.extend(
+        group
+            .zero
+            .iter()
+            .flatten()
+            .map(|zero| limit("zero backlash, measured", zero.distance)),
+    );
+    limits.extend(
+        group
+            .onset
+            .iter()
+            .flatten()
+            .map(|onset| limit("non-involute contact, measured", onset.distance)),
+    );
+    // The gear that is endangered first.
+    let governing = |value: fn(&GearPair, Member) -> f64| {
+        f64::max(
+            value(assembly, Member::Wheel),
+            value(assembly, Member::Pinion),
+        )
+    };
+    limits.push(limit("tip at form circle", governing(form_onset)));
+    limits.push(limit("tip at base circle, K (8)", governing(base_onset)));
+    // a − r_a − r_f falls short of the clearance asked for by so much.
+    let least = least_clearance(assembly);
+    for modules in [limits::LEAST_CLEARANCE, limits::RECOMMENDED_CLEARANCE] {
+        limits.push(limit(
+            &format!("radial clearance {modules} m"),
+            a - least + modules * module,
+        ));
+    }
+    let [nearest, _] = reach(assembly);
+    limits.retain(|limit| limit.distance >= nearest);
+    limits.sort_by(|a, b| a.distance.total_cmp(&b.distance));
+    limits
+}
+
+fn least_clearance(assembly: &GearPair) -> f64 {
+    f64::min(
+        limits::radial_clearance(assembly, Member::Wheel),
+        limits::radial_clearance(assembly, Member::Pinion),
+    )
+}
+
+/// Centre distance, mm, below which K (8) is violated on `member`: the mate's tip on the base tangent's end.
+fn base_onset(assembly: &GearPair, member: Member) -> f64 {
+    let gear = assembly.gear(member).gear();
+    let mate = assembly.gear(member.mate()).gear();
+    limits::tip_tangent(mate).hypot(gear.base_radius() + mate.base_radius())
+}

@@ -1,0 +1,145 @@
+//! The centre distance below which something other than involutes touches.
+
+use crate::analytic::limits;
+use crate::contact::PoseClass;
+use crate::contact::{PairAtDistance, reach};
+use crate::error::Error;
+use crate::pair::{GearPair, Mating, Member};
+use crate::parallel;
+
+/// Width of the bracket, mm: a nanometre, far below what a centre distance can be set to.
+const WIDTH: f64 = 1e-6;
+/// Reach, in pitches, within which the rotation is refined about the last pose that touches: wider than
+/// the steps of a default sweep.
+const BESIDE: f64 = 1.0 / 8.0;
+/// Refinements of the rotation, each eight times as fine: the last steps are 1/32768 of a pitch.
+const REFINEMENTS: usize = 4;
+
+/// Where non-involute contact begins.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Onset {
+    /// Centre distance, mm: below it some pose touches a fillet, a root or the edge of an undercut flank.
+    pub distance: f64,
+    /// Where such a pose was found, and where none was; 1e-6 mm apart.
+    pub bracket: [f64; 2],
+    /// The pose that touches first as the gears approach.
+    pub mating: Mating,
+    /// What it touches.
+    pub class: PoseClass,
+}
+
+/// Centre distance, mm, below which the mate's tip reaches inside `member`'s form circle on the line of action.
+///
+/// [`limits::form_margin`] is zero where `(r_b1 + r_b2) tan α_wt = √(r_a² − r_b²) + r_b ξ_Ff`; the
+/// centre distance is the hypotenuse over that and `r_b1 + r_b2`.
+pub fn form_onset(assembly: &GearPair, member: Member) -> f64 {
+    let gear = assembly.gear(member).gear();
+    let mate = assembly.gear(member.mate()).gear();
+    let tangent = limits::tip_tangent(mate) + gear.base_radius() * gear.form_roll();
+    tangent.hypot(gear.base_radius() + mate.base_radius())
+}
+
+/// Finds the onset over `matings`, then turns on from the pose that touches first.
+///
+/// A pose that touches below an involute is taken to do so at every lesser distance: the bracket
+/// then needs only the poses that touch at its lower end. `None` where no pose touches so even at the
+/// least distance the base circles allow.
+///
+/// # Errors
+/// A contact that was lost.
+pub fn non_involute_onset(assembly: &GearPair, matings: &[Mating]) -> Result<Option<Onset>, Error> {
+    let [nearest, farthest] = reach(assembly);
+    let form = |member| form_onset(assembly, member);
+    let guess = form(Member::Wheel)
+        .max(form(Member::Pinion))
+        .clamp(nearest, farthest);
+    let module = assembly.gear(Member::Wheel).gear().basic_data().module();
+
+    let mut stride = 0.02 * module;
+    let mut low = guess;
+    let bench = PairAtDistance::new(assembly);
+    let mut active = touching(&bench, low, matings)?;
+    while active.is_empty() {
+        if low <= nearest {
+            return Ok(None);
+        }
+        low = (low - stride).max(nearest);
+        stride *= 2.0;
+        active = touching(&bench, low, matings)?;
+    }
+    let mut high = close(&bench, &mut low, guess, &mut active)?;
+    let mut span = BESIDE;
+    for _ in 0..REFINEMENTS {
+        let first = active[0];
+        let steps = (-8..=8).filter(|step| *step != 0);
+        let beside: Vec<Mating> = steps
+            .map(|step| first.onward(assembly, f64::from(step) * span / 8.0))
+            .collect();
+        let mut sooner = touching(&bench, high, &beside)?;
+        if !sooner.is_empty() {
+            low = high;
+            high = close(&bench, &mut low, high, &mut sooner)?;
+            active = sooner;
+        }
+        span /= 8.0;
+    }
+    let mating = active[0];
+    Ok(Some(Onset {
+        distance: 0.5 * (low + high),
+        bracket: [low, high],
+        mating,
+        class: bench.at(low)?.class(&mating)?,
+    }))
+}
+
+/// Raises `low`, where all of `active` (not empty) touch, until none does at the distance returned, [`WIDTH`] above.
+fn close(
+    bench: &PairAtDistance,
+    low: &mut f64,
+    known: f64,
+    active: &mut Vec<Mating>,
+) -> Result<f64, Error> {
+    let [_, farthest] = reach(bench.assembly());
+    let mut stride = f64::max(2.0 * (known - *low), 16.0 * WIDTH);
+    let mut high = loop {
+        let high = *low + stride;
+        // Tips that do not reach each other touch nothing.
+        if high >= farthest {
+            break farthest;
+        }
+        let still = touching(bench, high, active)?;
+        if still.is_empty() {
+            break high;
+        }
+        (*low, *active) = (high, still);
+        stride *= 2.0;
+    };
+    while high - *low > WIDTH {
+        let middle = 0.5 * (*low + high);
+        let still = touching(bench, middle, active)?;
+        if still.is_empty() {
+            high = middle;
+        } else {
+            (*low, *active) = (middle, still);
+        }
+    }
+    Ok(high)
+}
+
+/// Those of `matings` that touch below an involute at `distance`, in order.
+fn touching(
+    bench: &PairAtDistance,
+    distance: f64,
+    matings: &[Mating],
+) -> Result<Vec<Mating>, Error> {
+    let bench = bench.at(distance)?;
+    let classes = parallel::map(matings, |mating| bench.class(mating));
+    let mut touching = Vec::new();
+    for (class, mating) in classes.into_iter().zip(matings) {
+        if class?.is_non_involute() {
+            touching.push(*mating);
+        }
+    }
+    Ok(touching)
+}

@@ -1,0 +1,246 @@
+//! The centre distance at which the worst pose of a pair as built has no play.
+
+use crate::analytic::limits;
+use crate::contact::{PairAtDistance, reach};
+use crate::error::Error;
+use crate::pair::{GearPair, Mating};
+
+/// Width of the bracket of a centre distance, mm: a tenth of what counts as met. Rounding of `j_bn` is a
+/// few 1e-13 mm, so the sign at its ends is sure.
+const WIDTH: f64 = 1e-10;
+/// Width to which a rotation is found, pitches: play changes by less than a module a pitch.
+const PITCHES: f64 = 1e-9;
+/// Steps in which the rotation walks downhill, pitches (tuned: as a default sweep).
+const STRIDE: f64 = 1.0 / 16.0;
+/// Local minima of a sweep that are followed (tuned: those left out lie higher than eight others).
+const FOLLOWED: usize = 8;
+/// Rounds of distance, rotation, distance, …: each ends nearer by a factor of the play's relative bend, about 1e-3.
+const ROUNDS: usize = 4;
+
+/// `a_0` of a pair as built, mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct ZeroDistance {
+    /// `a_0` of the worst pose, the rotation continuous.
+    pub distance: f64,
+    /// Where the play is negative, and where it is not: 1e-10 mm apart, about `distance`.
+    pub bracket: [f64; 2],
+    /// The worst pose.
+    pub mating: Mating,
+    /// `a_0` of the worst of the poses given.
+    pub of_poses: f64,
+    /// That pose.
+    pub pose: Mating,
+    /// Wheel and pinion tooth in right-flank and in left-flank contact there.
+    pub teeth: [(u32, u32); 2],
+}
+
+/// Finds `a_0` of the gears of `assembly`: over `matings` first, then turning on from the worst of them
+/// until the play rises.
+///
+/// Play rises with the centre distance, so the root is bracketed. `None` where there is none between
+/// touching base circles and tips that pass each other, or no matings were given.
+///
+/// # Errors
+/// A contact that was lost.
+pub fn zero_distance(
+    assembly: &GearPair,
+    matings: &[Mating],
+) -> Result<Option<ZeroDistance>, Error> {
+    let as_assembled = PairAtDistance::new(assembly);
+    let least_of = |matings: &[Mating], distance| -> Result<f64, Error> {
+        let plays = as_assembled.at(distance)?.plays(matings)?;
+        Ok(plays.into_iter().fold(f64::INFINITY, f64::min))
+    };
+    let guess = limits::zero_backlash_distance(assembly);
+    let guess = guess.unwrap_or(assembly.center_distance());
+    let Some(bracket) = root(assembly, guess, |distance| least_of(matings, distance))? else {
+        return Ok(None);
+    };
+    let bench = as_assembled.at(bracket[0])?;
+    let plays = bench.plays(matings)?;
+    let minima = local_minima(&plays);
+    let Some(&first) = minima.first() else {
+        return Ok(None);
+    };
+    let mut found = (f64::INFINITY, matings[first]);
+    for &index in minima.iter().take(FOLLOWED) {
+        let here = lowest(&bench, matings[index], plays[index])?;
+        if here.0 < found.0 {
+            found = here;
+        }
+    }
+    let mut last = bracket;
+    for _ in 0..ROUNDS {
+        let one = [found.1];
+        let Some(next) = root(assembly, last[0], |distance| least_of(&one, distance))? else {
+            return Ok(None);
+        };
+        let moved = (next[0] - last[0]).abs();
+        last = next;
+        if moved <= WIDTH {
+            break;
+        }
+        let bench = as_assembled.at(last[0])?;
+        found = lowest(&bench, found.1, bench.play(&found.1)?)?;
+    }
+    let at = as_assembled.at(last[1])?.lost_motion(&found.1)?;
+    let teeth = [at.right, at.left].map(|contact| {
+        contact.map_or((0, 0), |contact| {
+            (contact.wheel.tooth, contact.pinion.tooth)
+        })
+    });
+    Ok(Some(ZeroDistance {
+        distance: 0.5 * (last[0] + last[1]),
+        bracket: last,
+        mating: found.1,
+        of_poses: 0.5 * (bracket[0] + bracket[1]),
+        pose: matings[first],
+        teeth,
+    }))
+}
+
+impl PairAtDistance {
+    /// The centre distance, mm, at which the pose of `mating` has no play: a bracket about it at most 1e-10 mm wide,
+    /// the play negative at its first end and not at its second. `guess`, mm, is where the search starts.
+    ///
+    /// The mating stands for a pose at every distance ([`crate::pair::Pose`]). `None` where there is none between
+    /// touching base circles and tips that pass each other.
+    ///
+    /// # Errors
+    /// A contact that was lost.
+    pub fn play_free_distance(
+        &self,
+        guess: f64,
+        mating: &Mating,
+    ) -> Result<Option<[f64; 2]>, Error> {
+        root(self.assembly(), guess, |distance| {
+            self.at(distance)?.play(mating)
+        })
+    }
+}
+
+/// Indices of values no higher than their neighbours in the list, the lowest first.
+fn local_minima(values: &[f64]) -> Vec<usize> {
+    let count = values.len();
+    let mut minima: Vec<usize> = (0..count)
+        .filter(|&i| {
+            let (before, after) = ((i + count - 1) % count, (i + 1) % count);
+            values[i] <= values[before] && values[i] <= values[after]
+        })
+        .collect();
+    minima.sort_by(|a, b| values[*a].total_cmp(&values[*b]));
+    minima
+}
+
+/// The least play found going downhill from `start`, whose play is `play`, and where.
+fn lowest(bench: &PairAtDistance, start: Mating, play: f64) -> Result<(f64, Mating), Error> {
+    let assembly = bench.assembly();
+    let at = |pitches: f64| bench.play(&start.onward(assembly, pitches));
+    let period = {
+        let gear = assembly.gear(assembly.locked()).gear();
+        f64::from(gear.basic_data().teeth())
+    };
+    let (mut best, mut place) = (play, 0.0);
+    for sense in [1.0, -1.0] {
+        let mut next = place + sense * STRIDE;
+        while next.abs() <= period {
+            let value = at(next)?;
+            // Less by more than rounding: perfect gears are level all the way round.
+            if !(value < best - 1e-12) {
+                break;
+            }
+            (best, place) = (value, next);
+            next += sense * STRIDE;
+        }
+    }
+    // Golden section between the neighbours of the lowest step.
+    const GOLDEN: f64 = 0.618_033_988_749_894_9;
+    let (mut low, mut high) = (place - STRIDE, place + STRIDE);
+    let mut inner = [high - GOLDEN * (high - low), low + GOLDEN * (high - low)];
+    let mut values = [at(inner[0])?, at(inner[1])?];
+    while high - low > PITCHES {
+        if values[0] <= values[1] {
+            high = inner[1];
+            inner = [high - GOLDEN * (high - low), inner[0]];
+            values = [at(inner[0])?, values[0]];
+        } else {
+            low = inner[0];
+            inner = [inner[1], low + GOLDEN * (high - low)];
+            values = [values[1], at(inner[1])?];
+        }
+        for (value, pitches) in values.into_iter().zip(inner) {
+            if value < best {
+                (best, place) = (value, pitches);
+            }
+        }
+    }
+    Ok((best, start.onward(assembly, place)))
+}
+
+/// Bracket, at most [`WIDTH`] wide, of the sign change of `play`, which rises with the centre distance.
+///
+/// `play` has the slope `2 sin α_wt` while involutes touch: the first steps use that, the bracket then
+/// shrinks by secants, and by halves where they do not halve it.
+fn root(
+    assembly: &GearPair,
+    guess: f64,
+    play: impl Fn(f64) -> Result<f64, Error>,
+) -> Result<Option<[f64; 2]>, Error> {
+    let [nearest, farthest] = reach(assembly);
+    let start = guess.clamp(nearest, farthest);
+    let slope = 2.0 * assembly.at(start)?.operating_pressure_angle().sin();
+    let module = assembly.gear(assembly.free()).gear().basic_data().module();
+    let value = play(start)?;
+    // (distance, play) below and not below zero.
+    let (mut low, mut high) = ((nearest, f64::NAN), (farthest, f64::NAN));
+    let mut known = (start, value);
+    let mut stride = match value.is_finite() {
+        true => value.abs() / slope + 0.4 * WIDTH,
+        false => 0.1 * module,
+    };
+    while low.1.is_nan() || high.1.is_nan() {
+        let towards = if known.1 < 0.0 {
+            low = known;
+            known.0 + stride
+        } else {
+            high = known;
+            known.0 - stride
+        };
+        if !low.1.is_nan() && !high.1.is_nan() {
+            break;
+        }
+        if !(nearest..=farthest).contains(&towards) {
+            return Ok(None);
+        }
+        known = (towards, play(towards)?);
+        stride *= 2.0;
+    }
+    let mut halve = false;
+    while high.0 - low.0 > WIDTH {
+        let width = high.0 - low.0;
+        let secant = low.0 - low.1 * width / (high.1 - low.1);
+        // Beyond the root by part of the width asked for, on the far side of the nearer end: that closes the bracket.
+        let nudge = match secant - low.0 < 0.5 * width {
+            true => 0.4 * WIDTH,
+            false => -0.4 * WIDTH,
+        };
+        let inside = |x: f64| x > low.0 && x < high.0;
+        let middle = 0.5 * (low.0 + high.0);
+        let next = match halve || !secant.is_finite() || !inside(secant + nudge) {
+            true => middle,
+            false => secant + nudge,
+        };
+        if !inside(next) {
+            break;
+        }
+        let value = play(next)?;
+        if value < 0.0 {
+            low = (next, value);
+        } else {
+            high = (next, value);
+        }
+        halve = high.0 - low.0 > 0.5 * width;
+    }
+    Ok(Some([low.0, high.0]))
+}

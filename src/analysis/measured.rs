@@ -1,0 +1,243 @@
+//! A rig's measured backlash beside the predicted and the simulated band, mating by mating.
+
+use crate::analysis::compare::{ComparedPose, ComparedRun};
+use crate::analysis::study::{Material, MeasuredRow, Study};
+use crate::pair::Mating;
+use std::collections::{HashMap, HashSet};
+
+/// A band of backlash, µm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Band {
+    /// At most material, unless there is only one.
+    pub min_um: f64,
+    /// At least material.
+    pub max_um: f64,
+}
+
+impl Band {
+    /// Where `value_um` lies: −1 below, 0 inside (ends included), 1 above.
+    pub fn side_of(&self, value_um: f64) -> i8 {
+        i8::from(value_um > self.max_um) - i8::from(value_um < self.min_um)
+    }
+}
+
+/// A measured mating and the bands it should lie in. Bands are means of the right-flank and the
+/// left-flank pose; `None` where a pose has no value or was not run.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct MeasuredMating {
+    /// As read.
+    pub row: MeasuredRow,
+    /// As printed beside the measurement.
+    pub printed: Band,
+    /// Model 2.
+    pub analytic: Option<Band>,
+    /// Simulated.
+    pub simulated: Option<Band>,
+    /// Simulated, from most material at `a − c` to least material at `a + c`.
+    pub with_clearance: Option<Band>,
+}
+
+/// A mating's bands; means of the right-flank and the left-flank pose; `None` where a pose has no value or was not run.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Bands {
+    /// Model 2.
+    pub analytic: Option<Band>,
+    /// Simulated.
+    pub simulated: Option<Band>,
+    /// Simulated, from most material at `a − c` to least material at `a + c`.
+    pub with_clearance: Option<Band>,
+}
+
+/// The measured matings of `study`, in the order of their file, with what `runs` says of each.
+pub fn measured_matings(study: &Study, runs: &[ComparedRun]) -> Vec<MeasuredMating> {
+    let mut tally = MeasuredTally::new(study);
+    for run in runs {
+        tally.begin(run.run.assembly.center_distance(), run.run.material);
+        tally.add(&run.poses);
+    }
+    tally.matings(study)
+}
+
+/// The measured matings of a study whose poses come one by one.
+#[derive(Debug)]
+pub struct MeasuredTally {
+    /// By the bits of the centre distance, material, wheel and pinion tooth.
+    means: HashMap<(u64, Material, u32, u32), Means>,
+    /// Centre distances and materials that have begun: of several runs of one, phases, the first counts.
+    begun: HashSet<(u64, Material)>,
+    /// The run whose poses come now, where it counts.
+    now: Option<(u64, Material)>,
+}
+
+impl MeasuredTally {
+    /// Of no pose yet.
+    pub fn new(study: &Study) -> MeasuredTally {
+        let materials = study.materials.iter();
+        let keys = materials.flat_map(|(material, ..)| {
+            study.measured.iter().map(|row| {
+                let distance = row.center_distance.to_bits();
+                (distance, *material, row.wheel_tooth, row.pinion_tooth)
+            })
+        });
+        MeasuredTally {
+            means: keys.map(|key| (key, Means::default())).collect(),
+            begun: HashSet::new(),
+            now: None,
+        }
+    }
+
+    /// The next poses are those of a run of `material` at `center_distance`, mm.
+    pub fn begin(&mut self, center_distance: f64, material: Material) {
+        let run = (center_distance.to_bits(), material);
+        self.now = self.begun.insert(run).then_some(run);
+    }
+
+    /// Takes in the next poses of the run.
+    pub fn add(&mut self, poses: &[ComparedPose]) {
+        let Some((distance, material)) = self.now.filter(|_| !self.means.is_empty()) else {
+            return;
+        };
+        for pose in poses {
+            let at = pose.swept.pose.mating();
+            let key = (distance, material, at.wheel_tooth, at.pinion_tooth);
+            if at.fraction == 0.0
+                && let Some(means) = self.means.get_mut(&key)
+            {
+                means.add(pose);
+            }
+        }
+    }
+
+    /// As [`measured_matings`].
+    pub fn matings(&self, study: &Study) -> Vec<MeasuredMating> {
+        let of_row = |row: &MeasuredRow| {
+            let means = |material| {
+                let distance = row.center_distance.to_bits();
+                let key = (distance, material, row.wheel_tooth, row.pinion_tooth);
+                self.means.get(&key).copied().unwrap_or_default()
+            };
+            let bands = Bands::of(study, means);
+            MeasuredMating {
+                printed: Band {
+                    min_um: row.predicted_min_um,
+                    max_um: row.predicted_max_um,
+                },
+                analytic: bands.analytic,
+                simulated: bands.simulated,
+                with_clearance: bands.with_clearance,
+                row: row.clone(),
+            }
+        };
+        study.measured.iter().map(of_row).collect()
+    }
+}
+
+/// How many measured values, right and left of each mating, lie below, inside and above its band; those without a
+/// band are not counted.
+pub fn sides(measured: &[MeasuredMating], band: fn(&MeasuredMating) -> Option<Band>) -> [usize; 3] {
+    let mut sides = [0; 3];
+    for mating in measured {
+        let Some(band) = band(mating) else { continue };
+        for value in [mating.row.right_um, mating.row.left_um] {
+            match band.side_of(value) {
+                0 => sides[1] += 1,
+                1 => sides[2] += 1,
+                _ => sides[0] += 1,
+            }
+        }
+    }
+    sides
+}
+
+/// What the poses of `runs` that are `wanted` say at `center_distance`, mm.
+pub fn bands(
+    study: &Study,
+    runs: &[ComparedRun],
+    center_distance: f64,
+    wanted: impl Fn(&Mating) -> bool,
+) -> Bands {
+    let is_wanted = |pose: &&ComparedPose| wanted(pose.swept.pose.mating());
+    Bands::of(study, |material| {
+        let run = runs.iter().find(|compared| {
+            compared.run.material == material
+                && compared.run.assembly.center_distance() == center_distance
+        });
+        let mut means = Means::default();
+        let poses = run.into_iter().flat_map(|run| &run.poses);
+        for pose in poses.filter(is_wanted) {
+            means.add(pose);
+        }
+        means
+    })
+}
+
+impl Bands {
+    /// From the thickest to the thinnest material of `study`.
+    fn of(study: &Study, means: impl Fn(Material) -> Means) -> Bands {
+        let (thick, thin) = match study.materials.len() {
+            1 => (Material::AsMeasured, Material::AsMeasured),
+            _ => (Material::Most, Material::Least),
+        };
+        let (thick, thin) = (means(thick), means(thin));
+        let band = |least: Mean, most: Mean| {
+            Some(Band {
+                min_um: least.um()?,
+                max_um: most.um()?,
+            })
+        };
+        Bands {
+            analytic: band(thick.analytic, thin.analytic),
+            simulated: band(thick.simulated, thin.simulated),
+            with_clearance: band(thick.ends[0], thin.ends[1]),
+        }
+    }
+}
+
+/// Means over poses of one material.
+#[derive(Debug, Clone, Copy, Default)]
+struct Means {
+    analytic: Mean,
+    simulated: Mean,
+    /// At `a − c` and at `a + c`.
+    ends: [Mean; 2],
+}
+
+impl Means {
+    fn add(&mut self, pose: &ComparedPose) {
+        let [near, far] = pose.swept.range();
+        self.analytic.add(pose.involute);
+        self.simulated.add(pose.swept.backlash);
+        self.ends[0].add(near);
+        self.ends[1].add(far);
+    }
+}
+
+/// A mean of values that come one by one, mm.
+#[derive(Debug, Clone, Copy, Default)]
+struct Mean {
+    sum: f64,
+    count: u32,
+    /// Whether a pose has no value: there is no mean then.
+    incomplete: bool,
+}
+
+impl Mean {
+    fn add(&mut self, value: Option<f64>) {
+        match value {
+            Some(value) => {
+                self.sum += value;
+                self.count += 1;
+            }
+            None => self.incomplete = true,
+        }
+    }
+
+    /// µm; `None` where a pose has no value or there is none.
+    fn um(&self) -> Option<f64> {
+        let known = self.count > 0 && !self.incomplete;
+        known.then(|| self.sum / f64::from(self.count) * 1e3)
+    }
+}

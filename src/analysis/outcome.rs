@@ -1,0 +1,271 @@
+//! What a study comes to: the least and the greatest backlash at each centre distance, the teeth that bind there,
+//! and how far the formulas lie off. Lengths in mm, as `j_wt`.
+
+use crate::analysis::compare::{ComparedPose, ComparedRun, Verdict, touches_off_line};
+use crate::analysis::study::Material;
+use crate::contact::{PoseResult, Status, first_least, worst_pose};
+
+/// A pose and the run it belongs to.
+#[derive(Debug, Clone, Copy)]
+pub struct Found<'a> {
+    /// The run.
+    pub run: &'a ComparedRun,
+    /// The pose.
+    pub pose: &'a ComparedPose,
+}
+
+/// A number of poses and what they come to.
+#[derive(Debug, Clone)]
+pub struct Outcome<'a> {
+    /// How many there are.
+    pub poses: usize,
+    /// How many have negative backlash, beyond their error bounds.
+    pub interfering: usize,
+    /// How many have a backlash that cannot be told from none.
+    pub touching: usize,
+    /// How many are jammed: a tip sits in a root.
+    pub jammed: usize,
+    /// How many are out of mesh.
+    pub apart: usize,
+    /// How many are not proven: none of their values counts.
+    pub unproven: usize,
+    /// How many are not proven at `a − c`, and at `a + c`.
+    pub unproven_ends: [usize; 2],
+    /// The worst: the first that is jammed, or else the one with the least backlash; of an unproven pose nobody knows.
+    pub worst: Option<Found<'a>>,
+    /// The least backlash; of those that their error bounds cannot tell apart, the first.
+    pub least: Option<Found<'a>>,
+    /// The greatest, chosen likewise.
+    pub greatest: Option<Found<'a>>,
+    /// Whether every pose has a backlash, and their error bounds cannot tell one from another.
+    pub uniform: bool,
+    /// Mean of those that have a value.
+    pub mean: Option<f64>,
+    /// Least at `a − c`, greatest at `a + c`, `c` the bearing clearance; without it least and greatest.
+    pub with_clearance: [Option<f64>; 2],
+    /// How many are jammed or out of mesh at `a − c`, and at `a + c`.
+    pub without_value: [usize; 2],
+    /// Greatest error bound.
+    pub error_bound: Option<f64>,
+}
+
+/// The poses of one centre distance: all of them, and material by material.
+#[derive(Debug, Clone)]
+pub struct AtDistance<'a> {
+    /// `a`, mm.
+    pub center_distance: f64,
+    /// Both materials together.
+    pub all: Outcome<'a>,
+    /// Each material, in the order of the study.
+    pub materials: Vec<(Material, Outcome<'a>)>,
+}
+
+/// Simulated minus a formula, over the poses that have both.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Deviation {
+    /// Poses that have both.
+    pub poses: usize,
+    /// The greatest in amount, with its sign.
+    pub largest: f64,
+    /// Mean, with its sign.
+    pub mean: f64,
+}
+
+/// The three formulas.
+pub const MODELS: [fn(&ComparedPose) -> Option<f64>; 3] = [
+    |pose| pose.michalec,
+    |pose| pose.involute,
+    |pose| pose.line_of_action,
+];
+
+impl<'a> Outcome<'a> {
+    /// Of all poses of `runs`, and of those `picked` out of others for their backlash: these count for all but the mean.
+    pub fn of(runs: &[&'a ComparedRun], picked: &[&'a ComparedRun]) -> Outcome<'a> {
+        let all = || {
+            let runs = runs.iter().chain(picked).copied();
+            runs.flat_map(|run| run.poses.iter().map(move |pose| Found { run, pose }))
+        };
+        let count = |holds: &dyn Fn(&PoseResult) -> bool| {
+            let of_kind = |found: &Found| holds(&found.pose.swept);
+            all().filter(of_kind).count()
+        };
+        let is = |status: Status| move |pose: &PoseResult| pose.status() == status;
+        let extreme = |sign: f64| {
+            first_least(all().filter_map(|found| {
+                let swept = &found.pose.swept;
+                Some((found, sign * swept.backlash?, swept.error_bound?))
+            }))
+        };
+        let swept = || runs.iter().flat_map(|run| &run.poses);
+        let backlash = || swept().filter_map(|pose| pose.swept.backlash);
+        let valued = backlash().count();
+        // What each value may at most be, and at least.
+        let ends = |sign: f64| {
+            all().filter_map(move |found| {
+                let swept = &found.pose.swept;
+                Some(swept.backlash? + sign * swept.error_bound?)
+            })
+        };
+        let (highest, lowest) = (ends(1.0).reduce(f64::min), ends(-1.0).reduce(f64::max));
+        let together = highest.zip(lowest).is_some_and(|(high, low)| low <= high);
+        let all_valued = ends(1.0).count() == all().count();
+        let end = |end: usize| all().filter_map(move |found| found.pose.swept.range()[end]);
+        Outcome {
+            poses: all().count(),
+            interfering: count(&PoseResult::interferes),
+            touching: count(&PoseResult::just_touches),
+            jammed: count(&is(Status::Jammed)),
+            apart: count(&is(Status::NoContact)),
+            unproven: count(&is(Status::Unproven)),
+            unproven_ends: [0, 1].map(|end| count(&|pose| pose.is_end_unproven(end))),
+            worst: worst_pose(all().map(|found| (found, &found.pose.swept))),
+            uniform: together && all_valued,
+            least: extreme(1.0),
+            greatest: extreme(-1.0),
+            mean: (valued > 0).then(|| backlash().sum::<f64>() / valued as f64),
+            with_clearance: [end(0).reduce(f64::min), end(1).reduce(f64::max)],
+            without_value: [0, 1].map(|end| {
+                count(&|pose| pose.range()[end].is_none() && !pose.is_end_unproven(end))
+            }),
+            error_bound: all()
+                .filter_map(|found| found.pose.swept.error_bound)
+                .reduce(f64::max),
+        }
+    }
+
+    /// Whether every pose is proven to have room to turn, or just none too little.
+    pub fn assembles(&self) -> bool {
+        self.poses > 0 && self.unproven == 0 && !self.fails()
+    }
+
+    /// Whether some pose interferes, is jammed or out of mesh.
+    pub fn fails(&self) -> bool {
+        self.interfering + self.jammed + self.apart > 0
+    }
+}
+
+/// `runs` and the poses `picked` out of others, as in [`Outcome::of`], by centre distance and material, in order of
+/// first appearance.
+pub fn by_distance<'a>(
+    runs: &[&'a ComparedRun],
+    picked: &[&'a ComparedRun],
+) -> Vec<AtDistance<'a>> {
+    let distance = |run: &ComparedRun| run.run.assembly.center_distance();
+    let mut distances: Vec<f64> = Vec::new();
+    for run in runs {
+        if !distances.contains(&distance(run)) {
+            distances.push(distance(run));
+        }
+    }
+    let at = |center_distance: f64| {
+        let only = |runs: &[&'a ComparedRun], keeps: &dyn Fn(&ComparedRun) -> bool| {
+            let runs = runs.iter().copied();
+            runs.filter(|run| keeps(run)).collect::<Vec<_>>()
+        };
+        let at = |run: &ComparedRun| distance(run) == center_distance;
+        let (here, picked) = (only(runs, &at), only(picked, &at));
+        let of = |material: Material| {
+            let of_material = |run: &ComparedRun| run.run.material == material;
+            let (runs, picked) = (only(&here, &of_material), only(&picked, &of_material));
+            (!runs.is_empty()).then(|| (material, Outcome::of(&runs, &picked)))
+        };
+        let materials = [Material::Most, Material::Least, Material::AsMeasured];
+        AtDistance {
+            center_distance,
+            all: Outcome::of(&here, &picked),
+            materials: materials.into_iter().filter_map(of).collect(),
+        }
+    };
+    distances.into_iter().map(at).collect()
+}
+
+/// Simulated minus `model` over `runs`; `None` where no pose has both.
+pub fn deviation(
+    runs: &[&ComparedRun],
+    model: fn(&ComparedPose) -> Option<f64>,
+) -> Option<Deviation> {
+    let differences = || {
+        let poses = runs.iter().flat_map(|run| &run.poses);
+        poses.filter_map(|pose| Some(pose.swept.backlash? - model(pose)?))
+    };
+    let larger = |a: f64, b: f64| if b.abs() > a.abs() { b } else { a };
+    let poses = differences().count();
+    Some(Deviation {
+        poses,
+        largest: differences().reduce(larger)?,
+        mean: differences().sum::<f64>() / poses as f64,
+    })
+}
+
+/// How simulation and model 3 stand to each other, in poses.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Agreement {
+    /// All of them.
+    pub poses: usize,
+    /// Those that have a value of both.
+    pub both: usize,
+    /// Of these: within tolerance and error bound.
+    pub agree: usize,
+    /// Of these: below, the teeth touching off the line of action.
+    pub off_line: usize,
+    /// Of these: below, though involutes touch.
+    pub below: usize,
+    /// Of these: above.
+    pub above: usize,
+    /// Those simulated alone: no involutes reach each other.
+    pub simulated_alone: usize,
+    /// Those of the formula alone, the simulation finding the pair jammed.
+    pub jammed: usize,
+    /// Those of the formula alone, the simulation finding the pair out of mesh: never right.
+    pub apart: usize,
+    /// Those of neither.
+    pub neither: usize,
+    /// Those that are not proven, and not compared.
+    pub unproven: usize,
+    /// Poses that have a backlash and in which a tip corner, a fillet or a root takes part in a contact.
+    pub touch_off_line: usize,
+}
+
+impl Agreement {
+    /// Of `runs`.
+    pub fn of(runs: &[&ComparedRun]) -> Agreement {
+        let mut count = Agreement::default();
+        for pose in runs.iter().flat_map(|run| &run.poses) {
+            let simulated = pose.swept.backlash.is_some();
+            count.poses += 1;
+            count.both += usize::from(pose.has_both());
+            *match (simulated, pose.line_of_action.is_some(), pose.verdict) {
+                (_, _, Verdict::Unproven) => &mut count.unproven,
+                (true, true, Verdict::OffLine) => &mut count.off_line,
+                (true, true, Verdict::Below) => &mut count.below,
+                (true, true, Verdict::Above) => &mut count.above,
+                (true, true, _) => &mut count.agree,
+                (true, false, _) => &mut count.simulated_alone,
+                (false, true, Verdict::Above) => &mut count.apart,
+                (false, true, _) => &mut count.jammed,
+                (false, false, _) => &mut count.neither,
+            } += 1;
+            let found = pose.swept.proven();
+            let off_line = simulated && found.is_some_and(touches_off_line);
+            count.touch_off_line += usize::from(off_line);
+        }
+        count
+    }
+
+    /// Poses that are simulated with a value.
+    pub fn valued(&self) -> usize {
+        self.both + self.simulated_alone
+    }
+
+    /// Poses at which the two disagree for no reason found.
+    pub fn unexplained(&self) -> usize {
+        self.below + self.above + self.apart
+    }
+
+    /// Poses about which the formula is wrong, or says nothing, the teeth touching off the line of action.
+    pub fn formula_fails(&self) -> usize {
+        self.off_line + self.simulated_alone
+    }
+}

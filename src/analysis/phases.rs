@@ -1,0 +1,66 @@
+//! Assembly phases against each other: which teeth to mark together.
+
+use crate::analysis::compare::ComparedRun;
+use crate::analysis::outcome::Outcome;
+use crate::analysis::tally::RunTally;
+use crate::pair::{GearPair, Mating, Member, SweepPlan};
+
+/// The phases of one centre distance and material.
+#[derive(Debug, Clone)]
+pub struct PhaseGroup<'a> {
+    /// Its runs, phase by phase.
+    pub runs: Vec<&'a RunTally>,
+    /// The phase with the least variation of backlash, the first of equals.
+    pub best: Option<&'a RunTally>,
+    /// The phase with the greatest.
+    pub worst: Option<&'a RunTally>,
+}
+
+/// The assembly phase of `mating`: the least pinion tooth whose right flank ever meets that of wheel tooth 1.
+pub fn phase(assembly: &GearPair, mating: &Mating) -> u32 {
+    let [wheel, pinion] = [Member::Wheel, Member::Pinion]
+        .map(|member| assembly.gear(member).gear().basic_data().teeth());
+    let ways = SweepPlan::phase_count(wheel, pinion);
+    (mating.of_wheel_tooth_1(assembly).pinion_tooth - 1) % ways + 1
+}
+
+/// The phases of `runs` in which, at some centre distance or material, a pose interferes, jams or is out of mesh,
+/// and the number of all phases; in order.
+pub fn failing_phases(runs: &[ComparedRun]) -> (Vec<(u32, u32)>, usize) {
+    let (mut failing, mut all) = (Vec::new(), Vec::new());
+    for run in runs {
+        let Some(phase) = run.run.phase else { continue };
+        if !all.contains(&phase) {
+            all.push(phase);
+        }
+        if Outcome::of(&[run], &[]).fails() && !failing.contains(&phase) {
+            failing.push(phase);
+        }
+    }
+    failing.sort_unstable();
+    (failing, all.len())
+}
+
+/// The runs that are phases, grouped by centre distance and material, in order.
+pub fn phase_groups(runs: &[RunTally]) -> Vec<PhaseGroup<'_>> {
+    let key = |run: &RunTally| (run.assembly.center_distance(), run.material);
+    let of_phases: Vec<&RunTally> = runs.iter().filter(|run| run.phase.is_some()).collect();
+    of_phases
+        .chunk_by(|a, b| key(a) == key(b))
+        .map(|runs| {
+            let by = |better: fn(f64, f64) -> bool| {
+                let known = runs.iter().filter_map(|run| Some((*run, run.variation()?)));
+                let chosen = known.reduce(|chosen, next| match better(next.1, chosen.1) {
+                    true => next,
+                    false => chosen,
+                });
+                chosen.map(|(run, _)| run)
+            };
+            PhaseGroup {
+                best: by(|next, chosen| next < chosen),
+                worst: by(|next, chosen| next > chosen),
+                runs: runs.to_vec(),
+            }
+        })
+        .collect()
+}

@@ -1,0 +1,154 @@
+//! From what a pair file asks for to what was found: every run of a study.
+
+use crate::analysis::study::{Material, RunPlan, Study};
+use crate::contact::{CutPair, Method, PoseResult, sweep_blocks};
+use crate::error::Error;
+use crate::pair::GearPair;
+use std::ops::ControlFlow;
+
+/// One centre distance, material and, where they are run apart, assembly phase.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Run {
+    /// Which end of the thickness tolerances.
+    pub material: Material,
+    /// The gears at this centre distance.
+    pub assembly: GearPair,
+    /// Wheel and pinion tooth that name the assembly phase.
+    pub phase: Option<(u32, u32)>,
+    /// What was found, in order.
+    pub poses: Vec<PoseResult>,
+}
+
+/// How many poses [`simulate`] will take.
+///
+/// # Errors
+/// None any more: [`Study::pose_count`] counts them without an assembly.
+pub fn pose_count(study: &Study) -> Result<usize, Error> {
+    Ok(usize::try_from(study.pose_count()).unwrap_or(usize::MAX))
+}
+
+/// Simulates every run of `study` by `method`, and keeps every pose: half a kilobyte each. Where they are many, see
+/// [`crate::analysis::tally::simulate_by_blocks`].
+///
+/// `tick` is called as each pose begins, from any thread; a break ends the work.
+///
+/// # Errors
+/// [`Error::Interrupted`]. A contact that is lost or a certificate that fails leaves its pose [`crate::contact::Unproven`].
+pub fn simulate(
+    study: &Study,
+    method: Method,
+    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+) -> Result<Vec<Run>, Error> {
+    simulate_plans(study, study.runs()?, method, tick)
+}
+
+/// Simulates `plans` with the gears, clearance and chord of `study`; else as [`simulate`].
+///
+/// # Errors
+/// As [`simulate`].
+pub fn simulate_plans(
+    study: &Study,
+    plans: Vec<RunPlan>,
+    method: Method,
+    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+) -> Result<Vec<Run>, Error> {
+    let mut runs: Vec<Run> = Vec::new();
+    each_block::<Error>(study, plans, method, tick, &mut |block| {
+        if block.first {
+            runs.push(Run {
+                material: block.material,
+                assembly: block.assembly.clone(),
+                phase: block.phase,
+                poses: Vec::with_capacity(block.of),
+            });
+        }
+        if let Some(run) = runs.last_mut() {
+            run.poses.extend(block.poses);
+        }
+        Ok(())
+    })?;
+    Ok(runs)
+}
+
+/// Some poses of one run, as they are found.
+pub struct Block<'a> {
+    /// As [`Run::material`].
+    pub material: Material,
+    /// As [`Run::assembly`].
+    pub assembly: &'a GearPair,
+    /// As [`Run::phase`].
+    pub phase: Option<(u32, u32)>,
+    /// In order, behind those of the block before; none of a run without poses.
+    pub poses: Vec<PoseResult>,
+    /// How many poses the run has.
+    pub of: usize,
+    /// Whether the run begins.
+    pub first: bool,
+    /// Whether it ends.
+    pub last: bool,
+}
+
+/// As [`simulate_plans`], its poses delivered to `take` block by block, so that they need not be kept.
+///
+/// # Errors
+/// As [`simulate`], and of `take`.
+pub fn each_block<E: From<Error>>(
+    study: &Study,
+    plans: Vec<RunPlan>,
+    method: Method,
+    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+    take: &mut dyn FnMut(Block) -> Result<(), E>,
+) -> Result<(), E> {
+    let cut = |material: Material| {
+        let gears = study.materials.iter().find(|gears| gears.0 == material);
+        gears.map(|(_, wheel, pinion)| match method {
+            Method::Exact { .. } => CutPair::for_certificates(wheel, pinion),
+            Method::Polygon | Method::Both => CutPair::new(wheel, pinion, study.chord),
+        })
+    };
+    let cuts = [Material::Most, Material::Least, Material::AsMeasured].map(|m| (m, cut(m)));
+    for plan in plans {
+        let cut = cuts.iter().find(|(material, _)| *material == plan.material);
+        let Some((_, Some(cut))) = cut else {
+            continue;
+        };
+        let of = plan.matings.len();
+        let block = |poses, done| Block {
+            material: plan.material,
+            assembly: &plan.assembly,
+            phase: plan.phase,
+            first: done == 0,
+            last: false,
+            of,
+            poses,
+        };
+        if of == 0 {
+            let empty = block(Vec::new(), 0);
+            take(Block {
+                last: true,
+                ..empty
+            })?;
+            continue;
+        }
+        let (clearance, mut done) = (study.bearing_clearance, 0);
+        let each = &mut |poses: Vec<PoseResult>| {
+            let found = poses.len();
+            let next = block(poses, done);
+            done += found;
+            take(Block {
+                last: done == of,
+                ..next
+            })
+        };
+        sweep_blocks(
+            &plan.assembly,
+            cut,
+            method,
+            &plan.matings,
+            clearance,
+            tick,
+            each,
+        )?;
+    }
+    Ok(())
+}

@@ -1,0 +1,251 @@
+//! What is asked of a pair: two gears as measured, where they stand, which poses to run. Lengths in mm unless the name says µm.
+
+use crate::error::GearError;
+use crate::gear::{AsBuilt, Side};
+use crate::metrology::GearNotes;
+use crate::pair::{GearPair, Mating, Member, SweepPlan};
+use std::collections::HashMap;
+
+/// Poses of a study, over all centre distances and materials: their result fills 25 GB.
+pub const MOST_POSES: u64 = 10_000_000;
+
+/// Bytes that a pose takes in a result as JSON, about: 1400 where a pair is jammed to 2100 with tip corners.
+pub const POSE_BYTES_JSON: u64 = 2100;
+
+/// The same as CSV.
+pub const POSE_BYTES_CSV: u64 = 400;
+
+/// So many bytes in words, to about two digits.
+pub fn size(bytes: u64) -> String {
+    match bytes {
+        0..1_000_000_000 => format!("{} MB", bytes.div_ceil(1_000_000)),
+        1_000_000_000..10_000_000_000 => format!("{:.1} GB", bytes as f64 / 1e9),
+        _ => format!("{} GB", bytes.div_ceil(1_000_000_000)),
+    }
+}
+
+/// Which end of the thickness tolerance a run takes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+pub enum Material {
+    /// Both gears thickest.
+    Most,
+    /// Both gears thinnest.
+    Least,
+    /// Both gears have a single thickness.
+    AsMeasured,
+}
+
+impl Material {
+    /// `most`, `least` or `as-measured`, as results name it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Material::Most => "most",
+            Material::Least => "least",
+            Material::AsMeasured => "as-measured",
+        }
+    }
+}
+
+/// One measurement on a rig, and what was predicted for it.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct MeasuredRow {
+    /// Centre distance `a`, mm.
+    pub center_distance: f64,
+    /// Wheel tooth of the mating.
+    pub wheel_tooth: u32,
+    /// Pinion tooth of the mating.
+    pub pinion_tooth: u32,
+    /// Circumferential backlash measured at the right flanks, µm.
+    pub right_um: f64,
+    /// The same at the left flanks.
+    pub left_um: f64,
+    /// Lower limit predicted, µm.
+    pub predicted_min_um: f64,
+    /// Upper limit predicted, µm.
+    pub predicted_max_um: f64,
+    /// Where the row comes from; may be empty.
+    pub source: String,
+}
+
+/// A pair file, understood.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Study {
+    /// Title.
+    pub title: String,
+    /// Wheel and pinion of each material: `AsMeasured` alone, or `Most` and `Least`.
+    pub materials: Vec<(Material, AsBuilt, AsBuilt)>,
+    /// The gear that stands still.
+    pub locked: Member,
+    /// Centre distances `a`, mm, distinct, in the order of the file (or of first appearance in `measured`).
+    pub center_distances: Vec<f64>,
+    /// `c`, mm: radial clearance of both bearings together.
+    pub bearing_clearance: f64,
+    /// The poses of every run; `None`: exactly the rows of `measured`.
+    pub sweep: Option<SweepPlan>,
+    /// Measured rows in the order of their file; empty when there is none.
+    pub measured: Vec<MeasuredRow>,
+    /// Chordal error of the polygons, mm.
+    pub chord: f64,
+    /// Tolerance of a comparison, µm of `j_wt`.
+    pub tolerance_um: f64,
+    /// Whether contact off the line of action passes a comparison.
+    pub allow_off_line_contact: bool,
+    /// What the statements about the wheel and about the pinion say of each other.
+    pub notes: [GearNotes; 2],
+}
+
+/// One run: a pair as assembled and the matings to pose it in.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RunPlan {
+    /// Which thickness.
+    pub material: Material,
+    /// The pair.
+    pub assembly: GearPair,
+    /// Wheel and pinion tooth that name the assembly phase, where phases are run apart.
+    pub phase: Option<(u32, u32)>,
+    /// In order.
+    pub matings: Vec<Mating>,
+}
+
+impl Study {
+    /// One wheel revolution of `pair` at its centre distance, `steps_per_pitch` poses a pitch, wheel tooth 1 and pinion tooth 1 first.
+    ///
+    /// ```
+    /// use gearlash::analysis::{Analysis, Plan};
+    /// use gearlash::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign};
+    /// use gearlash::contact::Method;
+    /// use gearlash::pair::GearPair;
+    /// use gearlash::analysis::study::Study;
+    ///
+    /// let gear = |teeth| -> Result<Gear, gearlash::error::GearError> {
+    ///     Gear::nominal(GearDesign::standard(BasicGearData::new(teeth, 2.0, 20f64.to_radians())?))
+    /// };
+    /// let wheel = AsBuilt::perfect(gear(31)?, Face::Front);
+    /// let pinion = AsBuilt::perfect(gear(17)?, Face::Back);
+    /// let study = Study::of_pair("31/17", &GearPair::new(wheel, pinion, 48.1)?, 8);
+    /// let plan = Plan::new(&study, Method::Exact { certify: true }).with_checks();
+    /// let analysis = Analysis::silently(&plan)?;
+    /// assert_eq!(analysis.runs[0].poses.len(), 31 * 8);
+    /// assert_eq!(analysis.unproven(), 0);
+    /// # Ok::<(), gearlash::error::Error>(())
+    /// ```
+    pub fn of_pair(title: &str, pair: &GearPair, steps_per_pitch: u32) -> Study {
+        let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|member| pair.gear(member));
+        Study {
+            title: title.to_owned(),
+            materials: vec![(Material::AsMeasured, wheel.clone(), pinion.clone())],
+            locked: pair.locked(),
+            center_distances: vec![pair.center_distance()],
+            bearing_clearance: 0.0,
+            sweep: Some(SweepPlan::wheel_revolution(pair, steps_per_pitch, (1, 1))),
+            measured: Vec::new(),
+            // 0.01 µm: the default of a pair file.
+            chord: 1e-5,
+            tolerance_um: 0.1,
+            allow_off_line_contact: false,
+            notes: [GearNotes::default(), GearNotes::default()],
+        }
+    }
+
+    /// Whether its poses are whole revolutions.
+    pub fn sweeps(&self) -> bool {
+        matches!(
+            self.sweep,
+            Some(SweepPlan::Revolution { .. } | SweepPlan::Phases { .. })
+        )
+    }
+
+    /// The same study at other centre distances, mm.
+    ///
+    /// # Errors
+    /// [`GearError::BaseCirclesOverlap`], at a distance or, with bearing clearance, at `a − c`;
+    /// [`GearError::OutOfRange`] for a study that runs exactly its measured rows.
+    pub fn at(mut self, center_distances: Vec<f64>) -> Result<Study, GearError> {
+        if self.sweep.is_none() {
+            return Err(GearError::OutOfRange {
+                what: "number of other centre distances",
+                value: center_distances.len() as f64,
+                allowed: "none: without [sweep] exactly the rows of [measured] are run, at theirs",
+            });
+        }
+        for (_, wheel, pinion) in &self.materials {
+            for a in &center_distances {
+                let closest = a - self.bearing_clearance;
+                GearPair::with_locked(wheel.clone(), pinion.clone(), closest, self.locked)?;
+            }
+        }
+        self.center_distances = center_distances;
+        Ok(self)
+    }
+
+    /// How many poses [`Study::runs`] has in all.
+    pub fn pose_count(&self) -> u64 {
+        let materials = self.materials.len() as u64;
+        match &self.sweep {
+            Some(plan) => {
+                let runs = self.center_distances.len() as u64 * materials;
+                plan.poses().saturating_mul(runs)
+            }
+            None => {
+                let here = |row: &&MeasuredRow| {
+                    let mut distances = self.center_distances.iter();
+                    distances.any(|a| a.to_bits() == row.center_distance.to_bits())
+                };
+                2 * materials * self.measured.iter().filter(here).count() as u64
+            }
+        }
+    }
+
+    /// Every centre distance with every material, the materials of the first distance first, phase by phase.
+    ///
+    /// # Errors
+    /// None for a study that was read; a pair that cannot be assembled otherwise.
+    pub fn runs(&self) -> Result<Vec<RunPlan>, GearError> {
+        let mut measured = self.measured_matings();
+        let mut runs = Vec::with_capacity(self.center_distances.len() * self.materials.len());
+        for &a in &self.center_distances {
+            let rows = measured.remove(&a.to_bits()).unwrap_or_default();
+            for (material, wheel, pinion) in &self.materials {
+                let assembly =
+                    GearPair::with_locked(wheel.clone(), pinion.clone(), a, self.locked)?;
+                let parts = match &self.sweep {
+                    Some(plan) => plan.parts(),
+                    None => Vec::new(),
+                };
+                let mut add = |phase, matings| {
+                    runs.push(RunPlan {
+                        material: *material,
+                        assembly: assembly.clone(),
+                        phase,
+                        matings,
+                    });
+                };
+                if self.sweep.is_none() {
+                    add(None, rows.clone());
+                }
+                for (phase, plan) in parts {
+                    add(phase, plan.matings(&assembly));
+                }
+            }
+        }
+        Ok(runs)
+    }
+
+    /// A right-flank and a left-flank pose of each measured row, by the bits of its centre distance.
+    fn measured_matings(&self) -> HashMap<u64, Vec<Mating>> {
+        let mut matings: HashMap<u64, Vec<Mating>> = HashMap::new();
+        for row in &self.measured {
+            let of_distance = matings.entry(row.center_distance.to_bits()).or_default();
+            of_distance.extend(Side::BOTH.map(|flank| Mating {
+                wheel_tooth: row.wheel_tooth,
+                pinion_tooth: row.pinion_tooth,
+                flank,
+                fraction: 0.0,
+            }));
+        }
+        matings
+    }
+}

@@ -1,0 +1,329 @@
+//! Teeth in the solid body of the mate: a pose that no rotation of the free gear frees, whatever touches first.
+//!
+//! Below its root circle a gear is solid, and its shaft stands in its axis. Two things are enough each of an overlap, and need no
+//! contact:
+//!
+//! 1. a tip land of the locked gear comes nearer to the free axis than `r_f − e`, `e` the free gear's eccentricity:
+//!    there is metal at every rotation;
+//! 2. the locked gear's root circle, seen from the free outline's centre, is wider on a circle of that outline than the free gear's
+//!    widest space there: a free tooth stands in it at every rotation.
+//!
+//! And where a tip circle reaches over the mate's axis, as it may with three or four long teeth whose root circle is next to
+//! nothing, no pose of the pair can be assembled ([`reaches_over_an_axis`]).
+//!
+//! For 2, the circle of radius `ρ` about a centre `d` away lies within the disc of radius `r_f` over
+//! `2 acos((d² + ρ² − r_f²)/(2 d ρ))`, at most where `ρ² = d² − r_f²`; between form and tip circle a tooth is at least as wide,
+//! in angle, as its tip land.
+//!
+//! Where none holds a pose may still be jammed: what touches then says so ([`super::LostMotion::status`]).
+
+use crate::gear::{AsBuilt, Placed, Side};
+use crate::pair::{GearPair, Member, Pose};
+use std::f64::consts::PI;
+
+/// Whether teeth of one gear reach to where the mate's outline has its centre, and its shaft stands: all poses are jammed. What
+/// turned there would meet teeth from all sides, and no pair of them would come first.
+pub(super) fn reaches_over_an_axis(assembly: &GearPair) -> bool {
+    [Member::Wheel, Member::Pinion].into_iter().any(|member| {
+        let (gear, mate) = (assembly.gear(member), assembly.gear(member.mate()));
+        gear.reach() + mate.eccentricity() >= assembly.center_distance()
+    })
+}
+
+/// Whether there may be a pose of which [`is_solid`] is true: nearly never.
+pub(super) fn may_be_solid(assembly: &GearPair) -> bool {
+    let locked = assembly.gear(assembly.locked());
+    let free = assembly.gear(assembly.free());
+    let nearest = assembly.center_distance() - locked.eccentricity();
+    nearest - locked.gear().tip_radius() < solid_radius(free)
+        || nearest - locked.gear().root_radius() < free.reach()
+}
+
+/// Radius about its axis within which a gear is solid at every rotation, mm.
+fn solid_radius(gear: &AsBuilt) -> f64 {
+    gear.gear().root_radius() - gear.eccentricity()
+}
+
+/// Whether teeth of one gear stand in the body of the other at every rotation of the free gear.
+pub(super) fn is_solid(assembly: &GearPair, pose: &Pose) -> bool {
+    let locked = assembly.gear(assembly.locked());
+    let free = assembly.gear(assembly.free());
+    let (tip, root) = (locked.gear().tip_radius(), locked.gear().root_radius());
+    let solid = solid_radius(free);
+    let tooth_1 = assembly.mate_direction(assembly.locked()) + pose.locked_rotation();
+    let placed = Placed::new(locked, assembly.axis(assembly.locked()), tooth_1);
+    let axis = assembly.axis(assembly.free());
+    let distance = (axis - placed.centre()).norm();
+    let off = free.eccentricity();
+    if distance - tip < solid {
+        let teeth = placed.teeth_near(axis, solid.max(0.0));
+        if teeth
+            .iter()
+            .any(|&tooth| land_distance(&placed, tooth, axis) < solid)
+        {
+            return true;
+        }
+    }
+    let spans = [distance - off, distance + off].map(|distance| seen(distance, root, free));
+    spans[0].min(spans[1]) > widest_space(free)
+}
+
+/// Least distance of a tooth's tip land from `point`, mm.
+fn land_distance(placed: &Placed, tooth: u32, point: nalgebra::Point2<f64>) -> f64 {
+    let gear = placed.as_built();
+    let tip = gear.gear().tip_radius();
+    let half = gear.gear().tip_half_angle();
+    let to_point = point - placed.centre();
+    let beside = to_point.y.atan2(to_point.x) - placed.direction(tooth);
+    let beside = beside - 2.0 * PI * (beside / (2.0 * PI)).round();
+    let ends = [
+        gear.flank_offset(Side::Right, tooth) - half,
+        gear.flank_offset(Side::Left, tooth) + half,
+    ];
+    let off = beside - beside.clamp(ends[0].min(ends[1]), ends[1]);
+    let d = to_point.norm();
+    (d * d + tip * tip - 2.0 * d * tip * off.cos()).sqrt()
+}
+
+/// Angle of the widest arc about the free outline's centre, between its form and tip circle, that lies within the locked root
+/// circle of radius `root`, its centre `distance` away.
+fn seen(distance: f64, root: f64, free: &AsBuilt) -> f64 {
+    let gear = free.gear();
+    if !(distance > root) {
+        return 0.0;
+    }
+    let widest = ((distance - root) * (distance + root)).sqrt();
+    let radius = widest.clamp(gear.form_radius(), gear.tip_radius());
+    let cos = (distance * distance + radius * radius - root * root) / (2.0 * distance * radius);
+    2.0 * cos.clamp(-1.0, 1.0).acos()
+}
+
+/// Greatest angle between two neighbouring tip lands.
+fn widest_space(gear: &AsBuilt) -> f64 {
+    let half = gear.gear().tip_half_angle();
+    let nominal = gear.gear().basic_data().angular_pitch() - 2.0 * half;
+    let teeth = gear.gear().basic_data().teeth();
+    let wider = (1..=teeth).map(|tooth| {
+        let next = gear.counter_clockwise(tooth, 1);
+        gear.flank_offset(Side::Right, next) - gear.flank_offset(Side::Left, tooth)
+    });
+    nominal + wider.fold(f64::NEG_INFINITY, f64::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::{CutPair, ExactKernel, Status};
+    use crate::gear::{BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign};
+    use crate::pair::Mating;
+    use nalgebra::{Point2, Vector2};
+
+    /// Module 3, 20 teeth, every tooth of its own thickness.
+    fn gear(face: Face, tip_diameter: Option<f64>, eccentricity: f64) -> AsBuilt {
+        let design = GearDesign {
+            basic_data: BasicGearData::new(20, 3.0, 20f64.to_radians()).unwrap(),
+            profile_shift: 0.0,
+            rack: BasicRack::ISO_53_A,
+            tip_diameter,
+        };
+        let wave = |tooth: i32| 0.2 * (1.3 * f64::from(tooth)).sin();
+        let deviations = Deviations {
+            per_tooth: (1..=20).map(wave).collect(),
+            eccentricity,
+            high_tooth: 3.4,
+            ..Deviations::default()
+        };
+        AsBuilt::new(Gear::nominal(design).unwrap(), face, &deviations).unwrap()
+    }
+
+    fn towards(angle: f64) -> Vector2<f64> {
+        Vector2::new(angle.cos(), angle.sin())
+    }
+
+    /// Where the free outline's centre may stand.
+    fn free_centres(assembly: &GearPair) -> impl Iterator<Item = Point2<f64>> + Clone {
+        let (axis, off) = (
+            assembly.axis(assembly.free()),
+            assembly.gear(assembly.free()).eccentricity(),
+        );
+        (0..120).map(move |k| axis + off * towards(f64::from(k) * PI / 60.0))
+    }
+
+    /// How deep in the free root circle some point of a locked land stands wherever that circle turns to; negative where the best
+    /// point comes out of it, by so much. Dense points of all lands, no case told apart.
+    fn land_in_root(assembly: &GearPair, placed: &Placed) -> f64 {
+        let locked = placed.as_built();
+        let tip = locked.gear().tip_radius();
+        let half = locked.gear().half_angle_at_roll(locked.gear().tip_roll());
+        let root = assembly.gear(assembly.free()).gear().root_radius();
+        let centres = free_centres(assembly);
+        let depth = |point: Point2<f64>| {
+            let deepest = centres.clone().map(|centre| root - (point - centre).norm());
+            deepest.fold(f64::INFINITY, f64::min)
+        };
+        let points = (1..=20).flat_map(|tooth| {
+            let from = locked.flank_offset(Side::Right, tooth) - half;
+            let to = locked.flank_offset(Side::Left, tooth) + half;
+            (0..=60).map(move |k| (tooth, from + (to - from) * f64::from(k) / 60.0))
+        });
+        points
+            .map(|(tooth, angle)| {
+                depth(placed.centre() + tip * towards(placed.direction(tooth) + angle))
+            })
+            .fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// By how much, in angle, the locked root circle takes more of a circle between the free form and tip circle than its widest
+    /// space, wherever the free gear turns to. Circles are walked from the direction of the locked centre until out of the root circle.
+    fn space_filled(assembly: &GearPair, placed: &Placed) -> f64 {
+        let (root, free) = (
+            placed.as_built().gear().root_radius(),
+            assembly.gear(assembly.free()),
+        );
+        let wide = |centre: Point2<f64>, radius: f64| {
+            let to = placed.centre() - centre;
+            let inside = |beside: f64| {
+                let point = centre + radius * towards(to.y.atan2(to.x) + beside);
+                (point - placed.centre()).norm() < root
+            };
+            let (mut low, mut high) = (0.0, PI);
+            if !inside(low) {
+                return 0.0;
+            }
+            for _ in 0..40 {
+                let middle = 0.5 * (low + high);
+                *(if inside(middle) { &mut low } else { &mut high }) = middle;
+            }
+            2.0 * low
+        };
+        let (form, tip) = (free.gear().form_radius(), free.gear().tip_radius());
+        let widest = |centre: Point2<f64>| {
+            let radii = (0..=40).map(|k| form + (tip - form) * f64::from(k) / 40.0);
+            radii.map(|radius| wide(centre, radius)).fold(0.0, f64::max)
+        };
+        let seen = free_centres(assembly)
+            .map(widest)
+            .fold(f64::INFINITY, f64::min);
+        let half = free.gear().half_angle_at_roll(free.gear().tip_roll());
+        let space = (1..=20)
+            .map(|tooth| {
+                let next = free.counter_clockwise(tooth, 1);
+                let turn = free.tooth_angle(f64::from(next)) - free.tooth_angle(f64::from(tooth));
+                let ends = free.flank_offset(Side::Right, next)
+                    - free.flank_offset(Side::Left, tooth)
+                    - 2.0 * half;
+                turn - 2.0 * PI * (turn / (2.0 * PI)).floor() + ends
+            })
+            .fold(0.0, f64::max);
+        seen - space
+    }
+
+    /// Teeth are in the mate's body exactly where points of theirs are at every rotation, and such a pose is jammed by both methods.
+    /// Source: points of the lands and of the root circle, walked; ±1e-3 mm or rad, where walking decides nothing, is left out.
+    #[test]
+    fn teeth_in_the_body_are_those_whose_points_are() {
+        let mut met = [0; 3];
+        for (tips, off, distances) in [
+            ([None; 2], [0.0, 0.0], [58.5, 58.9, 59.15, 59.3]),
+            ([None; 2], [0.3, 0.5], [58.3, 58.6, 58.9, 59.2]),
+            // The pinion's long teeth find a space filled that the wheel's short ones do not reach the bottom of.
+            (
+                [Some(61.0), Some(67.5)],
+                [0.4, 0.2],
+                [58.4, 58.8, 59.2, 59.6],
+            ),
+            (
+                [Some(61.0), Some(66.0)],
+                [0.0, 0.6],
+                [57.8, 58.3, 58.8, 59.3],
+            ),
+        ] {
+            let wheel = gear(Face::Front, tips[0], off[0]);
+            let pinion = gear(Face::Back, tips[1], off[1]);
+            let cut = CutPair::for_certificates(&wheel, &pinion);
+            for (a, locked) in distances
+                .map(|a| [(a, Member::Wheel), (a, Member::Pinion)])
+                .as_flattened()
+            {
+                let assembly =
+                    GearPair::with_locked(wheel.clone(), pinion.clone(), *a, *locked).unwrap();
+                for k in 0..10 {
+                    let pose = Pose::new(
+                        &assembly,
+                        Mating {
+                            wheel_tooth: 1 + 3 * k % 20,
+                            pinion_tooth: 1 + 7 * k % 20,
+                            flank: Side::Right,
+                            fraction: f64::from(k) / 10.0,
+                        },
+                    );
+                    let tooth_1 = assembly.mate_direction(*locked) + pose.locked_rotation();
+                    let placed =
+                        Placed::new(assembly.gear(*locked), assembly.axis(*locked), tooth_1);
+                    let (land, space) = (
+                        land_in_root(&assembly, &placed),
+                        space_filled(&assembly, &placed),
+                    );
+                    if land.abs().min(space.abs()) < 1e-3 {
+                        continue;
+                    }
+                    let solid = land > 0.0 || space > 0.0;
+                    let what = format!("{a} {locked:?} {k}: {land} mm, {space} rad");
+                    let told = may_be_solid(&assembly) && is_solid(&assembly, &pose);
+                    assert_eq!(told, solid, "{what}");
+                    met[0] += usize::from(land > 0.0 && space < 0.0);
+                    met[1] += usize::from(land < 0.0 && space > 0.0);
+                    met[2] += usize::from(!solid);
+                    if solid {
+                        let exact = ExactKernel::new(&assembly).lost_motion(&pose).unwrap();
+                        let polygon = cut.kernel(&assembly).lost_motion(&pose).unwrap();
+                        assert_eq!(
+                            [exact, polygon].map(|l| l.status()),
+                            [Status::Jammed; 2],
+                            "{what}"
+                        );
+                    }
+                }
+            }
+        }
+        println!("{met:?}");
+        assert!(met.iter().all(|&count| count >= 30), "{met:?}");
+    }
+
+    /// Outlines that are off their axes by `e_1` and `e_2` come nearest at `a − e_1 − e_2`: a tip circle of that radius just reaches
+    /// the mate's centre.
+    #[test]
+    fn an_axis_is_reached_over_by_both_eccentricities() {
+        let built = |teeth, face, tip_diameter, eccentricity| {
+            let design = GearDesign {
+                basic_data: BasicGearData::new(teeth, 1.0, 22f64.to_radians()).unwrap(),
+                profile_shift: 0.0,
+                rack: BasicRack::new(0.8, 1.0, 0.0).unwrap(),
+                tip_diameter: Some(tip_diameter),
+            };
+            let deviations = Deviations {
+                eccentricity,
+                high_tooth: 1.0,
+                ..Deviations::default()
+            };
+            AsBuilt::new(Gear::nominal(design).unwrap(), face, &deviations).unwrap()
+        };
+        for [one, other] in [[(14, 16.0), (3, 3.3)], [(3, 3.3), (14, 16.0)]] {
+            for [first, second] in [[0.0, 0.0], [0.3, 0.0], [0.0, 0.3], [0.2, 0.3]] {
+                let wheel = built(one.0, Face::Front, one.1, first);
+                let pinion = built(other.0, Face::Back, other.1, second);
+                let just = 8.0 + first + second;
+                for (a, reached) in [(just - 1e-9, true), (just + 1e-9, false)] {
+                    let assembly =
+                        GearPair::with_locked(wheel.clone(), pinion.clone(), a, Member::Wheel)
+                            .unwrap();
+                    assert_eq!(
+                        reaches_over_an_axis(&assembly),
+                        reached,
+                        "{one:?} {first} {second} {a}"
+                    );
+                }
+            }
+        }
+    }
+}

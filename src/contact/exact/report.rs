@@ -1,0 +1,72 @@
+//! From a pair that touches, in the frame of [`super::flank_problem`], to a [`Contact`] in the picture.
+
+use super::flank_problem::PosedFlanks;
+use super::shape::{C, Shape};
+use super::tightest::Touching;
+use crate::contact::lost_motion::{Contact, Touch};
+use crate::gear::{ProfilePart, Side};
+use crate::pair::Member;
+use nalgebra::{Point2, Vector2};
+use std::f64::consts::PI;
+
+/// A contact this near to the tip circle is the tip corner's (the rule of the reference data), one this near to the root
+/// circle the root's: below it the gear is solid all round.
+const CORNER_MM: f64 = 1e-7;
+
+/// The contact of `touching`; its rotation is not yet normalised.
+pub(super) fn contact(posed: &PosedFlanks, touching: &Touching, free: Member) -> Contact {
+    let (problem, candidate) = (posed.problem, &touching.candidate);
+    let radius = candidate.point.norm_sqr().sqrt();
+    let error = problem.rounding(radius, candidate.slope) + candidate.slack;
+    let (locked_place, free_place) = posed.places(touching.step);
+    let locked = touch(
+        &problem.locked.shape,
+        problem.locked.number(locked_place),
+        candidate.locked,
+    );
+    let mated = touch(
+        &problem.free.shape,
+        problem.free.number(free_place),
+        candidate.free,
+    );
+    let mirror = |z: C| match problem.side {
+        Side::Right => z,
+        Side::Left => z.conj(),
+    };
+    // The frame of `facing` is the picture with a free wheel, the picture turned half round with a free pinion.
+    let (point, out_of_locked) = (mirror(candidate.point), mirror(candidate.normal));
+    let (wheel, pinion, point, normal) = match free {
+        Member::Pinion => (
+            locked,
+            mated,
+            C::from(problem.distance) - point,
+            -out_of_locked,
+        ),
+        Member::Wheel => (mated, locked, point, -out_of_locked),
+    };
+    Contact {
+        rotation: -problem.side.sense() * posed.rotation(touching.greatest),
+        error: error.min(PI),
+        wheel,
+        pinion,
+        point: Point2::new(point.re, point.im),
+        normal: Vector2::new(normal.re, normal.im),
+    }
+}
+
+/// Curves as results name them: an involute that ends at the tip circle is the tip corner, a fillet
+/// that ends in the involute the involute, one that ends at the root circle the root.
+fn touch(shape: &Shape, tooth: u32, (curve, t): (ProfilePart, f64)) -> Touch {
+    let radius = shape.radius(curve, t);
+    let curve = match curve {
+        ProfilePart::Involute if radius > shape.tip_radius - CORNER_MM => ProfilePart::Tip,
+        ProfilePart::Fillet if t >= shape.fillet_end => ProfilePart::Involute,
+        ProfilePart::Fillet if radius < shape.root_radius + CORNER_MM => ProfilePart::Root,
+        other => other,
+    };
+    Touch {
+        tooth,
+        curve,
+        radius,
+    }
+}

@@ -1,0 +1,30 @@
+//! What two gears do: contact of their outlines, lost motion, sweeps of poses.
+
+mod body;
+mod class;
+mod drawn_contact;
+mod exact;
+mod exaggeration;
+mod lost_motion;
+mod overlap;
+mod pair_at_distance;
+mod parry;
+mod polygon;
+mod scene;
+mod sweep;
+mod swept;
+
+pub(crate) use parry::Shape;
+
+pub use class::{ContactClass, ContactKind, Moment, PoseClass};
+pub use drawn_contact::DrawnContact;
+pub use exact::ExactKernel;
+pub use exaggeration::{Exaggeration, Found};
+pub use lost_motion::{Contact, LostMotion, Status, Touch};
+pub use overlap::Overlap;
+pub use pair_at_distance::PairAtDistance;
+pub(crate) use pair_at_distance::reach;
+pub use polygon::{Certifier, CutGear, PolygonKernel};
+pub use scene::{Drawn, LineOfAction, Scene};
+pub use sweep::{BLOCK, CutPair, Method, sweep, sweep_blocks};
+pub use swept::{FirstLeast, PoseResult, Unproven, first_least, worst_pose};

@@ -1,0 +1,315 @@
+//! One half tooth of the free gear against one of the locked gear, and how their chords stand.
+//!
+//! All is seen in the frame of the locked half tooth. The *opening* `u`, rad, is how far the free gear is turned
+//! from its nominal rotation in the sense away from contact: of two pairs, the one that touches at the greater opening is
+//! tighter.
+
+use super::chord::{Chord, CutGear, Half};
+use crate::contact::parry::Closest;
+use crate::error::Error;
+use crate::gear::{Profile, Side};
+use crate::pair::{GearPair, Member, Pose};
+use nalgebra::{Isometry2, Point2, UnitComplex, Vector2};
+use std::f64::consts::{PI, TAU};
+
+/// A curve that may be farther to either side than this part of its distance (the sine of an angle) is looked at in two halves.
+const WIDE: f64 = 0.05;
+
+/// How often at most; each time it is four times less. Only a curve through the axis itself is left wide.
+const SPLITS: u32 = 12;
+
+/// A direction off by less than this, rad, costs a safe turn nothing.
+const WELL_KNOWN: f64 = 1e-6;
+
+/// A pair of gears, each cut beforehand.
+#[derive(Clone, Copy)]
+pub(super) struct CutTeeth<'a> {
+    pub assembly: &'a GearPair,
+    locked: (Profile<'a>, &'a CutGear),
+    free: (Profile<'a>, &'a CutGear),
+}
+
+impl<'a> CutTeeth<'a> {
+    pub fn new(assembly: &'a GearPair, wheel: &'a CutGear, pinion: &'a CutGear) -> CutTeeth<'a> {
+        let of = |member: Member| {
+            let cut = match member {
+                Member::Wheel => wheel,
+                Member::Pinion => pinion,
+            };
+            (Profile::new(assembly.gear(member).gear()), cut)
+        };
+        CutTeeth {
+            assembly,
+            locked: of(assembly.locked()),
+            free: of(assembly.free()),
+        }
+    }
+
+    /// The same gears at another distance, as `assembly` has them.
+    pub fn at<'b>(&self, assembly: &'b GearPair) -> CutTeeth<'b>
+    where
+        'a: 'b,
+    {
+        CutTeeth { assembly, ..*self }
+    }
+}
+
+/// A pair of half teeth of one side.
+#[derive(Clone, Copy)]
+pub(super) struct FlankProblem<'a> {
+    pub assembly: &'a GearPair,
+    pub pose: &'a Pose,
+    pub side: Side,
+    pub locked_tooth: u32,
+    pub free_tooth: u32,
+    pub locked: Half<'a>,
+    pub free: Half<'a>,
+    /// From the locked half tooth's frame to the picture.
+    pub locked_frame: Isometry2<f64>,
+    /// The free axis, in the locked half tooth's frame.
+    pub axis: Point2<f64>,
+    /// Where the free half tooth stands from the axis at the opening 0, turned to the locked frame's directions.
+    from_axis: Vector2<f64>,
+    turn: UnitComplex<f64>,
+    /// Direction of the free tooth at the opening 0, seen from its axis and counted from the one to the mate, rad; within
+    /// a pitch. With few teeth one that faces a tooth in reach may stand more than half a turn away.
+    nominal: f64,
+}
+
+impl<'a> FlankProblem<'a> {
+    /// The locked tooth `steps` places counter-clockwise of the mating's, and the free tooth that faces its `side`.
+    pub fn new(teeth: &CutTeeth<'a>, pose: &'a Pose, side: Side, steps: i64) -> FlankProblem<'a> {
+        let assembly = teeth.assembly;
+        let (locked, free) = (assembly.locked(), assembly.free());
+        let mating = pose.mating().tooth(locked);
+        let locked_tooth = assembly.gear(locked).counter_clockwise(mating, steps);
+        let free_tooth = pose.facing_tooth(assembly, side, steps);
+        let half = |(profile, cut), tooth| Half::new(profile, cut, side, tooth);
+        let locked_frame = frame(assembly, locked, pose.locked_rotation(), side, locked_tooth);
+        let free_frame = frame(assembly, free, pose.free_rotation(), side, free_tooth);
+        let axis = assembly.axis(free);
+        let back = locked_frame.rotation.inverse();
+        let pitch = |member| assembly.gear(member).gear().basic_data().angular_pitch();
+        let here = pose.locked_rotation() + assembly.gear(locked).tooth_angle(f64::from(mating));
+        let pitches = here / pitch(locked) + steps as f64;
+        FlankProblem {
+            assembly,
+            pose,
+            side,
+            locked_tooth,
+            free_tooth,
+            locked: half(teeth.locked, locked_tooth),
+            free: half(teeth.free, free_tooth),
+            axis: back * (axis - locked_frame.translation.vector),
+            from_axis: back * (free_frame.translation.vector - axis.coords),
+            turn: back * free_frame.rotation,
+            locked_frame,
+            // What is counter-clockwise on one gear is clockwise on the other.
+            nominal: -pitches * pitch(free),
+        }
+    }
+
+    /// Frame of the free half tooth, seen in the locked one's, at `opening`.
+    pub fn at(&self, opening: f64) -> Isometry2<f64> {
+        // A smaller opening turns the free gear in the sense of its side.
+        let turned = UnitComplex::new(-self.side.sense() * opening);
+        let centre = self.axis + turned * self.from_axis;
+        Isometry2::from_parts(centre.coords.into(), turned * self.turn)
+    }
+
+    /// Greatest radius `R` of the free gear about its axis, mm.
+    pub fn reach(&self) -> f64 {
+        self.assembly.gear(self.assembly.free()).reach()
+    }
+
+    /// Rounding of a distance, mm: coordinates up to the centre distance, and radii turned by angles
+    /// of the size of both rotations, some dozens of operations on each.
+    pub fn rounding(&self) -> f64 {
+        let turned = self.pose.locked_rotation().abs() + self.pose.free_rotation().abs();
+        64.0 * f64::EPSILON * (self.assembly.center_distance() + self.reach() * turned)
+    }
+
+    /// How far the free gear can be turned in while two chords, as they stand `closest`, stay farther apart than `margin`.
+    ///
+    /// Across the direction from the one's nearest point to the other's there is a strip between them as wide as they are
+    /// apart. Where they are hardly farther apart than rounding that direction means nothing; then the lines of both chords
+    /// border narrower strips, whose directions are known.
+    pub fn safe_turn(
+        &self,
+        locked_chord: &Chord,
+        free_chord: &Chord,
+        closest: &Closest,
+        margin: f64,
+    ) -> f64 {
+        let room = closest.distance - margin;
+        // No point moves farther than the reach times the angle; a lever says more, but for rounding.
+        let plain = room / self.reach();
+        let rounding = self.rounding();
+        let n = (closest.points[0] - closest.points[1]) / closest.distance;
+        let safe = self.turn_across(n, free_chord, room, rounding / closest.distance);
+        if rounding <= WELL_KNOWN * closest.distance {
+            return safe.max(plain);
+        }
+        let across_line = |line: &Chord, other: &Chord, sense: f64| {
+            let along = (line.ends[1] - line.ends[0]) / (2.0 * line.half_length);
+            let [one, two] = other.ends.map(|end| along.perp(&(end - line.ends[0])));
+            // Of the two sides of the line the one that the other chord is on, or is less beyond.
+            let (side, width) = match one + two > 0.0 {
+                true => (1.0, one.min(two)),
+                false => (-1.0, -one.max(two)),
+            };
+            let n = sense * side * Vector2::new(-along.y, along.x);
+            match width > margin {
+                true => {
+                    self.turn_across(n, free_chord, width - margin, rounding / line.half_length)
+                }
+                false => 0.0,
+            }
+        };
+        let [from_ours, from_theirs] = [
+            across_line(locked_chord, free_chord, -1.0),
+            across_line(free_chord, locked_chord, 1.0),
+        ];
+        safe.max(plain).max(from_ours).max(from_theirs)
+    }
+
+    /// How far the free gear can be turned in before `free_chord` is moved by `room` along `n`, which is off by up to `doubt`, rad.
+    ///
+    /// Turned by `φ` about the axis, a point at `r` from it moves along `n` by
+    /// `sin φ n·(k × r) − (1 − cos φ) n·r ≤ φ l + φ² m/2`, `l` and `m` the greatest such parts (not below 0) of the two ends:
+    /// of all between, too. A curve lies within its error of its chord, and so do its parts. The lesser root of
+    /// `φ l + φ² m/2 = room` is a safe turn.
+    fn turn_across(&self, n: Vector2<f64>, free_chord: &Chord, room: f64, doubt: f64) -> f64 {
+        let (mut lever, mut bulge) = (0.0f64, 0.0f64);
+        for end in free_chord.ends {
+            let r = end - self.axis;
+            lever = lever.max(self.side.sense() * r.perp(&n));
+            bulge = bulge.max(-r.dot(&n));
+        }
+        let off = free_chord.error + doubt * self.reach();
+        let (lever, bulge) = (lever + off, bulge + off);
+        2.0 * room / (lever + (lever * lever + 2.0 * room * bulge).sqrt())
+    }
+
+    /// Whether no turn brings the two together, seen from the free axis: one is always the farther of them.
+    pub fn passes(&self, locked_chord: &Chord, radii: [f64; 2]) -> bool {
+        let [near, far] = distances(locked_chord, &self.axis);
+        near > radii[1] || far < radii[0]
+    }
+
+    /// Least and greatest distance of a chord of the free half tooth from the axis; it may stand at any opening.
+    pub fn radii(&self, free_chord: &Chord) -> [f64; 2] {
+        // In its own frame, where the axis does not move.
+        distances(
+            free_chord,
+            &self.at(0.0).inverse_transform_point(&self.axis),
+        )
+    }
+
+    /// The opening above which, and the one below which, the two chords share no direction seen from the free axis.
+    pub fn shared_directions(&self, locked_chord: &Chord, free_chord: &Chord) -> (f64, f64) {
+        // Directions are counted from the one to the mate, and in a half tooth from its disc's: none jumps by a turn.
+        let to_mate = self.locked_frame.rotation.inverse()
+            * Vector2::new(
+                self.assembly.mate_direction(self.assembly.free()).cos(),
+                0.0,
+            );
+        let from = |disc: Point2<f64>, nominal: f64| {
+            let disc = disc - self.axis;
+            let from = angle(&to_mate, &disc);
+            (disc, from + TAU * ((nominal - from) / TAU).round())
+        };
+        let at = self.at(0.0);
+        // The locked gear stands within half a turn of the line of centres.
+        let ours_from = from(self.locked.disc().0, 0.0);
+        let locked = self.spread(
+            &self.locked,
+            locked_chord,
+            &Isometry2::identity(),
+            ours_from,
+            SPLITS,
+        );
+        let theirs_from = from(at * self.free.disc().0, self.nominal);
+        let free = self.spread(&self.free, free_chord, &at, theirs_from, SPLITS);
+        (locked.1 - free.0, locked.0 - free.1)
+    }
+
+    /// The directions a chord's curve takes up, against the sense of closing. `frame` is where its half stands, `disc` that half's
+    /// middle from the axis and the direction of it.
+    ///
+    /// A curve may lie so far off a long chord that it might be anywhere about the axis; its halves' halves do not.
+    fn spread(
+        &self,
+        half: &Half,
+        chord: &Chord,
+        frame: &Isometry2<f64>,
+        disc: (Vector2<f64>, f64),
+        splits: u32,
+    ) -> (f64, f64) {
+        let seen = chord.seen_in(frame);
+        let distance = distances(&seen, &self.axis)[0] + chord.error;
+        let sine = chord.error / distance;
+        if splits > 0 && !(sine < WIDE) {
+            let mut made = None;
+            let halves = half.halves(chord, &mut made);
+            let [one, two] = [0, 1].map(|i| self.spread(half, &halves[i], frame, disc, splits - 1));
+            return (one.0.min(two.0), one.1.max(two.1));
+        }
+        let arc = if sine < 1.0 { sine.asin() } else { PI };
+        let ends = seen.ends.map(|end| {
+            let seen = disc.1 + angle(&disc.0, &(end - self.axis));
+            -self.side.sense() * seen
+        });
+        (ends[0].min(ends[1]) - arc, ends[0].max(ends[1]) + arc)
+    }
+
+    /// Names the pair in an error.
+    pub fn lost(&self, reason: &'static str) -> Error {
+        let (wheel_tooth, pinion_tooth) = match self.assembly.locked() {
+            Member::Wheel => (self.locked_tooth, self.free_tooth),
+            Member::Pinion => (self.free_tooth, self.locked_tooth),
+        };
+        Error::ContactLost {
+            wheel_tooth,
+            pinion_tooth,
+            flank: self.side.name(),
+            locked_rotation_rad: self.pose.locked_rotation(),
+            reason,
+        }
+    }
+}
+
+/// From one direction to another, in (−π, π].
+fn angle(from: &Vector2<f64>, to: &Vector2<f64>) -> f64 {
+    from.perp(to).atan2(from.dot(to))
+}
+
+/// Least and greatest distance of what a chord stands for from a point, mm.
+fn distances(chord: &Chord, point: &Point2<f64>) -> [f64; 2] {
+    let [a, b] = chord.ends.map(|end| end - point);
+    let along = b - a;
+    let part = (-a.dot(&along) / along.norm_squared()).clamp(0.0, 1.0);
+    let near = match part.is_nan() {
+        true => a,
+        false => a + part * along,
+    };
+    [
+        near.norm() - chord.error,
+        a.norm().max(b.norm()) + chord.error,
+    ]
+}
+
+/// Frame in the picture of the half tooth of `member` on `side` of `tooth`, the gear turned to `rotation`.
+fn frame(
+    assembly: &GearPair,
+    member: Member,
+    rotation: f64,
+    side: Side,
+    tooth: u32,
+) -> Isometry2<f64> {
+    let gear = assembly.gear(member);
+    let tooth_1 = assembly.mate_direction(member) + rotation;
+    let centre = assembly.axis(member) + gear.displacement(tooth_1);
+    let turn = gear.tooth_angle(f64::from(tooth)) + gear.flank_offset(side, tooth);
+    Isometry2::new(centre.coords, tooth_1 + turn)
+}

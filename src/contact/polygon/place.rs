@@ -1,0 +1,159 @@
+//! What touches where two half teeth are closest: curves, radii, point and normal.
+
+use super::chord::{Chord, Half};
+use super::flank_problem::FlankProblem;
+use crate::contact::lost_motion::{Contact, Touch};
+use crate::contact::parry::Closest;
+use crate::gear::ProfilePart;
+use crate::pair::Member;
+use nalgebra::{Point2, Vector2};
+
+/// A radius this near the tip circle, mm, is the tip corner (the reference data's own rule), one this near the root circle
+/// the root: below it the gear is solid all round.
+const CORNER: f64 = 1e-7;
+
+/// What touches, and where in the picture.
+#[derive(Clone, Copy)]
+pub(super) struct Place {
+    pub locked: Touch,
+    pub free: Touch,
+    pub point: Point2<f64>,
+    /// Out of the locked gear's metal.
+    pub normal: Vector2<f64>,
+    /// How fast the curves' gap may bulge along them, 1/mm: the lesser curvature, of an edge the other's.
+    pub curvature: f64,
+    /// On how many fillets it lies, or at their ends.
+    pub hollow: u32,
+}
+
+/// What one half tooth brings to a place.
+struct Part {
+    touch: Touch,
+    /// An edge has none.
+    normal: Option<Vector2<f64>>,
+    curvature: f64,
+    hollow: bool,
+}
+
+impl Place {
+    /// What touches at the opening `touching`, where `chords` are `closest`.
+    pub fn new(
+        problem: &FlankProblem,
+        touching: f64,
+        chords: &[Chord; 2],
+        closest: &Closest,
+    ) -> Place {
+        let free_frame = problem.at(touching);
+        let points = closest.points;
+        let locked = part(
+            problem,
+            &problem.locked,
+            problem.locked_tooth,
+            &chords[0],
+            &points[0],
+        );
+        let on_free = free_frame.inverse_transform_point(&points[1]);
+        let free = part(
+            problem,
+            &problem.free,
+            problem.free_tooth,
+            &chords[1],
+            &on_free,
+        );
+        let frame = &problem.locked_frame;
+        let point = frame * nalgebra::center(&points[0], &points[1]);
+        // The other gear's curve gives an edge its normal, and of
+        // two edges the direction in which they meet.
+        let normal: Vector2<f64> = match (locked.normal, free.normal) {
+            (Some(normal), _) => frame * normal,
+            (None, Some(normal)) => -(frame * (free_frame * normal)),
+            (None, None) => {
+                let axis = problem.assembly.axis(problem.assembly.free());
+                let arm = (point - axis).normalize();
+                problem.side.sense() * Vector2::new(arm.y, -arm.x)
+            }
+        };
+        let curvature = match (locked.normal.is_some(), free.normal.is_some()) {
+            (true, true) => locked.curvature.min(free.curvature),
+            (true, false) => locked.curvature,
+            (false, true) => free.curvature,
+            (false, false) => locked.curvature.max(free.curvature),
+        };
+        Place {
+            hollow: u32::from(locked.hollow) + u32::from(free.hollow),
+            locked: locked.touch,
+            free: free.touch,
+            point,
+            normal,
+            curvature,
+        }
+    }
+
+    /// The contact by name: teeth, curves, radii, point and normal, with the side's `rotation` and `error`.
+    pub fn contact(&self, locked: Member, rotation: f64, error: f64) -> Contact {
+        let (wheel, pinion, normal) = match locked {
+            Member::Wheel => (self.locked, self.free, self.normal),
+            Member::Pinion => (self.free, self.locked, -self.normal),
+        };
+        Contact {
+            rotation,
+            error,
+            wheel,
+            pinion,
+            point: self.point,
+            normal,
+        }
+    }
+}
+
+/// What `half` brings at the point `at` of its chord, in its own frame.
+fn part(problem: &FlankProblem, half: &Half, tooth: u32, chord: &Chord, at: &Point2<f64>) -> Part {
+    let profile = half.profile();
+    let gear = profile.gear();
+    let (curve, parameter) = (chord.curve, chord.parameter_at(at));
+    let radius = at.coords.norm();
+    let normal = profile.normal(curve, parameter, problem.side);
+    let named = match curve {
+        _ if radius >= gear.tip_radius() - CORNER => ProfilePart::Tip,
+        ProfilePart::Fillet if radius < gear.root_radius() + CORNER => ProfilePart::Root,
+        _ => curve,
+    };
+    let end = |curve, parameter: f64| {
+        let (from, to) = profile.range(curve);
+        from > to && parameter == to
+    };
+    Part {
+        touch: Touch {
+            tooth,
+            curve: named,
+            radius,
+        },
+        normal: (!is_edge(half, curve, parameter, radius)).then_some(normal),
+        // A fillet is hollow, or flat enough beside the arm.
+        curvature: half.curvature(chord).unwrap_or(0.0),
+        hollow: match curve {
+            ProfilePart::Fillet | ProfilePart::Root => true,
+            ProfilePart::Involute => end(ProfilePart::Involute, chord.parameters[1]),
+            ProfilePart::Tip => false,
+        },
+    }
+}
+
+/// Whether a half tooth has an edge or ends at the place: a corner of its tip, or the middle of the space.
+fn is_edge(half: &Half, curve: ProfilePart, parameter: f64, radius: f64) -> bool {
+    let profile = half.profile();
+    let gear = profile.gear();
+    let inside = CORNER / radius;
+    match curve {
+        ProfilePart::Tip => {
+            parameter >= profile.range(ProfilePart::Tip).1 - inside
+                || parameter <= half.land_start() + inside
+        }
+        ProfilePart::Involute => radius >= gear.tip_radius() - CORNER,
+        ProfilePart::Fillet => {
+            half.root_end() <= profile.range(ProfilePart::Root).0
+                && radius <= gear.root_radius() + CORNER
+        }
+        ProfilePart::Root => parameter >= half.root_end() - inside,
+    }
+}

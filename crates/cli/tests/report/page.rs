@@ -98,7 +98,7 @@ fn every_chart_of_the_page_has_the_pairs_title() {
         .filter(|svg| svg.contains("class=\"gearlash-chart\""));
     let mut count = 0;
     for chart in charts {
-        let title = "Test rig pair 44/44 with synthetic pitch deviations\n</text>";
+        let title = "Test rig pair 44/44 with synthetic pitch deviations</text>";
         assert!(chart.contains(title), "{}", &chart[..300]);
         count += 1;
     }

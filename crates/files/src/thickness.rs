@@ -242,8 +242,11 @@ impl Statement {
     }
 }
 
+/// `mm` of a measured length, and `min_mm` and `max_mm`.
+type MeasuredKeys = (Option<Either<f64, Vec<f64>>>, [Option<f64>; 2]);
+
 /// A measured length as a pair file writes it: `mm`, or `min_mm` and `max_mm`.
-fn measured(mm: &Stated<f64>) -> (Option<Either<f64, Vec<f64>>>, [Option<f64>; 2]) {
+fn measured(mm: &Stated<f64>) -> MeasuredKeys {
     match *mm {
         Stated::Single(mm) => (Some(Either::One(mm)), [None; 2]),
         Stated::Band { least, most } => (None, [Some(least), Some(most)]),

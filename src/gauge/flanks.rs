@@ -7,7 +7,7 @@
 use super::Unmeasured;
 use super::spread::{ends, mean, range};
 use super::workpiece::Workpiece;
-use crate::gear::{Pitch, Side};
+use crate::gear::{Flank, Pitch, Side};
 use nalgebra::{Point2, UnitComplex, Vector2};
 
 /// What the measuring circle is centred on.
@@ -45,19 +45,19 @@ pub struct PitchReadings {
 
 impl PitchReadings {
     /// Single deviations `f_i = F_i − F_{i−1}` of a gear's own flank, mm.
-    pub fn single(&self, own: Side) -> Vec<f64> {
+    pub fn single(&self, own: Flank) -> Vec<f64> {
         self.cumulative.single(own)
     }
 
     /// Greatest single deviation `f_p`, mm, by amount.
-    pub fn greatest_single(&self, own: Side) -> f64 {
+    pub fn greatest_single(&self, own: Flank) -> f64 {
         self.single(own)
             .into_iter()
             .fold(0.0, |most, f| f64::max(most, f.abs()))
     }
 
     /// Total cumulative deviation `F_p`, mm: the range of `F`.
-    pub fn total(&self, own: Side) -> f64 {
+    pub fn total(&self, own: Flank) -> f64 {
         range(self.cumulative.flank(own).iter().copied())
     }
 }
@@ -106,7 +106,7 @@ pub(super) fn pitch(work: &Workpiece, axis: PitchAxis) -> Result<PitchReadings, 
     let crossings = crossings(work, axis)?;
     let face = work.as_built.face();
     let scale = face.ascending() * radius(work);
-    let curve = |own: Side| -> Vec<f64> {
+    let curve = |own: Flank| -> Vec<f64> {
         let angles = match face.seen_from_front(own) {
             Side::Right => &crossings.angles[0],
             Side::Left => &crossings.angles[1],
@@ -115,7 +115,7 @@ pub(super) fn pitch(work: &Workpiece, axis: PitchAxis) -> Result<PitchReadings, 
     };
     Ok(PitchReadings {
         axis,
-        cumulative: Pitch::from_cumulative(&curve(Side::Right), &curve(Side::Left)),
+        cumulative: Pitch::from_cumulative(&curve(Flank::Right), &curve(Flank::Left)),
         // The value's own, and that of the mean.
         error: 2.0 * crossings.error,
     })

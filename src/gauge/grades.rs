@@ -4,7 +4,7 @@ use super::Unmeasured;
 use super::flanks::{PitchAxis, PitchReadings};
 use super::runout::RunoutReadings;
 use crate::error::GearError;
-use crate::gear::{BasicGearData, Grade, GradedQuantity, Side};
+use crate::gear::{BasicGearData, Flank, Grade, GradedQuantity};
 
 /// One measured value and its grade.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -13,7 +13,7 @@ pub struct GradedReading {
     /// What was measured.
     pub quantity: GradedQuantity,
     /// Of which flanks and about which axis; `None` of the runout, which is read from the rotation axis.
-    pub pitch: Option<(PitchAxis, Side)>,
+    pub pitch: Option<(PitchAxis, Flank)>,
     /// mm.
     pub measured: f64,
     /// Bound on the error of `measured`, mm.
@@ -30,7 +30,7 @@ pub(super) fn grades<'a>(
 ) -> Result<Vec<GradedReading>, Unmeasured> {
     let mut list = Vec::new();
     for read in pitches {
-        for side in Side::BOTH {
+        for side in Flank::BOTH {
             for (quantity, measured) in [
                 (GradedQuantity::SinglePitch, read.greatest_single(side)),
                 (GradedQuantity::TotalPitch, read.total(side)),

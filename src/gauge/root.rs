@@ -6,7 +6,7 @@
 
 use super::Unmeasured;
 use super::workpiece::Workpiece;
-use crate::gear::{GearDesign, Side};
+use crate::gear::{Flank, GearDesign};
 
 /// The root circle about the gear's own centre.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,7 +31,7 @@ pub(super) fn root(work: &Workpiece) -> Result<RootReading, Unmeasured> {
     let (mut sum, mut count) = (0.0, 0.0);
     for tooth in 1..=gear.gear().basic_data().teeth() {
         let next = work.after(tooth, 1);
-        let ends = [(Side::Right, tooth, half), (Side::Left, next, -half)];
+        let ends = [(Flank::Right, tooth, half), (Flank::Left, next, -half)];
         // Seen from the middle of the space.
         let [from, to] = ends.map(|(own, tooth, pitches)| {
             let side = gear.face().seen_from_front(own);

@@ -8,7 +8,7 @@
 use super::Unmeasured;
 use super::workpiece::{Place, Workpiece};
 use crate::contact::Touch;
-use crate::gear::{ProfilePart, Side};
+use crate::gear::{Flank, ProfilePart};
 use crate::parallel;
 use nalgebra::{Matrix2, Point2, UnitComplex, Vector2};
 
@@ -46,9 +46,9 @@ fn seat(work: &Workpiece, tooth: u32, diameter: f64) -> Result<Seat, Unmeasured>
     let radius = 0.5 * diameter;
     let half = 0.5 * face.ascending();
     let ends = [
-        (face.seen_from_front(Side::Right), tooth, half),
+        (face.seen_from_front(Flank::Right), tooth, half),
         (
-            face.seen_from_front(Side::Left),
+            face.seen_from_front(Flank::Left),
             work.after(tooth, 1),
             -half,
         ),

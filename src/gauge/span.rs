@@ -10,7 +10,7 @@ use super::Unmeasured;
 use super::spread::{ends, mean};
 use super::workpiece::Workpiece;
 use crate::contact::Touch;
-use crate::gear::{Profile, ProfilePart, Side};
+use crate::gear::{Flank, Profile, ProfilePart};
 use crate::parallel;
 
 /// One span.
@@ -116,8 +116,8 @@ fn span(work: &Workpiece, k: u32, first_tooth: u32) -> Result<Span, Unmeasured> 
     let half = 0.5 * f64::from(k - 1) * face.ascending();
     // Seen from the middle of the teeth spanned; the flanks' sides are the picture's.
     let ends = [
-        (face.seen_from_front(Side::Left), first_tooth, half),
-        (face.seen_from_front(Side::Right), last_tooth, -half),
+        (face.seen_from_front(Flank::Left), first_tooth, half),
+        (face.seen_from_front(Flank::Right), last_tooth, -half),
     ];
     let turns = ends.map(|(side, tooth, pitches)| work.turn(side, tooth, pitches));
     let corner = |i: usize| {

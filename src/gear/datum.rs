@@ -8,7 +8,7 @@
 //! such data can tell the two apart, and all of it counts as eccentricity.
 
 use super::datum_axis::own_deviation;
-use super::{Gear, Pitch, Side};
+use super::{Flank, Gear, Pitch};
 use crate::error::GearError;
 use nalgebra::Vector2;
 
@@ -60,7 +60,7 @@ impl Pitch {
         sought: bool,
     ) -> Result<EccentricitySeparation, GearError> {
         let teeth = gear.basic_data().teeth();
-        for side in Side::BOTH {
+        for side in Flank::BOTH {
             let found = self.flank(side).len();
             if found != teeth as usize {
                 return Err(GearError::WrongLength {
@@ -78,7 +78,7 @@ impl Pitch {
             let mut own = [Vec::new(), Vec::new()];
             let mut correction = Vector2::zeros();
             let mut drift: f64 = 0.0;
-            for (i, side) in Side::BOTH.into_iter().enumerate() {
+            for (i, side) in Flank::BOTH.into_iter().enumerate() {
                 let (deviations, left) = self.without(gear, side, e, means[i])?;
                 let mean = deviations.iter().sum::<f64>() / f64::from(teeth);
                 means[i] -= mean;
@@ -111,7 +111,7 @@ impl Pitch {
     fn without(
         &self,
         gear: &Gear,
-        side: Side,
+        side: Flank,
         e: Vector2<f64>,
         mean: f64,
     ) -> Result<(Vec<f64>, Vector2<f64>), GearError> {
@@ -173,7 +173,7 @@ mod tests {
                 found.high_tooth
             );
             for i in 0..teeth {
-                let back = found.pitch.flank(Side::Right)[i as usize];
+                let back = found.pitch.flank(Flank::Right)[i as usize];
                 assert!(
                     (back - own(i)).abs() < 1e-8,
                     "{teeth} {i} {back} {}",

@@ -1,7 +1,7 @@
 //! A gear as built: where every flank really sits, and the axis it turns about.
 
 use super::pitch::Pitch;
-use super::{Face, Gear, Profile, ProfilePart, Side};
+use super::{Face, Flank, Gear, Profile, ProfilePart, Side};
 use crate::error::GearError;
 use nalgebra::{UnitComplex, Vector2};
 use std::f64::consts::PI;
@@ -65,7 +65,7 @@ impl AsBuilt {
             }
         }
         if let Some(pitch) = &deviations.pitch {
-            for own in Side::BOTH {
+            for own in Flank::BOTH {
                 let curve = pitch.flank(own);
                 length("pitch", curve)?;
                 if let Some(&worst) = curve

@@ -4,7 +4,7 @@
 //! whose sign is turned round moves against the right one instead. About the datum axis an eccentricity moves them
 //! together, too, but for the pressure angle between them.
 
-use super::{Gear, Pitch, Side};
+use super::{Flank, Gear, Pitch};
 use nalgebra::Complex;
 use std::f64::consts::TAU;
 
@@ -19,15 +19,15 @@ impl Pitch {
     /// the shares `p` of the energy, Chernoff's bound is `P(C ≤ −c) ≤ e^{−λc} Π sinh(λp)/(λp)` for every `λ`. It is taken for the energies of the
     /// cumulative and of the single deviations, and the lesser is doubled.
     pub fn opposition(&self) -> f64 {
-        let [right, left] = Side::BOTH.map(|side| self.flank(side));
+        let [right, left] = Flank::BOTH.map(|side| self.flank(side));
         if together(right, left) >= 0.0
-            && together(&self.single(Side::Right), &self.single(Side::Left)) >= 0.0
+            && together(&self.single(Flank::Right), &self.single(Flank::Left)) >= 0.0
         {
             // No bound is below 1, and the harmonics of thousands of teeth take a while.
             return 1.0;
         }
         let harmonics = self.harmonics();
-        let z = self.flank(Side::Right).len();
+        let z = self.flank(Flank::Right).len();
         (2.0 * least_of_both(&harmonics, 1, z)).min(1.0)
     }
 
@@ -48,7 +48,7 @@ impl Pitch {
     /// least of the three bounds is taken threefold. Curves that go together as read are none of these: an index error common to both
     /// flanks stands in `D`, too.
     pub fn datum_opposition(&self, gear: &Gear) -> f64 {
-        let [right, left] = Side::BOTH.map(|side| self.flank(side));
+        let [right, left] = Flank::BOTH.map(|side| self.flank(side));
         if together(right, left) >= 0.0 {
             // A left flank turned round takes the eccentricity with it: the curves as read go against each other.
             return 1.0;
@@ -59,7 +59,7 @@ impl Pitch {
             return 1.0;
         }
         let rest = least_of_both(&harmonics, 2, z);
-        let [u, v] = Side::BOTH.map(|side| self.first_harmonic_as_eccentric(gear, side));
+        let [u, v] = Flank::BOTH.map(|side| self.first_harmonic_as_eccentric(gear, side));
         let (together, apart) = ((u + v).norm_sqr(), (u - v).norm_sqr());
         if !(apart > 0.0) {
             return (3.0 * rest).min(1.0);
@@ -89,17 +89,17 @@ impl Pitch {
     /// Energy `|R|² + |L|²` of the first harmonics of both flanks, mm² times `z²`.
     pub fn first_harmonic_energy(&self) -> f64 {
         let energy = |side| self.first_harmonic(side).norm_sqr();
-        Side::BOTH.map(energy).iter().sum()
+        Flank::BOTH.map(energy).iter().sum()
     }
 
     /// What the two flanks' first harmonics differ by as read, half of it: the energy that a wave of both alike leaves, mm² times `z²`.
     pub fn first_harmonic_apart(&self) -> f64 {
-        let [right, left] = Side::BOTH.map(|side| self.first_harmonic(side));
+        let [right, left] = Flank::BOTH.map(|side| self.first_harmonic(side));
         (right - left).norm_sqr() / 2.0
     }
 
     /// First harmonic of the own `side` flanks, counted from the angle `±α` at which an eccentricity shows nothing.
-    fn first_harmonic_as_eccentric(&self, gear: &Gear, side: Side) -> Complex<f64> {
+    fn first_harmonic_as_eccentric(&self, gear: &Gear, side: Flank) -> Complex<f64> {
         let alpha = gear.basic_data().pressure_angle();
         let ahead = -side.sense();
         let start = ahead * (gear.half_angle_at_roll(alpha.tan()) - alpha);
@@ -107,7 +107,7 @@ impl Pitch {
     }
 
     /// The same, counted from tooth 1.
-    fn first_harmonic(&self, side: Side) -> Complex<f64> {
+    fn first_harmonic(&self, side: Flank) -> Complex<f64> {
         let flank = self.flank(side);
         let turn = TAU / flank.len().max(1) as f64;
         let teeth = flank.iter().enumerate();
@@ -117,7 +117,7 @@ impl Pitch {
     }
 
     fn harmonics(&self) -> Vec<Harmonic> {
-        let [right, left] = Side::BOTH.map(|side| self.flank(side));
+        let [right, left] = Flank::BOTH.map(|side| self.flank(side));
         let z = right.len().min(left.len());
         let turns: Vec<(f64, f64)> = (0..z)
             .map(|i| (TAU * i as f64 / z.max(1) as f64).sin_cos())
@@ -220,7 +220,7 @@ mod tests {
             let right: Vec<f64> = (0..z).map(|i| wave(i, 5)).collect();
             let left: Vec<f64> = (0..z).map(|i| wave(i, 3)).collect();
             let pitch = Pitch::from_cumulative(&right, &left);
-            let [right, left] = Side::BOTH.map(|side| pitch.flank(side));
+            let [right, left] = Flank::BOTH.map(|side| pitch.flank(side));
             let quick = together(right, left);
             let slow: f64 = pitch.harmonics().iter().map(|h| h.together).sum();
             let size: f64 = pitch.harmonics().iter().map(|h| h.energy).sum();

@@ -1,6 +1,6 @@
 //! What an inspection sheet shows of a gear as built.
 
-use super::{AsBuilt, Side, pitch};
+use super::{AsBuilt, Flank, Side, pitch};
 
 /// Pitch, thickness and runout tooth by tooth, tooth 1 first. Lengths in mm at the reference circle, `right` and
 /// `left` the gear's *own* flanks, the sense that of ascending numbers, about the gear's own centre.
@@ -22,7 +22,7 @@ impl Inspection {
         let r = basic_data.reference_radius();
         let teeth = || 1..=basic_data.teeth();
         let ascending = gear.face().ascending();
-        let cumulative = |own: Side| {
+        let cumulative = |own: Flank| {
             let front = gear.face().seen_from_front(own);
             let place = |tooth| ascending * r * gear.flank_offset(front, tooth);
             let mean = teeth().map(place).sum::<f64>() / f64::from(basic_data.teeth());
@@ -36,8 +36,8 @@ impl Inspection {
             gear.eccentricity() * from_high.cos()
         };
         Inspection {
-            right: cumulative(Side::Right),
-            left: cumulative(Side::Left),
+            right: cumulative(Flank::Right),
+            left: cumulative(Flank::Left),
             thickness: teeth().map(thickness).collect(),
             runout: teeth().map(runout).collect(),
         }
@@ -49,28 +49,28 @@ impl Inspection {
         all.into_iter().flatten().any(|value| *value != 0.0)
     }
 
-    /// Cumulative pitch deviation `F_i` of the gear's own `side` flanks, about their mean.
-    pub fn cumulative(&self, side: Side) -> &[f64] {
-        match side {
-            Side::Right => &self.right,
-            Side::Left => &self.left,
+    /// Cumulative pitch deviation `F_i` of the gear's own `flank` flanks, about their mean.
+    pub fn cumulative(&self, flank: Flank) -> &[f64] {
+        match flank {
+            Flank::Right => &self.right,
+            Flank::Left => &self.left,
         }
     }
 
     /// Single pitch deviation `f_i = F_i − F_(i−1)`; that of tooth 1 counts from the last tooth.
-    pub fn single(&self, side: Side) -> Vec<f64> {
-        pitch::single(self.cumulative(side))
+    pub fn single(&self, flank: Flank) -> Vec<f64> {
+        pitch::single(self.cumulative(flank))
     }
 
     /// Total cumulative pitch deviation `F_p`: the range of `F_i`.
-    pub fn total_cumulative(&self, side: Side) -> f64 {
-        let values = || self.cumulative(side).iter().copied();
+    pub fn total_cumulative(&self, flank: Flank) -> f64 {
+        let values = || self.cumulative(flank).iter().copied();
         values().fold(f64::MIN, f64::max) - values().fold(f64::MAX, f64::min)
     }
 
     /// Single pitch deviation `f_p`: the largest amount of `f_i`.
-    pub fn largest_single(&self, side: Side) -> f64 {
-        let amounts = self.single(side).into_iter().map(f64::abs);
+    pub fn largest_single(&self, flank: Flank) -> f64 {
+        let amounts = self.single(flank).into_iter().map(f64::abs);
         amounts.fold(0.0, f64::max)
     }
 

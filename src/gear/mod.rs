@@ -45,5 +45,5 @@ pub use profile::Profile;
 use readings::FlankShifts;
 pub use readings::Readings;
 pub use runout::{Probe, RunoutFit, RunoutReadings};
-pub use side::{Face, Side};
+pub use side::{Face, Flank, Side};
 pub use spans::{PerTooth, Spans};

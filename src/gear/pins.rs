@@ -19,7 +19,7 @@
 //! Thickness by tooth is not taken from such readings: each holds four flanks, and for even `z` there are
 //! only `z/2` of them.
 
-use super::{BasicGearData, Deviations, FlankShifts, Readings, Side, involute, thickness};
+use super::{BasicGearData, Deviations, Flank, FlankShifts, Readings, involute, thickness};
 use crate::error::GearError;
 
 /// Newton's steps before the mean thickness is given up; it needs some five.
@@ -114,8 +114,8 @@ impl PinReadings {
     /// The pin's centre in the space `steps` on from `space`.
     fn centre(&self, shifts: &FlankShifts, space: u32, steps: u32, base: f64) -> Centre {
         let basic_data = &self.basic_data;
-        let right = shifts.at(Side::Right, space, steps);
-        let left = shifts.at(Side::Left, space, steps + 1);
+        let right = shifts.at(Flank::Right, space, steps);
+        let left = shifts.at(Flank::Left, space, steps + 1);
         let thicker = (right - left) * basic_data.pressure_angle().cos();
         let radius = thickness::pin_centre_radius(basic_data, self.pin, base + thicker);
         // r_K = r_b √(1 + ξ²) and d inv/dξ = ξ²/(1 + ξ²): dr_K/ds_b = r_K/(2 r_b ξ) = 1/(2 sin α_K).

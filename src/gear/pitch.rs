@@ -4,7 +4,7 @@
 //! reference circle, in the sense of ascending tooth numbers, about its own mean
 //! (design section 3). `right` and `left` are the gear's *own* flanks.
 
-use super::Side;
+use super::Flank;
 
 /// Cumulative pitch deviation `F` of a gear's own right and left flanks, mm, each about its mean.
 #[derive(Debug, Clone, PartialEq)]
@@ -56,15 +56,15 @@ impl Pitch {
     }
 
     /// `F` of every tooth's own `side` flank, mm.
-    pub fn flank(&self, side: Side) -> &[f64] {
+    pub fn flank(&self, side: Flank) -> &[f64] {
         match side {
-            Side::Right => &self.right,
-            Side::Left => &self.left,
+            Flank::Right => &self.right,
+            Flank::Left => &self.left,
         }
     }
 
     /// `f_i = F_i − F_{i−1}` of every tooth's own `side` flank, mm.
-    pub fn single(&self, side: Side) -> Vec<f64> {
+    pub fn single(&self, side: Flank) -> Vec<f64> {
         single(self.flank(side))
     }
 

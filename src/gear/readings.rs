@@ -1,6 +1,6 @@
 //! Readings taken all round a gear, and where the flanks they touch stand.
 
-use super::{BasicGearData, Deviations, Side};
+use super::{BasicGearData, Deviations, Flank};
 use crate::error::GearError;
 use std::collections::HashSet;
 
@@ -94,7 +94,7 @@ impl FlankShifts {
         deviations: &Deviations,
     ) -> Result<FlankShifts, GearError> {
         let teeth = basic_data.teeth();
-        let shifts = |side: Side| {
+        let shifts = |side: Flank| {
             let mut shifts = vec![0.0; teeth as usize];
             let thickness = (!deviations.per_tooth.is_empty()).then_some(&deviations.per_tooth[..]);
             let pitch = deviations.pitch.as_ref().map(|pitch| pitch.flank(side));
@@ -113,16 +113,16 @@ impl FlankShifts {
             Ok(shifts)
         };
         Ok(FlankShifts {
-            right: shifts(Side::Right)?,
-            left: shifts(Side::Left)?,
+            right: shifts(Flank::Right)?,
+            left: shifts(Flank::Left)?,
         })
     }
 
     /// That of the `own` flank of the tooth `steps` on from `tooth` (from 1), numbers taken round past `z`.
-    pub(super) fn at(&self, own: Side, tooth: u32, steps: u32) -> f64 {
+    pub(super) fn at(&self, own: Flank, tooth: u32, steps: u32) -> f64 {
         let list = match own {
-            Side::Right => &self.right,
-            Side::Left => &self.left,
+            Flank::Right => &self.right,
+            Flank::Left => &self.left,
         };
         let index = (tooth as usize + steps as usize).saturating_sub(1) % list.len().max(1);
         list.get(index).copied().unwrap_or(0.0)

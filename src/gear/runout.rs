@@ -16,7 +16,7 @@
 //!   generating line rolls off). Both faces through the apex `d` therefore give, the gear turned by `σ` and its centre
 //!   at `(C_x, C_y)` from the axis, `d = C_x + (x_R − x_L)/(2 tan α) + const` and `r σ = −C_y − (x_R + x_L)/2` (own derivation).
 
-use super::{Deviations, FlankShifts, Gear, Side, thickness};
+use super::{Deviations, Flank, FlankShifts, Gear, thickness};
 use crate::error::GearError;
 use nalgebra::{Complex, Vector2};
 use std::f64::consts::TAU;
@@ -128,8 +128,8 @@ impl RunoutReadings {
         let e = Complex::new(e.x, e.y);
         let reading = |tooth: u32| {
             let steps = u32::from(matches!(self.probe, Probe::Ball(_)));
-            let right = shifts.at(Side::Right, tooth, 0);
-            let left = shifts.at(Side::Left, tooth, steps);
+            let right = shifts.at(Flank::Right, tooth, 0);
+            let left = shifts.at(Flank::Left, tooth, steps);
             let middle = self.angle(tooth as usize - 1) + (right + left) / (2.0 * r);
             let seen = e * Complex::from_polar(1.0, -middle);
             match self.probe {

@@ -1,6 +1,6 @@
 //! Sides of a tooth and of a gear. Pure names with the signs that go with them.
 
-/// A flank as seen from the front of the picture (design frame, not the gear's own face).
+/// A side of a tooth as the picture shows it, seen from the front (design frame, not the gear's own face: [`Flank`]).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
@@ -40,6 +40,35 @@ impl Side {
     }
 }
 
+/// A flank of a gear as its own numbering has it, seen on its reference face.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+pub enum Flank {
+    /// The right-hand flank of a tooth that points up.
+    Right,
+    /// The other.
+    Left,
+}
+
+impl Flank {
+    /// Both flanks, right first.
+    pub const BOTH: [Flank; 2] = [Flank::Right, Flank::Left];
+
+    /// Sense in which it lies from its tooth's centre, seen on the reference face: −1 clockwise (right), +1 counter-clockwise.
+    pub fn sense(self) -> f64 {
+        Face::Front.seen_from_front(self).sense()
+    }
+
+    /// `right` or `left`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Flank::Right => "right",
+            Flank::Left => "left",
+        }
+    }
+}
+
 /// Which way a gear's reference face looks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
@@ -60,12 +89,11 @@ impl Face {
         }
     }
 
-    /// The front side on which the gear's *own* right or left flank stands. Its own inverse.
-    pub fn seen_from_front(self, own: Side) -> Side {
-        match (self, own) {
-            (Face::Front, side) => side,
-            (Face::Back, Side::Right) => Side::Left,
-            (Face::Back, Side::Left) => Side::Right,
+    /// The side of the picture on which the gear's own `flank` stands.
+    pub fn seen_from_front(self, flank: Flank) -> Side {
+        match (self, flank) {
+            (Face::Front, Flank::Right) | (Face::Back, Flank::Left) => Side::Right,
+            (Face::Front, Flank::Left) | (Face::Back, Flank::Right) => Side::Left,
         }
     }
 }

@@ -16,7 +16,7 @@
 //! along the cycle shows in no span. (The Fourier transform says the same: the eigenvalues have the
 //! amounts `|cos(π (k − 1) j/z)|`, none of them 0 exactly when no `2 (k − 1) j ≡ z (mod 2 z)`.)
 
-use super::{BasicGearData, Deviations, FlankShifts, Readings, Side};
+use super::{BasicGearData, Deviations, Flank, FlankShifts, Readings};
 use crate::error::GearError;
 
 /// Spans `W_k` over `k` teeth, at stated first teeth.
@@ -139,7 +139,7 @@ impl Spans {
     /// `s_b` by one reading alone, the shifts of its flanks taken out.
     fn base_at(&self, shifts: &FlankShifts, first: u32, span: f64) -> f64 {
         let step = self.k - 1;
-        let apart = shifts.at(Side::Right, first, step) - shifts.at(Side::Left, first, 0);
+        let apart = shifts.at(Flank::Right, first, step) - shifts.at(Flank::Left, first, 0);
         super::thickness::base_from_span(&self.basic_data, self.k, span)
             - self.basic_data.pressure_angle().cos() * apart
     }

@@ -2,7 +2,7 @@
 
 use super::finding::Outlier;
 use crate::error::GearError;
-use crate::gear::Side;
+use crate::gear::Flank;
 
 /// One thing that is wrong with the measurements of a gear.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -50,7 +50,7 @@ pub enum MeasurementError {
     )]
     PitchOffHalf {
         /// The own flank.
-        flank: Side,
+        flank: Flank,
         /// The tooth.
         tooth: u32,
         /// How far, µm.

@@ -3,7 +3,7 @@
 //! A finding changes nothing: every value counts as it stands. `right` and `left` are the gear's *own* flanks.
 
 use super::notes::{Eccentricity, EccentricityNote, ThicknessStatements};
-use crate::gear::{Probe, Side};
+use crate::gear::{Flank, Probe};
 
 /// Something that a user should know of the measurements of one gear.
 #[derive(Debug, Clone, PartialEq)]
@@ -13,7 +13,7 @@ pub enum Finding {
     /// Single pitch deviations of a flank do not sum to 0; the rest is shared out evenly.
     PitchDoesNotClose {
         /// The own flank.
-        flank: Side,
+        flank: Flank,
         /// Their sum, µm.
         sum_um: f64,
         /// What rounding of the sheet may leave of it, µm.
@@ -329,7 +329,7 @@ pub enum TooFar {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct PitchOutlier {
     /// The own flank.
-    pub flank: Side,
+    pub flank: Flank,
     /// The tooth.
     pub tooth: u32,
     /// The value as stated, µm.

@@ -5,7 +5,7 @@ use super::finding::{Finding, RunoutSource};
 use super::notes::Eccentricity;
 use super::pitch_statement::{EccentricitySource, PitchStatement};
 use super::settle::Flanks;
-use crate::gear::{Pitch, Side};
+use crate::gear::{Flank, Pitch};
 
 /// The part of the stated eccentricity that may be missing for own-axis pitch to look as if it held it. An error of a quarter
 /// lies within 25 % of the amount and, by its sine, within 14.5° of the direction. That is what an own harmonic or noise of
@@ -42,7 +42,7 @@ fn held(measured: &Pitch, by_readings: bool, flanks: &Flanks) -> Option<Finding>
     };
     // As of the least squares of `datum`: deviations of s leave s cos α/√z in either part of the eccentricity.
     let basic_data = gear.basic_data();
-    let rest = Side::BOTH.map(|side| found.pitch.flank(side).iter().map(|f| f * f).sum::<f64>());
+    let rest = Flank::BOTH.map(|side| found.pitch.flank(side).iter().map(|f| f * f).sum::<f64>());
     let z = f64::from(basic_data.teeth());
     let free = (2.0 * z - 4.0).max(1.0);
     let deviation =
@@ -89,7 +89,7 @@ fn not_joint(pitch: &PitchStatement, measured: &Pitch, flanks: &Flanks) -> Optio
     let z = f64::from(flanks.gears.most().basic_data().teeth());
     let squares = |side| own.flank(side).iter().map(|f| f * f).sum::<f64>();
     // Without the harmonic, whose energy is z/2 times its squares; means and harmonics are fitted.
-    let rest = (Side::BOTH.map(squares).iter().sum::<f64>() - 2.0 * left / z).max(0.0);
+    let rest = (Flank::BOTH.map(squares).iter().sum::<f64>() - 2.0 * left / z).max(0.0);
     let white = z * rest / (2.0 * z - 6.0).max(1.0);
     let stands_out = left > STANDS_OUT.powi(2) / 2.0 * white;
     (stands_out && left > NOT_JOINT * all).then(|| Finding::FirstHarmonicNotEccentricity {

@@ -11,7 +11,7 @@ use super::toleranced::Toleranced;
 use super::tooth::StatedTooth;
 use super::{all_round, contradictions, doubts, first_harmonic};
 use crate::error::GearError;
-use crate::gear::{AsBuilt, Deviations, Face, Gear, GearDesign, Pitch, Side};
+use crate::gear::{AsBuilt, Deviations, Face, Flank, Gear, GearDesign, Pitch};
 
 /// What was measured of one gear.
 ///
@@ -247,7 +247,7 @@ impl Measurements {
         findings.extend(doubts::off_mean(&self.thickness, basic_data, per_tooth_um));
         findings.extend(doubts::of_allowance(&self.thickness));
         let pitch_um = self.pitch.iter().flat_map(|pitch| {
-            let both = Side::BOTH.map(|flank| pitch.values(flank).iter().copied());
+            let both = Flank::BOTH.map(|flank| pitch.values(flank).iter().copied());
             both.into_iter().flatten()
         });
         findings.extend(doubts::looks_like_mm(

@@ -3,7 +3,7 @@
 use super::finding::{PitchOutlier, ReadingOutlier, TooFar};
 use super::pitch_statement::{PitchKind, PitchStatement};
 use super::statement::ThicknessStatement;
-use crate::gear::{BasicGearData, Deviations, GradedQuantity, Side};
+use crate::gear::{BasicGearData, Deviations, Flank, GradedQuantity};
 
 /// Median absolute deviations by which a value stands out: for normal values 5.4 standard deviations, one in ten million; the
 /// crest of a wave lies 1.4 of them out, the end of an even spread 2. Tuned.
@@ -101,7 +101,7 @@ impl PitchStatement {
     /// A step in cumulative values, such as the last tooth cut leaves, lies half its height off either neighbours' mean.
     pub fn outlier(&self, basic_data: &BasicGearData) -> Option<PitchOutlier> {
         let coarse_um = 1000.0 * coarse(GradedQuantity::SinglePitch, basic_data);
-        let farthest = |flank: Side| {
+        let farthest = |flank: Flank| {
             let um = self.values(flank);
             let off = self.off(um);
             let half_within_um = median(off.iter().map(|off| off.abs()));
@@ -120,7 +120,7 @@ impl PitchStatement {
                 half_within_um,
             })
         };
-        Side::BOTH
+        Flank::BOTH
             .into_iter()
             .filter_map(farthest)
             .max_by(|a, b| a.off_um.total_cmp(&b.off_um))

@@ -3,7 +3,7 @@
 use super::error::MeasurementError;
 use super::finding::Finding;
 use crate::error::GearError;
-use crate::gear::{BasicGearData, Pitch, Side};
+use crate::gear::{BasicGearData, Flank, Pitch};
 use std::f64::consts::PI;
 
 /// What a pitch value counts from.
@@ -72,10 +72,10 @@ impl PitchStatement {
     }
 
     /// The values of a flank as they are stated, µm.
-    pub fn values(&self, flank: Side) -> &[f64] {
+    pub fn values(&self, flank: Flank) -> &[f64] {
         match flank {
-            Side::Right => &self.right_um,
-            Side::Left => &self.left_um,
+            Flank::Right => &self.right_um,
+            Flank::Left => &self.left_um,
         }
     }
 
@@ -85,7 +85,7 @@ impl PitchStatement {
     /// [`MeasurementError::Pitch`] for lists that are not one value a tooth, [`MeasurementError::PitchOffHalf`] for each flank that is off by more.
     pub fn curves(&self, basic_data: &BasicGearData) -> Result<Pitch, Vec<MeasurementError>> {
         let teeth = basic_data.teeth();
-        let lengths = Side::BOTH.map(|flank| self.values(flank).len());
+        let lengths = Flank::BOTH.map(|flank| self.values(flank).len());
         if let Some(found) = lengths.into_iter().find(|found| *found != teeth as usize) {
             return Err(vec![MeasurementError::Pitch(GearError::WrongLength {
                 what: "pitch",
@@ -103,7 +103,7 @@ impl PitchStatement {
             pitch = pitch.read_as_material();
         }
         let half = PI * basic_data.module() / 2.0;
-        let off = |flank: Side| {
+        let off = |flank: Flank| {
             let numbered = (1..).zip(pitch.flank(flank));
             let worst = numbered.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
             let (tooth, f) = worst.filter(|(_, f)| !(f.abs() < half))?;
@@ -114,7 +114,7 @@ impl PitchStatement {
                 half_pitch_um: 1000.0 * half,
             })
         };
-        let off: Vec<MeasurementError> = Side::BOTH.into_iter().filter_map(off).collect();
+        let off: Vec<MeasurementError> = Flank::BOTH.into_iter().filter_map(off).collect();
         if off.is_empty() { Ok(pitch) } else { Err(off) }
     }
 
@@ -123,7 +123,7 @@ impl PitchStatement {
         if self.kind != PitchKind::Single {
             return Vec::new();
         }
-        let open = |flank: Side| {
+        let open = |flank: Flank| {
             let um = self.values(flank);
             let sum_um: f64 = um.iter().sum();
             let rounding_um = ROUNDING_UM * um.len() as f64;
@@ -133,6 +133,6 @@ impl PitchStatement {
                 rounding_um,
             })
         };
-        Side::BOTH.into_iter().filter_map(open).collect()
+        Flank::BOTH.into_iter().filter_map(open).collect()
     }
 }

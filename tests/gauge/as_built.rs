@@ -1,7 +1,7 @@
 //! What went in comes out: each reading against the deviations, worked out here from the input lists.
 
 use super::*;
-use gearlash::gear::Side;
+use gearlash::gear::Flank;
 
 fn worst(found: impl IntoIterator<Item = f64>, expected: impl IntoIterator<Item = f64>) -> f64 {
     let (found, expected): (Vec<f64>, Vec<f64>) =
@@ -43,8 +43,8 @@ fn spans_pitch_and_thickness() {
         // A flank's place: pitch deviation, and half the thickness outwards (ahead on own right flanks).
         let own = found.pitch_own.unwrap();
         for (side, curve, ahead) in [
-            (Side::Right, &made.right, 0.5),
-            (Side::Left, &made.left, -0.5),
+            (Flank::Right, &made.right, 0.5),
+            (Flank::Left, &made.left, -0.5),
         ] {
             let expected = (0..z).map(|i| curve[i] + ahead * made.per_tooth[i]);
             let off = worst(own.cumulative.flank(side).to_vec(), expected);
@@ -95,7 +95,7 @@ fn datum_axis_pitch_separates_again() {
     let found = measure(&part, quick());
     let datum = found.pitch_datum.unwrap();
     // To first order the sine of amplitude e/cos α is in F_p.
-    assert!(datum.total(Side::Right) > 2.0 * 0.04 / 20f64.to_radians().cos() * 0.9);
+    assert!(datum.total(Flank::Right) > 2.0 * 0.04 / 20f64.to_radians().cos() * 0.9);
     let separated = datum.cumulative.separate_eccentricity(part.gear()).unwrap();
     assert!(
         (separated.eccentricity - 0.04).abs() < PICOMETRE,
@@ -104,7 +104,7 @@ fn datum_axis_pitch_separates_again() {
     );
     assert!((separated.high_tooth - 17.5).abs() < 1e-6);
     let own = found.pitch_own.unwrap();
-    for side in Side::BOTH {
+    for side in Flank::BOTH {
         let off = worst(
             separated.pitch.flank(side).to_vec(),
             own.cumulative.flank(side).to_vec(),

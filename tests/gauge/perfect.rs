@@ -160,7 +160,7 @@ fn reads_the_formulas() {
         let read = thickness.arcs.iter().map(|arc| (*arc, thickness.error));
         assert_reads(&name, read, formulas.thickness);
         for pitch in [found.pitch_own.unwrap(), found.pitch_datum.unwrap()] {
-            for side in gearlash::gear::Side::BOTH {
+            for side in gearlash::gear::Flank::BOTH {
                 assert!(pitch.total(side) < PICOMETRE && pitch.greatest_single(side) < PICOMETRE);
             }
         }

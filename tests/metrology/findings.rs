@@ -1,7 +1,7 @@
 //! Findings and their numbers. Source of each: what was done to the data before.
 
 use super::{Truth, measured, only};
-use gearlash::gear::Side;
+use gearlash::gear::Flank;
 use gearlash::metrology::{
     CrossCheck, EccentricitySource, Finding, Measurements, Outlier, PitchAxis, Quantity,
     RunoutSource, RunoutStatement, SameKind, ThicknessBesidePitch, ThicknessStatement, Toleranced,
@@ -34,7 +34,7 @@ fn outliers_are_named_with_their_distance() {
         Finding::Outlier(Outlier::Pitch(outlier)) => Some(*outlier),
         _ => None,
     });
-    assert_eq!((outlier.flank, outlier.tooth), (Side::Right, 9));
+    assert_eq!((outlier.flank, outlier.tooth), (Flank::Right, 9));
     assert!(outlier.from_neighbours && outlier.um == at + 150.0);
     let off = at + 150.0 - (before + after) / 2.0;
     assert!((outlier.off_um - off).abs() < 1e-9, "{}", outlier.off_um);

@@ -6,7 +6,7 @@ use super::problems::Problems;
 use super::sheet::{self, Column, Coverage, Header, Sheet, Wanted};
 use super::spec::{self, PitchSpec};
 use super::table::Table;
-use gearlash::gear::Side;
+use gearlash::gear::Flank;
 use gearlash::metrology::{EccentricitySource, PitchAxis, PitchKind, PitchSense, PitchStatement};
 
 pub const KEYS: &[&str] = &[
@@ -161,11 +161,11 @@ impl PitchSheet {
     }
 
     /// The key, below the gear's table, that gives the values of a flank.
-    pub fn key(&self, side: Side) -> &'static str {
+    pub fn key(&self, side: Flank) -> &'static str {
         match (side, &self.header) {
             (_, Some(_)) => "pitch.file",
-            (Side::Right, None) => "pitch.right_um",
-            (Side::Left, None) => "pitch.left_um",
+            (Flank::Right, None) => "pitch.right_um",
+            (Flank::Left, None) => "pitch.left_um",
         }
     }
 

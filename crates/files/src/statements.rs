@@ -5,7 +5,7 @@ use super::pitch::PitchSheet;
 use super::runout::Runout;
 use super::table::Table;
 use super::thickness::Statement;
-use gearlash::gear::{Face, GearDesign, Side};
+use gearlash::gear::{Face, Flank, GearDesign};
 use gearlash::metrology::{Measurements, StatementRole};
 
 /// The tables of one gear, understood.
@@ -44,7 +44,7 @@ impl Statements<'_> {
     }
 
     /// The key, below the gear's table, that gives the pitch of a flank.
-    pub fn pitch_key(&self, flank: Side) -> &'static str {
+    pub fn pitch_key(&self, flank: Flank) -> &'static str {
         self.pitch
             .as_ref()
             .map_or("pitch", |sheet| sheet.key(flank))

@@ -1,7 +1,7 @@
 //! What pitch says of the eccentricity, in words.
 
 use crate::statements::Statements;
-use gearlash::gear::Side;
+use gearlash::gear::Flank;
 use gearlash::metrology::{Eccentricity, EccentricityNote, RunoutSource};
 
 /// An eccentricity in words.
@@ -73,7 +73,7 @@ pub fn left_reversed(of: &Statements, eccentricity_um: Option<[f64; 2]>) -> Stri
     format!(
         "{}: the left flanks go against the right ones, as if their sign were turned round{eccentricities}: if + means plus material on both flanks \
          (or the gear was seen from the other face), write sense = {:?}",
-        of.table.path_of(of.pitch_key(Side::Left)),
+        of.table.path_of(of.pitch_key(Flank::Left)),
         of.other_sense()
     )
 }

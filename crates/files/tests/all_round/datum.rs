@@ -136,7 +136,7 @@ fn eccentricity_comes_back_whatever_else_the_pitch_holds() {
                 worst_um = worst_um.max((1000.0 * found.eccentricity - e_um).abs());
                 let off = (drawn.direction(&found) - to + PI).rem_euclid(TAU) - PI;
                 worst_rad = worst_rad.max(off.abs());
-                for (side, own) in Side::BOTH.into_iter().zip(&own) {
+                for (side, own) in Flank::BOTH.into_iter().zip(&own) {
                     for (found, own) in found.pitch.flank(side).iter().zip(own) {
                         worst_own_um = worst_own_um.max(1000.0 * (found - own).abs());
                     }

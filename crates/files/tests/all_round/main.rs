@@ -12,7 +12,7 @@ mod runout;
 mod slips;
 mod spans;
 
-use gearlash::gear::{AsBuilt, Side};
+use gearlash::gear::{AsBuilt, Flank, Side};
 use gearlash_files::PairFile;
 use gearlash_files::read;
 use gearlash_files::{InputError, Problem};

@@ -6,7 +6,7 @@ use super::paint::Look;
 use super::panel::Sample;
 use super::sheet::{self, Chart, Heading, PictureError};
 use crate::kit::Axis;
-use gearlash::gear::{Inspection, Side};
+use gearlash::gear::{Flank, Inspection};
 use gearlash_files::numbers::um;
 
 /// Height of a panel.
@@ -22,10 +22,10 @@ pub fn inspection(
     inspection: &Inspection,
 ) -> Result<Chart, PictureError> {
     let flanks = [
-        (Side::Right, "right flanks", Look::Right),
-        (Side::Left, "left flanks", Look::Left),
+        (Flank::Right, "right flanks", Look::Right),
+        (Flank::Left, "left flanks", Look::Left),
     ];
-    let pitch = |values: fn(&Inspection, Side) -> Vec<f64>| {
+    let pitch = |values: fn(&Inspection, Flank) -> Vec<f64>| {
         flanks.map(|(side, name, look)| series(name, &values(inspection, side), look))
     };
     let single = pitch(|inspection, side| inspection.single(side));
@@ -70,8 +70,9 @@ pub fn inspection(
     if deviates(&thickness) || deviates(&runout) {
         names.push(entry(plain, Look::Plain, Sample::Bar));
     }
-    let both =
-        |value: fn(&Inspection, Side) -> f64| Side::BOTH.map(|side| um(value(inspection, side), 1));
+    let both = |value: fn(&Inspection, Flank) -> f64| {
+        Flank::BOTH.map(|side| um(value(inspection, side), 1))
+    };
     let [right, left] = both(Inspection::largest_single);
     let [total_right, total_left] = both(Inspection::total_cumulative);
     let subtitle = match deviates(&single) {

@@ -9,7 +9,7 @@ use crate::chart::{
     lines,
 };
 use gearlash::gauge::{GradedReading, PitchAxis, PitchReadings, RollPose, RunoutReadings};
-use gearlash::gear::{Grade, GradedQuantity, Side};
+use gearlash::gear::{Flank, Grade, GradedQuantity};
 use gearlash_files::numbers::{fixed, rounded, um};
 use gearlash_files::results::gauge::{GaugedGear, Reading};
 
@@ -154,8 +154,8 @@ fn pitch(
         PitchAxis::Own => "the gear's own centre",
         PitchAxis::Datum => "the rotation axis",
     };
-    let both = |of: fn(&PitchReadings, Side) -> f64| {
-        Side::BOTH.map(|side| um(of(read, side), 3)).join(" / ")
+    let both = |of: fn(&PitchReadings, Flank) -> f64| {
+        Flank::BOTH.map(|side| um(of(read, side), 3)).join(" / ")
     };
     let graded = |quantity| coarsest(gauged, quantity, Some(read.axis));
     let total = graded(GradedQuantity::TotalPitch).map_or(String::new(), |graded| {
@@ -171,10 +171,10 @@ fn pitch(
             both(PitchReadings::total)
         ),
     ];
-    let flanks = |values: fn(&PitchReadings, Side) -> Vec<f64>| {
+    let flanks = |values: fn(&PitchReadings, Flank) -> Vec<f64>| {
         [
-            (Side::Right, "right flanks", Look::Right),
-            (Side::Left, "left flanks", Look::Left),
+            (Flank::Right, "right flanks", Look::Right),
+            (Flank::Left, "left flanks", Look::Left),
         ]
         .map(|(side, name, look)| series(name, &values(read, side), look))
     };

@@ -4,7 +4,7 @@ use super::lengths::lengths;
 use crate::text::{finish, table};
 use gearlash::contact::{ContactKind, PoseClass, Touch};
 use gearlash::gauge::{Eccentricity, Gauged, GradedReading, PitchReadings, Unmeasured};
-use gearlash::gear::{GRADE_SOURCE, Grade, ProfilePart, Side};
+use gearlash::gear::{Flank, GRADE_SOURCE, Grade, ProfilePart};
 use gearlash_files::characters::plain;
 use gearlash_files::numbers::{ascii, order_um, um_ascii};
 use gearlash_files::results::gauge::{GaugedGear, by_tooth};
@@ -105,7 +105,7 @@ fn eccentricity(found: &Eccentricity) -> String {
 }
 
 fn both(pitch: &PitchReadings) -> String {
-    let side = |side: Side| {
+    let side = |side: Flank| {
         format!(
             "{} flanks f_p {} µm, F_p {} µm",
             side.name(),
@@ -113,7 +113,7 @@ fn both(pitch: &PitchReadings) -> String {
             um_ascii(pitch.total(side), 3),
         )
     };
-    format!("{}; {}", side(Side::Right), side(Side::Left))
+    format!("{}; {}", side(Flank::Right), side(Flank::Left))
 }
 
 /// Accuracy grades, or why there are none.

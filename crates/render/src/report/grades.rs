@@ -3,7 +3,7 @@
 use super::page::Page;
 use super::phrases::symbol;
 use gearlash::gauge::{GradedReading, PitchAxis, Unmeasured};
-use gearlash::gear::{GRADE_SOURCE, Grade, GradedQuantity, Side};
+use gearlash::gear::{Flank, GRADE_SOURCE, Grade, GradedQuantity};
 use gearlash_files::numbers::um;
 use maud::{Markup, html};
 
@@ -44,8 +44,8 @@ fn row(gear: &str, reading: &GradedReading) -> Markup {
         GradedQuantity::Runout => (symbol("F", "r"), "runout, by a ball"),
     };
     let flanks = match reading.pitch {
-        Some((_, Side::Right)) => ", right flanks",
-        Some((_, Side::Left)) => ", left flanks",
+        Some((_, Flank::Right)) => ", right flanks",
+        Some((_, Flank::Left)) => ", left flanks",
         None => "",
     };
     let axis = match reading.pitch {

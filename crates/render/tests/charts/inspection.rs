@@ -1,7 +1,7 @@
 //! What goes into a gear comes out of its inspection.
 
 use gearlash::gear::{
-    AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Inspection, Pitch, Side,
+    AsBuilt, BasicGearData, BasicRack, Deviations, Face, Flank, Gear, GearDesign, Inspection, Pitch,
 };
 use std::f64::consts::TAU;
 
@@ -35,7 +35,7 @@ fn pitch_of_either_face_comes_back() {
             },
         );
         let found = Inspection::of(&built);
-        for (side, curve) in Side::BOTH.into_iter().zip(&curves) {
+        for (side, curve) in Flank::BOTH.into_iter().zip(&curves) {
             for (i, f) in curve.iter().enumerate() {
                 assert!((found.cumulative(side)[i] - f).abs() < ROUNDING);
                 let before = curve[(i + 11) % 12];
@@ -69,9 +69,9 @@ fn thickness_comes_back_and_shows_in_the_pitch() {
         ));
         assert!((found.thickness()[4] - 6e-3).abs() < ROUNDING);
         assert!(found.thickness()[5].abs() < ROUNDING);
-        assert!((found.single(Side::Right)[4] - 3e-3).abs() < ROUNDING);
-        assert!((found.single(Side::Left)[4] + 3e-3).abs() < ROUNDING);
-        assert!((found.largest_single(Side::Right) - 3e-3).abs() < ROUNDING);
+        assert!((found.single(Flank::Right)[4] - 3e-3).abs() < ROUNDING);
+        assert!((found.single(Flank::Left)[4] + 3e-3).abs() < ROUNDING);
+        assert!((found.largest_single(Flank::Right) - 3e-3).abs() < ROUNDING);
     }
 }
 

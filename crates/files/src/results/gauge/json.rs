@@ -5,7 +5,7 @@ use super::readings::{Reading, roll};
 use crate::characters;
 use crate::results::table::{Column, Table};
 use gearlash::gauge::{Gauged, GradedReading, PitchReadings, Unmeasured};
-use gearlash::gear::{GRADE_SOURCE, Grade, Side};
+use gearlash::gear::{Flank, GRADE_SOURCE, Grade};
 use serde_json::{Value, json};
 
 /// All gears: lengths in mm where the name says so, deviations in µm. What was not measured is
@@ -121,7 +121,7 @@ fn poses(columns: Vec<Column>) -> Value {
 
 fn pitch(found: &PitchReadings, read: &Gauged, readings: [Reading; 2]) -> Value {
     let [single, cumulative] = readings.map(|reading| reading.table(read));
-    let list = |table: &Option<Table>, side: Side| {
+    let list = |table: &Option<Table>, side: Flank| {
         let column = table.as_ref()?.column(side.name())?;
         Some(column.numbers())
     };
@@ -135,8 +135,8 @@ fn pitch(found: &PitchReadings, read: &Gauged, readings: [Reading; 2]) -> Value 
     };
     json!({
         "error_bound_um": found.error * 1e3,
-        "right": flank(Side::Right),
-        "left": flank(Side::Left),
+        "right": flank(Flank::Right),
+        "left": flank(Flank::Left),
     })
 }
 

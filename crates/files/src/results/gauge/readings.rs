@@ -3,7 +3,7 @@
 use crate::results::table::{Column, Table, Unit};
 use gearlash::contact::Touch;
 use gearlash::gauge::{Gauged, OverPins, PitchReadings, RollPose};
-use gearlash::gear::Side;
+use gearlash::gear::Flank;
 use serde_json::{Value, json};
 
 /// One gauge's readings; the stem of the gear (`gauge_wheel`, `gauge_wheel_most`) comes before it in the names of files.
@@ -258,12 +258,12 @@ fn over(name: &'static str, list: &[OverPins]) -> Vec<Column> {
     ]
 }
 
-fn cumulative(pitch: &PitchReadings, side: Side) -> Vec<f64> {
+fn cumulative(pitch: &PitchReadings, side: Flank) -> Vec<f64> {
     pitch.cumulative.flank(side).to_vec()
 }
 
-fn flanks(pitch: &PitchReadings, values: fn(&PitchReadings, Side) -> Vec<f64>) -> Vec<Column> {
-    let [left, right] = [Side::Left, Side::Right].map(|side| um(&values(pitch, side)));
+fn flanks(pitch: &PitchReadings, values: fn(&PitchReadings, Flank) -> Vec<f64>) -> Vec<Column> {
+    let [left, right] = [Flank::Left, Flank::Right].map(|side| um(&values(pitch, side)));
     vec![
         teeth(left.len()),
         Column::new("left", Unit::Um, left),

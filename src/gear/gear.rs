@@ -105,7 +105,7 @@ fn generated(
 }
 
 /// A gear with teeth of one mean thickness. Every value is fixed at construction;
-/// a `Gear` that exists has teeth with a tip land, an involute and a tooth space.
+/// a `Gear` that exists has teeth with a tip land, a flank and a tooth space.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Gear {
     design: GearDesign,

@@ -122,7 +122,7 @@ mod tests {
         let told = told(&input("list", &text), &Renderer::plain());
         assert_eq!(
             told,
-            "error: pair.toml: list: wrong; mend it\n --> pair.toml:1:1\n"
+            "error: pair.toml: list: wrong; mend it\n--> pair.toml:1:1\n"
         );
     }
 

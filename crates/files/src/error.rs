@@ -39,7 +39,7 @@ pub struct InputError {
     pub file: PathBuf,
     /// At least one.
     pub problems: Vec<Problem>,
-    /// What stands in the file, as far as it is text.
+    /// What stands in a TOML file; empty of any other.
     pub text: String,
 }
 

@@ -99,7 +99,9 @@ fn with_entries<T>(
         _ => Err(InputError {
             file: path.to_owned(),
             problems: problems.into_list(),
-            text: text.unwrap_or_default(),
+            text: text
+                .filter(|text| !source::is_json(path, text))
+                .unwrap_or_default(),
         }),
     }
 }

@@ -141,15 +141,19 @@ pub fn text(path: &Path) -> Result<String, Problem> {
     })
 }
 
+/// Whether `text` is read as JSON: by the file's extension, by its first character when that says neither.
+pub fn is_json(path: &Path, text: &str) -> bool {
+    let extension = path.extension().unwrap_or_default();
+    extension.eq_ignore_ascii_case("json")
+        || !extension.eq_ignore_ascii_case("toml") && text.trim_start().starts_with('{')
+}
+
 /// The keys and values of a pair file: TOML or JSON by its extension, by its first character when that says neither.
 ///
 /// # Errors
 /// One problem, its key empty, with line and column of the syntax error.
 pub fn parse(path: &Path, text: &str) -> Result<Vec<(String, Node)>, Problem> {
-    let extension = path.extension().unwrap_or_default();
-    let json = extension.eq_ignore_ascii_case("json")
-        || !extension.eq_ignore_ascii_case("toml") && text.trim_start().starts_with('{');
-    let node = if json {
+    let node = if is_json(path, text) {
         serde_json::from_str(text).map_err(|error| {
             whole_file(
                 format!("not JSON: {}", cut(&error.to_string(), LONGEST_MESSAGE)),

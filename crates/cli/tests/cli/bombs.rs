@@ -125,8 +125,14 @@ fn refused(what: &str, table: (&str, &[u8]), pair: (&str, &[u8]), most_mb: usize
     assert_eq!(output.status.code(), Some(2), "{what}: {told}");
     assert!(output.stdout.is_empty());
     assert!(told.len() < 5000, "{what}: {} bytes of message", told.len());
+    // A line for each problem, and below it the piece of the pair file.
+    let of_piece = |line: &str| {
+        let rest = line.trim_start_matches(|c: char| c == ' ' || c.is_ascii_digit());
+        rest.starts_with('|') || rest.starts_with("--> ")
+    };
+    let mut lines = told.lines();
     assert!(
-        told.lines().all(|line| line.starts_with("error: ")),
+        lines.all(|line| line.starts_with("error: ") || of_piece(line)),
         "{what}: {told}"
     );
     told

@@ -15,7 +15,7 @@ pub(crate) const DEFAULT_STEPS: u32 = 16;
 /// How the gears are put together.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct AssemblySpec {
-    /// Centre distance a, mm: one or several; with [measured] and no [sweep] its rows decide.
+    /// Centre distance a, mm: one or several; with `measured` and no `sweep` its rows decide.
     #[schemars(with = "Option<Either<f64, Vec<f64>>>")]
     #[schemars(transform = within(&CENTER_DISTANCE), transform = list_length(1, Some(MOST_DISTANCES)))]
     pub center_distance_mm: Vec<f64>,

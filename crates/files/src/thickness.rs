@@ -6,7 +6,7 @@ use super::node::Node;
 use super::problems::Problems;
 use super::readings::LengthReadings;
 use super::sheet::Column;
-use super::spec::{Either, OverPinsSpec, SpanSpec, StatementSpec};
+use super::spec::{Either, LengthSpec, OverPinsSpec, SpanSpec, StatementSpec};
 use super::stated::{Keys, Stated};
 use super::table::Table;
 use gearlash::metrology::ThicknessStatement;
@@ -195,22 +195,16 @@ impl Statement {
         match self {
             Statement::Nominal => spec.allowance_um = Some(Either::One(0.0)),
             Statement::Span { teeth, mm } => {
-                let (mm, [min_mm, max_mm]) = measured(mm);
                 spec.span = Some(SpanSpec {
                     teeth: *teeth,
-                    mm,
-                    min_mm,
-                    max_mm,
+                    length: measured(mm),
                     ..SpanSpec::default()
                 });
             }
             Statement::OverPins { pin_mm, mm } => {
-                let (mm, [min_mm, max_mm]) = measured(mm);
                 spec.over_pins = Some(OverPinsSpec {
                     pin_mm: *pin_mm,
-                    mm,
-                    min_mm,
-                    max_mm,
+                    length: measured(mm),
                     ..OverPinsSpec::default()
                 });
             }
@@ -221,7 +215,7 @@ impl Statement {
             } => {
                 spec.span = Some(SpanSpec {
                     teeth: *teeth,
-                    mm: Some(Either::Other(readings.mm().to_vec())),
+                    length: all_round(readings),
                     first_tooth: Some(readings.places().to_vec()),
                     per_tooth: Some(*per_tooth),
                     ..SpanSpec::default()
@@ -230,7 +224,7 @@ impl Statement {
             Statement::Pins { pin_mm, readings } => {
                 spec.over_pins = Some(OverPinsSpec {
                     pin_mm: *pin_mm,
-                    mm: Some(Either::Other(readings.mm().to_vec())),
+                    length: all_round(readings),
                     space: Some(readings.places().to_vec()),
                     ..OverPinsSpec::default()
                 });
@@ -242,14 +236,20 @@ impl Statement {
     }
 }
 
-/// `mm` of a measured length, and `min_mm` and `max_mm`.
-type MeasuredKeys = (Option<Either<f64, Vec<f64>>>, [Option<f64>; 2]);
-
 /// A measured length as a pair file writes it: `mm`, or `min_mm` and `max_mm`.
-fn measured(mm: &Stated<f64>) -> MeasuredKeys {
+fn measured(mm: &Stated<f64>) -> LengthSpec {
+    let mut length = LengthSpec::default();
     match *mm {
-        Stated::Single(mm) => (Some(Either::One(mm)), [None; 2]),
-        Stated::Band { least, most } => (None, [Some(least), Some(most)]),
+        Stated::Single(mm) => length.mm = Some(Either::One(mm)),
+        Stated::Band { least, most } => (length.min_mm, length.max_mm) = (Some(least), Some(most)),
+    }
+    length
+}
+
+fn all_round(readings: &LengthReadings) -> LengthSpec {
+    LengthSpec {
+        mm: Some(Either::Other(readings.mm().to_vec())),
+        ..LengthSpec::default()
     }
 }
 

@@ -23,5 +23,7 @@ pub use flanks::{
 pub use gear::{FaceName, GearFileSpec, GearSpec, PairSpec, RackSpec};
 pub use schema::{gear_schema, pair_schema};
 pub(crate) use thickness::CROSS_CHECK_UM;
-pub use thickness::{CrossCheckSpec, OverPinsSpec, SpanSpec, StatementSpec, ThicknessSpec};
+pub use thickness::{
+    CrossCheckSpec, LengthSpec, OverPinsSpec, SpanSpec, StatementSpec, ThicknessSpec,
+};
 pub use value::{BandSpec, DecimalSign, Either, TableFileSpec};

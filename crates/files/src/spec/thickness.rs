@@ -92,18 +92,9 @@ pub struct SpanSpec {
     /// Teeth spanned, k.
     #[schemars(range(min = 1))]
     pub teeth: u32,
-    /// Measured, mm: one value, or one a place.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = within(&LENGTH), transform = list_length(1, None))]
-    pub mm: Option<Either<f64, Vec<f64>>>,
-    /// Least measured, mm.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = within(&LENGTH))]
-    pub min_mm: Option<f64>,
-    /// Greatest measured, mm.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(transform = within(&LENGTH))]
-    pub max_mm: Option<f64>,
+    /// What was measured.
+    #[serde(flatten)]
+    pub length: LengthSpec,
     /// First tooth of each reading; absent: tooth 1, 2, ….
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(inner(range(min = 1)))]
@@ -117,13 +108,9 @@ pub struct SpanSpec {
     pub table: Option<TableFileSpec>,
 }
 
-/// Dimension M_dK over two pins.
+/// A measured length: one value, one a place, or the least and the greatest.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, JsonSchema)]
-#[schemars(transform = over_pins_keys, transform = columns("tooth (the one before the space), pins (mm)"))]
-pub struct OverPinsSpec {
-    /// Pin diameter D_M, mm.
-    #[schemars(transform = within(&LENGTH))]
-    pub pin_mm: f64,
+pub struct LengthSpec {
     /// Measured, mm: one value, or one a place.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = within(&LENGTH), transform = list_length(1, None))]
@@ -136,6 +123,18 @@ pub struct OverPinsSpec {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = within(&LENGTH))]
     pub max_mm: Option<f64>,
+}
+
+/// Dimension M_dK over two pins.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, JsonSchema)]
+#[schemars(transform = over_pins_keys, transform = columns("tooth (the one before the space), pins (mm)"))]
+pub struct OverPinsSpec {
+    /// Pin diameter D_M, mm.
+    #[schemars(transform = within(&LENGTH))]
+    pub pin_mm: f64,
+    /// What was measured.
+    #[serde(flatten)]
+    pub length: LengthSpec,
     /// Tooth before the space of each reading (the other pin lies in the most opposite space); absent: tooth 1, 2, ….
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(inner(range(min = 1)))]

@@ -1,7 +1,7 @@
 //! What a pair file states of a gear, in words.
 
 use gearlash_files::numbers::{rounded, shortest};
-use gearlash_files::spec::{BandSpec, Either, PitchSpec, RunoutSpec, ThicknessSpec};
+use gearlash_files::spec::{BandSpec, Either, LengthSpec, PitchSpec, RunoutSpec, ThicknessSpec};
 
 /// A single value, or `min … max`.
 fn single_or_band(stated: &Either<f64, BandSpec>) -> String {
@@ -12,9 +12,9 @@ fn single_or_band(stated: &Either<f64, BandSpec>) -> String {
 }
 
 /// A value, `min … max`, or how many readings and between which; a dash for what is not there.
-fn measured(mm: Option<&Either<f64, Vec<f64>>>, band: [Option<f64>; 2]) -> String {
+fn measured(length: &LengthSpec) -> String {
     let shown = |end: Option<f64>| end.map_or("–".to_owned(), shortest);
-    match mm {
+    match &length.mm {
         Some(Either::One(mm)) => shortest(*mm),
         Some(Either::Other(readings)) => {
             let numbers = || readings.iter().copied();
@@ -23,7 +23,7 @@ fn measured(mm: Option<&Either<f64, Vec<f64>>>, band: [Option<f64>; 2]) -> Strin
             format!("{} readings, {least} … {most}", readings.len())
         }
         None => {
-            let [least, most] = band.map(shown);
+            let [least, most] = [length.min_mm, length.max_mm].map(shown);
             format!("{least} … {most}")
         }
     }
@@ -34,11 +34,11 @@ pub(super) fn thickness(stated: &ThicknessSpec) -> String {
     let statement = &stated.statement;
     let mut parts = Vec::new();
     if let Some(span) = &statement.span {
-        let mm = measured(span.mm.as_ref(), [span.min_mm, span.max_mm]);
+        let mm = measured(&span.length);
         parts.push(format!("span over {} teeth {mm} mm", span.teeth));
     }
     if let Some(pins) = &statement.over_pins {
-        let mm = measured(pins.mm.as_ref(), [pins.min_mm, pins.max_mm]);
+        let mm = measured(&pins.length);
         parts.push(format!("over pins of {} mm {mm} mm", shortest(pins.pin_mm)));
     }
     match &statement.allowance_um {

@@ -44,23 +44,54 @@ fn the_analytic_models_see_no_contact() {
 #[test]
 fn a_gear_knows_no_pair() {
     let names = [
+        "crate::metrology",
         "crate::pair",
         "crate::contact",
         "crate::analytic",
         "crate::analysis",
+        "crate::gauge",
     ];
     assert_eq!(that_name("gear", &names), [""; 0]);
 }
 
 #[test]
 fn a_pair_knows_no_contact() {
-    let names = ["crate::contact", "crate::analytic", "crate::analysis"];
+    let names = [
+        "crate::metrology",
+        "crate::contact",
+        "crate::analytic",
+        "crate::analysis",
+        "crate::gauge",
+    ];
     assert_eq!(that_name("pair", &names), [""; 0]);
 }
 
 #[test]
 fn one_file_names_parry() {
     assert_eq!(that_name("", &["parry2d"]), ["contact/parry.rs"]);
+}
+
+#[test]
+fn contact_knows_no_model_and_no_analysis() {
+    let names = [
+        "crate::analytic",
+        "crate::analysis",
+        "crate::gauge",
+        "crate::metrology",
+    ];
+    assert_eq!(that_name("contact", &names), [""; 0]);
+}
+
+#[test]
+fn measurements_know_one_gear_alone() {
+    let names = [
+        "crate::pair",
+        "crate::contact",
+        "crate::analytic",
+        "crate::analysis",
+        "crate::gauge",
+    ];
+    assert_eq!(that_name("metrology", &names), [""; 0]);
 }
 
 /// That the test above can fail.

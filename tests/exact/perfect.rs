@@ -210,7 +210,7 @@ fn of_two_equally_near_pairs_the_clockwise_one_is_named_at_the_right() {
                 };
                 let away = (named - pitch_point).norm();
                 assert!(
-                    (away - 0.5 * basic_data.base_pitch()).abs() < 1e-9,
+                    (away - 0.5 * design.basic_data.base_pitch()).abs() < 1e-9,
                     "{away}"
                 );
                 let other = pitch_point - (named - pitch_point);

@@ -3,39 +3,9 @@
 //! Each side of the free gear is solved on its own, by [`super::one_side`]; only
 //! contact on the line of action counts.
 
-use super::one_side::OneSide;
+use super::one_side::SideContact;
 use crate::gear::Side;
 use crate::pair::{GearPair, Pose};
-
-/// Contact of two involutes.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SideContact {
-    /// Rotation of the free gear, rad, counted as in [`Pose`].
-    pub rotation: f64,
-    /// Tooth of the locked gear.
-    pub locked_tooth: u32,
-    /// Tooth of the free gear.
-    pub free_tooth: u32,
-    /// Roll `ξ` of the contact on the locked gear.
-    pub locked_roll: f64,
-    /// Roll `ξ` of the contact on the free gear.
-    pub free_roll: f64,
-}
-
-impl SideContact {
-    /// Every pair of facing `side` flanks whose contact lies within both gears' tip and form circles
-    /// (about their displaced centres).
-    ///
-    /// Empty, too, when the free gear is eccentric by its base radius or more: its rotation
-    /// at contact is then not unique.
-    pub fn all<'a>(
-        assembly: &'a GearPair,
-        pose: &'a Pose,
-        side: Side,
-    ) -> impl Iterator<Item = SideContact> + 'a {
-        OneSide::new(assembly, pose, side).contacts()
-    }
-}
 
 /// The tightest contact of each side; `None` where no pair touches on the line of action.
 ///

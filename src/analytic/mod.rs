@@ -11,7 +11,8 @@ mod michalec;
 mod one_side;
 
 pub use involute::InvolutePair;
-pub use line_of_action::{LineOfAction, SideContact};
+pub use line_of_action::LineOfAction;
+pub use one_side::SideContact;
 
 use crate::pair::{GearPair, Pose};
 

@@ -23,12 +23,41 @@
 //! line is a fixed point `φ = G(φ)`. Differentiating,
 //! `G' = Im(conj(E_1) dD/dφ)/r_b2`, and `|dD/dφ| = e_2`: `|G'| ≤ e_2/r_b2`.
 
-use super::SideContact;
 use crate::gear::{AsBuilt, Side};
 use crate::pair::{GearPair, Pose};
 use nalgebra::{UnitComplex, Vector2};
 use std::f64::consts::TAU;
 use std::ops::RangeInclusive;
+
+/// Contact of two involutes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SideContact {
+    /// Rotation of the free gear, rad, counted as in [`Pose`].
+    pub rotation: f64,
+    /// Tooth of the locked gear.
+    pub locked_tooth: u32,
+    /// Tooth of the free gear.
+    pub free_tooth: u32,
+    /// Roll `ξ` of the contact on the locked gear.
+    pub locked_roll: f64,
+    /// Roll `ξ` of the contact on the free gear.
+    pub free_roll: f64,
+}
+
+impl SideContact {
+    /// Every pair of facing `side` flanks whose contact lies within both gears' tip and form circles
+    /// (about their displaced centres).
+    ///
+    /// Empty, too, when the free gear is eccentric by its base radius or more: its rotation
+    /// at contact is then not unique.
+    pub fn all<'a>(
+        assembly: &'a GearPair,
+        pose: &'a Pose,
+        side: Side,
+    ) -> impl Iterator<Item = SideContact> + 'a {
+        OneSide::new(assembly, pose, side).contacts()
+    }
+}
 
 /// A roll this part of the tip roll beyond its end still counts as on the involute.
 /// Rolls are sums of a few angles of order 1: their rounding is some 1e-15.

@@ -4,6 +4,20 @@
 //! type and range (`table`, `entry`); what is good goes on to the metrology and
 //! the geometry, whose refusals are traced back to the keys they come from (`faults`)
 //! and whose findings are put into words (`findings`). Nothing here computes what a gear is.
+//!
+//! ```no_run
+//! use gearlash::analysis::{Analysis, Plan};
+//! use gearlash::contact::Method;
+//! use std::path::Path;
+//!
+//! let pair = gearlash_files::read(Path::new("fixtures/karba_44x44.toml"))?;
+//! for warning in &pair.warnings {
+//!     eprintln!("{warning}");
+//! }
+//! let analysis = Analysis::silently(&Plan::new(&pair.study, Method::Exact { certify: true }))?;
+//! println!("{}", gearlash_files::result_file(&pair, &analysis.runs).to_csv()?);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod assembly;
 pub mod characters;

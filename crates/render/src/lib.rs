@@ -1,4 +1,25 @@
 //! Pictures, pages and text tables. Nothing here computes anything about gears: it takes results and draws them.
+//!
+//! ```
+//! use gearlash::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign, Side};
+//! use gearlash::pair::{GearPair, Mating};
+//! use gearlash_render::{Snapshot, snapshot};
+//!
+//! let gear = Gear::nominal(GearDesign::standard(BasicGearData::new(30, 2.0, 20f64.to_radians())?))?;
+//! let (wheel, pinion) = (AsBuilt::perfect(gear.clone(), Face::Front), AsBuilt::perfect(gear, Face::Back));
+//! let pair = GearPair::new(wheel, pinion, 60.1)?;
+//! let mating = Mating { wheel_tooth: 1, pinion_tooth: 1, flank: Side::Right, fraction: 0.25 };
+//! let found = pair.lost_motion(mating)?;
+//! let svg = snapshot(&Snapshot {
+//!     title: "30/30",
+//!     assembly: &pair,
+//!     pose: &found.pose,
+//!     material: "as-measured",
+//!     found: found.found.as_ref(),
+//! });
+//! assert!(svg.contains("<svg") && svg.contains("30/30"));
+//! # Ok::<(), gearlash::error::Error>(())
+//! ```
 
 pub mod chart;
 pub mod comparison;

@@ -7,7 +7,6 @@ use crate::analytic::limits;
 use crate::contact::PoseClass;
 use crate::gear::{Profile, ProfilePart, Side};
 use crate::pair::Member;
-use std::f64::consts::FRAC_PI_2;
 
 /// Contact ratio below which the teeth lose each other.
 const LEAST_CONTACT_RATIO: f64 = 1.0;
@@ -105,7 +104,7 @@ impl Here<'_> {
             joint(ProfilePart::Involute, gear.form_roll()),
         );
         let edge = fillet.perp(&involute).abs().atan2(fillet.dot(&involute));
-        let undercut = gear.fillet().end() < FRAC_PI_2 - basic_data.pressure_angle();
+        let undercut = gear.is_undercut();
         Check {
             unproven: None,
             id: "undercut",

@@ -266,9 +266,9 @@ pub fn cycle(
 ///
 /// # Errors
 /// As [`Study::runs`].
-pub fn pose_count(study: &Study) -> Result<usize, Error> {
+pub fn pose_count(study: &Study) -> Result<u64, Error> {
     Ok(match others(&rests(study)?) {
-        RemainingMatings::Seen { poses, .. } => poses as usize,
+        RemainingMatings::Seen { poses, .. } => poses,
         RemainingMatings::None | RemainingMatings::TooMany { .. } => 0,
     })
 }

@@ -94,14 +94,11 @@ impl<'a> Plan<'a> {
     }
 
     /// Poses that are held in memory at once.
-    ///
-    /// # Errors
-    /// As [`Study::runs`].
-    pub fn poses(&self) -> Result<u64, Error> {
-        Ok(match self.revolution {
-            true => curves::with_revolution_pose_count(self.study)? as u64,
+    pub fn poses(&self) -> u64 {
+        match self.revolution {
+            true => curves::with_revolution_pose_count(self.study),
             false => self.study.pose_count(),
-        })
+        }
     }
 
     /// Steps of the work, each told by a tick: poses, and pitches that are searched. At most so many.
@@ -109,15 +106,14 @@ impl<'a> Plan<'a> {
     /// # Errors
     /// As [`Study::runs`].
     pub fn steps(&self) -> Result<u64, Error> {
-        let mut steps = self.poses()?;
+        let mut steps = self.poses();
         if self.cycle {
-            steps += cycle::pose_count(self.study)? as u64;
+            steps += cycle::pose_count(self.study)?;
         }
         if self.curves {
             // What binds, beside what was measured.
-            let followed = 1 + curves::measured_teeth(self.study).len();
-            let each = curves::over_distance_pose_count(self.study);
-            steps += (followed * each) as u64;
+            let followed = 1 + curves::measured_teeth(self.study).len() as u64;
+            steps += followed * curves::over_distance_pose_count(self.study);
         }
         if self.checks {
             steps += diagnosis::pitch_count(&self.study.runs()?) as u64;

@@ -19,14 +19,6 @@ pub struct Run {
     pub poses: Vec<PoseResult>,
 }
 
-/// How many poses [`simulate`] will take.
-///
-/// # Errors
-/// None any more: [`Study::pose_count`] counts them without an assembly.
-pub fn pose_count(study: &Study) -> Result<usize, Error> {
-    Ok(usize::try_from(study.pose_count()).unwrap_or(usize::MAX))
-}
-
 /// Simulates every run of `study` by `method`, and keeps every pose: half a kilobyte each. Where they are many, see
 /// [`crate::analysis::tally::simulate_by_blocks`].
 ///

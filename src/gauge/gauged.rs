@@ -75,8 +75,8 @@ pub struct Gauged {
 }
 
 /// How many poses evenly round [`gauge`] will take, beside those that `more` tells of.
-pub fn pose_count(gear: &AsBuilt, settings: &Settings) -> usize {
-    gear.gear().basic_data().teeth() as usize * settings.steps_per_pitch as usize
+pub fn pose_count(gear: &AsBuilt, settings: &Settings) -> u64 {
+    u64::from(gear.gear().basic_data().teeth()) * u64::from(settings.steps_per_pitch)
 }
 
 /// Measures `gear`. `tick` is called as each pose of the roll test begins, from any thread; a break ends the work.

@@ -116,7 +116,7 @@ fn maps(study: &Study, diagnosis: &Diagnosis) -> Result<Vec<(String, String)>, E
         }
     }
     let mut files = Vec::new();
-    let progress = Progress::of(drawn.len() * MAP_ROWS as usize, "rows of the map");
+    let progress = Progress::of(drawn.len() as u64 * u64::from(MAP_ROWS), "rows of the map");
     for (group, zero) in drawn {
         let material = group.material;
         let map = map(group, zero.pose, &|| progress.tick())?;

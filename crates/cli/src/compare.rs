@@ -8,7 +8,6 @@ use super::target::Target;
 use crate::error::Error;
 use clap::ValueEnum;
 use gearlash::analysis::compare::tolerance_um;
-use gearlash::analysis::simulate::pose_count;
 use gearlash::analysis::tally::{MOST_UNPROVEN, simulate_by_blocks};
 use gearlash_files::Sources;
 use gearlash_files::results::{ComparedPair, comparison_json};
@@ -92,7 +91,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let summary = summary(args.format, &sources)?;
     let mut poses = 0;
     for (_, study) in &studies {
-        poses += pose_count(study)?;
+        poses += study.pose_count();
     }
     let progress = Progress::start(poses);
     let (mut pairs, files) = (Vec::new(), studies.len());

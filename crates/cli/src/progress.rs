@@ -25,7 +25,7 @@ pub(super) struct Progress {
 
 impl Progress {
     /// A bar of so many `poses`.
-    pub fn start(poses: usize) -> Progress {
+    pub fn start(poses: u64) -> Progress {
         Progress::of(poses, "poses")
     }
 
@@ -37,8 +37,8 @@ impl Progress {
     }
 
     /// A bar of so many `steps`, and what a step is called; beside it, as far as there is room, what is being done.
-    pub fn of(steps: usize, named: &str) -> Progress {
-        let bar = ProgressBar::new(steps as u64);
+    pub fn of(steps: u64, named: &str) -> Progress {
+        let bar = ProgressBar::new(steps);
         let template = format!("{{bar:40}} {{pos}}/{{len}} {named}, {{eta}} left {{wide_msg}}");
         Progress::shown(bar, &template)
     }
@@ -77,10 +77,7 @@ impl Progress {
 
 /// Does the work of `plan` under a bar of its length.
 pub(super) fn run_under_bar<'a>(plan: &Plan<'a>) -> Result<Analysis<'a>, Error> {
-    let bar = Progress::of(
-        usize::try_from(plan.steps()?).unwrap_or(usize::MAX),
-        "steps",
-    );
+    let bar = Progress::of(plan.steps()?, "steps");
     let (mut stage, tick) = (|doing: &str| bar.now(doing), || bar.tick());
     let mut progress = analysis::Progress {
         stage: &mut stage,

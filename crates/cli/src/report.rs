@@ -43,7 +43,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let target = Target::prepare_beside(file, &pair.sources)?;
     let method = args.method.method();
     let plan = Plan::whole(study, method);
-    poses::allow(&args.pair, plan.poses()?, &poses::HELD)?;
+    poses::allow(&args.pair, plan.poses(), &poses::HELD)?;
     let analysis = run_under_bar(&plan)?;
     let progress = Progress::working();
     progress.now("accuracy grades");

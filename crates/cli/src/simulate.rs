@@ -9,7 +9,6 @@ use super::{poses, studies};
 use crate::error::Error;
 use crate::output::{NewFile, OutputFolder};
 use gearlash::analysis::measured::MeasuredTally;
-use gearlash::analysis::simulate::pose_count;
 use gearlash::analysis::study::{POSE_BYTES_CSV, POSE_BYTES_JSON, Study};
 use gearlash::analysis::tally::{MOST_UNPROVEN, Piece, RunTally, simulate_by_blocks};
 use gearlash_files::ResultWriter;
@@ -59,7 +58,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let progress = match printed && std::io::stdout().is_terminal() {
         // The result appears there as it grows.
         true => Progress::none(),
-        false => Progress::start(pose_count(study)?),
+        false => Progress::start(study.pose_count()),
     };
     let [json, csv] = outputs(args.results.format, folder.as_mut())?;
     let mut writer = ResultWriter::begin(&file, json, csv).map_err(unwritable)?;

@@ -3,7 +3,7 @@
 use super::console::tell;
 use super::progress::Progress;
 use crate::error::Error;
-use gearlash::analysis::simulate::{Run, each_block, pose_count};
+use gearlash::analysis::simulate::{Run, each_block};
 use gearlash::analysis::study::{Material, Study};
 use gearlash::analytic::evaluate;
 use gearlash::contact::{FirstLeast, Method, PoseResult, Status};
@@ -17,7 +17,7 @@ pub(super) fn find(
     material: Option<Material>,
 ) -> Result<(Run, PoseResult, usize), Error> {
     let study = narrowed(study, distance, material)?;
-    let poses = pose_count(&study)?;
+    let poses = study.pose_count();
     let progress = Progress::start(poses);
     let method = Method::Exact { certify: true };
     // Of a pose that is proven but for an end of the bearing clearance the picture is right all the same.

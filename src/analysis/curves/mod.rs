@@ -14,7 +14,7 @@ pub use course::{Course, CourseLine, CoursePoint, Extreme, courses};
 pub use over_distance::{DistancePoint, OverDistance, over_distance, over_distance_pose_count};
 
 use crate::analysis::compare::{ComparedRun, compare};
-use crate::analysis::simulate::{pose_count, simulate, simulate_plans};
+use crate::analysis::simulate::{simulate, simulate_plans};
 use crate::analysis::study::Study;
 use crate::contact::Method;
 use crate::error::Error;
@@ -82,23 +82,17 @@ fn with_left_flanks(
 }
 
 /// How many poses [`revolution`] will take.
-///
-/// # Errors
-/// As [`Study::runs`].
-pub fn revolution_pose_count(study: &Study) -> Result<usize, Error> {
-    Ok(2 * pose_count(&swept(study.clone()))?)
+pub fn revolution_pose_count(study: &Study) -> u64 {
+    2 * swept(study.clone()).pose_count()
 }
 
 /// How many poses [`with_revolution`] will take.
-///
-/// # Errors
-/// As [`Study::runs`].
-pub fn with_revolution_pose_count(study: &Study) -> Result<usize, Error> {
+pub fn with_revolution_pose_count(study: &Study) -> u64 {
     let own = match study.sweeps() {
         true => 0,
-        false => pose_count(study)?,
+        false => study.pose_count(),
     };
-    Ok(own + revolution_pose_count(study)?)
+    own + revolution_pose_count(study)
 }
 
 /// `study` with a sweep over whole revolutions: its own, or else one wheel revolution from wheel

@@ -145,8 +145,8 @@ fn poses(assembly: &GearPair, followed: Followed, measured: bool) -> Result<Vec<
 }
 
 /// How many poses [`over_distance`] will take at most.
-pub fn over_distance_pose_count(study: &Study) -> usize {
-    2 * grid(study, &[]).len() * study.materials.len()
+pub fn over_distance_pose_count(study: &Study) -> u64 {
+    2 * (grid(study, &[]).len() * study.materials.len()) as u64
 }
 
 /// Centre distances round the study's and the `measured`, none so near that base circles overlap at `a − c`.

@@ -53,7 +53,7 @@ impl Drawn {
             .at(distance)
             .map_err(|reason| Error::Usage(format!("--center-distance: {reason}")))?;
         let plan = Plan::new(&study, args.method.method()).with_revolution();
-        poses::allow(&args.pair, plan.poses()?, &poses::HELD)?;
+        poses::allow(&args.pair, plan.poses(), &poses::HELD)?;
         let analysis = run_under_bar(&plan)?;
         let courses = curves::courses(&analysis.revolution);
         let course = courses
@@ -91,7 +91,7 @@ impl Drawn {
             None => binding(study, &all),
         };
         let poses = curves::over_distance_pose_count(study);
-        poses::allow(&args.pair, poses as u64, &poses::HELD)?;
+        poses::allow(&args.pair, poses, &poses::HELD)?;
         let progress = Progress::start(poses);
         let (method, tick) = (args.method.method(), || progress.tick());
         let curve = curves::over_distance(study, followed, method, &tick);
@@ -151,7 +151,7 @@ fn swept<'a>(args: &Args, study: &'a Study) -> Result<Analysis<'a>, Error> {
     // They only choose, and bound the curve: what is drawn as a curve is certified.
     let method = Method::Exact { certify: false };
     let plan = Plan::new(study, method).with_revolution().with_cycle();
-    poses::allow(&args.pair, plan.poses()?, &poses::HELD)?;
+    poses::allow(&args.pair, plan.poses(), &poses::HELD)?;
     run_under_bar(&plan)
 }
 

@@ -69,7 +69,7 @@ fn over_the_distance_the_printed_limits_are_met() {
 #[test]
 fn a_sweep_of_its_own_is_kept() {
     let study = study("tip_on_fillet_86x21.toml");
-    assert_eq!(revolution_pose_count(&study).unwrap(), 2 * 86 * 24);
+    assert_eq!(revolution_pose_count(&study), 2 * 86 * 24);
     let own = gearlash::analysis::simulate::simulate(&study, METHOD, &|| ControlFlow::Continue(()))
         .unwrap();
     let runs = revolution(&study, METHOD, &|| ControlFlow::Continue(())).unwrap();

@@ -7,9 +7,9 @@ use super::problems::Problems;
 use super::readings::LengthReadings;
 use super::sheet::Column;
 use super::spec::{Either, LengthSpec, OverPinsSpec, SpanSpec, StatementSpec};
-use super::stated::{Keys, Stated};
+use super::stated::{self, Keys};
 use super::table::Table;
-use gearlash::metrology::ThicknessStatement;
+use gearlash::metrology::{ThicknessStatement, Toleranced};
 
 pub const KEYS: &[&str] = &[
     "span",
@@ -52,9 +52,9 @@ pub enum Statement {
     /// Not at all: nominal.
     Nominal,
     /// `W_k` in mm over `k` teeth.
-    Span { teeth: u32, mm: Stated<f64> },
+    Span { teeth: u32, mm: Toleranced<f64> },
     /// `M_dK` in mm over pins of diameter `D_M`, mm.
-    OverPins { pin_mm: f64, mm: Stated<f64> },
+    OverPins { pin_mm: f64, mm: Toleranced<f64> },
     /// `W_k` all round, at first teeth; `per_tooth`: they give each tooth's thickness, too.
     Spans {
         teeth: u32,
@@ -67,9 +67,9 @@ pub enum Statement {
         readings: LengthReadings,
     },
     /// `A_s` in µm, transverse at the reference circle.
-    Allowance(Stated<f64>),
+    Allowance(Toleranced<f64>),
     /// `s_b` in mm.
-    Base(Stated<f64>),
+    Base(Toleranced<f64>),
 }
 
 impl Statement {
@@ -121,7 +121,7 @@ impl Statement {
                     per_tooth: per_tooth?,
                 },
                 None => {
-                    let mm = Stated::read(&span, &MEASURED, &LENGTH, problems);
+                    let mm = stated::read(&span, &MEASURED, &LENGTH, problems);
                     Statement::Span { teeth: k?, mm: mm? }
                 }
             },
@@ -138,7 +138,7 @@ impl Statement {
                     readings,
                 },
                 None => {
-                    let mm = Stated::read(&pins, &MEASURED, &LENGTH, problems);
+                    let mm = stated::read(&pins, &MEASURED, &LENGTH, problems);
                     Statement::OverPins {
                         pin_mm: pin_mm?,
                         mm: mm?,
@@ -154,11 +154,11 @@ impl Statement {
             Statement::Nominal => ThicknessStatement::Nominal,
             Statement::Span { teeth, mm } => ThicknessStatement::Span {
                 teeth: *teeth,
-                mm: mm.measured(),
+                mm: *mm,
             },
             Statement::OverPins { pin_mm, mm } => ThicknessStatement::OverPins {
                 pin_mm: *pin_mm,
-                mm: mm.measured(),
+                mm: *mm,
             },
             Statement::Spans {
                 teeth,
@@ -173,8 +173,8 @@ impl Statement {
                 pin_mm: *pin_mm,
                 readings: readings.measured(),
             },
-            Statement::Allowance(um) => ThicknessStatement::AllowanceUm(um.measured()),
-            Statement::Base(mm) => ThicknessStatement::BaseThickness(mm.measured()),
+            Statement::Allowance(um) => ThicknessStatement::AllowanceUm(*um),
+            Statement::Base(mm) => ThicknessStatement::BaseThickness(*mm),
         }
     }
 
@@ -229,19 +229,21 @@ impl Statement {
                     ..OverPinsSpec::default()
                 });
             }
-            Statement::Allowance(um) => spec.allowance_um = Some(um.spec()),
-            Statement::Base(mm) => spec.base_thickness_mm = Some(mm.spec()),
+            Statement::Allowance(um) => spec.allowance_um = Some(stated::spec(um)),
+            Statement::Base(mm) => spec.base_thickness_mm = Some(stated::spec(mm)),
         }
         spec
     }
 }
 
 /// A measured length as a pair file writes it: `mm`, or `min_mm` and `max_mm`.
-fn measured(mm: &Stated<f64>) -> LengthSpec {
+fn measured(mm: &Toleranced<f64>) -> LengthSpec {
     let mut length = LengthSpec::default();
     match *mm {
-        Stated::Single(mm) => length.mm = Some(Either::One(mm)),
-        Stated::Band { least, most } => (length.min_mm, length.max_mm) = (Some(least), Some(most)),
+        Toleranced::Single(mm) => length.mm = Some(Either::One(mm)),
+        Toleranced::Band { least, most } => {
+            (length.min_mm, length.max_mm) = (Some(least), Some(most))
+        }
     }
     length
 }
@@ -259,14 +261,16 @@ fn bare(
     name: &str,
     limits: &Limits,
     problems: &mut Problems,
-) -> Option<Stated<f64>> {
+) -> Option<Toleranced<f64>> {
     let entry = table.get(name)?;
     match entry.node() {
         Node::Table(_) => {
             let band = table.table(name, &["min", "max"], problems)?;
-            Stated::read(&band, &BARE, limits, problems)
+            stated::read(&band, &BARE, limits, problems)
         }
-        Node::Whole(_) | Node::Number(_) => problems.keep(entry.number(limits)).map(Stated::Single),
+        Node::Whole(_) | Node::Number(_) => {
+            problems.keep(entry.number(limits)).map(Toleranced::Single)
+        }
         _ => {
             let allowed = format!("{}, or {{ min = …, max = … }}", limits.allowed);
             problems.add(entry.wrong_type(&allowed, limits.help));

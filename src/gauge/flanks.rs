@@ -7,29 +7,8 @@
 use super::Unmeasured;
 use super::spread::{ends, mean, range};
 use super::workpiece::Workpiece;
-use crate::gear::{Flank, Pitch, Side};
+use crate::gear::{Flank, Pitch, PitchAxis, Side};
 use nalgebra::{Point2, UnitComplex, Vector2};
-
-/// What the measuring circle is centred on.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
-pub enum PitchAxis {
-    /// The gear's own centre.
-    Own,
-    /// The rotation axis.
-    Datum,
-}
-
-impl PitchAxis {
-    /// `own` or `datum`, as a pair file has it.
-    pub fn name(self) -> &'static str {
-        match self {
-            PitchAxis::Own => "own",
-            PitchAxis::Datum => "datum",
-        }
-    }
-}
 
 /// Pitch deviation of both of a gear's own flanks as read on the measuring circle.
 #[derive(Debug, Clone, PartialEq)]

@@ -2,7 +2,7 @@
 
 use super::Unmeasured;
 use super::eccentricity::{Eccentricity, eccentricity};
-use super::flanks::{PitchAxis, PitchReadings, ThicknessReadings, pitch, thickness};
+use super::flanks::{PitchReadings, ThicknessReadings, pitch, thickness};
 use super::formula::{Formula, formula};
 use super::grades::{GradedReading, grades};
 use super::pins::{Pins, pins};
@@ -14,7 +14,7 @@ use super::span::{Spans, spans};
 use super::stated::{Readings, StatedThickness, stated};
 use super::workpiece::Workpiece;
 use crate::error::Error;
-use crate::gear::{AsBuilt, Gear, involute, thickness as formula};
+use crate::gear::{AsBuilt, Gear, PitchAxis, involute, thickness as formula};
 use std::ops::ControlFlow;
 
 /// How to measure; what is `None` follows from the gear.

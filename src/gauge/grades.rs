@@ -1,10 +1,10 @@
 //! Pitch and runout as read, against the accuracy grades.
 
 use super::Unmeasured;
-use super::flanks::{PitchAxis, PitchReadings};
+use super::flanks::PitchReadings;
 use super::runout::RunoutReadings;
 use crate::error::GearError;
-use crate::gear::{BasicGearData, Flank, Grade, GradedQuantity};
+use crate::gear::{BasicGearData, Flank, Grade, GradedQuantity, PitchAxis};
 
 /// One measured value and its grade.
 #[derive(Debug, Clone, Copy, PartialEq)]

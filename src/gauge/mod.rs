@@ -25,7 +25,7 @@ mod unmeasured;
 mod workpiece;
 
 pub use eccentricity::Eccentricity;
-pub use flanks::{PitchAxis, PitchReadings, ThicknessReadings};
+pub use flanks::{PitchReadings, ThicknessReadings};
 pub use formula::Formula;
 pub use gauged::{Gauged, Settings, gauge, graded, pose_count};
 pub use grades::GradedReading;

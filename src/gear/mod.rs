@@ -39,7 +39,7 @@ pub use inspection::Inspection;
 pub use outline::{HalfTooth, Segment};
 pub use part::{Part, PartCurve, ProfilePart};
 pub use pins::PinReadings;
-pub use pitch::Pitch;
+pub use pitch::{Pitch, PitchAxis};
 pub use placed::Placed;
 pub use profile::Profile;
 use readings::FlankShifts;

@@ -6,6 +6,27 @@
 
 use super::Flank;
 
+/// The axis about which pitch is measured.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+pub enum PitchAxis {
+    /// The gear's own centre: the values hold no eccentricity.
+    Own,
+    /// The datum (rotation) axis: they hold the eccentricity.
+    Datum,
+}
+
+impl PitchAxis {
+    /// `own` or `datum`, as a pair file has it.
+    pub fn name(self) -> &'static str {
+        match self {
+            PitchAxis::Own => "own",
+            PitchAxis::Datum => "datum",
+        }
+    }
+}
+
 /// Cumulative pitch deviation `F` of a gear's own right and left flanks, mm, each about its mean.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]

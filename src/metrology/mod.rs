@@ -63,7 +63,7 @@ pub use finding::{
 };
 pub use measure::{CrossCheck, MeasuredGear, Measurements};
 pub use notes::{AllRoundNote, Eccentricity, EccentricityNote, GearNotes, ThicknessStatements};
-pub use pitch_statement::{EccentricitySource, PitchAxis, PitchKind, PitchSense, PitchStatement};
+pub use pitch_statement::{EccentricitySource, PitchKind, PitchSense, PitchStatement};
 pub use runout::{ProbeReadings, ReadWith, Runout, RunoutStatement};
 pub use statement::ThicknessStatement;
 pub use toleranced::Toleranced;

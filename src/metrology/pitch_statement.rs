@@ -3,7 +3,7 @@
 use super::error::MeasurementError;
 use super::finding::Finding;
 use crate::error::GearError;
-use crate::gear::{BasicGearData, Flank, Pitch};
+use crate::gear::{BasicGearData, Flank, Pitch, PitchAxis};
 use std::f64::consts::PI;
 
 /// What a pitch value counts from.
@@ -13,17 +13,6 @@ pub enum PitchKind {
     Cumulative,
     /// `f`: from the tooth before.
     Single,
-}
-
-/// The axis about which pitch was measured.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
-pub enum PitchAxis {
-    /// The centre of the teeth: the values hold no eccentricity.
-    Own,
-    /// The datum (rotation) axis: they hold the eccentricity.
-    Datum,
 }
 
 /// What `+` means.

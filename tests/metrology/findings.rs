@@ -1,10 +1,10 @@
 //! Findings and their numbers. Source of each: what was done to the data before.
 
 use super::{Truth, measured, only};
-use gearlash::gear::Flank;
+use gearlash::gear::{Flank, PitchAxis};
 use gearlash::metrology::{
-    CrossCheck, EccentricitySource, Finding, Measurements, Outlier, PitchAxis, Quantity,
-    RunoutSource, RunoutStatement, SameKind, ThicknessBesidePitch, ThicknessStatement, Toleranced,
+    CrossCheck, EccentricitySource, Finding, Measurements, Outlier, Quantity, RunoutSource,
+    RunoutStatement, SameKind, ThicknessBesidePitch, ThicknessStatement, Toleranced,
 };
 
 #[test]

@@ -5,10 +5,10 @@ mod pair_file;
 mod refused;
 mod settled;
 
-use gearlash::gear::{BasicGearData, BasicRack, Face, GearDesign};
+use gearlash::gear::{BasicGearData, BasicRack, Face, GearDesign, PitchAxis};
 use gearlash::metrology::{
-    EccentricitySource, Finding, MeasuredGear, Measurements, PitchAxis, PitchKind, PitchSense,
-    PitchStatement, ProbeReadings, ReadWith, RunoutStatement, ThicknessStatement,
+    EccentricitySource, Finding, MeasuredGear, Measurements, PitchKind, PitchSense, PitchStatement,
+    ProbeReadings, ReadWith, RunoutStatement, ThicknessStatement,
 };
 
 const TEETH: u32 = 21;

@@ -1,10 +1,9 @@
 //! The same data through a pair file: the same gear, bit by bit.
 
 use super::{HIGH_TOOTH, Truth, measured};
-use gearlash::gear::AsBuilt;
+use gearlash::gear::{AsBuilt, PitchAxis};
 use gearlash::metrology::{
-    EccentricitySource, Finding, GearNotes, Measurements, PitchAxis, RunoutStatement,
-    ThicknessStatement,
+    EccentricitySource, Finding, GearNotes, Measurements, RunoutStatement, ThicknessStatement,
 };
 use std::fmt::Write;
 use tempfile::TempDir;

@@ -7,7 +7,8 @@ use super::sheet::{self, Column, Coverage, Header, Sheet, Wanted};
 use super::spec::{self, PitchSpec};
 use super::table::Table;
 use gearlash::gear::Flank;
-use gearlash::metrology::{EccentricitySource, PitchAxis, PitchKind, PitchSense, PitchStatement};
+use gearlash::gear::PitchAxis;
+use gearlash::metrology::{EccentricitySource, PitchKind, PitchSense, PitchStatement};
 
 pub const KEYS: &[&str] = &[
     "kind",

@@ -8,8 +8,8 @@ use crate::chart::{
     BarPanel, BarSeries, Heading, Limits, LineAxes, LineSeries, Look, PictureError, bar_panels,
     lines,
 };
-use gearlash::gauge::{GradedReading, PitchAxis, PitchReadings, RollPose, RunoutReadings};
-use gearlash::gear::{Flank, Grade, GradedQuantity};
+use gearlash::gauge::{GradedReading, PitchReadings, RollPose, RunoutReadings};
+use gearlash::gear::{Flank, Grade, GradedQuantity, PitchAxis};
 use gearlash_files::numbers::{fixed, rounded, um};
 use gearlash_files::results::gauge::{GaugedGear, Reading};
 

@@ -2,8 +2,8 @@
 
 use super::page::Page;
 use super::phrases::symbol;
-use gearlash::gauge::{GradedReading, PitchAxis, Unmeasured};
-use gearlash::gear::{Flank, GRADE_SOURCE, Grade, GradedQuantity};
+use gearlash::gauge::{GradedReading, Unmeasured};
+use gearlash::gear::{Flank, GRADE_SOURCE, Grade, GradedQuantity, PitchAxis};
 use gearlash_files::numbers::um;
 use maud::{Markup, html};
 

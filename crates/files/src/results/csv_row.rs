@@ -19,12 +19,14 @@ impl<W: Write> Csv<W> {
     }
 
     pub fn row(&mut self, run: &RunHead, pose: &PoseRecord) -> Result<()> {
-        let (names, cells): (Vec<&str>, Vec<Cell>) = columns(run, pose).into_iter().unzip();
+        let columns = columns(run, pose);
         if !self.begun {
             self.begun = true;
+            let names = columns.iter().map(|(name, _)| name);
             self.writer.write_record(names).map_err(of_csv)?;
         }
-        self.writer.serialize(cells).map_err(of_csv)
+        let cells = columns.map(|(_, cell)| cell);
+        self.writer.serialize(cells.as_slice()).map_err(of_csv)
     }
 
     pub fn finish(mut self) -> Result<()> {

@@ -6,24 +6,6 @@ use crate::metrology::GearNotes;
 use crate::pair::{GearPair, Mating, Member, SweepPlan};
 use std::collections::HashMap;
 
-/// Poses of a study, over all centre distances and materials: their result fills 25 GB.
-pub const MOST_POSES: u64 = 10_000_000;
-
-/// Bytes that a pose takes in a result as JSON, about: 1400 where a pair is jammed to 2100 with tip corners.
-pub const POSE_BYTES_JSON: u64 = 2100;
-
-/// The same as CSV.
-pub const POSE_BYTES_CSV: u64 = 400;
-
-/// So many bytes in words, to about two digits.
-pub fn size(bytes: u64) -> String {
-    match bytes {
-        0..1_000_000_000 => format!("{} MB", bytes.div_ceil(1_000_000)),
-        1_000_000_000..10_000_000_000 => format!("{:.1} GB", bytes as f64 / 1e9),
-        _ => format!("{} GB", bytes.div_ceil(1_000_000_000)),
-    }
-}
-
 /// Which end of the thickness tolerance a run takes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]

@@ -2,8 +2,7 @@
 
 use super::console::tell;
 use crate::error::Error;
-use gearlash::analysis::study::{MOST_POSES, POSE_BYTES_CSV, POSE_BYTES_JSON, size};
-use gearlash_files::{InputError, Problem};
+use gearlash_files::{InputError, MOST_POSES, POSE_BYTES_CSV, POSE_BYTES_JSON, Problem, numbers};
 use std::path::Path;
 
 /// What bounds the poses of a command.
@@ -47,9 +46,9 @@ pub(super) fn allow(file: &Path, poses: u64, bound: &Bound) -> Result<(), Error>
             value: None,
             reason: format!(
                 "{poses} poses over all centre distances and materials, about {} of {of}; allowed here are up to {} million, {}",
-                size(poses.saturating_mul(*bytes)),
+                numbers::bytes(poses.saturating_mul(*bytes)),
                 most / 1_000_000,
-                size(most * bytes),
+                numbers::bytes(most * bytes),
             ),
             help: bound.help.to_owned(),
         }],
@@ -63,7 +62,7 @@ const MANY: u64 = 1_000_000;
 /// Tells how much `poses` will write, where that is much: so many `bytes` each.
 pub(super) fn announce(poses: u64, bytes: u64) {
     if poses >= MANY {
-        let bytes = size(poses.saturating_mul(bytes));
+        let bytes = numbers::bytes(poses.saturating_mul(bytes));
         tell(&format!("note: {poses} poses, about {bytes} of result"));
     }
 }

@@ -66,6 +66,7 @@ use std::path::Path;
 
 pub use error::{InputError, Problem};
 pub use gauged_file::{GaugedTables, NoGearFile, gauged_file};
+pub use limits::{MOST_POSES, POSE_BYTES_CSV, POSE_BYTES_JSON};
 pub use pair_slips::in_tolerance as tolerance_slip;
 pub use read::{GearEntry, GearsFile, PairFile};
 pub use results::{ResultFile, ResultWriter, result_file};

@@ -4,6 +4,24 @@ use super::entry::Limits;
 use std::ops::Bound::{Excluded, Included, Unbounded};
 use std::ops::RangeInclusive;
 
+/// A length.
+const fn length(help: &'static str) -> Limits {
+    Limits {
+        allowed: "a number of mm above 0 and up to 1e9",
+        range: (Excluded(0.0), Included(1e9)),
+        help,
+    }
+}
+
+/// A deviation of a tooth or its thickness.
+const fn deviation(help: &'static str) -> Limits {
+    Limits {
+        allowed: "a number of µm, −1e7 … 1e7",
+        range: (Included(-1e7), Included(1e7)),
+        help,
+    }
+}
+
 /// `z`.
 pub const TEETH: RangeInclusive<u32> = 3..=10_000;
 /// A tooth of the largest gear.
@@ -27,11 +45,9 @@ pub const PROFILE_SHIFT: Limits = Limits {
     help: "give the profile shift coefficient x, 0 for none",
 };
 /// `d_a`.
-pub const TIP_DIAMETER: Limits = Limits {
-    allowed: "a number of mm above 0 and up to 1e9",
-    range: (Excluded(0.0), Included(1e9)),
-    help: "give the tip diameter, or leave it out to have it follow from addendum and profile shift",
-};
+pub const TIP_DIAMETER: Limits = length(
+    "give the tip diameter, or leave it out to have it follow from addendum and profile shift",
+);
 
 /// Addendum and dedendum of the basic rack.
 pub const RACK_DEPTH: Limits = Limits {
@@ -47,23 +63,13 @@ pub const ROOT_RADIUS: Limits = Limits {
 };
 
 /// A measured length, as of a span or over pins.
-pub const LENGTH: Limits = Limits {
-    allowed: "a number of mm above 0 and up to 1e9",
-    range: (Excluded(0.0), Included(1e9)),
-    help: "give the measured length in mm",
-};
+pub const LENGTH: Limits = length("give the measured length in mm");
 /// `A_s`.
-pub const ALLOWANCE: Limits = Limits {
-    allowed: "a number of µm, −1e7 … 1e7",
-    range: (Included(-1e7), Included(1e7)),
-    help: "give the deviation from the nominal thickness, negative when thinner",
-};
+pub const ALLOWANCE: Limits =
+    deviation("give the deviation from the nominal thickness, negative when thinner");
 /// Thickness of a tooth beyond the mean.
-pub const PER_TOOTH: Limits = Limits {
-    allowed: "a number of µm, −1e7 … 1e7",
-    range: (Included(-1e7), Included(1e7)),
-    help: "give what each tooth is thicker than the mean, negative when thinner",
-};
+pub const PER_TOOTH: Limits =
+    deviation("give what each tooth is thicker than the mean, negative when thinner");
 /// Of `[thickness.cross_check]`.
 pub const CROSS_CHECK: Limits = Limits {
     allowed: "a number of µm, 0 or more",
@@ -84,24 +90,13 @@ pub const HIGH_TOOTH: Limits = Limits {
     help: "give the number of the tooth at the highest reading",
 };
 /// The ball of runout readings.
-pub const BALL: Limits = Limits {
-    allowed: "a number of mm above 0 and up to 1e9",
-    range: (Excluded(0.0), Included(1e9)),
-    help: "give the diameter of the ball that was read with",
-};
+pub const BALL: Limits = length("give the diameter of the ball that was read with");
 /// A pitch deviation.
-pub const PITCH: Limits = Limits {
-    allowed: "a number of µm, −1e7 … 1e7",
-    range: (Included(-1e7), Included(1e7)),
-    help: "give a deviation for every tooth, measured at the reference circle",
-};
+pub const PITCH: Limits =
+    deviation("give a deviation for every tooth, measured at the reference circle");
 
 /// `a`. Twenty times the largest pair there can be; beyond, squares of lengths would lose the gears.
-pub const CENTER_DISTANCE: Limits = Limits {
-    allowed: "a number of mm above 0 and up to 1e9",
-    range: (Excluded(0.0), Included(1e9)),
-    help: "give the distance between the two axes in mm",
-};
+pub const CENTER_DISTANCE: Limits = length("give the distance between the two axes in mm");
 /// How many of them: each is a run that holds both gears.
 pub const MOST_DISTANCES: usize = 10_000;
 /// Radial play of a bearing.
@@ -110,6 +105,15 @@ pub const CLEARANCE: Limits = Limits {
     range: (Included(0.0), Unbounded),
     help: "give the radial play of the gear on its axis, 0 for none",
 };
+
+/// Poses of a study, over all centre distances and materials: their result fills 25 GB.
+pub const MOST_POSES: u64 = 10_000_000;
+
+/// Bytes that a pose takes in a result as JSON, about: 1400 where a pair is jammed to 2100 with tip corners.
+pub const POSE_BYTES_JSON: u64 = 2100;
+
+/// The same as CSV.
+pub const POSE_BYTES_CSV: u64 = 400;
 
 /// Of a pose beyond its mating.
 pub const FRACTION: Limits = Limits {

@@ -163,6 +163,15 @@ pub fn decades(number: f64) -> String {
     }
 }
 
+/// So many bytes in words, to about two digits.
+pub fn bytes(count: u64) -> String {
+    match count {
+        0..1_000_000_000 => format!("{} MB", count.div_ceil(1_000_000)),
+        1_000_000_000..10_000_000_000 => format!("{:.1} GB", count as f64 / 1e9),
+        _ => format!("{} GB", count.div_ceil(1_000_000_000)),
+    }
+}
+
 /// `digit·10^power` with raised digits, or as it is where that is short.
 fn scientific(digit: f64, power: f64) -> String {
     if (-3.0..=3.0).contains(&power) {

@@ -2,9 +2,10 @@
 
 use super::assembly::{self, AssemblyPart};
 use super::gear::GearPart;
-use super::limits::MOST_DISTANCES;
+use super::limits::{MOST_DISTANCES, MOST_POSES, POSE_BYTES_CSV, POSE_BYTES_JSON};
 use super::measured::{self, Measured};
 use super::node::Node;
+use super::numbers;
 use super::options;
 use super::pair_slips;
 use super::place::Place;
@@ -13,9 +14,7 @@ use super::read::PairFile;
 use super::spec::{AccuracySpec, AssemblySpec, CompareSpec, PairSpec};
 use super::sweep::Sweep;
 use super::table::Table;
-use gearlash::analysis::study::{
-    MOST_POSES, Material, POSE_BYTES_CSV, POSE_BYTES_JSON, Study, size,
-};
+use gearlash::analysis::study::{Material, Study};
 use gearlash::gear::AsBuilt;
 use std::path::Path;
 
@@ -223,8 +222,8 @@ impl<'a> PairTables<'a> {
             key,
             format!(
                 "{poses} poses over all centre distances and materials, about {} of result, allowed are up to 10 million, {}",
-                size(poses.saturating_mul(POSE_BYTES_JSON + POSE_BYTES_CSV)),
-                size(MOST_POSES * (POSE_BYTES_JSON + POSE_BYTES_CSV)),
+                numbers::bytes(poses.saturating_mul(POSE_BYTES_JSON + POSE_BYTES_CSV)),
+                numbers::bytes(MOST_POSES * (POSE_BYTES_JSON + POSE_BYTES_CSV)),
             ),
             "take fewer steps_per_pitch or fractions, or split the centre distances over several files",
         ));

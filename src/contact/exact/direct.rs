@@ -3,7 +3,7 @@
 //! At the greatest gap found so far most corners stand clear of the mate's metal, which a table
 //! of lines shows ([`super::envelope`]); only the rest are put on the curves.
 
-use super::branch::{MOST_NODES, search};
+use super::branch::MOST_NODES;
 use super::candidate::CandidateContact;
 use super::corner::{Sense, least_flank_radius, meet, nearest_turn, on_land, tip_arm};
 use super::curves::{Curves, SearchExhausted};
@@ -83,32 +83,17 @@ pub(super) fn touching(
         posed.on_lands(proof.open, &mut tightest_contacts);
     }
     let rest = without_lands(proof.open);
-    let mut nodes_left = MOST_NODES;
-    for step in posed.steps() {
+    let curves = |locked: &Placed| {
         let mut curves = rest;
-        let (locked, free) = (posed.locked(step), posed.free(step));
         if proof
             .steep_arm
-            .is_some_and(|arm| solver.is_steep(&locked, arm))
+            .is_some_and(|arm| solver.is_steep(locked, arm))
         {
             curves.add(ProfilePart::Involute, ProfilePart::Tip);
         }
-        if curves.is_empty() {
-            continue;
-        }
-        let found = search(
-            &locked,
-            &free,
-            posed.origin,
-            tightest_contacts.level(),
-            curves,
-            &mut nodes_left,
-        );
-        if let Some(candidate) = found.map_err(|lost| (step, lost))? {
-            tightest_contacts.offer(step, candidate);
-        }
-    }
-    Ok(tightest_contacts.choose())
+        curves
+    };
+    search::over(posed, tightest_contacts, curves, MOST_NODES)
 }
 
 impl DirectSolver {

@@ -4,6 +4,7 @@ use super::branch::{MOST_NODES, search};
 use super::curves::{Curves, SearchExhausted};
 use super::flank_problem::PosedFlanks;
 use super::lands::without_lands;
+use super::placed::Placed;
 use super::tightest::{TightestContacts, Touching};
 
 /// The pair that touches first, from the greatest gap of every pair in reach; lands in closed form.
@@ -17,7 +18,7 @@ pub(super) fn touching(posed: &PosedFlanks) -> Result<Option<Touching>, (i64, Se
     over(
         posed,
         tightest_contacts,
-        without_lands(Curves::ALL),
+        |_| without_lands(Curves::ALL),
         MOST_NODES,
     )
 }
@@ -31,22 +32,30 @@ pub(super) fn by_search(posed: &PosedFlanks) -> Result<Option<Touching>, (i64, S
     over(
         posed,
         TightestContacts::new(posed.problem),
-        Curves::ALL,
+        |_| Curves::ALL,
         16 * MOST_NODES,
     )
 }
 
-fn over(
+/// The pair that touches first, of what is known and what a search finds over the `curves` of each step's locked half tooth.
+///
+/// # Errors
+/// As [`touching`].
+pub(super) fn over(
     posed: &PosedFlanks,
     mut tightest_contacts: TightestContacts,
-    curves: Curves,
+    curves: impl Fn(&Placed) -> Curves,
     mut nodes_left: usize,
 ) -> Result<Option<Touching>, (i64, SearchExhausted)> {
     for step in posed.steps() {
-        let (locked, free) = (posed.locked(step), posed.free(step));
+        let locked = posed.locked(step);
+        let curves = curves(&locked);
+        if curves.is_empty() {
+            continue;
+        }
         let found = search(
             &locked,
-            &free,
+            &posed.free(step),
             posed.origin,
             tightest_contacts.level(),
             curves,

@@ -18,7 +18,7 @@ pub(crate) use parry::Shape;
 
 pub use class::{ContactClass, ContactKind, Moment, PoseClass};
 pub use drawn_contact::DrawnContact;
-pub use exact::ExactKernel;
+pub use exact::{Doubt, ExactKernel, Extreme, Extremes};
 pub use exaggeration::{Exaggeration, Found};
 pub use lost_motion::{Contact, LostMotion, Status, Touch};
 pub use overlap::Overlap;

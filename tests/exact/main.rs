@@ -6,6 +6,7 @@ mod campaign;
 mod clearance;
 #[path = "../common/design.rs"]
 mod design;
+mod extremes;
 mod hard;
 mod perfect;
 mod random;

@@ -10,7 +10,7 @@
 //! centres; the free tooth facing it lies as many steps clockwise of its own.
 
 use super::placed::Placed;
-use super::shape::C;
+use super::shape::{C, turn};
 use super::teeth::{Teeth, nearest, reduced};
 use crate::gear::{AsBuilt, Side};
 use crate::pair::{GearPair, Pose};
@@ -124,6 +124,12 @@ impl FlankProblem {
         self.locked.shape.base + self.free.shape.base
     }
 
+    /// Angles of the line of centres between which the undisturbed centre lines of locked half teeth stand that can reach the mate;
+    /// `None` when none can.
+    pub fn window(&self) -> Option<(f64, f64)> {
+        self.window
+    }
+
     /// Bound on the rounding of a gap, rad, whose contact lies at `radius` from the free axis and
     /// whose curves have the slope `σ`.
     ///
@@ -208,6 +214,17 @@ impl<'a> PosedFlanks<'a> {
         let first = ((low - self.ahead) * per_pitch) as i64;
         let last = ((high - self.ahead) * per_pitch) as i64;
         first.max(-half)..last.min(half + 1) + 1
+    }
+
+    /// The same teeth at the same steps, the locked gear turned on by `angle`, rad, in this (mirrored) frame.
+    pub fn turned_on(&self, angle: f64) -> PosedFlanks<'a> {
+        let turned = self.turned * turn(angle);
+        PosedFlanks {
+            turned,
+            centre: C::from(self.problem.distance) - turned * self.problem.locked.displacement,
+            ahead: self.ahead + angle,
+            ..*self
+        }
     }
 
     /// Places of the locked and the free tooth of a step.

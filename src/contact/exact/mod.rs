@@ -26,6 +26,7 @@ mod corner;
 mod curves;
 mod direct;
 mod envelope;
+mod extremes;
 mod flank_problem;
 mod lands;
 mod line;
@@ -38,6 +39,8 @@ mod shape;
 mod tangent;
 mod teeth;
 mod tightest;
+
+pub use extremes::{Doubt, Extreme, Extremes};
 
 use super::body::{is_solid, may_be_solid, reaches_over_an_axis};
 use super::lost_motion::{Contact, LostMotion};

@@ -12,7 +12,7 @@ use std::ops::Range;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Pair {
     /// `λ − ψ_bL`.
-    locked_base: f64,
+    pub locked_base: f64,
     /// `μ − ψ_bF` less the gap.
     pub free_base: f64,
 }

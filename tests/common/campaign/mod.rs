@@ -16,7 +16,8 @@ mod tally;
 mod watch;
 
 use draw::POSES_A_PAIR;
-use draw::Pair;
+pub use draw::Pair;
+#[allow(unused_imports)] // each test binary uses its part
 pub use draw::{Depth, Drawn};
 use gearlash::contact::CutPair;
 #[allow(unused_imports)] // each test binary uses its part
@@ -24,6 +25,7 @@ use outcome::Outcome;
 use rayon::prelude::*;
 use std::time::Duration;
 pub use tally::Tally;
+#[allow(unused_imports)] // each test binary uses its part
 pub use watch::LONGEST;
 use watch::Watch;
 

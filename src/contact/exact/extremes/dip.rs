@@ -1,0 +1,235 @@
+//! A tip corner below its mate's form circle: how far from the fillet it stays, without looking at single poses.
+//!
+//! Where the tip of one gear dips below the form circle of the other, a fillet stands in place of the involute. It is hollow
+//! ([`super::super::search_free_proof`], 2.), so a chord of it lies outside the metal, and a point whose radius lies between those
+//! of the chord's ends is clear as long as it lies beyond the chord's line. Let the pair touch on the line of action, or where its
+//! involutes, prolonged, would: with `h` the distance of the corner from the line there, the free gear has to turn by `h/ρ` more at least
+//! until it meets the fillet, `ρ` the radius about the free axis. This is what [`Dip::clearance`] bounds.
+//!
+//! Two centred gears with the outlines' centre distance `d` stand for any pose. The gap of the involutes is
+//! `μ = (Σ α − T − r_bL (λ − ψ_bL))/r_bF + ψ_bF`, so with `i = r_bL/r_bF` the corner moves in the mate's frame, as `λ` grows, with the
+//! acceleration `d + (1 + i)² ρ` at most.
+
+use super::super::line::Line;
+use super::super::shape::{C, Shape, turn};
+use crate::gear::ProfilePart;
+use std::f64::consts::PI;
+
+/// Chords of a fillet (tuned: 8 are within a hundredth of its radius).
+const CHORDS: usize = 8;
+
+/// A stretch is cut so often at most (tuned: a part of a pitch of 12 teeth is down to 5 minutes of arc).
+const HALVINGS: u32 = 5;
+
+/// Whose tip dips into whose fillet.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Tip {
+    /// The locked gear's into the free gear's.
+    Locked,
+    /// The free gear's into the locked gear's.
+    Free,
+}
+
+/// A half plane that holds the metal between two radii.
+#[derive(Debug, Clone, Copy)]
+struct Chord {
+    radii: (f64, f64),
+    point: C,
+    normal: C,
+}
+
+/// One gear's tip corner and the mate's fillet.
+#[derive(Debug, Clone)]
+pub(super) struct Dip {
+    pub tip: Tip,
+    /// Least `γ` of the fillet in reach.
+    pub deepest: f64,
+    locked: Outline,
+    free: Outline,
+    /// Of the gear whose fillet it is, from the joint inwards.
+    chords: Vec<Chord>,
+    /// The locked half tooth's angle lies this near to `middle` while the corner is below the form circle, at the least distance.
+    half: f64,
+    middle: f64,
+}
+
+/// What counts of a gear.
+#[derive(Debug, Clone, Copy)]
+struct Outline {
+    base: f64,
+    half_base: f64,
+    corner: C,
+}
+
+impl Outline {
+    fn new(shape: &Shape) -> Outline {
+        Outline {
+            base: shape.base,
+            half_base: shape.half_base,
+            corner: shape.corners()[0].1,
+        }
+    }
+}
+
+impl Dip {
+    /// The corner of the gear `tip` names, down to `deepest`, the least `γ` of the mate's fillet that it reaches; `least` is the least
+    /// distance of the outlines' centres. `None` where the corner stays above the form circle.
+    pub fn new(tip: Tip, [locked, free]: [&Shape; 2], deepest: f64, least: f64) -> Option<Dip> {
+        let (mate, corner) = match tip {
+            Tip::Locked => (free, locked.corners()[0].1),
+            Tip::Free => (locked, free.corners()[0].1),
+        };
+        // Locked corner: |d − e^{iλ} p| below the form radius. Free corner: the locked joint within the free tip circle.
+        let (turning, own, other) = match tip {
+            Tip::Locked => (corner, locked.tip_radius, free.form_radius()),
+            Tip::Free => (locked.joint, locked.form_radius(), free.tip_radius),
+        };
+        let cos = (least * least + own * own - other * other) / (2.0 * least * own);
+        if cos >= 1.0 {
+            return None;
+        }
+        let points: Vec<C> = (0..=CHORDS)
+            .map(|k| {
+                let part = k as f64 / CHORDS as f64;
+                let gamma = mate.fillet_end + (deepest - mate.fillet_end) * part;
+                mate.at(ProfilePart::Fillet, gamma).point
+            })
+            .collect();
+        let chords = points.windows(2).map(|ends| {
+            let along = ends[1] - ends[0];
+            // The right-hand half tooth has its metal on the left of the way inwards.
+            let normal = -C::i() * along / along.norm();
+            let sign = if normal.im > 0.0 { -1.0 } else { 1.0 };
+            Chord {
+                radii: (ends[1].norm(), ends[0].norm()),
+                point: ends[0],
+                normal: normal * sign,
+            }
+        });
+        Some(Dip {
+            tip,
+            deepest,
+            locked: Outline::new(locked),
+            free: Outline::new(free),
+            chords: chords.collect(),
+            half: cos.max(-1.0).acos(),
+            middle: -turning.arg(),
+        })
+    }
+
+    /// Whether the corner may be below the form circle while the locked half tooth stands within `play` of the angle `at`.
+    pub fn may_dip(&self, at: f64, play: f64) -> bool {
+        let off = at - self.middle;
+        let off = off - 2.0 * PI * (off / (2.0 * PI)).round();
+        off.abs() <= self.half + play
+    }
+
+    /// How much farther than to the contact of the involutes the free gear has to turn at least until the corner meets the fillet, rad;
+    /// negative where it may meet it before.
+    ///
+    /// The locked half tooth stands within `play` of the angle `at`, the outlines' centres are `distances` apart.
+    /// Halved where it does not show `enough`.
+    pub fn clearance(&self, at: f64, play: f64, distances: (f64, f64), enough: f64) -> f64 {
+        self.cut((at, play), distances, enough, HALVINGS)
+    }
+
+    fn cut(
+        &self,
+        (at, play): (f64, f64),
+        distances: (f64, f64),
+        enough: f64,
+        halvings: u32,
+    ) -> f64 {
+        let whole = self.over(at, play, distances);
+        if halvings == 0 || whole >= enough {
+            return whole;
+        }
+        let half = 0.5 * play;
+        [at - half, at + half]
+            .map(|at| self.cut((at, half), distances, enough, halvings - 1))
+            .into_iter()
+            .fold(f64::INFINITY, f64::min)
+            .max(whole)
+    }
+
+    fn over(&self, at: f64, play: f64, distances: (f64, f64)) -> f64 {
+        let (low, high) = distances;
+        let [a, b] = [low, high].map(|distance| self.at_distance(at, play, distance));
+        if high == low {
+            return a;
+        }
+        // h bends with the distance: the gap by cos² α/(d sin α r_bF) and sin² α/r_bF², times ρ.
+        let sum = self.locked.base + self.free.base;
+        let cos = sum / low;
+        let sin = (1.0 - cos * cos).max(0.0).sqrt();
+        let per_base = 1.0 / self.free.base;
+        let bend = cos * cos / (low * sin) * per_base + (sin * per_base).powi(2);
+        a.min(b) - bend * (high - low).powi(2)
+    }
+
+    fn at_distance(&self, at: f64, play: f64, distance: f64) -> f64 {
+        let Some(line) = Line::new(C::from(distance), self.locked.base + self.free.base) else {
+            return f64::NEG_INFINITY;
+        };
+        let (locked, free) = (&self.locked, &self.free);
+        let ratio = locked.base / free.base;
+        let gap = ((locked.base + free.base) * line.angle
+            - line.length
+            - locked.base * (at - locked.half_base))
+            / free.base
+            + free.half_base;
+        let (l, f) = (-turn(at), turn(gap));
+        // The corner in the mate's frame, its velocity, and its radius about the free axis.
+        let (point, velocity, radius, by_gap) = match self.tip {
+            Tip::Locked => {
+                let corner = C::from(distance) + l * locked.corner;
+                let moving = C::i() * l * locked.corner;
+                let seen = corner * f.conj();
+                let by_gap = -C::i() * seen;
+                (
+                    seen,
+                    moving * f.conj() - ratio * by_gap,
+                    corner.norm(),
+                    by_gap,
+                )
+            }
+            Tip::Free => {
+                let corner = f * free.corner;
+                let seen = (corner - C::from(distance)) * l.conj();
+                let moving = -C::i() * ratio * corner;
+                let by_gap = C::i() * corner * l.conj();
+                (
+                    seen,
+                    moving * l.conj() - C::i() * seen,
+                    free.corner.norm(),
+                    by_gap,
+                )
+            }
+        };
+        let speed = velocity.norm();
+        let jolt = 0.5 * (distance + (1.0 + ratio).powi(2) * (radius + speed * play)) * play * play;
+        let off = point.norm();
+        let band = (off - speed * play - jolt, off + speed * play + jolt);
+        let least = |chord: &Chord| {
+            let away = point - chord.point;
+            let height = away.re * chord.normal.re + away.im * chord.normal.im;
+            let rate = velocity.re * chord.normal.re + velocity.im * chord.normal.im;
+            let height = height - rate.abs() * play - jolt;
+            if height >= 0.0 {
+                return height / (radius + speed * play);
+            }
+            // In the metal: out again by an arm that is no less than half of what it is here, of a chord not too steep for that.
+            let arm = by_gap.re * chord.normal.re + by_gap.im * chord.normal.im;
+            match arm > 0.1 * radius {
+                true => height / (0.5 * arm),
+                false => f64::NEG_INFINITY,
+            }
+        };
+        // No corner comes deeper than the chords do.
+        let reached = self
+            .chords
+            .iter()
+            .filter(|chord| chord.radii.0 <= band.1 && chord.radii.1 >= band.0);
+        reached.map(least).fold(f64::INFINITY, f64::min)
+    }
+}

@@ -1,0 +1,248 @@
+//! A tip corner on its mate's fillet over a stretch of a mating: bounds that close with the square of its length.
+//!
+//! While the corner `P` stands between two radii of the mate, the hollow fillet lies inside its chord between these, and outside its
+//! tangent in their middle. Of a straight line with the normal `n` through `A` of the mate's frame, `P` lies outside while
+//!
+//! ```text
+//! s(x, μ) = (Q − A)·n ≥ 0,    Q = P in that frame,
+//! ```
+//!
+//! so that `s = 0` gives a rotation `μ` that bounds that of touch, from above with the chord, from below with the tangent. All its derivatives
+//! are lengths of the picture: `|s_xx|`, `|s_xμ|` and `|s_μμ|` are at most the distances of `P` from the axes, and
+//! `μ'' = −(s_xx + 2 s_xμ μ' + s_μμ μ'²)/s_μ`.
+
+use super::super::flank_problem::PosedFlanks;
+use super::super::shape::{C, Shape, turn};
+use super::dip::Tip;
+use crate::gear::ProfilePart;
+
+/// Steps of Newton's method: `s` is a sine of `μ`, near its steepest (it takes 4).
+const STEPS: usize = 20;
+
+/// Steps of bisection for a fillet's parameter: to the last bit.
+const HALVINGS: usize = 52;
+
+/// A straight line of the mate's frame.
+#[derive(Debug, Clone, Copy)]
+struct Border {
+    point: C,
+    normal: C,
+}
+
+/// Where the corner reaches a border.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Reached {
+    pub gap: f64,
+    /// Its derivative by the rotation of the locked gear.
+    pub slope: f64,
+    /// `s_μ`.
+    turning: f64,
+    /// Radius of the corner about the mate's centre, and its speed in the mate's frame.
+    radius: f64,
+    speed: f64,
+    /// Bounds of `|s_xx|`, `|s_xμ|`, `|s_μμ|`.
+    lengths: [f64; 3],
+}
+
+/// The corner of a tip and its mate's fillet, at a pose.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct OnFillet<'a> {
+    posed: PosedFlanks<'a>,
+    step: i64,
+    tip: Tip,
+}
+
+/// What two poses come to: bounds of the gap at both, its slopes, and how much either bends between.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Bounds {
+    /// At these gaps the corner is clear of the fillet.
+    pub clear: [Reached; 2],
+    /// At these it is in it; `None` where nothing says so.
+    pub inside: Option<[Reached; 2]>,
+    /// Bound on the second derivative of any of them by the rotation of the locked gear.
+    pub bend: f64,
+}
+
+impl<'a> OnFillet<'a> {
+    pub fn new(posed: PosedFlanks<'a>, step: i64, tip: Tip) -> OnFillet<'a> {
+        OnFillet { posed, step, tip }
+    }
+
+    fn mate(&self) -> &'a Shape {
+        match self.tip {
+            Tip::Locked => &self.posed.problem.free.shape,
+            Tip::Free => &self.posed.problem.locked.shape,
+        }
+    }
+
+    /// Where the corner reaches `border`, from about the gap `near`; `None` where it does not.
+    fn reach(&self, border: Border, near: f64) -> Option<Reached> {
+        let problem = self.posed.problem;
+        let pair = self.posed.pair(self.step);
+        let (locked, free) = (&problem.locked.shape, &problem.free.shape);
+        let l = -turn(pair.locked_base + locked.half_base);
+        let f = turn(pair.free_base + free.half_base);
+        let (centre, free_centre) = (self.posed.centre, self.posed.free_centre);
+        let moving = C::i() * (centre - C::from(problem.distance));
+        let along = |z: C| z.re * border.normal.re + z.im * border.normal.im;
+        let mut gap = near;
+        for _ in 0..STEPS {
+            let turned = turn(gap);
+            // The corner from the free axis, in the mate's frame, and that by gap and by the locked rotation.
+            let (point, seen, by_gap, by_turn) = match self.tip {
+                Tip::Free => {
+                    let point = turned * (free_centre + f * free.corners()[0].1);
+                    let seen = (point - centre) * l.conj();
+                    let by_turn = -moving * l.conj() - C::i() * seen;
+                    (point, seen, C::i() * point * l.conj(), by_turn)
+                }
+                Tip::Locked => {
+                    let own = l * locked.corners()[0].1;
+                    let back = turned.conj() * f.conj();
+                    let point = centre + own;
+                    let seen = point * back - free_centre * f.conj();
+                    let by_turn = (moving + C::i() * own) * back;
+                    (point, seen, -C::i() * point * back, by_turn)
+                }
+            };
+            let apart = along(seen - border.point);
+            let turning = along(by_gap);
+            if !(turning > 0.0) {
+                return None;
+            }
+            let step = -apart / turning;
+            gap += step;
+            if step.abs() < 1e-9 {
+                let slope = -along(by_turn) / turning;
+                let off = moving.norm();
+                let lengths = match self.tip {
+                    Tip::Free => [3.0 * off + seen.norm(), point.norm(), point.norm()],
+                    Tip::Locked => {
+                        let own = off + locked.tip_radius;
+                        [own, own, point.norm()]
+                    }
+                };
+                return Some(Reached {
+                    gap,
+                    slope,
+                    turning,
+                    radius: seen.norm(),
+                    speed: (by_turn + by_gap * slope).norm(),
+                    lengths,
+                });
+            }
+        }
+        None
+    }
+}
+
+/// Bounds over a stretch between two poses of the same teeth, `angle` of the locked gear apart; `deepest` is the least `γ` in reach.
+/// `None` where they cannot be had, or where the corner stays above the form circle.
+pub(super) fn bounds(
+    ends: [OnFillet; 2],
+    near: [f64; 2],
+    angle: f64,
+    deepest: f64,
+) -> Option<Bounds> {
+    let mate = ends[0].mate();
+    let range = (deepest, mate.fillet_end);
+    // Where the corner is, the whole fillet's chord for a start, then between the radii it was found at.
+    let mut band = range;
+    for _ in 0..3 {
+        let border = chord(mate, band);
+        let found = reach(ends, border, near)?;
+        band = radii(mate, found, angle, range)?;
+    }
+    let clear = reach(ends, chord(mate, band), near)?;
+    // The chord now used holds for the radii that the corner has with it.
+    let needed = radii(mate, clear, angle, range)?;
+    let play = 0.5 * (band.1 - band.0);
+    if needed.0 < band.0 - play || needed.1 > band.1 + play {
+        return None;
+    }
+    let band = (needed.0.min(band.0), needed.1.max(band.1));
+    let clear = reach(ends, chord(mate, band), near)?;
+    // Above the form circle the tangent of the fillet lies outside the involute.
+    let inside = (band.1 < mate.fillet_end)
+        .then(|| reach(ends, tangent(mate, 0.5 * (band.0 + band.1)), near))
+        .flatten();
+    let both = clear.iter().chain(inside.iter().flatten());
+    let bend = both
+        .map(|one| one.bend(angle))
+        .collect::<Option<Vec<f64>>>()?;
+    Some(Bounds {
+        clear,
+        inside,
+        bend: bend.into_iter().fold(0.0, f64::max),
+    })
+}
+
+fn reach(ends: [OnFillet; 2], border: Border, near: [f64; 2]) -> Option<[Reached; 2]> {
+    let [a, b] = [0, 1].map(|k| ends[k].reach(border, near[k]));
+    Some([a?, b?])
+}
+
+/// The parameters between which the corner is all through; `None` above the form circle.
+fn radii(
+    mate: &Shape,
+    found: [Reached; 2],
+    angle: f64,
+    (deepest, end): (f64, f64),
+) -> Option<(f64, f64)> {
+    let [a, b] = found;
+    let play = 0.6 * a.speed.max(b.speed) * angle.abs();
+    let (low, high) = (a.radius.min(b.radius) - play, a.radius.max(b.radius) + play);
+    let at = |radius: f64| {
+        if radius >= mate.form_radius() {
+            return end;
+        }
+        let (mut low, mut high) = (deepest, end);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            match mate.at(ProfilePart::Fillet, middle).point.norm() < radius {
+                true => low = middle,
+                false => high = middle,
+            }
+        }
+        0.5 * (low + high)
+    };
+    (low <= mate.form_radius()).then(|| (at(low), at(high)))
+}
+
+/// The chord between two parameters of a fillet, the metal behind it.
+fn chord(mate: &Shape, (low, high): (f64, f64)) -> Border {
+    let [inner, outer] = [low, high].map(|gamma| mate.at(ProfilePart::Fillet, gamma));
+    let along = inner.point - outer.point;
+    if along.norm() < 1e-9 * mate.base {
+        // Too short for a direction: the tangent, a little out.
+        return Border {
+            point: outer.point + outer.normal * along.norm(),
+            normal: outer.normal,
+        };
+    }
+    let normal = -C::i() * along / along.norm();
+    let sign = if normal.im > 0.0 { -1.0 } else { 1.0 };
+    Border {
+        point: outer.point,
+        normal: normal * sign,
+    }
+}
+
+/// The tangent at a parameter.
+fn tangent(mate: &Shape, gamma: f64) -> Border {
+    let sample = mate.at(ProfilePart::Fillet, gamma);
+    Border {
+        point: sample.point,
+        normal: sample.normal,
+    }
+}
+
+impl Reached {
+    fn bend(&self, angle: f64) -> Option<f64> {
+        let [xx, xm, mm] = self.lengths;
+        // Over the stretch the arm changes by what its derivatives allow, and the slope with it.
+        let rate = 1.2 * self.slope.abs();
+        let turning = self.turning - (xm + mm * rate) * angle.abs();
+        (turning > 0.8 * self.turning).then(|| (xx + 2.0 * xm * rate + mm * rate * rate) / turning)
+    }
+}

@@ -1,0 +1,47 @@
+//! Extremes of a pair of which nothing bounds the lost motion between poses: as many poses as seems right, and more round the best.
+
+use super::Found;
+use super::course::Course;
+use crate::error::Error;
+use crate::pair::Mating;
+
+/// Poses in all, at most, of a pair that needs no search and of one that does (tuned: some 0.2 s, and 2 s).
+const MOST: [u64; 2] = [200_000, 20_000];
+
+/// Poses a pitch, where there are not too many matings.
+const PER_PITCH: u64 = 32;
+
+/// Times the neighbourhood of the best poses is cut into a quarter: down to 1/32 000 of a pitch.
+const ROUNDS: u32 = 5;
+
+/// Looks through the cycle, and closer round the least and the greatest.
+pub(super) fn sample(course: &Course, found: &mut Found) -> Result<(), Error> {
+    if std::mem::replace(&mut found.sampled, true) {
+        return Ok(());
+    }
+    let most = MOST[usize::from(!course.kernel.is_direct())];
+    let per_pitch = (most / course.matings.max(1)).clamp(1, PER_PITCH);
+    let stride = (course.matings / most).max(1);
+    let mut index = 0;
+    while index < course.matings {
+        for part in 0..per_pitch {
+            let fraction = (part as f64 + 0.5) / per_pitch as f64;
+            found.look(course, course.mating(index, fraction))?;
+        }
+        index += stride;
+    }
+    let mut width = 0.5 / per_pitch as f64;
+    for _ in 0..ROUNDS {
+        let best = [found.least, found.greatest];
+        for seen in best.into_iter().flatten() {
+            for part in -4..=4 {
+                let mating = seen.mating;
+                let beyond = f64::from(part) * 0.25 * width;
+                let near: Mating = mating.onward(course.assembly, beyond);
+                found.look(course, near)?;
+            }
+        }
+        width *= 0.25;
+    }
+    Ok(())
+}

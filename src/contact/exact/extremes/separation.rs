@@ -1,0 +1,210 @@
+//! The rotation at which a pair of half teeth touches, from what keeps them apart: one closed form for involutes and their ends.
+//!
+//! An arc of an involute is convex. Its support function in the direction of the normal at the roll `ξ` is `r_b q(ξ)`: `q = ξ` where
+//! the roll lies on the arc, and beyond an end `ξ_e`, with `δ = ξ − ξ_e`, that of the end point,
+//!
+//! ```text
+//! q = ξ_e cos δ + sin δ        (q = ξ, q' = 1, q'' = 0 at most at δ = 0; q'' = −ξ_e cos δ − sin δ)
+//! ```
+//!
+//! A tip land adds nothing to it in the directions that matter here: its normals lie a right angle less `α_a` beyond the corner's.
+//! With the centres `B` apart ([`super::super::line`]) both arcs lie on different sides of a line of the direction `β` where
+//!
+//! ```text
+//! s(β) = Im(e^{iβ} B*) − r_bL q_L(β − λ_b) − r_bF q_F(β − μ − μ_b) ≥ 0,
+//! ```
+//!
+//! and they touch at the rotation `μ` at which the greatest `s` over all directions is 0. Any direction whatever gives a rotation
+//! `μ_β` (where `s = 0`) at which they are apart for sure.
+//!
+//! **Between two poses.** Let the locked gear turn by `x`. Of `s(β; x, μ) = 0` at a fixed `β` follows
+//! `μ'' = −(s_xx + s_μμ μ'²)/s_μ`, and `s_xx ≥ −e_L + …`: both arcs contribute `−r_b q'' ≥ 0` only, where `ξ_e cos δ + sin δ ≥ 0`.
+//! So `μ'' ≤ (e_L + e_F μ'²)/s_μ`: every `μ_β`, and with it their least, the rotation of touch, is concave up to that small constant
+//! ([`Separation::bend`]). A tangent bounds it from above between poses, a chord from below.
+
+use super::super::flank_problem::PosedFlanks;
+use super::super::path::Pair;
+use super::super::shape::{C, Shape, turn};
+
+/// Steps of Newton's method (it takes 3 to 6).
+const STEPS: usize = 24;
+
+/// After steps this small of `μ` and `β`, rad, what is left is of their squares: rounding.
+const SETTLED: (f64, f64) = (1e-7, 1e-6);
+
+/// `s` bends by this share of `Σ` at least, where the direction in which it is greatest is known: else two corners meet, which touch
+/// in any.
+const LEVEL: f64 = -1e-3;
+
+/// An arc of an involute, or all of it.
+#[derive(Debug, Clone, Copy)]
+struct Arc {
+    base: f64,
+    form: f64,
+    tip: f64,
+}
+
+impl Arc {
+    fn new(shape: &Shape, prolonged: bool) -> Arc {
+        let (form, tip) = match prolonged {
+            true => (f64::NEG_INFINITY, f64::INFINITY),
+            false => (lowest_roll(shape), shape.tip_roll),
+        };
+        Arc {
+            base: shape.base,
+            form,
+            tip,
+        }
+    }
+
+    /// `q` and its derivatives.
+    fn support(&self, roll: f64) -> [f64; 3] {
+        let end = roll.clamp(self.form, self.tip);
+        let beyond = roll - end;
+        if beyond == 0.0 {
+            return [roll, 1.0, 0.0];
+        }
+        let (sin, cos) = beyond.sin_cos();
+        [end * cos + sin, cos - end * sin, -end * cos - sin]
+    }
+
+    /// Of all rolls within `play` of this one: the least `q'`, the greatest, and the greatest `q''` or 0.
+    fn range(&self, roll: f64, play: f64) -> [f64; 3] {
+        let (low, high) = (roll - play, roll + play);
+        let [l, h] = [low, high].map(|roll| self.support(roll));
+        // q' falls beyond the tip; below the form roll it is at most √(1 + ξ_f²), and has no minimum between.
+        let most = match low < self.form {
+            true => (1.0 + self.form * self.form).sqrt(),
+            false => l[1],
+        };
+        [l[1].min(h[1]), most, l[2].max(h[2]).max(0.0)]
+    }
+}
+
+/// The roll down to which there is metal at least as far out as the involute: a fillet that is not undercut leaves the involute, prolonged
+/// down to the base circle, inside.
+pub(super) fn lowest_roll(shape: &Shape) -> f64 {
+    match shape.corners().len() {
+        1 => shape.form_roll.min(0.0),
+        _ => shape.form_roll,
+    }
+}
+
+/// Where a pair of half teeth touches, each taken for its involute.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Separation {
+    /// The gap, as [`super::super::candidate::CandidateContact::gap`].
+    pub gap: f64,
+    /// Its derivative by the rotation of the locked gear.
+    pub slope: f64,
+    /// Whether it is the touch itself; else only a rotation at which they are apart.
+    pub touches: bool,
+    rolls: [f64; 2],
+    arcs: [Arc; 2],
+}
+
+impl Separation {
+    /// Of the pair at `step`, from about the gap `near`; `prolonged` takes the involutes for endless.
+    pub fn new(posed: &PosedFlanks, step: i64, near: f64, prolonged: bool) -> Separation {
+        let problem = posed.problem;
+        let pair = posed.pair(step);
+        let shapes = [&problem.locked.shape, &problem.free.shape];
+        let arcs = shapes.map(|shape| Arc::new(shape, prolonged));
+        let sum = problem.sum();
+        let mut gap = near;
+        let (mut between, mut rate) = posed.between(gap);
+        let start = (between.norm_sqr() - sum * sum).max(0.0).sqrt();
+        let mut beta = between.im.atan2(between.re) + start.atan2(sum);
+        let mut state = State::new(&arcs, &pair, between, rate, beta, gap);
+        let mut touches = false;
+        for _ in 0..STEPS {
+            // One step for both: where `s` is greatest its derivative by the direction is 0.
+            let turned = if state.bend < LEVEL * sum {
+                (-state.tilt / state.bend).clamp(-0.3, 0.3)
+            } else {
+                0.0
+            };
+            let step = -state.apart / state.turning;
+            beta += turned;
+            gap += step;
+            (between, rate) = posed.between(gap);
+            state = State::new(&arcs, &pair, between, rate, beta, gap);
+            if step.abs() < SETTLED.0 && turned.abs() < SETTLED.1 {
+                touches = state.bend < LEVEL * sum;
+                break;
+            }
+        }
+        // What is left of `s` goes to the safe side for both bounds: it is rounding.
+        gap -= state.apart / state.turning;
+        let offset = posed.centre - C::from(problem.distance);
+        let moving = C::i() * offset;
+        let along = (turn(beta) * moving.conj()).im + arcs[0].base * state.slopes[0];
+        Separation {
+            gap,
+            slope: -along / state.turning,
+            touches: touches && gap.is_finite(),
+            rolls: [beta - pair.locked_base, beta - gap - pair.free_base],
+            arcs,
+        }
+    }
+
+    /// What involutes that end have less room than endless ones at most, between this pose and `other`, rad of the free gear; of endless ones
+    /// nothing but the cube of what lies below the form roll counts.
+    pub fn short(&self, other: &Separation, plays: [f64; 2], forms: [f64; 2]) -> f64 {
+        let bases = [self.arcs[0].base, self.arcs[1].base];
+        let short = |k: usize| {
+            let roll = self.rolls[k].min(other.rolls[k]) - plays[k];
+            let below = (forms[k] - roll).max(0.0);
+            // δ − sin δ − ξ_f (1 − cos δ) of δ = ξ_f − ξ, at most δ³/6.
+            (below - below.sin() - forms[k] * (1.0 - below.cos())).max(0.0)
+        };
+        (bases[0] * short(0) + bases[1] * short(1)) / bases[1]
+    }
+
+    /// Bound on the second derivative of the rotation of touch by that of the locked gear while the rolls change by `plays`, with the
+    /// eccentricities `off`; `None` where the free gear's arm may vanish.
+    pub fn bend(&self, plays: [f64; 2], off: [f64; 2]) -> Option<f64> {
+        let [locked, free] = [0, 1].map(|k| self.arcs[k].range(self.rolls[k], plays[k]));
+        let bases = [self.arcs[0].base, self.arcs[1].base];
+        let turning = bases[1] * free[0] - off[1];
+        let rate = (bases[0] * locked[1] + off[0]) / turning;
+        let bend = off[0] + bases[0] * locked[2] + (off[1] + bases[1] * free[2]) * rate * rate;
+        // Half an arm is left of all that can be the tightest.
+        (turning > 0.5 * bases[1]).then_some(bend / turning)
+    }
+}
+
+/// `s` and its derivatives.
+struct State {
+    apart: f64,
+    /// By `β`, once and twice.
+    tilt: f64,
+    bend: f64,
+    /// By `μ`.
+    turning: f64,
+    /// `q'` of both.
+    slopes: [f64; 2],
+}
+
+impl State {
+    fn new(
+        [locked, free]: &[Arc; 2],
+        pair: &Pair,
+        between: C,
+        rate: C,
+        beta: f64,
+        gap: f64,
+    ) -> State {
+        let direction = turn(beta);
+        let seen = direction * between.conj();
+        let l = locked.support(beta - pair.locked_base);
+        let f = free.support(beta - gap - pair.free_base);
+        State {
+            apart: seen.im - locked.base * l[0] - free.base * f[0],
+            tilt: seen.re - locked.base * l[1] - free.base * f[1],
+            bend: -seen.im - locked.base * l[2] - free.base * f[2],
+            turning: (direction * rate.conj()).im + free.base * f[1],
+            slopes: [l[1], f[1]],
+        }
+    }
+}

@@ -1,0 +1,178 @@
+//! Proven extremes of the mesh cycle against poses of the exact method, which know nothing of their bounds.
+
+#[path = "../common/campaign/mod.rs"]
+mod campaign;
+#[path = "../common/random_pair.rs"]
+#[allow(dead_code)] // its twin tests use the rest
+mod random_pair;
+
+use crate::design::design;
+use campaign::{Depth, Pair};
+use gearlash::contact::{Doubt, ExactKernel, Extremes, Status};
+use gearlash::gear::{AsBuilt, Face, Gear, Side};
+use gearlash::pair::{GearPair, Mating, Member, Pose, SweepPlan};
+use proptest::prelude::*;
+use random_pair::rough_case;
+
+/// What a bracket may be wide, mm.
+const WIDTH: f64 = 1e-6;
+
+/// Values of one pose are known to 1e-10 mm at the very worst (rounding).
+const ROUNDING: f64 = 1e-10;
+
+const FIRST: Mating = Mating {
+    wheel_tooth: 1,
+    pinion_tooth: 1,
+    flank: Side::Right,
+    fraction: 0.0,
+};
+
+fn matings(pair: &GearPair) -> u64 {
+    let teeth = |member| pair.gear(member).gear().basic_data().teeth();
+    SweepPlan::hunting_pitches(teeth(Member::Wheel), teeth(Member::Pinion))
+}
+
+fn extremes(pair: &GearPair) -> Extremes {
+    let kernel = ExactKernel::new(pair);
+    kernel.extremes(pair, FIRST, matings(pair), WIDTH).unwrap()
+}
+
+/// Poses spread over the cycle by the golden ratio, `count` of them: `j_wt` of each, mm, or how it ends.
+fn samples(pair: &GearPair, count: u32) -> Vec<Result<f64, Status>> {
+    let kernel = ExactKernel::new(pair);
+    let radius = pair.operating_pitch_radius(pair.free());
+    let cycle = matings(pair) as f64;
+    let golden = 0.5 * (5f64.sqrt() - 1.0);
+    let poses = (0..count).map(|k| {
+        let pitches = cycle * (f64::from(k) * golden).fract();
+        Pose::new(pair, FIRST.onward(pair, pitches))
+    });
+    let found = poses.filter_map(|pose| kernel.lost_motion(&pose).ok());
+    found
+        .map(|found| match found.angle() {
+            Some(angle) => Ok(angle * radius),
+            None => Err(found.status()),
+        })
+        .collect()
+}
+
+/// No sample lies beyond a proven bracket; brackets are narrow; no jam and no gap in the mesh is missed where all is proven.
+fn hold(pair: &GearPair, count: u32) -> Result<Extremes, TestCaseError> {
+    let found = extremes(pair);
+    let proven = |extreme: Option<gearlash::contact::Extreme>| {
+        extreme.filter(gearlash::contact::Extreme::is_proven)
+    };
+    for sample in samples(pair, count) {
+        match sample {
+            Ok(j) => {
+                if let Some(least) = proven(found.least) {
+                    prop_assert!(j >= least.low - ROUNDING, "{j} below {least:?}");
+                }
+                if let Some(most) = proven(found.greatest) {
+                    prop_assert!(j <= most.high + ROUNDING, "{j} above {most:?}");
+                }
+            }
+            Err(Status::Jammed) => prop_assert!(proven(found.least).is_none()),
+            Err(_) => prop_assert!(proven(found.greatest).is_none()),
+        }
+    }
+    for extreme in [found.least, found.greatest].into_iter().filter_map(proven) {
+        prop_assert!(extreme.high - extreme.low <= WIDTH + ROUNDING);
+        prop_assert!(extreme.low <= extreme.high);
+    }
+    Ok(found)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(40))]
+
+    /// Pairs with pitch deviations, runout and odd teeth.
+    #[test]
+    fn no_pose_lies_beyond(case in rough_case()) {
+        if let Ok(pair) = case.try_assemble(1.0) {
+            hold(&pair, 3000)?;
+        }
+    }
+
+    /// The picture turned by half a turn: the same extremes.
+    #[test]
+    fn gears_may_be_exchanged(case in rough_case()) {
+        let (Ok(pair), Ok(other)) = (case.try_assemble(1.0), case.swapped().try_assemble(1.0)) else {
+            return Ok(());
+        };
+        let (one, other) = (extremes(&pair), extremes(&other));
+        prop_assert_eq!(one.status, other.status);
+        for (a, b) in [(one.least, other.least), (one.greatest, other.greatest)] {
+            if let (Some(a), Some(b)) = (a, b) && a.is_proven() && b.is_proven() {
+                prop_assert!((a.low - b.low).abs() <= WIDTH + ROUNDING);
+                prop_assert!((a.high - b.high).abs() <= WIDTH + ROUNDING);
+            }
+        }
+    }
+}
+
+/// From far beyond any shop: undercut, raised tips, three teeth, jams; what fails is a doubt, never a wrong bracket.
+#[test]
+fn wide_pairs_hold_or_are_doubted() {
+    let mut proven = 0;
+    for number in 0..40 {
+        let drawn = Pair::new(31, number).pose(0, Some(Depth::Any));
+        let teeth = [Member::Wheel, Member::Pinion]
+            .map(|member| drawn.assembly.gear(member).gear().basic_data().teeth());
+        // Long cycles of pairs that must be searched take seconds.
+        if teeth[0] * teeth[1] < 900 {
+            let found = hold(&drawn.assembly, 500).unwrap();
+            proven += u32::from(found.least.is_some_and(|least| least.is_proven()));
+        }
+    }
+    assert!(proven > 2, "{proven}");
+}
+
+/// Perfect gears: `j_wt` is the same at every pose on the line of action, and follows from the involute (model 2).
+#[test]
+fn perfect_gears_have_one_backlash() {
+    let gear = |teeth, face| AsBuilt::perfect(Gear::nominal(design(teeth, 2.0)).unwrap(), face);
+    for (teeth, distance) in [([44, 44], 88.1), ([25, 60], 85.07), ([31, 17], 48.05)] {
+        let pair = GearPair::new(
+            gear(teeth[0], Face::Front),
+            gear(teeth[1], Face::Back),
+            distance,
+        );
+        let pair = pair.unwrap();
+        let found = extremes(&pair);
+        let [wheel, pinion] =
+            [Member::Wheel, Member::Pinion].map(|member| pair.gear(member).gear());
+        let involute = gearlash::analytic::InvolutePair::new(wheel, pinion);
+        let closed = involute.circumferential_backlash(distance).unwrap();
+        for extreme in [found.least.unwrap(), found.greatest.unwrap()] {
+            assert!(extreme.is_proven());
+            assert!(extreme.low - WIDTH <= closed && closed <= extreme.high + WIDTH);
+        }
+        assert_eq!(found.status, Status::Clear);
+    }
+}
+
+/// A pair whose tips stand in the roots: no least, and a pose to look at.
+#[test]
+fn a_jammed_pair_has_no_least() {
+    let gear = |face| AsBuilt::perfect(Gear::nominal(design(20, 2.0)).unwrap(), face);
+    let pair = GearPair::new(gear(Face::Front), gear(Face::Back), 39.4).unwrap();
+    let found = extremes(&pair);
+    assert_eq!(found.status, Status::Jammed);
+    assert_eq!(found.least, None);
+    assert!(found.lost.is_some());
+}
+
+/// Tips that leave each other between two teeth: no greatest.
+#[test]
+fn a_pair_out_of_mesh_has_no_greatest() {
+    let gear = |face| AsBuilt::perfect(Gear::nominal(design(20, 2.0)).unwrap(), face);
+    let pair = GearPair::new(gear(Face::Front), gear(Face::Back), 43.995).unwrap();
+    let found = extremes(&pair);
+    assert_eq!(found.status, Status::NoContact);
+    assert_eq!(found.greatest, None);
+    assert_ne!(
+        found.least.map(|least| least.doubt),
+        Some(Some(Doubt::ContactLost))
+    );
+}

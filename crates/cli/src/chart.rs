@@ -20,7 +20,7 @@ use std::process::ExitCode;
 /// where it does not. Made for 800 px and for A4, for print in black and white and for the colour-blind.
 #[derive(clap::Args)]
 pub(super) struct Args {
-    /// The pair file (TOML or JSON)
+    /// The pair file (TOML or JSON), - for standard input
     pair: PathBuf,
     /// What to draw
     #[arg(long, value_enum)]

@@ -1,6 +1,6 @@
 //! `gearlash check`: does the pair interfere, where, why, and what does it cost.
 
-use super::console::{print, tell};
+use super::console::{print, print_note, tell};
 use super::method::{MethodArgs, agreed};
 use super::progress::{Progress, run_under_bar};
 use super::{poses, studies};
@@ -10,7 +10,6 @@ use clap::ValueEnum;
 use gearlash::analysis::Plan;
 use gearlash::analysis::diagnosis::{Diagnosis, Group, MAP_ROWS, Verdict, ZeroDistance, map};
 use gearlash::analysis::study::{Material, Study};
-use gearlash_files::characters::plain;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -21,7 +20,7 @@ use std::process::ExitCode;
 /// that no formula sees, the worst of them is named. Up to 2 million poses, which take 2 GB of memory.
 #[derive(clap::Args)]
 pub(super) struct Args {
-    /// The pair file (TOML or JSON)
+    /// The pair file (TOML or JSON), - for standard input
     pair: PathBuf,
     /// What to print
     #[arg(long, value_enum, default_value_t = Format::Text)]
@@ -72,10 +71,9 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             .map_err(|error| Error::Usage(format!("the checks cannot be written: {error}")))?,
     })?;
     if let Some(folder) = folder {
-        let (path, _) = folder.write(&maps)?;
+        let written = folder.write(&maps)?;
         if args.format == Format::Text {
-            let folder = plain(&path.display().to_string());
-            print(&format!("\n{} files in {folder}\n", maps.len()))?;
+            print_note(&format!("\n{written}\n"))?;
         }
     }
     let agree = agreed(&analysis);

@@ -24,7 +24,7 @@ use std::process::ExitCode;
 /// centre distance at which there is nothing to compare, jammed or out of mesh throughout.
 #[derive(clap::Args)]
 pub(super) struct Args {
-    /// Pair files (TOML or JSON)
+    /// Pair files (TOML or JSON), - for standard input
     #[arg(required = true)]
     pairs: Vec<PathBuf>,
     /// Tolerance of j_wt in µm [default: the pair file's, or 0.1]
@@ -62,6 +62,12 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         return Err(Error::Usage(format!(
             "--tolerance-um {tolerance}: a tolerance is a number of µm, 0 or more"
         )));
+    }
+    let from_stdin = |path: &&PathBuf| path.as_path() == Path::new("-");
+    if args.pairs.iter().filter(from_stdin).count() > 1 {
+        return Err(Error::Usage(
+            "- stands for standard input, which holds one pair file: name it once".to_owned(),
+        ));
     }
     let slip = args
         .tolerance_um

@@ -26,7 +26,7 @@ use std::process::ExitCode;
 /// replaced, those without a successor removed; nothing else is touched.
 #[derive(clap::Args)]
 pub(super) struct Args {
-    /// A pair file, or a gear file: `title` and one [gear] with the keys of [wheel] (TOML or JSON)
+    /// A pair file, or a gear file: `title` and one [gear] with the keys of [wheel] (TOML or JSON); - for standard input
     file: PathBuf,
     /// Only this gear of a pair
     #[arg(long, value_enum)]

@@ -22,7 +22,7 @@ use std::process::ExitCode;
 /// Up to 2 million poses, revolutions included, which take 2 GB of memory.
 #[derive(clap::Args)]
 pub(super) struct Args {
-    /// The pair file (TOML or JSON)
+    /// The pair file (TOML or JSON), - for standard input
     pair: PathBuf,
     /// The page [default: out/<file stem>.html]; - for standard output
     #[arg(short, long, value_name = "FILE.html")]

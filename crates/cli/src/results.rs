@@ -1,11 +1,10 @@
 //! What a command prints of its results, and the folder that takes all of them.
 
-use super::console::print;
+use super::console::print_note;
 use crate::error::Error;
 use crate::output::OutputFolder;
 use clap::ValueEnum;
 use gearlash_files::Sources;
-use gearlash_files::characters::plain;
 use std::path::{Path, PathBuf};
 
 #[derive(clap::Args)]
@@ -16,6 +15,9 @@ pub(super) struct ResultsArgs {
     /// Folder for results and pictures [default: out/<file stem>]
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
+    /// Write no files
+    #[arg(long, conflicts_with = "output")]
+    no_files: bool,
 }
 
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
@@ -42,8 +44,8 @@ impl ResultsArgs {
     ) -> Result<Option<OutputFolder>, Error> {
         let path = match (&self.output, self.format) {
             (Some(folder), _) => folder.clone(),
-            (None, Format::Text) => Path::new("out").join(stem),
-            (None, Format::Json | Format::Csv) => return Ok(None),
+            (None, Format::Text) if !self.no_files => Path::new("out").join(stem),
+            (None, _) => return Ok(None),
         };
         OutputFolder::prepare(&path, sources, own).map(Some)
     }
@@ -57,10 +59,9 @@ impl ResultsArgs {
         folder: OutputFolder,
         files: &[(String, String)],
     ) -> Result<(), Error> {
-        let (path, files) = folder.write(files)?;
-        let path = plain(&path.display().to_string());
+        let written = folder.write(files)?;
         match self.format {
-            Format::Text => print(&format!("\n{files} files in {path}\n")),
+            Format::Text => print_note(&format!("\n{written}\n")),
             Format::Json | Format::Csv => Ok(()),
         }
     }

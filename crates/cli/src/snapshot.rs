@@ -25,7 +25,7 @@ use std::process::ExitCode;
 /// contacts with their normals, the gap or overlap, and an enlarged inset of each contact.
 #[derive(clap::Args)]
 pub(super) struct Args {
-    /// The pair file (TOML or JSON)
+    /// The pair file (TOML or JSON), - for standard input
     pair: PathBuf,
     /// Wheel tooth and pinion tooth that mate, such as 11,11
     #[arg(long, value_name = "W,P", value_parser = teeth)]
@@ -44,7 +44,7 @@ pub(super) struct Args {
         allow_negative_numbers = true
     )]
     fraction: f64,
-    /// Centre distance in mm [default: the first of the pair file; with --worst all]
+    /// Centre distance in mm [default: the least of the pair file; with --worst all]
     #[arg(long, value_name = "A", value_parser = distances::one, allow_hyphen_values = true)]
     center_distance: Option<f64>,
     /// Which end of the thickness tolerances [default: most, where there are two; with --worst both]
@@ -192,7 +192,7 @@ fn assembly(args: &Args, study: &Study) -> Result<(Material, GearPair), Error> {
     };
     if args.center_distance.is_none() && study.center_distances.len() > 1 {
         tell(&format!(
-            "note: at centre distance {distance} mm, the first of {}; choose with --center-distance",
+            "note: at centre distance {distance} mm, the least of {}; choose with --center-distance",
             study.center_distances.len()
         ));
     }

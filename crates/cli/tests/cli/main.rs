@@ -136,5 +136,30 @@ fn help_names_every_command_and_the_exit_codes() {
     for command in commands {
         let help = output(gearlash(folder.path()).args([command, "--help"]));
         assert!(help.contains("pair file"), "{help}");
+        // The long help, with its second paragraph, was lost behind the list's one line.
+        let long = help.split("Usage:").next().unwrap().trim();
+        assert!(long.contains("\n\n"), "{help}");
+        let page = output(gearlash(folder.path()).args(["man", command]));
+        assert!(
+            page.contains(&format!("gearlash\\-{command} \\-")),
+            "{page}"
+        );
     }
+}
+
+/// Both are made from the command line's own definition: every command and its options are there.
+#[cfg(unix)]
+#[test]
+fn completions_are_a_script_that_knows_every_option() {
+    let folder = empty_folder();
+    let script = output(gearlash(folder.path()).args(["completions", "bash"]));
+    assert!(script.contains("--steps-per-pitch") && script.contains("--no-certify"));
+    let file = folder.path().join("gearlash.bash");
+    std::fs::write(&file, script).unwrap();
+    // bash itself reads it and completes `gearlash sim`.
+    let completed = "source gearlash.bash; COMP_WORDS=(gearlash sim); COMP_CWORD=1; \
+                     _gearlash gearlash sim gearlash; echo \"${COMPREPLY[@]}\"";
+    let mut bash = Command::new("bash");
+    let bash = bash.current_dir(folder.path()).args(["-c", completed]);
+    assert_eq!(output(bash), "simulate\n");
 }

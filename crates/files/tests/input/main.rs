@@ -192,7 +192,7 @@ fn every_other_key_is_taken_over() {
     assert_eq!(wheel.gear().tip_radius(), 32.75);
     assert_eq!(wheel.gear().design().profile_shift, 0.1);
     assert_eq!(study.study.locked, Member::Pinion);
-    assert_eq!(study.study.center_distances, [75.3, 75.2]);
+    assert_eq!(study.study.center_distances, [75.2, 75.3]);
     assert_eq!(study.study.bearing_clearance, 0.02);
     assert_eq!(study.study.title, "A pair");
     assert_eq!(study.study.chord, 0.001);
@@ -213,7 +213,7 @@ fn the_pair_file_of_the_readme_is_one() {
         .unwrap();
     let study = study(text);
     assert_eq!(study.study.title, "My pair");
-    assert_eq!(study.study.center_distances, [132.21, 132.15]);
+    assert_eq!(study.study.center_distances, [132.15, 132.21]);
     assert_eq!(study.study.materials.len(), 2);
     let more = text
         .replace("# [accuracy]", "[accuracy]")

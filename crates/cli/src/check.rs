@@ -3,6 +3,7 @@
 use super::console::{print, print_note, tell};
 use super::method::{MethodArgs, agreed};
 use super::progress::{Progress, run_under_bar};
+use super::screen::ScreenArgs;
 use super::{poses, studies};
 use crate::error::Error;
 use crate::output::OutputFolder;
@@ -31,6 +32,8 @@ pub(super) struct Args {
     /// Folder for the map [default: out/<file stem>]
     #[arg(short, long, value_name = "DIR", requires = "map")]
     output: Option<PathBuf>,
+    #[command(flatten)]
+    screen: ScreenArgs,
     #[command(flatten)]
     method: MethodArgs,
 }
@@ -66,7 +69,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     };
 
     print(&match args.format {
-        Format::Text => gearlash_render::text::check::text(study, diagnosis),
+        Format::Text => gearlash_render::text::check::text(study, diagnosis, &args.screen.screen()),
         Format::Json => gearlash_files::results::checks_json(&file, diagnosis)
             .map_err(|error| Error::Usage(format!("the checks cannot be written: {error}")))?,
     })?;

@@ -3,6 +3,7 @@
 use super::console::{print, tell};
 use super::method::{MethodArgs, agreement};
 use super::progress::Progress;
+use super::screen::ScreenArgs;
 use super::studies;
 use super::target::Target;
 use crate::error::Error;
@@ -38,6 +39,8 @@ pub(super) struct Args {
     /// With --format github it goes to the step summary ($GITHUB_STEP_SUMMARY), too.
     #[arg(long, value_name = "FILE")]
     markdown: Option<PathBuf>,
+    #[command(flatten)]
+    screen: ScreenArgs,
     #[command(flatten)]
     method: MethodArgs,
 }
@@ -123,7 +126,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let unwritable =
         |error: String| Error::Usage(format!("the outcome cannot be written: {error}"));
     print(&match args.format {
-        Format::Text => comparison::text(&pairs),
+        Format::Text => comparison::text(&pairs, &args.screen.screen()),
         Format::Json => comparison_json(&pairs).map_err(|error| unwritable(error.to_string()))?,
         Format::Junit => {
             comparison::junit(&pairs).map_err(|error| unwritable(error.to_string()))?

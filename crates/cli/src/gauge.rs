@@ -3,6 +3,7 @@
 use super::console::{print, warn};
 use super::progress::Progress;
 use super::results::{Format, ResultsArgs};
+use super::screen::ScreenArgs;
 use super::studies;
 use crate::error::Error;
 use clap::ValueEnum;
@@ -54,6 +55,8 @@ pub(super) struct Args {
     positions: bool,
     #[command(flatten)]
     results: ResultsArgs,
+    #[command(flatten)]
+    screen: ScreenArgs,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -123,7 +126,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         Error::Usage(format!("the readings cannot be written as text: {error}"))
     };
     print(&match args.results.format {
-        Format::Text => text(&study.title, &gears, args.positions),
+        Format::Text => text(&study.title, &gears, args.positions, &args.screen.screen()),
         Format::Json => json(&study.title, &gears).map_err(|error| unwritable(&error))?,
         Format::Csv => teeth_csv(&gears).map_err(|error| unwritable(&error))?,
     })?;

@@ -21,6 +21,7 @@ mod progress;
 mod report;
 mod results;
 mod schema;
+mod screen;
 mod signals;
 mod simulate;
 mod snapshot;

@@ -5,6 +5,7 @@ use super::distances::{self, Distances};
 use super::method::{MethodArgs, agreement};
 use super::progress::Progress;
 use super::results::{Format, ResultsArgs};
+use super::screen::ScreenArgs;
 use super::worst::Worst;
 use super::{poses, studies};
 use crate::error::Error;
@@ -38,6 +39,8 @@ pub(super) struct Args {
     snapshots: bool,
     #[command(flatten)]
     results: ResultsArgs,
+    #[command(flatten)]
+    screen: ScreenArgs,
     #[command(flatten)]
     method: MethodArgs,
 }
@@ -91,7 +94,12 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     match (args.results.format, &mut folder) {
         (Format::Text, _) => {
             let measured = measured.matings(study);
-            print(&gearlash_render::simulation_table(study, &runs, &measured))?;
+            print(&gearlash_render::simulation_table(
+                study,
+                &runs,
+                &measured,
+                &args.screen.screen(),
+            ))?;
         }
         (Format::Json, Some(folder)) => print_file(folder, JSON)?,
         (Format::Csv, Some(folder)) => print_file(folder, CSV)?,

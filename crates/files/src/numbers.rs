@@ -50,12 +50,7 @@ pub fn trimmed(value: f64, least: usize, most: usize) -> String {
     text.trim_end_matches('.').to_owned()
 }
 
-/// A centre distance: three decimals, as all in a table.
-pub fn distance(mm: f64) -> String {
-    fixed(mm, 3)
-}
-
-/// A centre distance as it was stated: three decimals, or as many as it has, up to nine.
+/// A centre distance as it was stated: three decimals, or as many as it has, up to nine. Fewer could make two of them equal.
 pub fn stated_distance(mm: f64) -> String {
     trimmed(mm, 3, 9)
 }

@@ -3,11 +3,11 @@
 mod junit;
 mod markdown;
 
-use crate::text::where_it_is;
+use crate::text::{Screen, Tone, where_it_is};
 use gearlash::analysis::compare::Verdict;
 use gearlash::analysis::tally::RunTally;
 use gearlash_files::characters::plain;
-use gearlash_files::numbers::{distance, signed_um, um_ascii};
+use gearlash_files::numbers::{signed_um, stated_distance, um_ascii};
 use gearlash_files::results::{ComparedPair, doubts};
 use std::fmt::Write;
 
@@ -119,13 +119,13 @@ fn at_poses(run: &RunTally, parts: &[(usize, &str)]) -> Option<String> {
 fn run_name(run: &RunTally) -> String {
     format!(
         "a = {} mm, {}",
-        distance(run.assembly.center_distance()),
+        stated_distance(run.assembly.center_distance()),
         run.material.name()
     )
 }
 
-/// Plain text: a line a run, failures explained, a verdict a file.
-pub fn text(pairs: &[ComparedPair]) -> String {
+/// Text on `screen`: a line a run, failures explained, a verdict a file.
+pub fn text(pairs: &[ComparedPair], screen: &Screen) -> String {
     let mut text = String::new();
     for pair in pairs {
         let _ = writeln!(text, "{} — {}", plain(&pair.file), plain(&pair.title));
@@ -138,10 +138,10 @@ pub fn text(pairs: &[ComparedPair]) -> String {
             };
             let verdict = match failure(pair, run) {
                 None => match trouble(run) {
-                    Some(what) => format!("ok ({what})"),
-                    None => "ok".to_owned(),
+                    Some(what) => format!("{} ({what})", screen.toned(Tone::Good, "ok")),
+                    None => screen.toned(Tone::Good, "ok"),
                 },
-                Some(reason) => format!("FAIL  {reason}"),
+                Some(reason) => format!("{}  {reason}", screen.toned(Tone::Bad, "FAIL")),
             };
             let _ = writeln!(
                 text,
@@ -167,7 +167,7 @@ pub fn text(pairs: &[ComparedPair]) -> String {
             PairOutcome::Nothing => writeln!(text, "  NOTHING TO COMPARE at some centre distance"),
         };
     }
-    text
+    screen.fold(&text)
 }
 
 /// GitHub workflow commands: an error a failing run, a notice a passing file.

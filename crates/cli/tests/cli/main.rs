@@ -23,6 +23,8 @@ mod slips;
 mod small;
 mod snapshot;
 mod step_summary;
+#[cfg(target_os = "linux")]
+mod terminal;
 
 use assert_cmd::Command;
 use predicates::prelude::*;

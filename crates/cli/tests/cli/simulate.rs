@@ -248,3 +248,26 @@ fn the_result_file_tells_the_difference() {
     assert_eq!(told["agree"], true);
     assert!(notes["pinion"].is_null(), "nothing to tell of it");
 }
+
+/// 160.470 stood there four times, and 29.9895 mm was shown as 29.989.
+#[test]
+fn centre_distances_are_told_apart() {
+    let folder = empty_folder();
+    let listed = SMALL.replace("[37.3, 37.35]", "[37.3, 37.30002, 37.3495]");
+    std::fs::write(folder.path().join("near.toml"), listed).unwrap();
+    let simulated = ["simulate", "near.toml", "--no-files"];
+    let compared = ["compare", "near.toml", "--markdown", "near.md"];
+    let checked = ["check", "near.toml"];
+    let mut texts: Vec<String> = [&simulated[..], &compared]
+        .map(|words| output(gearlash(folder.path()).args(words)))
+        .into();
+    texts.push(std::fs::read_to_string(folder.path().join("near.md")).unwrap());
+    for text in &texts {
+        for a in ["37.300 ", "37.30002 ", "37.3495 "] {
+            assert!(text.contains(a), "{a} in {text}");
+        }
+    }
+    let check = gearlash(folder.path()).args(checked).output().unwrap();
+    let check = String::from_utf8(check.stdout).unwrap();
+    assert!(check.contains("37.3495 "), "{check}");
+}

@@ -63,19 +63,27 @@ fn failure(pair: &ComparedPair, run: &RunTally) -> Option<String> {
     if run.compared == 0 && unproven < run.poses {
         parts.push(format!("nothing to compare: {}", without_value(run)));
     }
-    for verdict in [Verdict::Above, Verdict::Below, Verdict::OffLine] {
-        let count = run.count(verdict);
-        // What a run without anything to compare touches is said already.
-        let counts = !(pair.allow_off_line || run.compared == 0);
-        if count > 0 && (verdict != Verdict::OffLine || counts) {
-            parts.push(format!(
-                "{count} of {} poses: {}",
-                run.poses,
-                verdict.name()
-            ));
+    let [above, below, off_line] =
+        [Verdict::Above, Verdict::Below, Verdict::OffLine].map(|verdict| run.count(verdict));
+    let (less, alone) = (run.compared_off_line, run.simulated_alone());
+    let mut failing = vec![(above, "above the formula"), (below, "below the formula")];
+    // What a run without anything to compare touches is said already.
+    if !pair.allow_off_line && run.compared > 0 {
+        failing.extend([
+            (less, "off-line contact"),
+            (alone, "off-line contact where model 3 has no value"),
+            (off_line - less - alone, "jammed where model 3 has a value"),
+        ]);
+    }
+    for (count, what) in failing {
+        if count > 0 {
+            parts.push(format!("{count} of {} poses: {what}", run.poses));
         }
     }
-    let worst = run.worst().map_or(String::new(), |(pose, difference)| {
+    // A largest difference that agrees is not what failed.
+    let worst = run.worst();
+    let worst = worst.filter(|(pose, _)| pose.verdict != Verdict::Agrees);
+    let worst = worst.map_or(String::new(), |(pose, difference)| {
         format!(
             "; largest difference {} µm at {} (tolerance {} + bound {} µm)",
             signed_um(difference, 4),
@@ -160,10 +168,16 @@ pub fn text(pairs: &[ComparedPair], screen: &Screen) -> String {
         let within = format!("within {} µm + error bound", pair.tolerance_um);
         let _ = match outcome(pair) {
             PairOutcome::Agrees => writeln!(text, "  agree {within}"),
-            PairOutcome::Disagrees => writeln!(text, "  DISAGREE {within}"),
-            PairOutcome::Unproven => {
-                writeln!(text, "  UNPROVEN at some poses: no agreement {within}")
-            }
+            PairOutcome::Disagrees => writeln!(
+                text,
+                "  {}: no agreement {within}",
+                screen.toned(Tone::Bad, "FAILED")
+            ),
+            PairOutcome::Unproven => writeln!(
+                text,
+                "  {} at some poses: agreement {within} not shown",
+                screen.toned(Tone::Doubtful, "UNPROVEN")
+            ),
             PairOutcome::Nothing => writeln!(text, "  NOTHING TO COMPARE at some centre distance"),
         };
     }

@@ -92,6 +92,24 @@ mating = [[1, 1]]
 fraction = [0.0, 0.25, 0.5, 0.75]
 "#;
 
+/// Undercut gears of ten teeth, contact ratio 0.957 between the real form circles: at some poses an undercut edge touches, no two
+/// involutes reach each other, and the pair has more backlash than between them.
+const UNDERCUT: &str = r#"
+[wheel]
+teeth = 10
+module_mm = 2.0
+pressure_angle_deg = 20.0
+tip_diameter_mm = 23.4
+[pinion]
+teeth = 10
+module_mm = 2.0
+pressure_angle_deg = 20.0
+tip_diameter_mm = 23.4
+reference_face = "back"
+[assembly]
+center_distance_mm = 20.3
+"#;
+
 fn small(folder: &Path) -> PathBuf {
     let file = folder.join("small.toml");
     std::fs::write(&file, SMALL).unwrap();

@@ -154,6 +154,7 @@ fn off_line(page: &Page) -> Markup {
     html! {
         @match of.touch_off_line {
             0 if valued == 0 => "",
+            0 if of.simulated_alone > 0 => "Where both have a value, only involutes touch.",
             0 if valued == of.poses => "Only involutes touch, at every pose.",
             0 => "Where there is backlash, only involutes touch.",
             1 => "At one pose a tip corner, a fillet or a root takes part in a contact",

@@ -102,30 +102,33 @@ fn contact(diagnosis: &Diagnosis) -> String {
         let mating = worst.pose.mating();
         let _ = writeln!(
             text,
-            "Lost motion the formula does not see: least {}, mean {}, most {} µm of j_wt (formula {}, found {} µm).",
+            "Backlash j_wt by formula minus that on the outlines: least {}, mean {}, greatest {} µm.",
             um_ascii(loss.least, 3),
             um_ascii(loss.mean, 3),
             um_ascii(worst.loss, 3),
-            um_ascii(worst.backlash + worst.loss, 3),
-            um_ascii(worst.backlash, 3),
         );
-        let _ = writeln!(
-            text,
-            "Most at mating {},{} {} +{:.4}, a {} mm, {}: wheel tooth {} {} (radius {:.3} mm) on pinion tooth {} {} (radius {:.3} mm), {} flanks.",
-            mating.wheel_tooth,
-            mating.pinion_tooth,
-            mating.flank.name(),
-            mating.fraction,
-            stated_distance(worst.assembly.center_distance()),
-            worst.material.name(),
-            worst.contact.wheel.tooth,
-            worst.contact.wheel.curve.name(),
-            worst.contact.wheel.radius,
-            worst.contact.pinion.tooth,
-            worst.contact.pinion.curve.name(),
-            worst.contact.pinion.radius,
-            worst.side.name(),
-        );
+        // What shows as 0.000 µm is no loss.
+        if worst.loss >= 5e-7 {
+            let _ = writeln!(
+                text,
+                "Largest loss at mating {},{} {} +{:.4}, a {} mm, {}: formula {} µm, outlines {} µm; wheel tooth {} {} (radius {:.3} mm) on pinion tooth {} {} (radius {:.3} mm), {} flanks.",
+                mating.wheel_tooth,
+                mating.pinion_tooth,
+                mating.flank.name(),
+                mating.fraction,
+                stated_distance(worst.assembly.center_distance()),
+                worst.material.name(),
+                um_ascii(worst.backlash + worst.loss, 3),
+                um_ascii(worst.backlash, 3),
+                worst.contact.wheel.tooth,
+                worst.contact.wheel.curve.name(),
+                worst.contact.wheel.radius,
+                worst.contact.pinion.tooth,
+                worst.contact.pinion.curve.name(),
+                worst.contact.pinion.radius,
+                worst.side.name(),
+            );
+        }
     }
     text + match diagnosis.verdict() {
         Verdict::Pass => "Every check passes.\n",

@@ -3,7 +3,7 @@
 use super::layout::{Column, Screen, Table, Tone, where_it_is};
 use super::measured::{measured_count, measured_table};
 use super::phases::phase_table;
-use gearlash::analysis::compare::{ComparedPose, Verdict};
+use gearlash::analysis::compare::ComparedPose;
 use gearlash::analysis::measured::MeasuredMating;
 use gearlash::analysis::phases::phase_groups;
 use gearlash::analysis::study::Study;
@@ -160,13 +160,20 @@ fn run_table(study: &Study, runs: &[RunTally], screen: &Screen) -> String {
 
 fn off_line_note(runs: &[RunTally]) -> String {
     let total: usize = runs.iter().map(|run| run.poses).sum();
-    let off: usize = runs.iter().map(|run| run.count(Verdict::OffLine)).sum();
-    if off == 0 {
-        return String::new();
+    let less: usize = runs.iter().map(|run| run.compared_off_line).sum();
+    let alone: usize = runs.iter().map(RunTally::simulated_alone).sum();
+    let mut text = String::new();
+    if less > 0 {
+        text += &format!(
+            "\nIn {less} of {total} poses a tooth corner, fillet or root touches off the line of action: the pair has less backlash there than model 3 says.\n"
+        );
     }
-    format!(
-        "\nIn {off} of {total} poses a tooth corner, fillet or root touches off the line of action: the pair has less backlash there than model 3 says.\n"
-    )
+    if alone > 0 {
+        text += &format!(
+            "\nIn {alone} of {total} poses no two involutes reach each other on the line of action: model 3 has no value there.\n"
+        );
+    }
+    text
 }
 
 /// Poses up to this many are listed one by one (tuned: a screen).

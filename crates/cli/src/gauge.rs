@@ -14,7 +14,7 @@ use gearlash_files::results::gauge::{
     GaugedGear, csv_files, json, possible_files, stem, teeth_csv,
 };
 use gearlash_files::{GearEntry, GearsFile};
-use gearlash_render::gauge::{charts, missing, text};
+use gearlash_render::gauge::{charts, missing, page, text};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -22,7 +22,7 @@ use std::process::ExitCode;
 ///
 /// Anvils, pins, balls, measuring circles and a perfect master gear are brought to the outline of the gear
 /// as built. Prints least, mean and greatest of each reading; --positions adds a table with a row a tooth.
-/// Writes the readings of each gear and material into DIR as CSV, a chart of each, and a gear file
+/// Writes the readings of each gear and material into DIR as CSV, a chart of each that deviates, and a gear file
 /// gauge_<gear>.toml that states them. Files that an earlier run wrote there for the same gear and material are
 /// replaced, those without a successor removed; nothing else is touched.
 #[derive(clap::Args)]
@@ -53,6 +53,9 @@ pub(super) struct Args {
     /// Print every reading tooth by tooth, too (with --format csv that is what is printed)
     #[arg(long)]
     positions: bool,
+    /// Draw all charts of a gear on one page, gauge_<gear>.html, in place of a file each
+    #[arg(long, conflicts_with = "no_files")]
+    page: bool,
     #[command(flatten)]
     results: ResultsArgs,
     #[command(flatten)]
@@ -140,7 +143,10 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         let mut files = Vec::new();
         for gauged in &gears {
             files.extend(csv_files(gauged).map_err(|error| unwritable(&error))?);
-            files.extend(charts(gauged)?);
+            match args.page {
+                true => files.extend(page(gauged)?),
+                false => files.extend(charts(gauged)?),
+            }
             match gauged.gear_file() {
                 Ok(file) => files.push(file),
                 Err(reason) => warn(

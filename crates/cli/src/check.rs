@@ -16,9 +16,9 @@ use std::process::ExitCode;
 
 /// Check a pair: clearances, interference, backlash and limits, by formula and on the outlines
 ///
-/// Each check has its value by formula, the value measured on the outlines over the poses the pair file
-/// asks for, its limit, margin and verdict. A limit is met within 1e-9 mm. Where the poses lose backlash
-/// that no formula sees, the worst of them is named. Up to 2 million poses, which take 2 GB of memory.
+/// Each check has its value by formula, its value on the outlines over the poses of the pair file, its
+/// limit, margin and verdict. A limit is met within 1e-9 mm. The largest loss of backlash that no formula
+/// predicts is named with its teeth. Up to 2 million poses (2 GB of memory).
 #[derive(clap::Args)]
 pub(super) struct Args {
     /// The pair file (TOML or JSON), - for standard input
@@ -26,7 +26,7 @@ pub(super) struct Args {
     /// What to print
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
-    /// Also map what touches over centre distance and mesh phase, as map_<material>.svg and .csv
+    /// Also map the contact over centre distance and mesh phase, as map_<material>.svg and .csv
     #[arg(long)]
     map: bool,
     /// Folder for the map [default: out/<file stem>]

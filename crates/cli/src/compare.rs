@@ -19,10 +19,10 @@ use std::process::ExitCode;
 
 /// Compare simulated with analytic backlash; exit 1 when they disagree
 ///
-/// Model 3 (line of action) gates: a pose fails when |simulated − model 3| exceeds tolerance + error
-/// bound. Contact off the line of action (tip corner, fillet, root) makes a real pair tighter than the
-/// formula; that fails too, named as such, unless the pair file says allow_off_line_contact = true. So does a
-/// centre distance at which there is nothing to compare, jammed or out of mesh throughout.
+/// Model 3 (line of action) decides: a pose fails when |simulated − model 3| exceeds tolerance + error
+/// bound. Contact off the line of action (tip corner, fillet, root) leaves less backlash than the formula
+/// gives. That fails too, and is named, unless the pair file says allow_off_line_contact = true. A centre
+/// distance where every pose is jammed or out of mesh fails as well: there is nothing to compare.
 #[derive(clap::Args)]
 pub(super) struct Args {
     /// Pair files (TOML or JSON), - for standard input
@@ -47,11 +47,11 @@ pub(super) struct Args {
 
 #[derive(Clone, Copy, ValueEnum)]
 enum Format {
-    /// A line a run
+    /// One line per run
     Text,
-    /// The same, for programs
+    /// The same as JSON
     Json,
-    /// JUnit XML: a suite a file, a case a run
+    /// JUnit XML: one suite per file, one case per run
     Junit,
     /// GitHub annotations
     Github,

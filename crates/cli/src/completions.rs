@@ -12,7 +12,7 @@ use std::process::ExitCode;
 /// For bash: gearlash completions bash > ~/.local/share/bash-completion/completions/gearlash
 #[derive(clap::Args)]
 pub(super) struct Args {
-    /// Of which shell
+    /// The shell
     #[arg(value_enum)]
     shell: Shell,
 }

@@ -20,11 +20,11 @@ use std::process::ExitCode;
 
 /// Measure a gear on the model as the shop does: span, pins, runout, pitch, thickness, roll test
 ///
-/// Anvils, pins, balls, measuring circles and a perfect master gear are brought to the outline of the gear
-/// as built. Prints least, mean and greatest of each reading; --positions adds a table with a row a tooth.
+/// Anvils, pins, balls, measuring circles and a perfect master gear are placed in contact with the outline of the gear
+/// as built. Prints least, mean and greatest of each reading; --positions adds a table with one row per tooth.
 /// Writes the readings of each gear and material into DIR as CSV, a chart of each that deviates, and a gear file
-/// gauge_<gear>.toml that states them. Files that an earlier run wrote there for the same gear and material are
-/// replaced, those without a successor removed; nothing else is touched.
+/// gauge_<gear>.toml that states them. Files of an earlier run for the same gear and material are replaced or removed;
+/// nothing else is touched.
 #[derive(clap::Args)]
 pub(super) struct Args {
     /// A pair file, or a gear file: `title` and one [gear] with the keys of [wheel] (TOML or JSON); - for standard input
@@ -47,10 +47,10 @@ pub(super) struct Args {
     /// Teeth of the master gear [default: 30, or as many as the gear's tips need]
     #[arg(long, value_name = "Z", value_parser = clap::value_parser!(u32).range(3..=10_000))]
     master_teeth: Option<u32>,
-    /// Poses a pitch of the roll test
+    /// Roll test poses per pitch
     #[arg(long, value_name = "N", default_value_t = 16, value_parser = clap::value_parser!(u32).range(1..=1000))]
     steps_per_pitch: u32,
-    /// Print every reading tooth by tooth, too (with --format csv that is what is printed)
+    /// Also print every reading tooth by tooth (--format csv always does)
     #[arg(long)]
     positions: bool,
     /// Draw all charts of a gear on one page, gauge_<gear>.html, in place of a file each

@@ -47,7 +47,7 @@ use std::process::ExitCode;
 struct Cli {
     #[command(subcommand)]
     command: Command,
-    /// Print only results and errors: no progress, notes and warnings, nor where files are
+    /// Print only results and errors: no progress, notes, warnings or file names
     #[arg(short, long, global = true)]
     quiet: bool,
 }

@@ -11,7 +11,7 @@ use std::process::ExitCode;
 /// To read one: gearlash man simulate | man -l -
 #[derive(clap::Args)]
 pub(super) struct Args {
-    /// Of which command [default: of gearlash itself]
+    /// The command [default: gearlash itself]
     command: Option<String>,
 }
 

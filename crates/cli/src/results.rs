@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 #[derive(clap::Args)]
 pub(super) struct ResultsArgs {
-    /// What to print; with json or csv nothing else is printed, and nothing written without -o
+    /// What to print; json and csv print nothing else, and write no files without -o
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub(super) format: Format,
     /// Folder for results and pictures [default: out/<file stem>]
@@ -26,7 +26,7 @@ pub(super) enum Format {
     Text,
     /// The whole result
     Json,
-    /// One table: a row a pose, or a tooth
+    /// One table, one row per pose or tooth
     Csv,
 }
 

@@ -25,14 +25,14 @@ use std::process::ExitCode;
 /// Find the lost motion at every pose a pair file asks for
 ///
 /// Prints a table and writes DIR/result.json, DIR/result.csv and DIR/worst.svg, a snapshot of the pose with the least
-/// backlash of all. Up to 10 million poses, which take 25 GB of result; from a million on their size is told beforehand. With --format
-/// json or csv and no -o the result is printed as it grows: only exit code 0 or 1 says that it is whole.
+/// backlash of all. Up to 10 million poses (25 GB of results); from a million on the size is printed first. With --format
+/// json or csv and without -o the result is streamed: it is complete only if the exit code is 0 or 1.
 #[derive(clap::Args)]
 pub(super) struct Args {
     /// The pair file (TOML or JSON), - for standard input
     pair: PathBuf,
     /// Other centre distances than the pair file's, mm: one, or a scan FROM..TO:STEP
-    #[arg(long, value_name = "A", value_parser = distances::parse, allow_hyphen_values = true)]
+    #[arg(long, alias = "centre-distance", value_name = "A", value_parser = distances::parse, allow_hyphen_values = true)]
     center_distance: Option<Distances>,
     /// Also draw each run's pose with the least (a…_min.svg) and with the greatest backlash (a…_max.svg)
     #[arg(long, conflicts_with = "no_files")]

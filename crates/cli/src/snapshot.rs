@@ -36,7 +36,7 @@ pub(super) struct Args {
     /// The pose with the least backlash of all the pair file asks for, instead of --mating and --flank
     #[arg(long, conflicts_with_all = ["mating", "flank", "fraction"])]
     worst: bool,
-    /// Pitches beyond that pose
+    /// Turn on from that pose by this many pitches
     #[arg(
         long,
         value_name = "F",
@@ -45,12 +45,12 @@ pub(super) struct Args {
     )]
     fraction: f64,
     /// Centre distance in mm [default: the least of the pair file; with --worst all]
-    #[arg(long, value_name = "A", value_parser = distances::one, allow_hyphen_values = true)]
+    #[arg(long, alias = "centre-distance", value_name = "A", value_parser = distances::one, allow_hyphen_values = true)]
     center_distance: Option<f64>,
     /// Which end of the thickness tolerances [default: most, where there are two; with --worst both]
     #[arg(long, value_enum)]
     material: Option<End>,
-    /// Draw the deviations (thickness, pitch, eccentricity) this many times as large, before perfect teeth
+    /// Draw the deviations (thickness, pitch, eccentricity) this many times as large, in front of perfect teeth
     #[arg(long, value_name = "FACTOR", allow_negative_numbers = true)]
     exaggerate: Option<f64>,
     /// Turn the gears through a pitch from this pose on, in contact: an animated SVG for a browser

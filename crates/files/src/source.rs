@@ -174,7 +174,7 @@ pub fn parse(path: &Path, text: &str) -> Result<Vec<(String, Node)>, Problem> {
         serde_json::from_str(text).map_err(|error| {
             whole_file(
                 format!("not JSON: {}", cut(&error.to_string(), LONGEST_MESSAGE)),
-                "correct it there, or give TOML a name that ends in .toml",
+                "fix it there, or give TOML a name that ends in .toml",
             )
         })?
     } else {
@@ -189,7 +189,9 @@ pub fn parse(path: &Path, text: &str) -> Result<Vec<(String, Node)>, Problem> {
             let span = error.span().unwrap_or_default();
             let (line, column) = line_and_column(text, span.start);
             let named = match text.get(span) {
-                Some(key) if error.message() == "duplicate key" => format!(" `{}`", cut(key, LONGEST)),
+                Some(key) if error.message() == "duplicate key" => {
+                    format!(" `{}`", cut(key, LONGEST))
+                }
                 _ => String::new(),
             };
             whole_file(
@@ -197,7 +199,7 @@ pub fn parse(path: &Path, text: &str) -> Result<Vec<(String, Node)>, Problem> {
                     "not TOML: {}{named} at line {line} column {column}",
                     cut(error.message(), LONGEST_MESSAGE)
                 ),
-                "correct it there (a name in quotes, a number with a point), or give JSON a name that ends in .json",
+                "fix it there (use a decimal point, quote strings), or give JSON a name that ends in .json",
             )
         })?;
         toml::Value::Table(table).into()

@@ -178,7 +178,7 @@ fn bad_input_is_told() {
         (GEAR.replace("teeth = 21", "teeth = 2"), "gear.teeth = 2"),
         (
             GEAR.to_owned() + "[assembly]\n",
-            "unknown key, allowed here is `title` or `gear`",
+            "unknown key, expected `title` or `gear`",
         ),
         (
             GEAR.replace("high_tooth = 3.5", "high_tooth = 23"),

@@ -229,3 +229,31 @@ fn the_pair_file_of_the_readme_is_one() {
         .replace("# locked", "locked");
     assert_eq!(self::study(&more).study.tolerance_um, 0.1);
 }
+
+/// Prose says centre, keys say center: both spellings are read alike, but not together.
+#[test]
+fn either_spelling_of_the_centre_distance() {
+    let american = study(PAIR);
+    let british = study(&PAIR.replace("center_distance_mm", "centre_distance_mm"));
+    assert_eq!(american.study, british.study);
+    assert_eq!(american.spec, british.spec);
+    let both = PAIR.replace(
+        "center_distance_mm",
+        "centre_distance_mm = 75.2\ncenter_distance_mm",
+    );
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("pair.toml");
+    fs::write(&file, both).unwrap();
+    let error = gearlash_files::read(&file).unwrap_err().to_string();
+    assert!(
+        error.contains("assembly.centre_distance_mm = 75.2: stands beside center_distance_mm"),
+        "{error}"
+    );
+    let close = PAIR.replace("center_distance_mm = 75.2", "centre_distance_mm = 7.52");
+    fs::write(&file, close).unwrap();
+    let error = gearlash_files::read(&file).unwrap_err().to_string();
+    assert!(
+        error.contains("assembly.centre_distance_mm = 7.52"),
+        "{error}"
+    );
+}

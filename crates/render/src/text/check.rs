@@ -8,7 +8,7 @@ use gearlash_files::characters;
 use gearlash_files::numbers::{ascii, stated_distance, um_ascii};
 use std::fmt::Write;
 
-/// As text on `screen`: each check once, of the centre distance and material that keeps its limit least.
+/// As text on `screen`: each check once, at its worst centre distance and material.
 pub fn text(study: &Study, diagnosis: &Diagnosis, screen: &Screen) -> String {
     let mut text = format!("{}\n\n", characters::plain(&study.title));
     let several = diagnosis.groups.len() > 1;
@@ -22,7 +22,7 @@ pub fn text(study: &Study, diagnosis: &Diagnosis, screen: &Screen) -> String {
     }
     columns.extend([
         Column::new("formula").spare(1),
-        Column::new("measured"),
+        Column::new("outlines"),
         Column::new("limit"),
         Column::new("margin"),
         Column::new("").left(),
@@ -48,7 +48,7 @@ pub fn text(study: &Study, diagnosis: &Diagnosis, screen: &Screen) -> String {
     }
     text += &rows.text(screen);
     if several {
-        text += "\nEach check of the centre distance and material that keeps its limit least; --format json has all.\n";
+        text += "\nEach check is shown at its worst centre distance and material; --format json has all.\n";
     }
     for reason in doubts(diagnosis) {
         let word = screen.toned(Tone::Doubtful, "UNPROVEN");
@@ -134,7 +134,7 @@ fn contact(diagnosis: &Diagnosis) -> String {
         Verdict::Pass => "Every check passes.\n",
         Verdict::Warn => "No check fails.\n",
         Verdict::Unproven => {
-            "No check fails, but some are unproven: nobody knows whether their limits are kept.\n"
+            "No check fails, but some are unproven: whether they pass is not known.\n"
         }
         Verdict::Fail => "A check fails.\n",
     }

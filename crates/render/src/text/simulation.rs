@@ -191,8 +191,8 @@ fn unproven_note(runs: &[RunTally], screen: &Screen) -> String {
         return String::new();
     }
     let mut text = format!(
-        "\n{}: {count} of {poses} poses. No number above takes them in, and nobody knows whether the pair \
-         has backlash there.\n",
+        "\n{}: {count} of {poses} poses. No number above includes them; whether the pair \
+         has backlash there is not known.\n",
         screen.toned(Tone::Doubtful, "UNPROVEN")
     );
     for (run, pose) in first.take(MOST_NAMED) {

@@ -61,7 +61,7 @@ pub struct Study {
     pub materials: Vec<(Material, AsBuilt, AsBuilt)>,
     /// The gear that stands still.
     pub locked: Member,
-    /// Centre distances `a`, mm, distinct, in the order of the file (or of first appearance in `measured`).
+    /// Centre distances `a`, mm, distinct; those of a file in ascending order.
     pub center_distances: Vec<f64>,
     /// `c`, mm: radial clearance of both bearings together.
     pub bearing_clearance: f64,

@@ -35,6 +35,8 @@ pub struct RunTally {
     pub poses: usize,
     /// How many have both a simulated backlash and one by model 3.
     pub compared: usize,
+    /// How many of these lie below model 3 because something touches off the line of action.
+    pub compared_off_line: usize,
     /// How many have negative backlash, beyond their error bounds.
     pub interfering: usize,
     /// How many are jammed: a tip sits in a root.
@@ -68,6 +70,7 @@ impl RunTally {
             phase,
             poses: 0,
             compared: 0,
+            compared_off_line: 0,
             interfering: 0,
             jammed: 0,
             apart: 0,
@@ -90,6 +93,7 @@ impl RunTally {
         let swept = &pose.swept;
         self.poses += 1;
         self.compared += usize::from(pose.has_both());
+        self.compared_off_line += usize::from(pose.has_both() && pose.verdict == Verdict::OffLine);
         self.verdicts[pose.verdict as usize] += 1;
         self.valued += usize::from(swept.backlash.is_some());
         self.interfering += usize::from(swept.interferes());
@@ -129,6 +133,11 @@ impl RunTally {
     /// How many poses have this verdict.
     pub fn count(&self, verdict: Verdict) -> usize {
         self.verdicts[verdict as usize]
+    }
+
+    /// How many have a simulated backlash and none by model 3: no two involutes reach each other.
+    pub fn simulated_alone(&self) -> usize {
+        self.valued - self.compared
     }
 
     /// As [`ComparedRun::passes`].

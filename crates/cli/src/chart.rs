@@ -17,10 +17,10 @@ use std::process::ExitCode;
 /// Draw backlash over teeth or centre distance, or a gear's deviations, as SVG
 ///
 /// The poses are the pair file's where it sweeps a revolution, and one wheel revolution at 16 poses a pitch
-/// where it does not. Made for 800 px and for A4, for print in black and white and for the colour-blind.
+/// where it does not. Legible at 800 px, on A4, in black and white, and for colour-blind readers.
 #[derive(clap::Args)]
 pub(super) struct Args {
-    /// The pair file (TOML or JSON)
+    /// The pair file (TOML or JSON), - for standard input
     pair: PathBuf,
     /// What to draw
     #[arg(long, value_enum)]
@@ -28,8 +28,8 @@ pub(super) struct Args {
     /// The gear, for --kind inspection [default: wheel]
     #[arg(long, value_enum)]
     gear: Option<Gear>,
-    /// Centre distance in mm, for --kind revolution and difference [default: the first of the pair file]
-    #[arg(long, value_name = "A", value_parser = distances::parse, allow_hyphen_values = true)]
+    /// Centre distance in mm, for --kind revolution and difference [default: the least of the pair file]
+    #[arg(long, alias = "centre-distance", value_name = "A", value_parser = distances::parse, allow_hyphen_values = true)]
     center_distance: Option<Distances>,
     /// One end of the thickness tolerances, for --kind revolution and difference [default: both]
     #[arg(long, value_enum)]

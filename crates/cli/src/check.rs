@@ -1,8 +1,9 @@
 //! `gearlash check`: does the pair interfere, where, why, and what does it cost.
 
-use super::console::{print, tell};
+use super::console::{print, print_note, tell};
 use super::method::{MethodArgs, agreed};
 use super::progress::{Progress, run_under_bar};
+use super::screen::ScreenArgs;
 use super::{poses, studies};
 use crate::error::Error;
 use crate::output::OutputFolder;
@@ -10,28 +11,29 @@ use clap::ValueEnum;
 use gearlash::analysis::Plan;
 use gearlash::analysis::diagnosis::{Diagnosis, Group, MAP_ROWS, Verdict, ZeroDistance, map};
 use gearlash::analysis::study::{Material, Study};
-use gearlash_files::characters::plain;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
 /// Check a pair: clearances, interference, backlash and limits, by formula and on the outlines
 ///
-/// Each check has its value by formula, the value measured on the outlines over the poses the pair file
-/// asks for, its limit, margin and verdict. A limit is met within 1e-9 mm. Where the poses lose backlash
-/// that no formula sees, the worst of them is named. Up to 2 million poses, which take 2 GB of memory.
+/// Each check has its value by formula, its value on the outlines over the poses of the pair file, its
+/// limit, margin and verdict. A limit is met within 1e-9 mm. The largest loss of backlash that no formula
+/// predicts is named with its teeth. Up to 2 million poses (2 GB of memory).
 #[derive(clap::Args)]
 pub(super) struct Args {
-    /// The pair file (TOML or JSON)
+    /// The pair file (TOML or JSON), - for standard input
     pair: PathBuf,
     /// What to print
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
-    /// Also map what touches over centre distance and mesh phase, as map_<material>.svg and .csv
+    /// Also map the contact over centre distance and mesh phase, as map_<material>.svg and .csv
     #[arg(long)]
     map: bool,
     /// Folder for the map [default: out/<file stem>]
     #[arg(short, long, value_name = "DIR", requires = "map")]
     output: Option<PathBuf>,
+    #[command(flatten)]
+    screen: ScreenArgs,
     #[command(flatten)]
     method: MethodArgs,
 }
@@ -67,15 +69,14 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     };
 
     print(&match args.format {
-        Format::Text => gearlash_render::text::check::text(study, diagnosis),
+        Format::Text => gearlash_render::text::check::text(study, diagnosis, &args.screen.screen()),
         Format::Json => gearlash_files::results::checks_json(&file, diagnosis)
             .map_err(|error| Error::Usage(format!("the checks cannot be written: {error}")))?,
     })?;
     if let Some(folder) = folder {
-        let (path, _) = folder.write(&maps)?;
+        let written = folder.write(&maps)?;
         if args.format == Format::Text {
-            let folder = plain(&path.display().to_string());
-            print(&format!("\n{} files in {folder}\n", maps.len()))?;
+            print_note(&format!("\n{written}\n"))?;
         }
     }
     let agree = agreed(&analysis);

@@ -3,6 +3,7 @@
 use super::console::{print, tell};
 use super::method::{MethodArgs, agreement};
 use super::progress::Progress;
+use super::screen::ScreenArgs;
 use super::studies;
 use super::target::Target;
 use crate::error::Error;
@@ -18,13 +19,13 @@ use std::process::ExitCode;
 
 /// Compare simulated with analytic backlash; exit 1 when they disagree
 ///
-/// Model 3 (line of action) gates: a pose fails when |simulated − model 3| exceeds tolerance + error
-/// bound. Contact off the line of action (tip corner, fillet, root) makes a real pair tighter than the
-/// formula; that fails too, named as such, unless the pair file says allow_off_line_contact = true. So does a
-/// centre distance at which there is nothing to compare, jammed or out of mesh throughout.
+/// Model 3 (line of action) decides: a pose fails when |simulated − model 3| exceeds tolerance + error
+/// bound. Contact off the line of action (tip corner, fillet, root) leaves less backlash than the formula
+/// gives. That fails too, and is named, unless the pair file says allow_off_line_contact = true. A centre
+/// distance where every pose is jammed or out of mesh fails as well: there is nothing to compare.
 #[derive(clap::Args)]
 pub(super) struct Args {
-    /// Pair files (TOML or JSON)
+    /// Pair files (TOML or JSON), - for standard input
     #[arg(required = true)]
     pairs: Vec<PathBuf>,
     /// Tolerance of j_wt in µm [default: the pair file's, or 0.1]
@@ -39,16 +40,18 @@ pub(super) struct Args {
     #[arg(long, value_name = "FILE")]
     markdown: Option<PathBuf>,
     #[command(flatten)]
+    screen: ScreenArgs,
+    #[command(flatten)]
     method: MethodArgs,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
 enum Format {
-    /// A line a run
+    /// One line per run
     Text,
-    /// The same, for programs
+    /// The same as JSON
     Json,
-    /// JUnit XML: a suite a file, a case a run
+    /// JUnit XML: one suite per file, one case per run
     Junit,
     /// GitHub annotations
     Github,
@@ -62,6 +65,12 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         return Err(Error::Usage(format!(
             "--tolerance-um {tolerance}: a tolerance is a number of µm, 0 or more"
         )));
+    }
+    let from_stdin = |path: &&PathBuf| path.as_path() == Path::new("-");
+    if args.pairs.iter().filter(from_stdin).count() > 1 {
+        return Err(Error::Usage(
+            "- stands for standard input, which holds one pair file: name it once".to_owned(),
+        ));
     }
     let slip = args
         .tolerance_um
@@ -117,7 +126,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let unwritable =
         |error: String| Error::Usage(format!("the outcome cannot be written: {error}"));
     print(&match args.format {
-        Format::Text => comparison::text(&pairs),
+        Format::Text => comparison::text(&pairs, &args.screen.screen()),
         Format::Json => comparison_json(&pairs).map_err(|error| unwritable(error.to_string()))?,
         Format::Junit => {
             comparison::junit(&pairs).map_err(|error| unwritable(error.to_string()))?

@@ -8,9 +8,34 @@ use gearlash_files::Sources;
 use gearlash_files::characters::plain;
 use std::io::{BufWriter, ErrorKind, Write};
 use std::path::Path;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Bytes written to standard output at a time (tuned).
 const PIECE: usize = 1 << 16;
+
+/// Whether only results and errors are wanted.
+static QUIET: AtomicBool = AtomicBool::new(false);
+
+/// From now on only results and errors are printed.
+pub(super) fn be_quiet() {
+    QUIET.store(true, Ordering::Relaxed);
+}
+
+/// Whether only results and errors are wanted.
+pub(super) fn is_quiet() -> bool {
+    QUIET.load(Ordering::Relaxed)
+}
+
+/// Prints to standard output what is no result: where files are.
+///
+/// # Errors
+/// As [`print`].
+pub(super) fn print_note(text: &str) -> Result<(), Error> {
+    match is_quiet() {
+        true => Ok(()),
+        false => print(text),
+    }
+}
 
 /// Prints to standard output, down to the last byte.
 ///
@@ -79,8 +104,11 @@ pub(super) fn printed(result: std::io::Result<()>) -> Result<(), Error> {
     }
 }
 
-/// Writes a line to standard error, whatever the texts from files in it.
+/// Writes a warning or note to standard error, whatever the texts from files in it.
 pub(super) fn tell(line: &str) {
+    if is_quiet() {
+        return;
+    }
     let text = plain(line);
     let mut output = std::io::stderr().lock();
     let _ = output
@@ -95,9 +123,10 @@ pub(super) fn tell_lines(lines: &str) {
 
 /// Tells what the user should know, and what was found to be in order.
 pub(super) fn warn(file: &Path, warnings: &[String], remarks: &[String]) {
+    let file = gearlash_files::named(file).display();
     for (kind, list) in [("warning", warnings), ("note", remarks)] {
         for told in list {
-            tell(&format!("{kind}: {}: {told}", file.display()));
+            tell(&format!("{kind}: {file}: {told}"));
         }
     }
 }

@@ -1,10 +1,10 @@
 //! Errors as they are told: a line each, and below it the piece of the pair file in question, in colour on a terminal.
 
+use super::screen::has_colours;
 use crate::error::Error;
 use annotate_snippets::{AnnotationKind, Level, Origin, Renderer, Snippet};
 use gearlash_files::InputError;
 use gearlash_files::characters::{plain, quoted_source};
-use std::io::IsTerminal;
 use std::ops::Range;
 
 /// Bytes of a line of a pair file that is shown; of a longer one only the place is told (tuned: a list of 200 values).
@@ -12,9 +12,7 @@ const LONGEST_SHOWN: usize = 2000;
 
 /// `error` for standard error, each of its lines complete. Whatever stands in the files, it acts on no terminal or log.
 pub(super) fn explain(error: &Error) -> String {
-    let colour = std::io::stderr().is_terminal()
-        && std::env::var_os("NO_COLOR").is_none_or(|no| no.is_empty());
-    let renderer = match colour {
+    let renderer = match has_colours(&std::io::stderr()) {
         true => Renderer::styled(),
         false => Renderer::plain(),
     };

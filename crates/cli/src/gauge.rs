@@ -3,6 +3,7 @@
 use super::console::{print, warn};
 use super::progress::Progress;
 use super::results::{Format, ResultsArgs};
+use super::screen::ScreenArgs;
 use super::studies;
 use crate::error::Error;
 use clap::ValueEnum;
@@ -13,20 +14,20 @@ use gearlash_files::results::gauge::{
     GaugedGear, csv_files, json, possible_files, stem, teeth_csv,
 };
 use gearlash_files::{GearEntry, GearsFile};
-use gearlash_render::gauge::{charts, missing, text};
+use gearlash_render::gauge::{charts, missing, page, text};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
 /// Measure a gear on the model as the shop does: span, pins, runout, pitch, thickness, roll test
 ///
-/// Anvils, pins, balls, measuring circles and a perfect master gear are brought to the outline of the gear
-/// as built. Prints least, mean and greatest of each reading; --positions adds a table with a row a tooth.
-/// Writes the readings of each gear and material into DIR as CSV, a chart of each, and a gear file
-/// gauge_<gear>.toml that states them. Files that an earlier run wrote there for the same gear and material are
-/// replaced, those without a successor removed; nothing else is touched.
+/// Anvils, pins, balls, measuring circles and a perfect master gear are placed in contact with the outline of the gear
+/// as built. Prints least, mean and greatest of each reading; --positions adds a table with one row per tooth.
+/// Writes the readings of each gear and material into DIR as CSV, a chart of each that deviates, and a gear file
+/// gauge_<gear>.toml that states them. Files of an earlier run for the same gear and material are replaced or removed;
+/// nothing else is touched.
 #[derive(clap::Args)]
 pub(super) struct Args {
-    /// A pair file, or a gear file: `title` and one [gear] with the keys of [wheel] (TOML or JSON)
+    /// A pair file, or a gear file: `title` and one [gear] with the keys of [wheel] (TOML or JSON); - for standard input
     file: PathBuf,
     /// Only this gear of a pair
     #[arg(long, value_enum)]
@@ -46,14 +47,19 @@ pub(super) struct Args {
     /// Teeth of the master gear [default: 30, or as many as the gear's tips need]
     #[arg(long, value_name = "Z", value_parser = clap::value_parser!(u32).range(3..=10_000))]
     master_teeth: Option<u32>,
-    /// Poses a pitch of the roll test
+    /// Roll test poses per pitch
     #[arg(long, value_name = "N", default_value_t = 16, value_parser = clap::value_parser!(u32).range(1..=1000))]
     steps_per_pitch: u32,
-    /// Print every reading tooth by tooth, too (with --format csv that is what is printed)
+    /// Also print every reading tooth by tooth (--format csv always does)
     #[arg(long)]
     positions: bool,
+    /// Draw all charts of a gear on one page, gauge_<gear>.html, in place of a file each
+    #[arg(long, conflicts_with = "no_files")]
+    page: bool,
     #[command(flatten)]
     results: ResultsArgs,
+    #[command(flatten)]
+    screen: ScreenArgs,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -123,7 +129,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         Error::Usage(format!("the readings cannot be written as text: {error}"))
     };
     print(&match args.results.format {
-        Format::Text => text(&study.title, &gears, args.positions),
+        Format::Text => text(&study.title, &gears, args.positions, &args.screen.screen()),
         Format::Json => json(&study.title, &gears).map_err(|error| unwritable(&error))?,
         Format::Csv => teeth_csv(&gears).map_err(|error| unwritable(&error))?,
     })?;
@@ -137,7 +143,10 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         let mut files = Vec::new();
         for gauged in &gears {
             files.extend(csv_files(gauged).map_err(|error| unwritable(&error))?);
-            files.extend(charts(gauged)?);
+            match args.page {
+                true => files.extend(page(gauged)?),
+                false => files.extend(charts(gauged)?),
+            }
             match gauged.gear_file() {
                 Ok(file) => files.push(file),
                 Err(reason) => warn(

@@ -10,7 +10,7 @@ const PAIR: &str = include_str!("init_pair.toml");
 
 /// Write a commented pair file to begin with
 ///
-/// It can be simulated as it stands, and explains every key. A file that is there already is kept.
+/// It runs as written and explains every key. An existing file is never overwritten.
 #[derive(clap::Args)]
 pub(super) struct Args {
     /// The pair file to write, - for standard output
@@ -22,7 +22,7 @@ pub(super) struct Args {
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     if args.pair.exists() {
         return Err(Error::Usage(format!(
-            "{}: there is such a file, and init overwrites nothing; name another, or remove it",
+            "{}: already exists, and init never overwrites; name another, or remove it",
             args.pair.display()
         )));
     }

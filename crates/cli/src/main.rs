@@ -3,6 +3,7 @@
 mod chart;
 mod check;
 mod compare;
+mod completions;
 mod console;
 mod date;
 mod distances;
@@ -11,6 +12,7 @@ mod error;
 mod explain;
 mod gauge;
 mod init;
+mod man;
 mod method;
 mod output;
 mod pictures;
@@ -19,6 +21,7 @@ mod progress;
 mod report;
 mod results;
 mod schema;
+mod screen;
 mod signals;
 mod simulate;
 mod snapshot;
@@ -44,6 +47,9 @@ use std::process::ExitCode;
 struct Cli {
     #[command(subcommand)]
     command: Command,
+    /// Print only results and errors: no progress, notes, warnings or file names
+    #[arg(short, long, global = true)]
+    quiet: bool,
 }
 
 const EXIT_CODES: &str = "\
@@ -56,32 +62,29 @@ Example:
   gearlash snapshot fixtures/karba_44x44.toml --worst
   gearlash chart fixtures/karba_44x44.toml --kind distance --mating 44,44";
 
+/// What each does stands at its arguments.
 #[derive(Subcommand)]
 enum Command {
-    /// Find the lost motion at every pose a pair file asks for
     Simulate(simulate::Args),
-    /// Compare simulated with analytic backlash; exit 1 when they disagree
     Compare(compare::Args),
-    /// Check a pair: interference, clearances, limits; exit 1 when a check fails
     Check(check::Args),
-    /// Draw the contact at one pose as SVG
     Snapshot(snapshot::Args),
-    /// Measure a gear on the model as the shop does: span, pins, runout, pitch, roll test
     Gauge(gauge::Args),
-    /// Draw backlash over teeth or centre distance, or a gear's deviations, as SVG
     Chart(chart::Args),
-    /// Write the whole result as one HTML page
     Report(report::Args),
-    /// Write a commented pair file to begin with
     Init(init::Args),
-    /// Print the JSON Schema of a pair file or a gear file, for editors
     Schema(schema::Args),
+    Completions(completions::Args),
+    Man(man::Args),
 }
 
 fn main() -> ExitCode {
     signals::handle();
     let ended = match parse() {
         Ok(cli) => {
+            if cli.quiet {
+                console::be_quiet();
+            }
             cap_threads();
             command(cli.command)
         }
@@ -105,6 +108,8 @@ fn command(command: Command) -> Result<ExitCode, Error> {
         Command::Gauge(args) => gauge::run(&args),
         Command::Init(args) => init::run(&args),
         Command::Schema(args) => schema::run(&args),
+        Command::Completions(args) => completions::run(&args),
+        Command::Man(args) => man::run(&args),
         Command::Chart(args) => chart::run(&args),
         Command::Report(args) => report::run(&args),
     }

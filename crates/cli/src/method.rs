@@ -14,18 +14,18 @@ pub(super) struct MethodArgs {
     /// How lost motion is found
     #[arg(long, value_enum, default_value_t = Name::Exact)]
     method: Name,
-    /// Leave out the check of each exact result by polygons
+    /// Skip the polygon check of each exact result
     #[arg(long)]
     no_certify: bool,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
 enum Name {
-    /// On the smooth curves, each result checked by polygons
+    /// On the exact tooth curves, each result certified by polygons
     Exact,
-    /// On polygons cut ever finer round each contact: the referee, slower
+    /// On polygons refined around each contact: an independent method, slower
     Polygon,
-    /// By both: prints the largest difference, exit 1 above 1e-6 µm
+    /// Both: prints the largest difference, exit 1 above 1e-6 µm
     Both,
 }
 

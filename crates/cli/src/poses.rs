@@ -59,9 +59,9 @@ pub(super) fn allow(file: &Path, poses: u64, bound: &Bound) -> Result<(), Error>
 /// Poses from which on their number and size are told (tuned: gigabytes, and minutes of work).
 const MANY: u64 = 1_000_000;
 
-/// Tells how much `poses` will write, where that is much: so many `bytes` each.
+/// Tells how much `poses` will write, where that is much: so many `bytes` each, 0 for nothing.
 pub(super) fn announce(poses: u64, bytes: u64) {
-    if poses >= MANY {
+    if poses >= MANY && bytes > 0 {
         let bytes = numbers::bytes(poses.saturating_mul(bytes));
         tell(&format!("note: {poses} poses, about {bytes} of result"));
     }

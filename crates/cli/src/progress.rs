@@ -1,5 +1,6 @@
 //! A progress bar on a terminal, silence in a pipe.
 
+use super::console::is_quiet;
 use crate::error::Error;
 use gearlash::analysis::{self, Analysis, Plan};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -29,7 +30,7 @@ impl Progress {
         Progress::of(poses, "poses")
     }
 
-    /// No bar, for a terminal on which the result itself appears.
+    /// No bar: for a terminal on which the result itself appears, or with --quiet.
     pub fn none() -> Progress {
         Progress {
             bar: ProgressBar::hidden(),
@@ -38,6 +39,9 @@ impl Progress {
 
     /// A bar of so many `steps`, and what a step is called; beside it, as far as there is room, what is being done.
     pub fn of(steps: u64, named: &str) -> Progress {
+        if is_quiet() {
+            return Progress::none();
+        }
         let bar = ProgressBar::new(steps);
         let template = format!("{{bar:40}} {{pos}}/{{len}} {named}, {{eta}} left {{wide_msg}}");
         Progress::shown(bar, &template)
@@ -45,6 +49,9 @@ impl Progress {
 
     /// A sign of life for work whose length is not known beforehand, with what is being done.
     pub fn working() -> Progress {
+        if is_quiet() {
+            return Progress::none();
+        }
         let bar = ProgressBar::new_spinner();
         bar.enable_steady_tick(Duration::from_millis(100));
         Progress::shown(bar, "{spinner} {msg}")

@@ -16,13 +16,13 @@ use std::process::ExitCode;
 
 /// Write a report: one HTML page with verdict, input, checks, curves, formulas and the mesh itself
 ///
-/// The page needs no network and no other file, and prints on A4. Beside the poses the pair file asks for it
-/// shows whole revolutions at each centre distance. Its date is that of the environment variable
-/// SOURCE_DATE_EPOCH (seconds since 1970) where set, so that the same input gives the same bytes, or else today.
-/// Up to 2 million poses, revolutions included, which take 2 GB of memory.
+/// The page needs no network and no other file, and prints on A4. In addition to the poses of the pair file it
+/// shows whole revolutions at each centre distance. It is dated today, or by the environment variable
+/// SOURCE_DATE_EPOCH (seconds since 1970) where set, so that the same input gives the same bytes.
+/// Up to 2 million poses, revolutions included (2 GB of memory).
 #[derive(clap::Args)]
 pub(super) struct Args {
-    /// The pair file (TOML or JSON)
+    /// The pair file (TOML or JSON), - for standard input
     pair: PathBuf,
     /// The page [default: out/<file stem>.html]; - for standard output
     #[arg(short, long, value_name = "FILE.html")]

@@ -1,21 +1,23 @@
 //! What a command prints of its results, and the folder that takes all of them.
 
-use super::console::print;
+use super::console::print_note;
 use crate::error::Error;
 use crate::output::OutputFolder;
 use clap::ValueEnum;
 use gearlash_files::Sources;
-use gearlash_files::characters::plain;
 use std::path::{Path, PathBuf};
 
 #[derive(clap::Args)]
 pub(super) struct ResultsArgs {
-    /// What to print; with json or csv nothing else is printed, and nothing written without -o
+    /// What to print; json and csv print nothing else, and write no files without -o
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub(super) format: Format,
     /// Folder for results and pictures [default: out/<file stem>]
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
+    /// Write no files
+    #[arg(long, conflicts_with = "output")]
+    no_files: bool,
 }
 
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
@@ -24,7 +26,7 @@ pub(super) enum Format {
     Text,
     /// The whole result
     Json,
-    /// One table: a row a pose, or a tooth
+    /// One table, one row per pose or tooth
     Csv,
 }
 
@@ -42,8 +44,8 @@ impl ResultsArgs {
     ) -> Result<Option<OutputFolder>, Error> {
         let path = match (&self.output, self.format) {
             (Some(folder), _) => folder.clone(),
-            (None, Format::Text) => Path::new("out").join(stem),
-            (None, Format::Json | Format::Csv) => return Ok(None),
+            (None, Format::Text) if !self.no_files => Path::new("out").join(stem),
+            (None, _) => return Ok(None),
         };
         OutputFolder::prepare(&path, sources, own).map(Some)
     }
@@ -57,10 +59,9 @@ impl ResultsArgs {
         folder: OutputFolder,
         files: &[(String, String)],
     ) -> Result<(), Error> {
-        let (path, files) = folder.write(files)?;
-        let path = plain(&path.display().to_string());
+        let written = folder.write(files)?;
         match self.format {
-            Format::Text => print(&format!("\n{files} files in {path}\n")),
+            Format::Text => print_note(&format!("\n{written}\n")),
             Format::Json | Format::Csv => Ok(()),
         }
     }

@@ -13,7 +13,7 @@ use std::process::ExitCode;
 /// schema can say.
 #[derive(clap::Args)]
 pub(super) struct Args {
-    /// Of which files
+    /// Which kind of file
     #[arg(value_enum, default_value = "pair")]
     files: Files,
 }

@@ -5,12 +5,16 @@ use super::distances::{self, Distances};
 use super::method::{MethodArgs, agreement};
 use super::progress::Progress;
 use super::results::{Format, ResultsArgs};
+use super::screen::ScreenArgs;
+use super::worst::Worst;
 use super::{poses, studies};
 use crate::error::Error;
 use crate::output::{NewFile, OutputFolder};
 use gearlash::analysis::measured::MeasuredTally;
-use gearlash::analysis::study::Study;
+use gearlash::analysis::study::{Material, Study};
 use gearlash::analysis::tally::{MOST_UNPROVEN, Piece, RunTally, simulate_by_blocks};
+use gearlash::contact::PoseResult;
+use gearlash::pair::GearPair;
 use gearlash_files::ResultWriter;
 use gearlash_files::{POSE_BYTES_CSV, POSE_BYTES_JSON};
 use gearlash_render::Snapshot;
@@ -20,19 +24,23 @@ use std::process::ExitCode;
 
 /// Find the lost motion at every pose a pair file asks for
 ///
-/// Prints a table and writes DIR/result.json, DIR/result.csv and, for each run (a centre distance and a
-/// material), snapshots of the pose with the least (…_min.svg) and with the greatest backlash (…_max.svg).
-/// Up to 10 million poses, which take 25 GB of result; from a million on their size is told beforehand. With --format
-/// json or csv and no -o the result is printed as it grows: only exit code 0 or 1 says that it is whole.
+/// Prints a table and writes DIR/result.json, DIR/result.csv and DIR/worst.svg, a snapshot of the pose with the least
+/// backlash of all. Up to 10 million poses (25 GB of results); from a million on the size is printed first. With --format
+/// json or csv and without -o the result is streamed: it is complete only if the exit code is 0 or 1.
 #[derive(clap::Args)]
 pub(super) struct Args {
-    /// The pair file (TOML or JSON)
+    /// The pair file (TOML or JSON), - for standard input
     pair: PathBuf,
     /// Other centre distances than the pair file's, mm: one, or a scan FROM..TO:STEP
-    #[arg(long, value_name = "A", value_parser = distances::parse, allow_hyphen_values = true)]
+    #[arg(long, alias = "centre-distance", value_name = "A", value_parser = distances::parse, allow_hyphen_values = true)]
     center_distance: Option<Distances>,
+    /// Also draw each run's pose with the least (a…_min.svg) and with the greatest backlash (a…_max.svg)
+    #[arg(long, conflicts_with = "no_files")]
+    snapshots: bool,
     #[command(flatten)]
     results: ResultsArgs,
+    #[command(flatten)]
+    screen: ScreenArgs,
     #[command(flatten)]
     method: MethodArgs,
 }
@@ -48,27 +56,32 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     poses::allow(&args.pair, study.pose_count(), &poses::STREAMED)?;
     // Before the simulation, not after it.
     let mut folder = args.results.folder(&file.stem, &file.sources, is_own)?;
-    let printed = folder.is_none();
-    let bytes = match args.results.format {
-        _ if !printed => POSE_BYTES_JSON + POSE_BYTES_CSV,
-        Format::Csv => POSE_BYTES_CSV,
-        Format::Json | Format::Text => POSE_BYTES_JSON,
+    let (bytes, streamed) = match args.results.format {
+        _ if folder.is_some() => (POSE_BYTES_JSON + POSE_BYTES_CSV, false),
+        Format::Csv => (POSE_BYTES_CSV, true),
+        Format::Json => (POSE_BYTES_JSON, true),
+        Format::Text => (0, false),
     };
     poses::announce(study.pose_count(), bytes);
 
-    let progress = match printed && std::io::stdout().is_terminal() {
+    let progress = match streamed && std::io::stdout().is_terminal() {
         // The result appears there as it grows.
         true => Progress::none(),
         false => Progress::start(study.pose_count()),
     };
     let [json, csv] = outputs(args.results.format, folder.as_mut())?;
     let mut writer = ResultWriter::begin(&file, json, csv).map_err(unwritable)?;
-    let mut measured = MeasuredTally::new(study);
+    let (mut measured, mut worst) = (MeasuredTally::new(study), Worst::default());
     let (method, tick) = (args.method.method(), || progress.tick());
     let each = &mut |piece: Piece| {
         match piece {
             Piece::Begin(run) => measured.begin(run.assembly.center_distance(), run.material),
-            Piece::Poses(_, poses) => measured.add(poses),
+            Piece::Poses(run, poses) => {
+                measured.add(poses);
+                for pose in poses {
+                    worst.add((run.material, &run.assembly, run.phase), &pose.swept);
+                }
+            }
             Piece::End(_) => {}
         }
         writer.take(piece).map_err(unwritable)
@@ -81,7 +94,12 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     match (args.results.format, &mut folder) {
         (Format::Text, _) => {
             let measured = measured.matings(study);
-            print(&gearlash_render::simulation_table(study, &runs, &measured))?;
+            print(&gearlash_render::simulation_table(
+                study,
+                &runs,
+                &measured,
+                &args.screen.screen(),
+            ))?;
         }
         (Format::Json, Some(folder)) => print_file(folder, JSON)?,
         (Format::Csv, Some(folder)) => print_file(folder, CSV)?,
@@ -89,7 +107,13 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         (Format::Json | Format::Csv, None) => {}
     }
     if let Some(mut folder) = folder {
-        snapshots(study, &runs, &mut folder)?;
+        if let Some((run, pose)) = worst.pose() {
+            let picture = picture(study, &run.assembly, run.material, pose);
+            folder.add(WORST, &picture)?;
+        }
+        if args.snapshots {
+            snapshots(study, &runs, &mut folder)?;
+        }
         args.results.write(folder, &[])?;
     }
     Ok(match agreement(&runs) {
@@ -100,6 +124,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
 
 const JSON: &str = "result.json";
 const CSV: &str = "result.csv";
+const WORST: &str = "worst.svg";
 
 /// Where JSON and CSV go: both into the folder, or one to standard output where there is none.
 fn outputs(
@@ -164,7 +189,18 @@ fn is_own(name: &str) -> bool {
         let run = ending.and_then(|run| run.strip_prefix('a'));
         run.is_some_and(|run| run.starts_with(|c: char| c.is_ascii_digit()) && run.contains('_'))
     };
-    matches!(name, "result.json" | "result.csv") || picture(name)
+    matches!(name, JSON | CSV | WORST) || picture(name)
+}
+
+/// A picture of `pose` in the `material` of its run.
+fn picture(study: &Study, assembly: &GearPair, material: Material, pose: &PoseResult) -> String {
+    gearlash_render::snapshot(&Snapshot {
+        title: &study.title,
+        assembly,
+        pose: &pose.pose,
+        material: material.name(),
+        found: pose.found.as_ref(),
+    })
 }
 
 /// Snapshots of each run's least and greatest pose, into `folder`.
@@ -182,13 +218,7 @@ fn snapshots(study: &Study, runs: &[RunTally], folder: &mut OutputFolder) -> Res
                 run.assembly.center_distance(),
                 run.material.name()
             );
-            let picture = gearlash_render::snapshot(&Snapshot {
-                title: &study.title,
-                assembly: &run.assembly,
-                pose: &pose.swept.pose,
-                material: run.material.name(),
-                found: pose.swept.found.as_ref(),
-            });
+            let picture = picture(study, &run.assembly, run.material, &pose.swept);
             folder.add(&name, &picture)?;
         }
     }

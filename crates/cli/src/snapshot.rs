@@ -25,7 +25,7 @@ use std::process::ExitCode;
 /// contacts with their normals, the gap or overlap, and an enlarged inset of each contact.
 #[derive(clap::Args)]
 pub(super) struct Args {
-    /// The pair file (TOML or JSON)
+    /// The pair file (TOML or JSON), - for standard input
     pair: PathBuf,
     /// Wheel tooth and pinion tooth that mate, such as 11,11
     #[arg(long, value_name = "W,P", value_parser = teeth)]
@@ -36,7 +36,7 @@ pub(super) struct Args {
     /// The pose with the least backlash of all the pair file asks for, instead of --mating and --flank
     #[arg(long, conflicts_with_all = ["mating", "flank", "fraction"])]
     worst: bool,
-    /// Pitches beyond that pose
+    /// Turn on from that pose by this many pitches
     #[arg(
         long,
         value_name = "F",
@@ -44,13 +44,13 @@ pub(super) struct Args {
         allow_negative_numbers = true
     )]
     fraction: f64,
-    /// Centre distance in mm [default: the first of the pair file; with --worst all]
-    #[arg(long, value_name = "A", value_parser = distances::one, allow_hyphen_values = true)]
+    /// Centre distance in mm [default: the least of the pair file; with --worst all]
+    #[arg(long, alias = "centre-distance", value_name = "A", value_parser = distances::one, allow_hyphen_values = true)]
     center_distance: Option<f64>,
     /// Which end of the thickness tolerances [default: most, where there are two; with --worst both]
     #[arg(long, value_enum)]
     material: Option<End>,
-    /// Draw the deviations (thickness, pitch, eccentricity) this many times as large, before perfect teeth
+    /// Draw the deviations (thickness, pitch, eccentricity) this many times as large, in front of perfect teeth
     #[arg(long, value_name = "FACTOR", allow_negative_numbers = true)]
     exaggerate: Option<f64>,
     /// Turn the gears through a pitch from this pose on, in contact: an animated SVG for a browser
@@ -192,7 +192,7 @@ fn assembly(args: &Args, study: &Study) -> Result<(Material, GearPair), Error> {
     };
     if args.center_distance.is_none() && study.center_distances.len() > 1 {
         tell(&format!(
-            "note: at centre distance {distance} mm, the first of {}; choose with --center-distance",
+            "note: at centre distance {distance} mm, the least of {}; choose with --center-distance",
             study.center_distances.len()
         ));
     }

@@ -1,6 +1,6 @@
 //! Where one file goes: `-o FILE`, or `-` for standard output.
 
-use super::console::print;
+use super::console::{print, print_note};
 use crate::error::Error;
 use crate::output::OutputFile;
 use gearlash_files::Sources;
@@ -55,7 +55,7 @@ impl Target {
             None => String::new(),
         };
         self.write_silently(content)?;
-        print(&shown)
+        print_note(&shown)
     }
 
     /// The same, for a command whose standard output is its outcome.

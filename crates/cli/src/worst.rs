@@ -1,4 +1,4 @@
-//! `snapshot --worst`: the pose with the least backlash of all a pair file asks for.
+//! The pose with the least backlash of all a pair file asks for: what `snapshot --worst` and `simulate` draw.
 
 use super::console::tell;
 use super::progress::Progress;
@@ -7,10 +7,62 @@ use gearlash::analysis::simulate::{Run, each_block};
 use gearlash::analysis::study::{Material, Study};
 use gearlash::analytic::evaluate;
 use gearlash::contact::{FirstLeast, Method, PoseResult, Status};
+use gearlash::pair::GearPair;
+
+/// A pose and the run it belongs to.
+pub(super) type PoseOfRun = (Run, PoseResult);
+
+/// Looks for the worst of the poses that come by: the first that is jammed, else the first that cannot be told from the least.
+///
+/// Those that are not proven are left out; only where no other is in mesh the first of them is the worst.
+#[derive(Default)]
+pub(super) struct Worst {
+    /// Poses that are not proven, an end of the bearing clearance included.
+    unproven: usize,
+    /// Poses of which no backlash is proven. Of one that is proven but for an end of the bearing clearance the picture is
+    /// right all the same.
+    left_out: usize,
+    first_unproven: Option<PoseOfRun>,
+    jammed: Option<PoseOfRun>,
+    least: FirstLeast<PoseOfRun>,
+}
+
+impl Worst {
+    /// Takes the next pose in.
+    pub(super) fn add(
+        &mut self,
+        (material, assembly, phase): (Material, &GearPair, Option<(u32, u32)>),
+        pose: &PoseResult,
+    ) {
+        let found = || {
+            let run = Run {
+                material,
+                assembly: assembly.clone(),
+                phase,
+                poses: Vec::new(),
+            };
+            (run, pose.clone())
+        };
+        self.unproven += usize::from(pose.is_unproven());
+        if pose.found.is_err() {
+            self.left_out += 1;
+            self.first_unproven.get_or_insert_with(found);
+        } else if pose.status() == Status::Jammed {
+            self.jammed.get_or_insert_with(found);
+        } else if let (Some(backlash), Some(bound)) = (pose.backlash, pose.error_bound) {
+            self.least.add(backlash, bound, found);
+        }
+    }
+
+    /// The worst of all so far; `None` where none is in mesh.
+    pub(super) fn pose(&self) -> Option<&PoseOfRun> {
+        let proven = self.jammed.as_ref().or(self.least.first());
+        proven.or(self.first_unproven.as_ref())
+    }
+}
 
 /// Runs `study` at `distance` and with `material` alone where they are given, says on standard error which
-/// pose is the worst, and returns it alone in its run, with the number of poses that are not proven. Those are left
-/// out, and told; only where no other is in mesh the first of them is returned.
+/// pose is the [`Worst`], and returns it alone in its run, with the number of poses that are not proven.
 pub(super) fn find(
     study: Study,
     distance: Option<f64>,
@@ -20,55 +72,35 @@ pub(super) fn find(
     let poses = study.pose_count();
     let progress = Progress::start(poses);
     let method = Method::Exact { certify: true };
-    // Of a pose that is proven but for an end of the bearing clearance the picture is right all the same.
-    let (mut unproven, mut left_out) = (0, 0);
-    let (mut jammed, mut first_unproven) = (None, None);
-    let mut least = FirstLeast::default();
+    let mut worst = Worst::default();
     let tick = || progress.tick();
     each_block::<Error>(&study, study.runs()?, method, &tick, &mut |block| {
         for pose in &block.poses {
-            let found = || {
-                let run = Run {
-                    material: block.material,
-                    assembly: block.assembly.clone(),
-                    phase: block.phase,
-                    poses: Vec::new(),
-                };
-                (run, pose.clone())
-            };
-            unproven += usize::from(pose.is_unproven());
-            if pose.found.is_err() {
-                left_out += 1;
-                first_unproven.get_or_insert_with(found);
-            } else if pose.status() == Status::Jammed {
-                jammed.get_or_insert_with(found);
-            } else if let (Some(backlash), Some(bound)) = (pose.backlash, pose.error_bound) {
-                least.add(backlash, bound, found);
-            }
+            worst.add((block.material, block.assembly, block.phase), pose);
         }
         Ok(())
     })?;
     drop(progress);
-    if let Some((run, pose)) = &first_unproven {
+    let left_out = worst.left_out;
+    if let Some((run, pose)) = &worst.first_unproven {
         tell(&format!(
             "{left_out} of {poses} poses unproven and left out, though one of them may be the worst; the first: {}",
             in_words(run, pose)
         ));
     }
-    let worst = jammed.as_ref().or(least.first());
-    let Some((run, pose)) = worst.or(first_unproven.as_ref()) else {
+    let Some((run, pose)) = worst.pose() else {
         return Err(Error::Usage(format!(
             "--worst: none of the {poses} poses is in mesh; nothing can be called the worst"
         )));
     };
     if pose.found.is_ok() {
-        let compared = poses - left_out;
+        let compared = poses - left_out as u64;
         tell(&format!(
             "worst of {compared} poses: {}",
             in_words(run, pose)
         ));
     }
-    Ok((run.clone(), pose.clone(), unproven))
+    Ok((run.clone(), pose.clone(), worst.unproven))
 }
 
 fn narrowed(

@@ -11,7 +11,12 @@ use gearlash::error::GearError;
 use gearlash::pair::Member;
 use std::collections::HashSet;
 
-pub const KEYS: &[&str] = &["center_distance_mm", "locked", "bearing_clearance_mm"];
+pub const KEYS: &[&str] = &[
+    "center_distance_mm",
+    "centre_distance_mm",
+    "locked",
+    "bearing_clearance_mm",
+];
 const MEMBERS: [(&str, Member); 2] = [("wheel", Member::Wheel), ("pinion", Member::Pinion)];
 
 /// What is good of the table.
@@ -26,11 +31,19 @@ pub struct AssemblyPart {
 impl AssemblyPart {
     /// Reads the table; the centre distances may be absent when not `needed`.
     pub fn read(table: &Table, needed: bool, problems: &mut Problems) -> AssemblyPart {
-        let entry = if needed {
+        let name = spelling(|name| table.has(name));
+        let entry = if name != KEYS[0] && table.has(KEYS[0]) {
+            problems.add(table.problem(
+                name,
+                format!("stands beside {}, the same in another spelling", KEYS[0]),
+                "remove one or the other",
+            ));
+            None
+        } else if needed {
             let what = format!("{}, or a list of such", CENTER_DISTANCE.allowed);
-            table.need("center_distance_mm", &what, problems).map(Some)
+            table.need(name, &what, problems).map(Some)
         } else {
-            table.optional("center_distance_mm")
+            table.optional(name)
         };
         AssemblyPart {
             distances: match entry {
@@ -41,6 +54,11 @@ impl AssemblyPart {
             bearings: bearings(table, problems),
         }
     }
+}
+
+/// The key of the centre distances, in British or American spelling: the one that `stands` there.
+fn spelling(stands: impl Fn(&str) -> bool) -> &'static str {
+    KEYS[usize::from(stands(KEYS[1]))]
 }
 
 /// `bearing_clearance_mm`: one for both, or one for each; none: 0.
@@ -122,7 +140,7 @@ pub fn check_shared(
         if wheel != pinion {
             problems.add(file.problem(
                 &format!("pinion.{name}"),
-                format!("differs from wheel.{name} = {wheel:?}, allowed is the same on both gears"),
+                format!("differs from wheel.{name} = {wheel:?}, must be equal on both gears"),
                 "correct one of them: gears of different basic racks do not mesh",
             ));
             shared = None;
@@ -143,14 +161,16 @@ pub fn overlap(a: f64, base_radii: f64) -> Option<String> {
 /// Reports each distance of the pair file at which base circles overlap.
 pub fn check_distances(file: &Table, list: &[f64], base_radii: f64, problems: &mut Problems) {
     let mut bad = Problems::of_list();
+    let key = spelling(|name| file.has(&format!("assembly.{name}")));
+    let key = format!("assembly.{key}");
     for reason in list.iter().filter_map(|&a| overlap(a, base_radii)) {
         bad.add(file.problem(
-            "assembly.center_distance_mm",
+            &key,
             reason,
             "check the distance, teeth and module: a pair without profile shift runs at m (z_1 + z_2)/2",
         ));
     }
-    problems.add_list("assembly.center_distance_mm", bad);
+    problems.add_list(&key, bad);
 }
 
 /// Reports a bearing clearance that lets the base circles overlap at the least good distance of `list`.

@@ -61,7 +61,9 @@ impl DataFile {
     /// # Errors
     /// Those of [`source::text`].
     pub fn text(&self) -> Result<String, Problem> {
-        source::text(&self.path).map_err(|problem| self.problem(problem.reason, problem.help))
+        source::bytes(&self.path)
+            .and_then(source::text)
+            .map_err(|problem| self.problem(problem.reason, problem.help))
     }
 
     /// Its bytes.

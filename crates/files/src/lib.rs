@@ -64,6 +64,17 @@ use place::Place;
 use problems::Problems;
 use std::path::Path;
 
+/// The path that stands for standard input.
+const STANDARD_INPUT: &str = "-";
+
+/// What the file at `path` is called: `stdin` for `-`, which is standard input.
+pub fn named(path: &Path) -> &Path {
+    match path == Path::new(STANDARD_INPUT) {
+        true => Path::new("stdin"),
+        false => path,
+    }
+}
+
 pub use error::{InputError, Problem};
 pub use gauged_file::{GaugedTables, NoGearFile, gauged_file};
 pub use limits::{MOST_POSES, POSE_BYTES_CSV, POSE_BYTES_JSON};
@@ -73,12 +84,12 @@ pub use results::{ResultFile, ResultWriter, result_file};
 pub use sources::Sources;
 pub use spec::{gear_schema, pair_schema};
 
-/// Reads the pair file at `path`: TOML, or JSON with the same keys.
+/// Reads the pair file at `path`: TOML, or JSON with the same keys. `-` is standard input, relative to the working folder.
 ///
 /// # Errors
 /// [`InputError`] with all problems of the file, each with key, value, what is allowed and what to do.
 pub fn read(path: &Path) -> Result<PairFile, InputError> {
-    with_entries(path, |place, entries, problems| {
+    with_entries(path, |path, place, entries, problems| {
         PairTables::read(path, place, entries, problems).study(problems)
     })
 }
@@ -88,7 +99,7 @@ pub fn read(path: &Path) -> Result<PairFile, InputError> {
 /// # Errors
 /// As [`read`].
 pub fn read_gears(path: &Path) -> Result<GearsFile, InputError> {
-    with_entries(path, |place, entries, problems| {
+    with_entries(path, |path, place, entries, problems| {
         if gear_file::is_one(entries) {
             return gear_file::read(path, place, entries, problems);
         }
@@ -97,18 +108,26 @@ pub fn read_gears(path: &Path) -> Result<GearsFile, InputError> {
     })
 }
 
-/// What `understand` makes of the entries of the file at `path`, when nothing was wrong.
+/// What `understand` makes of the entries of the file at `path`, by the name it has in messages, when nothing was wrong.
 fn with_entries<T>(
     path: &Path,
-    understand: impl FnOnce(&Place, &[(String, Node)], &mut Problems) -> Option<T>,
+    understand: impl FnOnce(&Path, &Place, &[(String, Node)], &mut Problems) -> Option<T>,
 ) -> Result<T, InputError> {
     let mut problems = Problems::new();
-    let place = Place::of(path);
-    let text = problems.keep(source::text(path));
+    let from_stdin = path == Path::new(STANDARD_INPUT);
+    let (path, place, bytes) = match from_stdin {
+        true => (
+            named(path),
+            Place::of_standard_input(),
+            source::standard_input(),
+        ),
+        false => (path, Place::of(path), source::bytes(path)),
+    };
+    let text = problems.keep(bytes.and_then(source::text));
     let entries = text.as_ref().map(|text| source::parse(path, text));
     let understood = entries
         .and_then(|entries| problems.keep(entries))
-        .and_then(|entries| understand(&place, &entries, &mut problems));
+        .and_then(|entries| understand(path, &place, &entries, &mut problems));
     match understood {
         Some(understood) if problems.is_empty() => Ok(understood),
         _ => Err(InputError {

@@ -170,7 +170,14 @@ impl Measured {
             ));
             return None;
         }
-        for (place, name) in headers.iter().enumerate() {
+        let headers: Vec<&str> = headers
+            .iter()
+            .map(|name| match name {
+                "centre_distance_mm" => COLUMNS[0],
+                name => name,
+            })
+            .collect();
+        for (place, &name) in headers.iter().enumerate() {
             if !COLUMNS.contains(&name) {
                 let near = nearest(name, &COLUMNS).filter(|(_, distance)| is_slip(name, *distance));
                 let near = near.map_or(String::new(), |(near, _)| format!("did you mean {near}? "));
@@ -183,11 +190,11 @@ impl Measured {
                     ),
                     &format!("{near}{help}"),
                 ));
-            } else if headers.iter().take(place).any(|earlier| earlier == name) {
+            } else if headers[..place].contains(&name) {
                 problems.add(self.problem_at(1, &format!("column {name} twice"), "remove one"));
             }
         }
-        let places = COLUMNS.map(|name| headers.iter().position(|header| header == name));
+        let places = COLUMNS.map(|name| headers.iter().position(|header| *header == name));
         for (name, _) in COLUMNS
             .iter()
             .zip(places)

@@ -30,9 +30,13 @@ pub fn um_ascii(length_mm: impl Into<Option<f64>>, decimals: usize) -> String {
     ascii(length_mm.into().map(|mm| mm * 1e3), decimals)
 }
 
-/// A length in µm with so many decimals and its sign, plus or minus, in ASCII.
+/// A length in µm with so many decimals and its sign, plus or minus, in ASCII; zero has none.
 pub fn signed_um(length_mm: f64, decimals: usize) -> String {
-    format!("{:+.decimals$}", length_mm * 1e3)
+    let text = um_ascii(length_mm, decimals);
+    match text.contains(|digit: char| ('1'..='9').contains(&digit)) && !text.starts_with('-') {
+        true => format!("+{text}"),
+        false => text,
+    }
 }
 
 /// `value` in as few digits as read back to the same number, with a true minus sign: what a user wrote.
@@ -50,12 +54,7 @@ pub fn trimmed(value: f64, least: usize, most: usize) -> String {
     text.trim_end_matches('.').to_owned()
 }
 
-/// A centre distance: three decimals, as all in a table.
-pub fn distance(mm: f64) -> String {
-    fixed(mm, 3)
-}
-
-/// A centre distance as it was stated: three decimals, or as many as it has, up to nine.
+/// A centre distance as it was stated: three decimals, or as many as it has, up to nine. Fewer could make two of them equal.
 pub fn stated_distance(mm: f64) -> String {
     trimmed(mm, 3, 9)
 }
@@ -224,6 +223,8 @@ mod tests {
         assert_eq!(um(-1e-9, 2), "0.00");
         assert_eq!(um_ascii(-0.0162741, 2), "-16.27");
         assert_eq!(um(None, 2), "–");
+        let signed = [-1e-9, 1e-9, 0.0225, -0.0225].map(|mm| signed_um(mm, 2));
+        assert_eq!(signed, ["0.00", "0.00", "+22.50", "-22.50"]);
     }
 
     #[test]

@@ -139,7 +139,7 @@ impl<'a> PairTables<'a> {
         })
     }
 
-    /// The centre distances to run, those checked against the base circles.
+    /// The centre distances to run in ascending order, those checked against the base circles.
     fn distances(&self, problems: &mut Problems, warnings: &mut Vec<String>) -> Option<Vec<f64>> {
         let file = &self.table;
         let shared = assembly::check_shared(file, &self.wheel, &self.pinion, problems);
@@ -150,7 +150,7 @@ impl<'a> PairTables<'a> {
             _ => None,
         };
         let given = self.assembly.as_ref()?.distances.as_ref()?;
-        let list = match (&self.sweep, self.measured.as_ref()?) {
+        let mut list = match (&self.sweep, self.measured.as_ref()?) {
             (Some(None), Some(measured)) => {
                 let list = self.measured_distances(measured, base_radii, problems);
                 if let Some(given) = given
@@ -174,6 +174,7 @@ impl<'a> PairTables<'a> {
         if let (Some(base_radii), Some(bearings)) = (base_radii, bearings) {
             assembly::check_clearance(file, &list, base_radii, bearings.sum_mm(), problems);
         }
+        list.sort_by(f64::total_cmp);
         Some(list)
     }
 

@@ -23,6 +23,17 @@ impl Place {
         }
     }
 
+    /// That of standard input: the working folder.
+    pub fn of_standard_input() -> Place {
+        let mut read = Sources::new();
+        // A link to what it is, on Unix.
+        read.add(Path::new("/dev/stdin"));
+        Place {
+            folder: PathBuf::new(),
+            read: RefCell::new(read),
+        }
+    }
+
     /// The folder of the pair file.
     pub fn folder(&self) -> &Path {
         &self.folder

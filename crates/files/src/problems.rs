@@ -64,7 +64,7 @@ impl Problems {
                 key: key.to_owned(),
                 value: None,
                 reason: format!("{} more problems like the last one", list.untold),
-                help: "mend those above first".to_owned(),
+                help: "fix those first".to_owned(),
             });
         }
     }

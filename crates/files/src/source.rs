@@ -24,45 +24,21 @@ const LONGEST_MESSAGE: usize = 300;
 /// # Errors
 /// One problem, its key empty: not there, a folder, over 16 MiB, unreadable.
 pub fn bytes(path: &Path) -> Result<Vec<u8>, Problem> {
-    let cannot = |error: std::io::Error| match error.kind() {
-        ErrorKind::NotFound => whole_file("there is no such file", "check name and folder"),
-        ErrorKind::TimedOut => whole_file(
-            format!("cannot be read: {error}"),
-            "start the program that writes to it, or name a file",
-        ),
-        _ => whole_file(
-            format!("cannot be read: {error}"),
-            "make it a file you may read",
-        ),
-    };
     let metadata = std::fs::metadata(path).map_err(cannot)?;
     if metadata.is_dir() {
         return Err(whole_file("is a folder", "name the file in it"));
     }
-    let too_large = |size: String| {
-        whole_file(
-            format!("{size}, allowed is up to 16 MiB"),
-            "check that this is the file you mean",
-        )
-    };
     if metadata.len() > MOST_BYTES {
         let mebibytes = metadata.len() as f64 / f64::from(1 << 20);
         return Err(too_large(format!("has {mebibytes:.1} MiB")));
     }
     // A pipe has no length beforehand.
     let mut bytes = Vec::new();
-    let mut file = match is_pipe(&metadata) {
+    let file = match is_pipe(&metadata) {
         true => written_pipe(path, &mut bytes).map_err(cannot)?,
         false => File::open(path).map_err(cannot)?,
     };
-    let rest = MOST_BYTES + 1 - bytes.len() as u64;
-    file.by_ref()
-        .take(rest)
-        .read_to_end(&mut bytes)
-        .map_err(cannot)?;
-    if bytes.len() as u64 > MOST_BYTES {
-        return Err(too_large("has more than 16 MiB".to_owned()));
-    }
+    rest(file, &mut bytes)?;
     Ok(bytes)
 }
 
@@ -119,12 +95,53 @@ fn written_pipe(path: &Path, _: &mut Vec<u8>) -> std::io::Result<File> {
     File::open(path)
 }
 
-/// The text of the file at `path`, without byte order mark.
+/// The bytes of standard input, up to its end.
 ///
 /// # Errors
-/// One problem, its key empty: those of [`bytes`]; not UTF-8.
-pub fn text(path: &Path) -> Result<String, Problem> {
-    let text = String::from_utf8(bytes(path)?).map_err(|error| {
+/// One problem, its key empty: over 16 MiB, unreadable.
+pub fn standard_input() -> Result<Vec<u8>, Problem> {
+    let mut bytes = Vec::new();
+    rest(std::io::stdin().lock(), &mut bytes)?;
+    Ok(bytes)
+}
+
+/// Adds what is left of `file` to `bytes`.
+fn rest(file: impl Read, bytes: &mut Vec<u8>) -> Result<(), Problem> {
+    let rest = MOST_BYTES + 1 - bytes.len() as u64;
+    file.take(rest).read_to_end(bytes).map_err(cannot)?;
+    match bytes.len() as u64 > MOST_BYTES {
+        true => Err(too_large("has more than 16 MiB".to_owned())),
+        false => Ok(()),
+    }
+}
+
+fn cannot(error: std::io::Error) -> Problem {
+    match error.kind() {
+        ErrorKind::NotFound => whole_file("there is no such file", "check name and folder"),
+        ErrorKind::TimedOut => whole_file(
+            format!("cannot be read: {error}"),
+            "start the program that writes to it, or name a file",
+        ),
+        _ => whole_file(
+            format!("cannot be read: {error}"),
+            "make it a file you may read",
+        ),
+    }
+}
+
+fn too_large(size: String) -> Problem {
+    whole_file(
+        format!("{size}, allowed is up to 16 MiB"),
+        "check that this is the file you mean",
+    )
+}
+
+/// The text of a file of these `bytes`, without byte order mark.
+///
+/// # Errors
+/// One problem, its key empty: not UTF-8.
+pub fn text(bytes: Vec<u8>) -> Result<String, Problem> {
+    let text = String::from_utf8(bytes).map_err(|error| {
         let good = error.utf8_error().valid_up_to();
         let line = 1 + error.as_bytes()[..good]
             .iter()
@@ -157,7 +174,7 @@ pub fn parse(path: &Path, text: &str) -> Result<Vec<(String, Node)>, Problem> {
         serde_json::from_str(text).map_err(|error| {
             whole_file(
                 format!("not JSON: {}", cut(&error.to_string(), LONGEST_MESSAGE)),
-                "correct it there, or give TOML a name that ends in .toml",
+                "fix it there, or give TOML a name that ends in .toml",
             )
         })?
     } else {
@@ -172,7 +189,9 @@ pub fn parse(path: &Path, text: &str) -> Result<Vec<(String, Node)>, Problem> {
             let span = error.span().unwrap_or_default();
             let (line, column) = line_and_column(text, span.start);
             let named = match text.get(span) {
-                Some(key) if error.message() == "duplicate key" => format!(" `{}`", cut(key, LONGEST)),
+                Some(key) if error.message() == "duplicate key" => {
+                    format!(" `{}`", cut(key, LONGEST))
+                }
                 _ => String::new(),
             };
             whole_file(
@@ -180,7 +199,7 @@ pub fn parse(path: &Path, text: &str) -> Result<Vec<(String, Node)>, Problem> {
                     "not TOML: {}{named} at line {line} column {column}",
                     cut(error.message(), LONGEST_MESSAGE)
                 ),
-                "correct it there (a name in quotes, a number with a point), or give JSON a name that ends in .json",
+                "fix it there (use a decimal point, quote strings), or give JSON a name that ends in .json",
             )
         })?;
         toml::Value::Table(table).into()

@@ -58,7 +58,7 @@ impl<'a> Table<'a> {
             unknown.add(Problem {
                 key: table.path_of(&printable(name)),
                 value: Some(node.shown()),
-                reason: format!("unknown key, allowed here is {}", quoted(known, "`")),
+                reason: format!("unknown key, expected {}", quoted(known, "`")),
                 help,
             });
         }

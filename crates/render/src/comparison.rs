@@ -3,11 +3,11 @@
 mod junit;
 mod markdown;
 
-use crate::text::where_it_is;
+use crate::text::{Screen, Tone, where_it_is};
 use gearlash::analysis::compare::Verdict;
 use gearlash::analysis::tally::RunTally;
 use gearlash_files::characters::plain;
-use gearlash_files::numbers::{distance, signed_um, um_ascii};
+use gearlash_files::numbers::{signed_um, stated_distance, um_ascii};
 use gearlash_files::results::{ComparedPair, doubts};
 use std::fmt::Write;
 
@@ -63,19 +63,27 @@ fn failure(pair: &ComparedPair, run: &RunTally) -> Option<String> {
     if run.compared == 0 && unproven < run.poses {
         parts.push(format!("nothing to compare: {}", without_value(run)));
     }
-    for verdict in [Verdict::Above, Verdict::Below, Verdict::OffLine] {
-        let count = run.count(verdict);
-        // What a run without anything to compare touches is said already.
-        let counts = !(pair.allow_off_line || run.compared == 0);
-        if count > 0 && (verdict != Verdict::OffLine || counts) {
-            parts.push(format!(
-                "{count} of {} poses: {}",
-                run.poses,
-                verdict.name()
-            ));
+    let [above, below, off_line] =
+        [Verdict::Above, Verdict::Below, Verdict::OffLine].map(|verdict| run.count(verdict));
+    let (less, alone) = (run.compared_off_line, run.simulated_alone());
+    let mut failing = vec![(above, "above the formula"), (below, "below the formula")];
+    // What a run without anything to compare touches is said already.
+    if !pair.allow_off_line && run.compared > 0 {
+        failing.extend([
+            (less, "off-line contact"),
+            (alone, "off-line contact where model 3 has no value"),
+            (off_line - less - alone, "jammed where model 3 has a value"),
+        ]);
+    }
+    for (count, what) in failing {
+        if count > 0 {
+            parts.push(format!("{count} of {} poses: {what}", run.poses));
         }
     }
-    let worst = run.worst().map_or(String::new(), |(pose, difference)| {
+    // A largest difference that agrees is not what failed.
+    let worst = run.worst();
+    let worst = worst.filter(|(pose, _)| pose.verdict != Verdict::Agrees);
+    let worst = worst.map_or(String::new(), |(pose, difference)| {
         format!(
             "; largest difference {} µm at {} (tolerance {} + bound {} µm)",
             signed_um(difference, 4),
@@ -119,13 +127,13 @@ fn at_poses(run: &RunTally, parts: &[(usize, &str)]) -> Option<String> {
 fn run_name(run: &RunTally) -> String {
     format!(
         "a = {} mm, {}",
-        distance(run.assembly.center_distance()),
+        stated_distance(run.assembly.center_distance()),
         run.material.name()
     )
 }
 
-/// Plain text: a line a run, failures explained, a verdict a file.
-pub fn text(pairs: &[ComparedPair]) -> String {
+/// Text on `screen`: a line a run, failures explained, a verdict a file.
+pub fn text(pairs: &[ComparedPair], screen: &Screen) -> String {
     let mut text = String::new();
     for pair in pairs {
         let _ = writeln!(text, "{} — {}", plain(&pair.file), plain(&pair.title));
@@ -138,10 +146,10 @@ pub fn text(pairs: &[ComparedPair]) -> String {
             };
             let verdict = match failure(pair, run) {
                 None => match trouble(run) {
-                    Some(what) => format!("ok ({what})"),
-                    None => "ok".to_owned(),
+                    Some(what) => format!("{} ({what})", screen.toned(Tone::Good, "ok")),
+                    None => screen.toned(Tone::Good, "ok"),
                 },
-                Some(reason) => format!("FAIL  {reason}"),
+                Some(reason) => format!("{}  {reason}", screen.toned(Tone::Bad, "FAIL")),
             };
             let _ = writeln!(
                 text,
@@ -160,14 +168,20 @@ pub fn text(pairs: &[ComparedPair]) -> String {
         let within = format!("within {} µm + error bound", pair.tolerance_um);
         let _ = match outcome(pair) {
             PairOutcome::Agrees => writeln!(text, "  agree {within}"),
-            PairOutcome::Disagrees => writeln!(text, "  DISAGREE {within}"),
-            PairOutcome::Unproven => {
-                writeln!(text, "  UNPROVEN at some poses: no agreement {within}")
-            }
+            PairOutcome::Disagrees => writeln!(
+                text,
+                "  {}: no agreement {within}",
+                screen.toned(Tone::Bad, "FAILED")
+            ),
+            PairOutcome::Unproven => writeln!(
+                text,
+                "  {} at some poses: agreement {within} not shown",
+                screen.toned(Tone::Doubtful, "UNPROVEN")
+            ),
             PairOutcome::Nothing => writeln!(text, "  NOTHING TO COMPARE at some centre distance"),
         };
     }
-    text
+    screen.fold(&text)
 }
 
 /// GitHub workflow commands: an error a failing run, a notice a passing file.

@@ -45,7 +45,7 @@ impl Drawn {
         };
         if args.center_distance.is_none() && study.center_distances.len() > 1 {
             tell(&format!(
-                "note: at the first of {} centre distances; choose with --center-distance",
+                "note: at the least of {} centre distances; choose with --center-distance",
                 study.center_distances.len()
             ));
         }

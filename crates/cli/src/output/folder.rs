@@ -7,6 +7,7 @@ use super::replace::{MANIFEST, New, clear_dead, replace};
 use super::temporary::{Lock, NewFile, Temporary, is_temporary, lock, same};
 use crate::error::Error;
 use gearlash_files::Sources;
+use gearlash_files::characters::plain;
 use std::ffi::OsStr;
 use std::fs::File;
 use std::io::Write;
@@ -124,11 +125,11 @@ impl OutputFolder {
     }
 
     /// Puts the files begun so far and all `files` (name and content) in the place of the run's own files, as one set, and
-    /// says where that is and how many they are.
+    /// says in a line what was written and where.
     ///
     /// # Errors
     /// [`Error::Output`], [`Error::OverInput`], [`Error::Busy`]: the folder is as it was.
-    pub fn write(mut self, files: &[(String, String)]) -> Result<(PathBuf, usize), Error> {
+    pub fn write(mut self, files: &[(String, String)]) -> Result<String, Error> {
         if self
             .lock
             .as_ref()
@@ -143,7 +144,7 @@ impl OutputFolder {
         let named = self.named.clone();
         self.gathered().map_err(failed(&named))?;
         let Some(new) = self.new.take() else {
-            return Ok((self.named.clone(), 0));
+            return Ok(told(&self.named, &[]));
         };
         let put = |name: &str| new.names.iter().any(|other| other == name);
         for name in &new.names {
@@ -176,7 +177,7 @@ impl OutputFolder {
             }
         }
         self.made.keep();
-        Ok((self.named.clone(), new.names.len()))
+        Ok(told(&self.named, &new.names))
     }
 
     /// The names in the folder that are `wanted`.
@@ -198,6 +199,22 @@ impl OutputFolder {
     fn guard(&self, name: &str) -> Result<(), Error> {
         guard(&self.sources, &self.path.join(name), &self.named.join(name))
     }
+}
+
+/// Files that are named one by one (tuned: a line of a terminal).
+const MOST_NAMED: usize = 3;
+
+/// What was written to `folder`, on one line.
+fn told(folder: &Path, names: &[String]) -> String {
+    let shown = names.iter().take(MOST_NAMED).map(String::as_str);
+    let mut list = match names.is_empty() {
+        true => "nothing".to_owned(),
+        false => shown.collect::<Vec<_>>().join(", "),
+    };
+    if names.len() > MOST_NAMED {
+        list += &format!(" and {} more", names.len() - MOST_NAMED);
+    }
+    plain(&format!("Written to {}: {list}", folder.display()))
 }
 
 /// An error where the file at `path`, called `named`, is one of `sources`.

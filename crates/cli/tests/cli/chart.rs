@@ -28,7 +28,7 @@ fn each_kind_has_its_file() {
     for (arguments, file) in [
         (
             &["--kind", "revolution"][..],
-            "chart_revolution_a132.21.svg",
+            "chart_revolution_a132.04.svg",
         ),
         (
             &[
@@ -78,7 +78,7 @@ fn each_kind_has_its_file() {
 }
 
 #[test]
-fn the_first_of_several_distances_is_drawn_and_said() {
+fn the_least_of_several_distances_is_drawn_and_said() {
     let folder = TempDir::new().unwrap();
     chart(
         &folder,
@@ -88,10 +88,10 @@ fn the_first_of_several_distances_is_drawn_and_said() {
     .assert()
     .success()
     .stdout(predicate::str::contains(
-        "a = 132.21 mm · one wheel revolution from mating 1·1 on",
+        "a = 132.04 mm · one wheel revolution from mating 1·1 on",
     ))
     .stderr(predicate::str::contains(
-        "note: at the first of 5 centre distances",
+        "note: at the least of 5 centre distances",
     ));
 }
 

@@ -151,3 +151,20 @@ fn radial_clearance_is_told_in_modules_with_the_limit_it_misses() {
         assert!(text.contains(note), "{a}: {text}");
     }
 }
+
+/// "Lost motion the formula does not see: most 0.000 µm (formula 12.2, found 12.2)" and its teeth, where nothing is lost.
+#[test]
+fn no_loss_has_no_place() {
+    let folder = empty_folder();
+    std::fs::write(folder.path().join("undercut.toml"), UNDERCUT).unwrap();
+    let check = gearlash(folder.path())
+        .args(["check", "undercut.toml"])
+        .output()
+        .unwrap();
+    let text = String::from_utf8(check.stdout).unwrap();
+    assert!(
+        text.contains("greatest 0.000 µm.\n") && !text.contains("Largest loss"),
+        "{text}"
+    );
+    assert!(text.ends_with("A check fails.\n"), "{text}");
+}

@@ -120,3 +120,39 @@ fn compare_does_not_pass_what_it_could_not_compare() {
             .stdout(predicate::str::contains("::notice").not());
     }
 }
+
+/// "FAIL … off-line contact; largest difference -0.0000 µm": model 3 has no value where it failed, and agrees everywhere else.
+#[test]
+fn a_failure_says_what_failed() {
+    let folder = empty_folder();
+    std::fs::write(folder.path().join("undercut.toml"), UNDERCUT).unwrap();
+    let (_, result) = simulated(folder.path(), &["undercut.toml"]);
+    let poses = result["runs"][0]["poses"].as_array().unwrap();
+    let alone = |pose: &&Value| {
+        pose["analytic"]["line_of_action_um"].is_null() && !pose["j_wt_um"].is_null()
+    };
+    let alone = poses.iter().filter(alone).count();
+    assert!(alone > 0);
+    let mut compare = gearlash(folder.path());
+    let assert = compare.args(["compare", "undercut.toml"]).assert().code(1);
+    let text = String::from_utf8(assert.get_output().stdout.clone()).unwrap();
+    let failed = format!(
+        "FAIL  {alone} of {} poses: off-line contact where model 3 has no value\n  FAILED: no agreement within",
+        poses.len()
+    );
+    assert!(text.contains(&failed), "{text}");
+    assert!(
+        !text.contains("largest difference") && !text.contains("-0.0000"),
+        "{text}"
+    );
+    // The same of the note below the table: where model 3 has no value there is no less than it says.
+    let table = output(gearlash(folder.path()).args(["simulate", "--no-files", "undercut.toml"]));
+    assert!(!table.contains("less backlash"), "{table}");
+    assert!(
+        table.contains(&format!(
+            "In {alone} of {} poses no two involutes reach each other",
+            poses.len()
+        )),
+        "{table}"
+    );
+}

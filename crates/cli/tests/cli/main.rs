@@ -23,6 +23,8 @@ mod slips;
 mod small;
 mod snapshot;
 mod step_summary;
+#[cfg(target_os = "linux")]
+mod terminal;
 
 use assert_cmd::Command;
 use predicates::prelude::*;
@@ -90,6 +92,24 @@ mating = [[1, 1]]
 fraction = [0.0, 0.25, 0.5, 0.75]
 "#;
 
+/// Undercut gears of ten teeth, contact ratio 0.957 between the real form circles: at some poses an undercut edge touches, no two
+/// involutes reach each other, and the pair has more backlash than between them.
+const UNDERCUT: &str = r#"
+[wheel]
+teeth = 10
+module_mm = 2.0
+pressure_angle_deg = 20.0
+tip_diameter_mm = 23.4
+[pinion]
+teeth = 10
+module_mm = 2.0
+pressure_angle_deg = 20.0
+tip_diameter_mm = 23.4
+reference_face = "back"
+[assembly]
+center_distance_mm = 20.3
+"#;
+
 fn small(folder: &Path) -> PathBuf {
     let file = folder.join("small.toml");
     std::fs::write(&file, SMALL).unwrap();
@@ -136,5 +156,30 @@ fn help_names_every_command_and_the_exit_codes() {
     for command in commands {
         let help = output(gearlash(folder.path()).args([command, "--help"]));
         assert!(help.contains("pair file"), "{help}");
+        // The long help, with its second paragraph, was lost behind the list's one line.
+        let long = help.split("Usage:").next().unwrap().trim();
+        assert!(long.contains("\n\n"), "{help}");
+        let page = output(gearlash(folder.path()).args(["man", command]));
+        assert!(
+            page.contains(&format!("gearlash\\-{command} \\-")),
+            "{page}"
+        );
     }
+}
+
+/// Both are made from the command line's own definition: every command and its options are there.
+#[cfg(unix)]
+#[test]
+fn completions_are_a_script_that_knows_every_option() {
+    let folder = empty_folder();
+    let script = output(gearlash(folder.path()).args(["completions", "bash"]));
+    assert!(script.contains("--steps-per-pitch") && script.contains("--no-certify"));
+    let file = folder.path().join("gearlash.bash");
+    std::fs::write(&file, script).unwrap();
+    // bash itself reads it and completes `gearlash sim`.
+    let completed = "source gearlash.bash; COMP_WORDS=(gearlash sim); COMP_CWORD=1; \
+                     _gearlash gearlash sim gearlash; echo \"${COMPREPLY[@]}\"";
+    let mut bash = Command::new("bash");
+    let bash = bash.current_dir(folder.path()).args(["-c", completed]);
+    assert_eq!(output(bash), "simulate\n");
 }

@@ -99,7 +99,7 @@ fn assembly_phases_are_run_apart() {
             f64::from(wheel + pinion) + 0.1
         );
         std::fs::write(folder.path().join("phases.toml"), text).unwrap();
-        let text = output(gearlash(folder.path()).args(["simulate", "phases.toml"]));
+        let text = output(gearlash(folder.path()).args(["simulate", "phases.toml", "--snapshots"]));
         let json =
             output(gearlash(folder.path()).args(["simulate", "phases.toml", "--format", "json"]));
         (text, serde_json::from_str::<Value>(&json).unwrap())
@@ -116,8 +116,8 @@ fn assembly_phases_are_run_apart() {
         text.contains("Best phase 1,") && text.contains("mark wheel tooth 1 and pinion tooth"),
         "{text}"
     );
-    // JSON, CSV, and two snapshots a phase.
-    assert_eq!(files(&folder.path().join("out/phases")).len(), 14);
+    // JSON, CSV, the worst pose, and two snapshots a phase.
+    assert_eq!(files(&folder.path().join("out/phases")).len(), 15);
     let (text, result) = phases(18, 13);
     assert_eq!(result["runs"].as_array().unwrap().len(), 1);
     assert!(text.contains("only one assembly phase"), "{text}");

@@ -76,7 +76,7 @@ fn reader_allows(schema: &Value, smallest: &Value, command: &[&str]) {
         let errors = String::from_utf8(output.stderr).unwrap();
         let line = errors.lines().find(|line| line.contains("qqqqqqqqqqqq"));
         let allowed = line
-            .and_then(|line| line.split_once("allowed here is "))
+            .and_then(|line| line.split_once("unknown key, expected "))
             .expect(&errors);
         let allowed = allowed.1.split(';').next().unwrap();
         let allowed: BTreeSet<String> = allowed
@@ -442,7 +442,7 @@ fn init_writes_a_pair_file_that_runs() {
     assert!(
         String::from_utf8(again.stderr)
             .unwrap()
-            .contains("pair.toml: there is such a file")
+            .contains("pair.toml: already exists")
     );
     assert_eq!(
         std::fs::read_to_string(folder.path().join("pair.toml")).unwrap(),

@@ -16,13 +16,125 @@ fn the_main_job_prints_tables_5_and_6() {
     assert!(text.contains("72 of 72 lie inside the simulated band"));
     insta::assert_snapshot!("karba_44x44", text);
     let written = files(&folder.path().join("out/karba_44x44"));
-    // Five centre distances, two materials, least and greatest pose; JSON and CSV.
-    assert_eq!(written.len(), 5 * 2 * 2 + 2, "{written:?}");
-    for name in written.iter().filter(|name| name.ends_with(".svg")) {
-        let svg =
-            std::fs::read_to_string(folder.path().join("out/karba_44x44").join(name)).unwrap();
+    assert_eq!(written, ["result.csv", "result.json", "worst.svg"]);
+}
+
+/// Five centre distances, two materials, least and greatest pose; a run without them takes them away again.
+#[test]
+fn a_snapshot_of_each_extreme_where_asked_for() {
+    let folder = empty_folder();
+    let pair = fixture("karba_44x44.toml");
+    let results = folder.path().join("out/karba_44x44");
+    let mut asked = gearlash(folder.path());
+    output(asked.arg("simulate").arg(&pair).arg("--snapshots"));
+    let pictures: Vec<_> = files(&results)
+        .into_iter()
+        .filter(|name| name.ends_with("_min.svg") || name.ends_with("_max.svg"))
+        .collect();
+    assert_eq!(pictures.len(), 5 * 2 * 2, "{pictures:?}");
+    for name in &pictures {
+        let svg = std::fs::read_to_string(results.join(name)).unwrap();
         roxmltree::Document::parse(&svg).unwrap();
     }
+    output(gearlash(folder.path()).arg("simulate").arg(&pair));
+    assert_eq!(files(&results), ["result.csv", "result.json", "worst.svg"]);
+}
+
+/// `worst.svg` is the picture that `snapshot --worst` finds by a run of its own.
+#[test]
+fn the_worst_picture_is_that_of_snapshot() {
+    let folder = empty_folder();
+    small(folder.path());
+    output(gearlash(folder.path()).args(["simulate", "small.toml"]));
+    let picture =
+        output(gearlash(folder.path()).args(["snapshot", "small.toml", "--worst", "-o", "-"]));
+    let worst = std::fs::read_to_string(folder.path().join("out/small/worst.svg")).unwrap();
+    assert!(worst.starts_with("<svg") && worst == picture);
+}
+
+/// The table alone: nothing written, nothing said of files.
+#[test]
+fn quiet_and_without_files() {
+    let folder = empty_folder();
+    small(folder.path());
+    let run = |options: &[&str]| {
+        let mut command = gearlash(folder.path());
+        let assert = command
+            .args(["simulate", "small.toml"])
+            .args(options)
+            .assert();
+        let output = assert.success().get_output().clone();
+        (
+            String::from_utf8(output.stdout).unwrap(),
+            String::from_utf8(output.stderr).unwrap(),
+        )
+    };
+    let (bare, _) = run(&["--no-files"]);
+    assert_eq!(files(folder.path()), ["small.toml"]);
+    let (quiet, told) = run(&["--quiet"]);
+    assert_eq!((quiet.as_str(), told.as_str()), (bare.as_str(), ""));
+    let (whole, _) = run(&[]);
+    let said = "\nWritten to out/small: result.json, result.csv, worst.svg\n";
+    assert_eq!(whole, bare + said);
+}
+
+/// `-`: the same result as from the file, its tables beside the working folder, its place named after standard input.
+#[test]
+fn a_pair_file_from_standard_input() {
+    let folder = empty_folder();
+    let text = SMALL.replacen("title = \"small\"\n", "", 1);
+    std::fs::write(folder.path().join("stdin.toml"), &text).unwrap();
+    let (of_file, _) = simulated(folder.path(), &["stdin.toml"]);
+    let mut piped = gearlash(folder.path());
+    let piped = output(
+        piped
+            .args(["simulate", "-", "--format", "json"])
+            .write_stdin(text.clone()),
+    );
+    assert_eq!(piped, of_file);
+    output(
+        gearlash(folder.path())
+            .args(["simulate", "-q", "-"])
+            .write_stdin(text.clone()),
+    );
+    assert_eq!(files(&folder.path().join("out")), ["stdin"]);
+    // A table is looked for beside the working folder; what is wrong names standard input.
+    let with_table = text.replacen(
+        "[wheel]\nteeth",
+        "[wheel]\npitch = { file = \"none.csv\", kind = \"cumulative\" }\nteeth",
+        1,
+    );
+    let mut wrong = gearlash(folder.path());
+    let wrong = wrong
+        .args(["simulate", "-"])
+        .write_stdin(with_table)
+        .assert()
+        .code(2);
+    wrong.stderr(
+        predicate::str::contains("stdin: wheel.pitch").and(predicate::str::contains("none.csv")),
+    );
+    // No more than a file may have: 16 MiB.
+    let mut large = gearlash(folder.path());
+    let large = large
+        .args(["check", "-"])
+        .write_stdin("#".repeat((16 << 20) + 1))
+        .assert()
+        .code(2);
+    large.stderr(predicate::str::contains("stdin: has more than 16 MiB"));
+}
+
+/// Whatever order a pair file lists them in, runs come by ascending centre distance.
+#[test]
+fn centre_distances_ascend() {
+    let folder = empty_folder();
+    let listed = SMALL.replace("[37.3, 37.35]", "[37.35, 37.25, 37.3]");
+    std::fs::write(folder.path().join("listed.toml"), listed).unwrap();
+    let (_, result) = simulated(folder.path(), &["listed.toml"]);
+    let runs = result["runs"].as_array().unwrap().iter();
+    let distances: Vec<f64> = runs
+        .map(|run| run["center_distance_mm"].as_f64().unwrap())
+        .collect();
+    assert_eq!(distances, [37.25, 37.25, 37.3, 37.3, 37.35, 37.35]);
 }
 
 #[test]
@@ -135,4 +247,27 @@ fn the_result_file_tells_the_difference() {
     assert!((told["difference_um"].as_f64().unwrap() + 0.286).abs() < 2e-3);
     assert_eq!(told["agree"], true);
     assert!(notes["pinion"].is_null(), "nothing to tell of it");
+}
+
+/// 160.470 stood there four times, and 29.9895 mm was shown as 29.989.
+#[test]
+fn centre_distances_are_told_apart() {
+    let folder = empty_folder();
+    let listed = SMALL.replace("[37.3, 37.35]", "[37.3, 37.30002, 37.3495]");
+    std::fs::write(folder.path().join("near.toml"), listed).unwrap();
+    let simulated = ["simulate", "near.toml", "--no-files"];
+    let compared = ["compare", "near.toml", "--markdown", "near.md"];
+    let checked = ["check", "near.toml"];
+    let mut texts: Vec<String> = [&simulated[..], &compared]
+        .map(|words| output(gearlash(folder.path()).args(words)))
+        .into();
+    texts.push(std::fs::read_to_string(folder.path().join("near.md")).unwrap());
+    for text in &texts {
+        for a in ["37.300 ", "37.30002 ", "37.3495 "] {
+            assert!(text.contains(a), "{a} in {text}");
+        }
+    }
+    let check = gearlash(folder.path()).args(checked).output().unwrap();
+    let check = String::from_utf8(check.stdout).unwrap();
+    assert!(check.contains("37.3495 "), "{check}");
 }

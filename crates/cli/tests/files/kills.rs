@@ -23,7 +23,9 @@ impl Sets {
         let folder = tempfile::tempdir().unwrap();
         for (name, total) in [("old", 10.0), ("new", 20.0)] {
             let gear = format!(
-                "title = \"{name}\"\n[gear]\nteeth = 12\nmodule_mm = 2\npressure_angle_deg = 20\nprofile_shift = 0.3\nrunout = {{ total_um = {total}, high_tooth = 2 }}\nthickness.allowance_um = {{ min = -60, max = -40 }}\n"
+                "title = \"{name}\"\n[gear]\nteeth = 12\nmodule_mm = 2\npressure_angle_deg = 20\nprofile_shift = 0.3\nrunout = {{ total_um = {total}, high_tooth = 2 }}\nthickness.allowance_um = {{ min = -60, max = -40 }}\npitch = {{ kind = \"cumulative\", right_um = {:?}, left_um = {:?} }}\n",
+                [0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3],
+                [0, 2, 1, 0, 2, 1, 0, 2, 1, 0, 2, 1]
             );
             std::fs::write(folder.path().join(format!("{name}.toml")), gear).unwrap();
         }

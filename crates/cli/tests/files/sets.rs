@@ -4,7 +4,7 @@ use super::*;
 use std::os::unix::fs::MetadataExt;
 
 fn simulate(folder: &Path, output: &str) -> Output {
-    run(folder, &format!("simulate p.toml -o {output}"))
+    run(folder, &format!("simulate p.toml --snapshots -o {output}"))
 }
 
 fn change(folder: &Path, distances: &str) {

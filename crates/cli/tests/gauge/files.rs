@@ -89,11 +89,18 @@ fn three_pins_are_not_read_as_two() {
     );
 }
 
+/// Pitch of both flanks, as uneven on the one as on the other but not alike: every gauge tells it. Single pitches up to 3 µm.
+fn uneven(teeth: u32) -> String {
+    let right: Vec<f64> = (0..teeth).map(|i| f64::from(i % 4)).collect();
+    let left: Vec<f64> = right.iter().rev().copied().collect();
+    format!("pitch = {{ kind = \"cumulative\", right_um = {right:?}, left_um = {left:?} }}")
+}
+
 /// Files of our own names that belong to the gear before go; everything else stays, and a failed run takes nothing.
 #[test]
 fn files_of_another_gear_do_not_stay() {
     let folder = folder();
-    run(folder.path(), &gear(21, ""), &[]);
+    run(folder.path(), &gear(21, &uneven(21)), &[]);
     assert!(names(folder.path()).contains("gauge_gear_three_pins.csv"));
     let mine = [
         "gauge_gear_pins_mine.csv",
@@ -113,7 +120,8 @@ fn files_of_another_gear_do_not_stay() {
         .code(2);
     assert_eq!(names(folder.path()), before);
 
-    run(folder.path(), &gear(20, ""), &["--pin-mm", "0.2"]);
+    let without_pins = ["--pin-mm", "0.2", "--ball-mm", "1.7"];
+    run(folder.path(), &gear(20, &uneven(20)), &without_pins);
     let after = names(folder.path());
     let gone: Vec<&String> = before.difference(&after).collect();
     assert_eq!(
@@ -222,17 +230,7 @@ fn a_cross_check_names_the_pin() {
 #[test]
 fn charts_say_what_they_show() {
     let folder = folder();
-    let curve: Vec<f64> = (0..21).map(|i| f64::from(i % 4)).collect();
-    run(
-        folder.path(),
-        &gear(
-            21,
-            &format!(
-                "pitch = {{ kind = \"cumulative\", right_um = {curve:?}, left_um = {curve:?} }}"
-            ),
-        ),
-        &[],
-    );
+    run(folder.path(), &gear(21, &uneven(21)), &[]);
     let chart = |name: &str| {
         let svg = std::fs::read_to_string(folder.path().join(format!("out/gauge_gear_{name}.svg")))
             .unwrap();
@@ -262,13 +260,48 @@ fn charts_say_what_they_show() {
     assert!(chart("runout").contains("F_r grade"));
     assert!(chart("roll").contains("one revolution back to 1"));
     assert!(!chart("roll").contains("|a''|") && !chart("spans").contains("|reading|"));
+}
 
+/// Seven charts of flat lines were written of a perfect gear.
+#[test]
+fn a_perfect_gear_has_no_charts() {
+    let folder = folder();
     run(folder.path(), &gear(20, ""), &[]);
+    let written = names(folder.path());
+    assert!(written.contains("gauge_gear_spans.csv"), "{written:?}");
     assert!(
-        chart("spans").contains("no deviation within 0.001 µm")
-            || chart("spans").contains("|none|")
+        !written.iter().any(|name| name.ends_with(".svg")),
+        "{written:?}"
     );
-    assert!(chart("roll").contains("level within 0.001 µm"));
+    run(folder.path(), &gear(20, ""), &["--page"]);
+    assert_eq!(names(folder.path()), written);
+}
+
+/// One page in place of a file each: the same charts, which the page's own ids keep apart.
+#[test]
+fn a_page_holds_all_charts_of_a_gear() {
+    let folder = folder();
+    let eccentric = gear(20, "runout = { total_um = 20.0, high_tooth = 3.0 }");
+    run(folder.path(), &eccentric, &[]);
+    let all = names(folder.path());
+    let (charts, others): (Vec<String>, Vec<String>) =
+        all.into_iter().partition(|name| name.ends_with(".svg"));
+    let read = |name: &str| std::fs::read_to_string(folder.path().join("out").join(name)).unwrap();
+    let charts: Vec<String> = charts.iter().map(|name| read(name)).collect();
+    assert!(charts.len() > 2, "{}", charts.len());
+    run(folder.path(), &eccentric, &["--page"]);
+    let mut with_page = others.clone();
+    with_page.push("gauge_gear.html".to_owned());
+    assert_eq!(names(folder.path()), with_page.into_iter().collect());
+    let page = read("gauge_gear.html");
+    assert!(charts.iter().all(|chart| page.contains(chart)));
+    let ids: Vec<&str> = page
+        .split(" id=\"")
+        .skip(1)
+        .map(|id| id.split('"').next().unwrap())
+        .collect();
+    let apart: std::collections::BTreeSet<&&str> = ids.iter().collect();
+    assert_eq!(apart.len(), ids.len());
 }
 
 /// It began with the number of the last one, 101.

@@ -71,7 +71,7 @@ pub fn left_reversed(of: &Statements, eccentricity_um: Option<[f64; 2]>) -> Stri
         )
     });
     format!(
-        "{}: the left flanks go against the right ones, as if their sign were turned round{eccentricities}: if + means plus material on both flanks \
+        "{}: the left flanks go against the right ones, as if their sign were reversed{eccentricities}: if + means plus material on both flanks \
          (or the gear was seen from the other face), write sense = {:?}",
         of.table.path_of(of.pitch_key(Flank::Left)),
         of.other_sense()

@@ -27,7 +27,7 @@ pub fn describe(of: &Statements, outlier: &Outlier) -> String {
         ),
     };
     format!(
-        "{}: {} lies {}, {why}: check it; it counts as it stands",
+        "{}: {} lies {}, {why}: check it; it is used as given",
         of.table.path_of(key),
         what(outlier),
         off(outlier)

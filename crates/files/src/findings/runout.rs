@@ -19,12 +19,12 @@ pub fn readings(readings: &FittedReadings) -> String {
         ),
         FlankKnowledge::Pitch => format!(
             "the readings hold an eccentricity of {fitted}, once what the stated flanks do{} is taken out (their first harmonic itself is {}); \
-             F_r, their range, is {range:.3} µm; up to {left:.3} µm of a reading is neither and is not used",
+             F_r, their range, is {range:.3} µm; up to {left:.3} µm of a reading is residual and ignored",
             probe(readings),
             shown(readings.first_harmonic)
         ),
         FlankKnowledge::DatumPitch => format!(
-            "the readings' first harmonic is an eccentricity of {fitted}; datum-axis pitch cannot part it from a first harmonic of the gear's own tooth \
+            "the readings' first harmonic is an eccentricity of {fitted}; datum-axis pitch cannot separate it from a first harmonic of the gear's own tooth \
              thickness, which shows the same in both; F_r, their range, is {range:.3} µm; up to {left:.3} µm of a reading is neither that harmonic nor said by the pitch",
         ),
     }
@@ -47,9 +47,8 @@ pub fn contradiction(found: &RunoutContradiction) -> String {
         Probe::Fork => "at tooth",
     };
     format!(
-        "the readings contradict the flanks: beyond their first harmonic they vary by up to {:.3} µm, the stated flanks would make it {:.3} µm, and {place} {} they \
-         lie {:.3} µm apart; their F_r is {:.3} µm, that of the gear as stated {:.3} µm: check whether they are of the same gear, tooth numbers, sense and at; \
-         the flanks count",
+        "the readings contradict the flanks, whose data take precedence. Beyond the first harmonic the readings vary by up to {:.3} µm, the stated flanks by \
+         {:.3} µm; {place} {} they differ by {:.3} µm. F_r of the readings is {:.3} µm, of the gear as stated {:.3} µm. Check gear, tooth numbers, sense and at",
         found.read_um,
         found.said_um,
         found.tooth,

@@ -63,12 +63,12 @@ pub fn beside_pitch(beside: &ThicknessBesidePitch, other_sense: &str) -> String 
                 .to_owned()
         }
         ThicknessBesidePitch::TakenBack => {
-            "takes back the thickness that the pitch of both flanks gives (right minus left pitch deviation): check which of the two is turned round; \
+            "takes back the thickness that the pitch of both flanks gives (right minus left pitch deviation): check which of the two is reversed; \
              where both were measured on the same teeth, leave it out"
                 .to_owned()
         }
         ThicknessBesidePitch::SameIfReversed => format!(
-            "is the thickness that the pitch would give with the left flanks turned round: write pitch.sense = {other_sense:?} and leave it out, \
+            "is the thickness that the pitch would give with the left flanks reversed: write pitch.sense = {other_sense:?} and leave it out, \
              since the two add"
         ),
         ThicknessBesidePitch::SameIfMoved { by, down } => format!(

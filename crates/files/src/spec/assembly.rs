@@ -1,6 +1,6 @@
 //! The pair put together, and what is run and compared.
 
-use super::rules::{beside, exactly_one, list_length, whole, within};
+use super::rules::{at_most_one, beside, exactly_one, list_length, whole, within};
 use super::value::Either;
 use crate::limits::{
     CENTER_DISTANCE, CHORD, CLEARANCE, FRACTION, MOST_DISTANCES, STEPS_PER_PITCH, TOLERANCE, TOOTH,
@@ -8,12 +8,14 @@ use crate::limits::{
 use gearlash::pair::Member;
 use schemars::{JsonSchema, Schema};
 use serde::Serialize;
+use serde_json::Value;
 
 /// Poses a pitch where none are stated.
 pub(crate) const DEFAULT_STEPS: u32 = 16;
 
 /// How the gears are put together.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(transform = both_spellings)]
 pub struct AssemblySpec {
     /// Centre distance a, mm: one or several; with `measured` and no `sweep` its rows decide.
     #[schemars(with = "Option<Either<f64, Vec<f64>>>")]
@@ -25,6 +27,17 @@ pub struct AssemblySpec {
     /// Radial play of each gear on its axis, mm.
     #[schemars(with = "Option<Either<f64, BearingClearanceSpec>>", transform = within(&CLEARANCE))]
     pub bearing_clearance_mm: BearingClearanceSpec,
+}
+
+/// `centre_distance_mm` is `center_distance_mm`.
+fn both_spellings(schema: &mut Schema) {
+    let [american, british] = ["center_distance_mm", "centre_distance_mm"];
+    if let Some(Value::Object(properties)) = schema.get_mut("properties")
+        && let Some(distance) = properties.get(american).cloned()
+    {
+        properties.insert(british.to_owned(), distance);
+    }
+    at_most_one(schema, &[&[american], &[british]]);
 }
 
 /// One for each gear.

@@ -50,7 +50,7 @@ fn not_toml() {
             "",
             "",
             &["not TOML", "line 2 column 9"],
-            "correct it",
+            "fix it there",
         )],
     );
     expect(
@@ -59,7 +59,7 @@ fn not_toml() {
             "",
             "",
             &["not TOML", "duplicate", "line 3"],
-            "correct it",
+            "fix it there",
         )],
     );
 }
@@ -73,7 +73,7 @@ fn not_json() {
             "",
             "",
             &["not JSON", "line 2 column 15"],
-            "correct it",
+            "fix it there",
         )],
     );
     expect_as(
@@ -83,7 +83,7 @@ fn not_json() {
             "",
             "",
             &["not JSON", "`wheel` is given twice"],
-            "correct it",
+            "fix it there",
         )],
     );
     expect_as(

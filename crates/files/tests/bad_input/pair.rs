@@ -12,7 +12,7 @@ fn unequal_module_and_pressure_angle() {
             problem(
                 "pinion.module_mm",
                 "3.1",
-                &["wheel.module_mm = 3.0", "the same on both"],
+                &["wheel.module_mm = 3.0", "must be equal on both gears"],
                 "correct one",
             ),
             problem(

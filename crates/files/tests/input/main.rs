@@ -192,7 +192,7 @@ fn every_other_key_is_taken_over() {
     assert_eq!(wheel.gear().tip_radius(), 32.75);
     assert_eq!(wheel.gear().design().profile_shift, 0.1);
     assert_eq!(study.study.locked, Member::Pinion);
-    assert_eq!(study.study.center_distances, [75.3, 75.2]);
+    assert_eq!(study.study.center_distances, [75.2, 75.3]);
     assert_eq!(study.study.bearing_clearance, 0.02);
     assert_eq!(study.study.title, "A pair");
     assert_eq!(study.study.chord, 0.001);
@@ -213,7 +213,7 @@ fn the_pair_file_of_the_readme_is_one() {
         .unwrap();
     let study = study(text);
     assert_eq!(study.study.title, "My pair");
-    assert_eq!(study.study.center_distances, [132.21, 132.15]);
+    assert_eq!(study.study.center_distances, [132.15, 132.21]);
     assert_eq!(study.study.materials.len(), 2);
     let more = text
         .replace("# [accuracy]", "[accuracy]")
@@ -228,4 +228,32 @@ fn the_pair_file_of_the_readme_is_one() {
         .replace("# tip_diameter", "tip_diameter")
         .replace("# locked", "locked");
     assert_eq!(self::study(&more).study.tolerance_um, 0.1);
+}
+
+/// Prose says centre, keys say center: both spellings are read alike, but not together.
+#[test]
+fn either_spelling_of_the_centre_distance() {
+    let american = study(PAIR);
+    let british = study(&PAIR.replace("center_distance_mm", "centre_distance_mm"));
+    assert_eq!(american.study, british.study);
+    assert_eq!(american.spec, british.spec);
+    let both = PAIR.replace(
+        "center_distance_mm",
+        "centre_distance_mm = 75.2\ncenter_distance_mm",
+    );
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("pair.toml");
+    fs::write(&file, both).unwrap();
+    let error = gearlash_files::read(&file).unwrap_err().to_string();
+    assert!(
+        error.contains("assembly.centre_distance_mm = 75.2: stands beside center_distance_mm"),
+        "{error}"
+    );
+    let close = PAIR.replace("center_distance_mm = 75.2", "centre_distance_mm = 7.52");
+    fs::write(&file, close).unwrap();
+    let error = gearlash_files::read(&file).unwrap_err().to_string();
+    assert!(
+        error.contains("assembly.centre_distance_mm = 7.52"),
+        "{error}"
+    );
 }

@@ -95,8 +95,8 @@ fn centre_distances_beside_measured_rows() {
             &format!("[assembly]\ncenter_distance_mm = {list}"),
         ))
     };
-    let rows = [132.21, 132.15, 132.09, 132.04, 132.1];
-    let same = with("[132.04, 132.09, 132.1, 132.15, 132.21]");
+    let rows = [132.04, 132.09, 132.1, 132.15, 132.21];
+    let same = with("[132.21, 132.15, 132.09, 132.04, 132.1]");
     assert_eq!(same.study.center_distances, rows);
     assert_eq!(same.warnings, [""; 0]);
     let other = with("132.21");

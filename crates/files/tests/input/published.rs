@@ -74,7 +74,7 @@ fn matings_of_the_44_44_pair() {
     assert_eq!(first.source, "Table 6");
     assert_eq!(
         study.study.center_distances,
-        [132.21, 132.15, 132.09, 132.04, 132.1]
+        [132.04, 132.09, 132.1, 132.15, 132.21]
     );
 
     let runs = study.study.runs().unwrap();

@@ -13,7 +13,7 @@ use gearlash::gear::Side;
 const BOUND: f64 = 0.16;
 
 /// Simulated minus analytic backlash of the right-flank poses at one centre distance, a line a material: models 1
-/// and 2 in the upper panel, model 3 with the error bound of the simulation in the lower, on an axis of its own.
+/// and 2 in the upper panel, model 3 with the error bound of the simulation in the lower, on a separate scale.
 ///
 /// # Errors
 /// [`PictureError`] when no pose has both values, all being proven.
@@ -156,7 +156,7 @@ fn line_of_action(course: &Course, tolerance_um: f64) -> Option<Panel> {
         anchor: Anchor::Start,
     });
     Some(Panel {
-        title: format!("minus model 3, on an axis of its own{}", thin(course)),
+        title: format!("minus model 3, separate scale{}", thin(course)),
         x: course_axis(course),
         y: Axis::new(name, y),
         height: 230.0,

@@ -37,7 +37,7 @@ pub fn inspection(
         ("single pitch deviation f", &single),
         ("cumulative pitch deviation F", &cumulative),
         ("tooth thickness − mean", &thickness),
-        ("displacement by the eccentricity, e cos", &runout),
+        ("displacement by the eccentricity, e·cos φ", &runout),
     ];
     // Panels without data are left out.
     let deviates = |all: &[BarSeries]| {

@@ -1,4 +1,4 @@
-//! The outcome of `compare` as GitHub-flavoured Markdown: the table a reviewer wants.
+//! The outcome of `compare` as GitHub-flavoured Markdown: a table for reviewers.
 
 use super::{PairOutcome, failure, outcome, run_name, trouble};
 use crate::text::where_it_is;

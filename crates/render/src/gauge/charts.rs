@@ -10,8 +10,10 @@ use crate::chart::{
 };
 use gearlash::gauge::{GradedReading, PitchReadings, RollPose, RunoutReadings};
 use gearlash::gear::{Flank, Grade, GradedQuantity, PitchAxis};
+use gearlash_files::characters::plain;
 use gearlash_files::numbers::{fixed, rounded, um};
-use gearlash_files::results::gauge::{GaugedGear, Reading};
+use gearlash_files::results::gauge::{GaugedGear, Reading, page_name};
+use maud::{DOCTYPE, PreEscaped, html};
 
 /// Below this, µm, values are level: far below what a gauge in a shop tells, far above the rounding of readings. Axes
 /// are a hundred times as high at least.
@@ -19,7 +21,7 @@ const LEVEL: f64 = 1e-3;
 /// How teeth are numbered and which way a chart runs.
 const NUMBERS: &str = "numbers ascend clockwise on the reference face";
 
-/// The charts of one gear: file name and SVG. What could not be measured has none.
+/// The charts of one gear: file name and SVG. What could not be measured has none, nor what deviates nowhere.
 ///
 /// # Errors
 /// [`PictureError`]: none for a gear that has teeth.
@@ -30,13 +32,41 @@ pub fn charts(gauged: &GaugedGear) -> Result<Vec<(String, String)>, PictureError
     Ok(files)
 }
 
-/// File name and SVG of bars over teeth.
+/// The charts of one gear on one page: file name and HTML; `None` where there is none.
+///
+/// # Errors
+/// As [`charts`].
+pub fn page(gauged: &GaugedGear) -> Result<Option<(String, String)>, PictureError> {
+    let charts = charts(gauged)?;
+    if charts.is_empty() {
+        return Ok(None);
+    }
+    let page = html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                title { (plain(gauged.title)) ", " (gauged.words()) }
+                style { "body{max-width:60rem;margin:auto}svg{width:100%;height:auto;break-inside:avoid}" }
+            }
+            body { @for (_, chart) in &charts { (PreEscaped(chart)) } }
+        }
+    };
+    Ok(Some((page_name(&gauged.stem()), page.into_string())))
+}
+
+/// File name and SVG of bars over teeth; `None` where none of them would be seen.
 fn bars(
     gauged: &GaugedGear,
     reading: Reading,
     x_axis: &str,
     panels: &[BarPanel],
-) -> Result<(String, String), PictureError> {
+) -> Result<Option<(String, String)>, PictureError> {
+    let series = panels.iter().flat_map(|panel| panel.series);
+    let mut values = series.flat_map(|bars| &bars.values).flatten();
+    if values.all(|um| um.abs() < LEVEL) {
+        return Ok(None);
+    }
     let stem = gauged.stem();
     let heading = Heading {
         prefix: &reading.file_stem(&stem),
@@ -44,10 +74,8 @@ fn bars(
         subtitle: &subtitle(gauged),
     };
     let x_axis = format!("{x_axis} · {NUMBERS}");
-    Ok((
-        reading.svg(&stem),
-        bar_panels(&heading, &x_axis, panels)?.svg,
-    ))
+    let chart = bar_panels(&heading, &x_axis, panels)?;
+    Ok(Some((reading.svg(&stem), chart.svg)))
 }
 
 fn subtitle(gauged: &GaugedGear) -> String {
@@ -74,7 +102,7 @@ fn means(mean: f64, formula: Option<f64>) -> String {
 fn length_charts(gauged: &GaugedGear) -> Result<Vec<(String, String)>, PictureError> {
     let drawn = lengths(&gauged.gauged).into_iter().filter_map(|length| {
         let by_tooth = length.by_tooth.as_ref()?;
-        Some(length_chart(gauged, &length, by_tooth))
+        length_chart(gauged, &length, by_tooth).transpose()
     });
     drawn.collect()
 }
@@ -83,7 +111,7 @@ fn length_chart(
     gauged: &GaugedGear,
     length: &Length,
     by_tooth: &ByTooth,
-) -> Result<(String, String), PictureError> {
+) -> Result<Option<(String, String)>, PictureError> {
     let table = by_tooth.reading.table(&gauged.gauged);
     let column = table
         .as_ref()
@@ -110,20 +138,23 @@ fn deviation_charts(gauged: &GaugedGear) -> Result<Vec<(String, String)>, Pictur
     let read = &gauged.gauged;
     let mut files = Vec::new();
     if let Ok(read) = &read.runout {
-        files.push(runout(gauged, read)?);
+        files.extend(runout(gauged, read)?);
     }
     for (name, read) in [
         (Reading::PitchOwn, &read.pitch_own),
         (Reading::PitchDatum, &read.pitch_datum),
     ] {
         if let Ok(read) = read {
-            files.push(pitch(gauged, name, read)?);
+            files.extend(pitch(gauged, name, read)?);
         }
     }
     Ok(files)
 }
 
-fn runout(gauged: &GaugedGear, read: &RunoutReadings) -> Result<(String, String), PictureError> {
+fn runout(
+    gauged: &GaugedGear,
+    read: &RunoutReadings,
+) -> Result<Option<(String, String)>, PictureError> {
     let title = format!(
         "ball {} mm in each space · F_r {} µm, 2 e {} µm",
         read.diameter,
@@ -149,7 +180,7 @@ fn pitch(
     gauged: &GaugedGear,
     reading: Reading,
     read: &PitchReadings,
-) -> Result<(String, String), PictureError> {
+) -> Result<Option<(String, String)>, PictureError> {
     let about = match read.axis {
         PitchAxis::Own => "the gear's own centre",
         PitchAxis::Datum => "the rotation axis",
@@ -278,13 +309,10 @@ fn roll_chart(gauged: &GaugedGear) -> Result<Option<(String, String)>, PictureEr
     // Once round: the first pose comes again.
     let first = points.first().and_then(|point| point.1);
     points.push((f64::from(teeth) + 1.0, first));
-    let level = match points
-        .iter()
-        .all(|point| point.1.is_none_or(|um| um.abs() < LEVEL))
-    {
-        true => format!(" · level within {LEVEL} µm"),
-        false => String::new(),
-    };
+    let level = |point: &(f64, Option<f64>)| point.1.is_none_or(|um| um.abs() < LEVEL);
+    if points.iter().all(level) {
+        return Ok(None);
+    }
     let stem = gauged.stem();
     let heading = Heading {
         prefix: &Reading::Roll.file_stem(&stem),
@@ -292,7 +320,7 @@ fn roll_chart(gauged: &GaugedGear) -> Result<Option<(String, String)>, PictureEr
         subtitle: &subtitle(gauged),
     };
     let title = format!(
-        "roll test with a master of z {} · F_i'' {}, f_i'' {} µm · {}{level}",
+        "roll test with a master of z {} · F_i'' {}, f_i'' {} µm · {}",
         roll.master.basic_data().teeth(),
         um(roll.total().found, 3),
         um(roll.tooth_to_tooth().found, 3),

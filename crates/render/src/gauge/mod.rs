@@ -4,5 +4,5 @@ mod charts;
 mod lengths;
 mod text;
 
-pub use charts::charts;
+pub use charts::{charts, page};
 pub use text::{missing, text};

@@ -1,7 +1,7 @@
 //! What the gauges read, as a short table of each gear.
 
 use super::lengths::lengths;
-use crate::text::{finish, table};
+use crate::text::{Column, Screen, Table};
 use gearlash::contact::{ContactKind, PoseClass, Touch};
 use gearlash::gauge::{Eccentricity, Gauged, GradedReading, PitchReadings, Unmeasured};
 use gearlash::gear::{Flank, GRADE_SOURCE, Grade, ProfilePart};
@@ -10,42 +10,48 @@ use gearlash_files::numbers::{ascii, order_um, um_ascii};
 use gearlash_files::results::gauge::{GaugedGear, by_tooth};
 use std::fmt::Write;
 
-/// The text `gauge` prints; with `by_position` every reading tooth by tooth, too.
-pub fn text(title: &str, gears: &[GaugedGear], by_position: bool) -> String {
+/// The text `gauge` prints on `screen`; with `by_position` every reading tooth by tooth, too.
+pub fn text(title: &str, gears: &[GaugedGear], by_position: bool, screen: &Screen) -> String {
     let mut text = format!("{}\n", plain(title));
     for gauged in gears {
         let _ = write!(text, "\n{}\n\n", gauged.words());
-        text += &length_table(&gauged.gauged);
+        text += &length_table(&gauged.gauged, screen);
         text += &deviations(&gauged.gauged);
-        text += &grade_table(&gauged.gauged);
+        text += &grade_table(&gauged.gauged, screen);
         text += &remarks(&gauged.gauged);
         if by_position {
             text += &position_table(gauged);
         }
     }
-    text += LEGEND;
+    text += &screen.paragraphs(LEGEND);
     let _ = writeln!(text, "Grades: {GRADE_SOURCE}.");
-    text
+    screen.fold(&text)
 }
 
 const LEGEND: &str = "
 Lengths in mm; range, off and bound in µm. Formula: of the mean thickness, no deviations. Off: mean less formula.
 Ball: its centre from the rotation axis, so its range is F_r. a'': tight mesh with the master, its range is F_i''.
-F_r of an eccentricity e alone is 2 e, down to 2 e cos(π/z) where no space is in line with the high tooth;
+F_r of an eccentricity e alone is 2 e, down to 2 e cos(π/z) where no space is in line with the high tooth; \
 pitch and thickness of the teeth add to it.
-Thickness is an arc of the reference circle. Pitch: own, about the gear's own centre; datum, about its rotation axis,
+Thickness is an arc of the reference circle. Pitch: own, about the gear's own centre; datum, about its rotation axis, \
 which is what a standard grades. Grade: the finest that admits the value, with its tolerance; measured and tolerance in µm.
---positions, --format csv and the CSV files have every reading tooth by tooth.
-";
+--positions, --format csv and the CSV files have every reading tooth by tooth.";
 
 /// Lengths with their least, mean and greatest reading.
-fn length_table(read: &Gauged) -> String {
-    let mut table = table(&[
-        "", "least", "mean", "greatest", "range", "formula", "off", "bound",
+fn length_table(read: &Gauged, screen: &Screen) -> String {
+    let mut table = Table::new([
+        Column::new(""),
+        Column::new("least"),
+        Column::new("mean"),
+        Column::new("greatest"),
+        Column::new("range"),
+        Column::new("formula").spare(1),
+        Column::new("off").spare(2),
+        Column::new("bound").spare(3),
     ]);
     for row in lengths(read) {
         let [least, most] = row.ends;
-        table.add_row(vec![
+        table.add(vec![
             row.name,
             ascii(least, 6),
             ascii(row.mean, 6),
@@ -56,7 +62,7 @@ fn length_table(read: &Gauged) -> String {
             order_um(row.error),
         ]);
     }
-    finish(&table)
+    table.text(screen)
 }
 
 /// Runout, pitch and roll in µm.
@@ -117,26 +123,27 @@ fn both(pitch: &PitchReadings) -> String {
 }
 
 /// Accuracy grades, or why there are none.
-fn grade_table(read: &Gauged) -> String {
+fn grade_table(read: &Gauged, screen: &Screen) -> String {
     let graded = match &read.grades {
         Ok(graded) if graded.is_empty() => return String::new(),
         Ok(graded) => graded,
         Err(reason) => return format!("\nno accuracy grades: {reason}\n"),
     };
-    let mut table = table(&["", "measured", "grade", "tolerance"]);
+    let headings = ["", "measured", "grade", "tolerance"];
+    let mut table = Table::new(headings.map(Column::new));
     for one in graded {
         let (grade, tolerance) = match one.grade {
             Grade::Within { grade, tolerance } => (grade.to_string(), tolerance),
             Grade::Beyond { last, tolerance } => (format!("beyond {last}"), tolerance),
         };
-        table.add_row(vec![
+        table.add(vec![
             graded_name(one),
             um_ascii(one.measured, 3),
             grade,
             um_ascii(tolerance, 1),
         ]);
     }
-    format!("\n{}", finish(&table))
+    format!("\n{}", table.text(screen))
 }
 
 fn graded_name(one: &GradedReading) -> String {
@@ -227,20 +234,18 @@ fn position_table(gauged: &GaugedGear) -> String {
             .iter()
             .filter(|(_, column)| !column.cells.is_empty())
     };
-    let headings: Vec<&str> = std::iter::once("tooth")
-        .chain(shown().map(|(heading, _)| *heading))
-        .collect();
-    let mut table = table(&headings);
+    let headings = std::iter::once("tooth").chain(shown().map(|(heading, _)| *heading));
+    let mut table = Table::new(headings.map(Column::new));
     for tooth in 1..=gauged.gear.gear().basic_data().teeth() {
         let cells = shown().map(|(_, column)| {
             let value = column.cell(tooth as usize - 1).number();
             ascii(value, column.unit.decimals())
         });
-        table.add_row(std::iter::once(tooth.to_string()).chain(cells));
+        table.add(std::iter::once(tooth.to_string()).chain(cells).collect());
     }
     format!(
         "\nBy tooth, in µm where not mm. Span: first tooth spanned; pins and ball: tooth before the space of the (first) pin.\n\
          f: single pitch, F: cumulative; ball and s less their means.\n{}",
-        finish(&table)
+        table.text(&Screen::default())
     )
 }

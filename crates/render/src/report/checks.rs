@@ -15,7 +15,7 @@ pub(super) fn section(page: &Page) -> Markup {
     let poses: usize = asked.map(|run| run.poses.len()).sum();
     let outcome = match diagnosis.verdict() {
         Verdict::Pass => "Every check passes.",
-        Verdict::Warn => "No check fails; some values lie beside what is recommended.",
+        Verdict::Warn => "No check fails; some values are outside the recommended range.",
         Verdict::Unproven => {
             "No check fails, but some are unproven: nobody knows whether their limits are kept."
         }
@@ -30,7 +30,7 @@ pub(super) fn section(page: &Page) -> Markup {
                 @if !page.report.analysis.cycle.extremes.is_empty() {
                     " The rest of the hunting cycle, which the result above takes in, is not in it."
                 }
-                @if several { " Each check is shown at the centre distance and material that keeps its limit least." }
+                @if several { " Each check is shown at its worst centre distance and material." }
             }
             div.scroll tabindex="0" role="region" aria-label="Checks" {
                 table {

@@ -208,7 +208,7 @@ pub(super) fn inspections(page: &Page) -> Result<Markup, PictureError> {
 
 /// What stands on paper in place of closed `<details>`.
 pub(super) fn not_on_paper(what: &str) -> Markup {
-    html! { p.paper.note { "Left out on paper: " (what) ". Open it on the screen before printing to have it here." } }
+    html! { p.paper.note { "Not printed: " (what) ". Expand before printing." } }
 }
 
 fn figure(chart: &Chart) -> Markup {

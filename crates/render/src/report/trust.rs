@@ -44,7 +44,12 @@ fn answer(page: &Page) -> String {
         );
     }
     if page.whole.least.is_none() {
-        return "There is no number to trust: at no pose is the free gear free to turn and held by its mate.".to_owned();
+        let why = match (page.whole.jammed, page.whole.apart) {
+            (_, 0) => "jammed",
+            (0, _) => "out of mesh",
+            _ => "jammed or out of mesh",
+        };
+        return format!("No backlash exists: every pose is {why}.");
     }
     let valued = of.valued();
     let trusted = match (fails, of.agree) {
@@ -54,9 +59,9 @@ fn answer(page: &Page) -> String {
         (0, _) => format!(
             "Yes, for the gears as measured: simulation and formula agree at all {valued} poses that have a backlash."
         ),
-        (_, 0) => "Yes, the simulation, for the gears as measured; the formula is wrong about this pair: at every pose the teeth touch off the line of action, which it does not know.".to_owned(),
+        (_, 0) => "Yes, the simulation, for the gears as measured; the line-of-action formula does not apply at any pose, as the teeth touch off that line.".to_owned(),
         (_, agree) => format!(
-            "Yes, the simulation, for the gears as measured; the formula is wrong about this pair at {fails} of {valued} poses, where the teeth touch off the line of action, which it does not know. At the other {agree} they agree."
+            "Yes, the simulation, for the gears as measured; the line-of-action formula does not apply at {fails} of {valued} poses, where the teeth touch off that line. At the other {agree} they agree."
         ),
     };
     let limited = limit(page).map_or(String::new(), |limit| format!(" {limit}."));
@@ -102,13 +107,13 @@ fn formula(page: &Page) -> Markup {
     html! {
         @if of.both > 0 {
             "The line-of-action formula, which shares nothing with the simulation but the gears’ data, agrees within "
-            (shortest(page.report.pair.study.tolerance_um)) " µm at " (of.agree) " of the " (of.both) " poses that both have a value of"
+            (shortest(page.report.pair.study.tolerance_um)) " µm at " (of.agree) " of the " (of.both) " poses where both give a value"
             @if let Some(deviation) = deviation(&page.all, line_of_action) {
                 "; the largest difference is " (difference_um(Some(deviation.largest))) " µm"
             }
             ". "
         } @else {
-            "There is no pose that simulation and line-of-action formula both have a value of: nothing was compared. "
+            "There is no pose where simulation and line-of-action formula both give a value: nothing was compared. "
         }
         @if of.poses > of.both {
             (without(page)) ". "
@@ -154,6 +159,7 @@ fn off_line(page: &Page) -> Markup {
     html! {
         @match of.touch_off_line {
             0 if valued == 0 => "",
+            0 if of.simulated_alone > 0 => "Where both give a value, only involutes touch.",
             0 if valued == of.poses => "Only involutes touch, at every pose.",
             0 => "Where there is backlash, only involutes touch.",
             1 => "At one pose a tip corner, a fillet or a root takes part in a contact",

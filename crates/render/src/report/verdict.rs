@@ -80,11 +80,19 @@ fn verdict(page: &Page) -> String {
         ),
         _ if !touching.is_empty() => {
             format!(
-                "Assembles at all {number} centre distances, {none} {}",
+                "Assembles at {}, {none} {}",
+                all_distances(number),
                 places(&touching, number)
             )
         }
-        _ => format!("Assembles at all {number} centre distances"),
+        _ => format!("Assembles at {}", all_distances(number)),
+    }
+}
+
+fn all_distances(number: usize) -> String {
+    match number {
+        2 => "both centre distances".to_owned(),
+        _ => format!("all {number} centre distances"),
     }
 }
 
@@ -140,7 +148,7 @@ fn clearance(page: &Page) -> Markup {
     let c = page.report.pair.study.bearing_clearance;
     if !(c > 0.0) {
         return html! {
-            p { "Bearing clearance: none is stated; the axes are taken to stand at the centre distance." }
+            p { "Bearing clearance: none is stated; the axes are assumed fixed at the centre distance." }
         };
     }
     let whole = &page.whole;
@@ -187,7 +195,7 @@ fn table(page: &Page) -> Markup {
                     th scope="col" { "teeth that bind" }
                     th.n scope="col" { "mean" }
                     th.n scope="col" { "greatest" }
-                    th scope="col" { "teeth there" }
+                    th scope="col" { "teeth at greatest" }
                     @if c > 0.0 { th.n scope="col" { "with " i { "a" } " ± " (stated_distance(c)) " mm" } }
                 } }
                 tbody {

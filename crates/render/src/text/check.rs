@@ -1,36 +1,42 @@
 //! The checks of a pair as text.
 
-use super::layout::{finish, table};
+use super::layout::{Column, Screen, Table, Tone};
 use gearlash::analysis::diagnosis::{Check, Diagnosis, Group, Verdict};
 use gearlash::analysis::study::Study;
 use gearlash::pair::Member;
 use gearlash_files::characters;
-use gearlash_files::numbers::{ascii, distance, um_ascii};
+use gearlash_files::numbers::{ascii, stated_distance, um_ascii};
 use std::fmt::Write;
 
-/// As text: each check once, of the centre distance and material that keeps its limit least.
-pub fn text(study: &Study, diagnosis: &Diagnosis) -> String {
+/// As text on `screen`: each check once, at its worst centre distance and material.
+pub fn text(study: &Study, diagnosis: &Diagnosis, screen: &Screen) -> String {
     let mut text = format!("{}\n\n", characters::plain(&study.title));
     let several = diagnosis.groups.len() > 1;
-    let mut headings = vec!["verdict", "check", "gear"];
+    let mut columns = vec![
+        Column::new("verdict"),
+        Column::new("check").left().broken(),
+        Column::new("gear").left(),
+    ];
     if several {
-        headings.extend(["a mm", "material"]);
+        columns.extend(["a mm", "material"].map(|heading| Column::new(heading).spare(2)));
     }
-    headings.extend(["formula", "measured", "limit", "margin", "", ""]);
-    let mut rows = table(&headings);
-    for column in [1, 2, headings.len() - 2, headings.len() - 1] {
-        if let Some(column) = rows.column_mut(column) {
-            column.set_cell_alignment(comfy_table::CellAlignment::Left);
-        }
-    }
+    columns.extend([
+        Column::new("formula").spare(1),
+        Column::new("outlines"),
+        Column::new("limit"),
+        Column::new("margin"),
+        Column::new("").left(),
+        Column::new("").left().below(),
+    ]);
+    let mut rows = Table::new(columns);
     for (group, check) in governing(diagnosis) {
         let mut row = vec![
-            check.verdict.name().to_owned(),
+            screen.toned(tone(check.verdict), check.verdict.name()),
             check.title.to_owned(),
             check.gear.map_or("", Member::name).to_owned(),
         ];
         if several {
-            row.push(distance(group.assembly.center_distance()));
+            row.push(stated_distance(group.assembly.center_distance()));
             row.push(group.material.name().to_owned());
         }
         row.push(ascii(check.analytic, 4));
@@ -38,17 +44,26 @@ pub fn text(study: &Study, diagnosis: &Diagnosis) -> String {
         row.extend([check.limit, check.margin].map(|value| ascii(value, 4)));
         row.push(unit(check.unit).to_owned());
         row.push(check.note.clone());
-        rows.add_row(row);
+        rows.add(row);
     }
-    text += &finish(&rows);
+    text += &rows.text(screen);
     if several {
-        text += "\nEach check of the centre distance and material that keeps its limit least; --format json has all.\n";
+        text += "\nEach check is shown at its worst centre distance and material; --format json has all.\n";
     }
     for reason in doubts(diagnosis) {
-        let _ = writeln!(text, "\nUNPROVEN: {reason}.");
+        let word = screen.toned(Tone::Doubtful, "UNPROVEN");
+        let _ = writeln!(text, "\n{word}: {reason}.");
     }
     text += &contact(diagnosis);
-    text
+    screen.fold(&text)
+}
+
+fn tone(verdict: Verdict) -> Tone {
+    match verdict {
+        Verdict::Pass => Tone::Good,
+        Verdict::Warn | Verdict::Unproven => Tone::Doubtful,
+        Verdict::Fail => Tone::Bad,
+    }
 }
 
 /// Each check of the gravest verdict, then of the least margin, the first of equals.
@@ -87,36 +102,39 @@ fn contact(diagnosis: &Diagnosis) -> String {
         let mating = worst.pose.mating();
         let _ = writeln!(
             text,
-            "Lost motion the formula does not see: least {}, mean {}, most {} µm of j_wt (formula {}, found {} µm).",
+            "Backlash j_wt by formula minus that on the outlines: least {}, mean {}, greatest {} µm.",
             um_ascii(loss.least, 3),
             um_ascii(loss.mean, 3),
             um_ascii(worst.loss, 3),
-            um_ascii(worst.backlash + worst.loss, 3),
-            um_ascii(worst.backlash, 3),
         );
-        let _ = writeln!(
-            text,
-            "Most at mating {},{} {} +{:.4}, a {:.3} mm, {}: wheel tooth {} {} (radius {:.3} mm) on pinion tooth {} {} (radius {:.3} mm), {} flanks.",
-            mating.wheel_tooth,
-            mating.pinion_tooth,
-            mating.flank.name(),
-            mating.fraction,
-            worst.assembly.center_distance(),
-            worst.material.name(),
-            worst.contact.wheel.tooth,
-            worst.contact.wheel.curve.name(),
-            worst.contact.wheel.radius,
-            worst.contact.pinion.tooth,
-            worst.contact.pinion.curve.name(),
-            worst.contact.pinion.radius,
-            worst.side.name(),
-        );
+        // What shows as 0.000 µm is no loss.
+        if worst.loss >= 5e-7 {
+            let _ = writeln!(
+                text,
+                "Largest loss at mating {},{} {} +{:.4}, a {} mm, {}: formula {} µm, outlines {} µm; wheel tooth {} {} (radius {:.3} mm) on pinion tooth {} {} (radius {:.3} mm), {} flanks.",
+                mating.wheel_tooth,
+                mating.pinion_tooth,
+                mating.flank.name(),
+                mating.fraction,
+                stated_distance(worst.assembly.center_distance()),
+                worst.material.name(),
+                um_ascii(worst.backlash + worst.loss, 3),
+                um_ascii(worst.backlash, 3),
+                worst.contact.wheel.tooth,
+                worst.contact.wheel.curve.name(),
+                worst.contact.wheel.radius,
+                worst.contact.pinion.tooth,
+                worst.contact.pinion.curve.name(),
+                worst.contact.pinion.radius,
+                worst.side.name(),
+            );
+        }
     }
     text + match diagnosis.verdict() {
         Verdict::Pass => "Every check passes.\n",
         Verdict::Warn => "No check fails.\n",
         Verdict::Unproven => {
-            "No check fails, but some are unproven: nobody knows whether their limits are kept.\n"
+            "No check fails, but some are unproven: whether they pass is not known.\n"
         }
         Verdict::Fail => "A check fails.\n",
     }

@@ -1,27 +1,280 @@
-//! What all text for a terminal shares: aligned columns, and a pose in a word.
+//! What all text for a terminal shares: tables and lines that fit it, verdicts in colour, and a pose in a word.
+//!
+//! Where the width is not known, as in a pipe, tables are whole and lines as they come.
 
-use comfy_table::{CellAlignment, Table, presets};
+use anstyle::{AnsiColor, Style};
 use gearlash::analysis::compare::ComparedPose;
 use gearlash_files::numbers::rounded;
+use std::borrow::Cow;
+use textwrap::Options;
+use textwrap::core::display_width;
 
-/// A table under `headings`, its columns aligned on the right.
-pub fn table(headings: &[&str]) -> Table {
-    let mut table = Table::new();
-    table.load_style(presets::NOTHING);
-    table.set_header(headings);
-    for column in table.column_iter_mut() {
-        column.set_cell_alignment(CellAlignment::Right);
-    }
-    table
+/// What text is shown on.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Screen {
+    /// Columns to keep to; `None`: as many as it takes.
+    pub width: Option<usize>,
+    /// Whether verdicts are in colour.
+    pub colour: bool,
 }
 
-/// Its text, without blanks at the ends of lines.
-pub fn finish(table: &Table) -> String {
-    let lines: Vec<String> = table
-        .lines()
-        .map(|line| line.trim_end().to_owned())
-        .collect();
-    lines.join("\n") + "\n"
+/// How grave a verdict is, which is its colour.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Tone {
+    /// Green.
+    Good,
+    /// Yellow.
+    Doubtful,
+    /// Red.
+    Bad,
+}
+
+impl Screen {
+    /// `word` in the colour of its `tone`, where there are colours.
+    pub fn toned(&self, tone: Tone, word: &str) -> String {
+        if !self.colour {
+            return word.to_owned();
+        }
+        let colour = match tone {
+            Tone::Good => AnsiColor::Green,
+            Tone::Doubtful => AnsiColor::Yellow,
+            Tone::Bad => AnsiColor::Red,
+        };
+        let style = Style::new().bold().fg_color(Some(colour.into()));
+        format!("{style}{word}{style:#}")
+    }
+
+    /// Each line of `text` as a paragraph: broken at the width, or where it is easy to read.
+    pub fn paragraphs(&self, text: &str) -> String {
+        let width = self.width.unwrap_or(MEASURE).min(MEASURE);
+        textwrap::fill(text, width) + "\n"
+    }
+
+    /// `text` with each line that is too long broken between words, its continuation set in.
+    pub fn fold(&self, text: &str) -> String {
+        let Some(width) = self.width else {
+            return text.to_owned();
+        };
+        let mut folded = String::with_capacity(text.len());
+        for line in text.lines() {
+            let blanks = line.len() - line.trim_start().len();
+            let margin = match blanks {
+                0 => String::new(),
+                blanks => " ".repeat(blanks + 2),
+            };
+            let options = Options::new(width).subsequent_indent(&margin);
+            folded += &textwrap::fill(line, options);
+            folded.push('\n');
+        }
+        folded
+    }
+}
+
+/// What becomes of a column where there is no room for all.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Fit {
+    /// It stays.
+    Kept,
+    /// It is left out, those of the highest rank first.
+    Spare(u8),
+    /// Its cells are broken between words.
+    Broken,
+    /// Its cells stand below their row.
+    Below,
+}
+
+/// A column of a [`Table`].
+#[derive(Debug, Clone)]
+pub struct Column {
+    heading: String,
+    left: bool,
+    fit: Fit,
+}
+
+impl Column {
+    /// Of numbers or short words, aligned on the right.
+    pub fn new(heading: impl Into<String>) -> Column {
+        Column {
+            heading: heading.into(),
+            left: false,
+            fit: Fit::Kept,
+        }
+    }
+
+    /// Aligned on the left.
+    pub fn left(self) -> Column {
+        Column { left: true, ..self }
+    }
+
+    /// Left out where there is no room, those of the highest `rank` first.
+    pub fn spare(self, rank: u8) -> Column {
+        let fit = Fit::Spare(rank);
+        Column { fit, ..self }
+    }
+
+    /// Broken between words where there is no room.
+    pub fn broken(self) -> Column {
+        let fit = Fit::Broken;
+        Column { fit, ..self }
+    }
+
+    /// Below its row where there is no room beside it.
+    pub fn below(self) -> Column {
+        let fit = Fit::Below;
+        Column { fit, ..self }
+    }
+}
+
+/// Columns of a paragraph where there is room (as the help has).
+const MEASURE: usize = 100;
+/// A blank on either side of each column.
+const GAP: usize = 2;
+/// Columns that are broken between words are at least so wide before another is left out (tuned: two words).
+const BROKEN: usize = 24;
+/// How far a cell below its row is set in.
+const BELOW: usize = 12;
+
+/// Aligned columns under headings.
+#[derive(Debug, Clone)]
+pub struct Table {
+    columns: Vec<Column>,
+    rows: Vec<Vec<String>>,
+}
+
+impl Table {
+    /// Without rows yet.
+    pub fn new(columns: impl IntoIterator<Item = Column>) -> Table {
+        Table {
+            columns: columns.into_iter().collect(),
+            rows: Vec::new(),
+        }
+    }
+
+    /// Adds a row, a cell a column.
+    pub fn add(&mut self, row: Vec<String>) {
+        self.rows.push(row);
+    }
+
+    /// Its text on `screen`, without blanks at the ends of lines; what was left out is named below it.
+    pub fn text(&self, screen: &Screen) -> String {
+        let mut widths: Vec<usize> = (0..self.columns.len()).map(|c| self.width(c)).collect();
+        let mut shown: Vec<usize> = (0..widths.len()).collect();
+        let mut left_out = Vec::new();
+        let room = screen.width.unwrap_or(usize::MAX);
+        // The last blank is cut off.
+        let total = |shown: &[usize], widths: &[usize]| -> usize {
+            shown.iter().map(|c| widths[*c] + GAP).sum::<usize>() - 1
+        };
+        let narrow = total(&shown, &widths) > room;
+        if narrow {
+            shown.retain(|c| self.columns[*c].fit != Fit::Below);
+            let least: Vec<usize> = (0..widths.len())
+                .map(|c| match self.columns[c].fit {
+                    Fit::Broken => widths[c].min(BROKEN.max(self.longest_word(c))),
+                    _ => widths[c],
+                })
+                .collect();
+            while total(&shown, &least) > room
+                && let Some(spare) = self.most_spare(&shown)
+            {
+                left_out.push(spare);
+                shown.retain(|c| *c != spare);
+            }
+            while total(&shown, &widths) > room
+                && let Some(widest) = self.widest_broken(&shown, &widths)
+            {
+                widths[widest] -= 1;
+            }
+        }
+        let headings: Vec<String> = self.columns.iter().map(|c| c.heading.clone()).collect();
+        let mut text = String::new();
+        for row in std::iter::once(&headings).chain(&self.rows) {
+            self.add_lines(row, &shown, &widths, &mut text);
+            if narrow && !std::ptr::eq(row, &headings) {
+                self.add_below(row, room, &mut text);
+            }
+        }
+        if !left_out.is_empty() {
+            left_out.sort_unstable();
+            let names: Vec<&str> = left_out.iter().map(|c| headings[*c].as_str()).collect();
+            let names = names.join(", ");
+            text += &screen.fold(&format!("Not shown: {names}; --wide shows all."));
+        }
+        text
+    }
+
+    /// Columns of a terminal that all of column `c` takes.
+    fn width(&self, c: usize) -> usize {
+        self.cells(c).map(display_width).max().unwrap_or(0)
+    }
+
+    /// The longest word in column `c`: it is not broken.
+    fn longest_word(&self, c: usize) -> usize {
+        let words = self.cells(c).flat_map(str::split_whitespace);
+        words.map(display_width).max().unwrap_or(0)
+    }
+
+    fn cells(&self, c: usize) -> impl Iterator<Item = &str> {
+        let heading = std::iter::once(self.columns[c].heading.as_str());
+        heading.chain(self.rows.iter().map(move |row| row[c].as_str()))
+    }
+
+    /// The column of `shown` that is left out next.
+    fn most_spare(&self, shown: &[usize]) -> Option<usize> {
+        let rank = |c: &usize| match self.columns[*c].fit {
+            Fit::Spare(rank) => Some((rank, *c)),
+            _ => None,
+        };
+        shown.iter().filter_map(rank).max().map(|(_, c)| c)
+    }
+
+    /// The column of `shown` that takes the most room it can do without.
+    fn widest_broken(&self, shown: &[usize], widths: &[usize]) -> Option<usize> {
+        let can = |c: &&usize| {
+            self.columns[**c].fit == Fit::Broken && widths[**c] > self.longest_word(**c)
+        };
+        let broken = shown.iter().filter(can).copied();
+        broken.max_by_key(|c| widths[*c])
+    }
+
+    /// Adds the lines of a row.
+    fn add_lines(&self, row: &[String], shown: &[usize], widths: &[usize], text: &mut String) {
+        let cells: Vec<Vec<Cow<str>>> = shown
+            .iter()
+            .map(|c| match display_width(&row[*c]) > widths[*c] {
+                true => textwrap::wrap(&row[*c], widths[*c]),
+                false => vec![row[*c].as_str().into()],
+            })
+            .collect();
+        let lines = cells.iter().map(Vec::len).max().unwrap_or(0);
+        for line in 0..lines {
+            let mut whole = String::new();
+            for (cell, c) in cells.iter().zip(shown) {
+                let cell = cell.get(line).map_or("", |cell| cell.as_ref());
+                let blanks = " ".repeat(widths[*c].saturating_sub(display_width(cell)));
+                whole += &match self.columns[*c].left {
+                    true => format!(" {cell}{blanks} "),
+                    false => format!(" {blanks}{cell} "),
+                };
+            }
+            text.push_str(whole.trim_end());
+            text.push('\n');
+        }
+    }
+
+    /// Adds those cells of a row that stand below it.
+    fn add_below(&self, row: &[String], room: usize, text: &mut String) {
+        let margin = " ".repeat(BELOW);
+        let options = Options::new(room)
+            .initial_indent(&margin)
+            .subsequent_indent(&margin);
+        for (column, cell) in self.columns.iter().zip(row) {
+            if column.fit == Fit::Below && !cell.is_empty() {
+                *text += &textwrap::fill(cell, &options);
+                text.push('\n');
+            }
+        }
+    }
 }
 
 /// A pose in a word: mating, fraction to four decimals, flank.
@@ -37,4 +290,105 @@ pub fn where_it_is(pose: &ComparedPose) -> String {
         mating.pinion_tooth,
         mating.flank.name()
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn table() -> Table {
+        let mut table = Table::new([
+            Column::new("a mm"),
+            Column::new("mean").spare(1),
+            Column::new("check").left().broken(),
+            Column::new("poses").spare(2),
+            Column::new("note").left().below(),
+        ]);
+        let row = [
+            "37.3",
+            "12.000",
+            "radial clearance of the tip, above all",
+            "16",
+            "wheel tooth 3",
+        ];
+        table.add(row.map(str::to_owned).to_vec());
+        table
+    }
+
+    fn shown(width: Option<usize>) -> String {
+        let screen = Screen {
+            width,
+            colour: false,
+        };
+        table().text(&screen)
+    }
+
+    #[test]
+    fn a_pipe_has_all_of_it() {
+        assert_eq!(
+            shown(None),
+            " a mm    mean  check                                   poses  note\n \
+             37.3  12.000  radial clearance of the tip, above all     16  wheel tooth 3\n"
+        );
+    }
+
+    /// First notes go below, then columns go by their rank, then words are broken.
+    #[test]
+    fn a_narrow_terminal_has_what_matters() {
+        let lines =
+            |width| -> Vec<String> { shown(Some(width)).lines().map(str::to_owned).collect() };
+        assert_eq!(
+            lines(50),
+            [
+                " a mm    mean  check                         poses",
+                " 37.3  12.000  radial clearance of the tip,     16",
+                "               above all",
+                "            wheel tooth 3",
+            ]
+        );
+        assert_eq!(
+            lines(34),
+            [
+                " a mm  check",
+                " 37.3  radial clearance of the",
+                "       tip, above all",
+                "            wheel tooth 3",
+                "Not shown: mean, poses; --wide",
+                "shows all.",
+            ]
+        );
+        for width in 34..90 {
+            for line in shown(Some(width)).lines() {
+                assert!(display_width(line) <= width, "{width}: {line}");
+            }
+        }
+    }
+
+    #[test]
+    fn colour_takes_no_room() {
+        let screen = Screen {
+            width: Some(12),
+            colour: true,
+        };
+        let word = screen.toned(Tone::Bad, "fail");
+        assert_eq!(word, "\u{1b}[1m\u{1b}[31mfail\u{1b}[0m");
+        let mut table = Table::new([Column::new("verdict"), Column::new("n")]);
+        table.add(vec![word.clone(), "1".to_owned()]);
+        assert_eq!(table.text(&screen), format!(" verdict  n\n    {word}  1\n"));
+        assert_eq!(Screen::default().toned(Tone::Bad, "fail"), "fail");
+    }
+
+    #[test]
+    fn a_folded_line_is_set_in() {
+        let screen = Screen {
+            width: Some(12),
+            colour: false,
+        };
+        assert_eq!(
+            screen.fold("  one two three\nfour\n"),
+            "  one two\n    three\nfour\n"
+        );
+        let pipe = Screen::default();
+        assert_eq!(pipe.fold("  one two three\nfour"), "  one two three\nfour");
+    }
 }

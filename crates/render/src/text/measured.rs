@@ -1,9 +1,9 @@
 //! A rig's measurements beside the bands they should lie in.
 
-use super::layout::{finish, table};
+use super::layout::{Column, Screen, Table};
 use gearlash::analysis::measured::{Band, MeasuredMating, sides};
 use gearlash::analysis::study::Study;
-use gearlash_files::numbers::{NONE, ascii, distance};
+use gearlash_files::numbers::{NONE, ascii, stated_distance};
 use std::fmt::Write;
 
 fn band(band: Option<Band>) -> String {
@@ -13,15 +13,15 @@ fn band(band: Option<Band>) -> String {
     }
 }
 
-pub fn measured_table(measured: &[MeasuredMating]) -> String {
-    let mut table = table(&[
-        "mating",
-        "a mm",
-        "predicted (printed)",
-        "analytic",
-        "simulated",
-        "measured right",
-        "left",
+pub fn measured_table(measured: &[MeasuredMating], screen: &Screen) -> String {
+    let mut table = Table::new([
+        Column::new("mating"),
+        Column::new("a mm"),
+        Column::new("predicted (printed)"),
+        Column::new("analytic").spare(1),
+        Column::new("simulated"),
+        Column::new("measured right"),
+        Column::new("left"),
     ]);
     for mating in measured {
         let marked = |value: f64| {
@@ -32,9 +32,9 @@ pub fn measured_table(measured: &[MeasuredMating]) -> String {
             };
             format!("{value} {mark}")
         };
-        table.add_row(vec![
+        table.add(vec![
             format!("{},{}", mating.row.wheel_tooth, mating.row.pinion_tooth),
-            distance(mating.row.center_distance),
+            stated_distance(mating.row.center_distance),
             band(Some(mating.printed)),
             band(mating.analytic),
             band(mating.simulated),
@@ -42,10 +42,10 @@ pub fn measured_table(measured: &[MeasuredMating]) -> String {
             marked(mating.row.left_um),
         ]);
     }
-    finish(&table)
+    table.text(screen)
 }
 
-pub fn measured_count(study: &Study, measured: &[MeasuredMating]) -> String {
+pub fn measured_count(study: &Study, measured: &[MeasuredMating], screen: &Screen) -> String {
     let [below, inside, above] = sides(measured, |mating| Some(mating.printed));
     let total = below + inside + above;
     let mut text = format!(
@@ -56,13 +56,13 @@ pub fn measured_count(study: &Study, measured: &[MeasuredMating]) -> String {
         let _ = writeln!(
             text,
             "With the bearing clearance taken in (a ± {} mm), {inside} of {total} lie inside the simulated band.",
-            distance(study.bearing_clearance)
+            stated_distance(study.bearing_clearance)
         );
     }
-    text += "\
-Backlash j_wt in µm. Bands run from most to least material. Predicted: as printed beside the
-measurement. Analytic: model 2 (involute); simulated: on the tooth outlines; both are means of the
-mating's right-flank and left-flank pose. ↓ ↑: measured below or above the predicted band.
-";
-    text
+    text + &screen.paragraphs(LEGEND)
 }
+
+const LEGEND: &str = "\
+Backlash j_wt in µm. Bands run from most to least material. Predicted: as printed beside the measurement. \
+Analytic: model 2 (involute); simulated: on the tooth outlines; both are means of the mating's right-flank \
+and left-flank pose. ↓ ↑: measured below or above the predicted band.";

@@ -6,5 +6,6 @@ mod measured;
 mod phases;
 mod simulation;
 
-pub(crate) use layout::{finish, table, where_it_is};
+pub(crate) use layout::{Column, Table, where_it_is};
+pub use layout::{Screen, Tone};
 pub use simulation::simulation;

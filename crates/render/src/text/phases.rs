@@ -1,28 +1,28 @@
 //! Assembly phases, and which teeth to mark together.
 
-use super::layout::{finish, table, where_it_is};
+use super::layout::{Column, Screen, Table, where_it_is};
 use gearlash::analysis::compare::ComparedPose;
 use gearlash::analysis::phases::PhaseGroup;
 use gearlash::analysis::tally::RunTally;
-use gearlash_files::numbers::{NONE, distance, um_ascii};
+use gearlash_files::numbers::{NONE, stated_distance, um_ascii};
 
-pub fn phase_table(group: &PhaseGroup) -> String {
+pub fn phase_table(group: &PhaseGroup, screen: &Screen) -> String {
     let mating = |run: &RunTally| {
         let (wheel, pinion) = run.phase.unwrap_or((1, 1));
         format!("{wheel},{pinion}")
     };
     let unproven = group.runs.iter().any(|run| run.unproven > 0);
-    let mut headings = vec![
-        "phase",
-        "least",
-        "at",
-        "mean",
-        "greatest",
-        "at",
-        "variation",
+    let mut columns = vec![
+        Column::new("phase"),
+        Column::new("least"),
+        Column::new("at").broken(),
+        Column::new("mean").spare(1),
+        Column::new("greatest"),
+        Column::new("at").broken(),
+        Column::new("variation"),
     ];
-    headings.extend(unproven.then_some("unproven"));
-    let mut table = table(&headings);
+    columns.extend(unproven.then(|| Column::new("unproven")));
+    let mut table = Table::new(columns);
     for run in &group.runs {
         let summary = run.summary();
         let at = |pose: Option<&ComparedPose>| pose.map_or(NONE.to_owned(), where_it_is);
@@ -37,16 +37,16 @@ pub fn phase_table(group: &PhaseGroup) -> String {
             um_ascii(run.variation(), 3),
         ];
         row.extend(unproven.then(|| run.unproven.to_string()));
-        table.add_row(row);
+        table.add(row);
     }
     let Some(first) = group.runs.first() else {
         return String::new();
     };
     let mut text = format!(
         "centre distance {} mm, material {}\n\n{}",
-        distance(first.assembly.center_distance()),
+        stated_distance(first.assembly.center_distance()),
         first.material.name(),
-        finish(&table)
+        table.text(screen)
     );
     text += &match (group.best, group.worst) {
         _ if group.runs.len() == 1 => {

@@ -4,7 +4,7 @@ use super::{CERTIFIED, Case};
 use gearlash::analysis::diagnosis::{Check, Diagnosis, Verdict, diagnose};
 use gearlash::contact::{Method, PoseClass};
 use gearlash_files::results::checks_json;
-use gearlash_render::text::check;
+use gearlash_render::text::{Screen, check};
 use serde_json::Value;
 
 /// Those that are measured over the poses.
@@ -57,7 +57,7 @@ fn what_is_measured_over_an_unproven_pose_is_unproven() {
 fn its_text_and_json_say_so() {
     let case = Case::low_tips();
     let found = diagnosed(&case, CERTIFIED);
-    let text = check::text(&case.study, &found);
+    let text = check::text(&case.study, &found, &Screen::default());
     assert!(text.contains("\nUNPROVEN: "), "{text}");
     assert!(
         text.contains("No check fails, but some are unproven"),

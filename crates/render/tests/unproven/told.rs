@@ -12,6 +12,7 @@ use gearlash::contact::Method;
 use gearlash_files::result_file;
 use gearlash_files::results::{ComparedPair, comparison_json};
 use gearlash_render::chart::{self, Heading};
+use gearlash_render::text::Screen;
 use gearlash_render::{Report, Snapshot, comparison, report};
 use gearlash_render::{simulation_table, snapshot};
 use roxmltree::Document;
@@ -116,7 +117,7 @@ fn the_table_counts_them_and_takes_none_in() {
     let case =
         Case::of("[sweep]\nmating = [[3, 3], [4, 4], [5, 5]]\nfraction = [0.0, 0.25, 0.5, 0.75]\n");
     let runs = case.compared(CERTIFIED);
-    let text = simulation_table(&case.study, &tally(&runs), &[]);
+    let text = simulation_table(&case.study, &tally(&runs), &[], &Screen::default());
     let count = runs[0].summary().unproven;
     assert!(
         text.contains(&format!("\nUNPROVEN: {count} of 24 poses.")),
@@ -148,14 +149,17 @@ fn the_table_counts_them_and_takes_none_in() {
 #[test]
 fn a_comparison_fails_for_them_in_every_format() {
     let case = Case::low_tips();
-    let sound = comparison::text(&[pair(&case, case.compared(Method::Exact { certify: false }))]);
+    let sound = comparison::text(
+        &[pair(&case, case.compared(Method::Exact { certify: false }))],
+        &Screen::default(),
+    );
     assert!(sound.contains("\n  agree within"), "{sound}");
     let runs = case.compared(CERTIFIED);
     let (count, doubtful) = (runs[0].summary().unproven, doubtful(&runs, 3));
     let pairs = [pair(&case, runs)];
     assert!(!pairs[0].passes());
     let texts = [
-        comparison::text(&pairs),
+        comparison::text(&pairs, &Screen::default()),
         comparison::junit(&pairs).unwrap(),
         comparison::github(&pairs),
         comparison::markdown(&pairs),

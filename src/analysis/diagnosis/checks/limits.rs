@@ -125,7 +125,7 @@ impl Here<'_> {
             ],
             note: match undercut {
                 true => format!(
-                    "undercut: form diameter {:.4} mm, edge of {:.2}°",
+                    "undercut: form diameter {:.4} mm, profile kink of {:.2}°",
                     2.0 * gear.form_radius(),
                     edge.to_degrees()
                 ),
@@ -157,7 +157,7 @@ impl Here<'_> {
                 .into_iter()
                 .collect(),
             note: nominal.map_or(String::new(), |nominal| {
-                format!("{nominal:.4} at the play-free distance of the drawing")
+                format!("{nominal:.4} at the nominal zero-backlash centre distance")
             }),
         }
     }

@@ -76,12 +76,17 @@ pub fn gear_file_name(stem: &str) -> String {
     format!("{stem}.toml")
 }
 
+/// The page of all charts of the gear of `stem`.
+pub fn page_name(stem: &str) -> String {
+    format!("{stem}.html")
+}
+
 /// Every name that a run could write for the gear of `stem`.
 pub fn possible_files(stem: &str) -> Vec<String> {
     let readings = Reading::ALL.into_iter();
     readings
         .flat_map(|reading| [reading.csv(stem), reading.svg(stem)])
-        .chain([gear_file_name(stem)])
+        .chain([gear_file_name(stem), page_name(stem)])
         .collect()
 }
 

@@ -6,6 +6,7 @@ pub mod compare;
 pub mod curves;
 pub mod cycle;
 pub mod diagnosis;
+pub mod extremes;
 pub mod measured;
 pub mod outcome;
 pub mod phases;

@@ -163,7 +163,7 @@ fn label(panel: &Panel, plot: &Plot, solid: bool, labels: &mut Group) {
         }
     };
     if solid {
-        let words = "shaded: swings faster than can be drawn, between their ends";
+        let words = "shaded: min–max envelope of swings too narrow to draw";
         let style = TextStyle::new(11.0).end();
         add(style, words, [plot.right, plot.top - 4.0]);
     }

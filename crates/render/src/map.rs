@@ -95,7 +95,7 @@ pub fn map_picture(map: &Map, title: &str, caption: &str) -> String {
             .set("height", number(HEIGHT))
             .set("fill", "#ffffff"),
     );
-    document.append(TextStyle::new(18.0).text(title, [FIELD.left, 34.0]));
+    document.append(TextStyle::new(18.0).verbatim(title, [FIELD.left, 34.0]));
     document.append(SMALL.grey().text(caption, [FIELD.left, 56.0]));
     document.append(cells(map));
     document.append(FIELD.border());

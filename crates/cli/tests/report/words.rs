@@ -73,7 +73,7 @@ fn a_pair_that_interferes() {
         answer.starts_with("Does not assemble at a = 160.200 mm: least backlash −238.9"),
         "{answer}"
     );
-    assert_eq!(select(&document, ".verdict.bad").len(), 1);
+    assert_eq!(select(&document, ".verdict.fail").len(), 1);
 }
 
 /// Thickness tooth by tooth moves both flanks of a tooth: what the inspection shows as pitch is not “given”.

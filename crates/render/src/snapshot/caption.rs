@@ -15,7 +15,7 @@ const LEAST: f64 = 9.0;
 pub fn draw(view: &Snapshot, scene: &Scene, left: f64, room: f64) -> Group {
     let result = result_line(view, scene);
     let style = TextStyle::new(16.0).fitted(&result, room, LEAST);
-    let result = style.symbols(&style.shortened(&result, room), [left, 97.0]);
+    let result = style.text(&style.shortened(&result, room), [left, 97.0]);
     heading(view, left, room).add(result)
 }
 
@@ -23,7 +23,7 @@ pub fn draw(view: &Snapshot, scene: &Scene, left: f64, room: f64) -> Group {
 pub fn heading(view: &Snapshot, left: f64, room: f64) -> Group {
     let (title, pose) = (TextStyle::new(24.0).bold(), TextStyle::new(16.0).grey());
     Group::new()
-        .add(title.text(&title.shortened(view.title, room), [left, 46.0]))
+        .add(title.verbatim(&title.shortened(view.title, room), [left, 46.0]))
         .add(pose.text(&pose.shortened(&pose_line(view), room), [left, 73.0]))
 }
 

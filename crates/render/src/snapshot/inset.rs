@@ -120,7 +120,7 @@ pub fn heading(scene: &Scene, side: Side, contact: Option<&DrawnContact>, corner
     };
     let (title, details) = (TextStyle::new(16.0).bold(), TextStyle::new(13.0).grey());
     Group::new()
-        .add(title.symbols(&first, [left, top - 27.0]))
+        .add(title.text(&first, [left, top - 27.0]))
         .add(details.text(&second, [left, top - 9.0]))
 }
 

@@ -27,7 +27,7 @@ pub fn draw(steps: &[PoseResult]) -> Group {
     let values: Vec<Option<f64>> = steps.iter().map(|step| step.backlash).collect();
     let found = || values.iter().flatten().copied();
     let title = TextStyle::new(16.0).bold();
-    let title = title.symbols("j_wt in µm over a pitch", [CHART.left, CHART.top - 14.0]);
+    let title = title.text("j_wt in µm over a pitch", [CHART.left, CHART.top - 14.0]);
     let mut group = Group::new().add(title).add(CHART.border());
     let label = |words: &str, at: Spot, anchor: Anchor| {
         let style = TextStyle::new(13.0).grey();

@@ -308,7 +308,7 @@ fn a_report_vouches_for_nothing() {
     );
     assert!(answer.starts_with(&expected), "{answer}");
     assert!(text("#result tbody").contains("unproven"));
-    let selector = scraper::Selector::parse(".verdict.bad").unwrap();
+    let selector = scraper::Selector::parse(".verdict.unproven").unwrap();
     assert_eq!(document.select(&selector).count(), 1);
     assert!(text("#trust").contains("Not without a look"));
     assert!(text("#models").contains(&format!("{count} are unproven: not compared")));

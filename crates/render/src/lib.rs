@@ -26,6 +26,7 @@ pub mod comparison;
 pub mod gauge;
 mod kit;
 mod map;
+mod pose_name;
 mod report;
 mod snapshot;
 pub mod text;

@@ -34,6 +34,6 @@ pub mod viewer;
 
 pub use chart::PictureError;
 pub use map::map_picture;
-pub use report::{Report, report};
+pub use report::{GearGrades, Report, report};
 pub use snapshot::{Snapshot, animation, exaggerated, snapshot};
 pub use text::simulation as simulation_table;

@@ -32,7 +32,7 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 use page::Page;
 use phrases::plain;
 
-pub use page::Report;
+pub use page::{GearGrades, Report};
 
 const STYLE: &str = include_str!("style.css");
 

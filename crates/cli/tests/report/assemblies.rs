@@ -54,7 +54,7 @@ fn a_pair_that_assembles_as_stated_assembles() {
 fn poses_of_another_assembly_are_told() {
     let document = Html::parse_document(&page(&twenty("mating = [[1, 1], [5, 5]]")));
     let notes = words(&document, "#result .note");
-    let told = "Of the poses that the pair file asks for, 2 are of such another way: the teeth that it names meet at those flanks \
+    let told = "Of the poses that the pair file asks for, 2 belong to another phase: the teeth that it names meet at those flanks \
                 where wheel tooth 1 meets pinion tooth 2.";
     assert!(notes.contains(told), "{notes}");
 }

@@ -128,11 +128,11 @@ fn a_jammed_pair_and_one_out_of_mesh() {
         jammed
             .contains("Left out: over these centre distances the gears are jammed or out of mesh")
     );
-    assert!(jammed.contains("Bars of length are true"));
+    assert!(jammed.contains("Scale bars are correct"));
     let apart = page(&plain("44.5"));
     checked(&apart);
     assert!(apart.contains("Out of mesh at a = 44.500 mm"));
     // No heading stands over nothing.
     assert!(apart.contains("No pose is in mesh: there is nothing to draw."));
-    assert!(!apart.contains("Bars of length are true"));
+    assert!(!apart.contains("Scale bars are correct"));
 }

@@ -14,7 +14,7 @@ fn trust(page: &str) -> String {
 fn what_has_no_value_is_not_said_to_agree() {
     for (a, what) in [("39.0", "jammed"), ("44.5", "out of mesh")] {
         let trust = trust(&page(&plain(a)));
-        assert!(trust.contains("There is no number to trust"), "{trust}");
+        assert!(trust.contains("No backlash exists"), "{trust}");
         assert!(
             trust.contains(&format!("nothing was compared. Every pose is {what}.")),
             "{trust}"
@@ -36,7 +36,7 @@ fn only_poses_with_both_values_are_counted() {
             "{trust}"
         );
         assert!(
-            trust.contains("at 642 of the 642 poses that both have a value of"),
+            trust.contains("at 642 of the 642 poses where both give a value"),
             "{trust}"
         );
         assert!(
@@ -56,7 +56,7 @@ fn only_poses_with_both_values_are_counted() {
 fn a_formula_that_is_wrong_about_the_pair_is_called_so() {
     let page = fixture("tip_on_fillet_86x21.toml");
     let trust = trust(&page);
-    let start = "Can the numbers be trusted? Yes, the simulation, for the gears as measured; the formula is wrong about this pair at ";
+    let start = "Can the numbers be trusted? Yes, the simulation, for the gears as measured. The line-of-action formula does not apply at ";
     assert!(trust.starts_with(start), "{trust}");
     assert!(
         trust.contains("the largest difference is −22.52"),

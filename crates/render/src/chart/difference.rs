@@ -156,7 +156,7 @@ fn line_of_action(course: &Course, tolerance_um: f64) -> Option<Panel> {
         anchor: Anchor::Start,
     });
     Some(Panel {
-        title: format!("minus model 3, on an axis of its own{}", thin(course)),
+        title: format!("minus model 3, separate scale{}", thin(course)),
         x: course_axis(course),
         y: Axis::new(name, y),
         height: 230.0,

@@ -29,7 +29,7 @@ pub(super) fn section(page: &Page) -> Markup {
                 (outcome)
                 " “Formula” is of the gears’ mean teeth, “outlines” as found at the " (poses) " poses that the pair file asks for."
                 @if !page.report.analysis.cycle.extremes.is_empty() {
-                    " The rest of the hunting cycle, which the result above takes in, is not in it."
+                    " The rest of the hunting cycle is in the result above, but not in these checks."
                 }
                 @if several { " Each check is shown at its worst centre distance and material." }
             }

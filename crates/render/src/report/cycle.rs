@@ -71,10 +71,10 @@ fn others(page: &Page) -> Markup {
     html! {
         @match cycle.others {
             RemainingMatings::None if matings == 1 => "Neither gear has deviations: all matings are alike.",
-            RemainingMatings::None => { "After " (matings) " matings everything repeats: no other teeth meet." }
+            RemainingMatings::None => { "The hunting cycle is " (matings) " matings, and all were simulated." }
             RemainingMatings::Seen { steps_per_pitch, poses } => {
-                "These revolutions meet " (simulated) " of " (matings) " matings. The others were gone through too, on the exact tooth "
-                "curves (" (poses) " poses, " (steps_per_pitch) " a pitch); where they are least and greatest, the pair was simulated like the rest."
+                "These revolutions meet " (simulated) " of " (matings) " matings. The others were searched too, on the exact tooth "
+                "curves (" (poses) " poses, " (steps_per_pitch) " a pitch); where backlash is least and greatest, the pair was simulated like the rest."
                 @if cycle.lost > 0 {
                     " " strong { "At " (cycle.lost) " of them the contact was lost: they are unproven" }
                     ", and can have less backlash, or none."
@@ -82,7 +82,7 @@ fn others(page: &Page) -> Markup {
             }
             RemainingMatings::TooMany { most } => {
                 strong { "These revolutions meet " (simulated) " of " (matings) " matings" }
-                "; the others were not looked at (at one pose a pitch they are more than " (most) "): they can have less backlash, and more."
+                "; the others were not searched (at one pose a pitch they are more than " (most) "): they can have less backlash, and more."
             }
         }
     }
@@ -122,7 +122,7 @@ fn phases(page: &Page) -> Markup {
             " Wheel tooth " (mating.wheel_tooth) " meets pinion tooth " (mating.pinion_tooth) "; there are " (ways - 1)
             " other ways to put the gears together, with other backlash (" code { "[sweep] phases = \"all\"" } ")."
             @if !elsewhere.is_empty() {
-                " Of the poses that the pair file asks for, " (elsewhere.len()) " are of such another way: the teeth that it names meet at "
+                " Of the poses that the pair file asks for, " (elsewhere.len()) " belong to another phase: the teeth that it names meet at "
                 "those flanks where wheel tooth 1 meets pinion tooth " (few(&other_ways, u32::to_string)) "."
             }
         }

@@ -33,7 +33,7 @@ pub(super) fn section(page: &Page) -> Markup {
             h3 { "Not in the model" }
             p {
                 "Helical gears, crowning and other profile modifications, form deviations of single flanks, deflection under "
-                "load, temperature and axis misalignment. Pitch and thickness deviations turn a flank as a whole."
+                "load, temperature and axis misalignment. Pitch and thickness deviations shift a flank rigidly; its form stays nominal."
             }
         }
     }

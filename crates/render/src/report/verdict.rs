@@ -102,7 +102,7 @@ fn verdict(page: &Page) -> String {
     let unproven = kept_by(|all| all.unproven > 0);
     if !unproven.is_empty() {
         return format!(
-            "Unproven: nothing vouches that the pair assembles {}",
+            "Unproven: it is not known whether the pair assembles {}",
             places(&unproven, number)
         );
     }

@@ -184,13 +184,12 @@ fn whole(view: &Snapshot, gears: &Exaggeration, member: Member, tooth: u32, fram
             true => format!("towards tooth {}", rounded(high, 2)),
             false => String::new(),
         },
-        "flanks off their perfect place, µm".to_owned(),
+        "flank deviations, µm".to_owned(),
         "(reference circle, + more metal):".to_owned(),
-        format!(
-            "all teeth {} … {}",
-            um(found.flanks[0], 2),
-            um(found.flanks[1], 2)
-        ),
+        match found.flanks.map(|mm| um(mm, 2)) {
+            [least, most] if least == most => format!("all teeth {least}"),
+            [least, most] => format!("all teeth {least} … {most}"),
+        },
         format!(
             "tooth {tooth}: right {}, left {}",
             um(flanks[0], 2),

@@ -49,9 +49,7 @@ fn a_pair_that_interferes_later_in_the_hunting_cycle_does_not_assemble() {
     assert_eq!(cells[1], "no: interference");
     let notes = notes(&document);
     assert!(
-        notes.contains(
-            "These revolutions meet 17 of 1700 matings. The others were searched too"
-        ),
+        notes.contains("These revolutions meet 17 of 1700 matings. The others were searched too"),
         "{notes}"
     );
 }

@@ -22,10 +22,8 @@ const LOW: f64 = 1.5;
 pub(super) const FINE: f64 = 0.6;
 /// Fill between the edges.
 pub(super) const FILL: f64 = 0.25;
-/// Least width of the window that slides along the line, mean swings: one at least, or its edges would swing with it.
-const SWINGS: f64 = 1.5;
 /// From place to place of an edge, units.
-const STEP: f64 = 2.0;
+const STEP: f64 = 1.0;
 
 /// What `run`, a line without gaps, is at `scale` (units of the sheet a unit of data, across and up).
 pub(super) fn of(run: &[(f64, f64)], scale: [f64; 2]) -> Overplotting {
@@ -39,8 +37,9 @@ pub(super) fn of(run: &[(f64, f64)], scale: [f64; 2]) -> Overplotting {
         return Overplotting::Clear;
     }
     let swing = width / swings(run, LOW / scale[1]);
-    // In whole units of data, which are pitches or teeth wherever lines swing: whole periods.
-    let window = (f64::max(SWINGS * swing, 2.0 * STEP) / scale[0]).ceil();
+    // A swing at least, or the edges would swing with the line; in whole units of data, which are pitches or teeth wherever
+    // lines swing: whole periods.
+    let window = (f64::max(swing, 2.0 * STEP) / scale[0]).ceil();
     // A window that covers much of the line would draw a box.
     match swing < NARROW && window < 0.25 * (last.0 - first.0) {
         true => Overplotting::Solid(edges(run, window, STEP / scale[0])),

@@ -28,7 +28,7 @@ pub(super) fn table(page: &Page) -> Markup {
                     } }
                     tbody { @for gear in gears {
                         @for reading in gear.graded.iter().flatten() { (graded(gear, reading, required)) }
-                        @for pitch in &gear.pitches {
+                        @for pitch in gear.pitches.iter().filter(|pitch| pitch.axis == PitchAxis::Datum) {
                             @for flank in Flank::BOTH { (ungraded(gear.name, pitch, flank, required)) }
                         }
                     } }

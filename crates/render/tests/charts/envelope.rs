@@ -14,8 +14,8 @@ use std::ops::ControlFlow;
 
 type Spot = (f64, f64);
 
-/// Half the window of an envelope (whole pitches round 1.5 swings of less than 7 units), and a column.
-const NEAR: f64 = 0.5 * (1.5 * 7.0 + 14.0) + 1.0;
+/// Half the window of an envelope (whole pitches, the next above a swing of less than 7 units), and a column.
+const NEAR: f64 = 0.5 * (7.0 + 14.0) + 1.0;
 
 /// The pair of the issue over so many pitches: a line up to a hundred or so, then an envelope.
 fn periodic(pitches: u64) -> Course {

@@ -35,6 +35,28 @@ impl PitchReadings {
             .fold(0.0, |most, f| f64::max(most, f.abs()))
     }
 
+    /// Greatest difference `f_u` of two single deviations one after the other, mm.
+    pub fn adjacent_difference(&self, own: Flank) -> f64 {
+        let single = self.single(own);
+        let next = single.iter().cycle().skip(1);
+        let differences = single.iter().zip(next).map(|(f, next)| (next - f).abs());
+        differences.fold(0.0, f64::max)
+    }
+
+    /// Greatest cumulative deviation over an eighth of the teeth, `F_p(z/8)`, mm: over the whole number of pitches next to it.
+    pub fn eighth(&self, own: Flank) -> f64 {
+        let curve = self.cumulative.flank(own);
+        let pitches = usize::max(1, (curve.len() + 4) / 8);
+        let later = curve.iter().cycle().skip(pitches);
+        let sectors = curve.iter().zip(later).map(|(f, later)| (later - f).abs());
+        sectors.fold(0.0, f64::max)
+    }
+
+    /// Range `R_p` of the single deviations, mm.
+    pub fn single_range(&self, own: Flank) -> f64 {
+        range(self.single(own).into_iter())
+    }
+
     /// Total cumulative deviation `F_p`, mm: the range of `F`.
     pub fn total(&self, own: Flank) -> f64 {
         range(self.cumulative.flank(own).iter().copied())

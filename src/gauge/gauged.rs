@@ -143,6 +143,13 @@ pub fn gauge(
     })
 }
 
+/// Pitch of `gear` as [`gauge`] reads it, about the datum axis and about the gear's own centre, where it can be read.
+pub fn pitches(gear: &AsBuilt) -> Vec<PitchReadings> {
+    let work = Workpiece::new(gear);
+    let read = [PitchAxis::Datum, PitchAxis::Own].map(|axis| pitch(&work, axis));
+    read.into_iter().flatten().collect()
+}
+
 /// Pitch and runout of `gear` as [`gauge`] reads them, with a ball in every space (`ball`, mm; default as in
 /// [`Settings`]), against the accuracy grades.
 ///

@@ -7,10 +7,10 @@ use super::target::Target;
 use super::{poses, studies};
 use crate::error::Error;
 use gearlash::analysis::Plan;
-use gearlash::gauge::{GradedReading, Unmeasured, graded};
+use gearlash::gauge::{graded, pitches};
 use gearlash::gear::Inspection;
 use gearlash_files::PairFile;
-use gearlash_render::{self, Report};
+use gearlash_render::{self, GearGrades, Report};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -66,8 +66,8 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     })
 }
 
-/// The grades of each gear that has deviations: of the most material where there are two, as the gauge reads that one.
-fn grades(pair: &PairFile) -> Vec<(&'static str, Result<Vec<GradedReading>, Unmeasured>)> {
+/// The grades of each gear that has deviations or a grade to keep: of the most material where there are two, as the gauge reads that one.
+fn grades(pair: &PairFile) -> Vec<GearGrades> {
     let Some((_, wheel, pinion)) = pair.study.materials.first() else {
         return Vec::new();
     };
@@ -76,8 +76,13 @@ fn grades(pair: &PairFile) -> Vec<(&'static str, Result<Vec<GradedReading>, Unme
         ("pinion", pinion, &pair.spec.pinion),
     ]
     .into_iter()
-    .filter(|(_, gear, _)| Inspection::of(gear).deviates());
+    .filter(|(_, gear, spec)| spec.grade.is_some() || Inspection::of(gear).deviates());
     deviating
-        .map(|(name, gear, spec)| (name, graded(gear, spec.thickness.pin_mm())))
+        .map(|(name, gear, spec)| GearGrades {
+            name,
+            required: spec.grade,
+            graded: graded(gear, spec.thickness.pin_mm()),
+            pitches: pitches(gear),
+        })
         .collect()
 }

@@ -13,7 +13,7 @@ use super::statements::Statements;
 use super::table::Table;
 use super::thickness::{self, Statement};
 use super::{faults, findings, per_tooth};
-use gearlash::gear::{AsBuilt, BasicGearData, Face, GearDesign};
+use gearlash::gear::{AsBuilt, BasicGearData, Face, GRADES, GearDesign};
 use gearlash::metrology::{Finding, GearNotes, Toleranced};
 
 const KEYS: &[&str] = &[
@@ -21,6 +21,7 @@ const KEYS: &[&str] = &[
     "module_mm",
     "pressure_angle_deg",
     "profile_shift",
+    "grade",
     "reference_face",
     "tip_diameter_mm",
     "rack",
@@ -82,6 +83,12 @@ impl GearPart {
     fn complete(&mut self, table: &Table, problems: &mut Problems) -> Option<()> {
         let teeth = self.teeth;
         let profile_shift = table.number_or("profile_shift", 0.0, &PROFILE_SHIFT, problems);
+        let grade = match table.optional("grade") {
+            Some(Some(entry)) => problems
+                .keep(entry.whole(GRADES, "required accuracy grade, ISO 1328-1"))
+                .map(Some),
+            absent => absent.map(|_| None),
+        };
         let face = table.choice_or_first("reference_face", &FACES, problems);
         let tip_diameter = match table.optional("tip_diameter_mm") {
             Some(Some(entry)) => problems.keep(entry.number(&TIP_DIAMETER)).map(Some),
@@ -158,6 +165,7 @@ impl GearPart {
             module_mm: self.module_mm?,
             pressure_angle_deg: self.pressure_angle_deg?,
             profile_shift: design.profile_shift,
+            grade: grade?,
             reference_face: face.into(),
             tip_diameter_mm: design.tip_diameter?,
             rack: RackSpec::from(&design.rack),

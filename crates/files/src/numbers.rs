@@ -65,15 +65,6 @@ pub fn rounded(value: f64, decimals: usize) -> f64 {
     (value * scale).round() / scale + 0.0
 }
 
-/// How far a pose stands beyond its mating, up to so many decimals; nothing where it stands there.
-pub fn pitches_beyond(fraction: f64, most: usize) -> String {
-    match fraction {
-        0.0 => String::new(),
-        _ if fraction > 0.0 => format!(" + {} pitch", trimmed(fraction, 0, most)),
-        _ => format!(" − {} pitch", trimmed(-fraction, 0, most)),
-    }
-}
-
 /// As many decimals as tell every one of `values` to within `off`, `most` at most.
 pub fn decimals_of(values: &[f64], off: f64, most: usize) -> usize {
     let told = |decimals: &usize| {

@@ -26,6 +26,7 @@ pub mod comparison;
 pub mod gauge;
 mod kit;
 mod map;
+mod pose_name;
 mod report;
 mod snapshot;
 pub mod text;
@@ -33,6 +34,6 @@ pub mod viewer;
 
 pub use chart::PictureError;
 pub use map::map_picture;
-pub use report::{Report, report};
+pub use report::{GearGrades, Report, report};
 pub use snapshot::{Snapshot, animation, exaggerated, snapshot};
 pub use text::simulation as simulation_table;

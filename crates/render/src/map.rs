@@ -1,6 +1,7 @@
 //! The map of what touches over centre distance and mesh phase, as a picture and as rows.
 
 use crate::kit::{self, Axis, Frame, GREY, INK, Plot, TextStyle, line, number};
+use crate::pose_name::pose_name;
 use gearlash::analysis::diagnosis::{Map, MapCell};
 use gearlash::contact::{ContactKind, PoseClass};
 use svg::Document;
@@ -11,7 +12,7 @@ const WIDTH: f64 = 900.0;
 const HEIGHT: f64 = 640.0;
 const FIELD: Frame = Frame {
     left: 90.0,
-    top: 80.0,
+    top: 92.0,
     right: 560.0,
     bottom: 520.0,
 };
@@ -95,8 +96,8 @@ pub fn map_picture(map: &Map, title: &str, caption: &str) -> String {
             .set("height", number(HEIGHT))
             .set("fill", "#ffffff"),
     );
-    document.append(TextStyle::new(18.0).text(title, [FIELD.left, 34.0]));
-    document.append(SMALL.grey().text(caption, [FIELD.left, 56.0]));
+    document.append(TextStyle::new(18.0).verbatim(title, [FIELD.left, 34.0]));
+    document.append(SMALL.grey().text(caption, [FIELD.left, 58.0]));
     document.append(cells(map));
     document.append(FIELD.border());
     document.append(axes(map));
@@ -162,12 +163,7 @@ fn plot(map: &Map) -> Plot {
 
 fn axes(map: &Map) -> Group {
     let plot = plot(map);
-    let phase = format!(
-        "mesh phase: pitches beyond mating {},{} {}",
-        map.start.wheel_tooth,
-        map.start.pinion_tooth,
-        map.start.flank.name()
-    );
+    let phase = format!("pitches on from {}", pose_name(&map.start));
     let x = Axis::new(&phase, plot.x);
     let y = Axis::new("centre distance a, mm", plot.y);
     kit::axes(&plot, [&x, &y], [6, 10])

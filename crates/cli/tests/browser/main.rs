@@ -16,7 +16,7 @@ use std::sync::{Arc, OnceLock};
 /// What every test gets: the browser and the pages, made when the first test asks.
 type Test = fn(&Chromium, &Site);
 
-const TESTS: [(&str, Test); 20] = [
+const TESTS: [(&str, Test); 22] = [
     (
         "opens_from_disk_without_errors",
         page::opens_from_disk_without_errors,
@@ -84,6 +84,14 @@ const TESTS: [(&str, Test); 20] = [
     (
         "fits_wide_and_narrow_windows",
         paper::fits_wide_and_narrow_windows,
+    ),
+    (
+        "the_first_chart_is_near_the_top_and_says_it_can_be_clicked",
+        page::the_first_chart_is_near_the_top_and_says_it_can_be_clicked,
+    ),
+    (
+        "the_dark_page_is_light_on_paper",
+        paper::the_dark_page_is_light_on_paper,
     ),
 ];
 

@@ -151,3 +151,16 @@ pub fn says_the_same_without_script(browser: &Chromium, site: &Site) {
     let title = "document.getElementById('viewer-backlash').title";
     assert_eq!(without.text(title), "");
 }
+
+/// Issue 14: within a screen and a half of 1280 × 800, 1200 px; and a reader sees that the chart can be clicked.
+pub fn the_first_chart_is_near_the_top_and_says_it_can_be_clicked(browser: &Chromium, site: &Site) {
+    let mut tab = browser.tab(1280, 800);
+    for page in [&site.page, &site.stuck] {
+        tab.open(page);
+        let top = "document.querySelector('.gearlash-chart').getBoundingClientRect().top + scrollY";
+        let top = tab.number(top);
+        assert!(top > 0.0 && top < 1200.0, "{top} px");
+        let hint = "document.querySelector('figure:has(.gearlash-chart) .hint').getBoundingClientRect().height";
+        assert!(tab.number(hint) > 0.0);
+    }
+}

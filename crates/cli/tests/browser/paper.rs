@@ -80,6 +80,34 @@ pub fn fits_wide_and_narrow_windows(browser: &Chromium, site: &Site) {
     }
 }
 
+/// Where dark colours are preferred text is light on dark and pictures are turned round; on paper never.
+pub fn the_dark_page_is_light_on_paper(browser: &Chromium, site: &Site) {
+    let mut tab = open(browser, site);
+    let mut media = |media: &str, scheme: &str| {
+        tab.call(
+            "Emulation.setEmulatedMedia",
+            json!({ "media": media, "features": [{ "name": "prefers-color-scheme", "value": scheme }] }),
+        );
+        let style = |tab: &mut crate::chromium::Tab, of: &str, name: &str| {
+            tab.text(&format!(
+                "getComputedStyle(document.querySelector('{of}')).{name}"
+            ))
+        };
+        [
+            style(&mut tab, "body", "backgroundColor"),
+            style(&mut tab, "body", "color"),
+            style(&mut tab, "figure > svg", "filter"),
+        ]
+    };
+    let light = media("screen", "light");
+    assert_eq!(light[0], "rgb(255, 255, 255)");
+    assert_eq!(light[2], "none");
+    let dark = media("screen", "dark");
+    assert_eq!(dark[0], "rgb(20, 20, 20)");
+    assert!(dark[2].contains("invert(0.92)"), "{dark:?}");
+    assert_eq!(media("print", "dark"), light);
+}
+
 fn decoded(data: &Value) -> Vec<u8> {
     let text = data.as_str().expect("data are text");
     BASE64.decode(text.as_bytes()).expect("data are base64")

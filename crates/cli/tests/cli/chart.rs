@@ -88,7 +88,7 @@ fn the_least_of_several_distances_is_drawn_and_said() {
     .assert()
     .success()
     .stdout(predicate::str::contains(
-        "a = 132.04 mm · one wheel revolution from mating 1·1 on",
+        "a = 132.040 mm · one wheel revolution from mating 1·1 on",
     ))
     .stderr(predicate::str::contains(
         "note: at the least of 5 centre distances",

@@ -89,6 +89,96 @@ fn pictures_of_one_pose() {
         .stdout(predicate::str::contains("<animateTransform"));
 }
 
+/// The pair of issue 14: the pinion of 8 teeth is undercut, and its edge touches for a part of the pitch.
+fn undercut(folder: &Path, steps: &str) -> String {
+    let gear = |name: &str, teeth: u32| {
+        format!(
+            "[{name}]\nteeth = {teeth}\nmodule_mm = 2.0\npressure_angle_deg = 20.0\nthickness = {{ allowance_um = -60 }}\n"
+        )
+    };
+    let rest = format!(
+        "[assembly]\ncenter_distance_mm = 32.0\n[sweep]\nmating = [[1, 1]]\nfraction = [{steps}]\n"
+    );
+    let file = folder.join("undercut.toml");
+    std::fs::write(&file, gear("wheel", 24) + &gear("pinion", 8) + &rest).unwrap();
+    file.to_str().unwrap().to_owned()
+}
+
+/// Words of an SVG without its marks.
+fn words(svg: &[u8]) -> String {
+    let svg = String::from_utf8(svg.to_vec()).unwrap();
+    let document = roxmltree::Document::parse(&svg).unwrap();
+    let texts = document.descendants().filter(|node| node.is_text());
+    let words: String = texts.filter_map(|node| node.text()).collect();
+    words
+}
+
+/// The headline told the first frame's backlash while the dot moved, and no frame stood at the extreme. Expected: the
+/// greatest of 4001 poses of the same pitch, by `simulate`.
+#[test]
+fn an_animation_states_the_extremes_of_what_it_shows() {
+    let folder = TempDir::new().unwrap();
+    let steps: Vec<String> = (0..=4000)
+        .map(|i| format!("{:?}", f64::from(i) / 4000.0))
+        .collect();
+    let pair = undercut(folder.path(), &steps.join(", "));
+    let mut simulate = Command::cargo_bin("gearlash").unwrap();
+    let simulate = simulate
+        .args(["simulate", &pair, "--format", "json"])
+        .assert();
+    let result: serde_json::Value = serde_json::from_slice(&simulate.get_output().stdout).unwrap();
+    let poses = result["runs"][0]["poses"].as_array().unwrap().iter();
+    let greatest = poses
+        .filter_map(|pose| pose["j_wt_um"].as_f64())
+        .fold(0.0, f64::max);
+    let pose = [
+        &*pair,
+        "--mating",
+        "1,1",
+        "--flank",
+        "right",
+        "--animate",
+        "-o",
+        "-",
+    ];
+    let drawn = snapshot(&folder, &pose).assert().success();
+    let words = words(&drawn.get_output().stdout);
+    let (_, told) = words.split_once("greatest ").unwrap();
+    let (told, _) = told.split_once(" µm").unwrap();
+    let told: f64 = told.parse().unwrap();
+    // Half a digit, and no lower than what 4001 poses find.
+    assert!(
+        told > greatest - 0.005 && told < greatest + 0.02,
+        "{told} {greatest}"
+    );
+    assert!(words.contains("least jwt120.00 µm"), "{words}");
+}
+
+/// A snapshot said “involute on involute” where `simulate` says undercut-edge.
+#[test]
+fn a_snapshot_names_the_undercut_edge() {
+    let folder = TempDir::new().unwrap();
+    let pair = undercut(folder.path(), "0.6875");
+    let pose = [
+        &*pair,
+        "--mating",
+        "1,1",
+        "--flank",
+        "right",
+        "--fraction",
+        "0.6875",
+        "-o",
+        "-",
+    ];
+    let drawn = snapshot(&folder, &pose).assert().success();
+    let words = words(&drawn.get_output().stdout);
+    assert!(
+        words.contains("wheel 2 involute on pinion 8 undercut edge"),
+        "{words}"
+    );
+    assert!(words.contains("wheel 1 with pinion 1 at the right flank, 0.6875 pitch beyond"));
+}
+
 #[test]
 fn what_does_not_go_together_ends_with_2() {
     let folder = TempDir::new().unwrap();

@@ -49,9 +49,7 @@ fn a_pair_that_interferes_later_in_the_hunting_cycle_does_not_assemble() {
     assert_eq!(cells[1], "no: interference");
     let notes = notes(&document);
     assert!(
-        notes.contains(
-            "These revolutions meet 17 of 1700 matings. The others were gone through too"
-        ),
+        notes.contains("These revolutions meet 17 of 1700 matings. The others were searched too"),
         "{notes}"
     );
 }
@@ -96,7 +94,7 @@ fn a_cycle_too_long_to_go_through_limits_the_verdict() {
     );
     let trust = text_of(&document, "#trust strong");
     assert!(trust.ends_with(limit), "{trust}");
-    assert!(notes(&document).contains("the others were not looked at"));
+    assert!(notes(&document).contains("the others were not searched"));
 }
 
 fn text_of(document: &Html, selector: &str) -> String {

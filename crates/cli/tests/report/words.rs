@@ -73,7 +73,49 @@ fn a_pair_that_interferes() {
         answer.starts_with("Does not assemble at a = 160.200 mm: least backlash −238.9"),
         "{answer}"
     );
-    assert_eq!(select(&document, ".verdict.bad").len(), 1);
+    assert_eq!(select(&document, ".verdict.fail").len(), 1);
+}
+
+/// F is 4 at tooth 5, 7 at tooth 6, else 0: by hand f is 4, 3, −7; f_u = 3 + 7, R_p = 4 + 7, F_p(z/8) over 2 of 16 pitches is 7.
+/// ISO 1328-1 for d 32, m 2: f_pT is 5.83 → 6.0 µm at grade 5 and 8.25 → 8.0 at 6; F_pT 5.86 → 6.0 at 2 and 8.29 → 8.5 at 3.
+#[test]
+fn grades_stand_beside_those_required() {
+    let mut right = [0.0; 16];
+    (right[4], right[5]) = (4.0, 7.0);
+    let gear = |name: &str, rest: &str| {
+        format!(
+            "[{name}]\nteeth = 16\nmodule_mm = 2.0\npressure_angle_deg = 20.0\nthickness = {{ allowance_um = -60 }}\n{rest}"
+        )
+    };
+    let flanks = format!("right_um = {right:?}\nleft_um = {:?}\n", [0.0; 16]);
+    let pitch = format!("grade = 5\n[wheel.pitch]\nkind = \"cumulative\"\n{flanks}");
+    let pair =
+        gear("wheel", &pitch) + &gear("pinion", "") + "[assembly]\ncenter_distance_mm = 32.0\n";
+    let document = Html::parse_document(&page(&pair));
+    let table = "[aria-label=\"Accuracy grades\"]";
+    let rows = select(&document, &format!("{table} tbody tr"));
+    let cell = Selector::parse("td, th").unwrap();
+    let told = |name: &str| {
+        let name = format!("{name}, right flanks, datum axis");
+        let row = rows.iter().find(|row| text(row).contains(&name)).unwrap();
+        let cells = row.select(&cell).skip(3);
+        cells.map(|cell| text(&cell)).collect::<Vec<_>>()
+    };
+    for (name, cells) in [
+        ("single pitch", ["7.000", "6", "8.0", "5, not met"]),
+        ("total cumulative pitch", ["7.000", "3", "8.5", "5, met"]),
+        ("difference of adjacent pitches", ["10.000", "–", "–", "–"]),
+        (
+            "cumulative pitch over an eighth of the teeth",
+            ["7.000", "–", "–", "–"],
+        ),
+        ("range of the single pitch", ["11.000", "–", "–", "–"]),
+    ] {
+        assert_eq!(told(name), cells, "{name}");
+    }
+    // Without a grade nothing is required.
+    let document = Html::parse_document(&page(&pair.replace("grade = 5\n", "")));
+    assert!(!text(&select(&document, table)[0]).contains("required"));
 }
 
 /// Thickness tooth by tooth moves both flanks of a tooth: what the inspection shows as pitch is not “given”.

@@ -7,7 +7,7 @@ use super::{AccuracySpec, AssemblySpec, CompareSpec, MeasuredSpec, SweepSpec};
 use crate::limits::{
     MODULE, PRESSURE_ANGLE, PROFILE_SHIFT, RACK_DEPTH, ROOT_RADIUS, TEETH, TIP_DIAMETER,
 };
-use gearlash::gear::{BasicRack, Face};
+use gearlash::gear::{BasicRack, Face, GRADES};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -65,6 +65,10 @@ pub struct GearSpec {
     /// Profile shift coefficient x.
     #[schemars(default, transform = within(&PROFILE_SHIFT))]
     pub profile_shift: f64,
+    /// Required accuracy grade, ISO 1328-1; the report sets it beside the one achieved.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(transform = whole(GRADES))]
+    pub grade: Option<u32>,
     /// Which face the picture shows; on it teeth are numbered clockwise.
     #[schemars(default)]
     pub reference_face: FaceName,

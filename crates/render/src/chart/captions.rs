@@ -5,6 +5,7 @@ use super::panel::{Entry, Mark, Panel, Sample};
 use crate::kit::{Anchor, Axis};
 use gearlash::analysis::curves::{Course, CourseLine};
 use gearlash::contact::Status;
+use gearlash_files::numbers::stated_distance;
 
 /// The axis of a course, with its number of teeth.
 pub(super) fn course_axis(course: &Course) -> Axis {
@@ -32,7 +33,9 @@ pub(super) fn course_caption(course: &Course) -> String {
     };
     format!(
         "a = {} mm · {over} from mating {}·{} on{phase}",
-        course.center_distance, course.start.0, course.start.1
+        stated_distance(course.center_distance),
+        course.start.0,
+        course.start.1
     )
 }
 

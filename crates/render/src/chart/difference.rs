@@ -164,6 +164,7 @@ fn line_of_action(course: &Course, tolerance_um: f64) -> Option<Panel> {
     })
 }
 
+/// What a line goes through: a value of each pose of the course, times `factor`.
 fn points(
     line: &CourseLine,
     value: impl Fn(&CoursePoint) -> Option<f64>,

@@ -5,11 +5,12 @@ use super::paint::Look;
 use super::panel::{Mark, Panel, Point, Sample, backlash_range, range};
 use super::sheet::{self, Chart, Heading, PictureError};
 use crate::kit::{Anchor, Axis};
+use crate::pose_name::pose_name;
 use gearlash::analysis::curves::{DistancePoint, OverDistance};
 use gearlash::analysis::measured::Band;
 use gearlash::analysis::outcome::AtDistance;
 use gearlash::pair::Mating;
-use gearlash_files::numbers::{pitches_beyond, trimmed};
+use gearlash_files::numbers::trimmed;
 
 /// Fill of the band with and without bearing clearance.
 const FILLS: [f64; 2] = [0.14, 0.22];
@@ -150,11 +151,7 @@ fn range_of(at: &AtDistance) -> [Point; 2] {
 fn poses(matings: &[Mating]) -> String {
     let teeth = |mating: &Mating| format!("{}·{}", mating.wheel_tooth, mating.pinion_tooth);
     match matings {
-        [one] => {
-            let beyond = pitches_beyond(one.fraction, 4);
-            let flank = one.flank.name();
-            format!("wheel·pinion tooth {}, {flank} flanks{beyond}", teeth(one))
-        }
+        [one] => pose_name(one),
         poses => {
             let named = poses
                 .iter()

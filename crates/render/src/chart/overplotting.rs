@@ -7,23 +7,23 @@ pub(super) enum Overplotting {
     Clear,
     /// Can be followed where it is thin.
     Dense,
-    /// Cannot be followed: its lower and its upper edge, each swing within them.
+    /// Cannot be followed: its least and its greatest value within a swing or so of each place.
     Solid([Vec<(f64, f64)>; 2]),
 }
 
-/// Length over width from which a line is dense, and from which it is solid (tuned: a rig's difference with its
-/// 45 spikes, 9 times its width, can be read; a swing a tooth over 86 teeth, 30 times, cannot).
+/// Length over width from which a line is dense (tuned: a rig's difference with its 45 spikes, 9 times its width, is easier
+/// read thin).
 const DENSE: f64 = 4.0;
-const SOLID: f64 = 14.0;
+/// Mean width of a swing below which a line is solid, units: dashes and strokes of two lines no longer stand apart.
+const NARROW: f64 = 7.0;
+/// Rises below this height are no swing, units: a stroke's width, so that rounding on a plateau does not count.
+const LOW: f64 = 1.5;
 /// Width of a dense line, as a part of its own.
 pub(super) const FINE: f64 = 0.6;
 /// Fill between the edges.
 pub(super) const FILL: f64 = 0.25;
-/// Least width of a window of which the edges are taken, units, and swings in it.
-const LEAST: f64 = 12.0;
-const SWINGS: f64 = 1.5;
-/// Windows a line must have to be drawn by its edges.
-const FEWEST: f64 = 6.0;
+/// From place to place of an edge, units.
+const STEP: f64 = 1.0;
 
 /// What `run`, a line without gaps, is at `scale` (units of the sheet a unit of data, across and up).
 pub(super) fn of(run: &[(f64, f64)], scale: [f64; 2]) -> Overplotting {
@@ -31,45 +31,67 @@ pub(super) fn of(run: &[(f64, f64)], scale: [f64; 2]) -> Overplotting {
         return Overplotting::Clear;
     };
     let width = (last.0 - first.0) * scale[0];
-    let rises = || {
-        run.windows(2)
-            .map(|pair| (pair[1].1 - pair[0].1) * scale[1])
-    };
-    let length = rises().map(f64::abs).sum::<f64>();
+    let rises = run.windows(2).map(|pair| pair[1].1 - pair[0].1);
+    let length = rises.map(f64::abs).sum::<f64>() * scale[1];
     if length < DENSE * width {
         return Overplotting::Clear;
     }
-    let ways: Vec<bool> = rises()
-        .filter(|rise| *rise != 0.0)
-        .map(|rise| rise > 0.0)
-        .collect();
-    let turns = ways.windows(2).filter(|pair| pair[0] != pair[1]).count();
-    let window = f64::max(LEAST, SWINGS * 2.0 * width / turns.max(1) as f64);
-    if length < SOLID * width || width < FEWEST * window {
-        return Overplotting::Dense;
+    let swing = width / swings(run, LOW / scale[1]);
+    // A swing at least, or the edges would swing with the line; in whole units of data, which are pitches or teeth wherever
+    // lines swing: whole periods.
+    let window = (f64::max(swing, 2.0 * STEP) / scale[0]).ceil();
+    // A window that covers much of the line would draw a box.
+    match swing < NARROW && window < 0.25 * (last.0 - first.0) {
+        true => Overplotting::Solid(edges(run, window, STEP / scale[0])),
+        false => Overplotting::Dense,
     }
-    Overplotting::Solid(edges(run, window / scale[0]))
 }
 
-/// The least and the greatest value of each `window` (data) of `run`, at its middle, from end to end.
-fn edges(run: &[(f64, f64)], window: f64) -> [Vec<(f64, f64)>; 2] {
-    let ends = [run.first(), run.last()].map(|end| end.map_or(0.0, |end| end.0));
-    let windows = ((ends[1] - ends[0]) / window).round().max(1.0);
-    let window = (ends[1] - ends[0]) / windows;
-    let place = |x: f64| (((x - ends[0]) / window).floor()).min(windows - 1.0);
-    [f64::min, f64::max].map(|pick: fn(f64, f64) -> f64| {
-        let chunks = run.chunk_by(|a, b| place(a.0) == place(b.0));
-        let middles = chunks.filter_map(|chunk| {
-            let value = chunk.iter().map(|point| point.1).reduce(pick)?;
-            Some((ends[0] + (place(chunk[0].0) + 0.5) * window, value))
-        });
-        let mut edge: Vec<(f64, f64)> = middles.collect();
-        if let (Some(&first), Some(&last)) = (edge.first(), edge.last()) {
-            edge.insert(0, (ends[0], first.1));
-            edge.push((ends[1], last.1));
+/// How often `run` goes up and down again, by more than `least`.
+fn swings(run: &[(f64, f64)], least: f64) -> f64 {
+    let (mut turns, mut up) = (0_u32, None);
+    let [mut low, mut high] = [run[0].1; 2];
+    for &(_, value) in run {
+        (low, high) = (low.min(value), high.max(value));
+        let turned = match up {
+            Some(true) | None if high - value > least => Some(false),
+            Some(false) | None if value - low > least => Some(true),
+            _ => None,
+        };
+        if turned.is_some() {
+            (up, low, high) = (turned, value, value);
+            turns += 1;
         }
-        edge
+    }
+    0.5 * f64::from(turns.max(1))
+}
+
+/// The least and the greatest value of `run` within a `window` that slides from end to end, at its middle, both in data:
+/// of a periodic line they are level, and none lies outside what the line itself reaches nearby.
+fn edges(run: &[(f64, f64)], window: f64, step: f64) -> [Vec<(f64, f64)>; 2] {
+    let ends = [run[0].0, run[run.len() - 1].0];
+    let places = ((ends[1] - ends[0]) / step).ceil() as u32;
+    let place = |number: u32| {
+        let part = f64::from(number) / f64::from(places);
+        ends[0] + part * (ends[1] - ends[0])
+    };
+    [f64::min, f64::max].map(|pick: fn(f64, f64) -> f64| {
+        let values = (0..=places).filter_map(|number| {
+            let from = (place(number) - 0.5 * window).clamp(ends[0], ends[1] - window);
+            let inside = &run[run.partition_point(|point| point.0 < from)..];
+            let inside = inside.iter().take_while(|point| point.0 <= from + window);
+            Some((place(number), inside.map(|point| point.1).reduce(pick)?))
+        });
+        corners(values.collect())
     })
+}
+
+/// Without the places between equal neighbours.
+fn corners(edge: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
+    let last = edge.len() - 1;
+    let level = |i: usize| edge[i - 1].1 == edge[i].1 && edge[i].1 == edge[i + 1].1;
+    let kept = (0..edge.len()).filter(|&i| i == 0 || i == last || !level(i));
+    kept.map(|i| edge[i]).collect()
 }
 
 #[cfg(test)]
@@ -90,29 +112,39 @@ mod tests {
     #[test]
     fn a_few_swings_are_a_line_and_many_are_their_edges() {
         assert_eq!(of(&swings(3, 100.0), [1.0, 1.0]), Overplotting::Clear);
-        assert_eq!(of(&swings(15, 100.0), [1.0, 1.0]), Overplotting::Dense);
-        let Overplotting::Solid([low, high]) = of(&swings(86, 100.0), [1.0, 1.0]) else {
-            panic!("86 swings of 200 units over 700 are 49 times its width");
+        assert_eq!(of(&swings(86, 100.0), [1.0, 1.0]), Overplotting::Dense);
+        let Overplotting::Solid([low, high]) = of(&swings(172, 100.0), [1.0, 1.0]) else {
+            panic!("172 swings over 700 units are 4 units wide");
         };
-        for (edge, value) in [(&low, -100.0), (&high, 100.0)] {
-            assert!(
-                edge.iter().all(|point| (point.1 - value).abs() < 1e-9),
-                "{edge:?}"
-            );
-            assert_eq!((edge[0].0, edge[edge.len() - 1].0), (0.0, 700.0));
+        for (edge, value) in [(low, -100.0), (high, 100.0)] {
+            assert_eq!(edge.len(), 2, "{edge:?}");
+            assert_eq!((edge[0].0, edge[1].0), (0.0, 700.0));
+            assert!(edge.iter().all(|point| (point.1 - value).abs() < 1e-9));
         }
+    }
+
+    /// Rounding between the swings is none.
+    #[test]
+    fn noise_on_a_plateau_is_no_swing() {
+        let mut run = swings(15, 100.0);
+        for pair in run.chunks_mut(2) {
+            pair[0].1 += 1e-6;
+        }
+        assert_eq!(
+            super::swings(&run, 1.5),
+            super::swings(&swings(15, 100.0), 1.5)
+        );
+        assert_eq!(of(&run, [1.0, 1.0]), Overplotting::Dense);
     }
 
     #[test]
     fn no_edge_loses_the_extreme() {
-        let mut run = swings(86, 100.0);
+        let mut run = swings(172, 100.0);
         run[333].1 = 500.0;
         let Overplotting::Solid([_, high]) = of(&run, [1.0, 1.0]) else {
             panic!("as above");
         };
-        assert_eq!(
-            high.iter().map(|point| point.1).reduce(f64::max),
-            Some(500.0)
-        );
+        let highest = high.iter().map(|point| point.1).reduce(f64::max);
+        assert_eq!(highest, Some(500.0));
     }
 }

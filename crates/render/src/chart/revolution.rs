@@ -109,6 +109,7 @@ pub fn revolution(heading: &Heading, course: &Course) -> Result<Chart, PictureEr
     sheet::draw(heading, &details, &legend, &[panel])
 }
 
+/// What a line goes through, in ascending places: the poses of the course.
 fn points(line: &CourseLine) -> Vec<Point> {
     let points = line.points.iter();
     points.map(|point| (point.x, point.simulated_um)).collect()

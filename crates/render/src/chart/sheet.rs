@@ -69,7 +69,7 @@ pub(super) fn draw(
     let top = above + ROW * rows as f64;
     let height = top + panels.iter().map(|panel| panel.height).sum::<f64>() + 8.0;
     let mut head =
-        Group::new().add(TITLE.text(&TITLE.shortened(heading.title, room), [SIDES[0], 23.5]));
+        Group::new().add(TITLE.verbatim(&TITLE.shortened(heading.title, room), [SIDES[0], 23.5]));
     for (number, line) in lines.iter().enumerate() {
         let foot = 43.5 + LINE * number as f64;
         head.append(DETAILS.text(&DETAILS.shortened(line, room), [SIDES[0], foot]));
@@ -163,7 +163,7 @@ fn label(panel: &Panel, plot: &Plot, solid: bool, labels: &mut Group) {
         }
     };
     if solid {
-        let words = "shaded: min–max envelope";
+        let words = "shaded: min–max envelope of swings too narrow to draw";
         let style = TextStyle::new(11.0).end();
         add(style, words, [plot.right, plot.top - 4.0]);
     }

@@ -24,8 +24,8 @@ pub struct TextStyle {
     bold: bool,
 }
 
-/// Symbols of lengths as they stand in text, and as they are set: italic with a subscript.
-const SYMBOLS: [(&str, &str); 2] = [("j_wt", "wt"), ("j_bn", "bn")];
+/// Symbols as they stand in text; they are set italic with a subscript.
+const SYMBOLS: [&str; 6] = ["j_wt", "j_bn", "f_p", "f_u", "F_p", "F_r"];
 
 impl TextStyle {
     /// Dark text of `size` that starts at its place.
@@ -102,32 +102,54 @@ impl TextStyle {
         0.35 * self.size
     }
 
-    /// A `<text>` at `at`, on its baseline. Characters that XML cannot hold become spaces.
+    /// A `<text>` at `at`, on its baseline, symbols set as such. Characters that XML cannot hold become spaces.
     pub fn text(self, content: &str, at: Spot) -> Element {
+        let content = plain(content);
+        if next_symbol(&content).is_none() {
+            return self.verbatim(&content, at);
+        }
+        let mut element = self.element(at);
+        element.append(Blob::new(self.with_symbols(&content)));
+        element
+    }
+
+    /// A `<text>` in a user's words, letter by letter.
+    pub fn verbatim(self, content: &str, at: Spot) -> Element {
         let mut element = self.element(at);
         element.append(Text::new(plain(content)));
         element
     }
 
-    /// The same with the first `j_wt` or `j_bn` in it set as a symbol.
-    pub fn symbols(self, content: &str, at: Spot) -> Element {
-        let plain = plain(content);
-        let Some((name, subscript)) = SYMBOLS.iter().find(|(name, _)| plain.contains(name)) else {
-            return self.text(content, at);
-        };
-        let (before, after) = plain.split_once(name).unwrap_or_default();
-        // A space at the start of a tspan is lost in some programs; a shift is kept.
-        let shift = number(self.size * 0.3);
-        let after = after.trim_start();
+    /// What stands in a `<text>` with symbols.
+    fn with_symbols(self, content: &str) -> String {
+        let (drop, small) = (number(self.size * 0.22), number(self.size * 0.72));
+        let (mut rest, mut set) = (content, String::new());
+        while let Some((before, letter, subscript, after)) = next_symbol(rest) {
+            set += &self.after_symbol(before, !set.is_empty());
+            let rise = match set.is_empty() || !before.is_empty() {
+                true => String::new(),
+                false => format!(" dy=\"-{drop}\""),
+            };
+            set += &format!(
+                "<tspan font-style=\"italic\"{rise}>{letter}</tspan><tspan dy=\"{drop}\" font-size=\"{small}\">{subscript}</tspan>"
+            );
+            rest = after;
+        }
+        set + &self.after_symbol(rest, true)
+    }
+
+    /// Text, back on the baseline after a subscript.
+    fn after_symbol(self, text: &str, lowered: bool) -> String {
+        if !lowered || text.is_empty() {
+            return Text::new(text).to_string();
+        }
         let drop = number(self.size * 0.22);
-        let mut element = self.element(at);
-        element.append(Blob::new(format!(
-            "{}<tspan font-style=\"italic\">j</tspan><tspan dy=\"{drop}\" font-size=\"{}\">{subscript}</tspan><tspan dx=\"{shift}\" dy=\"-{drop}\">{}</tspan>",
-            Text::new(before),
-            number(self.size * 0.72),
-            Text::new(after),
-        )));
-        element
+        // A space at the start of a tspan is lost in some programs; a shift is kept.
+        let (shift, text) = match text.strip_prefix(' ') {
+            Some(text) => (format!(" dx=\"{}\"", number(self.size * 0.3)), text),
+            None => (String::new(), text),
+        };
+        format!("<tspan{shift} dy=\"-{drop}\">{}</tspan>", Text::new(text))
     }
 
     /// A text that can be read across a line: a white one with a thick outline, and itself over it. Two elements, since
@@ -157,6 +179,20 @@ impl TextStyle {
         }
         element
     }
+}
+
+/// The text before the first symbol, its letter and subscript, and the text after it.
+fn next_symbol(text: &str) -> Option<(&str, &str, &str, &str)> {
+    let found = SYMBOLS.iter().filter_map(|symbol| {
+        let at = text.find(symbol)?;
+        let (before, after) = (&text[..at], &text[at + symbol.len()..]);
+        let part = |c: char| c.is_alphanumeric() || c == '_';
+        // Not within a word, as in a title or a file's name.
+        (!before.ends_with(part) && !after.starts_with(part)).then_some((before, symbol, after))
+    });
+    let (before, symbol, after) = found.min_by_key(|(before, ..)| before.len())?;
+    let (letter, subscript) = symbol.split_once('_')?;
+    Some((before, letter, subscript, after))
 }
 
 /// Width of a text at `size`.
@@ -202,10 +238,34 @@ mod tests {
     #[test]
     fn a_text_of_a_picture_is_xml() {
         let content = "a\u{ffff}b j_wt \u{1}<c>";
-        let drawn = TextStyle::new(12.0).symbols(content, [0.0; 2]).to_string();
+        let drawn = TextStyle::new(12.0).text(content, [0.0; 2]).to_string();
         let read = roxmltree::Document::parse(&drawn).unwrap();
         let words: String = read.descendants().filter_map(|node| node.text()).collect();
         assert!(words.contains("a b"), "{words}");
+    }
+
+    /// Axes and captions named symbols as a file does: j_wt.
+    #[test]
+    fn symbols_have_their_subscripts_and_the_text_after_them_its_baseline() {
+        let content = "F_p 3, f_p 1 µm, my_f_p_file";
+        let drawn = TextStyle::new(10.0).text(content, [0.0; 2]).to_string();
+        let read = roxmltree::Document::parse(&drawn).unwrap();
+        let spans = read.descendants().filter(|node| node.has_tag_name("tspan"));
+        let told: Vec<(&str, f64)> = spans
+            .map(|node| {
+                let dy = node.attribute("dy").map_or(0.0, |dy| dy.parse().unwrap());
+                (node.text().unwrap().trim(), dy)
+            })
+            .collect();
+        let expected = [
+            ("F", 0.0),
+            ("p", 2.2),
+            ("3,", -2.2),
+            ("f", 0.0),
+            ("p", 2.2),
+            ("1 µm, my_f_p_file", -2.2),
+        ];
+        assert_eq!(told, expected);
     }
 
     /// With `paint-order` some readers showed white blots in place of labels.

@@ -1,5 +1,6 @@
 //! Every check with its margin.
 
+use super::marks::mark;
 use super::page::Page;
 use super::phrases::{j_wt, material, plain, study};
 use crate::text::check::{doubts, governing, measured, unit};
@@ -17,7 +18,7 @@ pub(super) fn section(page: &Page) -> Markup {
         Verdict::Pass => "Every check passes.",
         Verdict::Warn => "No check fails; some values are outside the recommended range.",
         Verdict::Unproven => {
-            "No check fails, but some are unproven: nobody knows whether their limits are kept."
+            "No check fails, but some are unproven: whether their limits are met is not known."
         }
         Verdict::Fail => "A check fails.",
     };
@@ -28,7 +29,7 @@ pub(super) fn section(page: &Page) -> Markup {
                 (outcome)
                 " “Formula” is of the gears’ mean teeth, “outlines” as found at the " (poses) " poses that the pair file asks for."
                 @if !page.report.analysis.cycle.extremes.is_empty() {
-                    " The rest of the hunting cycle, which the result above takes in, is not in it."
+                    " The rest of the hunting cycle is in the result above, but not in these checks."
                 }
                 @if several { " Each check is shown at its worst centre distance and material." }
             }
@@ -79,10 +80,9 @@ fn remark(note: &str) -> Markup {
 }
 
 fn row(several: bool, group: &Group, check: &Check) -> Markup {
-    let bad = check.verdict >= Verdict::Unproven;
     html! {
         tr {
-            td.fail[bad] { (check.verdict.name()) }
+            td.w { (mark(check.verdict)) }
             th.text scope="row" {
                 (check.title)
                 @if !check.note.is_empty() { div.remark { (remark(&check.note)) } }

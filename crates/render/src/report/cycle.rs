@@ -71,10 +71,10 @@ fn others(page: &Page) -> Markup {
     html! {
         @match cycle.others {
             RemainingMatings::None if matings == 1 => "Neither gear has deviations: all matings are alike.",
-            RemainingMatings::None => { "The hunting cycle is " (matings) " matings: no other teeth meet." }
+            RemainingMatings::None => { "The hunting cycle is " (matings) " matings, and all were simulated." }
             RemainingMatings::Seen { steps_per_pitch, poses } => {
-                "These revolutions meet " (simulated) " of " (matings) " matings. The others were gone through too, on the exact tooth "
-                "curves (" (poses) " poses, " (steps_per_pitch) " a pitch); where they are least and greatest, the pair was simulated like the rest."
+                "These revolutions meet " (simulated) " of " (matings) " matings. The others were searched too, on the exact tooth "
+                "curves (" (poses) " poses, " (steps_per_pitch) " a pitch); where backlash is least and greatest, the pair was simulated like the rest."
                 @if cycle.lost > 0 {
                     " " strong { "At " (cycle.lost) " of them the contact was lost: they are unproven" }
                     ", and can have less backlash, or none."
@@ -82,7 +82,7 @@ fn others(page: &Page) -> Markup {
             }
             RemainingMatings::TooMany { most } => {
                 strong { "These revolutions meet " (simulated) " of " (matings) " matings" }
-                "; the others were not looked at (at one pose a pitch they are more than " (most) "): they can have less backlash, and more."
+                "; the others were not searched (at one pose a pitch they are more than " (most) "): they can have less backlash, and more."
             }
         }
     }

@@ -16,10 +16,13 @@ const MOST_COURSES: usize = 12;
 pub(super) fn revolutions(page: &Page) -> Result<Markup, PictureError> {
     let draw = |number: usize, course: &Course| {
         let title = format!("Backlash over the teeth {}", place(course));
-        Ok(figure(&chart::revolution(
-            &heading(page, &id(number), &title),
-            course,
-        )?))
+        let drawn = chart::revolution(&heading(page, &id(number), &title), course)?;
+        Ok(html! {
+            figure.chart tabindex="0" {
+                (PreEscaped(&drawn.svg))
+                figcaption.hint { "Click or tap the chart: the mesh below turns to that pose." }
+            }
+        })
     };
     over_teeth(page, "backlash over the teeth", draw)
 }
@@ -197,7 +200,9 @@ pub(super) fn inspections(page: &Page) -> Result<Markup, PictureError> {
         let title = format!("Deviations of the {name}, tooth by tooth");
         let prefix = format!("inspection-{name}");
         let drawn = chart::inspection(&heading(page, &prefix, &title), name, &inspection)?;
-        Ok::<Markup, PictureError>(figure(&drawn))
+        Ok::<Markup, PictureError>(
+            html! { figure.chart.tall tabindex="0" { (PreEscaped(&drawn.svg)) } },
+        )
     };
     Ok(html! {
         h3 { "Deviations tooth by tooth" }
@@ -208,7 +213,7 @@ pub(super) fn inspections(page: &Page) -> Result<Markup, PictureError> {
 
 /// What stands on paper in place of closed `<details>`.
 pub(super) fn not_on_paper(what: &str) -> Markup {
-    html! { p.paper.note { "Not printed: " (what) ". Expand before printing." } }
+    html! { p.paper.note { "Not printed: " (what) ". Expand it on the screen before printing." } }
 }
 
 fn figure(chart: &Chart) -> Markup {

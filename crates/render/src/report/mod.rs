@@ -9,6 +9,7 @@ mod cycle;
 mod figures;
 mod grades;
 mod input;
+mod marks;
 mod measured;
 mod method;
 mod models;
@@ -31,7 +32,7 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 use page::Page;
 use phrases::plain;
 
-pub use page::Report;
+pub use page::{GearGrades, Report};
 
 const STYLE: &str = include_str!("style.css");
 
@@ -43,10 +44,12 @@ pub fn report(report: &Report) -> Result<String, PictureError> {
     let runs: Vec<&ComparedRun> = report.analysis.distinct_runs().collect();
     let picked: Vec<&ComparedRun> = report.analysis.cycle.extremes.iter().collect();
     let all = [&runs[..], &picked[..]].concat();
+    let mut distances = by_distance(&runs, &picked);
+    distances.sort_by(|a, b| a.center_distance.total_cmp(&b.center_distance));
     let page = Page {
         whole: Outcome::of(&runs, &picked),
         agreement: Agreement::of(&all),
-        distances: by_distance(&runs, &picked),
+        distances,
         courses: courses(&report.analysis.revolution),
         all,
         report,
@@ -68,10 +71,10 @@ pub fn report(report: &Report) -> Result<String, PictureError> {
                 main {
                     (verdict::section(&page))
                     (unproven::section(&page))
-                    (trust::section(&page))
-                    (input::section(&page)?)
-                    (checks::section(&page))
                     (results::section(&page)?)
+                    (trust::section(&page))
+                    (checks::section(&page))
+                    (input::section(&page)?)
                     (measured::section(&page))
                     (models::section(&page)?)
                     (poses::section(&page))
@@ -109,10 +112,10 @@ fn head(report: &Report, title: &str) -> Markup {
         }
         nav aria-label="Contents" {
             a href="#result" { "Result" }
-            a href="#trust" { "Trust" }
-            a href="#input" { "Input" }
-            a href="#checks" { "Checks" }
             a href="#backlash" { "Backlash and mesh" }
+            a href="#trust" { "Trust" }
+            a href="#checks" { "Checks" }
+            a href="#input" { "Input" }
             @if !report.analysis.measured.is_empty() { a href="#measured" { "Measured" } }
             a href="#models" { "Formulas" }
             a href="#poses" { "Worst poses" }

@@ -32,14 +32,14 @@ pub(super) fn section(page: &Page) -> Result<Markup, PictureError> {
             of.off_line,
             "lie below model 3, the teeth touching off the line of action",
         ),
-        (of.below, "lie below model 3 though involutes touch"),
+        (of.below, "lie below model 3 where involutes touch"),
         (of.above, "lie above model 3"),
         (
             of.simulated_alone,
             "have no value of model 3, no two involutes reaching each other",
         ),
-        (of.jammed, "are jammed, though model 3 has a value"),
-        (of.apart, "are out of mesh, though model 3 has a value"),
+        (of.jammed, "are jammed where model 3 has a value"),
+        (of.apart, "are out of mesh where model 3 has a value"),
         (of.neither, "are jammed or out of mesh: neither has a value"),
         (of.unproven, "are unproven: not compared"),
     ];
@@ -60,7 +60,7 @@ pub(super) fn section(page: &Page) -> Result<Markup, PictureError> {
                     caption { "Simulated minus formula, µm" }
                     thead { tr {
                         th scope="col" { "model" }
-                        th scope="col" { "what it knows" }
+                        th scope="col" { "what it includes" }
                         th.n scope="col" { "poses" }
                         th.n scope="col" { "mean" }
                         th.n scope="col" { "largest" }

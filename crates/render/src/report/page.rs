@@ -4,7 +4,7 @@ use gearlash::analysis::Analysis;
 use gearlash::analysis::compare::ComparedRun;
 use gearlash::analysis::curves::Course;
 use gearlash::analysis::outcome::{Agreement, AtDistance, Outcome};
-use gearlash::gauge::{GradedReading, Unmeasured};
+use gearlash::gauge::{GradedReading, PitchReadings, Unmeasured};
 use gearlash_files::PairFile;
 
 /// What a report is of.
@@ -19,7 +19,20 @@ pub struct Report<'a> {
     /// What was found out about it: the whole of [`gearlash::analysis::Plan::whole`].
     pub analysis: &'a Analysis<'a>,
     /// Pitch and runout of each gear that deviates, as the gauge reads and grades them.
-    pub grades: &'a [(&'static str, Result<Vec<GradedReading>, Unmeasured>)],
+    pub grades: &'a [GearGrades],
+}
+
+/// Pitch and runout of one gear as the gauge reads them, and what was required.
+#[derive(Debug, Clone)]
+pub struct GearGrades {
+    /// `wheel` or `pinion`.
+    pub name: &'static str,
+    /// The grade that its table requires.
+    pub required: Option<u32>,
+    /// What has a grade.
+    pub graded: Result<Vec<GradedReading>, Unmeasured>,
+    /// Pitch about both axes.
+    pub pitches: Vec<PitchReadings>,
 }
 
 /// What the sections of a page share.

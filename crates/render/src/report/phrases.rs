@@ -1,10 +1,11 @@
 //! Phrases and symbols that sections share: how bands, symbols and the user's words get into the page.
 
+use crate::pose_name::pose_name;
 use gearlash::analysis::outcome::Found;
 use gearlash::analysis::study::Material;
 use gearlash::contact::Contact;
 pub(super) use gearlash_files::characters::plain;
-use gearlash_files::numbers::{NONE, trimmed, um};
+use gearlash_files::numbers::{NONE, um};
 use maud::{Markup, html};
 
 /// `least … greatest`, in µm.
@@ -69,17 +70,7 @@ pub(super) fn few<T>(all: &[T], name: impl Fn(&T) -> String) -> String {
 
 /// A pose in words: mating, flank, fraction.
 pub(super) fn pose(found: Found) -> String {
-    let mating = found.pose.swept.pose.mating();
-    let beyond = match mating.fraction {
-        0.0 => String::new(),
-        fraction => format!(", {} pitch beyond", trimmed(fraction, 0, 4)),
-    };
     let phase = found.run.run.phase;
     let phase = phase.map_or(String::new(), |(w, p)| format!(", phase {w}·{p}"));
-    format!(
-        "wheel {} with pinion {} at the {} flank{beyond}{phase}",
-        mating.wheel_tooth,
-        mating.pinion_tooth,
-        mating.flank.name()
-    )
+    pose_name(found.pose.swept.pose.mating()) + &phase
 }

@@ -30,7 +30,7 @@ pub(super) fn section(page: &Page) -> Markup {
                 (figure(page, "greatest", "Greatest backlash", greatest))
             }
             @if let Some((most, loss)) = most_lost(page) {
-                (figure(page, "lost", &format!("Most lost to contact off the line of action, {} µm", um(Some(loss), 2)), most))
+                (figure(page, "lost", &format!("Largest loss to contact off the line of action, {} µm", um(Some(loss), 2)), most))
             }
             @if whole.worst.is_some() { p.note { "Scale bars are correct; the ratios beside them hold on the A4 sheet of " code { "gearlash snapshot" } "." } }
             @if !others.is_empty() {

@@ -26,14 +26,14 @@ pub(super) fn section(page: &Page) -> Result<Markup, PictureError> {
     Ok(html! {
         section id="backlash" {
             h2 { "Backlash and mesh" }
-            (materials(page))
-            (phases(page))
-            h3 { "Over the teeth" }
             (revolutions(page)?)
             h3 { "The mesh" }
             (PreEscaped(mesh))
             h3 { "Over the centre distance" }
             (over_distance(page)?)
+            h3 { "Each centre distance and material" }
+            (materials(page))
+            (phases(page))
         }
     })
 }
@@ -47,7 +47,7 @@ fn materials(page: &Page) -> Markup {
     html! {
         div.scroll tabindex="0" role="region" aria-label="Backlash of each centre distance and material" {
             table {
-                caption { "Each centre distance and material, µm" }
+                caption { "Backlash, µm, and how many poses there are" }
                 thead { tr {
                     th.n scope="col" { i { "a" } " mm" }
                     th scope="col" { "material" }

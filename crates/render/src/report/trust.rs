@@ -35,21 +35,17 @@ fn answer(page: &Page) -> String {
     let (fails, bad) = (of.formula_fails(), of.unexplained());
     if let Some(unproven) = unproven::count(page) {
         return format!(
-            "Not without a look: {unproven}; nothing vouches for what happens there. Please report the pair file."
+            "Not without a check: {unproven}. What happens there is not known. Please report the pair file."
         );
     }
     if bad > 0 {
         return format!(
-            "Not without a look: at {bad} poses simulation and formula disagree for no reason found. Please report the pair file."
+            "Not without a check: at {bad} poses simulation and formula disagree, and no reason was found. Please report the pair file."
         );
     }
     if page.whole.least.is_none() {
-        let why = match (page.whole.jammed, page.whole.apart) {
-            (_, 0) => "jammed",
-            (0, _) => "out of mesh",
-            _ => "jammed or out of mesh",
-        };
-        return format!("No backlash exists: every pose is {why}.");
+        return "No backlash exists: at no pose can the free gear turn between two contacts."
+            .to_owned();
     }
     let valued = of.valued();
     let trusted = match (fails, of.agree) {
@@ -59,9 +55,9 @@ fn answer(page: &Page) -> String {
         (0, _) => format!(
             "Yes, for the gears as measured: simulation and formula agree at all {valued} poses that have a backlash."
         ),
-        (_, 0) => "Yes, the simulation, for the gears as measured; the line-of-action formula does not apply at any pose, as the teeth touch off that line.".to_owned(),
+        (_, 0) => "Yes, the simulation, for the gears as measured. The line-of-action formula does not apply to this pair: at every pose the teeth touch off the line of action.".to_owned(),
         (_, agree) => format!(
-            "Yes, the simulation, for the gears as measured; the line-of-action formula does not apply at {fails} of {valued} poses, where the teeth touch off that line. At the other {agree} they agree."
+            "Yes, the simulation, for the gears as measured. The line-of-action formula does not apply at {fails} of {valued} poses, where the teeth touch off the line of action. At the other {agree} poses both agree."
         ),
     };
     let limited = limit(page).map_or(String::new(), |limit| format!(" {limit}."));
@@ -71,7 +67,7 @@ fn answer(page: &Page) -> String {
 fn certificate(page: &Page) -> Markup {
     let how = match page.report.analysis.method {
         Method::Exact { certify: true } => {
-            "Each rotation was found on the exact tooth curves and certified by polygons: a little more open everything is clear, a little more closed something touches. "
+            "Each rotation was found on the exact tooth curves and certified by polygons: with slightly more clearance nothing touches, with slightly less something does. "
         }
         Method::Exact { certify: false } => {
             "Each rotation was found on the exact tooth curves; the check by polygons was left out (--no-certify). "
@@ -159,8 +155,8 @@ fn off_line(page: &Page) -> Markup {
     html! {
         @match of.touch_off_line {
             0 if valued == 0 => "",
-            0 if of.simulated_alone > 0 => "Where both give a value, only involutes touch.",
-            0 if valued == of.poses => "Only involutes touch, at every pose.",
+            0 if valued == of.poses && of.simulated_alone == 0 => "Only involutes touch, at every pose.",
+            0 if of.simulated_alone > 0 => "",
             0 => "Where there is backlash, only involutes touch.",
             1 => "At one pose a tip corner, a fillet or a root takes part in a contact",
             poses => { "At " (poses) " poses a tip corner, a fillet or a root takes part in a contact" }

@@ -44,7 +44,7 @@ pub(super) fn section(page: &Page) -> Markup {
                 p {
                     strong { (count) "." }
                     " A certificate failed there, a contact was lost, or the two methods differ by more than their error bounds. "
-                    "No table, curve or verdict of this page takes such a pose in; the values below are in doubt, and only here to be looked into."
+                    "No table, curve or verdict of this page takes such a pose in; the values below are doubtful and are listed for inspection only."
                 }
                 ul {
                     @for found in unproven.iter().take(MOST_LISTED) {
@@ -55,7 +55,7 @@ pub(super) fn section(page: &Page) -> Markup {
                     }
                 }
                 @if unproven.len() > MOST_LISTED {
-                    p.note { (unproven.len() - MOST_LISTED) " more; " code { "gearlash simulate --format json" } " tells each pose’s." }
+                    p.note { (unproven.len() - MOST_LISTED) " more; " code { "gearlash simulate --format json" } " lists them all." }
                 }
             }
         }

@@ -1,24 +1,63 @@
 //! The answer: does the pair assemble, how much backlash, where, which teeth.
 
 use super::cycle::{limit, same_everywhere};
+use super::marks::{mark, marked};
 use super::page::Page;
 use super::phrases::{band, few, j_wt, material, touching};
 use super::{cycle, unproven};
+use crate::text::check::governing;
+use gearlash::analysis::diagnosis::Verdict;
 use gearlash::analysis::outcome::{AtDistance, Found, Outcome};
 use gearlash::analysis::phases::failing_phases;
 use gearlash_files::numbers::{bound_um, stated_distance, um};
 use maud::{Markup, html};
 
 pub(super) fn section(page: &Page) -> Markup {
-    let good = page.whole.assembles();
     html! {
         section id="result" {
-            div.verdict.bad[!good] {
+            div.verdict.(state(page).name()) {
+                p.state { (mark(state(page))) }
                 p.answer { (answer(page)) }
                 (clearance(page))
+                (failing(page))
             }
             (table(page))
             (cycle::section(page))
+        }
+    }
+}
+
+/// The worst of the answer and the checks.
+fn state(page: &Page) -> Verdict {
+    let whole = &page.whole;
+    let answer = match (whole.assembles(), whole.fails()) {
+        (true, _) => Verdict::Pass,
+        (false, true) => Verdict::Fail,
+        (false, false) => Verdict::Unproven,
+    };
+    answer.max(page.report.analysis.diagnosis.verdict())
+}
+
+/// The checks that do not pass, by name.
+fn failing(page: &Page) -> Markup {
+    let diagnosis = &page.report.analysis.diagnosis;
+    let checks = governing(diagnosis);
+    let named = |verdict: Verdict| {
+        let of = checks.iter().filter(|(_, check)| check.verdict == verdict);
+        let mut titles: Vec<&str> = Vec::new();
+        for (_, check) in of {
+            if !titles.contains(&check.title) {
+                titles.push(check.title);
+            }
+        }
+        titles.join(", ")
+    };
+    html! {
+        @for (verdict, word) in [(Verdict::Fail, "failed"), (Verdict::Unproven, "unproven"), (Verdict::Warn, "with a warning")] {
+            @let titles = named(verdict);
+            @if !titles.is_empty() {
+                p { a href="#checks" { "Checks" } " " (word) ": " (titles) "." }
+            }
         }
     }
 }
@@ -63,7 +102,7 @@ fn verdict(page: &Page) -> String {
     let unproven = kept_by(|all| all.unproven > 0);
     if !unproven.is_empty() {
         return format!(
-            "Unproven: nothing vouches that the pair assembles {}",
+            "Unproven: it is not known whether the pair assembles {}",
             places(&unproven, number)
         );
     }
@@ -80,19 +119,20 @@ fn verdict(page: &Page) -> String {
         ),
         _ if !touching.is_empty() => {
             format!(
-                "Assembles at {}, {none} {}",
-                all_distances(number),
+                "Assembles at {} centre distances, {none} {}",
+                all_of(number),
                 places(&touching, number)
             )
         }
-        _ => format!("Assembles at {}", all_distances(number)),
+        _ => format!("Assembles at {} centre distances", all_of(number)),
     }
 }
 
-fn all_distances(number: usize) -> String {
+/// All of several, in words.
+fn all_of(number: usize) -> String {
     match number {
-        2 => "both centre distances".to_owned(),
-        _ => format!("all {number} centre distances"),
+        2 => "both".to_owned(),
+        more => format!("all {more}"),
     }
 }
 
@@ -192,7 +232,7 @@ fn table(page: &Page) -> Markup {
                     th.n scope="col" { i { "a" } " mm" }
                     th scope="col" { "assembles" }
                     th.n scope="col" { "least" }
-                    th scope="col" { "teeth that bind" }
+                    th scope="col" { "teeth at least" }
                     th.n scope="col" { "mean" }
                     th.n scope="col" { "greatest" }
                     th scope="col" { "teeth at greatest" }
@@ -226,12 +266,13 @@ fn extreme_cells(page: &Page, found: Option<Found>) -> Markup {
 
 /// Whether a pair assembles, in a word or two.
 fn fits(all: &Outcome) -> Markup {
-    html! {
-        @if all.jammed > 0 { td.fail { "no: jammed" } }
-        @else if all.interfering > 0 { td.fail { "no: interference" } }
-        @else if all.apart > 0 { td.fail { "out of mesh" } }
-        @else if all.unproven > 0 { td.fail { "unproven" } }
-        @else if all.touching > 0 { td { "without backlash" } }
-        @else { td { "yes" } }
-    }
+    let (verdict, word) = match all {
+        all if all.jammed > 0 => (Verdict::Fail, "no: jammed"),
+        all if all.interfering > 0 => (Verdict::Fail, "no: interference"),
+        all if all.apart > 0 => (Verdict::Fail, "out of mesh"),
+        all if all.unproven > 0 => (Verdict::Unproven, "unproven"),
+        all if all.touching > 0 => (Verdict::Warn, "without backlash"),
+        _ => (Verdict::Pass, "yes"),
+    };
+    html! { td { (marked(verdict, word)) } }
 }

@@ -6,7 +6,7 @@
 use super::gears::lines_over;
 use super::subject::{MAIN, Snapshot, names};
 use super::turning::{course, motion, rotation};
-use super::turning::{metal, turns};
+use super::turning::{metal, times, turns};
 use super::view::View;
 use super::{caption, main_view, pitch_chart};
 use crate::kit::{Ids, Occupied, Spot, TextStyle, WIDTH, around, blank_sheet, dot, hatch, scale};
@@ -17,7 +17,7 @@ use svg::node::element::Group;
 
 const MEMBERS: [Member; 2] = [Member::Wheel, Member::Pinion];
 
-/// The SVG text of `steps` through a pitch, evenly apart, of which `view` shows the first.
+/// The SVG text of `steps` through a pitch, in ascending order, of which `view` shows the first.
 pub fn animation(view: &Snapshot, steps: &[PoseResult]) -> String {
     let scenes: Vec<Scene> = steps
         .iter()
@@ -33,7 +33,8 @@ pub fn animation(view: &Snapshot, steps: &[PoseResult]) -> String {
         view.pose.mating().wheel_tooth,
         view.pose.mating().pinion_tooth,
     ];
-    let metal = metal(&first, &scenes, &main, &mut occupied);
+    let times = times(steps);
+    let metal = metal(&first, &scenes, &times, &main, &mut occupied);
     let over = lines_over(&first, &main, &Side::BOTH, Group::new(), &mut occupied);
     for contact in first.meetings() {
         for point in [contact.on_locked, contact.on_free] {
@@ -43,7 +44,7 @@ pub fn animation(view: &Snapshot, steps: &[PoseResult]) -> String {
     let (numbers, _) = main_view::tooth_numbers(&first, &main, mating, &mut occupied);
     let turning = |(member, numbers)| {
         let axis = main.spot(first.placed(member).axis());
-        let motion = rotation(&turns(&scenes, member), axis);
+        let motion = rotation(&turns(&scenes, member), &times, axis);
         Group::new().add(motion).add(numbers)
     };
     let numbers = MEMBERS.into_iter().zip(numbers).map(turning);
@@ -53,9 +54,10 @@ pub fn animation(view: &Snapshot, steps: &[PoseResult]) -> String {
     );
     let sheet = blank_sheet()
         .add(hatch(&Ids::default()))
-        .add(caption::draw(
+        .add(caption::draw_turning(
             view,
             &first,
+            steps,
             MAIN.left,
             WIDTH - 2.0 * MAIN.left,
         ))
@@ -63,7 +65,7 @@ pub fn animation(view: &Snapshot, steps: &[PoseResult]) -> String {
         .add(metal)
         .add(Group::new().set("clip-path", "url(#mesh-frame)").add(over))
         .add(MAIN.border())
-        .add(marks(&scenes, &main))
+        .add(marks(&scenes, &times, &main))
         .add(numbers)
         .add(scale::bar([MAIN.left, MAIN.bottom + 16.0], main.scale()))
         .add(pitch_chart::draw(steps))
@@ -72,7 +74,7 @@ pub fn animation(view: &Snapshot, steps: &[PoseResult]) -> String {
 }
 
 /// The contacts: filled where the gears touch, open the two points that meet on the other side.
-fn marks(scenes: &[Scene], view: &View) -> Group {
+fn marks(scenes: &[Scene], times: &[f64], view: &View) -> Group {
     let mut group = Group::new().set("clip-path", "url(#mesh-frame)");
     for side in Side::BOTH {
         let contacts: Vec<Option<&DrawnContact>> = scenes
@@ -98,7 +100,7 @@ fn marks(scenes: &[Scene], view: &View) -> Group {
                 .all(|contact| contact.is_some_and(|contact| contact.turn == 0.0));
             // A side that is out of mesh at some step has no marks; one in contact needs one dot.
             if let Some(spots) = spots.filter(|_| !(touching && on_free)) {
-                let [x, y] = [0, 1].map(|axis| course(&spots, axis));
+                let [x, y] = [0, 1].map(|axis| course(&spots, times, axis));
                 group = group.add(
                     dot(spots[0].0, 4.0, touching)
                         .add(motion("cx", &x))
@@ -126,6 +128,6 @@ fn key() -> Group {
     ] {
         group = group.add(TextStyle::new(13.0).text(words, [x + left, y + 4.5]));
     }
-    let note = "animated in a browser; elsewhere its first frame. Rotations found at every sixtieth of the pitch, to scale";
+    let note = "animated in a browser; elsewhere its first frame. Found at every sixtieth of the pitch and at its extremes, to scale";
     group.add(TextStyle::new(13.0).grey().text(note, [x, y + 29.5]))
 }

@@ -2,10 +2,10 @@
 
 use super::subject::Snapshot;
 use crate::kit::TextStyle;
-use gearlash::contact::{Drawn, Scene, Status};
+use crate::pose_name::pose_name;
+use gearlash::contact::{Drawn, PoseResult, Scene, Status};
 use gearlash::gear::Side;
-use gearlash::pair::Mating;
-use gearlash_files::numbers::{bound_um, pitches_beyond, trimmed, um};
+use gearlash_files::numbers::{bound_um, trimmed, um};
 use svg::node::element::Group;
 
 /// Size below which a result is cut rather than set smaller.
@@ -15,7 +15,7 @@ const LEAST: f64 = 9.0;
 pub fn draw(view: &Snapshot, scene: &Scene, left: f64, room: f64) -> Group {
     let result = result_line(view, scene);
     let style = TextStyle::new(16.0).fitted(&result, room, LEAST);
-    let result = style.symbols(&style.shortened(&result, room), [left, 97.0]);
+    let result = style.text(&style.shortened(&result, room), [left, 97.0]);
     heading(view, left, room).add(result)
 }
 
@@ -23,24 +23,48 @@ pub fn draw(view: &Snapshot, scene: &Scene, left: f64, room: f64) -> Group {
 pub fn heading(view: &Snapshot, left: f64, room: f64) -> Group {
     let (title, pose) = (TextStyle::new(24.0).bold(), TextStyle::new(16.0).grey());
     Group::new()
-        .add(title.text(&title.shortened(view.title, room), [left, 46.0]))
+        .add(title.verbatim(&title.shortened(view.title, room), [left, 46.0]))
         .add(pose.text(&pose.shortened(&pose_line(view), room), [left, 73.0]))
 }
 
 fn pose_line(view: &Snapshot) -> String {
-    let Mating {
-        wheel_tooth,
-        pinion_tooth,
-        flank,
-        fraction,
-    } = *view.pose.mating();
-    let fraction = pitches_beyond(fraction, 6);
     format!(
-        "mating: wheel {wheel_tooth} – pinion {pinion_tooth} at {} flank{fraction} · centre distance {} mm · material: {}",
-        flank.name(),
+        "{} · centre distance {} mm · material: {}",
+        pose_name(view.pose.mating()),
         trimmed(view.assembly.center_distance(), 3, 6),
         view.material
     )
+}
+
+/// Title, the pose that a pitch starts from, and what there is on the way: `steps`.
+pub fn draw_turning(
+    view: &Snapshot,
+    scene: &Scene,
+    steps: &[PoseResult],
+    left: f64,
+    room: f64,
+) -> Group {
+    let known = || steps.iter().filter_map(|step| step.backlash);
+    let ends = [known().reduce(f64::min), known().reduce(f64::max)];
+    let without = steps.len() - known().count();
+    let mut words = match ends {
+        [Some(least), Some(greatest)] => format!(
+            "over the pitch from there on: least j_wt {} µm, greatest {} µm",
+            um(least, 2),
+            um(greatest, 2)
+        ),
+        _ => "over the pitch from there on: no backlash".to_owned(),
+    };
+    if without > 0 {
+        words += &format!(
+            " · {without} of {} frames jammed, out of mesh or unproven",
+            steps.len()
+        );
+    }
+    let words = format!("{words} · {}", drawn(scene));
+    let style = TextStyle::new(16.0).fitted(&words, room, LEAST);
+    let result = style.text(&style.shortened(&words, room), [left, 97.0]);
+    heading(view, left, room).add(result)
 }
 
 fn result_line(view: &Snapshot, scene: &Scene) -> String {
@@ -56,19 +80,23 @@ fn result_line(view: &Snapshot, scene: &Scene) -> String {
         Ok(_) => what,
         Err(unproven) => format!("unproven, no contact is drawn: {}", unproven.reason),
     };
+    format!("{what} · {}", drawn(scene))
+}
+
+/// Which contact the free gear is held in.
+fn drawn(scene: &Scene) -> String {
     let free = scene.assembly().free().name();
-    let drawn = match scene.drawn() {
+    match scene.drawn() {
         Drawn::AtContact(side) => format!(
-            "{free} turned {} to {}-flank contact",
+            "drawn with the {free} turned {} to {}-flank contact",
             match side {
                 Side::Right => "clockwise",
                 Side::Left => "counter-clockwise",
             },
             side.name()
         ),
-        Drawn::Nominal => format!("{free} at its nominal rotation"),
-    };
-    format!("{what} · drawn with the {drawn}")
+        Drawn::Nominal => format!("drawn with the {free} at its nominal rotation"),
+    }
 }
 
 /// `j_wt` in µm to 0.01, with the bound on its error before that rounding.

@@ -186,7 +186,7 @@ fn whole(view: &Snapshot, gears: &Exaggeration, member: Member, tooth: u32, fram
         },
         "flank deviations, µm".to_owned(),
         "(reference circle, + more metal):".to_owned(),
-        match found.flanks.map(|flank| um(flank, 2)) {
+        match found.flanks.map(|mm| um(mm, 2)) {
             [least, most] if least == most => format!("all teeth {least}"),
             [least, most] => format!("all teeth {least} … {most}"),
         },

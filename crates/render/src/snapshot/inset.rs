@@ -8,8 +8,11 @@ use super::{contact_bands, gears, overlap_label};
 use crate::kit::{
     self, Frame, GREY, INK, Ids, Occupied, Spot, TextStyle, UNITS_PER_MM, clip, line, scale,
 };
-use gearlash::contact::{Drawn, DrawnContact, Scene, Status, Touch};
-use gearlash::gear::Side;
+use gearlash::contact::{
+    Contact, ContactClass, ContactKind, Drawn, DrawnContact, Scene, Status, Touch,
+};
+use gearlash::gear::{ProfilePart, Side};
+use gearlash::pair::{GearPair, Member};
 use gearlash_files::numbers::um;
 use nalgebra::{Point2, center};
 use svg::node::element::{Group, Rectangle};
@@ -107,21 +110,46 @@ pub fn heading(scene: &Scene, side: Side, contact: Option<&DrawnContact>, corner
                 Drawn::Nominal if gap >= 0.0 => format!("{name} flanks, short of their contact"),
                 Drawn::Nominal => format!("{name} flanks, past their contact"),
             };
-            let touch = |name: &str, touch: &Touch| {
-                format!("{name} {} {}", touch.tooth, touch.curve.name())
+            let edge = edge(scene.assembly(), side, &contact.contact);
+            let touch = |member: Member, touch: &Touch| {
+                let curve = match edge == Some(member) {
+                    true => "undercut edge",
+                    false => touch.curve.name(),
+                };
+                format!("{} {} {curve}", member.name(), touch.tooth)
             };
             let second = format!(
                 "{} on {}",
-                touch("wheel", &contact.contact.wheel),
-                touch("pinion", &contact.contact.pinion)
+                touch(Member::Wheel, &contact.contact.wheel),
+                touch(Member::Pinion, &contact.contact.pinion)
             );
             (first, second)
         }
     };
     let (title, details) = (TextStyle::new(16.0).bold(), TextStyle::new(13.0).grey());
     Group::new()
-        .add(title.symbols(&first, [left, top - 27.0]))
+        .add(title.text(&first, [left, top - 27.0]))
         .add(details.text(&second, [left, top - 9.0]))
+}
+
+/// The gear whose undercut edge takes part: of two undercut gears that which is touched nearer to the foot of its involute.
+fn edge(assembly: &GearPair, side: Side, contact: &Contact) -> Option<Member> {
+    if ContactClass::of(assembly, side, contact).kind != ContactKind::Edge {
+        return None;
+    }
+    let above_foot = |member: Member| {
+        let gear = assembly.gear(member).gear();
+        let touch = match member {
+            Member::Wheel => &contact.wheel,
+            Member::Pinion => &contact.pinion,
+        };
+        let involute = touch.curve == ProfilePart::Involute && gear.is_undercut();
+        involute.then_some((member, touch.radius - gear.form_radius()))
+    };
+    let touched = [Member::Wheel, Member::Pinion].into_iter();
+    let nearest = touched.filter_map(above_foot);
+    let nearest = nearest.min_by(|a, b| a.1.total_cmp(&b.1));
+    nearest.map(|(member, _)| member)
 }
 
 fn capital(side: Side) -> &'static str {

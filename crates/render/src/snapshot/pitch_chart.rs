@@ -1,7 +1,7 @@
 //! `j_wt` over a pitch as a small chart.
 
 use super::subject::INSETS;
-use super::turning::{course, motion};
+use super::turning::{course, motion, times};
 use crate::kit::{Anchor, Frame, GREY, INK, PATH, Spot, TextStyle, dot, line};
 use gearlash::contact::{PoseResult, Status};
 use gearlash_files::numbers::um;
@@ -27,7 +27,7 @@ pub fn draw(steps: &[PoseResult]) -> Group {
     let values: Vec<Option<f64>> = steps.iter().map(|step| step.backlash).collect();
     let found = || values.iter().flatten().copied();
     let title = TextStyle::new(16.0).bold();
-    let title = title.symbols("j_wt in µm over a pitch", [CHART.left, CHART.top - 14.0]);
+    let title = title.text("j_wt in µm over a pitch", [CHART.left, CHART.top - 14.0]);
     let mut group = Group::new().add(title).add(CHART.border());
     let label = |words: &str, at: Spot, anchor: Anchor| {
         let style = TextStyle::new(13.0).grey();
@@ -79,16 +79,11 @@ pub fn draw(steps: &[PoseResult]) -> Group {
                 Anchor::End,
             ));
     }
-    let last = (values.len() - 1) as f64;
+    let times = times(steps);
     let spots: Vec<Option<Spot>> = values
         .iter()
         .enumerate()
-        .map(|(step, value)| {
-            Some([
-                CHART.left + step as f64 / last * CHART.width(),
-                height((*value)?),
-            ])
-        })
+        .map(|(step, value)| Some([CHART.left + times[step] * CHART.width(), height((*value)?)]))
         .collect();
     for run in spots.split(Option::is_none) {
         let run: Vec<Spot> = run.iter().flatten().copied().collect();
@@ -99,7 +94,7 @@ pub fn draw(steps: &[PoseResult]) -> Group {
     let all: Option<Vec<(Spot, [u32; 2])>> =
         spots.iter().map(|spot| Some(((*spot)?, [0, 0]))).collect();
     if let Some(spots) = all {
-        let [x, y] = [0, 1].map(|axis| course(&spots, axis));
+        let [x, y] = [0, 1].map(|axis| course(&spots, &times, axis));
         let runner = dot(spots[0].0, 5.0, true).set("fill", PATH);
         group = group.add(runner.add(motion("cx", &x)).add(motion("cy", &y)));
     }

@@ -2,7 +2,7 @@
 
 use super::view::{MARGIN, View};
 use crate::kit::{INK, OVERLAP, Occupied, PINION, Spot, WHEEL, clip, number, path_data};
-use gearlash::contact::Scene;
+use gearlash::contact::{PoseResult, Scene};
 use gearlash::pair::Member;
 use std::f64::consts::TAU;
 use svg::node::element::{Animate, AnimateTransform, ClipPath, Definitions, Group, Path, Use};
@@ -10,7 +10,13 @@ use svg::node::element::{Animate, AnimateTransform, ClipPath, Definitions, Group
 const MEMBERS: [Member; 2] = [Member::Wheel, Member::Pinion];
 
 /// Both gears, each turned about its axis.
-pub fn metal(first: &Scene, scenes: &[Scene], view: &View, occupied: &mut Occupied) -> Group {
+pub fn metal(
+    first: &Scene,
+    scenes: &[Scene],
+    times: &[f64],
+    view: &View,
+    occupied: &mut Occupied,
+) -> Group {
     let mut definitions = Definitions::new().add(
         ClipPath::new()
             .set("id", "mesh-frame")
@@ -39,7 +45,7 @@ pub fn metal(first: &Scene, scenes: &[Scene], view: &View, occupied: &mut Occupi
         let spots: Vec<Spot> = outline.iter().map(|point| view.spot(*point)).collect();
         let polygon = clip::polygon(&spots, &frame.grown(MARGIN + moved));
         occupied.line(&polygon);
-        let motion = || rotation(&turns, axis);
+        let motion = || rotation(&turns, times, axis);
         let name = member.name();
         let shape = || Use::new().set("href", format!("#{name}"));
         definitions = definitions
@@ -82,18 +88,18 @@ pub fn metal(first: &Scene, scenes: &[Scene], view: &View, occupied: &mut Occupi
         group = group.add(gear);
         outlines = outlines.add(outline);
     }
-    group.add(outlines).add(overlap(scenes, view))
+    group.add(outlines).add(overlap(scenes, times, view))
 }
 
 /// The pinion's metal once more, where the wheel's is too.
-fn overlap(scenes: &[Scene], view: &View) -> Group {
+fn overlap(scenes: &[Scene], times: &[f64], view: &View) -> Group {
     let pinion = Member::Pinion;
     let axis = view.spot(scenes[0].placed(pinion).axis());
     let turns = turns(scenes, pinion);
     let layers = [OVERLAP, "url(#hatch)"].map(|fill| {
         let shape = Use::new().set("href", format!("#{}", pinion.name()));
         Group::new()
-            .add(rotation(&turns, axis))
+            .add(rotation(&turns, times, axis))
             .add(shape.set("fill", fill))
     });
     let clip = Group::new().set("clip-path", "url(#wheel-turning)");
@@ -111,11 +117,25 @@ pub fn turns(scenes: &[Scene], member: Member) -> Vec<f64> {
     turns
 }
 
+/// When each step comes, as a part of the time that the pitch takes.
+pub fn times(steps: &[PoseResult]) -> Vec<f64> {
+    let fractions = steps.iter().map(|step| step.pose.mating().fraction);
+    let fractions: Vec<f64> = fractions.collect();
+    let (first, last) = (fractions[0], fractions[fractions.len() - 1]);
+    let part = |fraction: &f64| (fraction - first) / (last - first);
+    fractions.iter().map(part).collect()
+}
+
+fn key_times(times: impl Iterator<Item = f64>) -> String {
+    let words: Vec<String> = times.map(|time| format!("{time:.6}")).collect();
+    words.join(";")
+}
+
 /// How long a pitch takes.
 const DURATION: &str = "6s";
 
 /// Turns about `axis`, a place of the sheet.
-pub fn rotation(turns: &[f64], axis: Spot) -> AnimateTransform {
+pub fn rotation(turns: &[f64], times: &[f64], axis: Spot) -> AnimateTransform {
     // y is down on the sheet: clockwise is positive there.
     let [x, y] = axis.map(number);
     let value =
@@ -127,22 +147,21 @@ pub fn rotation(turns: &[f64], axis: Spot) -> AnimateTransform {
         .set("dur", DURATION)
         .set("repeatCount", "indefinite")
         .set("values", values.join(";"))
+        .set("keyTimes", key_times(times.iter().copied()))
 }
 
 /// Values and key times of one coordinate; where other teeth take over, both places at one time.
-pub fn course(spots: &[(Spot, [u32; 2])], axis: usize) -> [String; 2] {
-    let last = (spots.len() - 1) as f64;
-    let (mut values, mut times) = (Vec::new(), Vec::new());
+pub fn course(spots: &[(Spot, [u32; 2])], times: &[f64], axis: usize) -> [String; 2] {
+    let (mut values, mut at) = (Vec::new(), Vec::new());
     for (step, (spot, teeth)) in spots.iter().enumerate() {
-        let time = format!("{:.5}", step as f64 / last);
         if step > 0 && spots[step - 1].1 != *teeth {
             values.push(number(spots[step - 1].0[axis]));
-            times.push(time.clone());
+            at.push(times[step]);
         }
         values.push(number(spot[axis]));
-        times.push(time);
+        at.push(times[step]);
     }
-    [values.join(";"), times.join(";")]
+    [values.join(";"), key_times(at.into_iter())]
 }
 
 /// Moves one coordinate along its course.

@@ -1,12 +1,12 @@
 //! What is said of a pose beside the picture. `viewer.js` says the same of the others.
 
 use super::contacts::{class, touching};
+use crate::pose_name::pose_name;
 use gearlash::analysis::compare::ComparedRun;
 use gearlash::analysis::study::Material;
 use gearlash::contact::Status;
 use gearlash::gear::Side;
-use gearlash::pair::Member;
-use gearlash_files::numbers::{decades, fixed, pitches_beyond, trimmed, two_digits_up};
+use gearlash_files::numbers::{decades, fixed, trimmed, two_digits_up};
 
 /// What the marks mean.
 pub const LEGEND: &str = "Filled dot: the gears touch. Open dots: the two points of the other flanks that will meet. \
@@ -30,7 +30,6 @@ pub fn run(run: &ComparedRun) -> String {
 pub fn draw(run: &ComparedRun, number: usize) -> String {
     let pose = &run.poses[number];
     let mating = pose.swept.pose.mating();
-    let fraction = pitches_beyond(mating.fraction, 6);
     let contact = |side| match touching(&pose.swept, side) {
         None => "none".to_owned(),
         Some(contact) => format!(
@@ -58,12 +57,10 @@ pub fn draw(run: &ComparedRun, number: usize) -> String {
             "pose",
             "Pose",
             format!(
-                "{} of {}: wheel tooth {} with pinion tooth {}, {} flank{fraction}",
+                "{} of {}: {}",
                 number + 1,
                 run.poses.len(),
-                mating.tooth(Member::Wheel),
-                mating.tooth(Member::Pinion),
-                mating.flank.name()
+                pose_name(mating)
             ),
         ),
         ("status", "Status", status(pose.swept.status())),

@@ -72,11 +72,11 @@
   function showText() {
     const set = (name, text) => { byId(name).textContent = text; };
     const fraction = value("fraction");
-    const beyond = fraction === 0 ? "" : ` ${fraction > 0 ? "+" : "−"} ${Math.abs(fraction)} pitch`;
+    const beyond = fraction === 0 ? "" : `, ${Math.abs(fraction)} pitch ${fraction > 0 ? "beyond" : "before"}`;
     const [wheel, pinion] = run().mating.map((teeth) => teeth[shown.pose]);
     const flank = value("left_flank") ? "left" : "right";
     set("run", run().label);
-    set("pose", `${poseNumber()} of ${run().of}: wheel tooth ${wheel} with pinion tooth ${pinion}, ${flank} flank${beyond}`);
+    set("pose", `${poseNumber()} of ${run().of}: wheel ${wheel} with pinion ${pinion} at the ${flank} flank${beyond}`);
     set("status", data.statuses[value("status")].replaceAll("_", " "));
     const backlash = value("j_wt_um");
     const output = byId("backlash");

@@ -4,6 +4,7 @@ mod bars;
 mod curves;
 mod drawn;
 mod empty;
+mod envelope;
 mod inspection;
 mod one_assembly;
 mod places;

@@ -238,7 +238,7 @@ fn the_caption_names_the_outcome() {
         ),
         (
             "[86, 21] a 160.55 wheel Left -0.21",
-            "mating: wheel 86 – pinion 21 at left flank − 0.21 pitch · centre distance 160.550 mm · material: most",
+            "wheel 86 with pinion 21 at the left flank, 0.21 pitch before · centre distance 160.550 mm · material: most",
         ),
         (
             "jammed",

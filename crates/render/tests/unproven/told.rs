@@ -308,13 +308,13 @@ fn a_report_vouches_for_nothing() {
     let count = runs[0].summary().unproven;
     let answer = text(".answer");
     let expected = format!(
-        "Unproven: nothing vouches that the pair assembles at a = 41.100 mm. {count} of 160 poses are unproven"
+        "Unproven: it is not known whether the pair assembles at a = 41.100 mm. {count} of 160 poses are unproven"
     );
     assert!(answer.starts_with(&expected), "{answer}");
     assert!(text("#result tbody").contains("unproven"));
-    let selector = scraper::Selector::parse(".verdict.bad").unwrap();
+    let selector = scraper::Selector::parse(".verdict.unproven").unwrap();
     assert_eq!(document.select(&selector).count(), 1);
-    assert!(text("#trust").contains("Not without a look"));
+    assert!(text("#trust").contains("Not without a check"));
     assert!(text("#models").contains(&format!("{count} are unproven: not compared")));
     assert!(text("#unproven").contains("the certificate failed"));
     assert!(text("#checks").contains("No check fails, but some are unproven"));

@@ -47,6 +47,15 @@ pub struct RunExtremes {
     pub assembles_from: Option<[f64; 2]>,
 }
 
+/// The extremes of a study.
+#[derive(Debug, Clone, Default)]
+pub struct CycleExtremes {
+    /// Each centre distance, material and assembly phase.
+    pub each: Vec<RunExtremes>,
+    /// Their poses, run by run: least, greatest, lost.
+    pub runs: Vec<ComparedRun>,
+}
+
 /// An extreme and the pose that attains it.
 #[derive(Debug, Clone)]
 pub struct RunExtreme {
@@ -68,7 +77,10 @@ impl RunExtreme {
 
     /// What was found, mm: the end of the bracket that the pose attains.
     pub fn found(&self) -> f64 {
-        self.pose.swept.backlash.unwrap_or(0.5 * (self.low + self.high))
+        self.pose
+            .swept
+            .backlash
+            .unwrap_or(0.5 * (self.low + self.high))
     }
 }
 
@@ -100,7 +112,7 @@ pub fn extremes(
     study: &Study,
     method: Method,
     tick: &(dyn Fn() -> ControlFlow<()> + Sync),
-) -> Result<Vec<RunExtremes>, Error> {
+) -> Result<CycleExtremes, Error> {
     let plans = plans(study)?;
     let found = parallel::map(0..plans.len() as u64, |index| {
         if tick().is_break() {
@@ -116,16 +128,26 @@ pub fn extremes(
         Ok((found, from))
     });
     let found = found.into_iter().collect::<Result<Vec<_>, Error>>()?;
-    let poses = plans.iter().zip(&found).map(|(planned, (found, _))| RunPlan {
-        matings: matings(found).collect(),
-        ..planned.run.clone()
-    });
-    let runs = simulate_plans(study, poses.collect(), method, &|| ControlFlow::Continue(()))?;
+    let poses = plans
+        .iter()
+        .zip(&found)
+        .map(|(planned, (found, _))| RunPlan {
+            matings: matings(found).collect(),
+            ..planned.run.clone()
+        });
+    let runs = simulate_plans(
+        study,
+        poses.collect(),
+        method,
+        &|| ControlFlow::Continue(()),
+    )?;
     let runs = compare(runs, study.tolerance_um);
-    let all = plans.iter().zip(found).zip(runs);
-    Ok(all
-        .map(|((planned, (found, from)), run)| planned.extremes(&found, from, run))
-        .collect())
+    let all = plans.iter().zip(found).zip(&runs);
+    let each = all.map(|((planned, (found, from)), run)| planned.extremes(&found, from, run));
+    Ok(CycleExtremes {
+        each: each.collect(),
+        runs,
+    })
 }
 
 /// How many runs [`extremes`] has: its ticks.
@@ -144,8 +166,8 @@ struct Planned {
 }
 
 impl Planned {
-    fn extremes(&self, found: &Extremes, from: Option<[f64; 2]>, run: ComparedRun) -> RunExtremes {
-        let mut poses = run.poses.into_iter();
+    fn extremes(&self, found: &Extremes, from: Option<[f64; 2]>, run: &ComparedRun) -> RunExtremes {
+        let mut poses = run.poses.iter().cloned();
         let mut one = |extreme: Option<Extreme>| {
             extreme.and_then(|extreme| {
                 Some(RunExtreme {

@@ -4,7 +4,6 @@
 
 pub mod compare;
 pub mod curves;
-pub mod cycle;
 pub mod diagnosis;
 pub mod extremes;
 pub mod measured;
@@ -13,14 +12,16 @@ pub mod phases;
 pub mod simulate;
 pub mod study;
 pub mod tally;
+pub mod verdict;
 
 use self::compare::{ComparedRun, compare};
 use self::curves::OverDistance;
-use self::cycle::Cycle;
 use self::diagnosis::Diagnosis;
+use self::extremes::CycleExtremes;
 use self::measured::{MeasuredMating, measured_matings};
 use self::simulate::simulate;
 use self::study::Study;
+use self::verdict::Verdict;
 use crate::contact::Method;
 use crate::error::Error;
 use std::ops::ControlFlow;
@@ -31,7 +32,7 @@ pub struct Plan<'a> {
     study: &'a Study,
     method: Method,
     revolution: bool,
-    cycle: bool,
+    extremes: bool,
     curves: bool,
     checks: bool,
 }
@@ -43,7 +44,7 @@ impl<'a> Plan<'a> {
             study,
             method,
             revolution: false,
-            cycle: false,
+            extremes: false,
             curves: false,
             checks: false,
         }
@@ -53,7 +54,7 @@ impl<'a> Plan<'a> {
     pub fn whole(study: &'a Study, method: Method) -> Plan<'a> {
         let plan = Plan::new(study, method);
         plan.with_revolution()
-            .with_cycle()
+            .with_extremes()
             .with_curves()
             .with_checks()
     }
@@ -67,11 +68,11 @@ impl<'a> Plan<'a> {
         }
     }
 
-    /// Also the matings that no revolution meets, until the same teeth meet again.
+    /// Also the extremes of the whole mesh cycle.
     #[must_use]
-    pub fn with_cycle(self) -> Plan<'a> {
+    pub fn with_extremes(self) -> Plan<'a> {
         Plan {
-            cycle: true,
+            extremes: true,
             ..self
         }
     }
@@ -108,8 +109,8 @@ impl<'a> Plan<'a> {
     /// As [`Study::runs`].
     pub fn steps(&self) -> Result<u64, Error> {
         let mut steps = self.poses();
-        if self.cycle {
-            steps += cycle::pose_count(self.study)?;
+        if self.extremes {
+            steps += extremes::run_count(self.study)?;
         }
         if self.curves {
             // What binds, beside what was measured.
@@ -142,8 +143,8 @@ pub struct Analysis<'a> {
     pub runs: Vec<ComparedRun>,
     /// Whole revolutions at the same centre distances; where the study sweeps, its own poses and those of the left flanks.
     pub revolution: Vec<ComparedRun>,
-    /// The mesh cycle beyond these.
-    pub cycle: Cycle,
+    /// Extremes of the whole mesh cycle.
+    pub extremes: CycleExtremes,
     /// Over the centre distance: what binds, then the matings that were measured.
     pub over_distance: Vec<OverDistance>,
     /// Measured values beside their bands.
@@ -175,13 +176,13 @@ impl<'a> Analysis<'a> {
             measured: measured_matings(study, &runs),
             runs,
             revolution,
-            cycle: Cycle::default(),
+            extremes: CycleExtremes::default(),
             over_distance: Vec::new(),
             diagnosis: Diagnosis::default(),
         };
-        if plan.cycle {
+        if plan.extremes {
             (progress.stage)("(mesh cycle)");
-            analysis.cycle = cycle::cycle(study, method, tick)?;
+            analysis.extremes = extremes::extremes(study, method, tick)?;
         }
         if plan.curves {
             (progress.stage)("(over the centre distance)");
@@ -197,8 +198,8 @@ impl<'a> Analysis<'a> {
                 stage(&format!("({doing})"));
                 Ok(())
             };
-            let runs = &analysis.runs;
-            analysis.diagnosis = diagnosis::diagnose(study, runs, &mut step, tick)?;
+            let (runs, extremes) = (&analysis.runs, &analysis.extremes.runs);
+            analysis.diagnosis = diagnosis::diagnose(study, runs, extremes, &mut step, tick)?;
         }
         Ok(analysis)
     }
@@ -222,9 +223,15 @@ impl<'a> Analysis<'a> {
         self.revolution.iter().chain(asked)
     }
 
-    /// These, and the extremes of the rest of the mesh cycle.
+    /// These, and the extremes of the mesh cycle.
     pub fn all(&self) -> impl Iterator<Item = &ComparedRun> + Clone {
-        self.distinct_runs().chain(&self.cycle.extremes)
+        self.distinct_runs().chain(&self.extremes.runs)
+    }
+
+    /// What is to be said first.
+    pub fn verdict(&self) -> Verdict<'_> {
+        let checks = (!self.diagnosis.groups.is_empty()).then_some(&self.diagnosis);
+        Verdict::new(&self.extremes.each, &self.study.requirements, checks)
     }
 
     /// Largest amount of `j_wt` on polygons minus the exact one, mm; `None` where only one method was asked for.

@@ -1,5 +1,6 @@
 //! What is asked of a pair: two gears as measured, where they stand, which poses to run. Lengths in mm unless the name says µm.
 
+use super::verdict::Requirements;
 use crate::error::GearError;
 use crate::gear::{AsBuilt, Side};
 use crate::metrology::GearNotes;
@@ -75,6 +76,8 @@ pub struct Study {
     pub tolerance_um: f64,
     /// Whether contact off the line of action passes a comparison.
     pub allow_off_line_contact: bool,
+    /// What the pair must keep.
+    pub requirements: Requirements,
     /// What the statements about the wheel and about the pinion say of each other.
     pub notes: [GearNotes; 2],
 }
@@ -128,6 +131,7 @@ impl Study {
             chord: 1e-5,
             tolerance_um: 0.1,
             allow_off_line_contact: false,
+            requirements: Requirements::new(),
             notes: [GearNotes::default(), GearNotes::default()],
         }
     }

@@ -41,7 +41,7 @@ fn diagnosed(study: &Study) -> Diagnosis {
         ControlFlow::Continue(())
     });
     let runs = compare(runs.unwrap(), study.tolerance_um);
-    diagnose(study, &runs, &mut |_| Ok(()), &|| {
+    diagnose(study, &runs, &[], &mut |_| Ok(()), &|| {
         std::ops::ControlFlow::Continue(())
     })
     .unwrap()

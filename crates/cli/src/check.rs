@@ -11,22 +11,28 @@ use clap::ValueEnum;
 use gearlash::analysis::Plan;
 use gearlash::analysis::diagnosis::{Diagnosis, Group, MAP_ROWS, Verdict, ZeroDistance, map};
 use gearlash::analysis::study::{Material, Study};
-use std::path::PathBuf;
+use gearlash::analysis::verdict::Requirement;
+use gearlash_files::PairFile;
+use gearlash_files::verdict::sentence;
+use gearlash_render::checked::{self, CheckedPair};
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 /// Check a pair: clearances, interference, backlash and limits, by formula and on the outlines
 ///
 /// Each check has its value by formula, its value on the outlines over the poses of the pair file, its
 /// limit, margin and verdict. A limit is met within 1e-9 mm. The largest loss of backlash that no formula
-/// predicts is named with its teeth. Up to 2 million poses (2 GB of memory).
+/// predicts is named with its teeth. Exit code 1 where a check fails, the pair does not assemble over its whole mesh
+/// cycle, or a [require] is not met. Up to 2 million poses (2 GB of memory).
 #[derive(clap::Args)]
 pub(super) struct Args {
-    /// The pair file (TOML or JSON), - for standard input
-    pair: PathBuf,
+    /// Pair files (TOML or JSON), - for standard input
+    #[arg(required = true)]
+    pairs: Vec<PathBuf>,
     /// What to print
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
-    /// Also map the contact over centre distance and mesh phase, as map_<material>.svg and .csv
+    /// Also map the contact over centre distance and mesh phase, as map_<material>.svg and .csv; of one pair file
     #[arg(long)]
     map: bool,
     /// Folder for the map [default: out/<file stem>]
@@ -42,13 +48,75 @@ pub(super) struct Args {
 enum Format {
     /// A readable table
     Text,
-    /// Every check of each centre distance and material
+    /// Every check of each centre distance and material; of several files a list
     Json,
+    /// JUnit XML: one suite per file, one case per check
+    Junit,
+    /// GitHub annotations
+    Github,
+    /// Markdown for reviewers
+    Markdown,
 }
 
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
-    let file = studies::pair(&args.pair)?;
+    if args.map && args.pairs.len() > 1 {
+        return Err(Error::Usage(
+            "--map draws one pair: give one pair file".to_owned(),
+        ));
+    }
+    let read: Vec<Result<PairFile, Error>> =
+        args.pairs.iter().map(|path| studies::pair(path)).collect();
+    let (files, faults): (Vec<_>, Vec<_>) = read.into_iter().partition(Result::is_ok);
+    let mut faults: Vec<Error> = faults.into_iter().filter_map(Result::err).collect();
+    if !faults.is_empty() {
+        return Err(match faults.len() {
+            1 => faults.remove(0),
+            _ => Error::Several(faults),
+        });
+    }
+    let mut done = Checked::default();
+    for (path, file) in args.pairs.iter().zip(files.into_iter().flatten()) {
+        poses::allow(path, file.study.pose_count(), &poses::HELD)?;
+        one(args, path, &file, &mut done)?;
+    }
+    let unwritable = |error: &dyn std::fmt::Display| {
+        Error::Usage(format!("the checks cannot be written: {error}"))
+    };
+    let pairs = &done.pairs;
+    print(&match args.format {
+        Format::Text => done.texts.join("\n"),
+        Format::Json => match &done.texts[..] {
+            [only] => only.clone(),
+            several => format!("[\n{}]\n", several.join(",\n")),
+        },
+        Format::Junit => checked::junit(pairs).map_err(|error| unwritable(&error))?,
+        Format::Github => checked::github(pairs),
+        Format::Markdown => checked::markdown(pairs),
+    })?;
+    if let Some(written) = done.written
+        && args.format == Format::Text
+    {
+        print_note(&format!("\n{written}\n"))?;
+    }
+    Ok(match pairs.iter().all(|pair| pair.passes) {
+        true => ExitCode::SUCCESS,
+        false => ExitCode::from(1),
+    })
+}
+
+/// What was checked so far.
+#[derive(Default)]
+struct Checked {
+    pairs: Vec<CheckedPair>,
+    /// Of text and JSON what each comes to.
+    texts: Vec<String>,
+    /// What was written of the map.
+    written: Option<String>,
+}
+
+/// Checks one pair.
+fn one(args: &Args, path: &Path, file: &PairFile, done: &mut Checked) -> Result<(), Error> {
     let study = &file.study;
     let folder = || match &args.output {
         Some(folder) => folder.clone(),
@@ -58,33 +126,41 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         .map
         .then(|| OutputFolder::prepare(&folder(), &file.sources, is_own))
         .transpose()?;
-
-    poses::allow(&args.pair, study.pose_count(), &poses::HELD)?;
-    let plan = Plan::new(study, args.method.method()).with_checks();
+    let plan = Plan::new(study, args.method.method())
+        .with_extremes()
+        .with_checks();
     let analysis = run_under_bar(&plan)?;
-    let diagnosis = &analysis.diagnosis;
+    let (diagnosis, verdict) = (&analysis.diagnosis, analysis.verdict());
     let maps = match &folder {
         Some(_) => maps(study, diagnosis)?,
         None => Vec::new(),
     };
-
-    print(&match args.format {
-        Format::Text => gearlash_render::text::check::text(study, diagnosis, &args.screen.screen()),
-        Format::Json => gearlash_files::results::checks_json(&file, diagnosis)
-            .map_err(|error| Error::Usage(format!("the checks cannot be written: {error}")))?,
-    })?;
-    if let Some(folder) = folder {
-        let written = folder.write(&maps)?;
-        if args.format == Format::Text {
-            print_note(&format!("\n{written}\n"))?;
+    let text = match args.format {
+        Format::Text => {
+            gearlash_render::text::check::text(study, &verdict, diagnosis, &args.screen.screen())
         }
+        Format::Json => gearlash_files::results::checks_json(file, diagnosis, &verdict)
+            .map_err(|error| Error::Usage(format!("the checks cannot be written: {error}")))?,
+        Format::Junit | Format::Github | Format::Markdown => String::new(),
+    };
+    if let Some(folder) = folder {
+        done.written = Some(folder.write(&maps)?);
     }
-    let agree = agreed(&analysis);
-    let holds = agree && diagnosis.verdict() < Verdict::Unproven;
-    Ok(match holds {
-        true => ExitCode::SUCCESS,
-        false => ExitCode::from(1),
-    })
+    let kept = match verdict.requirement {
+        Requirement::None => verdict.assembles() == Some(true),
+        Requirement::Met => true,
+        Requirement::NotMet => false,
+    };
+    let passes = agreed(&analysis) && diagnosis.verdict() < Verdict::Unproven && kept;
+    done.texts.push(text);
+    done.pairs.push(CheckedPair {
+        file: path.display().to_string(),
+        title: study.title.clone(),
+        sentence: sentence(&verdict),
+        passes,
+        diagnosis: analysis.diagnosis.clone(),
+    });
+    Ok(())
 }
 
 /// Whether a run of this command may write a file called `name`.

@@ -9,15 +9,17 @@ use super::target::Target;
 use crate::error::Error;
 use clap::ValueEnum;
 use gearlash::analysis::compare::tolerance_um;
+use gearlash::analysis::extremes::extremes;
 use gearlash::analysis::tally::{MOST_UNPROVEN, simulate_by_blocks};
 use gearlash_files::Sources;
 use gearlash_files::results::{ComparedPair, comparison_json};
 use gearlash_render::comparison;
 use std::io::Write;
+use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-/// Compare simulated with analytic backlash; exit 1 when they disagree
+/// Compare simulated with analytic backlash; exit 1 when they disagree or a [require] is not met
 ///
 /// Model 3 (line of action) decides: a pose fails when |simulated − model 3| exceeds tolerance + error
 /// bound. Contact off the line of action (tip corner, fillet, root) leaves less backlash than the formula
@@ -114,12 +116,16 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             &|| progress.tick(),
             &mut |_| Ok::<(), Error>(()),
         )?;
+        let method = args.method.method();
+        let found = extremes(&study, method, &|| ControlFlow::Continue(()))?;
         pairs.push(ComparedPair {
             file: path.display().to_string(),
             title: study.title,
             tolerance_um,
             allow_off_line: study.allow_off_line_contact,
             runs,
+            extremes: found.each,
+            requirements: study.requirements,
         });
     }
     drop(progress);

@@ -6,26 +6,28 @@ use super::method::{MethodArgs, agreement};
 use super::progress::Progress;
 use super::results::{Format, ResultsArgs};
 use super::screen::ScreenArgs;
-use super::worst::Worst;
 use super::{poses, studies};
 use crate::error::Error;
 use crate::output::{NewFile, OutputFolder};
+use gearlash::analysis::extremes::extremes;
 use gearlash::analysis::measured::MeasuredTally;
 use gearlash::analysis::study::{Material, Study};
 use gearlash::analysis::tally::{MOST_UNPROVEN, Piece, RunTally, simulate_by_blocks};
+use gearlash::analysis::verdict::{Requirement, Verdict};
 use gearlash::contact::PoseResult;
 use gearlash::pair::GearPair;
 use gearlash_files::ResultWriter;
 use gearlash_files::{POSE_BYTES_CSV, POSE_BYTES_JSON};
 use gearlash_render::Snapshot;
 use std::io::{IsTerminal, Write};
+use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
 /// Find the lost motion at every pose a pair file asks for
 ///
-/// Prints a table and writes DIR/result.json, DIR/result.csv and DIR/worst.svg, a snapshot of the pose with the least
-/// backlash of all. Up to 10 million poses (25 GB of results); from a million on the size is printed first. With --format
+/// Prints the verdict and a table, and writes DIR/result.json, DIR/result.csv and DIR/worst.svg, a snapshot of the pose
+/// with the least backlash of the whole mesh cycle. Exit code 1 where a [require] of the pair file is not met. Up to 10 million poses (25 GB of results); from a million on the size is printed first. With --format
 /// json or csv and without -o the result is streamed: it is complete only if the exit code is 0 or 1.
 #[derive(clap::Args)]
 pub(super) struct Args {
@@ -69,26 +71,23 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         true => Progress::none(),
         false => Progress::start(study.pose_count()),
     };
+    let (method, tick) = (args.method.method(), || progress.tick());
+    let found = extremes(study, method, &|| ControlFlow::Continue(()))?;
+    let verdict = Verdict::new(&found.each, &study.requirements, None);
     let [json, csv] = outputs(args.results.format, folder.as_mut())?;
     let mut writer = ResultWriter::begin(&file, json, csv).map_err(unwritable)?;
-    let (mut measured, mut worst) = (MeasuredTally::new(study), Worst::default());
-    let (method, tick) = (args.method.method(), || progress.tick());
+    let mut measured = MeasuredTally::new(study);
     let each = &mut |piece: Piece| {
         match piece {
             Piece::Begin(run) => measured.begin(run.assembly.center_distance(), run.material),
-            Piece::Poses(run, poses) => {
-                measured.add(poses);
-                for pose in poses {
-                    worst.add((run.material, &run.assembly, run.phase), &pose.swept);
-                }
-            }
+            Piece::Poses(_, poses) => measured.add(poses),
             Piece::End(_) => {}
         }
         writer.take(piece).map_err(unwritable)
     };
     let tolerance = study.tolerance_um;
     let runs = simulate_by_blocks(study, method, tolerance, MOST_UNPROVEN, &tick, each)?;
-    writer.finish().map_err(unwritable)?;
+    writer.finish(&verdict).map_err(unwritable)?;
     drop(progress);
 
     match (args.results.format, &mut folder) {
@@ -96,6 +95,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             let measured = measured.matings(study);
             print(&gearlash_render::simulation_table(
                 study,
+                &verdict,
                 &runs,
                 &measured,
                 &args.screen.screen(),
@@ -107,8 +107,8 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         (Format::Json | Format::Csv, None) => {}
     }
     if let Some(mut folder) = folder {
-        if let Some((run, pose)) = worst.pose() {
-            let picture = picture(study, &run.assembly, run.material, pose);
+        if let Some((run, pose)) = verdict.worst() {
+            let picture = picture(study, &run.assembly, run.material, &pose.swept);
             folder.add(WORST, &picture)?;
         }
         if args.snapshots {
@@ -116,7 +116,8 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         }
         args.results.write(folder, &[])?;
     }
-    Ok(match agreement(&runs) {
+    let kept = verdict.requirement != Requirement::NotMet;
+    Ok(match agreement(&runs) & kept {
         true => ExitCode::SUCCESS,
         false => ExitCode::from(1),
     })

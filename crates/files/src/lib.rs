@@ -46,6 +46,7 @@ mod place;
 mod problems;
 mod read;
 mod readings;
+mod require;
 pub mod results;
 mod runout;
 mod sheet;
@@ -57,6 +58,7 @@ mod statements;
 mod sweep;
 mod table;
 mod thickness;
+pub mod verdict;
 
 use node::Node;
 use pair_file::PairTables;

@@ -22,6 +22,24 @@ const fn deviation(help: &'static str) -> Limits {
     }
 }
 
+/// A backlash that is required.
+pub const REQUIRED_UM: Limits = Limits {
+    allowed: "a number of µm, −1e6 … 1e6",
+    range: (Included(-1e6), Included(1e6)),
+    help: "give the limit in µm",
+};
+/// A lost motion that is required.
+pub const REQUIRED_ARCMIN: Limits = Limits {
+    allowed: "a number of minutes of arc, −10800 … 10800",
+    range: (Included(-10_800.0), Included(10_800.0)),
+    help: "give the limit in minutes of arc; a degree has 60",
+};
+/// A clearance that is required.
+pub const REQUIRED_MM: Limits = Limits {
+    allowed: "a number of mm, −1000 … 1000",
+    range: (Included(-1000.0), Included(1000.0)),
+    help: "give the limit in mm",
+};
 /// `z`.
 pub const TEETH: RangeInclusive<u32> = 3..=10_000;
 /// A tooth of the largest gear.

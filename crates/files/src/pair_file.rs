@@ -11,7 +11,8 @@ use super::pair_slips;
 use super::place::Place;
 use super::problems::Problems;
 use super::read::PairFile;
-use super::spec::{AccuracySpec, AssemblySpec, CompareSpec, PairSpec};
+use super::require;
+use super::spec::{AccuracySpec, AssemblySpec, CompareSpec, PairSpec, RequireSpec};
 use super::sweep::Sweep;
 use super::table::Table;
 use gearlash::analysis::study::{Material, Study};
@@ -19,7 +20,7 @@ use gearlash::gear::AsBuilt;
 use std::path::Path;
 
 const KEYS: &[&str] = &[
-    "title", "wheel", "pinion", "assembly", "measured", "sweep", "accuracy", "compare",
+    "title", "wheel", "pinion", "assembly", "measured", "sweep", "accuracy", "compare", "require",
 ];
 
 /// What is good of each table: `None` where something was wrong, `Some(None)` where nothing was asked for.
@@ -35,6 +36,8 @@ pub struct PairTables<'a> {
     sweep: Option<Option<Sweep>>,
     accuracy: Option<AccuracySpec>,
     compare: Option<CompareSpec>,
+    /// `Some(None)`: nothing is required.
+    require: Option<Option<RequireSpec>>,
 }
 
 impl<'a> PairTables<'a> {
@@ -72,6 +75,7 @@ impl<'a> PairTables<'a> {
             },
             accuracy: options::accuracy(&table, problems),
             compare: options::compare(&table, problems),
+            require: require::require(&table, problems),
             table,
             title,
             stem,
@@ -90,7 +94,7 @@ impl<'a> PairTables<'a> {
         let materials = materials(&self.wheel, &self.pinion)?;
         let assembly = self.assembly?;
         let (locked, bearings) = (assembly.locked?, assembly.bearings?);
-        let (measured, sweep) = (self.measured?, self.sweep?);
+        let (measured, sweep, require) = (self.measured?, self.sweep?, self.require?);
         let (accuracy, compare, title) = (self.accuracy?, self.compare?, self.title?);
         warnings.extend(pair_slips::in_bearings(&bearings));
         warnings.extend(pair_slips::in_distances(
@@ -115,6 +119,7 @@ impl<'a> PairTables<'a> {
             sweep: sweep.as_ref().map(|sweep| sweep.spec.clone()),
             accuracy,
             compare,
+            require,
         };
         let study = Study {
             title,
@@ -127,6 +132,7 @@ impl<'a> PairTables<'a> {
             chord: accuracy.chord_um / 1000.0,
             tolerance_um: compare.tolerance_um,
             allow_off_line_contact: compare.allow_off_line_contact,
+            requirements: require.map_or_else(Vec::new, |require| require.requirements()),
             notes: [self.wheel.notes, self.pinion.notes],
         };
         Some(PairFile {

@@ -6,12 +6,15 @@ mod markdown;
 use crate::text::{Screen, Tone, where_it_is};
 use gearlash::analysis::compare::Verdict;
 use gearlash::analysis::tally::RunTally;
+use gearlash::analysis::verdict::Requirement;
 use gearlash_files::characters::plain;
 use gearlash_files::numbers::{signed_um, stated_distance, um_ascii};
 use gearlash_files::results::{ComparedPair, doubts};
+use gearlash_files::verdict::sentence;
 use std::fmt::Write;
 
 pub use junit::junit;
+pub(crate) use markdown::escape as markdown_text;
 pub use markdown::markdown;
 
 /// What a pair file comes to.
@@ -137,6 +140,7 @@ pub fn text(pairs: &[ComparedPair], screen: &Screen) -> String {
     let mut text = String::new();
     for pair in pairs {
         let _ = writeln!(text, "{} — {}", plain(&pair.file), plain(&pair.title));
+        let _ = writeln!(text, "  {}", sentence(&pair.verdict()));
         for run in &pair.runs {
             let difference = match run.worst() {
                 Some((_, difference)) => {
@@ -199,11 +203,21 @@ pub fn github(pairs: &[ComparedPair]) -> String {
                 );
             }
         }
+        let verdict = pair.verdict();
+        if verdict.requirement == Requirement::NotMet {
+            let _ = writeln!(
+                text,
+                "::error file={},title=gearlash compare: requirement::{}",
+                escape_property(&pair.file),
+                escape(&sentence(&verdict))
+            );
+        }
         if pair.passes() {
             let _ = writeln!(
                 text,
-                "::notice file={},title=gearlash compare::simulated and analytic backlash agree within {} µm + error bound",
+                "::notice file={},title=gearlash compare::{} Simulated and analytic backlash agree within {} µm + error bound",
                 escape_property(&pair.file),
+                escape(&sentence(&verdict)),
                 pair.tolerance_um
             );
         }
@@ -212,10 +226,10 @@ pub fn github(pairs: &[ComparedPair]) -> String {
 }
 
 /// Escapes as GitHub's workflow commands ask for: `%` in data, `:` and `,` too in properties. Line ends are gone by then.
-fn escape(text: &str) -> String {
+pub(crate) fn escape(text: &str) -> String {
     plain(text).replace('%', "%25")
 }
 
-fn escape_property(text: &str) -> String {
+pub(crate) fn escape_property(text: &str) -> String {
     escape(text).replace(':', "%3A").replace(',', "%2C")
 }

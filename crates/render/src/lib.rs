@@ -22,6 +22,7 @@
 //! ```
 
 pub mod chart;
+pub mod checked;
 pub mod comparison;
 pub mod gauge;
 mod kit;

@@ -150,7 +150,7 @@ fn file(name: &str, args: &Args, course: &Course) -> String {
 fn swept<'a>(args: &Args, study: &'a Study) -> Result<Analysis<'a>, Error> {
     // They only choose, and bound the curve: what is drawn as a curve is certified.
     let method = Method::Exact { certify: false };
-    let plan = Plan::new(study, method).with_revolution().with_cycle();
+    let plan = Plan::new(study, method).with_revolution().with_extremes();
     poses::allow(&args.pair, plan.poses(), &poses::HELD)?;
     run_under_bar(&plan)
 }

@@ -2,10 +2,12 @@
 
 use super::summary::{ContactCountRecord, contact_count_record};
 use super::table::{Column, Table, Unit};
+use super::verdict::{ExtremesRecord, VerdictRecord, extremes_records, verdict_record};
 use crate::characters;
 use crate::read::PairFile;
 use crate::spec::PairSpec;
 use gearlash::analysis::diagnosis::{Check, Diagnosis, Group, Map as ContactMap};
+use gearlash::analysis::verdict::Verdict;
 use gearlash::pair::Member;
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -14,7 +16,9 @@ use serde_json::{Map, Value};
 struct CheckFile<'a> {
     gearlash: &'static str,
     pair: &'a PairSpec,
-    verdict: &'static str,
+    verdict: VerdictRecord,
+    extremes: Vec<ExtremesRecord>,
+    checks_verdict: &'static str,
     checks: Vec<CheckRecord<'a>>,
     contact: ContactCountRecord,
     runs: Vec<GroupRecord>,
@@ -49,12 +53,18 @@ struct GroupRecord {
 ///
 /// # Errors
 /// None for a diagnosis; a number that JSON cannot hold otherwise.
-pub fn checks_json(file: &PairFile, diagnosis: &Diagnosis) -> Result<String, serde_json::Error> {
+pub fn checks_json(
+    file: &PairFile,
+    diagnosis: &Diagnosis,
+    verdict: &Verdict,
+) -> Result<String, serde_json::Error> {
     let groups = || diagnosis.groups.iter();
     let file = CheckFile {
         gearlash: env!("CARGO_PKG_VERSION"),
         pair: &file.spec,
-        verdict: diagnosis.verdict().name(),
+        verdict: verdict_record(verdict),
+        extremes: extremes_records(verdict),
+        checks_verdict: diagnosis.verdict().name(),
         checks: groups()
             .flat_map(|group| group.checks.iter().map(|check| check_record(group, check)))
             .collect(),

@@ -1,9 +1,12 @@
 //! What `compare` found of a pair, and its JSON.
 
 use super::records::{MatingRecord, UnprovenRecord, doubts, mating_record, unproven_record};
+use super::verdict::{ExtremesRecord, VerdictRecord, extremes_records, verdict_record};
 use crate::characters;
 use gearlash::analysis::compare::{ComparedPose, Verdict};
+use gearlash::analysis::extremes::RunExtremes;
 use gearlash::analysis::tally::RunTally;
+use gearlash::analysis::verdict::{Requirement, Requirements, Verdict as CycleVerdict};
 use serde::Serialize;
 
 /// One compared pair file.
@@ -19,12 +22,22 @@ pub struct ComparedPair {
     pub allow_off_line: bool,
     /// Every run.
     pub runs: Vec<RunTally>,
+    /// Extremes of the whole mesh cycle.
+    pub extremes: Vec<RunExtremes>,
+    /// What the pair must keep.
+    pub requirements: Requirements,
 }
 
 impl ComparedPair {
-    /// Whether every run passes.
+    /// Whether every run passes, and what is required is kept.
     pub fn passes(&self) -> bool {
-        self.runs.iter().all(|run| run.passes(self.allow_off_line))
+        let agrees = self.runs.iter().all(|run| run.passes(self.allow_off_line));
+        agrees && self.verdict().requirement != Requirement::NotMet
+    }
+
+    /// What is to be said first.
+    pub fn verdict(&self) -> CycleVerdict<'_> {
+        CycleVerdict::new(&self.extremes, &self.requirements, None)
     }
 }
 
@@ -42,7 +55,9 @@ struct JsonPair<'a> {
     tolerance_um: f64,
     allow_off_line_contact: bool,
     passed: bool,
+    verdict: VerdictRecord,
     runs: Vec<JsonRun>,
+    extremes: Vec<ExtremesRecord>,
 }
 
 #[derive(Serialize)]
@@ -139,7 +154,9 @@ fn json_pair(pair: &ComparedPair) -> JsonPair<'_> {
         tolerance_um: pair.tolerance_um,
         allow_off_line_contact: pair.allow_off_line,
         passed: pair.passes(),
+        verdict: verdict_record(&pair.verdict()),
         runs: pair.runs.iter().map(run).collect(),
+        extremes: extremes_records(&pair.verdict()),
     }
 }
 

@@ -9,6 +9,7 @@ mod notes;
 mod records;
 mod summary;
 mod table;
+mod verdict;
 mod written;
 
 pub use checks::{checks_json, map_csv};

@@ -5,9 +5,11 @@ use super::json::Json;
 use super::notes;
 use super::records::{PoseRecord, RunHead, pose_record};
 use super::summary::summary_record;
+use super::verdict::{extremes_records, verdict_record};
 use crate::read::PairFile;
 use gearlash::analysis::compare::ComparedRun;
 use gearlash::analysis::tally::{Piece, whole};
+use gearlash::analysis::verdict::Verdict;
 use rayon::prelude::*;
 use std::io::{Error, Result, Write};
 
@@ -92,13 +94,15 @@ impl<'w> ResultWriter<'w> {
         }
     }
 
-    /// Ends the result and flushes the writers.
+    /// Ends the result with its verdict and flushes the writers.
     ///
     /// # Errors
     /// Of the writers.
-    pub fn finish(self) -> Result<()> {
+    pub fn finish(self, verdict: &Verdict) -> Result<()> {
         if let Some(mut json) = self.json {
             json.close_list()?;
+            json.entry("verdict", &verdict_record(verdict))?;
+            json.entry("extremes", &extremes_records(verdict))?;
             json.close_object()?;
             json.finish()?.flush()?;
         }
@@ -128,11 +132,20 @@ fn begin_run<W: Write>(json: &mut Json<W>, head: &RunHead) -> Result<()> {
 pub struct ResultFile<'a> {
     file: &'a PairFile,
     runs: &'a [ComparedRun],
+    verdict: &'a Verdict<'a>,
 }
 
 /// The result of `file` as it is written.
-pub fn result_file<'a>(file: &'a PairFile, runs: &'a [ComparedRun]) -> ResultFile<'a> {
-    ResultFile { file, runs }
+pub fn result_file<'a>(
+    file: &'a PairFile,
+    runs: &'a [ComparedRun],
+    verdict: &'a Verdict<'a>,
+) -> ResultFile<'a> {
+    ResultFile {
+        file,
+        runs,
+        verdict,
+    }
 }
 
 impl ResultFile<'_> {
@@ -159,6 +172,6 @@ impl ResultFile<'_> {
     fn write(&self, json: Option<Out>, csv: Option<Out>) -> Result<()> {
         let mut writer = ResultWriter::begin(self.file, json, csv)?;
         whole(self.runs, &mut |piece| writer.take(piece))?;
-        writer.finish()
+        writer.finish(self.verdict)
     }
 }

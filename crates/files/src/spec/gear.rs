@@ -1,6 +1,7 @@
 //! The files, and one gear of them.
 
 use super::flanks::{PitchSpec, RunoutSpec};
+use super::require::RequireSpec;
 use super::rules::{whole, within};
 use super::thickness::ThicknessSpec;
 use super::{AccuracySpec, AssemblySpec, CompareSpec, MeasuredSpec, SweepSpec};
@@ -37,6 +38,9 @@ pub struct PairSpec {
     /// Of gearlash compare.
     #[schemars(with = "Option<CompareSpec>")]
     pub compare: CompareSpec,
+    /// What the pair must keep.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub require: Option<RequireSpec>,
 }
 
 /// One spur gear and what was measured on it.

@@ -7,6 +7,7 @@
 mod assembly;
 mod flanks;
 mod gear;
+mod require;
 mod rules;
 mod schema;
 mod thickness;
@@ -21,6 +22,7 @@ pub use flanks::{
     EccentricitySource, PitchAxis, PitchKind, PitchSense, PitchSpec, ReadingPlace, RunoutSpec,
 };
 pub use gear::{FaceName, GearFileSpec, GearSpec, PairSpec, RackSpec};
+pub use require::{AngleLimitsSpec, LimitsSpec, RequireSpec};
 pub use schema::{gear_schema, pair_schema};
 pub(crate) use thickness::CROSS_CHECK_UM;
 pub use thickness::{

@@ -1,8 +1,10 @@
-//! The outcome of `compare` as JUnit XML.
+//! The outcome of `compare` as JUnit XML: the verdict first, then a case a run.
 
 use super::{failure, run_name};
+use gearlash::analysis::verdict::Requirement;
 use gearlash_files::characters::plain;
 use gearlash_files::results::ComparedPair;
+use gearlash_files::verdict::sentence;
 use quick_xml::Writer;
 use quick_xml::events::{BytesDecl, BytesEnd, BytesStart, Event};
 use std::io;
@@ -26,10 +28,11 @@ pub fn junit(pairs: &[ComparedPair]) -> io::Result<String> {
     Ok(String::from_utf8_lossy(&bytes).into_owned() + "\n")
 }
 
-/// Runs, and those of them that fail.
+/// The verdict and the runs, and those of them that fail.
 fn counts(pair: &ComparedPair) -> [usize; 2] {
     let failing = pair.runs.iter().filter(|run| failure(pair, run).is_some());
-    [pair.runs.len(), failing.count()]
+    let unmet = pair.verdict().requirement == Requirement::NotMet;
+    [1 + pair.runs.len(), failing.count() + usize::from(unmet)]
 }
 
 /// Adds `names` as attributes, each with its count; nothing is skipped, and nothing ends in an error.
@@ -52,16 +55,26 @@ fn suite(xml: &mut Xml, pair: &ComparedPair) -> io::Result<()> {
         ["tests", "skipped", "errors", "failures"],
         counts(pair),
     );
-    within(xml, tag, &pair.runs, |xml, run| {
+    let verdict = pair.verdict();
+    xml.write_event(Event::Start(tag.borrow()))?;
+    let mut first = BytesStart::new("testcase");
+    first.push_attribute(("name", sentence(&verdict).as_str()));
+    first.push_attribute(("classname", plain(&pair.title).as_str()));
+    let unmet = (verdict.requirement == Requirement::NotMet).then(|| sentence(&verdict));
+    within(xml, first, unmet.as_slice(), failed)?;
+    for run in &pair.runs {
         let mut case = BytesStart::new("testcase");
         case.push_attribute(("name", run_name(run).as_str()));
         case.push_attribute(("classname", plain(&pair.title).as_str()));
-        within(xml, case, failure(pair, run).as_slice(), |xml, reason| {
-            let mut failure = BytesStart::new("failure");
-            failure.push_attribute(("message", reason.as_str()));
-            xml.write_event(Event::Empty(failure))
-        })
-    })
+        within(xml, case, failure(pair, run).as_slice(), failed)?;
+    }
+    xml.write_event(Event::End(tag.to_end()))
+}
+
+fn failed(xml: &mut Xml, reason: &String) -> io::Result<()> {
+    let mut failure = BytesStart::new("failure");
+    failure.push_attribute(("message", reason.as_str()));
+    xml.write_event(Event::Empty(failure))
 }
 
 /// Writes `tag` with `each` of `list` in it, or closed where there is none.

@@ -4,9 +4,11 @@ use super::{PairOutcome, failure, outcome, run_name, trouble};
 use crate::text::where_it_is;
 use gearlash::analysis::compare::{ComparedPose, Verdict};
 use gearlash::analysis::tally::RunTally;
+use gearlash::analysis::verdict::Requirement;
 use gearlash_files::characters::plain;
 use gearlash_files::numbers::{NONE, um_ascii};
 use gearlash_files::results::ComparedPair;
+use gearlash_files::verdict::sentence;
 use std::fmt::Write;
 
 const HEADINGS: [&str; 8] = [
@@ -42,6 +44,15 @@ pub fn markdown(pairs: &[ComparedPair]) -> String {
         0 => {}
         pairs => failing.push(format!("nothing to compare in {pairs} of {all} pairs")),
     }
+    let unmet = pairs
+        .iter()
+        .filter(|pair| pair.verdict().requirement == Requirement::NotMet);
+    match unmet.count() {
+        0 => {}
+        pairs => failing.push(format!(
+            "a requirement is not met in {pairs} of {all} pairs"
+        )),
+    }
     let verdict = match failing.is_empty() {
         true => format!("✅ simulated and analytic backlash agree ({all} of {all} pairs)"),
         false => format!("❌ {}", failing.join("; ")),
@@ -50,9 +61,10 @@ pub fn markdown(pairs: &[ComparedPair]) -> String {
     for pair in pairs {
         let _ = write!(
             text,
-            "\n### {} {}\n\n{} · tolerance {} µm + error bound",
+            "\n### {} {}\n\n{}\n\n{} · tolerance {} µm + error bound",
             mark(pair.passes()),
             escape(&pair.title),
+            escape(&sentence(&pair.verdict())),
             escape(&pair.file),
             pair.tolerance_um,
         );
@@ -108,12 +120,12 @@ fn row(pair: &ComparedPair, run: &RunTally) -> Vec<String> {
     ]
 }
 
-fn mark(passes: bool) -> &'static str {
+pub(crate) fn mark(passes: bool) -> &'static str {
     if passes { "✅" } else { "❌" }
 }
 
 /// Text that Markdown takes as nothing but text, on one line.
-fn escape(text: &str) -> String {
+pub(crate) fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in plain(text).trim().chars() {
         match c {

@@ -28,8 +28,8 @@ pub(super) fn section(page: &Page) -> Markup {
             p {
                 (outcome)
                 " “Formula” is of the gears’ mean teeth, “outlines” as found at the " (poses) " poses that the pair file asks for."
-                @if !page.report.analysis.cycle.extremes.is_empty() {
-                    " The rest of the hunting cycle is in the result above, but not in these checks."
+                @if !page.report.analysis.extremes.runs.is_empty() {
+                    " The zero-backlash centre distance is that of the whole hunting cycle; the other checks are of these poses."
                 }
                 @if several { " Each check is shown at its worst centre distance and material." }
             }

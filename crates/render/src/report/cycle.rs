@@ -2,24 +2,12 @@
 
 use super::page::Page;
 use super::phrases::few;
-use gearlash::analysis::cycle::RemainingMatings;
 use gearlash::analysis::outcome::Found;
 use gearlash::analysis::phases::phase;
+use gearlash::gear::Inspection;
 use gearlash::pair::{Member, SweepPlan};
 use maud::{Markup, html};
 use std::collections::BTreeSet;
-
-/// What limits the verdict, where something does.
-pub(super) fn limit(page: &Page) -> Option<String> {
-    let cycle = &page.report.analysis.cycle;
-    match cycle.others {
-        RemainingMatings::TooMany { .. } => Some(format!(
-            "That is so at the {} of {} matings that were simulated; other matings can have less backlash",
-            cycle.simulated, cycle.matings
-        )),
-        RemainingMatings::None | RemainingMatings::Seen { .. } => None,
-    }
-}
 
 /// Which poses were simulated, and what is known of the others.
 pub(super) fn section(page: &Page) -> Markup {
@@ -38,7 +26,7 @@ fn simulated(page: &Page) -> String {
         poses(&report.analysis.revolution),
         poses(&report.analysis.runs),
     );
-    let picked = poses(&report.analysis.cycle.extremes);
+    let picked = poses(&report.analysis.extremes.runs);
     let mut parts = Vec::new();
     match report.pair.study.sweeps() {
         true => {
@@ -51,7 +39,7 @@ fn simulated(page: &Page) -> String {
         }
     }
     if picked > 0 {
-        parts.push(format!("{picked} at the extremes of the other matings"));
+        parts.push(format!("{picked} at the extremes of the whole mesh cycle"));
     }
     let words = match parts.split_last() {
         Some((last, rest)) if !rest.is_empty() => format!("{}, and {last}", rest.join(", ")),
@@ -66,24 +54,15 @@ fn simulated(page: &Page) -> String {
 }
 
 fn others(page: &Page) -> Markup {
-    let cycle = &page.report.analysis.cycle;
-    let (simulated, matings) = (cycle.simulated, cycle.matings);
+    let extremes = &page.report.analysis.extremes.each;
+    let matings = extremes.iter().map(|run| run.matings).max().unwrap_or(0);
+    let unproven = extremes.iter().filter(|run| !run.is_proven()).count();
     html! {
-        @match cycle.others {
-            RemainingMatings::None if matings == 1 => "Neither gear has deviations: all matings are alike.",
-            RemainingMatings::None => { "The hunting cycle is " (matings) " matings, and all were simulated." }
-            RemainingMatings::Seen { steps_per_pitch, poses } => {
-                "These revolutions meet " (simulated) " of " (matings) " matings. The others were searched too, on the exact tooth "
-                "curves (" (poses) " poses, " (steps_per_pitch) " a pitch); where backlash is least and greatest, the pair was simulated like the rest."
-                @if cycle.lost > 0 {
-                    " " strong { "At " (cycle.lost) " of them the contact was lost: they are unproven" }
-                    ", and can have less backlash, or none."
-                }
-            }
-            RemainingMatings::TooMany { most } => {
-                strong { "These revolutions meet " (simulated) " of " (matings) " matings" }
-                "; the others were not searched (at one pose a pitch they are more than " (most) "): they can have less backlash, and more."
-            }
+        "The hunting cycle is " (matings) " matings. Least and greatest backlash are bracketed over all of them and every rotation between"
+        @match unproven {
+            0 => ", and proven.",
+            some if some == extremes.len() => { ", but " strong { "not proven" } "." },
+            some => { "; " strong { (some) " of " (extremes.len()) " brackets are not proven" } "." },
         }
     }
 }
@@ -106,8 +85,9 @@ fn phases(page: &Page) -> Markup {
     let ways = SweepPlan::phase_count(wheel, pinion);
     let mating = pose.swept.pose.mating();
     // Where one gear is perfect, it does not matter which of its teeth are met.
-    let matters =
-        page.report.analysis.cycle.matings == SweepPlan::hunting_pitches(wheel, pinion) && ways > 1;
+    let deviate = [Member::Wheel, Member::Pinion]
+        .map(|member| Inspection::of(run.run.assembly.gear(member)).deviates());
+    let matters = deviate == [true, true] && ways > 1;
     let way = phase(&run.run.assembly, mating);
     let asked = page.report.analysis.runs.iter().flat_map(|run| {
         let poses = run.poses.iter();

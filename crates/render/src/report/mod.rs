@@ -42,7 +42,7 @@ const STYLE: &str = include_str!("style.css");
 /// A chart that cannot be drawn or data that cannot be written: none for results of a simulation.
 pub fn report(report: &Report) -> Result<String, PictureError> {
     let runs: Vec<&ComparedRun> = report.analysis.distinct_runs().collect();
-    let picked: Vec<&ComparedRun> = report.analysis.cycle.extremes.iter().collect();
+    let picked: Vec<&ComparedRun> = report.analysis.extremes.runs.iter().collect();
     let all = [&runs[..], &picked[..]].concat();
     let mut distances = by_distance(&runs, &picked);
     distances.sort_by(|a, b| a.center_distance.total_cmp(&b.center_distance));

@@ -1,11 +1,10 @@
 //! Whether to trust the numbers, and why.
 
-use super::cycle::limit;
 use super::measured::sentence;
 use super::page::Page;
 use super::phrases::j_wt;
 use super::unproven;
-use gearlash::analysis::cycle::RemainingMatings;
+use gearlash::analysis::extremes::WIDTH;
 use gearlash::analysis::outcome::{MODELS, deviation};
 use gearlash::contact::Method;
 use gearlash_files::numbers::{bound_um, difference_um, shortest};
@@ -48,7 +47,7 @@ fn answer(page: &Page) -> String {
             .to_owned();
     }
     let valued = of.valued();
-    let trusted = match (fails, of.agree) {
+    match (fails, of.agree) {
         (0, _) if valued == of.poses => {
             "Yes, for the gears as measured: simulation and formula agree at every pose.".to_owned()
         }
@@ -59,9 +58,7 @@ fn answer(page: &Page) -> String {
         (_, agree) => format!(
             "Yes, the simulation, for the gears as measured. The line-of-action formula does not apply at {fails} of {valued} poses, where the teeth touch off the line of action. At the other {agree} poses both agree."
         ),
-    };
-    let limited = limit(page).map_or(String::new(), |limit| format!(" {limit}."));
-    trusted + &limited
+    }
 }
 
 fn certificate(page: &Page) -> Markup {
@@ -91,9 +88,8 @@ fn certificate(page: &Page) -> Markup {
         @if let Some(error) = page.whole.error_bound {
             "The numerical error of " (j_wt()) " is at most " (bound_um(error)) " µm."
         }
-        @if matches!(page.report.analysis.cycle.others, RemainingMatings::Seen { .. }) {
-            " Of the rest of the hunting cycle this holds at its extremes; the other poses were found on the exact tooth curves alone."
-        }
+        " Between poses, and at matings that were not simulated, the bounds of least and greatest hold, to "
+        (bound_um(WIDTH)) " µm where they are proven."
     }
 }
 

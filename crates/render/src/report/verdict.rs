@@ -1,15 +1,16 @@
 //! The answer: does the pair assemble, how much backlash, where, which teeth.
 
-use super::cycle::{limit, same_everywhere};
+use super::cycle::same_everywhere;
 use super::marks::{mark, marked};
 use super::page::Page;
-use super::phrases::{band, few, j_wt, material, touching};
+use super::phrases::{band, j_wt, touching};
 use super::{cycle, unproven};
 use crate::text::check::governing;
 use gearlash::analysis::diagnosis::Verdict;
-use gearlash::analysis::outcome::{AtDistance, Found, Outcome};
-use gearlash::analysis::phases::failing_phases;
-use gearlash_files::numbers::{bound_um, stated_distance, um};
+use gearlash::analysis::outcome::{Found, Outcome};
+use gearlash::analysis::verdict::Requirement;
+use gearlash_files::numbers::{stated_distance, um};
+use gearlash_files::verdict::sentence;
 use maud::{Markup, html};
 
 pub(super) fn section(page: &Page) -> Markup {
@@ -29,11 +30,12 @@ pub(super) fn section(page: &Page) -> Markup {
 
 /// The worst of the answer and the checks.
 fn state(page: &Page) -> Verdict {
-    let whole = &page.whole;
-    let answer = match (whole.assembles(), whole.fails()) {
-        (true, _) => Verdict::Pass,
-        (false, true) => Verdict::Fail,
-        (false, false) => Verdict::Unproven,
+    let verdict = page.report.analysis.verdict();
+    let answer = match (verdict.assembles(), verdict.requirement) {
+        (Some(false), _) | (_, Requirement::NotMet) => Verdict::Fail,
+        (None, _) => Verdict::Unproven,
+        (Some(true), _) if page.whole.unproven > 0 => Verdict::Unproven,
+        (Some(true), _) => Verdict::Pass,
     };
     answer.max(page.report.analysis.diagnosis.verdict())
 }
@@ -62,125 +64,11 @@ fn failing(page: &Page) -> Markup {
     }
 }
 
-/// The verdict in a sentence, and what limits it.
+/// The verdict in a sentence, and what of the poses it leaves out.
 fn answer(page: &Page) -> Markup {
-    let whole = &page.whole;
-    let partly = whole.least.is_some() && whole.jammed + whole.apart > 0;
     html! {
-        (verdict(page))
-        @if let (Some(count), Some(_)) = (unproven::count(page), whole.least) { ". " (count) ", and not in what follows" }
-        @if partly { ". Where the gears are in mesh and free to turn" }
-        @else if whole.unproven > 0 { ". At the poses that are proven" }
-        @if let (Some(least), Some(greatest)) = (whole.least, whole.greatest) {
-            @if whole.uniform {
-                ": backlash " span.w { (um(least.pose.swept.backlash, 2)) " µm" } " at every pose"
-            } @else {
-                ": least backlash " (extreme(page, least)) "; greatest " (extreme(page, greatest))
-            }
-        }
-        "."
-        @if let Some(limit) = limit(page) { " " (limit) "." }
-    }
-}
-
-fn verdict(page: &Page) -> String {
-    let kept_by = |keeps: fn(&Outcome) -> bool| -> Vec<&AtDistance> {
-        page.distances.iter().filter(|at| keeps(&at.all)).collect()
-    };
-    let number = page.distances.len();
-    let tight = kept_by(|all| all.interfering + all.jammed > 0);
-    let apart = kept_by(|all| all.apart > 0);
-    let touching = kept_by(|all| all.touching > 0);
-    if !tight.is_empty() {
-        let phases = phases(page);
-        return format!("Does not assemble {}{phases}", places(&tight, number));
-    }
-    if !apart.is_empty() {
-        return format!("Out of mesh {}{}", places(&apart, number), phases(page));
-    }
-    // Least and greatest of what is proven say nothing about the rest.
-    let unproven = kept_by(|all| all.unproven > 0);
-    if !unproven.is_empty() {
-        return format!(
-            "Unproven: it is not known whether the pair assembles {}",
-            places(&unproven, number)
-        );
-    }
-    let none = format!(
-        "without backlash (0 within the error bound of {} µm)",
-        page.whole.error_bound.map_or("0".to_owned(), bound_um)
-    );
-    match &page.distances[..] {
-        [] => "Nothing was run".to_owned(),
-        [_] if !touching.is_empty() => format!("Assembles {none} {}", places(&touching, number)),
-        [only] => format!(
-            "Assembles at a = {} mm",
-            stated_distance(only.center_distance)
-        ),
-        _ if !touching.is_empty() => {
-            format!(
-                "Assembles at {} centre distances, {none} {}",
-                all_of(number),
-                places(&touching, number)
-            )
-        }
-        _ => format!("Assembles at {} centre distances", all_of(number)),
-    }
-}
-
-/// All of several, in words.
-fn all_of(number: usize) -> String {
-    match number {
-        2 => "both".to_owned(),
-        more => format!("all {more}"),
-    }
-}
-
-/// In which assembly phases, where they are run apart and it is not so in all.
-fn phases(page: &Page) -> String {
-    let (failing, all) = failing_phases(&page.report.analysis.revolution);
-    if failing.len() == all {
-        return match all {
-            0 => String::new(),
-            _ => ", in every assembly phase".to_owned(),
-        };
-    }
-    let named = few(&failing, |(wheel, pinion)| format!("{wheel}·{pinion}"));
-    format!(", in {} of {all} assembly phases ({named})", failing.len())
-}
-
-/// Up to four centre distances by name.
-fn places(at: &[&AtDistance], number: usize) -> String {
-    let named = at
-        .iter()
-        .take(4)
-        .map(|at| stated_distance(at.center_distance));
-    let named = named.collect::<Vec<_>>().join(", ");
-    let more = match at.len() {
-        0..=4 => String::new(),
-        all => format!(" and {} more", all - 4),
-    };
-    match number {
-        1 => format!("at a = {named} mm"),
-        _ => format!(
-            "at a = {named} mm{more} ({} of {number} centre distances)",
-            at.len()
-        ),
-    }
-}
-
-fn extreme(page: &Page, found: Found) -> Markup {
-    let run = &found.run.run;
-    let [right, left] = touching(Some(found));
-    html! {
-        span.w { (um(found.pose.swept.backlash, 2)) " µm" } " at "
-        span.w { i { "a" } " = " (stated_distance(run.assembly.center_distance())) " mm" }
-        @if same_everywhere(page, found) {
-            ", the same at every pose, "
-        } @else {
-            ", teeth " span.w { (right) } " (right flanks) and " span.w { (left) } " (left flanks), "
-        }
-        (material(run.material))
+        (sentence(&page.report.analysis.verdict()))
+        @if let Some(count) = unproven::count(page) { " " (count) "." }
     }
 }
 

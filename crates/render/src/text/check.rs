@@ -1,16 +1,22 @@
 //! The checks of a pair as text.
 
 use super::layout::{Column, Screen, Table, Tone};
+use super::verdict::first_lines;
 use gearlash::analysis::diagnosis::{Check, Diagnosis, Group, Verdict};
 use gearlash::analysis::study::Study;
+use gearlash::analysis::verdict::Verdict as CycleVerdict;
 use gearlash::pair::Member;
-use gearlash_files::characters;
 use gearlash_files::numbers::{ascii, stated_distance, um_ascii};
 use std::fmt::Write;
 
 /// As text on `screen`: each check once, at its worst centre distance and material.
-pub fn text(study: &Study, diagnosis: &Diagnosis, screen: &Screen) -> String {
-    let mut text = format!("{}\n\n", characters::plain(&study.title));
+pub fn text(
+    study: &Study,
+    verdict: &CycleVerdict,
+    diagnosis: &Diagnosis,
+    screen: &Screen,
+) -> String {
+    let mut text = first_lines(&study.title, verdict, screen);
     let several = diagnosis.groups.len() > 1;
     let mut columns = vec![
         Column::new("verdict"),

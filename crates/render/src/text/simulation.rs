@@ -3,24 +3,26 @@
 use super::layout::{Column, Screen, Table, Tone, where_it_is};
 use super::measured::{measured_count, measured_table};
 use super::phases::phase_table;
+use super::verdict::first_lines;
 use gearlash::analysis::compare::ComparedPose;
 use gearlash::analysis::measured::MeasuredMating;
 use gearlash::analysis::phases::phase_groups;
 use gearlash::analysis::study::Study;
 use gearlash::analysis::tally::{MOST_LISTED, RunTally};
+use gearlash::analysis::verdict::Verdict;
 use gearlash::contact::{Contact, Status};
-use gearlash_files::characters::plain;
 use gearlash_files::numbers::{NONE, order_um, stated_distance, um_ascii};
 use gearlash_files::results::doubts;
 
 /// The text `simulate` prints on `screen`.
 pub fn simulation(
     study: &Study,
+    verdict: &Verdict,
     runs: &[RunTally],
     measured: &[MeasuredMating],
     screen: &Screen,
 ) -> String {
-    let mut text = format!("{}\n\n", plain(&study.title));
+    let mut text = first_lines(&study.title, verdict, screen);
     if !measured.is_empty() {
         text += &measured_table(measured, screen);
         text += &measured_count(study, measured, screen);
@@ -33,6 +35,7 @@ pub fn simulation(
     }
     let groups = phase_groups(runs);
     if groups.is_empty() {
+        text += &listed(study);
         text += &run_table(study, runs, screen);
         text += &screen.paragraphs(RUN_LEGEND);
     }
@@ -42,6 +45,15 @@ pub fn simulation(
     text += &off_line_note(runs);
     text += &unproven_note(runs, screen);
     screen.fold(&text)
+}
+
+/// What the rows below are of, where it could be taken for the whole cycle.
+fn listed(study: &Study) -> String {
+    let of = match study.sweeps() {
+        true => "Of the poses swept",
+        false => "Of the listed poses",
+    };
+    format!("{of} (the verdict above is of the whole mesh cycle):\n")
 }
 
 const RUN_LEGEND: &str = "\

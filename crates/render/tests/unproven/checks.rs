@@ -2,6 +2,7 @@
 
 use super::{CERTIFIED, Case};
 use gearlash::analysis::diagnosis::{Check, Diagnosis, Verdict, diagnose};
+use gearlash::analysis::verdict::Verdict as CycleVerdict;
 use gearlash::contact::{Method, PoseClass};
 use gearlash_files::results::checks_json;
 use gearlash_render::text::{Screen, check};
@@ -21,6 +22,7 @@ fn diagnosed(case: &Case, method: Method) -> Diagnosis {
     diagnose(
         &case.study,
         &case.compared(method),
+        &[],
         &mut |_| Ok(()),
         &|| std::ops::ControlFlow::Continue(()),
     )
@@ -57,7 +59,12 @@ fn what_is_measured_over_an_unproven_pose_is_unproven() {
 fn its_text_and_json_say_so() {
     let case = Case::low_tips();
     let found = diagnosed(&case, CERTIFIED);
-    let text = check::text(&case.study, &found, &Screen::default());
+    let text = check::text(
+        &case.study,
+        &CycleVerdict::new(&[], &Vec::new(), Some(&found)),
+        &found,
+        &Screen::default(),
+    );
     assert!(text.contains("\nUNPROVEN: "), "{text}");
     assert!(
         text.contains("No check fails, but some are unproven"),
@@ -69,7 +76,15 @@ fn its_text_and_json_say_so() {
         .unwrap();
     assert!(backlash.trim_start().starts_with("unproven"), "{backlash}");
     assert_eq!(backlash.matches("unproven").count(), 2);
-    let json: Value = serde_json::from_str(&checks_json(&case.pair, &found).unwrap()).unwrap();
+    let json: Value = serde_json::from_str(
+        &checks_json(
+            &case.pair,
+            &found,
+            &CycleVerdict::new(&[], &Vec::new(), Some(&found)),
+        )
+        .unwrap(),
+    )
+    .unwrap();
     assert_eq!(json["verdict"], "unproven");
     for check in json["checks"].as_array().unwrap() {
         let id = check["id"].as_str().unwrap();

@@ -4,10 +4,11 @@ use super::{CERTIFIED, Case, REVOLUTION, unproven};
 use gearlash::analysis::Analysis;
 use gearlash::analysis::compare::ComparedRun;
 use gearlash::analysis::curves::courses;
-use gearlash::analysis::cycle::{Cycle, RemainingMatings};
 use gearlash::analysis::diagnosis::diagnose;
+use gearlash::analysis::extremes::CycleExtremes;
 use gearlash::analysis::outcome::{Agreement, Outcome};
 use gearlash::analysis::tally::tally;
+use gearlash::analysis::verdict::Verdict;
 use gearlash::contact::Method;
 use gearlash_files::result_file;
 use gearlash_files::results::{ComparedPair, comparison_json};
@@ -47,6 +48,8 @@ fn pair(case: &Case, runs: Vec<ComparedRun>) -> ComparedPair {
         tolerance_um: case.study.tolerance_um,
         allow_off_line: true,
         runs: tally(&runs),
+        extremes: Vec::new(),
+        requirements: Vec::new(),
     }
 }
 
@@ -55,7 +58,9 @@ fn json_has_nulls_and_the_doubtful_values_under_their_own_keys() {
     for method in [CERTIFIED, Method::Both] {
         let case = Case::low_tips();
         let runs = case.compared(method);
-        let json = result_file(&case.pair, &runs).to_json().unwrap();
+        let json = result_file(&case.pair, &runs, &Verdict::new(&[], &Vec::new(), None))
+            .to_json()
+            .unwrap();
         let json: Value = serde_json::from_str(&json).unwrap();
         let run = &json["runs"][0];
         let mut count = 0;
@@ -89,7 +94,9 @@ fn json_has_nulls_and_the_doubtful_values_under_their_own_keys() {
 fn csv_has_empty_cells_and_columns_of_doubt() {
     let case = Case::of(&format!("bearing_clearance_mm = 0.01\n{REVOLUTION}"));
     let runs = case.compared(Method::Both);
-    let csv = result_file(&case.pair, &runs).to_csv().unwrap();
+    let csv = result_file(&case.pair, &runs, &Verdict::new(&[], &Vec::new(), None))
+        .to_csv()
+        .unwrap();
     let mut reader = csv::Reader::from_reader(csv.as_bytes());
     let headers = reader.headers().unwrap().clone();
     let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
@@ -117,7 +124,13 @@ fn the_table_counts_them_and_takes_none_in() {
     let case =
         Case::of("[sweep]\nmating = [[3, 3], [4, 4], [5, 5]]\nfraction = [0.0, 0.25, 0.5, 0.75]\n");
     let runs = case.compared(CERTIFIED);
-    let text = simulation_table(&case.study, &tally(&runs), &[], &Screen::default());
+    let text = simulation_table(
+        &case.study,
+        &Verdict::new(&[], &Vec::new(), None),
+        &tally(&runs),
+        &[],
+        &Screen::default(),
+    );
     let count = runs[0].summary().unproven;
     assert!(
         text.contains(&format!("\nUNPROVEN: {count} of 24 poses.")),
@@ -269,23 +282,16 @@ fn a_report_vouches_for_nothing() {
     let case = Case::low_tips();
     let runs = case.compared(CERTIFIED);
     let doubtful = doubtful(&runs, 2);
-    let diagnosis = diagnose(&case.study, &runs, &mut |_| Ok(()), &|| {
+    let diagnosis = diagnose(&case.study, &runs, &[], &mut |_| Ok(()), &|| {
         std::ops::ControlFlow::Continue(())
     })
     .unwrap();
-    let cycle = Cycle {
-        matings: 20,
-        simulated: 20,
-        others: RemainingMatings::None,
-        extremes: Vec::new(),
-        lost: 0,
-    };
     let analysis = Analysis {
         study: &case.study,
         method: CERTIFIED,
         runs: runs.clone(),
         revolution: runs.clone(),
-        cycle,
+        extremes: CycleExtremes::default(),
         over_distance: Vec::new(),
         measured: Vec::new(),
         diagnosis,

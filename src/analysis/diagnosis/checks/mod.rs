@@ -74,7 +74,8 @@ pub fn pitch_count(plans: &[RunPlan]) -> usize {
     groups.map(|plans| MEMBERS.len() * of_group(plans)).sum()
 }
 
-/// Checks the pair of `study`, whose `runs` were simulated and compared.
+/// Checks the pair of `study`, whose `runs` were simulated and compared; `extremes` are poses from which centre distances are sought too,
+/// those with the least and the greatest backlash of the mesh cycle.
 ///
 /// `step` is called before each search over the poses of a material, with what is looked for; `tick` as each pitch of
 /// the clearance is begun, from any thread: a break ends the work.
@@ -86,6 +87,7 @@ pub fn pitch_count(plans: &[RunPlan]) -> usize {
 pub fn diagnose(
     study: &Study,
     runs: &[ComparedRun],
+    extremes: &[ComparedRun],
     step: &mut dyn FnMut(&str) -> Result<(), Error>,
     tick: &(dyn Fn() -> ControlFlow<()> + Sync),
 ) -> Result<Diagnosis, Error> {
@@ -101,7 +103,8 @@ pub fn diagnose(
             Some(known) => known,
             None => {
                 let of_material = || runs.iter().filter(|run| run.run.material == material);
-                let matings = matings(of_material());
+                let beside = extremes.iter().filter(|run| run.run.material == material);
+                let matings = matings(of_material().chain(beside));
                 // A search from poses that are not proven would be no better than they are.
                 let doubt = doubt(of_material());
                 step("zero-backlash centre distance")?;

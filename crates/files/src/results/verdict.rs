@@ -1,0 +1,103 @@
+//! The verdict and the extremes of the mesh cycle, as results carry them beside their runs.
+
+use super::records::{PoseRecord, pose_record, um};
+use crate::verdict::{in_words, sentence};
+use gearlash::analysis::extremes::{RunExtreme, RunExtremes};
+use gearlash::analysis::verdict::Verdict;
+use gearlash::pair::{GearPair, Member};
+use serde::Serialize;
+
+/// What is said first.
+#[derive(Debug, Serialize)]
+pub(super) struct VerdictRecord {
+    text: String,
+    assembles: Option<bool>,
+    requirement: &'static str,
+    failed_checks: Vec<&'static str>,
+    matings: u64,
+}
+
+/// The extremes of one centre distance, material and assembly phase.
+#[derive(Debug, Serialize)]
+pub(super) struct ExtremesRecord {
+    center_distance_mm: f64,
+    material: &'static str,
+    phase: Option<[u32; 2]>,
+    status: &'static str,
+    assembles_from_mm: Option<[f64; 2]>,
+    least: Option<ExtremeRecord>,
+    greatest: Option<ExtremeRecord>,
+}
+
+#[derive(Debug, Serialize)]
+struct ExtremeRecord {
+    j_wt_um: [f64; 2],
+    lost_motion_rad: [f64; 2],
+    lost_motion_arcmin: ArcminRecord,
+    proven: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    doubt: Option<String>,
+    pose: PoseRecord,
+}
+
+#[derive(Debug, Serialize)]
+struct ArcminRecord {
+    wheel: f64,
+    pinion: f64,
+}
+
+pub(super) fn verdict_record(verdict: &Verdict) -> VerdictRecord {
+    VerdictRecord {
+        text: sentence(verdict),
+        assembles: verdict.assembles(),
+        requirement: verdict.requirement.name(),
+        failed_checks: verdict.failed_checks.clone(),
+        matings: verdict
+            .runs
+            .iter()
+            .map(|run| run.matings)
+            .max()
+            .unwrap_or(0),
+    }
+}
+
+pub(super) fn extremes_records(verdict: &Verdict) -> Vec<ExtremesRecord> {
+    verdict.runs.iter().map(extremes_record).collect()
+}
+
+fn extremes_record(run: &RunExtremes) -> ExtremesRecord {
+    let one = |extreme: &Option<RunExtreme>| {
+        let extreme = extreme.as_ref();
+        extreme.map(|extreme| extreme_record(&run.assembly, extreme))
+    };
+    ExtremesRecord {
+        center_distance_mm: run.assembly.center_distance(),
+        material: run.material.name(),
+        phase: run.phase.map(|(wheel, pinion)| [wheel, pinion]),
+        status: run.status.name(),
+        assembles_from_mm: run.assembles_from,
+        least: one(&run.least),
+        greatest: one(&run.greatest),
+    }
+}
+
+fn extreme_record(assembly: &GearPair, extreme: &RunExtreme) -> ExtremeRecord {
+    let bracket = [extreme.low, extreme.high];
+    let radius = |member| assembly.operating_pitch_radius(member);
+    let arcmin = |member| (extreme.found() / radius(member)).to_degrees() * 60.0;
+    let unproven = extreme.pose.swept.found.as_ref().err();
+    ExtremeRecord {
+        j_wt_um: bracket.map(um),
+        lost_motion_rad: bracket.map(|j| j / radius(assembly.free())),
+        lost_motion_arcmin: ArcminRecord {
+            wheel: arcmin(Member::Wheel),
+            pinion: arcmin(Member::Pinion),
+        },
+        proven: extreme.is_proven(),
+        doubt: match extreme.doubt {
+            Some(doubt) => Some(in_words(doubt).to_owned()),
+            None => unproven.map(|unproven| unproven.reason.clone()),
+        },
+        pose: pose_record(assembly, &extreme.pose),
+    }
+}

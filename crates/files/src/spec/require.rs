@@ -1,0 +1,62 @@
+//! `[require]`: what the pair must keep.
+
+use super::assembly::GearName;
+use super::rules::within;
+use crate::limits::{REQUIRED_ARCMIN, REQUIRED_MM, REQUIRED_UM};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// What the pair must keep over its whole mesh cycle, at every centre distance and material; exit code 1 when it does not.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, JsonSchema)]
+pub struct RequireSpec {
+    /// Circumferential backlash on the operating pitch circle, µm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(transform = within(&REQUIRED_UM))]
+    pub j_wt_um: Option<LimitsSpec>,
+    /// Normal backlash, µm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(transform = within(&REQUIRED_UM))]
+    pub j_bn_um: Option<LimitsSpec>,
+    /// Circumferential backlash on the reference circle of the gear that turns, µm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(transform = within(&REQUIRED_UM))]
+    pub j_t_um: Option<LimitsSpec>,
+    /// Radial backlash, µm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(transform = within(&REQUIRED_UM))]
+    pub j_r_um: Option<LimitsSpec>,
+    /// Lost motion of a gear, minutes of arc.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(transform = within(&REQUIRED_ARCMIN))]
+    pub lost_motion_arcmin: Option<AngleLimitsSpec>,
+    /// Radial clearance of the tips of either gear, mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(transform = within(&REQUIRED_MM))]
+    pub radial_clearance_mm: Option<LimitsSpec>,
+}
+
+/// Least and greatest allowed: either or both.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[schemars(inline, extend("minProperties" = 1))]
+pub struct LimitsSpec {
+    /// No less than this.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub min: Option<f64>,
+    /// No more than this.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub max: Option<f64>,
+}
+
+/// Least and greatest allowed at one of the gears.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[schemars(inline, extend("minProperties" = 2))]
+pub struct AngleLimitsSpec {
+    /// No less than this.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub min: Option<f64>,
+    /// No more than this.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub max: Option<f64>,
+    /// The gear whose lost motion it is, its mate locked.
+    pub at: GearName,
+}

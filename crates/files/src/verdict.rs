@@ -1,0 +1,289 @@
+//! The verdict in one sentence: what every command says first, in the same words.
+
+use crate::numbers::{fixed, stated_distance, um};
+use gearlash::analysis::compare::ComparedPose;
+use gearlash::analysis::extremes::{RunExtreme, RunExtremes};
+use gearlash::analysis::study::Material;
+use gearlash::analysis::verdict::{Quantity, Unmet, Verdict};
+use gearlash::contact::{Doubt, Status};
+use gearlash::pair::{GearPair, Member};
+
+/// Decimals of a backlash in µm.
+const DECIMALS: usize = 2;
+
+/// Centre distances that are named, at most.
+const NAMED: usize = 4;
+
+/// What `verdict` says, without a full stop at the end of its last sentence only if it is empty.
+pub fn sentence(verdict: &Verdict) -> String {
+    if verdict.runs.is_empty() {
+        return "Nothing was run.".to_owned();
+    }
+    let mut text = status(verdict);
+    let beside: Vec<String> = [requirement(verdict), checks(verdict)]
+        .into_iter()
+        .flatten()
+        .collect();
+    if !beside.is_empty() {
+        let but = match verdict.assembles() {
+            Some(true) => ", but ",
+            _ => "; ",
+        };
+        text += but;
+        text += &beside.join("; ");
+    }
+    if let Some(values) = values(verdict) {
+        text += ": ";
+        text += &values;
+    }
+    text += ". ";
+    text + &coverage(verdict)
+}
+
+/// Whether and where it assembles.
+fn status(verdict: &Verdict) -> String {
+    let of = |holds: &dyn Fn(&RunExtremes) -> bool| -> Vec<&RunExtremes> {
+        verdict.runs.iter().filter(|run| holds(run)).collect()
+    };
+    let jammed = of(&|run| run.status == Status::Jammed);
+    let apart = of(&|run| run.status == Status::NoContact);
+    let tight = of(&|run| run.assembles() == Some(false) && run.status != Status::NoContact);
+    let open = of(&|run| run.assembles().is_none());
+    if jammed.len() == verdict.runs.len() {
+        return format!("Jammed {}", places(verdict, &jammed));
+    }
+    if !tight.is_empty() {
+        return format!("Does not assemble {}", places(verdict, &tight));
+    }
+    if !apart.is_empty() {
+        return format!("Out of mesh {}", places(verdict, &apart));
+    }
+    if !open.is_empty() {
+        return format!("Not proven to assemble {}", places(verdict, &open));
+    }
+    format!("Assembles {}", places(verdict, &of(&|_| true)))
+}
+
+/// The centre distances and the material of some runs.
+fn places(verdict: &Verdict, runs: &[&RunExtremes]) -> String {
+    let distances = |runs: &[&RunExtremes]| {
+        let mut distances: Vec<f64> = Vec::new();
+        for run in runs {
+            let distance = run.assembly.center_distance();
+            if !distances.contains(&distance) {
+                distances.push(distance);
+            }
+        }
+        distances
+    };
+    let all: Vec<&RunExtremes> = verdict.runs.iter().collect();
+    let (here, everywhere) = (distances(runs), distances(&all).len());
+    let named = here.iter().take(NAMED).map(|a| stated_distance(*a));
+    let named = named.collect::<Vec<_>>().join(", ");
+    let more = match here.len().saturating_sub(NAMED) {
+        0 => String::new(),
+        more => format!(" and {more} more"),
+    };
+    let mut text = match (here.len(), everywhere) {
+        (_, 1) => format!("at a = {named} mm"),
+        (2, 2) => "at both centre distances".to_owned(),
+        (some, all) if some == all => format!("at all {all} centre distances"),
+        (some, all) => format!("at a = {named} mm{more} ({some} of {all} centre distances)"),
+    };
+    // Of the same places: the material, and the phases, where it is not so in all.
+    let within: Vec<&&RunExtremes> = all
+        .iter()
+        .filter(|run| here.contains(&run.assembly.center_distance()))
+        .collect();
+    if let [material] = &each(runs.iter().map(|run| run.material))[..]
+        && each(within.iter().map(|run| run.material)).len() > 1
+    {
+        text += &format!(" with {}", material_name(*material));
+    }
+    let phases = each(runs.iter().filter_map(|run| run.phase));
+    let possible = each(within.iter().filter_map(|run| run.phase)).len();
+    if !phases.is_empty() && phases.len() < possible {
+        text += &format!(" in {} of {possible} assembly phases", phases.len());
+    }
+    text
+}
+
+fn each<T: PartialEq>(items: impl Iterator<Item = T>) -> Vec<T> {
+    let mut each = Vec::new();
+    for item in items {
+        if !each.contains(&item) {
+            each.push(item);
+        }
+    }
+    each
+}
+
+fn material_name(material: Material) -> &'static str {
+    match material {
+        Material::Most => "most material",
+        Material::Least => "least material",
+        Material::AsMeasured => "the material as measured",
+    }
+}
+
+fn requirement(verdict: &Verdict) -> Option<String> {
+    if verdict.unmet.is_empty() {
+        return None;
+    }
+    let each = verdict.unmet.iter().map(unmet).collect::<Vec<_>>();
+    Some(format!(
+        "does not meet its requirement ({})",
+        each.join("; ")
+    ))
+}
+
+fn unmet(unmet: &Unmet) -> String {
+    let (name, unit, per, decimals) = match unmet.quantity {
+        Quantity::OperatingBacklash => ("j_wt", "µm", 1e3, DECIMALS),
+        Quantity::ReferenceBacklash => ("j_t", "µm", 1e3, DECIMALS),
+        Quantity::NormalBacklash => ("j_bn", "µm", 1e3, DECIMALS),
+        Quantity::RadialBacklash => ("j_r", "µm", 1e3, DECIMALS),
+        Quantity::LostMotion(Member::Wheel) => ("lost motion of the wheel", "arcmin", ARCMIN, 3),
+        Quantity::LostMotion(Member::Pinion) => ("lost motion of the pinion", "arcmin", ARCMIN, 3),
+        Quantity::RadialClearance => ("radial clearance", "mm", 1.0, 4),
+    };
+    let end = if unmet.is_max { "most" } else { "least" };
+    let limit = fixed(unmet.limit * per, decimals);
+    let found = match unmet.found {
+        None => "has no value".to_owned(),
+        Some([low, high]) => {
+            let value = if unmet.is_max { high } else { low };
+            format!("is {} {unit}", fixed(value * per, decimals))
+        }
+    };
+    let straddles = if unmet.straddles {
+        ", the limit inside its bracket"
+    } else {
+        ""
+    };
+    format!("{name} at {end} {limit} {unit}, {found}{straddles}")
+}
+
+/// Minutes of arc in a radian.
+const ARCMIN: f64 = 10_800.0 / std::f64::consts::PI;
+
+fn checks(verdict: &Verdict) -> Option<String> {
+    let failed = &verdict.failed_checks;
+    match failed.len() {
+        0 => None,
+        1 => Some(format!("fails the check {}", failed[0])),
+        several => Some(format!("fails {several} checks: {}", failed.join(", "))),
+    }
+}
+
+/// Least and greatest, and from where on it assembles.
+fn values(verdict: &Verdict) -> Option<String> {
+    let least = verdict.least();
+    let greatest = verdict.greatest();
+    let mut parts = Vec::new();
+    if let Some((run, extreme)) = least {
+        parts.push(format!("least {}", value(verdict, run, extreme)));
+    }
+    if let Some((run, extreme)) = greatest {
+        parts.push(format!("greatest {}", value(verdict, run, extreme)));
+    }
+    if verdict.assembles() == Some(false)
+        && verdict
+            .runs
+            .iter()
+            .any(|run| run.assembles() == Some(false) && run.status != Status::NoContact)
+    {
+        parts.push(match verdict.assembles_from() {
+            Some(distance) => format!("assembles from a = {} mm on", fixed(distance, 4)),
+            None => "assembles at no centre distance in mesh".to_owned(),
+        });
+    }
+    (!parts.is_empty()).then(|| parts.join("; "))
+}
+
+fn value(verdict: &Verdict, run: &RunExtremes, extreme: &RunExtreme) -> String {
+    let found = extreme.found();
+    let several = |differs: &dyn Fn(&RunExtremes) -> bool| verdict.runs.iter().any(differs);
+    let mut text = format!(
+        "j_wt {} µm ({})",
+        um(found, DECIMALS),
+        lost_motion(&run.assembly, found)
+    );
+    if let Some(teeth) = teeth(&extreme.pose) {
+        text += &format!(" at teeth {teeth}");
+    }
+    let distance = run.assembly.center_distance();
+    let mut place = Vec::new();
+    if several(&|other| other.assembly.center_distance() != distance) {
+        place.push(format!("a = {} mm", stated_distance(distance)));
+    }
+    if several(&|other| other.material != run.material) {
+        place.push(material_name(run.material).to_owned());
+    }
+    if let Some((wheel, pinion)) = run.phase {
+        place.push(format!("phase {wheel}·{pinion}"));
+    }
+    if !place.is_empty() {
+        text += &format!(", {}", place.join(", "));
+    }
+    text
+}
+
+/// Lost motion of a backlash, mm, at both gears, in minutes of arc.
+pub fn lost_motion(assembly: &GearPair, backlash: f64) -> String {
+    let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|member| {
+        let angle = backlash / assembly.operating_pitch_radius(member);
+        fixed(angle * ARCMIN, 3)
+    });
+    format!("{wheel} arcmin at the wheel, {pinion} at the pinion")
+}
+
+/// `10·4 (right flanks) and 11·4 (left flanks)`.
+fn teeth(pose: &ComparedPose) -> Option<String> {
+    let found = pose.swept.proven()?;
+    let named = |contact: &gearlash::contact::Contact| {
+        format!("{}·{}", contact.wheel.tooth, contact.pinion.tooth)
+    };
+    let (right, left) = (found.right.as_ref()?, found.left.as_ref()?);
+    Some(format!(
+        "{} (right flanks) and {} (left flanks)",
+        named(right),
+        named(left)
+    ))
+}
+
+/// Over how much of the cycle, and whether that is proven.
+fn coverage(verdict: &Verdict) -> String {
+    let matings = verdict.runs.iter().map(|run| run.matings).max();
+    let matings = matings.unwrap_or(0);
+    let phases = each(verdict.runs.iter().filter_map(|run| run.phase)).len();
+    let of = match phases {
+        0 => format!("all {matings} matings"),
+        phases => format!("all {matings} matings of each of {phases} assembly phases"),
+    };
+    let doubts = each(verdict.runs.iter().flat_map(doubts));
+    match &doubts[..] {
+        [] => format!("Over {of} and every rotation, proven."),
+        doubts => format!("Over {of}, not proven: {}.", doubts.join("; ")),
+    }
+}
+
+fn doubts(run: &RunExtremes) -> impl Iterator<Item = String> + '_ {
+    let both = run.least.iter().chain(&run.greatest);
+    both.filter_map(|extreme| match (extreme.doubt, &extreme.pose.swept.found) {
+        (Some(doubt), _) => Some(in_words(doubt).to_owned()),
+        (None, Err(unproven)) => Some(unproven.reason.clone()),
+        (None, Ok(_)) => None,
+    })
+}
+
+/// Why an extreme is only the one found.
+pub fn in_words(doubt: Doubt) -> &'static str {
+    match doubt {
+        Doubt::OffInvolute => {
+            "fillets or roots may be touched, so only sampled poses were looked at"
+        }
+        Doubt::Effort => "too many stretches of the cycle come too near to each other",
+        Doubt::ContactLost => "at a pose the contact was lost",
+    }
+}

@@ -167,13 +167,32 @@ fn unmet(unmet: &Unmet) -> String {
 /// Minutes of arc in a radian.
 const ARCMIN: f64 = 10_800.0 / std::f64::consts::PI;
 
+/// Checks that fail when the pair does not assemble: said already.
+const OF_ASSEMBLY: [&str; 2] = ["zero_backlash_distance", "backlash_condition"];
+
 fn checks(verdict: &Verdict) -> Option<String> {
-    let failed = &verdict.failed_checks;
+    let said = |id: &&&str| verdict.assembles() == Some(false) && OF_ASSEMBLY.contains(*id);
+    let failed = verdict.failed_checks.iter().filter(|id| !said(id));
+    let failed: Vec<&str> = failed.copied().collect();
     match failed.len() {
         0 => None,
         1 => Some(format!("fails the check {}", failed[0])),
         several => Some(format!("fails {several} checks: {}", failed.join(", "))),
     }
+}
+
+/// Least and greatest of the cycle in a line, for a picture of fewer poses; empty where there are none.
+pub fn in_short(verdict: &Verdict) -> String {
+    let (Some((_, least)), Some((_, greatest))) = (verdict.least(), verdict.greatest()) else {
+        return String::new();
+    };
+    let matings = verdict.runs.iter().map(|run| run.matings).max();
+    format!(
+        "whole mesh cycle ({} matings): least {} µm, greatest {} µm",
+        matings.unwrap_or(0),
+        um(least.found(), DECIMALS),
+        um(greatest.found(), DECIMALS)
+    )
 }
 
 /// Least and greatest, and from where on it assembles.

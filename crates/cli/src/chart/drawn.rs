@@ -16,6 +16,7 @@ use gearlash::analysis::{Analysis, Plan};
 use gearlash::contact::Method;
 use gearlash::error::{Error as Run, GearError};
 use gearlash::gear::Inspection;
+use gearlash_files::verdict::{in_short, sentence};
 use gearlash_render::chart::{self, Chart, Heading};
 
 /// A chart and the name of its file.
@@ -52,7 +53,9 @@ impl Drawn {
         let study = study
             .at(distance)
             .map_err(|reason| Error::Usage(format!("--center-distance: {reason}")))?;
-        let plan = Plan::new(&study, args.method.method()).with_revolution();
+        let plan = Plan::new(&study, args.method.method())
+            .with_revolution()
+            .with_extremes();
         poses::allow(&args.pair, plan.poses(), &poses::HELD)?;
         let analysis = run_under_bar(&plan)?;
         let courses = curves::courses(&analysis.revolution);
@@ -65,12 +68,16 @@ impl Drawn {
                 courses.len()
             ));
         }
+        let cycle = told(&analysis);
         let (name, chart) = match args.kind {
             Kind::Difference => (
                 "difference",
-                chart::difference(&heading(&study), course, study.tolerance_um)?,
+                chart::difference(&heading(&study, &cycle), course, study.tolerance_um)?,
             ),
-            _ => ("revolution", chart::revolution(&heading(&study), course)?),
+            _ => (
+                "revolution",
+                chart::revolution(&heading(&study, &cycle), course)?,
+            ),
         };
         Ok(Drawn {
             file: file(name, args, course),
@@ -104,8 +111,9 @@ impl Drawn {
         drop(progress);
         let (wheel, pinion) = teeth(followed);
         let unproven = curve.unproven + swept.as_ref().map_or(0, Analysis::unproven);
+        let cycle = swept.as_ref().map(told).unwrap_or_default();
         Ok(Drawn {
-            chart: chart::distance(&heading(study), &curve, &by_distance(&all, &[]))?,
+            chart: chart::distance(&heading(study, &cycle), &curve, &by_distance(&all, &[]))?,
             file: format!("chart_distance_{wheel}_{pinion}.svg"),
             agrees: agreement_within(curve.polygon_difference) & all_proven(unproven),
         })
@@ -122,19 +130,26 @@ impl Drawn {
         };
         let inspection = Inspection::of(gear);
         Ok(Drawn {
-            chart: chart::inspection(&heading(study), name, &inspection)?,
+            chart: chart::inspection(&heading(study, ""), name, &inspection)?,
             file: format!("chart_inspection_{name}.svg"),
             agrees: true,
         })
     }
 }
 
-fn heading(study: &Study) -> Heading<'_> {
+fn heading<'a>(study: &'a Study, subtitle: &'a str) -> Heading<'a> {
     Heading {
         prefix: "chart",
         title: &study.title,
-        subtitle: "",
+        subtitle,
     }
+}
+
+/// Says the verdict on standard error; in short it stands in the picture.
+fn told(analysis: &Analysis) -> String {
+    let verdict = analysis.verdict();
+    tell(&sentence(&verdict));
+    in_short(&verdict)
 }
 
 fn file(name: &str, args: &Args, course: &Course) -> String {

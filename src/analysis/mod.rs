@@ -12,6 +12,7 @@ pub mod phases;
 pub mod simulate;
 pub mod study;
 pub mod tally;
+pub mod uncertainty;
 pub mod verdict;
 
 use self::compare::{ComparedRun, compare};
@@ -231,7 +232,7 @@ impl<'a> Analysis<'a> {
     /// What is to be said first.
     pub fn verdict(&self) -> Verdict<'_> {
         let checks = (!self.diagnosis.groups.is_empty()).then_some(&self.diagnosis);
-        Verdict::new(&self.extremes.each, &self.study.requirements, checks)
+        Verdict::of_study(self.study, &self.extremes.each, checks)
     }
 
     /// Largest amount of `j_wt` on polygons minus the exact one, mm; `None` where only one method was asked for.

@@ -1,5 +1,6 @@
 //! What is asked of a pair: two gears as measured, where they stand, which poses to run. Lengths in mm unless the name says µm.
 
+use super::uncertainty::Uncertainty;
 use super::verdict::Requirements;
 use crate::error::GearError;
 use crate::gear::{AsBuilt, Side};
@@ -78,6 +79,8 @@ pub struct Study {
     pub allow_off_line_contact: bool,
     /// What the pair must keep.
     pub requirements: Requirements,
+    /// What its measurements may be off, where that is stated.
+    pub uncertainty: Option<Uncertainty>,
     /// What the statements about the wheel and about the pinion say of each other.
     pub notes: [GearNotes; 2],
 }
@@ -132,6 +135,7 @@ impl Study {
             tolerance_um: 0.1,
             allow_off_line_contact: false,
             requirements: Requirements::new(),
+            uncertainty: None,
             notes: [GearNotes::default(), GearNotes::default()],
         }
     }

@@ -2,6 +2,8 @@
 
 use super::diagnosis::{self, Diagnosis};
 use super::extremes::{RunExtreme, RunExtremes};
+use super::study::Study;
+use super::uncertainty::Uncertainty;
 use crate::contact::Status;
 use crate::pair::{GearPair, Member};
 
@@ -105,6 +107,8 @@ pub struct Verdict<'a> {
     pub unmet: Vec<Unmet>,
     /// Ids of the checks that fail, where checks were made; no id twice.
     pub failed_checks: Vec<&'static str>,
+    /// What the measurements may be off, where that is stated.
+    pub uncertainty: Option<Uncertainty>,
 }
 
 impl<'a> Verdict<'a> {
@@ -135,7 +139,25 @@ impl<'a> Verdict<'a> {
             requirement,
             unmet,
             failed_checks,
+            uncertainty: None,
         }
+    }
+
+    /// Of the runs of `study`.
+    pub fn of_study(
+        study: &Study,
+        runs: &'a [RunExtremes],
+        checks: Option<&Diagnosis>,
+    ) -> Verdict<'a> {
+        Verdict {
+            uncertainty: study.uncertainty,
+            ..Verdict::new(runs, &study.requirements, checks)
+        }
+    }
+
+    /// Expanded uncertainty of an extreme's `j_wt`, mm, where uncertainties are stated.
+    pub fn expanded(&self, run: &RunExtremes, extreme: &RunExtreme) -> Option<f64> {
+        self.uncertainty?.of(run, extreme)
     }
 
     /// Whether the pair assembles everywhere; `None` where that is not proven.

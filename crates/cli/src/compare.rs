@@ -126,6 +126,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             runs,
             extremes: found.each,
             requirements: study.requirements,
+            uncertainty: study.uncertainty,
         });
     }
     drop(progress);

@@ -73,7 +73,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     };
     let (method, tick) = (args.method.method(), || progress.tick());
     let found = extremes(study, method, &|| ControlFlow::Continue(()))?;
-    let verdict = Verdict::new(&found.each, &study.requirements, None);
+    let verdict = Verdict::of_study(study, &found.each, None);
     let [json, csv] = outputs(args.results.format, folder.as_mut())?;
     let mut writer = ResultWriter::begin(&file, json, csv).map_err(unwritable)?;
     let mut measured = MeasuredTally::new(study);

@@ -22,7 +22,7 @@ pub(super) fn find(
     let method = Method::Exact { certify: true };
     let found = extremes(&study, method, &|| progress.tick())?;
     drop(progress);
-    let verdict = Verdict::new(&found.each, &study.requirements, None);
+    let verdict = Verdict::of_study(&study, &found.each, None);
     tell(&sentence(&verdict));
     let Some((run, pose)) = verdict.worst() else {
         return Err(Error::Usage(

@@ -58,6 +58,7 @@ mod statements;
 mod sweep;
 mod table;
 mod thickness;
+mod uncertainty;
 pub mod verdict;
 
 use node::Node;

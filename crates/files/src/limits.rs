@@ -40,6 +40,18 @@ pub const REQUIRED_MM: Limits = Limits {
     range: (Included(-1000.0), Included(1000.0)),
     help: "give the limit in mm",
 };
+/// A standard uncertainty.
+pub const UNCERTAINTY: Limits = Limits {
+    allowed: "a number of µm, 0 … 1e6",
+    range: (Included(0.0), Included(1e6)),
+    help: "give the standard uncertainty in µm: half of the expanded one with k = 2",
+};
+/// A coverage factor.
+pub const COVERAGE: Limits = Limits {
+    allowed: "a number above 0 and up to 10",
+    range: (Excluded(0.0), Included(10.0)),
+    help: "give the coverage factor k; 2 is usual, for about 95 %",
+};
 /// `z`.
 pub const TEETH: RangeInclusive<u32> = 3..=10_000;
 /// A tooth of the largest gear.

@@ -12,15 +12,27 @@ use super::place::Place;
 use super::problems::Problems;
 use super::read::PairFile;
 use super::require;
-use super::spec::{AccuracySpec, AssemblySpec, CompareSpec, PairSpec, RequireSpec};
+use super::spec::{
+    AccuracySpec, AssemblySpec, CompareSpec, PairSpec, RequireSpec, UncertaintySpec,
+};
 use super::sweep::Sweep;
 use super::table::Table;
+use super::uncertainty;
 use gearlash::analysis::study::{Material, Study};
 use gearlash::gear::AsBuilt;
 use std::path::Path;
 
 const KEYS: &[&str] = &[
-    "title", "wheel", "pinion", "assembly", "measured", "sweep", "accuracy", "compare", "require",
+    "title",
+    "wheel",
+    "pinion",
+    "assembly",
+    "measured",
+    "sweep",
+    "accuracy",
+    "compare",
+    "require",
+    "uncertainty",
 ];
 
 /// What is good of each table: `None` where something was wrong, `Some(None)` where nothing was asked for.
@@ -38,6 +50,7 @@ pub struct PairTables<'a> {
     compare: Option<CompareSpec>,
     /// `Some(None)`: nothing is required.
     require: Option<Option<RequireSpec>>,
+    uncertainty: Option<Option<UncertaintySpec>>,
 }
 
 impl<'a> PairTables<'a> {
@@ -76,6 +89,7 @@ impl<'a> PairTables<'a> {
             accuracy: options::accuracy(&table, problems),
             compare: options::compare(&table, problems),
             require: require::require(&table, problems),
+            uncertainty: uncertainty::uncertainty(&table, problems),
             table,
             title,
             stem,
@@ -95,6 +109,7 @@ impl<'a> PairTables<'a> {
         let assembly = self.assembly?;
         let (locked, bearings) = (assembly.locked?, assembly.bearings?);
         let (measured, sweep, require) = (self.measured?, self.sweep?, self.require?);
+        let uncertainty = self.uncertainty?;
         let (accuracy, compare, title) = (self.accuracy?, self.compare?, self.title?);
         warnings.extend(pair_slips::in_bearings(&bearings));
         warnings.extend(pair_slips::in_distances(
@@ -120,7 +135,12 @@ impl<'a> PairTables<'a> {
             accuracy,
             compare,
             require,
+            uncertainty,
         };
+        let gears = materials.first();
+        let uncertainty = uncertainty.zip(gears).map(|(stated, (_, wheel, pinion))| {
+            stated.of_gears([(&spec.wheel, wheel), (&spec.pinion, pinion)])
+        });
         let study = Study {
             title,
             materials,
@@ -132,6 +152,7 @@ impl<'a> PairTables<'a> {
             chord: accuracy.chord_um / 1000.0,
             tolerance_um: compare.tolerance_um,
             allow_off_line_contact: compare.allow_off_line_contact,
+            uncertainty,
             requirements: require.map_or_else(Vec::new, |require| require.requirements()),
             notes: [self.wheel.notes, self.pinion.notes],
         };

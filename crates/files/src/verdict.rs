@@ -223,8 +223,14 @@ fn values(verdict: &Verdict) -> Option<String> {
 fn value(verdict: &Verdict, run: &RunExtremes, extreme: &RunExtreme) -> String {
     let found = extreme.found();
     let several = |differs: &dyn Fn(&RunExtremes) -> bool| verdict.runs.iter().any(differs);
+    let off = match (verdict.expanded(run, extreme), verdict.uncertainty) {
+        (Some(expanded), Some(stated)) => {
+            format!(" ± {} µm (k = {})", um(expanded, DECIMALS), stated.coverage)
+        }
+        _ => " µm".to_owned(),
+    };
     let mut text = format!(
-        "j_wt {} µm ({})",
+        "j_wt {}{off} ({})",
         um(found, DECIMALS),
         lost_motion(&run.assembly, found)
     );

@@ -6,6 +6,7 @@ use crate::characters;
 use gearlash::analysis::compare::{ComparedPose, Verdict};
 use gearlash::analysis::extremes::RunExtremes;
 use gearlash::analysis::tally::RunTally;
+use gearlash::analysis::uncertainty::Uncertainty;
 use gearlash::analysis::verdict::{Requirement, Requirements, Verdict as CycleVerdict};
 use serde::Serialize;
 
@@ -26,6 +27,8 @@ pub struct ComparedPair {
     pub extremes: Vec<RunExtremes>,
     /// What the pair must keep.
     pub requirements: Requirements,
+    /// What its measurements may be off, where that is stated.
+    pub uncertainty: Option<Uncertainty>,
 }
 
 impl ComparedPair {
@@ -37,7 +40,10 @@ impl ComparedPair {
 
     /// What is to be said first.
     pub fn verdict(&self) -> CycleVerdict<'_> {
-        CycleVerdict::new(&self.extremes, &self.requirements, None)
+        CycleVerdict {
+            uncertainty: self.uncertainty,
+            ..CycleVerdict::new(&self.extremes, &self.requirements, None)
+        }
     }
 }
 

@@ -4,7 +4,7 @@ use super::records::{PoseRecord, pose_record, um};
 use crate::verdict::{in_words, sentence};
 use gearlash::analysis::extremes::{RunExtreme, RunExtremes};
 use gearlash::analysis::verdict::Verdict;
-use gearlash::pair::{GearPair, Member};
+use gearlash::pair::Member;
 use serde::Serialize;
 
 /// What is said first.
@@ -35,6 +35,7 @@ struct ExtremeRecord {
     lost_motion_rad: [f64; 2],
     lost_motion_arcmin: ArcminRecord,
     proven: bool,
+    uncertainty_um: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     doubt: Option<String>,
     pose: PoseRecord,
@@ -62,13 +63,14 @@ pub(super) fn verdict_record(verdict: &Verdict) -> VerdictRecord {
 }
 
 pub(super) fn extremes_records(verdict: &Verdict) -> Vec<ExtremesRecord> {
-    verdict.runs.iter().map(extremes_record).collect()
+    let runs = verdict.runs.iter();
+    runs.map(|run| extremes_record(verdict, run)).collect()
 }
 
-fn extremes_record(run: &RunExtremes) -> ExtremesRecord {
+fn extremes_record(verdict: &Verdict, run: &RunExtremes) -> ExtremesRecord {
     let one = |extreme: &Option<RunExtreme>| {
         let extreme = extreme.as_ref();
-        extreme.map(|extreme| extreme_record(&run.assembly, extreme))
+        extreme.map(|extreme| extreme_record(verdict, run, extreme))
     };
     ExtremesRecord {
         center_distance_mm: run.assembly.center_distance(),
@@ -81,7 +83,8 @@ fn extremes_record(run: &RunExtremes) -> ExtremesRecord {
     }
 }
 
-fn extreme_record(assembly: &GearPair, extreme: &RunExtreme) -> ExtremeRecord {
+fn extreme_record(verdict: &Verdict, run: &RunExtremes, extreme: &RunExtreme) -> ExtremeRecord {
+    let assembly = &run.assembly;
     let bracket = [extreme.low, extreme.high];
     let radius = |member| assembly.operating_pitch_radius(member);
     let arcmin = |member| (extreme.found() / radius(member)).to_degrees() * 60.0;
@@ -94,6 +97,7 @@ fn extreme_record(assembly: &GearPair, extreme: &RunExtreme) -> ExtremeRecord {
             pinion: arcmin(Member::Pinion),
         },
         proven: extreme.is_proven(),
+        uncertainty_um: verdict.expanded(run, extreme).map(um),
         doubt: match extreme.doubt {
             Some(doubt) => Some(in_words(doubt).to_owned()),
             None => unproven.map(|unproven| unproven.reason.clone()),

@@ -4,6 +4,7 @@ use super::flanks::{PitchSpec, RunoutSpec};
 use super::require::RequireSpec;
 use super::rules::{whole, within};
 use super::thickness::ThicknessSpec;
+use super::uncertainty::UncertaintySpec;
 use super::{AccuracySpec, AssemblySpec, CompareSpec, MeasuredSpec, SweepSpec};
 use crate::limits::{
     MODULE, PRESSURE_ANGLE, PROFILE_SHIFT, RACK_DEPTH, ROOT_RADIUS, TEETH, TIP_DIAMETER,
@@ -41,6 +42,9 @@ pub struct PairSpec {
     /// What the pair must keep.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub require: Option<RequireSpec>,
+    /// What the measurements may be off.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub uncertainty: Option<UncertaintySpec>,
 }
 
 /// One spur gear and what was measured on it.

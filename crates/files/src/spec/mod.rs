@@ -11,6 +11,7 @@ mod require;
 mod rules;
 mod schema;
 mod thickness;
+mod uncertainty;
 mod value;
 
 pub(crate) use assembly::DEFAULT_STEPS;
@@ -28,4 +29,5 @@ pub(crate) use thickness::CROSS_CHECK_UM;
 pub use thickness::{
     CrossCheckSpec, LengthSpec, OverPinsSpec, SpanSpec, StatementSpec, ThicknessSpec,
 };
+pub use uncertainty::UncertaintySpec;
 pub use value::{BandSpec, DecimalSign, Either, TableFileSpec};

@@ -50,6 +50,7 @@ fn pair(case: &Case, runs: Vec<ComparedRun>) -> ComparedPair {
         runs: tally(&runs),
         extremes: Vec::new(),
         requirements: Vec::new(),
+        uncertainty: None,
     }
 }
 

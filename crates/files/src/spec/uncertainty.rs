@@ -1,0 +1,51 @@
+//! `[uncertainty]`: what the measurements may be off.
+
+use super::rules::within;
+use crate::limits::{COVERAGE, UNCERTAINTY};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// Standard uncertainties of what was measured, µm; the expanded uncertainty of least and greatest backlash follows.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[schemars(default)]
+pub struct UncertaintySpec {
+    /// Of a span.
+    #[schemars(transform = within(&UNCERTAINTY))]
+    pub span_um: f64,
+    /// Of a dimension over pins.
+    #[schemars(transform = within(&UNCERTAINTY))]
+    pub over_pins_um: f64,
+    /// Of a thickness allowance, and of a base thickness.
+    #[schemars(transform = within(&UNCERTAINTY))]
+    pub allowance_um: f64,
+    /// Of the thickness of a single tooth beside the others.
+    #[schemars(transform = within(&UNCERTAINTY))]
+    pub per_tooth_um: f64,
+    /// Of the pitch deviation of a flank.
+    #[schemars(transform = within(&UNCERTAINTY))]
+    pub pitch_um: f64,
+    /// Of the runout of each gear.
+    #[schemars(transform = within(&UNCERTAINTY))]
+    pub runout_um: f64,
+    /// Of the centre distance.
+    #[schemars(transform = within(&UNCERTAINTY))]
+    pub center_distance_um: f64,
+    /// Coverage factor of what is shown.
+    #[schemars(transform = within(&COVERAGE))]
+    pub coverage_factor: f64,
+}
+
+impl Default for UncertaintySpec {
+    fn default() -> UncertaintySpec {
+        UncertaintySpec {
+            span_um: 0.0,
+            over_pins_um: 0.0,
+            allowance_um: 0.0,
+            per_tooth_um: 0.0,
+            pitch_um: 0.0,
+            runout_um: 0.0,
+            center_distance_um: 0.0,
+            coverage_factor: 2.0,
+        }
+    }
+}

@@ -1,0 +1,78 @@
+//! `[uncertainty]`: what the measurements may be off.
+
+use super::limits::{COVERAGE, UNCERTAINTY};
+use super::problems::Problems;
+use super::spec::{GearSpec, ThicknessSpec, UncertaintySpec};
+use super::table::Table;
+use gearlash::analysis::uncertainty::Uncertainty;
+use gearlash::gear::{AsBuilt, thickness};
+
+const KEYS: &[&str] = &[
+    "span_um",
+    "over_pins_um",
+    "allowance_um",
+    "per_tooth_um",
+    "pitch_um",
+    "runout_um",
+    "center_distance_um",
+    "coverage_factor",
+];
+
+/// Reads `[uncertainty]`; `Some(None)` where the file has none.
+pub fn uncertainty(file: &Table, problems: &mut Problems) -> Option<Option<UncertaintySpec>> {
+    if !(file.has("uncertainty") || file.is_mistyped("uncertainty")) {
+        return Some(None);
+    }
+    let table = file.table("uncertainty", KEYS, problems)?;
+    let mut of = |key| table.number_or(key, 0.0, &UNCERTAINTY, problems);
+    let (span, pins, allowance) = (of("span_um"), of("over_pins_um"), of("allowance_um"));
+    let (per_tooth, pitch) = (of("per_tooth_um"), of("pitch_um"));
+    let (runout, distance) = (of("runout_um"), of("center_distance_um"));
+    let coverage = table.number_or("coverage_factor", 2.0, &COVERAGE, problems);
+    Some(Some(UncertaintySpec {
+        span_um: span?,
+        over_pins_um: pins?,
+        allowance_um: allowance?,
+        per_tooth_um: per_tooth?,
+        pitch_um: pitch?,
+        runout_um: runout?,
+        center_distance_um: distance?,
+        coverage_factor: coverage?,
+    }))
+}
+
+impl UncertaintySpec {
+    /// As the library takes it, mm: the thickness of each gear as it was stated.
+    pub(crate) fn of_gears(&self, gears: [(&GearSpec, &AsBuilt); 2]) -> Uncertainty {
+        let mm = 1e-3;
+        Uncertainty {
+            base_thickness: gears.map(|(spec, gear)| self.base_thickness(&spec.thickness, gear)),
+            per_tooth: self.per_tooth_um * mm,
+            pitch: self.pitch_um * mm,
+            runout: self.runout_um * mm,
+            center_distance: self.center_distance_um * mm,
+            coverage: self.coverage_factor,
+        }
+    }
+
+    /// Standard uncertainty of `s_b`, mm: a span is off by as much; pins by what a thicker tooth lifts them; an allowance is one at the
+    /// reference circle, `cos α` of which is left at the base circle.
+    fn base_thickness(&self, spec: &ThicknessSpec, gear: &AsBuilt) -> f64 {
+        let basic_data = gear.gear().basic_data();
+        let stated = &spec.statement;
+        let um = if stated.span.is_some() {
+            self.span_um
+        } else if let Some(pins) = &stated.over_pins {
+            let base = gear.gear().base_thickness();
+            // A thousandth of a module: small against the curve, large against rounding.
+            let step = 1e-3 * basic_data.module();
+            let over = |base| thickness::pins_from_base(basic_data, pins.pin_mm, base);
+            self.over_pins_um * 2.0 * step / (over(base + step) - over(base - step))
+        } else if stated.base_thickness_mm.is_some() {
+            self.allowance_um
+        } else {
+            self.allowance_um * basic_data.pressure_angle().cos()
+        };
+        um * 1e-3
+    }
+}

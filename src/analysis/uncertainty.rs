@@ -1,0 +1,97 @@
+//! How far the least and the greatest backlash may lie off for what the measurements may be off.
+//!
+//! Standard uncertainties of the inputs go through the derivatives of `j_wt` at the extreme's own pose and are summed as independent
+//! ones (JCGM 100, 5.1.2: the law of propagation of uncertainty). With `c = cos α`, `c_w = cos α_wt`:
+//!
+//! ```text
+//! base thickness of a gear, s_b:      ∂j_wt/∂s_b = −1/c_w            (j_bn falls by what a tooth is thicker at the base circle)
+//! a tooth's own thickness, at d:      −c/(2 c_w) for each flank that touches
+//! a flank's pitch deviation, at d:    ±c/c_w for each of the four flanks that touch
+//! runout F_r = 2 e:                   ∂j_wt/∂e = −2 tan α_wt cos θ,  θ between the high tooth and the line of centres
+//! centre distance:                    ∂j_wt/∂a = 2 tan α_wt
+//! ```
+//!
+//! These hold while involutes touch; a tip corner's differ by the square of the angle by which it is off the line of action. That the
+//! extreme moves to another pose is of second order while that pose lies apart by more than the uncertainty.
+
+use super::extremes::{RunExtreme, RunExtremes};
+use crate::contact::{Contact, LostMotion};
+use crate::gear::AsBuilt;
+use crate::pair::{GearPair, Member};
+
+/// Standard uncertainties of what was measured.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Uncertainty {
+    /// Of the base thickness of all teeth of the wheel, and of the pinion, mm.
+    pub base_thickness: [f64; 2],
+    /// Of each tooth's own thickness at the reference circle, mm.
+    pub per_tooth: f64,
+    /// Of each flank's pitch deviation at the reference circle, mm.
+    pub pitch: f64,
+    /// Of the runout `F_r` of each gear, mm.
+    pub runout: f64,
+    /// Of the centre distance, mm.
+    pub center_distance: f64,
+    /// Coverage factor `k` of what is shown.
+    pub coverage: f64,
+}
+
+impl Uncertainty {
+    /// Expanded uncertainty `U` of `j_wt` at an extreme of `run`, mm; `None` where the pose has no contact on a side.
+    pub fn of(&self, run: &RunExtremes, extreme: &RunExtreme) -> Option<f64> {
+        let assembly = &run.assembly;
+        let found = extreme.pose.swept.proven()?;
+        let touching = Touching::of(found)?;
+        let angle = assembly.operating_pressure_angle();
+        let per_base = 1.0 / angle.cos();
+        let basic_data = assembly.gear(Member::Wheel).gear().basic_data();
+        let per_reference = basic_data.pressure_angle().cos() * per_base;
+        let per_shift = 2.0 * angle.tan();
+        let mut square = (per_shift * self.center_distance).powi(2);
+        for (index, member) in [Member::Wheel, Member::Pinion].into_iter().enumerate() {
+            let [right, left] = touching.teeth(member);
+            let flanks: f64 = if right == left { 1.0 } else { 0.5f64.sqrt() };
+            square += (per_base * self.base_thickness[index]).powi(2);
+            square += (per_reference * flanks * self.per_tooth).powi(2);
+            square += 2.0 * (per_reference * self.pitch).powi(2);
+            let toward = toward_mate(assembly, extreme, member);
+            square += (per_shift * toward * 0.5 * self.runout).powi(2);
+        }
+        Some(self.coverage * square.sqrt())
+    }
+}
+
+/// Right- and left-flank contact.
+struct Touching<'a> {
+    right: &'a Contact,
+    left: &'a Contact,
+}
+
+impl Touching<'_> {
+    fn of(found: &LostMotion) -> Option<Touching<'_>> {
+        Some(Touching {
+            right: found.right.as_ref()?,
+            left: found.left.as_ref()?,
+        })
+    }
+
+    fn teeth(&self, member: Member) -> [u32; 2] {
+        [self.right, self.left].map(|contact| match member {
+            Member::Wheel => contact.wheel.tooth,
+            Member::Pinion => contact.pinion.tooth,
+        })
+    }
+}
+
+/// Cosine of the angle between a gear's high tooth and its mate, at the extreme's pose.
+fn toward_mate(assembly: &GearPair, extreme: &RunExtreme, member: Member) -> f64 {
+    let pose = &extreme.pose.swept.pose;
+    let rotation = match member == assembly.locked() {
+        true => pose.locked_rotation(),
+        false => pose.free_rotation(),
+    };
+    let gear: &AsBuilt = assembly.gear(member);
+    // A rotation counts from where tooth 1 points at the mate.
+    (rotation + gear.tooth_angle(gear.high_tooth())).cos()
+}

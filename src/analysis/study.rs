@@ -65,6 +65,9 @@ pub struct Study {
     pub locked: Member,
     /// Centre distances `a`, mm, distinct; those of a file in ascending order.
     pub center_distances: Vec<f64>,
+    /// Least and greatest distance, mm, where [`Study::center_distances`] samples a tolerance band. Backlash
+    /// grows with the distance: over the band the least stands at the low end, the greatest at the high end.
+    pub band: Option<[f64; 2]>,
     /// `c`, mm: radial clearance of both bearings together.
     pub bearing_clearance: f64,
     /// The poses of every run; `None`: exactly the rows of `measured`.
@@ -127,6 +130,7 @@ impl Study {
             materials: vec![(Material::AsMeasured, wheel.clone(), pinion.clone())],
             locked: pair.locked(),
             center_distances: vec![pair.center_distance()],
+            band: None,
             bearing_clearance: 0.0,
             sweep: Some(SweepPlan::wheel_revolution(pair, steps_per_pitch, (1, 1))),
             measured: Vec::new(),
@@ -148,7 +152,7 @@ impl Study {
         )
     }
 
-    /// The same study at other centre distances, mm.
+    /// The same study at other centre distances, mm, each by itself: no [`Study::band`].
     ///
     /// # Errors
     /// [`GearError::BaseCirclesOverlap`], at a distance or, with bearing clearance, at `a − c`;
@@ -168,6 +172,7 @@ impl Study {
             }
         }
         self.center_distances = center_distances;
+        self.band = None;
         Ok(self)
     }
 

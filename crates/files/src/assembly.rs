@@ -2,12 +2,17 @@
 
 use super::entry::Entry;
 use super::gear::GearPart;
-use super::limits::{CENTER_DISTANCE, CLEARANCE, MOST_DISTANCES};
+use super::limits::{
+    CENTER_DISTANCE, CENTER_DISTANCE_DEVIATION, CENTER_DISTANCE_TOLERANCE, CLEARANCE,
+    MOST_DISTANCES,
+};
 use super::node::Node;
 use super::problems::Problems;
-use super::spec::BearingClearanceSpec;
+use super::spec::{BearingClearanceSpec, CenterDistanceSpec, DistanceBandSpec};
+use super::stated::{self, Keys};
 use super::table::Table;
 use gearlash::error::GearError;
+use gearlash::metrology::Toleranced;
 use gearlash::pair::Member;
 use std::collections::HashSet;
 
@@ -17,13 +22,22 @@ pub const KEYS: &[&str] = &[
     "locked",
     "bearing_clearance_mm",
 ];
+const BAND_KEYS: &[&str] = &["nominal_mm", "tolerance_um", "upper_um", "lower_um"];
+const DEVIATIONS: Keys = Keys {
+    single: Some("tolerance_um"),
+    min: "lower_um",
+    max: "upper_um",
+};
+/// The ways to write centre distances.
+const ALLOWED: &str = "a number of mm above 0 and up to 1e9, a list of such, \
+                       { nominal_mm = …, tolerance_um = … } or { nominal_mm = …, upper_um = …, lower_um = … }";
 const MEMBERS: [(&str, Member); 2] = [("wheel", Member::Wheel), ("pinion", Member::Pinion)];
 
 /// What is good of the table.
 #[derive(Debug)]
 pub struct AssemblyPart {
-    /// Centre distances, mm; `Some(None)` when not given.
-    pub distances: Option<Option<Vec<f64>>>,
+    /// Centre distances; `Some(None)` when not given.
+    pub distances: Option<Option<CenterDistanceSpec>>,
     pub locked: Option<Member>,
     pub bearings: Option<BearingClearanceSpec>,
 }
@@ -40,14 +54,17 @@ impl AssemblyPart {
             ));
             None
         } else if needed {
-            let what = format!("{}, or a list of such", CENTER_DISTANCE.allowed);
-            table.need(name, &what, problems).map(Some)
+            table.need(name, ALLOWED, problems).map(Some)
         } else {
             table.optional(name)
         };
         AssemblyPart {
             distances: match entry {
-                Some(Some(entry)) => distances(&entry, problems).map(Some),
+                Some(Some(entry)) => match entry.node() {
+                    Node::Table(_) => band(table, name, problems).map(CenterDistanceSpec::Band),
+                    _ => distances(&entry, problems).map(CenterDistanceSpec::Distances),
+                }
+                .map(Some),
                 absent => absent.map(|_| None),
             },
             locked: table.choice_or_first("locked", &MEMBERS, problems),
@@ -94,13 +111,38 @@ fn bearings(table: &Table, problems: &mut Problems) -> Option<BearingClearanceSp
     }
 }
 
+/// A nominal distance and its tolerance, the table `name` in `assembly`.
+fn band(assembly: &Table, name: &'static str, problems: &mut Problems) -> Option<DistanceBandSpec> {
+    let table = assembly.table(name, BAND_KEYS, problems)?;
+    let nominal_mm = table.number("nominal_mm", &CENTER_DISTANCE, problems);
+    let limits = match table.has("tolerance_um") {
+        true => &CENTER_DISTANCE_TOLERANCE,
+        false => &CENTER_DISTANCE_DEVIATION,
+    };
+    let deviations = stated::read(&table, &DEVIATIONS, limits, problems);
+    let (tolerance_um, lower_um, upper_um) = match deviations? {
+        Toleranced::Single(tolerance) => (Some(tolerance), None, None),
+        Toleranced::Band { least, most } => (None, Some(least), Some(most)),
+    };
+    Some(DistanceBandSpec {
+        nominal_mm: nominal_mm?,
+        tolerance_um,
+        upper_um,
+        lower_um,
+    })
+}
+
 fn distances(entry: &Entry, problems: &mut Problems) -> Option<Vec<f64>> {
     let list = match entry.node() {
         Node::List(_) => entry.numbers(&CENTER_DISTANCE, problems)?,
-        _ => {
+        Node::Whole(_) | Node::Number(_) => {
             return problems
                 .keep(entry.number(&CENTER_DISTANCE))
                 .map(|mm| vec![mm]);
+        }
+        _ => {
+            problems.add(entry.wrong_type(ALLOWED, CENTER_DISTANCE.help));
+            return None;
         }
     };
     let mut seen = HashSet::new();

@@ -13,7 +13,7 @@ const fn length(help: &'static str) -> Limits {
     }
 }
 
-/// A deviation of a tooth or its thickness.
+/// A deviation of a length.
 const fn deviation(help: &'static str) -> Limits {
     Limits {
         allowed: "a number of µm, −1e7 … 1e7",
@@ -127,6 +127,15 @@ pub const PITCH: Limits =
 
 /// `a`. Twenty times the largest pair there can be; beyond, squares of lengths would lose the gears.
 pub const CENTER_DISTANCE: Limits = length("give the distance between the two axes in mm");
+/// What a centre distance may lie above or below the nominal one.
+pub const CENTER_DISTANCE_DEVIATION: Limits =
+    deviation("give the deviation from the nominal centre distance, negative when less");
+/// The same on both sides.
+pub const CENTER_DISTANCE_TOLERANCE: Limits = Limits {
+    allowed: "a number of µm, 0 … 1e7",
+    range: (Included(0.0), Included(1e7)),
+    help: "give the tolerance on either side, 50 for ± 50 µm; or upper_um and lower_um",
+};
 /// How many of them: each is a run that holds both gears.
 pub const MOST_DISTANCES: usize = 10_000;
 /// Radial play of a bearing.

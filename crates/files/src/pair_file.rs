@@ -13,7 +13,8 @@ use super::problems::Problems;
 use super::read::PairFile;
 use super::require;
 use super::spec::{
-    AccuracySpec, AssemblySpec, CompareSpec, PairSpec, RequireSpec, UncertaintySpec,
+    AccuracySpec, AssemblySpec, CenterDistanceSpec, CompareSpec, PairSpec, RequireSpec,
+    UncertaintySpec,
 };
 use super::sweep::Sweep;
 use super::table::Table;
@@ -102,9 +103,10 @@ impl<'a> PairTables<'a> {
     pub fn study(self, problems: &mut Problems) -> Option<PairFile> {
         let mut warnings = [&self.wheel.warnings[..], &self.pinion.warnings].concat();
         let remarks = [&self.wheel.remarks[..], &self.pinion.remarks].concat();
-        let center_distances = self.distances(problems, &mut warnings);
+        let stated = self.distances(problems, &mut warnings);
+        let center_distances = stated.as_ref().map(CenterDistanceSpec::distances_mm);
         self.check_poses(center_distances.as_deref(), problems)?;
-        let center_distances = center_distances?;
+        let (stated, center_distances) = (stated?, center_distances?);
         let materials = materials(&self.wheel, &self.pinion)?;
         let assembly = self.assembly?;
         let (locked, bearings) = (assembly.locked?, assembly.bearings?);
@@ -126,7 +128,7 @@ impl<'a> PairTables<'a> {
             wheel: self.wheel.spec?,
             pinion: self.pinion.spec?,
             assembly: AssemblySpec {
-                center_distance_mm: center_distances.clone(),
+                center_distance_mm: stated,
                 locked: locked.into(),
                 bearing_clearance_mm: bearings,
             },
@@ -146,6 +148,7 @@ impl<'a> PairTables<'a> {
             materials,
             locked,
             center_distances,
+            band: spec.assembly.center_distance_mm.band_mm(),
             bearing_clearance: bearings.sum_mm(),
             sweep: sweep.map(|sweep| sweep.plan),
             measured: measured.map_or_else(Vec::new, Measured::into_rows),
@@ -166,8 +169,12 @@ impl<'a> PairTables<'a> {
         })
     }
 
-    /// The centre distances to run in ascending order, those checked against the base circles.
-    fn distances(&self, problems: &mut Problems, warnings: &mut Vec<String>) -> Option<Vec<f64>> {
+    /// The centre distances to run, a list in ascending order, checked against the base circles.
+    fn distances(
+        &self,
+        problems: &mut Problems,
+        warnings: &mut Vec<String>,
+    ) -> Option<CenterDistanceSpec> {
         let file = &self.table;
         let shared = assembly::check_shared(file, &self.wheel, &self.pinion, problems);
         let base_radii = match (shared, &self.wheel.basic_data, &self.pinion.basic_data) {
@@ -177,32 +184,36 @@ impl<'a> PairTables<'a> {
             _ => None,
         };
         let given = self.assembly.as_ref()?.distances.as_ref()?;
-        let mut list = match (&self.sweep, self.measured.as_ref()?) {
+        let mut stated = match (&self.sweep, self.measured.as_ref()?) {
             (Some(None), Some(measured)) => {
                 let list = self.measured_distances(measured, base_radii, problems);
-                if let Some(given) = given
+                if let Some(given) = given.as_ref().map(CenterDistanceSpec::distances_mm)
                     && (given.len() != list.len() || list.iter().any(|mm| !given.contains(mm)))
                 {
                     warnings.push(
                         "assembly.center_distance_mm is not used: without [sweep] exactly the rows of [measured] are run, at their centre distances".to_owned(),
                     );
                 }
-                list
+                CenterDistanceSpec::Distances(list)
             }
             _ => {
-                let list = given.clone()?;
+                let stated = given.clone()?;
                 if let Some(base_radii) = base_radii {
+                    let list = stated.distances_mm();
                     assembly::check_distances(file, &list, base_radii, problems);
                 }
-                list
+                stated
             }
         };
         let bearings = self.assembly.as_ref()?.bearings.as_ref();
         if let (Some(base_radii), Some(bearings)) = (base_radii, bearings) {
+            let list = stated.distances_mm();
             assembly::check_clearance(file, &list, base_radii, bearings.sum_mm(), problems);
         }
-        list.sort_by(f64::total_cmp);
-        Some(list)
+        if let CenterDistanceSpec::Distances(list) = &mut stated {
+            list.sort_by(f64::total_cmp);
+        }
+        Some(stated)
     }
 
     fn measured_distances(

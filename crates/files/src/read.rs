@@ -1,7 +1,7 @@
 //! What was read from a file: the study or the gears, and what belongs to the file alone.
 
 use crate::sources::Sources;
-use crate::spec::{GearSpec, PairSpec};
+use crate::spec::{CenterDistanceSpec, GearSpec, PairSpec};
 use gearlash::analysis::study::{Material, Study};
 use gearlash::error::GearError;
 use gearlash::gear::AsBuilt;
@@ -41,7 +41,8 @@ impl PairFile {
     /// # Errors
     /// As [`Study::at`].
     pub fn at(mut self, center_distances: Vec<f64>) -> Result<PairFile, GearError> {
-        self.spec.assembly.center_distance_mm = center_distances.clone();
+        self.spec.assembly.center_distance_mm =
+            CenterDistanceSpec::Distances(center_distances.clone());
         self.study = self.study.at(center_distances)?;
         Ok(self)
     }

@@ -64,9 +64,16 @@ fn reader_allows(schema: &Value, smallest: &Value, command: &[&str]) {
     let folder = tempfile::tempdir().unwrap();
     for (path, keys) in found {
         let mut pair = smallest.clone();
+        // The other spelling stands there already, and not both may.
+        if path == "assembly.centre_distance_mm" {
+            pair["assembly"] = json!({});
+        }
         let mut place = &mut pair;
         for key in path.split('.').filter(|key| !key.is_empty()) {
             place = &mut place[key];
+            if place.is_number() {
+                *place = Value::Null;
+            }
         }
         place["qqqqqqqqqqqq"] = json!(1);
         let file = folder.path().join("pair.json");
@@ -165,6 +172,30 @@ fn the_schema_refuses_what_the_reader_refuses() {
         ("/wheel/thickness", json!({ "span": { "mm": 50.0 } })),
         ("/assembly/center_distance_mm", json!(-1)),
         ("/title", json!(1)),
+        (
+            "/assembly/center_distance_mm",
+            json!({ "nominal_mm": 40.3 }),
+        ),
+        (
+            "/assembly/center_distance_mm",
+            json!({ "nominal_mm": 40.3, "upper_um": 30 }),
+        ),
+        (
+            "/assembly/center_distance_mm",
+            json!({ "nominal_mm": 40.3, "lower_um": -30 }),
+        ),
+        (
+            "/assembly/center_distance_mm",
+            json!({ "nominal_mm": 40.3, "tolerance_um": 30, "lower_um": -30 }),
+        ),
+        (
+            "/assembly/center_distance_mm",
+            json!({ "nominal_mm": 40.3, "tolerance_um": -30 }),
+        ),
+        (
+            "/assembly/center_distance_mm",
+            json!({ "tolerance_um": 30 }),
+        ),
         // Keys that go together, or never.
         ("/wheel/thickness", json!({ "span": { "teeth": 3 } })),
         (
@@ -270,7 +301,21 @@ fn the_schema_accepts_what_the_reader_accepts() {
     )
     .unwrap();
     let zeros = vec![0; 20];
-    for (key, good) in [
+    for (table, key, good) in [
+        (
+            "assembly",
+            "center_distance_mm",
+            json!({ "nominal_mm": 40.3, "tolerance_um": 30 }),
+        ),
+        (
+            "assembly",
+            "center_distance_mm",
+            json!({ "nominal_mm": 40.3, "upper_um": 30.5, "lower_um": -10 }),
+        ),
+        ("assembly", "center_distance_mm", json!([40.3, 40.4])),
+    ]
+    .into_iter()
+    .chain([
         ("thickness", json!({})),
         (
             "thickness",
@@ -300,9 +345,9 @@ fn the_schema_accepts_what_the_reader_accepts() {
             "pitch",
             json!({ "kind": "single", "axis": "datum", "eccentricity": "pitch", "right_um": zeros, "left_um": zeros }),
         ),
-    ] {
+    ].map(|(key, good)| ("wheel", key, good))) {
         let mut pair = smallest();
-        pair["wheel"][key] = good;
+        pair[table][key] = good;
         assert!(validator.is_valid(&pair), "{pair}");
         let file = folder.path().join("pair.json");
         std::fs::write(&file, pair.to_string()).unwrap();

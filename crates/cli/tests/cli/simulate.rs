@@ -271,3 +271,53 @@ fn centre_distances_are_told_apart() {
     let check = String::from_utf8(check.stdout).unwrap();
     assert!(check.contains("37.3495 "), "{check}");
 }
+
+/// A band is run at its ends and its nominal distance; by the involute formula backlash grows with the distance, so that the
+/// ends of the band are those of the backlash. `--center-distance` takes one distance, and the echo no longer says band.
+#[test]
+fn a_band_of_centre_distances() {
+    let folder = empty_folder();
+    let band = SMALL.replace(
+        "[37.3, 37.35]",
+        "{ nominal_mm = 37.35, upper_um = 20, lower_um = -50 }",
+    );
+    std::fs::write(folder.path().join("band.toml"), band).unwrap();
+    let (_, result) = simulated(folder.path(), &["band.toml"]);
+    let runs = result["runs"].as_array().unwrap();
+    let distances: Vec<f64> = runs
+        .iter()
+        .map(|run| run["center_distance_mm"].as_f64().unwrap())
+        .collect();
+    assert_eq!(distances, [37.3, 37.3, 37.35, 37.35, 37.37, 37.37]);
+    let stated = &result["pair"]["assembly"]["center_distance_mm"];
+    let written = json!({ "nominal_mm": 37.35, "upper_um": 20.0, "lower_um": -50.0 });
+    assert_eq!(*stated, written);
+    let least = |run: &Value| run["summary"]["min_j_wt_um"].as_f64().unwrap();
+    let most_material: Vec<f64> = runs.iter().step_by(2).map(least).collect();
+    assert!(
+        most_material.is_sorted_by(|a, b| a < b),
+        "{most_material:?}"
+    );
+    let (_, one) = simulated(folder.path(), &["band.toml", "--center-distance", "37.36"]);
+    let stated = &one["pair"]["assembly"]["center_distance_mm"];
+    assert_eq!(*stated, json!([37.36]));
+}
+
+/// A band that is none is refused with key, value, what is allowed and the way out.
+#[test]
+fn a_band_with_its_ends_swapped() {
+    let folder = empty_folder();
+    let band = SMALL.replace(
+        "[37.3, 37.35]",
+        "{ nominal_mm = 37.35, upper_um = -50, lower_um = 20 }",
+    );
+    std::fs::write(folder.path().join("band.toml"), band).unwrap();
+    gearlash(folder.path())
+        .args(["simulate", "band.toml"])
+        .assert()
+        .code(2)
+        .stderr(predicate::str::contains(
+            "assembly.center_distance_mm.lower_um = 20: greater than upper_um = -50.0, allowed is up to upper_um; swap the two",
+        ));
+    assert_eq!(files(folder.path()), ["band.toml"]);
+}

@@ -3,8 +3,10 @@
 use super::rules::{at_most_one, beside, exactly_one, list_length, whole, within};
 use super::value::Either;
 use crate::limits::{
-    CENTER_DISTANCE, CHORD, CLEARANCE, FRACTION, MOST_DISTANCES, STEPS_PER_PITCH, TOLERANCE, TOOTH,
+    CENTER_DISTANCE, CENTER_DISTANCE_DEVIATION, CENTER_DISTANCE_TOLERANCE, CHORD, CLEARANCE,
+    FRACTION, MOST_DISTANCES, STEPS_PER_PITCH, TOLERANCE, TOOTH,
 };
+use crate::numbers::rounded;
 use gearlash::pair::Member;
 use schemars::{JsonSchema, Schema};
 use serde::Serialize;
@@ -17,10 +19,9 @@ pub(crate) const DEFAULT_STEPS: u32 = 16;
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(transform = both_spellings)]
 pub struct AssemblySpec {
-    /// Centre distance a, mm: one or several; with `measured` and no `sweep` its rows decide.
-    #[schemars(with = "Option<Either<f64, Vec<f64>>>")]
-    #[schemars(transform = within(&CENTER_DISTANCE), transform = list_length(1, Some(MOST_DISTANCES)))]
-    pub center_distance_mm: Vec<f64>,
+    /// Centre distance a, mm: one, several, or a band; with `measured` and no `sweep` its rows decide.
+    #[schemars(with = "Option<CenterDistanceSpec>")]
+    pub center_distance_mm: CenterDistanceSpec,
     /// The gear that stands still; the other is turned.
     #[schemars(default)]
     pub locked: GearName,
@@ -38,6 +39,88 @@ fn both_spellings(schema: &mut Schema) {
         properties.insert(british.to_owned(), distance);
     }
     at_most_one(schema, &[&[american], &[british]]);
+}
+
+/// The centre distances of a pair file.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[serde(untagged)]
+#[schemars(inline)]
+pub enum CenterDistanceSpec {
+    /// One distance, or a list, mm.
+    #[schemars(with = "Either<f64, Vec<f64>>")]
+    #[schemars(transform = within(&CENTER_DISTANCE), transform = list_length(1, Some(MOST_DISTANCES)))]
+    Distances(Vec<f64>),
+    /// Nominal distance and tolerance.
+    #[schemars(description = "")] // that of the struct
+    Band(DistanceBandSpec),
+}
+
+impl CenterDistanceSpec {
+    /// The distances to run, mm: of a band the least, the nominal and the greatest.
+    pub fn distances_mm(&self) -> Vec<f64> {
+        match self {
+            CenterDistanceSpec::Distances(list) => list.clone(),
+            CenterDistanceSpec::Band(band) => band.distances_mm(),
+        }
+    }
+
+    /// The least and the greatest distance of a band, mm.
+    pub fn band_mm(&self) -> Option<[f64; 2]> {
+        match self {
+            CenterDistanceSpec::Distances(_) => None,
+            CenterDistanceSpec::Band(band) => Some(band.ends_mm()),
+        }
+    }
+}
+
+/// A nominal distance with `tolerance_um`, or with `upper_um` and `lower_um`.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[schemars(inline, transform = band_keys)]
+pub struct DistanceBandSpec {
+    /// Nominal centre distance, mm.
+    #[schemars(transform = within(&CENTER_DISTANCE))]
+    pub nominal_mm: f64,
+    /// Symmetric tolerance, ± µm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(transform = within(&CENTER_DISTANCE_TOLERANCE))]
+    pub tolerance_um: Option<f64>,
+    /// Upper deviation, µm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(transform = within(&CENTER_DISTANCE_DEVIATION))]
+    pub upper_um: Option<f64>,
+    /// Lower deviation, µm, at most the upper one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(transform = within(&CENTER_DISTANCE_DEVIATION))]
+    pub lower_um: Option<f64>,
+}
+
+impl DistanceBandSpec {
+    /// The least and the greatest distance, mm.
+    pub fn ends_mm(&self) -> [f64; 2] {
+        let [lower, upper] = match self.tolerance_um {
+            Some(tolerance) => [-tolerance, tolerance],
+            None => [self.lower_um, self.upper_um].map(|um| um.unwrap_or(0.0)),
+        };
+        // A millionth of a nm: 132.2 mm + 50 µm is the f64 of 132.25.
+        [lower, upper].map(|um| rounded(self.nominal_mm + um / 1000.0, 12))
+    }
+
+    /// Both ends and, where it lies between them, the nominal distance, ascending, mm.
+    fn distances_mm(&self) -> Vec<f64> {
+        let [least, greatest] = self.ends_mm();
+        let mut distances = vec![least, greatest];
+        if least < self.nominal_mm && self.nominal_mm < greatest {
+            distances.insert(1, self.nominal_mm);
+        }
+        distances.dedup();
+        distances
+    }
+}
+
+fn band_keys(schema: &mut Schema) {
+    exactly_one(schema, &[&["tolerance_um"], &["upper_um"]]);
+    beside(schema, "upper_um", &[&["lower_um"]]);
+    beside(schema, "lower_um", &[&["upper_um"]]);
 }
 
 /// One for each gear.

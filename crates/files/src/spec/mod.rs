@@ -16,8 +16,8 @@ mod value;
 
 pub(crate) use assembly::DEFAULT_STEPS;
 pub use assembly::{
-    AccuracySpec, AssemblySpec, BearingClearanceSpec, CompareSpec, GearName, MeasuredSpec, Phases,
-    Revolutions, SweepSpec,
+    AccuracySpec, AssemblySpec, BearingClearanceSpec, CenterDistanceSpec, CompareSpec,
+    DistanceBandSpec, GearName, MeasuredSpec, Phases, Revolutions, SweepSpec,
 };
 pub use flanks::{
     EccentricitySource, PitchAxis, PitchKind, PitchSense, PitchSpec, ReadingPlace, RunoutSpec,

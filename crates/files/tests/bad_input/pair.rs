@@ -96,6 +96,110 @@ fn list_of_centre_distances() {
 }
 
 #[test]
+fn band_of_centre_distances() {
+    const KEY: &str = "assembly.center_distance_mm";
+    let band = |keys: &str| put(GOOD, "75.2", &format!("{{ {keys} }}"));
+    expect(
+        &band("nominal_mm = -75.2, tolerance_um = -5, play_um = 1"),
+        &[
+            problem(
+                "assembly.center_distance_mm.play_um",
+                "1",
+                &["`nominal_mm`, `tolerance_um`, `upper_um` or `lower_um`"],
+                "remove",
+            ),
+            problem(
+                "assembly.center_distance_mm.nominal_mm",
+                "-75.2",
+                &["above 0"],
+                "axes",
+            ),
+            problem(
+                "assembly.center_distance_mm.tolerance_um",
+                "-5",
+                &["µm, 0 … 1e7"],
+                "either side",
+            ),
+        ],
+    );
+    expect(
+        &band("upper_um = nan, lower_um = 1e8"),
+        &[
+            problem(
+                "assembly.center_distance_mm.nominal_mm",
+                "",
+                &["missing"],
+                "[assembly.center_distance_mm]",
+            ),
+            problem(
+                "assembly.center_distance_mm.lower_um",
+                "100000000.0",
+                &["out of range", "−1e7 … 1e7"],
+                "negative when less",
+            ),
+            problem(
+                "assembly.center_distance_mm.upper_um",
+                "NaN",
+                &["not finite"],
+                "deviation",
+            ),
+        ],
+    );
+    for (keys, key, words, help) in [
+        (
+            "upper_um = 10, lower_um = 20",
+            "lower_um",
+            "greater than upper_um = 10.0",
+            "swap the two",
+        ),
+        (
+            "upper_um = 10",
+            "upper_um",
+            "stands without lower_um",
+            "add `lower_um`",
+        ),
+        (
+            "tolerance_um = 10, lower_um = -5",
+            "tolerance_um",
+            "stands beside lower_um",
+            "remove one",
+        ),
+        (
+            "",
+            "tolerance_um",
+            "`tolerance_um` alone, or `lower_um` and `upper_um`",
+            "add `tolerance_um`",
+        ),
+    ] {
+        let separator = if keys.is_empty() { "" } else { ", " };
+        expect(
+            &band(&format!("nominal_mm = 75.2{separator}{keys}")),
+            &[problem(&format!("{KEY}.{key}"), "", &[words], help)],
+        );
+    }
+    // r_b1 + r_b2 = 70.476947 mm: one of the two ends lies below.
+    expect(
+        &band("nominal_mm = 75.2, tolerance_um = 5000"),
+        &[problem(
+            KEY,
+            "{ nominal_mm = 75.2, tolerance_um = 5000 }",
+            &["at centre distance 70.2 mm", "must exceed 70.476947 mm"],
+            "m (z_1 + z_2)/2",
+        )],
+    );
+    // A misspelt key is the one told.
+    expect(
+        &band("nominal_mm = 75.2, tolerence_um = 5"),
+        &[problem(
+            "assembly.center_distance_mm.tolerence_um",
+            "5",
+            &["unknown key"],
+            "mean `tolerance_um`",
+        )],
+    );
+}
+
+#[test]
 fn both_gears_are_reported_together() {
     expect(
         &(wheel("profile_shift = 1.5")

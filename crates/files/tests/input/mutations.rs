@@ -40,6 +40,8 @@ const NASTY: &[&str] = &[
     "null",
     "{ teeth = 1 }",
     "{ min = 1, max = 2 }",
+    "{ nominal_mm = 75, tolerance_um = 5 }",
+    "{ nominal_mm = 75, upper_um = -1e308, lower_um = 1 }",
     "\"\u{0}\"",
     "🦷",
 ];

@@ -68,7 +68,10 @@ impl RunExtreme {
 
     /// What was found, mm: the end of the bracket that the pose attains.
     pub fn found(&self) -> f64 {
-        self.pose.swept.backlash.unwrap_or(0.5 * (self.low + self.high))
+        self.pose
+            .swept
+            .backlash
+            .unwrap_or(0.5 * (self.low + self.high))
     }
 }
 
@@ -116,11 +119,19 @@ pub fn extremes(
         Ok((found, from))
     });
     let found = found.into_iter().collect::<Result<Vec<_>, Error>>()?;
-    let poses = plans.iter().zip(&found).map(|(planned, (found, _))| RunPlan {
-        matings: matings(found).collect(),
-        ..planned.run.clone()
-    });
-    let runs = simulate_plans(study, poses.collect(), method, &|| ControlFlow::Continue(()))?;
+    let poses = plans
+        .iter()
+        .zip(&found)
+        .map(|(planned, (found, _))| RunPlan {
+            matings: matings(found).collect(),
+            ..planned.run.clone()
+        });
+    let runs = simulate_plans(
+        study,
+        poses.collect(),
+        method,
+        &|| ControlFlow::Continue(()),
+    )?;
     let runs = compare(runs, study.tolerance_um);
     let all = plans.iter().zip(found).zip(runs);
     Ok(all

@@ -2,6 +2,7 @@
 //! (spur gears); a sign stays what it is: negative means interference.
 
 use super::gear_pair::{GearPair, Member};
+use crate::gear::Gear;
 
 /// A backlash of a pair at its centre distance, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -65,12 +66,21 @@ pub enum BacklashUnit {
 }
 
 impl BacklashUnit {
-    /// Arcmin at the gear `at` of `pair`.
-    pub fn arcmin(pair: &GearPair, at: Member) -> BacklashUnit {
-        let base = |member| pair.gear(member).gear().base_radius();
-        BacklashUnit::Arcmin {
-            at,
-            share: base(at) / (base(at) + base(at.mate())),
+    /// Arcmin at the gear `at` of the two.
+    pub fn arcmin(at: Member, wheel: &Gear, pinion: &Gear) -> BacklashUnit {
+        let gear = match at {
+            Member::Wheel => wheel,
+            Member::Pinion => pinion,
+        };
+        let share = gear.base_radius() / (wheel.base_radius() + pinion.base_radius());
+        BacklashUnit::Arcmin { at, share }
+    }
+
+    /// `µm` or `arcmin`.
+    pub fn name(self) -> &'static str {
+        match self {
+            BacklashUnit::Um => "µm",
+            BacklashUnit::Arcmin { .. } => "arcmin",
         }
     }
 
@@ -91,7 +101,7 @@ fn arcmin(j_wt: f64, r_w: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign};
+    use crate::gear::{AsBuilt, BasicGearData, Face, GearDesign};
 
     /// Gears 30/20 of module 2 at 20°, at a distance where cos α_wt is 0.9: `r_w = r_b/0.9`.
     fn pair() -> GearPair {
@@ -167,8 +177,9 @@ mod tests {
     fn a_shown_unit_is_the_same_conversion() {
         let pair = pair();
         let a = pair.center_distance();
+        let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|gear| pair.gear(gear).gear());
         for at in [Member::Wheel, Member::Pinion] {
-            let shown = BacklashUnit::arcmin(&pair, at).of_um(90.0, a);
+            let shown = BacklashUnit::arcmin(at, wheel, pinion).of_um(90.0, a);
             assert!((shown - pair.backlash(0.09).arcmin(at)).abs() < 1e-13);
         }
         assert_eq!(BacklashUnit::default().of_um(90.0, a), 90.0);

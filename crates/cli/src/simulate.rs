@@ -6,6 +6,7 @@ use super::method::{MethodArgs, agreement};
 use super::progress::Progress;
 use super::results::{Format, ResultsArgs};
 use super::screen::ScreenArgs;
+use super::unit::UnitArgs;
 use super::worst::Worst;
 use super::{poses, studies};
 use crate::error::Error;
@@ -40,6 +41,8 @@ pub(super) struct Args {
     #[command(flatten)]
     results: ResultsArgs,
     #[command(flatten)]
+    unit: UnitArgs,
+    #[command(flatten)]
     screen: ScreenArgs,
     #[command(flatten)]
     method: MethodArgs,
@@ -53,6 +56,13 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         file = moved.map_err(|reason| Error::Usage(format!("--center-distance: {reason}")))?;
     }
     let study = &file.study;
+    let unit = args.unit.unit(study)?;
+    if args.unit.given() && args.results.format != Format::Text {
+        return Err(Error::Usage(
+            "--unit belongs to --format text: JSON and CSV have every unit; leave it out"
+                .to_owned(),
+        ));
+    }
     poses::allow(&args.pair, study.pose_count(), &poses::STREAMED)?;
     // Before the simulation, not after it.
     let mut folder = args.results.folder(&file.stem, &file.sources, is_own)?;
@@ -98,6 +108,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
                 study,
                 &runs,
                 &measured,
+                unit,
                 &args.screen.screen(),
             ))?;
         }

@@ -5,6 +5,7 @@ mod layout;
 mod measured;
 mod phases;
 mod simulation;
+mod unit;
 
 pub(crate) use layout::{Column, Table, where_it_is};
 pub use layout::{Screen, Tone};

@@ -9,6 +9,7 @@ use gearlash::analysis::diagnosis::diagnose;
 use gearlash::analysis::outcome::{Agreement, Outcome};
 use gearlash::analysis::tally::tally;
 use gearlash::contact::Method;
+use gearlash::pair::BacklashUnit;
 use gearlash_files::result_file;
 use gearlash_files::results::{ComparedPair, comparison_json};
 use gearlash_render::chart::{self, Heading};
@@ -19,13 +20,14 @@ use roxmltree::Document;
 use serde_json::Value;
 
 /// Keys of a pose that hold what was found.
-const FOUND: [&str; 9] = [
+const FOUND: [&str; 10] = [
     "right_rad",
     "left_rad",
     "lost_motion_rad",
     "j_wt_um",
     "j_t_um",
     "j_bn_um",
+    "j_r_um",
     "error_bound_um",
     "right",
     "left",
@@ -117,7 +119,13 @@ fn the_table_counts_them_and_takes_none_in() {
     let case =
         Case::of("[sweep]\nmating = [[3, 3], [4, 4], [5, 5]]\nfraction = [0.0, 0.25, 0.5, 0.75]\n");
     let runs = case.compared(CERTIFIED);
-    let text = simulation_table(&case.study, &tally(&runs), &[], &Screen::default());
+    let text = simulation_table(
+        &case.study,
+        &tally(&runs),
+        &[],
+        BacklashUnit::Um,
+        &Screen::default(),
+    );
     let count = runs[0].summary().unproven;
     assert!(
         text.contains(&format!("\nUNPROVEN: {count} of 24 poses.")),

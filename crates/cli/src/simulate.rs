@@ -26,7 +26,7 @@ use std::process::ExitCode;
 /// Find the lost motion at every pose a pair file asks for
 ///
 /// Prints a table and writes DIR/result.json, DIR/result.csv and DIR/worst.svg, a snapshot of the pose with the least
-/// backlash of all. Up to 10 million poses (25 GB of results); from a million on the size is printed first. With --format
+/// backlash of all. Up to 10 million poses (27 GB of results); from a million on the size is printed first. With --format
 /// json or csv and without -o the result is streamed: it is complete only if the exit code is 0 or 1.
 #[derive(clap::Args)]
 pub(super) struct Args {

@@ -3,10 +3,12 @@
 //! Bookkeeping only: the simulation and the analytic models both read it, and
 //! share nothing else.
 
+mod backlash;
 mod gear_pair;
 mod pose;
 mod sweep_plan;
 
+pub use backlash::{Backlash, BacklashUnit};
 pub use gear_pair::{GearPair, Member};
 pub use pose::{Mating, Pose};
 pub use sweep_plan::SweepPlan;

@@ -3,10 +3,11 @@
 mod drawn;
 
 use super::distances::{self, Distances};
-use super::drawing::{End, teeth};
+use super::drawing::{End, Gear, teeth};
 use super::method::MethodArgs;
 use super::studies;
 use super::target::Target;
+use super::unit::UnitArgs;
 use crate::error::Error;
 use clap::ValueEnum;
 use drawn::Drawn;
@@ -41,6 +42,8 @@ pub(super) struct Args {
     #[arg(short, long, value_name = "FILE.svg")]
     output: Option<PathBuf>,
     #[command(flatten)]
+    unit: UnitArgs,
+    #[command(flatten)]
     method: MethodArgs,
 }
 
@@ -54,12 +57,6 @@ enum Kind {
     Difference,
     /// Pitch, thickness and runout of one gear, tooth by tooth
     Inspection,
-}
-
-#[derive(Clone, Copy, ValueEnum)]
-enum Gear {
-    Wheel,
-    Pinion,
 }
 
 /// Runs the command.
@@ -118,6 +115,12 @@ fn check_options(args: &Args) -> Result<(), Error> {
             over_teeth,
             "--material",
             "revolution or difference",
+        ),
+        (
+            args.unit.given(),
+            matches!(args.kind, Kind::Revolution | Kind::Distance),
+            "--unit",
+            "revolution or distance",
         ),
     ] {
         if given && !suits {

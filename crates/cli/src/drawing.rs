@@ -3,12 +3,29 @@
 use crate::error::Error;
 use clap::ValueEnum;
 use gearlash::analysis::study::{Material, Study};
+use gearlash::pair::Member;
 
 /// `--material`.
 #[derive(Clone, Copy, ValueEnum)]
 pub(super) enum End {
     Most,
     Least,
+}
+
+/// `--gear`, `--at`.
+#[derive(Clone, Copy, ValueEnum)]
+pub(super) enum Gear {
+    Wheel,
+    Pinion,
+}
+
+impl Gear {
+    pub(super) fn member(self) -> Member {
+        match self {
+            Gear::Wheel => Member::Wheel,
+            Gear::Pinion => Member::Pinion,
+        }
+    }
 }
 
 /// Wheel and pinion tooth, such as `11,11`.

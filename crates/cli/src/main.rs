@@ -27,6 +27,7 @@ mod simulate;
 mod snapshot;
 mod studies;
 mod target;
+mod unit;
 mod worst;
 
 use crate::error::Error;

@@ -6,6 +6,7 @@ use super::method::{MethodArgs, agreement};
 use super::progress::Progress;
 use super::results::{Format, ResultsArgs};
 use super::screen::ScreenArgs;
+use super::unit::UnitArgs;
 use super::{poses, studies};
 use crate::error::Error;
 use crate::output::{NewFile, OutputFolder};
@@ -27,7 +28,7 @@ use std::process::ExitCode;
 /// Find the lost motion at every pose a pair file asks for
 ///
 /// Prints the verdict and a table, and writes DIR/result.json, DIR/result.csv and DIR/worst.svg, a snapshot of the pose
-/// with the least backlash of the whole mesh cycle. Exit code 1 where a [require] of the pair file is not met. Up to 10 million poses (25 GB of results); from a million on the size is printed first. With --format
+/// with the least backlash of the whole mesh cycle. Exit code 1 where a [require] of the pair file is not met. Up to 10 million poses (27 GB of results); from a million on the size is printed first. With --format
 /// json or csv and without -o the result is streamed: it is complete only if the exit code is 0 or 1.
 #[derive(clap::Args)]
 pub(super) struct Args {
@@ -42,6 +43,8 @@ pub(super) struct Args {
     #[command(flatten)]
     results: ResultsArgs,
     #[command(flatten)]
+    unit: UnitArgs,
+    #[command(flatten)]
     screen: ScreenArgs,
     #[command(flatten)]
     method: MethodArgs,
@@ -55,6 +58,13 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         file = moved.map_err(|reason| Error::Usage(format!("--center-distance: {reason}")))?;
     }
     let study = &file.study;
+    let unit = args.unit.unit(study)?;
+    if args.unit.given() && args.results.format != Format::Text {
+        return Err(Error::Usage(
+            "--unit belongs to --format text: JSON and CSV have every unit; leave it out"
+                .to_owned(),
+        ));
+    }
     poses::allow(&args.pair, study.pose_count(), &poses::STREAMED)?;
     // Before the simulation, not after it.
     let mut folder = args.results.folder(&file.stem, &file.sources, is_own)?;
@@ -98,6 +108,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
                 &verdict,
                 &runs,
                 &measured,
+                unit,
                 &args.screen.screen(),
             ))?;
         }

@@ -4,6 +4,8 @@
 //! Neither has a negative zero. Lengths come in mm; what says µm in its name multiplies by 1000. Results for
 //! programs are not written here: JSON and CSV hold the shortest text that reads back to the same f64.
 
+use gearlash::pair::BacklashUnit;
+
 /// What stands where there is no value.
 pub const NONE: &str = "–";
 
@@ -37,6 +39,19 @@ pub fn signed_um(length_mm: f64, decimals: usize) -> String {
         true => format!("+{text}"),
         false => text,
     }
+}
+
+/// A backlash `j_wt` of so many µm at centre distance `a`, mm, in `unit`, with a true minus sign; a dash for none. Arcmin have one
+/// decimal more than µm: one is some 10 to 20 µm at gears of usual size.
+pub fn backlash(
+    unit: BacklashUnit,
+    j_wt_um: impl Into<Option<f64>>,
+    a: f64,
+    decimals: usize,
+) -> String {
+    let more = usize::from(unit != BacklashUnit::Um);
+    let value = j_wt_um.into().map(|um| unit.of_um(um, a));
+    fixed(value, decimals + more)
 }
 
 /// `value` in as few digits as read back to the same number, with a true minus sign: what a user wrote.

@@ -2,11 +2,11 @@
 
 use super::super::console::tell;
 use super::super::distances::Distances;
-use super::super::drawing::{End, material};
+use super::super::drawing::{End, Gear, material};
 use super::super::method::{agreed, agreement_within, all_proven};
 use super::super::poses;
 use super::super::progress::{Progress, run_under_bar};
-use super::{Args, Gear, Kind};
+use super::{Args, Kind};
 use crate::error::Error;
 use gearlash::analysis::compare::ComparedRun;
 use gearlash::analysis::curves::{self, Course, Followed};
@@ -16,6 +16,7 @@ use gearlash::analysis::{Analysis, Plan};
 use gearlash::contact::Method;
 use gearlash::error::{Error as Run, GearError};
 use gearlash::gear::Inspection;
+use gearlash::pair::BacklashUnit;
 use gearlash_files::verdict::{in_short, sentence};
 use gearlash_render::chart::{self, Chart, Heading};
 
@@ -30,6 +31,7 @@ pub(super) struct Drawn {
 impl Drawn {
     /// A curve over the teeth at one centre distance.
     pub fn over_teeth(args: &Args, study: Study) -> Result<Drawn, Error> {
+        let unit = args.unit.unit(&study)?;
         let mut study = curves::swept(study);
         if let Some(end) = args.material {
             let wanted = material(end, &study)?;
@@ -74,13 +76,13 @@ impl Drawn {
                 "difference",
                 chart::difference(&heading(&study, &cycle), course, study.tolerance_um)?,
             ),
-            _ => (
-                "revolution",
-                chart::revolution(&heading(&study, &cycle), course)?,
-            ),
+            _ => {
+                let chart = chart::revolution_in(unit, &heading(&study, &cycle), course)?;
+                ("revolution", chart)
+            }
         };
         Ok(Drawn {
-            file: file(name, args, course),
+            file: file(name, args, course, unit),
             agrees: agreed(&analysis),
             chart,
         })
@@ -88,6 +90,7 @@ impl Drawn {
 
     /// One mating over the centre distance.
     pub fn over_distance(args: &Args, study: &Study) -> Result<Drawn, Error> {
+        let unit = args.unit.unit(study)?;
         let swept = match args.mating {
             Some(_) => None,
             None => Some(swept(args, study)?),
@@ -113,8 +116,13 @@ impl Drawn {
         let unproven = curve.unproven + swept.as_ref().map_or(0, Analysis::unproven);
         let cycle = swept.as_ref().map(told).unwrap_or_default();
         Ok(Drawn {
-            chart: chart::distance(&heading(study, &cycle), &curve, &by_distance(&all, &[]))?,
-            file: format!("chart_distance_{wheel}_{pinion}.svg"),
+            chart: chart::distance_in(
+                unit,
+                &heading(study, &cycle),
+                &curve,
+                &by_distance(&all, &[]),
+            )?,
+            file: format!("chart_distance_{wheel}_{pinion}{}.svg", suffix(unit)),
             agrees: agreement_within(curve.polygon_difference) & all_proven(unproven),
         })
     }
@@ -152,13 +160,22 @@ fn told(analysis: &Analysis) -> String {
     in_short(&verdict)
 }
 
-fn file(name: &str, args: &Args, course: &Course) -> String {
+fn file(name: &str, args: &Args, course: &Course, unit: BacklashUnit) -> String {
     let end = match args.material {
         Some(End::Most) => "_most",
         Some(End::Least) => "_least",
         None => "",
     };
-    format!("chart_{name}_a{}{end}.svg", course.center_distance)
+    let unit = suffix(unit);
+    format!("chart_{name}_a{}{end}{unit}.svg", course.center_distance)
+}
+
+/// What tells a chart in `unit` from one in µm.
+fn suffix(unit: BacklashUnit) -> String {
+    match unit {
+        BacklashUnit::Um => String::new(),
+        BacklashUnit::Arcmin { at, .. } => format!("_arcmin_{}", at.name()),
+    }
 }
 
 /// Whole revolutions, the poses of the pair file and the rest of the mesh cycle, as a report has them.

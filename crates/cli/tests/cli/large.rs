@@ -151,8 +151,8 @@ fn a_scan_over_too_many_poses_is_refused_with_poses_and_bytes() {
         .stderr(predicate::str::contains(
             "large.toml: sweep: 20502000 poses",
         ))
-        .stderr(predicate::str::contains("about 52 GB of result"))
-        .stderr(predicate::str::contains("up to 10 million, 25 GB"))
+        .stderr(predicate::str::contains("about 56 GB of result"))
+        .stderr(predicate::str::contains("up to 10 million, 27 GB"))
         .stderr(predicate::str::contains("fewer centre distances"));
     assert_eq!(files(folder.path()), ["large.toml"]);
 }

@@ -25,6 +25,7 @@ mod snapshot;
 mod step_summary;
 #[cfg(target_os = "linux")]
 mod terminal;
+mod units;
 mod verdict;
 
 use assert_cmd::Command;

@@ -23,10 +23,13 @@ fn jammed_and_out_of_mesh_are_results() {
                 "j_wt_um",
                 "j_t_um",
                 "j_bn_um",
+                "j_r_um",
                 "error_bound_um",
             ] {
                 assert!(pose[key].is_null(), "{key} at {a}");
             }
+            let none = serde_json::json!({ "wheel": null, "pinion": null });
+            assert_eq!(pose["lost_motion_arcmin"], none, "at {a}");
         }
         output(gearlash(folder.path()).args(["simulate", "pair.toml"]));
     }

@@ -35,7 +35,7 @@ impl<W: Write> Csv<W> {
 }
 
 /// Name and value of each column.
-fn columns(run: &RunHead, pose: &PoseRecord) -> [(&'static str, Cell); 37] {
+fn columns(run: &RunHead, pose: &PoseRecord) -> [(&'static str, Cell); 40] {
     let unproven = pose.unproven.as_ref();
     let end = |end: usize| {
         let ends = pose.unproven_range.as_ref()?;
@@ -95,6 +95,15 @@ fn columns(run: &RunHead, pose: &PoseRecord) -> [(&'static str, Cell); 37] {
         ),
         ("unproven_range_min_reason", end(0).into()),
         ("unproven_range_max_reason", end(1).into()),
+        ("j_r_um", pose.j_r_um.into()),
+        (
+            "lost_motion_wheel_arcmin",
+            pose.lost_motion_arcmin.wheel.into(),
+        ),
+        (
+            "lost_motion_pinion_arcmin",
+            pose.lost_motion_arcmin.pinion.into(),
+        ),
     ]
 }
 

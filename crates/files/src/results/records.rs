@@ -5,7 +5,7 @@ use gearlash::analysis::compare::ComparedPose;
 use gearlash::analysis::tally::RunTally;
 use gearlash::contact::{Contact, ContactClass, LostMotion, PoseResult, Touch, Unproven};
 use gearlash::gear::Side;
-use gearlash::pair::{GearPair, Mating, Member};
+use gearlash::pair::{Backlash, GearPair, Mating, Member};
 use serde::Serialize;
 use std::f64::consts::TAU;
 
@@ -52,6 +52,8 @@ pub(super) struct PoseRecord {
     pub(super) j_wt_um: Option<f64>,
     pub(super) j_t_um: Option<f64>,
     pub(super) j_bn_um: Option<f64>,
+    pub(super) j_r_um: Option<f64>,
+    pub(super) lost_motion_arcmin: ArcminRecord,
     pub(super) j_wt_range_um: [Option<f64>; 2],
     pub(super) error_bound_um: Option<f64>,
     pub(super) status: &'static str,
@@ -64,6 +66,23 @@ pub(super) struct PoseRecord {
     pub(super) right: Option<ContactRecord>,
     pub(super) left: Option<ContactRecord>,
     pub(super) analytic: AnalyticRecord,
+}
+
+/// Lost motion at each gear, its mate standing still.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub(super) struct ArcminRecord {
+    pub(super) wheel: Option<f64>,
+    pub(super) pinion: Option<f64>,
+}
+
+impl ArcminRecord {
+    pub(super) fn of(backlash: Option<Backlash>) -> ArcminRecord {
+        let at = |gear| Some(backlash?.arcmin(gear));
+        ArcminRecord {
+            wheel: at(Member::Wheel),
+            pinion: at(Member::Pinion),
+        }
+    }
 }
 
 /// Why a pose is not proven, and the values that nothing vouches for.
@@ -111,8 +130,8 @@ pub(super) fn um(length: f64) -> f64 {
 }
 
 pub(super) fn pose_record(assembly: &GearPair, pose: &ComparedPose) -> PoseRecord {
-    let free = assembly.gear(assembly.free()).gear();
     let swept = &pose.swept;
+    let backlash = swept.backlash.map(|j_wt| assembly.backlash(j_wt));
     let mating = swept.pose.mating();
     let found = swept.proven();
     let angle = found.and_then(LostMotion::angle);
@@ -136,8 +155,10 @@ pub(super) fn pose_record(assembly: &GearPair, pose: &ComparedPose) -> PoseRecor
         left_rad: right.zip(angle).map(|(right, angle)| right + angle),
         lost_motion_rad: angle,
         j_wt_um: swept.backlash.map(um),
-        j_t_um: angle.map(|phi| um(phi * free.basic_data().reference_radius())),
-        j_bn_um: angle.map(|phi| um(phi * free.base_radius())),
+        j_t_um: backlash.map(|of| um(of.j_t)),
+        j_bn_um: backlash.map(|of| um(of.j_bn)),
+        j_r_um: backlash.map(|of| um(of.j_r)),
+        lost_motion_arcmin: ArcminRecord::of(backlash),
         j_wt_range_um: swept.range().map(|end| end.map(um)),
         error_bound_um: angle.and(swept.error_bound).map(um),
         status: swept.status().name(),

@@ -1,8 +1,10 @@
 //! What a run comes to, as a result writes it: least, mean and greatest, and what touched.
 
-use super::records::{ContactRecord, MatingRecord, contact_record, mating_record, um};
-use gearlash::analysis::compare::Summary;
+use super::records::{
+    ArcminRecord, ContactRecord, MatingRecord, contact_record, mating_record, um,
+};
 use gearlash::analysis::diagnosis::{ContactCount, Worst};
+use gearlash::analysis::tally::RunTally;
 use serde::Serialize;
 
 /// What touched over a run; `classes` counts poses by the graver of their contacts.
@@ -66,6 +68,8 @@ pub(super) struct SummaryRecord {
     with_bearing_clearance: BandRecord,
     max_deviation_um: DeviationRecord,
     contact: ContactCountRecord,
+    min_lost_motion_arcmin: ArcminRecord,
+    max_lost_motion_arcmin: ArcminRecord,
 }
 
 #[derive(Debug, Serialize)]
@@ -83,7 +87,10 @@ struct DeviationRecord {
     line_of_action: Option<f64>,
 }
 
-pub(super) fn summary_record(summary: &Summary, contact: &ContactCount) -> SummaryRecord {
+pub(super) fn summary_record(run: &RunTally) -> SummaryRecord {
+    let summary = run.summary();
+    let lost_motion =
+        |j_wt: Option<f64>| ArcminRecord::of(j_wt.map(|j_wt| run.assembly.backlash(j_wt)));
     SummaryRecord {
         min_j_wt_um: summary.min.map(um),
         max_j_wt_um: summary.max.map(um),
@@ -98,6 +105,8 @@ pub(super) fn summary_record(summary: &Summary, contact: &ContactCount) -> Summa
             involute: summary.off_involute.map(um),
             line_of_action: summary.off_line_of_action.map(um),
         },
-        contact: contact_count_record(contact),
+        contact: contact_count_record(&run.contact),
+        min_lost_motion_arcmin: lost_motion(summary.min),
+        max_lost_motion_arcmin: lost_motion(summary.max),
     }
 }

@@ -85,8 +85,7 @@ impl<'w> ResultWriter<'w> {
             Piece::End(run) => match &mut self.json {
                 Some(json) => {
                     json.close_list()?;
-                    let summary = summary_record(&run.summary(), &run.contact);
-                    json.entry("summary", &summary)?;
+                    json.entry("summary", &summary_record(run))?;
                     json.close_object()
                 }
                 None => Ok(()),

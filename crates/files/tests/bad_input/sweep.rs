@@ -144,8 +144,8 @@ fn too_many_poses() {
             "hunting",
             &[
                 "31616864 poses",
-                "80 GB of result",
-                "up to 10 million, 25 GB",
+                "86 GB of result",
+                "up to 10 million, 27 GB",
             ],
             "fewer",
         )],

@@ -5,6 +5,7 @@ use super::panel::{Entry, Mark, Panel, Sample};
 use crate::kit::{Anchor, Axis};
 use gearlash::analysis::curves::{Course, CourseLine};
 use gearlash::contact::Status;
+use gearlash::pair::BacklashUnit;
 use gearlash_files::numbers::stated_distance;
 
 /// The axis of a course, with its number of teeth.
@@ -17,6 +18,15 @@ pub(super) fn course_axis(course: &Course) -> Axis {
         teeth: course.teeth,
         ..Axis::new(name, course.span)
     }
+}
+
+/// The axis of backlash in `unit` over `range`.
+pub(super) fn backlash_axis(unit: BacklashUnit, range: [f64; 2]) -> Axis {
+    let name = match unit {
+        BacklashUnit::Um => "circumferential backlash j_wt, µm".to_owned(),
+        BacklashUnit::Arcmin { at, .. } => format!("lost motion at the {}, arcmin", at.name()),
+    };
+    Axis::new(&name, range)
 }
 
 /// Centre distance, start and phase of a course.

@@ -1,6 +1,6 @@
 //! Backlash over the centre distance, as Figures 20–21 of the study the project started from.
 
-use super::captions::{empty, entry, interference, unproven_note, without_value};
+use super::captions::{backlash_axis, empty, entry, interference, unproven_note, without_value};
 use super::paint::Look;
 use super::panel::{Mark, Panel, Point, Sample, backlash_range, range};
 use super::sheet::{self, Chart, Heading, PictureError};
@@ -9,7 +9,7 @@ use crate::pose_name::pose_name;
 use gearlash::analysis::curves::{DistancePoint, OverDistance};
 use gearlash::analysis::measured::Band;
 use gearlash::analysis::outcome::AtDistance;
-use gearlash::pair::Mating;
+use gearlash::pair::{BacklashUnit, Mating};
 use gearlash_files::numbers::trimmed;
 
 /// Fill of the band with and without bearing clearance.
@@ -25,24 +25,41 @@ pub fn distance(
     curve: &OverDistance,
     swept: &[AtDistance],
 ) -> Result<Chart, PictureError> {
-    let line = |band: fn(&DistancePoint) -> Option<Band>, end: fn(Band) -> f64| -> Vec<Point> {
-        let points = curve.points.iter();
-        points
-            .map(|point| (point.center_distance, band(point).map(end)))
-            .collect()
+    distance_in(BacklashUnit::Um, heading, curve, swept)
+}
+
+/// As [`distance`], in `unit`.
+///
+/// # Errors
+/// As [`distance`].
+pub fn distance_in(
+    unit: BacklashUnit,
+    heading: &Heading,
+    curve: &OverDistance,
+    swept: &[AtDistance],
+) -> Result<Chart, PictureError> {
+    let place = |a: f64, um: Option<f64>| -> Point { (a, um.map(|um| unit.of_um(um, a))) };
+    // The least and the greatest end of a band, which are of the gears `apart` nearer and farther.
+    let ends = |band: fn(&DistancePoint) -> Option<Band>, apart: f64| {
+        let ends: [(fn(Band) -> f64, f64); 2] =
+            [(|band| band.min_um, -apart), (|band| band.max_um, apart)];
+        ends.map(|(end, apart)| -> Vec<Point> {
+            let value = |point: &DistancePoint| {
+                let um = end(band(point)?);
+                Some(unit.of_um(um, point.center_distance + apart))
+            };
+            let points = curve.points.iter();
+            points
+                .map(|point| (point.center_distance, value(point)))
+                .collect()
+        })
     };
-    let ends = |band| {
-        [
-            line(band, |band| band.min_um),
-            line(band, |band| band.max_um),
-        ]
-    };
-    let simulated = ends(|point| point.bands.simulated);
-    let analytic = ends(|point| point.bands.analytic);
-    let with_clearance = ends(|point| point.bands.with_clearance);
+    let simulated = ends(|point| point.bands.simulated, 0.0);
+    let analytic = ends(|point| point.bands.analytic, 0.0);
+    let with_clearance = ends(|point| point.bands.with_clearance, curve.clearance);
     let measured = |side: fn(&gearlash::analysis::study::MeasuredRow) -> f64| -> Vec<Point> {
         let rows = curve.measured.iter();
-        rows.map(|row| (row.center_distance, Some(side(row))))
+        rows.map(|row| place(row.center_distance, Some(side(row))))
             .collect()
     };
     let (right, left) = (measured(|row| row.right_um), measured(|row| row.left_um));
@@ -70,7 +87,7 @@ pub fn distance(
         marks.extend(outline(&analytic, Look::Third));
         legend.push(entry("by formula (model 2)", Look::Third, Sample::Line));
     }
-    let ranges: Vec<[Point; 2]> = swept.iter().map(range_of).collect();
+    let ranges: Vec<[Point; 2]> = swept.iter().map(|at| range_of(at, place)).collect();
     for points in ranges.iter().map(|ends| ends.to_vec()) {
         let look = Look::Plain;
         marks.push(Mark::Dots {
@@ -112,7 +129,10 @@ pub fn distance(
         [0.0; 2],
         1e-6,
     );
-    let (Some(x), Some(y)) = (x, backlash_range(values)) else {
+    let (Some(x), Some(y)) = (
+        x,
+        x.and_then(|x| backlash_range(values, unit.of_um(1.0, x[1]))),
+    ) else {
         if let (Some(x), true) = (x, curve.unproven > 0) {
             let panel = empty(
                 Axis::new("centre distance a, mm", x),
@@ -128,7 +148,7 @@ pub fn distance(
     let mut panel = Panel {
         title: String::new(),
         x: Axis::new("centre distance a, mm", x),
-        y: Axis::new("circumferential backlash j_wt, µm", y),
+        y: backlash_axis(unit, y),
         height: 380.0,
         marks,
     };
@@ -140,10 +160,10 @@ pub fn distance(
 }
 
 /// Least and greatest of all poses at a centre distance.
-fn range_of(at: &AtDistance) -> [Point; 2] {
+fn range_of(at: &AtDistance, place: impl Fn(f64, Option<f64>) -> Point) -> [Point; 2] {
     [at.all.least, at.all.greatest].map(|found| {
         let backlash = found.and_then(|found| found.pose.swept.backlash);
-        (at.center_distance, backlash.map(|mm| mm * 1e3))
+        place(at.center_distance, backlash.map(|mm| mm * 1e3))
     })
 }
 

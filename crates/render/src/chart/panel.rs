@@ -71,15 +71,14 @@ pub(super) struct Entry {
     pub sample: Sample,
 }
 
-/// An axis range for backlash, µm, with room for a label at both ends. Where no value is negative it ends at
-/// zero; else there is room for the word below the zero line.
-pub(super) fn backlash_range(values: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
-    // At least a micrometre, so that rounding is no curve.
+/// An axis range for backlash, with room for a label at both ends, at least `um` wide: a micrometre, so that rounding is no
+/// curve. Where no value is negative it ends at zero; else there is room for the word below the zero line.
+pub(super) fn backlash_range(values: impl Iterator<Item = f64>, um: f64) -> Option<[f64; 2]> {
     let mut least = f64::INFINITY;
     let [low, high] = range(
         values.inspect(|value| least = least.min(*value)),
         [0.16; 2],
-        1.0,
+        um,
     )?;
     Some(match least >= 0.0 {
         true => [low.max(0.0), high],

@@ -1,17 +1,18 @@
 //! Backlash over the teeth, as Figures 17–19 of the study the project started from.
 
 use super::captions::{
-    course_axis, course_caption, empty, entry, interference, unproven_note, unproven_of,
-    without_value,
+    backlash_axis, course_axis, course_caption, empty, entry, interference, unproven_note,
+    unproven_of, without_value,
 };
 use super::paint::Look;
 use super::panel::{Mark, Panel, Point, Sample, backlash_range};
 use super::sheet::{self, Chart, Heading, PictureError};
-use crate::kit::{Anchor, Axis};
+use crate::kit::Anchor;
 use gearlash::analysis::curves::{Course, CourseLine, Extreme};
 use gearlash::analysis::study::Material;
 use gearlash::gear::Side;
-use gearlash_files::numbers::fixed;
+use gearlash::pair::BacklashUnit;
+use gearlash_files::numbers::backlash;
 
 /// How strongly a band is filled.
 const FILL: f64 = 0.2;
@@ -22,13 +23,32 @@ const FILL: f64 = 0.2;
 /// # Errors
 /// [`PictureError`]: none for a course that has poses.
 pub fn revolution(heading: &Heading, course: &Course) -> Result<Chart, PictureError> {
+    revolution_in(BacklashUnit::Um, heading, course)
+}
+
+/// As [`revolution`], in `unit`.
+///
+/// # Errors
+/// As [`revolution`].
+pub fn revolution_in(
+    unit: BacklashUnit,
+    heading: &Heading,
+    course: &Course,
+) -> Result<Chart, PictureError> {
+    let of_um = |um| unit.of_um(um, course.center_distance);
+    let points = |line: &CourseLine| -> Vec<Point> {
+        let points = line.points.iter();
+        points
+            .map(|point| (point.x, point.simulated_um.map(of_um)))
+            .collect()
+    };
     let points_of_all = || course.lines.iter().flat_map(|line| &line.points);
     let without = || {
         let without = points_of_all().filter(|point| point.simulated_um.is_none());
         without_value(without.map(|point| point.status))
     };
-    let values = points_of_all().filter_map(|point| point.simulated_um);
-    let Some(y) = backlash_range(values) else {
+    let values = points_of_all().filter_map(|point| point.simulated_um.map(of_um));
+    let Some(y) = backlash_range(values, of_um(1.0)) else {
         let words = format!("no pose has a backlash: {}", without());
         let panel = empty(course_axis(course), &words);
         let unproven = unproven_note(unproven_of(course.lines.iter()));
@@ -38,7 +58,7 @@ pub fn revolution(heading: &Heading, course: &Course) -> Result<Chart, PictureEr
     let mut panel = Panel {
         title: String::new(),
         x: course_axis(course),
-        y: Axis::new("circumferential backlash j_wt, µm", y),
+        y: backlash_axis(unit, y),
         height: 360.0,
         marks: Vec::new(),
     };
@@ -83,19 +103,25 @@ pub fn revolution(heading: &Heading, course: &Course) -> Result<Chart, PictureEr
     }
     let busy = course.least.as_ref().map_or(0.0, |least| least.x);
     interference(&mut panel, busy);
+    let shown = |um| {
+        let value = backlash(unit, um, course.center_distance, 1);
+        format!("{value} {}", unit.name())
+    };
     match (&course.least, &course.greatest) {
         // One pose is both where all lie within each other's error bounds.
         (Some(least), Some(greatest)) if least == greatest => panel.marks.push(Mark::Text {
-            at: [panel.x.range[0], least.backlash_um],
+            at: [panel.x.range[0], of_um(least.backlash_um)],
             shift: [8.0, -14.0],
-            text: format!("{} µm everywhere", fixed(least.backlash_um, 1)),
+            text: format!("{} everywhere", shown(least.backlash_um)),
             anchor: Anchor::Start,
         }),
         (Some(least), Some(greatest)) => {
             for (word, extreme, shift) in [("least", least, 16.0), ("greatest", greatest, -16.0)] {
+                let y = of_um(extreme.backlash_um);
+                let word = format!("{word} {}", shown(extreme.backlash_um));
                 panel
                     .marks
-                    .extend(label(word, extreme, shift, panel.x.range));
+                    .extend(label(&word, extreme, y, shift, panel.x.range));
             }
         }
         _ => {}
@@ -109,14 +135,8 @@ pub fn revolution(heading: &Heading, course: &Course) -> Result<Chart, PictureEr
     sheet::draw(heading, &details, &legend, &[panel])
 }
 
-/// What a line goes through, in ascending places: the poses of the course.
-fn points(line: &CourseLine) -> Vec<Point> {
-    let points = line.points.iter();
-    points.map(|point| (point.x, point.simulated_um)).collect()
-}
-
-/// A cross at an extreme and what binds there.
-fn label(word: &str, extreme: &Extreme, shift: f64, [left, right]: [f64; 2]) -> [Mark; 2] {
+/// A cross at an extreme, at height `y`, its words and what binds there.
+fn label(words: &str, extreme: &Extreme, y: f64, shift: f64, [left, right]: [f64; 2]) -> [Mark; 2] {
     let part = (extreme.x - left) / (right - left);
     let (anchor, across) = match part {
         _ if part < 0.3 => (Anchor::Start, 7.0),
@@ -126,15 +146,14 @@ fn label(word: &str, extreme: &Extreme, shift: f64, [left, right]: [f64; 2]) -> 
     let teeth = |(wheel, pinion): (u32, u32)| format!("{wheel}·{pinion}");
     [
         Mark::Dots {
-            points: vec![(extreme.x, Some(extreme.backlash_um))],
+            points: vec![(extreme.x, Some(y))],
             look: Look::Plain,
         },
         Mark::Text {
-            at: [extreme.x, extreme.backlash_um],
+            at: [extreme.x, y],
             shift: [across, shift],
             text: format!(
-                "{word} {} µm: right flanks {}, left flanks {} touch",
-                fixed(extreme.backlash_um, 1),
+                "{words}: right flanks {}, left flanks {} touch",
                 teeth(extreme.right),
                 teeth(extreme.left)
             ),

@@ -1,19 +1,22 @@
 //! A rig's measurements beside the bands they should lie in.
 
 use super::layout::{Column, Screen, Table};
+use super::unit;
 use gearlash::analysis::measured::{Band, MeasuredMating, sides};
 use gearlash::analysis::study::Study;
-use gearlash_files::numbers::{NONE, ascii, stated_distance};
+use gearlash::pair::BacklashUnit;
+use gearlash_files::numbers::{NONE, backlash, stated_distance};
 use std::fmt::Write;
 
-fn band(band: Option<Band>) -> String {
+fn band(band: Option<Band>, unit: BacklashUnit, a: f64) -> String {
+    let cell = |um: f64| backlash(unit, um, a, 1).replace('−', "-");
     match band {
-        Some(band) => format!("{} … {}", ascii(band.min_um, 1), ascii(band.max_um, 1)),
+        Some(band) => format!("{} … {}", cell(band.min_um), cell(band.max_um)),
         None => NONE.to_owned(),
     }
 }
 
-pub fn measured_table(measured: &[MeasuredMating], screen: &Screen) -> String {
+pub fn measured_table(measured: &[MeasuredMating], unit: BacklashUnit, screen: &Screen) -> String {
     let mut table = Table::new([
         Column::new("mating"),
         Column::new("a mm"),
@@ -24,20 +27,24 @@ pub fn measured_table(measured: &[MeasuredMating], screen: &Screen) -> String {
         Column::new("left"),
     ]);
     for mating in measured {
+        let a = mating.row.center_distance;
         let marked = |value: f64| {
             let mark = match mating.printed.side_of(value) {
                 0 => ' ',
                 1 => '↑',
                 _ => '↓',
             };
-            format!("{value} {mark}")
+            match unit {
+                BacklashUnit::Um => format!("{value} {mark}"),
+                unit => format!("{} {mark}", backlash(unit, value, a, 1).replace('−', "-")),
+            }
         };
         table.add(vec![
             format!("{},{}", mating.row.wheel_tooth, mating.row.pinion_tooth),
-            stated_distance(mating.row.center_distance),
-            band(Some(mating.printed)),
-            band(mating.analytic),
-            band(mating.simulated),
+            stated_distance(a),
+            band(Some(mating.printed), unit, a),
+            band(mating.analytic, unit, a),
+            band(mating.simulated, unit, a),
             marked(mating.row.right_um),
             marked(mating.row.left_um),
         ]);
@@ -45,7 +52,12 @@ pub fn measured_table(measured: &[MeasuredMating], screen: &Screen) -> String {
     table.text(screen)
 }
 
-pub fn measured_count(study: &Study, measured: &[MeasuredMating], screen: &Screen) -> String {
+pub fn measured_count(
+    study: &Study,
+    measured: &[MeasuredMating],
+    unit: BacklashUnit,
+    screen: &Screen,
+) -> String {
     let [below, inside, above] = sides(measured, |mating| Some(mating.printed));
     let total = below + inside + above;
     let mut text = format!(
@@ -59,10 +71,10 @@ pub fn measured_count(study: &Study, measured: &[MeasuredMating], screen: &Scree
             stated_distance(study.bearing_clearance)
         );
     }
-    text + &screen.paragraphs(LEGEND)
+    text + &screen.paragraphs(&format!("{}{LEGEND}", unit::measure(unit)))
 }
 
 const LEGEND: &str = "\
-Backlash j_wt in µm. Bands run from most to least material. Predicted: as printed beside the measurement. \
+. Bands run from most to least material. Predicted: as printed beside the measurement. \
 Analytic: model 2 (involute); simulated: on the tooth outlines; both are means of the mating's right-flank \
 and left-flank pose. ↓ ↑: measured below or above the predicted band.";

@@ -5,6 +5,7 @@ mod layout;
 mod measured;
 mod phases;
 mod simulation;
+mod unit;
 mod verdict;
 
 pub(crate) use layout::{Column, Table, where_it_is};

@@ -1,25 +1,28 @@
 //! Assembly phases, and which teeth to mark together.
 
 use super::layout::{Column, Screen, Table, where_it_is};
+use super::unit;
 use gearlash::analysis::compare::ComparedPose;
 use gearlash::analysis::phases::PhaseGroup;
 use gearlash::analysis::tally::RunTally;
-use gearlash_files::numbers::{NONE, stated_distance, um_ascii};
+use gearlash::pair::BacklashUnit;
+use gearlash_files::numbers::{NONE, stated_distance};
 
-pub fn phase_table(group: &PhaseGroup, screen: &Screen) -> String {
+pub fn phase_table(group: &PhaseGroup, unit: BacklashUnit, screen: &Screen) -> String {
     let mating = |run: &RunTally| {
         let (wheel, pinion) = run.phase.unwrap_or((1, 1));
         format!("{wheel},{pinion}")
     };
+    let cell = |run: &RunTally, j_wt| unit::cell(unit, j_wt, run.assembly.center_distance(), 3);
     let unproven = group.runs.iter().any(|run| run.unproven > 0);
     let mut columns = vec![
         Column::new("phase"),
-        Column::new("least"),
+        Column::new(unit::column(unit, "least")),
         Column::new("at").broken(),
-        Column::new("mean").spare(1),
-        Column::new("greatest"),
+        Column::new(unit::column(unit, "mean")).spare(1),
+        Column::new(unit::column(unit, "greatest")),
         Column::new("at").broken(),
-        Column::new("variation"),
+        Column::new(unit::column(unit, "variation")),
     ];
     columns.extend(unproven.then(|| Column::new("unproven")));
     let mut table = Table::new(columns);
@@ -29,16 +32,17 @@ pub fn phase_table(group: &PhaseGroup, screen: &Screen) -> String {
         let (least, most) = run.extremes().unzip();
         let mut row = vec![
             mating(run),
-            um_ascii(summary.min, 3),
+            cell(run, summary.min),
             at(least),
-            um_ascii(summary.mean, 3),
-            um_ascii(summary.max, 3),
+            cell(run, summary.mean),
+            cell(run, summary.max),
             at(most),
-            um_ascii(run.variation(), 3),
+            cell(run, run.variation()),
         ];
         row.extend(unproven.then(|| run.unproven.to_string()));
         table.add(row);
     }
+    let name = unit.name();
     let Some(first) = group.runs.first() else {
         return String::new();
     };
@@ -53,13 +57,13 @@ pub fn phase_table(group: &PhaseGroup, screen: &Screen) -> String {
             "There is only one assembly phase: the tooth numbers have no common divisor, every tooth meets every tooth.\n".to_owned()
         }
         (Some(best), Some(worst)) => format!(
-            "Best phase {}: mark wheel tooth {} and pinion tooth {} together (least variation, {} µm); worst {} ({} µm).\n",
+            "Best phase {}: mark wheel tooth {} and pinion tooth {} together (least variation, {} {name}); worst {} ({} {name}).\n",
             mating(best),
             best.phase.map_or(1, |phase| phase.0),
             best.phase.map_or(1, |phase| phase.1),
-            um_ascii(best.variation(), 3),
+            cell(best, best.variation()),
             mating(worst),
-            um_ascii(worst.variation(), 3),
+            cell(worst, worst.variation()),
         ),
         _ => "No phase has backlash at every pose.\n".to_owned(),
     };

@@ -3,6 +3,7 @@
 use super::layout::{Column, Screen, Table, Tone, where_it_is};
 use super::measured::{measured_count, measured_table};
 use super::phases::phase_table;
+use super::unit;
 use super::verdict::first_lines;
 use gearlash::analysis::compare::ComparedPose;
 use gearlash::analysis::measured::MeasuredMating;
@@ -11,36 +12,38 @@ use gearlash::analysis::study::Study;
 use gearlash::analysis::tally::{MOST_LISTED, RunTally};
 use gearlash::analysis::verdict::Verdict;
 use gearlash::contact::{Contact, Status};
-use gearlash_files::numbers::{NONE, order_um, stated_distance, um_ascii};
+use gearlash::pair::BacklashUnit;
+use gearlash_files::numbers::{NONE, stated_distance};
 use gearlash_files::results::doubts;
 
-/// The text `simulate` prints on `screen`.
+/// The text `simulate` prints on `screen`, backlash in `unit`.
 pub fn simulation(
     study: &Study,
     verdict: &Verdict,
     runs: &[RunTally],
     measured: &[MeasuredMating],
+    unit: BacklashUnit,
     screen: &Screen,
 ) -> String {
     let mut text = first_lines(&study.title, verdict, screen);
     if !measured.is_empty() {
-        text += &measured_table(measured, screen);
-        text += &measured_count(study, measured, screen);
+        text += &measured_table(measured, unit, screen);
+        text += &measured_count(study, measured, unit, screen);
         text.push('\n');
     }
     let poses: usize = runs.iter().map(|run| run.poses).sum();
     if measured.is_empty() && poses <= MOST_LISTED {
-        text += &pose_table(runs, screen);
+        text += &pose_table(runs, unit, screen);
         text.push('\n');
     }
     let groups = phase_groups(runs);
     if groups.is_empty() {
         text += &listed(study);
-        text += &run_table(study, runs, screen);
-        text += &screen.paragraphs(RUN_LEGEND);
+        text += &run_table(study, runs, unit, screen);
+        text += &screen.paragraphs(&format!("{}{RUN_LEGEND}", unit::measure(unit)));
     }
     for group in &groups {
-        text += &phase_table(group, screen);
+        text += &phase_table(group, unit, screen);
     }
     text += &off_line_note(runs);
     text += &unproven_note(runs, screen);
@@ -57,16 +60,19 @@ fn listed(study: &Study) -> String {
 }
 
 const RUN_LEGEND: &str = "\
-j_wt in µm, simulated; \"at\": mating, fraction of a pitch beyond it, flank. Off model 2, 3: largest \
+, simulated; \"at\": mating, fraction of a pitch beyond it, flank. Off model 2, 3: largest \
 difference to the involute and to the line-of-action formula. Negative backlash: interference.";
 
-fn pose_table(runs: &[RunTally], screen: &Screen) -> String {
+fn pose_table(runs: &[RunTally], unit: BacklashUnit, screen: &Screen) -> String {
     let mut table = Table::new([
         Column::new("a mm"),
         Column::new("material"),
         Column::new("mating"),
         Column::new("flank"),
-        Column::new("j_wt"),
+        Column::new(match unit {
+            BacklashUnit::Um => "j_wt".to_owned(),
+            BacklashUnit::Arcmin { at, .. } => format!("{} arcmin", at.name()),
+        }),
         Column::new("± bound").spare(6),
         Column::new("status"),
         Column::new("right contact").spare(3),
@@ -93,19 +99,21 @@ fn pose_table(runs: &[RunTally], screen: &Screen) -> String {
                 ),
                 None => NONE.to_owned(),
             };
+            let a = run.assembly.center_distance();
+            let cell = |j_wt| unit::cell(unit, j_wt, a, 3);
             table.add(vec![
-                stated_distance(run.assembly.center_distance()),
+                stated_distance(a),
                 run.material.name().to_owned(),
                 format!("{},{}{beyond}", mating.wheel_tooth, mating.pinion_tooth),
                 mating.flank.name().to_owned(),
-                um_ascii(pose.swept.backlash, 3),
-                pose.swept.error_bound.map_or(NONE.to_owned(), order_um),
+                cell(pose.swept.backlash),
+                unit::order(unit, pose.swept.error_bound, a),
                 status(pose.swept.status(), screen),
                 contact(found.and_then(|found| found.right.as_ref())),
                 contact(found.and_then(|found| found.left.as_ref())),
-                um_ascii(pose.michalec, 3),
-                um_ascii(pose.involute, 3),
-                um_ascii(pose.line_of_action, 3),
+                cell(pose.michalec),
+                cell(pose.involute),
+                cell(pose.line_of_action),
             ]);
         }
     }
@@ -120,15 +128,15 @@ fn status(status: Status, screen: &Screen) -> String {
     }
 }
 
-fn run_table(study: &Study, runs: &[RunTally], screen: &Screen) -> String {
+fn run_table(study: &Study, runs: &[RunTally], unit: BacklashUnit, screen: &Screen) -> String {
     let mut columns = vec![
         Column::new("a mm"),
         Column::new("material"),
         Column::new("poses").spare(5),
-        Column::new("least"),
+        Column::new(unit::column(unit, "least")),
         Column::new("at").broken(),
-        Column::new("mean").spare(2),
-        Column::new("greatest"),
+        Column::new(unit::column(unit, "mean")).spare(2),
+        Column::new(unit::column(unit, "greatest")),
         Column::new("at").broken(),
     ];
     if study.bearing_clearance > 0.0 {
@@ -144,23 +152,28 @@ fn run_table(study: &Study, runs: &[RunTally], screen: &Screen) -> String {
         let summary = run.summary();
         let at = |pose: Option<&ComparedPose>| pose.map_or(NONE.to_owned(), where_it_is);
         let (least, most) = run.extremes().unzip();
+        let a = run.assembly.center_distance();
+        let cell = |j_wt, a| unit::cell(unit, j_wt, a, 3);
         let mut row = vec![
-            stated_distance(run.assembly.center_distance()),
+            stated_distance(a),
             run.material.name().to_owned(),
             run.poses.to_string(),
-            um_ascii(summary.min, 3),
+            cell(summary.min, a),
             at(least),
-            um_ascii(summary.mean, 3),
-            um_ascii(summary.max, 3),
+            cell(summary.mean, a),
+            cell(summary.max, a),
             at(most),
         ];
         if study.bearing_clearance > 0.0 {
             let [near, far] = summary.with_clearance;
-            row.push(format!("{} … {}", um_ascii(near, 1), um_ascii(far, 1)));
+            let c = study.bearing_clearance;
+            let [near, far] = [(near, a - c), (far, a + c)];
+            let end = |(j_wt, a)| unit::cell(unit, j_wt, a, 1);
+            row.push(format!("{} … {}", end(near), end(far)));
         }
         row.extend([
-            um_ascii(summary.off_involute, 3),
-            um_ascii(summary.off_line_of_action, 3),
+            cell(summary.off_involute, a),
+            cell(summary.off_line_of_action, a),
         ]);
         if unproven {
             row.push(run.unproven.to_string());

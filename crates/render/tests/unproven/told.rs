@@ -10,6 +10,7 @@ use gearlash::analysis::outcome::{Agreement, Outcome};
 use gearlash::analysis::tally::tally;
 use gearlash::analysis::verdict::Verdict;
 use gearlash::contact::Method;
+use gearlash::pair::BacklashUnit;
 use gearlash_files::result_file;
 use gearlash_files::results::{ComparedPair, comparison_json};
 use gearlash_render::chart::{self, Heading};
@@ -20,13 +21,14 @@ use roxmltree::Document;
 use serde_json::Value;
 
 /// Keys of a pose that hold what was found.
-const FOUND: [&str; 9] = [
+const FOUND: [&str; 10] = [
     "right_rad",
     "left_rad",
     "lost_motion_rad",
     "j_wt_um",
     "j_t_um",
     "j_bn_um",
+    "j_r_um",
     "error_bound_um",
     "right",
     "left",
@@ -130,6 +132,7 @@ fn the_table_counts_them_and_takes_none_in() {
         &Verdict::new(&[], &Vec::new(), None),
         &tally(&runs),
         &[],
+        BacklashUnit::Um,
         &Screen::default(),
     );
     let count = runs[0].summary().unproven;

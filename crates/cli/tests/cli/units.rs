@@ -1,0 +1,191 @@
+//! Backlash in every unit: `--unit`, `--at`, and the keys of the results.
+
+use super::*;
+use std::f64::consts::PI;
+
+/// Arcmin at a gear per µm of j_wt, from `r_w = a z/(z_1 + z_2)` (ISO 21771) and 10 800' = π.
+fn arcmin_per_um(a: f64, teeth: f64, both: f64) -> f64 {
+    10_800.0 / PI * 1e-3 / (a * teeth / both)
+}
+
+/// ISO 21771: j_r = j_wt/(2 tan α_wt), cos α_wt = (r_b1 + r_b2)/a; the lost motions of both gears are as their teeth.
+#[test]
+fn every_pose_has_every_unit_in_json_and_csv() {
+    let folder = empty_folder();
+    small(folder.path());
+    let (_, result) = simulated(folder.path(), &["small.toml", "-o", "out"]);
+    let mut rows = csv::Reader::from_path(folder.path().join("out/result.csv")).unwrap();
+    let names = rows.headers().unwrap().clone();
+    let last = [
+        "j_r_um",
+        "lost_motion_wheel_arcmin",
+        "lost_motion_pinion_arcmin",
+    ];
+    assert!(
+        names
+            .iter()
+            .rev()
+            .zip(last.iter().rev())
+            .all(|(a, b)| a == *b)
+    );
+    let mut rows = rows.records();
+    for run in result["runs"].as_array().unwrap() {
+        let a = run["center_distance_mm"].as_f64().unwrap();
+        let angle = (37.0 * 20f64.to_radians().cos() / a).acos();
+        for pose in run["poses"].as_array().unwrap() {
+            let j_wt = pose["j_wt_um"].as_f64().unwrap();
+            let at = &pose["lost_motion_arcmin"];
+            let found = [&pose["j_r_um"], &at["wheel"], &at["pinion"]].map(|v| v.as_f64().unwrap());
+            let expected = [
+                j_wt / (2.0 * angle.tan()),
+                j_wt * arcmin_per_um(a, 20.0, 37.0),
+                j_wt * arcmin_per_um(a, 17.0, 37.0),
+            ];
+            let row = rows.next().unwrap().unwrap();
+            for (i, (found, expected)) in found.into_iter().zip(expected).enumerate() {
+                assert!((found - expected).abs() < 1e-12 * expected.abs(), "{pose}");
+                let cell: f64 = row[names.len() - 3 + i].parse().unwrap();
+                assert_eq!(cell, found);
+            }
+        }
+        let summary = &run["summary"];
+        for end in ["min", "max"] {
+            let j_wt = summary[format!("{end}_j_wt_um")].as_f64().unwrap();
+            let at = &summary[format!("{end}_lost_motion_arcmin")];
+            let wheel = at["wheel"].as_f64().unwrap();
+            assert!((wheel - j_wt * arcmin_per_um(a, 20.0, 37.0)).abs() < 1e-12);
+        }
+    }
+    assert!(rows.next().is_none());
+}
+
+/// The same table in µm and in arcmin: every value times `1/r_w`, to half a digit of either.
+#[test]
+fn a_table_in_arcmin_is_the_one_in_um_times_a_factor() {
+    let folder = empty_folder();
+    let table = |options: &[&str]| -> Vec<Vec<String>> {
+        let mut command = gearlash(folder.path());
+        let file = fixture("karba_86x21.toml");
+        let text = output(
+            command
+                .arg("simulate")
+                .arg(file)
+                .arg("--no-files")
+                .args(options),
+        );
+        let rows = text.lines().skip(2).take(7);
+        let cells = |row: &str| row.split("  ").map(|cell| cell.trim().to_owned()).collect();
+        rows.map(|row| -> Vec<String> { cells(row) })
+            .map(|row| row.into_iter().filter(|cell| !cell.is_empty()).collect())
+            .collect()
+    };
+    let um = table(&[]);
+    // The pinion turns: it is taken where no gear is named.
+    for (options, name, teeth) in [
+        (&["--unit", "arcmin"][..], "pinion arcmin", 21.0),
+        (&["--unit", "arcmin", "--at", "wheel"], "wheel arcmin", 86.0),
+    ] {
+        let arcmin = table(options);
+        let column = arcmin[0].iter().position(|cell| cell == name).unwrap();
+        assert_eq!(um[0][column], "j_wt");
+        for (um, arcmin) in um.iter().zip(&arcmin).skip(1) {
+            let a: f64 = um[0].parse().unwrap();
+            let factor = arcmin_per_um(a, teeth, 107.0);
+            // The simulated value, and Michalec's, involute's and the line of action's.
+            let last = um.len() - 3..um.len();
+            for column in last.chain([column]) {
+                let [um, arcmin] = [um, arcmin].map(|row| row[column].parse::<f64>().unwrap());
+                assert!((um * factor - arcmin).abs() < 0.6e-4 + 0.6e-3 * factor);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_chart_in_arcmin_names_its_gear() {
+    let folder = empty_folder();
+    for (kind, at) in [("revolution", "wheel"), ("distance", "pinion")] {
+        let mut command = gearlash(folder.path());
+        command.arg("chart").arg(fixture("karba_44x44.toml"));
+        let options = ["--kind", kind, "--unit", "arcmin", "--at", at, "-o", "-"];
+        let svg = output(command.args(options));
+        let axis = format!("lost motion at the {at}, arcmin");
+        assert!(svg.contains(&axis) && !svg.contains("µm"), "{kind}");
+    }
+}
+
+/// The labels of the extremes: µm times the factor, to half a digit of either.
+#[test]
+fn a_chart_in_arcmin_is_the_one_in_um_times_a_factor() {
+    let folder = empty_folder();
+    let least = |unit: &str| -> f64 {
+        let mut command = gearlash(folder.path());
+        command.arg("chart").arg(fixture("karba_44x44_pitch.toml"));
+        let distance = ["--kind", "revolution", "--center-distance", "132"];
+        let svg = output(command.args(distance).args(["--unit", unit, "-o", "-"]));
+        let label = svg
+            .split("least ")
+            .find(|text| text.contains("right flanks 38·38"));
+        let value = label.unwrap().split(' ').next().unwrap();
+        value.replace('−', "-").parse().unwrap()
+    };
+    let factor = arcmin_per_um(132.0, 44.0, 88.0);
+    let (um, arcmin) = (least("um"), least("arcmin"));
+    assert!(
+        (um * factor - arcmin).abs() < 0.6e-2 + 0.06 * factor,
+        "{um} {arcmin}"
+    );
+}
+
+#[test]
+fn a_unit_without_a_meaning_is_refused() {
+    let folder = empty_folder();
+    small(folder.path());
+    for (arguments, message) in [
+        (
+            &["simulate", "small.toml", "--at", "wheel"][..],
+            "--at belongs to --unit arcmin",
+        ),
+        (
+            &["simulate", "small.toml", "--unit", "um", "--at", "wheel"],
+            "--at belongs to --unit arcmin",
+        ),
+        (
+            &[
+                "simulate",
+                "small.toml",
+                "--unit",
+                "arcmin",
+                "--format",
+                "csv",
+            ],
+            "--unit belongs to --format text",
+        ),
+        (
+            &[
+                "chart",
+                "small.toml",
+                "--kind",
+                "inspection",
+                "--unit",
+                "um",
+            ],
+            "--unit belongs to --kind revolution or distance",
+        ),
+        (
+            &[
+                "chart",
+                "small.toml",
+                "--kind",
+                "distance",
+                "--at",
+                "pinion",
+            ],
+            "--at belongs to --unit arcmin",
+        ),
+    ] {
+        let refused = gearlash(folder.path()).args(arguments).assert();
+        refused.code(2).stderr(predicate::str::contains(message));
+    }
+    assert_eq!(files(folder.path()), ["small.toml"]);
+}

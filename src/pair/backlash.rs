@@ -1,0 +1,187 @@
+//! Backlash in every unit in use, each from the circumferential backlash `j_wt`. Symbols and conversions as in ISO 21771
+//! (spur gears); a sign stays what it is: negative means interference.
+
+use super::gear_pair::{GearPair, Member};
+use crate::gear::Gear;
+
+/// A backlash of a pair at its centre distance, mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Backlash {
+    /// Circumferential backlash `j_wt`: an arc of the operating pitch circles.
+    pub j_wt: f64,
+    /// Transverse backlash `j_t = j_wt r/r_w`: the same lost motion as an arc of the reference circle, for both gears alike.
+    pub j_t: f64,
+    /// Normal backlash `j_bn = j_wt cos α_wt`: along the line of action.
+    pub j_bn: f64,
+    /// Radial backlash `j_r = j_wt/(2 tan α_wt)`: how far the centre distance can fall until the backlash is gone, to first
+    /// order; `a − a_0` differs by some 1 %.
+    pub j_r: f64,
+    pitch_radii: [f64; 2],
+}
+
+impl Backlash {
+    /// Lost motion `φ_j = j_wt/r_w`, arcmin: how far `gear` turns where its mate stands still.
+    pub fn arcmin(&self, gear: Member) -> f64 {
+        let [wheel, pinion] = self.pitch_radii;
+        arcmin(
+            self.j_wt,
+            match gear {
+                Member::Wheel => wheel,
+                Member::Pinion => pinion,
+            },
+        )
+    }
+}
+
+impl GearPair {
+    /// The circumferential backlash `j_wt`, mm, of this pair in every unit.
+    pub fn backlash(&self, j_wt: f64) -> Backlash {
+        let angle = self.operating_pressure_angle();
+        let wheel_radius = self.operating_pitch_radius(Member::Wheel);
+        let reference = self.gear(Member::Wheel).gear().basic_data();
+        Backlash {
+            j_wt,
+            j_t: j_wt * reference.reference_radius() / wheel_radius,
+            j_bn: j_wt * angle.cos(),
+            j_r: j_wt / (2.0 * angle.tan()),
+            pitch_radii: [wheel_radius, self.operating_pitch_radius(Member::Pinion)],
+        }
+    }
+}
+
+/// What backlash is shown in, at any centre distance of two gears.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum BacklashUnit {
+    /// `j_wt` in µm.
+    #[default]
+    Um,
+    /// Lost motion at one gear, in arcmin.
+    Arcmin {
+        /// The gear that turns.
+        at: Member,
+        /// Its part of the centre distance, `r_w/a = r_b/(r_b1 + r_b2)`.
+        share: f64,
+    },
+}
+
+impl BacklashUnit {
+    /// Arcmin at the gear `at` of the two.
+    pub fn arcmin(at: Member, wheel: &Gear, pinion: &Gear) -> BacklashUnit {
+        let gear = match at {
+            Member::Wheel => wheel,
+            Member::Pinion => pinion,
+        };
+        let share = gear.base_radius() / (wheel.base_radius() + pinion.base_radius());
+        BacklashUnit::Arcmin { at, share }
+    }
+
+    /// `µm` or `arcmin`.
+    pub fn name(self) -> &'static str {
+        match self {
+            BacklashUnit::Um => "µm",
+            BacklashUnit::Arcmin { .. } => "arcmin",
+        }
+    }
+
+    /// In this unit, `j_wt` of `j_wt_um` µm at centre distance `a`, mm.
+    pub fn of_um(self, j_wt_um: f64, a: f64) -> f64 {
+        match self {
+            BacklashUnit::Um => j_wt_um,
+            BacklashUnit::Arcmin { share, .. } => arcmin(j_wt_um * 1e-3, share * a),
+        }
+    }
+}
+
+/// The arc `j_wt` of a circle of radius `r_w`, both mm, as an angle in arcmin.
+fn arcmin(j_wt: f64, r_w: f64) -> f64 {
+    (j_wt / r_w).to_degrees() * 60.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gear::{AsBuilt, BasicGearData, Face, GearDesign};
+
+    /// Gears 30/20 of module 2 at 20°, at a distance where cos α_wt is 0.9: `r_w = r_b/0.9`.
+    fn pair() -> GearPair {
+        let gear = |teeth| {
+            let data = BasicGearData::new(teeth, 2.0, 20f64.to_radians()).unwrap();
+            AsBuilt::perfect(
+                Gear::nominal(GearDesign::standard(data)).unwrap(),
+                Face::Front,
+            )
+        };
+        let a = 50.0 * 20f64.to_radians().cos() / 0.9;
+        GearPair::new(gear(30), gear(20), a).unwrap()
+    }
+
+    /// ISO 21771 with cos α_wt = 0.9, tan α_wt = √0.19/0.9 and r/r_w = 0.9/cos 20°.
+    #[test]
+    fn every_unit_is_its_closed_form() {
+        let backlash = pair().backlash(0.09);
+        let cos_20 = 20f64.to_radians().cos();
+        for (found, expected) in [
+            (backlash.j_wt, 0.09),
+            (backlash.j_bn, 0.081),
+            (backlash.j_t, 0.081 / cos_20),
+            (backlash.j_r, 0.081 / (2.0 * 0.19f64.sqrt())),
+            // 1 rad = 10 800'/π; r_w of the wheel 30 cos 20°/0.9 mm, of the pinion two thirds of it.
+            (
+                backlash.arcmin(Member::Wheel),
+                0.081 / (30.0 * cos_20) * 10_800.0 / std::f64::consts::PI,
+            ),
+            (
+                backlash.arcmin(Member::Pinion),
+                0.081 / (20.0 * cos_20) * 10_800.0 / std::f64::consts::PI,
+            ),
+        ] {
+            assert!(
+                (found - expected).abs() < 1e-14 * expected.abs().max(1.0),
+                "{found} {expected}"
+            );
+        }
+    }
+
+    /// Another way: `j_bn` and `j_t` are arcs of the base and of the reference circle, under the same lost motion, at either gear.
+    #[test]
+    fn arcs_of_one_lost_motion() {
+        let pair = pair();
+        let backlash = pair.backlash(-0.02);
+        for member in [Member::Wheel, Member::Pinion] {
+            let angle = (backlash.arcmin(member) / 60.0).to_radians();
+            let gear = pair.gear(member).gear();
+            assert!((angle * gear.base_radius() - backlash.j_bn).abs() < 1e-16);
+            let arc = angle * gear.basic_data().reference_radius();
+            assert!((arc - backlash.j_t).abs() < 1e-16);
+        }
+        assert!(backlash.j_r < 0.0);
+    }
+
+    /// `j_r` is the first order of `a − a_0`: `j_wt` of 1 µm, where both agree to 1e-3 (`dj_bt/da = 2 sin α_wt`).
+    #[test]
+    fn radial_backlash_is_the_slope_over_the_distance() {
+        let pair = pair();
+        let j_r = pair.backlash(1e-3).j_r;
+        let involute = |a: f64| {
+            let angle = (50.0 * 20f64.to_radians().cos() / a).acos();
+            angle.tan() - angle
+        };
+        let a = pair.center_distance();
+        // j_bt = (d_b1 + d_b2)(inv α_wt − inv α_w0), design of involute pairs.
+        let j_bt = 100.0 * 20f64.to_radians().cos() * (involute(a) - involute(a - j_r));
+        assert!((j_bt / (1e-3 * 0.9) - 1.0).abs() < 1e-3, "{j_bt}");
+    }
+
+    #[test]
+    fn a_shown_unit_is_the_same_conversion() {
+        let pair = pair();
+        let a = pair.center_distance();
+        let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|gear| pair.gear(gear).gear());
+        for at in [Member::Wheel, Member::Pinion] {
+            let shown = BacklashUnit::arcmin(at, wheel, pinion).of_um(90.0, a);
+            assert!((shown - pair.backlash(0.09).arcmin(at)).abs() < 1e-13);
+        }
+        assert_eq!(BacklashUnit::default().of_um(90.0, a), 90.0);
+    }
+}

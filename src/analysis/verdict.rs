@@ -37,19 +37,15 @@ pub enum Quantity {
 }
 
 impl Quantity {
-    /// What one mm of `j_wt` comes to on `assembly` (ISO 21771-1, 7.3 defines the backlashes; derived from `j_wt = 2 Δa tan α_wt` for `j_r`).
-    fn per_backlash(self, assembly: &GearPair) -> f64 {
-        let angle = assembly.operating_pressure_angle();
-        let radius = |member| assembly.operating_pitch_radius(member);
-        let free = assembly.free();
+    /// What `j_wt`, mm, comes to on `assembly`.
+    fn of(self, assembly: &GearPair, j_wt: f64) -> f64 {
+        let backlash = assembly.backlash(j_wt);
         match self {
-            Quantity::OperatingBacklash | Quantity::RadialClearance => 1.0,
-            Quantity::ReferenceBacklash => {
-                assembly.gear(free).gear().basic_data().reference_radius() / radius(free)
-            }
-            Quantity::NormalBacklash => angle.cos(),
-            Quantity::RadialBacklash => 0.5 / angle.tan(),
-            Quantity::LostMotion(member) => 1.0 / radius(member),
+            Quantity::OperatingBacklash | Quantity::RadialClearance => backlash.j_wt,
+            Quantity::ReferenceBacklash => backlash.j_t,
+            Quantity::NormalBacklash => backlash.j_bn,
+            Quantity::RadialBacklash => backlash.j_r,
+            Quantity::LostMotion(member) => (backlash.arcmin(member) / 60.0).to_radians(),
         }
     }
 }
@@ -165,7 +161,10 @@ impl<'a> Verdict<'a> {
         let each = || self.runs.iter().map(RunExtremes::assembles);
         match each().any(|one| one == Some(false)) {
             true => Some(false),
-            false => each().all(|one| one == Some(true)).then_some(true),
+            false => {
+                let all = !self.runs.is_empty() && each().all(|one| one == Some(true));
+                all.then_some(true)
+            }
         }
     }
 
@@ -185,7 +184,7 @@ impl<'a> Verdict<'a> {
             .max_by(|one, other| one.1.found().total_cmp(&other.1.found()))
     }
 
-    /// The worst pose of all: jammed before the least backlash.
+    /// The worst pose of all: jammed before the least backlash; `None` where nothing is in mesh.
     pub fn worst(&self) -> Option<(&'a RunExtremes, &'a super::compare::ComparedPose)> {
         let mut jammed = self.runs.iter().filter(|run| run.status == Status::Jammed);
         let jammed = jammed.find_map(|run| Some((run, run.lost.as_ref()?)));
@@ -249,8 +248,7 @@ fn found(quantity: Quantity, run: &RunExtremes, is_max: bool) -> Option<[f64; 2]
         true => run.greatest.as_ref(),
         false => run.least.as_ref(),
     }?;
-    let per = quantity.per_backlash(&run.assembly);
-    Some([extreme.low * per, extreme.high * per])
+    Some([extreme.low, extreme.high].map(|j_wt| quantity.of(&run.assembly, j_wt)))
 }
 
 /// Radial clearance of both tips, mm: `a − r_a − r_f` of the other gear, both off their axes to the worse, or to the better side.

@@ -14,8 +14,11 @@
 //! for warning in &pair.warnings {
 //!     eprintln!("{warning}");
 //! }
-//! let analysis = Analysis::silently(&Plan::new(&pair.study, Method::Exact { certify: true }))?;
-//! println!("{}", gearlash_files::result_file(&pair, &analysis.runs).to_csv()?);
+//! let plan = Plan::new(&pair.study, Method::Exact { certify: true }).with_extremes();
+//! let analysis = Analysis::silently(&plan)?;
+//! let verdict = analysis.verdict();
+//! println!("{}", gearlash_files::verdict::sentence(&verdict));
+//! println!("{}", gearlash_files::result_file(&pair, &analysis.runs, &verdict).to_csv()?);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 

@@ -2,7 +2,7 @@
 
 use crate::numbers::{fixed, stated_distance, um};
 use gearlash::analysis::compare::ComparedPose;
-use gearlash::analysis::extremes::{RunExtreme, RunExtremes};
+use gearlash::analysis::extremes::{RunExtreme, RunExtremes, WIDTH};
 use gearlash::analysis::study::Material;
 use gearlash::analysis::verdict::{Quantity, Unmet, Verdict};
 use gearlash::contact::{Doubt, Status};
@@ -14,7 +14,7 @@ const DECIMALS: usize = 2;
 /// Centre distances that are named, at most.
 const NAMED: usize = 4;
 
-/// What `verdict` says, without a full stop at the end of its last sentence only if it is empty.
+/// What `verdict` says: whether and where the pair assembles, its least and greatest backlash with the teeth, and over what that holds.
 pub fn sentence(verdict: &Verdict) -> String {
     if verdict.runs.is_empty() {
         return "Nothing was run.".to_owned();
@@ -61,7 +61,21 @@ fn status(verdict: &Verdict) -> String {
     if !open.is_empty() {
         return format!("Not proven to assemble {}", places(verdict, &open));
     }
-    format!("Assembles {}", places(verdict, &of(&|_| true)))
+    let without = verdict.runs.iter().any(without_backlash);
+    let how = if without { " without backlash" } else { "" };
+    format!("Assembles{how} {}", places(verdict, &of(&|_| true)))
+}
+
+/// Whether the least backlash of a run cannot be told from none.
+fn without_backlash(run: &RunExtremes) -> bool {
+    let least = run.least.as_ref();
+    least.is_some_and(|least| least.found().abs() <= WIDTH)
+}
+
+/// Whether all poses of a run have one backlash.
+fn uniform(run: &RunExtremes) -> bool {
+    let both = run.least.as_ref().zip(run.greatest.as_ref());
+    both.is_some_and(|(least, greatest)| greatest.found() - least.found() <= WIDTH)
 }
 
 /// The centre distances and the material of some runs.
@@ -103,7 +117,16 @@ fn places(verdict: &Verdict, runs: &[&RunExtremes]) -> String {
     let phases = each(runs.iter().filter_map(|run| run.phase));
     let possible = each(within.iter().filter_map(|run| run.phase)).len();
     if !phases.is_empty() && phases.len() < possible {
-        text += &format!(" in {} of {possible} assembly phases", phases.len());
+        let named = phases.iter().take(NAMED).map(|(w, p)| format!("{w}·{p}"));
+        let named = named.collect::<Vec<_>>().join(", ");
+        let more = match phases.len().saturating_sub(NAMED) {
+            0 => String::new(),
+            more => format!(" and {more} more"),
+        };
+        text += &format!(
+            " in {} of {possible} assembly phases ({named}{more})",
+            phases.len()
+        );
     }
     text
 }
@@ -234,7 +257,9 @@ fn value(verdict: &Verdict, run: &RunExtremes, extreme: &RunExtreme) -> String {
         um(found, DECIMALS),
         lost_motion(&run.assembly, found)
     );
-    if let Some(teeth) = teeth(&extreme.pose) {
+    if uniform(run) {
+        text += ", the same at every pose";
+    } else if let Some(teeth) = teeth(&extreme.pose) {
         text += &format!(" at teeth {teeth}");
     }
     let distance = run.assembly.center_distance();
@@ -256,10 +281,9 @@ fn value(verdict: &Verdict, run: &RunExtremes, extreme: &RunExtreme) -> String {
 
 /// Lost motion of a backlash, mm, at both gears, in minutes of arc.
 pub fn lost_motion(assembly: &GearPair, backlash: f64) -> String {
-    let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|member| {
-        let angle = backlash / assembly.operating_pitch_radius(member);
-        fixed(angle * ARCMIN, 3)
-    });
+    let backlash = assembly.backlash(backlash);
+    let [wheel, pinion] =
+        [Member::Wheel, Member::Pinion].map(|member| fixed(backlash.arcmin(member), 3));
     format!("{wheel} arcmin at the wheel, {pinion} at the pinion")
 }
 

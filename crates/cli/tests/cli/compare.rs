@@ -63,7 +63,8 @@ fn compare_speaks_json_junit_and_github() {
     };
     assert_eq!(
         (count("testsuite"), count("testcase"), count("failure")),
-        (2, 5, 1)
+        // Of each file the verdict, then its runs.
+        (2, 7, 1)
     );
     let github = run("github");
     assert!(github.contains("::notice file=small.toml,title=gearlash compare::"));

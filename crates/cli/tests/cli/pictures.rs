@@ -44,10 +44,8 @@ fn the_worst_pose_is_found_and_named() {
         .success()
         .stdout("out/pair/worst_a160.2_as-measured.svg\n")
         .stderr(predicate::str::contains(
-            "worst of 96 poses: wheel 1 – pinion 1 at right flank +0.25 pitch, centre distance 160.2 mm",
-        ))
-        .stderr(predicate::str::contains(
-            "j_wt = -238.948 µm (line of action: -216.426 µm, lost to other contact: 22.522 µm)",
+            // Of the 24 phases of the file the least is −238.948; between them it falls a little lower.
+            "Does not assemble at both centre distances: least j_wt −238.96 µm",
         ));
     let svg = std::fs::read_to_string(folder.path().join("out/pair/worst_a160.2_as-measured.svg"));
     let svg = svg.unwrap();

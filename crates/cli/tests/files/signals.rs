@@ -56,7 +56,7 @@ const LONG: [&str; 12] = [
     "check big.toml --map",
     "report big.toml",
     "chart big.toml --kind revolution",
-    "snapshot big.toml --worst",
+    "chart big.toml --kind distance",
     "gauge gear.toml --steps-per-pitch 64",
     "simulate pipe.toml",
 ];

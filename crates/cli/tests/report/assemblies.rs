@@ -43,7 +43,7 @@ fn a_pair_that_assembles_as_stated_assembles() {
     let document = Html::parse_document(&page(&twenty("revolutions = \"wheel\"")));
     let answer = words(&document, ".answer");
     let expected = format!(
-        "Assembles at a = 39.950 mm: least backlash {:.2} µm",
+        "Assembles at a = 39.950 mm: least j_wt {:.2} µm",
         least("1·1")
     );
     assert!(answer.starts_with(&expected), "{answer}");
@@ -71,7 +71,7 @@ fn phases_that_do_not_assemble_are_named() {
     let document = Html::parse_document(&page(&twenty("phases = \"all\"")));
     let answer = words(&document, ".answer");
     let expected = format!(
-        "Does not assemble at a = 39.950 mm, in {} of 20 assembly phases ({})",
+        "Does not assemble at a = 39.950 mm in {} of 20 assembly phases ({})",
         failing.len(),
         failing.join(", ")
     );

@@ -122,7 +122,7 @@ fn a_jammed_pair_and_one_out_of_mesh() {
     // d_a = 44, d_f = 35: a tip sits in a root below a = 39.5; tips pass each other above 44.
     let jammed = page(&plain("39.0"));
     checked(&jammed);
-    assert!(jammed.contains("Does not assemble at a = 39.000 mm"));
+    assert!(jammed.contains("Jammed at a = 39.000 mm"));
     assert!(jammed.contains("Jammed, a tip in a root, wheel 1 with pinion 1"));
     assert!(
         jammed

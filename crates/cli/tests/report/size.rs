@@ -31,16 +31,16 @@ fn pair([wheel, pinion]: [u32; 2], a: f64, revolutions: &str) -> String {
 #[test]
 fn one_revolution_of_44_teeth() {
     let page = page_with(&pair([44, 44], 132.1, "wheel"), &["--no-certify"]);
-    // 704 right-flank poses, and as many left-flank ones for the curves.
-    assert!(page.contains("Over 1408 poses"));
+    // 704 right-flank poses, as many left-flank ones for the curves, and both extremes of the cycle.
+    assert!(page.contains("Over 1410 poses"));
     assert!(page.len() <= 2_000_000, "{} bytes", page.len());
 }
 
 #[test]
 fn a_hunting_cycle_of_86_and_21_teeth() {
     let page = page_with(&pair([86, 21], 160.6, "hunting"), &["--no-certify"]);
-    // 28 896 right-flank poses, and as many left-flank ones.
-    assert!(page.contains("Over 57792 poses"));
+    // 28 896 right-flank poses, as many left-flank ones, and both extremes of the cycle.
+    assert!(page.contains("Over 57794 poses"));
     assert!(page.len() <= 8_000_000, "{} bytes", page.len());
     // All runs are in the mesh, each with every second pose and its extremes.
     assert!(page.contains("of 57792 poses can be looked at here: of each run every 2nd"));

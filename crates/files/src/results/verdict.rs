@@ -87,7 +87,7 @@ fn extreme_record(verdict: &Verdict, run: &RunExtremes, extreme: &RunExtreme) ->
     let assembly = &run.assembly;
     let bracket = [extreme.low, extreme.high];
     let radius = |member| assembly.operating_pitch_radius(member);
-    let arcmin = |member| (extreme.found() / radius(member)).to_degrees() * 60.0;
+    let arcmin = |member| assembly.backlash(extreme.found()).arcmin(member);
     let unproven = extreme.pose.swept.found.as_ref().err();
     ExtremeRecord {
         j_wt_um: bracket.map(um),

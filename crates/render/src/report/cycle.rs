@@ -58,6 +58,9 @@ fn others(page: &Page) -> Markup {
     let matings = extremes.iter().map(|run| run.matings).max().unwrap_or(0);
     let unproven = extremes.iter().filter(|run| !run.is_proven()).count();
     html! {
+        @if extremes.iter().all(|run| [Member::Wheel, Member::Pinion].iter().all(|member| !Inspection::of(run.assembly.gear(*member)).deviates())) {
+            "Neither gear has deviations: all matings are alike. "
+        }
         "The hunting cycle is " (matings) " matings. Least and greatest backlash are bracketed over all of them and every rotation between"
         @match unproven {
             0 => ", and proven.",

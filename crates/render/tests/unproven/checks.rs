@@ -85,7 +85,7 @@ fn its_text_and_json_say_so() {
         .unwrap(),
     )
     .unwrap();
-    assert_eq!(json["verdict"], "unproven");
+    assert_eq!(json["checks_verdict"], "unproven");
     for check in json["checks"].as_array().unwrap() {
         let id = check["id"].as_str().unwrap();
         let unproven = OF_POSES.contains(&id);

@@ -224,11 +224,11 @@ fn a_centre_distance_of_another_pair() {
     let small = |x: (f64, f64), a: &str| pair((25, 36), 25.0, x, a);
     one(
         &small((0.0, 0.2), "30.5"),
-        "it would suit no profile shift (30.5000 mm)",
+        "it would fit no profile shift (30.5000 mm)",
     );
     one(
         &small((0.1, 0.2), "30.697"),
-        "it would suit the pinion's profile shift alone",
+        "it would fit the pinion's profile shift alone",
     );
     one(&small((0.0, 0.0), "31.076"), "was profile_shift forgotten?");
     none(&small((0.0, 0.2), "30.697"));
@@ -240,7 +240,7 @@ fn a_centre_distance_of_another_pair() {
     let large = |angle: f64, a: &str| pair((30, 40), angle, (0.4, 0.5), a);
     one(
         &large(20.0, "35.855"),
-        "it would suit a pressure angle of 25° (35.85",
+        "it would fit a pressure angle of 25° (35.85",
     );
     none(&large(25.0, "35.855"));
     none(&large(20.0, "35.831"));
@@ -328,7 +328,7 @@ fn a_cross_check_of_the_same_kind() {
     let span = "span = { teeth = 3, mm = 15.311 }";
     one(
         &checked(span, span),
-        "is a span over as many teeth, like the statement that counts",
+        "is a span over as many teeth, like the statement that is used",
     );
     none(&checked(span, "span = { teeth = 2, mm = 9.407 }"));
     none(&checked(span, "allowance_um = -10.6"));
@@ -373,11 +373,11 @@ fn good_pairs_are_not_suspected() {
         "of radial play",
         "of the radial clearance",
         "of the module",
-        "would suit",
+        "would fit",
         "hardly a difference would fail",
-        "the size of the one that is stated here",
-        "say the same of one mating",
-        "like the statement that counts",
+        "as large as the one stated here",
+        "have the same values for one mating",
+        "like the statement that is used",
         "adds to the stated",
     ];
     for file in files {

@@ -219,7 +219,7 @@ fn lists_that_are_none() {
     case(
         "mm = [23], file = \"spans.csv\"",
         "file",
-        "beside mm",
+        "together with mm",
         "remove",
     );
     case(

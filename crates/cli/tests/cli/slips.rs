@@ -109,7 +109,7 @@ fn noise(i: f64, scale: f64) -> f64 {
 fn micrometres_that_are_millimetres() {
     one(
         &wheel("thickness = { allowance_um = -0.022 }"),
-        "wheel.thickness.allowance_um: -0.022 µm is the greatest value",
+        "wheel.thickness.allowance_um: the greatest value is -0.022 µm",
     );
     one(
         &wheel("thickness = { allowance_um = { min = -0.030, max = -0.022 } }"),
@@ -300,7 +300,7 @@ fn pitch_with_the_harmonic_of_the_stated_runout() {
     // Not where the runout says, but as large.
     one(
         &pitch(10.0, alpha, 20.0, 9),
-        "wheel.runout.high_tooth: the pitch of both flanks holds the first harmonic",
+        "wheel.runout.high_tooth: the pitch of both flanks contains the first harmonic",
     );
     // A wave that moves both flanks alike is no eccentricity's.
     none(&pitch(10.0, 0.0, 20.0, 9));
@@ -311,7 +311,7 @@ fn pitch_with_the_harmonic_of_the_stated_runout() {
 fn equal_rows_of_measured_backlash() {
     one(
         &below("[measured]\nfile = \"twice.csv\""),
-        "measured.file: lines 2 and 4 say the same",
+        "measured.file: lines 2 and 4 have the same values",
     );
     none(&below("[measured]\nfile = \"repeated.csv\""));
     none(&below("[measured]\nfile = \"rig.csv\""));

@@ -49,7 +49,10 @@ impl AssemblyPart {
         let entry = if name != KEYS[0] && table.has(KEYS[0]) {
             problems.add(table.problem(
                 name,
-                format!("stands beside {}, the same in another spelling", KEYS[0]),
+                format!(
+                    "given together with {}, the same in another spelling",
+                    KEYS[0]
+                ),
                 "remove one or the other",
             ));
             None
@@ -147,11 +150,11 @@ fn distances(entry: &Entry, problems: &mut Problems) -> Option<Vec<f64>> {
     };
     let mut seen = HashSet::new();
     let wrong = if list.is_empty() {
-        "an empty list, needed is at least one centre distance".to_owned()
+        "an empty list, expected at least one centre distance".to_owned()
     } else if list.len() > MOST_DISTANCES {
         format!("{} centre distances, allowed are up to 10 000", list.len())
     } else if let Some(twice) = list.iter().find(|mm| !seen.insert(mm.to_bits())) {
-        format!("{twice:?} stands there twice, allowed is each distance once")
+        format!("{twice:?} is listed twice, allowed is each distance once")
     } else {
         return Some(list);
     };

@@ -89,8 +89,8 @@ fn of_flanks(
         MeasurementError::EccentricityTwice => {
             return table.problem(
                 "pitch.axis",
-                "pitch measured about the datum axis already contains the eccentricity, and [runout] would count it twice",
-                "drop the runout, or say in [pitch] which counts: eccentricity = \"pitch\" or \"runout\"; \
+                "pitch measured about the datum axis already contains the eccentricity; [runout] would count it twice",
+                "remove the runout, or say in [pitch] which is used: eccentricity = \"pitch\" or \"runout\"; \
                  write axis = \"own\" if the values are free of eccentricity",
             );
         }

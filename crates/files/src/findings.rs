@@ -21,7 +21,7 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
             rounding_um,
         } => format!(
             "{}: the single pitch deviations of the {} flanks sum to {sum_um:.2} µm instead of 0 (rounding leaves up to {rounding_um:.2} µm); \
-             the rest is shared out evenly over the teeth",
+             the rest is distributed evenly over the teeth",
             key(of.pitch_key(*flank)),
             flank.name(),
         ),
@@ -72,17 +72,17 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
             format!("{key}: {words}")
         }
         Finding::SpansRefuseThickness { shown, spans_count } => format!(
-            "{}: the spans do not show it (they show {:.0} % of it): check its sign and tooth numbers, or leave it out; {}",
+            "{}: the spans contradict it (they show {:.0} % of it): check its sign and tooth numbers, or leave it out; {}",
             key("thickness.per_tooth_um"),
             100.0 * shown,
             match spans_count {
-                true => "the spans count",
-                false => "it counts all the same",
+                true => "the spans take precedence",
+                false => "it is used as given",
             }
         ),
         Finding::PerToothMeanTooLarge { mean_um } => format!(
-            "{}: its mean is {mean_um:.1} µm, more than a tenth of the module: the values are what each tooth is thicker than the mean in µm; if they are \
-             thicknesses, or in another unit, take their mean out or convert them",
+            "{}: its mean is {mean_um:.1} µm, more than a tenth of the module: each value is how much thicker than the mean the tooth is, in µm; if they are \
+             thicknesses, subtract their mean; if they are in another unit, convert them",
             key("thickness.per_tooth_um")
         ),
         Finding::PerToothOffMean {
@@ -91,8 +91,8 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
         } => {
             let stated = of.thickness.key().unwrap_or_default();
             format!(
-                "{}: its mean, {mean_um:.1} µm, adds to the stated {stated} (its values scatter about it by {scatter_um:.1} µm r.m.s.): where they were measured \
-                 from the nominal thickness, and {stated} says the same, take their mean out of the list",
+                "{}: its mean, {mean_um:.1} µm, adds to the stated {stated} (its values scatter about it by {scatter_um:.1} µm r.m.s.): if they were measured \
+                 from the nominal thickness, and {stated} states the same, subtract their mean from the list",
                 key("thickness.per_tooth_um")
             )
         }
@@ -101,7 +101,7 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
             greatest_um,
         } => doubts::looks_like_mm(of, *quantity, *greatest_um),
         Finding::AllowanceThickens { um } => format!(
-            "{}: {um} µm makes the teeth thicker than nominal, and an allowance for backlash makes them thinner: check its sign; if {} µm was \
+            "{}: {um} µm makes the teeth thicker than nominal, but an allowance for backlash makes them thinner: check its sign; if {} µm was \
              meant, write that",
             key("thickness.allowance_um"),
             -um
@@ -113,12 +113,12 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
             alike,
             eccentricity_um,
         } => format!(
-            "{}: the first harmonic is not that of an eccentricity alone, whose waves of right and left flanks lie twice the pressure angle apart: {left_um:.3} µm of it are left \
-             on a flank, {left_percent:.0} % of its energy, and count as the gear's own pitch{}; the eccentricity of {eccentricity_um:.3} µm is therefore not certain: measure the runout, \
-             and say in [pitch] which counts: eccentricity = \"pitch\" or \"runout\"",
+            "{}: the first harmonic is not that of an eccentricity alone, whose waves on right and left flanks are twice the pressure angle apart. {left_um:.3} µm of it remain \
+             on a flank, {left_percent:.0} % of its energy, and are used as the gear's own pitch{}. The eccentricity of {eccentricity_um:.3} µm is therefore uncertain: measure the runout, \
+             and say in [pitch] which is used: eccentricity = \"pitch\" or \"runout\"",
             key("pitch"),
             match alike {
-                true => " (both flanks move alike, as an index error of the machine moves them)",
+                true => " (both flanks vary alike, as from an index error of the machine)",
                 false => "",
             },
         ),

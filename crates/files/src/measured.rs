@@ -70,7 +70,7 @@ impl Measured {
             count => format!(" (and {} more such rows)", count - 1),
         };
         Some(format!(
-            "measured.file: lines {first} and {second} say the same of one mating at one distance{more}: both count; if a row was copied twice, remove one"
+            "measured.file: lines {first} and {second} have the same values for one mating at one distance{more}: both are used; if a row was copied, remove one"
         ))
     }
 
@@ -150,7 +150,7 @@ impl Measured {
         if rows.is_empty() && problems.is_empty() {
             problems.add(
                 self.file
-                    .problem("no rows, needed is at least one", "add what was measured"),
+                    .problem("no rows, expected at least one", "add what was measured"),
             );
         }
         Some(rows)
@@ -191,7 +191,7 @@ impl Measured {
                     &format!("{near}{help}"),
                 ));
             } else if headers[..place].contains(&name) {
-                problems.add(self.problem_at(1, &format!("column {name} twice"), "remove one"));
+                problems.add(self.problem_at(1, &format!("duplicate column {name}"), "remove one"));
             }
         }
         let places = COLUMNS.map(|name| headers.iter().position(|header| *header == name));

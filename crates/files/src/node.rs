@@ -172,7 +172,7 @@ impl<'de> Visitor<'de> for NodeVisitor {
             entries.push((key, value));
             if entries.len() > MOST_KEYS {
                 return Err(A::Error::custom(format!(
-                    "more than {MOST_KEYS} keys in one table, known is a dozen"
+                    "more than {MOST_KEYS} keys in one table, at most a dozen are known"
                 )));
             }
         }

@@ -29,8 +29,7 @@ pub fn in_bearings(bearings: &BearingClearanceSpec) -> Vec<String> {
     let large = members.into_iter().filter(|(_, mm)| *mm > MOST_PLAY_MM);
     let told = large.map(|(name, mm)| {
         format!(
-            "assembly.bearing_clearance_mm: {mm} mm of radial play of the {name} is more than a bearing has: if µm were meant, write {}; the play in \
-             diameter is twice the radial one",
+            "assembly.bearing_clearance_mm: {mm} mm of radial play at the {name} is more than a bearing has: if µm were meant, write {}; diametral play is twice the radial play",
             mm / 1000.0
         )
     });
@@ -41,7 +40,7 @@ pub fn in_bearings(bearings: &BearingClearanceSpec) -> Vec<String> {
 pub fn in_tolerance(key: &str, um: f64) -> Option<String> {
     (um > MOST_TOLERANCE_UM).then(|| {
         format!(
-            "{key}: {um} µm is as large as backlash itself, and hardly a difference would fail: the default is 0.1; if nm were meant, write {}",
+            "{key}: {um} µm is as large as backlash itself, so that hardly a difference would fail: the default is 0.1; if nm were meant, write {}",
             um / 1000.0
         )
     })
@@ -103,7 +102,7 @@ fn other_distance(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Opt
     };
     let (stated, a) = (without_backlash(angle, x_1 + x_2), *distances.first()?);
     let off = format!(
-        "assembly.center_distance_mm: {a} mm lies {:+.4} mm from {stated:.4} mm, where the pair as stated has no backlash with nominal teeth",
+        "assembly.center_distance_mm: {a} mm is {:+.4} mm off {stated:.4} mm, the zero-backlash distance of the stated pair with nominal teeth",
         a - stated
     );
     if x_1 != 0.0 || x_2 != 0.0 {
@@ -120,7 +119,7 @@ fn other_distance(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Opt
             && let Some((words, mm)) = otherwise.find(|(_, mm)| suits(*mm, SUITS))
         {
             return Some(format!(
-                "{off}; it would suit {words} ({mm:.4} mm): was a profile shift forgotten, in the distance or in the file?"
+                "{off}; it would fit {words} ({mm:.4} mm): was a profile shift forgotten, in the distance or in the file?"
             ));
         }
         let mut angles = USUAL_ANGLES.into_iter().filter(|usual| *usual != angle);
@@ -129,7 +128,7 @@ fn other_distance(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Opt
                 angles.find(|usual| suits(without_backlash(*usual, x_1 + x_2), SUITS_BY_ANGLE))
         {
             return Some(format!(
-                "{off}; it would suit a pressure angle of {usual}° ({:.4} mm): check pressure_angle_deg",
+                "{off}; it would fit a pressure angle of {usual}° ({:.4} mm): check pressure_angle_deg",
                 without_backlash(usual, x_1 + x_2)
             ));
         }
@@ -141,7 +140,7 @@ fn other_distance(wheel: &GearPart, pinion: &GearPart, distances: &[f64]) -> Opt
             .into_iter()
             .find(|x| suits(without_backlash(angle, *x), SUITS))?;
         return Some(format!(
-            "{off}; it would suit profile shifts of {shift} together ({:.4} mm): was profile_shift forgotten?",
+            "{off}; it would fit profile shifts of {shift} together ({:.4} mm): was profile_shift forgotten?",
             without_backlash(angle, shift)
         ));
     }

@@ -33,10 +33,7 @@ pub fn one_a_tooth(
         Some(teeth) if !list.is_empty() && list.len() != teeth as usize => {
             problems.add(table.problem(
                 name,
-                format!(
-                    "length {}, needed is {teeth}: one value a tooth",
-                    list.len()
-                ),
+                format!("length {}, expected {teeth}: one value a tooth", list.len()),
                 "give them in ascending tooth number, tooth 1 first",
             ));
             None

@@ -88,7 +88,7 @@ impl PitchSheet {
             if let [Some(0), Some(found @ 1..)] = lengths {
                 problems.add(table.problem(
                     name,
-                    format!("no values, {mate} has {found}, needed are both flanks"),
+                    format!("no values, {mate} has {found}, expected are both flanks"),
                     format!("give {name} too, or leave out both"),
                 ));
                 return None;
@@ -140,7 +140,7 @@ impl PitchSheet {
         if let Some(listed) = listed {
             problems.add(table.problem(
                 "file",
-                format!("stands beside {listed}, allowed is one of file and the lists"),
+                format!("given together with {listed}, allowed is one of file and the lists"),
                 "remove one or the other",
             ));
             return None;

@@ -53,7 +53,9 @@ impl LengthReadings {
         {
             problems.add(table.problem(
                 "mm",
-                format!("stands beside {second}, allowed is `mm` alone, or `min_mm` and `max_mm`"),
+                format!(
+                    "given together with {second}, allowed is `mm` alone, or `min_mm` and `max_mm`"
+                ),
                 "remove one or the other",
             ));
             return None;
@@ -62,7 +64,7 @@ impl LengthReadings {
         if mm.is_empty() {
             problems.add(table.problem(
                 "mm",
-                "no readings, needed is at least one",
+                "no readings, expected at least one",
                 "give what was measured, in mm",
             ));
             return None;
@@ -86,7 +88,7 @@ impl LengthReadings {
         if let Some(second) = beside.into_iter().find(|name| table.has(name)) {
             problems.add(table.problem(
                 "file",
-                format!("stands beside {second}, allowed is one of them"),
+                format!("given together with {second}, allowed is one of them"),
                 "remove one or the other",
             ));
             return None;
@@ -118,7 +120,9 @@ impl LengthReadings {
             }
             problems.add(table.problem(
                 key,
-                format!("missing, needed is one number a reading: there are {readings} for {teeth} teeth"),
+                format!(
+                    "missing, expected one number a reading: there are {readings} for {teeth} teeth"
+                ),
                 format!("add `{key}`: {help}"),
             ));
             return None;
@@ -128,7 +132,7 @@ impl LengthReadings {
             problems.add(table.problem(
                 key,
                 format!(
-                    "length {}, needed is {readings}: one number a reading",
+                    "length {}, expected {readings}: one number a reading",
                     list.len()
                 ),
                 help,
@@ -142,7 +146,7 @@ impl LengthReadings {
         if let Some(twice) = places.iter().find(|place| !seen.insert(**place)) {
             problems.add(table.problem(
                 key,
-                format!("{twice} stands there twice, allowed is once"),
+                format!("{twice} is listed twice, allowed is once"),
                 "keep one reading of it, or their mean",
             ));
             return None;

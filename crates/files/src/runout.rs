@@ -50,7 +50,7 @@ impl Runout {
         if let Some(name) = ["at", "ball_mm"].into_iter().find(|name| table.has(name)) {
             problems.add(table.problem(
                 name,
-                format!("stands without file, allowed is {name} only with file"),
+                format!("given without file, {name} is allowed only with file"),
                 format!("add `file`, or remove {name}"),
             ));
             return None;

@@ -32,7 +32,7 @@ pub fn read(
         if let Some(second) = [min, max].into_iter().find(|name| table.has(name)) {
             problems.add(table.problem(
                 single,
-                format!("stands beside {second}, allowed is {either}"),
+                format!("given together with {second}, allowed is {either}"),
                 "remove one or the other",
             ));
             return None;
@@ -45,7 +45,7 @@ pub fn read(
         if table.has(given) && !table.has(absent) {
             problems.add(table.problem(
                 given,
-                format!("stands without {absent}, allowed is {either}"),
+                format!("given without {absent}, allowed is {either}"),
                 format!("add `{absent}`, or give a single value"),
             ));
             return None;

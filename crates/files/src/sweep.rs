@@ -48,7 +48,9 @@ impl Sweep {
         {
             problems.add(table.problem(
                 second,
-                format!("stands beside {first}, allowed is one of mating, revolutions and phases"),
+                format!(
+                    "given together with {first}, allowed is one of mating, revolutions and phases"
+                ),
                 "remove one or the other",
             ));
             return None;
@@ -71,7 +73,7 @@ impl Sweep {
             if table.has(name) && !there {
                 problems.add(table.problem(
                     name,
-                    format!("stands without {mate}, allowed is {name} only with {mate}"),
+                    format!("given without {mate}, {name} is allowed only with {mate}"),
                     format!("add `{example}`, or remove {name}"),
                 ));
                 alone = None;
@@ -175,7 +177,7 @@ fn matings(
     let entry = table.get("mating")?;
     let list = problems.keep(entry.list("a list of matings", WAY_OUT))?;
     if list.is_empty() {
-        problems.add(entry.problem("an empty list, needed is at least one mating", WAY_OUT));
+        problems.add(entry.problem("an empty list, expected at least one mating", WAY_OUT));
         return None;
     }
     entry.each(&list, problems, |mating, _| pair_of_teeth(mating, teeth))
@@ -188,7 +190,7 @@ fn fractions(table: &Table, problems: &mut Problems) -> Option<Vec<f64>> {
     let fractions = entry.numbers(&FRACTION, problems)?;
     if fractions.is_empty() {
         problems.add(entry.problem(
-            "an empty list, needed is at least one fraction",
+            "an empty list, expected at least one fraction",
             "write [0.0], or remove it",
         ));
         return None;
@@ -205,7 +207,7 @@ fn pair_of_teeth(entry: &Entry, teeth: (Option<u32>, Option<u32>)) -> Result<(u3
         return Err(entry.wrong_type("[wheel tooth, pinion tooth]", help));
     };
     let [w, p] = list.as_slice() else {
-        let reason = format!("length {}, needed is 2: wheel and pinion tooth", list.len());
+        let reason = format!("length {}, expected 2: wheel and pinion tooth", list.len());
         return Err(entry.problem(reason, help));
     };
     let mut wrong = Vec::new();

@@ -136,7 +136,7 @@ impl<'a> Table<'a> {
             };
             problems.add(self.problem(
                 name,
-                format!("missing, needed is {needed}"),
+                format!("missing, expected {needed}"),
                 format!("add `{name}` to {place}"),
             ));
         }

@@ -84,7 +84,7 @@ impl Statement {
             problems.add(table.problem(
                 given[0],
                 format!(
-                    "stands beside {}: {} thickness statements, allowed is one of {}",
+                    "given together with {}: {} thickness statements, allowed is one of {}",
                     given[1..].join(", "),
                     given.len(),
                     quoted(STATEMENTS, "`")

@@ -176,7 +176,7 @@ fn workbooks() {
         "a tag of",
     );
     let cell = "<c><v>1</v></c>";
-    let beyond = "lies beyond any table: up to 100 columns and 200000 cells are read";
+    let beyond = "is outside the table limits: up to 100 columns and 200000 cells are read";
     of_pitch("p.xlsx", &of_sheets(rows(1, 1_000_000, cell), 1), beyond);
     of_pitch("p.xlsx", &of_sheets(rows(1900, 100, cell), 5), beyond);
     of_pitch("p.xlsx", &of_sheets(rows(300_000, 1, cell), 1), beyond);

@@ -109,7 +109,7 @@ fn noise(i: f64, scale: f64) -> f64 {
 fn micrometres_that_are_millimetres() {
     one(
         &wheel("thickness = { allowance_um = -0.022 }"),
-        "wheel.thickness.allowance_um: -0.022 µm is the greatest value",
+        "wheel.thickness.allowance_um: the greatest value is -0.022 µm",
     );
     one(
         &wheel("thickness = { allowance_um = { min = -0.030, max = -0.022 } }"),
@@ -224,11 +224,11 @@ fn a_centre_distance_of_another_pair() {
     let small = |x: (f64, f64), a: &str| pair((25, 36), 25.0, x, a);
     one(
         &small((0.0, 0.2), "30.5"),
-        "it would suit no profile shift (30.5000 mm)",
+        "it would fit no profile shift (30.5000 mm)",
     );
     one(
         &small((0.1, 0.2), "30.697"),
-        "it would suit the pinion's profile shift alone",
+        "it would fit the pinion's profile shift alone",
     );
     one(&small((0.0, 0.0), "31.076"), "was profile_shift forgotten?");
     none(&small((0.0, 0.2), "30.697"));
@@ -240,7 +240,7 @@ fn a_centre_distance_of_another_pair() {
     let large = |angle: f64, a: &str| pair((30, 40), angle, (0.4, 0.5), a);
     one(
         &large(20.0, "35.855"),
-        "it would suit a pressure angle of 25° (35.85",
+        "it would fit a pressure angle of 25° (35.85",
     );
     none(&large(25.0, "35.855"));
     none(&large(20.0, "35.831"));
@@ -300,7 +300,7 @@ fn pitch_with_the_harmonic_of_the_stated_runout() {
     // Not where the runout says, but as large.
     one(
         &pitch(10.0, alpha, 20.0, 9),
-        "wheel.runout.high_tooth: the pitch of both flanks holds the first harmonic",
+        "wheel.runout.high_tooth: the pitch of both flanks contains the first harmonic",
     );
     // A wave that moves both flanks alike is no eccentricity's.
     none(&pitch(10.0, 0.0, 20.0, 9));
@@ -311,7 +311,7 @@ fn pitch_with_the_harmonic_of_the_stated_runout() {
 fn equal_rows_of_measured_backlash() {
     one(
         &below("[measured]\nfile = \"twice.csv\""),
-        "measured.file: lines 2 and 4 say the same",
+        "measured.file: lines 2 and 4 have the same values",
     );
     none(&below("[measured]\nfile = \"repeated.csv\""));
     none(&below("[measured]\nfile = \"rig.csv\""));
@@ -328,7 +328,7 @@ fn a_cross_check_of_the_same_kind() {
     let span = "span = { teeth = 3, mm = 15.311 }";
     one(
         &checked(span, span),
-        "is a span over as many teeth, like the statement that counts",
+        "is a span over as many teeth, like the statement that is used",
     );
     none(&checked(span, "span = { teeth = 2, mm = 9.407 }"));
     none(&checked(span, "allowance_um = -10.6"));
@@ -373,11 +373,11 @@ fn good_pairs_are_not_suspected() {
         "of radial play",
         "of the radial clearance",
         "of the module",
-        "would suit",
+        "would fit",
         "hardly a difference would fail",
-        "the size of the one that is stated here",
-        "say the same of one mating",
-        "like the statement that counts",
+        "as large as the one stated here",
+        "have the same values for one mating",
+        "like the statement that is used",
         "adds to the stated",
     ];
     for file in files {

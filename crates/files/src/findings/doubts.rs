@@ -12,7 +12,7 @@ pub fn looks_like_mm(of: &Statements, quantity: Quantity, greatest: f64) -> Stri
         Quantity::Pitch => "pitch",
     };
     format!(
-        "{}: {greatest} µm is the greatest value, finer than teeth are measured: if mm were meant, multiply by 1000 ({greatest} mm are {:.4} µm)",
+        "{}: the greatest value is {greatest} µm, less than is measured on teeth: if mm were meant, multiply by 1000 ({greatest} mm are {:.4} µm)",
         of.table.path_of(name),
         1000.0 * greatest
     )
@@ -25,8 +25,8 @@ pub fn same_kind(of: &Statements, kind: SameKind) -> String {
         SameKind::Allowance => "an allowance",
     };
     format!(
-        "{}: is {words}, like the statement that counts, and repeats its faults: a check by another kind of measurement (span, over pins, \
-         another number of teeth or pin) would find them",
+        "{}: is {words}, like the statement that is used, and repeats its faults: check by another kind of measurement (span, over pins, \
+         another number of teeth or pin)",
         of.table.path_of(CrossCheck::UNDER)
     )
 }

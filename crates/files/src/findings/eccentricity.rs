@@ -14,21 +14,21 @@ pub fn in_pitch(note: &EccentricityNote) -> String {
     let found = shown(note.in_pitch);
     match (note.stated, note.difference_um) {
         (Some(stated), Some(apart)) if note.stated_counts => format!(
-            "the datum-axis values contain an eccentricity of {found}; that of [runout], {}, {apart:.3} µm from it, counts and is \
-             taken out of them, and what is left of a first harmonic counts as the gear's own pitch",
+            "the datum-axis values contain an eccentricity of {found}. That of [runout], {}, {apart:.3} µm from it, is used and removed \
+             from them; the first harmonic that remains is used as the gear's own pitch",
             shown(stated),
         ),
         (stated, apart) => {
             let beside = match (stated, apart) {
                 (Some(stated), Some(apart)) => format!(
-                    "; [runout] says {}, {apart:.3} µm from it, which is not used",
+                    "; that of [runout], {}, {apart:.3} µm from it, is not used",
                     shown(stated)
                 ),
                 _ => String::new(),
             };
             format!(
-                "the datum-axis values contain an eccentricity of {found}, which is taken as the gear's \
-                 (a first harmonic of its own pitch cannot be told from it){beside}"
+                "the datum-axis values contain an eccentricity of {found}, which is used as the gear's \
+                 (a first harmonic of its own pitch cannot be distinguished from it){beside}"
             )
         }
     }
@@ -45,7 +45,7 @@ pub fn in_own_pitch(in_pitch: Eccentricity, stated: Eccentricity, runout: Runout
                 format!("[runout] says {}, which would count twice", shown(stated))
             }
             RunoutSource::Readings { left } => format!(
-                "the readings of [runout] hold one of {}; as the gear's own pitch the values explain the readings, and {} is left to it as eccentricity",
+                "the readings of [runout] contain one of {}; used as the gear's own pitch the values explain the readings and leave {} as eccentricity",
                 shown(stated),
                 left.map_or("nothing".to_owned(), shown),
             ),
@@ -56,8 +56,8 @@ pub fn in_own_pitch(in_pitch: Eccentricity, stated: Eccentricity, runout: Runout
 /// What own-axis pitch holds towards another tooth.
 pub fn stated_elsewhere(in_pitch: Eccentricity, stated: Eccentricity) -> String {
     format!(
-        "the pitch of both flanks holds the first harmonic of an eccentricity of {}, the size of the one that is stated here, {}, and both \
-         count: check the tooth, and whether the pitch was measured about the datum axis",
+        "the pitch of both flanks contains the first harmonic of an eccentricity of {}, as large as the one stated here, {}, and both are \
+         used: check the tooth, and whether the pitch was measured about the datum axis",
         shown(in_pitch),
         shown(stated),
     )
@@ -67,11 +67,11 @@ pub fn stated_elsewhere(in_pitch: Eccentricity, stated: Eccentricity) -> String 
 pub fn left_reversed(of: &Statements, eccentricity_um: Option<[f64; 2]>) -> String {
     let eccentricities = eccentricity_um.map_or(String::new(), |[reversed, stated]| {
         format!(
-            " (they hold an eccentricity of {reversed:.3} µm then, of {stated:.3} µm as stated)"
+            " (reversed they contain an eccentricity of {reversed:.3} µm, as stated one of {stated:.3} µm)"
         )
     });
     format!(
-        "{}: the left flanks go against the right ones, as if their sign were reversed{eccentricities}: if + means plus material on both flanks \
+        "{}: the left flanks vary opposite to the right ones, as if their sign were reversed{eccentricities}: if + means plus material on both flanks \
          (or the gear was seen from the other face), write sense = {:?}",
         of.table.path_of(of.pitch_key(Flank::Left)),
         of.other_sense()

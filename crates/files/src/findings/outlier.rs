@@ -27,7 +27,7 @@ pub fn describe(of: &Statements, outlier: &Outlier) -> String {
         ),
     };
     format!(
-        "{}: {} lies {}, {why}: check it; it is used as given",
+        "{}: {} is {}, {why}: check it; it is used as given",
         of.table.path_of(key),
         what(outlier),
         off(outlier)
@@ -36,7 +36,7 @@ pub fn describe(of: &Statements, outlier: &Outlier) -> String {
 
 /// As the end of a way out of something that cannot be.
 pub fn suspected(outlier: &Outlier) -> String {
-    format!(", above all {}: it lies {}", what(outlier), off(outlier))
+    format!(", above all {}: it is {}", what(outlier), off(outlier))
 }
 
 /// Which one it is.
@@ -68,7 +68,7 @@ fn off(outlier: &Outlier) -> String {
             match reading.flanks_taken_out {
                 false => format!("{} mm", reading.median_mm),
                 true => format!(
-                    "{:.4} mm, once what the stated flanks do is taken out",
+                    "{:.4} mm, after removing the effect of the stated flanks",
                     reading.median_mm
                 ),
             }

@@ -10,32 +10,32 @@ pub fn readings(readings: &FittedReadings) -> String {
     let fitted = shown(readings.eccentricity);
     match readings.knowledge {
         FlankKnowledge::NoPitch => format!(
-            "the readings' first harmonic{} is an eccentricity of {fitted}, which is taken as the gear's: without [pitch] a first harmonic of its own tooth \
-             thickness cannot be told from it; F_r, their range, is {range:.3} µm; it and up to {left:.3} µm of a reading beyond that harmonic are not used",
+            "the readings' first harmonic{} is an eccentricity of {fitted}, which is used as the gear's: without [pitch] a first harmonic of its own tooth \
+             thickness cannot be distinguished from it. F_r, their range, is {range:.3} µm; up to {left:.3} µm of a reading is residual and ignored",
             match readings.flanks_taken_out {
                 false => "",
-                true => ", once what the stated tooth thickness does to it is taken out,",
+                true => ", after removing the effect of the stated tooth thickness,",
             },
         ),
         FlankKnowledge::Pitch => format!(
-            "the readings hold an eccentricity of {fitted}, once what the stated flanks do{} is taken out (their first harmonic itself is {}); \
+            "the readings contain an eccentricity of {fitted}, after removing the effect of the stated flanks{} (their first harmonic itself is {}). \
              F_r, their range, is {range:.3} µm; up to {left:.3} µm of a reading is residual and ignored",
             probe(readings),
             shown(readings.first_harmonic)
         ),
         FlankKnowledge::DatumPitch => format!(
             "the readings' first harmonic is an eccentricity of {fitted}; datum-axis pitch cannot separate it from a first harmonic of the gear's own tooth \
-             thickness, which shows the same in both; F_r, their range, is {range:.3} µm; up to {left:.3} µm of a reading is neither that harmonic nor said by the pitch",
+             thickness, which looks the same in both. F_r, their range, is {range:.3} µm; up to {left:.3} µm of a reading is in neither that harmonic nor the pitch",
         ),
     }
 }
 
 fn probe(readings: &FittedReadings) -> String {
     match (readings.probe, readings.by_ball_um) {
-        (Probe::Fork, _) => " as a fork at the pressure angle reads".to_owned(),
+        (Probe::Fork, _) => " as a fork at the pressure angle reads them".to_owned(),
         (Probe::Ball(mm), None) => format!(" under a ball of {mm} mm"),
         (Probe::Ball(mm), Some(um)) => format!(
-            " under a ball of {mm:.3} mm, which touches at the reference circle (another that fits moves it by up to {um:.3} µm; ball_mm states it)"
+            " under a ball of {mm:.3} mm, which touches at the reference circle (another that fits changes it by up to {um:.3} µm; state it as ball_mm)"
         ),
     }
 }

@@ -8,7 +8,7 @@ use gearlash::metrology::{MeanOnly, StatementRole, ThicknessBesidePitch, Thickne
 pub fn mean_by_pins(readings: usize, with_pitch: bool) -> String {
     let pitch = match with_pitch {
         true => "",
-        false => "; without [pitch] that is taken as even",
+        false => "; without [pitch] the pitch is assumed even",
     };
     format!(
         "{readings} dimensions over pins give the mean thickness only, no thickness by tooth{pitch}"
@@ -19,11 +19,11 @@ pub fn mean_by_pins(readings: usize, with_pitch: bool) -> String {
 pub fn each_tooth_by_spans(k: u32, z: u32, growth: u32, with_pitch: bool) -> String {
     let pitch = match with_pitch {
         true => "",
-        false => "; without [pitch] all unevenness of the spans counts as thickness",
+        false => "; without [pitch] all variation of the spans counts as thickness",
     };
     format!(
-        "{z} spans over {k} teeth give each tooth's thickness; an error of the readings grows in it up to {growth}-fold, \
-         {:.1}-fold when random (per_tooth = false takes the mean only){pitch}",
+        "{z} spans over {k} teeth give each tooth's thickness; an error of the readings is amplified up to {growth}-fold, \
+         {:.1}-fold when random (per_tooth = false uses the mean only){pitch}",
         f64::from(growth).sqrt()
     )
 }
@@ -37,7 +37,7 @@ pub fn mean_by_spans(
     pitch_in_mean: bool,
 ) -> String {
     let mean_only = match pitch_in_mean {
-        true => "; without [pitch] its part in these places stays in the mean thickness",
+        true => "; without [pitch] the pitch at these places stays in the mean thickness",
         false => "",
     };
     let why = match why {
@@ -46,34 +46,34 @@ pub fn mean_by_spans(
         MeanOnly::Undetermined { other } => {
             let other = other.map_or(String::new(), |k| format!(" (spans over {k} teeth would)"));
             format!(
-                "{z} spans over {k} teeth do not determine single teeth{other}: thickness that alternates from tooth i to tooth i + {} shows in none of them",
+                "{z} spans over {k} teeth do not determine single teeth{other}: thickness that alternates from tooth i to tooth i + {} shows in no span",
                 k - 1
             )
         }
     };
-    format!("{why}; only the mean thickness is taken{mean_only}")
+    format!("{why}; only the mean thickness is used{mean_only}")
 }
 
 /// Per-tooth thickness beside the pitch of both flanks; `other_sense` reads the left flank the other way round.
 pub fn beside_pitch(beside: &ThicknessBesidePitch, other_sense: &str) -> String {
     match beside {
         ThicknessBesidePitch::Same => {
-            "says the same as the pitch of both flanks (a tooth is thicker by right minus left pitch deviation), and the two add: \
-             leave it out, unless the teeth are that much thicker once more"
+            "repeats the pitch of both flanks (a tooth is thicker by right minus left pitch deviation), and the two are added: \
+             leave it out, unless the teeth are thicker by that much again"
                 .to_owned()
         }
         ThicknessBesidePitch::TakenBack => {
-            "takes back the thickness that the pitch of both flanks gives (right minus left pitch deviation): check which of the two is reversed; \
+            "cancels the thickness that the pitch of both flanks gives (right minus left pitch deviation): check which of the two is reversed; \
              where both were measured on the same teeth, leave it out"
                 .to_owned()
         }
         ThicknessBesidePitch::SameIfReversed => format!(
             "is the thickness that the pitch would give with the left flanks reversed: write pitch.sense = {other_sense:?} and leave it out, \
-             since the two add"
+             since the two are added"
         ),
         ThicknessBesidePitch::SameIfMoved { by, down } => format!(
-            "says what the pitch of both flanks says of the teeth, moved {} by {by} in tooth number, and the two add: check the tooth \
-             numbers of both; where they are of the same teeth, leave it out",
+            "repeats the pitch of both flanks, shifted {} by {by} in tooth number, and the two are added: check the tooth \
+             numbers of both; if they are of the same teeth, leave it out",
             if *down { "down" } else { "up" }
         ),
         ThicknessBesidePitch::Different {

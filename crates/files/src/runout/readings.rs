@@ -35,7 +35,7 @@ impl RunoutSheet {
         if let Some(stated) = stated {
             problems.add(table.problem(
                 "file",
-                format!("stands beside {stated}, allowed is one of file and the values"),
+                format!("given together with {stated}, allowed is one of file and the values"),
                 "remove one or the other",
             ));
             return None;

@@ -58,7 +58,9 @@ pub fn names(file: &DataFile, text: &str) -> Result<Vec<Name>, String> {
     for word in text.split_whitespace() {
         let word = word.strip_suffix("[µm]").unwrap_or(word);
         match NAMES.iter().find(|(known, _)| *known == word) {
-            Some((_, name)) if names.contains(name) => return Err(format!("column {word} twice")),
+            Some((_, name)) if names.contains(name) => {
+                return Err(format!("duplicate column {word}"));
+            }
             Some((_, name)) => names.push(*name),
             None => return Err(format!("unknown column {}", file.quote(word))),
         }

@@ -40,7 +40,7 @@ pub fn ordered<const N: usize, const M: usize>(
         problems.add(file.problem_at(
             pair[1].line,
             format!(
-                "tooth {} a second time, it stands in line {} already",
+                "duplicate tooth {}, already given in line {}",
                 pair[1].tooth, pair[0].line
             ),
             "remove one of the two, or correct its number",

@@ -27,7 +27,7 @@ impl Cell {
             Cell::Number(number) => file.bare(&number.to_string()),
             Cell::TextBelow(text) => {
                 format!(
-                    "the text {} (turn it into a number there)",
+                    "the text {} (convert it to a number there)",
                     file.quote(text)
                 )
             }

@@ -62,7 +62,7 @@ pub fn check<const N: usize>(
             more => format!(" (as {more} more in the table)"),
         };
         let reason = format!(
-            "{} {} may have a decimal {} or a thousands separator{more}: nothing in the table tells",
+            "{} {} may have a decimal {} or a thousands separator{more}: nothing in the table shows which",
             column.names()[0],
             file.bare(value.text),
             sign.name(),

@@ -104,7 +104,7 @@ fn delimiter(
     };
     problems.add(file.problem_at(
         index as u64 + 1,
-        format!("{reason}, needed is one of them between its columns"),
+        format!("{reason}, expected one of them between its columns"),
         "name the columns there, such as tooth;left (µm);right (µm)",
     ));
     None

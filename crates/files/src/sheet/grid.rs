@@ -75,7 +75,7 @@ impl Grid {
                     Some(Decimal::Point) => {
                         "give every column one value; in a file separated by commas numbers need a point"
                     }
-                    _ => "give every column one value, and nothing beside them",
+                    _ => "give every column one value, and nothing else",
                 },
             ));
             return None;
@@ -87,7 +87,7 @@ impl Grid {
         {
             problems.add(file.problem_at(
                 line.number,
-                format!("{} stands in a column without a name", cell.shown(file)),
+                format!("{} is in a column without a name", cell.shown(file)),
                 "remove it, or name its column",
             ));
             good = None;
@@ -127,7 +127,7 @@ impl Grid {
 
 fn wrong_cell(file: &DataFile, line: u64, name: &str, cell: &Cell, allowed: &str) -> Problem {
     let lost = match cell {
-        Cell::Text(text) if number::zero_first(text) => ", as if a decimal sign were lost",
+        Cell::Text(text) if number::zero_first(text) => ", as if its decimal sign were lost",
         _ => "",
     };
     let reason = format!("{name} is {}{lost}, allowed is {allowed}", cell.shown(file));

@@ -79,7 +79,7 @@ pub fn without_file(table: &Table, problems: &mut Problems) -> Option<()> {
     let Some(name) = KEYS.iter().find(|name| table.has(name)) else {
         return Some(());
     };
-    problems.add(table.problem(name, "there is no `file`", "add the file, or remove it"));
+    problems.add(table.problem(name, "given without `file`", "add the file, or remove it"));
     None
 }
 
@@ -110,7 +110,7 @@ fn read<const N: usize>(
         if sheet.is_some() {
             problems.add(table.problem(
                 "sheet",
-                "the file is no workbook, allowed is sheet only with .xlsx",
+                "the file is not a workbook, sheet is allowed only with .xlsx",
                 "remove it",
             ));
         }

@@ -39,7 +39,7 @@ pub fn places<const N: usize>(
         }
         let Cell::Text(text) = cell else {
             wrong(
-                format!("{} is no name of a column", cell.shown(file)),
+                format!("{} is not a column name", cell.shown(file)),
                 help.clone(),
             );
             continue;
@@ -54,7 +54,7 @@ pub fn places<const N: usize>(
         };
         if slot.is_some() {
             wrong(
-                format!("column {} is the second of its kind", file.quote(text)),
+                format!("duplicate column {}", file.quote(text)),
                 "remove one".to_owned(),
             );
         }

@@ -96,7 +96,7 @@ fn parse<'a>(
             if let Some(first) = blocks.iter().find(|block| block.side == side) {
                 wrong(
                     format!(
-                        "a second block of this flank, the first begins in line {}",
+                        "duplicate block of this flank, the first begins in line {}",
                         first.line
                     ),
                     "keep one of the two",
@@ -213,7 +213,7 @@ fn runout(file: &DataFile, blocks: &[Block], problems: &mut Problems) -> Option<
             problems.add(file.problem_at(
                 *line,
                 format!(
-                    "Fr of tooth {tooth} is {} here and not in the block of the other flank",
+                    "Fr of tooth {tooth} is {} here, but not in the block of the other flank",
                     file.bare(value.text)
                 ),
                 "find the right one, and remove column Fr from the other block of a copy",

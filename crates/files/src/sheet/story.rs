@@ -26,7 +26,7 @@ pub fn check(file: &DataFile, block: &Block, problems: &mut Problems) {
             problems.add(file.problem_at(
                 line,
                 format!(
-                    "fp of tooth {tooth} is {}, its Fp less that of tooth {} is {}: the two columns differ by more than their rounding",
+                    "fp of tooth {tooth} is {}, but its Fp minus that of tooth {} is {}: the two columns differ by more than their rounding",
                     file.bare(f.text),
                     before.1,
                     file.bare(&format!("{difference:.4}")),

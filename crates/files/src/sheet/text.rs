@@ -23,7 +23,7 @@ pub fn decode<'a>(
             problems.add(file.problem_at(
                 line,
                 format!(
-                    "not the {} text that the byte order mark promises",
+                    "not the {} text that the byte order mark announces",
                     encoding.name()
                 ),
                 "save it as UTF-8",

@@ -34,7 +34,7 @@ pub fn read(
     let unreadable = |error: String| {
         file.problem(
             format!("cannot be read as an .xlsx workbook: {error}"),
-            "open it in a spreadsheet and save it anew as .xlsx or CSV",
+            "open it in a spreadsheet and save it again as .xlsx or CSV",
         )
     };
     problems.keep(container::check(file, &bytes).map_err(unreadable))?;
@@ -138,7 +138,7 @@ impl CellReader<'_> {
                     .text_cell(text)
                     .map_err(|reason| format!("{}: {reason}", place(row, column)))?,
                 DataRef::Bool(flag) => {
-                    Cell::Other(format!("the truth value {}", file.bare(&flag.to_string())))
+                    Cell::Other(format!("the boolean {}", file.bare(&flag.to_string())))
                 }
                 DataRef::Error(error) => {
                     Cell::Other(format!("the error {}", file.bare(&error.to_string())))
@@ -153,7 +153,7 @@ impl CellReader<'_> {
             self.cells += 1;
             if column as usize >= MOST_COLUMNS || self.cells > MOST_CELLS {
                 return Err(format!(
-                    "{} lies beyond any table: up to {MOST_COLUMNS} columns and {MOST_CELLS} cells are read",
+                    "{} is outside the table limits: up to {MOST_COLUMNS} columns and {MOST_CELLS} cells are read",
                     place(row, column)
                 ));
             }
@@ -163,7 +163,7 @@ impl CellReader<'_> {
                 .insert(column, content)
                 .is_some()
             {
-                return Err(format!("{} has two contents", place(row, column)));
+                return Err(format!("{} has two values", place(row, column)));
             }
         }
         Ok(cells)

@@ -199,7 +199,7 @@ fn the_file_with_a_left_flank_turned_round_about_the_datum_axis_is_told() {
     assert_eq!(turned.len(), 1, "{turned:?}");
     // 20 µm but for the noise.
     for words in [
-        "they hold an eccentricity of 19.",
+        "reversed they contain an eccentricity of 19.",
         "write sense = \"material\"",
     ] {
         assert!(turned[0].contains(words), "{}", turned[0]);
@@ -291,12 +291,12 @@ fn thickness_that_is_said_twice() {
             Some("the two are added: where both were measured"),
         ),
         (half, Some("the two are added: where both were measured")),
-        (moved, Some("moved up by 1 in tooth number")),
+        (moved, Some("shifted up by 1 in tooth number")),
         (
             with_noise,
-            Some("says the same as the pitch of both flanks"),
+            Some("repeats the pitch of both flanks (a tooth"),
         ),
-        (negative(&thicker(1.0)), Some("takes back the thickness")),
+        (negative(&thicker(1.0)), Some("cancels the thickness")),
         (thicker(-1.0), Some("write pitch.sense = \"material\"")),
     ] {
         let keys = pitch("numbers", &right, &left);
@@ -391,7 +391,7 @@ fn thickness_that_the_spans_do_not_show() {
     assert_eq!(with(&per_tooth), [""; 0]);
     let warnings = with(&negative(&per_tooth));
     assert!(
-        warnings.len() == 1 && warnings[0].contains("the spans do not show it"),
+        warnings.len() == 1 && warnings[0].contains("the spans contradict it"),
         "{warnings:?}"
     );
 }
@@ -414,11 +414,11 @@ fn a_wave_of_both_flanks_about_the_datum_axis_is_no_turned_flank() {
             let flank: Vec<f64> = (0..z).map(wave).collect();
             let keys = pitch("numbers", &flank, &flank).replace("sense", "axis = \"datum\", sense");
             let told = pair(&keys).warnings;
-            assert_eq!(about_axis(&told, "go against"), 0, "{told:#?}");
+            assert_eq!(about_axis(&told, "vary opposite"), 0, "{told:#?}");
             // z 7: π/(2z) is 12.9°, and sin² 7.1° = 0.015 of it is as an eccentricity leaves it.
             let is_told = usize::from(z > 7);
             assert_eq!(about_axis(&told, NOT_ALONE), is_told, "{z} {told:#?}");
-            assert_eq!(about_axis(&told, "both flanks move alike"), is_told);
+            assert_eq!(about_axis(&told, "both flanks vary alike"), is_told);
         }
     }
 }

@@ -222,7 +222,7 @@ fn the_file_says_which_eccentricity_counts() {
     let note = study.study.notes[0].eccentricity.unwrap();
     assert!(note.stated_counts && note.stated.unwrap().um == 10.0);
     assert!(
-        study.warnings[0].contains("that of [runout], 10.000 µm towards tooth 12.50"),
+        study.warnings[0].contains("That of [runout], 10.000 µm towards tooth 12.50"),
         "{}",
         study.warnings[0]
     );
@@ -240,7 +240,7 @@ fn the_file_says_which_eccentricity_counts() {
         "{note:?} {bias}"
     );
     assert!(
-        study.warnings[0].contains("cannot be told from it); [runout] says 10.000"),
+        study.warnings[0].contains("cannot be distinguished from it); that of [runout], 10.000"),
         "{}",
         study.warnings[0]
     );

@@ -182,7 +182,7 @@ fn the_gears_own_thickness_harmonic_is_no_eccentricity() {
         assert!(
             told(
                 &blind,
-                "without [pitch] a first harmonic of its own tooth thickness cannot be told from it"
+                "without [pitch] a first harmonic of its own tooth thickness cannot be distinguished from it"
             )
             .is_some()
         );
@@ -195,8 +195,8 @@ fn a_ball_that_is_not_given_costs_what_is_told() {
     let made = Made::random(44, &mut TestRunner::deterministic());
     for ball in [4.6, 5.25, 6.5] {
         let study = made.study(&made.by_ball(ball), "at = \"space\"", true);
-        let told = told(&study, "another that fits moves it by up to ").unwrap();
-        let most = told.split("moves it by up to ").nth(1).unwrap();
+        let told = told(&study, "another that fits changes it by up to ").unwrap();
+        let most = told.split("changes it by up to ").nth(1).unwrap();
         let most: f64 = most.split(' ').next().unwrap().parse().unwrap();
         let off = 1000.0 * made.off(&study);
         assert!(off <= most && off > 1e-3, "{ball}: {off} µm, {told}");
@@ -304,7 +304,7 @@ fn datum_pitch_stated_as_own_takes_the_eccentricity_of_readings() {
     for words in [
         "write axis = \"datum\"",
         &format!("{:.3} µm", 1e3 * left),
-        "is left to it as eccentricity",
+        "explain the readings and leave",
     ] {
         assert!(told(words), "{words}: {:#?}", study.warnings);
     }

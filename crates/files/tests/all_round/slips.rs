@@ -29,7 +29,7 @@ fn a_span_half_a_millimetre_off_is_named() {
         .collect();
     assert_eq!(told.len(), 1, "{told:?}");
     assert!(
-        told[0].starts_with("wheel.thickness.span: the reading at tooth 9, 51.05 mm, lies 490.0 µm from the median of all 3, 50.56 mm"),
+        told[0].starts_with("wheel.thickness.span: the reading at tooth 9, 51.05 mm, is 490.0 µm from the median of all 3, 50.56 mm"),
         "{}",
         told[0]
     );
@@ -66,7 +66,7 @@ fn a_pitch_value_that_stands_out_is_named() {
         let told = pitch(kind, 6, 1000.0);
         assert!(
             told.iter().any(|told| told
-                .contains("right_um: tooth 6 of the right flanks, 1000 µm, lies 1000.0 µm from")),
+                .contains("right_um: tooth 6 of the right flanks, 1000 µm, is 1000.0 µm from")),
             "{told:?}"
         );
         assert!(
@@ -126,7 +126,7 @@ fn a_reading_that_the_stated_flanks_explain_is_no_slip() {
     let slip = told(&mm, &pitch).unwrap();
     assert!(
         slip.contains("the reading at tooth 30, ")
-            && slip.contains("once what the stated flanks do is taken out"),
+            && slip.contains("after removing the effect of the stated flanks"),
         "{slip}"
     );
 }

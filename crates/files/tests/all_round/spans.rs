@@ -109,7 +109,7 @@ proptest! {
             &table,
         ).unwrap();
         check_same(wheel(&study), &gear, 1e-9);
-        prop_assert!(study.warnings.iter().any(|w| w.contains("only the mean thickness is taken")));
+        prop_assert!(study.warnings.iter().any(|w| w.contains("only the mean thickness is used")));
         prop_assert_eq!(study.study.notes[0].all_round.unwrap().readings, chosen.len());
     }
 }
@@ -183,13 +183,13 @@ fn lists_that_are_none() {
     case(
         "mm = [23, 23], first_tooth = [1]",
         "first_tooth",
-        "length 1, needed is 2",
+        "length 1, expected 2",
         "each reading",
     );
     case(
         "mm = [23, 23], first_tooth = [4, 4]",
         "first_tooth",
-        "4 stands there twice",
+        "4 is listed twice",
         "mean",
     );
     case(
@@ -201,7 +201,7 @@ fn lists_that_are_none() {
     case(
         "mm = [23], first_tooth = [1], min_mm = 22",
         "mm",
-        "beside min_mm",
+        "together with min_mm",
         "remove",
     );
     case(
@@ -219,7 +219,7 @@ fn lists_that_are_none() {
     case(
         "mm = [23], file = \"spans.csv\"",
         "file",
-        "beside mm",
+        "together with mm",
         "remove",
     );
     case(

@@ -14,13 +14,13 @@ fn per_tooth_lists_of_the_wrong_length() {
             problem(
                 "wheel.thickness.per_tooth_um",
                 "",
-                &["length 19, needed is 20"],
+                &["length 19, expected 20"],
                 "ascending",
             ),
             problem(
                 "wheel.pitch.left_um",
                 "",
-                &["length 21, needed is 20"],
+                &["length 21, expected 20"],
                 "ascending",
             ),
         ],
@@ -186,7 +186,7 @@ fn datum_axis_and_runout() {
             "wheel.pitch.axis",
             "\"datum\"",
             &["count it twice"],
-            "drop the runout",
+            "remove the runout",
         )],
     );
 }

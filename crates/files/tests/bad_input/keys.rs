@@ -109,7 +109,7 @@ fn phases_stand_alone() {
         &[problem(
             "sweep.phases",
             "\"all\"",
-            &["stands beside mating"],
+            &["given together with mating"],
             "remove one or the other",
         )],
     );

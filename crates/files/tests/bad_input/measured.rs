@@ -46,7 +46,7 @@ fn columns() {
             problem(
                 "measured.file",
                 "rig.csv",
-                &["line 1", "measured_left_um twice"],
+                &["line 1", "duplicate column measured_left_um"],
                 "remove one",
             ),
             problem(

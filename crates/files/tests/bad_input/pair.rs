@@ -89,7 +89,7 @@ fn list_of_centre_distances() {
         &[problem(
             "assembly.center_distance_mm",
             "75.2",
-            &["75.0 stands there twice"],
+            &["75.0 is listed twice"],
             "once",
         )],
     );
@@ -155,13 +155,13 @@ fn band_of_centre_distances() {
         (
             "upper_um = 10",
             "upper_um",
-            "stands without lower_um",
+            "given without lower_um",
             "add `lower_um`",
         ),
         (
             "tolerance_um = 10, lower_um = -5",
             "tolerance_um",
-            "stands beside lower_um",
+            "given together with lower_um",
             "remove one",
         ),
         (
@@ -214,7 +214,7 @@ fn both_gears_are_reported_together() {
             problem(
                 "pinion.thickness.per_tooth_um",
                 "[1]",
-                &["length 1, needed is 30"],
+                &["length 1, expected 30"],
                 "",
             ),
             problem("pinion.rack.root_radius", "0.48", &["too large"], "reduce"),

@@ -20,11 +20,11 @@ fn matings() {
                 &["value 2", "pinion tooth is 31", "1 … 30"],
                 "from 1",
             ),
-            problem("sweep.mating", "[1]", &["length 1, needed is 2"], "from 1"),
+            problem("sweep.mating", "[1]", &["length 1, expected 2"], "from 1"),
             problem(
                 "sweep.mating",
                 "[1, 2, 3]",
-                &["length 3, needed is 2"],
+                &["length 3, expected 2"],
                 "from 1",
             ),
             problem(

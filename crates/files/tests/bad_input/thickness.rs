@@ -8,7 +8,7 @@ fn two_statements() {
             "wheel.thickness.span",
             "{ mm = 23, teeth = 3 }",
             &[
-                "beside allowance_um",
+                "together with allowance_um",
                 "2 thickness statements",
                 "`base_thickness_mm`",
             ],
@@ -38,7 +38,7 @@ fn min_and_max() {
             "span = { teeth = 3, mm = 22.9, max_mm = 22.98 }",
             "span.mm",
             "22.9",
-            "beside max_mm",
+            "together with max_mm",
             "remove",
         ),
         (

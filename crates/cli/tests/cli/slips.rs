@@ -117,7 +117,7 @@ fn micrometres_that_are_millimetres() {
     );
     one(
         &wheel("runout = { total_um = 0.0066, high_tooth = 3 }"),
-        "wheel.runout.total_um: 0.0066 µm",
+        "wheel.runout.total_um: the greatest value is 0.0066 µm",
     );
     let pitch = |scale: f64| {
         let (right, left) = (list(|i| noise(i, scale)), list(|i| noise(i + 1.0, scale)));

@@ -225,7 +225,7 @@ fn lists_that_are_none() {
     case(
         "mm = [23], first_tooth = [1], sheet = \"a\"",
         "sheet",
-        "no `file`",
+        "given without `file`",
         "add",
     );
 }

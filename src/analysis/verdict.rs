@@ -189,12 +189,7 @@ impl<'a> Verdict<'a> {
         let mut jammed = self.runs.iter().filter(|run| run.status == Status::Jammed);
         let jammed = jammed.find_map(|run| Some((run, run.lost.as_ref()?)));
         let least = || self.least().map(|(run, least)| (run, &least.pose));
-        let lost = || {
-            self.runs
-                .iter()
-                .find_map(|run| Some((run, run.lost.as_ref()?)))
-        };
-        jammed.or_else(least).or_else(lost)
+        jammed.or_else(least)
     }
 
     /// The least and the greatest distance, mm, from which the runs that do not assemble do; `None` where one never does.

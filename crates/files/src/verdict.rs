@@ -223,11 +223,17 @@ fn values(verdict: &Verdict) -> Option<String> {
     let least = verdict.least();
     let greatest = verdict.greatest();
     let mut parts = Vec::new();
-    if let Some((run, extreme)) = least {
-        parts.push(format!("least {}", value(verdict, run, extreme)));
-    }
-    if let Some((run, extreme)) = greatest {
-        parts.push(format!("greatest {}", value(verdict, run, extreme)));
+    if let [only] = verdict.runs
+        && let (Some((run, extreme)), true) = (least, uniform(only))
+    {
+        parts.push(value(verdict, run, extreme));
+    } else {
+        if let Some((run, extreme)) = least {
+            parts.push(format!("least {}", value(verdict, run, extreme)));
+        }
+        if let Some((run, extreme)) = greatest {
+            parts.push(format!("greatest {}", value(verdict, run, extreme)));
+        }
     }
     if verdict.assembles() == Some(false)
         && verdict

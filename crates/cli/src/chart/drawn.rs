@@ -70,7 +70,7 @@ impl Drawn {
                 courses.len()
             ));
         }
-        let cycle = told(&analysis);
+        let cycle = in_unit(told(&analysis), unit);
         let (name, chart) = match args.kind {
             Kind::Difference => (
                 "difference",
@@ -115,6 +115,7 @@ impl Drawn {
         let (wheel, pinion) = teeth(followed);
         let unproven = curve.unproven + swept.as_ref().map_or(0, Analysis::unproven);
         let cycle = swept.as_ref().map(told).unwrap_or_default();
+        let cycle = in_unit(cycle, unit);
         Ok(Drawn {
             chart: chart::distance_in(
                 unit,
@@ -150,6 +151,14 @@ fn heading<'a>(study: &'a Study, subtitle: &'a str) -> Heading<'a> {
         prefix: "chart",
         title: &study.title,
         subtitle,
+    }
+}
+
+/// The cycle's extremes are named in µm: not in a picture of angles.
+fn in_unit(cycle: String, unit: BacklashUnit) -> String {
+    match unit {
+        BacklashUnit::Um => cycle,
+        BacklashUnit::Arcmin { .. } => String::new(),
     }
 }
 

@@ -97,7 +97,7 @@ fn wide_tables_are_those_of_a_pipe() {
             .output()
             .unwrap();
         let piped = String::from_utf8(piped.stdout).unwrap();
-        for (columns, wide) in [(80, "--wide"), (400, "")] {
+        for (columns, wide) in [(80, "--wide"), (4000, "")] {
             let Some(shown) = on_terminal(folder.path(), columns, &format!("{words} {wide}"), "")
             else {
                 return;

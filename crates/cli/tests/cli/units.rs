@@ -73,7 +73,9 @@ fn a_table_in_arcmin_is_the_one_in_um_times_a_factor() {
                 .arg("--no-files")
                 .args(options),
         );
-        let rows = text.lines().skip(2).take(7);
+        // Below the verdict.
+        let rows = text.lines().skip_while(|line| !line.contains(" mating "));
+        let rows = rows.take(7);
         let cells = |row: &str| row.split("  ").map(|cell| cell.trim().to_owned()).collect();
         rows.map(|row| -> Vec<String> { cells(row) })
             .map(|row| row.into_iter().filter(|cell| !cell.is_empty()).collect())

@@ -104,7 +104,7 @@ fn nominal_gears_at_their_own_distance_have_no_backlash_and_do_not_interfere() {
     let document = Html::parse_document(&page(&plain("40.0")));
     let answer = answer(&document);
     assert!(
-        answer.starts_with("Assembles without backlash at a = 40.000 mm: least j_wt 0.00 µm"),
+        answer.starts_with("Assembles without backlash at a = 40.000 mm: j_wt 0.00 µm"),
         "{answer}"
     );
     assert_eq!(select(&document, ".verdict.bad").len(), 0);

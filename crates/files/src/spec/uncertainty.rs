@@ -9,25 +9,25 @@ use serde::Serialize;
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[schemars(default)]
 pub struct UncertaintySpec {
-    /// Of a span.
+    /// Of a span, µm.
     #[schemars(transform = within(&UNCERTAINTY))]
     pub span_um: f64,
-    /// Of a dimension over pins.
+    /// Of a dimension over pins, µm.
     #[schemars(transform = within(&UNCERTAINTY))]
     pub over_pins_um: f64,
-    /// Of a thickness allowance, and of a base thickness.
+    /// Of a thickness allowance, and of a base thickness, µm.
     #[schemars(transform = within(&UNCERTAINTY))]
     pub allowance_um: f64,
-    /// Of the thickness of a single tooth beside the others.
+    /// Of the thickness of a single tooth beside the others, µm.
     #[schemars(transform = within(&UNCERTAINTY))]
     pub per_tooth_um: f64,
-    /// Of the pitch deviation of a flank.
+    /// Of the pitch deviation of a flank, µm.
     #[schemars(transform = within(&UNCERTAINTY))]
     pub pitch_um: f64,
-    /// Of the runout of each gear.
+    /// Of the runout of each gear, µm.
     #[schemars(transform = within(&UNCERTAINTY))]
     pub runout_um: f64,
-    /// Of the centre distance.
+    /// Of the centre distance, µm.
     #[schemars(transform = within(&UNCERTAINTY))]
     pub center_distance_um: f64,
     /// Coverage factor of what is shown.

@@ -41,17 +41,13 @@ pub fn distance_in(
     let place = |a: f64, um: Option<f64>| -> Point { (a, um.map(|um| unit.of_um(um, a))) };
     // The least and the greatest end of a band, which are of the gears `apart` nearer and farther.
     let ends = |band: fn(&DistancePoint) -> Option<Band>, apart: f64| {
-        let ends: [(fn(Band) -> f64, f64); 2] =
-            [(|band| band.min_um, -apart), (|band| band.max_um, apart)];
-        ends.map(|(end, apart)| -> Vec<Point> {
-            let value = |point: &DistancePoint| {
-                let um = end(band(point)?);
-                Some(unit.of_um(um, point.center_distance + apart))
+        [-1.0, 1.0].map(|end| -> Vec<Point> {
+            let point = |point: &DistancePoint| {
+                let a = point.center_distance;
+                let um = band(point).map(|band| if end < 0.0 { band.min_um } else { band.max_um });
+                (a, um.map(|um| unit.of_um(um, a + end * apart)))
             };
-            let points = curve.points.iter();
-            points
-                .map(|point| (point.center_distance, value(point)))
-                .collect()
+            curve.points.iter().map(point).collect()
         })
     };
     let simulated = ends(|point| point.bands.simulated, 0.0);

@@ -57,7 +57,9 @@ fn the_worst_pose_is_found_and_named() {
     )
     .assert()
     .success()
-    .stderr(predicate::str::contains("Does not assemble at a = 160.300 mm: j_wt −144.72 µm"))
+    .stderr(predicate::str::contains(
+        "Does not assemble at a = 160.300 mm: j_wt −144.72 µm",
+    ))
     .stderr(predicate::str::contains("lost to other contact: 0.000 µm"));
     // Any jam is worse than any overlap.
     snapshot(

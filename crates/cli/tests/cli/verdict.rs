@@ -46,8 +46,7 @@ fn every_command_says_the_same() {
         assert!(said.contains(COVERAGE), "{args:?}: {said}");
     }
     said(&["report"]);
-    let page =
-        std::fs::read_to_string(folder.path().join("out/hunting_51x23.html")).unwrap();
+    let page = std::fs::read_to_string(folder.path().join("out/hunting_51x23.html")).unwrap();
     assert!(page.contains(SENTENCE), "{}", &page[..page.len().min(6000)]);
 }
 

@@ -179,12 +179,11 @@ impl Planned {
             })
         };
         let (least, greatest) = (one(found.least), one(found.greatest));
-        let teeth = |member| self.run.assembly.gear(member).gear().basic_data().teeth();
         RunExtremes {
             material: self.run.material,
             assembly: self.run.assembly.clone(),
             phase: self.phase,
-            matings: SweepPlan::hunting_pitches(teeth(Member::Wheel), teeth(Member::Pinion)),
+            matings: hunting_pitches(&self.run.assembly),
             status: found.status,
             least,
             greatest,
@@ -212,6 +211,10 @@ fn plans(study: &Study) -> Result<Vec<Planned>, Error> {
             if !firsts.contains(&first) {
                 firsts.push(first);
             }
+        }
+        // Against perfect teeth it does not matter which are met.
+        if distinct(&run.assembly) < hunting_pitches(&run.assembly) {
+            firsts.truncate(1);
         }
         let several = firsts.len() > 1;
         firsts.sort_by_key(|first| first.pinion_tooth);
@@ -243,6 +246,12 @@ fn phase(assembly: &GearPair, mating: &Mating) -> Mating {
     }
 }
 
+/// lcm(z_1, z_2).
+fn hunting_pitches(assembly: &GearPair) -> u64 {
+    let teeth = |member| assembly.gear(member).gear().basic_data().teeth();
+    SweepPlan::hunting_pitches(teeth(Member::Wheel), teeth(Member::Pinion))
+}
+
 /// Matings that differ: after them every deviation of both gears is where it was.
 fn distinct(assembly: &GearPair) -> u64 {
     let gear = |member| assembly.gear(member);
@@ -250,7 +259,7 @@ fn distinct(assembly: &GearPair) -> u64 {
     let (wheel, pinion) = (teeth(Member::Wheel), teeth(Member::Pinion));
     let deviates = |gear: &AsBuilt| Inspection::of(gear).deviates();
     match [Member::Wheel, Member::Pinion].map(|member| deviates(gear(member))) {
-        [true, true] => SweepPlan::hunting_pitches(wheel, pinion),
+        [true, true] => hunting_pitches(assembly),
         [true, false] => u64::from(wheel),
         [false, true] => u64::from(pinion),
         [false, false] => 1,

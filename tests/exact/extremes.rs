@@ -84,13 +84,13 @@ fn hold(pair: &GearPair, count: u32) -> Result<Extremes, TestCaseError> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(40))]
+    #![proptest_config(ProptestConfig::with_cases(20))]
 
     /// Pairs with pitch deviations, runout and odd teeth.
     #[test]
     fn no_pose_lies_beyond(case in rough_case()) {
         if let Ok(pair) = case.try_assemble(1.0) {
-            hold(&pair, 3000)?;
+            hold(&pair, 1500)?;
         }
     }
 
@@ -115,7 +115,7 @@ proptest! {
 #[test]
 fn wide_pairs_hold_or_are_doubted() {
     let mut proven = 0;
-    for number in 0..40 {
+    for number in 0..25 {
         let drawn = Pair::new(31, number).pose(0, Some(Depth::Any));
         let teeth = [Member::Wheel, Member::Pinion]
             .map(|member| drawn.assembly.gear(member).gear().basic_data().teeth());
@@ -125,7 +125,7 @@ fn wide_pairs_hold_or_are_doubted() {
             proven += u32::from(found.least.is_some_and(|least| least.is_proven()));
         }
     }
-    assert!(proven > 2, "{proven}");
+    assert!(proven > 1, "{proven}");
 }
 
 /// Perfect gears: `j_wt` is the same at every pose on the line of action, and follows from the involute (model 2).

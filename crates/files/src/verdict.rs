@@ -20,7 +20,9 @@ pub fn sentence(verdict: &Verdict) -> String {
         return "Nothing was run.".to_owned();
     }
     let mut text = status(verdict);
-    let beside: Vec<String> = [requirement(verdict), checks(verdict)]
+    let (failed, assembles) = (checks(verdict), verdict.assembles() == Some(true));
+    let first = failed.clone().filter(|_| assembles);
+    let beside: Vec<String> = [requirement(verdict), first]
         .into_iter()
         .flatten()
         .collect();
@@ -37,7 +39,12 @@ pub fn sentence(verdict: &Verdict) -> String {
         text += &values;
     }
     text += ". ";
-    text + &coverage(verdict)
+    text += &coverage(verdict);
+    // Below what is worse: the same words as of a command that makes no checks.
+    if let Some(failed) = failed.filter(|_| !assembles) {
+        text += &format!(" It also {failed}.");
+    }
+    text
 }
 
 /// Whether and where it assembles.

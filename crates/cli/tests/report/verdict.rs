@@ -38,12 +38,13 @@ fn a_pair_that_interferes_later_in_the_hunting_cycle_does_not_assemble() {
     let least = simulated(&at_117_3("[sweep]\nrevolutions = \"hunting\"\n"));
     assert!(least < -9.0, "{least}");
     let document = Html::parse_document(&page(&at_117_3("")));
-    let expected = format!(
-        "Does not assemble at a = 117.300 mm: least j_wt −{:.2} µm",
-        -least
-    );
     let answer = answer(&document);
-    assert!(answer.starts_with(&expected), "{answer}");
+    let (_, told) = answer
+        .split_once("Does not assemble at a = 117.300 mm: least j_wt −")
+        .unwrap();
+    let told = -told.split_once(" µm").unwrap().0.parse::<f64>().unwrap();
+    // Between two poses of the sweep it falls a little lower; both shown to 0.005 µm.
+    assert!(told <= least + 0.005 && told > least - 0.05, "{answer}");
     assert!(answer.contains("at teeth 5·60"), "{answer}");
     let cells = row(&document, "#result", "117.300");
     assert_eq!(cells[1], "no: interference");

@@ -3,10 +3,13 @@
 mod classes;
 mod distances;
 mod onset;
+mod uncertainty;
 mod undercut;
 
 #[path = "../common/mod.rs"]
 mod common;
+#[path = "../common/design.rs"]
+mod design;
 #[path = "../common/eccentric_17_100.rs"]
 mod eccentric_17_100;
 
@@ -14,6 +17,7 @@ mod eccentric_17_100;
 mod pair_86_21;
 
 use common::{ReferenceContact, reference_pair};
+use design::design;
 use eccentric_17_100::eccentric_17_100;
 use gearlash::analysis::compare::compare;
 use gearlash::analysis::diagnosis::{

@@ -1,13 +1,11 @@
 //! Proven extremes of the mesh cycle against poses of the exact method, which know nothing of their bounds.
 
-#[path = "../common/campaign/mod.rs"]
-mod campaign;
 #[path = "../common/random_pair.rs"]
 #[allow(dead_code)] // its twin tests use the rest
 mod random_pair;
 
 use crate::design::design;
-use campaign::{Depth, Pair};
+use crate::wide::drawn::{Depth, Pair};
 use gearlash::contact::{Doubt, ExactKernel, Extremes, Status};
 use gearlash::gear::{AsBuilt, Face, Gear, Side};
 use gearlash::pair::{GearPair, Mating, Member, Pose, SweepPlan};

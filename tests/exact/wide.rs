@@ -4,7 +4,7 @@
 
 #[path = "../common/campaign/mod.rs"]
 #[allow(unused_imports)] // nothing is timed here
-mod drawn;
+pub mod drawn;
 
 use drawn::{Depth, Drawn};
 use gearlash::contact::{Contact, ExactKernel, Status};

@@ -100,7 +100,7 @@ fn ends(
     {
         problems.add(table.problem(
             key,
-            &format!("min {low} is above max {high}"),
+            format!("min {low} is above max {high}"),
             "exchange the two, or leave one out",
         ));
         return None;

@@ -61,19 +61,23 @@ fn suite(xml: &mut Xml, pair: &ComparedPair) -> io::Result<()> {
     first.push_attribute(("name", sentence(&verdict).as_str()));
     first.push_attribute(("classname", plain(&pair.title).as_str()));
     let unmet = (verdict.requirement == Requirement::NotMet).then(|| sentence(&verdict));
-    within(xml, first, unmet.as_slice(), failed)?;
+    within(xml, first, unmet.as_slice(), |xml, reason| {
+        failed(xml, reason)
+    })?;
     for run in &pair.runs {
         let mut case = BytesStart::new("testcase");
         case.push_attribute(("name", run_name(run).as_str()));
         case.push_attribute(("classname", plain(&pair.title).as_str()));
-        within(xml, case, failure(pair, run).as_slice(), failed)?;
+        within(xml, case, failure(pair, run).as_slice(), |xml, reason| {
+            failed(xml, reason)
+        })?;
     }
     xml.write_event(Event::End(tag.to_end()))
 }
 
-fn failed(xml: &mut Xml, reason: &String) -> io::Result<()> {
+fn failed(xml: &mut Xml, reason: &str) -> io::Result<()> {
     let mut failure = BytesStart::new("failure");
-    failure.push_attribute(("message", reason.as_str()));
+    failure.push_attribute(("message", reason));
     xml.write_event(Event::Empty(failure))
 }
 

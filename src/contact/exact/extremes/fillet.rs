@@ -238,11 +238,15 @@ fn tangent(mate: &Shape, gamma: f64) -> Border {
 }
 
 impl Reached {
+    /// Bound on the second derivative over a stretch of `angle`; `None` where its own assumptions on slope and arm do not come out.
     fn bend(&self, angle: f64) -> Option<f64> {
         let [xx, xm, mm] = self.lengths;
-        // Over the stretch the arm changes by what its derivatives allow, and the slope with it.
+        let angle = angle.abs();
+        // Assumed, and checked with the bound that follows: no steeper than this, and an arm no shorter than that.
         let rate = 1.2 * self.slope.abs();
-        let turning = self.turning - (xm + mm * rate) * angle.abs();
-        (turning > 0.8 * self.turning).then(|| (xx + 2.0 * xm * rate + mm * rate * rate) / turning)
+        let turning = self.turning - (xm + mm * rate) * angle;
+        let bend = (xx + 2.0 * xm * rate + mm * rate * rate) / turning;
+        let holds = turning > 0.8 * self.turning && self.slope.abs() + bend * angle <= rate;
+        holds.then_some(bend)
     }
 }

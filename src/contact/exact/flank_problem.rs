@@ -86,6 +86,7 @@ impl FlankProblem {
 
     /// Puts the teeth where `pose` has them: `rotation` is the locked gear's, reduced, and `turned` `e^{i rotation}`,
     /// both as the picture counts them.
+    #[inline]
     pub fn posed(
         &self,
         pose: &Pose,
@@ -204,6 +205,7 @@ pub(super) struct PosedFlanks<'a> {
 
 impl<'a> PosedFlanks<'a> {
     /// Steps whose locked half tooth can reach the free gear; empty when none can.
+    #[inline]
     pub fn steps(&self) -> Range<i64> {
         let Some((low, high)) = self.problem.window else {
             return 0..0;
@@ -228,6 +230,7 @@ impl<'a> PosedFlanks<'a> {
     }
 
     /// Places of the locked and the free tooth of a step.
+    #[inline]
     pub fn places(&self, step: i64) -> (usize, usize) {
         (
             self.problem.locked.beside(self.locked_place, step),

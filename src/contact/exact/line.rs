@@ -37,6 +37,7 @@ pub(super) struct Line {
 
 impl Line {
     /// The line for `B`; `None` where the base circles overlap.
+    #[inline]
     pub fn new(between: C, sum: f64) -> Option<Line> {
         let square = between.norm_sqr() - sum * sum;
         if !(square > 0.0) {

@@ -18,6 +18,7 @@ pub(super) struct Pair {
 }
 
 impl PosedFlanks<'_> {
+    #[inline]
     pub(super) fn pair(&self, step: i64) -> Pair {
         let (locked, free) = (&self.problem.locked, &self.problem.free);
         let (locked_place, free_place) = self.places(step);
@@ -33,6 +34,7 @@ impl PosedFlanks<'_> {
     }
 
     /// `B` and its derivative by the gap, at the gap `mu`.
+    #[inline]
     pub(super) fn between(&self, mu: f64) -> (C, C) {
         let off = self.free_centre * turn(mu);
         (self.centre - off, C::new(off.im, -off.re))

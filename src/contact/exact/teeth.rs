@@ -106,6 +106,7 @@ impl Teeth {
     }
 
     /// The place `steps` counter-clockwise of `place`, for a few steps: no division.
+    #[inline]
     pub fn beside(&self, place: usize, steps: i64) -> usize {
         let count = self.count();
         let mut there = place as i64 + steps;
@@ -133,10 +134,12 @@ impl Teeth {
         centred(place as i64, self.offsets.len() as u32) * self.pitch
     }
 
+    #[inline]
     pub fn offset(&self, place: usize) -> f64 {
         self.offsets[place]
     }
 
+    #[inline]
     pub fn direction(&self, place: usize) -> C {
         self.directions[place]
     }

@@ -23,6 +23,8 @@ pub(super) struct Cell {
 /// The room of one pair of half teeth over a cell, `u` from 0 to 1.
 ///
 /// With `bend/2 (u − 1/2)²` added it is convex, above both of its tangents and, where it is known to touch at both ends, below its chord.
+/// (The chord takes the directions that separate the pair between the ends to lie between those at the ends: the contact of a pair moves one
+/// way along its flanks.)
 #[derive(Debug, Clone, Copy)]
 struct PairRoom {
     tangents: [(f64, f64); 2],

@@ -5,6 +5,7 @@
 //! other pose is, certificate and formulas beside it.
 
 use super::compare::{ComparedPose, ComparedRun, compare};
+use super::phases::phase;
 use super::simulate::simulate_plans;
 use super::study::{Material, RunPlan, Study};
 use crate::contact::{Doubt, ExactKernel, Extreme, Extremes, Method, Status};
@@ -207,7 +208,7 @@ fn plans(study: &Study) -> Result<Vec<Planned>, Error> {
     for run in runs {
         let mut firsts: Vec<Mating> = Vec::new();
         for mating in &run.matings {
-            let first = phase(&run.assembly, mating);
+            let first = first_of_phase(&run.assembly, mating);
             if !firsts.contains(&first) {
                 firsts.push(first);
             }
@@ -233,14 +234,11 @@ fn plans(study: &Study) -> Result<Vec<Planned>, Error> {
     Ok(plans)
 }
 
-/// The mating of wheel tooth 1 that names the assembly phase of `mating`: of those it meets the lowest pinion tooth.
-fn phase(assembly: &GearPair, mating: &Mating) -> Mating {
-    let first = mating.of_wheel_tooth_1(assembly);
-    let teeth = |member| assembly.gear(member).gear().basic_data().teeth();
-    let phases = SweepPlan::phase_count(teeth(Member::Wheel), teeth(Member::Pinion));
+/// The mating of wheel tooth 1 that names the assembly phase of `mating`.
+fn first_of_phase(assembly: &GearPair, mating: &Mating) -> Mating {
     Mating {
         wheel_tooth: 1,
-        pinion_tooth: (first.pinion_tooth - 1) % phases + 1,
+        pinion_tooth: phase(assembly, mating),
         flank: Side::Right,
         fraction: 0.0,
     }

@@ -9,6 +9,7 @@ pub mod extremes;
 pub mod measured;
 pub mod outcome;
 pub mod phases;
+pub mod requirement;
 pub mod simulate;
 pub mod study;
 pub mod tally;

@@ -1,7 +1,5 @@
 //! Assembly phases against each other: which teeth to mark together.
 
-use crate::analysis::compare::ComparedRun;
-use crate::analysis::outcome::Outcome;
 use crate::analysis::tally::RunTally;
 use crate::pair::{GearPair, Mating, Member, SweepPlan};
 
@@ -22,23 +20,6 @@ pub fn phase(assembly: &GearPair, mating: &Mating) -> u32 {
         .map(|member| assembly.gear(member).gear().basic_data().teeth());
     let ways = SweepPlan::phase_count(wheel, pinion);
     (mating.of_wheel_tooth_1(assembly).pinion_tooth - 1) % ways + 1
-}
-
-/// The phases of `runs` in which, at some centre distance or material, a pose interferes, jams or is out of mesh,
-/// and the number of all phases; in order.
-pub fn failing_phases(runs: &[ComparedRun]) -> (Vec<(u32, u32)>, usize) {
-    let (mut failing, mut all) = (Vec::new(), Vec::new());
-    for run in runs {
-        let Some(phase) = run.run.phase else { continue };
-        if !all.contains(&phase) {
-            all.push(phase);
-        }
-        if Outcome::of(&[run], &[]).fails() && !failing.contains(&phase) {
-            failing.push(phase);
-        }
-    }
-    failing.sort_unstable();
-    (failing, all.len())
 }
 
 /// The runs that are phases, grouped by centre distance and material, in order.

@@ -1,7 +1,7 @@
 //! What is asked of a pair: two gears as measured, where they stand, which poses to run. Lengths in mm unless the name says µm.
 
+use super::requirement::Requirements;
 use super::uncertainty::Uncertainty;
-use super::verdict::Requirements;
 use crate::error::GearError;
 use crate::gear::{AsBuilt, Side};
 use crate::metrology::GearNotes;

@@ -14,10 +14,8 @@
 //! These hold while involutes touch; a tip corner's differ by the square of the angle by which it is off the line of action. That the
 //! extreme moves to another pose is of second order while that pose lies apart by more than the uncertainty.
 
-use super::extremes::{RunExtreme, RunExtremes};
-use crate::contact::{Contact, LostMotion};
-use crate::gear::AsBuilt;
-use crate::pair::{GearPair, Member};
+use crate::contact::{Contact, PoseResult};
+use crate::pair::{GearPair, Member, Pose};
 
 /// Standard uncertainties of what was measured.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -38,11 +36,10 @@ pub struct Uncertainty {
 }
 
 impl Uncertainty {
-    /// Expanded uncertainty `U` of `j_wt` at an extreme of `run`, mm; `None` where the pose has no contact on a side.
-    pub fn of(&self, run: &RunExtremes, extreme: &RunExtreme) -> Option<f64> {
-        let assembly = &run.assembly;
-        let found = extreme.pose.swept.proven()?;
-        let touching = Touching::of(found)?;
+    /// Expanded uncertainty `U` of `j_wt` at an extreme's pose on `assembly`, mm; `None` where it has no contact on a side.
+    pub fn of(&self, assembly: &GearPair, extreme: &PoseResult) -> Option<f64> {
+        let found = extreme.proven()?;
+        let touching = [found.right?, found.left?];
         let angle = assembly.operating_pressure_angle();
         let per_base = 1.0 / angle.cos();
         let basic_data = assembly.gear(Member::Wheel).gear().basic_data();
@@ -50,48 +47,33 @@ impl Uncertainty {
         let per_shift = 2.0 * angle.tan();
         let mut square = (per_shift * self.center_distance).powi(2);
         for (index, member) in [Member::Wheel, Member::Pinion].into_iter().enumerate() {
-            let [right, left] = touching.teeth(member);
+            let [right, left] = touching.map(|contact| tooth(&contact, member));
             let flanks: f64 = if right == left { 1.0 } else { 0.5f64.sqrt() };
             square += (per_base * self.base_thickness[index]).powi(2);
             square += (per_reference * flanks * self.per_tooth).powi(2);
             square += 2.0 * (per_reference * self.pitch).powi(2);
-            let toward = toward_mate(assembly, extreme, member);
+            let toward = toward_mate(assembly, &extreme.pose, member);
             square += (per_shift * toward * 0.5 * self.runout).powi(2);
         }
         Some(self.coverage * square.sqrt())
     }
 }
 
-/// Right- and left-flank contact.
-struct Touching<'a> {
-    right: &'a Contact,
-    left: &'a Contact,
-}
-
-impl Touching<'_> {
-    fn of(found: &LostMotion) -> Option<Touching<'_>> {
-        Some(Touching {
-            right: found.right.as_ref()?,
-            left: found.left.as_ref()?,
-        })
-    }
-
-    fn teeth(&self, member: Member) -> [u32; 2] {
-        [self.right, self.left].map(|contact| match member {
-            Member::Wheel => contact.wheel.tooth,
-            Member::Pinion => contact.pinion.tooth,
-        })
+/// The tooth of `member` that touches.
+fn tooth(contact: &Contact, member: Member) -> u32 {
+    match member {
+        Member::Wheel => contact.wheel.tooth,
+        Member::Pinion => contact.pinion.tooth,
     }
 }
 
-/// Cosine of the angle between a gear's high tooth and its mate, at the extreme's pose.
-fn toward_mate(assembly: &GearPair, extreme: &RunExtreme, member: Member) -> f64 {
-    let pose = &extreme.pose.swept.pose;
+/// Cosine of the angle between a gear's high tooth and its mate.
+fn toward_mate(assembly: &GearPair, pose: &Pose, member: Member) -> f64 {
     let rotation = match member == assembly.locked() {
         true => pose.locked_rotation(),
         false => pose.free_rotation(),
     };
-    let gear: &AsBuilt = assembly.gear(member);
+    let gear = assembly.gear(member);
     // A rotation counts from where tooth 1 points at the mate.
     (rotation + gear.tooth_angle(gear.high_tooth())).cos()
 }

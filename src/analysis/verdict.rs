@@ -1,57 +1,14 @@
 //! The verdict: whether a pair assembles over its whole mesh cycle, and whether it keeps what is required of it.
 
+use super::compare::ComparedPose;
 use super::diagnosis::{self, Diagnosis};
 use super::extremes::{RunExtreme, RunExtremes};
+use super::requirement::{Limits, Quantity, Requirements};
 use super::study::Study;
 use super::uncertainty::Uncertainty;
+use crate::analytic::limits::radial_clearance;
 use crate::contact::Status;
-use crate::pair::{GearPair, Member};
-
-/// Ends of what is allowed; `None`: none.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct Limits {
-    /// No less than this.
-    pub min: Option<f64>,
-    /// No more than this.
-    pub max: Option<f64>,
-}
-
-/// What of a pair is limited.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
-pub enum Quantity {
-    /// Circumferential backlash on the operating pitch circle, `j_wt`, mm.
-    OperatingBacklash,
-    /// The same on the reference circle of the gear that turns, `j_t = j_wt r/r_w`, mm.
-    ReferenceBacklash,
-    /// Normal backlash, `j_bn = j_wt cos α_wt`, mm.
-    NormalBacklash,
-    /// Radial backlash, `j_r = j_wt/(2 tan α_wt)`, mm.
-    RadialBacklash,
-    /// Lost motion of a gear, `j_wt/r_w`, rad.
-    LostMotion(Member),
-    /// Radial clearance between the tips of one gear and the roots of the other, the least of both, mm.
-    RadialClearance,
-}
-
-impl Quantity {
-    /// What `j_wt`, mm, comes to on `assembly`.
-    fn of(self, assembly: &GearPair, j_wt: f64) -> f64 {
-        let backlash = assembly.backlash(j_wt);
-        match self {
-            Quantity::OperatingBacklash | Quantity::RadialClearance => backlash.j_wt,
-            Quantity::ReferenceBacklash => backlash.j_t,
-            Quantity::NormalBacklash => backlash.j_bn,
-            Quantity::RadialBacklash => backlash.j_r,
-            Quantity::LostMotion(member) => (backlash.arcmin(member) / 60.0).to_radians(),
-        }
-    }
-}
-
-/// What a pair must keep, each over the whole mesh cycle and at every centre distance and material.
-pub type Requirements = Vec<(Quantity, Limits)>;
+use crate::pair::Member;
 
 /// A limit that is not kept, or not surely.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -108,10 +65,11 @@ pub struct Verdict<'a> {
 }
 
 impl<'a> Verdict<'a> {
-    /// Of `runs`, `required`, and of the checks if there are any.
+    /// Of `runs`, what is `required` of them and what their measurements may be off, and of the checks if there are any.
     pub fn new(
         runs: &'a [RunExtremes],
         required: &Requirements,
+        uncertainty: Option<Uncertainty>,
         checks: Option<&Diagnosis>,
     ) -> Verdict<'a> {
         let unmet: Vec<Unmet> = required
@@ -135,7 +93,7 @@ impl<'a> Verdict<'a> {
             requirement,
             unmet,
             failed_checks,
-            uncertainty: None,
+            uncertainty,
         }
     }
 
@@ -145,15 +103,12 @@ impl<'a> Verdict<'a> {
         runs: &'a [RunExtremes],
         checks: Option<&Diagnosis>,
     ) -> Verdict<'a> {
-        Verdict {
-            uncertainty: study.uncertainty,
-            ..Verdict::new(runs, &study.requirements, checks)
-        }
+        Verdict::new(runs, &study.requirements, study.uncertainty, checks)
     }
 
     /// Expanded uncertainty of an extreme's `j_wt`, mm, where uncertainties are stated.
     pub fn expanded(&self, run: &RunExtremes, extreme: &RunExtreme) -> Option<f64> {
-        self.uncertainty?.of(run, extreme)
+        self.uncertainty?.of(&run.assembly, &extreme.pose.swept)
     }
 
     /// Whether the pair assembles everywhere; `None` where that is not proven.
@@ -166,6 +121,21 @@ impl<'a> Verdict<'a> {
                 all.then_some(true)
             }
         }
+    }
+
+    /// Whether that and what is required speak for the pair: what a heading shows. Checks are told apart.
+    pub fn state(&self) -> diagnosis::Verdict {
+        match (self.assembles(), self.requirement) {
+            (Some(false), _) | (_, Requirement::NotMet) => diagnosis::Verdict::Fail,
+            (None, _) => diagnosis::Verdict::Unproven,
+            (Some(true), _) => diagnosis::Verdict::Pass,
+        }
+    }
+
+    /// Matings of the cycle; 0 where nothing was run.
+    pub fn matings(&self) -> u64 {
+        let each = self.runs.iter().map(|run| run.matings);
+        each.max().unwrap_or(0)
     }
 
     /// The run with the least backlash of all, a jammed one before.
@@ -185,7 +155,7 @@ impl<'a> Verdict<'a> {
     }
 
     /// The worst pose of all: jammed before the least backlash; `None` where nothing is in mesh.
-    pub fn worst(&self) -> Option<(&'a RunExtremes, &'a super::compare::ComparedPose)> {
+    pub fn worst(&self) -> Option<(&'a RunExtremes, &'a ComparedPose)> {
         let mut jammed = self.runs.iter().filter(|run| run.status == Status::Jammed);
         let jammed = jammed.find_map(|run| Some((run, run.lost.as_ref()?)));
         let least = || self.least().map(|(run, least)| (run, &least.pose));
@@ -235,25 +205,32 @@ fn unmet(quantity: Quantity, limits: &Limits, runs: &[RunExtremes]) -> Vec<Unmet
 
 /// The least or the greatest of a quantity over a run.
 fn found(quantity: Quantity, run: &RunExtremes, is_max: bool) -> Option<[f64; 2]> {
-    if quantity == Quantity::RadialClearance {
-        let value = radial_clearance(&run.assembly, is_max);
-        return Some([value; 2]);
-    }
     let extreme = match is_max {
         true => run.greatest.as_ref(),
         false => run.least.as_ref(),
-    }?;
-    Some([extreme.low, extreme.high].map(|j_wt| quantity.of(&run.assembly, j_wt)))
-}
-
-/// Radial clearance of both tips, mm: `a − r_a − r_f` of the other gear, both off their axes to the worse, or to the better side.
-fn radial_clearance(assembly: &GearPair, best: bool) -> f64 {
-    let gear = |member| assembly.gear(member);
-    let of = |member: Member| {
-        let (one, mate) = (gear(member), gear(member.mate()));
-        let off = one.eccentricity() + mate.eccentricity();
-        let mean = assembly.center_distance() - one.gear().tip_radius() - mate.gear().root_radius();
-        if best { mean + off } else { mean - off }
     };
-    of(Member::Wheel).min(of(Member::Pinion))
+    let of = |value: &dyn Fn(f64) -> f64| {
+        let extreme = extreme?;
+        Some([extreme.low, extreme.high].map(value))
+    };
+    let assembly = &run.assembly;
+    let in_all = |j_wt| assembly.backlash(j_wt);
+    match quantity {
+        Quantity::OperatingBacklash => of(&|j_wt| j_wt),
+        Quantity::ReferenceBacklash => of(&|j_wt| in_all(j_wt).j_t),
+        Quantity::NormalBacklash => of(&|j_wt| in_all(j_wt).j_bn),
+        Quantity::RadialBacklash => of(&|j_wt| in_all(j_wt).j_r),
+        Quantity::LostMotion(member) => of(&|j_wt| in_all(j_wt).angle(member)),
+        Quantity::RadialClearance => {
+            let both = [Member::Wheel, Member::Pinion];
+            let mean = both.map(|member| radial_clearance(assembly, member));
+            // Both gears off their axes to the worse, or to the better side.
+            let off: f64 = both
+                .map(|member| assembly.gear(member).eccentricity())
+                .iter()
+                .sum();
+            let value = mean[0].min(mean[1]) + if is_max { off } else { -off };
+            Some([value; 2])
+        }
+    }
 }

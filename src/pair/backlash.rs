@@ -21,16 +21,19 @@ pub struct Backlash {
 }
 
 impl Backlash {
-    /// Lost motion `φ_j = j_wt/r_w`, arcmin: how far `gear` turns where its mate stands still.
-    pub fn arcmin(&self, gear: Member) -> f64 {
+    /// Lost motion `φ_j = j_wt/r_w`, rad: how far `gear` turns where its mate stands still.
+    pub fn angle(&self, gear: Member) -> f64 {
         let [wheel, pinion] = self.pitch_radii;
-        arcmin(
-            self.j_wt,
-            match gear {
+        self.j_wt
+            / match gear {
                 Member::Wheel => wheel,
                 Member::Pinion => pinion,
-            },
-        )
+            }
+    }
+
+    /// The same in arcmin.
+    pub fn arcmin(&self, gear: Member) -> f64 {
+        arcmin(self.angle(gear))
     }
 }
 
@@ -88,14 +91,14 @@ impl BacklashUnit {
     pub fn of_um(self, j_wt_um: f64, a: f64) -> f64 {
         match self {
             BacklashUnit::Um => j_wt_um,
-            BacklashUnit::Arcmin { share, .. } => arcmin(j_wt_um * 1e-3, share * a),
+            BacklashUnit::Arcmin { share, .. } => arcmin(j_wt_um * 1e-3 / (share * a)),
         }
     }
 }
 
-/// The arc `j_wt` of a circle of radius `r_w`, both mm, as an angle in arcmin.
-fn arcmin(j_wt: f64, r_w: f64) -> f64 {
-    (j_wt / r_w).to_degrees() * 60.0
+/// An angle, rad, in arcmin.
+pub fn arcmin(angle: f64) -> f64 {
+    angle.to_degrees() * 60.0
 }
 
 #[cfg(test)]

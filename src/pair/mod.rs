@@ -8,7 +8,7 @@ mod gear_pair;
 mod pose;
 mod sweep_plan;
 
-pub use backlash::{Backlash, BacklashUnit};
+pub use backlash::{Backlash, BacklashUnit, arcmin};
 pub use gear_pair::{GearPair, Member};
 pub use pose::{Mating, Pose};
 pub use sweep_plan::SweepPlan;

@@ -109,8 +109,11 @@ fn hold(pairs: u32, redraws: u32) {
         })
         .unwrap();
         let run = &found.each[0];
-        let told = [&run.least, &run.greatest]
-            .map(|extreme| uncertainty.of(run, extreme.as_ref().unwrap()).unwrap());
+        let told = [&run.least, &run.greatest].map(|extreme| {
+            uncertainty
+                .of(&run.assembly, &extreme.as_ref().unwrap().pose.swept)
+                .unwrap()
+        });
         let mut sums = [[0.0; 2]; 2];
         let centre = least_and_greatest(&pair);
         for _ in 0..redraws {

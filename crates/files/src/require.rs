@@ -5,7 +5,7 @@ use super::limits::{REQUIRED_ARCMIN, REQUIRED_MM, REQUIRED_UM};
 use super::problems::Problems;
 use super::spec::{AngleLimitsSpec, GearName, LimitsSpec, RequireSpec};
 use super::table::Table;
-use gearlash::analysis::verdict::{Limits, Quantity, Requirements};
+use gearlash::analysis::requirement::{Limits, Quantity, Requirements};
 use gearlash::pair::Member;
 
 const KEYS: &[&str] = &[

@@ -3,10 +3,11 @@
 use crate::numbers::{fixed, stated_distance, um};
 use gearlash::analysis::compare::ComparedPose;
 use gearlash::analysis::extremes::{RunExtreme, RunExtremes, WIDTH};
+use gearlash::analysis::requirement::Quantity;
 use gearlash::analysis::study::Material;
-use gearlash::analysis::verdict::{Quantity, Unmet, Verdict};
+use gearlash::analysis::verdict::{Unmet, Verdict};
 use gearlash::contact::{Doubt, Status};
-use gearlash::pair::{GearPair, Member};
+use gearlash::pair::{GearPair, Member, arcmin};
 
 /// Decimals of a backlash in µm.
 const DECIMALS: usize = 2;
@@ -148,11 +149,12 @@ fn each<T: PartialEq>(items: impl Iterator<Item = T>) -> Vec<T> {
     each
 }
 
-fn material_name(material: Material) -> &'static str {
+/// A material in words.
+pub fn material_name(material: Material) -> &'static str {
     match material {
         Material::Most => "most material",
         Material::Least => "least material",
-        Material::AsMeasured => "the material as measured",
+        Material::AsMeasured => "as measured",
     }
 }
 
@@ -173,8 +175,12 @@ fn unmet(unmet: &Unmet) -> String {
         Quantity::ReferenceBacklash => ("j_t", "µm", 1e3, DECIMALS),
         Quantity::NormalBacklash => ("j_bn", "µm", 1e3, DECIMALS),
         Quantity::RadialBacklash => ("j_r", "µm", 1e3, DECIMALS),
-        Quantity::LostMotion(Member::Wheel) => ("lost motion of the wheel", "arcmin", ARCMIN, 3),
-        Quantity::LostMotion(Member::Pinion) => ("lost motion of the pinion", "arcmin", ARCMIN, 3),
+        Quantity::LostMotion(Member::Wheel) => {
+            ("lost motion of the wheel", "arcmin", arcmin(1.0), 3)
+        }
+        Quantity::LostMotion(Member::Pinion) => {
+            ("lost motion of the pinion", "arcmin", arcmin(1.0), 3)
+        }
         Quantity::RadialClearance => ("radial clearance", "mm", 1.0, 4),
     };
     let end = if unmet.is_max { "most" } else { "least" };
@@ -193,9 +199,6 @@ fn unmet(unmet: &Unmet) -> String {
     };
     format!("{name} at {end} {limit} {unit}, {found}{straddles}")
 }
-
-/// Minutes of arc in a radian.
-const ARCMIN: f64 = 10_800.0 / std::f64::consts::PI;
 
 /// Checks that fail when the pair does not assemble: said already.
 const OF_ASSEMBLY: [&str; 2] = ["zero_backlash_distance", "backlash_condition"];
@@ -216,10 +219,9 @@ pub fn in_short(verdict: &Verdict) -> String {
     let (Some((_, least)), Some((_, greatest))) = (verdict.least(), verdict.greatest()) else {
         return String::new();
     };
-    let matings = verdict.runs.iter().map(|run| run.matings).max();
     format!(
         "whole mesh cycle ({} matings): least {} µm, greatest {} µm",
-        matings.unwrap_or(0),
+        verdict.matings(),
         um(least.found(), DECIMALS),
         um(greatest.found(), DECIMALS)
     )
@@ -293,7 +295,7 @@ fn value(verdict: &Verdict, run: &RunExtremes, extreme: &RunExtreme) -> String {
 }
 
 /// Lost motion of a backlash, mm, at both gears, in minutes of arc.
-pub fn lost_motion(assembly: &GearPair, backlash: f64) -> String {
+fn lost_motion(assembly: &GearPair, backlash: f64) -> String {
     let backlash = assembly.backlash(backlash);
     let [wheel, pinion] =
         [Member::Wheel, Member::Pinion].map(|member| fixed(backlash.arcmin(member), 3));
@@ -316,36 +318,33 @@ fn teeth(pose: &ComparedPose) -> Option<String> {
 
 /// Over how much of the cycle, and whether that is proven.
 fn coverage(verdict: &Verdict) -> String {
-    let matings = verdict.runs.iter().map(|run| run.matings).max();
-    let matings = matings.unwrap_or(0);
+    let matings = verdict.matings();
     let phases = each(verdict.runs.iter().filter_map(|run| run.phase)).len();
     let of = match phases {
         0 => format!("all {matings} matings"),
         phases => format!("all {matings} matings of each of {phases} assembly phases"),
     };
-    let doubts = each(verdict.runs.iter().flat_map(doubts));
+    let extremes = verdict.runs.iter();
+    let extremes = extremes.flat_map(|run| run.least.iter().chain(&run.greatest));
+    let doubts = each(extremes.filter_map(doubt));
     match &doubts[..] {
         [] => format!("Over {of} and every rotation, proven."),
         doubts => format!("Over {of}, not proven: {}.", doubts.join("; ")),
     }
 }
 
-fn doubts(run: &RunExtremes) -> impl Iterator<Item = String> + '_ {
-    let both = run.least.iter().chain(&run.greatest);
-    both.filter_map(|extreme| match (extreme.doubt, &extreme.pose.swept.found) {
-        (Some(doubt), _) => Some(in_words(doubt).to_owned()),
-        (None, Err(unproven)) => Some(unproven.reason.clone()),
-        (None, Ok(_)) => None,
-    })
-}
-
-/// Why an extreme is only the one found.
-pub fn in_words(doubt: Doubt) -> &'static str {
-    match doubt {
+/// Why an extreme is only the one found; `None` where it is proven.
+pub(crate) fn doubt(extreme: &RunExtreme) -> Option<String> {
+    let Some(doubt) = extreme.doubt else {
+        let unproven = extreme.pose.swept.found.as_ref().err()?;
+        return Some(unproven.reason.clone());
+    };
+    let words = match doubt {
         Doubt::OffInvolute => {
             "fillets or roots may be touched, so only sampled poses were looked at"
         }
         Doubt::Effort => "too many stretches of the cycle come too near to each other",
         Doubt::ContactLost => "at a pose the contact was lost",
-    }
+    };
+    Some(words.to_owned())
 }

@@ -5,9 +5,10 @@ use super::verdict::{ExtremesRecord, VerdictRecord, extremes_records, verdict_re
 use crate::characters;
 use gearlash::analysis::compare::{ComparedPose, Verdict};
 use gearlash::analysis::extremes::RunExtremes;
+use gearlash::analysis::requirement::Requirements;
 use gearlash::analysis::tally::RunTally;
 use gearlash::analysis::uncertainty::Uncertainty;
-use gearlash::analysis::verdict::{Requirement, Requirements, Verdict as CycleVerdict};
+use gearlash::analysis::verdict::{Requirement, Verdict as CycleVerdict};
 use serde::Serialize;
 
 /// One compared pair file.
@@ -40,10 +41,7 @@ impl ComparedPair {
 
     /// What is to be said first.
     pub fn verdict(&self) -> CycleVerdict<'_> {
-        CycleVerdict {
-            uncertainty: self.uncertainty,
-            ..CycleVerdict::new(&self.extremes, &self.requirements, None)
-        }
+        CycleVerdict::new(&self.extremes, &self.requirements, self.uncertainty, None)
     }
 }
 

@@ -1,7 +1,7 @@
 //! The verdict and the extremes of the mesh cycle, as results carry them beside their runs.
 
 use super::records::{PoseRecord, pose_record, um};
-use crate::verdict::{in_words, sentence};
+use crate::verdict::{doubt, sentence};
 use gearlash::analysis::extremes::{RunExtreme, RunExtremes};
 use gearlash::analysis::verdict::Verdict;
 use gearlash::pair::Member;
@@ -53,12 +53,7 @@ pub(super) fn verdict_record(verdict: &Verdict) -> VerdictRecord {
         assembles: verdict.assembles(),
         requirement: verdict.requirement.name(),
         failed_checks: verdict.failed_checks.clone(),
-        matings: verdict
-            .runs
-            .iter()
-            .map(|run| run.matings)
-            .max()
-            .unwrap_or(0),
+        matings: verdict.matings(),
     }
 }
 
@@ -86,22 +81,17 @@ fn extremes_record(verdict: &Verdict, run: &RunExtremes) -> ExtremesRecord {
 fn extreme_record(verdict: &Verdict, run: &RunExtremes, extreme: &RunExtreme) -> ExtremeRecord {
     let assembly = &run.assembly;
     let bracket = [extreme.low, extreme.high];
-    let radius = |member| assembly.operating_pitch_radius(member);
-    let arcmin = |member| assembly.backlash(extreme.found()).arcmin(member);
-    let unproven = extreme.pose.swept.found.as_ref().err();
+    let found = assembly.backlash(extreme.found());
     ExtremeRecord {
         j_wt_um: bracket.map(um),
-        lost_motion_rad: bracket.map(|j| j / radius(assembly.free())),
+        lost_motion_rad: bracket.map(|j_wt| assembly.backlash(j_wt).angle(assembly.free())),
         lost_motion_arcmin: ArcminRecord {
-            wheel: arcmin(Member::Wheel),
-            pinion: arcmin(Member::Pinion),
+            wheel: found.arcmin(Member::Wheel),
+            pinion: found.arcmin(Member::Pinion),
         },
         proven: extreme.is_proven(),
         uncertainty_um: verdict.expanded(run, extreme).map(um),
-        doubt: match extreme.doubt {
-            Some(doubt) => Some(in_words(doubt).to_owned()),
-            None => unproven.map(|unproven| unproven.reason.clone()),
-        },
+        doubt: doubt(extreme),
         pose: pose_record(assembly, &extreme.pose),
     }
 }

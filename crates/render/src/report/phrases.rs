@@ -2,10 +2,10 @@
 
 use crate::pose_name::pose_name;
 use gearlash::analysis::outcome::Found;
-use gearlash::analysis::study::Material;
 use gearlash::contact::Contact;
 pub(super) use gearlash_files::characters::plain;
 use gearlash_files::numbers::{NONE, um};
+pub(super) use gearlash_files::verdict::material_name as material;
 use maud::{Markup, html};
 
 /// `least … greatest`, in µm.
@@ -34,15 +34,6 @@ pub(super) fn study() -> Markup {
             cite { "A study on prediction & validation of meshing gear pair backlash under various manufacturing and assembly errors" }
             "; model 1 below is its linear formula, named as there."
         }
-    }
-}
-
-/// A material in words.
-pub(super) fn material(material: Material) -> &'static str {
-    match material {
-        Material::Most => "most material",
-        Material::Least => "least material",
-        Material::AsMeasured => "as measured",
     }
 }
 

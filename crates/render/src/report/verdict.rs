@@ -8,7 +8,6 @@ use super::{cycle, unproven};
 use crate::text::check::governing;
 use gearlash::analysis::diagnosis::Verdict;
 use gearlash::analysis::outcome::{Found, Outcome};
-use gearlash::analysis::verdict::Requirement;
 use gearlash_files::numbers::{stated_distance, um};
 use gearlash_files::verdict::sentence;
 use maud::{Markup, html};
@@ -30,14 +29,14 @@ pub(super) fn section(page: &Page) -> Markup {
 
 /// The worst of the answer and the checks.
 fn state(page: &Page) -> Verdict {
-    let verdict = page.report.analysis.verdict();
-    let answer = match (verdict.assembles(), verdict.requirement) {
-        (Some(false), _) | (_, Requirement::NotMet) => Verdict::Fail,
-        (None, _) => Verdict::Unproven,
-        (Some(true), _) if page.whole.unproven > 0 => Verdict::Unproven,
-        (Some(true), _) => Verdict::Pass,
+    let poses = match page.whole.unproven {
+        0 => Verdict::Pass,
+        _ => Verdict::Unproven,
     };
-    answer.max(page.report.analysis.diagnosis.verdict())
+    let answer = page.report.analysis.verdict().state();
+    answer
+        .max(poses)
+        .max(page.report.analysis.diagnosis.verdict())
 }
 
 /// The checks that do not pass, by name.

@@ -1,18 +1,18 @@
 //! What a command says first: the title, and the verdict below it.
 
 use super::layout::{Screen, Tone};
-use gearlash::analysis::verdict::{Requirement, Verdict};
+use gearlash::analysis::diagnosis::Verdict as State;
+use gearlash::analysis::verdict::Verdict;
 use gearlash_files::characters::plain;
 use gearlash_files::verdict::sentence;
 
 /// The title and the verdict, each in a paragraph of its own; on a terminal what it begins with is coloured.
 pub(crate) fn first_lines(title: &str, verdict: &Verdict, screen: &Screen) -> String {
     let sentence = sentence(verdict);
-    let tone = match (verdict.assembles(), verdict.requirement) {
-        (Some(false), _) | (_, Requirement::NotMet) => Tone::Bad,
-        (None, _) => Tone::Doubtful,
-        (Some(true), _) if !verdict.failed_checks.is_empty() => Tone::Bad,
-        (Some(true), _) => Tone::Good,
+    let tone = match verdict.state() {
+        State::Pass if verdict.failed_checks.is_empty() => Tone::Good,
+        State::Unproven => Tone::Doubtful,
+        State::Pass | State::Warn | State::Fail => Tone::Bad,
     };
     let (first, rest) = sentence.split_once(':').unwrap_or((&sentence, ""));
     let colon = if rest.is_empty() { "" } else { ":" };

@@ -61,9 +61,13 @@ fn json_has_nulls_and_the_doubtful_values_under_their_own_keys() {
     for method in [CERTIFIED, Method::Both] {
         let case = Case::low_tips();
         let runs = case.compared(method);
-        let json = result_file(&case.pair, &runs, &Verdict::new(&[], &Vec::new(), None))
-            .to_json()
-            .unwrap();
+        let json = result_file(
+            &case.pair,
+            &runs,
+            &Verdict::new(&[], &Vec::new(), None, None),
+        )
+        .to_json()
+        .unwrap();
         let json: Value = serde_json::from_str(&json).unwrap();
         let run = &json["runs"][0];
         let mut count = 0;
@@ -97,9 +101,13 @@ fn json_has_nulls_and_the_doubtful_values_under_their_own_keys() {
 fn csv_has_empty_cells_and_columns_of_doubt() {
     let case = Case::of(&format!("bearing_clearance_mm = 0.01\n{REVOLUTION}"));
     let runs = case.compared(Method::Both);
-    let csv = result_file(&case.pair, &runs, &Verdict::new(&[], &Vec::new(), None))
-        .to_csv()
-        .unwrap();
+    let csv = result_file(
+        &case.pair,
+        &runs,
+        &Verdict::new(&[], &Vec::new(), None, None),
+    )
+    .to_csv()
+    .unwrap();
     let mut reader = csv::Reader::from_reader(csv.as_bytes());
     let headers = reader.headers().unwrap().clone();
     let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
@@ -129,7 +137,7 @@ fn the_table_counts_them_and_takes_none_in() {
     let runs = case.compared(CERTIFIED);
     let text = simulation_table(
         &case.study,
-        &Verdict::new(&[], &Vec::new(), None),
+        &Verdict::new(&[], &Vec::new(), None, None),
         &tally(&runs),
         &[],
         BacklashUnit::Um,

@@ -65,20 +65,11 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             "--map draws one pair: give one pair file".to_owned(),
         ));
     }
-    let read: Vec<Result<PairFile, Error>> =
-        args.pairs.iter().map(|path| studies::pair(path)).collect();
-    let (files, faults): (Vec<_>, Vec<_>) = read.into_iter().partition(Result::is_ok);
-    let mut faults: Vec<Error> = faults.into_iter().filter_map(Result::err).collect();
-    if !faults.is_empty() {
-        return Err(match faults.len() {
-            1 => faults.remove(0),
-            _ => Error::Several(faults),
-        });
-    }
+    let files = studies::pairs(&args.pairs)?;
     let mut done = Checked::default();
-    for (path, file) in args.pairs.iter().zip(files.into_iter().flatten()) {
+    for (path, file) in args.pairs.iter().zip(&files) {
         poses::allow(path, file.study.pose_count(), &poses::HELD)?;
-        one(args, path, &file, &mut done)?;
+        one(args, path, file, &mut done)?;
     }
     let unwritable = |error: &dyn std::fmt::Display| {
         Error::Usage(format!("the checks cannot be written: {error}"))

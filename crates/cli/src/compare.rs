@@ -68,51 +68,33 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             "--tolerance-um {tolerance}: a tolerance is a number of µm, 0 or more"
         )));
     }
-    let from_stdin = |path: &&PathBuf| path.as_path() == Path::new("-");
-    if args.pairs.iter().filter(from_stdin).count() > 1 {
-        return Err(Error::Usage(
-            "- stands for standard input, which holds one pair file: name it once".to_owned(),
-        ));
-    }
     let slip = args
         .tolerance_um
         .and_then(|um| gearlash_files::tolerance_slip("--tolerance-um", um));
     if let Some(told) = slip {
         tell(&format!("warning: {told}"));
     }
-    let mut studies = Vec::new();
+    let files = studies::pairs(&args.pairs)?;
     let mut sources = Sources::new();
-    let mut faults = Vec::new();
-    for path in &args.pairs {
-        match studies::pair(path) {
-            Ok(pair) => {
-                sources.extend(&pair.sources);
-                studies.push((path, pair.study));
-            }
-            Err(error) => faults.push(error),
-        }
-    }
-    if !faults.is_empty() {
-        return Err(Error::Several(faults));
+    for file in &files {
+        sources.extend(&file.sources);
     }
     let markdown = args.markdown.clone();
     let markdown = markdown.map(|file| Target::prepare_beside(file, &sources));
     let markdown = markdown.transpose();
     let markdown = markdown.map_err(|error| of_option(error, "--markdown"))?;
     let summary = summary(args.format, &sources)?;
-    let mut poses = 0;
-    for (_, study) in &studies {
-        poses += study.pose_count();
-    }
+    let poses = files.iter().map(|file| file.study.pose_count()).sum();
     let progress = Progress::start(poses);
-    let (mut pairs, files) = (Vec::new(), studies.len());
-    for (path, study) in studies {
+    let (mut pairs, each) = (Vec::new(), MOST_UNPROVEN / files.len());
+    for (path, file) in args.pairs.iter().zip(files) {
+        let study = file.study;
         let tolerance_um = tolerance_um(&study, args.tolerance_um);
         let runs = simulate_by_blocks(
             &study,
             args.method.method(),
             tolerance_um,
-            MOST_UNPROVEN / files,
+            each,
             &|| progress.tick(),
             &mut |_| Ok::<(), Error>(()),
         )?;

@@ -3,7 +3,7 @@
 use super::console::{guard, warn};
 use crate::error::Error;
 use gearlash_files::{GearsFile, PairFile};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// The pair file at `path`; its warnings are told.
 ///
@@ -14,6 +14,31 @@ pub(super) fn pair(path: &Path) -> Result<PairFile, Error> {
     guard(&file.sources)?;
     warn(path, &file.warnings, &file.remarks);
     Ok(file)
+}
+
+/// The pair files at `paths`; what is wrong with any of them is said of all at once.
+///
+/// # Errors
+/// As [`pair`]; [`Error::Usage`] where standard input is named twice.
+pub(super) fn pairs(paths: &[PathBuf]) -> Result<Vec<PairFile>, Error> {
+    let from_stdin = |path: &&PathBuf| path.as_path() == Path::new("-");
+    if paths.iter().filter(from_stdin).count() > 1 {
+        return Err(Error::Usage(
+            "- stands for standard input, which holds one pair file: name it once".to_owned(),
+        ));
+    }
+    let (mut files, mut faults) = (Vec::new(), Vec::new());
+    for path in paths {
+        match pair(path) {
+            Ok(file) => files.push(file),
+            Err(error) => faults.push(error),
+        }
+    }
+    match faults.len() {
+        0 => Ok(files),
+        1 => Err(faults.remove(0)),
+        _ => Err(Error::Several(faults)),
+    }
 }
 
 /// The gears of the file at `path`; its warnings are told.

@@ -1,12 +1,10 @@
 //! The outcome of `check` over several files: JUnit XML, GitHub annotations, Markdown. The verdict comes first in each.
 
 use crate::comparison::{escape, escape_property};
+use crate::junit::{self, Case, Suite};
 use crate::text::check::{governing, measured, unit};
 use gearlash::analysis::diagnosis::{Check, Diagnosis, Verdict};
-use gearlash_files::characters::plain;
 use gearlash_files::numbers::fixed;
-use quick_xml::Writer;
-use quick_xml::events::{BytesDecl, BytesEnd, BytesStart, Event};
 use std::fmt::Write;
 use std::io;
 
@@ -103,58 +101,24 @@ pub fn markdown(pairs: &[CheckedPair]) -> String {
 /// # Errors
 /// None: it is written to memory.
 pub fn junit(pairs: &[CheckedPair]) -> io::Result<String> {
-    let mut xml = Writer::new_with_indent(Vec::new(), b' ', 4);
-    xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
-    let mut all = BytesStart::new("testsuites");
-    all.push_attribute(("name", "gearlash check"));
-    xml.write_event(Event::Start(all))?;
-    for pair in pairs {
-        let cases = told(pair);
-        let fails = |check: &Check| check.verdict >= Verdict::Unproven;
-        let failing = cases.iter().filter(|(check, _)| fails(check)).count();
-        let mut suite = BytesStart::new("testsuite");
-        suite.push_attribute(("name", plain(&pair.file).as_str()));
-        suite.push_attribute(("tests", (1 + cases.len()).to_string().as_str()));
-        suite.push_attribute(("skipped", "0"));
-        suite.push_attribute(("errors", "0"));
-        let failures = failing + usize::from(!pair.passes);
-        suite.push_attribute(("failures", failures.to_string().as_str()));
-        xml.write_event(Event::Start(suite))?;
-        let title = plain(&pair.title);
-        case(
-            &mut xml,
-            &title,
-            &pair.sentence,
-            (!pair.passes).then_some(&pair.sentence),
-        )?;
-        for (check, words) in &cases {
-            let name = match check.gear {
+    let suite = |pair: &CheckedPair| {
+        let first = Case {
+            name: pair.sentence.clone(),
+            failure: (!pair.passes).then(|| pair.sentence.clone()),
+        };
+        let checks = told(pair).into_iter().map(|(check, words)| Case {
+            name: match check.gear {
                 Some(gear) => format!("{} ({})", check.title, gear.name()),
                 None => check.title.to_owned(),
-            };
-            case(&mut xml, &title, &name, fails(check).then_some(words))?;
+            },
+            failure: (check.verdict >= Verdict::Unproven).then_some(words),
+        });
+        Suite {
+            file: pair.file.clone(),
+            title: pair.title.clone(),
+            cases: std::iter::once(first).chain(checks).collect(),
         }
-        xml.write_event(Event::End(BytesEnd::new("testsuite")))?;
-    }
-    xml.write_event(Event::End(BytesEnd::new("testsuites")))?;
-    Ok(String::from_utf8_lossy(&xml.into_inner()).into_owned() + "\n")
-}
-
-fn case(
-    xml: &mut Writer<Vec<u8>>,
-    class: &str,
-    name: &str,
-    failure: Option<&String>,
-) -> io::Result<()> {
-    let mut tag = BytesStart::new("testcase");
-    tag.push_attribute(("name", plain(name).as_str()));
-    tag.push_attribute(("classname", class));
-    let Some(reason) = failure else {
-        return xml.write_event(Event::Empty(tag));
     };
-    xml.write_event(Event::Start(tag))?;
-    let mut failure = BytesStart::new("failure");
-    failure.push_attribute(("message", plain(reason).as_str()));
-    xml.write_event(Event::Empty(failure))?;
-    xml.write_event(Event::End(BytesEnd::new("testcase")))
+    let suites: Vec<Suite> = pairs.iter().map(suite).collect();
+    junit::junit("gearlash check", &suites)
 }

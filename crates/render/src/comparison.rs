@@ -1,8 +1,8 @@
 //! The outcome of `compare`: text, JUnit XML, GitHub annotations, Markdown.
 
-mod junit;
 mod markdown;
 
+use crate::junit::{self, Case, Suite};
 use crate::text::{Screen, Tone, where_it_is};
 use gearlash::analysis::compare::Verdict;
 use gearlash::analysis::tally::RunTally;
@@ -12,8 +12,8 @@ use gearlash_files::numbers::{signed_um, stated_distance, um_ascii};
 use gearlash_files::results::{ComparedPair, doubts};
 use gearlash_files::verdict::sentence;
 use std::fmt::Write;
+use std::io;
 
-pub use junit::junit;
 pub(crate) use markdown::escape as markdown_text;
 pub use markdown::markdown;
 
@@ -46,6 +46,31 @@ fn outcome(pair: &ComparedPair) -> PairOutcome {
         true => PairOutcome::Unproven,
         false => PairOutcome::Nothing,
     }
+}
+
+/// JUnit XML: a suite a file, the verdict its first case, then a case a run.
+///
+/// # Errors
+/// None: it is written to memory.
+pub fn junit(pairs: &[ComparedPair]) -> io::Result<String> {
+    let suite = |pair: &ComparedPair| {
+        let verdict = pair.verdict();
+        let first = Case {
+            name: sentence(&verdict),
+            failure: (verdict.requirement == Requirement::NotMet).then(|| sentence(&verdict)),
+        };
+        let runs = pair.runs.iter().map(|run| Case {
+            name: run_name(run),
+            failure: failure(pair, run),
+        });
+        Suite {
+            file: pair.file.clone(),
+            title: pair.title.clone(),
+            cases: std::iter::once(first).chain(runs).collect(),
+        }
+    };
+    let suites: Vec<Suite> = pairs.iter().map(suite).collect();
+    junit::junit("gearlash compare", &suites)
 }
 
 /// One run's name and what is wrong with it; `None` when it passes.

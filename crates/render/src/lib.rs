@@ -25,6 +25,7 @@ pub mod chart;
 pub mod checked;
 pub mod comparison;
 pub mod gauge;
+mod junit;
 mod kit;
 mod map;
 mod pose_name;

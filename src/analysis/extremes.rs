@@ -4,6 +4,7 @@
 //! to say, and every rotation between two poses: [`ExactKernel::extremes`] proves what bounds them. What it found is simulated as every
 //! other pose is, certificate and formulas beside it.
 
+use super::assembles_from::AssemblesFrom;
 use super::compare::{ComparedPose, ComparedRun, compare};
 use super::phases::phase;
 use super::simulate::simulate_plans;
@@ -17,12 +18,6 @@ use std::ops::ControlFlow;
 
 /// Width of a proven bracket of `j_wt`, mm: a nanometre, a hundredth of what any gear is measured to.
 pub const WIDTH: f64 = 1e-6;
-
-/// Width of the bracket of a centre distance from which a pair assembles, mm.
-const DISTANCE_WIDTH: f64 = 1e-6;
-
-/// Steps of the search for it (the first few are Newton's; so many would do by halving alone).
-const DISTANCE_STEPS: usize = 60;
 
 /// One centre distance, material and assembly phase.
 #[derive(Debug, Clone)]
@@ -43,9 +38,9 @@ pub struct RunExtremes {
     pub greatest: Option<RunExtreme>,
     /// A pose that is jammed or out of mesh.
     pub lost: Option<ComparedPose>,
-    /// Where the pair does not assemble: the centre distance, mm, from which its least backlash is not negative, as a bracket; `None`
-    /// where none was found between touching base circles and tips that pass each other.
-    pub assembles_from: Option<[f64; 2]>,
+    /// Where the pair does not assemble: from which centre distance it does; `None` where none was found between this one and tips that
+    /// pass each other.
+    pub assembles_from: Option<AssemblesFrom>,
 }
 
 /// The extremes of a study.
@@ -124,7 +119,12 @@ pub fn extremes(
         let found = kernel.extremes(&run.assembly, *first, distinct(&run.assembly), WIDTH)?;
         let from = match found.least {
             Some(least) if least.low >= 0.0 => None,
-            _ => assembles_from(&run.assembly, *first, &found)?,
+            _ if found.status == Status::NoContact => None,
+            least => {
+                let least = least.map(|least| least.low);
+                let matings = distinct(&run.assembly);
+                AssemblesFrom::new(&run.assembly, *first, matings, least, 0.1 * WIDTH)?
+            }
         };
         Ok((found, from))
     });
@@ -167,7 +167,12 @@ struct Planned {
 }
 
 impl Planned {
-    fn extremes(&self, found: &Extremes, from: Option<[f64; 2]>, run: &ComparedRun) -> RunExtremes {
+    fn extremes(
+        &self,
+        found: &Extremes,
+        from: Option<AssemblesFrom>,
+        run: &ComparedRun,
+    ) -> RunExtremes {
         let mut poses = run.poses.iter().cloned();
         let mut one = |extreme: Option<Extreme>| {
             extreme.and_then(|extreme| {
@@ -262,47 +267,4 @@ fn distinct(assembly: &GearPair) -> u64 {
         [false, true] => u64::from(pinion),
         [false, false] => 1,
     }
-}
-
-/// The centre distance from which the least backlash of the cycle is not negative: a bracket, the pair interfering at its first end.
-///
-/// Backlash grows with the distance (`dj_wt/da = 2 tan α_wt`), so the root is bracketed, and each step looks over the whole cycle.
-fn assembles_from(
-    assembly: &GearPair,
-    first: Mating,
-    found: &Extremes,
-) -> Result<Option<[f64; 2]>, Error> {
-    let gear = |member| assembly.gear(member);
-    let reach = gear(Member::Wheel).reach() + gear(Member::Pinion).reach();
-    let (mut low, mut high) = (assembly.center_distance(), reach);
-    if !(low < high) || found.status == Status::NoContact {
-        return Ok(None);
-    }
-    let matings = distinct(assembly);
-    let step = |distance: f64, value: f64| {
-        let at = assembly.at(distance).ok();
-        at.map(|at| distance - value / (2.0 * at.operating_pressure_angle().tan()))
-    };
-    let mut next = found.least.and_then(|least| step(low, least.low));
-    for _ in 0..DISTANCE_STEPS {
-        let middle = 0.5 * (low + high);
-        // A little beyond where the tangent ends, so that both ends of the bracket come near.
-        let at = next.map_or(middle, |next| next + 0.4 * DISTANCE_WIDTH);
-        let at = if at > low && at < high { at } else { middle };
-        let pair = assembly.at(at)?;
-        let there = ExactKernel::new(&pair).extremes(&pair, first, matings, 0.1 * WIDTH)?;
-        let least = there.least.filter(|_| there.status != Status::Jammed);
-        next = least.and_then(|least| step(at, least.low));
-        match least {
-            Some(least) if least.low >= 0.0 => {
-                high = at;
-                next = next.map(|next| next - 0.8 * DISTANCE_WIDTH);
-            }
-            _ => low = at,
-        }
-        if high - low <= DISTANCE_WIDTH {
-            return Ok(Some([low, high]));
-        }
-    }
-    Ok((high < reach).then_some([low, high]))
 }

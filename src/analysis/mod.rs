@@ -2,6 +2,7 @@
 //!
 //! A [`Plan`] says what is to be found out and how much work that is; [`Analysis::run`] does it, each pose once.
 
+pub mod assembles_from;
 pub mod compare;
 pub mod curves;
 pub mod diagnosis;

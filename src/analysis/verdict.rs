@@ -1,5 +1,6 @@
 //! The verdict: whether a pair assembles over its whole mesh cycle, and whether it keeps what is required of it.
 
+use super::assembles_from::AssemblesFrom;
 use super::compare::ComparedPose;
 use super::diagnosis::{self, Diagnosis};
 use super::extremes::{RunExtreme, RunExtremes};
@@ -162,16 +163,16 @@ impl<'a> Verdict<'a> {
         jammed.or_else(least)
     }
 
-    /// The least and the greatest distance, mm, from which the runs that do not assemble do; `None` where one never does.
-    pub fn assembles_from(&self) -> Option<f64> {
+    /// The distance from which the runs that do not assemble all do; `None` where one never does.
+    pub fn assembles_from(&self) -> Option<AssemblesFrom> {
         let failing = self
             .runs
             .iter()
             .filter(|run| run.assembles() == Some(false));
-        let from = failing.map(|run| run.assembles_from.map(|[_, high]| high));
-        from.collect::<Option<Vec<f64>>>()?
+        let from = failing.map(|run| run.assembles_from);
+        from.collect::<Option<Vec<AssemblesFrom>>>()?
             .into_iter()
-            .reduce(f64::max)
+            .reduce(|a, b| if b.high > a.high { b } else { a })
     }
 }
 

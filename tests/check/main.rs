@@ -1,5 +1,6 @@
 //! Checks of a pair: classes of contact, what they cost, limits by formula and as measured.
 
+mod assembles;
 mod classes;
 mod distances;
 mod onset;

@@ -251,7 +251,7 @@ fn values(verdict: &Verdict) -> Option<String> {
             .any(|run| run.assembles() == Some(false) && run.status != Status::NoContact)
     {
         parts.push(match verdict.assembles_from() {
-            Some(distance) => format!("assembles from a = {} mm on", fixed(distance, 4)),
+            Some(from) => format!("assembles from a = {} mm on", fixed(upward(from.high), 4)),
             None => "assembles at no centre distance in mesh".to_owned(),
         });
     }
@@ -326,7 +326,9 @@ fn coverage(verdict: &Verdict) -> String {
     };
     let extremes = verdict.runs.iter();
     let extremes = extremes.flat_map(|run| run.least.iter().chain(&run.greatest));
-    let doubts = each(extremes.filter_map(doubt));
+    let from = verdict.assembles_from().and_then(|from| from.doubt);
+    let from = from.map(|doubt| in_words(doubt).to_owned());
+    let doubts = each(extremes.filter_map(doubt).chain(from));
     match &doubts[..] {
         [] => format!("Over {of} and every rotation, proven."),
         doubts => format!("Over {of}, not proven: {}.", doubts.join("; ")),
@@ -339,12 +341,21 @@ pub(crate) fn doubt(extreme: &RunExtreme) -> Option<String> {
         let unproven = extreme.pose.swept.found.as_ref().err()?;
         return Some(unproven.reason.clone());
     };
-    let words = match doubt {
+    Some(in_words(doubt).to_owned())
+}
+
+/// A doubt in words.
+pub(crate) fn in_words(doubt: Doubt) -> &'static str {
+    match doubt {
         Doubt::OffInvolute => {
             "fillets or roots may be touched, so only sampled poses were looked at"
         }
         Doubt::Effort => "too many stretches of the cycle come too near to each other",
         Doubt::ContactLost => "at a pose the contact was lost",
-    };
-    Some(words.to_owned())
+    }
+}
+
+/// A distance, mm, to the next ten thousandth up: at one printed lower the pair would interfere.
+fn upward(distance: f64) -> f64 {
+    (distance * 1e4).ceil() * 1e-4
 }

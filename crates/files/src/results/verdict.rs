@@ -1,7 +1,7 @@
 //! The verdict and the extremes of the mesh cycle, as results carry them beside their runs.
 
 use super::records::{PoseRecord, pose_record, um};
-use crate::verdict::{doubt, sentence};
+use crate::verdict::{doubt, in_words, sentence};
 use gearlash::analysis::extremes::{RunExtreme, RunExtremes};
 use gearlash::analysis::verdict::Verdict;
 use gearlash::pair::Member;
@@ -25,6 +25,8 @@ pub(super) struct ExtremesRecord {
     phase: Option<[u32; 2]>,
     status: &'static str,
     assembles_from_mm: Option<[f64; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    assembles_from_doubt: Option<&'static str>,
     least: Option<ExtremeRecord>,
     greatest: Option<ExtremeRecord>,
 }
@@ -72,7 +74,8 @@ fn extremes_record(verdict: &Verdict, run: &RunExtremes) -> ExtremesRecord {
         material: run.material.name(),
         phase: run.phase.map(|(wheel, pinion)| [wheel, pinion]),
         status: run.status.name(),
-        assembles_from_mm: run.assembles_from,
+        assembles_from_mm: run.assembles_from.map(|from| [from.low, from.high]),
+        assembles_from_doubt: run.assembles_from.and_then(|from| from.doubt).map(in_words),
         least: one(&run.least),
         greatest: one(&run.greatest),
     }

@@ -4,6 +4,7 @@ use super::course::{Course, Posed, SideCourse};
 use super::fillet::{self, OnFillet, Reached};
 use super::separation::{Separation, lowest_roll};
 use super::table::{PARTS, Table};
+use std::f64::consts::PI;
 
 /// A stretch of one mating and what its lost motion is at least and at most, rad.
 #[derive(Debug, Clone, Copy)]
@@ -51,8 +52,9 @@ impl PairRoom {
         }
     }
 
-    /// At least a straight line between the ends.
-    fn straight([a, b]: [f64; 2]) -> PairRoom {
+    /// At least a straight line between the ends; without a bound, NaN or −∞, no more than half a turn of interference.
+    fn straight(ends: [f64; 2]) -> PairRoom {
+        let [a, b] = ends.map(|end| end.max(-PI));
         PairRoom {
             tangents: [(a, b - a); 2],
             bend: 0.0,
@@ -176,7 +178,8 @@ impl Cell {
             .iter()
             .filter(|dip| dip.may_dip(places.at, places.play))
         {
-            let clearance = dip.clearance(places.at, places.play, places.distances, enough);
+            let [a, b] = dip.clearance(places.at, places.play, places.distances, enough);
+            let clearance = a.min(b);
             if clearance >= enough {
                 continue;
             }
@@ -196,12 +199,11 @@ impl Cell {
                     });
                     rooms.push(PairRoom { chord, ..clear });
                 }
-                None if clearance.is_finite() => {
+                None => {
                     let found = separations(true);
                     let slack = bend(&found).unwrap_or(f64::INFINITY) / 8.0 + rounding;
                     rooms.push(PairRoom::straight(room(&found, slack - clearance)));
                 }
-                None => (),
             }
         }
     }

@@ -8,7 +8,7 @@ use super::dip::{Dip, Tip};
 use crate::gear::Side;
 use crate::pair::{GearPair, Mating, Pose};
 
-/// The matings of a cycle, from `first` on, each pitch gone through once.
+/// The matings of a cycle, from where `first` begins on, each pitch gone through once.
 #[derive(Debug)]
 pub(super) struct Course<'a> {
     pub kernel: &'a ExactKernel,
@@ -68,7 +68,10 @@ impl<'a> Course<'a> {
         Course {
             kernel,
             assembly,
-            first,
+            first: Mating {
+                fraction: 0.0,
+                ..first
+            },
             matings,
             sides: [side(&kernel.right), side(&kernel.left)],
         }

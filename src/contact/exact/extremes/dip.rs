@@ -2,7 +2,7 @@
 //!
 //! Where the tip of one gear dips below the form circle of the other, a fillet stands in place of the involute. It is hollow
 //! ([`super::super::search_free_proof`], 2.), so a chord of it lies outside the metal, and a point whose radius lies between those
-//! of the chord's ends is clear as long as it lies beyond the chord's line. Let the pair touch on the line of action, or where its
+//! of the chord's ends is clear as long as it lies beyond the chord's line (and beyond those of all radii that it passes). Let the pair touch on the line of action, or where its
 //! involutes, prolonged, would: with `h` the distance of the corner from the line there, the free gear has to turn by `h/ρ` more at least
 //! until it meets the fillet, `ρ` the radius about the free axis. This is what [`Dip::clearance`] bounds.
 //!
@@ -15,11 +15,14 @@ use super::super::shape::{C, Shape, turn};
 use crate::gear::ProfilePart;
 use std::f64::consts::PI;
 
-/// Chords of a fillet (tuned: 8 are within a hundredth of its radius).
-const CHORDS: usize = 8;
+/// Chords of a fillet (tuned: 32 are within a thousandth of its radius).
+const CHORDS: usize = 32;
 
 /// A stretch is cut so often at most (tuned: a part of a pitch of 12 teeth is down to 5 minutes of arc).
 const HALVINGS: u32 = 5;
+
+/// Clearances beyond this are not told apart, rad (a tenth of a pitch of 30 teeth: more than flanks differ).
+const FARTHEST: f64 = 0.02;
 
 /// Whose tip dips into whose fillet.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -127,9 +130,9 @@ impl Dip {
     /// How much farther than to the contact of the involutes the free gear has to turn at least until the corner meets the fillet, rad;
     /// negative where it may meet it before.
     ///
-    /// The locked half tooth stands within `play` of the angle `at`, the outlines' centres are `distances` apart.
-    /// Halved where it does not show `enough`.
-    pub fn clearance(&self, at: f64, play: f64, distances: (f64, f64), enough: f64) -> f64 {
+    /// The locked half tooth stands within `play` of the angle `at`. Two values: between the distances of the outlines' centres `distances`
+    /// the straight line between them holds. Halved where they do not show `enough`.
+    pub fn clearance(&self, at: f64, play: f64, distances: (f64, f64), enough: f64) -> [f64; 2] {
         self.cut((at, play), distances, enough, HALVINGS)
     }
 
@@ -139,24 +142,22 @@ impl Dip {
         distances: (f64, f64),
         enough: f64,
         halvings: u32,
-    ) -> f64 {
+    ) -> [f64; 2] {
         let whole = self.over(at, play, distances);
-        if halvings == 0 || whole >= enough {
+        if halvings == 0 || whole[0].min(whole[1]) >= enough {
             return whole;
         }
         let half = 0.5 * play;
-        [at - half, at + half]
-            .map(|at| self.cut((at, half), distances, enough, halvings - 1))
-            .into_iter()
-            .fold(f64::INFINITY, f64::min)
-            .max(whole)
+        let [a, b] =
+            [at - half, at + half].map(|at| self.cut((at, half), distances, enough, halvings - 1));
+        [0, 1].map(|end| a[end].min(b[end]).max(whole[end]))
     }
 
-    fn over(&self, at: f64, play: f64, distances: (f64, f64)) -> f64 {
+    fn over(&self, at: f64, play: f64, distances: (f64, f64)) -> [f64; 2] {
         let (low, high) = distances;
-        let [a, b] = [low, high].map(|distance| self.at_distance(at, play, distance));
+        let ends = [low, high].map(|distance| self.at_distance(at, play, distance));
         if high == low {
-            return a;
+            return ends;
         }
         // h bends with the distance: the gap by cos² α/(d sin α r_bF) and sin² α/r_bF², times ρ.
         let sum = self.locked.base + self.free.base;
@@ -164,7 +165,7 @@ impl Dip {
         let sin = (1.0 - cos * cos).max(0.0).sqrt();
         let per_base = 1.0 / self.free.base;
         let bend = cos * cos / (low * sin) * per_base + (sin * per_base).powi(2);
-        a.min(b) - bend * (high - low).powi(2)
+        ends.map(|end| end - bend * (high - low).powi(2))
     }
 
     fn at_distance(&self, at: f64, play: f64, distance: f64) -> f64 {
@@ -210,26 +211,43 @@ impl Dip {
         let jolt = 0.5 * (distance + (1.0 + ratio).powi(2) * (radius + speed * play)) * play * play;
         let off = point.norm();
         let band = (off - speed * play - jolt, off + speed * play + jolt);
+        let turned = (speed + (1.0 + ratio) * radius) * play + jolt;
         let least = |chord: &Chord| {
             let away = point - chord.point;
             let height = away.re * chord.normal.re + away.im * chord.normal.im;
             let rate = velocity.re * chord.normal.re + velocity.im * chord.normal.im;
             let height = height - rate.abs() * play - jolt;
-            if height >= 0.0 {
-                return height / (radius + speed * play);
-            }
-            // In the metal: out again by an arm that is no less than half of what it is here, of a chord not too steep for that.
+            // By this arm the height changes, and the arm by the radius, as the free gear turns.
             let arm = by_gap.re * chord.normal.re + by_gap.im * chord.normal.im;
-            match arm > 0.1 * radius {
-                true => height / (0.5 * arm),
+            let reach = radius + speed * play;
+            if height >= 0.0 {
+                let arm = (arm + turned).max(0.0);
+                return 2.0 * height / (arm + (arm * arm + 2.0 * reach * height).sqrt());
+            }
+            let arm = arm - turned;
+            let square = arm * arm + 2.0 * reach * height;
+            match arm > 0.0 && square > 0.0 {
+                true => 2.0 * height / (arm + square.sqrt()),
                 false => f64::NEG_INFINITY,
             }
         };
-        // No corner comes deeper than the chords do.
-        let reached = self
-            .chords
-            .iter()
-            .filter(|chord| chord.radii.0 <= band.1 && chord.radii.1 >= band.0);
-        reached.map(least).fold(f64::INFINITY, f64::min)
+        // No corner comes deeper than the chords do. On its way to the fillet, or out of it, a free corner changes its radius.
+        let over = |way: f64| {
+            let radial = (by_gap.re * point.re + by_gap.im * point.im).abs() / off + turned;
+            let (low, high) = (band.0 - radial * way, band.1 + radial * way);
+            let reached = self.chords.iter();
+            let reached = reached.filter(|chord| chord.radii.0 <= high && chord.radii.1 >= low);
+            reached.map(least).fold(f64::INFINITY, f64::min)
+        };
+        if self.tip == Tip::Locked {
+            return over(0.0);
+        }
+        let way = |clearance: f64| clearance.min(FARTHEST).abs();
+        let first = over(0.0);
+        let found = over(1.5 * way(first).min(1.0));
+        match way(found) <= 1.5 * way(first) {
+            true => found.min(FARTHEST),
+            false => over(f64::MAX),
+        }
     }
 }

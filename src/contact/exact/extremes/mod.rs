@@ -13,21 +13,20 @@ mod cell;
 mod course;
 mod dip;
 mod fillet;
+mod rolls;
 mod sample;
+mod search;
 mod separation;
+mod shift;
 mod table;
 
 use super::ExactKernel;
 use crate::contact::lost_motion::Status;
 use crate::error::Error;
 use crate::pair::{GearPair, Mating, Pose};
-use cell::Cell;
 use course::Course;
-use std::collections::BinaryHeap;
-use table::{Bounds, Table};
-
-/// Cells looked into for one extreme, at most (tuned: a hundred settle an ordinary one; so many take some 20 ms).
-const MOST_CELLS: usize = 4_000;
+use search::{Search, Which};
+use table::Table;
 
 /// Extremes of one assembly over its mesh cycle.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -92,32 +91,56 @@ impl ExactKernel {
         matings: u64,
         width: f64,
     ) -> Result<Extremes, Error> {
-        let course = Course::new(
-            self,
-            assembly,
-            Mating {
-                fraction: 0.0,
-                ..first
-            },
-            matings,
-        );
+        self.sought(&Course::new(self, assembly, first, matings), width, true)
+    }
+
+    /// As [`ExactKernel::extremes`], but for the greatest, and no further than to the first pose that is jammed.
+    ///
+    /// # Errors
+    /// As [`ExactKernel::extremes`].
+    pub(crate) fn least(
+        &self,
+        assembly: &GearPair,
+        first: Mating,
+        matings: u64,
+        width: f64,
+    ) -> Result<Extremes, Error> {
+        let course = Course::new(self, assembly, first, matings);
+        let found = self.sought(&course, width, false)?;
+        Ok(Extremes {
+            greatest: None,
+            ..found
+        })
+    }
+
+    fn sought(&self, course: &Course, width: f64, greatest_too: bool) -> Result<Extremes, Error> {
         let mut found = Found::default();
         // Without a solver flanks are no involutes, or base circles may overlap.
         if self.blocked || self.bodies.is_some() || self.solver.is_none() {
-            sample::sample(&course, &mut found)?;
-            return Ok(found.extremes(&course, [UNKNOWN; 2]));
+            sample::sample(course, &mut found, !greatest_too)?;
+            return Ok(found.extremes(course, [UNKNOWN; 2]));
         }
-        let table = Table::new(&course);
+        let table = Table::new(course);
         let width = width / course.per_radian();
-        let greatest = Search::new(&course, &table, width, Which::Greatest).run(&mut found)?;
-        let least = match self.stays_on_involutes(&course) {
-            true => Search::new(&course, &table, width, Which::Least).run(&mut found)?,
+        let search = |which| Search {
+            course,
+            table: &table,
+            width,
+            which,
+            samples: greatest_too,
+        };
+        let greatest = match greatest_too {
+            true => search(Which::Greatest).run(&mut found)?,
+            false => UNKNOWN,
+        };
+        let least = match self.stays_on_involutes(course) {
+            true => search(Which::Least).run(&mut found)?,
             false => {
-                sample::sample(&course, &mut found)?;
+                sample::sample(course, &mut found, !greatest_too)?;
                 UNKNOWN
             }
         };
-        Ok(found.extremes(&course, [least, greatest]))
+        Ok(found.extremes(course, [least, greatest]))
     }
 
     /// Whether nothing but involutes, their ends and tip lands can touch, but for corners on fillets, which [`dip`] bounds.
@@ -227,161 +250,6 @@ impl Found {
             least: low_end.filter(|_| self.jammed.is_none()),
             greatest: high_end.filter(|_| self.unmeshed.is_none()),
             lost: self.jammed.or(self.unmeshed),
-        }
-    }
-}
-
-/// Which extreme is sought.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Which {
-    Least,
-    Greatest,
-}
-
-/// A search for one extreme, best bound first.
-struct Search<'a> {
-    course: &'a Course<'a>,
-    table: &'a Table,
-    width: f64,
-    which: Which,
-}
-
-/// A cell in the order in which cells are looked into.
-struct Open {
-    /// How promising it is.
-    key: f64,
-    cell: Cell,
-}
-
-impl PartialEq for Open {
-    fn eq(&self, other: &Open) -> bool {
-        self.cmp(other).is_eq()
-    }
-}
-
-impl Eq for Open {}
-
-impl PartialOrd for Open {
-    fn partial_cmp(&self, other: &Open) -> Option<std::cmp::Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Open {
-    /// The most promising first, of equal ones the first in the cycle.
-    fn cmp(&self, other: &Open) -> std::cmp::Ordering {
-        let place = |open: &Open| (open.cell.mating, open.cell.part);
-        let key = self.key.total_cmp(&other.key);
-        let place = key.then(place(other).cmp(&place(self)));
-        place.then(other.cell.from.total_cmp(&self.cell.from))
-    }
-}
-
-impl<'a> Search<'a> {
-    fn new(course: &'a Course, table: &'a Table, width: f64, which: Which) -> Search<'a> {
-        Search {
-            course,
-            table,
-            width,
-            which,
-        }
-    }
-
-    /// How far beyond everything else a cell may reach: the sign makes the least a greatest.
-    fn key(&self, low: f64, high: f64) -> f64 {
-        match self.which {
-            Which::Least => -low,
-            Which::Greatest => high,
-        }
-    }
-
-    /// The best found, as a key.
-    fn best(&self, found: &Found) -> f64 {
-        let seen = match self.which {
-            Which::Least => found.least.map(|seen| -seen.angle),
-            Which::Greatest => found.greatest.map(|seen| seen.angle),
-        };
-        seen.unwrap_or(f64::NEG_INFINITY)
-    }
-
-    /// The bound that holds for the whole cycle, rad.
-    fn run(&self, found: &mut Found) -> Result<Proof, Error> {
-        let range = 0..self.table.matings();
-        let mut top: Option<Bounds> = None;
-        self.table.each(range.clone(), &mut |bounds| {
-            let key = self.key(bounds.low, bounds.high);
-            if top.is_none_or(|top| key > self.key(top.low, top.high)) {
-                top = Some(bounds);
-            }
-        });
-        if let Some(top) = top {
-            let middle = Cell::of_part(top.mating, top.part);
-            let mating = self
-                .course
-                .mating(top.mating, 0.5 * (middle.from + middle.to));
-            found.look(self.course, mating)?;
-        }
-        let enough = self.best(found) + self.width;
-        let mut bound = self.best(found);
-        let mut open = BinaryHeap::new();
-        self.table.each(range, &mut |bounds| {
-            let key = self.key(bounds.low, bounds.high);
-            if key > enough {
-                let cell = Cell::of_part(bounds.mating, bounds.part);
-                open.push(Open {
-                    key,
-                    cell: Cell {
-                        low: bounds.low,
-                        high: bounds.high,
-                        ..cell
-                    },
-                });
-            } else {
-                bound = bound.max(key);
-            }
-        });
-        for _ in 0..MOST_CELLS {
-            let Some(next) = open.pop() else {
-                return Ok((self.value(bound), None));
-            };
-            // What is kept is within `width` of the best, or looked into.
-            if next.key <= self.best(found) + self.width {
-                return Ok((self.value(bound.max(next.key)), None));
-            }
-            let cell = next.cell.bounded(self.course, self.table);
-            let at = match self.which {
-                Which::Least => cell.lowest,
-                Which::Greatest => cell.highest,
-            };
-            found.look(self.course, self.course.mating(cell.mating, at))?;
-            let without = match self.which {
-                Which::Least => found.jammed,
-                Which::Greatest => found.unmeshed,
-            };
-            if without.is_some() {
-                // There is no bound of what has no value.
-                return Ok((self.value(self.best(found)), None));
-            }
-            let key = self.key(cell.low, cell.high);
-            let enough = self.best(found) + self.width;
-            if key <= enough {
-                bound = bound.max(key);
-                continue;
-            }
-            for half in cell.cut(at) {
-                open.push(Open { key, cell: half });
-            }
-        }
-        // What holds is what the most promising stretch may come to.
-        sample::sample(self.course, found)?;
-        let top = open.peek().map_or(bound, |top| bound.max(top.key));
-        Ok((self.value(top), Some(Doubt::Effort)))
-    }
-
-    fn value(&self, key: f64) -> f64 {
-        match self.which {
-            Which::Least => -key,
-            Which::Greatest => key,
         }
     }
 }

@@ -5,8 +5,8 @@ use super::course::Course;
 use crate::error::Error;
 use crate::pair::Mating;
 
-/// Poses in all, at most, of a pair that needs no search and of one that does (tuned: some 0.2 s, and 2 s).
-const MOST: [u64; 2] = [200_000, 20_000];
+/// Poses in all, at most, of a pair that needs no search and of one that does (tuned: some 0.2 s, and 1 s).
+const MOST: [u64; 2] = [200_000, 6_000];
 
 /// Poses a pitch, where there are not too many matings.
 const PER_PITCH: u64 = 32;
@@ -14,8 +14,8 @@ const PER_PITCH: u64 = 32;
 /// Times the neighbourhood of the best poses is cut into a quarter: down to 1/32 000 of a pitch.
 const ROUNDS: u32 = 5;
 
-/// Looks through the cycle, and closer round the least and the greatest.
-pub(super) fn sample(course: &Course, found: &mut Found) -> Result<(), Error> {
+/// Looks through the cycle, and closer round the least and the greatest; `until_jam`: no further than to a jammed pose.
+pub(super) fn sample(course: &Course, found: &mut Found, until_jam: bool) -> Result<(), Error> {
     if std::mem::replace(&mut found.sampled, true) {
         return Ok(());
     }
@@ -27,6 +27,9 @@ pub(super) fn sample(course: &Course, found: &mut Found) -> Result<(), Error> {
         for part in 0..per_pitch {
             let fraction = (part as f64 + 0.5) / per_pitch as f64;
             found.look(course, course.mating(index, fraction))?;
+            if until_jam && found.jammed.is_some() {
+                return Ok(());
+            }
         }
         index += stride;
     }

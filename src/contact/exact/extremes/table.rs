@@ -7,11 +7,11 @@
 //! the line of action all through a part: these bound the room from above.
 
 use super::super::line::Line;
-use super::super::shape::{C, turn};
+use super::super::shape::C;
 use super::super::teeth::Teeth;
-use super::course::{Course, SideCourse};
-use super::separation::lowest_roll;
-use std::f64::consts::TAU;
+use super::course::{Course, Posed, SideCourse};
+use super::rolls::{Part, Rolls};
+use super::shift::Shift;
 use std::ops::Range;
 
 /// Parts of a pitch (tuned: ordinary pairs, contact ratio 1.2 and more, have a pair on the line of action all through each).
@@ -27,8 +27,8 @@ struct SideTable {
     /// Places of step 0 where the cycle begins; the locked one falls by `sense` with each mating.
     first: [i64; 2],
     sense: i64,
-    /// Steps that may be the tightest, and what they have beside the line of action at least.
-    open: [Vec<(i64, f64)>; PARTS],
+    /// Steps that may be the tightest, and what they have beside the line of action.
+    open: [Vec<(i64, Part)>; PARTS],
     /// Steps that are on the line of action all through.
     covering: [Vec<i64>; PARTS],
     /// `ρ`.
@@ -39,11 +39,24 @@ struct SideTable {
 #[derive(Debug)]
 pub(super) struct Table {
     sides: [SideTable; 2],
-    /// `−ε` of both sides together, by the locked and by the free gear's turn, at the ends of the parts.
-    shifts: [Vec<[f64; PARTS + 1]>; 2],
+    /// `−ε` of both sides together.
+    shifts: Shift,
     /// What the sums are off at most: the second order of `ε`, and its bend between the ends of a part.
     slack: f64,
+    /// Of each side, how far the outlines' centres are apart; `None` where no corner comes near a fillet.
+    distances: Option<Distances>,
     matings: u64,
+}
+
+/// How far the outlines' centres are apart.
+#[derive(Debug)]
+struct Distances {
+    /// How much farther than the axes, each side.
+    sides: [Shift; 2],
+    /// No more than this, both ways.
+    off: f64,
+    /// What that is off at most: the gap at which it is taken, its second order, and its bend over a part.
+    slack: f64,
 }
 
 /// Bounds of the lost motion over a part of a mating, rad.
@@ -57,10 +70,8 @@ pub(super) struct Bounds {
 
 impl Table {
     pub fn new(course: &Course) -> Table {
-        let sides = course
-            .sides
-            .each_ref()
-            .map(|side| SideTable::new(course, side));
+        let posed = course.posed(0);
+        let sides = [0, 1].map(|index| SideTable::new(&course.sides[index], &posed[index]));
         let side = &course.sides[0];
         let problem = side.problem;
         let per_base = problem.per_free_base;
@@ -76,13 +87,26 @@ impl Table {
         let pitches = [problem.locked.pitch, problem.free.pitch];
         let bends = [0, 1].map(|k| side.off[k] * pitches[k] * pitches[k]);
         let part = 1.0 / PARTS as f64;
-        let slack = 2.0
-            * (moved
-                + 0.5 * turning * off * off * per_base
-                + (bends[0] + bends[1]) * per_base * part * part / 8.0)
+        let bent = (bends[0] + bends[1]) * part * part / 8.0;
+        let slack = 2.0 * (moved + 0.5 * turning * off * off * per_base + bent * per_base)
             + 4.0 * problem.rounding(problem.free.shape.base, 1.0);
+        let along = |index: usize, toward: C| {
+            let (table, posed) = (&sides[index], &posed[index]);
+            // The middle of the gaps on the line of action.
+            let gap = posed.nominal_gap() - table.nominal - table.middle();
+            Shift::new(&course.sides[index], posed, gap, toward)
+        };
+        let cos = sum / problem.distance;
+        let toward = C::new((1.0 - cos * cos).sqrt(), -cos) * per_base;
+        let deepest = sides.iter().filter_map(SideTable::deepest);
+        let distances = deepest.reduce(f64::max).map(|deepest| Distances {
+            sides: [0, 1].map(|index| along(index, C::from(1.0))),
+            off,
+            slack: side.off[1] * (level + deepest) + 0.5 * off * off / nearest + bent,
+        });
         Table {
-            shifts: shifts(course, &sides),
+            shifts: along(0, toward).plus(&along(1, toward)),
+            distances,
             sides,
             slack,
             matings: course.matings,
@@ -91,18 +115,24 @@ impl Table {
 
     /// Bounds of every part of every mating of `range`, in their order.
     pub fn each(&self, range: Range<u64>, take: &mut dyn FnMut(Bounds)) {
-        let [locked, free] = &self.shifts;
         for mating in range {
-            let x = &locked[(mating % locked.len() as u64) as usize];
-            let y = &free[(mating % free.len() as u64) as usize];
+            let shift = self.shifts.at(mating);
             let places = self.sides.each_ref().map(|side| side.places(mating));
+            let distances = self.distances.as_ref();
+            let distances =
+                distances.map(|distances| [0, 1].map(|k| distances.sides[k].at(mating)));
             for part in 0..PARTS {
-                let shift = [x[part] + y[part], x[part + 1] + y[part + 1]];
                 let (mut low, mut high) = (0.0, 0.0);
-                for (side, places) in self.sides.iter().zip(places) {
+                for (index, (side, places)) in self.sides.iter().zip(places).enumerate() {
+                    let shares = match (&self.distances, &distances) {
+                        (Some(all), Some(ends)) => {
+                            all.shares([ends[index][part], ends[index][part + 1]])
+                        }
+                        _ => [0.0; 2],
+                    };
                     let open = side.open[part].iter();
                     low += open
-                        .map(|(step, more)| side.off(places, *step) + more)
+                        .map(|(step, more)| side.off(places, *step) + more.between(shares))
                         .fold(f64::INFINITY, f64::min);
                     let covering = side.covering[part].iter();
                     high += covering
@@ -110,11 +140,12 @@ impl Table {
                         .fold(f64::INFINITY, f64::min);
                 }
                 let nominal = self.sides[0].nominal + self.sides[1].nominal;
+                let ends = [shift[part], shift[part + 1]];
                 take(Bounds {
                     mating,
                     part,
-                    low: low + nominal + shift[0].min(shift[1]) - self.slack,
-                    high: high + nominal + shift[0].max(shift[1]) + self.slack,
+                    low: low + nominal + ends[0].min(ends[1]) - self.slack,
+                    high: high + nominal + ends[0].max(ends[1]) + self.slack,
                 });
             }
         }
@@ -140,48 +171,27 @@ impl Table {
         let open = table.open[part].iter();
         open.filter_map(move |(step, more)| {
             let enough = limit - table.off(places, *step);
-            (*more <= enough).then_some((*step, enough))
+            (more.least() <= enough).then_some((*step, enough))
         })
     }
 }
 
-/// `−ε` of both sides, by turn and end of the parts.
-fn shifts(course: &Course, sides: &[SideTable; 2]) -> [Vec<[f64; PARTS + 1]>; 2] {
-    let posed = course.posed(0);
-    let problem = course.sides[0].problem;
-    let counts = [&problem.locked, &problem.free].map(|teeth| teeth.count() as usize);
-    let mut shifts = counts.map(|count| vec![[0.0; PARTS + 1]; count]);
-    for ((posed, side), table) in posed.iter().zip(&course.sides).zip(sides) {
-        let problem = side.problem;
-        let sum = problem.sum();
-        let sin = (1.0 - (sum / problem.distance).powi(2)).sqrt();
-        let toward = C::new(-sin, sum / problem.distance) * problem.per_free_base;
-        // The middle of the gaps on the line of action.
-        let gap = posed.nominal_gap() - table.nominal - table.middle();
-        let locked = posed.flanks.centre - C::from(problem.distance);
-        let free = -posed.flanks.free_centre * turn(gap);
-        for (place, at, sense) in [(0, locked, side.sense), (1, free, -side.sense)] {
-            if at == C::ZERO {
-                continue;
-            }
-            let count = counts[place] as f64;
-            for (index, ends) in shifts[place].iter_mut().enumerate() {
-                for (part, end) in ends.iter_mut().enumerate() {
-                    let pitches = index as f64 + part as f64 / PARTS as f64;
-                    let b = at * turn(sense * TAU * pitches / count);
-                    *end -= toward.re * b.re + toward.im * b.im;
-                }
-            }
+impl Distances {
+    /// Between which shares of the way from the least to the greatest distance the centres stay, of the shifts at both ends of a part.
+    fn shares(&self, ends: [f64; 2]) -> [f64; 2] {
+        if self.off == 0.0 {
+            return [0.0, 1.0];
         }
+        let share = |shift: f64| (0.5 + 0.5 * shift / self.off).clamp(0.0, 1.0);
+        let [low, high] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+        [share(low - self.slack), share(high + self.slack)]
     }
-    shifts
 }
 
 impl SideTable {
-    fn new(course: &Course, side: &SideCourse) -> SideTable {
+    /// Of a side and how it stands where the cycle begins.
+    fn new(side: &SideCourse, posed: &Posed) -> SideTable {
         let problem = side.problem;
-        let index = usize::from(!std::ptr::eq(side, &raw const course.sides[0]));
-        let posed = course.posed(0)[index];
         let steps = steps(side, posed.flanks.ahead);
         let pad = steps.start.abs().max(steps.end.abs());
         let ratio = problem.locked.shape.base * problem.per_free_base;
@@ -223,8 +233,8 @@ impl SideTable {
                 true => spread,
                 false => f64::INFINITY,
             };
-            let open = found.iter().filter(|(_, part)| part.more <= limit);
-            table.open[part] = open.map(|(step, part)| (*step, part.more)).collect();
+            let open = found.iter().filter(|(_, part)| part.least() <= limit);
+            table.open[part] = open.map(|(step, part)| (*step, *part)).collect();
             let covering = found.iter().filter(|(_, part)| part.covers);
             table.covering[part] = covering.map(|(step, _)| *step).collect();
         }
@@ -245,6 +255,13 @@ impl SideTable {
     fn off(&self, [locked, free]: [i64; 2], step: i64) -> f64 {
         self.locked[(self.pad + locked + step) as usize]
             + self.free[(self.pad + free - step) as usize]
+    }
+
+    /// How much deeper or higher than its involute a tip corner may meet a fillet, rad; `None` where none comes near.
+    fn deepest(&self) -> Option<f64> {
+        let each = self.open.iter().flatten().filter_map(|(_, part)| part.dip);
+        let each = each.flatten().filter(|dip| dip.is_finite()).map(f64::abs);
+        each.reduce(f64::max)
     }
 
     fn ends(&self) -> [f64; 2] {
@@ -282,131 +299,4 @@ fn steps(side: &SideCourse, ahead: f64) -> Range<i64> {
     let from = ((low - last) * problem.per_pitch).floor() as i64;
     let to = ((high - first) * problem.per_pitch).ceil() as i64;
     from.max(-half)..to.min(half + 1) + 1
-}
-
-/// What a part of a pitch means for a step.
-struct Part {
-    /// Room beside the line of action at least, rad.
-    more: f64,
-    covers: bool,
-}
-
-/// Rolls on the line of action at any pose of the cycle.
-struct Rolls<'a> {
-    side: &'a SideCourse<'a>,
-    line: &'a Line,
-    ahead: f64,
-    /// What `arg B + α` and `T` change by, and the flanks' places.
-    turning: f64,
-    stretching: f64,
-    places: f64,
-    /// How much flanks differ: a clearance beyond that decides nothing.
-    spread: f64,
-}
-
-impl<'a> Rolls<'a> {
-    fn new(side: &'a SideCourse<'a>, line: &'a Line, ahead: f64, spread: f64) -> Rolls<'a> {
-        let problem = side.problem;
-        let off = side.off[0] + side.off[1];
-        let (sum, nearest) = (problem.sum(), problem.distance - off);
-        let length = ((nearest - sum) * (nearest + sum)).sqrt();
-        let (low, high) = problem.locked.extremes;
-        Rolls {
-            side,
-            line,
-            ahead,
-            turning: off * (1.0 + sum / length) / nearest,
-            stretching: off * (problem.distance + off) / length,
-            places: low.abs().max(high.abs()),
-            spread,
-        }
-    }
-
-    fn of(&self, step: i64, part: usize) -> Part {
-        let problem = self.side.problem;
-        let (locked, free) = (&problem.locked.shape, &problem.free.shape);
-        let pitch = problem.locked.pitch;
-        let width = pitch / PARTS as f64;
-        let at = self.ahead + step as f64 * pitch + self.side.sense * (part as f64 + 0.5) * width;
-        let play = 0.5 * width + self.places + self.turning;
-        let roll = self.line.angle - (at - locked.half_base);
-        let (low, high) = (roll - play, roll + play);
-        let other = |roll: f64, length: f64| (length - locked.base * roll) * problem.per_free_base;
-        let (free_low, free_high) = (
-            other(high, self.line.length - self.stretching),
-            other(low, self.line.length + self.stretching),
-        );
-        let covers = low >= locked.form_roll
-            && high <= locked.tip_roll
-            && free_low >= free.form_roll
-            && free_high <= free.tip_roll;
-        let rolls = [(low, high), (free_low, free_high)];
-        let beside = self.beside(rolls);
-        let dips = self.side.dips.iter();
-        let off = self.side.off[0] + self.side.off[1];
-        let distances = (problem.distance - off, problem.distance + off);
-        let dips = dips
-            .filter(|dip| dip.may_dip(at, play))
-            .map(|dip| dip.clearance(at, play, distances, self.spread));
-        Part {
-            more: dips.fold(beside, f64::min),
-            covers,
-        }
-    }
-
-    /// What a pair with rolls in these ranges has beside the line of action at least, rad.
-    ///
-    /// In the direction `y` on from that of the line of action, `s` is less by `T (1 − cos y) + Σ (y − sin y)` and more by what the ends of the
-    /// involutes give. Any `y` will do; three are tried: none, the one at which a tip corner alone would have the most, and the one that leaves
-    /// no roll below the form roll.
-    fn beside(&self, rolls: [(f64, f64); 2]) -> f64 {
-        let problem = self.side.problem;
-        let shapes = [&problem.locked.shape, &problem.free.shape];
-        let (sum, length) = (problem.sum(), self.line.length);
-        let more = |y: f64| -> f64 {
-            let loss = (length + self.stretching) * (1.0 - y.cos()) + sum * (y - y.sin()).max(0.0);
-            let each = shapes.iter().zip(rolls);
-            let gain: f64 = each
-                .map(|(shape, (low, high))| {
-                    shape.base * beside((low + y, high + y), (lowest_roll(shape), shape.tip_roll))
-                })
-                .sum();
-            // The free gear turns by `s/(r_b q')`; q' is between 0.8 and 1.25 down to half a radian below the form roll.
-            let apart = (gain - loss) * problem.per_free_base;
-            if apart > 0.0 {
-                0.8 * apart
-            } else {
-                1.25 * apart
-            }
-        };
-        let each = || shapes.iter().zip(rolls);
-        let below = each().map(|(shape, (low, high))| lowest_roll(shape) - 0.5 * (low + high));
-        let below = below.fold(0.0, f64::max);
-        let corner = each().map(|(shape, (low, _))| {
-            let arm = shape.base * shape.tip_roll;
-            (low - shape.tip_roll).max(0.0) * arm / (length - arm).max(0.1 * length)
-        });
-        let corner = corner.fold(0.0, f64::max);
-        [0.0, corner, below]
-            .map(more)
-            .into_iter()
-            .fold(f64::NEG_INFINITY, f64::max)
-    }
-}
-
-/// What an involute has less than all of it would, in the direction of a roll between `low` and `high`, at least: `ξ − q`.
-///
-/// Beyond the tip it grows, `δ − sin δ + ξ_a (1 − cos δ)`. Below the form roll it grows first and may then fall below 0: least at an end.
-fn beside((low, high): (f64, f64), (form, tip): (f64, f64)) -> f64 {
-    let at = |end: f64, roll: f64| {
-        let beyond = roll - end;
-        beyond - beyond.sin() + end * (1.0 - beyond.cos())
-    };
-    let tip_side = if low > tip { at(tip, low) } else { 0.0 };
-    let form_side = match (low < form, high < form) {
-        (false, _) => 0.0,
-        (true, false) => at(form, low).min(0.0),
-        (true, true) => at(form, low).min(at(form, high)),
-    };
-    tip_side + form_side
 }

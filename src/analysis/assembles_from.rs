@@ -1,0 +1,128 @@
+//! The centre distance from which a pair assembles: where the least backlash of its whole mesh cycle is 0.
+//!
+//! Backlash grows with the distance (`dj_wt/da = 2 tan α_wt`), so the root is bracketed and Newton's method finds it. What interferes at a
+//! distance is looked for first where it was tightest at those before; only what is free there is looked over the whole cycle.
+
+use crate::contact::{Doubt, ExactKernel, Status};
+use crate::error::Error;
+use crate::pair::{GearPair, Mating, Member, Pose};
+
+/// Width of the bracket, mm.
+const DISTANCE_WIDTH: f64 = 1e-6;
+
+/// Steps of the search (the first few are Newton's; so many would do by halving alone).
+const STEPS: usize = 60;
+
+/// The centre distance from which a pair assembles.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AssemblesFrom {
+    /// Here some pose interferes, mm.
+    pub low: f64,
+    /// Here none does, mm.
+    pub high: f64,
+    /// Why that is not proven.
+    pub doubt: Option<Doubt>,
+}
+
+impl AssemblesFrom {
+    /// That of `assembly`, whose least `j_wt` over `matings` pitches from `first` on is `least`, mm, or `None` where a pose is jammed;
+    /// looked for between its own centre distance and tips that pass each other; its least at others as near as `width`, mm.
+    ///
+    /// # Errors
+    /// None of a pair that has a kernel at each distance.
+    pub(super) fn new(
+        assembly: &GearPair,
+        first: Mating,
+        matings: u64,
+        least: Option<f64>,
+        width: f64,
+    ) -> Result<Option<AssemblesFrom>, Error> {
+        let gear = |member| assembly.gear(member);
+        let reach = gear(Member::Wheel).reach() + gear(Member::Pinion).reach();
+        let (mut low, mut high, mut doubt) = (assembly.center_distance(), reach, None);
+        if !(low < high) {
+            return Ok(None);
+        }
+        let per_mm = |at: f64| {
+            let at = assembly.at(at).ok();
+            at.map_or(f64::NAN, |at| 2.0 * at.operating_pressure_angle().tan())
+        };
+        // The values at both ends; without end where one is jammed, none where nothing was looked at.
+        let (mut below, mut above) = (least.unwrap_or(f64::NEG_INFINITY), f64::INFINITY);
+        let mut last = None;
+        let mut tight: Vec<Mating> = Vec::new();
+        for _ in 0..STEPS {
+            // A little beyond where it leads, towards the end that is farther away, so that both come near.
+            let nudge = 0.4 * DISTANCE_WIDTH.copysign(below + above);
+            let at = match (below.is_finite(), above.is_finite()) {
+                (true, true) => low - below * (high - low) / (above - below) + nudge,
+                (true, false) => low - below / per_mm(low) + nudge.abs(),
+                (false, true) => high - above / per_mm(high) - nudge.abs(),
+                (false, false) => f64::NAN,
+            };
+            let at = if at > low && at < high {
+                at
+            } else {
+                0.5 * (low + high)
+            };
+            let pair = assembly.at(at)?;
+            let kernel = ExactKernel::new(&pair);
+            let (value, unsure) = match interference(&kernel, &pair, &tight)? {
+                Some(there) => (there, None),
+                None => {
+                    let there = kernel.least(&pair, first, matings, width)?;
+                    let least = there.least;
+                    tight.extend(there.lost.or(least.map(|least| least.mating)));
+                    // Of what is not proven, what was found.
+                    let value = least.map(|least| match least.is_proven() {
+                        true => least.low,
+                        false => least.high,
+                    });
+                    let unsure = least.and_then(|least| least.doubt);
+                    (value.unwrap_or(f64::NEG_INFINITY), unsure)
+                }
+            };
+            // An end that stays behind twice counts for half (the Illinois rule).
+            let free = value >= 0.0;
+            let stays = if last.replace(free) == Some(free) {
+                0.5
+            } else {
+                1.0
+            };
+            if free {
+                (high, above, doubt) = (at, value, unsure);
+                below *= stays;
+            } else {
+                (low, below) = (at, value);
+                above *= stays;
+            }
+            if high - low <= DISTANCE_WIDTH {
+                break;
+            }
+        }
+        Ok((high < reach).then_some(AssemblesFrom { low, high, doubt }))
+    }
+}
+
+/// The least `j_wt` of `matings`, mm, where it is negative: without end where one is jammed; `None` where none interferes.
+fn interference(
+    kernel: &ExactKernel,
+    pair: &GearPair,
+    matings: &[Mating],
+) -> Result<Option<f64>, Error> {
+    let per_radian = pair.operating_pitch_radius(pair.free());
+    let mut least = 0.0f64;
+    for mating in matings {
+        let found = match kernel.lost_motion(&Pose::new(pair, *mating)) {
+            Err(error) if error.of_one_pose().is_some() => continue,
+            found => found?,
+        };
+        if found.status() == Status::Jammed {
+            return Ok(Some(f64::NEG_INFINITY));
+        }
+        if let Some((angle, error)) = found.angle().zip(found.error()) {
+            least = least.min((angle + error) * per_radian);
+        }
+    }
+    Ok((least < 0.0).then_some(least))
+}

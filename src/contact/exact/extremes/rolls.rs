@@ -1,0 +1,157 @@
+//! Rolls at which the half teeth of a step stand in a part of a pitch, and what room they have beside the line of action.
+
+use super::super::line::Line;
+use super::course::SideCourse;
+use super::separation::lowest_roll;
+use super::table::PARTS;
+
+/// What a part of a pitch means for a step.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Part {
+    /// Room of the involutes and their ends beside the line of action at least, rad.
+    pub beside: f64,
+    /// That of a tip corner and a fillet, at the least and at the greatest distance of the outlines' centres; `None`: none is near.
+    pub dip: Option<[f64; 2]>,
+    /// Whether it is on the line of action all through.
+    pub covers: bool,
+}
+
+/// Rolls on the line of action at any pose of the cycle.
+pub(super) struct Rolls<'a> {
+    side: &'a SideCourse<'a>,
+    line: &'a Line,
+    ahead: f64,
+    /// What `arg B + α` and `T` change by, and the flanks' places.
+    turning: f64,
+    stretching: f64,
+    places: f64,
+    /// How much flanks differ: a clearance beyond that decides nothing.
+    spread: f64,
+}
+
+impl Part {
+    /// Room at least, rad.
+    pub fn least(&self) -> f64 {
+        self.between([0.0, 1.0])
+    }
+
+    /// The same where the distance stays between two shares of the way from the least to the greatest.
+    pub fn between(&self, [low, high]: [f64; 2]) -> f64 {
+        match self.dip {
+            None => self.beside,
+            Some([a, b]) if a.is_finite() && b.is_finite() => {
+                let at = |share: f64| a + share * (b - a);
+                self.beside.min(at(low)).min(at(high))
+            }
+            Some([a, b]) => self.beside.min(a).min(b),
+        }
+    }
+}
+
+impl<'a> Rolls<'a> {
+    pub fn new(side: &'a SideCourse<'a>, line: &'a Line, ahead: f64, spread: f64) -> Rolls<'a> {
+        let problem = side.problem;
+        let off = side.off[0] + side.off[1];
+        let (sum, nearest) = (problem.sum(), problem.distance - off);
+        let length = ((nearest - sum) * (nearest + sum)).sqrt();
+        let (low, high) = problem.locked.extremes;
+        Rolls {
+            side,
+            line,
+            ahead,
+            turning: off * (1.0 + sum / length) / nearest,
+            stretching: off * (problem.distance + off) / length,
+            places: low.abs().max(high.abs()),
+            spread,
+        }
+    }
+
+    pub fn of(&self, step: i64, part: usize) -> Part {
+        let problem = self.side.problem;
+        let (locked, free) = (&problem.locked.shape, &problem.free.shape);
+        let pitch = problem.locked.pitch;
+        let width = pitch / PARTS as f64;
+        let at = self.ahead + step as f64 * pitch + self.side.sense * (part as f64 + 0.5) * width;
+        let play = 0.5 * width + self.places + self.turning;
+        let roll = self.line.angle - (at - locked.half_base);
+        let (low, high) = (roll - play, roll + play);
+        let other = |roll: f64, length: f64| (length - locked.base * roll) * problem.per_free_base;
+        let (free_low, free_high) = (
+            other(high, self.line.length - self.stretching),
+            other(low, self.line.length + self.stretching),
+        );
+        let covers = low >= locked.form_roll
+            && high <= locked.tip_roll
+            && free_low >= free.form_roll
+            && free_high <= free.tip_roll;
+        let rolls = [(low, high), (free_low, free_high)];
+        let beside = self.beside(rolls);
+        let off = self.side.off[0] + self.side.off[1];
+        let distances = (problem.distance - off, problem.distance + off);
+        let dips = self.side.dips.iter();
+        let dips = dips
+            .filter(|dip| dip.may_dip(at, play))
+            .map(|dip| dip.clearance(at, play, distances, self.spread));
+        Part {
+            beside,
+            dip: dips.reduce(|a, b| [a[0].min(b[0]), a[1].min(b[1])]),
+            covers,
+        }
+    }
+
+    /// What a pair with rolls in these ranges has beside the line of action at least, rad.
+    ///
+    /// In the direction `y` on from that of the line of action, `s` is less by `T (1 − cos y) + Σ (y − sin y)` and more by what the ends of the
+    /// involutes give. Any `y` will do; three are tried: none, the one at which a tip corner alone would have the most, and the one that leaves
+    /// no roll below the form roll.
+    fn beside(&self, rolls: [(f64, f64); 2]) -> f64 {
+        let problem = self.side.problem;
+        let shapes = [&problem.locked.shape, &problem.free.shape];
+        let (sum, length) = (problem.sum(), self.line.length);
+        let more = |y: f64| -> f64 {
+            let loss = (length + self.stretching) * (1.0 - y.cos()) + sum * (y - y.sin()).max(0.0);
+            let each = shapes.iter().zip(rolls);
+            let gain: f64 = each
+                .map(|(shape, (low, high))| {
+                    shape.base * beside((low + y, high + y), (lowest_roll(shape), shape.tip_roll))
+                })
+                .sum();
+            // The free gear turns by `s/(r_b q')`; q' is between 0.8 and 1.25 down to half a radian below the form roll.
+            let apart = (gain - loss) * problem.per_free_base;
+            if apart > 0.0 {
+                0.8 * apart
+            } else {
+                1.25 * apart
+            }
+        };
+        let each = || shapes.iter().zip(rolls);
+        let below = each().map(|(shape, (low, high))| lowest_roll(shape) - 0.5 * (low + high));
+        let below = below.fold(0.0, f64::max);
+        let corner = each().map(|(shape, (low, _))| {
+            let arm = shape.base * shape.tip_roll;
+            (low - shape.tip_roll).max(0.0) * arm / (length - arm).max(0.1 * length)
+        });
+        let corner = corner.fold(0.0, f64::max);
+        [0.0, corner, below]
+            .map(more)
+            .into_iter()
+            .fold(f64::NEG_INFINITY, f64::max)
+    }
+}
+
+/// What an involute has less than all of it would, in the direction of a roll between `low` and `high`, at least: `ξ − q`.
+///
+/// Beyond the tip it grows, `δ − sin δ + ξ_a (1 − cos δ)`. Below the form roll it grows first and may then fall below 0: least at an end.
+fn beside((low, high): (f64, f64), (form, tip): (f64, f64)) -> f64 {
+    let at = |end: f64, roll: f64| {
+        let beyond = roll - end;
+        beyond - beyond.sin() + end * (1.0 - beyond.cos())
+    };
+    let tip_side = if low > tip { at(tip, low) } else { 0.0 };
+    let form_side = match (low < form, high < form) {
+        (false, _) => 0.0,
+        (true, false) => at(form, low).min(0.0),
+        (true, true) => at(form, low).min(at(form, high)),
+    };
+    tip_side + form_side
+}

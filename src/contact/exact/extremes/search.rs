@@ -1,0 +1,162 @@
+//! The search for one extreme: what may beat the best pose found is cut, the most promising stretch first.
+
+use super::cell::Cell;
+use super::course::Course;
+use super::table::{Bounds, Table};
+use super::{Doubt, Found, Proof, sample};
+use crate::error::Error;
+use std::collections::BinaryHeap;
+
+/// Cells looked into for one extreme, at most (tuned: a hundred settle an ordinary one; so many take some 20 ms).
+const MOST_CELLS: usize = 4_000;
+
+/// Which extreme is sought.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Which {
+    Least,
+    Greatest,
+}
+
+/// A search for one extreme, best bound first.
+pub(super) struct Search<'a> {
+    pub course: &'a Course<'a>,
+    pub table: &'a Table,
+    /// Of the bracket, rad.
+    pub width: f64,
+    pub which: Which,
+    /// Whether poses are sampled where the effort was too great.
+    pub samples: bool,
+}
+
+/// A cell in the order in which cells are looked into.
+struct Open {
+    /// How promising it is.
+    key: f64,
+    cell: Cell,
+}
+
+impl PartialEq for Open {
+    fn eq(&self, other: &Open) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Open {}
+
+impl PartialOrd for Open {
+    fn partial_cmp(&self, other: &Open) -> Option<std::cmp::Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Open {
+    /// The most promising first, of equal ones the first in the cycle.
+    fn cmp(&self, other: &Open) -> std::cmp::Ordering {
+        let place = |open: &Open| (open.cell.mating, open.cell.part);
+        let key = self.key.total_cmp(&other.key);
+        let place = key.then(place(other).cmp(&place(self)));
+        place.then(other.cell.from.total_cmp(&self.cell.from))
+    }
+}
+
+impl Search<'_> {
+    /// How far beyond everything else a cell may reach: the sign makes the least a greatest.
+    fn key(&self, low: f64, high: f64) -> f64 {
+        match self.which {
+            Which::Least => -low,
+            Which::Greatest => high,
+        }
+    }
+
+    /// The best found, as a key.
+    fn best(&self, found: &Found) -> f64 {
+        let seen = match self.which {
+            Which::Least => found.least.map(|seen| -seen.angle),
+            Which::Greatest => found.greatest.map(|seen| seen.angle),
+        };
+        seen.unwrap_or(f64::NEG_INFINITY)
+    }
+
+    /// The bound that holds for the whole cycle, rad.
+    pub fn run(&self, found: &mut Found) -> Result<Proof, Error> {
+        let range = 0..self.table.matings();
+        let mut top: Option<Bounds> = None;
+        self.table.each(range.clone(), &mut |bounds| {
+            let key = self.key(bounds.low, bounds.high);
+            if top.is_none_or(|top| key > self.key(top.low, top.high)) {
+                top = Some(bounds);
+            }
+        });
+        if let Some(top) = top {
+            let middle = Cell::of_part(top.mating, top.part);
+            let mating = self
+                .course
+                .mating(top.mating, 0.5 * (middle.from + middle.to));
+            found.look(self.course, mating)?;
+        }
+        let enough = self.best(found) + self.width;
+        let mut bound = self.best(found);
+        let mut open = BinaryHeap::new();
+        self.table.each(range, &mut |bounds| {
+            let key = self.key(bounds.low, bounds.high);
+            if key > enough {
+                let cell = Cell::of_part(bounds.mating, bounds.part);
+                open.push(Open {
+                    key,
+                    cell: Cell {
+                        low: bounds.low,
+                        high: bounds.high,
+                        ..cell
+                    },
+                });
+            } else {
+                bound = bound.max(key);
+            }
+        });
+        for _ in 0..MOST_CELLS {
+            let Some(next) = open.pop() else {
+                return Ok((self.value(bound), None));
+            };
+            // What is kept is within `width` of the best, or looked into.
+            if next.key <= self.best(found) + self.width {
+                return Ok((self.value(bound.max(next.key)), None));
+            }
+            let cell = next.cell.bounded(self.course, self.table);
+            let at = match self.which {
+                Which::Least => cell.lowest,
+                Which::Greatest => cell.highest,
+            };
+            found.look(self.course, self.course.mating(cell.mating, at))?;
+            let without = match self.which {
+                Which::Least => found.jammed,
+                Which::Greatest => found.unmeshed,
+            };
+            if without.is_some() {
+                // There is no bound of what has no value.
+                return Ok((self.value(self.best(found)), None));
+            }
+            let key = self.key(cell.low, cell.high);
+            let enough = self.best(found) + self.width;
+            if key <= enough {
+                bound = bound.max(key);
+                continue;
+            }
+            for half in cell.cut(at) {
+                open.push(Open { key, cell: half });
+            }
+        }
+        // What holds is what the most promising stretch may come to.
+        if self.samples {
+            sample::sample(self.course, found, false)?;
+        }
+        let top = open.peek().map_or(bound, |top| bound.max(top.key));
+        Ok((self.value(top), Some(Doubt::Effort)))
+    }
+
+    fn value(&self, key: f64) -> f64 {
+        match self.which {
+            Which::Least => -key,
+            Which::Greatest => key,
+        }
+    }
+}

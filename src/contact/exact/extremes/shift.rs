@@ -1,0 +1,58 @@
+//! How far the eccentricities move the outlines' centres in a direction, all through a cycle.
+
+use super::super::shape::{C, turn};
+use super::course::{Posed, SideCourse};
+use super::table::PARTS;
+use std::f64::consts::TAU;
+
+/// At both ends of a pitch and between its parts.
+type Ends = [f64; PARTS + 1];
+
+/// The shift of the centres along a direction: what the locked and what the free gear's turn contribute.
+#[derive(Debug)]
+pub(super) struct Shift([Vec<Ends>; 2]);
+
+impl Shift {
+    /// Along `toward`, times its length, of a side that stands as `posed` where the cycle begins, the free gear at `gap`.
+    pub fn new(side: &SideCourse, posed: &Posed, gap: f64, toward: C) -> Shift {
+        let problem = side.problem;
+        let locked = posed.flanks.centre - C::from(problem.distance);
+        let free = -posed.flanks.free_centre * turn(gap);
+        let of = |at: C, sense: f64, count: i64| -> Vec<Ends> {
+            let turn_of = |pitches: f64| turn(sense * TAU * pitches / count as f64);
+            let value = |pitches: f64| {
+                let b = at * turn_of(pitches);
+                toward.re * b.re + toward.im * b.im
+            };
+            let ends = |index: i64| {
+                std::array::from_fn(|part| value(index as f64 + part as f64 / PARTS as f64))
+            };
+            match at == C::ZERO {
+                true => vec![[0.0; PARTS + 1]; count as usize],
+                false => (0..count).map(ends).collect(),
+            }
+        };
+        Shift([
+            of(locked, side.sense, problem.locked.count()),
+            of(free, -side.sense, problem.free.count()),
+        ])
+    }
+
+    /// Both together.
+    pub fn plus(mut self, other: &Shift) -> Shift {
+        for (own, other) in self.0.iter_mut().zip(&other.0) {
+            for (own, other) in own.iter_mut().flatten().zip(other.iter().flatten()) {
+                *own += other;
+            }
+        }
+        self
+    }
+
+    /// All through a mating.
+    pub fn at(&self, mating: u64) -> Ends {
+        let [locked, free] = &self.0;
+        let x = &locked[(mating % locked.len() as u64) as usize];
+        let y = &free[(mating % free.len() as u64) as usize];
+        std::array::from_fn(|end| x[end] + y[end])
+    }
+}

@@ -23,7 +23,7 @@ pub enum Quantity {
     ReferenceBacklash,
     /// Normal backlash, `j_bn = j_wt cos α_wt`, mm.
     NormalBacklash,
-    /// Radial backlash, `j_r = j_wt/(2 tan α_wt)`, mm.
+    /// Radial backlash, `j_r = a − a_0`, mm; without end where some backlash is left on touching base circles.
     RadialBacklash,
     /// Lost motion of a gear, `j_wt/r_w`, rad.
     LostMotion(Member),

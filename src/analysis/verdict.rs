@@ -220,7 +220,7 @@ fn found(quantity: Quantity, run: &RunExtremes, is_max: bool) -> Option<[f64; 2]
         Quantity::OperatingBacklash => of(&|j_wt| j_wt),
         Quantity::ReferenceBacklash => of(&|j_wt| in_all(j_wt).j_t),
         Quantity::NormalBacklash => of(&|j_wt| in_all(j_wt).j_bn),
-        Quantity::RadialBacklash => of(&|j_wt| in_all(j_wt).j_r),
+        Quantity::RadialBacklash => of(&|j_wt| in_all(j_wt).j_r.unwrap_or(f64::INFINITY)),
         Quantity::LostMotion(member) => of(&|j_wt| in_all(j_wt).angle(member)),
         Quantity::RadialClearance => {
             let both = [Member::Wheel, Member::Pinion];

@@ -2,7 +2,7 @@
 //! (spur gears); a sign stays what it is: negative means interference.
 
 use super::gear_pair::{GearPair, Member};
-use crate::gear::Gear;
+use crate::gear::{Gear, involute};
 
 /// A backlash of a pair at its centre distance, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,9 +14,9 @@ pub struct Backlash {
     pub j_t: f64,
     /// Normal backlash `j_bn = j_wt cos α_wt`: along the line of action.
     pub j_bn: f64,
-    /// Radial backlash `j_r = j_wt/(2 tan α_wt)`: how far the centre distance can fall until the backlash is gone, to first
-    /// order; `a − a_0` differs by some 1 %.
-    pub j_r: f64,
+    /// Radial backlash `j_r = a − a_0`: how far the centre distance can fall until the backlash is gone, of involutes alone;
+    /// `None` where some is left on touching base circles. `j_wt/(2 tan α_wt)`, its first order, differs by some 1 %.
+    pub j_r: Option<f64>,
     pitch_radii: [f64; 2],
 }
 
@@ -47,9 +47,21 @@ impl GearPair {
             j_wt,
             j_t: j_wt * reference.reference_radius() / wheel_radius,
             j_bn: j_wt * angle.cos(),
-            j_r: j_wt / (2.0 * angle.tan()),
+            j_r: self.radial_backlash(j_wt * angle.cos()),
             pitch_radii: [wheel_radius, self.operating_pitch_radius(Member::Pinion)],
         }
+    }
+}
+
+impl GearPair {
+    /// `a − a_0`, mm, of a normal backlash, mm: `j_bn = (d_b1 + d_b2) (inv α_wt − inv α_w0)` and `a_0 = (r_b1 + r_b2)/cos α_w0`,
+    /// from `d(inv α) = tan² α dα` and `dj_bn/da = 2 sin α_w`.
+    fn radial_backlash(&self, j_bn: f64) -> Option<f64> {
+        let base = |member| self.gear(member).gear().base_radius();
+        let sum = base(Member::Wheel) + base(Member::Pinion);
+        let at_zero = involute::inv(self.operating_pressure_angle()) - j_bn / (2.0 * sum);
+        let roll = involute::roll_of_inv(at_zero);
+        (at_zero > 0.0).then(|| self.center_distance() - involute::radius_at(roll, sum))
     }
 }
 
@@ -128,7 +140,6 @@ mod tests {
             (backlash.j_wt, 0.09),
             (backlash.j_bn, 0.081),
             (backlash.j_t, 0.081 / cos_20),
-            (backlash.j_r, 0.081 / (2.0 * 0.19f64.sqrt())),
             // 1 rad = 10 800'/π; r_w of the wheel 30 cos 20°/0.9 mm, of the pinion two thirds of it.
             (
                 backlash.arcmin(Member::Wheel),
@@ -158,22 +169,29 @@ mod tests {
             let arc = angle * gear.basic_data().reference_radius();
             assert!((arc - backlash.j_t).abs() < 1e-16);
         }
-        assert!(backlash.j_r < 0.0);
+        assert!(backlash.j_r.unwrap() < 0.0);
     }
 
-    /// `j_r` is the first order of `a − a_0`: `j_wt` of 1 µm, where both agree to 1e-3 (`dj_bt/da = 2 sin α_wt`).
+    /// The other way round: `j_bn = (d_b1 + d_b2) (inv α_wt − inv α_w0)` at `a_0 = a − j_r`, and its first order `j_wt/(2 tan α_wt)`.
     #[test]
-    fn radial_backlash_is_the_slope_over_the_distance() {
+    fn without_radial_backlash_none_is_left() {
         let pair = pair();
-        let j_r = pair.backlash(1e-3).j_r;
+        let a = pair.center_distance();
         let involute = |a: f64| {
             let angle = (50.0 * 20f64.to_radians().cos() / a).acos();
             angle.tan() - angle
         };
-        let a = pair.center_distance();
-        // j_bt = (d_b1 + d_b2)(inv α_wt − inv α_w0), design of involute pairs.
-        let j_bt = 100.0 * 20f64.to_radians().cos() * (involute(a) - involute(a - j_r));
-        assert!((j_bt / (1e-3 * 0.9) - 1.0).abs() < 1e-3, "{j_bt}");
+        for j_wt in [-0.3, -0.01, 1e-3, 0.1, 0.4] {
+            let j_r = pair.backlash(j_wt).j_r.unwrap();
+            let j_bn = 100.0 * 20f64.to_radians().cos() * (involute(a) - involute(a - j_r));
+            assert!((j_bn - 0.9 * j_wt).abs() < 1e-13, "{j_bn} of {j_wt}");
+            let first_order = j_wt * 0.9 / (2.0 * 0.19f64.sqrt());
+            assert!((j_r / first_order - 1.0).abs() < 0.5 * j_wt.abs());
+        }
+        // inv α_wt = √0.19/0.9 − acos 0.9 = 0.0333: more than (d_b1 + d_b2) times that is left at any distance.
+        let most = 100.0 * 20f64.to_radians().cos() * (0.19f64.sqrt() / 0.9 - 0.9f64.acos()) / 0.9;
+        assert!(pair.backlash(0.999 * most).j_r.is_some());
+        assert_eq!(pair.backlash(1.001 * most).j_r, None);
     }
 
     #[test]

@@ -157,7 +157,7 @@ pub(super) fn pose_record(assembly: &GearPair, pose: &ComparedPose) -> PoseRecor
         j_wt_um: swept.backlash.map(um),
         j_t_um: backlash.map(|of| um(of.j_t)),
         j_bn_um: backlash.map(|of| um(of.j_bn)),
-        j_r_um: backlash.map(|of| um(of.j_r)),
+        j_r_um: backlash.and_then(|of| of.j_r).map(um),
         lost_motion_arcmin: ArcminRecord::of(backlash),
         j_wt_range_um: swept.range().map(|end| end.map(um)),
         error_bound_um: angle.and(swept.error_bound).map(um),

@@ -32,7 +32,7 @@
 //! let design = GearDesign::standard(BasicGearData::new(44, 3.0, 20f64.to_radians())?);
 //! let measured = Measurements {
 //!     thickness: ThicknessStatement::Span { teeth: 6, mm: Toleranced::Single(50.55) },
-//!     runout: RunoutStatement::Total { total_um: 30.0, high_tooth: 7.0 },
+//!     runout: RunoutStatement::Total { total_um: 30.0, high_tooth: Some(7.0) },
 //!     ..Measurements::nominal(design, Face::Front)
 //! };
 //! let gear = measured.measure().map_err(|errors| errors[0].clone())?;

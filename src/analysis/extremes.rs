@@ -6,6 +6,8 @@
 
 use super::assembles_from::AssemblesFrom;
 use super::compare::{ComparedPose, ComparedRun, compare};
+use super::directions::{self, Directed, is_open};
+use super::meshes_to::MeshesTo;
 use super::phases::phase;
 use super::simulate::simulate_plans;
 use super::study::{Material, RunPlan, Study};
@@ -37,10 +39,12 @@ pub struct RunExtremes {
     /// The greatest; `None` where a pose is out of mesh.
     pub greatest: Option<RunExtreme>,
     /// A pose that is jammed or out of mesh.
-    pub lost: Option<ComparedPose>,
+    pub lost: Option<PairPose>,
     /// Where the pair does not assemble: from which centre distance it does; `None` where none was found between this one and tips that
     /// pass each other.
     pub assembles_from: Option<AssemblesFrom>,
+    /// Where it is out of mesh: up to which centre distance it is in mesh.
+    pub meshes_to: Option<MeshesTo>,
 }
 
 /// The extremes of a study.
@@ -52,6 +56,15 @@ pub struct CycleExtremes {
     pub runs: Vec<ComparedRun>,
 }
 
+/// A pose and the pair in it: where a runout has no direction, with its high tooth where it is worst.
+#[derive(Debug, Clone)]
+pub struct PairPose {
+    /// The pair.
+    pub assembly: GearPair,
+    /// The pose, simulated.
+    pub pose: ComparedPose,
+}
+
 /// An extreme and the pose that attains it.
 #[derive(Debug, Clone)]
 pub struct RunExtreme {
@@ -61,14 +74,21 @@ pub struct RunExtreme {
     pub high: f64,
     /// Why that is not proven.
     pub doubt: Option<Doubt>,
+    /// The pair: where a runout has no direction, with its high tooth where it is worst.
+    pub assembly: GearPair,
     /// The pose, simulated.
     pub pose: ComparedPose,
 }
 
 impl RunExtreme {
-    /// Whether no rotation of the cycle lies beyond, and something vouches for the pose itself.
+    /// Whether no rotation of the cycle lies beyond a bracket as narrow as was wanted, and something vouches for the pose itself.
     pub fn is_proven(&self) -> bool {
         self.doubt.is_none() && self.pose.swept.found.is_ok()
+    }
+
+    /// Whether no rotation of the cycle lies beyond the bracket, however wide that is.
+    pub fn holds(&self) -> bool {
+        matches!(self.doubt, None | Some(Doubt::Effort)) && self.pose.swept.found.is_ok()
     }
 
     /// What was found, mm: the end of the bracket that the pose attains.
@@ -86,9 +106,14 @@ impl RunExtremes {
         match (self.status, &self.least) {
             (Status::Jammed | Status::NoContact, _) => Some(false),
             (_, Some(least)) if least.high < 0.0 => Some(false),
-            (_, Some(least)) if least.low >= -WIDTH && least.is_proven() => Some(true),
+            (_, Some(least)) if least.low >= -WIDTH && least.holds() => Some(true),
             _ => None,
         }
+    }
+
+    /// Whether a runout has no direction: all of them are meant.
+    pub fn any_direction(&self) -> bool {
+        is_open(&self.assembly)
     }
 
     /// Whether all that is said of it is proven.
@@ -114,28 +139,19 @@ pub fn extremes(
         if tick().is_break() {
             return Err(Error::Interrupted);
         }
-        let Planned { run, first, .. } = &plans[index as usize];
-        let kernel = ExactKernel::new(&run.assembly);
-        let found = kernel.extremes(&run.assembly, *first, distinct(&run.assembly), WIDTH)?;
-        let from = match found.least {
-            Some(least) if least.low >= 0.0 => None,
-            _ if found.status == Status::NoContact => None,
-            least => {
-                let least = least.map(|least| least.low);
-                let matings = distinct(&run.assembly);
-                AssemblesFrom::new(&run.assembly, *first, matings, least, 0.1 * WIDTH)?
-            }
-        };
-        Ok((found, from))
+        plans[index as usize].search()
     });
-    let found = found.into_iter().collect::<Result<Vec<_>, Error>>()?;
-    let poses = plans
-        .iter()
-        .zip(&found)
-        .map(|(planned, (found, _))| RunPlan {
-            matings: matings(found).collect(),
+    let found = found
+        .into_iter()
+        .collect::<Result<Vec<Searched>, Error>>()?;
+    let poses = plans.iter().zip(&found).flat_map(|(planned, searched)| {
+        let each = searched.poses.iter();
+        each.map(|poses| RunPlan {
+            assembly: poses.assembly.clone(),
+            matings: poses.matings.clone(),
             ..planned.run.clone()
-        });
+        })
+    });
     let runs = simulate_plans(
         study,
         poses.collect(),
@@ -143,8 +159,13 @@ pub fn extremes(
         &|| ControlFlow::Continue(()),
     )?;
     let runs = compare(runs, study.tolerance_um);
-    let all = plans.iter().zip(found).zip(&runs);
-    let each = all.map(|((planned, (found, from)), run)| planned.extremes(&found, from, run));
+    let mut rest = &runs[..];
+    let all = plans.iter().zip(&found);
+    let each = all.map(|(planned, searched)| {
+        let (own, others) = rest.split_at(searched.poses.len());
+        rest = others;
+        planned.extremes(searched, own)
+    });
     Ok(CycleExtremes {
         each: each.collect(),
         runs,
@@ -166,24 +187,85 @@ struct Planned {
     phase: Option<(u32, u32)>,
 }
 
+/// What was found of it, and the poses of that: least, greatest, lost.
+struct Searched {
+    found: Extremes,
+    poses: Vec<Directed>,
+    assembles_from: Option<AssemblesFrom>,
+    meshes_to: Option<MeshesTo>,
+}
+
 impl Planned {
-    fn extremes(
+    fn search(&self) -> Result<Searched, Error> {
+        let assembly = &self.run.assembly;
+        let matings = distinct(assembly);
+        let of =
+            |pair: &GearPair| ExactKernel::new(pair).extremes(pair, self.first, matings, WIDTH);
+        if is_open(assembly) {
+            let all = directions::extremes(assembly, &of)?;
+            let [(near, nearest), (far, farthest)] = &all.ends;
+            return Ok(Searched {
+                assembles_from: self.assembles_from(near, nearest, all.off)?,
+                meshes_to: meshes_to(far, farthest, all.off, &of)?,
+                found: all.found,
+                poses: all.poses,
+            });
+        }
+        let found = of(assembly)?;
+        let extremes = [found.least, found.greatest].into_iter().flatten();
+        let matings = extremes.map(|extreme| extreme.mating).chain(found.lost);
+        Ok(Searched {
+            poses: vec![Directed {
+                assembly: assembly.clone(),
+                matings: matings.collect(),
+            }],
+            assembles_from: self.assembles_from(assembly, &found, 0.0)?,
+            meshes_to: meshes_to(assembly, &found, 0.0, &of)?,
+            found,
+        })
+    }
+
+    /// From where on the axes of `pair`, of which `found` was found, have to be `farther` apart than where it assembles.
+    fn assembles_from(
         &self,
+        pair: &GearPair,
         found: &Extremes,
-        from: Option<AssemblesFrom>,
-        run: &ComparedRun,
-    ) -> RunExtremes {
-        let mut poses = run.poses.iter().cloned();
+        farther: f64,
+    ) -> Result<Option<AssemblesFrom>, Error> {
+        let least = found.least.map(|least| least.low);
+        if found.status == Status::NoContact || least.is_some_and(|least| least >= 0.0) {
+            return Ok(None);
+        }
+        let matings = distinct(&self.run.assembly);
+        let from = AssemblesFrom::new(pair, self.first, matings, least, 0.1 * WIDTH)?;
+        Ok(from.map(|from| AssemblesFrom {
+            low: from.low + farther,
+            high: from.high + farther,
+            ..from
+        }))
+    }
+
+    fn extremes(&self, searched: &Searched, runs: &[ComparedRun]) -> RunExtremes {
+        let poses = runs.iter().flat_map(|run| {
+            run.poses.iter().map(|pose| PairPose {
+                assembly: run.run.assembly.clone(),
+                pose: pose.clone(),
+            })
+        });
+        let mut poses = poses.collect::<Vec<PairPose>>().into_iter();
         let mut one = |extreme: Option<Extreme>| {
             extreme.and_then(|extreme| {
+                let PairPose { assembly, pose } = poses.next()?;
                 Some(RunExtreme {
                     low: extreme.low,
                     high: extreme.high,
                     doubt: extreme.doubt,
-                    pose: poses.next()?,
+                    assembly,
+                    pose,
                 })
             })
         };
+        let found = &searched.found;
         let (least, greatest) = (one(found.least), one(found.greatest));
         RunExtremes {
             material: self.run.material,
@@ -194,16 +276,28 @@ impl Planned {
             least,
             greatest,
             lost: poses.next(),
-            assembles_from: from,
+            assembles_from: searched.assembles_from,
+            meshes_to: searched.meshes_to,
         }
     }
 }
 
-/// The poses of what was found, in the order in which they are taken up again.
-fn matings(found: &Extremes) -> impl Iterator<Item = Mating> {
-    let extremes = [found.least, found.greatest].into_iter().flatten();
-    let matings: Vec<Mating> = extremes.map(|extreme| extreme.mating).collect();
-    matings.into_iter().chain(found.lost)
+/// Up to where the axes of `pair`, of which `found` was found, may be apart: less than it is in mesh by `nearer`.
+fn meshes_to(
+    pair: &GearPair,
+    found: &Extremes,
+    nearer: f64,
+    search: &dyn Fn(&GearPair) -> Result<Extremes, Error>,
+) -> Result<Option<MeshesTo>, Error> {
+    if found.status != Status::NoContact {
+        return Ok(None);
+    }
+    let to = MeshesTo::new(pair, found, search)?;
+    Ok(to.map(|to| MeshesTo {
+        low: to.low - nearer,
+        high: to.high - nearer,
+        ..to
+    }))
 }
 
 /// Every centre distance and material, each in the phases that the study is about.
@@ -260,7 +354,11 @@ fn distinct(assembly: &GearPair) -> u64 {
     let gear = |member| assembly.gear(member);
     let teeth = |member| gear(member).gear().basic_data().teeth();
     let (wheel, pinion) = (teeth(Member::Wheel), teeth(Member::Pinion));
-    let deviates = |gear: &AsBuilt| Inspection::of(gear).deviates();
+    // In any direction an eccentricity alone makes no tooth another.
+    let deviates = |gear: &AsBuilt| match gear.with_runout(0.0, 1.0) {
+        Ok(centred) if gear.any_direction() => Inspection::of(&centred).deviates(),
+        _ => Inspection::of(gear).deviates(),
+    };
     match [Member::Wheel, Member::Pinion].map(|member| deviates(gear(member))) {
         [true, true] => hunting_pitches(assembly),
         [true, false] => u64::from(wheel),

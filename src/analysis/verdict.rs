@@ -4,12 +4,13 @@ use super::assembles_from::AssemblesFrom;
 use super::compare::ComparedPose;
 use super::diagnosis::{self, Diagnosis};
 use super::extremes::{RunExtreme, RunExtremes};
+use super::meshes_to::MeshesTo;
 use super::requirement::{Limits, Quantity, Requirements};
 use super::study::Study;
 use super::uncertainty::Uncertainty;
 use crate::analytic::limits::radial_clearance;
 use crate::contact::Status;
-use crate::pair::Member;
+use crate::pair::{GearPair, Member};
 
 /// A limit that is not kept, or not surely.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -24,6 +25,8 @@ pub struct Unmet {
     pub found: Option<[f64; 2]>,
     /// Whether the limit lies inside the bracket.
     pub straddles: bool,
+    /// Whether the bracket holds every pose; else what was found may be kept, and others not.
+    pub holds: bool,
 }
 
 /// Whether what is required is kept.
@@ -108,8 +111,8 @@ impl<'a> Verdict<'a> {
     }
 
     /// Expanded uncertainty of an extreme's `j_wt`, mm, where uncertainties are stated.
-    pub fn expanded(&self, run: &RunExtremes, extreme: &RunExtreme) -> Option<f64> {
-        self.uncertainty?.of(&run.assembly, &extreme.pose.swept)
+    pub fn expanded(&self, extreme: &RunExtreme) -> Option<f64> {
+        self.uncertainty?.of(&extreme.assembly, &extreme.pose.swept)
     }
 
     /// Whether the pair assembles everywhere; `None` where that is not proven.
@@ -155,11 +158,17 @@ impl<'a> Verdict<'a> {
             .max_by(|one, other| one.1.found().total_cmp(&other.1.found()))
     }
 
-    /// The worst pose of all: jammed before the least backlash; `None` where nothing is in mesh.
-    pub fn worst(&self) -> Option<(&'a RunExtremes, &'a ComparedPose)> {
+    /// The worst pose of all, its run and the pair in it: jammed before the least backlash; `None` where nothing is in mesh.
+    pub fn worst(&self) -> Option<(&'a RunExtremes, &'a GearPair, &'a ComparedPose)> {
         let mut jammed = self.runs.iter().filter(|run| run.status == Status::Jammed);
-        let jammed = jammed.find_map(|run| Some((run, run.lost.as_ref()?)));
-        let least = || self.least().map(|(run, least)| (run, &least.pose));
+        let jammed = jammed.find_map(|run| {
+            let lost = run.lost.as_ref()?;
+            Some((run, &lost.assembly, &lost.pose))
+        });
+        let least = || {
+            let (run, least) = self.least()?;
+            Some((run, &least.assembly, &least.pose))
+        };
         jammed.or_else(least)
     }
 
@@ -173,6 +182,18 @@ impl<'a> Verdict<'a> {
         from.collect::<Option<Vec<AssemblesFrom>>>()?
             .into_iter()
             .reduce(|a, b| if b.high > a.high { b } else { a })
+    }
+}
+
+impl Verdict<'_> {
+    /// The distance up to which the runs that are out of mesh are all in mesh; `None` where one is at no distance.
+    pub fn meshes_to(&self) -> Option<MeshesTo> {
+        let runs = self.runs.iter();
+        let apart = runs.filter(|run| run.status == Status::NoContact);
+        let to = apart.map(|run| run.meshes_to);
+        to.collect::<Option<Vec<MeshesTo>>>()?
+            .into_iter()
+            .reduce(|a, b| if b.low < a.low { b } else { a })
     }
 }
 
@@ -191,6 +212,8 @@ fn unmet(quantity: Quantity, limits: &Limits, runs: &[RunExtremes]) -> Vec<Unmet
                 is_max,
                 found,
                 straddles: found.is_some_and(|[low, high]| low < limit && limit < high),
+                holds: quantity == Quantity::RadialClearance
+                    || extreme(run, is_max).is_none_or(RunExtreme::holds),
             }
         });
         let beyond = |unmet: &Unmet| match unmet.found {
@@ -198,20 +221,24 @@ fn unmet(quantity: Quantity, limits: &Limits, runs: &[RunExtremes]) -> Vec<Unmet
             Some([_, high]) if is_max => high - limit,
             Some([low, _]) => limit - low,
         };
-        let worst = each.max_by(|one, other| beyond(one).total_cmp(&beyond(other)))?;
-        (beyond(&worst) > 0.0).then_some(worst)
+        let kept = |unmet: &Unmet| beyond(unmet) <= 0.0 && unmet.holds;
+        let each = each.filter(|unmet| !kept(unmet));
+        each.max_by(|one, other| beyond(one).total_cmp(&beyond(other)))
     })
     .collect()
 }
 
-/// The least or the greatest of a quantity over a run.
-fn found(quantity: Quantity, run: &RunExtremes, is_max: bool) -> Option<[f64; 2]> {
-    let extreme = match is_max {
+fn extreme(run: &RunExtremes, is_max: bool) -> Option<&RunExtreme> {
+    match is_max {
         true => run.greatest.as_ref(),
         false => run.least.as_ref(),
-    };
+    }
+}
+
+/// The least or the greatest of a quantity over a run.
+fn found(quantity: Quantity, run: &RunExtremes, is_max: bool) -> Option<[f64; 2]> {
     let of = |value: &dyn Fn(f64) -> f64| {
-        let extreme = extreme?;
+        let extreme = extreme(run, is_max)?;
         Some([extreme.low, extreme.high].map(value))
     };
     let assembly = &run.assembly;

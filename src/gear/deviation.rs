@@ -18,6 +18,8 @@ pub struct Deviations {
     pub eccentricity: f64,
     /// Tooth (fractional, `1 ≤ … < z + 1`) towards which the outline is displaced.
     pub high_tooth: f64,
+    /// Whether that is not known: a pose takes `high_tooth`, extremes any direction.
+    pub any_direction: bool,
 }
 
 /// A gear with every tooth where it was measured to be.
@@ -33,6 +35,7 @@ pub struct AsBuilt {
     left: Arc<[f64]>,
     eccentricity: f64,
     high_tooth: f64,
+    any_direction: bool,
 }
 
 impl AsBuilt {
@@ -91,6 +94,7 @@ impl AsBuilt {
             face,
             eccentricity: deviations.eccentricity,
             high_tooth: deviations.high_tooth,
+            any_direction: deviations.any_direction,
             gear,
         };
         as_built.check_runout()?;
@@ -109,7 +113,23 @@ impl AsBuilt {
             left: undisturbed,
             eccentricity: 0.0,
             high_tooth: 1.0,
+            any_direction: false,
         }
+    }
+
+    /// This gear with another runout: the eccentricity, mm, towards `high_tooth`.
+    ///
+    /// # Errors
+    /// As [`AsBuilt::new`] of a runout.
+    pub fn with_runout(&self, eccentricity: f64, high_tooth: f64) -> Result<AsBuilt, GearError> {
+        let other = AsBuilt {
+            eccentricity,
+            high_tooth,
+            any_direction: false,
+            ..self.clone()
+        };
+        other.check_runout()?;
+        Ok(other)
     }
 
     /// This gear with its deviations `factor` times as large, for a picture: from the perfect gear of nominal
@@ -142,6 +162,21 @@ impl AsBuilt {
         exaggerated.check_runout()?;
         exaggerated.check_teeth()?;
         Ok(exaggerated)
+    }
+
+    /// This gear with the flanks of `side` turned by `angle`, rad, counter-clockwise: every tooth is thicker or thinner by as much.
+    ///
+    /// # Errors
+    /// As [`AsBuilt::new`] of thickness.
+    pub(crate) fn with_side_turned(&self, side: Side, angle: f64) -> Result<AsBuilt, GearError> {
+        let mut other = self.clone();
+        let list = match side {
+            Side::Right => &mut other.right,
+            Side::Left => &mut other.left,
+        };
+        *list = list.iter().map(|offset| offset + angle).collect();
+        other.check_teeth()?;
+        Ok(other)
     }
 
     fn check_runout(&self) -> Result<(), GearError> {
@@ -226,6 +261,11 @@ impl AsBuilt {
     /// The high tooth, fractional.
     pub fn high_tooth(&self) -> f64 {
         self.high_tooth
+    }
+
+    /// Whether the direction of the eccentricity is not known; [`AsBuilt::high_tooth`] is then one of many.
+    pub fn any_direction(&self) -> bool {
+        self.any_direction
     }
 
     /// Rotation of a tooth's flank from its undisturbed place, rad, counter-clockwise.

@@ -23,6 +23,11 @@ pub enum Finding {
     RunoutReadings(FittedReadings),
     /// Runout readings contradict the flanks, which count.
     RunoutContradictsFlanks(RunoutContradiction),
+    /// A runout has no direction: extremes are over all of them, single poses take tooth 1.
+    RunoutWithoutDirection {
+        /// `F_r`, µm.
+        total_um: f64,
+    },
     /// Pitch about the datum axis contains an eccentricity.
     EccentricityInPitch(EccentricityNote),
     /// Dimensions over pins give the mean thickness only.
@@ -132,7 +137,11 @@ pub enum Finding {
 impl Finding {
     /// Whether it tells of something that is in order.
     pub fn is_in_order(&self) -> bool {
-        matches!(self, Finding::ThicknessStatedTwice(compared) if compared.agree())
+        match self {
+            Finding::ThicknessStatedTwice(compared) => compared.agree(),
+            Finding::RunoutWithoutDirection { .. } => true,
+            _ => false,
+        }
     }
 }
 

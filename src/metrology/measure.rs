@@ -101,8 +101,8 @@ impl Measurements {
         let stated = Deviations {
             per_tooth: self.per_tooth_um.iter().map(|um| um / 1000.0).collect(),
             pitch: own,
-            eccentricity: 0.0,
             high_tooth: 1.0,
+            ..Deviations::default()
         };
         let gears = self.tooth().gears(&stated).map_err(|error| vec![error])?;
         let mut errors = Vec::new();
@@ -237,6 +237,12 @@ impl Measurements {
         findings.extend(self.pitch.iter().flat_map(PitchStatement::open_circles));
         findings.extend_from_slice(&flanks.of_readings);
         findings.extend(flanks.eccentricity.map(Finding::EccentricityInPitch));
+        let runout = &flanks.runout;
+        if flanks.deviations.any_direction {
+            findings.push(Finding::RunoutWithoutDirection {
+                total_um: runout.total_um,
+            });
+        }
         findings.extend(all_round::finding(&self.thickness, flanks));
         findings.extend(contradictions::findings(
             &self.thickness,

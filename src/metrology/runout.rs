@@ -16,8 +16,8 @@ pub enum RunoutStatement {
     Total {
         /// `F_r`, µm.
         total_um: f64,
-        /// The tooth (fractional, `1 ≤ … < z + 1`) at the highest reading.
-        high_tooth: f64,
+        /// The tooth (fractional, `1 ≤ … < z + 1`) at the highest reading; `None`: it may be any.
+        high_tooth: Option<f64>,
     },
     /// Readings all round.
     Readings(ProbeReadings),
@@ -76,7 +76,7 @@ impl RunoutStatement {
                 high_tooth,
             } => Runout {
                 total_um: *total_um,
-                high_tooth: Some(*high_tooth),
+                high_tooth: *high_tooth,
             },
             RunoutStatement::Readings(readings) => {
                 let total_um = readings.range_um();
@@ -101,9 +101,10 @@ impl RunoutStatement {
             RunoutStatement::Total { total_um, .. } if !(*total_um >= 0.0) => {
                 wrong("runout (µm)", *total_um, "0 or more")
             }
-            RunoutStatement::Total { high_tooth, .. }
-                if !(*high_tooth >= 1.0 && *high_tooth < f64::from(basic_data.teeth()) + 1.0) =>
-            {
+            RunoutStatement::Total {
+                high_tooth: Some(high_tooth),
+                ..
+            } if !(*high_tooth >= 1.0 && *high_tooth < f64::from(basic_data.teeth()) + 1.0) => {
                 wrong(
                     "high tooth",
                     *high_tooth,
@@ -126,7 +127,7 @@ impl RunoutStatement {
 pub struct Runout {
     /// `F_r = 2 e`, µm.
     pub total_um: f64,
-    /// `None` only where none is stated.
+    /// `None` where none is stated: of a runout above 0 it may then be any.
     pub high_tooth: Option<f64>,
 }
 

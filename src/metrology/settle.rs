@@ -106,11 +106,13 @@ impl FlankStatements<'_> {
         };
         let note = in_pitch.map(|found| eccentricity::beside(found, counts, &runout, basic_data));
         let (eccentricity, high_tooth) = match note.filter(|note| !note.stated_counts) {
-            Some(note) => (note.in_pitch.um / 1000.0, note.in_pitch.high_tooth),
-            None => (runout.eccentricity(), runout.high_tooth.unwrap_or(1.0)),
+            Some(note) => (note.in_pitch.um / 1000.0, Some(note.in_pitch.high_tooth)),
+            None => (runout.eccentricity(), runout.high_tooth),
         };
         for all in [&mut stated, &mut deviations] {
-            (all.eccentricity, all.high_tooth) = (eccentricity, high_tooth);
+            all.eccentricity = eccentricity;
+            all.high_tooth = high_tooth.unwrap_or(1.0);
+            all.any_direction = eccentricity > 0.0 && high_tooth.is_none();
         }
         Ok(Flanks {
             gears,

@@ -89,3 +89,22 @@ fn where_nothing_bounds_it_is_doubted() {
     let from = hold(&pair([9, 10], 1.0, [0.0, 0.0], 9.2));
     assert_eq!(from.doubt, Some(Doubt::OffInvolute));
 }
+
+/// So far apart that tips pass each other: at `low` no pose of 20 000 is out of mesh, at `high` one is.
+#[test]
+fn up_to_where_it_is_in_mesh() {
+    let pair = pair([51, 23], 2.0, [0.0, 0.1], 78.6);
+    let run = found(&pair);
+    assert_eq!(run.status, Status::NoContact);
+    let to = run.meshes_to.unwrap();
+    assert!(to.low < to.high && to.high - to.low <= 1e-5, "{to:?}");
+    let at = pair.at(to.low).unwrap();
+    let kernel = ExactKernel::new(&at);
+    let golden = 0.5 * (5f64.sqrt() - 1.0);
+    for k in 0..20_000 {
+        let pitches = 51.0 * 23.0 * (f64::from(k) * golden).fract();
+        let found = kernel.lost_motion(&Pose::new(&at, FIRST.onward(&at, pitches)));
+        assert_ne!(found.unwrap().status(), Status::NoContact, "{pitches}");
+    }
+    assert_eq!(found(&pair.at(to.high).unwrap()).status, Status::NoContact);
+}

@@ -2,6 +2,7 @@
 
 mod assembles;
 mod classes;
+mod directions;
 mod distances;
 mod onset;
 mod uncertainty;

@@ -49,6 +49,7 @@ impl Recipe {
             pitch: Some(Pitch::from_cumulative(&column(1), &column(2))),
             eccentricity: self.runout_um * um / 2.0,
             high_tooth: self.high_tooth,
+            ..Deviations::default()
         };
         AsBuilt::new(Gear::new(design, base)?, self.face, &deviations)
     }

@@ -59,6 +59,7 @@ fn made(teeth: u32, face: Face, eccentricity: f64) -> Made {
         pitch: Some(Pitch::from_cumulative(&right, &left)),
         eccentricity,
         high_tooth: 5.25,
+        ..Deviations::default()
     };
     Made {
         gear: AsBuilt::new(gear, face, &deviations).unwrap(),

@@ -104,6 +104,7 @@ fn extremes_between_poses_are_bracketed() {
             pitch: Some(Pitch::from_cumulative(&wave(2), &wave(3))),
             eccentricity: e,
             high_tooth: 2.3,
+            ..Deviations::default()
         };
         let gear = Gear::nominal(design(teeth, 2.0, 20.0, shift)).unwrap();
         let part = AsBuilt::new(gear, Face::Front, &deviations).unwrap();

@@ -138,7 +138,7 @@ impl Truth {
             }),
             runout: RunoutStatement::Total {
                 total_um: 2000.0 * ECCENTRICITY,
-                high_tooth: HIGH_TOOTH,
+                high_tooth: Some(HIGH_TOOTH),
             },
             ..self.measurements()
         }

@@ -57,11 +57,12 @@ fn through_a_file(measurements: &Measurements) -> (AsBuilt, GearNotes, usize) {
         RunoutStatement::Total {
             total_um,
             high_tooth,
-        } => writeln!(
-            wheel,
-            "total_um = {total_um:?}\nhigh_tooth = {high_tooth:?}"
-        )
-        .unwrap(),
+        } => {
+            writeln!(wheel, "total_um = {total_um:?}").unwrap();
+            if let Some(high_tooth) = high_tooth {
+                writeln!(wheel, "high_tooth = {high_tooth:?}").unwrap();
+            }
+        }
         RunoutStatement::Readings(readings) => {
             let mut table = "tooth,runout (um)\n".to_owned();
             for (tooth, um) in (1..).zip(&readings.um) {
@@ -92,7 +93,7 @@ fn a_pair_file_gives_the_same_gear_and_as_many_findings() {
     let elsewhere = Measurements {
         runout: RunoutStatement::Total {
             total_um: 33.3,
-            high_tooth: HIGH_TOOTH + 2.0,
+            high_tooth: Some(HIGH_TOOTH + 2.0),
         },
         ..truth.about_datum(EccentricitySource::Runout)
     };

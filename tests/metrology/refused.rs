@@ -57,7 +57,7 @@ fn what_is_no_number_or_no_range_is_refused() {
         !with(&|m| {
             m.runout = RunoutStatement::Total {
                 total_um: nan,
-                high_tooth: 1.0,
+                high_tooth: Some(1.0),
             };
         })
         .is_empty()
@@ -66,7 +66,7 @@ fn what_is_no_number_or_no_range_is_refused() {
         !with(&|m| {
             m.runout = RunoutStatement::Total {
                 total_um: 5.0,
-                high_tooth: 22.0,
+                high_tooth: Some(22.0),
             };
         })
         .is_empty()
@@ -107,7 +107,7 @@ fn several_errors_come_together() {
     let errors = errors(&Measurements {
         runout: RunoutStatement::Total {
             total_um: 9000.0,
-            high_tooth: 1.0,
+            high_tooth: Some(1.0),
         },
         cross_check: Some(CrossCheck {
             statement: ThicknessStatement::OverPins {

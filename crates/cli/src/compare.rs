@@ -9,13 +9,12 @@ use super::target::Target;
 use crate::error::Error;
 use clap::ValueEnum;
 use gearlash::analysis::compare::tolerance_um;
-use gearlash::analysis::extremes::extremes;
+use gearlash::analysis::extremes::{extremes, run_count};
 use gearlash::analysis::tally::{MOST_UNPROVEN, simulate_by_blocks};
 use gearlash_files::Sources;
 use gearlash_files::results::{ComparedPair, comparison_json};
 use gearlash_render::comparison;
 use std::io::Write;
-use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -84,8 +83,11 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let markdown = markdown.transpose();
     let markdown = markdown.map_err(|error| of_option(error, "--markdown"))?;
     let summary = summary(args.format, &sources)?;
-    let poses = files.iter().map(|file| file.study.pose_count()).sum();
-    let progress = Progress::start(poses);
+    let mut steps = 0;
+    for file in &files {
+        steps += file.study.pose_count() + run_count(&file.study)?;
+    }
+    let progress = Progress::of(steps, "steps");
     let (mut pairs, each) = (Vec::new(), MOST_UNPROVEN / files.len());
     for (path, file) in args.pairs.iter().zip(files) {
         let study = file.study;
@@ -99,7 +101,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             &mut |_| Ok::<(), Error>(()),
         )?;
         let method = args.method.method();
-        let found = extremes(&study, method, &|| ControlFlow::Continue(()))?;
+        let found = extremes(&study, method, &|| progress.tick())?;
         pairs.push(ComparedPair {
             file: path.display().to_string(),
             title: study.title,

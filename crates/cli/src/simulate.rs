@@ -10,7 +10,7 @@ use super::unit::UnitArgs;
 use super::{poses, studies};
 use crate::error::Error;
 use crate::output::{NewFile, OutputFolder};
-use gearlash::analysis::extremes::extremes;
+use gearlash::analysis::extremes::{extremes, run_count};
 use gearlash::analysis::measured::MeasuredTally;
 use gearlash::analysis::study::{Material, Study};
 use gearlash::analysis::tally::{MOST_UNPROVEN, Piece, RunTally, simulate_by_blocks};
@@ -21,7 +21,6 @@ use gearlash_files::ResultWriter;
 use gearlash_files::{POSE_BYTES_CSV, POSE_BYTES_JSON};
 use gearlash_render::Snapshot;
 use std::io::{IsTerminal, Write};
-use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -79,10 +78,10 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let progress = match streamed && std::io::stdout().is_terminal() {
         // The result appears there as it grows.
         true => Progress::none(),
-        false => Progress::start(study.pose_count()),
+        false => Progress::of(study.pose_count() + run_count(study)?, "steps"),
     };
     let (method, tick) = (args.method.method(), || progress.tick());
-    let found = extremes(study, method, &|| ControlFlow::Continue(()))?;
+    let found = extremes(study, method, &tick)?;
     let verdict = Verdict::of_study(study, &found.each, None);
     let [json, csv] = outputs(args.results.format, folder.as_mut())?;
     let mut writer = ResultWriter::begin(&file, json, csv).map_err(unwritable)?;
@@ -118,8 +117,8 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         (Format::Json | Format::Csv, None) => {}
     }
     if let Some(mut folder) = folder {
-        if let Some((run, pose)) = verdict.worst() {
-            let picture = picture(study, &run.assembly, run.material, &pose.swept);
+        if let Some((run, assembly, pose)) = verdict.worst() {
+            let picture = picture(study, assembly, run.material, &pose.swept);
             folder.add(WORST, &picture)?;
         }
         if args.snapshots {

@@ -24,7 +24,7 @@ pub(super) fn find(
     drop(progress);
     let verdict = Verdict::of_study(&study, &found.each, None);
     tell(&sentence(&verdict));
-    let Some((run, pose)) = verdict.worst() else {
+    let Some((run, assembly, pose)) = verdict.worst() else {
         return Err(Error::Usage(
             "--worst: no pose is in mesh; nothing can be called the worst".to_owned(),
         ));
@@ -32,7 +32,7 @@ pub(super) fn find(
     let unproven = found.runs.iter().map(|run| run.unproven().count()).sum();
     let run = Run {
         material: run.material,
-        assembly: run.assembly.clone(),
+        assembly: assembly.clone(),
         phase: run.phase,
         poses: Vec::new(),
     };

@@ -33,6 +33,10 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
             let key = key("runout.file");
             format!("{key}: {}", runout::contradiction(contradiction))
         }
+        Finding::RunoutWithoutDirection { total_um } => format!(
+            "{}: {total_um} µm without high_tooth: the verdict is over every direction, single poses have tooth 1 high",
+            key("runout")
+        ),
         Finding::EccentricityInPitch(note) => {
             format!("{}: {}", key("pitch"), eccentricity::in_pitch(note))
         }

@@ -26,7 +26,7 @@ pub const KEYS: &[&str] = &[
 pub struct Runout {
     /// Of readings 0 until they are fitted.
     pub total_um: f64,
-    /// `None` only when there is no runout.
+    /// `None`: it may be any.
     pub high_tooth: Option<f64>,
     /// The readings it comes from.
     pub sheet: Option<RunoutSheet>,
@@ -58,17 +58,6 @@ impl Runout {
         let total_um = table.number("total_um", &RUNOUT, problems);
         let high_tooth = Runout::read_high_tooth(&table, teeth, problems);
         let (total_um, high_tooth) = (total_um?, high_tooth?);
-        if total_um > 0.0 && high_tooth.is_none() {
-            table.need(
-                "high_tooth",
-                &format!(
-                    "the tooth number at the highest reading, {}",
-                    allowed(teeth)
-                ),
-                problems,
-            );
-            return None;
-        }
         Some(Runout {
             total_um,
             high_tooth,
@@ -85,11 +74,11 @@ impl Runout {
     pub fn measured(&self) -> RunoutStatement {
         match (&self.sheet, self.high_tooth) {
             (Some(sheet), _) => RunoutStatement::Readings(sheet.measured()),
-            (None, Some(high_tooth)) => RunoutStatement::Total {
+            (None, None) if self.total_um == 0.0 => RunoutStatement::None,
+            (None, high_tooth) => RunoutStatement::Total {
                 total_um: self.total_um,
                 high_tooth,
             },
-            (None, None) => RunoutStatement::None,
         }
     }
 

@@ -189,15 +189,18 @@ fn unmet(unmet: &Unmet) -> String {
         None => "has no value".to_owned(),
         Some([low, high]) => {
             let value = if unmet.is_max { high } else { low };
-            format!("is {} {unit}", fixed(value * per, decimals))
+            match value.is_finite() {
+                true => format!("is {} {unit}", fixed(value * per, decimals)),
+                false => "has no end".to_owned(),
+            }
         }
     };
-    let straddles = if unmet.straddles {
-        ", the limit inside its bracket"
-    } else {
-        ""
+    let why = match (unmet.straddles, unmet.holds) {
+        (true, _) => ", the limit inside its bracket",
+        (false, false) => ", which is not proven",
+        (false, true) => "",
     };
-    format!("{name} at {end} {limit} {unit}, {found}{straddles}")
+    format!("{name} at {end} {limit} {unit}, {found}{why}")
 }
 
 /// Checks that fail when the pair does not assemble: said already.
@@ -255,13 +258,23 @@ fn values(verdict: &Verdict) -> Option<String> {
             None => "assembles at no centre distance in mesh".to_owned(),
         });
     }
+    if verdict
+        .runs
+        .iter()
+        .any(|run| run.status == Status::NoContact)
+    {
+        parts.push(match verdict.meshes_to() {
+            Some(to) => format!("in mesh up to a = {} mm", fixed(downward(to.low), 4)),
+            None => "in mesh at no centre distance".to_owned(),
+        });
+    }
     (!parts.is_empty()).then(|| parts.join("; "))
 }
 
 fn value(verdict: &Verdict, run: &RunExtremes, extreme: &RunExtreme) -> String {
     let found = extreme.found();
     let several = |differs: &dyn Fn(&RunExtremes) -> bool| verdict.runs.iter().any(differs);
-    let off = match (verdict.expanded(run, extreme), verdict.uncertainty) {
+    let off = match (verdict.expanded(extreme), verdict.uncertainty) {
         (Some(expanded), Some(stated)) => {
             format!(" ± {} µm (k = {})", um(expanded, DECIMALS), stated.coverage)
         }
@@ -327,11 +340,27 @@ fn coverage(verdict: &Verdict) -> String {
     let extremes = verdict.runs.iter();
     let extremes = extremes.flat_map(|run| run.least.iter().chain(&run.greatest));
     let from = verdict.assembles_from().and_then(|from| from.doubt);
-    let from = from.map(|doubt| in_words(doubt).to_owned());
-    let doubts = each(extremes.filter_map(doubt).chain(from));
-    match &doubts[..] {
-        [] => format!("Over {of} and every rotation, proven."),
-        doubts => format!("Over {of}, not proven: {}.", doubts.join("; ")),
+    let to = verdict.meshes_to().and_then(|to| to.doubt);
+    let others = from.into_iter().chain(to);
+    let others = others.map(|doubt| in_words(doubt).to_owned());
+    let doubts = each(extremes.filter_map(doubt).chain(others));
+    let rotation = match verdict.runs.iter().any(RunExtremes::any_direction) {
+        true => "every rotation and every direction of the runout",
+        false => "every rotation",
+    };
+    let all = verdict.runs.iter();
+    let all = all.flat_map(|run| run.least.iter().chain(&run.greatest));
+    let wide = all.filter(|extreme| extreme.doubt == Some(Doubt::Effort));
+    let widest = wide
+        .map(|extreme| extreme.high - extreme.low)
+        .reduce(f64::max);
+    match (&doubts[..], widest) {
+        ([], _) => format!("Over {of} and {rotation}, proven."),
+        ([only], Some(width)) => format!(
+            "Over {of} and {rotation}, proven to {} µm: {only}.",
+            um(width, DECIMALS)
+        ),
+        (doubts, _) => format!("Over {of}, not proven: {}.", doubts.join("; ")),
     }
 }
 
@@ -358,4 +387,9 @@ pub(crate) fn in_words(doubt: Doubt) -> &'static str {
 /// A distance, mm, to the next ten thousandth up: at one printed lower the pair would interfere.
 fn upward(distance: f64) -> f64 {
     (distance * 1e4).ceil() * 1e-4
+}
+
+/// The same down: at one printed higher tips would pass each other.
+fn downward(distance: f64) -> f64 {
+    (distance * 1e4).floor() * 1e-4
 }

@@ -234,6 +234,7 @@ impl Numbers {
             pitch: pitch.then(|| Pitch::from_cumulative(&mm(&self.right_um), &mm(&self.left_um))),
             eccentricity: self.runout_um / 1e3 / 2.0,
             high_tooth: self.high_tooth,
+            ..Deviations::default()
         };
         AsBuilt::new(Gear::new(design, base).ok()?, self.face, &deviations).ok()
     }

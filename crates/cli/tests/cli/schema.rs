@@ -242,7 +242,6 @@ fn the_schema_refuses_what_the_reader_refuses() {
             "/wheel/thickness",
             json!({ "allowance_um": 0, "cross_check": { "tolerance_um": 3 } }),
         ),
-        ("/wheel/runout", json!({ "total_um": 5 })),
         ("/wheel/runout", json!({ "high_tooth": 5 })),
         ("/wheel/runout", json!({ "file": "r.csv" })),
         (

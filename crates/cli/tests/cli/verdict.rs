@@ -81,6 +81,82 @@ fn json_carries_verdict_and_extremes() {
     }
 }
 
+/// Without high teeth the least is over every direction of both runouts: no more than of the teeth that were stated.
+#[test]
+fn a_runout_without_direction_is_taken_in_every_one() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("pair.toml");
+    let pair = std::fs::read_to_string(hunting()).unwrap();
+    let lines = pair.lines().filter(|line| !line.starts_with("high_tooth"));
+    std::fs::write(&file, lines.collect::<Vec<_>>().join("\n")).unwrap();
+    let output = gearlash(folder.path())
+        .args(["simulate", "--format", "json"])
+        .arg(&file)
+        .output()
+        .unwrap();
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let told = text(&output.stderr);
+    for gear in ["wheel", "pinion"] {
+        assert!(told.contains(&format!("{gear}.runout:")), "{told}");
+    }
+    let json: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let words = json["verdict"]["text"].as_str().unwrap();
+    assert!(
+        words.contains("every direction of the runout, proven."),
+        "{words}"
+    );
+    for run in json["extremes"].as_array().unwrap() {
+        for end in ["least", "greatest"] {
+            let teeth = &run[end]["high_tooth"];
+            let [wheel, pinion] = ["wheel", "pinion"].map(|gear| teeth[gear].as_f64().unwrap());
+            assert!((1.0..52.0).contains(&wheel) && (1.0..24.0).contains(&pinion));
+        }
+    }
+    let least = json["extremes"][0]["least"]["j_wt_um"][1].as_f64().unwrap();
+    assert!(least < -2.61 && least > -2.7, "{least}");
+}
+
+/// Undercut, so that poses are sampled: what is required is kept by all of them, and that is no proof.
+#[test]
+fn what_is_not_proven_is_not_met() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("pair.toml");
+    let gear = |name: &str, teeth: u32| {
+        format!("[{name}]\nteeth = {teeth}\nmodule_mm = 1\npressure_angle_deg = 20\n")
+    };
+    let pair = gear("wheel", 9) + &gear("pinion", 10);
+    let rest = "[assembly]\ncenter_distance_mm = 9.45\n[require]\nj_wt_um = { min = 0 }\n";
+    std::fs::write(&file, pair + rest).unwrap();
+    let output = gearlash(folder.path()).arg("simulate").arg(&file).output();
+    let output = output.unwrap();
+    assert_eq!(output.status.code(), Some(1));
+    let told = text(&output.stdout).replace('\n', " ");
+    assert!(told.contains("which is not proven"), "{told}");
+}
+
+/// So far apart that tips pass: up to where the pair is in mesh.
+#[test]
+fn out_of_mesh_says_up_to_where_it_is_in_mesh() {
+    let folder = tempfile::tempdir().unwrap();
+    let said = |distance: &str| {
+        let file = folder.path().join("pair.toml");
+        let pair = std::fs::read_to_string(hunting()).unwrap();
+        std::fs::write(&file, pair.replace("73.877", distance)).unwrap();
+        let output = gearlash(folder.path()).arg("simulate").arg(&file).output();
+        text(&output.unwrap().stdout).replace('\n', " ")
+    };
+    let told = said("78.5");
+    assert!(
+        told.contains("Out of mesh at a = 78.500 mm: in mesh up to a = "),
+        "{told}"
+    );
+    let (_, rest) = told.split_once("in mesh up to a = ").unwrap();
+    let to: f64 = rest.split_once(" mm").unwrap().0.parse().unwrap();
+    assert!(!said(&to.to_string()).contains("Out of mesh"));
+    // A bracket is 1e-5 mm, and the last digit is cut off.
+    assert!(said(&(to + 1.2e-4).to_string()).contains("Out of mesh"));
+}
+
 /// The hunting pair with these lines added.
 fn with(lines: &str) -> (tempfile::TempDir, PathBuf) {
     let folder = tempfile::tempdir().unwrap();

@@ -27,6 +27,10 @@ pub(super) struct ExtremesRecord {
     assembles_from_mm: Option<[f64; 2]>,
     #[serde(skip_serializing_if = "Option::is_none")]
     assembles_from_doubt: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    meshes_to_mm: Option<[f64; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    meshes_to_doubt: Option<&'static str>,
     least: Option<ExtremeRecord>,
     greatest: Option<ExtremeRecord>,
 }
@@ -40,7 +44,16 @@ struct ExtremeRecord {
     uncertainty_um: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     doubt: Option<String>,
+    /// Where it is worst, of gears without a direction.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    high_tooth: Option<HighTooth>,
     pose: PoseRecord,
+}
+
+#[derive(Debug, Serialize)]
+struct HighTooth {
+    wheel: Option<f64>,
+    pinion: Option<f64>,
 }
 
 #[derive(Debug, Serialize)]
@@ -76,13 +89,15 @@ fn extremes_record(verdict: &Verdict, run: &RunExtremes) -> ExtremesRecord {
         status: run.status.name(),
         assembles_from_mm: run.assembles_from.map(|from| [from.low, from.high]),
         assembles_from_doubt: run.assembles_from.and_then(|from| from.doubt).map(in_words),
+        meshes_to_mm: run.meshes_to.map(|to| [to.low, to.high]),
+        meshes_to_doubt: run.meshes_to.and_then(|to| to.doubt).map(in_words),
         least: one(&run.least),
         greatest: one(&run.greatest),
     }
 }
 
 fn extreme_record(verdict: &Verdict, run: &RunExtremes, extreme: &RunExtreme) -> ExtremeRecord {
-    let assembly = &run.assembly;
+    let assembly = &extreme.assembly;
     let bracket = [extreme.low, extreme.high];
     let found = assembly.backlash(extreme.found());
     ExtremeRecord {
@@ -93,8 +108,18 @@ fn extreme_record(verdict: &Verdict, run: &RunExtremes, extreme: &RunExtreme) ->
             pinion: found.arcmin(Member::Pinion),
         },
         proven: extreme.is_proven(),
-        uncertainty_um: verdict.expanded(run, extreme).map(um),
+        uncertainty_um: verdict.expanded(extreme).map(um),
         doubt: doubt(extreme),
+        high_tooth: run.any_direction().then(|| {
+            let of = |member| {
+                let open = run.assembly.gear(member).any_direction();
+                open.then(|| assembly.gear(member).high_tooth())
+            };
+            HighTooth {
+                wheel: of(Member::Wheel),
+                pinion: of(Member::Pinion),
+            }
+        }),
         pose: pose_record(assembly, &extreme.pose),
     }
 }

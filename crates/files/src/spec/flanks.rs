@@ -1,6 +1,6 @@
 //! Where the flanks stand: runout and pitch.
 
-use super::rules::{beside, columns, exactly_one, nonzero_needs, not_beside, values_need, within};
+use super::rules::{beside, columns, exactly_one, not_beside, values_need, within};
 use super::value::TableFileSpec;
 use crate::limits::{BALL, HIGH_TOOTH, PITCH, RUNOUT};
 use schemars::{JsonSchema, Schema};
@@ -13,7 +13,7 @@ pub struct RunoutSpec {
     /// Runout F_r, µm: twice the eccentricity.
     #[schemars(with = "Option<f64>", transform = within(&RUNOUT))]
     pub total_um: f64,
-    /// Tooth towards which the teeth are displaced; fractions allowed.
+    /// Tooth towards which the teeth are displaced; fractions allowed. Without it the verdict is over every direction.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = within(&HIGH_TOOTH))]
     pub high_tooth: Option<f64>,
@@ -138,7 +138,6 @@ pub enum EccentricitySource {
 fn runout_keys(schema: &mut Schema) {
     exactly_one(schema, &[&["total_um"], &["file"]]);
     beside(schema, "high_tooth", &[&["total_um"]]);
-    nonzero_needs(schema, "total_um", "high_tooth");
     beside(schema, "file", &[&["at"]]);
     beside(schema, "at", &[&["file"]]);
     beside(schema, "ball_mm", &[&["file"]]);

@@ -80,13 +80,6 @@ pub fn values_need(schema: &mut Schema, list: &str, other: &str, key: &str) {
     also(schema, json!({ "if": has_values(list), "then": needed }));
 }
 
-/// A `number` above 0 needs `key`.
-pub fn nonzero_needs(schema: &mut Schema, number: &str, key: &str) {
-    let above =
-        json!({ "required": [number], "properties": { number: { "exclusiveMinimum": 0 } } });
-    also(schema, json!({ "if": above, "then": required(&[key]) }));
-}
-
 /// The description of `file` names the columns of the table.
 pub fn columns(words: &str) -> impl Fn(&mut Schema) {
     fn tell(value: &mut Value, words: &str) {

@@ -111,15 +111,6 @@ fn runout_of_the_tooth_depth() {
 
 #[test]
 fn high_tooth() {
-    expect(
-        &wheel("runout = { total_um = 6.6 }"),
-        &[problem(
-            "wheel.runout.high_tooth",
-            "",
-            &["missing", "1 up to, but not including, 21"],
-            "add",
-        )],
-    );
     for (value, reason) in [
         ("0.9", "1 or more"),
         ("21", "1 up to, but not including, 21"),

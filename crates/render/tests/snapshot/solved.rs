@@ -63,6 +63,7 @@ pub fn deviated(distance: f64, fraction: f64) -> (GearPair, Pose) {
             pitch: Some(pitch),
             eccentricity,
             high_tooth,
+            ..Deviations::default()
         };
         AsBuilt::new(gear.unwrap(), face, &deviations).unwrap()
     };

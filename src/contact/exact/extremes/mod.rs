@@ -72,7 +72,7 @@ impl Extreme {
 pub enum Doubt {
     /// Fillets or roots may be touched, or a tooth is not an involute: nothing bounds the lost motion between poses.
     OffInvolute,
-    /// Too many stretches of the cycle come too near to each other.
+    /// Too many stretches of the cycle come too near to each other: the bracket holds, and is wider than was wanted.
     Effort,
     /// A contact was lost at a pose.
     ContactLost,

@@ -1,0 +1,287 @@
+//! Extremes of a pair with a runout of which no direction is stated: over all of them, proven.
+//!
+//! What two outlines do depends on where their centres stand (the axis, of a gear whose direction is known). Let these be `d` apart, and the
+//! line through them turned by `ψ`: turned back, it is a pose of the same outlines a little on in the cycle. So over a whole cycle and all
+//! directions nothing but `d` counts, and the room on either side grows with it, as the mate moves away from what it touches. The least
+//! backlash is that of gears whose high teeth face the mate at every pose, the greatest that of gears which turn them away: like gears
+//! without this eccentricity at the centre distance `a' = a ∓ Σ e` ([`ExactKernel::extremes`]), but that the free one turns about its axis,
+//! `e` behind (or before) its centre. A turn by `φ` about the axis moves the centre across by `e φ`, which turns the line of centres by
+//! `ψ = e φ/a'`; turned back, the locked gear is on by `ψ` and the free one by `φ + ψ`. With `r'` the free gear's operating pitch radius
+//! at `a'` the other pair's lost motion is
+//!
+//! ```text
+//! φ' = φ (1 ± e/r')
+//! ```
+//!
+//! its left flanks touching `ψ` farther on than its right ones: as those of gears whose left flanks are turned, the locked gear's by `ψ`, the
+//! free one's by as much less as it goes back meanwhile. Taken of the `φ_0` found without that, the extreme `φ_1` follows; and since the room on
+//! one side changes by less than half of what the free gear turns (a corner on an involute, `1 − (cos δ − ξ sin δ)`, `δ` at most a third), no
+//! pose is beyond `φ_1` by more than half of `|φ_1 − φ_0| e/r'`.
+
+use crate::contact::{ExactKernel, Extreme, Extremes, LostMotion, Status};
+use crate::error::Error;
+use crate::gear::{AsBuilt, Side};
+use crate::pair::{GearPair, Mating, Member, Pose};
+use std::f64::consts::{PI, TAU};
+
+/// How fast the room on a side changes at most, rad a rad of the free gear.
+const STEEPEST: f64 = 0.5;
+
+/// Poses, and the pair in them: its high teeth where they are worst.
+#[derive(Debug, Clone)]
+pub(super) struct Directed {
+    pub assembly: GearPair,
+    pub matings: Vec<Mating>,
+}
+
+/// Extremes over all directions.
+pub(super) struct AnyDirection {
+    pub found: Extremes,
+    /// Of the least, the greatest and the lost pose.
+    pub poses: Vec<Directed>,
+    /// The pair nearer by the eccentricities without a direction, which it does not have, and its extremes; the one farther by them, and its.
+    pub ends: [(GearPair, Extremes); 2],
+    /// How much nearer and farther, mm.
+    pub off: f64,
+}
+
+/// Whether a gear has a runout without a direction.
+pub(super) fn is_open(assembly: &GearPair) -> bool {
+    let gears = [Member::Wheel, Member::Pinion].map(|member| assembly.gear(member));
+    gears.iter().any(|gear| open_eccentricity(gear) > 0.0)
+}
+
+/// The eccentricity, mm, of a gear that has no direction of it.
+fn open_eccentricity(gear: &AsBuilt) -> f64 {
+    match gear.any_direction() {
+        true => gear.eccentricity(),
+        false => 0.0,
+    }
+}
+
+/// Extremes of `assembly`; those of a pair without a runout of unknown direction are found by `search`.
+pub(super) fn extremes(
+    assembly: &GearPair,
+    search: &dyn Fn(&GearPair) -> Result<Extremes, Error>,
+) -> Result<AnyDirection, Error> {
+    let near = End::new(assembly, true, search)?;
+    let far = End::new(assembly, false, search)?;
+    let status = match (near.found.status, far.found.status) {
+        (Status::Jammed, _) => Status::Jammed,
+        (_, Status::NoContact) => Status::NoContact,
+        (status, _) => status,
+    };
+    let [least, greatest] = [
+        near.bounded(near.found.least, search)?,
+        far.bounded(far.found.greatest, search)?,
+    ];
+    let lost = match status {
+        Status::Jammed => near.found.lost.map(|mating| near.directed(mating, None)),
+        _ => far.found.lost.map(|mating| far.directed(mating, None)),
+    };
+    let lost = lost.transpose()?;
+    let poses = [least.as_ref(), greatest.as_ref()].into_iter().flatten();
+    let poses = poses.map(|(extreme, assembly)| (assembly, extreme.mating));
+    let poses = poses.chain(lost.iter().map(|(assembly, mating)| (assembly, *mating)));
+    Ok(AnyDirection {
+        poses: poses
+            .map(|(assembly, mating)| Directed {
+                assembly: assembly.clone(),
+                matings: vec![mating],
+            })
+            .collect(),
+        found: Extremes {
+            matings: near.found.matings,
+            status,
+            least: least.map(|(extreme, _)| extreme),
+            greatest: greatest.map(|(extreme, _)| extreme),
+            lost: lost.map(|(_, mating)| mating),
+        },
+        off: assembly.center_distance() - near.centred.center_distance(),
+        ends: [near, far].map(|end| (end.centred, end.found)),
+    })
+}
+
+/// All high teeth towards the mate, or away from it.
+struct End<'a> {
+    assembly: &'a GearPair,
+    /// `e` of the free gear, mm: behind its axis, or before it.
+    off: f64,
+    centred: GearPair,
+    found: Extremes,
+}
+
+impl<'a> End<'a> {
+    fn new(
+        assembly: &'a GearPair,
+        facing: bool,
+        search: &dyn Fn(&GearPair) -> Result<Extremes, Error>,
+    ) -> Result<End<'a>, Error> {
+        let sign = if facing { 1.0 } else { -1.0 };
+        let off = |member| sign * open_eccentricity(assembly.gear(member));
+        let gear = |member| {
+            let gear: &AsBuilt = assembly.gear(member);
+            match gear.any_direction() {
+                true => gear.with_runout(0.0, 1.0),
+                false => Ok(gear.clone()),
+            }
+        };
+        let centred = GearPair::with_locked(
+            gear(Member::Wheel)?,
+            gear(Member::Pinion)?,
+            assembly.center_distance() - off(Member::Wheel) - off(Member::Pinion),
+            assembly.locked(),
+        )?;
+        Ok(End {
+            assembly,
+            off: off(assembly.free()),
+            found: search(&centred)?,
+            centred,
+        })
+    }
+
+    /// The bracket of `extreme`, of the centred pair, as one of the assembly, and the pair whose high teeth are where it is attained.
+    fn bounded(
+        &self,
+        extreme: Option<Extreme>,
+        search: &dyn Fn(&GearPair) -> Result<Extremes, Error>,
+    ) -> Result<Option<(Extreme, GearPair)>, Error> {
+        let Some(mut extreme) = extreme else {
+            return Ok(None);
+        };
+        let free = self.assembly.free();
+        let radius = self.centred.operating_pitch_radius(free);
+        let share = self.off / radius;
+        let angle = |j_wt: f64| j_wt / radius / (1.0 + share);
+        let is_least = self.found.least == Some(extreme);
+        let mut supposed = None;
+        if self.off != 0.0
+            && let Some([right, left]) = self.contacts(extreme.mating)?
+        {
+            let turn = left - right;
+            let found = search(&self.with_left_flanks_on(turn)?)?;
+            let other = if is_least {
+                found.least
+            } else {
+                found.greatest
+            };
+            if let Some(other) = other {
+                (extreme, supposed) = (other, Some(turn.abs()));
+            }
+        }
+        let ends = [angle(extreme.low), angle(extreme.high)];
+        let turn = ends[0].abs().max(ends[1].abs());
+        // Off the turn that was supposed, and the third order of it.
+        let off = supposed.map_or(turn, |supposed| {
+            let each = ends.map(|end| (end.abs() - supposed).abs());
+            each[0].max(each[1])
+        });
+        let slack = (STEEPEST * off + turn.powi(3)) * share.abs();
+        let contacts = self.contacts(extreme.mating)?;
+        let (assembly, mating) = self.directed(extreme.mating, contacts)?;
+        let per_radian = assembly.operating_pitch_radius(free);
+        let [low, high] = [ends[0] - slack, ends[1] + slack].map(|end| end * per_radian);
+        let seen = lost_motion(&assembly, mating)?.and_then(|found| found.angle());
+        let seen = seen.map(|seen| seen * per_radian);
+        let (low, high) = match (seen, is_least) {
+            (Some(seen), true) => (low.min(seen), seen),
+            (Some(seen), false) => (seen, high.max(seen)),
+            (None, _) => (low, high),
+        };
+        let bounded = Extreme {
+            low,
+            high,
+            mating,
+            doubt: extreme.doubt,
+        };
+        Ok(Some((bounded, assembly)))
+    }
+
+    /// Rotations of the free gear where its right and its left flanks touch, at a mating of the centred pair.
+    fn contacts(&self, mating: Mating) -> Result<Option<[f64; 2]>, Error> {
+        let (assembly, mating) = self.directed(mating, None)?;
+        let found = lost_motion(&assembly, mating)?;
+        Ok(found.and_then(|found| Some([found.right?.rotation, found.left?.rotation])))
+    }
+
+    /// How far the line of centres turns, rad, while the free gear turns by `turn` about its axis.
+    fn on(&self, turn: f64) -> f64 {
+        self.off * turn / self.centred.center_distance()
+    }
+
+    /// The centred pair, its left flanks where they are once the free gear has turned by `turn` about its axis.
+    fn with_left_flanks_on(&self, turn: f64) -> Result<GearPair, Error> {
+        let (locked, free) = (self.centred.locked(), self.centred.free());
+        let teeth = |member| {
+            let gear: &AsBuilt = self.centred.gear(member);
+            f64::from(gear.gear().basic_data().teeth())
+        };
+        let on = self.on(turn);
+        let gear = |member| {
+            let by = match member == locked {
+                true => on,
+                false => -on * teeth(locked) / teeth(free),
+            };
+            self.centred.gear(member).with_side_turned(Side::Left, by)
+        };
+        Ok(GearPair::with_locked(
+            gear(Member::Wheel)?,
+            gear(Member::Pinion)?,
+            self.centred.center_distance(),
+            locked,
+        )?)
+    }
+
+    /// The assembly with its high teeth where they belong at this end, and its mating that stands as `mating` of the centred pair does; the
+    /// free gear between the rotations of both `contacts`, or at its nominal one.
+    fn directed(
+        &self,
+        mating: Mating,
+        contacts: Option<[f64; 2]>,
+    ) -> Result<(GearPair, Mating), Error> {
+        let assembly = self.assembly;
+        let locked = assembly.gear(assembly.locked());
+        // Nearer or farther a tooth stands a little beside: on by that.
+        let there = Pose::new(&self.centred, mating).locked_rotation();
+        let here = Pose::new(assembly, mating).locked_rotation();
+        let beside = (there - here + PI).rem_euclid(TAU) - PI;
+        // Half of what the line of centres turns between the contacts: at the right one it is back by that.
+        let turn = contacts.map_or(0.0, |[right, left]| left - right);
+        let beside = beside + 0.5 * self.on(turn);
+        let pitch = locked.gear().basic_data().angular_pitch();
+        let mating = mating.onward(assembly, -locked.face().ascending() * beside / pitch);
+        let pose = Pose::new(assembly, mating);
+        let facing = self.centred.center_distance() < assembly.center_distance();
+        let gear = |member| {
+            let gear: &AsBuilt = assembly.gear(member);
+            if !gear.any_direction() {
+                return Ok(gear.clone());
+            }
+            let rotation = match member == assembly.locked() {
+                true => pose.locked_rotation(),
+                false => {
+                    contacts.map_or(pose.free_rotation(), |[right, left]| 0.5 * (right + left))
+                }
+            };
+            let angle = if facing { -rotation } else { PI - rotation };
+            let along = gear.face().ascending() * angle;
+            let tooth = gear.gear().basic_data().tooth_towards(along);
+            gear.with_runout(gear.eccentricity(), tooth)
+        };
+        let pair = GearPair::with_locked(
+            gear(Member::Wheel)?,
+            gear(Member::Pinion)?,
+            assembly.center_distance(),
+            assembly.locked(),
+        )?;
+        Ok((pair, mating))
+    }
+}
+
+/// At a pose; `None` where the contact is lost.
+fn lost_motion(assembly: &GearPair, mating: Mating) -> Result<Option<LostMotion>, Error> {
+    match ExactKernel::new(assembly).lost_motion(&Pose::new(assembly, mating)) {
+        Err(error) if error.of_one_pose().is_some() => Ok(None),
+        found => found.map(Some),
+    }
+}

@@ -1,0 +1,86 @@
+//! The centre distance up to which a pair is in mesh: farther apart, tips pass each other somewhere in the mesh cycle.
+
+use crate::analytic::InvolutePair;
+use crate::contact::{Doubt, ExactKernel, Extremes, Status};
+use crate::error::Error;
+use crate::pair::{GearPair, Mating, Pose};
+
+/// Width of the bracket, mm: a tip leaves its mate at some speed, so more would say nothing.
+const WIDTH: f64 = 1e-5;
+
+/// Steps of the search: halving a reach of 10 m alone.
+const STEPS: usize = 40;
+
+/// The centre distance up to which a pair is in mesh.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MeshesTo {
+    /// Here every pose has its contacts, mm.
+    pub low: f64,
+    /// Here one has not, mm.
+    pub high: f64,
+    /// Why that is not proven.
+    pub doubt: Option<Doubt>,
+}
+
+impl MeshesTo {
+    /// That of `assembly`, out of mesh at a pose of which `found` tells; `search` looks over the whole cycle of another distance. `None` where
+    /// the pair is not in mesh at its distance without backlash either.
+    ///
+    /// # Errors
+    /// As `search`.
+    pub(super) fn new(
+        assembly: &GearPair,
+        found: &Extremes,
+        search: &dyn Fn(&GearPair) -> Result<Extremes, Error>,
+    ) -> Result<Option<MeshesTo>, Error> {
+        let (Some(nearest), Some(lost)) =
+            (InvolutePair::of(assembly).center_distance(0.0), found.lost)
+        else {
+            return Ok(None);
+        };
+        let (mut low, mut high, mut doubt) = (nearest, assembly.center_distance(), None);
+        let mut apart = vec![lost];
+        let mut at = low;
+        for _ in 0..STEPS {
+            if !(low < high) {
+                return Ok(None);
+            }
+            let pair = assembly.at(at)?;
+            if passes(&pair, &apart)? {
+                high = at;
+            } else {
+                let there = search(&pair)?;
+                match (there.status, there.lost) {
+                    (Status::NoContact, Some(lost)) => {
+                        high = at;
+                        apart.push(lost);
+                    }
+                    _ => {
+                        low = at;
+                        doubt = there.greatest.and_then(|greatest| greatest.doubt);
+                    }
+                }
+            }
+            if high - low <= WIDTH {
+                break;
+            }
+            at = 0.5 * (low + high);
+        }
+        Ok((high > nearest).then_some(MeshesTo { low, high, doubt }))
+    }
+}
+
+/// Whether the pair is out of mesh at one of `matings`.
+fn passes(pair: &GearPair, matings: &[Mating]) -> Result<bool, Error> {
+    let kernel = ExactKernel::new(pair);
+    for mating in matings {
+        let found = match kernel.lost_motion(&Pose::new(pair, *mating)) {
+            Err(error) if error.of_one_pose().is_some() => continue,
+            found => found?,
+        };
+        if found.status() == Status::NoContact {
+            return Ok(true);
+        }
+    }
+    Ok(false)
+}

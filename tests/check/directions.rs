@@ -1,0 +1,180 @@
+//! Runout without a direction: poses with the high teeth anywhere, and near where they are worst, against the bracket.
+
+use super::*;
+use gearlash::analysis::extremes::{RunExtremes, extremes};
+use gearlash::gear::{Pitch, thickness};
+use std::f64::consts::{PI, TAU};
+
+/// A linear congruential generator (Knuth's MMIX): the same pairs everywhere.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> f64 {
+        let next = self.0.wrapping_mul(6_364_136_223_846_793_005);
+        self.0 = next.wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.next()
+    }
+}
+
+/// What a pair is drawn with.
+#[derive(Debug, Clone, Copy)]
+struct Drawn {
+    /// Single pitch deviations up to this share of the module.
+    pitch: f64,
+    open: [bool; 2],
+    locked: Member,
+}
+
+fn gear(random: &mut Random, face: Face, drawn: &Drawn, open: bool) -> AsBuilt {
+    let module = 2.0;
+    let teeth = random.between(17.0, 60.0) as u32;
+    let data = BasicGearData::new(teeth, module, 20f64.to_radians()).unwrap();
+    let design = GearDesign {
+        profile_shift: random.between(0.0, 0.4),
+        ..GearDesign::standard(data)
+    };
+    let base =
+        thickness::base_from_allowance(&design.basic_data, design.nominal_base_thickness(), -0.04);
+    let mut pitch = || -> Vec<f64> {
+        (0..teeth)
+            .map(|_| drawn.pitch * module * random.between(-1.0, 1.0))
+            .collect()
+    };
+    let (right, left) = (pitch(), pitch());
+    let deviations = Deviations {
+        pitch: (drawn.pitch > 0.0).then(|| Pitch::from_cumulative(&right, &left)),
+        eccentricity: random.between(0.0, 0.02 * module),
+        high_tooth: random.between(1.0, f64::from(teeth) + 1.0),
+        any_direction: open,
+        ..Deviations::default()
+    };
+    AsBuilt::new(Gear::new(design, base).unwrap(), face, &deviations).unwrap()
+}
+
+fn draw(random: &mut Random, drawn: &Drawn) -> GearPair {
+    let wheel = gear(random, Face::Front, drawn, drawn.open[0]);
+    let pinion = gear(random, Face::Back, drawn, drawn.open[1]);
+    let zero = gearlash::analytic::InvolutePair::new(wheel.gear(), pinion.gear());
+    let distance = zero.center_distance(0.0).unwrap() + random.between(-0.02, 0.15);
+    GearPair::with_locked(wheel, pinion, distance, drawn.locked).unwrap()
+}
+
+fn found(pair: &GearPair) -> RunExtremes {
+    let study = Study::of_pair("any direction", pair, 1);
+    let exact = Method::Exact { certify: false };
+    let found = extremes(&study, exact, &|| ControlFlow::Continue(())).unwrap();
+    found.each.into_iter().next().unwrap()
+}
+
+/// `pair` with each gear without a direction turned so that its high tooth lies at an angle from the line to its mate, at `mating`.
+fn pointed(pair: &GearPair, mating: Mating, angles: [f64; 2]) -> GearPair {
+    let pose = Pose::new(pair, mating);
+    let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|member| {
+        let gear = pair.gear(member);
+        if !gear.any_direction() {
+            return gear.clone();
+        }
+        let rotation = match member == pair.locked() {
+            true => pose.locked_rotation(),
+            false => pose.free_rotation(),
+        };
+        let pitch = TAU / f64::from(gear.gear().basic_data().teeth());
+        let places = gear.face().ascending() * (angles[member as usize] - rotation) / pitch;
+        let tooth = 1.0 + places.rem_euclid(TAU / pitch);
+        let tooth = if tooth < TAU / pitch + 1.0 {
+            tooth
+        } else {
+            1.0
+        };
+        gear.with_runout(gear.eccentricity(), tooth).unwrap()
+    });
+    GearPair::with_locked(wheel, pinion, pair.center_distance(), pair.locked()).unwrap()
+}
+
+/// No pose in any direction lies beyond the bracket, and one attains it.
+fn hold(drawn: &Drawn, seed: u64, pairs: u32, width: f64) {
+    let mut random = Random(seed);
+    for _ in 0..pairs {
+        let pair = draw(&mut random, drawn);
+        let run = found(&pair);
+        let (least, greatest) = (run.least.as_ref().unwrap(), run.greatest.as_ref().unwrap());
+        assert!(least.doubt.is_none() && greatest.doubt.is_none());
+        for (extreme, end) in [(least, least.high), (greatest, greatest.low)] {
+            assert!(extreme.high - extreme.low <= width, "{extreme:?}");
+            assert!((extreme.pose.swept.backlash.unwrap() - end).abs() < 1e-10);
+        }
+        for k in 0..1500 {
+            // Of the assembly phase that is meant.
+            let near = *[&least.pose, &greatest.pose][k % 2].swept.pose.mating();
+            let cycle = f64::from(teeth(&pair, Member::Wheel) * teeth(&pair, Member::Pinion));
+            let mating = near.onward(&pair, cycle * random.next());
+            // Anywhere, towards the mate, away from it; of pairs found, a little round where they stand.
+            let spread = [PI, 0.1, 0.01][k % 3];
+            let away = if k % 2 == 0 { 0.0 } else { PI };
+            let mating = match k % 5 {
+                0 => near.onward(&pair, random.between(-0.01, 0.01)),
+                _ => mating,
+            };
+            let mut angle = || away + random.between(-spread, spread);
+            let pointed = pointed(&pair, mating, [angle(), angle()]);
+            let pose = Pose::new(&pointed, mating);
+            let lost = ExactKernel::new(&pointed).lost_motion(&pose).unwrap();
+            let j_wt = lost.angle().unwrap() * pointed.operating_pitch_radius(pointed.free());
+            assert!(
+                j_wt >= least.low - 1e-10 && j_wt <= greatest.high + 1e-10,
+                "{drawn:?}: {j_wt} of {} … {} at {mating:?}",
+                least.low,
+                greatest.high
+            );
+        }
+    }
+}
+
+fn teeth(pair: &GearPair, member: Member) -> u32 {
+    pair.gear(member).gear().basic_data().teeth()
+}
+
+/// What a drawing says: runout alone.
+#[test]
+fn gears_off_their_axes_in_any_direction() {
+    for locked in [Member::Wheel, Member::Pinion] {
+        let drawn = Drawn {
+            pitch: 0.0,
+            open: [true, true],
+            locked,
+        };
+        hold(&drawn, 5, 12, 1.1e-6);
+    }
+}
+
+/// The direction of one of them is known.
+#[test]
+fn one_gear_off_its_axis_in_any_direction() {
+    for (open, locked) in [
+        ([true, false], Member::Wheel),
+        ([true, false], Member::Pinion),
+        ([false, true], Member::Wheel),
+    ] {
+        let drawn = Drawn {
+            pitch: 0.0,
+            open,
+            locked,
+        };
+        hold(&drawn, 6, 8, 1.1e-6);
+    }
+}
+
+/// With pitch deviations, so that corners of tips decide: brackets are wider.
+#[test]
+fn pitch_and_runout_in_any_direction() {
+    let drawn = Drawn {
+        pitch: 0.008,
+        open: [true, true],
+        locked: Member::Wheel,
+    };
+    hold(&drawn, 7, 12, 1.1e-6);
+}

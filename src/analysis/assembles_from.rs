@@ -22,6 +22,8 @@ pub struct AssemblesFrom {
     pub high: f64,
     /// Why that is not proven.
     pub doubt: Option<Doubt>,
+    /// Where the pair is tightest there.
+    pub mating: Mating,
 }
 
 impl AssemblesFrom {
@@ -39,7 +41,8 @@ impl AssemblesFrom {
     ) -> Result<Option<AssemblesFrom>, Error> {
         let gear = |member| assembly.gear(member);
         let reach = gear(Member::Wheel).reach() + gear(Member::Pinion).reach();
-        let (mut low, mut high, mut doubt) = (assembly.center_distance(), reach, None);
+        let (mut low, mut high) = (assembly.center_distance(), reach);
+        let mut found = None;
         if !(low < high) {
             return Ok(None);
         }
@@ -67,7 +70,7 @@ impl AssemblesFrom {
             };
             let pair = assembly.at(at)?;
             let kernel = ExactKernel::new(&pair);
-            let (value, unsure) = match interference(&kernel, &pair, &tight)? {
+            let (value, looked) = match interference(&kernel, &pair, &tight)? {
                 Some(there) => (there, None),
                 None => {
                     let there = kernel.least(&pair, first, matings, width)?;
@@ -78,8 +81,7 @@ impl AssemblesFrom {
                         true => least.low,
                         false => least.high,
                     });
-                    let unsure = least.and_then(|least| least.doubt);
-                    (value.unwrap_or(f64::NEG_INFINITY), unsure)
+                    (value.unwrap_or(f64::NEG_INFINITY), least)
                 }
             };
             // An end that stays behind twice counts for half (the Illinois rule).
@@ -90,7 +92,7 @@ impl AssemblesFrom {
                 1.0
             };
             if free {
-                (high, above, doubt) = (at, value, unsure);
+                (high, above, found) = (at, value, looked);
                 below *= stays;
             } else {
                 (low, below) = (at, value);
@@ -100,7 +102,12 @@ impl AssemblesFrom {
                 break;
             }
         }
-        Ok((high < reach).then_some(AssemblesFrom { low, high, doubt }))
+        Ok(found.map(|least| AssemblesFrom {
+            low,
+            high,
+            doubt: least.doubt,
+            mating: least.mating,
+        }))
     }
 }
 

@@ -52,7 +52,7 @@ pub struct RunExtremes {
 pub struct CycleExtremes {
     /// Each centre distance, material and assembly phase.
     pub each: Vec<RunExtremes>,
-    /// Their poses, run by run: least, greatest, lost.
+    /// Their poses, run by run: least, greatest, lost, and what binds where the pair begins to assemble.
     pub runs: Vec<ComparedRun>,
 }
 
@@ -214,12 +214,15 @@ impl Planned {
         let found = of(assembly)?;
         let extremes = [found.least, found.greatest].into_iter().flatten();
         let matings = extremes.map(|extreme| extreme.mating).chain(found.lost);
+        let assembles_from = self.assembles_from(assembly, &found, 0.0)?;
+        // Beside them what binds where the pair begins to assemble, for checks that seek distances.
+        let binds = assembles_from.map(|from| from.mating);
         Ok(Searched {
             poses: vec![Directed {
                 assembly: assembly.clone(),
-                matings: matings.collect(),
+                matings: matings.chain(binds).collect(),
             }],
-            assembles_from: self.assembles_from(assembly, &found, 0.0)?,
+            assembles_from,
             meshes_to: meshes_to(assembly, &found, 0.0, &of)?,
             found,
         })
@@ -275,7 +278,7 @@ impl Planned {
             status: found.status,
             least,
             greatest,
-            lost: poses.next(),
+            lost: found.lost.and_then(|_| poses.next()),
             assembles_from: searched.assembles_from,
             meshes_to: searched.meshes_to,
         }

@@ -5,7 +5,7 @@ use gearlash::analysis::compare::ComparedPose;
 use gearlash::analysis::extremes::{RunExtreme, RunExtremes, WIDTH};
 use gearlash::analysis::requirement::Quantity;
 use gearlash::analysis::study::Material;
-use gearlash::analysis::verdict::{Unmet, Verdict};
+use gearlash::analysis::verdict::{Requirement, Unmet, Verdict};
 use gearlash::contact::{Doubt, Status};
 use gearlash::pair::{GearPair, Member, arcmin};
 
@@ -21,6 +21,9 @@ pub fn sentence(verdict: &Verdict) -> String {
         return "Nothing was run.".to_owned();
     }
     let mut text = status(verdict);
+    if verdict.assembles() == Some(true) && verdict.requirement == Requirement::Met {
+        text += " and meets its requirement";
+    }
     let (failed, assembles) = (checks(verdict), verdict.assembles() == Some(true));
     let first = failed.clone().filter(|_| assembles);
     let beside: Vec<String> = [requirement(verdict), first]
@@ -209,7 +212,7 @@ const OF_ASSEMBLY: [&str; 2] = ["zero_backlash_distance", "backlash_condition"];
 fn checks(verdict: &Verdict) -> Option<String> {
     let said = |id: &&&str| verdict.assembles() == Some(false) && OF_ASSEMBLY.contains(*id);
     let failed = verdict.failed_checks.iter().filter(|id| !said(id));
-    let failed: Vec<&str> = failed.copied().collect();
+    let failed: Vec<String> = failed.map(|id| id.replace('_', " ")).collect();
     match failed.len() {
         0 => None,
         1 => Some(format!("fails the check {}", failed[0])),

@@ -47,6 +47,7 @@ fn every_command_says_the_same() {
     }
     said(&["report"]);
     let page = std::fs::read_to_string(folder.path().join("out/hunting_51x23.html")).unwrap();
+    let page = page.replace("<i>j</i><sub>wt</sub>", "j_wt");
     assert!(page.contains(SENTENCE), "{}", &page[..page.len().min(6000)]);
 }
 
@@ -114,6 +115,38 @@ fn a_runout_without_direction_is_taken_in_every_one() {
     }
     let least = json["extremes"][0]["least"]["j_wt_um"][1].as_f64().unwrap();
     assert!(least < -2.61 && least > -2.7, "{least}");
+}
+
+/// The check's zero-backlash distance, found to 1e-10 mm by another search, is where the verdict says that the pair assembles: jammed as
+/// it stands, and with runouts of any direction.
+#[test]
+fn check_and_verdict_have_one_zero_backlash_distance() {
+    let hunting = std::fs::read_to_string(hunting()).unwrap();
+    let open = hunting
+        .lines()
+        .filter(|line| !line.starts_with("high_tooth"));
+    let open = open.collect::<Vec<_>>().join("\n");
+    let jammed = hunting.replace("73.877", "71.6");
+    for (pair, status) in [(open, "interference"), (jammed, "jammed")] {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("pair.toml");
+        std::fs::write(&file, pair).unwrap();
+        let output = gearlash(folder.path())
+            .args(["check", "--format", "json"])
+            .arg(&file)
+            .output()
+            .unwrap();
+        let json: Value = serde_json::from_slice(&output.stdout).unwrap();
+        let most = &json["extremes"][0];
+        assert_eq!(most["status"], status);
+        let from = &most["assembles_from_mm"];
+        let [low, high] = [0, 1].map(|k| from[k].as_f64().unwrap());
+        let checks = json["checks"].as_array().unwrap().iter();
+        let mut zero = checks.filter(|check| check["id"] == "zero_backlash_distance");
+        let zero = zero.find(|check| check["material"] == "most").unwrap();
+        let found = zero["measured"].as_f64().unwrap();
+        assert!(found > low - 1e-6 && found < high + 1e-6, "{found} {from}");
+    }
 }
 
 /// Undercut, so that poses are sampled: what is required is kept by all of them, and that is no proof.

@@ -26,6 +26,18 @@ pub(super) fn symbol(letter: &str, index: &str) -> Markup {
     html! { i { (letter) } @if !index.is_empty() { sub { (index) } } }
 }
 
+/// `text` with its backlash symbols, such as `j_wt`, set as symbols.
+pub(super) fn with_symbols(text: &str) -> Markup {
+    let mut pieces = text.split("j_");
+    html! {
+        (pieces.next().unwrap_or_default())
+        @for piece in pieces {
+            @let end = piece.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(piece.len());
+            (symbol("j", &piece[..end])) (&piece[end..])
+        }
+    }
+}
+
 /// What “K (8)” means.
 pub(super) fn study() -> Markup {
     html! {

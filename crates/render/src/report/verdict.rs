@@ -3,7 +3,7 @@
 use super::cycle::same_everywhere;
 use super::marks::{mark, marked};
 use super::page::Page;
-use super::phrases::{band, j_wt, touching};
+use super::phrases::{band, j_wt, touching, with_symbols};
 use super::{cycle, unproven};
 use crate::text::check::governing;
 use gearlash::analysis::diagnosis::Verdict;
@@ -66,7 +66,7 @@ fn failing(page: &Page) -> Markup {
 /// The verdict in a sentence, and what of the poses it leaves out.
 fn answer(page: &Page) -> Markup {
     html! {
-        (sentence(&page.report.analysis.verdict()))
+        (with_symbols(&sentence(&page.report.analysis.verdict())))
         @if let Some(count) = unproven::count(page) { " " (count) "." }
     }
 }

@@ -11,6 +11,7 @@ use super::contact_count::ContactCount;
 use super::onset::{Onset, non_involute_onset};
 use super::zero_distance::{ZeroDistance, zero_distance};
 use crate::analysis::compare::ComparedRun;
+use crate::analysis::directions::is_open;
 use crate::analysis::study::{Material, RunPlan, Study};
 use crate::contact::{Contact, Touch};
 use crate::error::Error;
@@ -103,8 +104,11 @@ pub fn diagnose(
             Some(known) => known,
             None => {
                 let of_material = || runs.iter().filter(|run| run.run.material == material);
-                let beside = extremes.iter().filter(|run| run.run.material == material);
-                let matings = matings(of_material().chain(beside));
+                let beside = || extremes.iter().filter(|run| run.run.material == material);
+                let matings = matings(of_material().chain(beside()));
+                // Of a runout without a direction the one that is worst.
+                let worst = beside().next().map(|run| &run.run.assembly);
+                let assembly = worst.filter(|_| is_open(assembly)).unwrap_or(assembly);
                 // A search from poses that are not proven would be no better than they are.
                 let doubt = doubt(of_material());
                 step("zero-backlash centre distance")?;

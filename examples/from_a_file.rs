@@ -23,7 +23,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             title: &study.title,
             assembly: &run.assembly,
             pose: &worst.pose.swept.pose,
-            material: run.material.name(),
+            material: run.material,
             found: worst.pose.swept.found.as_ref(),
         })
     );

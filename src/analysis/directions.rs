@@ -18,14 +18,18 @@
 //! one side changes by less than half of what the free gear turns (a corner on an involute, `1 − (cos δ − ξ sin δ)`, `δ` at most a third), no
 //! pose is beyond `φ_1` by more than half of `|φ_1 − φ_0| e/r'`.
 
-use crate::contact::{ExactKernel, Extreme, Extremes, LostMotion, Status};
+use crate::contact::{Doubt, ExactKernel, Extreme, Extremes, LostMotion, Status};
 use crate::error::Error;
 use crate::gear::{AsBuilt, Side};
 use crate::pair::{GearPair, Mating, Member, Pose};
 use std::f64::consts::{PI, TAU};
 
-/// How fast the room on a side changes at most, rad a rad of the free gear.
+/// How fast the room on a side changes at most, rad a rad of the free gear (on a fillet too: an arm of half the base radius is left, or
+/// nothing bounds the pair).
 const STEEPEST: f64 = 0.5;
+
+/// How much beyond touching base circles the axes are at the nearest, of their sum.
+const NEAREST: f64 = 1e-6;
 
 /// Poses, and the pair in them: its high teeth where they are worst.
 #[derive(Debug, Clone)]
@@ -59,13 +63,14 @@ fn open_eccentricity(gear: &AsBuilt) -> f64 {
     }
 }
 
-/// Extremes of `assembly`; those of a pair without a runout of unknown direction are found by `search`.
+/// Extremes of `assembly`, in brackets of about `width` mm; those of a pair without a runout of unknown direction are found by `search`.
 pub(super) fn extremes(
     assembly: &GearPair,
     search: &dyn Fn(&GearPair) -> Result<Extremes, Error>,
+    width: f64,
 ) -> Result<AnyDirection, Error> {
-    let near = End::new(assembly, true, search)?;
-    let far = End::new(assembly, false, search)?;
+    let near = End::new(assembly, true, search, width)?;
+    let far = End::new(assembly, false, search, width)?;
     let status = match (near.found.status, far.found.status) {
         (Status::Jammed, _) => Status::Jammed,
         (_, Status::NoContact) => Status::NoContact,
@@ -97,7 +102,10 @@ pub(super) fn extremes(
             greatest: greatest.map(|(extreme, _)| extreme),
             lost: lost.map(|(_, mating)| mating),
         },
-        off: assembly.center_distance() - near.centred.center_distance(),
+        off: [Member::Wheel, Member::Pinion]
+            .map(|member| open_eccentricity(assembly.gear(member)))
+            .iter()
+            .sum(),
         ends: [near, far].map(|end| (end.centred, end.found)),
     })
 }
@@ -109,6 +117,8 @@ struct End<'a> {
     off: f64,
     centred: GearPair,
     found: Extremes,
+    /// That a bracket should not exceed, mm.
+    width: f64,
 }
 
 impl<'a> End<'a> {
@@ -116,6 +126,7 @@ impl<'a> End<'a> {
         assembly: &'a GearPair,
         facing: bool,
         search: &dyn Fn(&GearPair) -> Result<Extremes, Error>,
+        width: f64,
     ) -> Result<End<'a>, Error> {
         let sign = if facing { 1.0 } else { -1.0 };
         let off = |member| sign * open_eccentricity(assembly.gear(member));
@@ -126,17 +137,22 @@ impl<'a> End<'a> {
                 false => Ok(gear.clone()),
             }
         };
-        let centred = GearPair::with_locked(
-            gear(Member::Wheel)?,
-            gear(Member::Pinion)?,
-            assembly.center_distance() - off(Member::Wheel) - off(Member::Pinion),
-            assembly.locked(),
-        )?;
+        let (wheel, pinion) = (gear(Member::Wheel)?, gear(Member::Pinion)?);
+        let wanted = assembly.center_distance() - off(Member::Wheel) - off(Member::Pinion);
+        let base = wheel.gear().base_radius() + pinion.gear().base_radius();
+        // Involutes have no contact nearer than that: what is found there bounds nothing unless it jams.
+        let distance = wanted.max(base * (1.0 + NEAREST));
+        let centred = GearPair::with_locked(wheel, pinion, distance, assembly.locked())?;
+        let mut found = search(&centred)?;
+        if let Some(least) = found.least.as_mut().filter(|_| wanted < distance) {
+            least.doubt = Some(Doubt::Unbounded);
+        }
         Ok(End {
             assembly,
             off: off(assembly.free()),
-            found: search(&centred)?,
+            found,
             centred,
+            width,
         })
     }
 
@@ -171,28 +187,34 @@ impl<'a> End<'a> {
         }
         let ends = [angle(extreme.low), angle(extreme.high)];
         let turn = ends[0].abs().max(ends[1].abs());
-        // Off the turn that was supposed, and the third order of it.
+        // Off the turn that was supposed, and the third order of `2 atan(e sin(φ/2)/(A − e cos(φ/2)))`, `A` from the axis to the mate's centre:
+        // less than `φ²/24 + e φ²/(8 a')` of it, and of `e` below a quarter of `a'` less than `φ²/12`.
         let off = supposed.map_or(turn, |supposed| {
             let each = ends.map(|end| (end.abs() - supposed).abs());
             each[0].max(each[1])
         });
-        let slack = (STEEPEST * off + turn.powi(3)) * share.abs();
+        let slack =
+            (STEEPEST * off + turn.powi(3) / 12.0) * share.abs() / (1.0 - 2.0 * share.abs());
         let contacts = self.contacts(extreme.mating)?;
         let (assembly, mating) = self.directed(extreme.mating, contacts)?;
         let per_radian = assembly.operating_pitch_radius(free);
         let [low, high] = [ends[0] - slack, ends[1] + slack].map(|end| end * per_radian);
-        let seen = lost_motion(&assembly, mating)?.and_then(|found| found.angle());
-        let seen = seen.map(|seen| seen * per_radian);
+        let seen = lost_motion(&assembly, mating)?;
+        let seen = seen.and_then(|found| found.angle().zip(found.error()));
+        let seen =
+            seen.map(|(angle, error)| [angle - error, angle + error].map(|end| end * per_radian));
         let (low, high) = match (seen, is_least) {
-            (Some(seen), true) => (low.min(seen), seen),
-            (Some(seen), false) => (seen, high.max(seen)),
+            (Some([least, most]), true) => (low.min(least), most),
+            (Some([least, most]), false) => (least, high.max(most)),
             (None, _) => (low, high),
         };
+        // A little more than of a pair without such a runout: two brackets make one.
+        let wide = high - low > 2.0 * self.width;
         let bounded = Extreme {
             low,
             high,
             mating,
-            doubt: extreme.doubt,
+            doubt: extreme.doubt.or(wide.then_some(Doubt::SecondOrder)),
         };
         Ok(Some((bounded, assembly)))
     }

@@ -88,7 +88,8 @@ impl RunExtreme {
 
     /// Whether no rotation of the cycle lies beyond the bracket, however wide that is.
     pub fn holds(&self) -> bool {
-        matches!(self.doubt, None | Some(Doubt::Effort)) && self.pose.swept.found.is_ok()
+        let wide = [Doubt::Effort, Doubt::SecondOrder];
+        self.doubt.is_none_or(|doubt| wide.contains(&doubt)) && self.pose.swept.found.is_ok()
     }
 
     /// What was found, mm: the end of the bracket that the pose attains.
@@ -109,6 +110,11 @@ impl RunExtremes {
             (_, Some(least)) if least.low >= -WIDTH && least.holds() => Some(true),
             _ => None,
         }
+    }
+
+    /// Whether every tooth is alike: no deviation tells them apart, and a runout may have any direction.
+    pub fn has_like_teeth(&self) -> bool {
+        distinct(&self.assembly) == 1
     }
 
     /// Whether a runout has no direction: all of them are meant.
@@ -202,7 +208,7 @@ impl Planned {
         let of =
             |pair: &GearPair| ExactKernel::new(pair).extremes(pair, self.first, matings, WIDTH);
         if is_open(assembly) {
-            let all = directions::extremes(assembly, &of)?;
+            let all = directions::extremes(assembly, &of, WIDTH)?;
             let [(near, nearest), (far, farthest)] = &all.ends;
             return Ok(Searched {
                 assembles_from: self.assembles_from(near, nearest, all.off)?,

@@ -50,14 +50,14 @@ impl MeshesTo {
                 high = at;
             } else {
                 let there = search(&pair)?;
-                match (there.status, there.lost) {
-                    (Status::NoContact, Some(lost)) => {
+                match there.greatest {
+                    None => {
                         high = at;
-                        apart.push(lost);
+                        apart.extend(there.lost);
                     }
-                    _ => {
+                    Some(greatest) => {
                         low = at;
-                        doubt = there.greatest.and_then(|greatest| greatest.doubt);
+                        doubt = greatest.doubt;
                     }
                 }
             }

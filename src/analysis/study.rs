@@ -30,6 +30,15 @@ impl Material {
             Material::AsMeasured => "as-measured",
         }
     }
+
+    /// In words: `most material`, `least material` or `single thickness`.
+    pub fn words(self) -> &'static str {
+        match self {
+            Material::Most => "most material",
+            Material::Least => "least material",
+            Material::AsMeasured => "single thickness",
+        }
+    }
 }
 
 /// One measurement on a rig, and what was predicted for it.

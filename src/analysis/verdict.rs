@@ -3,7 +3,7 @@
 use super::assembles_from::AssemblesFrom;
 use super::compare::ComparedPose;
 use super::diagnosis::{self, Diagnosis};
-use super::extremes::{RunExtreme, RunExtremes};
+use super::extremes::{RunExtreme, RunExtremes, WIDTH};
 use super::meshes_to::MeshesTo;
 use super::requirement::{Limits, Quantity, Requirements};
 use super::study::Study;
@@ -142,20 +142,24 @@ impl<'a> Verdict<'a> {
         each.max().unwrap_or(0)
     }
 
-    /// The run with the least backlash of all, a jammed one before.
+    /// The run with the least backlash of all that have one, the first of those that differ by nothing that counts.
     pub fn least(&self) -> Option<(&'a RunExtremes, &'a RunExtreme)> {
         let each = self.runs.iter();
         let each = each.filter_map(|run| Some((run, run.least.as_ref()?)));
-        each.min_by(|one, other| one.1.found().total_cmp(&other.1.found()))
+        each.reduce(|one, other| match other.1.found() < one.1.found() - WIDTH {
+            true => other,
+            false => one,
+        })
     }
 
     /// The run with the greatest.
     pub fn greatest(&self) -> Option<(&'a RunExtremes, &'a RunExtreme)> {
         let each = self.runs.iter();
         let each = each.filter_map(|run| Some((run, run.greatest.as_ref()?)));
-        // The first of equals, as with the least.
-        each.rev()
-            .max_by(|one, other| one.1.found().total_cmp(&other.1.found()))
+        each.reduce(|one, other| match other.1.found() > one.1.found() + WIDTH {
+            true => other,
+            false => one,
+        })
     }
 
     /// The worst pose of all, its run and the pair in it: jammed before the least backlash; `None` where nothing is in mesh.
@@ -177,15 +181,13 @@ impl<'a> Verdict<'a> {
         let failing = self
             .runs
             .iter()
-            .filter(|run| run.assembles() == Some(false));
+            .filter(|run| run.assembles() == Some(false) && run.status != Status::NoContact);
         let from = failing.map(|run| run.assembles_from);
         from.collect::<Option<Vec<AssemblesFrom>>>()?
             .into_iter()
             .reduce(|a, b| if b.high > a.high { b } else { a })
     }
-}
 
-impl Verdict<'_> {
     /// The distance up to which the runs that are out of mesh are all in mesh; `None` where one is at no distance.
     pub fn meshes_to(&self) -> Option<MeshesTo> {
         let runs = self.runs.iter();

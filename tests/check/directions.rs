@@ -168,7 +168,7 @@ fn one_gear_off_its_axis_in_any_direction() {
     }
 }
 
-/// With pitch deviations, so that corners of tips decide: brackets are wider.
+/// With pitch deviations, so that corners of tips decide.
 #[test]
 fn pitch_and_runout_in_any_direction() {
     let drawn = Drawn {

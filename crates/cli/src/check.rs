@@ -189,7 +189,7 @@ fn maps(study: &Study, diagnosis: &Diagnosis) -> Result<Vec<(String, String)>, E
         let material = group.material;
         let map = map(group, zero.pose, &|| progress.tick())?;
         let caption = format!(
-            "{} and {} teeth, material {}: what touches, over one pitch from the pose with the least backlash",
+            "{} and {} teeth, {}: what touches, over one pitch from the pose with the least backlash",
             group
                 .assembly
                 .gear(gearlash::pair::Member::Wheel)
@@ -202,7 +202,7 @@ fn maps(study: &Study, diagnosis: &Diagnosis) -> Result<Vec<(String, String)>, E
                 .gear()
                 .basic_data()
                 .teeth(),
-            material.name(),
+            material.words(),
         );
         let picture = gearlash_render::map_picture(&map, &study.title, &caption);
         let csv = gearlash_files::results::map_csv(&map)

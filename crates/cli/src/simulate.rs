@@ -209,7 +209,7 @@ fn picture(study: &Study, assembly: &GearPair, material: Material, pose: &PoseRe
         title: &study.title,
         assembly,
         pose: &pose.pose,
-        material: material.name(),
+        material,
         found: pose.found.as_ref(),
     })
 }

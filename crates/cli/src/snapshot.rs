@@ -84,7 +84,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         title: &title,
         assembly: &subject.assembly,
         pose: &subject.pose,
-        material: subject.material.name(),
+        material: subject.material,
         found: subject.found.as_ref(),
     };
     let mut unproven = subject.unproven;

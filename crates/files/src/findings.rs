@@ -34,7 +34,7 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
             format!("{key}: {}", runout::contradiction(contradiction))
         }
         Finding::RunoutWithoutDirection { total_um } => format!(
-            "{}: {total_um} µm without high_tooth: the verdict is over every direction, single poses have tooth 1 high",
+            "{}: {total_um} µm without high_tooth: least and greatest of the verdict are over every direction; single poses and the gauge have tooth 1 high",
             key("runout")
         ),
         Finding::EccentricityInPitch(note) => {

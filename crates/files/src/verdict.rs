@@ -4,7 +4,6 @@ use crate::numbers::{fixed, stated_distance, um};
 use gearlash::analysis::compare::ComparedPose;
 use gearlash::analysis::extremes::{RunExtreme, RunExtremes, WIDTH};
 use gearlash::analysis::requirement::Quantity;
-use gearlash::analysis::study::Material;
 use gearlash::analysis::verdict::{Requirement, Unmet, Verdict};
 use gearlash::contact::{Doubt, Status};
 use gearlash::pair::{GearPair, Member, arcmin};
@@ -123,7 +122,7 @@ fn places(verdict: &Verdict, runs: &[&RunExtremes]) -> String {
     if let [material] = &each(runs.iter().map(|run| run.material))[..]
         && each(within.iter().map(|run| run.material)).len() > 1
     {
-        text += &format!(" with {}", material_name(*material));
+        text += &format!(" with {}", material.words());
     }
     let phases = each(runs.iter().filter_map(|run| run.phase));
     let possible = each(within.iter().filter_map(|run| run.phase)).len();
@@ -150,15 +149,6 @@ fn each<T: PartialEq>(items: impl Iterator<Item = T>) -> Vec<T> {
         }
     }
     each
-}
-
-/// A material in words.
-pub fn material_name(material: Material) -> &'static str {
-    match material {
-        Material::Most => "most material",
-        Material::Least => "least material",
-        Material::AsMeasured => "as measured",
-    }
 }
 
 fn requirement(verdict: &Verdict) -> Option<String> {
@@ -241,13 +231,13 @@ fn values(verdict: &Verdict) -> Option<String> {
     if let [only] = verdict.runs
         && let (Some((run, extreme)), true) = (least, uniform(only))
     {
-        parts.push(value(verdict, run, extreme));
+        parts.push(value(verdict, run, extreme, true));
     } else {
         if let Some((run, extreme)) = least {
-            parts.push(format!("least {}", value(verdict, run, extreme)));
+            parts.push(format!("least {}", value(verdict, run, extreme, true)));
         }
         if let Some((run, extreme)) = greatest {
-            parts.push(format!("greatest {}", value(verdict, run, extreme)));
+            parts.push(format!("greatest {}", value(verdict, run, extreme, false)));
         }
     }
     if verdict.assembles() == Some(false)
@@ -257,7 +247,13 @@ fn values(verdict: &Verdict) -> Option<String> {
             .any(|run| run.assembles() == Some(false) && run.status != Status::NoContact)
     {
         parts.push(match verdict.assembles_from() {
-            Some(from) => format!("assembles from a = {} mm on", fixed(upward(from.high), 4)),
+            Some(from) => {
+                let distance = fixed(upward(from.high), 4);
+                format!(
+                    "assembles from a = {distance} mm on{}",
+                    unless_proven(from.doubt)
+                )
+            }
             None => "assembles at no centre distance in mesh".to_owned(),
         });
     }
@@ -267,14 +263,17 @@ fn values(verdict: &Verdict) -> Option<String> {
         .any(|run| run.status == Status::NoContact)
     {
         parts.push(match verdict.meshes_to() {
-            Some(to) => format!("in mesh up to a = {} mm", fixed(downward(to.low), 4)),
+            Some(to) => {
+                let distance = fixed(downward(to.low), 4);
+                format!("in mesh up to a = {distance} mm{}", unless_proven(to.doubt))
+            }
             None => "in mesh at no centre distance".to_owned(),
         });
     }
     (!parts.is_empty()).then(|| parts.join("; "))
 }
 
-fn value(verdict: &Verdict, run: &RunExtremes, extreme: &RunExtreme) -> String {
+fn value(verdict: &Verdict, run: &RunExtremes, extreme: &RunExtreme, is_least: bool) -> String {
     let found = extreme.found();
     let several = |differs: &dyn Fn(&RunExtremes) -> bool| verdict.runs.iter().any(differs);
     let off = match (verdict.expanded(extreme), verdict.uncertainty) {
@@ -290,8 +289,16 @@ fn value(verdict: &Verdict, run: &RunExtremes, extreme: &RunExtreme) -> String {
     );
     if uniform(run) {
         text += ", the same at every pose";
+    } else if run.has_like_teeth() {
+        text += " at any tooth";
     } else if let Some(teeth) = teeth(&extreme.pose) {
         text += &format!(" at teeth {teeth}");
+    }
+    if run.any_direction() {
+        text += match is_least {
+            true => ", the high teeth towards the mate",
+            false => ", the high teeth away from the mate",
+        };
     }
     let distance = run.assembly.center_distance();
     let mut place = Vec::new();
@@ -299,7 +306,7 @@ fn value(verdict: &Verdict, run: &RunExtremes, extreme: &RunExtreme) -> String {
         place.push(format!("a = {} mm", stated_distance(distance)));
     }
     if several(&|other| other.material != run.material) {
-        place.push(material_name(run.material).to_owned());
+        place.push(run.material.words().to_owned());
     }
     if let Some((wheel, pinion)) = run.phase {
         place.push(format!("phase {wheel}·{pinion}"));
@@ -342,18 +349,14 @@ fn coverage(verdict: &Verdict) -> String {
     };
     let extremes = verdict.runs.iter();
     let extremes = extremes.flat_map(|run| run.least.iter().chain(&run.greatest));
-    let from = verdict.assembles_from().and_then(|from| from.doubt);
-    let to = verdict.meshes_to().and_then(|to| to.doubt);
-    let others = from.into_iter().chain(to);
-    let others = others.map(|doubt| in_words(doubt).to_owned());
-    let doubts = each(extremes.filter_map(doubt).chain(others));
+    let doubts = each(extremes.filter_map(doubt));
     let rotation = match verdict.runs.iter().any(RunExtremes::any_direction) {
         true => "every rotation and every direction of the runout",
         false => "every rotation",
     };
     let all = verdict.runs.iter();
     let all = all.flat_map(|run| run.least.iter().chain(&run.greatest));
-    let wide = all.filter(|extreme| extreme.doubt == Some(Doubt::Effort));
+    let wide = all.filter(|extreme| extreme.doubt.is_some() && extreme.holds());
     let widest = wide
         .map(|extreme| extreme.high - extreme.low)
         .reduce(f64::max);
@@ -383,7 +386,19 @@ pub(crate) fn in_words(doubt: Doubt) -> &'static str {
             "fillets or roots may be touched, so only sampled poses were looked at"
         }
         Doubt::Effort => "too many stretches of the cycle come too near to each other",
+        Doubt::Unbounded => "too many stretches of the cycle have no bound",
+        Doubt::SecondOrder => {
+            "what a runout of any direction does is bounded to the second order of the lost motion"
+        }
         Doubt::ContactLost => "at a pose the contact was lost",
+    }
+}
+
+/// Beside a distance from or up to which something holds.
+fn unless_proven(doubt: Option<Doubt>) -> &'static str {
+    match doubt {
+        None => "",
+        Some(_) => " (not proven)",
     }
 }
 

@@ -1,6 +1,7 @@
 //! Pictures, pages and text tables. Nothing here computes anything about gears: it takes results and draws them.
 //!
 //! ```
+//! use gearlash::analysis::study::Material;
 //! use gearlash::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign, Side};
 //! use gearlash::pair::{GearPair, Mating};
 //! use gearlash_render::{Snapshot, snapshot};
@@ -14,7 +15,7 @@
 //!     title: "30/30",
 //!     assembly: &pair,
 //!     pose: &found.pose,
-//!     material: "as-measured",
+//!     material: Material::AsMeasured,
 //!     found: found.found.as_ref(),
 //! });
 //! assert!(svg.contains("<svg") && svg.contains("30/30"));

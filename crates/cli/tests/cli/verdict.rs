@@ -186,6 +186,14 @@ fn out_of_mesh_says_up_to_where_it_is_in_mesh() {
     let (_, rest) = told.split_once("in mesh up to a = ").unwrap();
     let to: f64 = rest.split_once(" mm").unwrap().0.parse().unwrap();
     assert!(!said(&to.to_string()).contains("Out of mesh"));
+    // With others at which it interferes and assembles each is told apart, and a doubt is of what it is about.
+    let mixed = said("[73.8, 73.9, 78.5]");
+    for words in [
+        "assembles from a = 73.8807 mm on; in mesh up to a = ",
+        " mm (not proven). Over all 1173 matings and every rotation, proven.",
+    ] {
+        assert!(mixed.contains(words), "{mixed}");
+    }
     // A bracket is 1e-5 mm, and the last digit is cut off.
     assert!(said(&(to + 1.2e-4).to_string()).contains("Out of mesh"));
 }

@@ -43,7 +43,7 @@ fn a_pair_that_assembles_as_stated_assembles() {
     let document = Html::parse_document(&page(&twenty("revolutions = \"wheel\"")));
     let answer = words(&document, ".answer");
     let expected = format!(
-        "Assembles at a = 39.950 mm: least j_wt {:.2} µm",
+        "Assembles at a = 39.950 mm: least j wt {:.2} µm",
         least("1·1")
     );
     assert!(answer.starts_with(&expected), "{answer}");
@@ -82,7 +82,7 @@ fn phases_that_do_not_assemble_are_named() {
         "39.950",
     );
     let assemble = (20 - failing.len()).to_string();
-    assert_eq!(cells[1..4], ["as measured", "20", &assemble]);
+    assert_eq!(cells[1..4], ["single thickness", "20", &assemble]);
     let more = words(&document, "#backlash summary");
     assert!(
         more.contains("More: backlash over the teeth in the other phases"),

@@ -40,7 +40,7 @@ fn a_pair_that_interferes_later_in_the_hunting_cycle_does_not_assemble() {
     let document = Html::parse_document(&page(&at_117_3("")));
     let answer = answer(&document);
     let (_, told) = answer
-        .split_once("Does not assemble at a = 117.300 mm: least j_wt −")
+        .split_once("Does not assemble at a = 117.300 mm: least j wt −")
         .unwrap();
     let told = -told.split_once(" µm").unwrap().0.parse::<f64>().unwrap();
     // Between two poses of the sweep it falls a little lower; both shown to 0.005 µm.
@@ -105,7 +105,7 @@ fn nominal_gears_at_their_own_distance_have_no_backlash_and_do_not_interfere() {
     let document = Html::parse_document(&page(&plain("40.0")));
     let answer = answer(&document);
     assert!(
-        answer.starts_with("Assembles without backlash at a = 40.000 mm: j_wt 0.00 µm"),
+        answer.starts_with("Assembles without backlash at a = 40.000 mm: j wt 0.00 µm"),
         "{answer}"
     );
     assert_eq!(select(&document, ".verdict.bad").len(), 0);

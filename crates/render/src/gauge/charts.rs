@@ -84,11 +84,11 @@ fn subtitle(gauged: &GaugedGear) -> String {
     // Degrees do not convert exactly.
     let degrees = rounded(basic_data.pressure_angle().to_degrees(), 9);
     format!(
-        "{} · z {}, m {} mm, α {degrees}°, x {shift} · material {}",
+        "{} · z {}, m {} mm, α {degrees}°, x {shift} · {}",
         gauged.name,
         basic_data.teeth(),
         basic_data.module(),
-        gauged.material.name(),
+        gauged.material.words(),
     )
 }
 

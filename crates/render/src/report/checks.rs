@@ -2,7 +2,7 @@
 
 use super::marks::mark;
 use super::page::Page;
-use super::phrases::{j_wt, material, plain, study};
+use super::phrases::{j_wt, plain, study};
 use crate::text::check::{doubts, governing, measured, unit};
 use gearlash::analysis::diagnosis::{Check, Group, Verdict};
 use gearlash::pair::Member;
@@ -90,7 +90,7 @@ fn row(several: bool, group: &Group, check: &Check) -> Markup {
             td { (check.gear.map_or("", Member::name)) }
             @if several {
                 td.n { (stated_distance(group.assembly.center_distance())) }
-                td.w { (material(group.material)) }
+                td.w { (group.material.words()) }
             }
             td.n { (fixed(check.analytic, 4)) }
             td.n { (measured(check, |number| fixed(number, 4))) }

@@ -5,7 +5,6 @@ use gearlash::analysis::outcome::Found;
 use gearlash::contact::Contact;
 pub(super) use gearlash_files::characters::plain;
 use gearlash_files::numbers::{NONE, um};
-pub(super) use gearlash_files::verdict::material_name as material;
 use maud::{Markup, html};
 
 /// `least … greatest`, in µm.

@@ -2,7 +2,7 @@
 
 use super::figures::not_on_paper;
 use super::page::Page;
-use super::phrases::{material, pose};
+use super::phrases::pose;
 use crate::snapshot::{Snapshot, snapshot_in_page};
 use gearlash::analysis::outcome::Found;
 use gearlash::contact::Status;
@@ -98,7 +98,7 @@ fn figure(page: &Page, id: &str, what: &str, found: Found) -> Markup {
         title: &page.report.pair.study.title,
         assembly: &run.assembly,
         pose: &swept.pose,
-        material: run.material.name(),
+        material: run.material,
         found: swept.found.as_ref(),
     };
     let backlash = swept.backlash.map(|mm| format!(": {} µm", um(Some(mm), 2)));
@@ -107,7 +107,7 @@ fn figure(page: &Page, id: &str, what: &str, found: Found) -> Markup {
         backlash.unwrap_or_default(),
         pose(found),
         stated_distance(run.assembly.center_distance()),
-        material(run.material)
+        run.material.words()
     );
     html! {
         figure.sheet tabindex="0" {

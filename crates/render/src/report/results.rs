@@ -2,7 +2,6 @@
 
 use super::figures::{charted, over_distance, revolutions};
 use super::page::Page;
-use super::phrases::material;
 use crate::chart::PictureError;
 use crate::viewer;
 use gearlash::analysis::outcome::{Found, Outcome};
@@ -63,7 +62,7 @@ fn materials(page: &Page) -> Markup {
                 tbody { @for (at, end, of) in rows {
                     tr {
                         th.n scope="row" { (stated_distance(at.center_distance)) }
-                        td.w { (material(end)) }
+                        td.w { (end.words()) }
                         (counts(of))
                         @if page.whole.unproven > 0 { td.n { (of.unproven) } }
                     }
@@ -102,7 +101,7 @@ fn phases(page: &Page) -> Markup {
                         tr {
                             @if let Some(run) = group.runs.first() {
                                 th.n scope="row" { (stated_distance(run.assembly.center_distance())) }
-                                td.w { (material(run.material)) }
+                                td.w { (run.material.words()) }
                             }
                             td.n { (group.runs.len()) }
                             td.n { (assemble(&group.runs)) }

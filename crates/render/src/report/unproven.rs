@@ -1,7 +1,7 @@
 //! Poses that nothing vouches for: how many, which, why.
 
 use super::page::Page;
-use super::phrases::{material, plain, pose};
+use super::phrases::{plain, pose};
 use gearlash::analysis::outcome::Found;
 use gearlash_files::numbers::stated_distance;
 use gearlash_files::results::doubts;
@@ -50,7 +50,7 @@ pub(super) fn section(page: &Page) -> Markup {
                     @for found in unproven.iter().take(MOST_LISTED) {
                         li {
                             (pose(*found)) ", centre distance " (stated_distance(found.run.run.assembly.center_distance())) " mm, "
-                            (material(found.run.run.material)) ": " (plain(&doubts(found.pose)))
+                            (found.run.run.material.words()) ": " (plain(&doubts(found.pose)))
                         }
                     }
                 }

@@ -29,10 +29,10 @@ pub fn heading(view: &Snapshot, left: f64, room: f64) -> Group {
 
 fn pose_line(view: &Snapshot) -> String {
     format!(
-        "{} · centre distance {} mm · material: {}",
+        "{} · centre distance {} mm · {}",
         pose_name(view.pose.mating()),
         trimmed(view.assembly.center_distance(), 3, 6),
-        view.material
+        view.material.words()
     )
 }
 

@@ -1,6 +1,7 @@
 //! What a snapshot is of, and where things stand on its sheet.
 
 use crate::kit::{Frame, TextStyle};
+use gearlash::analysis::study::Material;
 use gearlash::contact::{LostMotion, Scene, Unproven};
 use gearlash::pair::{GearPair, Member, Pose};
 use svg::node::element::Group;
@@ -14,8 +15,8 @@ pub struct Snapshot<'a> {
     pub assembly: &'a GearPair,
     /// The pose.
     pub pose: &'a Pose,
-    /// `most`, `least` or `as-measured`.
-    pub material: &'a str,
+    /// Which thickness.
+    pub material: Material,
     /// What the simulation found at the pose; of an unproven pose nothing is drawn as contact.
     pub found: Result<&'a LostMotion, &'a Unproven>,
 }

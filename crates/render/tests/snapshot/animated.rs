@@ -30,7 +30,7 @@ fn draw(solved: &Solved) -> String {
         title: solved.name,
         assembly: &solved.assembly,
         pose: &solved.pose,
-        material: "as-measured",
+        material: gearlash::analysis::study::Material::AsMeasured,
         found: Ok(&solved.lost_motion),
     };
     animation(&view, &steps(solved))

@@ -15,7 +15,7 @@ fn draw(solved: &Solved, factor: f64) -> String {
         title: solved.name,
         assembly: &solved.assembly,
         pose: &solved.pose,
-        material: "as-measured",
+        material: gearlash::analysis::study::Material::AsMeasured,
         found: Ok(&solved.lost_motion),
     };
     exaggerated(&view, &gears)

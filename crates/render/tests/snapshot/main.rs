@@ -23,7 +23,7 @@ fn draw(assembly: &GearPair, pose: &Pose, lost_motion: &LostMotion) -> String {
         title: "Closed form",
         assembly,
         pose,
-        material: "most",
+        material: gearlash::analysis::study::Material::Most,
         found: Ok(lost_motion),
     })
 }
@@ -238,7 +238,7 @@ fn the_caption_names_the_outcome() {
         ),
         (
             "[86, 21] a 160.55 wheel Left -0.21",
-            "wheel 86 with pinion 21 at the left flank, 0.21 pitch before · centre distance 160.550 mm · material: most",
+            "wheel 86 with pinion 21 at the left flank, 0.21 pitch before · centre distance 160.550 mm · most material",
         ),
         (
             "jammed",
@@ -293,7 +293,7 @@ fn any_title_fits_and_stays_xml() {
             title,
             assembly: &assembly,
             pose: &at,
-            material: "most",
+            material: gearlash::analysis::study::Material::Most,
             found: Ok(&lost),
         });
         let (first, room) = &read(&svg).texts[0];

@@ -34,7 +34,7 @@ impl Solved {
             title: self.name,
             assembly: &self.assembly,
             pose: &self.pose,
-            material: "as-measured",
+            material: gearlash::analysis::study::Material::AsMeasured,
             found: Ok(&self.lost_motion),
         })
     }

@@ -276,7 +276,7 @@ fn a_picture_draws_no_contact_and_says_why() {
         title: "t",
         assembly: &run.run.assembly,
         pose: &pose.swept.pose,
-        material: "as-measured",
+        material: gearlash::analysis::study::Material::AsMeasured,
         found: pose.swept.found.as_ref(),
     });
     assert!(

@@ -7,8 +7,8 @@
 //! until it meets the fillet, `ρ` the radius about the free axis. This is what [`Dip::clearance`] bounds.
 //!
 //! Two centred gears with the outlines' centre distance `d` stand for any pose. The gap of the involutes is
-//! `μ = (Σ α − T − r_bL (λ − ψ_bL))/r_bF + ψ_bF`, so with `i = r_bL/r_bF` the corner moves in the mate's frame, as `λ` grows, with the
-//! acceleration `d + (1 + i)² ρ` at most.
+//! `μ = (Σ α − T − r_bL (λ − ψ_bL))/r_bF + ψ_bF`, so with `i = r_bL/r_bF` a free corner moves in the mate's frame, as `λ` grows, with the
+//! acceleration `d + (1 + i)² ρ` at most, a locked one, at `C`, with `(1 + 2i) d − (1 + i)² C`.
 
 use super::super::line::Line;
 use super::super::shape::{C, Shape, turn};
@@ -208,7 +208,16 @@ impl Dip {
             }
         };
         let speed = velocity.norm();
-        let jolt = 0.5 * (distance + (1.0 + ratio).powi(2) * (radius + speed * play)) * play * play;
+        let square = (1.0 + ratio).powi(2);
+        let acceleration = match self.tip {
+            Tip::Locked => {
+                let corner = C::from(distance) + l * locked.corner;
+                let moving = locked.corner.norm();
+                ((1.0 + 2.0 * ratio) * distance - corner * square).norm() + square * moving * play
+            }
+            Tip::Free => distance + square * (radius + speed * play),
+        };
+        let jolt = 0.5 * acceleration * play * play;
         let off = point.norm();
         let band = (off - speed * play - jolt, off + speed * play + jolt);
         let turned = (speed + (1.0 + ratio) * radius) * play + jolt;

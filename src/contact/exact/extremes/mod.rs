@@ -74,6 +74,10 @@ pub enum Doubt {
     OffInvolute,
     /// Too many stretches of the cycle come too near to each other: the bracket holds, and is wider than was wanted.
     Effort,
+    /// Too many stretches of the cycle have no bound: no pair stays on the line of action all through them.
+    Unbounded,
+    /// What a runout of any direction does is bounded to the second order of the lost motion: the bracket holds, and is wider than was wanted.
+    SecondOrder,
     /// A contact was lost at a pose.
     ContactLost,
 }

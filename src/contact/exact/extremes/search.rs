@@ -150,7 +150,11 @@ impl Search<'_> {
             sample::sample(self.course, found, false)?;
         }
         let top = open.peek().map_or(bound, |top| bound.max(top.key));
-        Ok((self.value(top), Some(Doubt::Effort)))
+        let doubt = match top.is_finite() {
+            true => Doubt::Effort,
+            false => Doubt::Unbounded,
+        };
+        Ok((self.value(top), Some(doubt)))
     }
 
     fn value(&self, key: f64) -> f64 {

@@ -27,8 +27,11 @@ struct SideTable {
     /// Places of step 0 where the cycle begins; the locked one falls by `sense` with each mating.
     first: [i64; 2],
     sense: i64,
-    /// Steps that may be the tightest, and what they have beside the line of action.
-    open: [Vec<(i64, Part)>; PARTS],
+    /// Steps that may be the tightest, and what they have beside the line of action at least.
+    open: [Vec<(i64, f64)>; PARTS],
+    /// Those of them of which involutes and their ends decide, and those whose tip corners may dip into fillets.
+    plain: [Vec<(i64, f64)>; PARTS],
+    dipping: [Vec<(i64, Part)>; PARTS],
     /// Steps that are on the line of action all through.
     covering: [Vec<i64>; PARTS],
     /// `ρ`.
@@ -124,16 +127,22 @@ impl Table {
             for part in 0..PARTS {
                 let (mut low, mut high) = (0.0, 0.0);
                 for (index, (side, places)) in self.sides.iter().zip(places).enumerate() {
-                    let shares = match (&self.distances, &distances) {
-                        (Some(all), Some(ends)) => {
-                            all.shares([ends[index][part], ends[index][part + 1]])
-                        }
-                        _ => [0.0; 2],
-                    };
-                    let open = side.open[part].iter();
-                    low += open
-                        .map(|(step, more)| side.off(places, *step) + more.between(shares))
-                        .fold(f64::INFINITY, f64::min);
+                    let plain = side.plain[part].iter();
+                    let plain = plain.map(|(step, more)| side.off(places, *step) + more);
+                    let mut least = plain.fold(f64::INFINITY, f64::min);
+                    if !side.dipping[part].is_empty() {
+                        let shares = match (&self.distances, &distances) {
+                            (Some(all), Some(ends)) => {
+                                all.shares([ends[index][part], ends[index][part + 1]])
+                            }
+                            _ => [0.0, 1.0],
+                        };
+                        let dipping = side.dipping[part].iter();
+                        least = dipping
+                            .map(|(step, more)| side.off(places, *step) + more.between(shares))
+                            .fold(least, f64::min);
+                    }
+                    low += least;
                     let covering = side.covering[part].iter();
                     high += covering
                         .map(|step| side.off(places, *step))
@@ -171,7 +180,7 @@ impl Table {
         let open = table.open[part].iter();
         open.filter_map(move |(step, more)| {
             let enough = limit - table.off(places, *step);
-            (more.least() <= enough).then_some((*step, enough))
+            (*more <= enough).then_some((*step, enough))
         })
     }
 }
@@ -210,6 +219,8 @@ impl SideTable {
             first: [places.0 as i64, places.1 as i64],
             sense: side.sense as i64,
             open: std::array::from_fn(|_| Vec::new()),
+            plain: std::array::from_fn(|_| Vec::new()),
+            dipping: std::array::from_fn(|_| Vec::new()),
             covering: std::array::from_fn(|_| Vec::new()),
             nominal: 0.0,
         };
@@ -233,8 +244,16 @@ impl SideTable {
                 true => spread,
                 false => f64::INFINITY,
             };
-            let open = found.iter().filter(|(_, part)| part.least() <= limit);
-            table.open[part] = open.map(|(step, part)| (*step, *part)).collect();
+            let open = || found.iter().filter(|(_, part)| part.least() <= limit);
+            table.open[part] = open().map(|(step, part)| (*step, part.least())).collect();
+            let (dipping, plain) = open().partition(|(_, part)| part.least() < part.beside);
+            let plain: Vec<&(i64, Part)> = plain;
+            table.plain[part] = plain
+                .iter()
+                .map(|(step, part)| (*step, part.beside))
+                .collect();
+            let dipping: Vec<&(i64, Part)> = dipping;
+            table.dipping[part] = dipping.into_iter().copied().collect();
             let covering = found.iter().filter(|(_, part)| part.covers);
             table.covering[part] = covering.map(|(step, _)| *step).collect();
         }
@@ -259,7 +278,11 @@ impl SideTable {
 
     /// How much deeper or higher than its involute a tip corner may meet a fillet, rad; `None` where none comes near.
     fn deepest(&self) -> Option<f64> {
-        let each = self.open.iter().flatten().filter_map(|(_, part)| part.dip);
+        let each = self
+            .dipping
+            .iter()
+            .flatten()
+            .filter_map(|(_, part)| part.dip);
         let each = each.flatten().filter(|dip| dip.is_finite()).map(f64::abs);
         each.reduce(f64::max)
     }

@@ -1,16 +1,16 @@
 //! The centre distance from which a pair assembles: where the least backlash of its whole mesh cycle is 0.
 //!
-//! Backlash grows with the distance (`dj_wt/da = 2 tan α_wt`), so the root is bracketed and Newton's method finds it. What interferes at a
+//! Backlash grows with the distance (`dj_wt/da = 2 tan α_wt`), so the root is bracketed: a secant leads to it, or a tangent where one end has no value. What interferes at a
 //! distance is looked for first where it was tightest at those before; only what is free there is looked over the whole cycle.
 
 use crate::contact::{Doubt, ExactKernel, Status};
 use crate::error::Error;
-use crate::pair::{GearPair, Mating, Member, Pose};
+use crate::pair::{GearPair, Mating, Member};
 
 /// Width of the bracket, mm.
 const DISTANCE_WIDTH: f64 = 1e-6;
 
-/// Steps of the search (the first few are Newton's; so many would do by halving alone).
+/// Steps of the search (it takes some ten; so many would do by halving alone).
 const STEPS: usize = 60;
 
 /// The centre distance from which a pair assembles.
@@ -120,9 +120,8 @@ fn interference(
     let per_radian = pair.operating_pitch_radius(pair.free());
     let mut least = 0.0f64;
     for mating in matings {
-        let found = match kernel.lost_motion(&Pose::new(pair, *mating)) {
-            Err(error) if error.of_one_pose().is_some() => continue,
-            found => found?,
+        let Some(found) = kernel.lost_motion_at(pair, *mating)? else {
+            continue;
         };
         if found.status() == Status::Jammed {
             return Ok(Some(f64::NEG_INFINITY));

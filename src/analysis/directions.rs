@@ -18,7 +18,7 @@
 //! one side changes by less than half of what the free gear turns (a corner on an involute, `1 − (cos δ − ξ sin δ)`, `δ` at most a third), no
 //! pose is beyond `φ_1` by more than half of `|φ_1 − φ_0| e/r'`.
 
-use crate::contact::{Doubt, ExactKernel, Extreme, Extremes, LostMotion, Status};
+use crate::contact::{Doubt, ExactKernel, Extreme, Extremes, Status};
 use crate::error::Error;
 use crate::gear::{AsBuilt, Side};
 use crate::pair::{GearPair, Mating, Member, Pose};
@@ -30,6 +30,9 @@ const STEEPEST: f64 = 0.5;
 
 /// How much beyond touching base circles the axes are at the nearest, of their sum.
 const NEAREST: f64 = 1e-6;
+
+/// A search for the extremes of a pair.
+pub(super) type Search<'a> = dyn Fn(&GearPair) -> Result<Extremes, Error> + 'a;
 
 /// Poses, and the pair in them: its high teeth where they are worst.
 #[derive(Debug, Clone)]
@@ -66,7 +69,7 @@ fn open_eccentricity(gear: &AsBuilt) -> f64 {
 /// Extremes of `assembly`, in brackets of about `width` mm; those of a pair without a runout of unknown direction are found by `search`.
 pub(super) fn extremes(
     assembly: &GearPair,
-    search: &dyn Fn(&GearPair) -> Result<Extremes, Error>,
+    search: &Search<'_>,
     width: f64,
 ) -> Result<AnyDirection, Error> {
     let near = End::new(assembly, true, search, width)?;
@@ -77,8 +80,8 @@ pub(super) fn extremes(
         (status, _) => status,
     };
     let [least, greatest] = [
-        near.bounded(near.found.least, search)?,
-        far.bounded(far.found.greatest, search)?,
+        near.bounded(near.found.least)?,
+        far.bounded(far.found.greatest)?,
     ];
     let lost = match status {
         Status::Jammed => near.found.lost.map(|mating| near.directed(mating, None)),
@@ -117,6 +120,8 @@ struct End<'a> {
     off: f64,
     centred: GearPair,
     found: Extremes,
+    /// Finds the extremes of a pair without a runout of unknown direction.
+    search: &'a Search<'a>,
     /// That a bracket should not exceed, mm.
     width: f64,
 }
@@ -125,19 +130,13 @@ impl<'a> End<'a> {
     fn new(
         assembly: &'a GearPair,
         facing: bool,
-        search: &dyn Fn(&GearPair) -> Result<Extremes, Error>,
+        search: &'a Search<'a>,
         width: f64,
     ) -> Result<End<'a>, Error> {
         let sign = if facing { 1.0 } else { -1.0 };
         let off = |member| sign * open_eccentricity(assembly.gear(member));
-        let gear = |member| {
-            let gear: &AsBuilt = assembly.gear(member);
-            match gear.any_direction() {
-                true => gear.with_runout(0.0, 1.0),
-                false => Ok(gear.clone()),
-            }
-        };
-        let (wheel, pinion) = (gear(Member::Wheel)?, gear(Member::Pinion)?);
+        let gear = |member| assembly.gear(member).centred();
+        let (wheel, pinion) = (gear(Member::Wheel), gear(Member::Pinion));
         let wanted = assembly.center_distance() - off(Member::Wheel) - off(Member::Pinion);
         let base = wheel.gear().base_radius() + pinion.gear().base_radius();
         // Involutes have no contact nearer than that: what is found there bounds nothing unless it jams.
@@ -152,16 +151,13 @@ impl<'a> End<'a> {
             off: off(assembly.free()),
             found,
             centred,
+            search,
             width,
         })
     }
 
     /// The bracket of `extreme`, of the centred pair, as one of the assembly, and the pair whose high teeth are where it is attained.
-    fn bounded(
-        &self,
-        extreme: Option<Extreme>,
-        search: &dyn Fn(&GearPair) -> Result<Extremes, Error>,
-    ) -> Result<Option<(Extreme, GearPair)>, Error> {
+    fn bounded(&self, extreme: Option<Extreme>) -> Result<Option<(Extreme, GearPair)>, Error> {
         let Some(mut extreme) = extreme else {
             return Ok(None);
         };
@@ -175,7 +171,7 @@ impl<'a> End<'a> {
             && let Some([right, left]) = self.contacts(extreme.mating)?
         {
             let turn = left - right;
-            let found = search(&self.with_left_flanks_on(turn)?)?;
+            let found = (self.search)(&self.with_left_flanks_on(turn)?)?;
             let other = if is_least {
                 found.least
             } else {
@@ -199,7 +195,7 @@ impl<'a> End<'a> {
         let (assembly, mating) = self.directed(extreme.mating, contacts)?;
         let per_radian = assembly.operating_pitch_radius(free);
         let [low, high] = [ends[0] - slack, ends[1] + slack].map(|end| end * per_radian);
-        let seen = lost_motion(&assembly, mating)?;
+        let seen = ExactKernel::new(&assembly).lost_motion_at(&assembly, mating)?;
         let seen = seen.and_then(|found| found.angle().zip(found.error()));
         let seen =
             seen.map(|(angle, error)| [angle - error, angle + error].map(|end| end * per_radian));
@@ -222,7 +218,7 @@ impl<'a> End<'a> {
     /// Rotations of the free gear where its right and its left flanks touch, at a mating of the centred pair.
     fn contacts(&self, mating: Mating) -> Result<Option<[f64; 2]>, Error> {
         let (assembly, mating) = self.directed(mating, None)?;
-        let found = lost_motion(&assembly, mating)?;
+        let found = ExactKernel::new(&assembly).lost_motion_at(&assembly, mating)?;
         Ok(found.and_then(|found| Some([found.right?.rotation, found.left?.rotation])))
     }
 
@@ -279,11 +275,10 @@ impl<'a> End<'a> {
             if !gear.any_direction() {
                 return Ok(gear.clone());
             }
-            let rotation = match member == assembly.locked() {
-                true => pose.locked_rotation(),
-                false => {
-                    contacts.map_or(pose.free_rotation(), |[right, left]| 0.5 * (right + left))
-                }
+            let between = contacts.filter(|_| member == assembly.free());
+            let rotation = match between {
+                Some([right, left]) => 0.5 * (right + left),
+                None => pose.rotation(assembly, member),
             };
             let angle = if facing { -rotation } else { PI - rotation };
             let along = gear.face().ascending() * angle;
@@ -297,13 +292,5 @@ impl<'a> End<'a> {
             assembly.locked(),
         )?;
         Ok((pair, mating))
-    }
-}
-
-/// At a pose; `None` where the contact is lost.
-fn lost_motion(assembly: &GearPair, mating: Mating) -> Result<Option<LostMotion>, Error> {
-    match ExactKernel::new(assembly).lost_motion(&Pose::new(assembly, mating)) {
-        Err(error) if error.of_one_pose().is_some() => Ok(None),
-        found => found.map(Some),
     }
 }

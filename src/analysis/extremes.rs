@@ -6,14 +6,14 @@
 
 use super::assembles_from::AssemblesFrom;
 use super::compare::{ComparedPose, ComparedRun, compare};
-use super::directions::{self, Directed, is_open};
+use super::directions::{self, Directed, Search, is_open};
 use super::meshes_to::MeshesTo;
 use super::phases::phase;
 use super::simulate::simulate_plans;
 use super::study::{Material, RunPlan, Study};
 use crate::contact::{Doubt, ExactKernel, Extreme, Extremes, Method, Status};
 use crate::error::Error;
-use crate::gear::{AsBuilt, Inspection, Side};
+use crate::gear::{Inspection, Side};
 use crate::pair::{GearPair, Mating, Member, SweepPlan};
 use crate::parallel;
 use std::ops::ControlFlow;
@@ -190,6 +190,8 @@ pub fn run_count(study: &Study) -> Result<u64, Error> {
 struct Planned {
     run: RunPlan,
     first: Mating,
+    /// Matings that differ.
+    distinct: u64,
     phase: Option<(u32, u32)>,
 }
 
@@ -204,9 +206,9 @@ struct Searched {
 impl Planned {
     fn search(&self) -> Result<Searched, Error> {
         let assembly = &self.run.assembly;
-        let matings = distinct(assembly);
-        let of =
-            |pair: &GearPair| ExactKernel::new(pair).extremes(pair, self.first, matings, WIDTH);
+        let of = |pair: &GearPair| {
+            ExactKernel::new(pair).extremes(pair, self.first, self.distinct, WIDTH)
+        };
         if is_open(assembly) {
             let all = directions::extremes(assembly, &of, WIDTH)?;
             let [(near, nearest), (far, farthest)] = &all.ends;
@@ -245,8 +247,7 @@ impl Planned {
         if found.status == Status::NoContact || least.is_some_and(|least| least >= 0.0) {
             return Ok(None);
         }
-        let matings = distinct(&self.run.assembly);
-        let from = AssemblesFrom::new(pair, self.first, matings, least, 0.1 * WIDTH)?;
+        let from = AssemblesFrom::new(pair, self.first, self.distinct, least, 0.1 * WIDTH)?;
         Ok(from.map(|from| AssemblesFrom {
             low: from.low + farther,
             high: from.high + farther,
@@ -296,7 +297,7 @@ fn meshes_to(
     pair: &GearPair,
     found: &Extremes,
     nearer: f64,
-    search: &dyn Fn(&GearPair) -> Result<Extremes, Error>,
+    search: &Search<'_>,
 ) -> Result<Option<MeshesTo>, Error> {
     if found.status != Status::NoContact {
         return Ok(None);
@@ -322,7 +323,8 @@ fn plans(study: &Study) -> Result<Vec<Planned>, Error> {
             }
         }
         // Against perfect teeth it does not matter which are met.
-        if distinct(&run.assembly) < hunting_pitches(&run.assembly) {
+        let distinct = distinct(&run.assembly);
+        if distinct < hunting_pitches(&run.assembly) {
             firsts.truncate(1);
         }
         let several = firsts.len() > 1;
@@ -336,6 +338,7 @@ fn plans(study: &Study) -> Result<Vec<Planned>, Error> {
                     ..run.clone()
                 },
                 first,
+                distinct,
             });
         }
     }
@@ -364,11 +367,8 @@ fn distinct(assembly: &GearPair) -> u64 {
     let teeth = |member| gear(member).gear().basic_data().teeth();
     let (wheel, pinion) = (teeth(Member::Wheel), teeth(Member::Pinion));
     // In any direction an eccentricity alone makes no tooth another.
-    let deviates = |gear: &AsBuilt| match gear.with_runout(0.0, 1.0) {
-        Ok(centred) if gear.any_direction() => Inspection::of(&centred).deviates(),
-        _ => Inspection::of(gear).deviates(),
-    };
-    match [Member::Wheel, Member::Pinion].map(|member| deviates(gear(member))) {
+    let deviates = |member| Inspection::of(&gear(member).centred()).deviates();
+    match [Member::Wheel, Member::Pinion].map(deviates) {
         [true, true] => hunting_pitches(assembly),
         [true, false] => u64::from(wheel),
         [false, true] => u64::from(pinion),

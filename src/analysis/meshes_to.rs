@@ -1,9 +1,10 @@
 //! The centre distance up to which a pair is in mesh: farther apart, tips pass each other somewhere in the mesh cycle.
 
+use super::directions::Search;
 use crate::analytic::InvolutePair;
 use crate::contact::{Doubt, ExactKernel, Extremes, Status};
 use crate::error::Error;
-use crate::pair::{GearPair, Mating, Pose};
+use crate::pair::{GearPair, Mating};
 
 /// Width of the bracket, mm: a tip leaves its mate at some speed, so more would say nothing.
 const WIDTH: f64 = 1e-5;
@@ -31,7 +32,7 @@ impl MeshesTo {
     pub(super) fn new(
         assembly: &GearPair,
         found: &Extremes,
-        search: &dyn Fn(&GearPair) -> Result<Extremes, Error>,
+        search: &Search<'_>,
     ) -> Result<Option<MeshesTo>, Error> {
         let (Some(nearest), Some(lost)) =
             (InvolutePair::of(assembly).center_distance(0.0), found.lost)
@@ -74,11 +75,8 @@ impl MeshesTo {
 fn passes(pair: &GearPair, matings: &[Mating]) -> Result<bool, Error> {
     let kernel = ExactKernel::new(pair);
     for mating in matings {
-        let found = match kernel.lost_motion(&Pose::new(pair, *mating)) {
-            Err(error) if error.of_one_pose().is_some() => continue,
-            found => found?,
-        };
-        if found.status() == Status::NoContact {
+        let found = kernel.lost_motion_at(pair, *mating)?;
+        if found.is_some_and(|found| found.status() == Status::NoContact) {
             return Ok(true);
         }
     }

@@ -15,7 +15,7 @@
 //! extreme moves to another pose is of second order while that pose lies apart by more than the uncertainty.
 
 use crate::contact::{Contact, PoseResult};
-use crate::pair::{GearPair, Member, Pose};
+use crate::pair::{GearPair, Member};
 
 /// Standard uncertainties of what was measured.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -52,7 +52,8 @@ impl Uncertainty {
             square += (per_base * self.base_thickness[index]).powi(2);
             square += (per_reference * flanks * self.per_tooth).powi(2);
             square += 2.0 * (per_reference * self.pitch).powi(2);
-            let toward = toward_mate(assembly, &extreme.pose, member);
+            let rotation = extreme.pose.rotation(assembly, member);
+            let toward = assembly.gear(member).towards_mate(rotation);
             square += (per_shift * toward * 0.5 * self.runout).powi(2);
         }
         Some(self.coverage * square.sqrt())
@@ -65,15 +66,4 @@ fn tooth(contact: &Contact, member: Member) -> u32 {
         Member::Wheel => contact.wheel.tooth,
         Member::Pinion => contact.pinion.tooth,
     }
-}
-
-/// Cosine of the angle between a gear's high tooth and its mate.
-fn toward_mate(assembly: &GearPair, pose: &Pose, member: Member) -> f64 {
-    let rotation = match member == assembly.locked() {
-        true => pose.locked_rotation(),
-        false => pose.free_rotation(),
-    };
-    let gear = assembly.gear(member);
-    // A rotation counts from where tooth 1 points at the mate.
-    (rotation + gear.tooth_angle(gear.high_tooth())).cos()
 }

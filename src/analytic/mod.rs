@@ -43,12 +43,9 @@ pub fn evaluate(assembly: &GearPair, pose: &Pose) -> Analytic {
 /// the free gear at its nominal rotation: the distance of the two outlines'
 /// centres along the line of centres.
 pub fn effective_center_distance(assembly: &GearPair, pose: &Pose) -> f64 {
-    let towards_mate = |member, rotation: f64| {
+    let towards_mate = |member| {
         let gear = assembly.gear(member);
-        // A rotation counts from tooth 1 pointing at the mate.
-        gear.eccentricity() * (rotation + gear.tooth_angle(gear.high_tooth())).cos()
+        gear.eccentricity() * gear.towards_mate(pose.rotation(assembly, member))
     };
-    assembly.center_distance()
-        - towards_mate(assembly.locked(), pose.locked_rotation())
-        - towards_mate(assembly.free(), pose.free_rotation())
+    assembly.center_distance() - towards_mate(assembly.locked()) - towards_mate(assembly.free())
 }

@@ -52,10 +52,7 @@ impl<'a> Exaggeration<'a> {
 
     /// One gear at the nominal rotation of `pose`: exaggerated, and perfect.
     pub fn placed(&self, pose: &Pose, member: Member) -> [Placed<'_>; 2] {
-        let rotation = match member == self.assembly.locked() {
-            true => pose.locked_rotation(),
-            false => pose.free_rotation(),
-        };
+        let rotation = pose.rotation(self.assembly, member);
         let tooth_1 = self.assembly.mate_direction(member) + rotation;
         let which = usize::from(member == Member::Pinion);
         [&self.drawn[which], &self.perfect[which]]

@@ -164,6 +164,18 @@ impl AsBuilt {
         Ok(exaggerated)
     }
 
+    /// This gear without an eccentricity whose direction is not known.
+    pub(crate) fn centred(&self) -> AsBuilt {
+        AsBuilt {
+            eccentricity: match self.any_direction {
+                true => 0.0,
+                false => self.eccentricity,
+            },
+            any_direction: false,
+            ..self.clone()
+        }
+    }
+
     /// This gear with the flanks of `side` turned by `angle`, rad, counter-clockwise: every tooth is thicker or thinner by as much.
     ///
     /// # Errors
@@ -314,6 +326,11 @@ impl AsBuilt {
         };
         let index = (i64::from(tooth) - 1 + ascending).rem_euclid(teeth);
         u32::try_from(index).unwrap_or(0) + 1
+    }
+
+    /// Cosine of the angle from the high tooth to the mate, the gear at `rotation`, rad, from where tooth 1 points at it.
+    pub fn towards_mate(&self, rotation: f64) -> f64 {
+        (rotation + self.tooth_angle(self.high_tooth)).cos()
     }
 
     /// Displacement of the outline's centre from the axis, mm, with tooth 1 turned to the angle `tooth_1`.

@@ -130,6 +130,14 @@ impl Pose {
         self.free_rotation
     }
 
+    /// Rotation of one of the gears of `assembly`, rad, the free one at its nominal rotation.
+    pub fn rotation(&self, assembly: &GearPair, member: Member) -> f64 {
+        match member == assembly.locked() {
+            true => self.locked_rotation,
+            false => self.free_rotation,
+        }
+    }
+
     /// The free gear's tooth that faces flank `side` of the locked tooth `steps` counter-clockwise of the mating's.
     ///
     /// Counter-clockwise on one gear is clockwise on the other.

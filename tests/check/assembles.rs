@@ -2,7 +2,6 @@
 
 use super::*;
 use gearlash::analysis::assembles_from::AssemblesFrom;
-use gearlash::analysis::extremes::{RunExtremes, extremes};
 use gearlash::contact::{Doubt, Status};
 use gearlash::gear::thickness;
 
@@ -31,36 +30,18 @@ fn pair(teeth: [u32; 2], module: f64, shifts: [f64; 2], distance: f64) -> GearPa
     GearPair::new(wheel, pinion, distance).unwrap()
 }
 
-const FIRST: Mating = Mating {
-    wheel_tooth: 1,
-    pinion_tooth: 1,
-    flank: Side::Right,
-    fraction: 0.0,
-};
-
-fn found(pair: &GearPair) -> RunExtremes {
-    let study = Study::of_pair("assembles", pair, 1);
-    let exact = Method::Exact { certify: false };
-    let found = extremes(&study, exact, &|| ControlFlow::Continue(())).unwrap();
-    found.each.into_iter().next().unwrap()
-}
-
 /// Of 20 000 poses all over the cycle none interferes at `high`; at `low` one does.
 fn hold(pair: &GearPair) -> AssemblesFrom {
-    let from = found(pair).assembles_from.unwrap();
+    let from = extremes_of(pair).assembles_from.unwrap();
     assert!(from.high - from.low <= 1e-6, "{from:?}");
-    let teeth = |member| pair.gear(member).gear().basic_data().teeth();
-    let cycle = SweepPlan::hunting_pitches(teeth(Member::Wheel), teeth(Member::Pinion)) as f64;
     let at = pair.at(from.high).unwrap();
     let kernel = ExactKernel::new(&at);
-    let golden = 0.5 * (5f64.sqrt() - 1.0);
-    for k in 0..20_000 {
-        let pitches = cycle * (f64::from(k) * golden).fract();
-        let found = kernel.lost_motion(&Pose::new(&at, FIRST.onward(&at, pitches)));
-        let angle = found.unwrap().angle().expect("in mesh, and not jammed");
-        assert!(angle > -1e-11, "{pitches} pitches on: {angle} rad");
+    for pose in cycle::spread(&at, 20_000) {
+        let found = kernel.lost_motion(&pose).unwrap();
+        let angle = found.angle().expect("in mesh, and not jammed");
+        assert!(angle > -1e-11, "{pose:?}: {angle} rad");
     }
-    let below = found(&pair.at(from.low).unwrap());
+    let below = extremes_of(&pair.at(from.low).unwrap());
     assert!(below.least.unwrap().found() < 0.0);
     from
 }
@@ -70,7 +51,7 @@ fn hold(pair: &GearPair) -> AssemblesFrom {
 #[test]
 fn where_tips_in_fillets_bind_it_is_proven() {
     let pair = pair([200, 31], 1.0, [0.0, 0.2], 115.2);
-    assert_eq!(found(&pair).status, Status::Jammed);
+    assert_eq!(extremes_of(&pair).status, Status::Jammed);
     let from = hold(&pair);
     assert_eq!(from.doubt, None);
     assert!((from.high - 115.56958).abs() < 1e-5, "{from:?}");
@@ -94,26 +75,27 @@ fn where_nothing_bounds_it_is_doubted() {
 #[test]
 fn up_to_where_it_is_in_mesh() {
     let pair = pair([51, 23], 2.0, [0.0, 0.1], 78.6);
-    let run = found(&pair);
+    let run = extremes_of(&pair);
     assert_eq!(run.status, Status::NoContact);
     let to = run.meshes_to.unwrap();
     assert!(to.low < to.high && to.high - to.low <= 1e-5, "{to:?}");
     let at = pair.at(to.low).unwrap();
     let kernel = ExactKernel::new(&at);
-    let golden = 0.5 * (5f64.sqrt() - 1.0);
-    for k in 0..20_000 {
-        let pitches = 51.0 * 23.0 * (f64::from(k) * golden).fract();
-        let found = kernel.lost_motion(&Pose::new(&at, FIRST.onward(&at, pitches)));
-        assert_ne!(found.unwrap().status(), Status::NoContact, "{pitches}");
+    for pose in cycle::spread(&at, 20_000) {
+        let found = kernel.lost_motion(&pose).unwrap();
+        assert_ne!(found.status(), Status::NoContact, "{pose:?}");
     }
-    assert_eq!(found(&pair.at(to.high).unwrap()).status, Status::NoContact);
+    assert_eq!(
+        extremes_of(&pair.at(to.high).unwrap()).status,
+        Status::NoContact
+    );
 }
 
 /// Contact ratio near 1: where no pair stays on the line of action through a part of a pitch nothing bounds the greatest, and when the search
 /// is given up what it found is no bound. It was called proven, to the rounding of one pose, and another pose has 0.16 µm more.
 #[test]
 fn a_search_given_up_without_a_bound_holds_nothing() {
-    let run = found(&pair([101, 97], 1.0, [0.0, 0.0], 100.6));
+    let run = extremes_of(&pair([101, 97], 1.0, [0.0, 0.0], 100.6));
     let greatest = run.greatest.unwrap();
     assert_eq!(greatest.doubt, Some(Doubt::Unbounded));
     assert!(!greatest.holds() && !greatest.is_proven());

@@ -1,24 +1,8 @@
 //! Runout without a direction: poses with the high teeth anywhere, and near where they are worst, against the bracket.
 
 use super::*;
-use gearlash::analysis::extremes::{RunExtremes, extremes};
 use gearlash::gear::{Pitch, thickness};
 use std::f64::consts::{PI, TAU};
-
-/// A linear congruential generator (Knuth's MMIX): the same pairs everywhere.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> f64 {
-        let next = self.0.wrapping_mul(6_364_136_223_846_793_005);
-        self.0 = next.wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.next()
-    }
-}
 
 /// What a pair is drawn with.
 #[derive(Debug, Clone, Copy)]
@@ -31,24 +15,24 @@ struct Drawn {
 
 fn gear(random: &mut Random, face: Face, drawn: &Drawn, open: bool) -> AsBuilt {
     let module = 2.0;
-    let teeth = random.between(17.0, 60.0) as u32;
+    let teeth = random.within(17.0, 60.0) as u32;
     let data = BasicGearData::new(teeth, module, 20f64.to_radians()).unwrap();
     let design = GearDesign {
-        profile_shift: random.between(0.0, 0.4),
+        profile_shift: random.within(0.0, 0.4),
         ..GearDesign::standard(data)
     };
     let base =
         thickness::base_from_allowance(&design.basic_data, design.nominal_base_thickness(), -0.04);
     let mut pitch = || -> Vec<f64> {
         (0..teeth)
-            .map(|_| drawn.pitch * module * random.between(-1.0, 1.0))
+            .map(|_| drawn.pitch * module * random.within(-1.0, 1.0))
             .collect()
     };
     let (right, left) = (pitch(), pitch());
     let deviations = Deviations {
         pitch: (drawn.pitch > 0.0).then(|| Pitch::from_cumulative(&right, &left)),
-        eccentricity: random.between(0.0, 0.02 * module),
-        high_tooth: random.between(1.0, f64::from(teeth) + 1.0),
+        eccentricity: random.within(0.0, 0.02 * module),
+        high_tooth: random.within(1.0, f64::from(teeth) + 1.0),
         any_direction: open,
         ..Deviations::default()
     };
@@ -59,15 +43,8 @@ fn draw(random: &mut Random, drawn: &Drawn) -> GearPair {
     let wheel = gear(random, Face::Front, drawn, drawn.open[0]);
     let pinion = gear(random, Face::Back, drawn, drawn.open[1]);
     let zero = gearlash::analytic::InvolutePair::new(wheel.gear(), pinion.gear());
-    let distance = zero.center_distance(0.0).unwrap() + random.between(-0.02, 0.15);
+    let distance = zero.center_distance(0.0).unwrap() + random.within(-0.02, 0.15);
     GearPair::with_locked(wheel, pinion, distance, drawn.locked).unwrap()
-}
-
-fn found(pair: &GearPair) -> RunExtremes {
-    let study = Study::of_pair("any direction", pair, 1);
-    let exact = Method::Exact { certify: false };
-    let found = extremes(&study, exact, &|| ControlFlow::Continue(())).unwrap();
-    found.each.into_iter().next().unwrap()
 }
 
 /// `pair` with each gear without a direction turned so that its high tooth lies at an angle from the line to its mate, at `mating`.
@@ -78,10 +55,7 @@ fn pointed(pair: &GearPair, mating: Mating, angles: [f64; 2]) -> GearPair {
         if !gear.any_direction() {
             return gear.clone();
         }
-        let rotation = match member == pair.locked() {
-            true => pose.locked_rotation(),
-            false => pose.free_rotation(),
-        };
+        let rotation = pose.rotation(pair, member);
         let pitch = TAU / f64::from(gear.gear().basic_data().teeth());
         let places = gear.face().ascending() * (angles[member as usize] - rotation) / pitch;
         let tooth = 1.0 + places.rem_euclid(TAU / pitch);
@@ -100,7 +74,7 @@ fn hold(drawn: &Drawn, seed: u64, pairs: u32, width: f64) {
     let mut random = Random(seed);
     for _ in 0..pairs {
         let pair = draw(&mut random, drawn);
-        let run = found(&pair);
+        let run = extremes_of(&pair);
         let (least, greatest) = (run.least.as_ref().unwrap(), run.greatest.as_ref().unwrap());
         assert!(least.doubt.is_none() && greatest.doubt.is_none());
         for (extreme, end) in [(least, least.high), (greatest, greatest.low)] {
@@ -110,16 +84,16 @@ fn hold(drawn: &Drawn, seed: u64, pairs: u32, width: f64) {
         for k in 0..1500 {
             // Of the assembly phase that is meant.
             let near = *[&least.pose, &greatest.pose][k % 2].swept.pose.mating();
-            let cycle = f64::from(teeth(&pair, Member::Wheel) * teeth(&pair, Member::Pinion));
-            let mating = near.onward(&pair, cycle * random.next());
+            let cycle = cycle::matings(&pair) as f64;
+            let mating = near.onward(&pair, cycle * random.within(0.0, 1.0));
             // Anywhere, towards the mate, away from it; of pairs found, a little round where they stand.
             let spread = [PI, 0.1, 0.01][k % 3];
             let away = if k % 2 == 0 { 0.0 } else { PI };
             let mating = match k % 5 {
-                0 => near.onward(&pair, random.between(-0.01, 0.01)),
+                0 => near.onward(&pair, random.within(-0.01, 0.01)),
                 _ => mating,
             };
-            let mut angle = || away + random.between(-spread, spread);
+            let mut angle = || away + random.within(-spread, spread);
             let pointed = pointed(&pair, mating, [angle(), angle()]);
             let pose = Pose::new(&pointed, mating);
             let lost = ExactKernel::new(&pointed).lost_motion(&pose).unwrap();
@@ -132,10 +106,6 @@ fn hold(drawn: &Drawn, seed: u64, pairs: u32, width: f64) {
             );
         }
     }
-}
-
-fn teeth(pair: &GearPair, member: Member) -> u32 {
-    pair.gear(member).gear().basic_data().teeth()
 }
 
 /// What a drawing says: runout alone.

@@ -10,21 +10,29 @@ mod undercut;
 
 #[path = "../common/mod.rs"]
 mod common;
+#[path = "../common/cycle.rs"]
+mod cycle;
 #[path = "../common/design.rs"]
 mod design;
 #[path = "../common/eccentric_17_100.rs"]
 mod eccentric_17_100;
 
+#[path = "../common/campaign/random.rs"]
+#[allow(dead_code)] // campaigns use the rest
+mod random;
+
 #[path = "../common/pair_86_21.rs"]
 mod pair_86_21;
 
 use common::{ReferenceContact, reference_pair};
+use cycle::FIRST;
 use design::design;
 use eccentric_17_100::eccentric_17_100;
 use gearlash::analysis::compare::compare;
 use gearlash::analysis::diagnosis::{
     Check, Diagnosis, Verdict, diagnose, non_involute_onset, radial_clearance, zero_distance,
 };
+use gearlash::analysis::extremes::{RunExtremes, extremes};
 use gearlash::analysis::simulate::simulate;
 use gearlash::analysis::study::Study;
 use gearlash::analytic::{LineOfAction, SideContact, limits};
@@ -33,6 +41,7 @@ use gearlash::gear::{AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, 
 use gearlash::pair::{GearPair, Mating, Member, Pose, SweepPlan};
 use gearlash_files as input;
 use pair_86_21::{pair_86_21, written};
+use random::Random;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
@@ -40,6 +49,14 @@ fn fixture(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("fixtures")
         .join(name)
+}
+
+/// The extremes of the cycle that begins with wheel tooth 1 and pinion tooth 1.
+fn extremes_of(pair: &GearPair) -> RunExtremes {
+    let study = Study::of_pair("extremes", pair, 1);
+    let exact = Method::Exact { certify: false };
+    let found = extremes(&study, exact, &|| ControlFlow::Continue(())).unwrap();
+    found.each.into_iter().next().unwrap()
 }
 
 fn diagnosed(study: &Study) -> Diagnosis {

@@ -2,26 +2,16 @@
 //! JCGM 101, which shares nothing with it but the gears.
 
 use super::*;
-use gearlash::analysis::extremes::extremes;
 use gearlash::analysis::uncertainty::Uncertainty;
 
-/// SplitMix64 (Steele, Lea and Flood 2014).
-struct Random(u64);
+fn unit(random: &mut Random) -> f64 {
+    random.within(0.0, 1.0)
+}
 
-impl Random {
-    fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    /// Standard normal (Box and Muller).
-    fn normal(&mut self) -> f64 {
-        let radius = (-2.0 * (1.0 - self.unit()).ln()).sqrt();
-        radius * (std::f64::consts::TAU * self.unit()).cos()
-    }
+/// Standard normal (Box and Muller).
+fn normal(random: &mut Random) -> f64 {
+    let radius = (-2.0 * (1.0 - unit(random)).ln()).sqrt();
+    radius * (std::f64::consts::TAU * unit(random)).cos()
 }
 
 /// What a pair is made from.
@@ -36,17 +26,17 @@ struct Inputs {
 
 impl Inputs {
     fn draw(random: &mut Random) -> Inputs {
-        let teeth = [0, 1].map(|_| 20 + (30.0 * random.unit()) as u32);
+        let teeth = [0, 1].map(|_| 20 + (30.0 * unit(random)) as u32);
         let design = |teeth| design(teeth, 2.0);
         let base = teeth.map(|teeth| {
             let design = design(teeth);
-            design.nominal_base_thickness() - 0.02 - 0.02 * random.unit()
+            design.nominal_base_thickness() - 0.02 - 0.02 * unit(random)
         });
         Inputs {
             teeth,
             base_thickness: base,
-            runout: [0, 1].map(|_| 0.01 + 0.02 * random.unit()),
-            high_tooth: teeth.map(|teeth| 1.0 + random.unit() * f64::from(teeth - 1)),
+            runout: [0, 1].map(|_| 0.01 + 0.02 * unit(random)),
+            high_tooth: teeth.map(|teeth| 1.0 + unit(random) * f64::from(teeth - 1)),
             distance: f64::from(teeth[0] + teeth[1]) + 0.05,
         }
     }
@@ -65,7 +55,7 @@ impl Inputs {
     }
 
     fn redrawn(&self, of: &Uncertainty, random: &mut Random) -> Inputs {
-        let mut off = |value: f64, by: f64| value + by * random.normal();
+        let mut off = |value: f64, by: f64| value + by * normal(random);
         Inputs {
             base_thickness: [0, 1].map(|k| off(self.base_thickness[k], of.base_thickness[k])),
             runout: self.runout.map(|runout| off(runout, of.runout)),
@@ -78,15 +68,8 @@ impl Inputs {
 /// `j_wt` of the least and of the greatest.
 fn least_and_greatest(pair: &GearPair) -> [f64; 2] {
     let kernel = ExactKernel::new(pair);
-    let first = Mating {
-        wheel_tooth: 1,
-        pinion_tooth: 1,
-        flank: Side::Right,
-        fraction: 0.0,
-    };
-    let teeth = |member| pair.gear(member).gear().basic_data().teeth();
-    let matings = SweepPlan::hunting_pitches(teeth(Member::Wheel), teeth(Member::Pinion));
-    let found = kernel.extremes(pair, first, matings, 1e-6).unwrap();
+    let matings = cycle::matings(pair);
+    let found = kernel.extremes(pair, FIRST, matings, 1e-6).unwrap();
     [found.least, found.greatest].map(|extreme| extreme.unwrap().low)
 }
 
@@ -103,12 +86,7 @@ fn hold(pairs: u32, redraws: u32) {
             coverage: 2.0,
             ..Uncertainty::default()
         };
-        let study = Study::of_pair("redrawn", &pair, 1);
-        let found = extremes(&study, Method::Exact { certify: false }, &|| {
-            ControlFlow::Continue(())
-        })
-        .unwrap();
-        let run = &found.each[0];
+        let run = extremes_of(&pair);
         let told = [&run.least, &run.greatest].map(|extreme| {
             uncertainty
                 .of(&run.assembly, &extreme.as_ref().unwrap().pose.swept)

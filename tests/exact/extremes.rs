@@ -4,11 +4,15 @@
 #[allow(dead_code)] // its twin tests use the rest
 mod random_pair;
 
+#[path = "../common/cycle.rs"]
+mod cycle;
+
 use crate::design::design;
 use crate::wide::drawn::{Depth, Pair};
+use cycle::{FIRST, matings, spread};
 use gearlash::contact::{Doubt, ExactKernel, Extremes, Status};
-use gearlash::gear::{AsBuilt, Face, Gear, Side};
-use gearlash::pair::{GearPair, Mating, Member, Pose, SweepPlan};
+use gearlash::gear::{AsBuilt, Face, Gear};
+use gearlash::pair::{GearPair, Member};
 use proptest::prelude::*;
 use random_pair::rough_case;
 
@@ -17,18 +21,6 @@ const WIDTH: f64 = 1e-6;
 
 /// Values of one pose are known to 1e-10 mm at the very worst (rounding).
 const ROUNDING: f64 = 1e-10;
-
-const FIRST: Mating = Mating {
-    wheel_tooth: 1,
-    pinion_tooth: 1,
-    flank: Side::Right,
-    fraction: 0.0,
-};
-
-fn matings(pair: &GearPair) -> u64 {
-    let teeth = |member| pair.gear(member).gear().basic_data().teeth();
-    SweepPlan::hunting_pitches(teeth(Member::Wheel), teeth(Member::Pinion))
-}
 
 fn extremes(pair: &GearPair) -> Extremes {
     let kernel = ExactKernel::new(pair);
@@ -39,12 +31,7 @@ fn extremes(pair: &GearPair) -> Extremes {
 fn samples(pair: &GearPair, count: u32) -> Vec<Result<f64, Status>> {
     let kernel = ExactKernel::new(pair);
     let radius = pair.operating_pitch_radius(pair.free());
-    let cycle = matings(pair) as f64;
-    let golden = 0.5 * (5f64.sqrt() - 1.0);
-    let poses = (0..count).map(|k| {
-        let pitches = cycle * (f64::from(k) * golden).fract();
-        Pose::new(pair, FIRST.onward(pair, pitches))
-    });
+    let poses = spread(pair, count);
     let found = poses.filter_map(|pose| kernel.lost_motion(&pose).ok());
     found
         .map(|found| match found.angle() {

@@ -1,12 +1,17 @@
 //! The verdict in one sentence: what every command says first, in the same words.
 
+mod coverage;
+
 use crate::numbers::{fixed, stated_distance, um};
 use gearlash::analysis::compare::ComparedPose;
 use gearlash::analysis::extremes::{RunExtreme, RunExtremes, WIDTH};
 use gearlash::analysis::requirement::Quantity;
 use gearlash::analysis::verdict::{Requirement, Unmet, Verdict};
-use gearlash::contact::{Doubt, Status};
+use gearlash::contact::Status;
 use gearlash::pair::{GearPair, Member, arcmin};
+
+use coverage::{coverage, unless_proven};
+pub(crate) use coverage::{doubt, in_words};
 
 /// Decimals of a backlash in µm.
 const DECIMALS: usize = 2;
@@ -337,69 +342,6 @@ fn teeth(pose: &ComparedPose) -> Option<String> {
         named(right),
         named(left)
     ))
-}
-
-/// Over how much of the cycle, and whether that is proven.
-fn coverage(verdict: &Verdict) -> String {
-    let matings = verdict.matings();
-    let phases = each(verdict.runs.iter().filter_map(|run| run.phase)).len();
-    let of = match phases {
-        0 => format!("all {matings} matings"),
-        phases => format!("all {matings} matings of each of {phases} assembly phases"),
-    };
-    let extremes = verdict.runs.iter();
-    let extremes = extremes.flat_map(|run| run.least.iter().chain(&run.greatest));
-    let doubts = each(extremes.filter_map(doubt));
-    let rotation = match verdict.runs.iter().any(RunExtremes::any_direction) {
-        true => "every rotation and every direction of the runout",
-        false => "every rotation",
-    };
-    let all = verdict.runs.iter();
-    let all = all.flat_map(|run| run.least.iter().chain(&run.greatest));
-    let wide = all.filter(|extreme| extreme.doubt.is_some() && extreme.holds());
-    let widest = wide
-        .map(|extreme| extreme.high - extreme.low)
-        .reduce(f64::max);
-    match (&doubts[..], widest) {
-        ([], _) => format!("Over {of} and {rotation}, proven."),
-        ([only], Some(width)) => format!(
-            "Over {of} and {rotation}, proven to {} µm: {only}.",
-            um(width, DECIMALS)
-        ),
-        (doubts, _) => format!("Over {of}, not proven: {}.", doubts.join("; ")),
-    }
-}
-
-/// Why an extreme is only the one found; `None` where it is proven.
-pub(crate) fn doubt(extreme: &RunExtreme) -> Option<String> {
-    let Some(doubt) = extreme.doubt else {
-        let unproven = extreme.pose.swept.found.as_ref().err()?;
-        return Some(unproven.reason.clone());
-    };
-    Some(in_words(doubt).to_owned())
-}
-
-/// A doubt in words.
-pub(crate) fn in_words(doubt: Doubt) -> &'static str {
-    match doubt {
-        Doubt::OffInvolute => {
-            "fillets or roots may be touched, so only sampled poses were looked at"
-        }
-        Doubt::Effort => "too many stretches of the cycle come too near to each other",
-        Doubt::Unbounded => "too many stretches of the cycle have no bound",
-        Doubt::SecondOrder => {
-            "what a runout of any direction does is bounded to the second order of the lost motion"
-        }
-        Doubt::ContactLost => "at a pose the contact was lost",
-    }
-}
-
-/// Beside a distance from or up to which something holds.
-fn unless_proven(doubt: Option<Doubt>) -> &'static str {
-    match doubt {
-        None => "",
-        Some(_) => " (not proven)",
-    }
 }
 
 /// A distance, mm, to the next ten thousandth up: at one printed lower the pair would interfere.

@@ -46,7 +46,7 @@ use super::body::{is_solid, may_be_solid, reaches_over_an_axis};
 use super::lost_motion::{Contact, LostMotion};
 use crate::error::Error;
 use crate::gear::Side;
-use crate::pair::{GearPair, Member, Pose};
+use crate::pair::{GearPair, Mating, Member, Pose};
 use curves::SearchExhausted;
 use direct::{DirectSolver, Envelopes};
 use flank_problem::{FlankProblem, PosedFlanks};
@@ -113,6 +113,21 @@ impl ExactKernel {
     /// [`Error::ContactLost`] when a pair of flanks cannot be resolved; never a pair left out.
     pub fn lost_motion(&self, pose: &Pose) -> Result<LostMotion, Error> {
         self.with(pose, |posed| direct::touching(posed, self.solver.as_ref()))
+    }
+
+    /// The same at `mating` of `assembly`, which is this kernel's; `None` where a contact is lost.
+    ///
+    /// # Errors
+    /// None but what is not of this one pose.
+    pub(crate) fn lost_motion_at(
+        &self,
+        assembly: &GearPair,
+        mating: Mating,
+    ) -> Result<Option<LostMotion>, Error> {
+        match self.lost_motion(&Pose::new(assembly, mating)) {
+            Err(error) if error.of_one_pose().is_some() => Ok(None),
+            found => found.map(Some),
+        }
     }
 
     /// The same by branch and bound over all pairs and curves, no case told apart: a thousand times

@@ -1,9 +1,9 @@
 //! Bounds of the lost motion over a stretch of one mating, which close with the square of its length.
 
-use super::course::{Course, Posed, SideCourse};
+use super::course::{Course, PARTS, Posed, SideCourse};
 use super::fillet::{self, OnFillet, Reached};
 use super::separation::{Separation, lowest_roll};
-use super::table::{PARTS, Table};
+use super::table::Table;
 use std::f64::consts::PI;
 
 /// A stretch of one mating and what its lost motion is at least and at most, rad.

@@ -8,6 +8,9 @@ use super::dip::{Dip, Tip};
 use crate::gear::Side;
 use crate::pair::{GearPair, Mating, Pose};
 
+/// Parts of a pitch (tuned: ordinary pairs, contact ratio 1.2 and more, have a pair on the line of action all through each).
+pub(super) const PARTS: usize = 8;
+
 /// The matings of a cycle, from where `first` begins on, each pitch gone through once.
 #[derive(Debug)]
 pub(super) struct Course<'a> {

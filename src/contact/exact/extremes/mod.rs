@@ -23,7 +23,7 @@ mod table;
 use super::ExactKernel;
 use crate::contact::lost_motion::Status;
 use crate::error::Error;
-use crate::pair::{GearPair, Mating, Pose};
+use crate::pair::{GearPair, Mating};
 use course::Course;
 use search::{Search, Which};
 use table::Table;
@@ -185,29 +185,23 @@ struct Seen {
 impl Found {
     /// Looks at a pose.
     fn look(&mut self, course: &Course, mating: Mating) -> Result<(), Error> {
-        let pose = Pose::new(course.assembly, mating);
-        match course.kernel.lost_motion(&pose) {
-            Ok(found) => {
-                match found.status() {
-                    Status::Jammed => self.jammed = self.jammed.or(Some(mating)),
-                    Status::NoContact => self.unmeshed = self.unmeshed.or(Some(mating)),
-                    _ => (),
-                }
-                if let Some((angle, error)) = found.angle().zip(found.error()) {
-                    self.take(Seen {
-                        angle,
-                        error,
-                        mating,
-                    });
-                }
-                Ok(())
-            }
-            Err(error) if error.of_one_pose().is_some() => {
-                self.lost = true;
-                Ok(())
-            }
-            Err(error) => Err(error),
+        let Some(found) = course.kernel.lost_motion_at(course.assembly, mating)? else {
+            self.lost = true;
+            return Ok(());
+        };
+        match found.status() {
+            Status::Jammed => self.jammed = self.jammed.or(Some(mating)),
+            Status::NoContact => self.unmeshed = self.unmeshed.or(Some(mating)),
+            _ => (),
         }
+        if let Some((angle, error)) = found.angle().zip(found.error()) {
+            self.take(Seen {
+                angle,
+                error,
+                mating,
+            });
+        }
+        Ok(())
     }
 
     fn take(&mut self, seen: Seen) {

@@ -1,9 +1,8 @@
 //! Rolls at which the half teeth of a step stand in a part of a pitch, and what room they have beside the line of action.
 
 use super::super::line::Line;
-use super::course::SideCourse;
+use super::course::{PARTS, SideCourse};
 use super::separation::lowest_roll;
-use super::table::PARTS;
 
 /// What a part of a pitch means for a step.
 #[derive(Debug, Clone, Copy)]

@@ -1,8 +1,7 @@
 //! How far the eccentricities move the outlines' centres in a direction, all through a cycle.
 
 use super::super::shape::{C, turn};
-use super::course::{Posed, SideCourse};
-use super::table::PARTS;
+use super::course::{PARTS, Posed, SideCourse};
 use std::f64::consts::TAU;
 
 /// At both ends of a pitch and between its parts.

@@ -9,13 +9,10 @@
 use super::super::line::Line;
 use super::super::shape::C;
 use super::super::teeth::Teeth;
-use super::course::{Course, Posed, SideCourse};
+use super::course::{Course, PARTS, Posed, SideCourse};
 use super::rolls::{Part, Rolls};
 use super::shift::Shift;
 use std::ops::Range;
-
-/// Parts of a pitch (tuned: ordinary pairs, contact ratio 1.2 and more, have a pair on the line of action all through each).
-pub(super) const PARTS: usize = 8;
 
 /// One side's tables.
 #[derive(Debug)]
@@ -246,14 +243,12 @@ impl SideTable {
             };
             let open = || found.iter().filter(|(_, part)| part.least() <= limit);
             table.open[part] = open().map(|(step, part)| (*step, part.least())).collect();
-            let (dipping, plain) = open().partition(|(_, part)| part.least() < part.beside);
-            let plain: Vec<&(i64, Part)> = plain;
-            table.plain[part] = plain
-                .iter()
-                .map(|(step, part)| (*step, part.beside))
-                .collect();
-            let dipping: Vec<&(i64, Part)> = dipping;
-            table.dipping[part] = dipping.into_iter().copied().collect();
+            for (step, found) in open() {
+                match found.least() < found.beside {
+                    true => table.dipping[part].push((*step, *found)),
+                    false => table.plain[part].push((*step, found.beside)),
+                }
+            }
             let covering = found.iter().filter(|(_, part)| part.covers);
             table.covering[part] = covering.map(|(step, _)| *step).collect();
         }

@@ -28,6 +28,9 @@ use std::f64::consts::{PI, TAU};
 /// nothing bounds the pair).
 const STEEPEST: f64 = 0.5;
 
+/// Of the free gear's operating pitch radius, how much eccentricity the derivation above allows: then `e` is below a quarter of `a'` too.
+const LARGEST_SHARE: f64 = 0.25;
+
 /// How much beyond touching base circles the axes are at the nearest, of their sum.
 const NEAREST: f64 = 1e-6;
 
@@ -189,8 +192,9 @@ impl<'a> End<'a> {
             let each = ends.map(|end| (end.abs() - supposed).abs());
             each[0].max(each[1])
         });
-        let slack =
-            (STEEPEST * off + turn.powi(3) / 12.0) * share.abs() / (1.0 - 2.0 * share.abs());
+        // Beyond the largest share nothing is claimed.
+        let most = share.abs().min(LARGEST_SHARE);
+        let slack = (STEEPEST * off + turn.powi(3) / 12.0) * most / (1.0 - 2.0 * most);
         let contacts = self.contacts(extreme.mating)?;
         let (assembly, mating) = self.directed(extreme.mating, contacts)?;
         let per_radian = assembly.operating_pitch_radius(free);
@@ -210,7 +214,10 @@ impl<'a> End<'a> {
             low,
             high,
             mating,
-            doubt: extreme.doubt.or(wide.then_some(Doubt::SecondOrder)),
+            doubt: match share.abs() > LARGEST_SHARE {
+                true => Some(Doubt::Unbounded),
+                false => extreme.doubt.or(wide.then_some(Doubt::SecondOrder)),
+            },
         };
         Ok(Some((bounded, assembly)))
     }

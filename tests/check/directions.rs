@@ -1,6 +1,7 @@
 //! Runout without a direction: poses with the high teeth anywhere, and near where they are worst, against the bracket.
 
 use super::*;
+use gearlash::contact::Doubt;
 use gearlash::gear::{Pitch, thickness};
 use std::f64::consts::{PI, TAU};
 
@@ -147,4 +148,32 @@ fn pitch_and_runout_in_any_direction() {
         locked: Member::Wheel,
     };
     hold(&drawn, 7, 12, 1.1e-6);
+}
+
+/// The bound's derivation is for eccentricities below a quarter of the free gear's pitch radius; beyond it nothing is claimed.
+#[test]
+fn a_runout_of_a_quarter_of_a_pitch_radius_is_not_bounded() {
+    let gear = |teeth, shift, face| {
+        let data = BasicGearData::new(teeth, 2.0, 20f64.to_radians()).unwrap();
+        let design = GearDesign {
+            profile_shift: shift,
+            ..GearDesign::standard(data)
+        };
+        Gear::nominal(design).map(|gear| (gear, face)).unwrap()
+    };
+    let (wheel, front) = gear(40, 0.0, Face::Front);
+    let (pinion, back) = gear(8, 0.1, Face::Back);
+    for (eccentricity, bounded) in [(1.2, true), (2.2, false)] {
+        let open = Deviations {
+            eccentricity,
+            high_tooth: 1.0,
+            any_direction: true,
+            ..Deviations::default()
+        };
+        let wheel = AsBuilt::new(wheel.clone(), front, &Deviations::default()).unwrap();
+        let pinion = AsBuilt::new(pinion.clone(), back, &open).unwrap();
+        let pair = GearPair::with_locked(wheel, pinion, 50.4, Member::Wheel).unwrap();
+        let doubt = extremes_of(&pair).least.unwrap().doubt;
+        assert_eq!(doubt != Some(Doubt::Unbounded), bounded, "{doubt:?}");
+    }
 }

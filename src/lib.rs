@@ -167,5 +167,6 @@ pub mod error;
 pub mod gauge;
 pub mod gear;
 pub mod metrology;
+pub mod outline;
 pub mod pair;
 mod parallel;

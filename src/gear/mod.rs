@@ -37,7 +37,7 @@ pub use gear::{Gear, GearDesign};
 pub use grade::{GRADE_SOURCE, GRADES, Grade, GradedQuantity};
 pub use inspection::Inspection;
 pub use outline::{HalfTooth, Segment};
-pub use part::{Part, PartCurve, ProfilePart};
+pub use part::{Circle, Cubic, Line, Part, PartCurve, ProfilePart};
 pub use pins::PinReadings;
 pub use pitch::{Pitch, PitchAxis};
 pub use placed::Placed;

@@ -6,11 +6,15 @@
 //! the variant.
 
 mod arc;
+mod circle;
+mod cubic;
 mod involute;
 mod line;
 
 pub use super::fillet::Fillet;
 pub use arc::Arc;
+pub use circle::Circle;
+pub use cubic::Cubic;
 pub use involute::InvoluteFlank;
 pub use line::Line;
 
@@ -67,6 +71,10 @@ pub enum PartCurve {
     Trochoid(Fillet),
     /// Parameter: distance from its end at the root, mm.
     Line(Line),
+    /// About any point. Parameter: angle at its centre, rad.
+    Circle(Circle),
+    /// Parameter: 0 to 1.
+    Cubic(Cubic),
 }
 
 /// What a curve is asked, by the variant that answers.
@@ -77,6 +85,8 @@ macro_rules! ask {
             PartCurve::Involute(curve) => curve.$question($($argument),*),
             PartCurve::Trochoid(curve) => curve.$question($($argument),*),
             PartCurve::Line(curve) => curve.$question($($argument),*),
+            PartCurve::Circle(curve) => curve.$question($($argument),*),
+            PartCurve::Cubic(curve) => curve.$question($($argument),*),
         }
     };
 }
@@ -178,6 +188,37 @@ mod tests {
         let parts = all.flat_map(|(teeth, gear)| {
             ProfilePart::ALL.map(|part| (format!("{teeth} {}", part.name()), *gear.part(part)))
         });
+        let part = |what: &str, curve, ends| {
+            (
+                what.to_owned(),
+                Part {
+                    curve,
+                    ends,
+                    corners: [true; 2],
+                },
+            )
+        };
+        let bent = [[30.0, 1.0], [32.0, 0.5], [31.0, 3.0], [35.0, 2.0]];
+        let bent = bent.map(|[x, y]| Point2::new(x, y));
+        let drawn = [
+            part(
+                "convex arc",
+                PartCurve::Circle(Circle::new(Point2::new(30.0, 2.0), 4.0, true)),
+                [0.3, 1.4],
+            ),
+            part(
+                "concave arc",
+                PartCurve::Circle(Circle::new(Point2::new(30.0, 2.0), 4.0, false)),
+                [3.0, 2.0],
+            ),
+            part("cubic", PartCurve::Cubic(Cubic::new(bent)), [1.0, 0.0]),
+            part(
+                "end of a cubic",
+                PartCurve::Cubic(Cubic::new(bent)),
+                [1.0, 0.8],
+            ),
+        ];
+        let parts = parts.chain(drawn);
         parts
             .filter(|(_, part)| part.ends[0] != part.ends[1])
             .collect()

@@ -1,0 +1,108 @@
+//! A cubic Bézier curve, the metal on its left.
+//!
+//! Bounds come from control points: a piece of the curve lies in the hull of its own control points (subdivision, de Casteljau),
+//! and its tangent in the cone of their differences.
+
+use nalgebra::{Point2, Vector2};
+use std::f64::consts::PI;
+
+/// A cubic Bézier curve. Parameter: 0 to 1.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cubic {
+    points: [Point2<f64>; 4],
+}
+
+impl Cubic {
+    /// The curve of these control points, mm; they do not all coincide.
+    pub fn new(points: [Point2<f64>; 4]) -> Cubic {
+        Cubic { points }
+    }
+
+    #[inline]
+    pub(super) fn at(&self, t: f64) -> (Point2<f64>, Vector2<f64>) {
+        (self.point(t), self.normal(t))
+    }
+
+    pub(super) fn point(&self, t: f64) -> Point2<f64> {
+        let [a, b, c, d] = self.points;
+        let s = 1.0 - t;
+        let along =
+            (b - a) * (3.0 * s * s * t) + (c - a) * (3.0 * s * t * t) + (d - a) * (t * t * t);
+        a + along
+    }
+
+    /// `dP/dt`.
+    fn rise(&self, t: f64) -> Vector2<f64> {
+        let [a, b, c, d] = self.points;
+        let s = 1.0 - t;
+        ((b - a) * (s * s) + (c - b) * (2.0 * s * t) + (d - c) * (t * t)) * 3.0
+    }
+
+    /// Where control points coincide at an end the curve leaves it towards the next one that does not.
+    pub(super) fn normal(&self, t: f64) -> Vector2<f64> {
+        let [a, b, c, d] = self.points;
+        let rise = self.rise(t);
+        let size = (b - a).norm() + (c - b).norm() + (d - c).norm();
+        let along = if rise.norm() > f64::EPSILON * size {
+            rise
+        } else if t < 0.5 {
+            if c != a { c - a } else { d - a }
+        } else if d != b {
+            d - b
+        } else {
+            d - a
+        };
+        let along = along.normalize();
+        Vector2::new(along.y, -along.x)
+    }
+
+    pub(super) fn radius(&self, t: f64) -> f64 {
+        self.point(t).coords.norm()
+    }
+
+    pub(super) fn speed(&self, t: f64) -> f64 {
+        self.rise(t).norm()
+    }
+
+    /// The control points of the piece between two parameters (blossom).
+    fn piece(&self, low: f64, high: f64) -> [Point2<f64>; 4] {
+        let blossom = |u: f64, v: f64, w: f64| {
+            let mix = |a: Point2<f64>, b: Point2<f64>, t: f64| a + (b - a) * t;
+            let [a, b, c, d] = self.points;
+            let (e, f, g) = (mix(a, b, u), mix(b, c, u), mix(c, d, u));
+            mix(mix(e, f, v), mix(f, g, v), w)
+        };
+        [
+            blossom(low, low, low),
+            blossom(low, low, high),
+            blossom(low, high, high),
+            blossom(high, high, high),
+        ]
+    }
+
+    pub(super) fn spread(&self, low: f64, high: f64) -> (f64, f64) {
+        let (middle, normal) = self.at(0.5 * (low + high));
+        let piece = self.piece(low, high);
+        let reach = piece.iter().map(|point| (point - middle).norm());
+        let reach = reach.fold(0.0, f64::max);
+        let along = Vector2::new(-normal.y, normal.x);
+        let steps = piece.windows(2).map(|pair| pair[1] - pair[0]);
+        // A step that is nothing but rounding has no direction, and no share in the tangent.
+        let steps = steps.filter(|step| step.norm() > 4.0 * f64::EPSILON * middle.coords.norm());
+        let turn = steps.map(|step| along.perp(&step).atan2(along.dot(&step)).abs());
+        let turn = turn.fold(0.0, f64::max);
+        // Wider than half a plane the steps' cone is no bound.
+        (reach, if turn < 0.5 * PI { turn } else { PI })
+    }
+
+    /// `P''` runs straight from its one end to the other.
+    pub(super) fn bend(&self, _: f64) -> (f64, f64) {
+        let [a, b, c, d] = self.points;
+        let ends = [(c - b) - (b - a), (d - c) - (c - b)];
+        (6.0 * ends[0].norm().max(ends[1].norm()), 0.0)
+    }
+
+    pub(super) fn curvature(&self, _: f64, _: f64) -> Option<f64> {
+        None
+    }
+}

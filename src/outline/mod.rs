@@ -1,0 +1,7 @@
+//! Gears by their outline alone: a closed path that someone drew or traced, and the teeth found on it.
+//!
+//! An outline has no module, no base circle and no line of action; nothing here guesses them.
+
+mod segment;
+
+pub use segment::PathSegment;

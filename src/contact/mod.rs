@@ -5,7 +5,9 @@ mod class;
 mod drawn_contact;
 mod exact;
 mod exaggeration;
+mod gap;
 mod lost_motion;
+mod outline;
 mod overlap;
 mod pair_at_distance;
 mod parry;
@@ -21,6 +23,9 @@ pub use drawn_contact::DrawnContact;
 pub use exact::{Doubt, ExactKernel, Extreme, Extremes};
 pub use exaggeration::{Exaggeration, Found};
 pub use lost_motion::{Contact, LostMotion, Status, Touch};
+pub use outline::{
+    OutlineContact, OutlineKernel, OutlineLostMotion, OutlineTouch, Region, Unsettled,
+};
 pub use overlap::Overlap;
 pub use pair_at_distance::PairAtDistance;
 pub(crate) use pair_at_distance::reach;

@@ -8,6 +8,7 @@ mod clearance;
 mod design;
 mod extremes;
 mod hard;
+mod outlines;
 mod perfect;
 mod random;
 mod reference;

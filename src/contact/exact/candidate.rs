@@ -1,7 +1,8 @@
 //! Where two half teeth meet.
 
 use super::placed::Placed;
-use super::shape::{C, Sample};
+use super::shape::C;
+pub(super) use crate::contact::gap::slope;
 use crate::gear::ProfilePart;
 
 /// A common point of a locked and a free half tooth.
@@ -55,10 +56,4 @@ impl CandidateContact {
             normal,
         }
     }
-}
-
-/// `σ = ρ dθ/dρ = −Y/X`, `X = Q × n`, `Y = Q · n`.
-pub(super) fn slope(sample: &Sample) -> f64 {
-    let z = sample.point.conj() * sample.normal;
-    -z.re / z.im
 }

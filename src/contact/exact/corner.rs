@@ -9,7 +9,7 @@
 //! reach does not come back, and where the tip corner is out of reach all of the flank is. What `ρ` does there is
 //! unknown (the flank of a tooth that points sideways turns back), and does not matter.
 
-use super::placed::{Placed, invert};
+use super::placed::Placed;
 use super::shape::{C, turn};
 use crate::gear::{ProfilePart, involute};
 use std::f64::consts::TAU;
@@ -47,7 +47,8 @@ pub(super) fn meet(
         let bracket = bracket(shape.form_roll, tip_roll, inward);
         (
             ProfilePart::Involute,
-            invert(half, ProfilePart::Involute, rho, bracket, start),
+            half.curve(ProfilePart::Involute)
+                .invert(rho, bracket, start),
         )
     } else {
         let least = fillet?;
@@ -55,7 +56,7 @@ pub(super) fn meet(
         let start = 0.5 * (least + shape.fillet_end);
         (
             ProfilePart::Fillet,
-            invert(half, ProfilePart::Fillet, rho, bracket, start),
+            half.curve(ProfilePart::Fillet).invert(rho, bracket, start),
         )
     })
 }

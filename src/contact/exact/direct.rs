@@ -3,7 +3,6 @@
 //! At the greatest gap found so far most corners stand clear of the mate's metal, which a table
 //! of lines shows ([`super::envelope`]); only the rest are put on the curves.
 
-use super::branch::MOST_NODES;
 use super::candidate::CandidateContact;
 use super::corner::{Sense, least_flank_radius, meet, nearest_turn, on_land, tip_arm};
 use super::curves::{Curves, SearchExhausted};
@@ -16,6 +15,7 @@ use super::search;
 use super::search_free_proof::{SearchFreeProof, Setting};
 use super::shape::{C, turn};
 use super::tightest::{TightestContacts, Touching};
+use crate::contact::gap::MOST_NODES;
 use crate::gear::ProfilePart;
 use crate::pair::GearPair;
 use std::sync::Arc;

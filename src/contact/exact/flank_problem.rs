@@ -168,7 +168,7 @@ fn window_half(locked: &AsBuilt, free: &AsBuilt, distance: f64) -> Option<f64> {
 
 /// Half the angle at the centre of a circle of this radius under which its overlap with a circle of
 /// radius `other`, `distance` away, is seen; `None` without overlap, where circles touch in a point included.
-pub(super) fn lens_half(radius: f64, other: f64, distance: f64) -> Option<f64> {
+pub(in crate::contact) fn lens_half(radius: f64, other: f64, distance: f64) -> Option<f64> {
     if radius + other <= distance {
         return None;
     }

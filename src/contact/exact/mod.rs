@@ -41,6 +41,7 @@ mod teeth;
 mod tightest;
 
 pub use extremes::{Doubt, Extreme, Extremes};
+pub(super) use flank_problem::lens_half;
 
 use super::body::{is_solid, may_be_solid, reaches_over_an_axis};
 use super::lost_motion::{Contact, LostMotion};

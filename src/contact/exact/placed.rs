@@ -1,6 +1,7 @@
 //! A half tooth where the pose puts it.
 
 use super::shape::{C, Sample, Shape};
+use crate::contact::gap::PlacedCurve;
 use crate::gear::ProfilePart;
 
 /// A half tooth where the pose puts it: `centre + direction · P`, from the free gear's axis.
@@ -15,7 +16,17 @@ pub(super) struct Placed<'a> {
     pub root_end: f64,
 }
 
-impl Placed<'_> {
+impl<'a> Placed<'a> {
+    /// One of its curves.
+    pub fn curve(&self, part: ProfilePart) -> PlacedCurve<'a> {
+        PlacedCurve {
+            curve: self.shape.curve(part),
+            mirrored: false,
+            centre: self.centre,
+            direction: self.direction,
+        }
+    }
+
     /// Radius about the free axis of a point of the half tooth's own frame.
     pub fn own_to_axis(&self, point: C) -> f64 {
         (self.centre + self.direction * point).norm_sqr().sqrt()
@@ -59,43 +70,4 @@ impl Placed<'_> {
             normal: self.direction * sample.normal,
         }
     }
-}
-
-/// The parameter between `inner` and `outer` at which `curve` has the radius `rho`, `|P|` rising from one to the other.
-///
-/// Newton's method on `|P|² − ρ²` from `start`, halved whenever it leaves its bracket. It
-/// ends when the step or the rest is lost in rounding.
-pub(super) fn invert(
-    placed: &Placed,
-    curve: ProfilePart,
-    rho: f64,
-    [mut inner, mut outer]: [f64; 2],
-    start: f64,
-) -> f64 {
-    let mut t = start;
-    for _ in 0..128 {
-        let sample = placed.at(curve, t);
-        let rest = sample.point.norm_sqr() - rho * rho;
-        if rest <= 0.0 {
-            inner = t;
-        }
-        if rest >= 0.0 {
-            outer = t;
-        }
-        // d|P|²/dt = 2 P·(i n) speed.
-        let along = sample.point.im * sample.normal.re - sample.point.re * sample.normal.im;
-        let newton = t - rest / (2.0 * along * placed.shape.speed(curve, t));
-        let inside = newton > inner.min(outer) && newton < inner.max(outer);
-        let next = if inside {
-            newton
-        } else {
-            0.5 * (inner + outer)
-        };
-        let step = (next - t).abs();
-        t = next;
-        if step <= 2.0 * f64::EPSILON * t.abs() || rest == 0.0 {
-            break;
-        }
-    }
-    t
 }

@@ -1,11 +1,12 @@
 //! The plain path: branch and bound over every facing pair, nothing left out.
 
-use super::branch::{MOST_NODES, search};
+use super::branch::search;
 use super::curves::{Curves, SearchExhausted};
 use super::flank_problem::PosedFlanks;
 use super::lands::without_lands;
 use super::placed::Placed;
 use super::tightest::{TightestContacts, Touching};
+use crate::contact::gap::MOST_NODES;
 
 /// The pair that touches first, from the greatest gap of every pair in reach; lands in closed form.
 ///

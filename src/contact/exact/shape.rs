@@ -2,25 +2,10 @@
 //!
 //! The left-hand half is the mirror image, and the exact method solves the left side as the mirrored right side.
 
-use crate::gear::{Gear, Part, ProfilePart, involute};
-use nalgebra::Complex;
+use crate::gear::{Gear, Part, PartCurve, ProfilePart, involute};
 use std::f64::consts::PI;
 
-/// Point or vector of the plane.
-pub(super) type C = Complex<f64>;
-
-/// `e^{i angle}`.
-pub(super) fn turn(angle: f64) -> C {
-    let (sin, cos) = angle.sin_cos();
-    C::new(cos, sin)
-}
-
-/// A point of a curve, mm, and the unit normal there, out of the metal.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Sample {
-    pub point: C,
-    pub normal: C,
-}
+pub(super) use crate::contact::gap::{C, Sample, turn};
 
 /// The right-hand half tooth, its centre line on +x.
 #[derive(Debug, Clone)]
@@ -80,6 +65,11 @@ impl Shape {
         &self.parts[part as usize]
     }
 
+    /// The curve of a part.
+    pub fn curve(&self, part: ProfilePart) -> &PartCurve {
+        &self.part(part).curve
+    }
+
     /// Rolls and points of the corners: the tip's, and the joint where it is an edge.
     pub fn corners(&self) -> &[(f64, C)] {
         let undercut = self.part(ProfilePart::Fillet).corners[0];
@@ -99,18 +89,6 @@ impl Shape {
             point: C::new(point.x, point.y),
             normal: C::new(normal.x, normal.y),
         }
-    }
-
-    /// `(d, w)`: every point of `part` with parameter in `[low, high]` lies within `d` of the middle
-    /// one, and its normal within the angle `w` of the middle one's.
-    pub fn spread(&self, part: ProfilePart, low: f64, high: f64) -> (f64, f64) {
-        self.part(part).curve.spread(low, high)
-    }
-
-    /// `dP/dt = i n · speed`, with its sign.
-    #[inline]
-    pub fn speed(&self, part: ProfilePart, t: f64) -> f64 {
-        self.part(part).curve.speed(t)
     }
 
     /// Greatest amount of the angle `ψ` between fillet and radius from `gamma` up, rad.

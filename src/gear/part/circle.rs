@@ -21,6 +21,11 @@ impl Circle {
         }
     }
 
+    /// Its centre, mm.
+    pub(super) fn centre(&self) -> Point2<f64> {
+        self.centre
+    }
+
     #[inline]
     pub(super) fn at(&self, t: f64) -> (Point2<f64>, Vector2<f64>) {
         let (sin, cos) = t.sin_cos();

@@ -133,6 +133,15 @@ impl PartCurve {
         ask!(self, bend(t))
     }
 
+    /// Whether it is an arc about the origin.
+    pub(crate) fn is_about_the_origin(&self) -> bool {
+        match self {
+            PartCurve::Arc(_) => true,
+            PartCurve::Circle(circle) => circle.centre() == Point2::origin(),
+            _ => false,
+        }
+    }
+
     /// Greatest curvature between two parameters, 1/mm, where it is known.
     pub fn curvature(&self, from: f64, to: f64) -> Option<f64> {
         ask!(self, curvature(from, to))

@@ -1,0 +1,100 @@
+//! What is wrong with an outline.
+
+use nalgebra::Point2;
+
+/// A path that is no gear. Places are in the drawing's own frame, mm.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum OutlineError {
+    /// No segment, or one with a number that is not finite or a circle without radius.
+    #[error("segment {index} of the outline is not a curve with finite numbers")]
+    NotFinite {
+        /// Counted from 0.
+        index: usize,
+    },
+    /// Two ends that should meet do not.
+    #[error(
+        "the outline is open: from {} to {} nothing is drawn, {gap_mm:.6} mm",
+        at(from),
+        at(to)
+    )]
+    Open {
+        /// Where a segment ends.
+        from: Point2<f64>,
+        /// Where the next one starts.
+        to: Point2<f64>,
+        /// Their distance.
+        gap_mm: f64,
+    },
+    /// The path crosses itself.
+    #[error("the outline crosses itself near {}", at(near))]
+    SelfCrossing {
+        /// Within a chord of the crossing.
+        near: Point2<f64>,
+    },
+    /// The centre is not inside.
+    #[error("the centre {} does not lie inside the outline", at(centre))]
+    CentreOutside {
+        /// The centre.
+        centre: Point2<f64>,
+    },
+    /// Fewer than three teeth.
+    #[error(
+        "{found} teeth are found between diameters {root_diameter_mm:.4} and {tip_diameter_mm:.4} mm; a gear has at least 3"
+    )]
+    TooFewTeeth {
+        /// How many.
+        found: usize,
+        /// Twice the least radius.
+        root_diameter_mm: f64,
+        /// Twice the greatest radius.
+        tip_diameter_mm: f64,
+    },
+    /// Another number of teeth than stated.
+    #[error(
+        "{found} teeth are found, {stated} are stated; the first one found points to {}",
+        at(first)
+    )]
+    OtherTeeth {
+        /// How many are there.
+        found: usize,
+        /// How many there should be.
+        stated: u32,
+        /// The tip of tooth 1.
+        first: Point2<f64>,
+    },
+    /// Teeth at uneven distances: one is missing, or something else sticks out.
+    #[error(
+        "the teeth are not evenly spaced: from the one at {} to the next it is {pitches:.3} of a pitch",
+        at(tip)
+    )]
+    Uneven {
+        /// The tip of the tooth clockwise of the space.
+        tip: Point2<f64>,
+        /// Its distance from the next tooth, in pitches.
+        pitches: f64,
+    },
+    /// A runout that leaves the axis outside.
+    #[error(
+        "an eccentricity of {eccentricity_mm} mm is allowed up to half the tooth depth, {depth_mm:.4} mm"
+    )]
+    Eccentric {
+        /// Given.
+        eccentricity_mm: f64,
+        /// Tip minus root radius.
+        depth_mm: f64,
+    },
+    /// A centre distance at which nothing can turn.
+    #[error(
+        "the centre distance {center_distance_mm} mm must be above {least_mm:.4} mm, at which a tip reaches the mate's axis"
+    )]
+    TooNear {
+        /// Given.
+        center_distance_mm: f64,
+        /// Greater of the two reaches.
+        least_mm: f64,
+    },
+}
+
+fn at(point: &Point2<f64>) -> String {
+    format!("({:.4}, {:.4})", point.x, point.y)
+}

@@ -1,0 +1,116 @@
+//! Two gears by their outlines, at a centre distance, and how they stand at a mating.
+
+use super::error::OutlineError;
+use super::gear::OutlineGear;
+use crate::pair::{Mating, Member};
+
+/// A pair of which one gear at least is known by its outline: wheel axis at the origin, pinion axis at `(a, 0)`, y up.
+#[derive(Debug, Clone)]
+pub struct OutlinePair {
+    gears: [OutlineGear; 2],
+    center_distance: f64,
+    locked: Member,
+    /// Half the angle a mean tooth spans on its operating pitch circle, rad.
+    half_angles: [f64; 2],
+}
+
+impl OutlinePair {
+    /// Two gears at `center_distance` `a`, mm, the gear `locked` standing still.
+    ///
+    /// # Errors
+    /// [`OutlineError::TooNear`]: a gear reaches over the other's axis.
+    pub fn new(
+        wheel: OutlineGear,
+        pinion: OutlineGear,
+        center_distance: f64,
+        locked: Member,
+    ) -> Result<OutlinePair, OutlineError> {
+        let least = |gear: &OutlineGear, mate: &OutlineGear| gear.reach() + mate.eccentricity();
+        let least_mm = least(&wheel, &pinion).max(least(&pinion, &wheel));
+        if !(center_distance > least_mm && center_distance.is_finite()) {
+            return Err(OutlineError::TooNear {
+                center_distance_mm: center_distance,
+                least_mm,
+            });
+        }
+        let mut pair = OutlinePair {
+            gears: [wheel, pinion],
+            center_distance,
+            locked,
+            half_angles: [0.0; 2],
+        };
+        pair.half_angles = [Member::Wheel, Member::Pinion].map(|member| {
+            let radius = pair.operating_pitch_radius(member);
+            pair.gear(member).half_angle(radius)
+        });
+        Ok(pair)
+    }
+
+    /// The same gears at another centre distance.
+    ///
+    /// # Errors
+    /// As [`OutlinePair::new`].
+    pub fn at(&self, center_distance: f64) -> Result<OutlinePair, OutlineError> {
+        let [wheel, pinion] = self.gears.clone();
+        OutlinePair::new(wheel, pinion, center_distance, self.locked)
+    }
+
+    /// One of the gears.
+    pub fn gear(&self, member: Member) -> &OutlineGear {
+        &self.gears[usize::from(member == Member::Pinion)]
+    }
+
+    /// Centre distance `a`, mm.
+    pub fn center_distance(&self) -> f64 {
+        self.center_distance
+    }
+
+    /// The gear that stands still.
+    pub fn locked(&self) -> Member {
+        self.locked
+    }
+
+    /// The gear that turns.
+    pub fn free(&self) -> Member {
+        self.locked.mate()
+    }
+
+    /// Operating pitch radius `r_w = a z/(z_1 + z_2)`, mm: what the ratio alone says.
+    pub fn operating_pitch_radius(&self, member: Member) -> f64 {
+        let teeth = |member| f64::from(self.gear(member).teeth());
+        self.center_distance * teeth(member) / (teeth(Member::Wheel) + teeth(Member::Pinion))
+    }
+
+    /// Rotation of a gear at `mating`, rad, counted from where tooth 1 points at the mate: as of [`crate::pair::Pose`], a mean tooth's flank
+    /// passes through the operating pitch point; the free gear's is its nominal one.
+    pub fn rotation(&self, member: Member, mating: &Mating) -> f64 {
+        let gear = self.gear(member);
+        let half = self.half_angles[usize::from(member == Member::Pinion)];
+        let tooth = f64::from(mating.tooth(member));
+        let locked = self.gear(self.locked);
+        let onward = -locked.face().ascending() * mating.fraction;
+        let sense = if member == self.locked { 1.0 } else { -1.0 };
+        -mating.flank.sense() * half - gear.tooth_angle(tooth) + sense * onward * gear.pitch()
+    }
+
+    /// The mating `pitches` whole pitches beyond: ascending teeth of the locked gear come into mesh.
+    pub fn onward(&self, mating: &Mating, pitches: u64) -> Mating {
+        let locked = self.gear(self.locked);
+        let ascending = locked.face().ascending() as i64;
+        let tooth = |member| {
+            let gear = self.gear(member);
+            let teeth = i64::from(gear.teeth());
+            // Counter-clockwise on one gear is clockwise on the other.
+            let turns = if member == self.locked { 1 } else { -1 };
+            let ascends = turns * ascending * gear.face().ascending() as i64;
+            let pitches = (pitches % u64::from(gear.teeth())) as i64;
+            let index = i64::from(mating.tooth(member)) - 1 + ascends * pitches;
+            index.rem_euclid(teeth) as u32 + 1
+        };
+        Mating {
+            wheel_tooth: tooth(Member::Wheel),
+            pinion_tooth: tooth(Member::Pinion),
+            ..*mating
+        }
+    }
+}

@@ -1,0 +1,229 @@
+//! The teeth of a closed path: where its radius rises and falls, and the halves it is cut into.
+//!
+//! A tooth is a stretch that rises from the lower third of the depth into the upper third and falls back; what wobbles within a third is
+//! none. Its tip region reaches from where it first comes within a twentieth of the tooth's own height of its top to where it last leaves
+//! that; a root region likewise. A half tooth runs from the far end of the tip region to the middle, along the path, of the root region:
+//! the land of the tip whole, as its far end may be what reaches a mate.
+
+use super::error::OutlineError;
+use super::half::{HalfOutline, HalfPiece};
+use super::path::{ClosedPath, PathPart};
+use crate::gear::Side;
+use nalgebra::Complex;
+
+/// Share of the depth in which a tip or a root region lies.
+const REGION: f64 = 0.05;
+
+/// Edges turn by more than this, rad: below it lies what decimals of a file do to tangent curves (tuned).
+const EDGE: f64 = 1e-6;
+
+/// A tooth's two halves, in the frame of the path.
+#[derive(Debug)]
+pub(super) struct FoundTooth {
+    pub halves: [HalfOutline; 2],
+}
+
+/// A place on the path.
+#[derive(Debug, Clone, Copy)]
+struct Place {
+    chord: usize,
+    t: f64,
+}
+
+/// The teeth of `path`, counter-clockwise.
+pub(super) fn find(path: &ClosedPath) -> Result<Vec<FoundTooth>, OutlineError> {
+    let radii: Vec<f64> = path
+        .marks
+        .iter()
+        .map(|mark| mark.point.coords.norm())
+        .collect();
+    let least = radii.iter().copied().fold(f64::INFINITY, f64::min);
+    let most = radii.iter().copied().fold(0.0, f64::max);
+    let third = (most - least) / 3.0;
+    let start = radii
+        .iter()
+        .position(|&radius| radius == least)
+        .unwrap_or(0);
+    let count = radii.len();
+    // Runs above and below by turns, the first one below.
+    let mut runs: Vec<Vec<usize>> = vec![vec![]];
+    for k in (start..start + count).map(|k| k % count) {
+        let above = runs.len().is_multiple_of(2);
+        let changes = match above {
+            true => radii[k] <= least + third,
+            false => radii[k] >= most - third,
+        };
+        if changes {
+            runs.push(vec![]);
+        }
+        if let Some(run) = runs.last_mut() {
+            run.push(k);
+        }
+    }
+    // It ends where it started, below.
+    if !runs.len().is_multiple_of(2)
+        && runs.len() > 1
+        && let Some(last) = runs.pop()
+    {
+        runs[0] = [last, std::mem::take(&mut runs[0])].concat();
+    }
+    let found = runs.len() / 2;
+    if found < 3 || third <= 0.0 {
+        return Err(OutlineError::TooFewTeeth {
+            found: if third > 0.0 { found } else { 0 },
+            root_diameter_mm: 2.0 * least,
+            tip_diameter_mm: 2.0 * most,
+        });
+    }
+    let walk = Walk { path, radii };
+    let regions: Vec<Region> = runs
+        .iter()
+        .enumerate()
+        .map(|(k, run)| walk.region(run, k % 2 == 1, REGION * 3.0 * third))
+        .collect();
+    let roots: Vec<&Region> = regions.iter().step_by(2).collect();
+    let tips = regions.iter().skip(1).step_by(2);
+    Ok(tips
+        .enumerate()
+        .map(|(k, tip)| walk.tooth(roots[k], tip, roots[(k + 1) % found]))
+        .collect())
+}
+
+/// A tip or a root region.
+#[derive(Debug)]
+struct Region {
+    from: Place,
+    to: Place,
+    middle: Place,
+    /// The radius that bounds it, mm.
+    limit: f64,
+}
+
+struct Walk<'a> {
+    path: &'a ClosedPath,
+    radii: Vec<f64>,
+}
+
+impl Walk<'_> {
+    fn region(&self, run: &[usize], is_tip: bool, height: f64) -> Region {
+        let sign = if is_tip { 1.0 } else { -1.0 };
+        let top = run
+            .iter()
+            .map(|&k| sign * self.radii[k])
+            .fold(f64::NEG_INFINITY, f64::max);
+        let limit = sign * (top - height);
+        let inside = |k: &&usize| sign * self.radii[**k] >= sign * limit;
+        let first = run.iter().find(inside).copied().unwrap_or(run[0]);
+        let last = run.iter().rev().find(inside).copied().unwrap_or(run[0]);
+        let count = self.radii.len();
+        let from = self.passes((first + count - 1) % count, limit);
+        let to = self.passes(last, limit);
+        Region {
+            middle: self.halfway(from, to),
+            from,
+            to,
+            limit,
+        }
+    }
+
+    /// Where a chord's part passes `radius`, which lies between those at the chord's ends; an end where it does not.
+    fn passes(&self, chord: usize, radius: f64) -> Place {
+        let [from, to] = self.path.chord(chord);
+        let curve = &self.path.parts[self.path.marks[chord].part].curve;
+        let beyond = |t: f64| curve.radius(t) >= radius;
+        let (mut low, mut high) = (from, to);
+        let start = beyond(from);
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            match beyond(middle) == start {
+                true => low = middle,
+                false => high = middle,
+            }
+        }
+        Place { chord, t: low }
+    }
+
+    /// The stretches of chords from one place to another, counter-clockwise: chord and its parameters.
+    fn stretches(&self, from: Place, to: Place) -> Vec<(usize, [f64; 2])> {
+        let count = self.radii.len();
+        let steps = (to.chord + count - from.chord) % count;
+        let stretch = |step: usize| {
+            let chord = (from.chord + step) % count;
+            let [mut start, mut end] = self.path.chord(chord);
+            if step == 0 {
+                start = from.t;
+            }
+            if step == steps {
+                end = to.t;
+            }
+            (chord, [start, end])
+        };
+        (0..=steps).map(stretch).collect()
+    }
+
+    /// The place half the way along the path's chords.
+    fn halfway(&self, from: Place, to: Place) -> Place {
+        let stretches = self.stretches(from, to);
+        let length = |&(chord, [start, end]): &(usize, [f64; 2])| {
+            let curve = &self.path.parts[self.path.marks[chord].part].curve;
+            (curve.point(end) - curve.point(start)).norm()
+        };
+        let mut left = 0.5 * stretches.iter().map(length).sum::<f64>();
+        for stretch in &stretches {
+            let there = length(stretch);
+            let &(chord, [start, end]) = stretch;
+            if left <= there && there > 0.0 {
+                let t = start + (end - start) * left / there;
+                return Place { chord, t };
+            }
+            left -= there;
+        }
+        from
+    }
+
+    fn tooth(&self, before: &Region, tip: &Region, after: &Region) -> FoundTooth {
+        let halves = Side::BOTH.map(|side| {
+            let (from, to, root) = match side {
+                Side::Right => (before.middle, tip.to, before),
+                Side::Left => (tip.from, after.middle, after),
+            };
+            let mut pieces: Vec<HalfPiece> = Vec::new();
+            let mut last = None;
+            for (chord, [start, end]) in self.stretches(from, to) {
+                if start == end {
+                    continue;
+                }
+                let part = self.path.marks[chord].part;
+                match pieces.last_mut().filter(|_| last == Some(part)) {
+                    Some(piece) => piece.ends[1] = end,
+                    None => pieces.push(piece(&self.path.parts[part], [start, end], side)),
+                }
+                last = Some(part);
+            }
+            if side == Side::Right {
+                pieces.reverse();
+                for piece in &mut pieces {
+                    piece.ends.reverse();
+                }
+            }
+            let mut half = HalfOutline {
+                pieces,
+                tip_limit: tip.limit,
+                root_limit: root.limit,
+            };
+            half.mark_corners(EDGE);
+            half
+        });
+        FoundTooth { halves }
+    }
+}
+
+fn piece(part: &PathPart, ends: [f64; 2], side: Side) -> HalfPiece {
+    HalfPiece {
+        curve: part.curve,
+        ends,
+        turn: Complex::ONE,
+        mirrored: side == Side::Left,
+        corners: [false; 2],
+    }
+}

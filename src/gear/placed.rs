@@ -142,21 +142,15 @@ impl<'a> Placed<'a> {
         points.map(self.place(side, tooth)).collect()
     }
 
-    /// A half tooth down to its root land, in its own frame. Of a tooth thinner than half its land the right half has all the
-    /// land there is, so that the outline does not run out to the left half's middle and back.
+    /// A half tooth down to its root land, in its own frame; the right half has all the tip land there is, so that the outline does not
+    /// run back where pitch deviations of both flanks leave the middle of the land to neither.
     fn above_root(&self, half: &HalfTooth, tooth: u32) -> Vec<Point2<f64>> {
         let gear = self.as_built.gear();
-        let far = self.as_built.land_start(tooth);
-        let (_, corner) = Profile::new(gear).range(ProfilePart::Tip);
-        match (far > 0.0, half.side()) {
-            (false, _) => half.points()[..half.above_root()].to_vec(),
-            (true, Side::Right) => {
-                HalfTooth::from_land(gear, Side::Right, half.chordal_error(), far)
-            }
-            (true, Side::Left) => {
-                HalfTooth::from_land(gear, Side::Left, half.chordal_error(), corner)
-            }
-        }
+        let start = match half.side() {
+            Side::Right => self.as_built.land_start(tooth),
+            Side::Left => Profile::new(gear).range(ProfilePart::Tip).1,
+        };
+        HalfTooth::from_land(gear, half.side(), half.chordal_error(), start)
     }
 
     /// The root land up to the middle of the space as built, in the half tooth's frame; empty where the space is

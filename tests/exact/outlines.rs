@@ -4,13 +4,19 @@
 #[allow(dead_code)] // its twin tests use the rest
 mod random_pair;
 
+use crate::random::Random;
 use crate::wide::drawn::{Depth, Pair};
+use gearlash::analytic::InvolutePair;
 use gearlash::contact::{ExactKernel, LostMotion, OutlineKernel, OutlineLostMotion, Status};
-use gearlash::gear::Side;
-use gearlash::outline::{OutlineGear, OutlinePair};
+use gearlash::gear::{
+    AsBuilt, BasicGearData, Deviations, Face, Gear, GearDesign, Pitch, Placed, Side,
+};
+use gearlash::outline::{OutlineGear, OutlinePair, OutlineReading, PathSegment};
 use gearlash::pair::{GearPair, Mating, Member, Pose};
+use nalgebra::Point2;
 use proptest::prelude::*;
 use random_pair::rough_case;
+use std::f64::consts::FRAC_PI_2;
 
 fn outlines(pair: &GearPair) -> OutlinePair {
     let gear = |member| OutlineGear::from(pair.gear(member));
@@ -109,4 +115,99 @@ fn of_wide_pairs_they_have_the_same_contacts() {
             .all(|status| seen[status] > 10),
         "{seen:?}"
     );
+}
+
+/// The outline of a gear as someone draws its reference face: a polygon of chords within `chord` mm of its curves.
+fn drawn(built: &AsBuilt, chord: f64) -> OutlineGear {
+    let placed = Placed::new(built, Point2::origin(), FRAC_PI_2);
+    let points = placed.outline_near(Point2::origin(), 2.0 * built.reach(), chord);
+    let mirror = -built.face().ascending();
+    let points: Vec<Point2<f64>> = points
+        .iter()
+        .map(|point| Point2::new(mirror * point.x, point.y))
+        .collect();
+    let next = points.iter().cycle().skip(1);
+    let lines = points.iter().zip(next);
+    let lines: Vec<PathSegment> = lines
+        .map(|(from, to)| PathSegment::Line([*from, *to]))
+        .collect();
+    let reading = OutlineReading {
+        centre: Point2::new(mirror * placed.centre().x, placed.centre().y),
+        face: built.face(),
+        teeth: Some(built.gear().basic_data().teeth()),
+        first_tooth: Some(FRAC_PI_2),
+        bound: chord,
+    };
+    let gear = OutlineGear::new(&lines, &reading).unwrap();
+    gear.with_runout(built.eccentricity(), built.high_tooth())
+        .unwrap()
+}
+
+/// A gear of module 2 with deviations of a few hundredths of a module.
+fn measured(random: &mut Random, face: Face) -> AsBuilt {
+    let teeth = 11 + random.tooth(49);
+    let base = BasicGearData::new(teeth, 2.0, 20f64.to_radians()).unwrap();
+    let design = GearDesign {
+        profile_shift: random.within(0.0, 0.4),
+        ..GearDesign::standard(base)
+    };
+    let mut list = || -> Vec<f64> { (0..teeth).map(|_| random.within(-0.02, 0.02)).collect() };
+    let deviations = Deviations {
+        per_tooth: list(),
+        pitch: Some(Pitch::from_cumulative(&list(), &list())),
+        eccentricity: 0.03,
+        high_tooth: 4.5,
+        ..Deviations::default()
+    };
+    AsBuilt::new(Gear::nominal(design).unwrap(), face, &deviations).unwrap()
+}
+
+/// Polygons of measured gears, right and left halves numbered as their data are: the lost motion of their curves, within the chords' error.
+#[test]
+fn polygons_of_measured_gears_have_their_lost_motion() {
+    const CHORD: f64 = 1e-4;
+    let mut random = Random(15);
+    let mut compared = 0;
+    for number in 0..12 {
+        let [front, back] = [Face::Front, Face::Back].map(|face| measured(&mut random, face));
+        let (wheel, pinion) = if number % 2 == 0 {
+            (front, back)
+        } else {
+            (back, front)
+        };
+        let zero = InvolutePair::new(wheel.gear(), pinion.gear()).center_distance(0.0);
+        let distance = zero.unwrap() + random.within(-0.1, 0.3);
+        let locked = [Member::Wheel, Member::Pinion][number / 2 % 2];
+        let pair = GearPair::with_locked(wheel, pinion, distance, locked).unwrap();
+        let [wheel, pinion] =
+            [Member::Wheel, Member::Pinion].map(|member| drawn(pair.gear(member), CHORD));
+        let outlines = OutlinePair::new(wheel, pinion, distance, locked).unwrap();
+        let (kernel, exact) = (OutlineKernel::new(&outlines), ExactKernel::new(&pair));
+        let locked = pair.gear(pair.locked());
+        for k in 0..8 {
+            let flank = Side::BOTH[k as usize % 2];
+            let mating = mating(&pair, [3 * k, 5 * k], flank, 0.1 * f64::from(k));
+            // A drawing counts from where its tooth 1 stands.
+            let beside = Side::BOTH.map(|side| locked.flank_offset(side, 1));
+            let rotation =
+                outlines.rotation(pair.locked(), &mating) - 0.5 * (beside[0] + beside[1]);
+            let off = rotation - Pose::new(&pair, mating).locked_rotation();
+            let pitch = locked.gear().basic_data().angular_pitch();
+            let same = mating.onward(&pair, -locked.face().ascending() * off / pitch);
+            let exact = exact.lost_motion(&Pose::new(&pair, same)).unwrap();
+            let found = kernel.lost_motion(&mating).unwrap();
+            let Some((angle, other)) = exact.angle().zip(found.angle()) else {
+                continue;
+            };
+            let bound = exact.error().unwrap() + found.error().unwrap();
+            assert!(
+                (angle - other).abs() <= bound,
+                "{angle} {other} {bound} {found:?}"
+            );
+            // Chords cut off metal, so there is only more room.
+            assert!(other - angle > -1e-9, "{angle} {other}");
+            compared += 1;
+        }
+    }
+    assert!(compared > 80, "{compared}");
 }

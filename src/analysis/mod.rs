@@ -11,6 +11,7 @@ pub mod extremes;
 pub mod measured;
 pub mod meshes_to;
 pub mod outcome;
+pub mod outlines;
 pub mod phases;
 pub mod requirement;
 pub mod simulate;

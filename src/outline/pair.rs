@@ -93,8 +93,8 @@ impl OutlinePair {
         -mating.flank.sense() * half - gear.tooth_angle(tooth) + sense * onward * gear.pitch()
     }
 
-    /// The mating `pitches` whole pitches beyond: ascending teeth of the locked gear come into mesh.
-    pub fn onward(&self, mating: &Mating, pitches: u64) -> Mating {
+    /// The mating `pitches` whole pitches beyond (before, where negative): ascending teeth of the locked gear come into mesh.
+    pub fn onward(&self, mating: &Mating, pitches: i64) -> Mating {
         let locked = self.gear(self.locked);
         let ascending = locked.face().ascending() as i64;
         let tooth = |member| {
@@ -103,7 +103,7 @@ impl OutlinePair {
             // Counter-clockwise on one gear is clockwise on the other.
             let turns = if member == self.locked { 1 } else { -1 };
             let ascends = turns * ascending * gear.face().ascending() as i64;
-            let pitches = (pitches % u64::from(gear.teeth())) as i64;
+            let pitches = pitches.rem_euclid(teeth);
             let index = i64::from(mating.tooth(member)) - 1 + ascends * pitches;
             index.rem_euclid(teeth) as u32 + 1
         };

@@ -5,6 +5,7 @@ mod classes;
 mod directions;
 mod distances;
 mod onset;
+mod outlines;
 mod uncertainty;
 mod undercut;
 

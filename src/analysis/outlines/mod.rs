@@ -1,0 +1,169 @@
+//! Pairs of which one gear at least is an outline: lost motion through the whole mesh cycle, where it binds, where it turns freely.
+//!
+//! Nothing bounds the lost motion of any curves between two poses, so extremes are those of sampled poses and of more round the best, and
+//! say so; each pose itself is proven ([`OutlineKernel`]).
+
+mod cycle;
+mod turns_from;
+
+pub use cycle::OutlinePose;
+pub use turns_from::TurnsFrom;
+
+use super::study::Material;
+use crate::contact::{OutlineLostMotion, Status};
+use crate::outline::{OutlineError, OutlineGear, OutlinePair};
+use crate::pair::{Mating, Member, SweepPlan};
+use cycle::Cycle;
+use std::ops::ControlFlow;
+
+/// What is asked of two gears.
+#[derive(Debug, Clone)]
+pub struct OutlineStudy {
+    /// Shown in results and pictures.
+    pub title: String,
+    /// Wheel and pinion of each material: of gears by their data these may be two.
+    pub materials: Vec<(Material, OutlineGear, OutlineGear)>,
+    /// The gear that stands still.
+    pub locked: Member,
+    /// Centre distances `a`, mm, ascending.
+    pub center_distances: Vec<f64>,
+    /// The mating of the first pose.
+    pub start: Mating,
+    /// Poses a pitch.
+    pub steps_per_pitch: u32,
+}
+
+impl OutlineStudy {
+    /// How many steps [`OutlineStudy::runs`] counts at least: the poses of all runs.
+    pub fn steps(&self) -> u64 {
+        let poses = |(_, wheel, pinion): &(Material, OutlineGear, OutlineGear)| {
+            let matings = SweepPlan::hunting_pitches(wheel.teeth(), pinion.teeth());
+            Cycle::new(matings, self.steps_per_pitch).poses()
+        };
+        let all: u64 = self.materials.iter().map(poses).sum();
+        all * self.center_distances.len() as u64
+    }
+
+    /// Every centre distance and material, in order.
+    ///
+    /// # Errors
+    /// [`OutlineStudyError`]: a centre distance at which a gear reaches over an axis; `tick` asked to stop.
+    pub fn runs(
+        &self,
+        tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+    ) -> Result<Vec<OutlineRun>, OutlineStudyError> {
+        let mut runs = Vec::new();
+        for &distance in &self.center_distances {
+            for (material, wheel, pinion) in &self.materials {
+                let pair = OutlinePair::new(wheel.clone(), pinion.clone(), distance, self.locked)?;
+                runs.push(OutlineRun::new(*material, pair, self, tick)?);
+            }
+        }
+        Ok(runs)
+    }
+}
+
+/// Why there is no result.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum OutlineStudyError {
+    /// The pair cannot be put together.
+    #[error(transparent)]
+    Outline(#[from] OutlineError),
+    /// The caller's `tick` asked to stop.
+    #[error("interrupted; nothing was written")]
+    Interrupted,
+}
+
+/// One centre distance and material, through the whole mesh cycle.
+#[derive(Debug, Clone)]
+pub struct OutlineRun {
+    /// Which thickness.
+    pub material: Material,
+    /// As assembled.
+    pub pair: OutlinePair,
+    /// Matings of the cycle: lcm(z_1, z_2).
+    pub matings: u64,
+    /// Sampled poses, in order.
+    pub poses: Vec<OutlinePose>,
+    /// The pose with the least lost motion that was found, one more closely looked at included; `None` where a pose is jammed.
+    pub least: Option<OutlinePose>,
+    /// With the greatest; `None` where a pose is out of mesh.
+    pub greatest: Option<OutlinePose>,
+    /// A pose that is jammed, out of mesh or not settled, in this order.
+    pub lost: Option<OutlinePose>,
+    /// Where the pair does not turn: from which centre distance on it does, found by the same poses; `None` where none was found.
+    pub turns_from: Option<TurnsFrom>,
+}
+
+impl OutlineRun {
+    fn new(
+        material: Material,
+        pair: OutlinePair,
+        study: &OutlineStudy,
+        tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+    ) -> Result<OutlineRun, OutlineStudyError> {
+        let teeth = |member| pair.gear(member).teeth();
+        let matings = SweepPlan::hunting_pitches(teeth(Member::Wheel), teeth(Member::Pinion));
+        let cycle = Cycle::new(matings, study.steps_per_pitch);
+        let poses = cycle.sampled(&pair, &study.start, tick)?;
+        let mut run = OutlineRun {
+            material,
+            matings,
+            least: None,
+            greatest: None,
+            lost: None,
+            turns_from: None,
+            poses,
+            pair,
+        };
+        run.lost = [Status::Jammed, Status::NoContact, Status::Unproven]
+            .into_iter()
+            .find_map(|status| run.poses.iter().find(|pose| pose.status() == status))
+            .cloned();
+        let status = run.lost.as_ref().map(OutlinePose::status);
+        let [least, greatest] = cycle.extremes(&run.pair, &run.poses);
+        run.least = least.filter(|_| status != Some(Status::Jammed));
+        run.greatest = greatest.filter(|_| {
+            run.poses
+                .iter()
+                .all(|pose| pose.status() != Status::NoContact)
+        });
+        if run.turns() == Some(false) {
+            run.turns_from = turns_from::find(&run, &cycle, &study.start, tick)?;
+        }
+        Ok(run)
+    }
+
+    /// Whether it turns through the whole cycle: of the poses looked at none overlaps; `None` where it is out of mesh or not settled.
+    pub fn turns(&self) -> Option<bool> {
+        let overlaps =
+            |pose: &&OutlinePose| matches!(pose.status(), Status::Jammed | Status::Interference);
+        if self
+            .poses
+            .iter()
+            .chain(&self.least)
+            .any(|pose| overlaps(&pose))
+        {
+            return Some(false);
+        }
+        self.lost.is_none().then_some(true)
+    }
+
+    /// Circumferential backlash `j_wt`, mm, of a lost motion: an arc of the operating pitch circles.
+    pub fn j_wt(&self, found: &OutlineLostMotion) -> Option<f64> {
+        let radius = self.pair.operating_pitch_radius(self.pair.free());
+        found.angle().map(|angle| angle * radius)
+    }
+
+    /// Bound on the error of [`OutlineRun::j_wt`], mm.
+    pub fn j_wt_error(&self, found: &OutlineLostMotion) -> Option<f64> {
+        let radius = self.pair.operating_pitch_radius(self.pair.free());
+        found.error().map(|error| error * radius)
+    }
+
+    /// How many of its sampled poses end so.
+    pub fn count(&self, status: Status) -> usize {
+        let poses = self.poses.iter();
+        poses.filter(|pose| pose.status() == status).count()
+    }
+}

@@ -1,0 +1,82 @@
+//! From which centre distance on a pair of outlines turns through its cycle.
+//!
+//! At a distance the tightest pose binds; the distance at which that pose is free is found by halving, and the cycle looked at there: where
+//! another pose binds it is the tightest next. A few rounds end at a distance at which none does.
+
+use super::cycle::{Cycle, OutlinePose, binds};
+use super::{OutlineRun, OutlineStudyError};
+use crate::contact::OutlineKernel;
+use crate::outline::OutlinePair;
+use crate::pair::{Mating, Member};
+use std::ops::ControlFlow;
+
+/// Rounds at most: each rules out a pose that bound.
+const ROUNDS: u32 = 40;
+
+/// The distance is found to within this, mm: a tenth of what is shown.
+const WIDTH: f64 = 1e-5;
+
+/// A centre distance from which on a pair turns.
+#[derive(Debug, Clone)]
+pub struct TurnsFrom {
+    /// A distance, mm, at which no pose looked at binds.
+    pub high: f64,
+    /// One at most [`WIDTH`] below, at which `pose` binds.
+    pub low: f64,
+    /// The pose that binds last.
+    pub pose: OutlinePose,
+}
+
+/// The distance from which on the pair of `run`, which binds, turns; `None` where it binds until tips pass each other.
+pub(super) fn find(
+    run: &OutlineRun,
+    cycle: &Cycle,
+    start: &Mating,
+    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+) -> Result<Option<TurnsFrom>, OutlineStudyError> {
+    let pair = &run.pair;
+    let apart: f64 = [Member::Wheel, Member::Pinion]
+        .map(|member| pair.gear(member).reach())
+        .iter()
+        .sum();
+    let tightest = |poses: &[OutlinePose]| {
+        let binding = poses.iter().filter(|pose| binds(pose));
+        // What has no value, jammed or not settled, comes first.
+        let key = |pose: &&OutlinePose| pose.angle().unwrap_or(f64::NEG_INFINITY);
+        binding.min_by(|a, b| key(a).total_cmp(&key(b))).cloned()
+    };
+    let least = run.least.iter().filter(|pose| binds(pose)).cloned();
+    let mut next = least.chain(tightest(&run.poses)).next();
+    let mut found: Option<TurnsFrom> = None;
+    let mut floor = pair.center_distance();
+    for _ in 0..ROUNDS {
+        let Some(pose) = next else {
+            return Ok(found);
+        };
+        let binds_at = |distance: f64| -> Result<bool, OutlineStudyError> {
+            Ok(binds(&look(&pair.at(distance)?, start, pose.pitches)))
+        };
+        let (mut low, mut high) = (floor, apart.max(floor + WIDTH));
+        if binds_at(high)? {
+            return Ok(None);
+        }
+        while high - low > WIDTH {
+            let middle = 0.5 * (low + high);
+            match binds_at(middle)? {
+                true => low = middle,
+                false => high = middle,
+            }
+        }
+        floor = high;
+        let there = pair.at(high)?;
+        let poses = cycle.sampled(&there, start, tick)?;
+        let [closest, _] = cycle.extremes(&there, &poses);
+        next = closest.filter(binds).or_else(|| tightest(&poses));
+        found = Some(TurnsFrom { high, low, pose });
+    }
+    Ok(None)
+}
+
+fn look(pair: &OutlinePair, start: &Mating, pitches: f64) -> OutlinePose {
+    Cycle::pose(&OutlineKernel::new(pair), pair, start, pitches)
+}

@@ -3,6 +3,8 @@
 //! [`GearError`] is a gear or pair that cannot exist, in the terms of the geometry; [`Error`] is what a calculation ends with.
 //! An interfering, jammed or unmeshed pair is a result, never an error.
 
+use crate::outline::OutlineError;
+
 /// A gear or a pair that cannot exist. Lengths in mm, angles in radians inside;
 /// the messages print mm and degrees.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -173,6 +175,9 @@ pub enum Error {
     /// A pair that cannot be assembled.
     #[error(transparent)]
     Gear(#[from] GearError),
+    /// An outline that is no gear, or a pair of outlines that cannot be put together.
+    #[error(transparent)]
+    Outline(#[from] OutlineError),
     /// The contact search gave up on a pair of flanks: a fault of gearlash. In a sweep the pose is unproven; elsewhere exit 1.
     #[error(
         "the contact of wheel tooth {wheel_tooth} and pinion tooth {pinion_tooth} ({flank} flanks) was lost at locked rotation {locked_rotation_rad} rad: {reason}"

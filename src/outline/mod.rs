@@ -3,6 +3,7 @@
 //! An outline has no module, no base circle and no line of action; nothing here guesses them. What is left is what turning one gear
 //! against the other needs: half teeth, their numbers and an axis ([`crate::contact::OutlineKernel`]).
 
+mod centre;
 mod error;
 mod gear;
 mod half;
@@ -11,6 +12,7 @@ mod path;
 mod segment;
 mod teeth;
 
+pub use centre::{FittedCentre, fit_centre};
 pub use error::OutlineError;
 pub use gear::{OutlineGear, OutlineReading};
 pub use pair::OutlinePair;

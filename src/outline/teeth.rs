@@ -9,7 +9,7 @@ use super::error::OutlineError;
 use super::half::{HalfOutline, HalfPiece};
 use super::path::{ClosedPath, PathPart};
 use crate::gear::Side;
-use nalgebra::Complex;
+use nalgebra::{Complex, Point2};
 
 /// Share of the depth in which a tip or a root region lies.
 const REGION: f64 = 0.05;
@@ -20,6 +20,8 @@ const EDGE: f64 = 1e-6;
 /// A tooth's two halves, in the frame of the path.
 #[derive(Debug)]
 pub(super) struct FoundTooth {
+    /// The middle of its tip region, mm.
+    pub tip: Point2<f64>,
     pub halves: [HalfOutline; 2],
 }
 
@@ -214,7 +216,12 @@ impl Walk<'_> {
             half.mark_corners(EDGE);
             half
         });
-        FoundTooth { halves }
+        let Place { chord, t } = tip.middle;
+        let top = &self.path.parts[self.path.marks[chord].part].curve;
+        FoundTooth {
+            tip: top.point(t),
+            halves,
+        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! Sampled poses of a mesh cycle, and more round the best of them.
 
-use super::OutlineStudyError;
 use crate::contact::{OutlineKernel, OutlineLostMotion, Status, Unsettled};
+use crate::error::Error;
 use crate::outline::OutlinePair;
 use crate::pair::Mating;
 use crate::parallel;
@@ -94,7 +94,7 @@ impl Cycle {
         pair: &OutlinePair,
         start: &Mating,
         tick: &(dyn Fn() -> ControlFlow<()> + Sync),
-    ) -> Result<Vec<OutlinePose>, OutlineStudyError> {
+    ) -> Result<Vec<OutlinePose>, Error> {
         let kernel = OutlineKernel::new(pair);
         let places: Vec<f64> = self.places().collect();
         let mut poses = Vec::with_capacity(places.len());
@@ -104,7 +104,7 @@ impl Cycle {
                 go_on.then(|| Cycle::pose(&kernel, pair, start, pitches))
             });
             for pose in found {
-                poses.push(pose.ok_or(OutlineStudyError::Interrupted)?);
+                poses.push(pose.ok_or(Error::Interrupted)?);
             }
         }
         Ok(poses)

@@ -11,7 +11,8 @@ pub use turns_from::TurnsFrom;
 
 use super::study::Material;
 use crate::contact::{OutlineLostMotion, Status};
-use crate::outline::{OutlineError, OutlineGear, OutlinePair};
+use crate::error::Error;
+use crate::outline::{OutlineGear, OutlinePair};
 use crate::pair::{Mating, Member, SweepPlan};
 use cycle::Cycle;
 use std::ops::ControlFlow;
@@ -47,11 +48,11 @@ impl OutlineStudy {
     /// Every centre distance and material, in order.
     ///
     /// # Errors
-    /// [`OutlineStudyError`]: a centre distance at which a gear reaches over an axis; `tick` asked to stop.
+    /// [`Error::Outline`]: a centre distance at which a gear reaches over an axis; `tick` asked to stop.
     pub fn runs(
         &self,
         tick: &(dyn Fn() -> ControlFlow<()> + Sync),
-    ) -> Result<Vec<OutlineRun>, OutlineStudyError> {
+    ) -> Result<Vec<OutlineRun>, Error> {
         let mut runs = Vec::new();
         for &distance in &self.center_distances {
             for (material, wheel, pinion) in &self.materials {
@@ -61,17 +62,6 @@ impl OutlineStudy {
         }
         Ok(runs)
     }
-}
-
-/// Why there is no result.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum OutlineStudyError {
-    /// The pair cannot be put together.
-    #[error(transparent)]
-    Outline(#[from] OutlineError),
-    /// The caller's `tick` asked to stop.
-    #[error("interrupted; nothing was written")]
-    Interrupted,
 }
 
 /// One centre distance and material, through the whole mesh cycle.
@@ -101,7 +91,7 @@ impl OutlineRun {
         pair: OutlinePair,
         study: &OutlineStudy,
         tick: &(dyn Fn() -> ControlFlow<()> + Sync),
-    ) -> Result<OutlineRun, OutlineStudyError> {
+    ) -> Result<OutlineRun, Error> {
         let teeth = |member| pair.gear(member).teeth();
         let matings = SweepPlan::hunting_pitches(teeth(Member::Wheel), teeth(Member::Pinion));
         let cycle = Cycle::new(matings, study.steps_per_pitch);

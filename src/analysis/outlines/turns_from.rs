@@ -3,9 +3,10 @@
 //! At a distance the tightest pose binds; the distance at which that pose is free is found by halving, and the cycle looked at there: where
 //! another pose binds it is the tightest next. A few rounds end at a distance at which none does.
 
+use super::OutlineRun;
 use super::cycle::{Cycle, OutlinePose, binds};
-use super::{OutlineRun, OutlineStudyError};
 use crate::contact::OutlineKernel;
+use crate::error::Error;
 use crate::outline::OutlinePair;
 use crate::pair::{Mating, Member};
 use std::ops::ControlFlow;
@@ -33,7 +34,7 @@ pub(super) fn find(
     cycle: &Cycle,
     start: &Mating,
     tick: &(dyn Fn() -> ControlFlow<()> + Sync),
-) -> Result<Option<TurnsFrom>, OutlineStudyError> {
+) -> Result<Option<TurnsFrom>, Error> {
     let pair = &run.pair;
     let apart: f64 = [Member::Wheel, Member::Pinion]
         .map(|member| pair.gear(member).reach())
@@ -53,7 +54,7 @@ pub(super) fn find(
         let Some(pose) = next else {
             return Ok(found);
         };
-        let binds_at = |distance: f64| -> Result<bool, OutlineStudyError> {
+        let binds_at = |distance: f64| -> Result<bool, Error> {
             Ok(binds(&look(&pair.at(distance)?, start, pose.pitches)))
         };
         let (mut low, mut high) = (floor, apart.max(floor + WIDTH));

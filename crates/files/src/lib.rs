@@ -26,6 +26,7 @@ mod assembly;
 pub mod characters;
 mod cross_check;
 mod data_file;
+pub mod drawing;
 mod entry;
 mod error;
 mod faults;

@@ -15,7 +15,7 @@ mod delimited;
 mod grid;
 mod header;
 mod limits;
-mod number;
+pub mod number;
 mod places;
 mod protocol;
 mod story;

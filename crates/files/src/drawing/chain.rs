@@ -1,0 +1,221 @@
+//! Joins the loose ends of what is drawn into loops.
+//!
+//! First the ends that are the same point but for rounding, then, of those left, the ones nearer than `join`: so a short line
+//! between two others stays what it is. Ends are looked up in a grid of squares of that size, so that n pieces take O(n).
+
+use super::piece::Piece;
+use super::{DrawingError, Loop, SAME_MM};
+use gearlash::outline::PathSegment;
+use nalgebra::Point2;
+use std::collections::HashMap;
+
+/// Ends in one square of the grid: with nine, three lie in one of its quarters, whose diagonal is below the tolerance.
+const MOST_IN_A_SQUARE: usize = 8;
+
+/// Pieces joined.
+#[derive(Debug)]
+pub struct Chains {
+    /// Closed ones.
+    pub found: Vec<Loop>,
+    /// Open ones.
+    pub open: Vec<Open>,
+    /// Where loops too small to be any were left out.
+    pub specks: Vec<String>,
+}
+
+/// An open path.
+#[derive(Debug)]
+pub struct Open {
+    /// Its ends.
+    pub ends: [Point2<f64>; 2],
+    /// Where in the file its first piece stands.
+    place: String,
+    /// How many pieces it has.
+    pieces: usize,
+}
+
+impl Open {
+    /// What is wrong with it, among the `open` paths of its layer.
+    pub fn error(&self, open: &[Open]) -> DrawingError {
+        let others = open.iter().filter(|other| !std::ptr::eq(*other, self));
+        let others: Vec<Point2<f64>> = others.flat_map(|other| other.ends).collect();
+        let from_start = others.iter().chain(&self.ends[1..]);
+        let from_end = others.iter().chain(&self.ends[..1]);
+        let pairs = from_start
+            .map(|other| ("start", *other, (other - self.ends[0]).norm()))
+            .chain(from_end.map(|other| ("end", *other, (other - self.ends[1]).norm())));
+        let (end, nearest, gap_mm) = pairs.min_by(|a, b| a.2.total_cmp(&b.2)).unwrap_or((
+            "end",
+            self.ends[0],
+            f64::INFINITY,
+        ));
+        DrawingError::Open {
+            place: self.place.clone(),
+            lines: self.pieces,
+            ends: self.ends,
+            end,
+            nearest,
+            gap_mm,
+        }
+    }
+}
+
+/// Joins `pieces`, whose ends nearer than `join` mm are one; a gap that is no rounding is closed by a straight line.
+pub fn chain(pieces: Vec<Piece>, join: f64) -> Result<Chains, DrawingError> {
+    let ends: Vec<Point2<f64>> = pieces.iter().flat_map(Piece::ends).collect();
+    let mut mates = vec![None; ends.len()];
+    for (index, pair) in ends.chunks(2).enumerate() {
+        if (pair[1] - pair[0]).norm() <= SAME_MM {
+            (mates[2 * index], mates[2 * index + 1]) = (Some(2 * index + 1), Some(2 * index));
+        }
+    }
+    for tolerance in [SAME_MM, join] {
+        if tolerance >= SAME_MM {
+            mate(&ends, &mut mates, tolerance, &pieces)?;
+        }
+    }
+    let mut chains = Chains {
+        found: Vec::new(),
+        open: Vec::new(),
+        specks: Vec::new(),
+    };
+    let mut seen = vec![false; pieces.len()];
+    for first in 0..pieces.len() {
+        if seen[first] {
+            continue;
+        }
+        let (forward, closed) = walk(2 * first, &mates);
+        let backward = match closed {
+            true => Vec::new(),
+            false => walk(2 * first + 1, &mates).0,
+        };
+        for entry in forward.iter().chain(&backward) {
+            seen[entry / 2] = true;
+        }
+        if closed {
+            chains.close(&forward, &pieces, join);
+        } else {
+            let last = |way: &[usize]| ends[way[way.len() - 1] ^ 1];
+            chains.open.push(Open {
+                ends: [last(&backward), last(&forward)],
+                place: pieces[first].place.clone(),
+                pieces: forward.len() + backward.len() - 1,
+            });
+        }
+    }
+    Ok(chains)
+}
+
+/// The ends by which each piece is entered, from `entry` on, and whether the way comes back there.
+fn walk(entry: usize, mates: &[Option<usize>]) -> (Vec<usize>, bool) {
+    let mut way = vec![entry];
+    let mut at = entry;
+    while let Some(next) = mates[at ^ 1] {
+        if next == entry {
+            return (way, true);
+        }
+        way.push(next);
+        at = next;
+    }
+    (way, false)
+}
+
+/// Pairs the ends that have no mate and lie within `tolerance` of each other.
+fn mate(
+    ends: &[Point2<f64>],
+    mates: &mut [Option<usize>],
+    tolerance: f64,
+    pieces: &[Piece],
+) -> Result<(), DrawingError> {
+    let branch = |end: usize| DrawingError::Branch {
+        place: pieces[end / 2].place.clone(),
+        point: ends[end],
+    };
+    let square = |point: &Point2<f64>| {
+        let index = |x: f64| (x / tolerance).floor() as i64;
+        (index(point.x), index(point.y))
+    };
+    let free: Vec<usize> = (0..ends.len())
+        .filter(|&end| mates[end].is_none())
+        .collect();
+    let mut grid: HashMap<(i64, i64), Vec<usize>> = HashMap::with_capacity(free.len());
+    for &end in &free {
+        let there = grid.entry(square(&ends[end])).or_default();
+        there.push(end);
+        if there.len() > MOST_IN_A_SQUARE {
+            return Err(branch(end));
+        }
+    }
+    for &end in &free {
+        let (column, row) = square(&ends[end]);
+        let squares = (-1..=1).flat_map(|x| (-1..=1).map(move |y| (column + x, row + y)));
+        let near = |other: &usize| *other != end && (ends[*other] - ends[end]).norm() <= tolerance;
+        let mut others = squares
+            .filter_map(|square| grid.get(&square))
+            .flatten()
+            .copied()
+            .filter(near);
+        match (others.next(), others.next()) {
+            (Some(_), Some(_)) => return Err(branch(end)),
+            (other, _) => mates[end] = other,
+        }
+    }
+    Ok(())
+}
+
+impl Chains {
+    /// Adds the loop through the pieces entered at `way`.
+    fn close(&mut self, way: &[usize], pieces: &[Piece], join: f64) {
+        let first = &pieces[way[0] / 2];
+        let mut made = Loop {
+            segments: Vec::new(),
+            name: first.name.clone(),
+            bound_mm: 0.0,
+            place: first.place.clone(),
+        };
+        for &entry in way {
+            let piece = &pieces[entry / 2];
+            if entry % 2 == 0 {
+                piece
+                    .segments
+                    .iter()
+                    .for_each(|segment| made.push(*segment));
+            } else {
+                let backward = piece.segments.iter().rev();
+                backward.for_each(|segment| made.push(segment.reversed()));
+            }
+            made.bound_mm = made.bound_mm.max(piece.bound);
+        }
+        if let Some(start) = made.segments.first().map(PathSegment::start) {
+            made.reach(start);
+        }
+        let length: f64 = way.iter().map(|entry| pieces[entry / 2].length()).sum();
+        // There and back, with both gaps closed.
+        if length > 4.0 * join {
+            self.found.push(made);
+        } else {
+            self.specks.push(first.place.clone());
+        }
+    }
+}
+
+impl Loop {
+    /// Adds a segment, joined to the one before.
+    fn push(&mut self, segment: PathSegment) {
+        self.reach(segment.start());
+        self.segments.push(segment);
+    }
+
+    /// A straight line from the last end to `point`, where a gap is.
+    fn reach(&mut self, point: Point2<f64>) {
+        let Some(end) = self.segments.last().map(PathSegment::end) else {
+            return;
+        };
+        let gap = (point - end).norm();
+        if gap > SAME_MM {
+            self.segments.push(PathSegment::Line([end, point]));
+            // What was drawn, continued, meets somewhere between.
+            self.bound_mm = self.bound_mm.max(0.5 * gap);
+        }
+    }
+}

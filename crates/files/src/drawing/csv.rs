@@ -1,0 +1,213 @@
+//! A list of points: x and y a line, in order along a closed outline.
+
+use super::error::LONGEST_NAME;
+use super::piece::{Piece, Pieces};
+use super::smooth::closed_spline;
+use super::text::decode;
+use super::unit::{Unit, settled};
+use super::{DrawingError, MOST_SEGMENTS, Options};
+use crate::characters::cut;
+use crate::sheet::number::{Decimal, Written, written};
+use gearlash::outline::PathSegment;
+use nalgebra::Point2;
+
+const TWO_NUMBERS: &str = "write x and y alone, separated by a comma, a semicolon or a tab";
+
+/// A line of two numbers.
+struct Row<'a> {
+    line: usize,
+    numbers: [Written<'a>; 2],
+}
+
+/// The unit of a list, and where it is stated.
+type Stated = Option<(Unit, usize)>;
+
+/// Adds the outline to `pieces`.
+pub fn read(bytes: &[u8], options: &Options, pieces: &mut Pieces) -> Result<(), DrawingError> {
+    let text = decode(bytes)?;
+    if let Some(name) = &options.select {
+        return Err(DrawingError::NotThere {
+            what: "layer or id",
+            name: name.clone(),
+            known: Vec::new(),
+        });
+    }
+    let (rows, stated) = rows(&text)?;
+    one_decimal_sign(&rows)?;
+    let stated = stated.map(|(unit, line)| (format!("\"{unit}\" in line {line}"), unit.mm()));
+    let scale = settled(stated, options.unit, "no line `# unit: mm` in the list")?;
+    let mut points: Vec<Point2<f64>> = Vec::with_capacity(rows.len());
+    for row in &rows {
+        let [x, y] = row.numbers.map(|number| number.value * scale);
+        let point = Point2::new(x, y);
+        match points.last() == Some(&point) {
+            true => pieces.leave_out(
+                "a point that repeats the one before",
+                &format!("line {}", row.line),
+            ),
+            false => points.push(point),
+        }
+    }
+    if points.len() > 1 && points.first() == points.last() {
+        points.pop();
+    }
+    if points.len() < 3 {
+        return Err(DrawingError::NoLoop {
+            reason: format!(
+                "{} points that differ, expected three or more",
+                points.len()
+            ),
+        });
+    }
+    let next = points.iter().skip(1).chain(&points[..1]);
+    let segments = match options.smooth {
+        true => closed_spline(&points),
+        false => points
+            .iter()
+            .zip(next)
+            .map(|(from, to)| PathSegment::Line([*from, *to]))
+            .collect(),
+    };
+    pieces.add(
+        "",
+        Piece {
+            segments,
+            name: String::new(),
+            bound: 0.0,
+            place: format!("line {}", rows[0].line),
+        },
+    )
+}
+
+/// The lines with numbers, and the unit by a comment or the header.
+fn rows(text: &str) -> Result<(Vec<Row<'_>>, Stated), DrawingError> {
+    let (mut rows, mut stated) = (Vec::new(), None);
+    let (mut separator, mut header) = (None, false);
+    for (index, text) in text.split('\n').enumerate() {
+        let (line, text) = (index + 1, text.trim());
+        let wrong = |reason: String| {
+            Err(DrawingError::syntax(
+                format!("line {line}"),
+                reason,
+                TWO_NUMBERS,
+            ))
+        };
+        if let Some(comment) = text.strip_prefix('#') {
+            if let Some(unit) = commented_unit(comment) {
+                state(&mut stated, unit, line)?;
+            }
+            continue;
+        }
+        if text.is_empty() {
+            continue;
+        }
+        let mark = *separator.get_or_insert_with(|| {
+            let found = [';', '\t'].into_iter().find(|mark| text.contains(*mark));
+            found.unwrap_or(',')
+        });
+        let cells: Vec<&str> = text.split(mark).map(str::trim).collect();
+        let [x, y] = cells[..] else {
+            return wrong(format!("{} columns, expected two", cells.len()));
+        };
+        if rows.len() == MOST_SEGMENTS {
+            return Err(DrawingError::TooLarge {
+                what: "points",
+                most: MOST_SEGMENTS,
+            });
+        }
+        match (written(x), written(y)) {
+            (Some(x), Some(y)) => rows.push(Row {
+                line,
+                numbers: [x, y],
+            }),
+            _ if rows.is_empty()
+                && !header
+                && named(x, "x").is_some()
+                && named(y, "y").is_some() =>
+            {
+                header = true;
+                for name in [named(x, "x"), named(y, "y")].into_iter().flatten() {
+                    if !name.is_empty() {
+                        state(&mut stated, name, line)?;
+                    }
+                }
+            }
+            (x_number, _) => {
+                let cell = if x_number.is_none() { x } else { y };
+                return wrong(format!("\"{}\" is no number", cut(cell, LONGEST_NAME)));
+            }
+        }
+    }
+    Ok((rows, stated))
+}
+
+/// The unit by a comment `unit: mm`, as written.
+fn commented_unit(comment: &str) -> Option<&str> {
+    let (key, unit) = comment.split_once([':', '='])?;
+    matches!(key.trim(), "unit" | "units").then(|| unit.trim().trim_matches('"'))
+}
+
+/// What a heading says behind `axis`, without its brackets: a unit or nothing; `None` for any other heading.
+fn named<'a>(heading: &'a str, axis: &str) -> Option<&'a str> {
+    let (first, rest) = heading.trim_matches('"').split_at_checked(1)?;
+    let unit = rest.trim_matches([' ', '(', ')', '[', ']', '_']);
+    (first.eq_ignore_ascii_case(axis) && (unit.is_empty() || Unit::named(unit).is_some()))
+        .then_some(unit)
+}
+
+/// Takes the unit stated in `line`.
+fn state(stated: &mut Stated, name: &str, line: usize) -> Result<(), DrawingError> {
+    let wrong = |reason: String| {
+        let help = "state one unit: mm, inch, cm, m or um";
+        Err(DrawingError::syntax(format!("line {line}"), reason, help))
+    };
+    let Some(unit) = Unit::named(name) else {
+        return wrong(format!("unit \"{}\" is not known", cut(name, LONGEST_NAME)));
+    };
+    match stated {
+        Some((before, first)) if *before != unit => wrong(format!(
+            "unit \"{unit}\", in line {first} it is \"{before}\""
+        )),
+        _ => {
+            stated.get_or_insert((unit, line));
+            Ok(())
+        }
+    }
+}
+
+/// Refuses two decimal signs, and a comma or point that may as well separate thousands.
+fn one_decimal_sign(rows: &[Row]) -> Result<(), DrawingError> {
+    let numbers = || {
+        rows.iter()
+            .flat_map(|row| row.numbers.iter().map(move |number| (row.line, number)))
+    };
+    let mut signs =
+        numbers().filter_map(|(line, number)| number.decimal.map(|sign| (line, number, sign)));
+    let Some((line, first, sign)) = signs.next() else {
+        return Ok(());
+    };
+    if let Some((line, number, other)) = signs.find(|(.., other)| *other != sign) {
+        let reason = format!(
+            "\"{}\" has a decimal {}, those before have a {}",
+            cut(number.text, LONGEST_NAME),
+            other.name(),
+            sign.name()
+        );
+        let help = "write all numbers with one decimal sign and without thousands separators";
+        return Err(DrawingError::syntax(format!("line {line}"), reason, help));
+    }
+    // A point is taken for what it is in every program that writes coordinates.
+    let unsure = sign == Decimal::Comma
+        && numbers().all(|(_, number)| number.decimal.is_none() || number.may_be_thousands);
+    match unsure {
+        true => Err(DrawingError::syntax(
+            format!("line {line}"),
+            format!(
+                "\"{}\" may have a decimal comma or a thousands separator: nothing in the list shows which",
+                cut(first.text, LONGEST_NAME)
+            ),
+            "write the numbers with a decimal point",
+        )),
+        false => Ok(()),
+    }
+}

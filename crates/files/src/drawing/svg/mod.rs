@@ -1,0 +1,308 @@
+//! SVG: shapes of the page with their transforms, read with `roxmltree` and the numbers and path data of `svgtypes` in f64.
+//!
+//! What a style sheet does is not seen, and no entity and no other file is read. Lines, curves and circles stay exact.
+
+mod path;
+mod shape;
+mod view;
+
+use super::error::LONGEST_NAME;
+use super::piece::{Piece, Pieces};
+use super::text::{Lines, decode};
+use super::{DrawingError, Options, unit};
+use crate::characters::cut;
+use roxmltree::{Document, Node};
+use std::str::FromStr;
+use svgtypes::{Align, AspectRatio, Length, ViewBox};
+use view::Affine;
+
+const NAMESPACE: &str = "http://www.w3.org/2000/svg";
+/// Groups in groups: drawing programs nest a dozen.
+const DEEPEST: usize = 200;
+/// Elements and texts of a page.
+const MOST_NODES: u32 = 4_000_000;
+const PLAIN: &str = "save it as plain SVG with absolute paths";
+
+/// What draws nothing by itself.
+const SILENT: [&str; 19] = [
+    "clipPath",
+    "cursor",
+    "defs",
+    "desc",
+    "filter",
+    "font",
+    "linearGradient",
+    "marker",
+    "mask",
+    "metadata",
+    "pattern",
+    "radialGradient",
+    "script",
+    "style",
+    "symbol",
+    "title",
+    "view",
+    "animate",
+    "set",
+];
+/// What is beside the outline: left out with a remark.
+const BESIDE: [&str; 3] = ["text", "image", "foreignObject"];
+/// What moves or cuts the shapes of an element in a way that is not followed.
+const UNFOLLOWED: [&str; 3] = ["clip-path", "mask", "transform-origin"];
+
+/// Adds what the file draws to `pieces`.
+pub fn read(bytes: &[u8], options: &Options, pieces: &mut Pieces) -> Result<(), DrawingError> {
+    let text = decode(bytes)?;
+    let settings = roxmltree::ParsingOptions {
+        nodes_limit: MOST_NODES,
+        ..roxmltree::ParsingOptions::default()
+    };
+    let document = Document::parse_with_options(&text, settings).map_err(|error| {
+        let place = format!("line {}", error.pos().row);
+        let help = match error {
+            roxmltree::Error::DtdDetected => {
+                "delete the line <!DOCTYPE …>, or save it as plain SVG"
+            }
+            _ => "export it again as SVG",
+        };
+        DrawingError::syntax(place, error.to_string(), help)
+    })?;
+    let root = document.root_element();
+    let mut page = Page {
+        lines: Lines::of(&text),
+        select: options.select.as_deref(),
+        found: false,
+        ids: Vec::new(),
+        pieces,
+    };
+    if root.tag_name().name() != "svg" {
+        return Err(DrawingError::syntax(
+            page.place(root),
+            "no SVG: its root is not svg",
+            PLAIN,
+        ));
+    }
+    let scale = page.scale(root, options)?;
+    let within = Within {
+        map: Affine::upright(scale),
+        asked: page.select.is_none(),
+        shown: true,
+        depth: 0,
+    };
+    page.children(root, within)?;
+    match page.select {
+        Some(name) if !page.found => Err(DrawingError::NotThere {
+            what: "id",
+            name: name.to_owned(),
+            known: page.ids,
+        }),
+        _ => Ok(()),
+    }
+}
+
+/// What an element inherits.
+#[derive(Clone, Copy)]
+struct Within {
+    /// From user space to mm.
+    map: Affine,
+    /// Whether it is in what was asked for.
+    asked: bool,
+    /// Whether it is visible.
+    shown: bool,
+    /// Groups around it.
+    depth: usize,
+}
+
+struct Page<'a> {
+    lines: Lines,
+    select: Option<&'a str>,
+    /// Whether the id asked for is there.
+    found: bool,
+    /// Ids of elements that are read.
+    ids: Vec<String>,
+    pieces: &'a mut Pieces,
+}
+
+impl Page<'_> {
+    /// "line 12: path "teeth""
+    fn place(&self, node: Node) -> String {
+        let name = cut(node.tag_name().name(), LONGEST_NAME);
+        let id = node
+            .attribute("id")
+            .map(|id| format!(" \"{}\"", cut(id, LONGEST_NAME)));
+        format!(
+            "{}: {name}{}",
+            self.lines.place(node.range().start),
+            id.unwrap_or_default()
+        )
+    }
+
+    fn syntax(&self, node: Node, reason: impl Into<String>) -> DrawingError {
+        DrawingError::syntax(self.place(node), reason, PLAIN)
+    }
+
+    /// An attribute as `T`; `None` where it is not there.
+    fn parsed<T: FromStr<Err: std::fmt::Display>>(
+        &self,
+        node: Node,
+        name: &str,
+    ) -> Result<Option<T>, DrawingError> {
+        let Some(text) = node.attribute(name) else {
+            return Ok(None);
+        };
+        let value = text.trim().parse();
+        value.map(Some).map_err(|error: T::Err| {
+            let text = cut(text, LONGEST_NAME);
+            self.syntax(node, format!("{name} = \"{text}\": {error}"))
+        })
+    }
+
+    /// Length of a unit of the page, mm.
+    fn scale(&self, root: Node, options: &Options) -> Result<f64, DrawingError> {
+        let view = self.parsed::<ViewBox>(root, "viewBox")?;
+        let size = ["width", "height"].map(|name| self.parsed::<Length>(root, name));
+        let [width, height] = size;
+        let stated = view::page_unit([width?, height?], view, self.aspect(root)?)
+            .map_err(|reason| self.syntax(root, reason))?;
+        let why = "width, height in mm, cm or in and viewBox are not all in the SVG";
+        unit::settled(stated, options.unit, why)
+    }
+
+    fn aspect(&self, node: Node) -> Result<AspectRatio, DrawingError> {
+        let usual = AspectRatio {
+            defer: false,
+            align: Align::XMidYMid,
+            slice: false,
+        };
+        Ok(self.parsed(node, "preserveAspectRatio")?.unwrap_or(usual))
+    }
+
+    fn children(&mut self, node: Node, within: Within) -> Result<(), DrawingError> {
+        if within.depth > DEEPEST {
+            let reason = format!("groups in more than {DEEPEST} groups");
+            return Err(self.syntax(node, reason));
+        }
+        for child in node.children().filter(Node::is_element) {
+            let name = child.tag_name();
+            if name.namespace().is_none_or(|space| space == NAMESPACE) {
+                self.element(child, name.name(), within)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn element(&mut self, node: Node, name: &str, mut within: Within) -> Result<(), DrawingError> {
+        if SILENT.contains(&name) || property(node, "display") == Some("none") {
+            return Ok(());
+        }
+        let id = node.attribute("id");
+        if let Some(id) = id {
+            if self.ids.len() < super::MOST_SEGMENTS {
+                self.ids.push(id.to_owned());
+            }
+            if self.select == Some(id) {
+                (within.asked, self.found) = (true, true);
+            }
+        }
+        match property(node, "visibility") {
+            Some("hidden" | "collapse") => within.shown = false,
+            Some("visible") => within.shown = true,
+            _ => {}
+        }
+        let group = matches!(name, "g" | "a" | "svg");
+        if within.asked || group {
+            self.follow(node, &mut within)?;
+        }
+        if group {
+            within.depth += 1;
+            return self.children(node, within);
+        }
+        if !within.asked {
+            return Ok(());
+        }
+        let place = self.place(node);
+        if !within.shown {
+            self.pieces.leave_out("hidden", &place);
+            return Ok(());
+        }
+        if BESIDE.contains(&name) {
+            self.pieces.leave_out(name, &place);
+            return Ok(());
+        }
+        let paths = match shape::data(node, name) {
+            shape::Data::Path(data) => path::read(&data, &within.map),
+            shape::Data::Round(centre, radii) => {
+                let [rx, ry] = radii;
+                let axes = [[rx, 0.0], [0.0, ry]].map(|axis| within.map.vector(axis.into()));
+                let centre = within.map.point(centre.into());
+                let (segments, bound) =
+                    super::curve::elliptic(centre, axes, 0.0, std::f64::consts::TAU);
+                Ok(vec![path::Path { segments, bound }])
+            }
+            shape::Data::Nothing => return Ok(()),
+            shape::Data::Wrong(reason) => Err(reason),
+            shape::Data::Refused(kind) => {
+                let help = "convert it to a path, delete it, or name the `id` of the outline alone";
+                return Err(DrawingError::refused(place, kind, help));
+            }
+        };
+        for path in paths.map_err(|reason| self.syntax(node, reason))? {
+            let piece = Piece {
+                segments: path.segments,
+                name: id.unwrap_or_default().to_owned(),
+                bound: path.bound,
+                place: place.clone(),
+            };
+            self.pieces.add("", piece)?;
+        }
+        Ok(())
+    }
+
+    /// Goes into the user space of an element.
+    fn follow(&self, node: Node, within: &mut Within) -> Result<(), DrawingError> {
+        let unfollowed = UNFOLLOWED
+            .into_iter()
+            .find(|name| property(node, name).is_some_and(|value| value != "none"));
+        let style = node
+            .attribute("style")
+            .and_then(|style| declared(style, "transform"));
+        if let Some(name) = unfollowed.or(style.map(|_| "transform in a style")) {
+            let help = "apply it in the drawing program, or name the `id` of the outline alone";
+            return Err(DrawingError::refused(self.place(node), name, help));
+        }
+        if let Some(transform) = self.parsed::<svgtypes::Transform>(node, "transform")? {
+            within.map = within.map.after(&Affine::of(&transform));
+        }
+        if node.tag_name().name() != "svg" {
+            return Ok(());
+        }
+        let number = |name| shape::number(node, name).map_err(|reason| self.syntax(node, reason));
+        let corner = [number("x")?.unwrap_or(0.0), number("y")?.unwrap_or(0.0)];
+        let Some(view) = self.parsed::<ViewBox>(node, "viewBox")? else {
+            let moved = svgtypes::Transform::new(1.0, 0.0, 0.0, 1.0, corner[0], corner[1]);
+            within.map = within.map.after(&Affine::of(&moved));
+            return Ok(());
+        };
+        let (Some(width), Some(height)) = (number("width")?, number("height")?) else {
+            return Err(self.syntax(node, "a viewBox without width and height"));
+        };
+        let inner = view::viewport(corner, [width, height], view, self.aspect(node)?);
+        within.map = within.map.after(&inner);
+        Ok(())
+    }
+}
+
+/// A property of an element, in its style or as an attribute.
+fn property<'a>(node: Node<'a, '_>, name: &str) -> Option<&'a str> {
+    let style = node
+        .attribute("style")
+        .and_then(|style| declared(style, name));
+    style.or(node.attribute(name)).map(str::trim)
+}
+
+/// What a style declares of a property.
+fn declared<'a>(style: &'a str, name: &str) -> Option<&'a str> {
+    let declarations = style.split(';').filter_map(|one| one.split_once(':'));
+    let mut values = declarations.filter(|(property, _)| property.trim() == name);
+    values.next_back().map(|(_, value)| value)
+}

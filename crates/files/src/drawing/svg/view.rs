@@ -1,0 +1,120 @@
+//! Where user space of an SVG lies: transforms, view boxes, the length of its unit.
+
+use nalgebra::{Matrix2, Point2, Vector2};
+use svgtypes::{Align, AspectRatio, Length, LengthUnit, ViewBox};
+
+/// A linear map and a shift.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Affine {
+    turn: Matrix2<f64>,
+    shift: Vector2<f64>,
+}
+
+impl Affine {
+    /// `scale` times as great, y turned round.
+    pub fn upright(scale: f64) -> Affine {
+        Affine {
+            turn: Matrix2::new(scale, 0.0, 0.0, -scale),
+            shift: Vector2::zeros(),
+        }
+    }
+
+    /// That of a `transform`.
+    pub fn of(transform: &svgtypes::Transform) -> Affine {
+        let &svgtypes::Transform { a, b, c, d, e, f } = transform;
+        Affine {
+            turn: Matrix2::new(a, c, b, d),
+            shift: Vector2::new(e, f),
+        }
+    }
+
+    /// This one behind `inner`.
+    pub fn after(&self, inner: &Affine) -> Affine {
+        Affine {
+            turn: self.turn * inner.turn,
+            shift: self.turn * inner.shift + self.shift,
+        }
+    }
+
+    /// Where a point comes to lie.
+    pub fn point(&self, point: Point2<f64>) -> Point2<f64> {
+        self.turn * point + self.shift
+    }
+
+    /// What a direction becomes.
+    pub fn vector(&self, vector: Vector2<f64>) -> Vector2<f64> {
+        self.turn * vector
+    }
+}
+
+/// The length of a unit of the outermost user space by the size of the page, in words and mm; `None` where the page has no size on
+/// paper, and `Err` in words where width and height do not agree.
+pub fn page_unit(
+    size: [Option<Length>; 2],
+    view: Option<ViewBox>,
+    aspect: AspectRatio,
+) -> Result<Option<(String, f64)>, String> {
+    let ([Some(width), Some(height)], Some(view)) = (size, view) else {
+        return Ok(None);
+    };
+    let (Some(wide), Some(high)) = (on_paper(&width), on_paper(&height)) else {
+        return Ok(None);
+    };
+    let scales = [wide / view.w, high / view.h];
+    let scale = fitted(scales, aspect);
+    if !(scale[0] > 0.0 && scale[0].is_finite()) {
+        return Err("a page without size".to_owned());
+    }
+    // Stretched by the last printed digit is not stretched.
+    if (scale[1] / scale[0] - 1.0).abs() > 1e-6 {
+        return Err("preserveAspectRatio=\"none\" with a page of other proportions".to_owned());
+    }
+    let words = format!("width {wide} mm of {} units", view.w);
+    Ok(Some((words, scale[0])))
+}
+
+/// A length in mm, if its unit is one of paper: CSS Values 3, 6.2. A px is that of a screen in practice.
+fn on_paper(length: &Length) -> Option<f64> {
+    let mm = match length.unit {
+        LengthUnit::Mm => 1.0,
+        LengthUnit::Cm => 10.0,
+        LengthUnit::In => 25.4,
+        LengthUnit::Pt => 25.4 / 72.0,
+        LengthUnit::Pc => 25.4 / 6.0,
+        _ => return None,
+    };
+    Some(length.number * mm)
+}
+
+/// Both scales as `preserveAspectRatio` makes them.
+fn fitted([x, y]: [f64; 2], aspect: AspectRatio) -> [f64; 2] {
+    match (aspect.align, aspect.slice) {
+        (Align::None, _) => [x, y],
+        (_, false) => [x.min(y); 2],
+        (_, true) => [x.max(y); 2],
+    }
+}
+
+/// From the user space within a nested `svg` at `corner` with `size` to that around it: SVG 2, 8.2.
+pub fn viewport(corner: [f64; 2], size: [f64; 2], view: ViewBox, aspect: AspectRatio) -> Affine {
+    let scale = fitted([size[0] / view.w, size[1] / view.h], aspect);
+    let share = match aspect.align {
+        Align::None | Align::XMinYMin => [0.0, 0.0],
+        Align::XMidYMin => [0.5, 0.0],
+        Align::XMaxYMin => [1.0, 0.0],
+        Align::XMinYMid => [0.0, 0.5],
+        Align::XMidYMid => [0.5, 0.5],
+        Align::XMaxYMid => [1.0, 0.5],
+        Align::XMinYMax => [0.0, 1.0],
+        Align::XMidYMax => [0.5, 1.0],
+        Align::XMaxYMax => [1.0, 1.0],
+    };
+    let shift = |axis: usize, from: f64, length: f64| {
+        let rest = size[axis] - length * scale[axis];
+        corner[axis] - from * scale[axis] + share[axis] * rest
+    };
+    Affine {
+        turn: Matrix2::from_diagonal(&Vector2::from(scale)),
+        shift: Vector2::new(shift(0, view.x, view.w), shift(1, view.y, view.h)),
+    }
+}

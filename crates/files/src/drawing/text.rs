@@ -1,0 +1,32 @@
+//! From the bytes of a drawing to text, and from a byte of it to its line.
+
+use super::DrawingError;
+use encoding_rs::WINDOWS_1252;
+use std::borrow::Cow;
+
+/// UTF-8, or Windows-1252, which old programs write. A byte order mark is left out.
+pub fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, DrawingError> {
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
+        return Err(DrawingError::syntax("line 1", "UTF-16", "save it as UTF-8"));
+    }
+    Ok(match std::str::from_utf8(bytes) {
+        Ok(text) => Cow::Borrowed(text),
+        Err(_) => WINDOWS_1252.decode_without_bom_handling(bytes).0,
+    })
+}
+
+/// Where the lines of a text begin.
+pub struct Lines(Vec<usize>);
+
+impl Lines {
+    /// Of `text`.
+    pub fn of(text: &str) -> Lines {
+        Lines(text.match_indices('\n').map(|(at, _)| at).collect())
+    }
+
+    /// "line 12", where byte `at` stands.
+    pub fn place(&self, at: usize) -> String {
+        format!("line {}", self.0.partition_point(|&end| end < at) + 1)
+    }
+}

@@ -42,6 +42,7 @@ mod nearest;
 mod node;
 pub mod numbers;
 mod options;
+pub mod outlines;
 mod pair_file;
 mod pair_slips;
 mod per_tooth;
@@ -85,6 +86,7 @@ pub fn named(path: &Path) -> &Path {
 pub use error::{InputError, Problem};
 pub use gauged_file::{GaugedTables, NoGearFile, gauged_file};
 pub use limits::{MOST_POSES, POSE_BYTES_CSV, POSE_BYTES_JSON};
+pub use outlines::OutlinePairFile;
 pub use pair_slips::in_tolerance as tolerance_slip;
 pub use read::{GearEntry, GearsFile, PairFile};
 pub use results::{ResultFile, ResultWriter, result_file};
@@ -97,7 +99,35 @@ pub use spec::{gear_schema, pair_schema};
 /// [`InputError`] with all problems of the file, each with key, value, what is allowed and what to do.
 pub fn read(path: &Path) -> Result<PairFile, InputError> {
     with_entries(path, |path, place, entries, problems| {
+        if outlines::has_outline(entries) {
+            outlines::refused(path, place, entries, problems);
+            return None;
+        }
         PairTables::read(path, place, entries, problems).study(problems)
+    })
+}
+
+/// A pair file of either kind.
+#[derive(Debug)]
+pub enum AnyPair {
+    /// Both gears by their data.
+    Data(Box<PairFile>),
+    /// One at least by its outline.
+    Outlines(Box<OutlinePairFile>),
+}
+
+/// Reads the pair file at `path`, be its gears given by data or by outlines. `-` is standard input.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_any(path: &Path) -> Result<AnyPair, InputError> {
+    with_entries(path, |path, place, entries, problems| {
+        if outlines::has_outline(entries) {
+            let pair = outlines::read(path, place, entries, problems);
+            return pair.map(|pair| AnyPair::Outlines(Box::new(pair)));
+        }
+        let pair = PairTables::read(path, place, entries, problems).study(problems);
+        pair.map(|pair| AnyPair::Data(Box::new(pair)))
     })
 }
 
@@ -109,6 +139,10 @@ pub fn read_gears(path: &Path) -> Result<GearsFile, InputError> {
     with_entries(path, |path, place, entries, problems| {
         if gear_file::is_one(entries) {
             return gear_file::read(path, place, entries, problems);
+        }
+        if outlines::has_outline(entries) {
+            outlines::refused(path, place, entries, problems);
+            return None;
         }
         let pair = PairTables::read(path, place, entries, problems).study(problems);
         pair.map(GearsFile::from)

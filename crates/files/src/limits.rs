@@ -56,6 +56,24 @@ pub const COVERAGE: Limits = Limits {
 pub const TEETH: RangeInclusive<u32> = 3..=10_000;
 /// A tooth of the largest gear.
 pub const TOOTH: RangeInclusive<u32> = 1..=10_000;
+/// A coordinate in a drawing.
+pub const COORDINATE: Limits = Limits {
+    allowed: "a number of mm, −1e6 … 1e6",
+    range: (Included(-1e6), Included(1e6)),
+    help: "give the coordinate in mm",
+};
+/// What ends of lines may be apart.
+pub const JOIN: Limits = Limits {
+    allowed: "a number of mm, 0 … 10",
+    range: (Included(0.0), Included(10.0)),
+    help: "give the greatest gap that is closed, in mm",
+};
+/// A direction in a drawing.
+pub const FIRST_TOOTH: Limits = Limits {
+    allowed: "a number of degrees, −360 … 360",
+    range: (Included(-360.0), Included(360.0)),
+    help: "give the direction of tooth 1, counter-clockwise from +x",
+};
 /// `m`.
 pub const MODULE: Limits = Limits {
     allowed: "a number of mm, 0.01 … 1000",

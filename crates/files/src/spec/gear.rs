@@ -5,7 +5,8 @@ use super::require::RequireSpec;
 use super::rules::{whole, within};
 use super::thickness::ThicknessSpec;
 use super::uncertainty::UncertaintySpec;
-use super::{AccuracySpec, AssemblySpec, CompareSpec, MeasuredSpec, SweepSpec};
+use super::value::Either;
+use super::{AccuracySpec, AssemblySpec, CompareSpec, MeasuredSpec, OutlineGearSpec, SweepSpec};
 use crate::limits::{
     MODULE, PRESSURE_ANGLE, PROFILE_SHIFT, RACK_DEPTH, ROOT_RADIUS, TEETH, TIP_DIAMETER,
 };
@@ -21,8 +22,10 @@ pub struct PairSpec {
     #[schemars(with = "Option<String>")]
     pub title: String,
     /// Gear 1, left in the picture.
+    #[schemars(with = "Either<GearSpec, OutlineGearSpec>")]
     pub wheel: GearSpec,
     /// Gear 2, right in the picture.
+    #[schemars(with = "Either<GearSpec, OutlineGearSpec>")]
     pub pinion: GearSpec,
     /// How the gears are put together.
     #[schemars(with = "Option<AssemblySpec>")]

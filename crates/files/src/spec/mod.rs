@@ -7,6 +7,7 @@
 mod assembly;
 mod flanks;
 mod gear;
+mod outline;
 mod require;
 mod rules;
 mod schema;
@@ -23,6 +24,10 @@ pub use flanks::{
     EccentricitySource, PitchAxis, PitchKind, PitchSense, PitchSpec, ReadingPlace, RunoutSpec,
 };
 pub use gear::{FaceName, GearFileSpec, GearSpec, PairSpec, RackSpec};
+pub use outline::{
+    CentreName, CentreSpec, EitherGearSpec, OutlineGearSpec, OutlinePairSpec, OutlineSpec,
+    PointsKind, UnitName,
+};
 pub use require::{AngleLimitsSpec, LimitsSpec, RequireSpec};
 pub use schema::{gear_schema, pair_schema};
 pub(crate) use thickness::CROSS_CHECK_UM;

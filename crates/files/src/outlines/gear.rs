@@ -1,0 +1,433 @@
+//! `[wheel.outline]` and `[pinion.outline]`: from the keys and the drawing to the gear.
+
+use crate::data_file::DataFile;
+use crate::drawing::{self, Drawing, JOIN_MM, Loop, Options, Unit};
+use crate::entry::Entry;
+use crate::limits::{COORDINATE, FIRST_TOOTH, JOIN, TEETH};
+use crate::node::Node;
+use crate::numbers::{fixed, um};
+use crate::problems::Problems;
+use crate::runout::Runout;
+use crate::spec::{
+    CentreName, CentreSpec, FaceName, OutlineGearSpec, OutlineSpec, PointsKind, UnitName,
+};
+use crate::table::Table;
+use gearlash::gear::Face;
+use gearlash::outline::{OutlineError, OutlineGear, OutlineReading, PathSegment, fit_centre};
+use nalgebra::Point2;
+use std::f64::consts::TAU;
+
+const KEYS: &[&str] = &[
+    "file",
+    "units",
+    "center_mm",
+    "teeth",
+    "layer",
+    "id",
+    "join_mm",
+    "first_tooth_deg",
+    "kind",
+];
+/// Keys of a gear: of those from the fourth on an outline stands in place.
+const GEAR_KEYS: &[&str] = &[
+    "outline",
+    "reference_face",
+    "runout",
+    "teeth",
+    "module_mm",
+    "pressure_angle_deg",
+    "profile_shift",
+    "grade",
+    "tip_diameter_mm",
+    "rack",
+    "thickness",
+    "pitch",
+];
+const UNITS: [(&str, UnitName); 5] = [
+    ("mm", UnitName::Mm),
+    ("inch", UnitName::Inch),
+    ("cm", UnitName::Cm),
+    ("m", UnitName::M),
+    ("um", UnitName::Um),
+];
+const FACES: [(&str, Face); 2] = [("front", Face::Front), ("back", Face::Back)];
+const KINDS: [(&str, PointsKind); 2] = [
+    ("polygon", PointsKind::Polygon),
+    ("smooth", PointsKind::Smooth),
+];
+const CENTRES: [(&str, CentreName); 2] = [("bore", CentreName::Bore), ("fit", CentreName::Fit)];
+const CENTRE: &str = "[x, y] in mm, \"bore\" or \"fit\"";
+
+impl From<UnitName> for Unit {
+    fn from(name: UnitName) -> Unit {
+        match name {
+            UnitName::Mm => Unit::Mm,
+            UnitName::Inch => Unit::Inch,
+            UnitName::Cm => Unit::Cm,
+            UnitName::M => Unit::M,
+            UnitName::Um => Unit::Um,
+        }
+    }
+}
+
+/// A gear that is an outline.
+pub(super) struct OutlinePart {
+    pub gear: OutlineGear,
+    pub spec: OutlineGearSpec,
+    pub remarks: Vec<String>,
+}
+
+/// Reads the table `name` of a gear that is an outline.
+pub(super) fn read(file: &Table, name: &str, problems: &mut Problems) -> Option<OutlinePart> {
+    let table = file.table(name, GEAR_KEYS, problems)?;
+    let mut understood = true;
+    for key in GEAR_KEYS[3..].iter().filter(|key| table.has(key)) {
+        problems.add(table.problem(
+            key,
+            "given together with outline, which stands in its place",
+            match *key {
+                "teeth" => {
+                    "write `outline.teeth` to have the number of teeth checked, or remove it"
+                }
+                _ => "remove one or the other",
+            },
+        ));
+        understood = false;
+    }
+    let face = table.choice_or_first("reference_face", &FACES, problems);
+    let drawn = drawn(&table, problems);
+    let teeth = drawn.as_ref().and_then(|(spec, ..)| spec.teeth);
+    let runout = Runout::read(&table, teeth, problems);
+    let (spec, path, data) = drawn?;
+    let (face, runout) = (face?, runout?);
+    if runout.sheet.is_some() {
+        problems.add(table.problem(
+            "runout.file",
+            "readings of a runout need a gear by its data",
+            "state total_um and high_tooth",
+        ));
+        return None;
+    }
+    let mut remarks = Vec::new();
+    let centre = centre(&table, &spec, &path, &mut remarks, problems)?;
+    let reading = OutlineReading {
+        centre,
+        face,
+        teeth: spec.teeth,
+        first_tooth: spec.first_tooth_deg.map(f64::to_radians),
+        bound: path.outline.bound_mm,
+    };
+    let segments = &path.outline.segments;
+    let gear = OutlineGear::new(segments, &reading);
+    let gear = gear.map_err(|error| data.problem(place(&path, &error), help(&error)));
+    let gear = problems.keep(gear)?;
+    let high_tooth = runout.high_tooth.unwrap_or(1.0);
+    if runout.total_um > 0.0 && runout.high_tooth.is_none() {
+        problems.add(table.problem(
+            "runout.high_tooth",
+            "missing, an outline's runout needs its direction",
+            "add `high_tooth`, the tooth towards which the teeth are displaced",
+        ));
+        return None;
+    }
+    if high_tooth >= f64::from(gear.teeth()) + 1.0 {
+        problems.add(table.problem(
+            "runout.high_tooth",
+            format!(
+                "out of range, allowed is 1 up to, but not including, {}",
+                gear.teeth() + 1
+            ),
+            "count from the first tooth of the drawing",
+        ));
+        return None;
+    }
+    let turned = gear.with_runout(runout.total_um / 2000.0, high_tooth);
+    let turned =
+        turned.map_err(|error| table.problem("runout.total_um", error.to_string(), help(&error)));
+    let gear = problems.keep(turned)?;
+    remarks.push(format!(
+        "{name}: {} teeth between diameters {} and {} mm{}{}",
+        gear.teeth(),
+        fixed(2.0 * gear.root_radius(), 4),
+        fixed(2.0 * gear.tip_radius(), 4),
+        match gear.bound() {
+            0.0 => ", every curve exact".to_owned(),
+            bound => format!(", within {} µm of what is drawn", um(bound, 4)),
+        },
+        match path.remarks.len() {
+            0 => String::new(),
+            _ => format!("; {}", path.remarks.join("; ")),
+        }
+    ));
+    understood.then_some(OutlinePart {
+        gear,
+        spec: OutlineGearSpec {
+            outline: spec,
+            reference_face: FaceName::from(face),
+            runout: runout.spec(),
+        },
+        remarks,
+    })
+}
+
+/// The outline of a drawing among its loops.
+struct Path {
+    outline: Loop,
+    inside: Vec<Loop>,
+    remarks: Vec<String>,
+}
+
+/// The keys of `[outline]`, and the drawing.
+fn drawn(gear: &Table, problems: &mut Problems) -> Option<(OutlineSpec, Path, DataFile)> {
+    let table = gear.table("outline", KEYS, problems)?;
+    let data = DataFile::of(&table, "the name of a .dxf, .svg or .csv file", problems);
+    let choice = |key, problems: &mut Problems| match table.optional(key) {
+        Some(Some(entry)) => problems.keep(entry.choice(&UNITS)).map(Some),
+        absent => absent.map(|_| None),
+    };
+    let units = choice("units", problems);
+    let text = |key, problems: &mut Problems| match table.optional(key) {
+        Some(Some(entry)) => {
+            let text = problems.keep(entry.text("write the name in quotes"));
+            text.map(|text| Some(text.to_owned()))
+        }
+        absent => absent.map(|_| None),
+    };
+    let (layer, id) = (text("layer", problems), text("id", problems));
+    let teeth = match table.optional("teeth") {
+        Some(Some(entry)) => problems
+            .keep(entry.whole(TEETH, "give the number of teeth all round"))
+            .map(Some),
+        absent => absent.map(|_| None),
+    };
+    let first = match table.optional("first_tooth_deg") {
+        Some(Some(entry)) => problems.keep(entry.number(&FIRST_TOOTH)).map(Some),
+        absent => absent.map(|_| None),
+    };
+    let join_mm = table.number_or("join_mm", JOIN_MM, &JOIN, problems);
+    let kind = table.choice_or_first("kind", &KINDS, problems);
+    let center_mm = stated_centre(&table, problems);
+    let (data, layer, id) = (data?, layer?, id?);
+    let spec = OutlineSpec {
+        file: data.name().to_owned(),
+        units: units?,
+        center_mm: center_mm?,
+        teeth: teeth?,
+        join_mm: join_mm?,
+        first_tooth_deg: first?,
+        kind: kind?,
+        layer,
+        id,
+    };
+    let ending = data
+        .path()
+        .extension()
+        .unwrap_or_default()
+        .to_string_lossy()
+        .to_lowercase();
+    for (key, given, of) in [("layer", &spec.layer, "dxf"), ("id", &spec.id, "svg")] {
+        if given.is_some() && ending != of {
+            problems.add(table.problem(key, format!("belongs to a .{of} file"), "remove it"));
+            return None;
+        }
+    }
+    let bytes = problems.keep(data.bytes())?;
+    let options = Options {
+        unit: spec.units.map(Unit::from),
+        select: spec.layer.clone().or_else(|| spec.id.clone()),
+        join_mm: spec.join_mm,
+        smooth: spec.kind == PointsKind::Smooth,
+    };
+    let read = drawing::read(data.path(), &bytes, &options);
+    let read = read.map_err(|error| data.problem(error.to_string(), error.help()));
+    let path = outermost(problems.keep(read)?);
+    let path = path.map_err(|reason| {
+        data.problem(
+            reason,
+            "choose one with `layer` or `id`, or remove the others from the drawing",
+        )
+    });
+    Some((spec, problems.keep(path)?, data))
+}
+
+fn stated_centre(table: &Table, problems: &mut Problems) -> Option<CentreSpec> {
+    let Some(entry) = table.optional("center_mm")? else {
+        return Some(CentreSpec::At([0.0; 2]));
+    };
+    let help = "give the centre of the gear in the drawing";
+    match entry.node() {
+        Node::List(_) => {
+            let list = entry.numbers(&COORDINATE, problems)?;
+            let [x, y] = list[..] else {
+                problems.add(Entry::problem(
+                    &entry,
+                    format!("has {} numbers, expected {CENTRE}", list.len()),
+                    help,
+                ));
+                return None;
+            };
+            Some(CentreSpec::At([x, y]))
+        }
+        Node::Text(_) => problems.keep(entry.choice(&CENTRES)).map(CentreSpec::Found),
+        _ => {
+            problems.add(entry.wrong_type(CENTRE, help));
+            None
+        }
+    }
+}
+
+/// Twice the area a path encloses, by its ends and middles, mm²; without sign.
+fn size(path: &Loop) -> f64 {
+    let points: Vec<Point2<f64>> = path
+        .segments
+        .iter()
+        .flat_map(|segment| [segment.start(), segment.at(0.5)])
+        .collect();
+    let next = points.iter().cycle().skip(1);
+    let sum: f64 = points
+        .iter()
+        .zip(next)
+        .map(|(a, b)| a.coords.perp(&b.coords))
+        .sum();
+    sum.abs()
+}
+
+/// The loop that holds all others.
+fn outermost(drawing: Drawing) -> Result<Path, String> {
+    let mut loops = drawing.loops;
+    loops.sort_by(|a, b| size(b).total_cmp(&size(a)));
+    let mut loops = loops.into_iter();
+    let Some(outline) = loops.next() else {
+        return Err("holds no closed path".to_owned());
+    };
+    let inside: Vec<Loop> = loops.collect();
+    if let Some(beside) = inside.iter().find(|path| !holds(&outline, path)) {
+        let at = |path: &Loop| {
+            let point = path
+                .segments
+                .first()
+                .map_or(Point2::origin(), PathSegment::start);
+            format!("({:.4}, {:.4}) ({})", point.x, point.y, path.place)
+        };
+        return Err(format!(
+            "holds several closed paths side by side: one from {}, another from {}",
+            at(&outline),
+            at(beside)
+        ));
+    }
+    let mut remarks = drawing.remarks;
+    if !inside.is_empty() {
+        remarks.push(format!(
+            "closed paths inside that are not its outline: {}",
+            inside.len()
+        ));
+    }
+    Ok(Path {
+        outline,
+        inside,
+        remarks,
+    })
+}
+
+/// Whether the outer path winds round a point of the inner one.
+fn holds(outer: &Loop, inner: &Loop) -> bool {
+    let Some(point) = inner.segments.first().map(PathSegment::start) else {
+        return true;
+    };
+    let mut turns = 0.0;
+    for segment in &outer.segments {
+        for step in 0..8 {
+            let [from, to] = [step, step + 1].map(|step| segment.at(f64::from(step) / 8.0) - point);
+            turns += from.perp(&to).atan2(from.dot(&to));
+        }
+    }
+    (turns / TAU).round() != 0.0
+}
+
+/// The centre in the drawing, mm.
+fn centre(
+    gear: &Table,
+    spec: &OutlineSpec,
+    path: &Path,
+    remarks: &mut Vec<String>,
+    problems: &mut Problems,
+) -> Option<Point2<f64>> {
+    match spec.center_mm {
+        CentreSpec::At([x, y]) => Some(Point2::new(x, y)),
+        CentreSpec::Found(CentreName::Bore) => {
+            let circles: Vec<Point2<f64>> = path.inside.iter().filter_map(whole_circle).collect();
+            match &circles[..] {
+                [bore] => Some(*bore),
+                others => {
+                    problems.add(gear.problem(
+                        "outline.center_mm",
+                        format!(
+                            "needs one circle inside the outline, {} are drawn",
+                            others.len()
+                        ),
+                        "state the centre as [x, y] in mm, or \"fit\"",
+                    ));
+                    None
+                }
+            }
+        }
+        CentreSpec::Found(CentreName::Fit) => {
+            let fitted = fit_centre(&path.outline.segments);
+            let fitted = fitted.map_err(|error| {
+                gear.problem(
+                    "outline.center_mm",
+                    error.to_string(),
+                    "state the centre as [x, y] in mm",
+                )
+            });
+            let fitted = problems.keep(fitted)?;
+            remarks.push(format!(
+                "centre fitted to the tips: ({}, {}) mm, no tip off their circle by more than {} µm",
+                fixed(fitted.centre.x, 6),
+                fixed(fitted.centre.y, 6),
+                um(fitted.residual, 3)
+            ));
+            Some(fitted.centre)
+        }
+    }
+}
+
+/// The centre of a path that is one circle.
+fn whole_circle(path: &Loop) -> Option<Point2<f64>> {
+    let mut centres = path.segments.iter().map(|segment| match segment {
+        PathSegment::Arc { centre, radius, .. } => Some((*centre, *radius)),
+        _ => None,
+    });
+    let (first, radius) = centres.next()??;
+    // As the same circle is printed twice.
+    let same = |found: Option<(Point2<f64>, f64)>| {
+        found.is_some_and(|(centre, other)| {
+            (centre - first).norm() <= 1e-6 * radius && (other - radius).abs() <= 1e-6 * radius
+        })
+    };
+    centres.all(same).then_some(first)
+}
+
+fn place(path: &Path, error: &OutlineError) -> String {
+    format!("the path from {}: {error}", path.outline.place)
+}
+
+/// The way out of an error.
+pub(super) fn help(error: &OutlineError) -> &'static str {
+    match error {
+        OutlineError::NotFinite { .. } | OutlineError::SelfCrossing { .. } => {
+            "mend the drawing there"
+        }
+        OutlineError::Open { .. } => "close the path, or allow larger gaps with join_mm",
+        OutlineError::CentreOutside { .. } => {
+            "state the gear's centre with center_mm = [x, y], \"bore\" or \"fit\""
+        }
+        OutlineError::TooFewTeeth { .. } => {
+            "choose the gear's outline with `layer` or `id`, and check its centre and unit"
+        }
+        OutlineError::OtherTeeth { .. } => "correct `teeth`, or the drawing",
+        OutlineError::Uneven { .. } => "mend the drawing there, and check the centre",
+        OutlineError::Eccentric { .. } => "give the runout in µm",
+        OutlineError::TooNear { .. } => "give a greater centre distance",
+    }
+}

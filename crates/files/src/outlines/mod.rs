@@ -1,0 +1,11 @@
+//! Pair files of which one gear at least is an outline: from the keys and the drawing to the study, the verdict and the result.
+
+mod gear;
+mod pair;
+mod result;
+mod sentence;
+
+pub use pair::{OutlinePairFile, of_drawings};
+pub(crate) use pair::{has_outline, read, refused};
+pub use result::{to_csv, to_json};
+pub use sentence::{region_words, sentence};

@@ -1,0 +1,289 @@
+//! A pair file with an outline: two gears, where they stand, and the study they make.
+
+use super::gear::{self, OutlinePart};
+use crate::assembly::{self, AssemblyPart};
+use crate::gear::GearPart;
+use crate::node::Node;
+use crate::pair_file::names;
+use crate::place::Place;
+use crate::problems::Problems;
+use crate::sources::Sources;
+use crate::spec::{
+    AssemblySpec, BearingClearanceSpec, CenterDistanceSpec, DEFAULT_STEPS, EitherGearSpec,
+    OutlinePairSpec,
+};
+use crate::sweep::Sweep;
+use crate::table::Table;
+use gearlash::analysis::outlines::OutlineStudy;
+use gearlash::analysis::study::Material;
+use gearlash::gear::Side;
+use gearlash::outline::{OutlineGear, OutlinePair};
+use gearlash::pair::Mating;
+use std::path::Path;
+
+const KEYS: &[&str] = &[
+    "title",
+    "wheel",
+    "pinion",
+    "assembly",
+    "sweep",
+    "accuracy",
+    "compare",
+    "measured",
+    "require",
+    "uncertainty",
+];
+
+/// Tables that an outline has no use for, and why.
+const LEFT_OUT: [(&str, &str); 5] = [
+    (
+        "accuracy",
+        "cuts no polygons: its curves are searched as drawn",
+    ),
+    ("compare", "has no formula to compare with"),
+    ("measured", "has no measured rows beside it yet"),
+    ("require", "has sampled extremes, which prove no limit"),
+    ("uncertainty", "has no readings with an uncertainty"),
+];
+
+/// A pair file with an outline, understood.
+#[derive(Debug, Clone)]
+pub struct OutlinePairFile {
+    /// What it asks for.
+    pub study: OutlineStudy,
+    /// File stem, the name of the folder for results.
+    pub stem: String,
+    /// The input as understood.
+    pub spec: OutlinePairSpec,
+    /// What the user should know, for standard error.
+    pub warnings: Vec<String>,
+    /// What was found to be in order, for standard error.
+    pub remarks: Vec<String>,
+    /// The files it was read from.
+    pub sources: Sources,
+}
+
+impl OutlinePairFile {
+    /// The same at other centre distances, mm.
+    #[must_use]
+    pub fn at(mut self, mut center_distances: Vec<f64>) -> OutlinePairFile {
+        center_distances.sort_by(f64::total_cmp);
+        self.spec.assembly.center_distance_mm =
+            CenterDistanceSpec::Distances(center_distances.clone());
+        self.study.center_distances = center_distances;
+        self
+    }
+}
+
+/// Whether a gear of a pair file is an outline.
+pub(crate) fn has_outline(entries: &[(String, Node)]) -> bool {
+    let is_outline = |node: &Node| match node {
+        Node::Table(keys) => keys.iter().any(|(key, _)| key == "outline"),
+        _ => false,
+    };
+    let gears = entries
+        .iter()
+        .filter(|(key, _)| key == "wheel" || key == "pinion");
+    gears.into_iter().any(|(_, node)| is_outline(node))
+}
+
+/// The problem of a pair file with an outline where gears by their data are needed.
+pub(crate) fn refused(
+    path: &Path,
+    place: &Place,
+    entries: &[(String, Node)],
+    problems: &mut Problems,
+) {
+    let file = Table::new("", place, entries, KEYS, problems);
+    for name in ["wheel", "pinion"] {
+        let key = format!("{name}.outline");
+        if file.has(&key) {
+            problems.add(file.problem(
+                &key,
+                "an outline has no module, no base circle and no line of action, which this command needs",
+                format!(
+                    "use `gearlash check`, `simulate` or `snapshot` with {}, or give the gear by its data",
+                    path.display()
+                ),
+            ));
+        }
+    }
+}
+
+/// One gear, in one or both materials.
+struct Part {
+    gears: Vec<(Material, OutlineGear)>,
+    spec: EitherGearSpec,
+    warnings: Vec<String>,
+    remarks: Vec<String>,
+}
+
+/// Reads the pair file at `path`, of which a gear is an outline.
+pub(crate) fn read(
+    path: &Path,
+    place: &Place,
+    entries: &[(String, Node)],
+    problems: &mut Problems,
+) -> Option<OutlinePairFile> {
+    let table = Table::new("", place, entries, KEYS, problems);
+    let (stem, title) = names(&table, path, problems);
+    let mut left_out = Some(());
+    for (name, why) in LEFT_OUT {
+        if table.has(name) {
+            problems.add(table.problem(
+                name,
+                format!("a pair with an outline {why}"),
+                "remove the table",
+            ));
+            left_out = None;
+        }
+    }
+    let [wheel, pinion] = ["wheel", "pinion"].map(|name| part(&table, name, problems));
+    let teeth = [&wheel, &pinion].map(|part| part.as_ref().map(|part| part.gears[0].1.teeth()));
+    let assembly = table.table("assembly", assembly::KEYS, problems);
+    let assembly = assembly.map(|table| AssemblyPart::read(&table, true, problems));
+    let sweep = Sweep::read(&table, (teeth[0], teeth[1]), problems);
+    let sweep = sweep.and_then(|sweep| {
+        let key = [
+            ("mating", sweep.spec.mating.is_some()),
+            ("phases", sweep.spec.phases.is_some()),
+        ];
+        let Some((key, _)) = key.into_iter().find(|(_, given)| *given) else {
+            return Some(sweep.spec);
+        };
+        problems.add(table.problem(
+            &format!("sweep.{key}"),
+            "a pair with an outline is run through its whole mesh cycle",
+            "remove it; start = [1, 1] says which teeth mate first",
+        ));
+        None
+    });
+    let (assembly, sweep) = (assembly?, sweep?);
+    let (stated, locked) = (assembly.distances??, assembly.locked?);
+    let bearings: BearingClearanceSpec = assembly.bearings?;
+    if bearings.sum_mm() != 0.0 {
+        problems.add(table.problem(
+            "assembly.bearing_clearance_mm",
+            "a pair with an outline has no values beside its centre distances",
+            "list the centre distances that the bearings allow",
+        ));
+        return None;
+    }
+    let (wheel, pinion, ()) = (wheel?, pinion?, left_out?);
+    let mut distances = stated.distances_mm();
+    distances.sort_by(f64::total_cmp);
+    for &distance in &distances {
+        let pair = OutlinePair::new(
+            wheel.gears[0].1.clone(),
+            pinion.gears[0].1.clone(),
+            distance,
+            locked,
+        );
+        if let Err(error) = pair {
+            problems.add(table.problem(
+                "assembly.center_distance_mm",
+                error.to_string(),
+                gear::help(&error),
+            ));
+            return None;
+        }
+    }
+    let (first, second) = sweep
+        .start
+        .map_or((1, 1), |[wheel, pinion]| (wheel, pinion));
+    let study = OutlineStudy {
+        title: title?,
+        materials: materials(&wheel, &pinion),
+        locked,
+        center_distances: distances,
+        start: Mating {
+            wheel_tooth: first,
+            pinion_tooth: second,
+            flank: Side::Right,
+            fraction: 0.0,
+        },
+        steps_per_pitch: sweep.steps_per_pitch.unwrap_or(DEFAULT_STEPS),
+    };
+    Some(OutlinePairFile {
+        stem,
+        spec: OutlinePairSpec {
+            title: study.title.clone(),
+            wheel: wheel.spec,
+            pinion: pinion.spec,
+            assembly: AssemblySpec {
+                center_distance_mm: stated,
+                locked: locked.into(),
+                bearing_clearance_mm: bearings,
+            },
+            sweep,
+        },
+        study,
+        warnings: [wheel.warnings, pinion.warnings].concat(),
+        remarks: [wheel.remarks, pinion.remarks].concat(),
+        sources: place.sources(),
+    })
+}
+
+fn part(file: &Table, name: &str, problems: &mut Problems) -> Option<Part> {
+    if file.has(&format!("{name}.outline")) {
+        let OutlinePart {
+            gear,
+            spec,
+            remarks,
+        } = gear::read(file, name, problems)?;
+        return Some(Part {
+            gears: vec![(Material::AsMeasured, gear)],
+            spec: EitherGearSpec::Outline(Box::new(spec)),
+            warnings: Vec::new(),
+            remarks,
+        });
+    }
+    let data = GearPart::read(file, name, problems);
+    let built = data.as_built?;
+    let gears = match built.is_band() {
+        true => vec![
+            (Material::Most, built.most().into()),
+            (Material::Least, built.least().into()),
+        ],
+        false => vec![(Material::AsMeasured, built.most().into())],
+    };
+    Some(Part {
+        gears,
+        spec: EitherGearSpec::Data(Box::new(data.spec?)),
+        warnings: data.warnings,
+        remarks: data.remarks,
+    })
+}
+
+/// Each material; a gear with one has it in both of its pair.
+fn materials(wheel: &Part, pinion: &Part) -> Vec<(Material, OutlineGear, OutlineGear)> {
+    let several = [wheel, pinion]
+        .into_iter()
+        .max_by_key(|part| part.gears.len());
+    let names = several.map_or(&[][..], |part| &part.gears);
+    let of = |part: &Part, index: usize| {
+        let gears = part.gears.get(index).or(part.gears.first());
+        gears.map(|(_, gear)| gear.clone())
+    };
+    let each = names.iter().enumerate();
+    each.filter_map(|(index, (material, _))| {
+        Some((*material, of(wheel, index)?, of(pinion, index)?))
+    })
+    .collect()
+}
+
+/// The pair file that two drawings and a centre distance make: each keyed as if it had been written down.
+pub fn of_drawings(wheel: &Path, pinion: &Path, distance: f64, units: Option<&str>) -> String {
+    let gear = |name: &str, path: &Path| {
+        let file = toml::Value::String(path.display().to_string());
+        let units = units.map_or(String::new(), |units| {
+            format!("units = {}\n", toml::Value::String(units.to_owned()))
+        });
+        format!("[{name}.outline]\nfile = {file}\n{units}\n")
+    };
+    format!(
+        "{}{}[assembly]\ncenter_distance_mm = {distance:?}\n",
+        gear("wheel", wheel),
+        gear("pinion", pinion)
+    )
+}

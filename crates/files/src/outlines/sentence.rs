@@ -1,0 +1,106 @@
+//! The verdict of a pair of outlines in one sentence.
+
+use crate::numbers::{fixed, stated_distance, um};
+use gearlash::analysis::outlines::{OutlinePose, OutlineRun};
+use gearlash::contact::{OutlineContact, Status};
+use gearlash::pair::{Member, arcmin};
+
+/// Decimals of a backlash in µm.
+const DECIMALS: usize = 2;
+
+/// What the runs say: whether the pair turns, where it binds and from which centre distance on it turns freely.
+pub fn sentence(runs: &[OutlineRun]) -> String {
+    let several = runs.len() > 1;
+    let each: Vec<String> = runs.iter().map(|run| of_run(run, several)).collect();
+    let Some(run) = runs.first() else {
+        return "Nothing was run.".to_owned();
+    };
+    format!(
+        "{} Over all {} matings, {} sampled poses: each is proven, between them nothing is.",
+        each.join(" "),
+        run.matings,
+        runs.iter().map(|run| run.poses.len()).sum::<usize>()
+    )
+}
+
+fn of_run(run: &OutlineRun, several: bool) -> String {
+    let how = match run.turns() {
+        Some(true) => "Turns freely",
+        Some(false) if run.count(Status::Jammed) == run.poses.len() => "Jammed",
+        Some(false) => "Binds",
+        None if run.count(Status::NoContact) > 0 => "Out of mesh",
+        None => "Not known to turn",
+    };
+    let mut text = format!(
+        "{how} at a = {} mm",
+        stated_distance(run.pair.center_distance())
+    );
+    if several && run.material != gearlash::analysis::study::Material::AsMeasured {
+        text += &format!(" with {}", run.material.words());
+    }
+    let mut parts = Vec::new();
+    for (name, pose) in [("least", &run.least), ("greatest", &run.greatest)] {
+        if let Some(words) = pose.as_ref().and_then(|pose| value(run, pose)) {
+            parts.push(format!("{name} {words}"));
+        }
+    }
+    if let Some(jammed) = run
+        .lost
+        .as_ref()
+        .filter(|pose| pose.status() == Status::Jammed)
+    {
+        parts.push(format!(
+            "jammed where wheel tooth {} and pinion tooth {} mate",
+            jammed.mating.wheel_tooth, jammed.mating.pinion_tooth
+        ));
+    }
+    if run.turns() == Some(false) {
+        parts.push(match &run.turns_from {
+            Some(from) => format!(
+                "turns freely from a = {} mm on",
+                fixed((from.high * 1e4).ceil() * 1e-4, 4)
+            ),
+            None => "turns freely at no centre distance in mesh".to_owned(),
+        });
+    }
+    match parts.is_empty() {
+        true => text + ".",
+        false => format!("{text}: {}.", parts.join("; ")),
+    }
+}
+
+fn value(run: &OutlineRun, pose: &OutlinePose) -> Option<String> {
+    let found = pose.found.as_ref().ok()?;
+    let (j_wt, error) = (run.j_wt(found)?, run.j_wt_error(found)?);
+    let at = |member| fixed(arcmin(j_wt / run.pair.operating_pitch_radius(member)), 3);
+    // What a drawing says no more closely is said; rounding is not.
+    let off = match error >= 5e-6 {
+        true => format!(" ± {}", um(error, DECIMALS)),
+        false => String::new(),
+    };
+    let named = |contact: &OutlineContact| {
+        format!(
+            "{}·{} ({})",
+            contact.wheel.tooth,
+            contact.pinion.tooth,
+            region_words(contact)
+        )
+    };
+    Some(format!(
+        "j_wt {}{off} µm ({} arcmin at the wheel, {} at the pinion) at teeth {} on right flanks and {} on left flanks",
+        um(j_wt, DECIMALS),
+        at(Member::Wheel),
+        at(Member::Pinion),
+        named(found.right.as_ref()?),
+        named(found.left.as_ref()?)
+    ))
+}
+
+/// What touches: `tip on flank`, the wheel's first.
+pub fn region_words(contact: &OutlineContact) -> String {
+    format!(
+        "{} on {}",
+        contact.wheel.region.name(),
+        contact.pinion.region.name()
+    )
+}

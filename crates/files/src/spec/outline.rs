@@ -1,0 +1,129 @@
+//! A gear by its outline: the drawing, and how to read it.
+
+use super::rules::{whole, within};
+use super::value::Either;
+use super::{AssemblySpec, FaceName, GearSpec, RunoutSpec, SweepSpec};
+use crate::limits::{FIRST_TOOTH, JOIN, TEETH};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// Two gears of which one at least is an outline.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct OutlinePairSpec {
+    /// Shown in results and pictures.
+    pub title: String,
+    /// Gear 1, left in the picture.
+    pub wheel: EitherGearSpec,
+    /// Gear 2, right in the picture.
+    pub pinion: EitherGearSpec,
+    /// How the gears are put together.
+    pub assembly: AssemblySpec,
+    /// Poses a pitch, and the teeth that mate first.
+    pub sweep: SweepSpec,
+}
+
+/// A gear by its data or by its outline.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum EitherGearSpec {
+    /// By its data.
+    Data(Box<GearSpec>),
+    /// By its outline.
+    Outline(Box<OutlineGearSpec>),
+}
+
+/// A gear by its outline, in place of teeth, module, pressure angle, rack and thickness.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct OutlineGearSpec {
+    /// The drawing.
+    pub outline: OutlineSpec,
+    /// Which face the picture shows; the drawing shows the reference face, on which teeth are numbered clockwise.
+    #[schemars(default)]
+    pub reference_face: FaceName,
+    /// Radial runout; none: 0.
+    #[schemars(with = "Option<RunoutSpec>")]
+    pub runout: RunoutSpec,
+}
+
+/// A drawing of a gear: DXF, SVG, or a list of points.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct OutlineSpec {
+    /// A .dxf, .svg or .csv file beside the pair file.
+    pub file: String,
+    /// Unit of the drawing; needed where it states none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub units: Option<UnitName>,
+    /// The centre in the drawing, mm; "bore": that of the one circle inside; "fit": that of the circle through the tips.
+    #[schemars(with = "Option<Either<[f64; 2], CentreName>>")]
+    pub center_mm: CentreSpec,
+    /// Teeth there should be; none: as many as are found.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(transform = whole(TEETH))]
+    pub teeth: Option<u32>,
+    /// The layer of a DXF to read; none: all.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub layer: Option<String>,
+    /// The element of an SVG to read; none: all.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub id: Option<String>,
+    /// Ends of lines nearer than this are one point, mm.
+    #[schemars(with = "Option<f64>", transform = within(&JOIN))]
+    pub join_mm: f64,
+    /// Direction of tooth 1 in the drawing, degrees counter-clockwise from +x; none: the first at or clockwise of +y.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(transform = within(&FIRST_TOOTH))]
+    pub first_tooth_deg: Option<f64>,
+    /// Of a list of points: "polygon", or "smooth", a cubic spline through them.
+    #[schemars(default)]
+    pub kind: PointsKind,
+}
+
+/// A unit of length.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+#[schemars(inline)]
+pub enum UnitName {
+    /// Millimetre.
+    Mm,
+    /// Inch, 25.4 mm.
+    Inch,
+    /// Centimetre.
+    Cm,
+    /// Metre.
+    M,
+    /// Micrometre.
+    Um,
+}
+
+/// Where the centre is.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum CentreSpec {
+    /// In the drawing, mm.
+    At([f64; 2]),
+    /// To be found.
+    Found(CentreName),
+}
+
+/// What the centre is found by.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+#[schemars(inline)]
+pub enum CentreName {
+    /// The one circle inside.
+    Bore,
+    /// The circle through the tips.
+    Fit,
+}
+
+/// What stands between the points of a list.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+#[schemars(inline)]
+pub enum PointsKind {
+    /// Straight lines.
+    #[default]
+    Polygon,
+    /// A cubic spline with continuous curvature.
+    Smooth,
+}

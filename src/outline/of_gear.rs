@@ -99,3 +99,37 @@ impl PathSegment {
         (0..pieces).map(move |i| self.at(f64::from(i) / f64::from(pieces)))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Source: points of the segment itself, 50 to a chord, against the chord between the points on both sides of them.
+    #[test]
+    fn chords_of_arcs_and_cubics_are_within_their_error() {
+        let points = [[0.0, 0.0], [1.0, 2.0], [3.0, -1.0], [4.0, 1.0]];
+        let arc = |sweep| PathSegment::Arc {
+            centre: Point2::new(1.0, -2.0),
+            radius: 5.0,
+            start: 0.3,
+            sweep,
+        };
+        let cubic = PathSegment::Cubic(points.map(Point2::from));
+        for (part, least_share) in [(arc(2.9), 0.9), (arc(-0.7), 0.9), (cubic, 0.5)] {
+            for error in [1e-1, 1e-3, 1e-6] {
+                let mut points: Vec<Point2<f64>> = part.chords(error).collect();
+                assert_eq!(points[0], part.start());
+                points.push(part.end());
+                let count = points.len() - 1;
+                let mut most: f64 = 0.0;
+                for i in 0..50 * count {
+                    let at = part.at(i as f64 / (50 * count) as f64);
+                    let chord = points[i / 50 + 1] - points[i / 50];
+                    most = most.max((at - points[i / 50]).perp(&chord).abs() / chord.norm());
+                }
+                assert!(most <= error * (1.0 + 1e-6), "{most} of {error}");
+                assert!(most > least_share * error || count < 20, "{most} of {error}");
+            }
+        }
+    }
+}

@@ -6,6 +6,7 @@ use super::target::Target;
 use crate::error::Error;
 use clap::ValueEnum;
 use gearlash::analysis::study::Material;
+use gearlash::gear::{AsBuilt, HalfTooth, Side};
 use gearlash_files::{OutlineFile, OutlineFormat};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -62,6 +63,21 @@ fn tolerance(text: &str) -> Result<f64, String> {
     }
 }
 
+/// Points of the largest outline: some 100 MB as text.
+const MOST_POINTS: usize = 2_000_000;
+
+/// Whether the outline fits into memory several times over.
+fn check_size(tolerance_um: f64, gear: &AsBuilt) -> Result<(), Error> {
+    let half = HalfTooth::new(gear.gear(), Side::Right, tolerance_um * 1e-3);
+    let points = 2 * half.segments().len() * gear.gear().basic_data().teeth() as usize;
+    match points > MOST_POINTS {
+        true => Err(Error::Usage(format!(
+            "--tolerance-um {tolerance_um}: the outline would have {points} points, allowed are {MOST_POINTS}; give a greater tolerance"
+        ))),
+        false => Ok(()),
+    }
+}
+
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let study = studies::gears(&args.file)?;
@@ -72,6 +88,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             args.file.display()
         )));
     };
+    check_size(args.tolerance_um, gear)?;
     let (format, ending) = args.format.format();
     let target = match &args.output {
         // The place of a table, which this is.

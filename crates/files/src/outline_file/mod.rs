@@ -97,8 +97,8 @@ impl OutlineFile<'_> {
             };
             data += &spot(next.start());
         }
-        // Some room for the line around the gear.
-        let reach = 1.02 * self.gear.reach();
+        // Some room for the line around the gear, to whole µm.
+        let reach = (1020.0 * self.gear.reach()).ceil() / 1e3;
         let [corner, size] = [-reach, 2.0 * reach].map(number);
         let svg = SVG::new()
             .set("width", format!("{size}mm"))
@@ -111,7 +111,7 @@ impl OutlineFile<'_> {
             .set("d", data + " Z")
             .set("fill", "none")
             .set("stroke", "black")
-            .set("stroke-width", number(reach / 1000.0));
+            .set("stroke-width", number(reach / 500.0));
         format!("{}\n", svg.add(path))
     }
 

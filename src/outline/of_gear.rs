@@ -128,7 +128,10 @@ mod tests {
                     most = most.max((at - points[i / 50]).perp(&chord).abs() / chord.norm());
                 }
                 assert!(most <= error * (1.0 + 1e-6), "{most} of {error}");
-                assert!(most > least_share * error || count < 20, "{most} of {error}");
+                assert!(
+                    most > least_share * error || count < 20,
+                    "{most} of {error}"
+                );
             }
         }
     }

@@ -92,7 +92,12 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let (format, ending) = args.format.format();
     let target = match &args.output {
         // The place of a table, which this is.
-        Some(file) if ending == "csv" && file.extension().is_some_and(|given| given == ending) => {
+        Some(file)
+            if ending == "csv"
+                && file
+                    .extension()
+                    .is_some_and(|given| given.eq_ignore_ascii_case("csv")) =>
+        {
             Target::prepare(file.clone(), &study.sources)?
         }
         Some(file) => Target::prepare_beside(file.clone(), &study.sources)?,

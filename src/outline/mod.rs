@@ -7,6 +7,7 @@ mod centre;
 mod error;
 mod gear;
 mod half;
+mod of_gear;
 mod pair;
 mod path;
 mod segment;
@@ -15,6 +16,7 @@ mod teeth;
 pub use centre::{FittedCentre, fit_centre};
 pub use error::OutlineError;
 pub use gear::{OutlineGear, OutlineReading};
+pub use of_gear::of_gear;
 pub use pair::OutlinePair;
 pub use segment::PathSegment;
 

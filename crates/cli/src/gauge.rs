@@ -1,19 +1,18 @@
 //! `gearlash gauge`: measures a gear on the model as the shop does.
 
 use super::console::{print, warn};
+use super::gears::{self, GearName, MaterialName};
 use super::progress::Progress;
 use super::results::{Format, ResultsArgs};
 use super::screen::ScreenArgs;
 use super::studies;
 use crate::error::Error;
-use clap::ValueEnum;
-use gearlash::analysis::study::Material;
 use gearlash::gauge::{Settings, gauge, pose_count};
 use gearlash::gear::AsBuilt;
+use gearlash_files::GearEntry;
 use gearlash_files::results::gauge::{
     GaugedGear, csv_files, json, possible_files, stem, teeth_csv,
 };
-use gearlash_files::{GearEntry, GearsFile};
 use gearlash_render::gauge::{charts, missing, page, text};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -62,22 +61,6 @@ pub(super) struct Args {
     screen: ScreenArgs,
 }
 
-#[derive(Clone, Copy, ValueEnum)]
-enum GearName {
-    /// Gear 1
-    Wheel,
-    /// Gear 2
-    Pinion,
-}
-
-#[derive(Clone, Copy, ValueEnum)]
-enum MaterialName {
-    /// Teeth at their thickest
-    Most,
-    /// Teeth at their thinnest
-    Least,
-}
-
 /// A diameter in mm.
 fn diameter(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
@@ -89,7 +72,7 @@ fn diameter(text: &str) -> Result<f64, String> {
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let study = studies::gears(&args.file)?;
-    let chosen = choose(args, &study)?;
+    let chosen = gears::choose(&args.file, args.gear, args.material, &study)?;
     for (gear, _, as_built) in &chosen {
         check_span(args, gear.name, as_built)?;
     }
@@ -169,39 +152,5 @@ fn check_span(args: &Args, name: &str, gear: &AsBuilt) -> Result<(), Error> {
             "--span-teeth {k}: the {name} has {z} teeth, allowed is 1 … {z}; give fewer, or choose the other gear with --gear"
         ))),
         _ => Ok(()),
-    }
-}
-
-/// The gears and materials asked for, in the order of the file.
-fn choose<'a>(
-    args: &Args,
-    study: &'a GearsFile,
-) -> Result<Vec<(&'a GearEntry, Material, &'a AsBuilt)>, Error> {
-    let name = args.gear.map(|gear| match gear {
-        GearName::Wheel => "wheel",
-        GearName::Pinion => "pinion",
-    });
-    let material = args.material.map(|material| match material {
-        MaterialName::Most => Material::Most,
-        MaterialName::Least => Material::Least,
-    });
-    let mut chosen = Vec::new();
-    for gear in &study.gears {
-        if name.is_some_and(|name| name != gear.name) {
-            continue;
-        }
-        for (of, as_built) in &gear.materials {
-            // A single thickness is both ends of its tolerance.
-            if material.is_none_or(|material| *of == material || *of == Material::AsMeasured) {
-                chosen.push((gear, *of, as_built));
-            }
-        }
-    }
-    match (chosen.is_empty(), name) {
-        (true, Some(name)) => Err(Error::Usage(format!(
-            "--gear {name}: {} has one gear only; leave --gear out",
-            args.file.display()
-        ))),
-        _ => Ok(chosen),
     }
 }

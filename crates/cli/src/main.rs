@@ -11,9 +11,11 @@ mod drawing;
 mod error;
 mod explain;
 mod gauge;
+mod gears;
 mod init;
 mod man;
 mod method;
+mod outline;
 mod output;
 mod pictures;
 mod poses;
@@ -71,6 +73,7 @@ enum Command {
     Check(check::Args),
     Snapshot(snapshot::Args),
     Gauge(gauge::Args),
+    Outline(outline::Args),
     Chart(chart::Args),
     Report(report::Args),
     Init(init::Args),
@@ -107,6 +110,7 @@ fn command(command: Command) -> Result<ExitCode, Error> {
         Command::Check(args) => check::run(&args),
         Command::Snapshot(args) => snapshot::run(&args),
         Command::Gauge(args) => gauge::run(&args),
+        Command::Outline(args) => outline::run(&args),
         Command::Init(args) => init::run(&args),
         Command::Schema(args) => schema::run(&args),
         Command::Completions(args) => completions::run(&args),

@@ -42,6 +42,7 @@ mod nearest;
 mod node;
 pub mod numbers;
 mod options;
+mod outline_file;
 pub mod outlines;
 mod pair_file;
 mod pair_slips;
@@ -86,6 +87,7 @@ pub fn named(path: &Path) -> &Path {
 pub use error::{InputError, Problem};
 pub use gauged_file::{GaugedTables, NoGearFile, gauged_file};
 pub use limits::{MOST_POSES, POSE_BYTES_CSV, POSE_BYTES_JSON};
+pub use outline_file::{OutlineFile, OutlineFormat};
 pub use outlines::OutlinePairFile;
 pub use pair_slips::in_tolerance as tolerance_slip;
 pub use read::{GearEntry, GearsFile, PairFile};

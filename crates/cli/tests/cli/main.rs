@@ -8,6 +8,7 @@ mod compare;
 mod hostile;
 mod large;
 mod leaks;
+mod outline;
 #[path = "../../../../tests/common/pair_86_21.rs"]
 mod pair_86_21;
 #[path = "../../../../tests/common/pair_with_table.rs"]
@@ -150,7 +151,8 @@ fn help_names_every_command_and_the_exit_codes() {
     let folder = empty_folder();
     let help = output(gearlash(folder.path()).arg("--help"));
     let commands = [
-        "simulate", "compare", "check", "snapshot", "gauge", "chart", "report", "init", "schema",
+        "simulate", "compare", "check", "snapshot", "gauge", "outline", "chart", "report", "init",
+        "schema",
     ];
     for word in commands.into_iter().chain(["Exit codes", "Example"]) {
         assert!(help.contains(word), "{word} in {help}");

@@ -1,0 +1,122 @@
+//! `gearlash outline`: the outline of a gear for other programs.
+
+use super::gears::{GearName, MaterialName, choose};
+use super::studies;
+use super::target::Target;
+use crate::error::Error;
+use clap::ValueEnum;
+use gearlash::analysis::study::Material;
+use gearlash::gear::{AsBuilt, HalfTooth, Side};
+use gearlash_files::{OutlineFile, OutlineFormat};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// Write the outline of a gear as measured as DXF, SVG or CSV
+///
+/// The closed outline in mm, every tooth where it was measured to be, as the reference face shows it: the rotation axis at
+/// 0,0 (a gear with runout stands beside it), tooth 1 up, numbers clockwise. Flanks are chords within the tolerance of
+/// their curves; tip and root lands are arcs in DXF (bulges) and SVG, chords in CSV. The file's header states the bound.
+#[derive(clap::Args)]
+pub(super) struct Args {
+    /// A pair file, or a gear file: `title` and one [gear] with the keys of [wheel] (TOML or JSON); - for standard input
+    file: PathBuf,
+    /// Which gear of a pair
+    #[arg(long, value_enum)]
+    gear: Option<GearName>,
+    /// Which end of the thickness tolerance, where there is one
+    #[arg(long, value_enum, default_value = "most")]
+    material: MaterialName,
+    /// What to write
+    #[arg(long, value_enum)]
+    format: Format,
+    /// Greatest distance of a chord from its curve, µm, 0.001 to 1000
+    #[arg(long, value_name = "T", default_value_t = 1.0, value_parser = tolerance, allow_negative_numbers = true)]
+    tolerance_um: f64,
+    /// The file [default: out/<file stem>/outline_….<format>]; - for standard output
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Format {
+    Dxf,
+    Svg,
+    Csv,
+}
+
+impl Format {
+    /// It, and how its files end.
+    fn format(self) -> (OutlineFormat, &'static str) {
+        match self {
+            Format::Dxf => (OutlineFormat::Dxf, "dxf"),
+            Format::Svg => (OutlineFormat::Svg, "svg"),
+            Format::Csv => (OutlineFormat::Csv, "csv"),
+        }
+    }
+}
+
+/// A tolerance in µm.
+fn tolerance(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(um) if (0.001..=1000.0).contains(&um) => Ok(um),
+        _ => Err("a number of µm from 0.001 to 1000 is needed".to_owned()),
+    }
+}
+
+/// Points of the largest outline: some 100 MB as text.
+const MOST_POINTS: usize = 2_000_000;
+
+/// Whether the outline fits into memory several times over.
+fn check_size(tolerance_um: f64, gear: &AsBuilt) -> Result<(), Error> {
+    let half = HalfTooth::new(gear.gear(), Side::Right, tolerance_um * 1e-3);
+    let points = 2 * half.segments().len() * gear.gear().basic_data().teeth() as usize;
+    match points > MOST_POINTS {
+        true => Err(Error::Usage(format!(
+            "--tolerance-um {tolerance_um}: the outline would have {points} points, allowed are {MOST_POINTS}; give a greater tolerance"
+        ))),
+        false => Ok(()),
+    }
+}
+
+/// Runs the command.
+pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
+    let study = studies::gears(&args.file)?;
+    let chosen = choose(&args.file, args.gear, Some(args.material), &study)?;
+    let [(entry, material, gear)] = chosen[..] else {
+        return Err(Error::Usage(format!(
+            "which gear? {} has a wheel and a pinion; give --gear wheel or --gear pinion",
+            args.file.display()
+        )));
+    };
+    check_size(args.tolerance_um, gear)?;
+    let (format, ending) = args.format.format();
+    let target = match &args.output {
+        // The place of a table, which this is.
+        Some(file)
+            if ending == "csv"
+                && file
+                    .extension()
+                    .is_some_and(|given| given.eq_ignore_ascii_case("csv")) =>
+        {
+            Target::prepare(file.clone(), &study.sources)?
+        }
+        Some(file) => Target::prepare_beside(file.clone(), &study.sources)?,
+        None => {
+            let name = match material {
+                Material::AsMeasured => format!("outline_{}.{ending}", entry.name),
+                _ => format!("outline_{}_{}.{ending}", entry.name, material.name()),
+            };
+            let file = PathBuf::from("out").join(&study.stem).join(name);
+            Target::prepare(file, &study.sources)?
+        }
+    };
+    let outline = OutlineFile {
+        title: &study.title,
+        name: entry.name,
+        material,
+        gear,
+        tolerance_um: args.tolerance_um,
+    };
+    target.write(&outline.text(format))?;
+    Ok(ExitCode::SUCCESS)
+}

@@ -1,0 +1,138 @@
+//! The other way round: a gear by its data as a drawn outline.
+
+use super::PathSegment;
+use crate::gear::{AsBuilt, Face, Placed, Side};
+use nalgebra::Point2;
+use std::f64::consts::FRAC_PI_2;
+
+/// Half a root land, mm, that is none: some hundred times the rounding of the largest gears.
+const NO_LAND: f64 = 1e-9;
+
+/// The closed outline of `gear` as its reference face shows it, mm, counter-clockwise.
+///
+/// The rotation axis is the origin: a gear with runout stands beside it by its eccentricity. The undisturbed centre line of
+/// tooth 1 points up (+y), and teeth count clockwise. Flanks, fillets included, are chords within `chordal_error` mm (> 0) of
+/// their curves; tip and root lands are the arcs they are. Fillets that cross in a narrow space end where their chords do.
+pub fn of_gear(gear: &AsBuilt, chordal_error: f64) -> Vec<PathSegment> {
+    let placed = Placed::new(gear, Point2::origin(), FRAC_PI_2);
+    let centre = placed.centre();
+    let teeth = 0..i64::from(gear.gear().basic_data().teeth());
+    let flanks = |side| -> Vec<Vec<Point2<f64>>> {
+        let teeth = teeth.clone().map(|step| gear.counter_clockwise(1, step));
+        let flanks = teeth.map(|tooth| placed.flank(side, tooth, chordal_error));
+        flanks.collect()
+    };
+    let (mut rights, mut lefts) = (flanks(Side::Right), flanks(Side::Left));
+    // The right flanks in the order of the spaces: each faces the left one of the tooth before.
+    rights.rotate_left(1);
+    for (left, right) in lefts.iter_mut().zip(&mut rights) {
+        end_in_space(left, right, centre);
+    }
+    let chord = |ends: &[Point2<f64>]| PathSegment::Line([ends[0], ends[1]]);
+    let mut outline = Vec::new();
+    for (space, (left, right)) in lefts.iter().zip(&rights).enumerate() {
+        outline.extend(left.windows(2).map(chord));
+        let root = [left[left.len() - 1], right[right.len() - 1]];
+        if root[0] != root[1] {
+            outline.push(land(centre, root));
+        }
+        outline.extend(right.windows(2).rev().map(|ends| chord(ends).reversed()));
+        let next = &lefts[(space + 1) % lefts.len()];
+        outline.push(land(centre, [right[0], next[0]]));
+    }
+    match gear.face() {
+        Face::Front => outline,
+        Face::Back => {
+            let turned = outline.iter().rev();
+            turned.map(|part| part.reversed().mirrored()).collect()
+        }
+    }
+}
+
+/// The arc about `centre` from one point to another.
+fn land(centre: Point2<f64>, ends: [Point2<f64>; 2]) -> PathSegment {
+    let [from, to] = ends.map(|end| end - centre);
+    PathSegment::Arc {
+        centre,
+        radius: from.norm(),
+        start: from.y.atan2(from.x),
+        sweep: from.perp(&to).atan2(from.dot(&to)),
+    }
+}
+
+/// Where the flanks of a space, tip first, leave no root land, both end in one point of its middle, in which they mirror each other.
+fn end_in_space(left: &mut Vec<Point2<f64>>, right: &mut Vec<Point2<f64>>, centre: Point2<f64>) {
+    let middle = ((left[0] - centre) + (right[0] - centre)).normalize();
+    let beyond = |point: &Point2<f64>| middle.perp(&(point - centre));
+    let before = left.iter().take_while(|point| beyond(point) < -NO_LAND);
+    let before = before.count();
+    if before == 0 || before == left.len() {
+        return;
+    }
+    let [from, to] = [left[before - 1], left[before]];
+    let share = beyond(&from) / (beyond(&from) - beyond(&to));
+    let end = from + (to - from) * share.min(1.0);
+    for flank in [left, right] {
+        flank.truncate(before);
+        flank.push(end);
+    }
+}
+
+impl PathSegment {
+    /// Points from its start on, its end left out, whose chords are within `chordal_error` mm (> 0) of it.
+    pub fn chords(&self, chordal_error: f64) -> impl Iterator<Item = Point2<f64>> {
+        let pieces = match *self {
+            PathSegment::Line(_) => 1.0,
+            // The height of an arc above its chord is 2 r sin²(angle / 4).
+            PathSegment::Arc { radius, sweep, .. } => {
+                let half_sine = (chordal_error / (2.0 * radius)).sqrt().min(1.0);
+                sweep.abs() / (4.0 * half_sine.asin())
+            }
+            // |P''| Δ²/8, the second derivative between its values at the ends.
+            PathSegment::Cubic([a, b, c, d]) => {
+                let bends = [(a - b) + (c - b), (b - c) + (d - c)];
+                let bend = bends.map(|bend| 6.0 * bend.norm());
+                (bend[0].max(bend[1]) / (8.0 * chordal_error)).sqrt()
+            }
+        };
+        let pieces = pieces.ceil().max(1.0) as u32;
+        (0..pieces).map(move |i| self.at(f64::from(i) / f64::from(pieces)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Source: points of the segment itself, 50 to a chord, against the chord between the points on both sides of them.
+    #[test]
+    fn chords_of_arcs_and_cubics_are_within_their_error() {
+        let points = [[0.0, 0.0], [1.0, 2.0], [3.0, -1.0], [4.0, 1.0]];
+        let arc = |sweep| PathSegment::Arc {
+            centre: Point2::new(1.0, -2.0),
+            radius: 5.0,
+            start: 0.3,
+            sweep,
+        };
+        let cubic = PathSegment::Cubic(points.map(Point2::from));
+        for (part, least_share) in [(arc(2.9), 0.9), (arc(-0.7), 0.9), (cubic, 0.5)] {
+            for error in [1e-1, 1e-3, 1e-6] {
+                let mut points: Vec<Point2<f64>> = part.chords(error).collect();
+                assert_eq!(points[0], part.start());
+                points.push(part.end());
+                let count = points.len() - 1;
+                let mut most: f64 = 0.0;
+                for i in 0..50 * count {
+                    let at = part.at(i as f64 / (50 * count) as f64);
+                    let chord = points[i / 50 + 1] - points[i / 50];
+                    most = most.max((at - points[i / 50]).perp(&chord).abs() / chord.norm());
+                }
+                assert!(most <= error * (1.0 + 1e-6), "{most} of {error}");
+                assert!(
+                    most > least_share * error || count < 20,
+                    "{most} of {error}"
+                );
+            }
+        }
+    }
+}

@@ -2,18 +2,24 @@
 
 use super::error::OutlineError;
 use super::half::{HalfOutline, HalfPiece};
+use super::of_gear::of_gear;
 use super::path::ClosedPath;
 use super::segment::PathSegment;
 use super::teeth::{FoundTooth, find};
 use crate::gear::{AsBuilt, Face, PartCurve, Profile, ProfilePart, Side};
-use nalgebra::{Complex, Point2};
+use nalgebra::{Complex, Point2, UnitComplex, Vector2};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::sync::Arc;
 
-/// A tooth that points past +y by no more than this, rad, points there: rounding of decimals.
-const UPRIGHT: f64 = 1e-6;
+/// A tooth that points past +y by no more than this share of a pitch points there: pitch deviations and eccentricities are less, and who
+/// means another tooth says so with the direction of tooth 1.
+const UPRIGHT: f64 = 0.1;
 
 /// Teeth off their even places by more than this share of a pitch are no gear.
 const UNEVEN: f64 = 0.5;
+
+/// Chords of a gear by its data, drawn, of its tip radius: a tenth of a line's width in the largest picture.
+const CHORD: f64 = 1e-6;
 
 /// How a path is read as a gear.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,7 +41,10 @@ pub struct OutlineReading {
 pub struct OutlineGear {
     face: Face,
     /// Right halves and left ones (mirrored), tooth 1 first.
-    halves: [Vec<HalfOutline>; 2],
+    halves: [Arc<[HalfOutline]>; 2],
+    /// The whole path about the geometric centre, turned by `turned` from where tooth 1 is on +x.
+    path: Arc<[PathSegment]>,
+    turned: f64,
     tip_radius: f64,
     root_radius: f64,
     displacement: Complex<f64>,
@@ -112,8 +121,11 @@ impl OutlineGear {
             };
             (0..count).map(tooth).collect()
         });
+        let about = drawn.iter().map(|segment| segment.moved(-centre.coords));
         Ok(OutlineGear {
             face: reading.face,
+            path: about.collect(),
+            turned: directions[first],
             halves,
             tip_radius: radii.1,
             root_radius: radii.0,
@@ -195,6 +207,16 @@ impl OutlineGear {
         self.face.ascending() * (tooth - 1.0) * self.pitch()
     }
 
+    /// Points along the closed outline with tooth 1 turned to the direction `tooth_1`, rad, about its axis: chords within `chord` mm of
+    /// its curves (those of a gear by its data are chords already).
+    pub fn points(&self, tooth_1: f64, chord: f64) -> Vec<Point2<f64>> {
+        let turn = UnitComplex::new(tooth_1 - self.turned);
+        let displaced = self.displacement * Complex::from_polar(1.0, tooth_1);
+        let axis = Vector2::new(displaced.re, displaced.im);
+        let each = self.path.iter().flat_map(|segment| segment.cut(chord));
+        each.map(|point| turn * point + axis).collect()
+    }
+
     /// Angular pitch, rad.
     pub fn pitch(&self) -> f64 {
         TAU / f64::from(self.teeth())
@@ -260,8 +282,17 @@ impl From<&AsBuilt> for OutlineGear {
             (1..=gear.basic_data().teeth()).map(half).collect()
         });
         let displacement = built.displacement(0.0);
+        // Drawn about the axis as the reference face shows it, tooth 1 up.
+        let path = of_gear(built, CHORD * gear.tip_radius()).into_iter();
+        let path = path.map(|segment| match built.face() {
+            Face::Front => segment,
+            Face::Back => segment.mirrored(),
+        });
+        let off = built.displacement(FRAC_PI_2);
         OutlineGear {
             face: built.face(),
+            path: path.map(|segment| segment.moved(-off)).collect(),
+            turned: FRAC_PI_2,
             halves,
             tip_radius: gear.tip_radius(),
             root_radius: gear.root_radius(),
@@ -294,7 +325,7 @@ fn first_tooth(directions: &[f64], reading: &OutlineReading) -> usize {
         }
         None => {
             let along = reading.face.ascending() * (direction - FRAC_PI_2);
-            (along + UPRIGHT).rem_euclid(TAU)
+            (along + UPRIGHT * TAU / directions.len() as f64).rem_euclid(TAU)
         }
     };
     let order = directions.iter().enumerate();

@@ -3,6 +3,9 @@
 use crate::gear::{Circle, Cubic, Line, PartCurve};
 use nalgebra::{Point2, Vector2};
 
+/// Chords of one segment at most.
+const MOST_CHORDS: f64 = 4096.0;
+
 /// A segment of a drawn path, mm, from its start to its end.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum PathSegment {
@@ -48,6 +51,20 @@ impl PathSegment {
     pub fn at(&self, u: f64) -> Point2<f64> {
         let (curve, [from, to]) = self.part();
         curve.point(from + (to - from) * u)
+    }
+
+    /// Points along it, its end left out: chords within `chord` mm of it.
+    pub(super) fn cut(&self, chord: f64) -> Vec<Point2<f64>> {
+        let (curve, [from, to]) = self.part();
+        let length = (to - from).abs();
+        let (a, b) = curve.bend(from.max(to));
+        // A chord leaves the curve by `max |P''| Δ²/8` at most.
+        let count = ((a + b * length) * length * length / (8.0 * chord))
+            .sqrt()
+            .ceil();
+        let count = count.clamp(1.0, MOST_CHORDS);
+        let at = |k: u32| curve.point(from + (to - from) * f64::from(k) / count);
+        (0..count as u32).map(at).collect()
     }
 
     /// Where it starts.

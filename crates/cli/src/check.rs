@@ -4,7 +4,7 @@ use super::console::{print, print_note, tell};
 use super::method::{MethodArgs, agreed};
 use super::progress::{Progress, run_under_bar};
 use super::screen::ScreenArgs;
-use super::{poses, studies};
+use super::{outlines, poses, studies};
 use crate::error::Error;
 use crate::output::OutputFolder;
 use clap::ValueEnum;
@@ -12,8 +12,8 @@ use gearlash::analysis::Plan;
 use gearlash::analysis::diagnosis::{Diagnosis, Group, MAP_ROWS, Verdict, ZeroDistance, map};
 use gearlash::analysis::study::{Material, Study};
 use gearlash::analysis::verdict::Requirement;
-use gearlash_files::PairFile;
 use gearlash_files::verdict::sentence;
+use gearlash_files::{AnyPair, PairFile};
 use gearlash_render::checked::{self, CheckedPair};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -65,11 +65,27 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             "--map draws one pair: give one pair file".to_owned(),
         ));
     }
-    let files = studies::pairs(&args.pairs)?;
+    let files = studies::each(&args.pairs, studies::any)?;
     let mut done = Checked::default();
     for (path, file) in args.pairs.iter().zip(&files) {
-        poses::allow(path, file.study.pose_count(), &poses::HELD)?;
-        one(args, path, file, &mut done)?;
+        match file {
+            AnyPair::Data(file) => {
+                poses::allow(path, file.study.pose_count(), &poses::HELD)?;
+                one(args, path, file, &mut done)?;
+            }
+            AnyPair::Outlines(file) => {
+                if args.map {
+                    return Err(Error::Usage(
+                        "--map is for gears by their data; leave it out".to_owned(),
+                    ));
+                }
+                let as_json = args.format == Format::Json;
+                let (text, pair) =
+                    outlines::check(path, file, &args.screen, &args.method, as_json)?;
+                done.texts.push(text);
+                done.pairs.push(pair);
+            }
+        }
     }
     let unwritable = |error: &dyn std::fmt::Display| {
         Error::Usage(format!("the checks cannot be written: {error}"))

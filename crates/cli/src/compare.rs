@@ -73,7 +73,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     if let Some(told) = slip {
         tell(&format!("warning: {told}"));
     }
-    let files = studies::pairs(&args.pairs)?;
+    let files = studies::each(&args.pairs, studies::pair)?;
     let mut sources = Sources::new();
     for file in &files {
         sources.extend(&file.sources);

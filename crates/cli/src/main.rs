@@ -16,6 +16,7 @@ mod init;
 mod man;
 mod method;
 mod outline;
+mod outlines;
 mod output;
 mod pictures;
 mod poses;

@@ -11,9 +11,9 @@ const AGREEMENT: f64 = 1e-9;
 
 #[derive(clap::Args)]
 pub(super) struct MethodArgs {
-    /// How lost motion is found
-    #[arg(long, value_enum, default_value_t = Name::Exact)]
-    method: Name,
+    /// How lost motion is found [default: exact]
+    #[arg(long, value_enum)]
+    method: Option<Name>,
     /// Skip the polygon check of each exact result
     #[arg(long)]
     no_certify: bool,
@@ -30,9 +30,14 @@ enum Name {
 }
 
 impl MethodArgs {
+    /// Whether any of it was asked for.
+    pub fn given(&self) -> bool {
+        self.method.is_some() || self.no_certify
+    }
+
     /// The method asked for.
     pub fn method(&self) -> Method {
-        match self.method {
+        match self.method.unwrap_or(Name::Exact) {
             Name::Exact => Method::Exact {
                 certify: !self.no_certify,
             },

@@ -7,7 +7,7 @@ use super::progress::Progress;
 use super::results::{Format, ResultsArgs};
 use super::screen::ScreenArgs;
 use super::unit::UnitArgs;
-use super::{poses, studies};
+use super::{outlines, poses, studies};
 use crate::error::Error;
 use crate::output::{NewFile, OutputFolder};
 use gearlash::analysis::extremes::{extremes, run_count};
@@ -17,7 +17,7 @@ use gearlash::analysis::tally::{MOST_UNPROVEN, Piece, RunTally, simulate_by_bloc
 use gearlash::analysis::verdict::{Requirement, Verdict};
 use gearlash::contact::PoseResult;
 use gearlash::pair::GearPair;
-use gearlash_files::ResultWriter;
+use gearlash_files::{AnyPair, OutlinePairFile, ResultWriter};
 use gearlash_files::{POSE_BYTES_CSV, POSE_BYTES_JSON};
 use gearlash_render::Snapshot;
 use std::io::{IsTerminal, Write};
@@ -51,7 +51,10 @@ pub(super) struct Args {
 
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
-    let mut file = studies::pair(&args.pair)?;
+    let mut file = match studies::any(&args.pair)? {
+        AnyPair::Data(file) => *file,
+        AnyPair::Outlines(file) => return of_outlines(args, *file),
+    };
     if let Some(Distances(distances)) = &args.center_distance {
         let moved = file.at(distances.clone());
         file = moved.map_err(|reason| Error::Usage(format!("--center-distance: {reason}")))?;
@@ -131,6 +134,19 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         true => ExitCode::SUCCESS,
         false => ExitCode::from(1),
     })
+}
+
+/// The same of a pair of which a gear is an outline.
+fn of_outlines(args: &Args, mut file: OutlinePairFile) -> Result<ExitCode, Error> {
+    if args.snapshots || args.unit.given() {
+        return Err(Error::Usage(
+            "--snapshots, --unit and --at are for gears by their data; leave them out".to_owned(),
+        ));
+    }
+    if let Some(Distances(distances)) = &args.center_distance {
+        file = file.at(distances.clone());
+    }
+    outlines::simulate(&file, &args.results, &args.screen, &args.method)
 }
 
 const JSON: &str = "result.json";

@@ -2,7 +2,7 @@
 
 use super::console::{guard, warn};
 use crate::error::Error;
-use gearlash_files::{GearsFile, PairFile};
+use gearlash_files::{AnyPair, GearsFile, PairFile};
 use std::path::{Path, PathBuf};
 
 /// The pair file at `path`; its warnings are told.
@@ -16,11 +16,29 @@ pub(super) fn pair(path: &Path) -> Result<PairFile, Error> {
     Ok(file)
 }
 
-/// The pair files at `paths`; what is wrong with any of them is said of all at once.
+/// The pair file at `path`, be its gears given by data or by outlines; its warnings are told.
+///
+/// # Errors
+/// As [`pair`].
+pub(super) fn any(path: &Path) -> Result<AnyPair, Error> {
+    let file = gearlash_files::read_any(path)?;
+    let (sources, warnings, remarks) = match &file {
+        AnyPair::Data(file) => (&file.sources, &file.warnings, &file.remarks),
+        AnyPair::Outlines(file) => (&file.sources, &file.warnings, &file.remarks),
+    };
+    guard(sources)?;
+    warn(path, warnings, remarks);
+    Ok(file)
+}
+
+/// The pair files at `paths`, each read by `read`; what is wrong with any of them is said of all at once.
 ///
 /// # Errors
 /// As [`pair`]; [`Error::Usage`] where standard input is named twice.
-pub(super) fn pairs(paths: &[PathBuf]) -> Result<Vec<PairFile>, Error> {
+pub(super) fn each<T>(
+    paths: &[PathBuf],
+    read: impl Fn(&Path) -> Result<T, Error>,
+) -> Result<Vec<T>, Error> {
     let from_stdin = |path: &&PathBuf| path.as_path() == Path::new("-");
     if paths.iter().filter(from_stdin).count() > 1 {
         return Err(Error::Usage(
@@ -29,7 +47,7 @@ pub(super) fn pairs(paths: &[PathBuf]) -> Result<Vec<PairFile>, Error> {
     }
     let (mut files, mut faults) = (Vec::new(), Vec::new());
     for path in paths {
-        match pair(path) {
+        match read(path) {
             Ok(file) => files.push(file),
             Err(error) => faults.push(error),
         }

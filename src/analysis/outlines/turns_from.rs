@@ -57,7 +57,10 @@ pub(super) fn find(
         let binds_at = |distance: f64| -> Result<bool, Error> {
             Ok(binds(&look(&pair.at(distance)?, start, pose.pitches)))
         };
-        let (mut low, mut high) = (floor, apart.max(floor + WIDTH));
+        let (mut low, mut high) = (floor, apart.max(floor) + WIDTH);
+            "B {low} {high} {:?}",
+            look(&pair.at(high)?, start, pose.pitches).found
+        );
         if binds_at(high)? {
             return Ok(None);
         }

@@ -72,12 +72,21 @@ impl<'a> Arc<'a> {
             radii: (radius - reach, radius + reach),
             slope: None,
         };
+        let ends = [low, high].map(|t| placed.at(t).point);
+        let far = [ends[0].norm(), ends[1].norm()];
         if low == high {
             arc.slope = Some((0.0, 0.0, true));
         } else if psi.abs() + play < FRAC_PI_2 {
-            let ends = [low, high].map(|t| placed.at(t).point.norm());
-            arc.radii = (ends[0].min(ends[1]), ends[0].max(ends[1]));
-            arc.slope = Some((psi - play, psi + play, ends[0] <= ends[1]));
+            arc.radii = (far[0].min(far[1]), far[0].max(far[1]));
+            arc.slope = Some((psi - play, psi + play, far[0] <= far[1]));
+        } else {
+            // It leaves its chord by `(A + B Δ) Δ²/8` at most: where it runs round the axis its radii vary no more than that.
+            let length = high - low;
+            let (a, b) = placed.curve.bend(high);
+            let off = (a + b * length) * length * length / 8.0;
+            let (least, most) = chord_radii(ends, far);
+            arc.radii.0 = arc.radii.0.max(least - off);
+            arc.radii.1 = arc.radii.1.min(most + off);
         }
         arc
     }
@@ -119,6 +128,19 @@ impl<'a> Arc<'a> {
             self.placed.invert(rho, [inner, outer], middle)
         }
     }
+}
+
+/// Least and greatest distance of a chord from the origin; those of its ends are known.
+fn chord_radii([from, to]: [C; 2], far: [f64; 2]) -> (f64, f64) {
+    let along = to - from;
+    let length = along.norm_sqr();
+    // The foot of the perpendicular, as a share of the chord.
+    let foot = -(from.re * along.re + from.im * along.im) / length;
+    let least = match foot > 0.0 && foot < 1.0 {
+        true => (from + along * foot).norm(),
+        false => far[0].min(far[1]),
+    };
+    (least, far[0].max(far[1]))
 }
 
 /// Where a locked and a free curve meet.

@@ -9,6 +9,7 @@ mod gears;
 mod inset;
 mod legend;
 mod main_view;
+mod outlines;
 mod overlap_label;
 mod picture;
 mod pitch_chart;
@@ -18,6 +19,7 @@ mod view;
 
 pub use animation::animation;
 pub use exaggerated::exaggerated;
+pub use outlines::outline_snapshot;
 pub use picture::snapshot;
 pub(crate) use picture::snapshot_in_page;
 pub use subject::Snapshot;

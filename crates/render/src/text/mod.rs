@@ -3,6 +3,7 @@
 pub mod check;
 mod layout;
 mod measured;
+mod outlines;
 mod phases;
 mod simulation;
 mod unit;
@@ -10,4 +11,5 @@ mod verdict;
 
 pub(crate) use layout::{Column, Table, where_it_is};
 pub use layout::{Screen, Tone};
+pub use outlines::text as outlines;
 pub use simulation::simulation;

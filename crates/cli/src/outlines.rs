@@ -1,0 +1,121 @@
+//! Pairs of which a gear is an outline: what `simulate` and `check` do with them.
+
+use super::console::print;
+use super::method::{MethodArgs, all_proven};
+use super::progress::Progress;
+use super::results::{Format, ResultsArgs};
+use super::screen::ScreenArgs;
+use crate::error::Error;
+use gearlash::analysis::outlines::OutlineRun;
+use gearlash::contact::Status;
+use gearlash_files::OutlinePairFile;
+use gearlash_files::outlines::{sentence, to_csv, to_json};
+use gearlash_render::checked::CheckedPair;
+use gearlash_render::text;
+use std::path::Path;
+use std::process::ExitCode;
+
+const JSON: &str = "result.json";
+const CSV: &str = "result.csv";
+const WORST: &str = "worst.svg";
+
+/// All runs, under a bar.
+pub(super) fn runs(file: &OutlinePairFile, method: &MethodArgs) -> Result<Vec<OutlineRun>, Error> {
+    if method.given() {
+        return Err(Error::Usage(
+            "--method and --no-certify are for gears by their data: an outline's curves are searched as drawn; leave them out"
+                .to_owned(),
+        ));
+    }
+    let progress = Progress::start(file.study.steps());
+    let runs = file.study.runs(&|| progress.tick())?;
+    drop(progress);
+    Ok(runs)
+}
+
+/// Whether the pair turns at every centre distance and in every material.
+pub(super) fn turns(runs: &[OutlineRun]) -> bool {
+    let unsettled = runs.iter().map(|run| run.count(Status::Unproven)).sum();
+    all_proven(unsettled) & runs.iter().all(|run| run.turns() == Some(true))
+}
+
+/// `gearlash simulate` of a pair with an outline.
+pub(super) fn simulate(
+    file: &OutlinePairFile,
+    results: &ResultsArgs,
+    screen: &ScreenArgs,
+    method: &MethodArgs,
+) -> Result<ExitCode, Error> {
+    let folder = results.folder(&file.stem, &file.sources, |name| {
+        matches!(name, JSON | CSV | WORST)
+    })?;
+    let runs = runs(file, method)?;
+    let unwritable = |error: &dyn std::fmt::Display| {
+        Error::Usage(format!("the result cannot be written: {error}"))
+    };
+    let json = to_json(file, &runs).map_err(|error| unwritable(&error))?;
+    let csv = to_csv(&runs).map_err(|error| unwritable(&error))?;
+    match results.format {
+        Format::Text => print(&text::outlines(&file.study.title, &runs, &screen.screen()))?,
+        Format::Json => print(&json)?,
+        Format::Csv => print(&csv)?,
+    }
+    if let Some(folder) = folder {
+        let mut files = vec![(JSON.to_owned(), json), (CSV.to_owned(), csv)];
+        if let Some(picture) = worst(file, &runs) {
+            files.push((WORST.to_owned(), picture));
+        }
+        results.write(folder, &files)?;
+    }
+    // As of gears by their data: a pair that binds is a result.
+    Ok(
+        match all_proven(runs.iter().map(|run| run.count(Status::Unproven)).sum()) {
+            true => ExitCode::SUCCESS,
+            false => ExitCode::from(1),
+        },
+    )
+}
+
+/// The pose that binds most, or has the least backlash, as a picture.
+fn worst(file: &OutlinePairFile, runs: &[OutlineRun]) -> Option<String> {
+    let poses = runs.iter().filter_map(|run| {
+        let pose = run
+            .lost
+            .as_ref()
+            .filter(|pose| pose.status() == Status::Jammed);
+        Some((run, pose.or(run.least.as_ref())?))
+    });
+    let depth = |pose: &gearlash::analysis::outlines::OutlinePose| {
+        pose.angle().unwrap_or(f64::NEG_INFINITY)
+    };
+    let (run, pose) = poses.min_by(|a, b| depth(a.1).total_cmp(&depth(b.1)))?;
+    Some(gearlash_render::outline_snapshot(
+        &file.study.title,
+        run,
+        pose,
+    ))
+}
+
+/// `gearlash check` of a pair with an outline: its text or JSON, and what the other formats tell.
+pub(super) fn check(
+    path: &Path,
+    file: &OutlinePairFile,
+    screen: &ScreenArgs,
+    method: &MethodArgs,
+    as_json: bool,
+) -> Result<(String, CheckedPair), Error> {
+    let runs = runs(file, method)?;
+    let text = match as_json {
+        true => to_json(file, &runs)
+            .map_err(|error| Error::Usage(format!("the checks cannot be written: {error}")))?,
+        false => text::outlines(&file.study.title, &runs, &screen.screen()),
+    };
+    let pair = CheckedPair {
+        file: path.display().to_string(),
+        title: file.study.title.clone(),
+        sentence: sentence(&runs),
+        passes: turns(&runs),
+        diagnosis: gearlash::analysis::diagnosis::Diagnosis::default(),
+    };
+    Ok((text, pair))
+}

@@ -1,0 +1,262 @@
+//! The contact of two outlines: one pose, true to scale, on an A4 sheet; both contacts enlarged beside it.
+
+use super::gears::{CENTRES_DASH, PITCH_DASH};
+use super::subject::{INSETS, MAIN};
+use super::view::{MARGIN, View};
+use crate::kit::{
+    Frame, GREY, INK, Ids, OVERLAP, PINION, Spot, TextStyle, UNITS_PER_MM, WHEEL, WIDTH, arrow,
+    blank_sheet, clip, dot, hatch, line, path_data, scale,
+};
+use gearlash::analysis::outlines::{OutlinePose, OutlineRun};
+use gearlash::contact::{OutlineContact, Status};
+use gearlash::gear::Side;
+use gearlash::pair::Member;
+use gearlash_files::numbers::{bound_um, trimmed, um};
+use gearlash_files::outlines::region_words;
+use nalgebra::Point2;
+use svg::node::element::{ClipPath, Definitions, Group, Path, SVG, Use};
+
+/// Operating pitches shown above and below the line of centres.
+const PITCHES: f64 = 1.5;
+/// How much larger an inset is than the main view: both flanks curve away from a contact.
+const ENLARGED: f64 = 10.0;
+/// Of the stroke half lies outside the metal.
+const STROKE: f64 = 1.2;
+
+/// A pose of two outlines as the SVG text of a sheet.
+pub fn outline_snapshot(title: &str, run: &OutlineRun, pose: &OutlinePose) -> String {
+    format!("{}\n", draw(title, run, pose))
+}
+
+fn draw(title: &str, run: &OutlineRun, pose: &OutlinePose) -> SVG {
+    let ids = Ids::default();
+    let main = main_view(run);
+    let contacts = [Side::Right, Side::Left].map(|side| {
+        let found = pose.found.as_ref().ok()?;
+        match side {
+            Side::Right => found.right,
+            Side::Left => found.left,
+        }
+    });
+    let held = contacts.iter().flatten().next();
+    let nominal = run.pair.rotation(run.pair.free(), &pose.mating);
+    let rotation = held.map_or(nominal, |contact| contact.rotation);
+    let mut sheet = blank_sheet()
+        .add(hatch(&ids))
+        .add(caption(title, run, pose, held.is_some()))
+        .add(names(run))
+        .add(gears(run, pose, &main, "mesh", &ids, rotation))
+        .add(MAIN.border());
+    for (contact, (side, frame)) in contacts
+        .iter()
+        .zip([Side::Right, Side::Left].into_iter().zip(INSETS))
+    {
+        let heading = TextStyle::new(14.0);
+        let at = [frame.left, frame.top - 8.0];
+        let Some(contact) = contact else {
+            let text = format!("no contact of {} flanks", side.name());
+            sheet = sheet.add(heading.text(&text, at)).add(frame.border());
+            continue;
+        };
+        let view = View::new(
+            frame,
+            contact.point,
+            UNITS_PER_MM * scale::at_most(ENLARGED * main.scale() / UNITS_PER_MM, scale::ISO_5455),
+        );
+        sheet = sheet
+            .add(heading.text(&words(side, contact), at))
+            .add(gears(run, pose, &view, side.name(), &ids, contact.rotation))
+            .add(mark(contact, &view, 64.0))
+            .add(frame.border())
+            .add(scale::bar([frame.left, frame.bottom + 16.0], view.scale()));
+        if contact.rotation == rotation {
+            sheet = sheet.add(mark(contact, &main, 52.0));
+        }
+    }
+    sheet.add(scale::bar([MAIN.left, MAIN.bottom + 16.0], main.scale()))
+}
+
+/// What touches, in words.
+fn words(side: Side, contact: &OutlineContact) -> String {
+    format!(
+        "{} flanks: {}, wheel tooth {} and pinion tooth {}",
+        side.name(),
+        region_words(contact),
+        contact.wheel.tooth,
+        contact.pinion.tooth
+    )
+}
+
+fn main_view(run: &OutlineRun) -> View {
+    let radius = |member| run.pair.gear(member).tip_radius();
+    let root = |member| run.pair.gear(member).root_radius();
+    let (wheel, pinion) = (Member::Wheel, Member::Pinion);
+    let distance = run.pair.center_distance();
+    let middle = 0.5 * (radius(wheel) + distance - radius(pinion));
+    let pitch = run.pair.operating_pitch_radius(wheel) * run.pair.gear(wheel).pitch();
+    let half_width = (middle - root(wheel)).max(distance - root(pinion) - middle) + 0.3 * pitch;
+    let fits = f64::min(
+        0.5 * MAIN.width() / half_width,
+        0.5 * MAIN.height() / (PITCHES * pitch),
+    );
+    View::new(
+        MAIN,
+        Point2::new(middle, 0.0),
+        UNITS_PER_MM * scale::at_most(fits / UNITS_PER_MM, scale::FINE),
+    )
+}
+
+/// Both gears, the free one at `rotation`: metal, overlap, operating pitch circles and line of centres.
+fn gears(
+    run: &OutlineRun,
+    pose: &OutlinePose,
+    view: &View,
+    id: &str,
+    ids: &Ids,
+    rotation: f64,
+) -> Group {
+    let (pair, frame) = (&run.pair, view.frame());
+    let wide = frame.grown(MARGIN);
+    let mut definitions = Definitions::new().add(
+        ClipPath::new()
+            .set("id", ids.of(&format!("{id}-frame")))
+            .add(frame.rectangle()),
+    );
+    let members = [Member::Wheel, Member::Pinion];
+    for member in members {
+        let turned = match member == pair.locked() {
+            true => pair.rotation(member, &pose.mating),
+            false => rotation,
+        };
+        let points = pair.outline(member, turned, view.chord());
+        let spots: Vec<Spot> = points.iter().map(|point| view.spot(*point)).collect();
+        let metal = clip::polygon(&spots, &wide);
+        let name = format!("{id}-{}", member.name());
+        definitions = definitions
+            .add(
+                Path::new()
+                    .set("id", ids.of(&name))
+                    .set("d", path_data(&metal, true)),
+            )
+            .add(
+                ClipPath::new()
+                    .set("id", ids.of(&format!("{name}-clip")))
+                    .add(Use::new().set("href", ids.href(&name))),
+            );
+    }
+    let mut group = Group::new()
+        .set("clip-path", ids.url(&format!("{id}-frame")))
+        .add(definitions);
+    let part =
+        |member: Member| Use::new().set("href", ids.href(&format!("{id}-{}", member.name())));
+    for (member, fill) in members.into_iter().zip([WHEEL, PINION]) {
+        group = group.add(part(member).set("fill", fill));
+    }
+    let both = |fill: &str| {
+        let clipped = Group::new().set("clip-path", ids.url(&format!("{id}-wheel-clip")));
+        clipped.add(part(Member::Pinion).set("fill", fill))
+    };
+    group = group.add(both(OVERLAP)).add(both(&ids.url("hatch")));
+    for member in members {
+        let stroke = part(member).set("fill", "none").set("stroke", INK);
+        group = group.add(stroke.set("stroke-width", STROKE));
+        let circle = view.arc(pair.axis(member), pair.operating_pitch_radius(member));
+        for run in clip::runs(&circle, &wide) {
+            group = group.add(line(&run, GREY, 1.1).set("stroke-dasharray", PITCH_DASH));
+        }
+    }
+    let axes = members.map(|member| view.spot(pair.axis(member)));
+    if let Some(centres) = clip::segment(axes[0], axes[1], &wide) {
+        group = group.add(line(&centres, GREY, 1.1).set("stroke-dasharray", CENTRES_DASH));
+    }
+    group
+}
+
+/// The contact point, and its normal out of the wheel.
+fn mark(contact: &OutlineContact, view: &View, length: f64) -> Group {
+    let spot = view.spot(contact.point);
+    // y is down on the sheet.
+    let tip = [
+        spot[0] + length * contact.normal.x,
+        spot[1] - length * contact.normal.y,
+    ];
+    Group::new()
+        .add(arrow(spot, tip, 1.8))
+        .add(dot(spot, 4.5, true))
+}
+
+fn names(run: &OutlineRun) -> Group {
+    let name = |member: Member| {
+        let role = if member == run.pair.locked() {
+            "locked"
+        } else {
+            "free"
+        };
+        format!(
+            "{} ({role}), z = {}",
+            member.name(),
+            run.pair.gear(member).teeth()
+        )
+    };
+    let (style, y) = (TextStyle::new(14.0), MAIN.top - 8.0);
+    let Frame { left, right, .. } = MAIN;
+    Group::new()
+        .add(style.text(&name(Member::Wheel), [left, y]))
+        .add(style.end().text(&name(Member::Pinion), [right, y]))
+}
+
+fn caption(title: &str, run: &OutlineRun, pose: &OutlinePose, held: bool) -> Group {
+    let (left, room) = (MAIN.left, WIDTH - 2.0 * MAIN.left);
+    let found = pose.found.as_ref();
+    let what = match (
+        pose.status(),
+        found
+            .ok()
+            .and_then(|found| Some((run.j_wt(found)?, run.j_wt_error(found)?))),
+    ) {
+        (Status::Interference, Some((value, error))) => {
+            format!(
+                "j_wt = {} µm (error ≤ {} µm) · interference",
+                um(value, 2),
+                bound_um(error)
+            )
+        }
+        (_, Some((value, error))) => {
+            format!(
+                "j_wt = {} µm (error ≤ {} µm) · clear",
+                um(value, 2),
+                bound_um(error)
+            )
+        }
+        (Status::Jammed, None) => "jammed: a tip sits in a root".to_owned(),
+        (Status::Unproven, None) => "not settled".to_owned(),
+        (_, None) => "no contact: out of mesh".to_owned(),
+    };
+    let drawn = match held {
+        true => format!("drawn with the {} in contact", run.pair.free().name()),
+        false => format!(
+            "drawn with the {} at its nominal rotation",
+            run.pair.free().name()
+        ),
+    };
+    let where_to = format!(
+        "wheel tooth {} and pinion tooth {}, {} of a pitch on · centre distance {} mm · {}",
+        pose.mating.wheel_tooth,
+        pose.mating.pinion_tooth,
+        trimmed(pose.mating.fraction, 1, 4),
+        trimmed(run.pair.center_distance(), 3, 6),
+        run.material.words()
+    );
+    let (heading, second) = (TextStyle::new(24.0).bold(), TextStyle::new(16.0));
+    Group::new()
+        .add(heading.verbatim(&heading.shortened(title, room), [left, 46.0]))
+        .add(
+            second
+                .grey()
+                .text(&second.shortened(&where_to, room), [left, 73.0]),
+        )
+        .add(second.text(
+            &second.shortened(&format!("{what} · {drawn}"), room),
+            [left, 97.0],
+        ))
+}

@@ -1,0 +1,110 @@
+//! What is found of a pair of outlines, as text.
+
+use super::layout::{Column, Screen, Table, Tone};
+use gearlash::analysis::outlines::{OutlinePose, OutlineRun};
+use gearlash::contact::Status;
+use gearlash_files::characters::plain;
+use gearlash_files::numbers::{stated_distance, um_ascii};
+use gearlash_files::outlines::{region_words, sentence};
+use std::fmt::Write;
+
+/// Wheel teeth that bind are listed up to so many.
+const LISTED: usize = 24;
+
+/// As text on `screen`: the verdict, and the wheel teeth that bind.
+pub fn text(title: &str, runs: &[OutlineRun], screen: &Screen) -> String {
+    let said = sentence(runs);
+    let tone = match runs
+        .iter()
+        .map(OutlineRun::turns)
+        .min_by_key(|turns| match turns {
+            Some(false) => 0,
+            None => 1,
+            Some(true) => 2,
+        }) {
+        Some(Some(true)) => Tone::Good,
+        Some(Some(false)) => Tone::Bad,
+        _ => Tone::Doubtful,
+    };
+    let (first, rest) = said.split_once(':').unwrap_or((&said, ""));
+    let colon = if rest.is_empty() { "" } else { ":" };
+    let mut text = format!(
+        "{}\n\n{}{colon}{rest}\n\n",
+        plain(title),
+        screen.toned(tone, first)
+    );
+    for run in runs {
+        text += &binding(run, screen);
+    }
+    text += "An outline has no module and no involute: formulas, contact ratio and limits are left out.\n";
+    screen.fold(&text)
+}
+
+/// The wheel teeth at which a run binds, each at its worst; empty where it turns.
+fn binding(run: &OutlineRun, screen: &Screen) -> String {
+    let mut worst: Vec<(u32, &OutlinePose)> = Vec::new();
+    for pose in run.poses.iter().chain(&run.least) {
+        let found = pose.found.as_ref().ok();
+        if !matches!(pose.status(), Status::Interference | Status::Jammed) {
+            continue;
+        }
+        let contacts = found
+            .into_iter()
+            .flat_map(|found| found.right.iter().chain(&found.left));
+        let mut teeth: Vec<u32> = contacts.map(|contact| contact.wheel.tooth).collect();
+        if teeth.is_empty() {
+            teeth.push(pose.mating.wheel_tooth);
+        }
+        for tooth in teeth {
+            match worst.iter_mut().find(|(known, _)| *known == tooth) {
+                Some((_, known)) if depth(pose) < depth(known) => *known = pose,
+                Some(_) => (),
+                None => worst.push((tooth, pose)),
+            }
+        }
+    }
+    if worst.is_empty() {
+        return String::new();
+    }
+    worst.sort_by(|a, b| depth(a.1).total_cmp(&depth(b.1)).then(a.0.cmp(&b.0)));
+    let mut rows = Table::new(vec![
+        Column::new("wheel tooth"),
+        Column::new("j_wt um"),
+        Column::new("right flanks").left(),
+        Column::new("left flanks").left(),
+    ]);
+    for (tooth, pose) in worst.iter().take(LISTED) {
+        let found = pose.found.as_ref().ok();
+        let named = |contact: Option<&gearlash::contact::OutlineContact>| {
+            contact.map_or("jammed".to_owned(), |contact| {
+                format!(
+                    "{}.{} {}",
+                    contact.wheel.tooth,
+                    contact.pinion.tooth,
+                    region_words(contact)
+                )
+            })
+        };
+        rows.add(vec![
+            tooth.to_string(),
+            um_ascii(found.and_then(|found| run.j_wt(found)), 2),
+            named(found.and_then(|found| found.right.as_ref())),
+            named(found.and_then(|found| found.left.as_ref())),
+        ]);
+    }
+    let mut text = format!(
+        "Where it binds at a = {} mm, each wheel tooth at its worst{}:\n",
+        stated_distance(run.pair.center_distance()),
+        match worst.len().saturating_sub(LISTED) {
+            0 => String::new(),
+            more => format!(" ({LISTED} of {})", LISTED + more),
+        }
+    );
+    let _ = writeln!(text, "{}", rows.text(screen));
+    text
+}
+
+/// Backlash of a pose, rad; below all where it is jammed.
+fn depth(pose: &OutlinePose) -> f64 {
+    pose.angle().unwrap_or(f64::NEG_INFINITY)
+}

@@ -18,11 +18,11 @@ use std::f64::consts::{PI, TAU};
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Region {
-    /// Within the upper twentieth of its height.
+    /// Within the upper hundredth of its height.
     Tip,
     /// Between.
     Flank,
-    /// Within the lower twentieth.
+    /// Within the lower hundredth.
     Root,
 }
 

@@ -14,6 +14,9 @@ use nalgebra::{Complex, Point2};
 /// Share of the depth in which a tip or a root region lies.
 const REGION: f64 = 0.05;
 
+/// Share of the depth that is called tip or root where it touches.
+const NAMED: f64 = 0.01;
+
 /// Edges turn by more than this, rad: below it lies what decimals of a file do to tangent curves (tuned).
 const EDGE: f64 = 1e-6;
 
@@ -97,7 +100,7 @@ struct Region {
     from: Place,
     to: Place,
     middle: Place,
-    /// The radius that bounds it, mm.
+    /// The radius from which on it is called so, mm.
     limit: f64,
 }
 
@@ -124,7 +127,7 @@ impl Walk<'_> {
             middle: self.halfway(from, to),
             from,
             to,
-            limit,
+            limit: sign * (top - NAMED / REGION * height),
         }
     }
 

@@ -6,7 +6,7 @@ use nalgebra::{Point2, Vector2, Vector3};
 
 /// The highest degree: that of CAD programs is 11 at most, and the cost grows with its square.
 const HIGHEST_DEGREE: usize = 15;
-/// Halvings of a piece: one that needs more than 4096 cubic curves is refused. An ellipse of a kilometre takes 512 all around.
+/// Halvings of a piece: one that needs more than 4096 cubic curves is refused. A circle of a metre takes some 300.
 const MOST_HALVINGS: u32 = 12;
 
 /// A B-spline, rational by its weights.
@@ -65,7 +65,7 @@ impl BSpline {
         None
     }
 
-    /// Its segments, and how far they may lie from it, mm; `None` where that cannot be brought below a nanometre.
+    /// Its segments, and how far they may lie from it, mm; `None` where that cannot be brought below 0.01 µm.
     ///
     /// Of a spline without [`fault`](BSpline::fault).
     pub fn segments(&self) -> Option<(Vec<PathSegment>, f64)> {

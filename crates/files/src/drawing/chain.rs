@@ -51,7 +51,7 @@ impl Open {
         ));
         DrawingError::Open {
             place: self.place.clone(),
-            lines: self.pieces,
+            elements: self.pieces,
             ends: self.ends,
             end,
             nearest,

@@ -3,7 +3,7 @@
 use super::{FIT_MM, SAME_MM};
 use gearlash::outline::PathSegment;
 use nalgebra::{Point2, Rotation2, Vector2};
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 /// Below this bulge the centre is so far away (250 chords) that an arc from it would miss its ends by rounding; a cubic curve then
 /// follows the arc to 4e-17 of the chord.
@@ -52,7 +52,8 @@ pub fn bulged(start: Point2<f64>, end: Point2<f64>, bulge: f64) -> (PathSegment,
 }
 
 /// The arc `centre + u cos φ + v sin φ` for φ from `from` on through `sweep`, up to a whole turn, and how far the segments may lie
-/// from it: exact where it is a circle's.
+/// from it: exact where it is a circle's,
+/// a whole circle as two halves.
 pub fn elliptic(
     centre: Point2<f64>,
     [u, v]: [Vector2<f64>; 2],
@@ -67,7 +68,7 @@ pub fn elliptic(
         // u and v are of one length and at right angles, v to the left of u if it is `same` that is left.
         let hand = if same > other { 1.0 } else { -1.0 };
         let start = u.y.atan2(u.x) + hand * from;
-        let halves = if sweep.abs() > PI { 2 } else { 1 };
+        let halves = if sweep.abs() >= TAU { 2 } else { 1 };
         let sweep = hand * sweep / f64::from(halves);
         let arc = |half: i32| PathSegment::Arc {
             centre,
@@ -80,7 +81,7 @@ pub fn elliptic(
     // The curve is the affine image of a unit circle's, which lengthens no distance by more than the greatest half axis.
     let bound = |steps: u32| greatest * circle_bound((sweep / f64::from(4 * steps)).tan());
     let mut steps = (4.0 * sweep.abs() / TAU).ceil().max(1.0) as u32;
-    // Each doubling divides it by some 64; a half axis of a kilometre needs 512.
+    // Each doubling divides it by some 64; a half axis of a kilometre needs 256.
     while steps < 4096 && !(bound(steps) <= FIT_MM) {
         steps *= 2;
     }

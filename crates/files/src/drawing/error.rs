@@ -67,13 +67,13 @@ pub enum DrawingError {
         reason: String,
     },
     /// A path whose ends do not meet.
-    #[error("{place}: the path of {lines} from {} to {} is open: from its {end} the nearest other end is {gap_mm:.6} mm away, at {}",
+    #[error("{place}: the path from {} to {}, of {elements} drawn elements, is open: from its {end} the nearest other end is {gap_mm:.6} mm away, at {}",
         at(&ends[0]), at(&ends[1]), at(nearest))]
     Open {
         /// Where in the file it begins.
         place: String,
-        /// How many lines and curves of the file it has.
-        lines: usize,
+        /// How many elements of the file it has.
+        elements: usize,
         /// Its ends.
         ends: [Point2<f64>; 2],
         /// From which end the nearest other is measured: `start` or `end`.

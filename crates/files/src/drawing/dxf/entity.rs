@@ -189,11 +189,18 @@ impl<'a> Entity<'a> {
             text.push('\n');
         };
         line(0, self.kind);
-        // Names have been read, and numbers of elements are those of the elements.
-        let pairs = self.pairs.iter();
-        let geometry = |pair: &&Pair| !matches!(pair.code, 8 | 60..=68 | 72..=74 | 90..=99);
-        for pair in pairs.filter(geometry) {
+        for (index, pair) in self.pairs.iter().enumerate() {
+            // Names have been read, and numbers of elements are those of the elements.
+            if matches!(pair.code, 8 | 60..=68 | 72..=74 | 90..=99) {
+                continue;
+            }
             line(pair.code, pair.value);
+            // The crate drops points of a spline without a z.
+            let z = pair.code + 10;
+            let after = self.pairs.get(index + 1).map(|after| after.code);
+            if self.kind == "SPLINE" && matches!(pair.code, 20 | 21) && after != Some(z) {
+                line(z, "0");
+            }
         }
     }
 }
@@ -201,8 +208,9 @@ impl<'a> Entity<'a> {
 /// Whether the value is a number as its code asks: whole or finite.
 fn is_number(pair: &Pair) -> bool {
     match pair.code {
+        // Numbers of knots and points, which are not passed on.
+        72..=74 | 90..=99 => pair.value.parse::<i32>().is_ok(),
         60..=79 => pair.value.parse::<i16>().is_ok(),
-        90..=99 => pair.value.parse::<i32>().is_ok(),
         _ => pair.value.parse::<f64>().is_ok_and(f64::is_finite),
     }
 }

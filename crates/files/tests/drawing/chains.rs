@@ -1,0 +1,156 @@
+//! Loose ends: joined, closed, or an error with its points.
+
+use super::*;
+use made::{corners, dxf, line, lines};
+use std::time::Instant;
+
+/// Whatever the order and direction of the lines, the loop has the same corners.
+#[test]
+fn lines_in_any_order_make_the_loop() {
+    let corners = corners(9);
+    let mut drawn_lines = lines(&corners);
+    let mut choice = mutant::Choice(9);
+    for round in 0..20 {
+        let one = loop_of("dxf", &dxf(&drawn_lines));
+        assert_eq!((one.segments.len(), one.bound_mm), (36, 0.0));
+        let mut found: Vec<[f64; 2]> = one
+            .segments
+            .iter()
+            .map(|s| [s.start().x, s.start().y])
+            .collect();
+        let mut expected = corners.clone();
+        let order = |a: &[f64; 2], b: &[f64; 2]| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1]));
+        found.sort_by(order);
+        expected.sort_by(order);
+        assert_eq!(found, expected);
+        let (a, b) = (choice.below(36), choice.below(36));
+        drawn_lines.swap(a, b);
+        let (from, to) = (corners[round], corners[round + 1]);
+        let turned = line(to, from);
+        if let Some(place) = drawn_lines
+            .iter()
+            .position(|line| *line == made::line(from, to))
+        {
+            drawn_lines[place] = turned;
+        }
+    }
+}
+
+/// A gap of 0.4 µm is closed by a line of that length, half of which is the bound; one of 4 µm is told, and join_mm closes it.
+#[test]
+fn small_gaps_are_closed_and_told() {
+    let gapped = |gap: f64| {
+        dxf(&[
+            line([0.0, 0.0], [5.0, 0.0]),
+            line([5.0 + gap, 0.0], [0.0, 5.0]),
+            line([0.0, 5.0], [0.0, 0.0]),
+        ])
+    };
+    let one = loop_of("dxf", &gapped(0.0004));
+    assert_eq!(one.segments.len(), 4);
+    assert!((one.bound_mm - 0.0002).abs() < 1e-15);
+    assert!((one.segments[1].length() - 0.0004).abs() < 1e-15);
+    let error = drawn("dxf", &gapped(0.004), &in_mm()).unwrap_err();
+    let DrawingError::Open {
+        ends,
+        gap_mm,
+        elements,
+        ..
+    } = &error
+    else {
+        panic!("{error}")
+    };
+    assert!((gap_mm - 0.004).abs() < 1e-15 && *elements == 3);
+    assert_eq!(ends.map(|end| end.x), [5.004, 5.0]);
+    let join_mm: f64 = error.help().split(" = ").nth(1).unwrap().parse().unwrap();
+    assert!(join_mm >= *gap_mm && join_mm < 0.0042, "{join_mm}");
+    let drawing = drawn("dxf", &gapped(0.004), &Options { join_mm, ..in_mm() }).unwrap();
+    assert!((drawing.loops[0].bound_mm - 0.002).abs() < 1e-15);
+}
+
+/// A line shorter than join_mm between two others stays: its ends meet theirs exactly.
+#[test]
+fn a_short_line_is_kept() {
+    let points = [[0.0, 0.0], [5.0, 0.0], [5.0005, 0.0], [0.0, 5.0]];
+    let one = loop_of("dxf", &dxf(&lines(&points)));
+    assert_eq!((one.segments.len(), one.bound_mm), (4, 0.0));
+}
+
+/// Two triangles that touch in a point, and a line drawn twice: the point is told.
+#[test]
+fn branches_are_told_with_their_point() {
+    let mut touching = lines(&[[0.0, 0.0], [5.0, 0.0], [0.0, 5.0]]);
+    touching.extend(lines(&[[0.0, 0.0], [-5.0, 0.0], [0.0, -5.0]]));
+    let error = drawn("dxf", &dxf(&touching), &in_mm()).unwrap_err();
+    assert!(
+        matches!(error, DrawingError::Branch { point, .. } if point == Point2::origin()),
+        "{error}"
+    );
+    let mut twice = lines(&[[0.0, 0.0], [5.0, 0.0], [0.0, 5.0]]);
+    twice.push(twice[1].clone());
+    let error = drawn("dxf", &dxf(&twice), &in_mm()).unwrap_err();
+    assert!(
+        error
+            .to_string()
+            .contains("more than two ends meet at (5.000000, 0.000000) mm"),
+        "{error}"
+    );
+    assert!(error.help().contains("drawn twice"));
+}
+
+/// A layer of centre lines is left out beside the teeth; an open line among the teeth is not.
+#[test]
+fn construction_lines_are_left_out_on_a_layer_of_their_own() {
+    let mut entities = lines(&corners(9));
+    entities.push(line([-30.0, 0.0], [30.0, 0.0]).replace("TEETH", "CENTRE"));
+    let drawing = drawn("dxf", &dxf(&entities), &in_mm()).unwrap();
+    assert_eq!(drawing.loops.len(), 1);
+    assert_eq!(
+        drawing.remarks,
+        [
+            "left out: layer \"CENTRE\", on which all 1 paths are open, the first from (-30.000000, 0.000000) mm to (30.000000, 0.000000) mm"
+        ]
+    );
+    entities.push(line([-30.0, 1.0], [30.0, 1.0]));
+    let error = drawn("dxf", &dxf(&entities), &in_mm()).unwrap_err();
+    assert!(
+        matches!(error, DrawingError::Open { elements: 1, .. }),
+        "{error}"
+    );
+    assert!(error.to_string().starts_with("line "), "{error}");
+}
+
+/// Ten times the lines take some ten times as long, and the worst of crowds ends at once.
+#[test]
+fn a_hundred_thousand_ends_take_no_time() {
+    let svg_of = |teeth: u32| {
+        let corners = corners(teeth);
+        let next = corners.iter().skip(1).chain(&corners[..1]);
+        let paths: String = corners
+            .iter()
+            .zip(next)
+            .map(|(a, b)| format!("<path d=\"M {} {} L {} {}\"/>\n", a[0], a[1], b[0], b[1]))
+            .collect();
+        made::svg(&paths)
+    };
+    let text = svg_of(20_000);
+    let start = Instant::now();
+    let drawing = drawn(
+        "svg",
+        &text,
+        &Options {
+            join_mm: 1e-5,
+            ..in_mm()
+        },
+    )
+    .unwrap();
+    assert_eq!(drawing.loops[0].segments.len(), 80_000);
+    assert!(start.elapsed().as_secs_f64() < 5.0, "{:?}", start.elapsed());
+    let crowd = made::svg(&"<path d=\"M 0 0 L 1 1\"/>\n".repeat(80_000));
+    let start = Instant::now();
+    assert!(matches!(
+        drawn("svg", &crowd, &in_mm()),
+        Err(DrawingError::Branch { .. })
+    ));
+    assert!(start.elapsed().as_secs_f64() < 5.0);
+}

@@ -1,0 +1,136 @@
+//! Ten thousand mutants of each format: an error with its place, or loops; and where no geometry is touched, the loops as they were.
+
+use super::*;
+use mutant::{Choice, mutant};
+use std::ops::Range;
+use std::time::Instant;
+
+/// Whether an error says where: a line, a point, or that it is of the whole file.
+fn has_place(error: &DrawingError) -> bool {
+    match error {
+        DrawingError::NoUnit { .. }
+        | DrawingError::OtherUnit { .. }
+        | DrawingError::NoLoop { .. } => true,
+        error => error.to_string().starts_with("line "),
+    }
+}
+
+/// `good` with one mistake: a flipped bit, or one of those of the tables.
+fn mistaken(good: &[u8], choice: &mut Choice) -> Vec<u8> {
+    if choice.below(4) > 0 {
+        return mutant(good, choice);
+    }
+    let mut bytes = good.to_vec();
+    bytes[choice.below(good.len())] ^= 1 << choice.below(8);
+    bytes
+}
+
+/// Reads the mutants of `text`; `geometry` are the bytes that say what is drawn.
+fn run(ending: &str, text: &str, geometry: &[Range<usize>], options: &Options) {
+    let good = drawn(ending, text, options).unwrap();
+    let name = format!("gear.{ending}");
+    let (mut errors, mut same, mut other, mut untouched) = (0, 0, 0, 0);
+    let mut choice = Choice(text.len() as u64);
+    for number in 0..10_000 {
+        let bytes = mistaken(text.as_bytes(), &mut choice);
+        let start = Instant::now();
+        let read = read(Path::new(&name), &bytes, options);
+        assert!(
+            start.elapsed().as_secs_f64() < 1.0,
+            "{number}: {:?}",
+            start.elapsed()
+        );
+        let pairs = || bytes.iter().zip(text.as_bytes());
+        let before = pairs().take_while(|(a, b)| a == b).count();
+        let rest = bytes.len().min(text.len()) - before;
+        let behind = bytes.iter().rev().zip(text.as_bytes().iter().rev());
+        let behind = behind.take(rest).take_while(|(a, b)| a == b).count();
+        // Also what only touches it, so that an inserted byte is not taken for one outside.
+        let touched = before..text.len() - behind;
+        // A shape put in where none was is geometry as well.
+        let shape = bytes[before..bytes.len() - behind].contains(&b'<');
+        let beside = !shape
+            && !geometry
+                .iter()
+                .any(|range| touched.start <= range.end && range.start <= touched.end);
+        match read {
+            Ok(drawing) => {
+                check_sound(&drawing);
+                let alike = drawing.loops.len() == good.loops.len()
+                    && drawing
+                        .loops
+                        .iter()
+                        .zip(&good.loops)
+                        .all(|(a, b)| a.segments == b.segments && a.bound_mm == b.bound_mm);
+                assert!(
+                    alike || !beside,
+                    "{number}: {}",
+                    String::from_utf8_lossy(&bytes)
+                );
+                *(if alike { &mut same } else { &mut other }) += 1;
+                untouched += usize::from(beside);
+            }
+            Err(error) => {
+                assert!(
+                    has_place(&error) && !error.help().is_empty(),
+                    "{number}: {error}"
+                );
+                errors += 1;
+            }
+        }
+    }
+    println!(
+        "{ending}: {errors} errors, {same} the same ({untouched} of them untouched), {other} other loops"
+    );
+    assert!(
+        errors > 2000 && untouched > 100,
+        "{errors} errors, {untouched} untouched"
+    );
+}
+
+/// Where `text` has `from` up to `to`.
+fn between(text: &str, from: &str, to: &str) -> Range<usize> {
+    let start = text.find(from).unwrap();
+    start..start + text[start..].find(to).unwrap()
+}
+
+#[test]
+fn garbled_dxf() {
+    let text = made::mixed_dxf();
+    let geometry = [
+        between(&text, "  9\n$INSUNITS", "  9\n$EXTMIN"),
+        between(
+            &text,
+            "  0\nSECTION\n  2\nENTITIES",
+            "  0\nSECTION\n  2\nOBJECTS",
+        ),
+    ];
+    run("dxf", &text, &geometry, &Options::default());
+}
+
+#[test]
+fn garbled_svg() {
+    let text = made::mixed_svg();
+    let geometry = [
+        between(&text, "<svg", "<title>"),
+        between(&text, "<g transform", "<!--"),
+    ];
+    run("svg", &text, &geometry, &Options::default());
+}
+
+#[test]
+fn garbled_lists() {
+    let text = made::list();
+    let rows = text.find("x,y").unwrap()..text.len();
+    let geometry = [between(&text, "# unit", "# teeth"), rows];
+    run("csv", &text, &geometry, &Options::default());
+    run(
+        "csv",
+        &text,
+        &geometry,
+        &Options {
+            smooth: true,
+            ..Options::default()
+        },
+    );
+}

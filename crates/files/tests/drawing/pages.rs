@@ -1,0 +1,218 @@
+//! SVG pages against svgpathtools 1.8.0 (`parse_path(d)[i].point(t)`) and closed forms.
+
+use super::*;
+use made::svg;
+
+/// svgpathtools 1.8.0: segment, parameters 0, 1/4, 1/2, 3/4. y is turned round here.
+#[test]
+fn path_data_is_that_of_svgpathtools() {
+    let points = [
+        [
+            [10.0, 20.0],
+            [12.5625, 17.125],
+            [15.25, 16.5],
+            [18.0625, 18.125],
+        ],
+        [
+            [21.0, 22.0],
+            [23.6875, 25.9375],
+            [25.75, 27.75],
+            [27.1875, 27.4375],
+        ],
+        [
+            [28.0, 25.0],
+            [33.59619407771256, 26.489592359914347],
+            [36.5, 31.5],
+            [35.01040764008565, 37.09619407771256],
+        ],
+        [
+            [30.0, 40.0],
+            [21.746098043640053, 35.5494435314814],
+            [14.812501285056515, 35.170428776180955],
+            [13.260816669401486, 39.08497743741414],
+        ],
+        [
+            [18.0, 45.0],
+            [16.453125, 44.625],
+            [13.125, 42.75],
+            [9.984375, 38.25],
+        ],
+        [[9.0, 30.0], [9.25, 27.5], [9.5, 25.0], [9.75, 22.5]],
+    ];
+    let data = "M10,20 q 5,-8 11,2 t 7,3 A 6 6 0 0 1 30 40 a 9 4 30 1 0 -12 5 S 8,44 9,30 Z";
+    let one = loop_of("svg", &svg(&format!("<path id=\"p\" d=\"{data}\"/>")));
+    assert_eq!(one.name, "p");
+    for points in points {
+        check_through(&one, &points.map(|[x, y]| [x, -y]));
+    }
+    // The curves and the round arc are what they were: parameter for parameter.
+    for (segment, points) in one.segments.iter().zip(&points[..3]) {
+        for (step, [x, y]) in points.iter().enumerate() {
+            let off = segment.at(step as f64 / 4.0) - Point2::new(*x, -*y);
+            assert!(off.norm() < 1e-12, "{off}");
+        }
+    }
+    assert!(matches!(one.segments[2], PathSegment::Arc { .. }));
+    assert!(one.bound_mm > 0.0 && one.bound_mm <= 1e-5);
+}
+
+/// svgelements 1.9.6, `SVG.parse(reify=True)`, points of each segment at parameters 0, 1/4, 1/2, 3/4; y is turned round here.
+#[test]
+fn transforms_are_those_of_svgelements() {
+    let points = [
+        [
+            [13.593646033804635, 2.6847090593621283],
+            [15.574541885227838, 3.6263072182015588],
+            [17.555437736651044, 4.567905377040988],
+            [19.536333588074246, 5.509503535880419],
+        ],
+        [
+            [21.51722943949745, 6.451101694719849],
+            [21.881468671382702, 5.019555485290223],
+            [20.833312797745407, 3.2272259184718775],
+            [18.957431910940347, 1.5632268751352407],
+        ],
+        [
+            [16.838496103322285, 0.5166722361507392],
+            [15.01189534188161, -0.28532546239854895],
+            [13.558562146222425, -1.1749259226886912],
+            [12.478496516344727, -2.1521291447196877],
+        ],
+        [
+            [11.77169845224852, -3.2169351284915386],
+            [7.1926077030141276, -3.7328434159211468],
+            [6.02364820424575, -1.5891763969759025],
+            [8.755454662142549, 1.329523201132382],
+        ],
+    ];
+    let page = svg(
+        "<g transform=\"translate(10,5) rotate(30 4 3)\"><path transform=\"skewX(20) scale(1.5 -0.7)\" d=\"M1,2 l 6,1 c 1,3 -2,5 -4,4 q -3,-1 -4,1 a 5 3 20 0 1 2 -6 Z\"/></g>",
+    );
+    let one = loop_of("svg", &page);
+    for points in points {
+        check_through(&one, &points.map(|[x, y]| [x, -y]));
+    }
+}
+
+/// A circle under turns, even scales and mirrors stays an arc; under a stretch it is an ellipse of known axes.
+#[test]
+fn transforms_keep_circles_where_they_are_round() {
+    let page = svg(
+        "<g transform=\"translate(3 4)\"><g transform=\"rotate(30) scale(-2 2)\"><circle cx=\"1\" cy=\"0.5\" r=\"1.5\"/></g></g>",
+    );
+    let one = loop_of("svg", &page);
+    let (sin, cos) = 30_f64.to_radians().sin_cos();
+    // (1, 0.5) scaled is (-2, 1), turned and moved, y turned round.
+    let centre = Point2::new(3.0 - 2.0 * cos - sin, -(4.0 - 2.0 * sin + cos));
+    assert_eq!(one.segments.len(), 2);
+    for segment in &one.segments {
+        let PathSegment::Arc {
+            centre: found,
+            radius,
+            ..
+        } = segment
+        else {
+            panic!("{segment:?}")
+        };
+        assert!((found - centre).norm() < 1e-14 && (radius - 3.0).abs() < 1e-14);
+    }
+    let one = loop_of(
+        "svg",
+        &svg("<circle transform=\"scale(3 1)\" cx=\"1\" cy=\"2\" r=\"2\"/>"),
+    );
+    check_through(
+        &one,
+        &[
+            [9.0, -2.0],
+            [3.0, 0.0],
+            [-3.0, -2.0],
+            [3.0 + 6.0 * 0.6, -2.0 - 2.0 * 0.8],
+        ],
+    );
+    assert!(one.bound_mm > 0.0);
+}
+
+/// The unit by width over the width of the view box; the area of a square by hand.
+#[test]
+fn the_page_states_the_unit() {
+    for (width, view, mm) in [
+        ("40mm", 40.0, 1.0),
+        ("2in", 50.8, 1.0),
+        ("4cm", 20.0, 2.0),
+        ("72pt", 254.0, 0.1),
+        ("6pc", 25.4, 1.0),
+    ] {
+        let text = format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{width}\" viewBox=\"0 0 {view} {view}\"><rect width=\"3\" height=\"3\"/></svg>"
+        );
+        let drawing = drawn("svg", &text, &Options::default()).unwrap();
+        let corner = drawing.loops[0].segments[1].end();
+        assert!(
+            (corner - Point2::new(3.0 * mm, -3.0 * mm)).norm() < 1e-12,
+            "{corner}"
+        );
+    }
+    for (words, given) in [
+        (
+            "width=\"40\" height=\"40\" viewBox=\"0 0 40 40\"",
+            Unit::Inch,
+        ),
+        ("", Unit::Cm),
+        ("width=\"40mm\" height=\"40mm\"", Unit::Um),
+    ] {
+        let text = format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" {words}><rect width=\"3\" height=\"3\"/></svg>"
+        );
+        let unstated = drawn("svg", &text, &Options::default()).unwrap_err();
+        assert!(
+            matches!(unstated, DrawingError::NoUnit { .. }),
+            "{unstated}"
+        );
+        let options = Options {
+            unit: Some(given),
+            ..Options::default()
+        };
+        let drawing = drawn("svg", &text, &options).unwrap();
+        assert_eq!(drawing.loops[0].segments[0].length(), 3.0 * given.mm());
+    }
+}
+
+/// SVG 2, 8.2: 10 by 20 units in a window of 40 by 40 at (5, 5): twice as great, and 10 from its left.
+#[test]
+fn a_nested_page_lies_in_its_window() {
+    let page = svg(
+        "<svg x=\"5\" y=\"5\" width=\"40\" height=\"40\" viewBox=\"0 0 10 20\"><polygon points=\"0,0 1,0 1,1\"/></svg>",
+    );
+    let one = loop_of("svg", &page);
+    assert_eq!(one.segments[0].start(), Point2::new(15.0, -5.0));
+    assert_eq!(one.segments[1].end(), Point2::new(17.0, -7.0));
+}
+
+/// What is not drawn, hidden or words is left out; `id` picks an element or a group.
+#[test]
+fn what_is_no_outline_is_left_out() {
+    let page = svg(concat!(
+        "<defs><circle r=\"1\"/></defs><g style=\"display: none\"><circle r=\"2\"/></g><text>z=8</text>",
+        "<g id=\"a\"><circle id=\"b\" r=\"3\"/><circle r=\"4\"/></g><circle visibility=\"hidden\" r=\"5\"/>",
+        "<inkscape:path xmlns:inkscape=\"http://x\" d=\"M 0 0\"/>"
+    ));
+    let radii = |select: Option<&str>| {
+        let options = Options {
+            select: select.map(str::to_owned),
+            ..Options::default()
+        };
+        let drawing = drawn("svg", &page, &options).unwrap();
+        let radius = |one: &Loop| one.segments[0].length() / std::f64::consts::PI;
+        let radii: Vec<f64> = drawing.loops.iter().map(radius).collect();
+        (radii, drawing.remarks.len())
+    };
+    assert_eq!(radii(None), (vec![3.0, 4.0], 2));
+    assert_eq!(radii(Some("a")), (vec![3.0, 4.0], 0));
+    assert_eq!(radii(Some("b")), (vec![3.0], 0));
+}
+
+#[test]
+fn the_mixed_page_has_four_loops() {
+    let drawing = drawn("svg", &made::mixed_svg(), &Options::default()).unwrap();
+    assert_eq!((drawing.loops.len(), drawing.remarks.len()), (4, 0));
+}

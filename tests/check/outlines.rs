@@ -35,8 +35,7 @@ fn a_hunting_pair_has_the_extremes_that_are_proven() {
     let run = run_of(&pair);
     assert_eq!(run.matings, proven.matings);
     let value = |pose: &Option<gearlash::analysis::outlines::OutlinePose>| {
-        run.j_wt(pose.as_ref().unwrap().found.as_ref().unwrap())
-            .unwrap()
+        pose.as_ref().unwrap().j_wt.unwrap().0
     };
     let (least, greatest) = (proven.least.unwrap(), proven.greatest.unwrap());
     let (low, high) = (value(&run.least), value(&run.greatest));

@@ -4,7 +4,7 @@ use super::console::{print, print_note, tell};
 use super::method::{MethodArgs, agreed};
 use super::progress::{Progress, run_under_bar};
 use super::screen::ScreenArgs;
-use super::{outlines, poses, studies};
+use super::{distances, outlines, poses, studies};
 use crate::error::Error;
 use crate::output::OutputFolder;
 use clap::ValueEnum;
@@ -13,7 +13,7 @@ use gearlash::analysis::diagnosis::{Diagnosis, Group, MAP_ROWS, Verdict, ZeroDis
 use gearlash::analysis::study::{Material, Study};
 use gearlash::analysis::verdict::Requirement;
 use gearlash_files::verdict::sentence;
-use gearlash_files::{AnyPair, PairFile};
+use gearlash_files::{AnyPair, OutlinePairFile, PairFile};
 use gearlash_render::checked::{self, CheckedPair};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -26,9 +26,15 @@ use std::process::ExitCode;
 /// cycle, or a [require] is not met. Up to 2 million poses (2 GB of memory).
 #[derive(clap::Args)]
 pub(super) struct Args {
-    /// Pair files (TOML or JSON), - for standard input
+    /// Pair files (TOML or JSON), - for standard input; or two drawings (.dxf, .svg, .csv), of the wheel and of the pinion
     #[arg(required = true)]
     pairs: Vec<PathBuf>,
+    /// Centre distance of two drawings, mm
+    #[arg(long, alias = "centre-distance", value_name = "A", value_parser = distances::one, allow_hyphen_values = true)]
+    center_distance: Option<f64>,
+    /// Unit of the drawings, where they state none
+    #[arg(long, value_name = "UNIT", value_parser = ["mm", "inch", "cm", "m", "um"])]
+    units: Option<String>,
     /// What to print
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
@@ -65,9 +71,18 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             "--map draws one pair: give one pair file".to_owned(),
         ));
     }
-    let files = studies::each(&args.pairs, studies::any)?;
+    let (paths, files) = match drawings(args)? {
+        Some(pair) => {
+            let path = PathBuf::from(&pair.stem);
+            (vec![path], vec![AnyPair::Outlines(Box::new(pair))])
+        }
+        None => {
+            let files = studies::each(&args.pairs, studies::any)?;
+            (args.pairs.clone(), files)
+        }
+    };
     let mut done = Checked::default();
-    for (path, file) in args.pairs.iter().zip(&files) {
+    for (path, file) in paths.iter().zip(&files) {
         match file {
             AnyPair::Data(file) => {
                 poses::allow(path, file.study.pose_count(), &poses::HELD)?;
@@ -110,6 +125,32 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         true => ExitCode::SUCCESS,
         false => ExitCode::from(1),
     })
+}
+
+/// The pair of two drawings on the command line; `None` of pair files.
+fn drawings(args: &Args) -> Result<Option<OutlinePairFile>, Error> {
+    let is_drawing = |path: &PathBuf| {
+        let ending = path.extension().unwrap_or_default();
+        ["dxf", "svg", "csv"]
+            .iter()
+            .any(|drawn| ending.eq_ignore_ascii_case(drawn))
+    };
+    match (&args.pairs[..], args.center_distance) {
+        ([wheel, pinion], Some(distance)) if is_drawing(wheel) && is_drawing(pinion) => {
+            studies::drawings(wheel, pinion, distance, args.units.as_deref()).map(Some)
+        }
+        (paths, distance) if paths.iter().any(is_drawing) => Err(Error::Usage(match distance {
+            Some(_) => {
+                "give two drawings, of the wheel and of the pinion, or pair files alone".to_owned()
+            }
+            None => "two drawings need their centre distance: add --center-distance A".to_owned(),
+        })),
+        (_, distance) if distance.is_some() || args.units.is_some() => Err(Error::Usage(
+            "--center-distance and --units belong to two drawings: pair files state both"
+                .to_owned(),
+        )),
+        _ => Ok(None),
+    }
 }
 
 /// What was checked so far.

@@ -9,7 +9,7 @@ use gearlash::contact::Method;
 /// Largest difference between the two methods that passes, mm: 1e-6 µm, a picometre.
 const AGREEMENT: f64 = 1e-9;
 
-#[derive(clap::Args)]
+#[derive(clap::Args, Default)]
 pub(super) struct MethodArgs {
     /// How lost motion is found [default: exact]
     #[arg(long, value_enum)]

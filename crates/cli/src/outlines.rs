@@ -6,7 +6,7 @@ use super::progress::Progress;
 use super::results::{Format, ResultsArgs};
 use super::screen::ScreenArgs;
 use crate::error::Error;
-use gearlash::analysis::outlines::OutlineRun;
+use gearlash::analysis::outlines::{OutlinePose, OutlineRun};
 use gearlash::contact::Status;
 use gearlash_files::OutlinePairFile;
 use gearlash_files::outlines::{sentence, to_csv, to_json};
@@ -62,7 +62,9 @@ pub(super) fn simulate(
     }
     if let Some(folder) = folder {
         let mut files = vec![(JSON.to_owned(), json), (CSV.to_owned(), csv)];
-        if let Some(picture) = worst(file, &runs) {
+        if let Some((run, pose)) = worst(&runs) {
+            let title = &file.study.title;
+            let picture = gearlash_render::outline_snapshot(title, &run.pair, run.material, pose);
             files.push((WORST.to_owned(), picture));
         }
         results.write(folder, &files)?;
@@ -76,24 +78,14 @@ pub(super) fn simulate(
     )
 }
 
-/// The pose that binds most, or has the least backlash, as a picture.
-fn worst(file: &OutlinePairFile, runs: &[OutlineRun]) -> Option<String> {
+/// The pose that binds most, or has the least backlash.
+pub(super) fn worst(runs: &[OutlineRun]) -> Option<(&OutlineRun, &OutlinePose)> {
     let poses = runs.iter().filter_map(|run| {
-        let pose = run
-            .lost
-            .as_ref()
-            .filter(|pose| pose.status() == Status::Jammed);
-        Some((run, pose.or(run.least.as_ref())?))
+        let jammed = run.lost.iter().find(|pose| pose.status() == Status::Jammed);
+        Some((run, jammed.or(run.least.as_ref())?))
     });
-    let depth = |pose: &gearlash::analysis::outlines::OutlinePose| {
-        pose.angle().unwrap_or(f64::NEG_INFINITY)
-    };
-    let (run, pose) = poses.min_by(|a, b| depth(a.1).total_cmp(&depth(b.1)))?;
-    Some(gearlash_render::outline_snapshot(
-        &file.study.title,
-        run,
-        pose,
-    ))
+    let depth = |pose: &OutlinePose| pose.angle().unwrap_or(f64::NEG_INFINITY);
+    poses.min_by(|a, b| depth(a.1).total_cmp(&depth(b.1)))
 }
 
 /// `gearlash check` of a pair with an outline: its text or JSON, and what the other formats tell.

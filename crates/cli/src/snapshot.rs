@@ -3,17 +3,19 @@
 use super::console::tell;
 use super::distances;
 use super::drawing::{End, material, teeth};
-use super::method::all_proven;
+use super::method::{MethodArgs, all_proven};
 use super::pictures::{exaggeration, pitch};
 use super::target::Target;
-use super::{studies, worst};
+use super::{outlines, studies, worst};
 use crate::error::Error;
 use clap::ValueEnum;
+use gearlash::analysis::outlines::OutlinePose;
 use gearlash::analysis::study::{Material, Study};
 use gearlash::contact::{CutPair, LostMotion, Method, Unproven, sweep};
 use gearlash::gear::Side;
+use gearlash::outline::OutlinePair;
 use gearlash::pair::{GearPair, Mating, Member, Pose};
-use gearlash_files::PairFile;
+use gearlash_files::{AnyPair, OutlinePairFile, PairFile};
 use gearlash_render::Snapshot;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
@@ -74,7 +76,10 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         stem,
         sources,
         ..
-    } = studies::pair(&args.pair)?;
+    } = match studies::any(&args.pair)? {
+        AnyPair::Data(file) => *file,
+        AnyPair::Outlines(file) => return of_outlines(args, *file),
+    };
     let title = study.title.clone();
     let given = args.output.clone();
     let given = given.map(|file| Target::prepare_beside(file, &sources));
@@ -113,6 +118,85 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     })
 }
 
+/// The same of a pair of which a gear is an outline.
+fn of_outlines(args: &Args, mut file: OutlinePairFile) -> Result<ExitCode, Error> {
+    if args.animate || args.exaggerate.is_some() {
+        return Err(Error::Usage(
+            "--animate and --exaggerate are for gears by their data; leave them out".to_owned(),
+        ));
+    }
+    let given = args.output.clone();
+    let given = given.map(|path| Target::prepare_beside(path, &file.sources));
+    let given = given.transpose()?;
+    if let Some(distance) = args.center_distance {
+        file = file.at(vec![distance]);
+    }
+    if let Some(end) = args.material {
+        let wanted = match end {
+            End::Most => Material::Most,
+            End::Least => Material::Least,
+        };
+        file.study.materials.retain(|gears| gears.0 == wanted);
+    }
+    let drawn = match (args.worst, args.mating, args.flank) {
+        (true, ..) => {
+            let runs = outlines::runs(&file, &MethodArgs::default())?;
+            tell(&gearlash_files::outlines::sentence(&runs));
+            outlines::worst(&runs).map(|(run, pose)| {
+                (
+                    run.pair.clone(),
+                    run.material,
+                    pose.clone(),
+                    "worst".to_owned(),
+                )
+            })
+        }
+        (false, Some(teeth), Some(flank)) => {
+            let Some((material, wheel, pinion)) = file.study.materials.first().cloned() else {
+                return Err(Error::Usage(
+                    "--material: this pair has no such material".to_owned(),
+                ));
+            };
+            let distance = file.study.center_distances[0];
+            let pair = OutlinePair::new(wheel, pinion, distance, file.study.locked);
+            let pair = pair.map_err(gearlash::error::Error::from)?;
+            let flank = match flank {
+                Flank::Right => Side::Right,
+                Flank::Left => Side::Left,
+            };
+            let count = |member| pair.gear(member).teeth();
+            let mating = mating(teeth, args.fraction, count, flank)?;
+            let pose = OutlinePose::of(&pair, mating);
+            let name = format!("snapshot_{}_{}_{}", teeth.0, teeth.1, flank.name());
+            Some((pair, material, pose, name))
+        }
+        _ => return Err(which()),
+    };
+    let Some((pair, material, pose, name)) = drawn else {
+        return Err(Error::Usage(
+            "--worst: no pose is in mesh; nothing can be called the worst".to_owned(),
+        ));
+    };
+    let picture = gearlash_render::outline_snapshot(&file.study.title, &pair, material, &pose);
+    let target = match given {
+        Some(target) => target,
+        None => {
+            let name = format!("{name}_a{}_{}.svg", pair.center_distance(), material.name());
+            let path = PathBuf::from("out").join(&file.stem).join(name);
+            Target::prepare(path, &file.sources)?
+        }
+    };
+    target.write(&picture)?;
+    Ok(match all_proven(usize::from(pose.found.is_err())) {
+        true => ExitCode::SUCCESS,
+        false => ExitCode::from(1),
+    })
+}
+
+fn which() -> Error {
+    Error::Usage("which pose? give --mating W,P and --flank right|left, or --worst".to_owned())
+}
+
 /// What is drawn, and the name of its file.
 struct Subject {
     material: Material,
@@ -140,16 +224,15 @@ fn subject(args: &Args, study: Study) -> Result<Subject, Error> {
         });
     }
     let (Some(teeth), Some(flank)) = (args.mating, args.flank) else {
-        return Err(Error::Usage(
-            "which pose? give --mating W,P and --flank right|left, or --worst".to_owned(),
-        ));
+        return Err(which());
     };
     let (material, assembly) = assembly(args, &study)?;
     let flank = match flank {
         Flank::Right => Side::Right,
         Flank::Left => Side::Left,
     };
-    let mating = mating(teeth, args.fraction, &assembly, flank)?;
+    let count = |member| assembly.gear(member).gear().basic_data().teeth();
+    let mating = mating(teeth, args.fraction, count, flank)?;
     let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|member| assembly.gear(member));
     let cut = CutPair::for_certificates(wheel, pinion);
     let method = Method::Exact { certify: true };
@@ -213,11 +296,11 @@ fn assembly(args: &Args, study: &Study) -> Result<(Material, GearPair), Error> {
 fn mating(
     (wheel_tooth, pinion_tooth): (u32, u32),
     fraction: f64,
-    assembly: &GearPair,
+    teeth: impl Fn(Member) -> u32,
     flank: Side,
 ) -> Result<Mating, Error> {
     for (member, tooth) in [(Member::Wheel, wheel_tooth), (Member::Pinion, pinion_tooth)] {
-        let teeth = assembly.gear(member).gear().basic_data().teeth();
+        let teeth = teeth(member);
         if !(1..=teeth).contains(&tooth) {
             return Err(Error::Usage(format!(
                 "--mating {wheel_tooth},{pinion_tooth}: the {} has teeth 1 … {teeth}, not {tooth}",

@@ -2,7 +2,7 @@
 
 use super::console::{guard, warn};
 use crate::error::Error;
-use gearlash_files::{AnyPair, GearsFile, PairFile};
+use gearlash_files::{AnyPair, GearsFile, OutlinePairFile, PairFile};
 use std::path::{Path, PathBuf};
 
 /// The pair file at `path`; its warnings are told.
@@ -28,6 +28,22 @@ pub(super) fn any(path: &Path) -> Result<AnyPair, Error> {
     };
     guard(sources)?;
     warn(path, warnings, remarks);
+    Ok(file)
+}
+
+/// The pair of two drawings at a centre distance, mm; what was found of them is told.
+///
+/// # Errors
+/// As [`pair`].
+pub(super) fn drawings(
+    wheel: &Path,
+    pinion: &Path,
+    distance: f64,
+    units: Option<&str>,
+) -> Result<OutlinePairFile, Error> {
+    let file = gearlash_files::read_drawings(wheel, pinion, distance, units)?;
+    guard(&file.sources)?;
+    warn(Path::new(&file.stem), &file.warnings, &file.remarks);
     Ok(file)
 }
 

@@ -133,6 +133,30 @@ pub fn read_any(path: &Path) -> Result<AnyPair, InputError> {
     })
 }
 
+/// Reads the pair that the drawings of a wheel and a pinion make at a centre distance, mm; `units` as in a pair file, where a drawing
+/// states none.
+///
+/// # Errors
+/// As [`read`]; keys are those that a pair file would have.
+pub fn read_drawings(
+    wheel: &Path,
+    pinion: &Path,
+    distance: f64,
+    units: Option<&str>,
+) -> Result<OutlinePairFile, InputError> {
+    let text = outlines::of_drawings([wheel, pinion], distance, units);
+    let stem = |path: &Path| path.file_stem().unwrap_or_default().to_os_string();
+    let mut name = stem(wheel);
+    name.push("_");
+    name.push(stem(pinion));
+    let (path, place) = (Path::new(&name), Place::of_working_folder());
+    // Nobody wrote the text that a place in it would point to.
+    with_text(path, &place, Ok(text), outlines::read).map_err(|error| InputError {
+        text: String::new(),
+        ..error
+    })
+}
+
 /// Reads the gears of the file at `path`: a gear file (`title` and one `[gear]` with the keys of `[wheel]`), or a pair file.
 ///
 /// # Errors
@@ -156,7 +180,6 @@ fn with_entries<T>(
     path: &Path,
     understand: impl FnOnce(&Path, &Place, &[(String, Node)], &mut Problems) -> Option<T>,
 ) -> Result<T, InputError> {
-    let mut problems = Problems::new();
     let from_stdin = path == Path::new(STANDARD_INPUT);
     let (path, place, bytes) = match from_stdin {
         true => (
@@ -166,11 +189,22 @@ fn with_entries<T>(
         ),
         false => (path, Place::of(path), source::bytes(path)),
     };
-    let text = problems.keep(bytes.and_then(source::text));
+    with_text(path, &place, bytes.and_then(source::text), understand)
+}
+
+/// The same of a `text`.
+fn with_text<T>(
+    path: &Path,
+    place: &Place,
+    text: Result<String, Problem>,
+    understand: impl FnOnce(&Path, &Place, &[(String, Node)], &mut Problems) -> Option<T>,
+) -> Result<T, InputError> {
+    let mut problems = Problems::new();
+    let text = problems.keep(text);
     let entries = text.as_ref().map(|text| source::parse(path, text));
     let understood = entries
         .and_then(|entries| problems.keep(entries))
-        .and_then(|entries| understand(path, &place, &entries, &mut problems));
+        .and_then(|entries| understand(path, place, &entries, &mut problems));
     match understood {
         Some(understood) if problems.is_empty() => Ok(understood),
         _ => Err(InputError {

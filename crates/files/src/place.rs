@@ -34,6 +34,14 @@ impl Place {
         }
     }
 
+    /// The working folder, of names on a command line.
+    pub fn of_working_folder() -> Place {
+        Place {
+            folder: PathBuf::new(),
+            read: RefCell::new(Sources::new()),
+        }
+    }
+
     /// The folder of the pair file.
     pub fn folder(&self) -> &Path {
         &self.folder

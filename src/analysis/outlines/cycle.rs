@@ -28,9 +28,38 @@ pub struct OutlinePose {
     pub mating: Mating,
     /// Its contacts, or why they are not known.
     pub found: Result<OutlineLostMotion, Unsettled>,
+    /// Circumferential backlash `j_wt`, mm, an arc of the operating pitch circles, and the bound on its error; `None` where jammed, out of
+    /// mesh or not settled.
+    pub j_wt: Option<(f64, f64)>,
 }
 
 impl OutlinePose {
+    /// The pose of `mating`, so many pitches from the first one.
+    fn new(
+        kernel: &OutlineKernel,
+        pair: &OutlinePair,
+        mating: Mating,
+        pitches: f64,
+    ) -> OutlinePose {
+        let found = kernel.lost_motion(&mating);
+        let radius = pair.operating_pitch_radius(pair.free());
+        let j_wt = found.as_ref().ok().and_then(|found| {
+            let (angle, error) = found.angle().zip(found.error())?;
+            Some((angle * radius, error * radius))
+        });
+        OutlinePose {
+            pitches,
+            mating,
+            found,
+            j_wt,
+        }
+    }
+
+    /// The pose of `mating`, by itself.
+    pub fn of(pair: &OutlinePair, mating: Mating) -> OutlinePose {
+        OutlinePose::new(&OutlineKernel::new(pair), pair, mating, 0.0)
+    }
+
     /// How it ended.
     pub fn status(&self) -> Status {
         match &self.found {
@@ -81,11 +110,7 @@ impl Cycle {
             fraction: beyond - whole,
             ..pair.onward(start, whole as i64)
         };
-        OutlinePose {
-            pitches,
-            found: kernel.lost_motion(&mating),
-            mating,
-        }
+        OutlinePose::new(kernel, pair, mating, pitches)
     }
 
     /// All sampled poses.

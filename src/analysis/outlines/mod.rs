@@ -10,7 +10,7 @@ pub use cycle::OutlinePose;
 pub use turns_from::TurnsFrom;
 
 use super::study::Material;
-use crate::contact::{OutlineLostMotion, Status};
+use crate::contact::Status;
 use crate::error::Error;
 use crate::outline::{OutlineGear, OutlinePair};
 use crate::pair::{Mating, Member, SweepPlan};
@@ -137,18 +137,6 @@ impl OutlineRun {
             return Some(false);
         }
         self.lost.is_none().then_some(true)
-    }
-
-    /// Circumferential backlash `j_wt`, mm, of a lost motion: an arc of the operating pitch circles.
-    pub fn j_wt(&self, found: &OutlineLostMotion) -> Option<f64> {
-        let radius = self.pair.operating_pitch_radius(self.pair.free());
-        found.angle().map(|angle| angle * radius)
-    }
-
-    /// Bound on the error of [`OutlineRun::j_wt`], mm.
-    pub fn j_wt_error(&self, found: &OutlineLostMotion) -> Option<f64> {
-        let radius = self.pair.operating_pitch_radius(self.pair.free());
-        found.error().map(|error| error * radius)
     }
 
     /// How many of its sampled poses end so.

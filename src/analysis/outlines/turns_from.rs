@@ -58,9 +58,6 @@ pub(super) fn find(
             Ok(binds(&look(&pair.at(distance)?, start, pose.pitches)))
         };
         let (mut low, mut high) = (floor, apart.max(floor) + WIDTH);
-            "B {low} {high} {:?}",
-            look(&pair.at(high)?, start, pose.pitches).found
-        );
         if binds_at(high)? {
             return Ok(None);
         }

@@ -5,7 +5,7 @@ mod pair;
 mod result;
 mod sentence;
 
-pub use pair::{OutlinePairFile, of_drawings};
-pub(crate) use pair::{has_outline, read, refused};
+pub use pair::OutlinePairFile;
+pub(crate) use pair::{has_outline, of_drawings, read, refused};
 pub use result::{to_csv, to_json};
 pub use sentence::{region_words, sentence};

@@ -272,18 +272,28 @@ fn materials(wheel: &Part, pinion: &Part) -> Vec<(Material, OutlineGear, Outline
     .collect()
 }
 
-/// The pair file that two drawings and a centre distance make: each keyed as if it had been written down.
-pub fn of_drawings(wheel: &Path, pinion: &Path, distance: f64, units: Option<&str>) -> String {
-    let gear = |name: &str, path: &Path| {
-        let file = toml::Value::String(path.display().to_string());
-        let units = units.map_or(String::new(), |units| {
-            format!("units = {}\n", toml::Value::String(units.to_owned()))
-        });
-        format!("[{name}.outline]\nfile = {file}\n{units}\n")
+/// The text of the pair file that two drawings and a centre distance, mm, make.
+pub(crate) fn of_drawings(
+    [wheel, pinion]: [&Path; 2],
+    distance: f64,
+    units: Option<&str>,
+) -> String {
+    let text = |text: &str| toml::Value::String(text.to_owned());
+    let gear = |name: &str, path: &Path, face: &str| {
+        let units = units.map_or(String::new(), |units| format!("units = {}\n", text(units)));
+        let file = text(&path.display().to_string());
+        format!("[{name}]\nreference_face = \"{face}\"\n[{name}.outline]\nfile = {file}\n{units}\n")
     };
+    let name = |path: &Path| {
+        path.file_stem()
+            .unwrap_or_default()
+            .to_string_lossy()
+            .into_owned()
+    };
+    let title = text(&format!("{} and {}", name(wheel), name(pinion)));
     format!(
-        "{}{}[assembly]\ncenter_distance_mm = {distance:?}\n",
-        gear("wheel", wheel),
-        gear("pinion", pinion)
+        "title = {title}\n{}{}[assembly]\ncenter_distance_mm = {distance:?}\n",
+        gear("wheel", wheel, "front"),
+        gear("pinion", pinion, "front")
     )
 }

@@ -92,11 +92,9 @@ fn contact(contact: &OutlineContact) -> ContactRecord {
 
 fn pose(run: &OutlineRun, pose: &OutlinePose) -> PoseRecord {
     let found = pose.found.as_ref().ok();
-    let j_wt = found.and_then(|found| run.j_wt(found));
+    let j_wt = pose.j_wt.map(|(j_wt, _)| j_wt);
     let at = |member| j_wt.map(|j_wt| arcmin(j_wt / run.pair.operating_pitch_radius(member)));
-    let error = found
-        .and_then(|found| run.j_wt_error(found))
-        .filter(|_| j_wt.is_some());
+    let error = pose.j_wt.map(|(_, error)| error);
     PoseRecord {
         wheel_tooth: pose.mating.wheel_tooth,
         pinion_tooth: pose.mating.pinion_tooth,

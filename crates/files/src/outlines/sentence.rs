@@ -71,7 +71,7 @@ fn of_run(run: &OutlineRun, several: bool) -> String {
 
 fn value(run: &OutlineRun, pose: &OutlinePose) -> Option<String> {
     let found = pose.found.as_ref().ok()?;
-    let (j_wt, error) = (run.j_wt(found)?, run.j_wt_error(found)?);
+    let (j_wt, error) = pose.j_wt?;
     let at = |member| fixed(arcmin(j_wt / run.pair.operating_pitch_radius(member)), 3);
     // What a drawing says no more closely is said; rounding is not.
     let off = match error >= 5e-6 {

@@ -7,9 +7,11 @@ use crate::kit::{
     Frame, GREY, INK, Ids, OVERLAP, PINION, Spot, TextStyle, UNITS_PER_MM, WHEEL, WIDTH, arrow,
     blank_sheet, clip, dot, hatch, line, path_data, scale,
 };
-use gearlash::analysis::outlines::{OutlinePose, OutlineRun};
+use gearlash::analysis::outlines::OutlinePose;
+use gearlash::analysis::study::Material;
 use gearlash::contact::{OutlineContact, Status};
 use gearlash::gear::Side;
+use gearlash::outline::OutlinePair;
 use gearlash::pair::Member;
 use gearlash_files::numbers::{bound_um, trimmed, um};
 use gearlash_files::outlines::region_words;
@@ -24,13 +26,18 @@ const ENLARGED: f64 = 10.0;
 const STROKE: f64 = 1.2;
 
 /// A pose of two outlines as the SVG text of a sheet.
-pub fn outline_snapshot(title: &str, run: &OutlineRun, pose: &OutlinePose) -> String {
-    format!("{}\n", draw(title, run, pose))
+pub fn outline_snapshot(
+    title: &str,
+    pair: &OutlinePair,
+    material: Material,
+    pose: &OutlinePose,
+) -> String {
+    format!("{}\n", draw(title, pair, material, pose))
 }
 
-fn draw(title: &str, run: &OutlineRun, pose: &OutlinePose) -> SVG {
+fn draw(title: &str, pair: &OutlinePair, material: Material, pose: &OutlinePose) -> SVG {
     let ids = Ids::default();
-    let main = main_view(run);
+    let main = main_view(pair);
     let contacts = [Side::Right, Side::Left].map(|side| {
         let found = pose.found.as_ref().ok()?;
         match side {
@@ -39,13 +46,13 @@ fn draw(title: &str, run: &OutlineRun, pose: &OutlinePose) -> SVG {
         }
     });
     let held = contacts.iter().flatten().next();
-    let nominal = run.pair.rotation(run.pair.free(), &pose.mating);
+    let nominal = pair.rotation(pair.free(), &pose.mating);
     let rotation = held.map_or(nominal, |contact| contact.rotation);
     let mut sheet = blank_sheet()
         .add(hatch(&ids))
-        .add(caption(title, run, pose, held.is_some()))
-        .add(names(run))
-        .add(gears(run, pose, &main, "mesh", &ids, rotation))
+        .add(caption(title, pair, material, pose, held.is_some()))
+        .add(names(pair))
+        .add(gears(pair, pose, &main, "mesh", &ids, rotation))
         .add(MAIN.border());
     for (contact, (side, frame)) in contacts
         .iter()
@@ -65,7 +72,14 @@ fn draw(title: &str, run: &OutlineRun, pose: &OutlinePose) -> SVG {
         );
         sheet = sheet
             .add(heading.text(&words(side, contact), at))
-            .add(gears(run, pose, &view, side.name(), &ids, contact.rotation))
+            .add(gears(
+                pair,
+                pose,
+                &view,
+                side.name(),
+                &ids,
+                contact.rotation,
+            ))
             .add(mark(contact, &view, 64.0))
             .add(frame.border())
             .add(scale::bar([frame.left, frame.bottom + 16.0], view.scale()));
@@ -87,13 +101,13 @@ fn words(side: Side, contact: &OutlineContact) -> String {
     )
 }
 
-fn main_view(run: &OutlineRun) -> View {
-    let radius = |member| run.pair.gear(member).tip_radius();
-    let root = |member| run.pair.gear(member).root_radius();
+fn main_view(pair: &OutlinePair) -> View {
+    let radius = |member| pair.gear(member).tip_radius();
+    let root = |member| pair.gear(member).root_radius();
     let (wheel, pinion) = (Member::Wheel, Member::Pinion);
-    let distance = run.pair.center_distance();
+    let distance = pair.center_distance();
     let middle = 0.5 * (radius(wheel) + distance - radius(pinion));
-    let pitch = run.pair.operating_pitch_radius(wheel) * run.pair.gear(wheel).pitch();
+    let pitch = pair.operating_pitch_radius(wheel) * pair.gear(wheel).pitch();
     let half_width = (middle - root(wheel)).max(distance - root(pinion) - middle) + 0.3 * pitch;
     let fits = f64::min(
         0.5 * MAIN.width() / half_width,
@@ -108,14 +122,14 @@ fn main_view(run: &OutlineRun) -> View {
 
 /// Both gears, the free one at `rotation`: metal, overlap, operating pitch circles and line of centres.
 fn gears(
-    run: &OutlineRun,
+    pair: &OutlinePair,
     pose: &OutlinePose,
     view: &View,
     id: &str,
     ids: &Ids,
     rotation: f64,
 ) -> Group {
-    let (pair, frame) = (&run.pair, view.frame());
+    let frame = view.frame();
     let wide = frame.grown(MARGIN);
     let mut definitions = Definitions::new().add(
         ClipPath::new()
@@ -185,9 +199,9 @@ fn mark(contact: &OutlineContact, view: &View, length: f64) -> Group {
         .add(dot(spot, 4.5, true))
 }
 
-fn names(run: &OutlineRun) -> Group {
+fn names(pair: &OutlinePair) -> Group {
     let name = |member: Member| {
-        let role = if member == run.pair.locked() {
+        let role = if member == pair.locked() {
             "locked"
         } else {
             "free"
@@ -195,7 +209,7 @@ fn names(run: &OutlineRun) -> Group {
         format!(
             "{} ({role}), z = {}",
             member.name(),
-            run.pair.gear(member).teeth()
+            pair.gear(member).teeth()
         )
     };
     let (style, y) = (TextStyle::new(14.0), MAIN.top - 8.0);
@@ -205,15 +219,15 @@ fn names(run: &OutlineRun) -> Group {
         .add(style.end().text(&name(Member::Pinion), [right, y]))
 }
 
-fn caption(title: &str, run: &OutlineRun, pose: &OutlinePose, held: bool) -> Group {
+fn caption(
+    title: &str,
+    pair: &OutlinePair,
+    material: Material,
+    pose: &OutlinePose,
+    held: bool,
+) -> Group {
     let (left, room) = (MAIN.left, WIDTH - 2.0 * MAIN.left);
-    let found = pose.found.as_ref();
-    let what = match (
-        pose.status(),
-        found
-            .ok()
-            .and_then(|found| Some((run.j_wt(found)?, run.j_wt_error(found)?))),
-    ) {
+    let what = match (pose.status(), pose.j_wt) {
         (Status::Interference, Some((value, error))) => {
             format!(
                 "j_wt = {} µm (error ≤ {} µm) · interference",
@@ -233,10 +247,10 @@ fn caption(title: &str, run: &OutlineRun, pose: &OutlinePose, held: bool) -> Gro
         (_, None) => "no contact: out of mesh".to_owned(),
     };
     let drawn = match held {
-        true => format!("drawn with the {} in contact", run.pair.free().name()),
+        true => format!("drawn with the {} in contact", pair.free().name()),
         false => format!(
             "drawn with the {} at its nominal rotation",
-            run.pair.free().name()
+            pair.free().name()
         ),
     };
     let where_to = format!(
@@ -244,8 +258,8 @@ fn caption(title: &str, run: &OutlineRun, pose: &OutlinePose, held: bool) -> Gro
         pose.mating.wheel_tooth,
         pose.mating.pinion_tooth,
         trimmed(pose.mating.fraction, 1, 4),
-        trimmed(run.pair.center_distance(), 3, 6),
-        run.material.words()
+        trimmed(pair.center_distance(), 3, 6),
+        material.words()
     );
     let (heading, second) = (TextStyle::new(24.0).bold(), TextStyle::new(16.0));
     Group::new()

@@ -87,7 +87,7 @@ fn binding(run: &OutlineRun, screen: &Screen) -> String {
         };
         rows.add(vec![
             tooth.to_string(),
-            um_ascii(found.and_then(|found| run.j_wt(found)), 2),
+            um_ascii(pose.j_wt.map(|(j_wt, _)| j_wt), 2),
             named(found.and_then(|found| found.right.as_ref())),
             named(found.and_then(|found| found.left.as_ref())),
         ]);

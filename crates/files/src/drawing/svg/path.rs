@@ -175,7 +175,7 @@ impl Pen<'_> {
             chord /= length;
         }
         let away = (1.0 - chord.norm_squared()).max(0.0).sqrt();
-        let side = if large == growing { -1.0 } else { 1.0 };
+        let side = if large == growing { 1.0 } else { -1.0 };
         // From the middle of the chord to the centre.
         let middle = Vector2::new(chord.y, -chord.x) / chord.norm() * (side * away);
         let [from, to] = [-chord - middle, chord - middle].map(|ray| ray.y.atan2(ray.x));

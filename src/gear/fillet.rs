@@ -217,6 +217,17 @@ impl Fillet {
         (speed * half, (1.0 + lift) * half)
     }
 
+    /// `−q/S`; with `h_0 ≥ 0` both grow with `γ`.
+    pub(super) fn convexity(&self, low: f64, high: f64) -> Option<(f64, f64)> {
+        let (least, most) = (self.speed(low), self.speed(high));
+        let turn = |gamma: f64| {
+            let cos = gamma.cos();
+            1.0 + self.depth / (self.radius * cos * cos)
+        };
+        let known = self.depth >= 0.0 && least > 0.0;
+        known.then(|| (-turn(high) / least, -turn(low) / most))
+    }
+
     /// None is known: a fillet is hollow, or not by much.
     pub(super) fn curvature(&self, _: f64, _: f64) -> Option<f64> {
         None

@@ -12,12 +12,15 @@
 //!   greatest value stands at an end of the common radii, and one evaluation settles the node;
 //! - where they do overlap the gap exceeds that at one radius by at most (slope) × (length in ln ρ):
 //!   second order in the arc's length, so a smooth maximum is closed after a few dozen nodes;
+//! - where both curvatures are known and say that the gap is concave over `ln ρ`, it has one greatest value, at the root of its slope, and
+//!   where they say that it is convex it is greatest at an end: `dσ/d ln ρ = (κρ − sin ψ)/cos³ ψ`, as `dψ/ds = κ − sin ψ/ρ` and
+//!   `dρ/ds = cos ψ`;
 //! - anything else is cut in two.
 //!
 //! All bounds come from the distance and turn of the curve from its middle ([`crate::gear::PartCurve::spread`]);
 //! nothing is assumed of the curves' shape.
 
-use super::{C, PlacedCurve};
+use super::{C, PlacedCurve, slope};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Nodes of one side of a pose, over all its pairs, after which its contact counts as lost. A node takes some 0.3 µs:
@@ -44,6 +47,8 @@ pub(in crate::contact) struct Arc<'a> {
     radii: (f64, f64),
     /// Bounds of `ψ` where the arc is monotone in `ρ`, and whether `ρ` rises with the parameter.
     slope: Option<(f64, f64, bool)>,
+    /// Bounds of the curvature `κ` along rising `ρ`, 1/mm, where the arc is monotone and they are known.
+    bend: Option<(f64, f64)>,
 }
 
 impl<'a> Arc<'a> {
@@ -71,6 +76,7 @@ impl<'a> Arc<'a> {
             swing,
             radii: (radius - reach, radius + reach),
             slope: None,
+            bend: None,
         };
         let ends = [low, high].map(|t| placed.at(t).point);
         let far = [ends[0].norm(), ends[1].norm()];
@@ -79,6 +85,12 @@ impl<'a> Arc<'a> {
         } else if psi.abs() + play < FRAC_PI_2 {
             arc.radii = (far[0].min(far[1]), far[0].max(far[1]));
             arc.slope = Some((psi - play, psi + play, far[0] <= far[1]));
+            let bend = placed.curve.convexity(low, high);
+            // The metal lies on the left of `i n`, which may be the falling direction.
+            arc.bend = bend.map(|(least, most)| match z.re > 0.0 {
+                true => (least, most),
+                false => (-most, -least),
+            });
         } else {
             // It leaves its chord by `(A + B Δ) Δ²/8` at most: where it runs round the axis its radii vary no more than that.
             let length = high - low;
@@ -89,6 +101,24 @@ impl<'a> Arc<'a> {
             arc.radii.1 = arc.radii.1.min(most + off);
         }
         arc
+    }
+
+    /// Bounds of `dσ/d ln ρ = (κρ − sin ψ)/cos³ ψ` between two radii, where they are known.
+    fn slope_change(&self, inner: f64, outer: f64) -> Option<(f64, f64)> {
+        let ((low, high, _), (least, most)) = (self.slope?, self.bend?);
+        let (sines, cosines) = ([low.sin(), high.sin()], [low.cos(), high.cos()]);
+        let by = |bend: f64| [bend * inner, bend * outer];
+        let least = f64::min(by(least)[0], by(least)[1]) - sines[1];
+        let most = f64::max(by(most)[0], by(most)[1]) - sines[0];
+        // Where ψ may be 0 the cosine may be 1.
+        let nearest = match low <= 0.0 && high >= 0.0 {
+            true => 1.0,
+            false => cosines[0].max(cosines[1]),
+        };
+        let steepest = cosines[0].min(cosines[1]);
+        let over = |cos: f64| 1.0 / (cos * cos * cos);
+        let scaled = |bound: f64, wide: bool| bound * over(if wide { steepest } else { nearest });
+        Some((scaled(least, least < 0.0), scaled(most, most > 0.0)))
     }
 
     /// Whether both may have points at one radius.
@@ -128,6 +158,54 @@ impl<'a> Arc<'a> {
             self.placed.invert(rho, [inner, outer], middle)
         }
     }
+}
+
+/// Steps of [`summit`]: halvings alone end at the last bit of a radius.
+const SUMMIT_STEPS: u32 = 64;
+
+/// The radius between two at which the gap, concave over `ln ρ`, is greatest, and how much it may be greater elsewhere, rad: below the
+/// tangent at a point of it no more than slope times distance to where the slope has changed its sign.
+fn summit(
+    locked: &Arc,
+    free: &Arc,
+    rising: (bool, bool),
+    (mut inner, mut outer): (f64, f64),
+) -> (f64, f64) {
+    let rise = |rho: f64| {
+        let at = |arc: &Arc, rising: bool| slope(&arc.placed.at(arc.at_radius(rho, rising)));
+        at(locked, rising.0) - at(free, rising.1)
+    };
+    let (mut low, mut high) = (rise(inner), rise(outer));
+    if !(low > 0.0) {
+        return (inner, 0.0);
+    }
+    if !(high < 0.0) {
+        return (outer, 0.0);
+    }
+    let mut best = (inner, f64::INFINITY);
+    for step in 0..SUMMIT_STEPS {
+        // The chord's root, every third time the middle: whatever the slope does, the bracket shrinks.
+        let share = if step % 3 == 2 {
+            0.5
+        } else {
+            low / (low - high)
+        };
+        let rho = inner + (outer - inner) * share;
+        let there = rise(rho);
+        let (other, found) = match there >= 0.0 {
+            true => (outer, (&mut inner, &mut low)),
+            false => (inner, (&mut outer, &mut high)),
+        };
+        (*found.0, *found.1) = (rho, there);
+        let slack = there.abs() * (other / rho).ln().abs();
+        if slack < best.1 {
+            best = (rho, slack);
+        }
+        if slack <= f64::EPSILON || outer <= inner {
+            break;
+        }
+    }
+    (best.0, best.1)
 }
 
 /// Least and greatest distance of a chord from the origin; those of its ends are known.
@@ -207,6 +285,21 @@ pub(in crate::contact) fn greatest<'a>(
             }
             if a.1 <= b.0 {
                 meet(inner, 0.0);
+                continue;
+            }
+            let changes = locked
+                .slope_change(inner, outer)
+                .zip(free.slope_change(inner, outer));
+            let changes = changes.map(|(locked, free)| (locked.0 - free.1, locked.1 - free.0));
+            if changes.is_some_and(|(least, _)| least > 0.0) {
+                // Convex over ln ρ: greatest at an end.
+                meet(inner, 0.0);
+                meet(outer, 0.0);
+                continue;
+            }
+            if changes.is_some_and(|(_, most)| most < 0.0) {
+                let (rho, slack) = summit(&locked, &free, (a.2, b.2), (inner, outer));
+                meet(rho, slack);
                 continue;
             }
             let slope = (a.1.tan() - b.0.tan()).max(b.1.tan() - a.0.tan());

@@ -49,6 +49,10 @@ impl Arc {
         (self.radius, 0.0)
     }
 
+    pub(super) fn convexity(&self, _: f64, _: f64) -> Option<(f64, f64)> {
+        Some((1.0 / self.radius, 1.0 / self.radius))
+    }
+
     pub(super) fn curvature(&self, _: f64, _: f64) -> Option<f64> {
         Some(1.0 / self.radius)
     }

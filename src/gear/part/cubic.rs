@@ -102,6 +102,10 @@ impl Cubic {
         (6.0 * ends[0].norm().max(ends[1].norm()), 0.0)
     }
 
+    pub(super) fn convexity(&self, _: f64, _: f64) -> Option<(f64, f64)> {
+        None
+    }
+
     pub(super) fn curvature(&self, _: f64, _: f64) -> Option<f64> {
         None
     }

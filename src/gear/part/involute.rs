@@ -58,6 +58,12 @@ impl InvoluteFlank {
         (self.base * xi, self.base)
     }
 
+    /// The normal turns by `dξ` over `r_b ξ dξ`.
+    pub(super) fn convexity(&self, low: f64, high: f64) -> Option<(f64, f64)> {
+        let at = |xi: f64| 1.0 / (self.base * xi);
+        (low > 0.0).then(|| (at(high), at(low)))
+    }
+
     /// `1/(r_b ξ)` at the lesser `ξ`.
     pub(super) fn curvature(&self, from: f64, to: f64) -> Option<f64> {
         Some(1.0 / (self.base * from.min(to)))

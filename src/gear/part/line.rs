@@ -50,6 +50,10 @@ impl Line {
         (0.0, 0.0)
     }
 
+    pub(super) fn convexity(&self, _: f64, _: f64) -> Option<(f64, f64)> {
+        Some((0.0, 0.0))
+    }
+
     pub(super) fn curvature(&self, _: f64, _: f64) -> Option<f64> {
         Some(0.0)
     }

@@ -133,6 +133,11 @@ impl PartCurve {
         ask!(self, bend(t))
     }
 
+    /// Least and greatest turn of the normal along `i n`, 1/mm, between two parameters: above 0 where the metal bulges; where it is known.
+    pub fn convexity(&self, low: f64, high: f64) -> Option<(f64, f64)> {
+        ask!(self, convexity(low, high))
+    }
+
     /// Whether it is an arc about the origin.
     pub(crate) fn is_about_the_origin(&self) -> bool {
         match self {
@@ -288,6 +293,20 @@ mod tests {
                     off <= bound * (1.0 + 1e-9) + 1e-15 * curve.radius(to),
                     "{what}: {off} {bound}"
                 );
+                if let Some((least, most)) = curve.convexity(from, to) {
+                    for i in 0..50 {
+                        let t = from + (to - from) * (f64::from(i) + 0.5) / 50.0;
+                        let step = 1e-4 * (to - from);
+                        let [before, after] = [t - step, t + step].map(|t| curve.normal(t));
+                        let turned = before.perp(&after).atan2(before.dot(&after));
+                        let found = turned / (2.0 * step * curve.speed(t));
+                        let rounding = 1e-6 * (1.0 + found.abs());
+                        assert!(
+                            found > least - rounding && found < most + rounding,
+                            "{what}"
+                        );
+                    }
+                }
                 if let Some(curvature) = curve.curvature(from, to) {
                     let length: f64 = points
                         .windows(2)

@@ -118,6 +118,15 @@ fn what_is_not_read_is_refused_by_name() {
             "{error}"
         );
     }
+    for words in [
+        "transform=\"scale(2)\"",
+        "style=\"transform: scale(2)\"",
+        "mask=\"url(#a)\"",
+    ] {
+        let page = svg("<circle r=\"1\"/>").replace("<svg", &format!("<svg {words}"));
+        let error = drawn("svg", &page, &in_mm()).unwrap_err();
+        assert!(matches!(error, DrawingError::Refused { .. }), "{error}");
+    }
     let doctype = format!("<!DOCTYPE svg>{}", "<svg/>");
     let error = drawn("svg", &doctype, &in_mm()).unwrap_err();
     assert!(error.help().contains("DOCTYPE"), "{error}");

@@ -23,6 +23,9 @@ const UNITS: [(i32, &str, f64); 5] = [
     (13, "um", 0.001),
 ];
 
+/// Layers that are remembered for a message.
+const MOST_LAYERS: usize = 100;
+
 /// Adds what the file draws to `pieces`.
 pub fn read(bytes: &[u8], options: &Options, pieces: &mut Pieces) -> Result<(), DrawingError> {
     check_format(bytes)?;
@@ -197,7 +200,9 @@ impl<'a> Sheet<'a> {
             (Fate::Beside, _) if asked => pieces.leave_out(entity.kind, &place),
             (Fate::Read, _) => {
                 let layer = entity.layer();
-                if !self.layers.iter().any(|known| known == layer) && self.layers.len() < 1000 {
+                let new = self.layers.len() < MOST_LAYERS
+                    && !self.layers.iter().any(|known| known == layer);
+                if self.select.is_some() && new {
                     self.layers.push(layer.to_owned());
                 }
                 entity.check()?;

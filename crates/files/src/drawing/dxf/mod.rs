@@ -94,7 +94,7 @@ impl<'a> Sheet<'a> {
     fn section(&mut self, pairs: &mut Pairs, pieces: &mut Pieces) -> Result<(), DrawingError> {
         let name = pairs.next()?;
         if name.code != 2 {
-            let reason = "a section without a name";
+            let reason = "section without a name";
             return Err(DrawingError::syntax(
                 name.place(),
                 reason,
@@ -119,7 +119,7 @@ impl<'a> Sheet<'a> {
             match (pair.code, pair.value, &mut entity) {
                 (0, "ENDSEC", _) => break,
                 (0, "EOF" | "SECTION", _) => {
-                    let reason = format!("the section {} has no end before it", name.value);
+                    let reason = format!("section {} does not end before this", name.value);
                     return Err(DrawingError::syntax(
                         pair.place(),
                         reason,
@@ -153,9 +153,7 @@ impl<'a> Sheet<'a> {
         let Some((_, name, mm)) = known else {
             return Err(DrawingError::syntax(
                 place,
-                format!(
-                    "$INSUNITS = {value}, read are 1 (inch), 4 (mm), 5 (cm), 6 (m) and 13 (µm)"
-                ),
+                format!("$INSUNITS = {value}, expected 1 (inch), 4 (mm), 5 (cm), 6 (m) or 13 (µm)"),
                 "export the drawing in mm",
             ));
         };
@@ -207,8 +205,8 @@ impl<'a> Sheet<'a> {
                 }
                 entity.check()?;
                 let hidden = match (entity.value(67), entity.value(60)) {
-                    (Some("1"), _) => Some("on a sheet, not in the model"),
-                    (_, Some("1")) => Some("invisible"),
+                    (Some("1"), _) => Some("entity in paper space"),
+                    (_, Some("1")) => Some("invisible entity"),
                     _ => None,
                 };
                 if let (Some(words), true) = (hidden, asked) {

@@ -79,7 +79,7 @@ pub fn read(bytes: &[u8], options: &Options, pieces: &mut Pieces) -> Result<(), 
     if root.tag_name().name() != "svg" {
         return Err(DrawingError::syntax(
             page.place(root),
-            "no SVG: its root is not svg",
+            "not an SVG: the root element is not svg",
             PLAIN,
         ));
     }
@@ -173,7 +173,7 @@ impl Page<'_> {
         let [width, height] = size;
         let stated = view::page_unit([width?, height?], view, self.aspect(root)?)
             .map_err(|reason| self.syntax(root, reason))?;
-        let why = "width, height in mm, cm or in and viewBox are not all in the SVG";
+        let why = "the SVG needs width and height in mm, cm or in, and a viewBox";
         unit::settled(stated, options.unit, why)
     }
 
@@ -188,7 +188,7 @@ impl Page<'_> {
 
     fn children(&mut self, node: Node, within: Within) -> Result<(), DrawingError> {
         if within.depth > DEEPEST {
-            let reason = format!("groups in more than {DEEPEST} groups");
+            let reason = format!("groups nested deeper than {DEEPEST}");
             return Err(self.syntax(node, reason));
         }
         for child in node.children().filter(Node::is_element) {
@@ -231,7 +231,7 @@ impl Page<'_> {
         }
         let place = self.place(node);
         if !within.shown {
-            self.pieces.leave_out("hidden", &place);
+            self.pieces.leave_out("hidden element", &place);
             return Ok(());
         }
         if BESIDE.contains(&name) {

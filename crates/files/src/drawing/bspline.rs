@@ -39,11 +39,11 @@ impl BSpline {
             ));
         }
         if self.knots.windows(2).any(|pair| !(pair[0] <= pair[1])) {
-            return Some("knots that do not ascend".to_owned());
+            return Some("a spline whose knots do not ascend".to_owned());
         }
         if !self.weights.is_empty() && self.weights.len() != count {
             return Some(format!(
-                "{} weights of {count} control points",
+                "a spline with {} weights of {count} control points",
                 self.weights.len()
             ));
         }
@@ -52,14 +52,14 @@ impl BSpline {
             .iter()
             .any(|&weight| !(1e-6..=1e6).contains(&weight))
         {
-            return Some("a weight that is not in 1e-6 … 1e6".to_owned());
+            return Some("a spline with a weight outside 1e-6 … 1e6".to_owned());
         }
         // A knot of more than `degree` inside tears the curve.
         let inside = &self.knots[1..self.knots.len() - 1];
         let torn = |run: &[f64]| run[0] == run[degree];
         if inside.windows(degree + 1).any(torn) {
             return Some(format!(
-                "a knot that stands more than {degree} times inside"
+                "a spline of degree {degree} with an inner knot of higher multiplicity"
             ));
         }
         None

@@ -41,10 +41,7 @@ pub fn read(bytes: &[u8], options: &Options, pieces: &mut Pieces) -> Result<(), 
         let [x, y] = row.numbers.map(|number| number.value * scale);
         let point = Point2::new(x, y);
         match points.last() == Some(&point) {
-            true => pieces.leave_out(
-                "a point that repeats the one before",
-                &format!("line {}", row.line),
-            ),
+            true => pieces.leave_out("repeated point", &format!("line {}", row.line)),
             false => points.push(point),
         }
     }
@@ -53,10 +50,7 @@ pub fn read(bytes: &[u8], options: &Options, pieces: &mut Pieces) -> Result<(), 
     }
     if points.len() < 3 {
         return Err(DrawingError::NoLoop {
-            reason: format!(
-                "{} points that differ, expected three or more",
-                points.len()
-            ),
+            reason: format!("{} different points, expected at least three", points.len()),
         });
     }
     let next = points.iter().skip(1).chain(&points[..1]);
@@ -134,7 +128,7 @@ fn rows(text: &str) -> Result<(Vec<Row<'_>>, Stated), DrawingError> {
             }
             (x_number, _) => {
                 let cell = if x_number.is_none() { x } else { y };
-                return wrong(format!("\"{}\" is no number", cut(cell, LONGEST_NAME)));
+                return wrong(format!("\"{}\" is not a number", cut(cell, LONGEST_NAME)));
             }
         }
     }
@@ -203,7 +197,7 @@ fn one_decimal_sign(rows: &[Row]) -> Result<(), DrawingError> {
         true => Err(DrawingError::syntax(
             format!("line {line}"),
             format!(
-                "\"{}\" may have a decimal comma or a thousands separator: nothing in the list shows which",
+                "\"{}\" is ambiguous: decimal comma or thousands separator",
                 cut(first.text, LONGEST_NAME)
             ),
             "write the numbers with a decimal point",

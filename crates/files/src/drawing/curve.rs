@@ -21,8 +21,10 @@ fn circle_bound(quarter: f64) -> f64 {
 /// The arc from `start` to `end` of the bulge tan(sweep/4), counter-clockwise positive, and how far it may lie from it.
 pub fn bulged(start: Point2<f64>, end: Point2<f64>, bulge: f64) -> (PathSegment, f64) {
     let chord = end - start;
-    if bulge == 0.0 || chord == Vector2::zeros() {
-        return (PathSegment::Line([start, end]), 0.0);
+    // Exporters leave 1e-16 of bulge on straight lines.
+    let sagitta = 0.5 * bulge.abs() * chord.norm();
+    if sagitta <= SAME_MM {
+        return (PathSegment::Line([start, end]), sagitta);
     }
     let radius = chord.norm() * (1.0 + bulge * bulge) / (4.0 * bulge.abs());
     if bulge.abs() < FLATTEST_BULGE {

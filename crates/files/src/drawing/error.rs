@@ -14,7 +14,7 @@ pub const LONGEST_NAME: usize = 60;
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum DrawingError {
     /// The ending of the name is of no format that is read.
-    #[error("{}: no drawing by its ending, expected .dxf, .svg or .csv", .0.display())]
+    #[error("{}: unknown kind of drawing, expected a name that ends in .dxf, .svg or .csv", .0.display())]
     Ending(PathBuf),
     /// More than a gear needs.
     #[error("has more than {most} {what}")]
@@ -48,8 +48,8 @@ pub enum DrawingError {
         /// As given.
         given: Unit,
     },
-    /// A kind of element that has no closed loops of its own, or whose loops are not known.
-    #[error("{place}: {kind} is not read")]
+    /// Something that this reader does not support.
+    #[error("{place}: not supported: {kind}")]
     Refused {
         /// Where in the file.
         place: String,

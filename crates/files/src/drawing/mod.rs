@@ -1,6 +1,6 @@
 //! Closed loops of exact segments from a drawing: DXF, SVG, or a list of points.
 //!
-//! Each format becomes [`piece`]s in mm ([`dxf`], [`svg`], [`csv`]); [`chain`] joins their ends into loops. Lines, arcs and cubic
+//! Each format becomes pieces in mm (`dxf`, `svg`, `csv`); `chain` joins their ends into loops. Lines, arcs and cubic
 //! curves stay exact; what has no such form (an ellipse, a rational spline) becomes cubic curves with a bound that is derived,
 //! never sampled. No unit is guessed, nothing is closed that was drawn open, and what is left out is said.
 
@@ -25,7 +25,7 @@ pub use unit::Unit;
 /// Ends of drawn lines nearer than this are one point, mm. Tuned: drawings print six decimals of an inch (0.03 µm) and round twice,
 /// and no gear has a straight edge of 1 µm that matters.
 pub const JOIN_MM: f64 = 0.001;
-/// Gaps up to this are rounding of the same point, mm: a coordinate of [`FARTHEST_MM`] is known to 1.2e-10 mm.
+/// Gaps up to this are rounding of the same point, mm: a coordinate of `FARTHEST_MM` is known to 1.2e-10 mm.
 const SAME_MM: f64 = 1e-9;
 /// Coordinates and radii beyond this are no gear's, mm: a kilometre.
 const FARTHEST_MM: f64 = 1e6;

@@ -68,7 +68,7 @@ impl Pieces {
             });
         }
         if piece.segments.is_empty() {
-            self.leave_out("without length", &piece.place);
+            self.leave_out("zero length", &piece.place);
             return Ok(());
         }
         match self.by_name.get(layer) {
@@ -110,7 +110,7 @@ impl Pieces {
             }
             loops.extend(found);
             for place in specks {
-                self.leave_out("a loop no longer than four times join_mm", &place);
+                self.leave_out("loop shorter than four times join_mm", &place);
             }
         }
         if loops.is_empty() {
@@ -157,7 +157,7 @@ fn check(segment: &PathSegment, place: &str) -> Result<(), DrawingError> {
         false => Err(DrawingError::Number {
             place: place.to_owned(),
             reason: format!(
-                "a coordinate or radius that is no number or beyond {FARTHEST_MM:e} mm"
+                "a coordinate or radius is not a number, or greater than {FARTHEST_MM:e} mm"
             ),
         }),
     }

@@ -75,10 +75,10 @@ fn flat_bulges_keep_their_ends_and_their_sagitta() {
                 20.0 / bulge * f64::EPSILON
             };
             assert!(
-                (sagitta - sign * bulge * 20.0).abs() <= rounding,
+                (sagitta - sign * bulge * 20.0).abs() <= one.bound_mm + rounding,
                 "{bulge}: {sagitta}"
             );
-            assert!(one.bound_mm < 1e-14);
+            assert!(one.bound_mm < 1e-9 && (bulge < 1e-6 || one.bound_mm < 1e-14));
         }
     }
 }

@@ -36,7 +36,7 @@ fn units_are_never_guessed() {
         "dxf",
         &in_units(Some(2), &circle),
         &inch,
-        "line 14: $INSUNITS = 2, read are 1 (inch), 4 (mm), 5 (cm), 6 (m) and 13 (µm)",
+        "line 14: $INSUNITS = 2, expected 1 (inch), 4 (mm), 5 (cm), 6 (m) or 13 (µm)",
         "in mm",
     );
     check(
@@ -67,27 +67,27 @@ fn what_is_not_read_is_refused_by_name() {
     for (entity, words) in [
         (
             "INSERT 8 A 2 GEAR 10 0 20 0",
-            "line 53: entity 1 (INSERT on layer \"A\"): INSERT is not read",
+            "line 53: entity 1 (INSERT on layer \"A\"): not supported: INSERT",
         ),
         (
             "HATCH 8 A",
-            "line 53: entity 1 (HATCH on layer \"A\"): HATCH is not read",
+            "line 53: entity 1 (HATCH on layer \"A\"): not supported: HATCH",
         ),
         (
             "3DFACE 8 A",
-            "line 53: entity 1 (3DFACE on layer \"A\"): 3DFACE is not read",
+            "line 53: entity 1 (3DFACE on layer \"A\"): not supported: 3DFACE",
         ),
         (
             "CIRCLE 10 0 20 0 40 2 210 1 220 0 230 0",
-            "line 53: entity 1 (CIRCLE on layer \"0\"): an extrusion direction other than 0, 0, ±1 is not read",
+            "line 53: entity 1 (CIRCLE on layer \"0\"): not supported: an extrusion direction other than 0, 0, ±1",
         ),
         (
             "LINE 10 0 20 0 30 1 11 5 21 0 31 2",
-            "line 53: entity 1 (LINE on layer \"0\"): a point of another z than those before is not read",
+            "line 53: entity 1 (LINE on layer \"0\"): not supported: a point of another z than those before",
         ),
         (
             "SPLINE 71 3 72 0 73 0 74 2 11 0 21 0 11 1 21 1",
-            "line 53: entity 1 (SPLINE on layer \"0\"): a SPLINE by its fit points alone is not read",
+            "line 53: entity 1 (SPLINE on layer \"0\"): not supported: a SPLINE with fit points only",
         ),
     ] {
         check("dxf", &dxf(&[entity.to_owned()]), &in_mm(), words, "");
@@ -95,15 +95,15 @@ fn what_is_not_read_is_refused_by_name() {
     for (element, words) in [
         (
             "<use href=\"#a\"/>",
-            "line 3: use: the element use is not read",
+            "line 3: use: not supported: the element use",
         ),
         (
             "<rect width=\"3\" height=\"3\" rx=\"1\"/>",
-            "line 3: rect: a rect with round corners is not read",
+            "line 3: rect: not supported: a rect with round corners",
         ),
         (
             "<g clip-path=\"url(#a)\"><circle r=\"1\"/></g>",
-            "line 3: g: clip-path is not read",
+            "line 3: g: not supported: clip-path",
         ),
         (
             "<path id=\"p\" d=\"M 0 0 L 1 x\"/>",
@@ -118,6 +118,15 @@ fn what_is_not_read_is_refused_by_name() {
             "{error}"
         );
     }
+    for words in [
+        "transform=\"scale(2)\"",
+        "style=\"transform: scale(2)\"",
+        "mask=\"url(#a)\"",
+    ] {
+        let page = svg("<circle r=\"1\"/>").replace("<svg", &format!("<svg {words}"));
+        let error = drawn("svg", &page, &in_mm()).unwrap_err();
+        assert!(matches!(error, DrawingError::Refused { .. }), "{error}");
+    }
     let doctype = format!("<!DOCTYPE svg>{}", "<svg/>");
     let error = drawn("svg", &doctype, &in_mm()).unwrap_err();
     assert!(error.help().contains("DOCTYPE"), "{error}");
@@ -127,7 +136,7 @@ fn what_is_not_read_is_refused_by_name() {
         &in_mm(),
     )
     .unwrap_err();
-    assert_eq!(binary.to_string(), "byte 1: a binary DXF is not read");
+    assert_eq!(binary.to_string(), "byte 1: not supported: a binary DXF");
     assert!(matches!(
         read(Path::new("a.dwg"), b"", &in_mm()),
         Err(DrawingError::Ending(_))
@@ -154,15 +163,15 @@ fn entities_must_be_whole() {
         ),
         (
             "CIRCLE 10 0 20 0 40 1 40 2".to_owned(),
-            "group 40 of CIRCLE stands there twice",
+            "group 40 of CIRCLE appears twice",
         ),
         (
             "CIRCLE 10 0 20 0 40 nan".to_owned(),
-            "group 40 of CIRCLE is no number: \"nan\"",
+            "group 40 of CIRCLE is not a number: \"nan\"",
         ),
         (
             "CIRCLE 10 0 20 0 40 1,5".to_owned(),
-            "group 40 of CIRCLE is no number: \"1,5\"",
+            "group 40 of CIRCLE is not a number: \"1,5\"",
         ),
         (
             "CIRCLE 10 0 20 0 40 -1".to_owned(),
@@ -170,17 +179,17 @@ fn entities_must_be_whole() {
         ),
         (
             "CIRCLE 10 0 20 0 40 1e99".to_owned(),
-            "a coordinate or radius that is no number or beyond 1e6 mm",
+            "a coordinate or radius is not a number, or greater than 1e6 mm",
         ),
         (
             square.replace("90 3", "90 4"),
-            "group 90 says 4 of 3 values of group 10",
+            "group 90 is 4, but there are 3 values of group 10",
         ),
         ("VERTEX 10 0 20 0".to_owned(), "a VERTEX without a POLYLINE"),
         ("POLYLINE 66 1".to_owned(), "a POLYLINE without SEQEND"),
         (
             spline(3, &[0.0; 5], &[[0.0; 2]; 4], &[]),
-            "a spline of degree 3 with 4 control points and 5 knots, expected more than 3 points and 8 knots is not read",
+            "a spline of degree 3 with 4 control points and 5 knots, expected more than 3 points and 8 knots",
         ),
         (
             spline(
@@ -189,7 +198,7 @@ fn entities_must_be_whole() {
                 &[[0.0; 2]; 4],
                 &[],
             ),
-            "knots that do not ascend is not read",
+            "a spline whose knots do not ascend",
         ),
     ] {
         let error = drawn("dxf", &dxf(&[entity]), &in_mm()).unwrap_err();
@@ -233,20 +242,20 @@ fn lists_are_read_strictly() {
     for (text, words) in [
         ("0,0\n1,0\n0;1\n", "line 3: 1 columns, expected two"),
         ("0,0\n1,0,0\n0,1\n", "line 2: 3 columns, expected two"),
-        ("0,0\n1,nan\n0,1\n", "line 2: \"nan\" is no number"),
-        ("0,0\nx,y\n0,1\n", "line 2: \"x\" is no number"),
-        ("a,b\n0,0\n", "line 1: \"a\" is no number"),
+        ("0,0\n1,nan\n0,1\n", "line 2: \"nan\" is not a number"),
+        ("0,0\nx,y\n0,1\n", "line 2: \"x\" is not a number"),
+        ("a,b\n0,0\n", "line 1: \"a\" is not a number"),
         (
             "0;1.5\n1,5;0\n0;1\n",
             "line 2: \"1,5\" has a decimal comma, those before have a point",
         ),
         (
             "0;1,500\n1;0\n0;1\n",
-            "line 1: \"1,500\" may have a decimal comma or a thousands separator: nothing in the list shows which",
+            "line 1: \"1,500\" is ambiguous: decimal comma or thousands separator",
         ),
         (
             "0,0\n1,0\n0,0\n",
-            "no closed loop: 2 points that differ, expected three or more",
+            "no closed loop: 2 different points, expected at least three",
         ),
         ("# unit: ell\n0,0\n", "line 1: unit \"ell\" is not known"),
         (
@@ -255,7 +264,7 @@ fn lists_are_read_strictly() {
         ),
         (
             "",
-            "no closed loop: 0 points that differ, expected three or more",
+            "no closed loop: 0 different points, expected at least three",
         ),
     ] {
         check("csv", text, &in_mm(), words, "");
@@ -268,7 +277,7 @@ fn what_is_cut_off_or_too_large_is_told() {
     let cut = &whole[..whole.len() - 8];
     let error = drawn("dxf", cut, &in_mm()).unwrap_err().to_string();
     assert!(
-        error.ends_with("the file ends without EOF: it is cut off"),
+        error.ends_with("the file ends without EOF: it is truncated"),
         "{error}"
     );
     let error = read(Path::new("a.csv"), &vec![b'\n'; (64 << 20) + 1], &in_mm()).unwrap_err();
@@ -289,5 +298,5 @@ fn what_is_cut_off_or_too_large_is_told() {
         "</g>".repeat(100_000)
     ));
     let error = drawn("svg", &deep, &in_mm()).unwrap_err().to_string();
-    assert!(error.contains("groups in more than 200 groups"), "{error}");
+    assert!(error.contains("groups nested deeper than 200"), "{error}");
 }

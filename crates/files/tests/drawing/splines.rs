@@ -27,9 +27,9 @@ fn de_boor(degree: usize, knots: &[f64], points: &[[f64; 2]], weights: &[f64], t
         for index in (round..=degree).rev() {
             let low = knots[span - degree + index];
             let share = (t - low) / (knots[span + 1 + index - round] - low);
-            for axis in 0..3 {
-                row[index][axis] = (1.0 - share) * row[index - 1][axis] + share * row[index][axis];
-            }
+            let before = row[index - 1];
+            let blend = |axis: usize| (1.0 - share) * before[axis] + share * row[index][axis];
+            row[index] = [blend(0), blend(1), blend(2)];
         }
     }
     [

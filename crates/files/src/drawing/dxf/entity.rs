@@ -139,11 +139,11 @@ impl<'a> Entity<'a> {
             let code = usize::from(pair.code);
             if pair.code != 8 && !is_number(pair) {
                 let value = cut(pair.value, LONGEST_NAME);
-                let reason = format!("group {code} of {} is no number: \"{value}\"", self.kind);
+                let reason = format!("group {code} of {} is not a number: \"{value}\"", self.kind);
                 return wrong(pair.place(), reason);
             }
             if seen[code] && !rule.often.contains(&pair.code) {
-                let reason = format!("group {code} of {} stands there twice", self.kind);
+                let reason = format!("group {code} of {} appears twice", self.kind);
                 return wrong(pair.place(), reason);
             }
             seen[code] = true;
@@ -173,7 +173,8 @@ impl<'a> Entity<'a> {
         for &(said, of) in counts {
             let (words, count) = (self.value(said).unwrap_or_default(), self.count(of));
             if words.parse() != Ok(count) {
-                let reason = format!("group {said} says {words} of {count} values of group {of}");
+                let reason =
+                    format!("group {said} is {words}, but there are {count} values of group {of}");
                 return wrong(self.place(), reason);
             }
         }

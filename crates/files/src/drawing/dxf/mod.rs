@@ -23,6 +23,9 @@ const UNITS: [(i32, &str, f64); 5] = [
     (13, "um", 0.001),
 ];
 
+/// Layers that are remembered for a message.
+const MOST_LAYERS: usize = 100;
+
 /// Adds what the file draws to `pieces`.
 pub fn read(bytes: &[u8], options: &Options, pieces: &mut Pieces) -> Result<(), DrawingError> {
     check_format(bytes)?;
@@ -91,7 +94,7 @@ impl<'a> Sheet<'a> {
     fn section(&mut self, pairs: &mut Pairs, pieces: &mut Pieces) -> Result<(), DrawingError> {
         let name = pairs.next()?;
         if name.code != 2 {
-            let reason = "a section without a name";
+            let reason = "section without a name";
             return Err(DrawingError::syntax(
                 name.place(),
                 reason,
@@ -116,7 +119,7 @@ impl<'a> Sheet<'a> {
             match (pair.code, pair.value, &mut entity) {
                 (0, "ENDSEC", _) => break,
                 (0, "EOF" | "SECTION", _) => {
-                    let reason = format!("the section {} has no end before it", name.value);
+                    let reason = format!("section {} does not end before this", name.value);
                     return Err(DrawingError::syntax(
                         pair.place(),
                         reason,
@@ -150,9 +153,7 @@ impl<'a> Sheet<'a> {
         let Some((_, name, mm)) = known else {
             return Err(DrawingError::syntax(
                 place,
-                format!(
-                    "$INSUNITS = {value}, read are 1 (inch), 4 (mm), 5 (cm), 6 (m) and 13 (µm)"
-                ),
+                format!("$INSUNITS = {value}, expected 1 (inch), 4 (mm), 5 (cm), 6 (m) or 13 (µm)"),
                 "export the drawing in mm",
             ));
         };
@@ -197,13 +198,15 @@ impl<'a> Sheet<'a> {
             (Fate::Beside, _) if asked => pieces.leave_out(entity.kind, &place),
             (Fate::Read, _) => {
                 let layer = entity.layer();
-                if !self.layers.iter().any(|known| known == layer) && self.layers.len() < 1000 {
+                let new = self.layers.len() < MOST_LAYERS
+                    && !self.layers.iter().any(|known| known == layer);
+                if self.select.is_some() && new {
                     self.layers.push(layer.to_owned());
                 }
                 entity.check()?;
                 let hidden = match (entity.value(67), entity.value(60)) {
-                    (Some("1"), _) => Some("on a sheet, not in the model"),
-                    (_, Some("1")) => Some("invisible"),
+                    (Some("1"), _) => Some("entity in paper space"),
+                    (_, Some("1")) => Some("invisible entity"),
                     _ => None,
                 };
                 if let (Some(words), true) = (hidden, asked) {

@@ -62,7 +62,7 @@ impl<'a> Pairs<'a> {
             let (Some(code), Some(value)) = (self.lines.next(), self.lines.next()) else {
                 return Err(DrawingError::syntax(
                     format!("line {line}"),
-                    "the file ends without EOF: it is cut off",
+                    "the file ends without EOF: it is truncated",
                     EXPORT,
                 ));
             };
@@ -70,7 +70,7 @@ impl<'a> Pairs<'a> {
             let value = value.trim();
             let known = code.trim().parse::<u16>().ok().filter(|code| *code <= 1071);
             let Some(code) = known else {
-                let reason = "no group code, expected a whole number from 0 to 1071";
+                let reason = "not a group code, expected a whole number from 0 to 1071";
                 return Err(DrawingError::syntax(format!("line {line}"), reason, EXPORT));
             };
             // 999 is a comment.

@@ -169,10 +169,10 @@ impl Space<'_> {
     fn old(&mut self, line: &Polyline) -> Result<Drawn, DrawingError> {
         self.seen_from(&line.normal)?;
         if line.flags & IN_SPACE != 0 {
-            return Err(self.refused("a POLYLINE in space"));
+            return Err(self.refused("a 3-D POLYLINE or mesh"));
         }
         if line.flags & SPLINE_FIT != 0 {
-            return Err(self.refused("a POLYLINE that stands for a spline"));
+            return Err(self.refused("a POLYLINE fitted as a spline"));
         }
         let vertices = line.vertices();
         let vertices = vertices.map(|vertex| (vertex.location.clone(), vertex.bulge));
@@ -201,7 +201,7 @@ impl Space<'_> {
 
     fn spline(&mut self, spline: &Spline) -> Result<Drawn, DrawingError> {
         if spline.control_points.is_empty() && !spline.fit_points.is_empty() {
-            return Err(self.refused("a SPLINE by its fit points alone"));
+            return Err(self.refused("a SPLINE with fit points only"));
         }
         let points = spline.control_points.iter().map(|point| self.point(point));
         let curve = BSpline {
@@ -214,7 +214,8 @@ impl Space<'_> {
             return Err(self.refused(fault));
         }
         let drawn = curve.segments();
-        drawn.ok_or_else(|| self.refused("a spline too wild to be followed"))
+        drawn
+            .ok_or_else(|| self.refused("a spline that 4096 cubic curves do not follow to 0.01 µm"))
     }
 }
 

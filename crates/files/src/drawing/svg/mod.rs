@@ -1,6 +1,7 @@
 //! SVG: shapes of the page with their transforms, read with `roxmltree` and the numbers and path data of `svgtypes` in f64.
 //!
-//! What a style sheet does is not seen, and no entity and no other file is read. Lines, curves and circles stay exact.
+//! The outline is the path itself, not the edge of its stroke. What a style sheet does is not seen, and no entity and no other file
+//! is read. Lines, curves and circles stay exact.
 
 mod path;
 mod shape;
@@ -78,7 +79,15 @@ pub fn read(bytes: &[u8], options: &Options, pieces: &mut Pieces) -> Result<(), 
     if root.tag_name().name() != "svg" {
         return Err(DrawingError::syntax(
             page.place(root),
-            "no SVG: its root is not svg",
+            "not an SVG: the root element is not svg",
+            PLAIN,
+        ));
+    }
+    page.check_followed(root)?;
+    if root.has_attribute("transform") {
+        return Err(DrawingError::refused(
+            page.place(root),
+            "a transform of the page",
             PLAIN,
         ));
     }
@@ -164,7 +173,7 @@ impl Page<'_> {
         let [width, height] = size;
         let stated = view::page_unit([width?, height?], view, self.aspect(root)?)
             .map_err(|reason| self.syntax(root, reason))?;
-        let why = "width, height in mm, cm or in and viewBox are not all in the SVG";
+        let why = "the SVG needs width and height in mm, cm or in, and a viewBox";
         unit::settled(stated, options.unit, why)
     }
 
@@ -179,7 +188,7 @@ impl Page<'_> {
 
     fn children(&mut self, node: Node, within: Within) -> Result<(), DrawingError> {
         if within.depth > DEEPEST {
-            let reason = format!("groups in more than {DEEPEST} groups");
+            let reason = format!("groups nested deeper than {DEEPEST}");
             return Err(self.syntax(node, reason));
         }
         for child in node.children().filter(Node::is_element) {
@@ -222,7 +231,7 @@ impl Page<'_> {
         }
         let place = self.place(node);
         if !within.shown {
-            self.pieces.leave_out("hidden", &place);
+            self.pieces.leave_out("hidden element", &place);
             return Ok(());
         }
         if BESIDE.contains(&name) {
@@ -258,8 +267,8 @@ impl Page<'_> {
         Ok(())
     }
 
-    /// Goes into the user space of an element.
-    fn follow(&self, node: Node, within: &mut Within) -> Result<(), DrawingError> {
+    /// Refuses what moves or cuts shapes in another way than a `transform`.
+    fn check_followed(&self, node: Node) -> Result<(), DrawingError> {
         let unfollowed = UNFOLLOWED
             .into_iter()
             .find(|name| property(node, name).is_some_and(|value| value != "none"));
@@ -270,6 +279,12 @@ impl Page<'_> {
             let help = "apply it in the drawing program, or name the `id` of the outline alone";
             return Err(DrawingError::refused(self.place(node), name, help));
         }
+        Ok(())
+    }
+
+    /// Goes into the user space of an element.
+    fn follow(&self, node: Node, within: &mut Within) -> Result<(), DrawingError> {
+        self.check_followed(node)?;
         if let Some(transform) = self.parsed::<svgtypes::Transform>(node, "transform")? {
             within.map = within.map.after(&Affine::of(&transform));
         }

@@ -68,6 +68,12 @@ fn reader_allows(schema: &Value, smallest: &Value, command: &[&str]) {
         if path == "assembly.centre_distance_mm" {
             pair["assembly"] = json!({});
         }
+        // An outline stands in place of the gear's data.
+        if let Some((gear, _)) = path.split_once('.').or(Some((&path, "")))
+            && (path.contains(".outline") || keys.contains("outline"))
+        {
+            pair[gear] = json!({ "outline": {} });
+        }
         let mut place = &mut pair;
         for key in path.split('.').filter(|key| !key.is_empty()) {
             place = &mut place[key];

@@ -28,11 +28,10 @@ const KEYS: &[&str] = &[
     "first_tooth_deg",
     "kind",
 ];
-/// Keys of a gear: of those from the fourth on an outline stands in place.
-const GEAR_KEYS: &[&str] = &[
-    "outline",
-    "reference_face",
-    "runout",
+/// Keys of a gear that is an outline.
+const GEAR_KEYS: &[&str] = &["outline", "reference_face", "runout"];
+/// Keys of a gear by its data, which an outline stands in place of.
+const INSTEAD: &[&str] = &[
     "teeth",
     "module_mm",
     "pressure_angle_deg",
@@ -79,21 +78,26 @@ pub(super) struct OutlinePart {
 
 /// Reads the table `name` of a gear that is an outline.
 pub(super) fn read(file: &Table, name: &str, problems: &mut Problems) -> Option<OutlinePart> {
-    let table = file.table(name, GEAR_KEYS, problems)?;
-    let mut understood = true;
-    for key in GEAR_KEYS[3..].iter().filter(|key| table.has(key)) {
-        problems.add(table.problem(
-            key,
+    let both: Vec<&&str> = INSTEAD
+        .iter()
+        .filter(|key| file.get(&format!("{name}.{key}")).is_some())
+        .collect();
+    for key in &both {
+        problems.add(file.problem(
+            &format!("{name}.{key}"),
             "given together with outline, which stands in its place",
-            match *key {
+            match **key {
                 "teeth" => {
                     "write `outline.teeth` to have the number of teeth checked, or remove it"
                 }
                 _ => "remove one or the other",
             },
         ));
-        understood = false;
     }
+    if !both.is_empty() {
+        return None;
+    }
+    let table = file.table(name, GEAR_KEYS, problems)?;
     let face = table.choice_or_first("reference_face", &FACES, problems);
     let drawn = drawn(&table, problems);
     let teeth = drawn.as_ref().and_then(|(spec, ..)| spec.teeth);
@@ -159,7 +163,7 @@ pub(super) fn read(file: &Table, name: &str, problems: &mut Problems) -> Option<
             _ => format!("; {}", path.remarks.join("; ")),
         }
     ));
-    understood.then_some(OutlinePart {
+    Some(OutlinePart {
         gear,
         spec: OutlineGearSpec {
             outline: spec,

@@ -6,6 +6,7 @@ mod campaign;
 mod clearance;
 #[path = "../common/design.rs"]
 mod design;
+mod drawn;
 mod extremes;
 mod hard;
 mod outlines;

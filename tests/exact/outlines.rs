@@ -118,7 +118,7 @@ fn of_wide_pairs_they_have_the_same_contacts() {
 }
 
 /// The outline of a gear as someone draws its reference face: a polygon of chords within `chord` mm of its curves.
-fn drawn(built: &AsBuilt, chord: f64) -> OutlineGear {
+pub fn drawn(built: &AsBuilt, chord: f64) -> OutlineGear {
     let placed = Placed::new(built, Point2::origin(), FRAC_PI_2);
     let points = placed.outline_near(Point2::origin(), 2.0 * built.reach(), chord);
     let mirror = -built.face().ascending();
@@ -144,7 +144,7 @@ fn drawn(built: &AsBuilt, chord: f64) -> OutlineGear {
 }
 
 /// A gear of module 2 with deviations of a few hundredths of a module.
-fn measured(random: &mut Random, face: Face) -> AsBuilt {
+pub fn measured(random: &mut Random, face: Face) -> AsBuilt {
     let teeth = 11 + random.tooth(49);
     let base = BasicGearData::new(teeth, 2.0, 20f64.to_radians()).unwrap();
     let design = GearDesign {

@@ -1,0 +1,293 @@
+//! Drawn wheels whose play has a closed form, and overlap of polygons as the witness of any.
+
+use crate::outlines::{drawn, measured};
+use crate::random::Random;
+use gearlash::contact::{OutlineContact, OutlineKernel, OutlineTouch, Status};
+use gearlash::gear::{Face, Side};
+use gearlash::outline::{OutlineGear, OutlinePair, OutlineReading, PathSegment};
+use gearlash::pair::{Mating, Member};
+use nalgebra::{Point2, Rotation2, Vector2};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+fn gear(segments: &[PathSegment], bound: f64) -> OutlineGear {
+    let reading = OutlineReading {
+        centre: Point2::origin(),
+        face: Face::Front,
+        teeth: None,
+        first_tooth: None,
+        bound,
+    };
+    OutlineGear::new(segments, &reading).unwrap()
+}
+
+/// `teeth` times the segments of one tooth that points up, the next one clockwise; arcs about the origin close the roots.
+fn repeated(teeth: u32, tooth: &[PathSegment]) -> Vec<PathSegment> {
+    let turned = |segment: &PathSegment, angle: f64| {
+        let turn = Rotation2::new(angle);
+        match *segment {
+            PathSegment::Line(points) => PathSegment::Line(points.map(|point| turn * point)),
+            PathSegment::Cubic(points) => PathSegment::Cubic(points.map(|point| turn * point)),
+            PathSegment::Arc {
+                centre,
+                radius,
+                start,
+                sweep,
+            } => PathSegment::Arc {
+                centre: turn * centre,
+                radius,
+                start: start + angle,
+                sweep,
+            },
+        }
+    };
+    let mut path: Vec<PathSegment> = Vec::new();
+    let pitch = TAU / f64::from(teeth);
+    for k in 0..=teeth {
+        let next = tooth
+            .iter()
+            .map(|segment| turned(segment, -pitch * f64::from(k)));
+        let next: Vec<PathSegment> = next.collect();
+        if let Some(last) = path.last() {
+            let [from, to] = [last.end(), next[0].start()].map(|point| point.coords);
+            path.push(PathSegment::Arc {
+                centre: Point2::origin(),
+                radius: from.norm(),
+                start: from.y.atan2(from.x),
+                sweep: from.perp(&to).atan2(from.dot(&to)),
+            });
+        }
+        if k < teeth {
+            path.extend(next);
+        }
+    }
+    path
+}
+
+/// A tooth with a round head of radius `head` about a point at `radius`, its sides straight down to `root`.
+fn pin(radius: f64, head: f64, root: f64) -> Vec<PathSegment> {
+    let foot = (root * root - head * head).sqrt();
+    let side = |x: f64| [Point2::new(x, foot), Point2::new(x, radius)];
+    let [left, right] = [side(-head), side(head)];
+    vec![
+        PathSegment::Line(left),
+        PathSegment::Arc {
+            centre: Point2::new(0.0, radius),
+            radius: head,
+            start: PI,
+            sweep: -PI,
+        },
+        PathSegment::Line([right[1], right[0]]),
+    ]
+}
+
+fn at(wheel: u32, pinion: u32, fraction: f64) -> Mating {
+    Mating {
+        wheel_tooth: wheel,
+        pinion_tooth: pinion,
+        flank: Side::Right,
+        fraction,
+    }
+}
+
+/// Circular-arc wheels: round heads touch where their centres are two head radii apart, which the law of cosines gives about the free axis.
+#[test]
+fn round_heads_touch_two_radii_apart() {
+    let (teeth, radius, head, distance) = ([24, 18], [48.0, 36.0], 2.4, 84.3);
+    let wheel = |k: usize| {
+        gear(
+            &repeated(teeth[k], &pin(radius[k], head, radius[k] - 5.0)),
+            0.0,
+        )
+    };
+    let mut on_heads = 0;
+    for locked in [Member::Wheel, Member::Pinion] {
+        let pair = OutlinePair::new(wheel(0), wheel(1), distance, locked).unwrap();
+        let kernel = OutlineKernel::new(&pair);
+        let free = pair.free();
+        let [still, turning] = match locked {
+            Member::Wheel => [0, 1],
+            Member::Pinion => [1, 0],
+        };
+        for k in 0..40u32 {
+            let mating = at(k % 24 + 1, k % 18 + 1, 0.13 * f64::from(k));
+            let found = kernel.lost_motion(&mating).unwrap();
+            // About the free axis, both gears' tooth 1 towards the other at rotation 0.
+            let head_of = |tooth: f64, rotation: f64, which: usize| {
+                let angle = rotation - (tooth - 1.0) * TAU / f64::from(teeth[which]);
+                Vector2::new(radius[which] * angle.cos(), radius[which] * angle.sin())
+            };
+            let rotation = pair.rotation(locked, &mating);
+            let (mut right, mut left) = (f64::NEG_INFINITY, f64::INFINITY);
+            let nominal = pair.rotation(free, &mating);
+            for tooth in 1..=teeth[still] {
+                let there =
+                    Vector2::new(distance, 0.0) - head_of(f64::from(tooth), rotation, still);
+                let away = there.norm();
+                let cos = (away * away + radius[turning] * radius[turning] - 4.0 * head * head)
+                    / (2.0 * away * radius[turning]);
+                if cos > 1.0 {
+                    continue;
+                }
+                for other in 1..=teeth[turning] {
+                    let own = head_of(f64::from(other), nominal, turning);
+                    let ahead = own.perp(&there).atan2(own.dot(&there));
+                    // The free head turned until it touches from either side.
+                    let beside = cos.acos();
+                    if ahead.abs() < TAU / f64::from(teeth[turning]) {
+                        if ahead < 0.0 {
+                            right = right.max(nominal + ahead + beside);
+                        } else {
+                            left = left.min(nominal + ahead - beside);
+                        }
+                    }
+                }
+            }
+            for (contact, expected, sense) in [
+                (found.right.unwrap(), right, 1.0),
+                (found.left.unwrap(), left, -1.0),
+            ] {
+                // Heads may not overlap; below them the straight sides may touch first.
+                let off = sense * (contact.rotation - expected);
+                assert!(off > -1e-12 - contact.error, "{contact:?} {expected}");
+                let on_head = |touch: OutlineTouch, k: usize| touch.radius > radius[k].hypot(head);
+                if on_head(contact.wheel, 0) && on_head(contact.pinion, 1) {
+                    assert!(off < 1e-12 + contact.error, "{contact:?} {expected}");
+                    on_heads += 1;
+                }
+            }
+        }
+    }
+    assert!(on_heads > 50, "{on_heads}");
+}
+
+/// A flank of clockwork wheels: outside the pitch circle the epicycloid that a circle of `rolling` draws, inside it the radius; points from the
+/// tip to the root, at angles past where it crosses the pitch circle. Epicycloid: `(R + r) e^{it} − r e^{it(R + r)/r}` (Camus 1733).
+fn cycloidal(pitch: f64, rolling: f64, depth: [f64; 2], points: u32) -> Vec<Vector2<f64>> {
+    let sum = pitch + rolling;
+    let at = |t: f64| {
+        let inner = t * sum / rolling;
+        Vector2::new(
+            sum * t.cos() - rolling * inner.cos(),
+            sum * t.sin() - rolling * inner.sin(),
+        )
+    };
+    let (mut low, mut high) = (0.0, PI * rolling / pitch);
+    for _ in 0..100 {
+        let middle = 0.5 * (low + high);
+        match at(middle).norm() < pitch + depth[0] {
+            true => low = middle,
+            false => high = middle,
+        }
+    }
+    let above = (0..=points).map(|k| at(low * f64::from(points - k) / f64::from(points)));
+    above.chain([Vector2::new(pitch - depth[1], 0.0)]).collect()
+}
+
+/// Cycloidal wheels turn at one ratio: of teeth that leave `play` of the pitch circle free the lost motion is just that at every pose.
+/// Each head is drawn by the circle of half the mate's pitch circle, whose hypocycloid is the mate's radial flank.
+#[test]
+fn cycloidal_wheels_have_one_play() {
+    const POINTS: u32 = 400;
+    let (teeth, pitch, play) = ([30u32, 12u32], [30.0, 12.0], 0.05);
+    let wheel = |k: usize| {
+        let angular = PI / f64::from(teeth[k]) - 0.5 * play / pitch[k];
+        let points = cycloidal(pitch[k], 0.5 * pitch[1 - k], [0.9, 1.4], POINTS);
+        // From the tooth's centre line: half its angle less what the flank is ahead.
+        let side = |sense: f64| -> Vec<Point2<f64>> {
+            let turn = Rotation2::new(FRAC_PI_2 - sense * 0.5 * angular);
+            let mirrored = points.iter().map(|p| Vector2::new(p.x, sense * p.y));
+            mirrored.map(|point| Point2::from(turn * point)).collect()
+        };
+        let (right, left) = (side(1.0), side(-1.0));
+        let mut lines: Vec<PathSegment> = Vec::new();
+        let mut walk: Vec<Point2<f64>> = left.into_iter().rev().collect();
+        walk.extend(right);
+        lines.extend(
+            walk.windows(2)
+                .map(|ends| PathSegment::Line([ends[0], ends[1]])),
+        );
+        // Chords of 400 a flank of a millimetre, curved by less than 1/mm near the pitch circle, where points lie closest.
+        gear(&repeated(teeth[k], &lines), 1e-6)
+    };
+    let pair = OutlinePair::new(wheel(0), wheel(1), 42.0, Member::Wheel).unwrap();
+    let kernel = OutlineKernel::new(&pair);
+    for k in 0..60u32 {
+        let mating = at(k % 30 + 1, k % 12 + 1, 0.07 * f64::from(k % 15));
+        let found = kernel.lost_motion(&mating).unwrap();
+        let j = found.angle().unwrap() * pitch[1];
+        assert!((j - play).abs() < 1e-5, "{k}: {j} {found:?}");
+    }
+}
+
+/// Whether two polygons cross in the mesh.
+fn cross(pair: &OutlinePair, mating: &Mating, free_rotation: f64) -> bool {
+    let outline = |member: Member| {
+        let rotation = match member == pair.locked() {
+            true => pair.rotation(member, mating),
+            false => free_rotation,
+        };
+        let points = pair.outline(member, rotation, 1e-5);
+        let mate = pair.gear(member.mate()).reach();
+        let axis = pair.axis(member.mate());
+        let next = points.iter().cycle().skip(1);
+        let chords = points.iter().zip(next).map(|(a, b)| [*a, *b]);
+        let near = chords.filter(|ends| ends.iter().any(|end| (end - axis).norm() < mate + 1.0));
+        near.collect::<Vec<[Point2<f64>; 2]>>()
+    };
+    let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(outline);
+    let side = |a: Point2<f64>, b: Point2<f64>, c: Point2<f64>| (b - a).perp(&(c - a));
+    wheel.iter().any(|&[a, b]| {
+        let (low, high) = (a.inf(&b), a.sup(&b));
+        pinion.iter().any(|&[c, d]| {
+            let apart = c.x.max(d.x) < low.x
+                || c.x.min(d.x) > high.x
+                || c.y.max(d.y) < low.y
+                || c.y.min(d.y) > high.y;
+            !apart && side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
+        })
+    })
+}
+
+/// Polygons of random measured gears overlap just outside the play and not just inside it.
+#[test]
+fn polygons_overlap_just_outside_the_play() {
+    let mut random = Random(3);
+    let mut seen = 0;
+    for number in 0..10u32 {
+        let wheel = drawn(&measured(&mut random, Face::Front), 1e-4);
+        let pinion = drawn(&measured(&mut random, Face::Back), 1e-4);
+        let distance = wheel.tip_radius() + pinion.root_radius() + random.within(0.3, 1.0);
+        let Ok(pair) = OutlinePair::new(wheel, pinion, distance, Member::Pinion) else {
+            continue;
+        };
+        let mating = at(number + 1, number + 2, 0.17 * f64::from(number));
+        let found = OutlineKernel::new(&pair).lost_motion(&mating).unwrap();
+        if found.status() != Status::Clear {
+            continue;
+        }
+        let (right, left) = (found.right.unwrap(), found.left.unwrap());
+        // Beyond both polygons' chords of 1e-5 mm.
+        let off = |contact: &OutlineContact| contact.error + 1e-5;
+        if left.rotation - right.rotation < 4.0 * off(&left).max(off(&right)) {
+            continue;
+        }
+        assert!(
+            !cross(&pair, &mating, right.rotation + off(&right)),
+            "{number}"
+        );
+        assert!(
+            !cross(&pair, &mating, left.rotation - off(&left)),
+            "{number}"
+        );
+        assert!(
+            cross(&pair, &mating, right.rotation - 20.0 * off(&right)),
+            "{number}"
+        );
+        assert!(
+            cross(&pair, &mating, left.rotation + 20.0 * off(&left)),
+            "{number}"
+        );
+        seen += 1;
+    }
+    assert!(seen > 4, "{seen}");
+}

@@ -5,6 +5,7 @@
 mod random_pair;
 
 use crate::random::Random;
+use crate::straight_sided::straight;
 use crate::wide::drawn::{Depth, Pair};
 use gearlash::analytic::InvolutePair;
 use gearlash::contact::{ExactKernel, LostMotion, OutlineKernel, OutlineLostMotion, Status};
@@ -210,4 +211,28 @@ fn polygons_of_measured_gears_have_their_lost_motion() {
         }
     }
     assert!(compared > 80, "{compared}");
+}
+
+/// Straight-sided teeth, drawn: two racks' worth of trapezoids, whose play [`crate::straight_sided`] works out by hand.
+#[test]
+fn trapezoids_have_the_play_worked_out_by_hand() {
+    let wheel = straight(20, [0.55, 1.25], Face::Front, Vec::new());
+    let pinion = straight(33, [0.6, 1.2], Face::Back, Vec::new());
+    let pair = GearPair::new(wheel, pinion, 80.5).unwrap();
+    let [wheel, pinion] =
+        [Member::Wheel, Member::Pinion].map(|member| drawn(pair.gear(member), 1e-6));
+    let outlines = OutlinePair::new(wheel, pinion, 80.5, Member::Wheel).unwrap();
+    let (kernel, exact) = (OutlineKernel::new(&outlines), ExactKernel::new(&pair));
+    for k in 0..24 {
+        let mating = mating(&pair, [k, 2 * k], Side::Left, 0.21 * f64::from(k));
+        let off =
+            outlines.rotation(Member::Wheel, &mating) - Pose::new(&pair, mating).locked_rotation();
+        let pitch = pair.gear(Member::Wheel).gear().basic_data().angular_pitch();
+        let same = mating.onward(&pair, off / pitch);
+        let exact = exact.lost_motion(&Pose::new(&pair, same)).unwrap();
+        let found = kernel.lost_motion(&mating).unwrap();
+        let (angle, other) = (exact.angle().unwrap(), found.angle().unwrap());
+        // Lands are chords within the drawing's bound.
+        assert!((angle - other).abs() < 1e-9, "{angle} {other}");
+    }
 }

@@ -8,7 +8,7 @@ use gearlash::pair::{GearPair, Mating, Member, Pose};
 use std::f64::consts::{PI, TAU};
 
 /// `teeth` of module 3, straight-sided: parts of a quarter pitch that half a tooth spans at the tip and at the root circle.
-fn straight(teeth: u32, [tip, root]: [f64; 2], face: Face, per_tooth: Vec<f64>) -> AsBuilt {
+pub fn straight(teeth: u32, [tip, root]: [f64; 2], face: Face, per_tooth: Vec<f64>) -> AsBuilt {
     let quarter = PI / (2.0 * f64::from(teeth));
     let gear = Gear::nominal(design(teeth, 3.0)).unwrap();
     let gear = gear

@@ -9,6 +9,7 @@ mod made;
 mod mutant;
 mod mutations;
 mod pages;
+mod round_trip;
 mod splines;
 
 use gearlash::outline::PathSegment;

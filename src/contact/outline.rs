@@ -347,7 +347,7 @@ impl SideKernel<'_> {
                 self.locked.beside(locked_tooth, step),
                 self.free.beside(free_tooth, beyond - step),
             );
-            let nodes = self.nodes(teeth, &locked_frame);
+            let nodes = self.nodes(teeth, &locked_frame, origin, level);
             let found = greatest(nodes, origin, level, &mut nodes_left);
             let found = found.map_err(|_| self.unsettled(pair, teeth))?;
             if let Some(meeting) = found {
@@ -361,26 +361,41 @@ impl SideKernel<'_> {
         }))
     }
 
-    /// Pairs of pieces of a locked and a free half tooth whose radii overlap.
-    fn nodes(&self, (locked, free): (u32, u32), frame: &Frame) -> Vec<(Arc<'_>, Arc<'_>)> {
+    /// Pairs of pieces of a locked and a free half tooth that may have a greater gap than `level` and than any other pair surely has.
+    fn nodes(
+        &self,
+        (locked, free): (u32, u32),
+        frame: &Frame,
+        origin: C,
+        mut level: f64,
+    ) -> Vec<(Arc<'_>, Arc<'_>)> {
         let pieces = self.locked.half(locked).pieces.iter();
         let middles = &self.locked.middles[locked as usize - 1];
-        let free = &self.free_arcs[free as usize - 1];
+        let frees = &self.free_arcs[free as usize - 1];
         let outermost = self.free.gear.reach();
-        let mut nodes = Vec::new();
-        for (name, (piece, (middle, reach))) in pieces.zip(middles).enumerate() {
-            let there = (frame.centre + frame.direction * middle).norm();
-            if there - reach > outermost {
-                continue;
+        let reached = pieces.zip(middles).enumerate();
+        let reached = reached.filter(|(_, (_, (middle, reach)))| {
+            (frame.centre + frame.direction * middle).norm() - reach <= outermost
+        });
+        let arcs: Vec<Arc> = reached
+            .map(|(name, (piece, _))| frame.arc(piece, name))
+            .collect();
+        let mut bounded: Vec<(f64, u32, u32)> = Vec::new();
+        for (k, arc) in arcs.iter().enumerate() {
+            for (m, free) in frees.iter().enumerate().filter(|(_, free)| arc.meets(free)) {
+                let (least, most) = arc.gap_with(free, origin);
+                // One that is there is found again below: a strictly greater gap counts.
+                level = level.max(least - f64::EPSILON);
+                if most > level {
+                    bounded.push((most, k as u32, m as u32));
+                }
             }
-            let arc = frame.arc(piece, name);
-            nodes.extend(
-                free.iter()
-                    .filter(|free| arc.meets(free))
-                    .map(|free| (arc, *free)),
-            );
         }
-        nodes
+        // The most promising last, where it is taken first.
+        bounded.retain(|(most, ..)| *most > level);
+        bounded.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let arc = |&(_, k, m): &(f64, u32, u32)| (arcs[k as usize], frees[m as usize]);
+        bounded.iter().map(arc).collect()
     }
 
     fn unsettled(&self, pair: &OutlinePair, (locked, free): (u32, u32)) -> Unsettled {

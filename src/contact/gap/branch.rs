@@ -126,6 +126,23 @@ impl<'a> Arc<'a> {
         self.radii.0.max(other.radii.0) <= self.radii.1.min(other.radii.1)
     }
 
+    /// Bounds of the gap with a free arc, rad, from `origin`: a greatest gap is not above the second, and, −∞ where it is not known that they
+    /// meet, not below the first.
+    pub fn gap_with(&self, free: &Arc, origin: C) -> (f64, f64) {
+        let play = self.swing + free.swing;
+        if play >= PI {
+            return (f64::NEG_INFINITY, f64::INFINITY);
+        }
+        let middle = (self.middle * free.middle.conj() * origin).arg();
+        let meet = self.slope.is_some() && free.slope.is_some();
+        let least = if meet {
+            middle - play
+        } else {
+            f64::NEG_INFINITY
+        };
+        (least, middle + play)
+    }
+
     fn middle_parameter(&self) -> f64 {
         0.5 * (self.low + self.high)
     }

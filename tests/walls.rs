@@ -55,6 +55,18 @@ fn a_gear_knows_no_pair() {
 }
 
 #[test]
+fn an_outline_knows_no_contact_and_no_model() {
+    let names = [
+        "crate::metrology",
+        "crate::contact",
+        "crate::analytic",
+        "crate::analysis",
+        "crate::gauge",
+    ];
+    assert_eq!(that_name("outline", &names), [""; 0]);
+}
+
+#[test]
 fn a_pair_knows_no_contact() {
     let names = [
         "crate::metrology",

@@ -213,7 +213,7 @@ impl OutlineGear {
         let turn = UnitComplex::new(tooth_1 - self.turned);
         let displaced = self.displacement * Complex::from_polar(1.0, tooth_1);
         let axis = Vector2::new(displaced.re, displaced.im);
-        let each = self.path.iter().flat_map(|segment| segment.cut(chord));
+        let each = self.path.iter().flat_map(|segment| segment.chords(chord));
         each.map(|point| turn * point + axis).collect()
     }
 

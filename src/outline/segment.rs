@@ -3,9 +3,6 @@
 use crate::gear::{Circle, Cubic, Line, PartCurve};
 use nalgebra::{Point2, Vector2};
 
-/// Chords of one segment at most.
-const MOST_CHORDS: f64 = 4096.0;
-
 /// A segment of a drawn path, mm, from its start to its end.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum PathSegment {
@@ -51,20 +48,6 @@ impl PathSegment {
     pub fn at(&self, u: f64) -> Point2<f64> {
         let (curve, [from, to]) = self.part();
         curve.point(from + (to - from) * u)
-    }
-
-    /// Points along it, its end left out: chords within `chord` mm of it.
-    pub(super) fn cut(&self, chord: f64) -> Vec<Point2<f64>> {
-        let (curve, [from, to]) = self.part();
-        let length = (to - from).abs();
-        let (a, b) = curve.bend(from.max(to));
-        // A chord leaves the curve by `max |P''| Δ²/8` at most.
-        let count = ((a + b * length) * length * length / (8.0 * chord))
-            .sqrt()
-            .ceil();
-        let count = count.clamp(1.0, MOST_CHORDS);
-        let at = |k: u32| curve.point(from + (to - from) * f64::from(k) / count);
-        (0..count as u32).map(at).collect()
     }
 
     /// Where it starts.
@@ -165,6 +148,63 @@ impl PathSegment {
                 sweep,
             } => finite(centre) && (radius + start + sweep).is_finite() && *radius > 0.0,
             PathSegment::Cubic(points) => points.iter().all(finite),
+        }
+    }
+
+    /// Points from its start on, its end left out, whose chords are within `chordal_error` mm (> 0) of it.
+    pub fn chords(&self, chordal_error: f64) -> impl Iterator<Item = Point2<f64>> {
+        let pieces = match *self {
+            PathSegment::Line(_) => 1.0,
+            // The height of an arc above its chord is 2 r sin²(angle / 4).
+            PathSegment::Arc { radius, sweep, .. } => {
+                let half_sine = (chordal_error / (2.0 * radius)).sqrt().min(1.0);
+                sweep.abs() / (4.0 * half_sine.asin())
+            }
+            // |P''| Δ²/8, the second derivative between its values at the ends.
+            PathSegment::Cubic([a, b, c, d]) => {
+                let bends = [(a - b) + (c - b), (b - c) + (d - c)];
+                let bend = bends.map(|bend| 6.0 * bend.norm());
+                (bend[0].max(bend[1]) / (8.0 * chordal_error)).sqrt()
+            }
+        };
+        let pieces = pieces.ceil().max(1.0) as u32;
+        (0..pieces).map(move |i| self.at(f64::from(i) / f64::from(pieces)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Source: points of the segment itself, 50 to a chord, against the chord between the points on both sides of them.
+    #[test]
+    fn chords_of_arcs_and_cubics_are_within_their_error() {
+        let points = [[0.0, 0.0], [1.0, 2.0], [3.0, -1.0], [4.0, 1.0]];
+        let arc = |sweep| PathSegment::Arc {
+            centre: Point2::new(1.0, -2.0),
+            radius: 5.0,
+            start: 0.3,
+            sweep,
+        };
+        let cubic = PathSegment::Cubic(points.map(Point2::from));
+        for (part, least_share) in [(arc(2.9), 0.9), (arc(-0.7), 0.9), (cubic, 0.5)] {
+            for error in [1e-1, 1e-3, 1e-6] {
+                let mut points: Vec<Point2<f64>> = part.chords(error).collect();
+                assert_eq!(points[0], part.start());
+                points.push(part.end());
+                let count = points.len() - 1;
+                let mut most: f64 = 0.0;
+                for i in 0..50 * count {
+                    let at = part.at(i as f64 / (50 * count) as f64);
+                    let chord = points[i / 50 + 1] - points[i / 50];
+                    most = most.max((at - points[i / 50]).perp(&chord).abs() / chord.norm());
+                }
+                assert!(most <= error * (1.0 + 1e-6), "{most} of {error}");
+                assert!(
+                    most > least_share * error || count < 20,
+                    "{most} of {error}"
+                );
+            }
         }
     }
 }

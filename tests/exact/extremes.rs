@@ -2,7 +2,7 @@
 
 #[path = "../common/random_pair.rs"]
 #[allow(dead_code)] // its twin tests use the rest
-mod random_pair;
+pub mod random_pair;
 
 #[path = "../common/cycle.rs"]
 mod cycle;

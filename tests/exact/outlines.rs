@@ -1,9 +1,6 @@
 //! Outlines against the exact method, which knows what each curve of a gear is and where it can touch.
 
-#[path = "../common/random_pair.rs"]
-#[allow(dead_code)] // its twin tests use the rest
-mod random_pair;
-
+use crate::extremes::random_pair::rough_case;
 use crate::random::Random;
 use crate::straight_sided::straight;
 use crate::wide::drawn::{Depth, Pair};
@@ -16,7 +13,6 @@ use gearlash::outline::{OutlineGear, OutlinePair, OutlineReading, PathSegment};
 use gearlash::pair::{GearPair, Mating, Member, Pose};
 use nalgebra::Point2;
 use proptest::prelude::*;
-use random_pair::rough_case;
 use std::f64::consts::FRAC_PI_2;
 
 fn outlines(pair: &GearPair) -> OutlinePair {

@@ -35,7 +35,7 @@ pub struct OutlineStudy {
 }
 
 impl OutlineStudy {
-    /// How many steps [`OutlineStudy::runs`] counts at least: the poses of all runs.
+    /// How many steps [`OutlineStudy::runs`] counts: the poses of all runs. (Where a pair binds, as many again some times, uncounted.)
     pub fn steps(&self) -> u64 {
         let poses = |(_, wheel, pinion): &(Material, OutlineGear, OutlineGear)| {
             let matings = SweepPlan::hunting_pitches(wheel.teeth(), pinion.teeth());
@@ -119,7 +119,7 @@ impl OutlineRun {
                 .all(|pose| pose.status() != Status::NoContact)
         });
         if run.turns() == Some(false) {
-            run.turns_from = turns_from::find(&run, &cycle, &study.start, tick)?;
+            run.turns_from = turns_from::find(&run, &cycle, &study.start)?;
         }
         Ok(run)
     }

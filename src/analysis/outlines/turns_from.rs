@@ -33,7 +33,6 @@ pub(super) fn find(
     run: &OutlineRun,
     cycle: &Cycle,
     start: &Mating,
-    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
 ) -> Result<Option<TurnsFrom>, Error> {
     let pair = &run.pair;
     let apart: f64 = [Member::Wheel, Member::Pinion]
@@ -70,7 +69,7 @@ pub(super) fn find(
         }
         floor = high;
         let there = pair.at(high)?;
-        let poses = cycle.sampled(&there, start, tick)?;
+        let poses = cycle.sampled(&there, start, &|| ControlFlow::Continue(()))?;
         let [closest, _] = cycle.extremes(&there, &poses);
         next = closest.filter(binds).or_else(|| tightest(&poses));
         found = Some(TurnsFrom { high, low, pose });

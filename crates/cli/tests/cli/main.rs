@@ -9,6 +9,7 @@ mod hostile;
 mod large;
 mod leaks;
 mod outline;
+mod outlines;
 #[path = "../../../../tests/common/pair_86_21.rs"]
 mod pair_86_21;
 #[path = "../../../../tests/common/pair_with_table.rs"]

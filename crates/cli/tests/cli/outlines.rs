@@ -1,0 +1,227 @@
+//! Pairs of outlines: pair files with drawings, and two drawings by themselves.
+
+use crate::{fixture, gearlash};
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+
+fn drawn() -> PathBuf {
+    fixture("outlines")
+}
+
+fn run(folder: &Path, args: &[&str]) -> (Option<i32>, String, String) {
+    let output = gearlash(folder).args(args).output().unwrap();
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
+    (
+        output.status.code(),
+        text(output.stdout),
+        text(output.stderr),
+    )
+}
+
+fn copied() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    for entry in std::fs::read_dir(drawn()).unwrap() {
+        let path = entry.unwrap().path();
+        std::fs::copy(&path, folder.path().join(path.file_name().unwrap())).unwrap();
+    }
+    folder
+}
+
+/// The seventh tooth of the wheel is 180 µm thicker than the others (`wheel_20.toml`): it binds, and nothing else.
+#[test]
+fn check_names_the_tooth_that_binds() {
+    let folder = copied();
+    let (code, text, notes) = run(folder.path(), &["check", "drawn_20x20.toml"]);
+    assert_eq!(code, Some(1));
+    insta::assert_snapshot!(text);
+    assert!(notes.contains("20 teeth between diameters"), "{notes}");
+}
+
+/// Two drawings and a centre distance say the same as the pair file.
+#[test]
+fn two_drawings_need_no_pair_file() {
+    let folder = copied();
+    let drawings = [
+        "check",
+        "wheel_20.dxf",
+        "pinion_20.svg",
+        "--center-distance",
+        "40.05",
+    ];
+    let (code, text, _) = run(folder.path(), &drawings);
+    let (_, of_file, _) = run(folder.path(), &["check", "drawn_20x20.toml"]);
+    let after_title = |text: &str| text.split_once("\n\n").unwrap().1.to_owned();
+    assert_eq!((code, after_title(&text)), (Some(1), after_title(&of_file)));
+    // Where every tooth has room it turns: exit code 0.
+    let apart = [&drawings[..4], &["40.2"]].concat();
+    let (code, text, _) = run(folder.path(), &apart);
+    assert_eq!(code, Some(0), "{text}");
+    assert!(text.contains("Turns freely at a = 40.200 mm"), "{text}");
+}
+
+/// The least backlash of the drawn pair is that of the gears they were drawn from, within both tolerances of 20 µm.
+#[test]
+fn simulate_writes_what_it_found() {
+    let folder = copied();
+    let (code, _, _) = run(
+        folder.path(),
+        &["simulate", "drawn_20x20.toml", "-o", "out"],
+    );
+    assert_eq!(code, Some(0));
+    let out = folder.path().join("out");
+    let result = std::fs::read_to_string(out.join("result.json")).unwrap();
+    let result: Value = serde_json::from_str(&result).unwrap();
+    let run_of = &result["runs"][0];
+    assert_eq!(run_of["turns"], false);
+    assert_eq!(run_of["poses"].as_array().unwrap().len(), 320);
+    assert_eq!(run_of["least"]["right"]["wheel_tooth"], 7);
+    let pair = "[wheel]\nteeth = 20\nmodule_mm = 2.0\npressure_angle_deg = 20.0\n[wheel.thickness]\nallowance_um = -60.0\n\
+                per_tooth_um = [0, 0, 0, 0, 0, 0, 180, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0]\n\
+                [pinion]\nteeth = 20\nmodule_mm = 2.0\npressure_angle_deg = 20.0\n[pinion.thickness]\nallowance_um = -60.0\n\
+                [assembly]\ncenter_distance_mm = 40.05\n";
+    std::fs::write(folder.path().join("data.toml"), pair).unwrap();
+    let (_, json, _) = run(
+        folder.path(),
+        &["simulate", "data.toml", "--format", "json"],
+    );
+    let data: Value = serde_json::from_str(&json).unwrap();
+    let known = data["extremes"][0]["least"]["j_wt_um"]
+        .as_array()
+        .map_or_else(
+            || data["extremes"][0]["least"]["j_wt_um"].as_f64().unwrap(),
+            |bracket| bracket[0].as_f64().unwrap(),
+        );
+    let found = run_of["least"]["j_wt_um"].as_f64().unwrap();
+    // Chords cut off metal: two flanks of two gears, each along its normal by up to 20 µm.
+    assert!(
+        found >= known - 0.01 && found <= known + 4.0 * 20.0 / 20f64.to_radians().cos(),
+        "{known} {found}"
+    );
+    let csv = std::fs::read_to_string(out.join("result.csv")).unwrap();
+    assert_eq!(csv.lines().count(), 321);
+    let picture = std::fs::read_to_string(out.join("worst.svg")).unwrap();
+    assert!(picture.contains("wheel tooth 7"), "{picture}");
+}
+
+/// A listed pose, the worst one, and where no picture was asked for.
+#[test]
+fn snapshots_of_outlines() {
+    let folder = copied();
+    let pose = [
+        "snapshot",
+        "drawn_20x20.toml",
+        "--mating",
+        "3,19",
+        "--flank",
+        "left",
+        "-o",
+        "-",
+    ];
+    let (code, picture, _) = run(folder.path(), &pose);
+    assert_eq!(code, Some(0));
+    assert!(picture.contains("<svg") && picture.contains("wheel tooth 3 and pinion tooth 19"));
+    let (code, picture, said) = run(
+        folder.path(),
+        &["snapshot", "drawn_20x20.toml", "--worst", "-o", "-"],
+    );
+    assert_eq!(code, Some(0));
+    assert!(
+        picture.contains("interference") && said.contains("Binds at"),
+        "{said}"
+    );
+    let (code, _, said) = run(
+        folder.path(),
+        &[
+            "snapshot",
+            "drawn_20x20.toml",
+            "--mating",
+            "21,1",
+            "--flank",
+            "left",
+        ],
+    );
+    assert_eq!(code, Some(2));
+    assert!(
+        said.contains("the wheel has teeth 1 … 20, not 21"),
+        "{said}"
+    );
+}
+
+/// What needs an involute says so, and what to use; what has no meaning for an outline is refused.
+#[test]
+fn what_an_outline_cannot_do_is_said() {
+    let folder = copied();
+    for command in ["report", "compare", "chart", "gauge", "outline"] {
+        let mut args = vec![command, "drawn_20x20.toml"];
+        args.extend(match command {
+            "chart" => &["--kind", "revolution"][..],
+            "outline" => &["--format", "svg", "--gear", "wheel"],
+            _ => &[],
+        });
+        let (code, _, said) = run(folder.path(), &args);
+        assert_eq!(code, Some(2), "{command}: {said}");
+        assert!(
+            said.contains("an outline has no module"),
+            "{command}: {said}"
+        );
+    }
+    for (args, reason) in [
+        (
+            &["check", "drawn_20x20.toml", "--method", "polygon"][..],
+            "are for gears by their data",
+        ),
+        (
+            &["check", "drawn_20x20.toml", "--map"],
+            "--map is for gears by their data",
+        ),
+        (
+            &["check", "wheel_20.dxf", "pinion_20.svg"],
+            "need their centre distance",
+        ),
+        (
+            &["check", "wheel_20.dxf", "--center-distance", "40"],
+            "give two drawings",
+        ),
+        (
+            &["check", "drawn_20x20.toml", "--center-distance", "40"],
+            "belong to two drawings",
+        ),
+        (
+            &["simulate", "drawn_20x20.toml", "--unit", "arcmin"],
+            "are for gears by their data",
+        ),
+        (
+            &["snapshot", "drawn_20x20.toml", "--worst", "--animate"],
+            "are for gears by their data",
+        ),
+    ] {
+        let (code, _, said) = run(folder.path(), args);
+        assert_eq!(code, Some(2), "{args:?}: {said}");
+        assert!(said.contains(reason), "{args:?}: {said}");
+    }
+}
+
+/// All problems of a pair file at once, each with its key and the way out.
+#[test]
+fn faults_of_an_outline_have_their_key() {
+    let folder = copied();
+    let text = "[wheel]\nteeth = 20\n[wheel.outline]\nfile = \"wheel_20.dxf\"\n\
+                [pinion.outline]\nfile = \"pinion_20.svg\"\nteeth = 21\nlayer = \"X\"\n\
+                [assembly]\ncenter_distance_mm = 20.0\nbearing_clearance_mm = 0.1\n[require]\nj_wt_um = { min = 1 }\n";
+    std::fs::write(folder.path().join("bad.toml"), text).unwrap();
+    let (code, _, said) = run(folder.path(), &["check", "bad.toml"]);
+    assert_eq!(code, Some(2));
+    for reason in [
+        "wheel.teeth = 20: given together with outline",
+        "pinion.outline.layer = \"X\": belongs to a .dxf file",
+        "require",
+    ] {
+        assert!(said.contains(reason), "{reason}: {said}");
+    }
+    let near = "[wheel.outline]\nfile = \"wheel_20.dxf\"\n[pinion.outline]\nfile = \"pinion_20.svg\"\n\
+                [assembly]\ncenter_distance_mm = 20.0\n";
+    std::fs::write(folder.path().join("near.toml"), near).unwrap();
+    let (code, _, said) = run(folder.path(), &["check", "near.toml"]);
+    assert_eq!(code, Some(2));
+    assert!(said.contains("must be above 22.0000 mm"), "{said}");
+}

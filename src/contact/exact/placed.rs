@@ -18,6 +18,7 @@ pub(super) struct Placed<'a> {
 
 impl<'a> Placed<'a> {
     /// One of its curves.
+    #[inline]
     pub fn curve(&self, part: ProfilePart) -> PlacedCurve<'a> {
         PlacedCurve {
             curve: self.shape.curve(part),

@@ -66,6 +66,7 @@ impl Shape {
     }
 
     /// The curve of a part.
+    #[inline]
     pub fn curve(&self, part: ProfilePart) -> &PartCurve {
         &self.part(part).curve
     }

@@ -11,6 +11,7 @@ use nalgebra::Complex;
 pub(super) type C = Complex<f64>;
 
 /// `e^{i angle}`.
+#[inline]
 pub(super) fn turn(angle: f64) -> C {
     let (sin, cos) = angle.sin_cos();
     C::new(cos, sin)
@@ -24,6 +25,7 @@ pub(super) struct Sample {
 }
 
 /// `σ = ρ dθ/dρ = −Y/X`, `X = Q × n`, `Y = Q · n`.
+#[inline]
 pub(super) fn slope(sample: &Sample) -> f64 {
     let z = sample.point.conj() * sample.normal;
     -z.re / z.im
@@ -58,6 +60,7 @@ impl PlacedCurve<'_> {
     }
 
     /// `dP/dt = i n · speed`, with its sign.
+    #[inline]
     fn speed(&self, t: f64) -> f64 {
         let speed = self.curve.speed(t);
         if self.mirrored { -speed } else { speed }
@@ -67,6 +70,7 @@ impl PlacedCurve<'_> {
     ///
     /// Newton's method on `|P|² − ρ²` from `start`, halved whenever it leaves its bracket. It
     /// ends when the step or the rest is lost in rounding.
+    #[inline]
     pub fn invert(&self, rho: f64, [mut inner, mut outer]: [f64; 2], start: f64) -> f64 {
         let mut t = start;
         for _ in 0..128 {

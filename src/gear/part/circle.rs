@@ -26,7 +26,8 @@ impl Circle {
         self.centre
     }
 
-    #[inline]
+    // Out of line: the kernel's own curves are not these.
+    #[inline(never)]
     pub(super) fn at(&self, t: f64) -> (Point2<f64>, Vector2<f64>) {
         let (sin, cos) = t.sin_cos();
         let radial = Vector2::new(cos, sin);

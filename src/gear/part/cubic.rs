@@ -18,7 +18,8 @@ impl Cubic {
         Cubic { points }
     }
 
-    #[inline]
+    // Out of line: the kernel's own curves are not these.
+    #[inline(never)]
     pub(super) fn at(&self, t: f64) -> (Point2<f64>, Vector2<f64>) {
         (self.point(t), self.normal(t))
     }

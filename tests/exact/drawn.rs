@@ -20,35 +20,35 @@ fn gear(segments: &[PathSegment], bound: f64) -> OutlineGear {
     OutlineGear::new(segments, &reading).unwrap()
 }
 
-/// `teeth` times the segments of one tooth that points up, the next one clockwise; arcs about the origin close the roots.
-fn repeated(teeth: u32, tooth: &[PathSegment]) -> Vec<PathSegment> {
-    let turned = |segment: &PathSegment, angle: f64| {
-        let turn = Rotation2::new(angle);
-        match *segment {
-            PathSegment::Line(points) => PathSegment::Line(points.map(|point| turn * point)),
-            PathSegment::Cubic(points) => PathSegment::Cubic(points.map(|point| turn * point)),
-            PathSegment::Arc {
-                centre,
-                radius,
-                start,
-                sweep,
-            } => PathSegment::Arc {
-                centre: turn * centre,
-                radius,
-                start: start + angle,
-                sweep,
-            },
-        }
+/// `segments` turned about the origin by `angle`.
+fn turned(segments: &[PathSegment], angle: f64) -> Vec<PathSegment> {
+    let turn = Rotation2::new(angle);
+    let one = |segment: &PathSegment| match *segment {
+        PathSegment::Line(points) => PathSegment::Line(points.map(|point| turn * point)),
+        PathSegment::Cubic(points) => PathSegment::Cubic(points.map(|point| turn * point)),
+        PathSegment::Arc {
+            centre,
+            radius,
+            start,
+            sweep,
+        } => PathSegment::Arc {
+            centre: turn * centre,
+            radius,
+            start: start + angle,
+            sweep,
+        },
     };
+    segments.iter().map(one).collect()
+}
+
+/// `segments`, their gaps closed by arcs about the origin.
+fn closed_by_arcs(segments: &[PathSegment]) -> Vec<PathSegment> {
     let mut path: Vec<PathSegment> = Vec::new();
-    let pitch = TAU / f64::from(teeth);
-    for k in 0..=teeth {
-        let next = tooth
-            .iter()
-            .map(|segment| turned(segment, -pitch * f64::from(k)));
-        let next: Vec<PathSegment> = next.collect();
-        if let Some(last) = path.last() {
-            let [from, to] = [last.end(), next[0].start()].map(|point| point.coords);
+    for (k, segment) in segments.iter().enumerate() {
+        path.push(*segment);
+        let next = segments[(k + 1) % segments.len()].start();
+        let [from, to] = [segment.end(), next].map(|point| point.coords);
+        if (to - from).norm() > 1e-9 {
             path.push(PathSegment::Arc {
                 centre: Point2::origin(),
                 radius: from.norm(),
@@ -56,11 +56,15 @@ fn repeated(teeth: u32, tooth: &[PathSegment]) -> Vec<PathSegment> {
                 sweep: from.perp(&to).atan2(from.dot(&to)),
             });
         }
-        if k < teeth {
-            path.extend(next);
-        }
     }
     path
+}
+
+/// `teeth` times the segments of one tooth that points up, the next one clockwise; arcs about the origin close the roots.
+fn repeated(teeth: u32, tooth: &[PathSegment]) -> Vec<PathSegment> {
+    let pitch = TAU / f64::from(teeth);
+    let each = (0..teeth).flat_map(|k| turned(tooth, -pitch * f64::from(k)));
+    closed_by_arcs(&each.collect::<Vec<PathSegment>>())
 }
 
 /// A tooth with a round head of radius `head` about a point at `radius`, its sides straight down to `root`.
@@ -290,4 +294,137 @@ fn polygons_overlap_just_outside_the_play() {
         seen += 1;
     }
     assert!(seen > 4, "{seen}");
+}
+
+/// A tooth that no formula has: from root to tip and back through points whose radii rise and fall again, straight, round or curved between.
+fn odd_tooth(random: &mut Random, teeth: u32, root: f64, tip: f64) -> Vec<PathSegment> {
+    let pitch = TAU / f64::from(teeth);
+    let at = |radius: f64, angle: f64| {
+        let (sin, cos) = (FRAC_PI_2 - angle).sin_cos();
+        Point2::new(radius * cos, radius * sin)
+    };
+    let steps = 1 + random.tooth(3);
+    let side = |random: &mut Random, sign: f64| -> Vec<Point2<f64>> {
+        let (foot, top) = (random.within(0.2, 0.38), random.within(0.03, 0.22));
+        let point = |k: u32| {
+            let share = f64::from(k) / f64::from(steps);
+            // A little up and down besides.
+            let odd = if k == 0 || k == steps {
+                0.0
+            } else {
+                random.within(-0.03, 0.03)
+            };
+            let part = foot + (top - foot) * share + odd;
+            at(root + (tip - root) * share, sign * part * pitch)
+        };
+        (0..=steps).map(point).collect()
+    };
+    let left = side(random, -1.0);
+    let mut right = side(random, 1.0);
+    right.reverse();
+    let mut path: Vec<PathSegment> = Vec::new();
+    let walk: Vec<Point2<f64>> = left.into_iter().chain(right).collect();
+    for ends in walk.windows(2) {
+        let [a, b] = [ends[0], ends[1]];
+        path.push(match random.tooth(3) {
+            1 => PathSegment::Line([a, b]),
+            2 => {
+                let across = Rotation2::new(FRAC_PI_2) * (b - a);
+                let off = random.within(-0.12, 0.12);
+                PathSegment::Cubic([
+                    a,
+                    a + (b - a) / 3.0 + across * off,
+                    b - (b - a) / 3.0 - across * off,
+                    b,
+                ])
+            }
+            _ => {
+                // Through a middle that lies a tenth of the chord beside it: tan(sweep/4) is twice that.
+                let bulge = random.within(-0.2, 0.2);
+                let left = Rotation2::new(FRAC_PI_2) * (b - a);
+                let centre = a + (b - a) * 0.5 + left * ((1.0 - bulge * bulge) / (4.0 * bulge));
+                let from = a - centre;
+                PathSegment::Arc {
+                    centre,
+                    radius: from.norm(),
+                    start: from.y.atan2(from.x),
+                    sweep: 4.0 * bulge.atan(),
+                }
+            }
+        });
+    }
+    path
+}
+
+/// Wheels of odd teeth, no two alike: polygons overlap just outside the play that is found and not just inside it.
+#[test]
+fn odd_teeth_overlap_just_outside_the_play() {
+    let (mut clear, mut tight) = (0, 0);
+    for seed in 0..160u64 {
+        let mut random = Random(seed);
+        let mut wheel = || {
+            let teeth = 5 + random.tooth(20);
+            let root = 0.9 * f64::from(teeth);
+            let (depth, segments) = (random.within(2.0, 3.5), &mut random);
+            let odd: Vec<PathSegment> = (0..teeth)
+                .flat_map(|k| {
+                    let tooth = odd_tooth(segments, teeth, root, root + depth);
+                    turned(&tooth, -TAU * f64::from(k) / f64::from(teeth))
+                })
+                .collect();
+            let closed = closed_by_arcs(&odd);
+            let reading = OutlineReading {
+                centre: Point2::origin(),
+                face: Face::Front,
+                teeth: Some(teeth),
+                first_tooth: None,
+                bound: 0.0,
+            };
+            OutlineGear::new(&closed, &reading).map(|gear| (gear, root, depth))
+        };
+        // Curves may cross: no gear.
+        let (Ok((wheel, a, b)), Ok((pinion, c, d))) = (wheel(), wheel()) else {
+            continue;
+        };
+        let locked = [Member::Wheel, Member::Pinion][seed as usize % 2];
+        let distance = a + c + random.within(0.5, 0.95) * (b + d);
+        let pair = OutlinePair::new(wheel, pinion, distance, locked).unwrap();
+        let kernel = OutlineKernel::new(&pair);
+        for k in 0..6u32 {
+            let mating = at(k % 5 + 1, (k + 1) % 5 + 1, 0.23 * f64::from(k));
+            let found = kernel.lost_motion(&mating).unwrap();
+            let Some((right, left)) = found.right.zip(found.left) else {
+                continue;
+            };
+            let off = |contact: &OutlineContact| contact.error + 2e-4;
+            if found.status() == Status::Clear && left.rotation - right.rotation > 2e-3 {
+                for inside in [
+                    right.rotation + off(&right),
+                    left.rotation - off(&left),
+                    0.5 * (right.rotation + left.rotation),
+                ] {
+                    assert!(!cross(&pair, &mating, inside), "{seed} {k} {found:?}");
+                }
+                assert!(
+                    cross(&pair, &mating, right.rotation - 4.0 * off(&right)),
+                    "{seed} {k} {found:?}"
+                );
+                assert!(
+                    cross(&pair, &mating, left.rotation + 4.0 * off(&left)),
+                    "{seed} {k} {found:?}"
+                );
+                clear += 1;
+            } else if found.status() == Status::Interference {
+                for share in [0.0, 0.3, 0.7, 1.0] {
+                    let between = left.rotation + share * (right.rotation - left.rotation);
+                    assert!(
+                        cross(&pair, &mating, between) || right.rotation - left.rotation < 1e-3,
+                        "{seed} {k} {found:?}"
+                    );
+                }
+                tight += 1;
+            }
+        }
+    }
+    assert!(clear > 400 && tight > 8, "{clear} {tight}");
 }

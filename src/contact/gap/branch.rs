@@ -329,11 +329,22 @@ pub(in crate::contact) fn greatest<'a>(
             record(locked.middle_parameter(), free.middle_parameter(), play);
             continue;
         }
-        if !free.can_be_cut() || locked.can_be_cut() && locked.reach >= free.reach {
-            nodes.extend(locked.cut().map(|arc| (arc, free)));
-        } else {
-            nodes.extend(free.cut().map(|arc| (locked, arc)));
-        }
+        let at_locked = !free.can_be_cut() || locked.can_be_cut() && locked.reach >= free.reach;
+        let halves = match at_locked {
+            true => locked.cut().map(|arc| (arc, free)),
+            false => free.cut().map(|arc| (locked, arc)),
+        };
+        let [first, second] = halves.map(|(locked, free)| {
+            let bound = locked.gap_with(&free, origin).1;
+            (bound, locked.meets(&free) && bound > level, (locked, free))
+        });
+        // The half that may have the greater gap last, where it is taken first: where a curve runs round the axis the gap grows along it.
+        let ordered = match first.0 > second.0 {
+            true => [second, first],
+            false => [first, second],
+        };
+        let open = ordered.into_iter().filter(|half| half.1);
+        nodes.extend(open.map(|half| half.2));
     }
     Ok(best)
 }

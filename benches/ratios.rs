@@ -3,10 +3,11 @@
 //! `cargo bench --bench ratios`. Every time is the least of several rounds: what else the machine does adds time, never takes it.
 
 use gearlash::analytic::LineOfAction;
-use gearlash::contact::{Certifier, CutPair, ExactKernel, Method, sweep};
+use gearlash::contact::{Certifier, CutPair, ExactKernel, Method, OutlineKernel, sweep};
 use gearlash::gear::{
     AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, HalfTooth, Pitch, Side,
 };
+use gearlash::outline::{OutlineGear, OutlinePair, OutlineReading, of_gear};
 use gearlash::pair::{GearPair, Mating, Member, Pose, SweepPlan};
 use nalgebra::{Isometry2, Point2, Vector2};
 use parry2d_f64::math::{Pose2, Vector};
@@ -103,6 +104,33 @@ fn exact(assembly: &GearPair) -> f64 {
     a_pose(&poses(assembly), |pose| {
         black_box(kernel.lost_motion(pose).unwrap());
     })
+}
+
+/// Seconds a pose of the same gears drawn in chords, and how many parts a tooth has.
+fn outlines(assembly: &GearPair) -> (f64, usize) {
+    let mut parts = 0;
+    let mut drawn = |member| {
+        let built = assembly.gear(member);
+        let segments = of_gear(built, 3e-3);
+        let teeth = built.gear().basic_data().teeth();
+        parts = segments.len() / teeth as usize;
+        let reading = OutlineReading {
+            centre: Point2::origin(),
+            face: built.face(),
+            teeth: Some(teeth),
+            first_tooth: None,
+            bound: 0.0,
+        };
+        OutlineGear::new(&segments, &reading).unwrap()
+    };
+    let (wheel, pinion) = (drawn(Member::Wheel), drawn(Member::Pinion));
+    let distance = assembly.center_distance();
+    let pair = OutlinePair::new(wheel, pinion, distance, assembly.locked()).unwrap();
+    let kernel = OutlineKernel::new(&pair);
+    let seconds = a_pose(&poses(assembly), |pose| {
+        black_box(kernel.lost_motion(pose.mating()).unwrap());
+    });
+    (seconds, parts)
 }
 
 fn model_3(assembly: &GearPair) -> f64 {
@@ -237,6 +265,9 @@ fn main() {
         "µs",
         "≤ 1.2",
     );
+    let (seconds, parts) = outlines(&wild);
+    let what = format!("outlines, 44/44 deviated, {parts} parts a tooth");
+    row(&what, seconds * 1e6, "µs", "≤ 20");
     for (what, assembly, exact) in [
         ("perfect", &perfect, exact_perfect),
         ("deviated, eccentric", &wild, exact_wild),

@@ -8,6 +8,7 @@ mod exaggeration;
 mod gap;
 mod lost_motion;
 mod outline;
+mod outline_contact;
 mod overlap;
 mod pair_at_distance;
 mod parry;
@@ -23,9 +24,8 @@ pub use drawn_contact::DrawnContact;
 pub use exact::{Doubt, ExactKernel, Extreme, Extremes};
 pub use exaggeration::{Exaggeration, Found};
 pub use lost_motion::{Contact, LostMotion, Status, Touch};
-pub use outline::{
-    OutlineContact, OutlineKernel, OutlineLostMotion, OutlineTouch, Region, Unsettled,
-};
+pub use outline::OutlineKernel;
+pub use outline_contact::{OutlineContact, OutlineLostMotion, OutlineTouch, Region, Unsettled};
 pub use overlap::Overlap;
 pub use pair_at_distance::PairAtDistance;
 pub(crate) use pair_at_distance::reach;

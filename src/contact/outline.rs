@@ -6,130 +6,12 @@
 
 use super::exact::lens_half;
 use super::gap::{Arc, C, MOST_NODES, Meeting, PlacedCurve, Sample, greatest, slope, turn};
-use super::lost_motion::Status;
+use super::outline_contact::{OutlineContact, OutlineLostMotion, OutlineTouch, Region, Unsettled};
 use crate::gear::Side;
 use crate::outline::{HalfOutline, HalfPiece, OutlineGear, OutlinePair};
 use crate::pair::{Mating, Member};
 use nalgebra::{Point2, Vector2};
 use std::f64::consts::{PI, TAU};
-
-/// Where on a tooth of an outline.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
-pub enum Region {
-    /// Within the upper hundredth of its height.
-    Tip,
-    /// Between.
-    Flank,
-    /// Within the lower hundredth.
-    Root,
-}
-
-impl Region {
-    /// `tip`, `flank` or `root`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Region::Tip => "tip",
-            Region::Flank => "flank",
-            Region::Root => "root",
-        }
-    }
-}
-
-/// What one gear brings to a contact.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct OutlineTouch {
-    /// Tooth number, `1..=z`.
-    pub tooth: u32,
-    /// Where on it.
-    pub region: Region,
-    /// Radius about the gear's own geometric centre, mm.
-    pub radius: f64,
-}
-
-/// Contact of the free gear on one side.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct OutlineContact {
-    /// Rotation of the free gear at contact, rad, counted from where tooth 1 points at the mate.
-    pub rotation: f64,
-    /// The rotation of the drawn outlines lies within `rotation ± error`, rad: rounding, what the search left out, and, to first order,
-    /// how far the outlines may lie from what was drawn.
-    pub error: f64,
-    /// The wheel's part.
-    pub wheel: OutlineTouch,
-    /// The pinion's part.
-    pub pinion: OutlineTouch,
-    /// Point of contact in the picture frame, mm.
-    pub point: Point2<f64>,
-    /// Unit normal at the contact, out of the wheel's metal.
-    pub normal: Vector2<f64>,
-}
-
-/// Right- and left-flank contact of the free gear at one pose.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct OutlineLostMotion {
-    /// Limit of clockwise rotation.
-    pub right: Option<OutlineContact>,
-    /// Limit of counter-clockwise rotation.
-    pub left: Option<OutlineContact>,
-    /// Whether no rotation of the free gear can free it.
-    pub solid: bool,
-}
-
-impl OutlineLostMotion {
-    /// How the pose ended; an overlap in which a root region takes part is a tip in a root: jammed.
-    pub fn status(&self) -> Status {
-        if self.solid {
-            return Status::Jammed;
-        }
-        let (Some(right), Some(left)) = (&self.right, &self.left) else {
-            return Status::NoContact;
-        };
-        let on_root = |contact: &OutlineContact| {
-            [contact.wheel.region, contact.pinion.region].contains(&Region::Root)
-        };
-        if left.rotation >= right.rotation {
-            Status::Clear
-        } else if on_root(right) || on_root(left) {
-            Status::Jammed
-        } else {
-            Status::Interference
-        }
-    }
-
-    /// Lost motion `φ_j` = left − right, rad; negative when the pair interferes, `None` when jammed or out of mesh.
-    pub fn angle(&self) -> Option<f64> {
-        match self.status() {
-            Status::Clear | Status::Interference => {
-                Some(self.left?.rotation - self.right?.rotation)
-            }
-            Status::Jammed | Status::NoContact | Status::Unproven => None,
-        }
-    }
-
-    /// Bound on the error of [`OutlineLostMotion::angle`], rad.
-    pub fn error(&self) -> Option<f64> {
-        Some(self.left?.error + self.right?.error)
-    }
-}
-
-/// A pose that was not settled within [`MOST_NODES`] steps of the search.
-#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-#[error(
-    "the search for the contact of wheel tooth {wheel_tooth} and pinion tooth {pinion_tooth} on {flank} flanks did not end"
-)]
-pub struct Unsettled {
-    /// Wheel tooth.
-    pub wheel_tooth: u32,
-    /// Pinion tooth.
-    pub pinion_tooth: u32,
-    /// `right` or `left`.
-    pub flank: &'static str,
-}
 
 /// Lost motion of one pair of outlines.
 #[derive(Debug)]
@@ -147,7 +29,36 @@ struct SideKernel<'a> {
     locked: SideTeeth<'a>,
     free: SideTeeth<'a>,
     /// Whole pieces of each free half tooth, by number, at rotation 0.
-    free_arcs: Vec<Vec<Arc<'a>>>,
+    free_arcs: Vec<FreeArcs<'a>>,
+}
+
+/// The pieces of a free half tooth, by their least radius ascending.
+#[derive(Debug)]
+struct FreeArcs<'a> {
+    arcs: Vec<Arc<'a>>,
+    /// Greatest range of radii of a piece, mm.
+    widest: f64,
+}
+
+impl<'a> FreeArcs<'a> {
+    fn new(mut arcs: Vec<Arc<'a>>) -> FreeArcs<'a> {
+        arcs.sort_by(|a, b| a.radii().0.total_cmp(&b.radii().0));
+        let widths = arcs.iter().map(|arc| arc.radii().1 - arc.radii().0);
+        FreeArcs {
+            widest: widths.fold(0.0, f64::max),
+            arcs,
+        }
+    }
+
+    /// The range of places of pieces among which all are that may have a point at a radius of `arc`.
+    fn near(&self, arc: &Arc) -> std::ops::Range<usize> {
+        let (least, most) = arc.radii();
+        let from = self
+            .arcs
+            .partition_point(|free| free.radii().0 < least - self.widest);
+        let to = self.arcs.partition_point(|free| free.radii().0 <= most);
+        from..to.max(from)
+    }
 }
 
 /// One side of a gear's teeth, in the frame of the side.
@@ -242,9 +153,11 @@ impl<'a> OutlineKernel<'a> {
             };
             let arcs = (1..=free.gear.teeth()).map(|tooth| {
                 let pieces = free.half(tooth).pieces.iter().enumerate();
-                pieces
-                    .map(|(name, piece)| still.free_arc(piece, name))
-                    .collect()
+                FreeArcs::new(
+                    pieces
+                        .map(|(name, piece)| still.free_arc(piece, name))
+                        .collect(),
+                )
             });
             SideKernel {
                 side,
@@ -382,7 +295,11 @@ impl SideKernel<'_> {
             .collect();
         let mut bounded: Vec<(f64, u32, u32)> = Vec::new();
         for (k, arc) in arcs.iter().enumerate() {
-            for (m, free) in frees.iter().enumerate().filter(|(_, free)| arc.meets(free)) {
+            for m in frees.near(arc) {
+                let free = &frees.arcs[m];
+                if !arc.meets(free) {
+                    continue;
+                }
                 let (least, most) = arc.gap_with(free, origin);
                 // One that is there is found again below: a strictly greater gap counts.
                 level = level.max(least - f64::EPSILON);
@@ -394,7 +311,7 @@ impl SideKernel<'_> {
         // The most promising last, where it is taken first.
         bounded.retain(|(most, ..)| *most > level);
         bounded.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let arc = |&(_, k, m): &(f64, u32, u32)| (arcs[k as usize], frees[m as usize]);
+        let arc = |&(_, k, m): &(f64, u32, u32)| (arcs[k as usize], frees.arcs[m as usize]);
         bounded.iter().map(arc).collect()
     }
 

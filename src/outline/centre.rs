@@ -4,7 +4,7 @@ use super::error::OutlineError;
 use super::path::ClosedPath;
 use super::segment::PathSegment;
 use super::teeth::find;
-use nalgebra::{Matrix3, Point2, Vector3};
+use nalgebra::{Matrix3, Point2, Vector2, Vector3};
 
 /// Rounds: each finds the tips anew about the centre of the round before; the centre moves by the tips' own spread at most (tuned).
 const ROUNDS: u32 = 8;
@@ -23,12 +23,8 @@ pub struct FittedCentre {
 /// # Errors
 /// As [`super::OutlineGear::new`].
 pub fn fit_centre(segments: &[PathSegment]) -> Result<FittedCentre, OutlineError> {
-    let ends: Vec<Point2<f64>> = segments.iter().map(PathSegment::start).collect();
-    let sum = ends
-        .iter()
-        .fold(nalgebra::Vector2::zeros(), |sum, end| sum + end.coords);
     let mut fitted = FittedCentre {
-        centre: Point2::from(sum / ends.len().max(1) as f64),
+        centre: centroid(segments),
         residual: 0.0,
     };
     for _ in 0..ROUNDS {
@@ -54,4 +50,28 @@ pub fn fit_centre(segments: &[PathSegment]) -> Result<FittedCentre, OutlineError
         };
     }
     Ok(fitted)
+}
+
+/// The centroid of the area that the segments' ends and middles enclose.
+fn centroid(segments: &[PathSegment]) -> Point2<f64> {
+    let points: Vec<Point2<f64>> = segments
+        .iter()
+        .flat_map(|segment| [segment.start(), segment.at(0.5)])
+        .collect();
+    let Some(first) = points.first() else {
+        return Point2::origin();
+    };
+    let (mut area, mut moment) = (0.0, Vector2::zeros());
+    for (a, b) in points.iter().zip(points.iter().cycle().skip(1)) {
+        let (a, b) = (a - first, b - first);
+        let twice = a.perp(&b);
+        area += twice;
+        moment += (a + b) * (twice / 3.0);
+    }
+    // Of a path without area its first point: what follows says what is wrong with it.
+    if area == 0.0 {
+        *first
+    } else {
+        first + moment / area
+    }
 }

@@ -39,7 +39,7 @@ pub enum OutlineError {
     },
     /// Fewer than three teeth.
     #[error(
-        "{found} teeth are found between diameters {root_diameter_mm:.4} and {tip_diameter_mm:.4} mm; a gear has at least 3"
+        "of teeth {found} are found between diameters {root_diameter_mm:.4} and {tip_diameter_mm:.4} mm; a gear has at least 3"
     )]
     TooFewTeeth {
         /// How many.
@@ -64,13 +64,13 @@ pub enum OutlineError {
     },
     /// Teeth at uneven distances: one is missing, or something else sticks out.
     #[error(
-        "the teeth are not evenly spaced: from the one at {} to the next it is {pitches:.3} of a pitch",
+        "the teeth are not evenly spaced: the one at {} stands {pitches:.3} of a pitch from its even place",
         at(tip)
     )]
     Uneven {
-        /// The tip of the tooth clockwise of the space.
+        /// The tip of the tooth farthest off.
         tip: Point2<f64>,
-        /// Its distance from the next tooth, in pitches.
+        /// How far, in pitches, counter-clockwise positive.
         pitches: f64,
     },
     /// A runout that leaves the axis outside.

@@ -15,7 +15,7 @@ use std::sync::Arc;
 /// means another tooth says so with the direction of tooth 1.
 const UPRIGHT: f64 = 0.1;
 
-/// Teeth off their even places by more than this share of a pitch are no gear.
+/// Teeth off their even places by more than this share of a pitch are no gear; contact counts on it when it chooses the teeth in reach.
 const UNEVEN: f64 = 0.5;
 
 /// Chords of a gear by its data, drawn, of its tip radius: a tenth of a line's width in the largest picture.
@@ -85,13 +85,12 @@ impl OutlineGear {
             }
         };
         let pitch = TAU / found.len() as f64;
-        for tooth in 0..found.len() {
-            let next = directions[(tooth + 1) % found.len()];
-            let pitches = (next - directions[tooth]).rem_euclid(TAU) / pitch;
-            if (pitches - 1.0).abs() > UNEVEN {
-                let tip = in_drawing(tooth);
-                return Err(OutlineError::Uneven { tip, pitches });
-            }
+        let off = off_even_places(&directions);
+        if let Some(tooth) = (0..off.len()).find(|&tooth| off[tooth].abs() > UNEVEN * pitch) {
+            return Err(OutlineError::Uneven {
+                tip: in_drawing(tooth),
+                pitches: off[tooth] / pitch,
+            });
         }
         let first = first_tooth(&directions, reading);
         if let Some(stated) = reading
@@ -309,6 +308,22 @@ fn direction(tooth: &FoundTooth, radius: f64) -> f64 {
         .each_ref()
         .map(|half| half.angle_at(radius).unwrap_or(0.0));
     right + 0.5 * (-left - right).rem_euclid(TAU)
+}
+
+/// How far each of the teeth in these directions, rad, counter-clockwise in order, stands from its even place; the even places are where the
+/// greatest distance is least.
+fn off_even_places(directions: &[f64]) -> Vec<f64> {
+    let pitch = TAU / directions.len() as f64;
+    let mut off: Vec<f64> = Vec::with_capacity(directions.len());
+    for (k, direction) in directions.iter().enumerate() {
+        let there = direction - directions[0] - pitch * k as f64;
+        // On from the tooth before: places add up over the teeth.
+        let before = off.last().copied().unwrap_or(0.0);
+        off.push(there - TAU * ((there - before) / TAU).round());
+    }
+    let most = off.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let least = off.iter().copied().fold(f64::INFINITY, f64::min);
+    off.iter().map(|off| off - 0.5 * (most + least)).collect()
 }
 
 /// Which of the teeth in these directions (rad, in the picture) has the number 1.

@@ -3,6 +3,9 @@
 use crate::gear::PartCurve;
 use nalgebra::{Complex, Point2};
 
+/// Share of a piece within which a point is at its end: far above rounding, far below what an edge could be rounded by.
+const AT_END: f64 = 1e-9;
+
 /// A piece of a curve in the frame of its half tooth's side: the gear's own, its tooth 1 on +x, mirrored in the x axis on the left side.
 #[derive(Debug, Clone, Copy)]
 pub struct HalfPiece {
@@ -37,9 +40,11 @@ impl HalfPiece {
         (from.min(to), from.max(to))
     }
 
-    /// Whether it has an edge at `t`, one of its ends or between them.
+    /// Whether it has an edge at `t`: at an end, or as near to it as a search ends.
     pub(crate) fn is_corner(&self, t: f64) -> bool {
-        (0..2).any(|end| self.corners[end] && t == self.ends[end])
+        let (low, high) = self.range();
+        let near = AT_END * (high - low);
+        (0..2).any(|end| self.corners[end] && (t - self.ends[end]).abs() <= near)
     }
 }
 
@@ -87,7 +92,7 @@ impl HalfOutline {
         None
     }
 
-    /// Marks the ends at which neighbouring pieces do not continue each other's direction within `tolerance`, rad, and the two free ends.
+    /// Marks the ends at which neighbouring pieces do not continue each other's direction within `tolerance`, rad.
     pub(super) fn mark_corners(&mut self, tolerance: f64) {
         for k in 1..self.pieces.len() {
             let (before, after) = (&self.pieces[k - 1], &self.pieces[k]);

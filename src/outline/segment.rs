@@ -3,6 +3,9 @@
 use crate::gear::{Circle, Cubic, Line, PartCurve};
 use nalgebra::{Point2, Vector2};
 
+/// Chords of one segment at most: a picture of a curve that leaves the drawing far behind has an end.
+const MOST_CHORDS: f64 = 1e6;
+
 /// A segment of a drawn path, mm, from its start to its end.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum PathSegment {
@@ -167,7 +170,7 @@ impl PathSegment {
                 (bend[0].max(bend[1]) / (8.0 * chordal_error)).sqrt()
             }
         };
-        let pieces = pieces.ceil().max(1.0) as u32;
+        let pieces = pieces.ceil().clamp(1.0, MOST_CHORDS) as u32;
         (0..pieces).map(move |i| self.at(f64::from(i) / f64::from(pieces)))
     }
 }

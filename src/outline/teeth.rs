@@ -1,7 +1,7 @@
 //! The teeth of a closed path: where its radius rises and falls, and the halves it is cut into.
 //!
 //! A tooth is a stretch that rises from the lower third of the depth into the upper third and falls back; what wobbles within a third is
-//! none. Its tip region reaches from where it first comes within a twentieth of the tooth's own height of its top to where it last leaves
+//! none. Its tip region reaches from where it first comes within a twentieth of the depth of its top to where it last leaves
 //! that; a root region likewise. A half tooth runs from the far end of the tip region to the middle, along the path, of the root region:
 //! the land of the tip whole, as its far end may be what reaches a mate.
 

@@ -4,7 +4,7 @@ use crate::outlines::{drawn, measured};
 use crate::random::Random;
 use gearlash::contact::{OutlineContact, OutlineKernel, OutlineTouch, Status};
 use gearlash::gear::{Face, Side};
-use gearlash::outline::{OutlineGear, OutlinePair, OutlineReading, PathSegment};
+use gearlash::outline::{OutlineError, OutlineGear, OutlinePair, OutlineReading, PathSegment};
 use gearlash::pair::{Mating, Member};
 use nalgebra::{Point2, Rotation2, Vector2};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -427,4 +427,59 @@ fn odd_teeth_overlap_just_outside_the_play() {
         }
     }
     assert!(clear > 400 && tight > 8, "{clear} {tight}");
+}
+
+/// Straight flanks that coincide all along, as those of two equal wheels do at the pitch point: the gap has no one greatest place, and the search
+/// had no end.
+#[test]
+fn equal_straight_flanks_are_settled() {
+    let corner = |radius: f64, angle: f64| {
+        let (sin, cos) = (FRAC_PI_2 + angle).sin_cos();
+        Point2::new(radius * cos, radius * sin)
+    };
+    let pitch = TAU / 20.0;
+    let walk = [(18.0, 0.3), (22.0, 0.12), (22.0, -0.12), (18.0, -0.3)];
+    let walk = walk.map(|(radius, share)| corner(radius, share * pitch));
+    let tooth: Vec<PathSegment> = walk
+        .windows(2)
+        .map(|ends| PathSegment::Line([ends[0], ends[1]]))
+        .collect();
+    let wheel = || gear(&repeated(20, &tooth), 0.0);
+    let pair = OutlinePair::new(wheel(), wheel(), 40.5, Member::Wheel).unwrap();
+    let kernel = OutlineKernel::new(&pair);
+    for k in 0..20 {
+        let mating = at(k + 1, (20 - k) % 20 + 1, 0.0);
+        let found = kernel.lost_motion(&mating).unwrap();
+        let (right, left) = (found.right.unwrap(), found.left.unwrap());
+        assert!(left.rotation > right.rotation && right.error < 1e-9);
+        assert!(!cross(
+            &pair,
+            &mating,
+            0.5 * (left.rotation + right.rotation)
+        ));
+    }
+}
+
+/// Teeth at uneven places: contact takes the tooth that faces another by its number, which holds up to half a pitch.
+#[test]
+fn teeth_half_a_pitch_off_their_places_are_refused() {
+    let pitch = TAU / 24.0;
+    let tooth = pin(24.0, 1.2, 21.0);
+    // Twelve at four fifths of a pitch, twelve at six fifths: three pitches off in the middle.
+    let mut angle = 0.0;
+    let teeth = (0..24).flat_map(|k| {
+        let there = turned(&tooth, -angle);
+        angle += if k < 12 { 0.8 } else { 1.2 } * pitch;
+        there
+    });
+    let closed = closed_by_arcs(&teeth.collect::<Vec<PathSegment>>());
+    let reading = OutlineReading {
+        centre: Point2::origin(),
+        face: Face::Front,
+        teeth: None,
+        first_tooth: None,
+        bound: 0.0,
+    };
+    let refused = OutlineGear::new(&closed, &reading);
+    assert!(matches!(refused, Err(OutlineError::Uneven { pitches, .. }) if pitches.abs() > 0.5));
 }

@@ -66,12 +66,13 @@ enum Format {
 
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
-    if args.map && args.pairs.len() > 1 {
+    let drawn = drawings(args)?;
+    if args.map && drawn.is_none() && args.pairs.len() > 1 {
         return Err(Error::Usage(
             "--map draws one pair: give one pair file".to_owned(),
         ));
     }
-    let (paths, files) = match drawings(args)? {
+    let (paths, files) = match drawn {
         Some(pair) => {
             let path = PathBuf::from(&pair.stem);
             (vec![path], vec![AnyPair::Outlines(Box::new(pair))])

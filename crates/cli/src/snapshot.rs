@@ -11,7 +11,7 @@ use crate::error::Error;
 use clap::ValueEnum;
 use gearlash::analysis::outlines::OutlinePose;
 use gearlash::analysis::study::{Material, Study};
-use gearlash::contact::{CutPair, LostMotion, Method, Unproven, sweep};
+use gearlash::contact::{CutPair, LostMotion, Method, Status, Unproven, sweep};
 use gearlash::gear::Side;
 use gearlash::outline::OutlinePair;
 use gearlash::pair::{GearPair, Mating, Member, Pose};
@@ -138,9 +138,11 @@ fn of_outlines(args: &Args, mut file: OutlinePairFile) -> Result<ExitCode, Error
         };
         file.study.materials.retain(|gears| gears.0 == wanted);
     }
+    let mut unproven = 0;
     let drawn = match (args.worst, args.mating, args.flank) {
         (true, ..) => {
             let runs = outlines::runs(&file, &MethodArgs::default())?;
+            unproven = runs.iter().map(|run| run.count(Status::Unproven)).sum();
             tell(&gearlash_files::outlines::sentence(&runs));
             outlines::worst(&runs).map(|(run, pose)| {
                 (
@@ -187,10 +189,12 @@ fn of_outlines(args: &Args, mut file: OutlinePairFile) -> Result<ExitCode, Error
         }
     };
     target.write(&picture)?;
-    Ok(match all_proven(usize::from(pose.found.is_err())) {
-        true => ExitCode::SUCCESS,
-        false => ExitCode::from(1),
-    })
+    Ok(
+        match all_proven(unproven.max(usize::from(pose.found.is_err()))) {
+            true => ExitCode::SUCCESS,
+            false => ExitCode::from(1),
+        },
+    )
 }
 
 fn which() -> Error {

@@ -90,6 +90,14 @@ impl DataFile {
         }
     }
 
+    /// What was found in the file, in words that may hold names from it and have been cut already.
+    pub fn found(&self, words: String) -> String {
+        match self.outside {
+            true => NOT_SHOWN.to_owned(),
+            false => words,
+        }
+    }
+
     /// A problem in the file. What the reason says of its content has been through [`DataFile::quote`] or [`DataFile::bare`].
     pub fn problem(&self, reason: impl std::fmt::Display, help: impl Into<String>) -> Problem {
         Problem {

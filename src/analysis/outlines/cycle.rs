@@ -179,7 +179,7 @@ impl Cycle {
     }
 }
 
-/// Whether a pose overlaps, or nothing vouches that it does not.
+/// Whether a pose overlaps.
 pub(super) fn binds(pose: &OutlinePose) -> bool {
-    !matches!(pose.status(), Status::Clear | Status::NoContact)
+    matches!(pose.status(), Status::Interference | Status::Jammed)
 }

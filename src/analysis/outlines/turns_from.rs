@@ -1,11 +1,11 @@
 //! From which centre distance on a pair of outlines turns through its cycle.
 //!
-//! At a distance the tightest pose binds; the distance at which that pose is free is found by halving, and the cycle looked at there: where
+//! At a distance the tightest pose binds; a distance at which that pose is free is found by growing steps and halving, and the cycle looked at there: where
 //! another pose binds it is the tightest next. A few rounds end at a distance at which none does.
 
 use super::OutlineRun;
 use super::cycle::{Cycle, OutlinePose, binds};
-use crate::contact::OutlineKernel;
+use crate::contact::{OutlineKernel, Status};
 use crate::error::Error;
 use crate::outline::OutlinePair;
 use crate::pair::{Mating, Member};
@@ -16,6 +16,9 @@ const ROUNDS: u32 = 40;
 
 /// The distance is found to within this, mm: a tenth of what is shown.
 const WIDTH: f64 = 1e-5;
+
+/// First step towards a greater distance, mm: what many pairs are short of (tuned).
+const FIRST_STEP: f64 = 0.01;
 
 /// A centre distance from which on a pair turns.
 #[derive(Debug, Clone)]
@@ -28,7 +31,7 @@ pub struct TurnsFrom {
     pub pose: OutlinePose,
 }
 
-/// The distance from which on the pair of `run`, which binds, turns; `None` where it binds until tips pass each other.
+/// The distance from which on the pair of `run`, which binds, turns; `None` where it binds until tips pass each other, or a pose is not settled.
 pub(super) fn find(
     run: &OutlineRun,
     cycle: &Cycle,
@@ -41,7 +44,7 @@ pub(super) fn find(
         .sum();
     let tightest = |poses: &[OutlinePose]| {
         let binding = poses.iter().filter(|pose| binds(pose));
-        // What has no value, jammed or not settled, comes first.
+        // What has no value, jammed, comes first.
         let key = |pose: &&OutlinePose| pose.angle().unwrap_or(f64::NEG_INFINITY);
         binding.min_by(|a, b| key(a).total_cmp(&key(b))).cloned()
     };
@@ -56,9 +59,15 @@ pub(super) fn find(
         let binds_at = |distance: f64| -> Result<bool, Error> {
             Ok(binds(&look(&pair.at(distance)?, start, pose.pitches)))
         };
-        let (mut low, mut high) = (floor, apart.max(floor) + WIDTH);
-        if binds_at(high)? {
-            return Ok(None);
+        // In growing steps: the nearest distance at which it is free, not one where tips pass each other.
+        let (mut low, mut step) = (floor, FIRST_STEP);
+        let mut high = low + step;
+        while binds_at(high)? {
+            if high > apart {
+                return Ok(None);
+            }
+            step *= 2.0;
+            (low, high) = (high, high + step);
         }
         while high - low > WIDTH {
             let middle = 0.5 * (low + high);
@@ -70,6 +79,12 @@ pub(super) fn find(
         floor = high;
         let there = pair.at(high)?;
         let poses = cycle.sampled(&there, start, &|| ControlFlow::Continue(()))?;
+        // Out of mesh it does not turn the mate, and of a pose that is not settled nobody knows.
+        let is_lost =
+            |pose: &OutlinePose| matches!(pose.status(), Status::NoContact | Status::Unproven);
+        if poses.iter().any(is_lost) {
+            return Ok(None);
+        }
         let [closest, _] = cycle.extremes(&there, &poses);
         next = closest.filter(binds).or_else(|| tightest(&poses));
         found = Some(TurnsFrom { high, low, pose });

@@ -121,6 +121,11 @@ impl<'a> Arc<'a> {
         Some((scaled(least, least < 0.0), scaled(most, most > 0.0)))
     }
 
+    /// Least and greatest radius, or bounds of them, mm.
+    pub fn radii(&self) -> (f64, f64) {
+        self.radii
+    }
+
     /// Whether both may have points at one radius.
     pub fn meets(&self, other: &Arc) -> bool {
         self.radii.0.max(other.radii.0) <= self.radii.1.min(other.radii.1)
@@ -302,6 +307,15 @@ pub(in crate::contact) fn greatest<'a>(
             }
             if a.1 <= b.0 {
                 meet(inner, 0.0);
+                continue;
+            }
+            let straight = Some((0.0, 0.0));
+            let both_straight =
+                |a: Option<(f64, f64)>| a.map(|(l, m)| (l.abs(), m.abs())) == straight;
+            if both_straight(locked.bend) && both_straight(free.bend) {
+                // `sin ψ = d/ρ`, `d` the line's distance from the axis: which slope is greater is the same all along.
+                meet(inner, 0.0);
+                meet(outer, 0.0);
                 continue;
             }
             let changes = locked

@@ -225,3 +225,22 @@ fn faults_of_an_outline_have_their_key() {
     assert_eq!(code, Some(2));
     assert!(said.contains("must be above 22.0000 mm"), "{said}");
 }
+
+/// Nothing of a drawing outside the pair file's folder is shown.
+#[test]
+fn a_drawing_elsewhere_is_not_quoted() {
+    let folder = copied();
+    let inner = folder.path().join("inner");
+    std::fs::create_dir(&inner).unwrap();
+    std::fs::write(folder.path().join("secret.csv"), "x,y\npassword,hunter2\n").unwrap();
+    let text = "[wheel.outline]\nfile = \"../secret.csv\"\nunits = \"mm\"\n\
+                [pinion.outline]\nfile = \"../wheel_20.dxf\"\nlayer = \"X\"\n[assembly]\ncenter_distance_mm = 40\n";
+    std::fs::write(inner.join("pair.toml"), text).unwrap();
+    let (code, _, said) = run(&inner, &["check", "pair.toml"]);
+    assert_eq!(code, Some(2));
+    assert!(
+        !said.contains("password") && !said.contains("hunter2") && !said.contains("OUTLINE"),
+        "{said}"
+    );
+    assert!(said.contains("not shown"), "{said}");
+}

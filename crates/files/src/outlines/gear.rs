@@ -1,7 +1,8 @@
 //! `[wheel.outline]` and `[pinion.outline]`: from the keys and the drawing to the gear.
 
+use super::paths::{Path, outermost, whole_circle};
 use crate::data_file::DataFile;
-use crate::drawing::{self, Drawing, JOIN_MM, Loop, Options, Unit};
+use crate::drawing::{self, JOIN_MM, Options, Unit};
 use crate::entry::Entry;
 use crate::limits::{COORDINATE, FIRST_TOOTH, JOIN, TEETH};
 use crate::node::Node;
@@ -13,9 +14,8 @@ use crate::spec::{
 };
 use crate::table::Table;
 use gearlash::gear::Face;
-use gearlash::outline::{OutlineError, OutlineGear, OutlineReading, PathSegment, fit_centre};
+use gearlash::outline::{OutlineError, OutlineGear, OutlineReading, fit_centre};
 use nalgebra::Point2;
-use std::f64::consts::TAU;
 
 const KEYS: &[&str] = &[
     "file",
@@ -123,8 +123,19 @@ pub(super) fn read(file: &Table, name: &str, problems: &mut Problems) -> Option<
     };
     let segments = &path.outline.segments;
     let gear = OutlineGear::new(segments, &reading);
-    let gear = gear.map_err(|error| data.problem(place(&path, &error), help(&error)));
+    let gear = gear.map_err(|error| data.problem(data.found(place(&path, &error)), help(&error)));
     let gear = problems.keep(gear)?;
+    if gear.teeth() > *TEETH.end() {
+        problems.add(data.problem(
+            format!(
+                "{} teeth are found, allowed are up to {}",
+                gear.teeth(),
+                TEETH.end()
+            ),
+            "choose the gear's outline with `layer` or `id`",
+        ));
+        return None;
+    }
     let high_tooth = runout.high_tooth.unwrap_or(1.0);
     if runout.total_um > 0.0 && runout.high_tooth.is_none() {
         problems.add(table.problem(
@@ -155,12 +166,12 @@ pub(super) fn read(file: &Table, name: &str, problems: &mut Problems) -> Option<
         fixed(2.0 * gear.root_radius(), 4),
         fixed(2.0 * gear.tip_radius(), 4),
         match gear.bound() {
-            0.0 => ", every curve exact".to_owned(),
+            0.0 => ", its curves as drawn".to_owned(),
             bound => format!(", within {} µm of what is drawn", um(bound, 4)),
         },
         match path.remarks.len() {
             0 => String::new(),
-            _ => format!("; {}", path.remarks.join("; ")),
+            _ => format!("; {}", data.found(path.remarks.join("; "))),
         }
     ));
     Some(OutlinePart {
@@ -172,13 +183,6 @@ pub(super) fn read(file: &Table, name: &str, problems: &mut Problems) -> Option<
         },
         remarks,
     })
-}
-
-/// The outline of a drawing among its loops.
-struct Path {
-    outline: Loop,
-    inside: Vec<Loop>,
-    remarks: Vec<String>,
 }
 
 /// The keys of `[outline]`, and the drawing.
@@ -243,11 +247,11 @@ fn drawn(gear: &Table, problems: &mut Problems) -> Option<(OutlineSpec, Path, Da
         smooth: spec.kind == PointsKind::Smooth,
     };
     let read = drawing::read(data.path(), &bytes, &options);
-    let read = read.map_err(|error| data.problem(error.to_string(), error.help()));
+    let read = read.map_err(|error| data.problem(data.found(error.to_string()), error.help()));
     let path = outermost(problems.keep(read)?);
     let path = path.map_err(|reason| {
         data.problem(
-            reason,
+            data.found(reason),
             "choose one with `layer` or `id`, or remove the others from the drawing",
         )
     });
@@ -278,74 +282,6 @@ fn stated_centre(table: &Table, problems: &mut Problems) -> Option<CentreSpec> {
             None
         }
     }
-}
-
-/// Twice the area a path encloses, by its ends and middles, mm²; without sign.
-fn size(path: &Loop) -> f64 {
-    let points: Vec<Point2<f64>> = path
-        .segments
-        .iter()
-        .flat_map(|segment| [segment.start(), segment.at(0.5)])
-        .collect();
-    let next = points.iter().cycle().skip(1);
-    let sum: f64 = points
-        .iter()
-        .zip(next)
-        .map(|(a, b)| a.coords.perp(&b.coords))
-        .sum();
-    sum.abs()
-}
-
-/// The loop that holds all others.
-fn outermost(drawing: Drawing) -> Result<Path, String> {
-    let mut loops = drawing.loops;
-    loops.sort_by(|a, b| size(b).total_cmp(&size(a)));
-    let mut loops = loops.into_iter();
-    let Some(outline) = loops.next() else {
-        return Err("holds no closed path".to_owned());
-    };
-    let inside: Vec<Loop> = loops.collect();
-    if let Some(beside) = inside.iter().find(|path| !holds(&outline, path)) {
-        let at = |path: &Loop| {
-            let point = path
-                .segments
-                .first()
-                .map_or(Point2::origin(), PathSegment::start);
-            format!("({:.4}, {:.4}) ({})", point.x, point.y, path.place)
-        };
-        return Err(format!(
-            "holds several closed paths side by side: one from {}, another from {}",
-            at(&outline),
-            at(beside)
-        ));
-    }
-    let mut remarks = drawing.remarks;
-    if !inside.is_empty() {
-        remarks.push(format!(
-            "closed paths inside that are not its outline: {}",
-            inside.len()
-        ));
-    }
-    Ok(Path {
-        outline,
-        inside,
-        remarks,
-    })
-}
-
-/// Whether the outer path winds round a point of the inner one.
-fn holds(outer: &Loop, inner: &Loop) -> bool {
-    let Some(point) = inner.segments.first().map(PathSegment::start) else {
-        return true;
-    };
-    let mut turns = 0.0;
-    for segment in &outer.segments {
-        for step in 0..8 {
-            let [from, to] = [step, step + 1].map(|step| segment.at(f64::from(step) / 8.0) - point);
-            turns += from.perp(&to).atan2(from.dot(&to));
-        }
-    }
-    (turns / TAU).round() != 0.0
 }
 
 /// The centre in the drawing, mm.
@@ -394,22 +330,6 @@ fn centre(
             Some(fitted.centre)
         }
     }
-}
-
-/// The centre of a path that is one circle.
-fn whole_circle(path: &Loop) -> Option<Point2<f64>> {
-    let mut centres = path.segments.iter().map(|segment| match segment {
-        PathSegment::Arc { centre, radius, .. } => Some((*centre, *radius)),
-        _ => None,
-    });
-    let (first, radius) = centres.next()??;
-    // As the same circle is printed twice.
-    let same = |found: Option<(Point2<f64>, f64)>| {
-        found.is_some_and(|(centre, other)| {
-            (centre - first).norm() <= 1e-6 * radius && (other - radius).abs() <= 1e-6 * radius
-        })
-    };
-    centres.all(same).then_some(first)
 }
 
 fn place(path: &Path, error: &OutlineError) -> String {

@@ -2,6 +2,7 @@
 
 mod gear;
 mod pair;
+mod paths;
 mod result;
 mod sentence;
 

@@ -10,7 +10,7 @@ use crate::problems::Problems;
 use crate::sources::Sources;
 use crate::spec::{
     AssemblySpec, BearingClearanceSpec, CenterDistanceSpec, DEFAULT_STEPS, EitherGearSpec,
-    OutlinePairSpec,
+    OutlinePairSpec, Revolutions,
 };
 use crate::sweep::Sweep;
 use crate::table::Table;
@@ -147,6 +147,10 @@ pub(crate) fn read(
         let key = [
             ("mating", sweep.spec.mating.is_some()),
             ("phases", sweep.spec.phases.is_some()),
+            (
+                "revolutions",
+                sweep.spec.revolutions == Some(Revolutions::Wheel) && table.has("sweep"),
+            ),
         ];
         let Some((key, _)) = key.into_iter().find(|(_, given)| *given) else {
             return Some(sweep.spec);
@@ -154,7 +158,7 @@ pub(crate) fn read(
         problems.add(table.problem(
             &format!("sweep.{key}"),
             "a pair with an outline is run through its whole mesh cycle",
-            "remove it; start = [1, 1] says which teeth mate first",
+            "write revolutions = \"hunting\" in its place; start = [1, 1] says which teeth mate first",
         ));
         None
     });
@@ -279,10 +283,10 @@ pub(crate) fn of_drawings(
     units: Option<&str>,
 ) -> String {
     let text = |text: &str| toml::Value::String(text.to_owned());
-    let gear = |name: &str, path: &Path, face: &str| {
+    let gear = |name: &str, path: &Path| {
         let units = units.map_or(String::new(), |units| format!("units = {}\n", text(units)));
         let file = text(&path.display().to_string());
-        format!("[{name}]\nreference_face = \"{face}\"\n[{name}.outline]\nfile = {file}\n{units}\n")
+        format!("[{name}.outline]\nfile = {file}\n{units}\n")
     };
     let name = |path: &Path| {
         path.file_stem()
@@ -293,7 +297,7 @@ pub(crate) fn of_drawings(
     let title = text(&format!("{} and {}", name(wheel), name(pinion)));
     format!(
         "title = {title}\n{}{}[assembly]\ncenter_distance_mm = {distance:?}\n",
-        gear("wheel", wheel, "front"),
-        gear("pinion", pinion, "front")
+        gear("wheel", wheel),
+        gear("pinion", pinion)
     )
 }

@@ -15,11 +15,18 @@ pub fn sentence(runs: &[OutlineRun]) -> String {
     let Some(run) = runs.first() else {
         return "Nothing was run.".to_owned();
     };
+    let poses = runs.iter().map(|run| run.poses.len()).sum::<usize>();
+    let open: usize = runs.iter().map(|run| run.count(Status::Unproven)).sum();
+    let proven = match open {
+        0 => "each pose is proven, and nothing between poses".to_owned(),
+        open => {
+            format!("{open} of them are not settled, the others proven, and nothing between poses")
+        }
+    };
+    let matings = run.matings;
     format!(
-        "{} Over all {} matings, {} sampled poses: each is proven, between them nothing is.",
-        each.join(" "),
-        run.matings,
-        runs.iter().map(|run| run.poses.len()).sum::<usize>()
+        "{} Over all {matings} matings, {poses} sampled poses: {proven}.",
+        each.join(" ")
     )
 }
 
@@ -44,10 +51,11 @@ fn of_run(run: &OutlineRun, several: bool) -> String {
             parts.push(format!("{name} {words}"));
         }
     }
+    let all_jammed = run.count(Status::Jammed) == run.poses.len();
     if let Some(jammed) = run
         .lost
         .as_ref()
-        .filter(|pose| pose.status() == Status::Jammed)
+        .filter(|pose| pose.status() == Status::Jammed && !all_jammed)
     {
         parts.push(format!(
             "jammed where wheel tooth {} and pinion tooth {} mate",
@@ -60,7 +68,7 @@ fn of_run(run: &OutlineRun, several: bool) -> String {
                 "turns freely from a = {} mm on",
                 fixed((from.high * 1e4).ceil() * 1e-4, 4)
             ),
-            None => "turns freely at no centre distance in mesh".to_owned(),
+            None => "no centre distance in mesh is known from which it turns freely".to_owned(),
         });
     }
     match parts.is_empty() {

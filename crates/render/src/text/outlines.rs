@@ -63,7 +63,8 @@ fn binding(run: &OutlineRun, screen: &Screen) -> String {
             }
         }
     }
-    if worst.is_empty() {
+    // Jammed throughout there is nothing to choose between.
+    if worst.iter().all(|(_, pose)| pose.j_wt.is_none()) {
         return String::new();
     }
     worst.sort_by(|a, b| depth(a.1).total_cmp(&depth(b.1)).then(a.0.cmp(&b.0)));

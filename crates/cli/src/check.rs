@@ -12,6 +12,7 @@ use gearlash::analysis::Plan;
 use gearlash::analysis::diagnosis::{Diagnosis, Group, MAP_ROWS, Verdict, ZeroDistance, map};
 use gearlash::analysis::study::{Material, Study};
 use gearlash::analysis::verdict::Requirement;
+use gearlash_files::outlines::Drawings;
 use gearlash_files::verdict::sentence;
 use gearlash_files::{AnyPair, OutlinePairFile, PairFile};
 use gearlash_render::checked::{self, CheckedPair};
@@ -35,6 +36,9 @@ pub(super) struct Args {
     /// Unit of the drawings, where they state none
     #[arg(long, value_name = "UNIT", value_parser = ["mm", "inch", "cm", "m", "um"])]
     units: Option<String>,
+    /// Where the axes of the drawings are: of the circle through the tips, or of the one circle inside [default: 0,0]
+    #[arg(long, value_name = "HOW", value_parser = ["fit", "bore"])]
+    center: Option<String>,
     /// What to print
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
@@ -138,7 +142,14 @@ fn drawings(args: &Args) -> Result<Option<OutlinePairFile>, Error> {
     };
     match (&args.pairs[..], args.center_distance) {
         ([wheel, pinion], Some(distance)) if is_drawing(wheel) && is_drawing(pinion) => {
-            studies::drawings(wheel, pinion, distance, args.units.as_deref()).map(Some)
+            let drawings = Drawings {
+                wheel,
+                pinion,
+                center_distance_mm: distance,
+                units: args.units.as_deref(),
+                center: args.center.as_deref(),
+            };
+            studies::drawings(&drawings).map(Some)
         }
         (paths, distance) if paths.iter().any(is_drawing) => Err(Error::Usage(match distance {
             Some(_) => {
@@ -146,8 +157,8 @@ fn drawings(args: &Args) -> Result<Option<OutlinePairFile>, Error> {
             }
             None => "two drawings need their centre distance: add --center-distance A".to_owned(),
         })),
-        (_, distance) if distance.is_some() || args.units.is_some() => Err(Error::Usage(
-            "--center-distance and --units belong to two drawings: pair files state both"
+        (_, distance) if distance.is_some() || args.units.is_some() || args.center.is_some() => Err(Error::Usage(
+            "--center-distance, --units and --center belong to two drawings: pair files state them"
                 .to_owned(),
         )),
         _ => Ok(None),

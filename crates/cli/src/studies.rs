@@ -2,6 +2,7 @@
 
 use super::console::{guard, warn};
 use crate::error::Error;
+use gearlash_files::outlines::Drawings;
 use gearlash_files::{AnyPair, GearsFile, OutlinePairFile, PairFile};
 use std::path::{Path, PathBuf};
 
@@ -31,17 +32,12 @@ pub(super) fn any(path: &Path) -> Result<AnyPair, Error> {
     Ok(file)
 }
 
-/// The pair of two drawings at a centre distance, mm; what was found of them is told.
+/// The pair of two drawings at a centre distance; what was found of them is told.
 ///
 /// # Errors
 /// As [`pair`].
-pub(super) fn drawings(
-    wheel: &Path,
-    pinion: &Path,
-    distance: f64,
-    units: Option<&str>,
-) -> Result<OutlinePairFile, Error> {
-    let file = gearlash_files::read_drawings(wheel, pinion, distance, units)?;
+pub(super) fn drawings(drawings: &Drawings) -> Result<OutlinePairFile, Error> {
+    let file = gearlash_files::read_drawings(drawings)?;
     guard(&file.sources)?;
     warn(Path::new(&file.stem), &file.warnings, &file.remarks);
     Ok(file)

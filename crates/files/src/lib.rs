@@ -133,22 +133,16 @@ pub fn read_any(path: &Path) -> Result<AnyPair, InputError> {
     })
 }
 
-/// Reads the pair that the drawings of a wheel and a pinion make at a centre distance, mm; `units` as in a pair file, where a drawing
-/// states none.
+/// Reads the pair that two drawings make.
 ///
 /// # Errors
 /// As [`read`]; keys are those that a pair file would have.
-pub fn read_drawings(
-    wheel: &Path,
-    pinion: &Path,
-    distance: f64,
-    units: Option<&str>,
-) -> Result<OutlinePairFile, InputError> {
-    let text = outlines::of_drawings([wheel, pinion], distance, units);
+pub fn read_drawings(drawings: &outlines::Drawings) -> Result<OutlinePairFile, InputError> {
+    let text = drawings.pair_file();
     let stem = |path: &Path| path.file_stem().unwrap_or_default().to_os_string();
-    let mut name = stem(wheel);
+    let mut name = stem(drawings.wheel);
     name.push("_");
-    name.push(stem(pinion));
+    name.push(stem(drawings.pinion));
     let (path, place) = (Path::new(&name), Place::of_working_folder());
     // Nobody wrote the text that a place in it would point to.
     with_text(path, &place, Ok(text), outlines::read).map_err(|error| InputError {

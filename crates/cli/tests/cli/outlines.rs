@@ -52,6 +52,17 @@ fn two_drawings_need_no_pair_file() {
     let (_, of_file, _) = run(folder.path(), &["check", "drawn_20x20.toml"]);
     let after_title = |text: &str| text.split_once("\n\n").unwrap().1.to_owned();
     assert_eq!((code, after_title(&text)), (Some(1), after_title(&of_file)));
+    // Their axes may be found by the tips, which stand on circles about 0,0.
+    let fitted = [&drawings[..], &["--center", "fit"]].concat();
+    let (code, text, notes) = run(folder.path(), &fitted);
+    assert!(
+        code == Some(1) && text.contains("Binds at a = 40.050 mm"),
+        "{text}"
+    );
+    assert!(
+        notes.contains("centre fitted to the tips: (0.00"),
+        "{notes}"
+    );
     // Where every tooth has room it turns: exit code 0.
     let apart = [&drawings[..4], &["40.2"]].concat();
     let (code, text, _) = run(folder.path(), &apart);

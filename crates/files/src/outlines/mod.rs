@@ -6,7 +6,7 @@ mod paths;
 mod result;
 mod sentence;
 
-pub use pair::OutlinePairFile;
-pub(crate) use pair::{has_outline, of_drawings, read, refused};
+pub use pair::{Drawings, OutlinePairFile};
+pub(crate) use pair::{has_outline, read, refused};
 pub use result::{to_csv, to_json};
 pub use sentence::{region_words, sentence};

@@ -276,28 +276,48 @@ fn materials(wheel: &Part, pinion: &Part) -> Vec<(Material, OutlineGear, Outline
     .collect()
 }
 
-/// The text of the pair file that two drawings and a centre distance, mm, make.
-pub(crate) fn of_drawings(
-    [wheel, pinion]: [&Path; 2],
-    distance: f64,
-    units: Option<&str>,
-) -> String {
-    let text = |text: &str| toml::Value::String(text.to_owned());
-    let gear = |name: &str, path: &Path| {
-        let units = units.map_or(String::new(), |units| format!("units = {}\n", text(units)));
-        let file = text(&path.display().to_string());
-        format!("[{name}.outline]\nfile = {file}\n{units}\n")
-    };
-    let name = |path: &Path| {
-        path.file_stem()
-            .unwrap_or_default()
-            .to_string_lossy()
-            .into_owned()
-    };
-    let title = text(&format!("{} and {}", name(wheel), name(pinion)));
-    format!(
-        "title = {title}\n{}{}[assembly]\ncenter_distance_mm = {distance:?}\n",
-        gear("wheel", wheel),
-        gear("pinion", pinion)
-    )
+/// Two drawings and how they are put together, in place of a pair file.
+#[derive(Debug, Clone, Copy)]
+pub struct Drawings<'a> {
+    /// The wheel's.
+    pub wheel: &'a Path,
+    /// The pinion's.
+    pub pinion: &'a Path,
+    /// `a`, mm.
+    pub center_distance_mm: f64,
+    /// Unit of both, as a pair file names it, where they state none.
+    pub units: Option<&'a str>,
+    /// `fit` or `bore`; `None`: at (0, 0).
+    pub center: Option<&'a str>,
+}
+
+impl Drawings<'_> {
+    /// The pair file that says the same.
+    pub(crate) fn pair_file(&self) -> String {
+        let text = |text: &str| toml::Value::String(text.to_owned());
+        let key = |name: &str, value: Option<&str>| {
+            value.map_or(String::new(), |value| format!("{name} = {}\n", text(value)))
+        };
+        let gear = |name: &str, path: &Path| {
+            let file = key("file", Some(&path.display().to_string()));
+            let (units, center) = (key("units", self.units), key("center_mm", self.center));
+            format!("[{name}.outline]\n{file}{units}{center}\n")
+        };
+        let name = |path: &Path| {
+            path.file_stem()
+                .unwrap_or_default()
+                .to_string_lossy()
+                .into_owned()
+        };
+        format!(
+            "{}{}{}[assembly]\ncenter_distance_mm = {:?}\n",
+            key(
+                "title",
+                Some(&format!("{} and {}", name(self.wheel), name(self.pinion)))
+            ),
+            gear("wheel", self.wheel),
+            gear("pinion", self.pinion),
+            self.center_distance_mm
+        )
+    }
 }

@@ -107,7 +107,7 @@ impl OutlineLostMotion {
     }
 }
 
-/// A pose that was not settled within [`MOST_NODES`] steps of the search.
+/// A pose that was not settled within 150 000 steps of the search.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[error(
     "the search for the contact of wheel tooth {wheel_tooth} and pinion tooth {pinion_tooth} on {flank} flanks did not end"

@@ -25,7 +25,7 @@ const FIRST_STEP: f64 = 0.01;
 pub struct TurnsFrom {
     /// A distance, mm, at which no pose looked at binds.
     pub high: f64,
-    /// One at most [`WIDTH`] below, at which `pose` binds.
+    /// One at most 1e-5 mm below, at which `pose` binds.
     pub low: f64,
     /// The pose that binds last.
     pub pose: OutlinePose,

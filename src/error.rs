@@ -123,6 +123,12 @@ pub enum GearError {
         /// Root diameter.
         root_diameter_mm: f64,
     },
+    /// A profile deviation that no flank can have.
+    #[error("the profile deviation is too large: the flank {what}")]
+    Profile {
+        /// What it makes of the flank.
+        what: &'static str,
+    },
     /// A list with the wrong number of values.
     #[error("{what} has {found} values, the gear has {teeth} teeth")]
     WrongLength {

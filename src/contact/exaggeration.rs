@@ -3,7 +3,7 @@
 //! A picture only. The gears stand at a pose's nominal rotations; their outlines are not in contact.
 
 use crate::error::GearError;
-use crate::gear::{AsBuilt, HalfTooth, Placed, Side};
+use crate::gear::{AsBuilt, HalfTooth, Placed, Profile, Side};
 use crate::pair::{GearPair, Member, Pose};
 use nalgebra::Point2;
 
@@ -67,7 +67,11 @@ impl<'a> Exaggeration<'a> {
         reach: f64,
         chordal_error: f64,
     ) -> Vec<Point2<f64>> {
-        let half = HalfTooth::new(placed.as_built().gear(), Side::Right, chordal_error);
+        let half = HalfTooth::new(
+            &Profile::new(placed.as_built().gear()),
+            Side::Right,
+            chordal_error,
+        );
         let outline = placed.outline_near(place, reach, chordal_error);
         without_loops(outline, half.points().len())
     }

@@ -196,6 +196,7 @@ impl<'a> Scene<'a> {
     /// right flanks, whose normal out of the wheel points clockwise. A tip circle cuts it `√(r_a² − r_b²)` from its own end.
     pub fn line_of_action(&self, side: Side) -> Option<LineOfAction> {
         let gears = [&self.wheel, &self.pinion].map(|placed| placed.as_built().gear());
+        // Profile deviations are too small to bend it.
         if !gears.into_iter().all(Gear::is_generated) {
             return None;
         }

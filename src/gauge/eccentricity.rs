@@ -54,7 +54,7 @@ pub(super) fn eccentricity(work: &Workpiece) -> Eccentricity {
     let land = |tooth: u32| -> Point2<f64> {
         let turn = UnitComplex::new(gear.tooth_angle(f64::from(tooth)))
             * work.turn(Side::Right, tooth, 0.0);
-        turn * work.tip_land(Side::Right) + displacement
+        turn * work.tip_land(Side::Right, tooth) + displacement
     };
     let points: Vec<Point2<f64>> = (1..=teeth).map(land).collect();
     // Tip lands all round are never in line: there is a centre.

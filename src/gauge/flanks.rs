@@ -158,7 +158,7 @@ fn crossings(work: &Workpiece, axis: PitchAxis) -> Result<Crossings, Unmeasured>
         let centre = Point2::from(along * -displacement);
         for (side, angles) in Side::BOTH.into_iter().zip(&mut found.angles) {
             let turn = work.turn(side, tooth, 0.0);
-            let crossing = work.crossing(side, turn.inverse() * centre, radius(work));
+            let crossing = work.crossing(side, tooth, turn.inverse() * centre, radius(work));
             let Some((at, error)) = crossing else {
                 return Err(Unmeasured(format!(
                     "the reference circle of {} mm does not cross the involute of tooth {tooth}",

@@ -35,7 +35,7 @@ pub(super) fn root(work: &Workpiece) -> Result<RootReading, Unmeasured> {
         // Seen from the middle of the space.
         let [from, to] = ends.map(|(own, tooth, pitches)| {
             let side = gear.face().seen_from_front(own);
-            work.turn(side, tooth, pitches) * work.root_end(side)
+            work.turn(side, tooth, pitches) * work.root_end(side, tooth)
         });
         // The cross product of both, over r_f²: the angle of bottom between them.
         let shown = ascending * from.coords.perp(&to.coords) / from.coords.norm();

@@ -57,7 +57,7 @@ fn seat(work: &Workpiece, tooth: u32, diameter: f64) -> Result<Seat, Unmeasured>
     let turns = ends.map(|(side, tooth, pitches)| work.turn(side, tooth, pitches));
     let query = |centre: Point2<f64>| {
         [0, 1].map(|i: usize| {
-            let (place, distance) = work.nearest(ends[i].0, turns[i].inverse() * centre);
+            let (place, distance) = work.nearest(ends[i].0, ends[i].1, turns[i].inverse() * centre);
             (place, distance, (centre - turns[i] * place.at) / distance)
         })
     };

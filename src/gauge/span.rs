@@ -10,7 +10,7 @@ use super::Unmeasured;
 use super::spread::{ends, mean};
 use super::workpiece::Workpiece;
 use crate::contact::Touch;
-use crate::gear::{Flank, Profile, ProfilePart};
+use crate::gear::{Flank, ProfilePart};
 use crate::parallel;
 
 /// One span.
@@ -111,7 +111,6 @@ fn off_involute(work: &Workpiece, spans: &Spans) -> Option<String> {
 
 fn span(work: &Workpiece, k: u32, first_tooth: u32) -> Result<Span, Unmeasured> {
     let face = work.as_built.face();
-    let gear = work.as_built.gear();
     let last_tooth = work.after(first_tooth, k - 1);
     let half = 0.5 * f64::from(k - 1) * face.ascending();
     // Seen from the middle of the teeth spanned; the flanks' sides are the picture's.
@@ -121,7 +120,7 @@ fn span(work: &Workpiece, k: u32, first_tooth: u32) -> Result<Span, Unmeasured> 
     ];
     let turns = ends.map(|(side, tooth, pitches)| work.turn(side, tooth, pitches));
     let corner = |i: usize| {
-        let profile = Profile::new(gear);
+        let profile = work.as_built.profile(ends[i].0, ends[i].1);
         let (tip, _) = profile.range(ProfilePart::Involute);
         let corner = profile.point(ProfilePart::Involute, tip, ends[i].0);
         turns[i] * corner
@@ -131,7 +130,7 @@ fn span(work: &Workpiece, k: u32, first_tooth: u32) -> Result<Span, Unmeasured> 
     for _ in 0..MOST_ROCKS {
         let places = [0, 1].map(|i: usize| {
             let outward = if i == 0 { along } else { -along };
-            work.foremost(ends[i].0, turns[i].inverse() * outward)
+            work.foremost(ends[i].0, ends[i].1, turns[i].inverse() * outward)
         });
         let join = turns[0] * places[0].at - turns[1] * places[1].at;
         let length = along.dot(&join);

@@ -1,6 +1,6 @@
 //! The gear under the gauges: its outline cut coarsely, and again ever finer where something touches.
 //!
-//! All teeth share two half teeth; a query is put in the frame of the half tooth (see
+//! Teeth that are alike share two half teeth; a query is put in the frame of the half tooth (see
 //! [`HalfTooth`]), already turned there by its caller. A coarse polygon tells which
 //! stretch may touch; that stretch is cut again, until chords are as near their curve as f64 tells.
 
@@ -27,42 +27,55 @@ pub(super) struct Place {
 /// A gear as built on the bench.
 pub(super) struct Workpiece<'a> {
     pub as_built: &'a AsBuilt,
-    /// Right and left, whole.
-    halves: [Cut; 2],
-    /// Their tip lands and involutes alone.
-    flanks: [HalfTooth; 2],
+    /// Right and left, whole, by shape ([`AsBuilt::shape_of`]).
+    halves: [Vec<Cut>; 2],
 }
 
 struct Cut {
-    polygon: HalfTooth,
+    whole: Polygon,
+    /// Its tip land and involute alone.
+    flank: HalfTooth,
+}
+
+struct Polygon {
+    half: HalfTooth,
     shape: Shape,
 }
 
-impl Cut {
-    fn new(polygon: HalfTooth) -> Cut {
-        Cut {
-            shape: Shape::new(polygon.points()),
-            polygon,
+impl Polygon {
+    fn new(half: HalfTooth) -> Polygon {
+        Polygon {
+            shape: Shape::new(half.points()),
+            half,
         }
     }
 }
 
 impl<'a> Workpiece<'a> {
     pub fn new(as_built: &'a AsBuilt) -> Workpiece<'a> {
-        let gear = as_built.gear();
-        let chordal_error = COARSE * gear.basic_data().module();
-        let halves = Side::BOTH.map(|side| HalfTooth::new(gear, side, chordal_error));
-        let flanks = [0, 1].map(|i: usize| {
+        let chordal_error = COARSE * as_built.gear().basic_data().module();
+        let cut = |side, shape| {
+            let profile = as_built.shape(side, shape);
+            let half = HalfTooth::new(&profile, side, chordal_error);
             let above = |curve| matches!(curve, ProfilePart::Tip | ProfilePart::Involute);
-            let segments = halves[i].segments().iter();
+            let segments = half.segments().iter();
             let count = segments.take_while(|s| above(s.curve)).count();
-            halves[i].recut(gear, 0..count, chordal_error)
-        });
+            Cut {
+                flank: half.recut(&profile, 0..count, chordal_error),
+                whole: Polygon::new(half),
+            }
+        };
         Workpiece {
             as_built,
-            halves: halves.map(Cut::new),
-            flanks,
+            halves: Side::BOTH.map(|side| {
+                let shapes = 0..as_built.shapes(side);
+                shapes.map(|shape| cut(side, shape)).collect()
+            }),
         }
+    }
+
+    fn cut(&self, side: Side, tooth: u32) -> &Cut {
+        &self.halves[index(side)][self.as_built.shape_of(side, tooth)]
     }
 
     /// Chordal error, mm, of the finest polygons: 64 ulps of the greatest radius, below which points are not known better.
@@ -83,13 +96,13 @@ impl<'a> Workpiece<'a> {
     }
 
     /// The middle of the tip land, in the frame of the half tooth of `side`.
-    pub fn tip_land(&self, side: Side) -> Point2<f64> {
-        self.halves[index(side)].polygon.points()[0]
+    pub fn tip_land(&self, side: Side, tooth: u32) -> Point2<f64> {
+        self.cut(side, tooth).whole.half.points()[0]
     }
 
     /// Where the root land of the half tooth of `side` begins, in its frame; the end of the fillet where there is no land.
-    pub fn root_end(&self, side: Side) -> Point2<f64> {
-        let polygon = &self.halves[index(side)].polygon;
+    pub fn root_end(&self, side: Side, tooth: u32) -> Point2<f64> {
+        let polygon = &self.cut(side, tooth).whole.half;
         let mut segments = polygon.segments().iter();
         let land = segments.position(|segment| segment.curve == ProfilePart::Root);
         polygon.points()[land.unwrap_or(polygon.segments().len())]
@@ -101,15 +114,15 @@ impl<'a> Workpiece<'a> {
         (tooth - 1 + steps) % teeth + 1
     }
 
-    /// Where a plane face of outward normal `along` that closes on the flank of `side` touches it: tip land or involute.
+    /// Where a plane face of outward normal `along` that closes on the flank of `side` of `tooth` touches it: tip land or involute.
     ///
     /// The face ends at the form circle. Vertices lie on their curve and chords within `δ` of it, so a chord
     /// whose ends both stand more than `δ` behind the foremost vertex has no part in the contact.
-    pub fn foremost(&self, side: Side, along: Vector2<f64>) -> Place {
-        let gear = self.as_built.gear();
+    pub fn foremost(&self, side: Side, tooth: u32, along: Vector2<f64>) -> Place {
+        let profile = self.as_built.profile(side, tooth);
         let mut cut: Option<HalfTooth> = None;
         loop {
-            let polygon = cut.as_ref().unwrap_or(&self.flanks[index(side)]);
+            let polygon = cut.as_ref().unwrap_or(&self.cut(side, tooth).flank);
             let ahead: Vec<f64> = polygon
                 .points()
                 .iter()
@@ -130,20 +143,20 @@ impl<'a> Workpiece<'a> {
             }
             let near = |i: &usize| ahead[*i].max(ahead[*i + 1]) >= most - chordal_error;
             let window = stretch((0..polygon.segments().len()).filter(near));
-            cut = Some(polygon.recut(gear, window, (chordal_error * FINER).max(self.finest())));
+            cut = Some(polygon.recut(&profile, window, (chordal_error * FINER).max(self.finest())));
         }
     }
 
-    /// The place of the half tooth of `side` nearest to `point`, and its distance, mm.
-    pub fn nearest(&self, side: Side, point: Point2<f64>) -> (Place, f64) {
-        let gear = self.as_built.gear();
-        let mut cut: Option<Cut> = None;
+    /// The place of the half tooth of `side` of `tooth` nearest to `point`, and its distance, mm.
+    pub fn nearest(&self, side: Side, tooth: u32, point: Point2<f64>) -> (Place, f64) {
+        let profile = self.as_built.profile(side, tooth);
+        let mut cut: Option<Polygon> = None;
         loop {
-            let on = cut.as_ref().unwrap_or(&self.halves[index(side)]);
+            let on = cut.as_ref().unwrap_or(&self.cut(side, tooth).whole);
             let found = on.shape.nearest(&point);
-            let chordal_error = on.polygon.chordal_error();
+            let chordal_error = on.half.chordal_error();
             if chordal_error <= self.finest() {
-                let (curve, _) = on.polygon.locate(found.segment, &found.at);
+                let (curve, _) = on.half.locate(found.segment, &found.at);
                 return (self.place(found.at, curve), found.distance);
             }
             // The curve is at most δ farther than its nearest chord, and any chord at most δ farther than its curve.
@@ -151,11 +164,11 @@ impl<'a> Workpiece<'a> {
                 .shape
                 .near_point(&point, found.distance + 2.0 * chordal_error);
             let finer = (chordal_error * FINER).max(self.finest());
-            cut = Some(Cut::new(on.polygon.recut(gear, window, finer)));
+            cut = Some(Polygon::new(on.half.recut(&profile, window, finer)));
         }
     }
 
-    /// Where the involute of `side` crosses the circle of `radius` about `centre`, and the bound on the
+    /// Where the involute of `side` of `tooth` crosses the circle of `radius` about `centre`, and the bound on the
     /// error along that circle, mm; `None` where it does not cross.
     ///
     /// Along the circle the crossing moves by `δ/cos` when its chord moves by `δ` across, `cos` between the chord's normal
@@ -163,17 +176,18 @@ impl<'a> Workpiece<'a> {
     pub fn crossing(
         &self,
         side: Side,
+        tooth: u32,
         centre: Point2<f64>,
         radius: f64,
     ) -> Option<(Point2<f64>, f64)> {
-        let gear = self.as_built.gear();
+        let profile = self.as_built.profile(side, tooth);
         let excess = |p: &Point2<f64>| {
             let distance = (p - centre).norm();
             (distance - radius) * (distance + radius)
         };
         let mut cut: Option<HalfTooth> = None;
         loop {
-            let polygon = cut.as_ref().unwrap_or(&self.flanks[index(side)]);
+            let polygon = cut.as_ref().unwrap_or(&self.cut(side, tooth).flank);
             let points = polygon.points();
             let crosses = |i: &usize| {
                 polygon.segments()[*i].curve == ProfilePart::Involute
@@ -189,7 +203,7 @@ impl<'a> Workpiece<'a> {
                 return Some((at, self.bound() / cos));
             }
             let finer = (polygon.chordal_error() * FINER).max(self.finest());
-            cut = Some(polygon.recut(gear, i..i + 1, finer));
+            cut = Some(polygon.recut(&profile, i..i + 1, finer));
         }
     }
 

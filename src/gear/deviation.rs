@@ -1,7 +1,8 @@
 //! A gear as built: where every flank really sits, and the axis it turns about.
 
+use super::modified_flanks::ModifiedHalves;
 use super::pitch::Pitch;
-use super::{Face, Flank, Gear, Profile, ProfilePart, Side};
+use super::{Face, Flank, Gear, Modification, PartCurve, Profile, ProfilePart, RollCurve, Side};
 use crate::error::GearError;
 use nalgebra::{UnitComplex, Vector2};
 use std::f64::consts::PI;
@@ -20,6 +21,8 @@ pub struct Deviations {
     pub high_tooth: f64,
     /// Whether that is not known: a pose takes `high_tooth`, extremes any direction.
     pub any_direction: bool,
+    /// Profile deviation of the gear's own right flanks, and of its left ones.
+    pub profiles: [Modification; 2],
 }
 
 /// A gear with every tooth where it was measured to be.
@@ -36,6 +39,8 @@ pub struct AsBuilt {
     eccentricity: f64,
     high_tooth: f64,
     any_direction: bool,
+    /// The half teeth on the right and on the left where profiles deviate.
+    modified: Option<Arc<[ModifiedHalves; 2]>>,
 }
 
 impl AsBuilt {
@@ -47,7 +52,8 @@ impl AsBuilt {
     ///
     /// # Errors
     /// Lists that are not one value a tooth; a pitch deviation of half a pitch;
-    /// a runout of the tooth depth or more; a high tooth outside `1 ≤ … < z + 1`;
+    /// a runout of the tooth depth or more; a high tooth outside `1 ≤ … < z + 1`; profile deviations as [`Modification::curves`] says,
+    /// on straight flanks or too large for any flank;
     /// deviations that leave a tooth without tip or a space without room.
     pub fn new(gear: Gear, face: Face, deviations: &Deviations) -> Result<AsBuilt, GearError> {
         let basic_data = *gear.basic_data();
@@ -89,6 +95,7 @@ impl AsBuilt {
         }
         let [right, left] = offsets.map(Arc::from);
         let as_built = AsBuilt {
+            modified: modified(&gear, face, &deviations.profiles)?.map(Arc::new),
             right,
             left,
             face,
@@ -114,6 +121,7 @@ impl AsBuilt {
             eccentricity: 0.0,
             high_tooth: 1.0,
             any_direction: false,
+            modified: None,
         }
     }
 
@@ -152,7 +160,12 @@ impl AsBuilt {
                 .map(|offset| factor * (offset + side.sense() * thicker))
                 .collect()
         };
+        let modified = self.modified.as_ref().map(|sides| {
+            let [right, left] = sides.each_ref().map(|side| side.exaggerated(&gear, factor));
+            Ok::<_, GearError>(Arc::new([right?, left?]))
+        });
         let exaggerated = AsBuilt {
+            modified: modified.transpose()?,
             right: enlarged(&self.right, Side::Right),
             left: enlarged(&self.left, Side::Left),
             eccentricity: factor * self.eccentricity,
@@ -221,12 +234,21 @@ impl AsBuilt {
     /// Every tooth keeps a tip land and a neck, and every space some room at the form circle.
     fn check_teeth(&self) -> Result<(), GearError> {
         let gear = &self.gear;
-        let tip = 2.0 * gear.tip_half_angle();
-        let neck = 2.0 * gear.neck_half_angle();
-        let space = gear.basic_data().angular_pitch() - 2.0 * gear.form_half_angle();
         for tooth in 1..=gear.basic_data().teeth() {
             let widening =
                 self.flank_offset(Side::Left, tooth) - self.flank_offset(Side::Right, tooth);
+            let own = |side: Side, tooth: u32, place: ProfilePart| {
+                self.profile(side, tooth).part(place).ends
+            };
+            let tip: f64 = Side::BOTH
+                .map(|side| own(side, tooth, ProfilePart::Tip)[1])
+                .iter()
+                .sum();
+            // What a modified flank is turned at its lower end its fillet is turned, and root land begins so much farther on.
+            let land = gear.part(ProfilePart::Root).ends[0];
+            let turned = |side: Side, tooth: u32| own(side, tooth, ProfilePart::Root)[0] - land;
+            let both: f64 = Side::BOTH.map(|side| turned(side, tooth)).iter().sum();
+            let neck = 2.0 * gear.neck_half_angle() + both;
             if !(tip + widening > 0.0) {
                 return Err(GearError::OutOfRange {
                     what: "tip thickness of the thinnest tooth (mm)",
@@ -244,6 +266,10 @@ impl AsBuilt {
             let next = self.counter_clockwise(tooth, 1);
             let narrowing =
                 self.flank_offset(Side::Left, tooth) - self.flank_offset(Side::Right, next);
+            let space = gear.basic_data().angular_pitch()
+                - 2.0 * gear.form_half_angle()
+                - turned(Side::Left, tooth)
+                - turned(Side::Right, next);
             if !(space - narrowing > 0.0) {
                 return Err(GearError::OutOfRange {
                     what: "space width at the form circle (mm)",
@@ -299,17 +325,67 @@ impl AsBuilt {
         // The space is wider than its nominal width by what its two flanks are turned apart.
         let widening = side.sense()
             * (self.flank_offset(side.other(), across) - self.flank_offset(side, tooth));
-        let (start, middle) = Profile::new(&self.gear).range(ProfilePart::Root);
+        let (start, _) = self.profile(side, tooth).range(ProfilePart::Root);
+        let middle = self.gear.part(ProfilePart::Root).ends[1];
         (middle + 0.5 * widening).max(start)
     }
 
     /// Where the tip land of a half tooth ends on the other half, at the far corner: the land's parameter
     /// ([`super::ProfilePart::Tip`]), rad, about the centre line turned with the flank. Both flanks' deviations widen the land; of a
     /// tooth left thinner than half of it the far corner lies on the near half (above 0).
-    pub fn land_start(&self, tooth: u32) -> f64 {
+    pub fn land_start(&self, side: Side, tooth: u32) -> f64 {
         let widening = self.flank_offset(Side::Left, tooth) - self.flank_offset(Side::Right, tooth);
-        let (_, corner) = Profile::new(&self.gear).range(ProfilePart::Tip);
+        let (_, corner) = self.profile(side.other(), tooth).range(ProfilePart::Tip);
         -corner - widening
+    }
+
+    /// The half tooth on `side` of `tooth`, in its own frame.
+    pub fn profile(&self, side: Side, tooth: u32) -> Profile<'_> {
+        self.shape(side, self.shape_of(side, tooth))
+    }
+
+    /// Half teeth on `side` that are not alike: one unless profiles were measured tooth by tooth.
+    pub(crate) fn shapes(&self, side: Side) -> usize {
+        self.halves(side).map_or(1, |halves| halves.shapes.len())
+    }
+
+    /// Which of them a tooth has.
+    pub(crate) fn shape_of(&self, side: Side, tooth: u32) -> usize {
+        self.halves(side).map_or(0, |halves| halves.shape_of(tooth))
+    }
+
+    /// One of them.
+    pub(crate) fn shape(&self, side: Side, shape: usize) -> Profile<'_> {
+        match self.halves(side) {
+            Some(halves) => Profile::of(&self.gear, &halves.shapes[shape]),
+            None => Profile::new(&self.gear),
+        }
+    }
+
+    fn halves(&self, side: Side) -> Option<&ModifiedHalves> {
+        let sides = self.modified.as_ref()?;
+        Some(&sides[usize::from(side == Side::Left)])
+    }
+
+    /// Profile deviation of the flank on `side` of `tooth` over the roll; `None` where the gear has none at all.
+    pub fn modification(&self, side: Side, tooth: u32) -> Option<&RollCurve> {
+        match &self.profile(side, tooth).part(ProfilePart::Involute).curve {
+            PartCurve::Modified(flank) => Some(flank.deviation()),
+            _ => None,
+        }
+    }
+
+    /// Whether all flanks are involutes and all fillets what the rack leaves: what the formulas of gears are about.
+    pub fn is_generated(&self) -> bool {
+        self.modified.is_none() && self.gear.is_generated()
+    }
+
+    /// The same gear without its profile deviations.
+    pub fn unmodified(&self) -> AsBuilt {
+        AsBuilt {
+            modified: None,
+            ..self.clone()
+        }
     }
 
     /// Angle of the (fractional) tooth's undisturbed centre from tooth 1, rad, counter-clockwise.
@@ -343,6 +419,29 @@ impl AsBuilt {
     pub fn reach(&self) -> f64 {
         self.gear.tip_radius() + self.eccentricity
     }
+}
+
+/// The half teeth on both sides of the picture with the deviations of the gear's own flanks; `None` where there are none.
+fn modified(
+    gear: &Gear,
+    face: Face,
+    profiles: &[Modification; 2],
+) -> Result<Option<[ModifiedHalves; 2]>, GearError> {
+    if profiles.iter().all(Modification::is_none) {
+        return Ok(None);
+    }
+    if !gear.is_generated() {
+        return Err(GearError::Profile {
+            what: "is no involute",
+        });
+    }
+    let halves = Side::BOTH.map(|side| {
+        let own = Flank::BOTH.map(|own| face.seen_from_front(own));
+        let which = usize::from(own[0] != side);
+        ModifiedHalves::new(gear, &profiles[which].curves(gear)?)
+    });
+    let [right, left] = halves;
+    Ok(Some([right?, left?]))
 }
 
 #[cfg(test)]

@@ -121,6 +121,14 @@ impl Fillet {
         self.form_roll = involute::roll_at(self.point(self.end).coords.norm(), base);
     }
 
+    /// The same fillet turned by `angle`, rad, about the gear's centre.
+    pub(super) fn turned(self, angle: f64) -> Fillet {
+        Fillet {
+            root_angle: self.root_angle + angle,
+            ..self
+        }
+    }
+
     /// Greatest `γ`, rad: the fillet's parameter runs over `0 ..= end`.
     pub fn end(&self) -> f64 {
         self.end

@@ -232,7 +232,7 @@ impl Gear {
     /// Of a straight flank where it ends.
     pub fn form_radius(&self) -> f64 {
         let flank = self.part(ProfilePart::Involute);
-        match flank.curve {
+        match &flank.curve {
             PartCurve::Involute(_) => involute::radius_at(self.form_roll(), self.base_radius()),
             other => other.radius(flank.ends[1]),
         }
@@ -241,6 +241,11 @@ impl Gear {
     /// One part of its half tooth.
     pub fn part(&self, part: ProfilePart) -> &Part {
         &self.parts[part as usize]
+    }
+
+    /// Its half tooth, from the tip to the root.
+    pub(super) fn parts(&self) -> &[Part; 4] {
+        &self.parts
     }
 
     /// Whether its flanks are involutes and its fillets what the rack leaves: what the formulas of gears are about.
@@ -264,7 +269,7 @@ impl Gear {
     /// Half the angle a tooth spans where its flank ends at the form circle, rad.
     pub(super) fn form_half_angle(&self) -> f64 {
         let flank = self.part(ProfilePart::Involute);
-        match flank.curve {
+        match &flank.curve {
             PartCurve::Involute(_) => self.half_angle_at_roll(self.form_roll()),
             other => {
                 let end = other.point(flank.ends[1]);
@@ -300,7 +305,7 @@ impl Gear {
         }
         let at = |radius: f64, angle: f64| Point2::new(radius * angle.cos(), -radius * angle.sin());
         let (inner, outer) = (at(self.root_radius(), root), at(self.tip_radius(), tip));
-        let [mut land, _, mut fillet, mut bottom] = self.parts;
+        let [mut land, _, mut fillet, mut bottom] = self.parts.clone();
         land.ends[1] = tip;
         (fillet.ends, fillet.corners) = ([0.0; 2], [false; 2]);
         bottom.ends[0] = root;

@@ -6,7 +6,7 @@
 //! from [`Profile`], a step that solves `(A + B Δ) Δ²/8 = δ` keeps the bound
 //! `δ`. All teeth of a gear share the two half teeth; a tooth is a rotation of each.
 
-use super::{Gear, Profile, ProfilePart, Side};
+use super::{Profile, ProfilePart, Side};
 use nalgebra::Point2;
 use std::ops::Range;
 
@@ -31,34 +31,42 @@ pub struct HalfTooth {
 }
 
 impl HalfTooth {
-    /// Cuts the half tooth of `gear` on `side` with chords within `chordal_error` mm (> 0) of its curves.
+    /// Cuts the half tooth of `profile` on `side` with chords within `chordal_error` mm (> 0) of its curves.
     ///
     /// A land narrower than a chord still gets one; a land without length gets none.
-    pub fn new(gear: &Gear, side: Side, chordal_error: f64) -> HalfTooth {
-        let profile = Profile::new(gear);
+    pub fn new(profile: &Profile, side: Side, chordal_error: f64) -> HalfTooth {
         let whole = ProfilePart::ALL.map(|curve| (curve, profile.range(curve)));
-        HalfTooth::of_pieces(gear, side, chordal_error, &whole)
+        HalfTooth::of_pieces(profile, side, chordal_error, &whole)
     }
 
     /// The vertices down to the root land where the tip land starts at the parameter `start`, up to its near corner.
-    pub fn from_land(gear: &Gear, side: Side, chordal_error: f64, start: f64) -> Vec<Point2<f64>> {
-        let profile = Profile::new(gear);
+    pub fn from_land(
+        profile: &Profile,
+        side: Side,
+        chordal_error: f64,
+        start: f64,
+    ) -> Vec<Point2<f64>> {
         let land = (start, profile.range(ProfilePart::Tip).1);
         let flank =
             [ProfilePart::Involute, ProfilePart::Fillet].map(|curve| (curve, profile.range(curve)));
         let pieces = [(ProfilePart::Tip, land), flank[0], flank[1]];
-        HalfTooth::of_pieces(gear, side, chordal_error, &pieces).points
+        HalfTooth::of_pieces(profile, side, chordal_error, &pieces).points
     }
 
     /// The vertices of a root land that reaches to the parameter `end`; none where that is not beyond its start.
-    pub fn root_land(gear: &Gear, side: Side, chordal_error: f64, end: f64) -> Vec<Point2<f64>> {
-        let (start, _) = Profile::new(gear).range(ProfilePart::Root);
+    pub fn root_land(
+        profile: &Profile,
+        side: Side,
+        chordal_error: f64,
+        end: f64,
+    ) -> Vec<Point2<f64>> {
+        let (start, _) = profile.range(ProfilePart::Root);
         let land = [(ProfilePart::Root, (start, end.max(start)))];
-        HalfTooth::of_pieces(gear, side, chordal_error, &land).points
+        HalfTooth::of_pieces(profile, side, chordal_error, &land).points
     }
 
     /// Cuts the stretch of `self` that the chords `window` (not empty) stand for anew, within `chordal_error` mm.
-    pub fn recut(&self, gear: &Gear, window: Range<usize>, chordal_error: f64) -> HalfTooth {
+    pub fn recut(&self, profile: &Profile, window: Range<usize>, chordal_error: f64) -> HalfTooth {
         let mut pieces: Vec<(ProfilePart, (f64, f64))> = Vec::new();
         for &Segment { curve, parameters } in &self.segments[window] {
             match pieces.last_mut() {
@@ -66,25 +74,32 @@ impl HalfTooth {
                 _ => pieces.push((curve, (parameters[0], parameters[1]))),
             }
         }
-        HalfTooth::of_pieces(gear, self.side, chordal_error, &pieces)
+        HalfTooth::of_pieces(profile, self.side, chordal_error, &pieces)
     }
 
     fn of_pieces(
-        gear: &Gear,
+        profile: &Profile,
         side: Side,
         chordal_error: f64,
         pieces: &[(ProfilePart, (f64, f64))],
     ) -> HalfTooth {
-        let profile = Profile::new(gear);
         let mut points = Vec::new();
         let mut segments = Vec::new();
         for &(curve, (start, end)) in pieces {
             if start == end {
                 continue;
             }
-            let mut cuts = cut(start.min(end), start.max(end), |t| {
-                step(profile.bend(curve, t), chordal_error)
-            });
+            // A chord over an edge would be bounded by nothing.
+            let mut cuts = Vec::new();
+            let (low, top) = (start.min(end), start.max(end));
+            let mut high = top;
+            let edges = profile.part(curve).curve.edges().iter().rev().copied();
+            let edges = edges.filter(|edge| *edge > low && *edge < top);
+            for to in edges.chain([low]) {
+                let more = cut(to, high, |t| step(profile.bend(curve, t), chordal_error));
+                cuts.extend_from_slice(&more[usize::from(!cuts.is_empty())..]);
+                high = to;
+            }
             if start < end {
                 cuts.reverse();
             }

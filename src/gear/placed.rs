@@ -1,6 +1,6 @@
 //! A gear where it stands in the picture: its centre, its teeth, its outline round a place.
 
-use super::{AsBuilt, HalfTooth, Profile, ProfilePart, Segment, Side};
+use super::{AsBuilt, HalfTooth, ProfilePart, Segment, Side};
 use nalgebra::{Point2, UnitComplex};
 use std::f64::consts::PI;
 
@@ -85,19 +85,17 @@ impl<'a> Placed<'a> {
         chordal_error: f64,
     ) -> Vec<Point2<f64>> {
         let teeth = self.teeth_near(place, reach);
-        let [right, left] =
-            Side::BOTH.map(|side| HalfTooth::new(self.as_built.gear(), side, chordal_error));
         let mut outline = Vec::new();
         for &tooth in &teeth {
             // Each half ends in the middle of the space as built, where the next one begins.
-            let half = |half: &HalfTooth| {
-                let land = self.root_land(half.side(), tooth, chordal_error);
-                let above = self.above_root(half, tooth);
+            let half = |side| {
+                let land = self.root_land(side, tooth, chordal_error);
+                let above = self.above_root(side, tooth, chordal_error);
                 [&above, land.get(1..).unwrap_or_default()].concat()
             };
-            let points = half(&right);
+            let points = half(Side::Right);
             outline.extend(points.iter().rev().map(self.place(Side::Right, tooth)));
-            let points = half(&left);
+            let points = half(Side::Left);
             outline.extend(points.iter().map(self.place(Side::Left, tooth)));
         }
         if teeth.len() < self.as_built.gear().basic_data().teeth() as usize {
@@ -108,7 +106,7 @@ impl<'a> Placed<'a> {
 
     /// A flank from the tip corner to the root land: involute and fillet, mm, chords within `chordal_error` mm.
     pub fn flank(&self, side: Side, tooth: u32, chordal_error: f64) -> Vec<Point2<f64>> {
-        let half = HalfTooth::new(self.as_built.gear(), side, chordal_error);
+        let half = HalfTooth::new(&self.as_built.profile(side, tooth), side, chordal_error);
         let is_land = |segment: &Segment| segment.curve.is_land();
         let segments = half.segments();
         let first = segments.iter().take_while(|s| is_land(s)).count();
@@ -129,7 +127,7 @@ impl<'a> Placed<'a> {
             let land = self.root_land(side, tooth, chordal_error);
             return land.iter().map(self.place(side, tooth)).collect();
         }
-        let half = HalfTooth::new(self.as_built.gear(), side, chordal_error);
+        let half = HalfTooth::new(&self.as_built.profile(side, tooth), side, chordal_error);
         let segments = half.segments();
         let Some(first) = segments.iter().position(|s| s.curve == curve) else {
             return Vec::new();
@@ -144,20 +142,25 @@ impl<'a> Placed<'a> {
 
     /// A half tooth down to its root land, in its own frame; the right half has all the tip land there is, so that the outline does not
     /// run back where pitch deviations of both flanks leave the middle of the land to neither.
-    fn above_root(&self, half: &HalfTooth, tooth: u32) -> Vec<Point2<f64>> {
-        let gear = self.as_built.gear();
-        let start = match half.side() {
-            Side::Right => self.as_built.land_start(tooth),
-            Side::Left => Profile::new(gear).range(ProfilePart::Tip).1,
+    fn above_root(&self, side: Side, tooth: u32, chordal_error: f64) -> Vec<Point2<f64>> {
+        let profile = self.as_built.profile(side, tooth);
+        let start = match side {
+            Side::Right => self.as_built.land_start(side, tooth),
+            Side::Left => profile.range(ProfilePart::Tip).1,
         };
-        HalfTooth::from_land(gear, half.side(), half.chordal_error(), start)
+        HalfTooth::from_land(&profile, side, chordal_error, start)
     }
 
     /// The root land up to the middle of the space as built, in the half tooth's frame; empty where the space is
     /// closed at its root.
     fn root_land(&self, side: Side, tooth: u32, chordal_error: f64) -> Vec<Point2<f64>> {
-        let end = self.as_built.root_end(side, tooth);
-        HalfTooth::root_land(self.as_built.gear(), side, chordal_error, end)
+        let profile = self.as_built.profile(side, tooth);
+        HalfTooth::root_land(
+            &profile,
+            side,
+            chordal_error,
+            self.as_built.root_end(side, tooth),
+        )
     }
 
     /// From the frame of a tooth to the picture, for the half tooth of `side`.
@@ -189,7 +192,7 @@ mod tests {
         };
         let built = AsBuilt::new(gear, Face::Back, &deviations).unwrap();
         let placed = Placed::new(&built, Point2::origin(), 0.0);
-        assert!(built.land_start(3) > 0.0);
+        assert!(built.land_start(Side::Right, 3) > 0.0);
         let corner = |side: Side| built.flank_offset(side, 3) + side.sense() * half;
         let (right, left) = (corner(Side::Right), corner(Side::Left));
         let tip = built.gear().tip_radius();

@@ -11,12 +11,18 @@ use nalgebra::{Point2, Vector2};
 #[derive(Debug, Clone, Copy)]
 pub struct Profile<'a> {
     gear: &'a Gear,
+    parts: &'a [Part; 4],
 }
 
 impl<'a> Profile<'a> {
-    /// The half tooth of `gear`.
+    /// The half tooth of `gear`, its flanks without deviation.
     pub fn new(gear: &'a Gear) -> Profile<'a> {
-        Profile { gear }
+        Profile::of(gear, gear.parts())
+    }
+
+    /// A half tooth of `gear` that has these parts.
+    pub(super) fn of(gear: &'a Gear, parts: &'a [Part; 4]) -> Profile<'a> {
+        Profile { gear, parts }
     }
 
     /// The gear.
@@ -24,8 +30,9 @@ impl<'a> Profile<'a> {
         self.gear
     }
 
-    fn part(&self, part: ProfilePart) -> &'a Part {
-        self.gear.part(part)
+    /// One of its parts.
+    pub fn part(&self, part: ProfilePart) -> &'a Part {
+        &self.parts[part as usize]
     }
 
     /// Parameters at the two ends of `part`, the end nearer the tip first.

@@ -6,7 +6,7 @@ use super::of_gear::of_gear;
 use super::path::ClosedPath;
 use super::segment::PathSegment;
 use super::teeth::{FoundTooth, find};
-use crate::gear::{AsBuilt, Face, PartCurve, Profile, ProfilePart, Side};
+use crate::gear::{AsBuilt, Face, PartCurve, ProfilePart, Side, smooth};
 use nalgebra::{Complex, Point2, UnitComplex, Vector2};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::sync::Arc;
@@ -243,33 +243,39 @@ impl OutlineGear {
 impl From<&AsBuilt> for OutlineGear {
     fn from(built: &AsBuilt) -> OutlineGear {
         let gear = built.gear();
-        let profile = Profile::new(gear);
         let halves = Side::BOTH.map(|side| {
             let half = |tooth: u32| {
                 let mirror = -side.sense();
                 let turned = built.tooth_angle(f64::from(tooth)) + built.flank_offset(side, tooth);
                 let turn = Complex::from_polar(1.0, mirror * turned);
-                let piece = |part: ProfilePart| {
+                let profile = built.profile(side, tooth);
+                let pieces = |part: ProfilePart| {
                     let (mut from, mut to) = profile.range(part);
                     match part {
-                        ProfilePart::Tip => from = built.land_start(tooth),
+                        ProfilePart::Tip => from = built.land_start(side, tooth),
                         ProfilePart::Root => to = built.root_end(side, tooth),
                         _ => (),
                     }
-                    let gear_part = gear.part(part);
+                    let gear_part = profile.part(part);
                     let corners = match part {
                         ProfilePart::Tip => [true; 2],
                         _ => gear_part.corners,
                     };
-                    HalfPiece {
-                        curve: gear_part.curve,
-                        ends: [from, to],
+                    let edges = gear_part.curve.edges();
+                    let stretches = smooth(edges, from.min(to), from.max(to));
+                    let piece = move |(low, high): (f64, f64)| HalfPiece {
+                        curve: gear_part.curve.clone(),
+                        ends: if from > to { [high, low] } else { [low, high] },
                         turn,
                         mirrored: false,
-                        corners,
-                    }
+                        corners: match edges {
+                            [] => corners,
+                            _ => [true; 2],
+                        },
+                    };
+                    stretches.map(piece)
                 };
-                let pieces = ProfilePart::ALL.map(piece).into_iter();
+                let pieces = ProfilePart::ALL.into_iter().flat_map(pieces);
                 HalfOutline {
                     pieces: pieces
                         .filter(|piece| piece.ends[0] != piece.ends[1])

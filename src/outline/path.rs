@@ -16,7 +16,7 @@ const CHORD_TURN: f64 = 0.06;
 const MOST_CHORDS: f64 = 512.0;
 
 /// A segment of the path about its centre, the metal on its left.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(super) struct PathPart {
     pub curve: PartCurve,
     /// Parameters where it starts and ends.

@@ -230,7 +230,7 @@ impl Walk<'_> {
 
 fn piece(part: &PathPart, ends: [f64; 2], side: Side) -> HalfPiece {
     HalfPiece {
-        curve: part.curve,
+        curve: part.curve.clone(),
         ends,
         turn: Complex::ONE,
         mirrored: side == Side::Left,

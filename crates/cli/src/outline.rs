@@ -68,7 +68,11 @@ const MOST_POINTS: usize = 2_000_000;
 
 /// Whether the outline fits into memory several times over.
 fn check_size(tolerance_um: f64, gear: &AsBuilt) -> Result<(), Error> {
-    let half = HalfTooth::new(gear.gear(), Side::Right, tolerance_um * 1e-3);
+    let half = HalfTooth::new(
+        &gear.profile(Side::Right, 1),
+        Side::Right,
+        tolerance_um * 1e-3,
+    );
     let points = 2 * half.segments().len() * gear.gear().basic_data().teeth() as usize;
     match points > MOST_POINTS {
         true => Err(Error::Usage(format!(

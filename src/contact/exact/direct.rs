@@ -105,6 +105,9 @@ impl DirectSolver {
     ) -> Option<DirectSolver> {
         let locked_gear = assembly.gear(assembly.locked());
         let free_gear = assembly.gear(assembly.free());
+        if !(locked_gear.is_generated() && free_gear.is_generated()) {
+            return None;
+        }
         let setting = Setting {
             locked: &problem.locked.shape,
             free: &problem.free.shape,

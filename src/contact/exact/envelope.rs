@@ -10,7 +10,7 @@
 //! stand beside `f(x)` again.
 
 use super::shape::C;
-use crate::gear::{Gear, HalfTooth, ProfilePart, Segment, Side};
+use crate::gear::{Gear, HalfTooth, Profile, ProfilePart, Segment, Side};
 
 /// Cells over the tooth depth. Tuned: 24 leave 1 point in 60 to the exact test on ordinary gears, 12 leave twice as many.
 const CELLS: usize = 32;
@@ -34,7 +34,7 @@ impl Envelope {
     pub fn new(gear: &Gear, margin: f64, least: f64) -> Envelope {
         let depth = gear.tip_radius() - gear.root_radius();
         let chordal_error = CHORDAL_ERROR * depth;
-        let polygon = HalfTooth::new(gear, Side::Right, chordal_error);
+        let polygon = HalfTooth::new(&Profile::new(gear), Side::Right, chordal_error);
         let end = gear.tip_radius() + margin;
         let start = polygon
             .points()

@@ -243,7 +243,7 @@ impl<'a> PosedFlanks<'a> {
         let teeth = &self.problem.locked;
         let place = teeth.beside(self.locked_place, step);
         Placed {
-            shape: &teeth.shape,
+            shape: teeth.shape_at(place),
             centre: self.centre,
             direction: -self.turned * teeth.direction(place),
             far: teeth.far(place),
@@ -256,7 +256,7 @@ impl<'a> PosedFlanks<'a> {
         let teeth = &self.problem.free;
         let place = teeth.beside(self.free_place, -step);
         Placed {
-            shape: &teeth.shape,
+            shape: teeth.shape_at(place),
             centre: teeth.displacement,
             direction: teeth.direction(place),
             far: teeth.far(place),

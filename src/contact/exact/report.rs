@@ -20,12 +20,12 @@ pub(super) fn contact(posed: &PosedFlanks, touching: &Touching, free: Member) ->
     let error = problem.rounding(radius, candidate.slope) + candidate.slack;
     let (locked_place, free_place) = posed.places(touching.step);
     let locked = touch(
-        &problem.locked.shape,
+        problem.locked.shape_at(locked_place),
         problem.locked.number(locked_place),
         candidate.locked,
     );
     let mated = touch(
-        &problem.free.shape,
+        problem.free.shape_at(free_place),
         problem.free.number(free_place),
         candidate.free,
     );

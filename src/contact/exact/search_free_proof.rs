@@ -82,9 +82,6 @@ impl Setting<'_> {
     /// The proof; `None` where not even involutes can do without a search.
     pub fn prove(&self) -> Option<SearchFreeProof> {
         let (locked, free, near) = (self.locked, self.free, self.near());
-        if !(locked.is_generated && free.is_generated) {
-            return None;
-        }
         if !(self.inmost() > self.free_off && free.base > self.free_off) {
             return None;
         }

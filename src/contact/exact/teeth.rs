@@ -5,13 +5,16 @@
 //! frame too. A place takes 48 bytes.
 
 use super::shape::{C, Shape, turn};
-use crate::gear::{AsBuilt, ProfilePart, Side};
+use crate::gear::{AsBuilt, Profile, ProfilePart, Side};
 use std::f64::consts::TAU;
 
 /// One side of all teeth of a gear.
 #[derive(Debug, Clone)]
 pub(super) struct Teeth {
+    /// That of the gear without profile deviations.
     pub shape: Shape,
+    /// The half teeth where profiles deviate, and which each place has.
+    modified: Option<Box<(Vec<Shape>, Vec<u32>)>>,
     /// `τ`.
     pub pitch: f64,
     /// Sense in which tooth numbers ascend in this frame.
@@ -42,8 +45,17 @@ impl Teeth {
         let mirror = -side.sense();
         let count = basic_data.teeth();
         let ascending = (mirror * gear.face().ascending()) as i64;
+        let shape = |profile: Profile| Shape::new(&profile);
+        let number = |place: i64| (ascending * place).rem_euclid(i64::from(count)) as u32 + 1;
+        let modified = (!gear.is_generated()).then(|| {
+            let shapes = (0..gear.shapes(side)).map(|of| shape(gear.shape(side, of)));
+            let places =
+                (0..i64::from(count)).map(|place| gear.shape_of(side, number(place)) as u32);
+            Box::new((shapes.collect(), places.collect()))
+        });
         let mut teeth = Teeth {
-            shape: Shape::new(gear.gear()),
+            shape: shape(Profile::new(gear.gear())),
+            modified,
             pitch,
             ascending,
             offsets: Vec::with_capacity(count as usize),
@@ -55,11 +67,11 @@ impl Teeth {
             farthest: f64::NEG_INFINITY,
             deepest: f64::NEG_INFINITY,
         };
-        let (_, half_tip) = teeth.shape.range(ProfilePart::Tip);
         for place in 0..i64::from(count) {
-            let tooth = (ascending * place).rem_euclid(i64::from(count)) as u32 + 1;
+            let tooth = number(place);
             let offset = mirror * gear.flank_offset(side, tooth);
             // Of a tooth thinner by more than half its land it lies on the near half.
+            let (_, half_tip) = gear.profile(side.other(), tooth).range(ProfilePart::Tip);
             let far = half_tip + mirror * gear.flank_offset(side.other(), tooth);
             teeth.farthest = teeth.farthest.max(far);
             teeth.far.push(turn(far - offset) * teeth.shape.tip_radius);
@@ -76,6 +88,15 @@ impl Teeth {
             |(least, most), &offset| (least.min(offset), most.max(offset)),
         );
         teeth
+    }
+
+    /// The half tooth at a place.
+    #[inline]
+    pub fn shape_at(&self, place: usize) -> &Shape {
+        match &self.modified {
+            None => &self.shape,
+            Some(modified) => &modified.0[modified.1[place] as usize],
+        }
     }
 
     /// `z`.

@@ -131,28 +131,36 @@ impl Pieces {
     }
 }
 
-/// A gear's two half teeth, cut beforehand. Shared by all its teeth.
+/// A gear's half teeth, cut beforehand. Shared by all its teeth that are alike.
 pub struct CutGear {
-    halves: [CutHalf; 2],
+    sides: [CutSide; 2],
     chordal_error: f64,
 }
 
-/// What all half teeth of one side share.
+/// One side.
+struct CutSide {
+    /// By shape ([`AsBuilt::shape_of`]).
+    halves: Vec<CutHalf>,
+    /// What each tooth has of its own, tooth 1 first.
+    own: Vec<OwnLands>,
+}
+
+/// What all half teeth of one shape share.
 struct CutHalf {
     chords: Vec<Chord>,
-    /// How many of `chords` come first: one a curve.
+    /// How many of `chords` come first: one a curve without edges.
     curves: usize,
     /// Those that follow the outline closely enough to tell half teeth apart that are nowhere near contact.
     outline: Vec<Chord>,
     /// A disc that holds them, and what each tooth has of its own up to the far corner and the middle of its space.
     centre: Point2<f64>,
     radius: f64,
-    /// What each tooth has of its own, tooth 1 first.
-    own: Vec<OwnLands>,
 }
 
 /// What the half tooth of one tooth has beyond what all share.
 struct OwnLands {
+    /// Which half tooth it has.
+    shape: usize,
     /// The tip land's parameter at its far corner.
     land_start: f64,
     /// The root land's parameter in the middle of the space as built.
@@ -167,7 +175,7 @@ impl CutGear {
     /// Cuts the half teeth of `gear` with chords within `chordal_error` mm of its curves.
     pub fn new(gear: &AsBuilt, chordal_error: f64) -> CutGear {
         CutGear {
-            halves: Side::BOTH.map(|side| CutHalf::new(gear, side, chordal_error)),
+            sides: Side::BOTH.map(|side| CutSide::new(gear, side, chordal_error)),
             chordal_error,
         }
     }
@@ -178,15 +186,35 @@ impl CutGear {
     }
 }
 
-impl CutHalf {
-    fn new(gear: &AsBuilt, side: Side, chordal_error: f64) -> CutHalf {
-        let profile = Profile::new(gear.gear());
+impl CutSide {
+    fn new(gear: &AsBuilt, side: Side, chordal_error: f64) -> CutSide {
+        // Of the teeth of each shape the tip land shared starts, and the root land shared ends here. Where every space is wider
+        // than its nominal width, the rest of each land begins beyond the nominal middle.
+        let mut shared = vec![(0.0f64, f64::INFINITY); gear.shapes(side)];
         let teeth = 1..=gear.gear().basic_data().teeth();
-        let root_ends = teeth.clone().map(|tooth| gear.root_end(side, tooth));
-        let land_starts = teeth.map(|tooth| gear.land_start(tooth));
-        let land_start = land_starts.fold(0.0, f64::max);
-        // Where every space is wider than its nominal width, the rest of each land begins beyond the nominal middle.
-        let root_end = root_ends.fold(f64::INFINITY, f64::min);
+        for tooth in teeth.clone() {
+            let (start, end) = &mut shared[gear.shape_of(side, tooth)];
+            *start = start.max(gear.land_start(side, tooth));
+            *end = end.min(gear.root_end(side, tooth));
+        }
+        let half = |(shape, lands): (usize, &(f64, f64))| {
+            CutHalf::new(&gear.shape(side, shape), side, chordal_error, *lands)
+        };
+        let own = |tooth| OwnLands::new(gear, side, tooth, &shared);
+        CutSide {
+            halves: shared.iter().enumerate().map(half).collect(),
+            own: teeth.map(own).collect(),
+        }
+    }
+}
+
+impl CutHalf {
+    fn new(
+        profile: &Profile,
+        side: Side,
+        chordal_error: f64,
+        (land_start, root_end): (f64, f64),
+    ) -> CutHalf {
         let mut chords: Vec<Chord> = ProfilePart::ALL
             .into_iter()
             .filter_map(|curve| {
@@ -199,15 +227,17 @@ impl CutHalf {
                     true => to > from,
                     false => from > to,
                 };
-                is_there.then(|| Chord::new(&profile, side, curve, [from, to]))
+                is_there.then_some((curve, [from, to]))
             })
+            .flat_map(|(curve, ends)| without_edges(profile, curve, ends))
+            .map(|(curve, ends)| Chord::new(profile, side, curve, ends))
             .collect();
         let curves = chords.len();
         let mut next = 0;
         while next < chords.len() {
             if chords[next].error > chordal_error {
                 chords[next].halves = Some(chords.len() as u32);
-                let halves = chords[next].cut(&profile, side);
+                let halves = chords[next].cut(profile, side);
                 chords.extend(halves);
             }
             next += 1;
@@ -224,31 +254,24 @@ impl CutHalf {
             let cut = outline[place].halves.map_or(0, |first| first as usize);
             outline.splice(place..=place, chords[cut..cut + 2].iter().copied());
         }
-        let teeth = 1..=gear.gear().basic_data().teeth();
-        let own =
-            teeth.map(|tooth| OwnLands::new(gear, &profile, side, tooth, land_start, root_end));
         CutHalf {
             centre: nalgebra::center(&low, &high),
             radius,
             chords,
             curves,
             outline,
-            own: own.collect(),
         }
     }
 }
 
 impl OwnLands {
-    /// Of the half tooth on `side` of `tooth`, where all share the tip land from `shared_start` on and the root land up to `shared_end`.
-    fn new(
-        gear: &AsBuilt,
-        profile: &Profile,
-        side: Side,
-        tooth: u32,
-        shared_start: f64,
-        shared_end: f64,
-    ) -> OwnLands {
-        let (land_start, root_end) = (gear.land_start(tooth), gear.root_end(side, tooth));
+    /// Of the half tooth on `side` of `tooth`; of each shape all share the tip land from the one value of `shared` on and the root land up
+    /// to the other.
+    fn new(gear: &AsBuilt, side: Side, tooth: u32, shared: &[(f64, f64)]) -> OwnLands {
+        let shape = gear.shape_of(side, tooth);
+        let (shared_start, shared_end) = shared[shape];
+        let profile = &gear.shape(side, shape);
+        let (land_start, root_end) = (gear.land_start(side, tooth), gear.root_end(side, tooth));
         let far =
             (land_start < shared_start).then_some((ProfilePart::Tip, [land_start, shared_start]));
         // Where a space is closed at its root there is none in any tooth's half.
@@ -256,6 +279,7 @@ impl OwnLands {
         let rest = (root_end > from).then_some((ProfilePart::Root, [from, root_end]));
         let chord = |(curve, range)| Chord::new(profile, side, curve, range);
         OwnLands {
+            shape,
             land_start,
             root_end,
             chords: [far.map(chord), rest.map(chord)],
@@ -263,6 +287,26 @@ impl OwnLands {
                 + gear.gear().root_radius() * (root_end - shared_end).max(0.0),
         }
     }
+}
+
+/// A stretch of a curve, the end nearer the tip first, cut at the curve's edges: a chord over one would be bounded by nothing.
+fn without_edges(
+    profile: &Profile,
+    curve: ProfilePart,
+    [from, to]: [f64; 2],
+) -> Vec<(ProfilePart, [f64; 2])> {
+    let edges = profile.part(curve).curve.edges().iter().copied();
+    let (low, high) = (from.min(to), from.max(to));
+    let mut places = vec![low];
+    places.extend(edges.filter(|edge| *edge > low && *edge < high));
+    places.push(high);
+    if from > to {
+        places.reverse();
+    }
+    places
+        .windows(2)
+        .map(|ends| (curve, [ends[0], ends[1]]))
+        .collect()
 }
 
 /// The half tooth of one tooth: what all share, the rest of its tip land up to the far corner, and of its root land.
@@ -279,17 +323,15 @@ pub(super) struct Half<'a> {
 }
 
 impl<'a> Half<'a> {
-    /// The half tooth on `side` of `tooth`; `profile` is the gear's.
+    /// The half tooth on `side` of `tooth`; `profile` is its own.
     pub fn new(profile: Profile<'a>, cut: &'a CutGear, side: Side, tooth: u32) -> Half<'a> {
-        let cut = match side {
-            Side::Right => &cut.halves[0],
-            Side::Left => &cut.halves[1],
-        };
+        let cut = &cut.sides[usize::from(side == Side::Left)];
+        let own = &cut.own[tooth as usize - 1];
         Half {
             profile,
             side,
-            cut,
-            own: &cut.own[tooth as usize - 1],
+            cut: &cut.halves[own.shape],
+            own,
         }
     }
 
@@ -308,7 +350,7 @@ impl<'a> Half<'a> {
         self.own.root_end
     }
 
-    /// Its longest chords that all teeth share: one a curve.
+    /// Its longest chords that all teeth share: one a curve without edges.
     pub fn shared(&self) -> &'a [Chord] {
         &self.cut.chords[..self.cut.curves]
     }

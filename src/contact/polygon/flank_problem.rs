@@ -7,7 +7,7 @@
 use super::chord::{Chord, CutGear, Half};
 use crate::contact::parry::Closest;
 use crate::error::Error;
-use crate::gear::{Profile, Side};
+use crate::gear::Side;
 use crate::pair::{GearPair, Member, Pose};
 use nalgebra::{Isometry2, Point2, UnitComplex, Vector2};
 use std::f64::consts::{PI, TAU};
@@ -25,18 +25,15 @@ const WELL_KNOWN: f64 = 1e-6;
 #[derive(Clone, Copy)]
 pub(super) struct CutTeeth<'a> {
     pub assembly: &'a GearPair,
-    locked: (Profile<'a>, &'a CutGear),
-    free: (Profile<'a>, &'a CutGear),
+    locked: &'a CutGear,
+    free: &'a CutGear,
 }
 
 impl<'a> CutTeeth<'a> {
     pub fn new(assembly: &'a GearPair, wheel: &'a CutGear, pinion: &'a CutGear) -> CutTeeth<'a> {
-        let of = |member: Member| {
-            let cut = match member {
-                Member::Wheel => wheel,
-                Member::Pinion => pinion,
-            };
-            (Profile::new(assembly.gear(member).gear()), cut)
+        let of = |member: Member| match member {
+            Member::Wheel => wheel,
+            Member::Pinion => pinion,
         };
         CutTeeth {
             assembly,
@@ -84,7 +81,9 @@ impl<'a> FlankProblem<'a> {
         let mating = pose.mating().tooth(locked);
         let locked_tooth = assembly.gear(locked).counter_clockwise(mating, steps);
         let free_tooth = pose.facing_tooth(assembly, side, steps);
-        let half = |(profile, cut), tooth| Half::new(profile, cut, side, tooth);
+        let half = |member, cut, tooth| {
+            Half::new(assembly.gear(member).profile(side, tooth), cut, side, tooth)
+        };
         let locked_frame = frame(assembly, locked, pose.locked_rotation(), side, locked_tooth);
         let free_frame = frame(assembly, free, pose.free_rotation(), side, free_tooth);
         let axis = assembly.axis(free);
@@ -98,8 +97,8 @@ impl<'a> FlankProblem<'a> {
             side,
             locked_tooth,
             free_tooth,
-            locked: half(teeth.locked, locked_tooth),
-            free: half(teeth.free, free_tooth),
+            locked: half(locked, teeth.locked, locked_tooth),
+            free: half(free, teeth.free, free_tooth),
             axis: back * (axis - locked_frame.translation.vector),
             from_axis: back * (free_frame.translation.vector - axis.coords),
             turn: back * free_frame.rotation,

@@ -144,6 +144,11 @@ fn is_edge(half: &Half, curve: ProfilePart, parameter: f64, radius: f64) -> bool
     let profile = half.profile();
     let gear = profile.gear();
     let inside = CORNER / radius;
+    // At an edge of the curve itself a chord ends.
+    let edges = profile.part(curve).curve.edges();
+    if edges.contains(&parameter) {
+        return true;
+    }
     match curve {
         ProfilePart::Tip => {
             parameter >= profile.range(ProfilePart::Tip).1 - inside

@@ -10,6 +10,7 @@ mod circle;
 mod cubic;
 mod involute;
 mod line;
+mod modified;
 
 pub use super::fillet::Fillet;
 pub use arc::Arc;
@@ -17,6 +18,7 @@ pub use circle::Circle;
 pub use cubic::Cubic;
 pub use involute::InvoluteFlank;
 pub use line::Line;
+pub use modified::ModifiedFlank;
 
 use nalgebra::{Point2, Vector2};
 
@@ -61,12 +63,14 @@ impl ProfilePart {
 }
 
 /// The curve of a part.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum PartCurve {
     /// About the gear's centre. Parameter: angle past the tooth's centre line, rad.
     Arc(Arc),
     /// Parameter: roll `ξ`, rad.
     Involute(InvoluteFlank),
+    /// With a profile deviation. Parameter: roll `ξ` of its involute, rad.
+    Modified(ModifiedFlank),
     /// A generated fillet. Parameter: `γ`, see [`Fillet`], rad.
     Trochoid(Fillet),
     /// Parameter: distance from its end at the root, mm.
@@ -83,6 +87,7 @@ macro_rules! ask {
         match $curve {
             PartCurve::Arc(curve) => curve.$question($($argument),*),
             PartCurve::Involute(curve) => curve.$question($($argument),*),
+            PartCurve::Modified(curve) => curve.$question($($argument),*),
             PartCurve::Trochoid(curve) => curve.$question($($argument),*),
             PartCurve::Line(curve) => curve.$question($($argument),*),
             PartCurve::Circle(curve) => curve.$question($($argument),*),
@@ -150,6 +155,14 @@ impl PartCurve {
         }
     }
 
+    /// Parameters at which the curve has an edge, ascending.
+    pub fn edges(&self) -> &[f64] {
+        match self {
+            PartCurve::Modified(flank) => flank.deviation().edges(),
+            _ => &[],
+        }
+    }
+
     /// Greatest curvature between two parameters, 1/mm, where it is known.
     pub fn curvature(&self, from: f64, to: f64) -> Option<f64> {
         ask!(self, curvature(from, to))
@@ -157,7 +170,7 @@ impl PartCurve {
 }
 
 /// A stretch of a curve.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Part {
     /// The curve.
     pub curve: PartCurve,
@@ -181,14 +194,33 @@ impl Part {
             true => [t >= from, t <= to],
             false => [t <= from, t >= to],
         };
-        at[0] && self.corners[0] || at[1] && self.corners[1]
+        // The last point before an edge stands for it on its side.
+        let inside = |edges: &[f64]| edges.iter().any(|edge| t == *edge || t == edge.next_down());
+        at[0] && self.corners[0] || at[1] && self.corners[1] || inside(self.curve.edges())
     }
+
+    /// The stretches without an edge inside, the lesser first: parameters of their ends, those at an edge on their own side of it.
+    pub fn stretches(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
+        let (low, high) = self.range();
+        smooth(self.curve.edges(), low, high)
+    }
+}
+
+/// An interval of a curve's parameter, cut at the edges inside it: both sides of an edge end on their own side.
+pub(crate) fn smooth(edges: &[f64], low: f64, high: f64) -> impl Iterator<Item = (f64, f64)> + '_ {
+    let inside = edges
+        .iter()
+        .copied()
+        .filter(move |edge| *edge > low && *edge < high);
+    let starts = std::iter::once(low).chain(inside.clone());
+    let ends = inside.map(f64::next_down).chain(std::iter::once(high));
+    starts.zip(ends)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gear::{Gear, GearDesign};
+    use crate::gear::{AsBuilt, Deviations, Face, Gear, GearDesign, Modification, Relief, Trace};
 
     /// All kinds of curves: undercut and `h_0 < 0` included, and a straight flank.
     fn parts() -> Vec<(String, Part)> {
@@ -203,7 +235,24 @@ mod tests {
         let straight = gears[1].1.with_straight_flanks(0.02, 0.05).unwrap();
         let all = gears.into_iter().chain([(0, straight)]);
         let parts = all.flat_map(|(teeth, gear)| {
-            ProfilePart::ALL.map(|part| (format!("{teeth} {}", part.name()), *gear.part(part)))
+            ProfilePart::ALL
+                .map(|part| (format!("{teeth} {}", part.name()), gear.part(part).clone()))
+        });
+        let modified = gears_with_profiles().into_iter().flat_map(|(what, built)| {
+            let flank = built.profile(crate::gear::Side::Right, 1);
+            let flank = flank.part(ProfilePart::Involute).clone();
+            let stretch = |(k, ends): (usize, (f64, f64))| {
+                let part = Part {
+                    ends: [ends.1, ends.0],
+                    ..flank.clone()
+                };
+                (format!("{what}, stretch {k}"), part)
+            };
+            flank
+                .stretches()
+                .enumerate()
+                .map(stretch)
+                .collect::<Vec<_>>()
         });
         let part = |what: &str, curve, ends| {
             (
@@ -235,23 +284,92 @@ mod tests {
                 [1.0, 0.8],
             ),
         ];
-        let parts = parts.chain(drawn);
+        let parts = parts.chain(drawn).chain(modified);
         parts
             .filter(|(_, part)| part.ends[0] != part.ends[1])
             .collect()
+    }
+
+    /// Every kind of profile deviation.
+    fn gears_with_profiles() -> Vec<(&'static str, AsBuilt)> {
+        let relief = |from, parabolic| {
+            Some(Relief {
+                amount: 0.02,
+                from,
+                parabolic,
+            })
+        };
+        let wave = |k: i32| (0.2 + 0.02 * f64::from(k), 0.004 * f64::from(k * k % 5));
+        let none = Modification::default;
+        let all = [
+            (
+                "slope",
+                Modification {
+                    slope: 0.05,
+                    ..none()
+                },
+            ),
+            (
+                "crowning",
+                Modification {
+                    crowning: 0.03,
+                    ..none()
+                },
+            ),
+            (
+                "straight relief",
+                Modification {
+                    tip_relief: relief(45.2, false),
+                    ..none()
+                },
+            ),
+            (
+                "parabolic relief",
+                Modification {
+                    tip_relief: relief(45.2, true),
+                    ..none()
+                },
+            ),
+            (
+                "root relief",
+                Modification {
+                    root_relief: relief(43.2, false),
+                    ..none()
+                },
+            ),
+            (
+                "trace",
+                Modification {
+                    traces: vec![Trace {
+                        tooth: None,
+                        points: (0..20).map(wave).collect(),
+                    }],
+                    ..none()
+                },
+            ),
+        ];
+        let built = |(what, profile): (&'static str, Modification)| {
+            let deviations = Deviations {
+                profiles: [profile.clone(), profile],
+                ..Deviations::default()
+            };
+            let gear = Gear::nominal(GearDesign::plain(44, 2.0)).unwrap();
+            (what, AsBuilt::new(gear, Face::Front, &deviations).unwrap())
+        };
+        all.into_iter().map(built).collect()
     }
 
     /// What a curve says of itself against its own points. Source: differences of them.
     #[test]
     fn curves_are_as_they_say() {
         for (what, part) in parts() {
-            let (curve, (low, high)) = (part.curve, part.range());
+            let (curve, (low, high)) = (&part.curve, part.range());
             let (reach, turn) = curve.spread(low, high);
             let middle = curve.at(0.5 * (low + high));
             let size = middle.0.coords.norm();
             let step = 1e-5;
             for k in 0..=10 {
-                let t = low + (high - low) * f64::from(k) / 10.0;
+                let t = low + step + (high - low - 2.0 * step) * f64::from(k) / 10.0;
                 let (point, normal) = curve.at(t);
                 assert!((point - curve.point(t)).norm() < 1e-13 * size, "{what} {t}");
                 assert!((normal - curve.normal(t)).norm() < 1e-13, "{what} {t}");
@@ -277,7 +395,7 @@ mod tests {
     #[test]
     fn bend_and_curvature_bound_the_curve() {
         for (what, part) in parts() {
-            let (curve, (low, high)) = (part.curve, part.range());
+            let (curve, (low, high)) = (&part.curve, part.range());
             for k in 0..8 {
                 let (from, to) = (0.125 * f64::from(k), 0.125 * f64::from(k + 1));
                 let [from, to] = [from, to].map(|place| low + (high - low) * place);

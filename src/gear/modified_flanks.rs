@@ -1,0 +1,133 @@
+//! The half teeth of a gear whose profiles deviate.
+//!
+//! The flank of a half tooth ends where its tangents to the base circle are as long as those of the involute at tip and form circle:
+//! `r_b ξ + δ(ξ) = r_b ξ_0`, so that tip and form circle stay. Its fillet and root land are turned with the flank's lower end: what the flank
+//! has there the fillet has too.
+
+use super::part::ModifiedFlank;
+use super::{Gear, Part, PartCurve, ProfilePart, RollCurve};
+use crate::error::GearError;
+use std::collections::HashMap;
+use std::sync::Arc;
+
+/// The half teeth of one side of a gear: few shapes, and which tooth has which.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct ModifiedHalves {
+    pub shapes: Vec<[Part; 4]>,
+    /// By tooth, from tooth 1; empty: all have the first.
+    pub of_tooth: Vec<u32>,
+}
+
+impl ModifiedHalves {
+    /// The half teeth of `gear` with these deviations by tooth, or with one for all.
+    ///
+    /// # Errors
+    /// As [`half_tooth`].
+    pub fn new(gear: &Gear, curves: &[Arc<RollCurve>]) -> Result<ModifiedHalves, GearError> {
+        let mut shapes = Vec::new();
+        let mut known = HashMap::new();
+        let mut of_tooth = Vec::with_capacity(curves.len());
+        for curve in curves {
+            let shape = match known.get(&Arc::as_ptr(curve)) {
+                Some(&shape) => shape,
+                None => {
+                    shapes.push(half_tooth(gear, curve)?);
+                    let shape = shapes.len() as u32 - 1;
+                    known.insert(Arc::as_ptr(curve), shape);
+                    shape
+                }
+            };
+            of_tooth.push(shape);
+        }
+        if shapes.len() == 1 {
+            of_tooth.clear();
+        }
+        Ok(ModifiedHalves { shapes, of_tooth })
+    }
+
+    /// Which of its shapes a tooth has.
+    pub fn shape_of(&self, tooth: u32) -> usize {
+        let shape = self.of_tooth.get(tooth as usize - 1);
+        shape.map_or(0, |&shape| shape as usize)
+    }
+
+    /// The same with deviations `factor` times as large, of `gear`.
+    ///
+    /// # Errors
+    /// As [`half_tooth`].
+    pub fn exaggerated(&self, gear: &Gear, factor: f64) -> Result<ModifiedHalves, GearError> {
+        let enlarged = |parts: &[Part; 4]| match &parts[ProfilePart::Involute as usize].curve {
+            PartCurve::Modified(flank) => {
+                half_tooth(gear, &Arc::new(flank.deviation().scaled(factor)))
+            }
+            _ => Ok(parts.clone()),
+        };
+        Ok(ModifiedHalves {
+            shapes: self.shapes.iter().map(enlarged).collect::<Result<_, _>>()?,
+            of_tooth: self.of_tooth.clone(),
+        })
+    }
+}
+
+/// The half tooth of `gear` with a deviation.
+///
+/// # Errors
+/// [`GearError::Profile`] where the flank is none, its tip land or the root land has no room.
+fn half_tooth(gear: &Gear, deviation: &Arc<RollCurve>) -> Result<[Part; 4], GearError> {
+    let base = gear.base_radius();
+    let [tip, form] = [gear.tip_roll(), gear.form_roll()];
+    let fault = |what| GearError::Profile { what };
+    let folded = "turns back on itself or crosses the base circle";
+    let ends = [tip, form].map(|roll| end_at(base, roll, deviation));
+    let [Some(tip_end), Some(form_end)] = ends else {
+        return Err(fault(folded));
+    };
+    if !(form_end < tip_end) {
+        return Err(fault(
+            "leaves nothing between root form circle and tip circle",
+        ));
+    }
+    let range = [form_end, tip_end];
+    let flank = ModifiedFlank::new(base, gear.half_base_angle(), Arc::clone(deviation), range);
+    let flank = flank.ok_or(fault(folded))?;
+    let [mut land, mut side, mut fillet, mut bottom] = gear.parts().clone();
+    // Both ends stand as far round as their involutes roll less, or more.
+    land.ends[1] += tip - tip_end;
+    if land.ends[1] <= 0.0 {
+        return Err(fault("leaves the tooth no tip land"));
+    }
+    let turned = form_end - form;
+    side.curve = PartCurve::Modified(flank);
+    side.ends = [tip_end, form_end];
+    if turned != 0.0 {
+        fillet.curve = PartCurve::Trochoid(gear.fillet().turned(turned));
+        bottom.ends[0] -= turned;
+        bottom.ends[1] = bottom.ends[1].max(bottom.ends[0]);
+    }
+    Ok([land, side, fillet, bottom])
+}
+
+/// The roll at which `r_b ξ + δ(ξ) = r_b ξ_0`: bisected to the last bit between the bounds that the greatest deviation sets; `None` where that leaves the
+/// involute. Exactly `ξ_0` where nothing deviates there.
+fn end_at(base: f64, roll: f64, deviation: &RollCurve) -> Option<f64> {
+    let excess = |xi: f64| base * (xi - roll) + deviation.at(xi);
+    if excess(roll) == 0.0 {
+        return Some(roll);
+    }
+    let [least, most] = deviation.bounds(0.0, 2.0 * roll + 1.0)[0];
+    let reach = least.abs().max(most.abs()) / base * 1.001;
+    let (mut low, mut high) = ((roll - reach).max(0.0), roll + reach);
+    if !(excess(low) <= 0.0 && excess(high) >= 0.0) {
+        return None;
+    }
+    loop {
+        let middle = 0.5 * (low + high);
+        if middle <= low || middle >= high {
+            return Some(middle);
+        }
+        match excess(middle) < 0.0 {
+            true => low = middle,
+            false => high = middle,
+        }
+    }
+}

@@ -1,0 +1,159 @@
+//! An involute with a profile deviation: `P = E (r_b − i (r_b ξ + δ))`, `E = e^{i(ξ − ψ_b)}`.
+//!
+//! Every point lies on the line of action of its involute's, `δ` farther out of the metal. With `a = r_b ξ + δ`
+//!
+//! ```text
+//! P' = E (a − iδ'),   |P'| = h = √(a² + δ'²),   P'' = E (r_b + 2δ') + iE (a − δ'')
+//! ```
+//!
+//! so that the normal is turned by `−atan(δ'/a)` from the involute's `−iE`, and turns by
+//! `κ = (1 − (δ'' a − δ' (r_b + δ'))/h²)/h` a length.
+
+use crate::gear::RollCurve;
+use nalgebra::{Point2, Vector2};
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+/// An involute of the base circle with a deviation of its profile.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ModifiedFlank {
+    /// `r_b`, mm.
+    base: f64,
+    /// `ψ_b`, rad.
+    half_base: f64,
+    deviation: Arc<RollCurve>,
+    /// What [`ModifiedFlank::bend`] says of the whole flank, but for `r_b ξ`.
+    bend: (f64, f64),
+}
+
+impl ModifiedFlank {
+    /// The involute that leaves the circle of radius `base` (mm) at the angle `half_base` (rad) from the tooth's centre line, with a
+    /// deviation, of which the rolls of `range` count; `None` where it is not regular there: where `r_b ξ + δ` or its slope is not above 0.
+    pub(in crate::gear) fn new(
+        base: f64,
+        half_base: f64,
+        deviation: Arc<RollCurve>,
+        [low, high]: [f64; 2],
+    ) -> Option<ModifiedFlank> {
+        let mut flank = ModifiedFlank {
+            base,
+            half_base,
+            deviation,
+            bend: (0.0, 0.0),
+        };
+        let arm = flank.arms(low, high)[0];
+        let [value, slope, second] = flank.deviation.bounds(low, high).map(most);
+        if !(arm > 0.0 && base > slope) {
+            return None;
+        }
+        // A chord is parallel to a tangent, and those are off E by Δ and this.
+        let off = (slope / arm).atan();
+        let along = base + 2.0 * slope;
+        flank.bend = (value + second + along * off, along);
+        Some(flank)
+    }
+
+    /// Its deviation.
+    pub fn deviation(&self) -> &RollCurve {
+        &self.deviation
+    }
+
+    /// Interval of `a` over rolls, mm.
+    fn arms(&self, low: f64, high: f64) -> [f64; 2] {
+        // It rises with the roll, or the flank is none.
+        [low, high].map(|xi| self.base * xi + self.deviation.at(xi))
+    }
+
+    // Out of line: the kernel's own curves are not these.
+    #[inline(never)]
+    pub(super) fn at(&self, xi: f64) -> (Point2<f64>, Vector2<f64>) {
+        let (sin, cos) = (xi - self.half_base).sin_cos();
+        let base = self.base;
+        let [value, slope, _] = self.deviation.jet(xi);
+        // Where nothing deviates it is the involute to the last bit.
+        let point = Point2::new(
+            base * (cos + xi * sin) + value * sin,
+            base * (sin - xi * cos) - value * cos,
+        );
+        let normal = Vector2::new(sin, -cos);
+        if slope == 0.0 {
+            return (point, normal);
+        }
+        // −i E (a − iδ')/h.
+        let arm = base * xi + value;
+        let along = Vector2::new(cos, sin);
+        (point, (normal * arm - along * slope).normalize())
+    }
+
+    pub(super) fn point(&self, xi: f64) -> Point2<f64> {
+        self.at(xi).0
+    }
+
+    pub(super) fn normal(&self, xi: f64) -> Vector2<f64> {
+        self.at(xi).1
+    }
+
+    pub(super) fn radius(&self, xi: f64) -> f64 {
+        self.base.hypot(self.base * xi + self.deviation.at(xi))
+    }
+
+    pub(super) fn speed(&self, xi: f64) -> f64 {
+        let [value, slope, _] = self.deviation.jet(xi);
+        (self.base * xi + value).hypot(slope)
+    }
+
+    /// The longer half is no longer than its greatest speed times its width; the normal turns with `E` and by the change of
+    /// `atan(δ'/a)`.
+    pub(super) fn spread(&self, low: f64, high: f64) -> (f64, f64) {
+        let half = 0.5 * (high - low);
+        let [_, slopes, _] = self.deviation.bounds(low, high);
+        let arms = self.arms(low, high);
+        let reach = arms[1].hypot(most(slopes)) * half;
+        let tilts = slopes.map(|slope| {
+            // The steeper at the shorter arm.
+            [arms[0], arms[1]].map(|arm| slope.atan2(arm))
+        });
+        let tilt = tilts[1][0].max(tilts[1][1]) - tilts[0][0].min(tilts[0][1]);
+        (reach, (half + tilt).min(PI))
+    }
+
+    pub(super) fn bend(&self, xi: f64) -> (f64, f64) {
+        (self.base * xi + self.bend.0, self.bend.1)
+    }
+
+    pub(super) fn convexity(&self, low: f64, high: f64) -> Option<(f64, f64)> {
+        let [near, far] = self.arms(low, high);
+        if near <= 0.0 {
+            return None;
+        }
+        let [_, slopes, seconds] = self.deviation.bounds(low, high);
+        let bent = [
+            (seconds[0] * near).min(seconds[0] * far),
+            (seconds[1] * near).max(seconds[1] * far),
+        ];
+        let tilted = slopes.map(|slope| slope * (self.base + slope));
+        let rest = [bent[0] - tilted[1], bent[1] - tilted[0]];
+        let gentlest = match slopes[0] <= 0.0 && slopes[1] >= 0.0 {
+            true => 0.0,
+            false => slopes[0].abs().min(slopes[1].abs()),
+        };
+        let speeds = [near.hypot(gentlest), far.hypot(most(slopes))];
+        let squares = speeds.map(|speed| speed * speed);
+        let least = 1.0 - (rest[1] / squares[0]).max(rest[1] / squares[1]);
+        let greatest = 1.0 - (rest[0] / squares[0]).min(rest[0] / squares[1]);
+        Some((
+            (least / speeds[0]).min(least / speeds[1]),
+            (greatest / speeds[0]).max(greatest / speeds[1]),
+        ))
+    }
+
+    pub(super) fn curvature(&self, from: f64, to: f64) -> Option<f64> {
+        self.convexity(from.min(to), from.max(to))
+            .map(|bounds| most(bounds.into()))
+    }
+}
+
+/// The greatest amount in an interval.
+fn most([least, most]: [f64; 2]) -> f64 {
+    least.abs().max(most.abs())
+}

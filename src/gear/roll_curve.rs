@@ -1,0 +1,274 @@
+//! A profile deviation `δ` over the roll `ξ`: a piecewise cubic.
+//!
+//! What a flank has beyond its involute along the involute's normal, plus = more material. Before its first knot and after its last it
+//! is constant. Continuous; its slope too, but for the *edges* where a straight relief begins.
+
+/// `δ(ξ)`, mm, of the roll, rad.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RollCurve {
+    /// Ascending; at least two.
+    knots: Vec<f64>,
+    /// Of the stretch behind each knot but the last: coefficients of the powers of `ξ − knot`.
+    cubics: Vec<[f64; 4]>,
+    /// Knots at which the slope jumps.
+    edges: Vec<f64>,
+}
+
+/// Least and greatest value of something over an interval.
+pub(super) type Interval = [f64; 2];
+
+impl RollCurve {
+    /// The polynomial of these coefficients of the powers of `ξ − from` between two rolls, constant beyond.
+    pub(super) fn polynomial([from, to]: [f64; 2], cubic: [f64; 4]) -> RollCurve {
+        RollCurve {
+            knots: vec![from, to],
+            cubics: vec![cubic],
+            edges: Vec::new(),
+        }
+    }
+
+    /// The same, and exactly 0 beyond its end as far as `to`.
+    pub(super) fn and_nothing_to(mut self, to: f64) -> RollCurve {
+        self.knots.push(to);
+        self.cubics.push([0.0; 4]);
+        self
+    }
+
+    /// The same, its slope taken to jump at `edge`, one of its ends.
+    pub(super) fn with_edge(mut self, edge: f64) -> RollCurve {
+        self.edges.push(edge);
+        self
+    }
+
+    /// The curve through points (roll, rad; deviation, mm) of strictly ascending roll, at least two.
+    ///
+    /// Cubic between them, with the slopes of Fritsch and Carlson's monotone interpolation in the form with the harmonic mean of
+    /// neighbouring chords' slopes, 0 where these have other signs: it never leaves the range of the two points beside it. (With the mean
+    /// `2 s t/(s + t) ≤ 2 min(s, t)` each cubic's end slopes are within three times its chord's, which suffices for it to be monotonic.)
+    pub(super) fn through(points: &[(f64, f64)]) -> RollCurve {
+        let chords: Vec<f64> = points
+            .windows(2)
+            .map(|pair| (pair[1].1 - pair[0].1) / (pair[1].0 - pair[0].0))
+            .collect();
+        let slope = |k: usize| match (k.checked_sub(1).map(|k| chords[k]), chords.get(k)) {
+            (Some(s), Some(&t)) if s * t > 0.0 => 2.0 * s * t / (s + t),
+            // Held constant beyond its ends, and flat at a summit.
+            _ => 0.0,
+        };
+        let cubic = |k: usize| {
+            let (width, chord) = (points[k + 1].0 - points[k].0, chords[k]);
+            let [from, to] = [slope(k), slope(k + 1)];
+            let second = (3.0 * chord - 2.0 * from - to) / width;
+            let third = (from + to - 2.0 * chord) / (width * width);
+            [points[k].1, from, second, third]
+        };
+        RollCurve {
+            knots: points.iter().map(|point| point.0).collect(),
+            cubics: (0..chords.len()).map(cubic).collect(),
+            edges: Vec::new(),
+        }
+    }
+
+    /// The sum of curves, each taken so many times; 0 of none.
+    pub(super) fn sum(curves: &[(f64, &RollCurve)]) -> RollCurve {
+        let of = |list: fn(&RollCurve) -> &Vec<f64>| {
+            let all = curves.iter().flat_map(|(_, curve)| list(curve).iter());
+            let mut all: Vec<f64> = all.copied().collect();
+            all.sort_by(f64::total_cmp);
+            all.dedup();
+            all
+        };
+        let (knots, edges) = (of(|curve| &curve.knots), of(|curve| &curve.edges));
+        let cubic = |pair: &[f64]| {
+            // Each curve is one cubic between neighbouring knots of all.
+            let middle = 0.5 * (pair[0] + pair[1]);
+            curves.iter().fold([0.0; 4], |sum, (times, curve)| {
+                let there = curve.cubic_at(middle, pair[0]);
+                std::array::from_fn(|k| sum[k] + times * there[k])
+            })
+        };
+        match knots.len() {
+            0 => RollCurve::polynomial([0.0, 1.0], [0.0; 4]),
+            _ => RollCurve {
+                cubics: knots.windows(2).map(cubic).collect(),
+                knots,
+                edges,
+            },
+        }
+    }
+
+    /// Coefficients of the powers of `ξ − about` of the stretch that `xi` is in.
+    fn cubic_at(&self, xi: f64, about: f64) -> [f64; 4] {
+        match self.stretch(xi) {
+            Err(held) => [held, 0.0, 0.0, 0.0],
+            Ok(k) => {
+                let h = about - self.knots[k];
+                let [a, b, c, d] = self.cubics[k];
+                [
+                    a + h * (b + h * (c + h * d)),
+                    b + h * (2.0 * c + 3.0 * h * d),
+                    c + 3.0 * h * d,
+                    d,
+                ]
+            }
+        }
+    }
+
+    /// The stretch with `xi`, or the value held there. A knot belongs to the stretch behind it.
+    fn stretch(&self, xi: f64) -> Result<usize, f64> {
+        let behind = self.knots.partition_point(|&knot| knot <= xi);
+        match behind {
+            0 => Err(self.cubics[0][0]),
+            k if k < self.knots.len() => Ok(k - 1),
+            _ => {
+                let last = self.cubics.len() - 1;
+                Err(at(&self.cubics[last], self.knots[last + 1] - self.knots[last])[0])
+            }
+        }
+    }
+
+    /// `δ`, mm, its slope `δ'`, mm/rad, and `δ''` at the roll `xi`; those of the greater rolls at an edge.
+    #[inline]
+    pub(super) fn jet(&self, xi: f64) -> [f64; 3] {
+        match self.stretch(xi) {
+            Err(held) => [held, 0.0, 0.0],
+            Ok(k) => at(&self.cubics[k], xi - self.knots[k]),
+        }
+    }
+
+    /// `δ`, mm, at the roll `xi`, rad.
+    pub fn at(&self, xi: f64) -> f64 {
+        self.jet(xi)[0]
+    }
+
+    /// `δ'`, mm/rad, at the roll `xi`, rad; that of the greater rolls at an edge.
+    pub fn slope(&self, xi: f64) -> f64 {
+        self.jet(xi)[1]
+    }
+
+    /// Rolls at which the slope jumps, ascending.
+    pub fn edges(&self) -> &[f64] {
+        &self.edges
+    }
+
+    /// The same, `factor` times as large.
+    pub(super) fn scaled(&self, factor: f64) -> RollCurve {
+        RollCurve::sum(&[(factor, self)])
+    }
+
+    /// Intervals in which `δ`, `δ'` and `δ''` lie over the rolls from `low` to `high`.
+    pub(super) fn bounds(&self, low: f64, high: f64) -> [Interval; 3] {
+        let first = self.knots.partition_point(|&knot| knot <= low).max(1) - 1;
+        let mut bounds = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
+        let mut take = |which: usize, value: f64| {
+            let [least, most]: &mut Interval = &mut bounds[which];
+            (*least, *most) = (least.min(value), most.max(value));
+        };
+        for end in [low, high] {
+            if end < self.knots[0] || end >= self.knots[self.knots.len() - 1] {
+                for (which, value) in self.jet(end).into_iter().enumerate() {
+                    take(which, value);
+                }
+            }
+        }
+        for k in first..self.cubics.len() {
+            let (from, to) = (self.knots[k].max(low), self.knots[k + 1].min(high));
+            if self.knots[k] > high {
+                break;
+            }
+            if from > to {
+                continue;
+            }
+            let cubic = &self.cubics[k];
+            let [from, to] = [from, to].map(|xi| xi - self.knots[k]);
+            let inside = |xi: &f64| *xi > from && *xi < to;
+            let [_, b, c, d] = *cubic;
+            // Where δ'' = 0 the slope is extreme, where δ' = 0 the deviation.
+            let flat = -c / (3.0 * d);
+            let root = (c * c - 3.0 * b * d).sqrt();
+            let still = [
+                (-c + root) / (3.0 * d),
+                (-c - root) / (3.0 * d),
+                -b / (2.0 * c),
+            ];
+            for end in [from, to] {
+                for (which, value) in at(cubic, end).into_iter().enumerate() {
+                    take(which, value);
+                }
+            }
+            if inside(&flat) {
+                take(1, at(cubic, flat)[1]);
+            }
+            for place in still.into_iter().filter(inside) {
+                take(0, at(cubic, place)[0]);
+            }
+        }
+        bounds
+    }
+}
+
+/// Value, slope and second derivative of a cubic.
+#[inline]
+fn at([a, b, c, d]: &[f64; 4], h: f64) -> [f64; 3] {
+    [
+        a + h * (b + h * (c + h * d)),
+        b + h * (2.0 * c + 3.0 * h * d),
+        2.0 * c + 6.0 * h * d,
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn points() -> impl Strategy<Value = Vec<(f64, f64)>> {
+        let step = (0.01f64..0.2, -0.03f64..0.03);
+        prop::collection::vec(step, 2..9).prop_map(|steps| {
+            let mut roll = 0.1;
+            let point = |(width, deviation)| {
+                roll += width;
+                (roll, deviation)
+            };
+            steps.into_iter().map(point).collect()
+        })
+    }
+
+    proptest! {
+        /// Source: its own points, and Fritsch and Carlson's condition: between two points nothing beyond them.
+        #[test]
+        fn goes_through_its_points_and_never_beyond(points in points()) {
+            let curve = RollCurve::through(&points);
+            for pair in points.windows(2) {
+                let [(from, a), (to, b)] = [pair[0], pair[1]];
+                for k in 0..=40 {
+                    let value = curve.at(from + (to - from) * f64::from(k) / 40.0);
+                    prop_assert!(value >= a.min(b) - 1e-15 && value <= a.max(b) + 1e-15);
+                }
+                prop_assert!((curve.at(from) - a).abs() < 1e-15 && (curve.at(to) - b).abs() < 1e-15);
+            }
+            prop_assert_eq!(curve.at(0.0), points[0].1);
+            prop_assert!((curve.at(9.0) - points[points.len() - 1].1).abs() < 1e-15);
+        }
+
+        /// Values, slopes (by differences) and second derivatives of a sum within the bounds of any interval.
+        #[test]
+        fn lies_within_its_bounds(points in points(), more in points(), low in 0.0f64..1.0, width in 0.0f64..1.0) {
+            let ramp = RollCurve::polynomial([0.3, 0.7], [0.0, -0.02, 0.01, 0.3]).with_edge(0.3);
+            let [one, two] = [points, more].map(|points| RollCurve::through(&points));
+            let curve = RollCurve::sum(&[(1.0, &one), (-0.5, &two), (2.0, &ramp)]);
+            prop_assert_eq!(curve.edges(), &[0.3]);
+            let bounds = curve.bounds(low, low + width);
+            for k in 0..=50 {
+                let xi = low + width * f64::from(k) / 50.0;
+                let jet = curve.jet(xi);
+                let expected = one.at(xi) - 0.5 * two.at(xi) + 2.0 * ramp.at(xi);
+                prop_assert!((jet[0] - expected).abs() < 1e-14);
+                for (value, [least, most]) in jet.into_iter().zip(bounds) {
+                    let rounding = 1e-12 * (1.0 + value.abs());
+                    prop_assert!(value >= least - rounding && value <= most + rounding, "{xi} {jet:?} {bounds:?}");
+                }
+            }
+        }
+    }
+}

@@ -4,7 +4,7 @@
 //! Frame: the gear's centre at the origin, the tooth's centre line, turned with the flank, on +x; the flank lies at
 //! negative angles. Left half teeth are mirrored into it.
 
-use gearlash::gear::{AsBuilt, Gear, Side};
+use gearlash::gear::{AsBuilt, Gear, RollCurve, Side};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Places of the fillet's parameter kept to start its inversion from.
@@ -28,6 +28,8 @@ pub struct Half {
     pub form: f64,
     /// Radii at `γ` in equal steps.
     table: Vec<f64>,
+    /// What the profile has beyond the involute, along its normal.
+    deviation: Option<RollCurve>,
 }
 
 /// Where one tooth's half ends at either end: angles from its centre line.
@@ -40,10 +42,11 @@ pub struct Ends {
 }
 
 impl Ends {
-    pub fn new(half: &Half, gear: &AsBuilt, side: Side, tooth: u32) -> Ends {
+    /// `other` is the half tooth on the tooth's other side.
+    pub fn new(other: &Half, gear: &AsBuilt, side: Side, tooth: u32) -> Ends {
         let widening = gear.flank_offset(Side::Left, tooth) - gear.flank_offset(Side::Right, tooth);
         Ends {
-            far: half.half_angle(half.tip) + widening,
+            far: other.half_angle(other.tip) + widening,
             space: gear.root_end(side, tooth),
         }
     }
@@ -91,11 +94,23 @@ impl Half {
             gamma: FRAC_PI_2 - alpha,
             form: 0.0,
             table: Vec::new(),
+            deviation: None,
         };
         half.end_fillet();
         let share = |k: usize| half.gamma * k as f64 / TABLE as f64;
         half.table = (0..=TABLE).map(|k| half.fillet(share(k)).0).collect();
         half.form = half.table[TABLE];
+        half
+    }
+
+    /// The same with a profile deviation, the fillet turned so that it meets the flank where it ends.
+    pub fn deviating(self, deviation: &RollCurve) -> Half {
+        let nominal = self.involute(self.form);
+        let mut half = Half {
+            deviation: Some(deviation.clone()),
+            ..self
+        };
+        half.land += half.involute(half.form) - nominal;
         half
     }
 
@@ -169,11 +184,28 @@ impl Half {
     }
 
     fn involute(&self, radius: f64) -> f64 {
-        let roll = ((radius - self.base) * (radius + self.base))
+        let tangent = ((radius - self.base) * (radius + self.base))
             .max(0.0)
             .sqrt()
             / self.base;
-        self.half_base - (roll - roll.atan())
+        self.half_base - (self.rolled(tangent) - tangent.atan())
+    }
+
+    /// The roll of the point whose tangent to the base circle is `tangent` base radii long: the involute's way, less what stands out.
+    fn rolled(&self, tangent: f64) -> f64 {
+        let Some(deviation) = &self.deviation else {
+            return tangent;
+        };
+        let mut roll = tangent;
+        // Contracts: a deviation's slope is a small part of the base radius.
+        for _ in 0..200 {
+            let next = tangent - deviation.at(roll) / self.base;
+            if (next - roll).abs() <= 1e-16 {
+                break;
+            }
+            roll = next;
+        }
+        roll
     }
 
     /// Half the tooth's angle at `radius`, root circle or above; beyond the tip of the involute produced.
@@ -247,9 +279,9 @@ impl Half {
             1 => {
                 let roll = |radius: f64| ((radius / self.base).powi(2) - 1.0).max(0.0).sqrt();
                 let (tip, form) = (roll(self.tip), roll(self.form));
-                let roll = tip + (form - tip) * t;
-                let angle = roll - roll.atan() - self.half_base;
-                (self.base * roll.hypot(1.0), angle)
+                let tangent = tip + (form - tip) * t;
+                let angle = self.rolled(tangent) - tangent.atan() - self.half_base;
+                (self.base * tangent.hypot(1.0), angle)
             }
             2 => self.fillet(self.gamma * (1.0 - t)),
             _ => (self.root, -self.land + (self.land - ends.space) * t),

@@ -15,6 +15,7 @@ mod whole;
 use gearlash::gear::Side;
 use gearlash::pair::{GearPair, Member, Pose};
 use half::{Clearance, Ends, Half};
+use std::rc::Rc;
 #[allow(unused_imports)] // likewise
 pub use verdict::{against, contacts};
 
@@ -28,7 +29,8 @@ const NEAR: f64 = 0.03;
 struct Stood<'a> {
     assembly: &'a GearPair,
     member: Member,
-    half: Half,
+    /// Without a profile deviation.
+    half: Rc<Half>,
 }
 
 impl<'a> Stood<'a> {
@@ -36,7 +38,16 @@ impl<'a> Stood<'a> {
         Stood {
             assembly,
             member,
-            half: Half::new(assembly.gear(member).gear()),
+            half: Rc::new(Half::new(assembly.gear(member).gear())),
+        }
+    }
+
+    /// The half tooth on a side of a tooth.
+    fn half(&self, side: Side, tooth: u32) -> Rc<Half> {
+        let gear = self.assembly.gear(self.member);
+        match gear.modification(side, tooth) {
+            None => Rc::clone(&self.half),
+            Some(deviation) => Rc::new(Half::new(gear.gear()).deviating(deviation)),
         }
     }
 
@@ -56,11 +67,11 @@ impl<'a> Stood<'a> {
     }
 
     /// A circle about a half tooth in its frame: half way up the centre line, and how far its farthest point is.
-    fn circle(&self, ends: Ends) -> (f64, f64) {
+    fn circle(&self, half: &Half, ends: Ends) -> (f64, f64) {
         let middle = 0.5 * (self.half.root + self.half.tip);
         let points = (0..=4 * POINTS).map(|k| {
             let t = k as f64 / POINTS as f64;
-            let [x, y] = self.half.along(t, ends);
+            let [x, y] = half.along(t, ends);
             (x - middle).hypot(y)
         });
         // Between points of a curve bent outwards lies a little more.
@@ -68,7 +79,8 @@ impl<'a> Stood<'a> {
     }
 
     fn ends(&self, side: Side, tooth: u32) -> Ends {
-        Ends::new(&self.half, self.assembly.gear(self.member), side, tooth)
+        let other = self.half(side.other(), tooth);
+        Ends::new(&other, self.assembly.gear(self.member), side, tooth)
     }
 }
 
@@ -102,6 +114,7 @@ impl Frame {
 struct Faced {
     locked: Frame,
     free_tooth: u32,
+    halves: [Rc<Half>; 2],
     ends: [Ends; 2],
     /// Place on the centre line and radius of a circle about each half tooth.
     circles: [(f64, f64); 2],
@@ -178,18 +191,21 @@ impl<'a> Referee<'a> {
             let tooth = gear.counter_clockwise(mating, step);
             let frame = locked.frame(pose.locked_rotation(), side, tooth);
             let ends = locked.ends(side, tooth);
-            let (at, spread) = locked.circle(ends);
+            let half = locked.half(side, tooth);
+            let (at, spread) = locked.circle(&half, ends);
             let at = frame.out([at, 0.0]);
             if (at[0] - axis.x).hypot(at[1] - axis.y) - spread > mate.reach() {
                 continue;
             }
             let free_tooth = pose.facing_tooth(assembly, side, step);
             let theirs = free.ends(side, free_tooth);
+            let mates = free.half(side, free_tooth);
             pairs.push(Faced {
                 locked: frame,
                 free_tooth,
                 ends: [ends, theirs],
-                circles: [locked.circle(ends), free.circle(theirs)],
+                circles: [locked.circle(&half, ends), free.circle(&mates, theirs)],
+                halves: [half, mates],
             });
         }
         Referee {
@@ -220,7 +236,7 @@ impl<'a> Referee<'a> {
         for pair in &self.pairs {
             let free = self.free.frame(rotation, self.side, pair.free_tooth);
             let [ours, theirs] = pair.ends;
-            let (locked, half) = (&self.locked.half, &self.free.half);
+            let [locked, half] = pair.halves.each_ref().map(|half| &**half);
             let near = NEAR * self.module + least.max(0.0);
             let reaches = |(at, spread): (f64, f64), from: &Frame, to: &Frame, other: &Half| {
                 let at = from.out([at, 0.0]);

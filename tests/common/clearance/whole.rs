@@ -40,13 +40,14 @@ fn deepest((one, turned): (&Stood, f64), (other, stands): (&Stood, f64)) -> f64 
         for side in Side::BOTH {
             let frame = one.frame(turned, side, tooth);
             let ends = one.ends(side, tooth);
-            let (at, spread) = one.circle(ends);
+            let half = one.half(side, tooth);
+            let (at, spread) = one.circle(&half, ends);
             let at = frame.out([at, 0.0]);
             if (at[0] - axis.x).hypot(at[1] - axis.y) - spread > reach {
                 continue;
             }
             for k in 0..=4 * POINTS {
-                let point = frame.out(one.half.along(k as f64 / POINTS as f64, ends));
+                let point = frame.out(half.along(k as f64 / POINTS as f64, ends));
                 most = most.max(depth(other, stands, point));
             }
         }
@@ -71,12 +72,12 @@ fn depth(stood: &Stood, rotation: f64, point: [f64; 2]) -> f64 {
     let basic_data = gear.gear().basic_data();
     let angle = y.atan2(x) + gear.flank_offset(Side::Right, 1);
     let nearest = (angle / basic_data.angular_pitch()).round() as i64;
-    let thick = half.half_angle(radius);
     let in_tooth = (nearest - 1..=nearest + 1).map(|steps| {
         let tooth = gear.counter_clockwise(1, steps);
         let beside = angle - steps as f64 * basic_data.angular_pitch();
-        let from_right = beside - (gear.flank_offset(Side::Right, tooth) - thick);
-        let to_left = gear.flank_offset(Side::Left, tooth) + thick - beside;
+        let thick = |side| stood.half(side, tooth).half_angle(radius);
+        let from_right = beside - (gear.flank_offset(Side::Right, tooth) - thick(Side::Right));
+        let to_left = gear.flank_offset(Side::Left, tooth) + thick(Side::Left) - beside;
         (from_right.min(to_left) * radius).min(half.tip - radius)
     });
     in_tooth.fold(f64::NEG_INFINITY, f64::max)

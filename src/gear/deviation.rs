@@ -375,9 +375,65 @@ impl AsBuilt {
         }
     }
 
+    /// Whether profiles deviate.
+    pub fn is_modified(&self) -> bool {
+        self.modified.is_some()
+    }
+
     /// Whether all flanks are involutes and all fillets what the rack leaves: what the formulas of gears are about.
     pub fn is_generated(&self) -> bool {
         self.modified.is_none() && self.gear.is_generated()
+    }
+
+    /// A gear without profile deviations whose every half tooth holds this one's, turned out by the greatest deviation of its flank, and
+    /// how much less than that any flank has anywhere, mm.
+    ///
+    /// An involute with the constant deviation `D` is the same involute turned by `D/r_b`.
+    ///
+    /// # Errors
+    /// As [`AsBuilt::new`] of thickness.
+    pub(crate) fn enveloping(&self) -> Result<(AsBuilt, f64), GearError> {
+        let mut other = self.unmodified();
+        let mut range = 0.0f64;
+        let base = self.gear.base_radius();
+        for side in Side::BOTH {
+            let bounds = self.deviations(side);
+            range = bounds
+                .iter()
+                .fold(range, |range, [least, most]| range.max(most - least));
+            let list = match side {
+                Side::Right => &mut other.right,
+                Side::Left => &mut other.left,
+            };
+            let teeth = (1..).zip(list.iter());
+            *list = teeth
+                .map(|(tooth, offset)| {
+                    let [_, most] = bounds[self.shape_of(side, tooth)];
+                    offset + side.sense() * most / base
+                })
+                .collect();
+        }
+        other.check_teeth()?;
+        Ok((other, range))
+    }
+
+    /// Least and greatest deviation, mm, of each of the shapes of a side.
+    fn deviations(&self, side: Side) -> Vec<[f64; 2]> {
+        let bounds = |shape| {
+            let part = self.shape(side, shape).part(ProfilePart::Involute);
+            let (low, high) = part.range();
+            match &part.curve {
+                PartCurve::Modified(flank) => flank.deviation().bounds(low, high)[0],
+                _ => [0.0; 2],
+            }
+        };
+        (0..self.shapes(side)).map(bounds).collect()
+    }
+
+    /// Whether a profile stands out from its involute anywhere.
+    pub(crate) fn stands_out(&self) -> bool {
+        let sides = Side::BOTH.iter().flat_map(|side| self.deviations(*side));
+        sides.into_iter().any(|[_, most]| most > 0.0)
     }
 
     /// The same gear without its profile deviations.

@@ -3,9 +3,7 @@
 use crate::clearance;
 use crate::random::{self, Random};
 use gearlash::contact::{Certifier, Contact, CutGear, ExactKernel, PolygonKernel, Status};
-use gearlash::gear::{
-    AsBuilt, Deviations, Flank, Gear, Modification, Pitch, Relief, Trace,
-};
+use gearlash::gear::{AsBuilt, Deviations, Flank, Gear, Modification, Pitch, Relief, Trace};
 use gearlash::pair::{GearPair, Member, Pose};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
@@ -79,7 +77,9 @@ fn pitch(built: &AsBuilt) -> Pitch {
         let side = built.face().seen_from_front(own);
         let teeth = 1..=built.gear().basic_data().teeth();
         let along = built.face().ascending() * r;
-        teeth.map(|tooth| along * built.flank_offset(side, tooth)).collect()
+        teeth
+            .map(|tooth| along * built.flank_offset(side, tooth))
+            .collect()
     };
     Pitch::from_cumulative(&curve(Flank::Right), &curve(Flank::Left))
 }
@@ -92,7 +92,11 @@ fn within(one: Option<Contact>, other: Option<Contact>, what: &dyn Fn() -> Strin
         let off = (off - TAU * turns).abs();
         // The last term is the rounding of an angle of so many turns.
         let bound = one.error + other.error + 1e-14 * (1.0 + turns.abs());
-        assert!(off <= bound, "{off:e} above {bound:e}: {one:?} {other:?} {}", what());
+        assert!(
+            off <= bound,
+            "{off:e} above {bound:e}: {one:?} {other:?} {}",
+            what()
+        );
     }
 }
 
@@ -108,7 +112,9 @@ fn compare(seed: u64, referee: bool) -> Option<Status> {
     let chord = 1e-4 * wheel.gear().basic_data().module();
     let cut = [wheel, pinion].map(|gear| CutGear::new(gear, chord));
     let kernel = || PolygonKernel::refined(&assembly, &cut[0], &cut[1]);
-    let polygon = kernel().lost_motion(&pose).unwrap_or_else(|lost| panic!("{lost}: {}", what()));
+    let polygon = kernel()
+        .lost_motion(&pose)
+        .unwrap_or_else(|lost| panic!("{lost}: {}", what()));
     within(exact.right, polygon.right, &what);
     within(exact.left, polygon.left, &what);
     let certified = Certifier::new(kernel()).check(&pose, &exact);
@@ -130,5 +136,8 @@ fn random_profiles_by_every_method() {
     let count = |status| met.iter().filter(|met| **met == status).count();
     let found = [Status::Clear, Status::Interference, Status::Jammed].map(count);
     println!("{} pairs, {found:?}", met.len());
-    assert!(met.len() >= 300 && found.iter().all(|&count| count > 5), "{found:?}");
+    assert!(
+        met.len() >= 300 && found.iter().all(|&count| count > 5),
+        "{found:?}"
+    );
 }

@@ -25,30 +25,36 @@ use std::sync::Arc;
 pub(super) struct DirectSolver {
     pub proof: SearchFreeProof,
     pub variation: TangentVariation,
-    envelopes: Envelopes,
+    pub envelopes: Envelopes,
     /// Eccentricity of the free gear.
-    free_off: f64,
+    pub free_off: f64,
     /// Greatest radius of the free gear about its axis.
-    outmost: f64,
+    pub outmost: f64,
 }
 
 /// What lies clear of each gear's teeth, good at every centre distance at which they reach each other.
 #[derive(Debug, Clone)]
 pub(super) struct Envelopes {
-    locked: Arc<Envelope>,
-    free: Arc<Envelope>,
+    pub locked: Arc<Envelope>,
+    pub free: Arc<Envelope>,
 }
 
 impl Envelopes {
     /// The envelopes of both gears of `assembly`, whose flanks are those of `problem`.
     pub fn new(problem: &FlankProblem, assembly: &GearPair) -> Envelopes {
+        Envelopes::with_room(problem, assembly, 0.0)
+    }
+
+    /// The same, `room` mm wider.
+    pub fn with_room(problem: &FlankProblem, assembly: &GearPair, room: f64) -> Envelopes {
         let (locked, free) = (
             assembly.gear(assembly.locked()),
             assembly.gear(assembly.free()),
         );
         // A tie below the greatest gap must not be ruled out: both gears' points move by less than this.
         let farthest = problem.distance.max(locked.reach() + free.reach());
-        let margin = 4.0 * problem.tie_at(farthest) * (farthest + problem.locked.shape.tip_radius);
+        let margin =
+            room + 4.0 * problem.tie_at(farthest) * (farthest + problem.locked.shape.tip_radius);
         Envelopes {
             locked: Arc::new(Envelope::new(locked.gear(), margin, 0.0)),
             free: Arc::new(Envelope::new(free.gear(), margin, free.eccentricity())),
@@ -103,6 +109,16 @@ impl DirectSolver {
         assembly: &GearPair,
         envelopes: Envelopes,
     ) -> Option<DirectSolver> {
+        DirectSolver::of(problem, assembly, envelopes, problem)
+    }
+
+    /// What is proven of the gears of `modified`, whose profiles deviate from those of `problem` and `assembly`.
+    pub fn of(
+        problem: &FlankProblem,
+        assembly: &GearPair,
+        envelopes: Envelopes,
+        modified: &FlankProblem,
+    ) -> Option<DirectSolver> {
         let locked_gear = assembly.gear(assembly.locked());
         let free_gear = assembly.gear(assembly.free());
         if !(locked_gear.is_generated() && free_gear.is_generated()) {
@@ -111,6 +127,8 @@ impl DirectSolver {
         let setting = Setting {
             locked: &problem.locked.shape,
             free: &problem.free.shape,
+            locked_teeth: &modified.locked,
+            free_teeth: &modified.free,
             locked_off: locked_gear.eccentricity(),
             free_off: free_gear.eccentricity(),
             distance: problem.distance,
@@ -152,7 +170,7 @@ impl PosedFlanks<'_> {
     /// `(R* (C_L + D_L p) − C_F) D_F*` in the free tooth's own frame, `C_F` and `D_F` at rotation 0, and a free point
     /// at `(R (C_F + D_F p) − C_L) D_L*` in the locked one's.
     fn on_corners(&self, solver: &DirectSolver, tightest_contacts: &mut TightestContacts) {
-        let mut level = Level::new(self, tightest_contacts);
+        let mut level = Level::at(self, tightest_contacts.greatest());
         let (locked_teeth, free_teeth) = (&self.problem.locked, &self.problem.free);
         let steps = self.steps();
         // The pair at the line of centres first: what it touches at leaves the others clear.
@@ -161,7 +179,7 @@ impl PosedFlanks<'_> {
             let (locked_place, free_place) = self.places(step);
             let toward = free_teeth.direction(free_place);
             let seen = level.direction * locked_teeth.direction(locked_place);
-            let (centre, axis, known) = (level.centre, level.axis, level.known);
+            let (centre, known) = (level.centre, level.known);
             for &corner in locked_teeth.shape.corners() {
                 let near = (centre + seen * corner.1) * toward.conj();
                 if !(known && solver.envelopes.free.clears(near)) {
@@ -195,9 +213,8 @@ impl PosedFlanks<'_> {
             }
             for &corner in free_teeth.shape.corners() {
                 let near = (toward * corner.1 - centre) * seen.conj();
-                // Ahead of the axis, seen along the tooth: there a point that turns in comes nearer to its centre line.
-                let inside = near.re < axis.re * seen.re + axis.im * seen.im;
-                let clear = known && inside && solver.envelopes.locked.clears(near);
+                let clear =
+                    known && level.is_ahead(near, seen) && solver.envelopes.locked.clears(near);
                 if !clear || solver.proof.turns_back {
                     self.free_corner(
                         solver,
@@ -244,16 +261,11 @@ impl PosedFlanks<'_> {
         level: &mut Level,
         tightest_contacts: &mut TightestContacts,
     ) {
-        let (locked_teeth, free_teeth) = (&self.problem.locked, &self.problem.free);
-        let point =
-            self.centre - self.turned * locked_teeth.direction(place) * locked_teeth.far(place);
-        let off = point.norm_sqr() - free_teeth.shape.tip_radius * free_teeth.shape.tip_radius;
-        // |ρ² − r²| ≤ e (2r + e) on a circle that is e off its axis.
-        if off.abs() > solver.free_off * (2.0 * free_teeth.shape.tip_radius + solver.free_off) {
+        let Some(square) = self.far_corner_reaches(solver, place) else {
             return;
-        }
+        };
         let (locked, free) = (self.locked(step), self.free(step));
-        if let Some(met) = on_land(&free, ProfilePart::Tip, point.norm_sqr().sqrt()) {
+        if let Some(met) = on_land(&free, ProfilePart::Tip, square.sqrt()) {
             let edge = (
                 &locked,
                 (ProfilePart::Tip, locked.range(ProfilePart::Tip).0),
@@ -262,6 +274,18 @@ impl PosedFlanks<'_> {
                 CandidateContact::new(edge, (&free, (ProfilePart::Tip, met)), self.origin, 0.0);
             level.offer(self, tightest_contacts, step, candidate);
         }
+    }
+
+    /// Square of the radius of the far corner of the locked land at `place` where a free tip land may have it, mm².
+    #[inline]
+    pub(super) fn far_corner_reaches(&self, solver: &DirectSolver, place: usize) -> Option<f64> {
+        let (locked_teeth, free_tip) = (&self.problem.locked, self.problem.free.shape.tip_radius);
+        let point =
+            self.centre - self.turned * locked_teeth.direction(place) * locked_teeth.far(place);
+        let square = point.norm_sqr();
+        // |ρ² − r²| ≤ e (2r + e) on a circle that is e off its axis.
+        let off = (square - free_tip * free_tip).abs();
+        (off <= solver.free_off * (2.0 * free_tip + solver.free_off)).then_some(square)
     }
 
     /// A corner of the free gear that the envelope does not show clear, or may wrongly.
@@ -299,20 +323,21 @@ impl PosedFlanks<'_> {
 }
 
 /// Both gears as the free one sees them at the greatest gap so far.
-struct Level {
+pub(super) struct Level {
     greatest: f64,
     /// False before the first candidate: nothing can be ruled out.
     known: bool,
     /// `R* C_L − C_F`.
-    centre: C,
+    pub centre: C,
     /// `−R*` times the locked gear's rotation.
-    direction: C,
+    pub direction: C,
     /// The free axis, seen from the locked outline's centre.
     axis: C,
 }
 
 impl Level {
-    fn new(posed: &PosedFlanks, tightest_contacts: &TightestContacts) -> Level {
+    /// At the gap `greatest`; −∞: before the first candidate.
+    pub fn at(posed: &PosedFlanks, greatest: f64) -> Level {
         let mut level = Level {
             greatest: 0.0,
             known: false,
@@ -320,7 +345,7 @@ impl Level {
             direction: C::ZERO,
             axis: C::ZERO,
         };
-        level.set(posed, tightest_contacts.greatest());
+        level.set(posed, greatest);
         level
     }
 
@@ -332,6 +357,13 @@ impl Level {
         self.centre = back * posed.centre - posed.problem.free.displacement;
         self.direction = -back * posed.turned;
         self.axis = -back * posed.centre;
+    }
+
+    /// Whether a free point `near` a locked half tooth, `seen` in its direction, is ahead of the axis, seen along the tooth: there a point
+    /// that turns in comes nearer to its centre line.
+    #[inline]
+    pub fn is_ahead(&self, near: C, seen: C) -> bool {
+        near.re < self.axis.re * seen.re + self.axis.im * seen.im
     }
 
     fn offer(
@@ -352,7 +384,7 @@ impl Level {
 
 /// A locked tooth's least radius about the free axis, on its tip land: at a corner,
 /// or where it crosses the line of centres.
-fn least_radius(locked: &Placed) -> f64 {
+pub(super) fn least_radius(locked: &Placed) -> f64 {
     let ends = [locked.shape.corners()[0].1, locked.far].map(|end| locked.direction * end);
     let side = ends.map(|end| end.re * locked.centre.im - end.im * locked.centre.re);
     if side[0] * side[1] <= 0.0 {

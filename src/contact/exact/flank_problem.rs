@@ -229,6 +229,22 @@ impl<'a> PosedFlanks<'a> {
         }
     }
 
+    /// The same places of `problem`, whose teeth stand where these do but for their offsets.
+    pub fn of<'b>(&self, problem: &'b FlankProblem) -> PosedFlanks<'b> {
+        let origin = problem.free.direction(self.free_place);
+        PosedFlanks {
+            problem,
+            origin,
+            free_offset: problem.free.offset(self.free_place),
+            free_centre: problem.free.displacement * origin.conj(),
+            turned: self.turned,
+            centre: self.centre,
+            ahead: self.ahead,
+            locked_place: self.locked_place,
+            free_place: self.free_place,
+        }
+    }
+
     /// Places of the locked and the free tooth of a step.
     #[inline]
     pub fn places(&self, step: i64) -> (usize, usize) {

@@ -30,6 +30,7 @@ mod extremes;
 mod flank_problem;
 mod lands;
 mod line;
+mod modified;
 mod path;
 mod placed;
 mod report;
@@ -51,6 +52,7 @@ use crate::pair::{GearPair, Mating, Member, Pose};
 use curves::SearchExhausted;
 use direct::{DirectSolver, Envelopes};
 use flank_problem::{FlankProblem, PosedFlanks};
+use modified::OuterGears;
 use shape::turn;
 use std::f64::consts::{PI, TAU};
 use teeth::reduced;
@@ -67,6 +69,8 @@ pub struct ExactKernel {
     envelopes: Envelopes,
     /// What spares searching, the same for both sides; `None` where all must be searched.
     solver: Option<DirectSolver>,
+    /// The same where profiles deviate.
+    outer: Option<Box<OuterGears>>,
     free: Member,
     /// The pair, where teeth may stand in the mate's body.
     bodies: Option<Box<GearPair>>,
@@ -79,7 +83,8 @@ impl ExactKernel {
     pub fn new(assembly: &GearPair) -> ExactKernel {
         let problems = Side::BOTH.map(|side| FlankProblem::new(assembly, side));
         let envelopes = Envelopes::new(&problems[0], assembly);
-        ExactKernel::of(assembly, problems, envelopes)
+        let outer = OuterGears::new(assembly, &problems);
+        ExactKernel::of(assembly, problems, envelopes, outer)
     }
 
     /// The kernel of the same gears at another centre distance, in a time that does not depend on the number of teeth.
@@ -88,10 +93,17 @@ impl ExactKernel {
     /// [`GearPair::at`] made of this kernel's.
     pub fn at(&self, assembly: &GearPair) -> ExactKernel {
         let problems = [&self.right, &self.left].map(|problem| problem.at(assembly));
-        ExactKernel::of(assembly, problems, self.envelopes.clone())
+        let outer = self.outer.as_ref();
+        let outer = outer.and_then(|outer| outer.at(&problems));
+        ExactKernel::of(assembly, problems, self.envelopes.clone(), outer)
     }
 
-    fn of(assembly: &GearPair, problems: [FlankProblem; 2], envelopes: Envelopes) -> ExactKernel {
+    fn of(
+        assembly: &GearPair,
+        problems: [FlankProblem; 2],
+        envelopes: Envelopes,
+        outer: Option<OuterGears>,
+    ) -> ExactKernel {
         let [right, left] = problems;
         // Of both gears the left half teeth mirror the right ones.
         let solver = DirectSolver::new(&right, assembly, envelopes.clone());
@@ -100,6 +112,7 @@ impl ExactKernel {
             left,
             envelopes,
             solver,
+            outer: outer.map(Box::new),
             free: assembly.free(),
             bodies: may_be_solid(assembly).then(|| Box::new(assembly.clone())),
             blocked: reaches_over_an_axis(assembly),
@@ -113,7 +126,10 @@ impl ExactKernel {
     /// # Errors
     /// [`Error::ContactLost`] when a pair of flanks cannot be resolved; never a pair left out.
     pub fn lost_motion(&self, pose: &Pose) -> Result<LostMotion, Error> {
-        self.with(pose, |posed| direct::touching(posed, self.solver.as_ref()))
+        self.with(pose, |posed| match &self.outer {
+            None => direct::touching(posed, self.solver.as_ref()),
+            Some(outer) => outer.touching(posed),
+        })
     }
 
     /// The same at `mating` of `assembly`, which is this kernel's; `None` where a contact is lost.

@@ -41,7 +41,7 @@ impl PosedFlanks<'_> {
     }
 
     /// `G`: `μ` by the equation above.
-    fn gap(&self, line: &Line, pair: &Pair) -> f64 {
+    pub(super) fn gap(&self, line: &Line, pair: &Pair) -> f64 {
         let problem = self.problem;
         (problem.sum() * line.angle - line.length - problem.locked.shape.base * pair.locked_base)
             * problem.per_free_base
@@ -49,7 +49,7 @@ impl PosedFlanks<'_> {
     }
 
     /// Rolls `(ξ_L, ξ_F)` of `pair` on `line`.
-    fn rolls(&self, line: &Line, pair: &Pair) -> (f64, f64) {
+    pub(super) fn rolls(&self, line: &Line, pair: &Pair) -> (f64, f64) {
         let locked = line.angle - pair.locked_base;
         let rest = line.length - self.problem.locked.shape.base * locked;
         (locked, rest * self.problem.per_free_base)
@@ -65,7 +65,7 @@ impl PosedFlanks<'_> {
     }
 
     /// Steps whose rolls on `line` may lie on the involutes, give or take the plays.
-    fn steps_on(&self, line: &Line, plays: (f64, f64)) -> Range<i64> {
+    pub(super) fn steps_on(&self, line: &Line, plays: (f64, f64)) -> Range<i64> {
         let problem = self.problem;
         let (locked_shape, free_shape) = (&problem.locked.shape, &problem.free.shape);
         let opposite = |roll: f64| (line.length - free_shape.base * roll) * problem.per_locked_base;
@@ -86,7 +86,12 @@ impl PosedFlanks<'_> {
     }
 
     /// The gap of `pair` and the line there, from the gap `first`.
-    fn settle(&self, pair: &Pair, variation: &TangentVariation, first: f64) -> Option<(f64, Line)> {
+    pub(super) fn settle(
+        &self,
+        pair: &Pair,
+        variation: &TangentVariation,
+        first: f64,
+    ) -> Option<(f64, Line)> {
         let sum = self.problem.sum();
         let mut mu = first;
         // Two or three steps; sixty would do by bisection's pace.

@@ -2,7 +2,7 @@
 
 use super::shape::{C, Sample, Shape};
 use crate::contact::gap::PlacedCurve;
-use crate::gear::ProfilePart;
+use crate::gear::{Osculating, ProfilePart};
 
 /// A half tooth where the pose puts it: `centre + direction · P`, from the free gear's axis.
 #[derive(Debug, Clone, Copy)]
@@ -61,6 +61,17 @@ impl<'a> Placed<'a> {
             ProfilePart::Fillet if t <= 0.0 => !self.has(ProfilePart::Root),
             _ => self.shape.is_corner((curve, t)),
         }
+    }
+
+    /// The flank at a roll, as the pose puts it; `None` of one that is no involute.
+    #[inline]
+    pub fn flank(&self, xi: f64) -> Option<(Sample, Osculating)> {
+        let own = self.shape.curve(ProfilePart::Involute).osculating(xi)?;
+        let sample = Sample {
+            point: self.centre + self.direction * C::new(own.point.x, own.point.y),
+            normal: self.direction * C::new(own.normal.x, own.normal.y),
+        };
+        Some((sample, own))
     }
 
     #[inline]

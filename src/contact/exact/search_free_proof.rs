@@ -27,6 +27,7 @@
 use super::curves::Curves;
 use super::flank_problem::lens_half;
 use super::shape::Shape;
+use super::teeth::Teeth;
 use crate::gear::ProfilePart::{self, Fillet, Involute, Root, Tip};
 use crate::gear::involute;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -57,8 +58,12 @@ impl SearchFreeProof {
 
 /// The two gears' half teeth, eccentricities, and the centre distance.
 pub(super) struct Setting<'a> {
+    /// Without deviations.
     pub locked: &'a Shape,
     pub free: &'a Shape,
+    /// With them.
+    pub locked_teeth: &'a Teeth,
+    pub free_teeth: &'a Teeth,
     pub locked_off: f64,
     pub free_off: f64,
     pub distance: f64,
@@ -91,7 +96,12 @@ impl Setting<'_> {
         if !(locked.base < near && half < (locked.base / near).acos()) {
             return None;
         }
-        let arm = near * (half + locked.tip_roll.atan()).cos() - locked.base;
+        // A tilted normal has an arm less by no more than the tilt times the distance from the axis.
+        let tilted = near * self.tilt();
+        let arm = near * (half + locked.tip_roll.atan()).cos() - locked.base - tilted;
+        if !(free.base - self.outmost() * self.tilt() > self.free_off) {
+            return None;
+        }
 
         let mut open = Curves::default();
         let free_reach = reached(free, self.inmost() - self.free_off);
@@ -111,15 +121,17 @@ impl Setting<'_> {
         // 1. and 2.
         let form_near = near - self.free_off;
         let free_good = free_reach == Reach::Involute
-            || free_fillet.is_some() && hollow(free, locked, form_near - free.form_radius());
+            || free_fillet.is_some()
+                && hollow(free, self.locked_teeth, form_near - free.form_radius());
         let locked_good = locked_reach == Reach::Involute
-            || fillet_arm.is_some() && hollow(locked, free, form_near - locked.form_radius());
+            || fillet_arm.is_some()
+                && hollow(locked, self.free_teeth, form_near - locked.form_radius());
         open.add_unless(free_good, Involute, Fillet);
         open.add_unless(locked_good, Fillet, Involute);
         open.add_unless(free_good && locked_good, Fillet, Fillet);
         // 3.
         self.open_lands(&mut open, fillet_arm.map(|(_, arm)| arm), free_fillet);
-        let level_arm = near * half.cos() - locked.base;
+        let level_arm = near * half.cos() - locked.base - tilted;
         open.add_unless(self.is_rounder_than(level_arm), Involute, Tip);
         if locked_reach != Reach::Involute && fillet_arm.is_none() && self.free_off > 0.0 {
             open.add(Fillet, Tip);
@@ -177,9 +189,14 @@ impl Setting<'_> {
         (near * b.cos() - self.locked.tip_radius) / (near * b.sin())
     }
 
-    /// Seen from an axis `e` off, `ψ` shifts by `asin(e/ρ)` at most.
+    /// Seen from an axis `e` off, `ψ` shifts by `asin(e/ρ)` at most, and by the tilt of a deviating flank.
     fn shift(&self) -> f64 {
-        (self.free_off / self.inmost()).asin()
+        (self.free_off / self.inmost()).asin() + self.tilt()
+    }
+
+    /// Greatest tilt of a flank by its deviation, rad.
+    fn tilt(&self) -> f64 {
+        self.locked_teeth.tilt().max(self.free_teeth.tilt())
     }
 
     /// Whether the free land, not quite round about its axis, is rounder than a locked curve of the arm `X`:
@@ -259,10 +276,10 @@ fn reached(shape: &Shape, radius: f64) -> Reach {
 ///
 /// The fillet's radius of curvature `S/q = ρ + h_0² c³/(r + h_0 c²)`, `c = 1/cos γ` ([`crate::gear::Fillet`]),
 /// rises with `c` while `r + h_0 c² > 0`, which is also when it is hollow.
-fn hollow(fillet: &Shape, mate: &Shape, radius: f64) -> bool {
+fn hollow(fillet: &Shape, mate: &Teeth, radius: f64) -> bool {
     let c = 1.0 / fillet.fillet_end.cos();
     let q = fillet.pitch_radius + fillet.depth * c * c;
-    let least = mate.base * involute::roll_at(radius, mate.base);
+    let least = mate.least_bend_radius(involute::roll_at(radius, mate.shape.base));
     q > 1e-9 * fillet.pitch_radius
         && least > (1.0 + 1e-9) * (fillet.round + fillet.depth * fillet.depth * c * c * c / q)
 }

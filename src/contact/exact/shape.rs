@@ -31,6 +31,10 @@ pub(super) struct Shape {
     /// The involute's normal at the tip corner.
     pub tip_normal: C,
     corners: [(f64, C); 2],
+    /// Whether its flank lies on one side of each of its tangents.
+    pub is_convex: bool,
+    /// Greatest tilt of its flank's normal by a deviation, rad.
+    pub tilt: f64,
 }
 
 impl Shape {
@@ -52,7 +56,14 @@ impl Shape {
             joint: C::ZERO,
             tip_normal: C::ZERO,
             corners: [(0.0, C::ZERO); 2],
+            is_convex: true,
+            tilt: 0.0,
         };
+        if let PartCurve::Modified(flank) = &profile.part(ProfilePart::Involute).curve {
+            let (low, high) = shape.range(ProfilePart::Involute);
+            shape.is_convex = flank.is_convex(low, high);
+            shape.tilt = flank.tilt(low, high);
+        }
         shape.corners = [shape.tip_roll, shape.form_roll]
             .map(|roll| (roll, shape.at(ProfilePart::Involute, roll).point));
         shape.joint = shape.corners[1].1;
@@ -75,6 +86,32 @@ impl Shape {
     pub fn corners(&self) -> &[(f64, C)] {
         let undercut = self.part(ProfilePart::Fillet).corners[0];
         &self.corners[..1 + usize::from(undercut)]
+    }
+
+    /// Whether its flank has no deviation at a roll.
+    pub fn is_undeviating(&self, roll: f64) -> bool {
+        match &self.part(ProfilePart::Involute).curve {
+            PartCurve::Modified(flank) => flank.deviation().at(roll) == 0.0,
+            PartCurve::Involute(_) => true,
+            _ => false,
+        }
+    }
+
+    /// Least radius of curvature of its flank from a roll outwards, mm: 0 where it has an edge there, or bulges no more.
+    pub fn least_bend_radius(&self, roll: f64) -> f64 {
+        let part = self.part(ProfilePart::Involute);
+        let (_, high) = part.range();
+        match &part.curve {
+            PartCurve::Modified(_) if roll >= high => self.base * high,
+            PartCurve::Modified(flank) => flank.least_bend_radius(roll, high),
+            _ => self.base * roll,
+        }
+    }
+
+    /// The corner of an undeviating flank and the tip land.
+    #[inline]
+    pub fn tip_corner(&self) -> C {
+        self.corners[0].1
     }
 
     /// Parameters of a part's two ends, the lesser first. Equal ends: the part has no length.

@@ -99,6 +99,25 @@ impl Teeth {
         }
     }
 
+    /// Whether every flank lies on one side of each of its tangents.
+    pub fn is_convex(&self) -> bool {
+        let convex = |modified: &(Vec<Shape>, Vec<u32>)| modified.0.iter().all(|s| s.is_convex);
+        self.shape.is_convex && self.modified.as_deref().is_none_or(convex)
+    }
+
+    /// Greatest tilt of a flank's normal by its deviation, rad.
+    pub fn tilt(&self) -> f64 {
+        let shapes = self.modified.iter().flat_map(|modified| &modified.0);
+        shapes.fold(0.0, |most, shape| most.max(shape.tilt))
+    }
+
+    /// Least radius of curvature of a flank from a roll outwards, mm: 0 where it has an edge there, or bulges no more.
+    pub fn least_bend_radius(&self, roll: f64) -> f64 {
+        let shapes = self.modified.iter().flat_map(|modified| &modified.0);
+        let least = shapes.map(|shape| shape.least_bend_radius(roll));
+        least.fold(self.shape.base * roll, f64::min)
+    }
+
     /// `z`.
     pub fn count(&self) -> i64 {
         self.offsets.len() as i64

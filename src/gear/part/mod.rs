@@ -81,6 +81,19 @@ pub enum PartCurve {
     Cubic(Cubic),
 }
 
+/// A curve at one parameter.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Osculating {
+    /// mm.
+    pub point: Point2<f64>,
+    /// Out of the metal.
+    pub normal: Vector2<f64>,
+    /// `dP/dt = i n · speed`, mm a unit of the parameter.
+    pub speed: f64,
+    /// 1/mm, above 0 where the metal bulges.
+    pub curvature: f64,
+}
+
 /// What a curve is asked, by the variant that answers.
 macro_rules! ask {
     ($curve:expr, $question:ident($($argument:expr),*)) => {
@@ -152,6 +165,25 @@ impl PartCurve {
                 circle.centre().coords.norm() <= 256.0 * f64::EPSILON * circle.radius(0.0)
             }
             _ => false,
+        }
+    }
+
+    /// What an involute, deviating or not, is at a roll.
+    #[inline]
+    pub(crate) fn osculating(&self, xi: f64) -> Option<Osculating> {
+        match self {
+            PartCurve::Involute(flank) => {
+                let (point, normal) = flank.at(xi);
+                let speed = flank.speed(xi);
+                Some(Osculating {
+                    point,
+                    normal,
+                    speed,
+                    curvature: 1.0 / speed,
+                })
+            }
+            PartCurve::Modified(flank) => Some(flank.osculating(xi)),
+            _ => None,
         }
     }
 

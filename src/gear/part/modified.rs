@@ -9,6 +9,7 @@
 //! so that the normal is turned by `−atan(δ'/a)` from the involute's `−iE`, and turns by
 //! `κ = (1 − (δ'' a − δ' (r_b + δ'))/h²)/h` a length.
 
+use super::Osculating;
 use crate::gear::RollCurve;
 use nalgebra::{Point2, Vector2};
 use std::f64::consts::PI;
@@ -85,6 +86,80 @@ impl ModifiedFlank {
         (point, (normal * arm - along * slope).normalize())
     }
 
+    /// Point, normal, speed and curvature at the price of one.
+    pub(super) fn osculating(&self, xi: f64) -> Osculating {
+        let (sin, cos) = (xi - self.half_base).sin_cos();
+        let base = self.base;
+        let [value, slope, second] = self.deviation.jet(xi);
+        let arm = base * xi + value;
+        let square = arm * arm + slope * slope;
+        let speed = square.sqrt();
+        let (across, along) = (arm / speed, slope / speed);
+        let point = Point2::new(base * cos + arm * sin, base * sin - arm * cos);
+        let normal = Vector2::new(sin * across - cos * along, -cos * across - sin * along);
+        let bent = second * arm - slope * (base + slope);
+        Osculating {
+            point,
+            normal,
+            speed,
+            curvature: (1.0 - bent / square) / speed,
+        }
+    }
+
+    /// Whether it bulges everywhere between two rolls: so that it lies on one side of each of its tangents.
+    ///
+    /// At an edge that is so where its slope falls: the normal turns by `−atan(δ'/a)`.
+    pub fn is_convex(&self, low: f64, high: f64) -> bool {
+        let edges = self.deviation.edges();
+        let falls =
+            |edge: &f64| self.deviation.slope(*edge) < self.deviation.slope(edge.next_down());
+        let inside = edges.iter().filter(|edge| **edge > low && **edge < high);
+        let bulges = |(low, high): (f64, f64)| self.bulges(low, high, 0);
+        inside.clone().all(falls) && super::smooth(edges, low, high).all(bulges)
+    }
+
+    /// Bounds over the whole decide, or over halves of it: a deviation of a few knots needs some dozens.
+    fn bulges(&self, low: f64, high: f64, depth: u32) -> bool {
+        // Finer than a thousandth of a flank nothing is decided any more: it counts as hollow.
+        const DEEPEST: u32 = 10;
+        let middle = 0.5 * (low + high);
+        self.convexity(low, high)
+            .is_some_and(|(least, _)| least > 0.0)
+            || depth < DEEPEST
+                && self
+                    .convexity(middle, middle)
+                    .is_some_and(|(least, _)| least > 0.0)
+                && self.bulges(low, middle, depth + 1)
+                && self.bulges(middle, high, depth + 1)
+    }
+
+    /// Greatest tilt of the normal from the involute's between two rolls, rad.
+    pub fn tilt(&self, low: f64, high: f64) -> f64 {
+        let steepest = most(self.deviation.bounds(low, high)[1]);
+        steepest.atan2(self.arms(low, high)[0])
+    }
+
+    /// Least radius of curvature between two rolls, mm: 0 where it has an edge between, or bulges no more somewhere.
+    pub fn least_bend_radius(&self, low: f64, high: f64) -> f64 {
+        // Over so many parts the bounds are near enough to what they bound.
+        const PARTS: u32 = 16;
+        let at = |k: u32| low + (high - low) * f64::from(k) / f64::from(PARTS);
+        if self
+            .deviation
+            .edges()
+            .iter()
+            .any(|edge| *edge > low && *edge < high)
+        {
+            return 0.0;
+        }
+        let bounds = (0..PARTS).map(|k| self.convexity(at(k), at(k + 1)));
+        let radius = |bounds: Option<(f64, f64)>| match bounds {
+            Some((_, most)) if most > 0.0 => 1.0 / most,
+            _ => 0.0,
+        };
+        bounds.map(radius).fold(f64::INFINITY, f64::min)
+    }
+
     pub(super) fn point(&self, xi: f64) -> Point2<f64> {
         self.at(xi).0
     }
@@ -94,7 +169,11 @@ impl ModifiedFlank {
     }
 
     pub(super) fn radius(&self, xi: f64) -> f64 {
-        self.base.hypot(self.base * xi + self.deviation.at(xi))
+        match self.deviation.at(xi) {
+            // To the last bit that of the involute.
+            0.0 => self.base * (1.0 + xi * xi).sqrt(),
+            value => self.base.hypot(self.base * xi + value),
+        }
     }
 
     pub(super) fn speed(&self, xi: f64) -> f64 {

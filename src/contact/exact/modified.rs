@@ -1,0 +1,355 @@
+//! The quick path of flanks whose profiles deviate.
+//!
+//! [`super::search_free_proof`] holds for any convex flanks whose normals and curvatures it is told: of convex flanks the gap is greatest where
+//! they have a common normal, or at a tip corner. Every half tooth lies within that of an *outer* gear: the one without profile deviations,
+//! each flank turned out by its greatest deviation; at any radius the gap of two half teeth is at most that of the outer ones. So:
+//!
+//! 1. Pairs are taken in the order of their outer gaps on the line of action, until the outer gap is below one found.
+//! 2. Of a pair the flanks touch where they have a common normal. A convex flank lies on one side of each of its tangents, and of every line
+//!    through its tip corner within the corner's cone: where two flanks touch from outside along a tangent of both it divides them, so that
+//!    their gap is nowhere greater. One such place is enough, however it was found: Newton's method finds it.
+//! 3. With the free gear at the gap found no tip corner of the outer gears may stand in the outer mate, wider by as much as deviations vary,
+//!    but on the mate's flank, of a pair that 1. and 2. have settled.
+//!
+//! A pose that one of these leaves open is searched. Where the outer gears touch and nothing deviates from them there, theirs is the answer: a
+//! relief beyond the path of contact changes nothing.
+
+use super::candidate::{CandidateContact, slope};
+use super::curves::SearchExhausted;
+use super::direct::{DirectSolver, Envelopes, Level, least_radius};
+use super::flank_problem::{FlankProblem, PosedFlanks};
+use super::line::Line;
+use super::placed::Placed;
+use super::search;
+use super::shape::Sample;
+use super::tightest::{TightestContacts, Touching};
+use crate::gear::{Osculating, ProfilePart, Side};
+use crate::pair::{GearPair, Member};
+
+/// A step this small, of a length, leaves its square: nothing.
+const SETTLED: f64 = 1e-9;
+
+/// Newton's method from an outer contact takes three or four.
+const STEPS: u32 = 16;
+
+/// Pairs on the line of action at once: a contact ratio of eight.
+const MOST_PAIRS: usize = 8;
+
+/// What the quick path needs beside the gears' own teeth.
+#[derive(Debug, Clone)]
+pub(super) struct OuterGears {
+    pair: GearPair,
+    right: FlankProblem,
+    left: FlankProblem,
+    solver: DirectSolver,
+    /// Whether deviations only take off: then the outer gears are those without any.
+    is_cut_back: bool,
+}
+
+/// A pair of outer flanks on the line of action: its step, gap and rolls.
+#[derive(Debug, Clone, Copy)]
+struct OnLine {
+    step: i64,
+    gap: f64,
+    rolls: (f64, f64),
+}
+
+impl OuterGears {
+    /// Those of `assembly`; `None` where its flanks are not all convex, or the outer gears need a search themselves.
+    pub fn new(assembly: &GearPair, problems: &[FlankProblem; 2]) -> Option<OuterGears> {
+        let gears = [Member::Wheel, Member::Pinion].map(|member| assembly.gear(member));
+        // Straight flanks have no outer gear, and without deviations none is needed.
+        if gears.iter().all(|gear| !gear.is_modified()) {
+            return None;
+        }
+        let convex =
+            |problem: &FlankProblem| problem.locked.is_convex() && problem.free.is_convex();
+        if !problems.iter().all(convex) {
+            return None;
+        }
+        let outer = |member: Member| assembly.gear(member).enveloping().ok();
+        let ((wheel, one), (pinion, other)) = (outer(Member::Wheel)?, outer(Member::Pinion)?);
+        let distance = assembly.center_distance();
+        let pair = GearPair::with_locked(wheel, pinion, distance, assembly.locked()).ok()?;
+        let [right, left] = Side::BOTH.map(|side| FlankProblem::new(&pair, side));
+        let range = one.max(other);
+        // Both gears' points move by as much.
+        let envelopes = Envelopes::with_room(&right, &pair, 4.0 * range);
+        let solver = OuterGears::solver(&right, &pair, envelopes, problems)?;
+        Some(OuterGears {
+            pair,
+            right,
+            left,
+            solver,
+            is_cut_back: !gears.iter().any(|gear| gear.stands_out()),
+        })
+    }
+
+    /// The same at another centre distance, that of `modified`.
+    pub fn at(&self, modified: &[FlankProblem; 2]) -> Option<OuterGears> {
+        let center_distance = modified[0].distance;
+        let pair = self.pair.at(center_distance).ok()?;
+        let [right, left] = [&self.right, &self.left].map(|problem| problem.at(&pair));
+        let envelopes = self.solver.envelopes.clone();
+        let solver = OuterGears::solver(&right, &pair, envelopes, modified)?;
+        Some(OuterGears {
+            pair,
+            right,
+            left,
+            solver,
+            is_cut_back: self.is_cut_back,
+        })
+    }
+
+    /// What is proven of both sides of `modified`; `None` where a search may be needed.
+    fn solver(
+        right: &FlankProblem,
+        pair: &GearPair,
+        envelopes: Envelopes,
+        modified: &[FlankProblem; 2],
+    ) -> Option<DirectSolver> {
+        let of = |side: &FlankProblem| {
+            let solver = DirectSolver::of(right, pair, envelopes.clone(), side)?;
+            let proof = &solver.proof;
+            (proof.is_direct() && !proof.tangents && !proof.turns_back).then_some(solver)
+        };
+        // The outer half teeth of the left side mirror those of the right; the deviations need not.
+        of(&modified[1]).and(of(&modified[0]))
+    }
+
+    /// The pair that touches first, by the quick path or the search.
+    ///
+    /// # Errors
+    /// As [`search::touching`].
+    pub fn touching(
+        &self,
+        posed: &PosedFlanks,
+    ) -> Result<Option<Touching>, (i64, SearchExhausted)> {
+        let outer = posed.of(match posed.problem.side {
+            Side::Right => &self.right,
+            Side::Left => &self.left,
+        });
+        let undeviating = || {
+            self.is_cut_back
+                .then(|| self.undeviating(posed, &outer))
+                .flatten()
+        };
+        match undeviating().or_else(|| self.quick(posed, &outer)) {
+            Some(touching) => Ok(Some(touching)),
+            None => search::touching(posed),
+        }
+    }
+
+    fn quick(&self, posed: &PosedFlanks, outer: &PosedFlanks) -> Option<Touching> {
+        // Gaps count from the free tooth's own direction, which differs by its offset.
+        let beyond = outer.free_offset - posed.free_offset;
+        let mut pairs = [None; MOST_PAIRS];
+        let count = self.on_line(outer, &mut pairs)?;
+        let pairs = &mut pairs[..count];
+        let gap = |pair: &Option<OnLine>| pair.map_or(f64::NEG_INFINITY, |pair| pair.gap);
+        pairs.sort_by(|a, b| gap(b).total_cmp(&gap(a)));
+        let mut tightest = TightestContacts::new(posed.problem);
+        for pair in pairs.iter().flatten() {
+            if pair.gap - beyond < tightest.level() {
+                break;
+            }
+            tightest.offer(pair.step, posed.flanks_touch(pair)?);
+        }
+        if tightest.greatest() == f64::NEG_INFINITY {
+            return None;
+        }
+        let settled = |step| pairs.iter().flatten().any(|pair| pair.step == step);
+        let level = tightest.greatest() + beyond;
+        self.tips_are_clear(posed, outer, level, settled)
+            .then(|| tightest.choose())?
+    }
+
+    /// Outer pairs on the line of action; `None` where one does not settle, or there are too many.
+    fn on_line(&self, outer: &PosedFlanks, pairs: &mut [Option<OnLine>]) -> Option<usize> {
+        let variation = &self.solver.variation;
+        let sum = outer.problem.sum();
+        let (guess, start) = match variation.fixed {
+            Some(line) => (0.0, line),
+            None => {
+                let guess = outer.gap(&variation.centred, &outer.pair(0));
+                (guess, Line::new(outer.between(guess).0, sum)?)
+            }
+        };
+        let error = (outer.gap(&start, &outer.pair(0)) - guess).abs();
+        // A flank's contact moves along it by far less than this, rad, for any deviation; what moves farther is left open below.
+        let plays = variation.plays(outer.problem, error);
+        let plays = (plays.0 + 0.02, plays.1 + 0.02);
+        let mut count = 0;
+        for step in outer.steps_on(&start, plays) {
+            let pair = outer.pair(step);
+            let first = outer.gap(&start, &pair);
+            let (gap, line) = match variation.moves {
+                true => outer.settle(&pair, variation, first)?,
+                false => (first, start),
+            };
+            *pairs.get_mut(count)? = Some(OnLine {
+                step,
+                gap,
+                rolls: outer.rolls(&line, &pair),
+            });
+            count += 1;
+        }
+        Some(count)
+    }
+
+    /// Whether at the outer gap `level` no tip corner stands where it may touch before, but on flanks of `settled` steps.
+    fn tips_are_clear(
+        &self,
+        posed: &PosedFlanks,
+        outer: &PosedFlanks,
+        level: f64,
+        settled: impl Fn(i64) -> bool,
+    ) -> bool {
+        let level = Level::at(outer, level);
+        let envelopes = &self.solver.envelopes;
+        let (locked_teeth, free_teeth) = (&outer.problem.locked, &outer.problem.free);
+        outer.steps().all(|step| {
+            let (locked_place, free_place) = outer.places(step);
+            let toward = free_teeth.direction(free_place);
+            let seen = level.direction * locked_teeth.direction(locked_place);
+            let locked_tip = locked_teeth.shape.tip_corner();
+            let near = (level.centre + seen * locked_tip) * toward.conj();
+            let beyond = || outer.locked(step).own_to_axis(locked_tip) > self.solver.outmost;
+            let locked_clear =
+                envelopes.free.clears(near) || envelopes.free.is_beyond_tip(near) && beyond();
+            let free_tip = free_teeth.shape.tip_corner();
+            let near = (toward * free_tip - level.centre) * seen.conj();
+            let short = || {
+                let rho = outer.free(step).own_to_axis(free_tip);
+                rho < least_radius(&outer.locked(step))
+            };
+            let free_clear = level.is_ahead(near, seen)
+                && (envelopes.locked.clears(near)
+                    || envelopes.locked.is_beyond_tip(near) && short());
+            let far_corner = self.solver.free_off > 0.0
+                && outer
+                    .far_corner_reaches(&self.solver, locked_place)
+                    .is_some();
+            let clear = [locked_clear, free_clear];
+            !far_corner
+                && (clear == [true; 2] || settled(step) && posed.tips_on_flanks(step, clear))
+        })
+    }
+
+    /// The contact of the outer gears, where their flanks touch at places from which nothing deviates.
+    fn undeviating(&self, posed: &PosedFlanks, outer: &PosedFlanks) -> Option<Touching> {
+        let touching = super::direct::touching(outer, Some(&self.solver)).ok()??;
+        let (locked, free) = (posed.locked(touching.step), posed.free(touching.step));
+        let candidate = touching.candidate;
+        let same = |half: &Placed, (part, roll): (ProfilePart, f64)| {
+            part == ProfilePart::Involute && half.shape.is_undeviating(roll)
+        };
+        (same(&locked, candidate.locked) && same(&free, candidate.free)).then_some(touching)
+    }
+}
+
+impl PosedFlanks<'_> {
+    /// Whether the tip corners that are not `clear` have a radius about the free axis at which the mate has its flank.
+    fn tips_on_flanks(&self, step: i64, clear: [bool; 2]) -> bool {
+        let (locked, free) = (self.locked(step), self.free(step));
+        let at = |half: &Placed, end: fn((f64, f64)) -> f64| {
+            let t = end(half.range(ProfilePart::Involute));
+            half.at(ProfilePart::Involute, t).point.norm()
+        };
+        let [locked_form, locked_tip] =
+            [at(&locked, |range| range.0), at(&locked, |range| range.1)];
+        let [free_form, free_tip] = [at(&free, |range| range.0), at(&free, |range| range.1)];
+        // The locked tip is nearest to the free axis.
+        (clear[0] || (free_form..=free_tip).contains(&locked_tip))
+            && (clear[1] || (locked_tip..=locked_form).contains(&free_tip))
+    }
+
+    /// Where the flanks of a pair touch, from where the outer ones would: at a common tangent, or at a tip corner beyond which it lies. `None`
+    /// where Newton's method finds none, or one below a flank's lower end.
+    fn flanks_touch(&self, pair: &OnLine) -> Option<CandidateContact> {
+        let (locked, free) = (self.locked(pair.step), self.free(pair.step));
+        let ranges = [&locked, &free].map(|half| half.range(ProfilePart::Involute));
+        let (mut x, mut y) = pair.rolls;
+        let mut settled = false;
+        for _ in 0..STEPS {
+            let ((p, one), (q, other)) = (locked.flank(x)?, free.flank(y)?);
+            let [at_x, at_y] = [Turning::new(&p, &one), Turning::new(&q, &other)];
+            // Both at one radius, with opposite normals: where they are not on opposite sides nothing touches from outside.
+            let rest = 0.5 * (p.point.norm_sqr() - q.point.norm_sqr());
+            let w = p.point.conj() * p.normal * q.point * q.normal.conj();
+            if !(w.re < 0.0) {
+                return None;
+            }
+            let turn = (-w.im).atan2(-w.re);
+            let determinant = at_y.along * at_x.turn - at_x.along * at_y.turn;
+            let by =
+                [&at_y, &at_x].map(|there| (rest * there.turn - turn * there.along) / determinant);
+            x += by[0] / one.speed;
+            y += by[1] / other.speed;
+            if by[0].abs().max(by[1].abs()) < SETTLED * self.problem.distance {
+                settled = true;
+                break;
+            }
+        }
+        let [(low, high), (free_low, free_high)] = ranges;
+        // Not of NaN either.
+        if !(settled && x >= low && y >= free_low) {
+            return None;
+        }
+        let [over, free_over] = [x > high, y > free_high];
+        // The gap is stationary along the flanks, not across them: both at one radius to the last bit.
+        let on = |half: &Placed, rho: f64, range: [f64; 2], start: f64| {
+            half.curve(ProfilePart::Involute).invert(rho, range, start)
+        };
+        let radius = |half: &Placed, t: f64| half.at(ProfilePart::Involute, t).point.norm();
+        let inward = [high, low];
+        match (over, free_over) {
+            (true, true) => return None,
+            (false, false) => y = on(&free, radius(&locked, x), [free_low, free_high], y),
+            (true, false) => {
+                (x, y) = (
+                    high,
+                    on(&free, radius(&locked, high), [free_low, free_high], y),
+                )
+            }
+            (false, true) => (x, y) = (on(&locked, radius(&free, free_high), inward, x), free_high),
+        }
+        let candidate = CandidateContact::new(
+            (&locked, (ProfilePart::Involute, x)),
+            (&free, (ProfilePart::Involute, y)),
+            self.origin,
+            0.0,
+        );
+        if over || free_over {
+            // Towards the corner the gap must rise still: over ln ρ its slope is that of the locked flank less that of the free one.
+            let [p, q] = [
+                locked.at(ProfilePart::Involute, x),
+                free.at(ProfilePart::Involute, y),
+            ];
+            let rise = slope(&p) - slope(&q);
+            let towards = if over { -rise } else { rise };
+            let meets = (radius(&locked, x) - radius(&free, y)).abs() <= SETTLED;
+            if !(towards > 0.0 && meets) {
+                return None;
+            }
+        }
+        Some(candidate)
+    }
+}
+
+/// How a step of a length along a flank changes half the square of the radius and the angle between normal and radius.
+struct Turning {
+    along: f64,
+    turn: f64,
+}
+
+impl Turning {
+    fn new(sample: &Sample, own: &Osculating) -> Turning {
+        // P · i n and P · n.
+        let z = sample.point.conj() * sample.normal;
+        Turning {
+            along: -z.im,
+            turn: own.curvature - z.re / sample.point.norm_sqr(),
+        }
+    }
+}

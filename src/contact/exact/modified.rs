@@ -159,9 +159,8 @@ impl OuterGears {
             return None;
         }
         let settled = |step| pairs.iter().flatten().any(|pair| pair.step == step);
-        let level = tightest.greatest() + beyond;
-        self.tips_are_clear(posed, outer, level, settled)
-            .then(|| tightest.choose())?
+        self.on_tips(posed, outer, &mut tightest, settled)?;
+        tightest.choose()
     }
 
     /// Outer pairs on the line of action; `None` where one does not settle, or there are too many.
@@ -197,43 +196,104 @@ impl OuterGears {
         Some(count)
     }
 
-    /// Whether at the outer gap `level` no tip corner stands where it may touch before, but on flanks of `settled` steps.
-    fn tips_are_clear(
+    /// Offers every tip corner that the outer gears do not show clear at the greatest gap so far, but on flanks of `settled` steps; `None`
+    /// where one is left open.
+    fn on_tips(
         &self,
         posed: &PosedFlanks,
         outer: &PosedFlanks,
-        level: f64,
+        tightest: &mut TightestContacts,
         settled: impl Fn(i64) -> bool,
-    ) -> bool {
-        let level = Level::at(outer, level);
+    ) -> Option<()> {
+        let beyond = outer.free_offset - posed.free_offset;
+        let level = Level::at(outer, tightest.greatest() + beyond);
+        for step in outer.steps() {
+            let clear = self.clear_tips(outer, &level, step);
+            let (locked_place, _) = outer.places(step);
+            let far_corner = || outer.far_corner_reaches(&self.solver, locked_place);
+            if self.solver.free_off > 0.0 && far_corner().is_some() {
+                return None;
+            }
+            if clear == [true; 2] {
+                continue;
+            }
+            let (locked, free) = (posed.locked(step), posed.free(step));
+            let [locked_ends, free_ends] = [&locked, &free].map(|half| {
+                let (form, tip) = half.range(ProfilePart::Involute);
+                [form, tip].map(|t| half.at(ProfilePart::Involute, t).point.norm())
+            });
+            let proof = &self.solver.proof;
+            let mut offer = |(x, y): ((ProfilePart, f64), (ProfilePart, f64))| {
+                let candidate = CandidateContact::new((&locked, x), (&free, y), posed.origin, 0.0);
+                if tightest.admits(candidate.gap) {
+                    tightest.offer(step, candidate);
+                }
+            };
+            let (part, fillet) = (ProfilePart::Involute, ProfilePart::Fillet);
+            if !clear[0] {
+                // The locked gear's tip is nearest to the free axis.
+                let rho = locked_ends[1];
+                let (low, high) = free.range(part);
+                let tip = (part, locked.range(part).1);
+                if (free_ends[0]..=free_ends[1]).contains(&rho) {
+                    if !settled(step) {
+                        let y = free.curve(part).invert(rho, [low, high], high);
+                        rises(&locked, tip.1, &free, y, -1.0).then_some(())?;
+                        offer((tip, (part, y)));
+                    }
+                } else if rho < free_ends[0] && settled(step) {
+                    let least = proof.free_fillet?;
+                    let end = free.shape.fillet_end;
+                    let y = free
+                        .curve(fillet)
+                        .invert(rho, [least, end], 0.5 * (least + end));
+                    offer((tip, (fillet, y)));
+                } else {
+                    return None;
+                }
+            }
+            if !clear[1] {
+                let rho = free_ends[1];
+                let (low, high) = locked.range(part);
+                let tip = (part, free.range(part).1);
+                if (locked_ends[1]..=locked_ends[0]).contains(&rho) {
+                    if !settled(step) {
+                        let x = locked.curve(part).invert(rho, [high, low], high);
+                        rises(&locked, x, &free, tip.1, 1.0).then_some(())?;
+                        offer(((part, x), tip));
+                    }
+                } else if rho > locked_ends[0] && settled(step) {
+                    let least = proof.locked_fillet?;
+                    let end = locked.shape.fillet_end;
+                    let x = locked
+                        .curve(fillet)
+                        .invert(rho, [end, least], 0.5 * (least + end));
+                    offer(((fillet, x), tip));
+                } else {
+                    return None;
+                }
+            }
+        }
+        Some(())
+    }
+
+    /// Whether the tip corner of the locked and of the free half tooth of a step stand clear of the outer mate.
+    fn clear_tips(&self, outer: &PosedFlanks, level: &Level, step: i64) -> [bool; 2] {
         let envelopes = &self.solver.envelopes;
         let (locked_teeth, free_teeth) = (&outer.problem.locked, &outer.problem.free);
-        outer.steps().all(|step| {
-            let (locked_place, free_place) = outer.places(step);
-            let toward = free_teeth.direction(free_place);
-            let seen = level.direction * locked_teeth.direction(locked_place);
-            let locked_tip = locked_teeth.shape.tip_corner();
-            let near = (level.centre + seen * locked_tip) * toward.conj();
-            let beyond = || outer.locked(step).own_to_axis(locked_tip) > self.solver.outmost;
-            let locked_clear =
-                envelopes.free.clears(near) || envelopes.free.is_beyond_tip(near) && beyond();
-            let free_tip = free_teeth.shape.tip_corner();
-            let near = (toward * free_tip - level.centre) * seen.conj();
-            let short = || {
-                let rho = outer.free(step).own_to_axis(free_tip);
-                rho < least_radius(&outer.locked(step))
-            };
-            let free_clear = level.is_ahead(near, seen)
-                && (envelopes.locked.clears(near)
-                    || envelopes.locked.is_beyond_tip(near) && short());
-            let far_corner = self.solver.free_off > 0.0
-                && outer
-                    .far_corner_reaches(&self.solver, locked_place)
-                    .is_some();
-            let clear = [locked_clear, free_clear];
-            !far_corner
-                && (clear == [true; 2] || settled(step) && posed.tips_on_flanks(step, clear))
-        })
+        let (locked_place, free_place) = outer.places(step);
+        let toward = free_teeth.direction(free_place);
+        let seen = level.direction * locked_teeth.direction(locked_place);
+        let tip = locked_teeth.shape.tip_corner();
+        let near = (level.centre + seen * tip) * toward.conj();
+        let beyond = || outer.locked(step).own_to_axis(tip) > self.solver.outmost;
+        let locked = envelopes.free.clears(near) || envelopes.free.is_beyond_tip(near) && beyond();
+        let tip = free_teeth.shape.tip_corner();
+        let near = (toward * tip - level.centre) * seen.conj();
+        let short = || outer.free(step).own_to_axis(tip) < least_radius(&outer.locked(step));
+        let over = || envelopes.locked.is_beyond_tip(near) && short();
+        let free = level.is_ahead(near, seen) && (envelopes.locked.clears(near) || over());
+        [locked, free]
     }
 
     /// The contact of the outer gears, where their flanks touch at places from which nothing deviates.
@@ -249,21 +309,6 @@ impl OuterGears {
 }
 
 impl PosedFlanks<'_> {
-    /// Whether the tip corners that are not `clear` have a radius about the free axis at which the mate has its flank.
-    fn tips_on_flanks(&self, step: i64, clear: [bool; 2]) -> bool {
-        let (locked, free) = (self.locked(step), self.free(step));
-        let at = |half: &Placed, end: fn((f64, f64)) -> f64| {
-            let t = end(half.range(ProfilePart::Involute));
-            half.at(ProfilePart::Involute, t).point.norm()
-        };
-        let [locked_form, locked_tip] =
-            [at(&locked, |range| range.0), at(&locked, |range| range.1)];
-        let [free_form, free_tip] = [at(&free, |range| range.0), at(&free, |range| range.1)];
-        // The locked tip is nearest to the free axis.
-        (clear[0] || (free_form..=free_tip).contains(&locked_tip))
-            && (clear[1] || (locked_tip..=locked_form).contains(&free_tip))
-    }
-
     /// Where the flanks of a pair touch, from where the outer ones would: at a common tangent, or at a tip corner beyond which it lies. `None`
     /// where Newton's method finds none, or one below a flank's lower end.
     fn flanks_touch(&self, pair: &OnLine) -> Option<CandidateContact> {
@@ -321,20 +366,21 @@ impl PosedFlanks<'_> {
             0.0,
         );
         if over || free_over {
-            // Towards the corner the gap must rise still: over ln ρ its slope is that of the locked flank less that of the free one.
-            let [p, q] = [
-                locked.at(ProfilePart::Involute, x),
-                free.at(ProfilePart::Involute, y),
-            ];
-            let rise = slope(&p) - slope(&q);
-            let towards = if over { -rise } else { rise };
+            let towards = if over { -1.0 } else { 1.0 };
             let meets = (radius(&locked, x) - radius(&free, y)).abs() <= SETTLED;
-            if !(towards > 0.0 && meets) {
+            if !(meets && rises(&locked, x, &free, y, towards)) {
                 return None;
             }
         }
         Some(candidate)
     }
+}
+
+/// Whether the gap of two flanks rises still at these rolls, towards greater radii (`towards` 1) or lesser ones (−1): over ln ρ its slope is
+/// that of the locked flank less that of the free one.
+fn rises(locked: &Placed, x: f64, free: &Placed, y: f64, towards: f64) -> bool {
+    let slope_at = |half: &Placed, t: f64| slope(&half.at(ProfilePart::Involute, t));
+    towards * (slope_at(locked, x) - slope_at(free, y)) > 0.0
 }
 
 /// How a step of a length along a flank changes half the square of the radius and the angle between normal and radius.

@@ -11,7 +11,7 @@
 //! 3. With the free gear at the gap found no tip corner of the outer gears may stand in the outer mate, wider by as much as deviations vary,
 //!    but on the mate's flank, of a pair that 1. and 2. have settled.
 //!
-//! A pose that one of these leaves open is searched. Where the outer gears touch and nothing deviates from them there, theirs is the answer: a
+//! A pose that one of these leaves open is searched, as are all of undercut gears. Where the outer gears touch and nothing deviates from them there, theirs is the answer: a
 //! relief beyond the path of contact changes nothing.
 
 use super::candidate::{CandidateContact, slope};
@@ -58,8 +58,9 @@ impl OuterGears {
     /// Those of `assembly`; `None` where its flanks are not all convex, or the outer gears need a search themselves.
     pub fn new(assembly: &GearPair, problems: &[FlankProblem; 2]) -> Option<OuterGears> {
         let gears = [Member::Wheel, Member::Pinion].map(|member| assembly.gear(member));
-        // Straight flanks have no outer gear, and without deviations none is needed.
-        if gears.iter().all(|gear| !gear.is_modified()) {
+        // Straight flanks have no outer gear, and without deviations none is needed. An undercut joint is a corner that is not looked at here.
+        let undercut = gears.iter().any(|gear| gear.gear().is_undercut());
+        if undercut || gears.iter().all(|gear| !gear.is_modified()) {
             return None;
         }
         let convex =

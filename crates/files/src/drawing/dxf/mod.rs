@@ -8,7 +8,7 @@ mod entity;
 mod pairs;
 mod shape;
 
-use super::piece::Pieces;
+use super::pieces::Pieces;
 use super::text::decode;
 use super::{DrawingError, Options, unit};
 use entity::{Entity, Fate};

@@ -42,6 +42,7 @@ mod half;
 mod of_gear;
 mod pair;
 mod path;
+pub mod polygon;
 mod segment;
 mod teeth;
 

@@ -6,8 +6,7 @@ use super::progress::Progress;
 use super::results::{Format, ResultsArgs};
 use super::screen::ScreenArgs;
 use crate::error::Error;
-use gearlash::analysis::outlines::{OutlinePose, OutlineRun};
-use gearlash::contact::Status;
+use gearlash::analysis::outlines::{OutlineRun, turns, unproven, worst};
 use gearlash_files::OutlinePairFile;
 use gearlash_files::outlines::{sentence, to_csv, to_json};
 use gearlash_render::checked::CheckedPair;
@@ -33,12 +32,6 @@ pub(super) fn runs(file: &OutlinePairFile, method: &MethodArgs) -> Result<Vec<Ou
     Ok(runs)
 }
 
-/// Whether the pair turns at every centre distance and in every material.
-pub(super) fn turns(runs: &[OutlineRun]) -> bool {
-    let unsettled = runs.iter().map(|run| run.count(Status::Unproven)).sum();
-    all_proven(unsettled) & runs.iter().all(|run| run.turns() == Some(true))
-}
-
 /// `gearlash simulate` of a pair with an outline.
 pub(super) fn simulate(
     file: &OutlinePairFile,
@@ -53,8 +46,13 @@ pub(super) fn simulate(
     let unwritable = |error: &dyn std::fmt::Display| {
         Error::Usage(format!("the result cannot be written: {error}"))
     };
-    let json = to_json(file, &runs).map_err(|error| unwritable(&error))?;
-    let csv = to_csv(&runs).map_err(|error| unwritable(&error))?;
+    let (mut json, mut csv) = (String::new(), String::new());
+    if folder.is_some() || results.format == Format::Json {
+        json = to_json(file, &runs).map_err(|error| unwritable(&error))?;
+    }
+    if folder.is_some() || results.format == Format::Csv {
+        csv = to_csv(&runs).map_err(|error| unwritable(&error))?;
+    }
     match results.format {
         Format::Text => print(&text::outlines(&file.study.title, &runs, &screen.screen()))?,
         Format::Json => print(&json)?,
@@ -70,22 +68,10 @@ pub(super) fn simulate(
         results.write(folder, &files)?;
     }
     // As of gears by their data: a pair that binds is a result.
-    Ok(
-        match all_proven(runs.iter().map(|run| run.count(Status::Unproven)).sum()) {
-            true => ExitCode::SUCCESS,
-            false => ExitCode::from(1),
-        },
-    )
-}
-
-/// The pose that binds most, or has the least backlash.
-pub(super) fn worst(runs: &[OutlineRun]) -> Option<(&OutlineRun, &OutlinePose)> {
-    let poses = runs.iter().filter_map(|run| {
-        let jammed = run.lost.iter().find(|pose| pose.status() == Status::Jammed);
-        Some((run, jammed.or(run.least.as_ref())?))
-    });
-    let depth = |pose: &OutlinePose| pose.angle().unwrap_or(f64::NEG_INFINITY);
-    poses.min_by(|a, b| depth(a.1).total_cmp(&depth(b.1)))
+    Ok(match all_proven(unproven(&runs)) {
+        true => ExitCode::SUCCESS,
+        false => ExitCode::from(1),
+    })
 }
 
 /// `gearlash check` of a pair with an outline: its text or JSON, and what the other formats tell.
@@ -106,7 +92,7 @@ pub(super) fn check(
         file: path.display().to_string(),
         title: file.study.title.clone(),
         sentence: sentence(&runs),
-        passes: turns(&runs),
+        passes: all_proven(unproven(&runs)) & (turns(&runs) == Some(true)),
         diagnosis: gearlash::analysis::diagnosis::Diagnosis::default(),
     };
     Ok((text, pair))

@@ -4,7 +4,7 @@ use super::pair::OutlinePairFile;
 use super::sentence::sentence;
 use crate::characters;
 use crate::spec::OutlinePairSpec;
-use gearlash::analysis::outlines::{OutlinePose, OutlineRun};
+use gearlash::analysis::outlines::{OutlinePose, OutlineRun, turns};
 use gearlash::contact::{OutlineContact, Status};
 use gearlash::pair::{Member, arcmin};
 use serde::Serialize;
@@ -136,19 +136,11 @@ fn run(of: &OutlineRun) -> RunRecord {
 /// # Errors
 /// Of serde_json.
 pub fn to_json(file: &OutlinePairFile, runs: &[OutlineRun]) -> serde_json::Result<String> {
-    let turns = runs.iter().map(OutlineRun::turns);
     let result = Result {
         title: &file.study.title,
         input: &file.spec,
         verdict: VerdictRecord {
-            // One that binds decides, then one that is not known.
-            turns: turns
-                .min_by_key(|turns| match turns {
-                    Some(false) => 0,
-                    None => 1,
-                    Some(true) => 2,
-                })
-                .flatten(),
+            turns: turns(runs),
             sentence: sentence(runs),
             proven: false,
         },

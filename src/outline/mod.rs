@@ -35,7 +35,9 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod boundary;
 mod centre;
+mod difference;
 mod error;
 mod gear;
 mod half;
@@ -47,6 +49,7 @@ mod segment;
 mod teeth;
 
 pub use centre::{FittedCentre, fit_centre};
+pub use difference::{Deviation, OutlineDifference};
 pub use error::OutlineError;
 pub use gear::{OutlineGear, OutlineReading};
 pub use of_gear::of_gear;

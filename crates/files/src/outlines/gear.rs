@@ -51,6 +51,8 @@ const CENTRE: &str = "[x, y] in mm, \"bore\" or \"fit\"";
 /// A gear that is an outline.
 pub(super) struct OutlinePart {
     pub gear: OutlineGear,
+    /// Its centre in the drawing, mm.
+    pub centre: Point2<f64>,
     pub spec: OutlineGearSpec,
     pub remarks: Vec<String>,
 }
@@ -155,6 +157,7 @@ pub(super) fn read(file: &Table, name: &str, problems: &mut Problems) -> Option<
     ));
     Some(OutlinePart {
         gear,
+        centre,
         spec: OutlineGearSpec {
             outline: spec,
             reference_face: FaceName::from(face),
@@ -319,5 +322,6 @@ pub(super) fn help(error: &OutlineError) -> &'static str {
         OutlineError::Uneven { .. } => "mend the drawing there, and check the centre",
         OutlineError::Eccentric { .. } => "give the runout in µm",
         OutlineError::TooNear { .. } => "give a greater centre distance",
+        OutlineError::OtherGear { .. } => "give two drawings of the same gear",
     }
 }

@@ -1,0 +1,493 @@
+//! Two outlines of one gear: how far one lies from the other.
+//!
+//! The deviation at a point of A's outline is its distance from the nearest point of B's, along B's normal there, positive where B has
+//! more metal. B is turned about its centre so that the mean square of the deviations is least; a gear lies nearly as well on itself turned
+//! by any whole tooth, so each is tried. Both centres stay where they are: what eccentricity there is between the outlines is shown as
+//! deviation.
+//!
+//! Curves are taken as chords. Mean and root mean square are over its length, by the middles of short pieces (midpoint rule); greatest
+//! and least are those of all points of A's chords: from one point of a chord to another the distance from any one edge of B is convex, so
+//! that its greater end bounds it.
+
+use super::boundary::{Boundary, Near};
+use super::error::OutlineError;
+use super::gear::OutlineGear;
+use crate::parallel;
+use nalgebra::{Point2, Rotation2, Vector2};
+use std::f64::consts::{PI, TAU};
+
+/// Pieces a tooth, or more, for mean and root mean square (tuned: chords of 20 µm show with a hundredth of their height).
+const PIECES: u32 = 1000;
+
+/// Pieces a tooth by which one tooth is chosen before another (tuned: with 20 a tooth 2 µm thicker is still found among 80).
+const CHOOSING: u32 = 40;
+
+/// Turns that fit as well within this root mean square, mm, are not distinguished: rounding of a drawing's decimals.
+const ALIKE: f64 = 1e-6;
+
+/// Steps of the turn: each squares what is left (tuned: six are enough for a tenth of a pitch).
+const STEPS: u32 = 12;
+
+/// A step of the turn, rad, that is none: rounding.
+const SETTLED: f64 = 1e-14;
+
+/// How far B lies from A somewhere.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Deviation {
+    /// Where on A: from its centre, as its drawing lies, mm.
+    pub point: Point2<f64>,
+    /// Unit normal of A there, out of the metal.
+    pub normal: Vector2<f64>,
+    /// How far B lies beyond it, mm; negative where B has less metal.
+    pub beyond: f64,
+    /// A's tooth whose even place is nearest, 1 to z.
+    pub tooth: u32,
+}
+
+/// Two outlines of one gear, B turned to lie on A as well as it can.
+#[derive(Debug, Clone)]
+pub struct OutlineDifference {
+    /// Turn of B's drawing about its centre, rad counter-clockwise, −π to π.
+    pub rotation: f64,
+    /// B's tooth that comes to lie on A's tooth 1.
+    pub tooth: u32,
+    /// How many turns by whole teeth fit as well, this one included; of these it is the least turn.
+    pub alike: u32,
+    /// Mean deviation, mm.
+    pub mean: f64,
+    /// Root of the mean square of the deviations, mm.
+    pub root_mean_square: f64,
+    /// Where B lies farthest beyond A.
+    pub greatest: Deviation,
+    /// Where B lies farthest within A.
+    pub least: Deviation,
+    /// How far each deviation may be off, mm: both outlines' bounds and their chords (of a gear by its data add 1e-6 of its tip radius).
+    pub bound: f64,
+    /// At short distances along A, counter-clockwise.
+    pub along: Vec<Deviation>,
+}
+
+/// A point of A's chords, and the place of B that is nearest.
+#[derive(Clone, Copy)]
+struct Sample {
+    point: Point2<f64>,
+    near: Near,
+}
+
+/// The middle of a piece of A's chords.
+struct Midpoint {
+    edge: usize,
+    point: Point2<f64>,
+    /// The piece's share of the length of all.
+    share: f64,
+}
+
+struct Both {
+    a: Boundary,
+    b: Boundary,
+}
+
+impl OutlineDifference {
+    /// How far `b` lies from `a`, curves taken as chords within `chord` mm (> 0).
+    ///
+    /// # Errors
+    /// [`OutlineError::OtherGear`]: their numbers of teeth differ.
+    pub fn new(
+        a: &OutlineGear,
+        b: &OutlineGear,
+        chord: f64,
+    ) -> Result<OutlineDifference, OutlineError> {
+        let teeth = [a.teeth(), b.teeth()];
+        if teeth[0] != teeth[1] {
+            return Err(OutlineError::OtherGear { teeth });
+        }
+        let [z, _] = teeth;
+        let drawn = |gear: &OutlineGear| Boundary::new(gear.points(gear.drawn_direction(), chord));
+        let both = Both {
+            a: drawn(a),
+            b: drawn(b),
+        };
+        let first = a.drawn_direction() - b.drawn_direction();
+        let turn = |k: u32| {
+            let turn = first + f64::from(k) * a.pitch();
+            turn - TAU * ((turn / TAU).round())
+        };
+        let points = both.points(z * CHOOSING);
+        let tried = parallel::map(0..z, |k| {
+            let (_, square) = both.settle(&points, turn(k));
+            (k, square.sqrt())
+        });
+        let least = tried
+            .iter()
+            .map(|tried| tried.1)
+            .fold(f64::INFINITY, f64::min);
+        let alike: Vec<u32> = tried
+            .iter()
+            .filter(|tried| tried.1 <= least + ALIKE)
+            .map(|tried| tried.0)
+            .collect();
+        let chosen = alike.iter().copied();
+        let chosen = chosen.min_by(|j, k| turn(*j).abs().total_cmp(&turn(*k).abs()));
+        let chosen = chosen.unwrap_or(0);
+        let points = both.points(z * PIECES);
+        let (rotation, square) = both.settle(&points, turn(chosen));
+        let tooth_of = |point: Point2<f64>, direction: f64| {
+            let on = (point.y.atan2(point.x) - direction) * a.face().ascending();
+            (on / a.pitch()).round().rem_euclid(f64::from(z)) as u32 % z + 1
+        };
+        let deviation = |edge: usize, sample: Sample| Deviation {
+            point: sample.point,
+            normal: both.a.normal(edge),
+            beyond: sample.near.signed,
+            tooth: tooth_of(sample.point, a.drawn_direction()),
+        };
+        let along: Vec<Deviation> = points
+            .iter()
+            .map(|at| deviation(at.edge, both.sample(at.point, rotation)))
+            .collect();
+        let shares = points
+            .iter()
+            .zip(&along)
+            .map(|(at, found)| at.share * found.beyond);
+        let mean = shares.sum();
+        let corners: Vec<Sample> = parallel::map(both.a.corners().iter(), |point| {
+            both.sample(*point, rotation)
+        });
+        let [greatest, least] = [1.0, -1.0].map(|sign| {
+            let (edge, sample) = both.farthest(&corners, rotation, sign, chord);
+            deviation(edge, sample)
+        });
+        let towards = Rotation2::new(rotation) * Vector2::new(1.0, 0.0);
+        let on_first = a.drawn_direction() - towards.y.atan2(towards.x);
+        let (sin, cos) = on_first.sin_cos();
+        Ok(OutlineDifference {
+            rotation: rotation - TAU * ((rotation + PI) / TAU).floor(),
+            tooth: tooth_of(Point2::new(cos, sin), b.drawn_direction()),
+            alike: alike.len() as u32,
+            mean,
+            root_mean_square: square.sqrt(),
+            greatest,
+            least,
+            bound: a.bound() + b.bound() + 3.0 * chord,
+            along,
+        })
+    }
+}
+
+impl Both {
+    /// Points along A, the middles of so many equal lengths or more, none of which is of two chords.
+    fn points(&self, count: u32) -> Vec<Midpoint> {
+        let edges = 0..self.a.corners().len();
+        let length = |edge: usize| {
+            let [from, to] = self.a.ends(edge);
+            (to - from).norm()
+        };
+        let all: f64 = edges.clone().map(length).sum();
+        let of_edge = |edge: usize| {
+            let [from, to] = self.a.ends(edge);
+            let share = length(edge) / all;
+            let pieces = (share * f64::from(count)).ceil();
+            (0..pieces as u32).map(move |k| Midpoint {
+                edge,
+                point: from + (to - from) * ((f64::from(k) + 0.5) / pieces),
+                share: share / pieces,
+            })
+        };
+        edges.flat_map(of_edge).collect()
+    }
+
+    /// The place of B, turned by `turn`, nearest to a point of A.
+    fn sample(&self, point: Point2<f64>, turn: f64) -> Sample {
+        Sample {
+            point,
+            near: self.b.nearest(Rotation2::new(-turn) * point),
+        }
+    }
+
+    /// The turn near `turn` with the least mean square of the deviations at `points`, and that mean square (Gauss–Newton).
+    fn settle(&self, points: &[Midpoint], turn: f64) -> (f64, f64) {
+        let (mut best, mut turn) = ((turn, f64::INFINITY), turn);
+        for _ in 0..STEPS {
+            let (mut square, mut product, mut arms) = (0.0, 0.0, 0.0);
+            for at in points {
+                let Near {
+                    point,
+                    signed,
+                    normal,
+                    ..
+                } = self.sample(at.point, turn).near;
+                // A turn by δ moves the metal by δ × the arm of its normal.
+                let arm = point.coords.perp(&normal);
+                square += at.share * signed * signed;
+                product += at.share * signed * arm;
+                arms += at.share * arm * arm;
+            }
+            if square < best.1 {
+                best = (turn, square);
+            }
+            let step = -product / arms;
+            if !(step.abs() > SETTLED) {
+                break;
+            }
+            turn += step;
+        }
+        best
+    }
+
+    /// The point of A at which B lies farthest beyond it, or with `sign` −1 within it, to within `tolerance` mm, and its edge.
+    fn farthest(
+        &self,
+        corners: &[Sample],
+        turn: f64,
+        sign: f64,
+        tolerance: f64,
+    ) -> (usize, Sample) {
+        let value = |sample: &Sample| sign * sample.near.signed;
+        let mut best = (0, corners[0]);
+        let mut look = |edge: usize, sample: Sample| {
+            if value(&sample) > value(&best.1) {
+                best = (edge, sample);
+            }
+            value(&best.1)
+        };
+        for (edge, sample) in corners.iter().enumerate() {
+            look(edge, *sample);
+        }
+        // Where nothing crosses, the nearest two points are a corner of either and a point of the other.
+        for corner in self.b.corners() {
+            let near = self.a.nearest(Rotation2::new(turn) * corner);
+            look(near.edge, self.sample(near.point, turn));
+        }
+        let count = corners.len();
+        let mut open: Vec<(usize, [Sample; 2])> = (0..count)
+            .map(|edge| (edge, [corners[edge], corners[(edge + 1) % count]]))
+            .collect();
+        let back = Rotation2::new(-turn);
+        while let Some((edge, [from, to])) = open.pop() {
+            let length = (to.point - from.point).norm();
+            // No deviation changes by more than one moves along.
+            let mut most = 0.5 * (value(&from) + value(&to) + length);
+            for of in [from.near.edge, to.near.edge] {
+                let ends = [from, to].map(|end| self.b.distance_of_edge(of, back * end.point));
+                most = most.min(ends[0].max(ends[1]));
+            }
+            let known = look(edge, from);
+            // Below zero the corners have said it.
+            if most <= known + tolerance || known < 0.0 || length <= tolerance {
+                continue;
+            }
+            let middle = self.sample(from.point + 0.5 * (to.point - from.point), turn);
+            look(edge, middle);
+            open.push((edge, [from, middle]));
+            open.push((edge, [middle, to]));
+        }
+        best
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gear::Face;
+    use crate::outline::{OutlineReading, PathSegment};
+
+    const Z: u32 = 12;
+
+    /// Corners of straight-sided teeth, tooth 1 up, clockwise; `top(k)` are those of the tip of tooth k + 1: radius, and pitches from its
+    /// middle.
+    fn corners(top: impl Fn(u32) -> Vec<[f64; 2]>) -> Vec<Point2<f64>> {
+        let tooth = |k: u32| {
+            let top = top(k).into_iter();
+            let all = [[10.0, -0.3]].into_iter().chain(top).chain([[10.0, 0.3]]);
+            all.map(move |[radius, pitches]| {
+                let (sin, cos) =
+                    (0.25 * TAU - (f64::from(k) + pitches) * TAU / f64::from(Z)).sin_cos();
+                Point2::new(radius * cos, radius * sin)
+            })
+        };
+        (0..Z).flat_map(tooth).collect()
+    }
+
+    fn flat(_: u32) -> Vec<[f64; 2]> {
+        vec![[13.0, -0.1], [13.0, 0.1]]
+    }
+
+    fn gear(corners: &[Point2<f64>]) -> OutlineGear {
+        let next = corners.iter().cycle().skip(1);
+        let lines = corners
+            .iter()
+            .zip(next)
+            .map(|(a, b)| PathSegment::Line([*a, *b]));
+        let reading = OutlineReading {
+            centre: Point2::origin(),
+            face: Face::Front,
+            teeth: Some(Z),
+            first_tooth: None,
+            bound: 0.0,
+        };
+        OutlineGear::new(&lines.collect::<Vec<_>>(), &reading).unwrap()
+    }
+
+    /// Chords within 1e-6 mm: greatest and least may be off by as much.
+    fn difference(a: &[Point2<f64>], b: &[Point2<f64>]) -> OutlineDifference {
+        OutlineDifference::new(&gear(a), &gear(b), 1e-6).unwrap()
+    }
+
+    fn turned(corners: &[Point2<f64>], turn: f64) -> Vec<Point2<f64>> {
+        let turned = corners.iter().map(|corner| Rotation2::new(turn) * corner);
+        turned.collect()
+    }
+
+    #[track_caller]
+    fn near(found: f64, expected: f64, within: f64) {
+        assert!(
+            (found - expected).abs() <= within,
+            "{found}, not {expected}"
+        );
+    }
+
+    #[test]
+    fn an_outline_does_not_differ_from_itself() {
+        let same = difference(&corners(flat), &corners(flat));
+        let found = [
+            same.rotation,
+            same.mean,
+            same.root_mean_square,
+            same.greatest.beyond,
+            same.least.beyond,
+        ];
+        for value in found {
+            near(value, 0.0, 1e-12);
+        }
+        // All its teeth are alike.
+        assert_eq!((same.tooth, same.alike), (1, Z));
+    }
+
+    /// Every side moved out by d: the deviation is d, but at corners, where the nearest place is the corner of the other outline, up to
+    /// d / cos(half the angle by which it turns there); the other way round the same with the other sign.
+    #[test]
+    fn sides_that_are_moved_out() {
+        let d = 0.01;
+        let inner = corners(flat);
+        let count = inner.len();
+        let sides: Vec<(Point2<f64>, Vector2<f64>)> = (0..count)
+            .map(|k| {
+                let along = (inner[(k + 1) % count] - inner[k]).normalize();
+                // Clockwise: out of the metal is on the left.
+                (inner[k] + d * Vector2::new(-along.y, along.x), along)
+            })
+            .collect();
+        let mut turns = Vec::new();
+        let outer: Vec<Point2<f64>> = (0..count)
+            .map(|k| {
+                let ((a, u), (b, v)) = (sides[(k + count - 1) % count], sides[k]);
+                turns.push(u.perp(&v).atan2(u.dot(&v)));
+                a + u * ((b - a).perp(&v) / u.perp(&v))
+            })
+            .collect();
+        let most = |sign: f64| {
+            let turns = turns.iter().map(|turn| sign * turn);
+            d / (0.5 * turns.fold(0.0, f64::max)).cos()
+        };
+        let out = difference(&inner, &outer);
+        near(out.least.beyond, d, 1e-12);
+        // Counter-clockwise turns of a clockwise path are its roots.
+        near(out.greatest.beyond, most(1.0), 1e-6);
+        assert!(out.greatest.point.coords.norm() < 10.1);
+        near(out.mean, d, 1e-2 * d);
+        assert!(out.mean > d && out.root_mean_square >= out.mean);
+        let back = difference(&outer, &inner);
+        near(back.greatest.beyond, -d, 1e-12);
+        near(back.least.beyond, -most(-1.0), 1e-6);
+        assert!(back.least.point.coords.norm() > 12.9);
+        near(back.rotation, 0.0, 1e-9);
+    }
+
+    /// A tip with a bump that no other has: drawn turned by three teeth and a bit it is found there.
+    #[test]
+    fn the_tooth_that_lies_on_tooth_1_is_found() {
+        let top = |k: u32| match k {
+            4 => vec![[13.0, -0.1], [13.1, 0.02], [13.0, 0.1]],
+            _ => flat(k),
+        };
+        let drawn = corners(top);
+        let pitch = TAU / f64::from(Z);
+        for (teeth, more) in [(3.0, 0.01), (-5.0, -0.02), (6.0, 0.03)] {
+            let by = teeth * pitch + more;
+            let found = difference(&drawn, &turned(&drawn, by));
+            near((found.rotation + by).sin(), 0.0, 1e-12);
+            near((found.rotation + by).cos(), 1.0, 1e-12);
+            near(found.root_mean_square, 0.0, 1e-12);
+            near(found.greatest.beyond, 0.0, 1e-12);
+            assert_eq!(found.alike, 1);
+            // Teeth count clockwise: what was turned counter-clockwise by three has the number 1 − 3.
+            let expected = (-teeth as i32).rem_euclid(Z as i32) as u32 + 1;
+            assert_eq!(found.tooth, expected, "{teeth}");
+        }
+    }
+
+    /// A triangle of height h and width w on the tip of tooth 8: below its top the distance from its sides is h cos(slope), which falls
+    /// evenly to both ends; mean and mean square are its integrals, w/2 and w/3 times, over the length of the outline.
+    #[test]
+    fn a_bump_of_known_size() {
+        let half = 13.0 * (0.1 * TAU / f64::from(Z)).sin();
+        let tip = 13.0 * (0.1 * TAU / f64::from(Z)).cos();
+        let (h, w) = (0.05, 2.0 * half);
+        let with_bump = |k: u32| match k {
+            7 => vec![[13.0, -0.1], [tip + h, 0.0], [13.0, 0.1]],
+            _ => flat(k),
+        };
+        let plain = corners(flat);
+        let found = difference(&plain, &corners(with_bump));
+        let most = h * (2.0 * h / w).atan().cos();
+        near(found.greatest.beyond, most, 1e-6);
+        near(found.least.beyond, 0.0, 1e-12);
+        assert_eq!(found.greatest.tooth, 8);
+        near(found.greatest.point.coords.norm(), tip, 1e-3);
+        let length = polygon_length(&plain);
+        near(found.mean, 0.5 * most * w / length, 2e-4 * found.mean);
+        near(
+            found.root_mean_square,
+            (most * most * w / 3.0 / length).sqrt(),
+            1e-3 * found.root_mean_square,
+        );
+        // Every tooth of the plain one could have it: the least turn is taken.
+        assert_eq!((found.alike, found.tooth), (Z, 1));
+    }
+
+    fn polygon_length(corners: &[Point2<f64>]) -> f64 {
+        let next = corners.iter().cycle().skip(1);
+        corners.iter().zip(next).map(|(a, b)| (b - a).norm()).sum()
+    }
+
+    #[test]
+    fn other_numbers_of_teeth_are_refused() {
+        let few: Vec<Point2<f64>> = corners(flat);
+        let eleven: Vec<Point2<f64>> = (0..11)
+            .flat_map(|k| {
+                [[10.0, -0.3], [13.0, -0.1], [13.0, 0.1], [10.0, 0.3]].map(
+                    |[radius, pitches]: [f64; 2]| {
+                        let (sin, cos) = (-(f64::from(k) + pitches) * TAU / 11.0).sin_cos();
+                        Point2::new(radius * cos, radius * sin)
+                    },
+                )
+            })
+            .collect();
+        let next = eleven.iter().cycle().skip(1);
+        let lines: Vec<PathSegment> = eleven
+            .iter()
+            .zip(next)
+            .map(|(a, b)| PathSegment::Line([*a, *b]))
+            .collect();
+        let reading = OutlineReading {
+            centre: Point2::origin(),
+            face: Face::Front,
+            teeth: None,
+            first_tooth: None,
+            bound: 0.0,
+        };
+        let eleven = OutlineGear::new(&lines, &reading).unwrap();
+        let refused = OutlineDifference::new(&gear(&few), &eleven, 1e-6).unwrap_err();
+        assert_eq!(refused, OutlineError::OtherGear { teeth: [12, 11] });
+    }
+}

@@ -4,6 +4,7 @@ use super::gear::{self, OutlinePart};
 use super::pair::outline_table;
 use crate::characters;
 use crate::node::Node;
+use crate::numbers::{fixed, signed_um, um};
 use crate::place::Place;
 use crate::problems::Problems;
 use crate::sources::Sources;
@@ -41,8 +42,8 @@ pub struct ComparedOutlines {
     pub centres: [Point2<f64>; 2],
     /// How far B lies from A.
     pub difference: OutlineDifference,
-    /// What was found to be in order, for standard error.
-    pub remarks: Vec<String>,
+    /// What was found of each to be in order, for standard error.
+    pub remarks: [Vec<String>; 2],
     /// The files it was read from.
     pub sources: Sources,
 }
@@ -73,7 +74,7 @@ impl TwoDrawings<'_> {
             files: self.paths.map(|path| path.display().to_string()),
             centres: [a.centre, b.centre],
             gears: [a.gear, b.gear],
-            remarks: [a.remarks, b.remarks].concat(),
+            remarks: [a.remarks, b.remarks],
             sources: place.sources(),
         })
     }
@@ -102,6 +103,34 @@ impl ComparedOutlines {
             self.farthest().beyond.abs() <= 1e-3 * tolerance + self.difference.bound
         })
     }
+}
+
+/// How far B lies from A.
+pub fn difference_sentence(compared: &ComparedOutlines) -> String {
+    let found = &compared.difference;
+    let signed = |mm: f64| signed_um(mm, 2).replace('-', "−");
+    format!(
+        "B lies {} … {} µm beyond A, mean {} µm, root mean square {} µm.",
+        signed(found.least.beyond),
+        signed(found.greatest.beyond),
+        signed(found.mean),
+        um(found.root_mean_square, 2)
+    )
+}
+
+/// How B was turned to lie on A.
+pub fn turn_words(compared: &ComparedOutlines) -> String {
+    let found = &compared.difference;
+    let alike = match found.alike {
+        1 => "every other whole tooth fits worse".to_owned(),
+        turns => format!("{turns} turns by whole teeth fit alike, this is the least"),
+    };
+    format!(
+        "Both have {} teeth. B is turned by {}° about its centre, its tooth {} on A's tooth 1: {alike}.",
+        compared.gears[0].teeth(),
+        fixed(found.rotation.to_degrees(), 5),
+        found.tooth
+    )
 }
 
 #[derive(Serialize)]

@@ -7,7 +7,9 @@ mod paths;
 mod result;
 mod sentence;
 
-pub use compared::{ComparedOutlines, TwoDrawings, comparison_json};
+pub use compared::{
+    ComparedOutlines, TwoDrawings, comparison_json, difference_sentence, turn_words,
+};
 pub use pair::{Drawings, OutlinePairFile};
 pub(crate) use pair::{has_outline, read, refused};
 pub use result::{to_csv, to_json};

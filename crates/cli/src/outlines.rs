@@ -80,7 +80,7 @@ pub(super) fn simulate(
         csv = to_csv(&runs).map_err(|error| unwritable(&error))?;
     }
     match results.format {
-        Format::Text => print(&text::outlines(&file.study.title, &runs, &screen.screen()))?,
+        Format::Text => print(&text::outlines(file, &runs, &screen.screen()))?,
         Format::Json => print(&json)?,
         Format::Csv => print(&csv)?,
     }
@@ -112,7 +112,7 @@ pub(super) fn check(
     let text = match as_json {
         true => to_json(file, &runs)
             .map_err(|error| Error::Usage(format!("the checks cannot be written: {error}")))?,
-        false => text::outlines(&file.study.title, &runs, &screen.screen()),
+        false => text::outlines(file, &runs, &screen.screen()),
     };
     let pair = CheckedPair {
         file: path.display().to_string(),

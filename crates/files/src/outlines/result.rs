@@ -1,5 +1,6 @@
 //! The result of a pair of outlines as JSON and CSV, keys as of other results where they mean the same.
 
+use super::fitted::{FittedRecord, records};
 use super::pair::OutlinePairFile;
 use super::sentence::sentence;
 use crate::characters;
@@ -14,6 +15,7 @@ struct Result<'a> {
     title: &'a str,
     input: &'a OutlinePairSpec,
     verdict: VerdictRecord,
+    fitted_involutes: Vec<FittedRecord>,
     runs: Vec<RunRecord>,
 }
 
@@ -144,6 +146,7 @@ pub fn to_json(file: &OutlinePairFile, runs: &[OutlineRun]) -> serde_json::Resul
             sentence: sentence(runs),
             proven: false,
         },
+        fitted_involutes: records(file),
         runs: runs.iter().map(run).collect(),
     };
     let text = serde_json::to_string_pretty(&result)?;

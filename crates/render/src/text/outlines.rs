@@ -3,25 +3,29 @@
 use super::layout::{Column, Screen, Table, Tone};
 use super::verdict::heading;
 use gearlash::analysis::outlines::{OutlinePose, OutlineRun, turns};
+use gearlash_files::OutlinePairFile;
 use gearlash_files::numbers::{stated_distance, um_ascii};
-use gearlash_files::outlines::{region_words, sentence};
+use gearlash_files::outlines::{looks_like, region_words, sentence};
 use std::fmt::Write;
 
 /// Wheel teeth that bind are listed up to so many.
 const LISTED: usize = 24;
 
-/// As text on `screen`: the verdict, and the wheel teeth that bind.
-pub fn text(title: &str, runs: &[OutlineRun], screen: &Screen) -> String {
+/// As text on `screen`: the verdict, the wheel teeth that bind, and what the outlines look like.
+pub fn text(file: &OutlinePairFile, runs: &[OutlineRun], screen: &Screen) -> String {
     let tone = match turns(runs) {
         Some(true) => Tone::Good,
         Some(false) => Tone::Bad,
         None => Tone::Doubtful,
     };
-    let mut text = heading(title, tone, &sentence(runs), screen);
+    let mut text = heading(&file.study.title, tone, &sentence(runs), screen);
     for run in runs {
         text += &binding(run, screen);
     }
     text += "An outline has no module and no involute: formulas, contact ratio and limits are left out.\n";
+    for finding in looks_like(file) {
+        let _ = writeln!(text, "{finding}");
+    }
     screen.fold(&text)
 }
 

@@ -1,7 +1,7 @@
 //! What an outline looks like, in words and as a record.
 
 use super::OutlinePairFile;
-use crate::numbers::{bound_um, fixed, trimmed, um};
+use crate::numbers::{fixed, trimmed, um};
 use crate::spec::EitherGearSpec;
 use gearlash::outline::{FittedInvolute, OutlineGear};
 use serde::Serialize;
@@ -40,18 +40,23 @@ fn sentence(name: &str, teeth: u32, found: &FittedInvolute) -> String {
             fixed(standard.shift, 3)
         )
     });
+    let cosine = 2.0 / f64::from(teeth);
+    // Rounding is not said.
+    let off = match cosine * found.base_radius_error {
+        off if off >= 5e-6 => format!(" ± {}", fixed(off, 5)),
+        _ => String::new(),
+    };
     let like = match &standard.collect::<Vec<_>>()[..] {
         [] => format!(
-            "an involute with m cos α = {} ± {} mm, of no standard module at 20°, 14.5° or 25°",
-            fixed(2.0 * found.base_radius / f64::from(teeth), 5),
-            fixed(2.0 * found.base_radius_error / f64::from(teeth), 5)
+            "an involute of no standard module at 20°, 14.5° or 25°, m cos α = {}{off} mm",
+            fixed(cosine * found.base_radius, 5)
         ),
         several => several.join(", or "),
     };
     format!(
-        "The {name} looks like {like} (residual {} µm over the middle of its flanks, up to {} µm would be called so).",
-        bound_um(found.residual),
-        um(found.limit, 1)
+        "Found, not used: the {name} looks like {like} (residual {} µm over the middle of its flanks, of {} µm allowed).",
+        um(found.residual, 2),
+        um(found.limit, 2)
     )
 }
 

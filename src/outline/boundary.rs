@@ -3,7 +3,7 @@
 use super::polygon;
 use nalgebra::{Point2, Vector2};
 
-/// Edges that are looked at one by one (tuned: boxes of 2 or 16 take as long).
+/// Up to so many edges are looked at one by one: a box takes as long as an edge.
 const LEAF: usize = 4;
 
 /// A closed polygon, counter-clockwise, in boxes of boxes of neighbouring edges.

@@ -202,3 +202,53 @@ fn other_numbers_of_teeth_are_refused() {
     let refused = OutlineDifference::new(&gear(&few), &eleven, 1e-6).unwrap_err();
     assert_eq!(refused, OutlineError::OtherGear { teeth: [12, 11] });
 }
+
+/// Flanks that are arcs of radius 9 mm and of 12 mm between the same corners: in their middle they lie apart by the difference of the two
+/// heights above the chord, R − √(R² − (chord/2)²).
+#[test]
+fn arcs_between_the_same_corners() {
+    let ends = corners(flat);
+    let drawn = |radius: f64| {
+        let path: Vec<PathSegment> = (0..ends.len())
+            .map(|k| {
+                let (from, to) = (ends[k], ends[(k + 1) % ends.len()]);
+                if k % 2 == 1 {
+                    return PathSegment::Line([from, to]);
+                }
+                let along = to - from;
+                let half = (0.5 * along.norm() / radius).asin();
+                // Clockwise of the path's direction, about a centre on its right.
+                let aside = Vector2::new(along.y, -along.x).normalize() * (radius * half.cos());
+                let centre = from + 0.5 * along + aside;
+                PathSegment::Arc {
+                    centre,
+                    radius,
+                    start: (from.y - centre.y).atan2(from.x - centre.x),
+                    sweep: -2.0 * half,
+                }
+            })
+            .collect();
+        let reading = OutlineReading {
+            centre: Point2::origin(),
+            face: Face::Front,
+            teeth: Some(Z),
+            first_tooth: None,
+            bound: 0.0,
+        };
+        OutlineGear::new(&path, &reading).unwrap()
+    };
+    let [flatter, fuller] = [12.0, 9.0].map(drawn);
+    let chord = (ends[1] - ends[0]).norm();
+    let height = |radius: f64| radius - (radius * radius - 0.25 * chord * chord).sqrt();
+    let known = height(9.0) - height(12.0);
+    for (a, b, sign) in [(&flatter, &fuller, 1.0), (&fuller, &flatter, -1.0)] {
+        let found = OutlineDifference::new(a, b, 1e-6).unwrap();
+        let (far, near_by) = match sign > 0.0 {
+            true => (found.greatest.beyond, found.least.beyond),
+            false => (found.least.beyond, found.greatest.beyond),
+        };
+        near(far, sign * known, found.bound);
+        near(near_by, 0.0, found.bound);
+        near(found.rotation, 0.0, 1e-9);
+    }
+}

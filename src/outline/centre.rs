@@ -2,9 +2,10 @@
 
 use super::error::OutlineError;
 use super::path::ClosedPath;
+use super::polygon;
 use super::segment::PathSegment;
 use super::teeth::find;
-use nalgebra::{Matrix3, Point2, Vector2, Vector3};
+use nalgebra::{Matrix3, Point2, Vector3};
 
 /// Rounds: each finds the tips anew about the centre of the round before; the centre moves by the tips' own spread at most (tuned).
 const ROUNDS: u32 = 8;
@@ -58,20 +59,7 @@ fn centroid(segments: &[PathSegment]) -> Point2<f64> {
         .iter()
         .flat_map(|segment| [segment.start(), segment.at(0.5)])
         .collect();
-    let Some(first) = points.first() else {
-        return Point2::origin();
-    };
-    let (mut area, mut moment) = (0.0, Vector2::zeros());
-    for (a, b) in points.iter().zip(points.iter().cycle().skip(1)) {
-        let (a, b) = (a - first, b - first);
-        let twice = a.perp(&b);
-        area += twice;
-        moment += (a + b) * (twice / 3.0);
-    }
     // Of a path without area its first point: what follows says what is wrong with it.
-    if area == 0.0 {
-        *first
-    } else {
-        first + moment / area
-    }
+    let first = points.first().copied().unwrap_or_default();
+    polygon::centroid(&points).unwrap_or(first)
 }

@@ -83,6 +83,16 @@ pub enum OutlineError {
         /// Tip minus root radius.
         depth_mm: f64,
     },
+    /// Two outlines that are not of one gear.
+    #[error(
+        "{} and {} teeth are found: two outlines of one gear have as many",
+        teeth[0],
+        teeth[1]
+    )]
+    OtherGear {
+        /// Of each.
+        teeth: [u32; 2],
+    },
     /// A centre distance at which nothing can turn.
     #[error(
         "the centre distance {center_distance_mm} mm must be above {least_mm:.4} mm, at which a tip reaches the mate's axis"

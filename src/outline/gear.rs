@@ -156,6 +156,11 @@ impl OutlineGear {
         })
     }
 
+    /// Direction of tooth 1 in the picture as drawn, about the geometric centre, rad counter-clockwise from +x.
+    pub fn drawn_direction(&self) -> f64 {
+        self.turned
+    }
+
     /// Teeth `z`.
     pub fn teeth(&self) -> u32 {
         self.halves[0].len() as u32

@@ -1,6 +1,7 @@
 //! Gears by their outline alone: a closed path that someone drew or traced, and the teeth found on it.
 //!
-//! An outline has no module, no base circle and no line of action; nothing here guesses them. What is left is what turning one gear
+//! An outline has no module, no base circle and no line of action; nothing is computed from guessed ones (what flanks look like is a
+//! finding: [`OutlineGear::fitted_involute`]). What is left is what turning one gear
 //! against the other needs: half teeth, their numbers and an axis ([`crate::contact::OutlineKernel`]).
 //!
 //! ```
@@ -35,18 +36,24 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod boundary;
 mod centre;
+mod difference;
 mod error;
+mod fitted;
 mod gear;
 mod half;
 mod of_gear;
 mod pair;
 mod path;
+pub mod polygon;
 mod segment;
 mod teeth;
 
 pub use centre::{FittedCentre, fit_centre};
+pub use difference::{Deviation, OutlineDifference};
 pub use error::OutlineError;
+pub use fitted::{FittedInvolute, StandardGear};
 pub use gear::{OutlineGear, OutlineReading};
 pub use of_gear::of_gear;
 pub use pair::OutlinePair;

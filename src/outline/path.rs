@@ -1,10 +1,10 @@
 //! A closed path about a centre, counter-clockwise, that does not cross itself.
 
 use super::error::OutlineError;
+use super::polygon;
 use super::segment::PathSegment;
 use crate::gear::PartCurve;
 use nalgebra::Point2;
-use std::f64::consts::TAU;
 
 /// Ends of neighbouring segments nearer than this share of the outline's size are one: rounding of decimals in a file.
 const CLOSED: f64 = 1e-9;
@@ -64,7 +64,7 @@ impl ClosedPath {
             }
         }
         let mut path = ClosedPath::of(&about);
-        if path.area() < 0.0 {
+        if polygon::area(&path.corners()) < 0.0 {
             let back: Vec<PathSegment> = about.iter().rev().map(PathSegment::reversed).collect();
             path = ClosedPath::of(&back);
         }
@@ -72,7 +72,7 @@ impl ClosedPath {
             let near = near + centre.coords;
             return Err(OutlineError::SelfCrossing { near });
         }
-        if !path.winds_round_the_centre() {
+        if polygon::winding(&path.corners(), Point2::origin()) != 1 {
             return Err(OutlineError::CentreOutside { centre });
         }
         Ok(path)
@@ -104,22 +104,9 @@ impl ClosedPath {
         }
     }
 
-    /// Of the polygon of its marks; negative when it runs clockwise.
-    fn area(&self) -> f64 {
-        let next = self.marks.iter().cycle().skip(1);
-        let pairs = self.marks.iter().zip(next);
-        pairs
-            .map(|(a, b)| 0.5 * a.point.coords.perp(&b.point.coords))
-            .sum()
-    }
-
-    fn winds_round_the_centre(&self) -> bool {
-        let next = self.marks.iter().cycle().skip(1);
-        let turns = self.marks.iter().zip(next).map(|(a, b)| {
-            let (a, b) = (a.point.coords, b.point.coords);
-            a.perp(&b).atan2(a.dot(&b))
-        });
-        (turns.sum::<f64>() / TAU).round() == 1.0
+    /// Its points, as the corners of a polygon.
+    fn corners(&self) -> Vec<Point2<f64>> {
+        self.marks.iter().map(|mark| mark.point).collect()
     }
 
     /// Near where two chords cross, those that share an end apart. Chords are compared while their ranges of x overlap.

@@ -2,6 +2,7 @@
 
 use super::console::{print, print_note, tell};
 use super::method::{MethodArgs, agreed};
+use super::outlines::{DrawnArgs, is_drawing};
 use super::progress::{Progress, run_under_bar};
 use super::screen::ScreenArgs;
 use super::{distances, outlines, poses, studies};
@@ -33,12 +34,8 @@ pub(super) struct Args {
     /// Centre distance of two drawings, mm
     #[arg(long, alias = "centre-distance", value_name = "A", value_parser = distances::one, allow_hyphen_values = true)]
     center_distance: Option<f64>,
-    /// Unit of the drawings, where they state none
-    #[arg(long, value_name = "UNIT", value_parser = ["mm", "inch", "cm", "m", "um"])]
-    units: Option<String>,
-    /// Where the axes of the drawings are: of the circle through the tips, or of the one circle inside [default: 0,0]
-    #[arg(long, value_name = "HOW", value_parser = ["fit", "bore"])]
-    center: Option<String>,
+    #[command(flatten)]
+    drawn: DrawnArgs,
     /// What to print
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
@@ -134,30 +131,27 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
 
 /// The pair of two drawings on the command line; `None` of pair files.
 fn drawings(args: &Args) -> Result<Option<OutlinePairFile>, Error> {
-    let is_drawing = |path: &PathBuf| {
-        let ending = path.extension().unwrap_or_default();
-        ["dxf", "svg", "csv"]
-            .iter()
-            .any(|drawn| ending.eq_ignore_ascii_case(drawn))
-    };
     match (&args.pairs[..], args.center_distance) {
         ([wheel, pinion], Some(distance)) if is_drawing(wheel) && is_drawing(pinion) => {
             let drawings = Drawings {
                 wheel,
                 pinion,
                 center_distance_mm: distance,
-                units: args.units.as_deref(),
-                center: args.center.as_deref(),
+                units: args.drawn.units.as_deref(),
+                center: args.drawn.center.as_deref(),
             };
             studies::drawings(&drawings).map(Some)
         }
-        (paths, distance) if paths.iter().any(is_drawing) => Err(Error::Usage(match distance {
-            Some(_) => {
-                "give two drawings, of the wheel and of the pinion, or pair files alone".to_owned()
-            }
-            None => "two drawings need their centre distance: add --center-distance A".to_owned(),
-        })),
-        (_, distance) if distance.is_some() || args.units.is_some() || args.center.is_some() => Err(Error::Usage(
+        (paths, distance) if paths.iter().any(|path| is_drawing(path)) => {
+            Err(Error::Usage(match distance {
+                Some(_) => "give two drawings, of the wheel and of the pinion, or pair files alone"
+                    .to_owned(),
+                None => {
+                    "two drawings need their centre distance: add --center-distance A".to_owned()
+                }
+            }))
+        }
+        (_, distance) if distance.is_some() || args.drawn.given() => Err(Error::Usage(
             "--center-distance, --units and --center belong to two drawings: pair files state them"
                 .to_owned(),
         )),

@@ -1,7 +1,10 @@
 //! `gearlash compare`: the referee in a CI run.
 
+mod drawings;
+
 use super::console::{print, tell};
 use super::method::{MethodArgs, agreement};
+use super::outlines::{DrawnArgs, is_drawing};
 use super::progress::Progress;
 use super::screen::ScreenArgs;
 use super::studies;
@@ -18,18 +21,21 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-/// Compare simulated with analytic backlash; exit 1 when they disagree or a [require] is not met
+/// Compare simulated with analytic backlash, or two outlines of one gear; exit 1 when they disagree or a [require] is not met
 ///
 /// Model 3 (line of action) decides: a pose fails when |simulated − model 3| exceeds tolerance + error
 /// bound. Contact off the line of action (tip corner, fillet, root) leaves less backlash than the formula
 /// gives. That fails too, and is named, unless the pair file says allow_off_line_contact = true. A centre
 /// distance where every pose is jammed or out of mesh fails as well: there is nothing to compare.
+///
+/// Two drawings A and B (.dxf, .svg, .csv) are taken as outlines of the same gear: how far B lies from A along the normal, once B is
+/// turned to fit best. With --tolerance-um, exit 1 where that is more than tolerance + error bound.
 #[derive(clap::Args)]
 pub(super) struct Args {
-    /// Pair files (TOML or JSON), - for standard input
+    /// Pair files (TOML or JSON), - for standard input; or two drawings (.dxf, .svg, .csv) of one gear
     #[arg(required = true)]
     pairs: Vec<PathBuf>,
-    /// Tolerance of j_wt in µm [default: the pair file's, or 0.1]
+    /// Tolerance in µm, of j_wt [default: the pair file's, or 0.1] or between two drawings [default: none]
     #[arg(long, value_name = "T", allow_negative_numbers = true)]
     tolerance_um: Option<f64>,
     /// What to print
@@ -41,12 +47,17 @@ pub(super) struct Args {
     #[arg(long, value_name = "FILE")]
     markdown: Option<PathBuf>,
     #[command(flatten)]
+    drawn: DrawnArgs,
+    /// Also draw the difference of two drawings
+    #[arg(long, value_name = "FILE")]
+    svg: Option<PathBuf>,
+    #[command(flatten)]
     screen: ScreenArgs,
     #[command(flatten)]
     method: MethodArgs,
 }
 
-#[derive(Clone, Copy, ValueEnum)]
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
 enum Format {
     /// One line per run
     Text,
@@ -72,6 +83,14 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         .and_then(|um| gearlash_files::tolerance_slip("--tolerance-um", um));
     if let Some(told) = slip {
         tell(&format!("warning: {told}"));
+    }
+    if args.pairs.iter().any(|path| is_drawing(path)) {
+        return drawings::run(args);
+    }
+    if args.drawn.given() || args.svg.is_some() {
+        return Err(Error::Usage(
+            "--units, --center and --svg belong to two drawings; leave them out".to_owned(),
+        ));
     }
     let files = studies::each(&args.pairs, studies::pair)?;
     let mut sources = Sources::new();

@@ -6,8 +6,7 @@ use super::progress::Progress;
 use super::results::{Format, ResultsArgs};
 use super::screen::ScreenArgs;
 use crate::error::Error;
-use gearlash::analysis::outlines::{OutlinePose, OutlineRun};
-use gearlash::contact::Status;
+use gearlash::analysis::outlines::{OutlineRun, turns, unproven, worst};
 use gearlash_files::OutlinePairFile;
 use gearlash_files::outlines::{sentence, to_csv, to_json};
 use gearlash_render::checked::CheckedPair;
@@ -18,6 +17,32 @@ use std::process::ExitCode;
 const JSON: &str = "result.json";
 const CSV: &str = "result.csv";
 const WORST: &str = "worst.svg";
+
+/// How drawings on the command line are read.
+#[derive(clap::Args)]
+pub(super) struct DrawnArgs {
+    /// Unit of the drawings, where they state none
+    #[arg(long, value_name = "UNIT", value_parser = ["mm", "inch", "cm", "m", "um"])]
+    pub(super) units: Option<String>,
+    /// Where the axes of the drawings are: of the circle through the tips, or of the one circle inside [default: 0,0]
+    #[arg(long, value_name = "HOW", value_parser = ["fit", "bore"])]
+    pub(super) center: Option<String>,
+}
+
+impl DrawnArgs {
+    /// Whether any of it was asked for.
+    pub(super) fn given(&self) -> bool {
+        self.units.is_some() || self.center.is_some()
+    }
+}
+
+/// Whether a file is a drawing, by its ending.
+pub(super) fn is_drawing(path: &Path) -> bool {
+    let ending = path.extension().unwrap_or_default();
+    ["dxf", "svg", "csv"]
+        .iter()
+        .any(|drawn| ending.eq_ignore_ascii_case(drawn))
+}
 
 /// All runs, under a bar.
 pub(super) fn runs(file: &OutlinePairFile, method: &MethodArgs) -> Result<Vec<OutlineRun>, Error> {
@@ -31,12 +56,6 @@ pub(super) fn runs(file: &OutlinePairFile, method: &MethodArgs) -> Result<Vec<Ou
     let runs = file.study.runs(&|| progress.tick())?;
     drop(progress);
     Ok(runs)
-}
-
-/// Whether the pair turns at every centre distance and in every material.
-pub(super) fn turns(runs: &[OutlineRun]) -> bool {
-    let unsettled = runs.iter().map(|run| run.count(Status::Unproven)).sum();
-    all_proven(unsettled) & runs.iter().all(|run| run.turns() == Some(true))
 }
 
 /// `gearlash simulate` of a pair with an outline.
@@ -53,10 +72,15 @@ pub(super) fn simulate(
     let unwritable = |error: &dyn std::fmt::Display| {
         Error::Usage(format!("the result cannot be written: {error}"))
     };
-    let json = to_json(file, &runs).map_err(|error| unwritable(&error))?;
-    let csv = to_csv(&runs).map_err(|error| unwritable(&error))?;
+    let (mut json, mut csv) = (String::new(), String::new());
+    if folder.is_some() || results.format == Format::Json {
+        json = to_json(file, &runs).map_err(|error| unwritable(&error))?;
+    }
+    if folder.is_some() || results.format == Format::Csv {
+        csv = to_csv(&runs).map_err(|error| unwritable(&error))?;
+    }
     match results.format {
-        Format::Text => print(&text::outlines(&file.study.title, &runs, &screen.screen()))?,
+        Format::Text => print(&text::outlines(file, &runs, &screen.screen()))?,
         Format::Json => print(&json)?,
         Format::Csv => print(&csv)?,
     }
@@ -70,22 +94,10 @@ pub(super) fn simulate(
         results.write(folder, &files)?;
     }
     // As of gears by their data: a pair that binds is a result.
-    Ok(
-        match all_proven(runs.iter().map(|run| run.count(Status::Unproven)).sum()) {
-            true => ExitCode::SUCCESS,
-            false => ExitCode::from(1),
-        },
-    )
-}
-
-/// The pose that binds most, or has the least backlash.
-pub(super) fn worst(runs: &[OutlineRun]) -> Option<(&OutlineRun, &OutlinePose)> {
-    let poses = runs.iter().filter_map(|run| {
-        let jammed = run.lost.iter().find(|pose| pose.status() == Status::Jammed);
-        Some((run, jammed.or(run.least.as_ref())?))
-    });
-    let depth = |pose: &OutlinePose| pose.angle().unwrap_or(f64::NEG_INFINITY);
-    poses.min_by(|a, b| depth(a.1).total_cmp(&depth(b.1)))
+    Ok(match all_proven(unproven(&runs)) {
+        true => ExitCode::SUCCESS,
+        false => ExitCode::from(1),
+    })
 }
 
 /// `gearlash check` of a pair with an outline: its text or JSON, and what the other formats tell.
@@ -100,13 +112,13 @@ pub(super) fn check(
     let text = match as_json {
         true => to_json(file, &runs)
             .map_err(|error| Error::Usage(format!("the checks cannot be written: {error}")))?,
-        false => text::outlines(&file.study.title, &runs, &screen.screen()),
+        false => text::outlines(file, &runs, &screen.screen()),
     };
     let pair = CheckedPair {
         file: path.display().to_string(),
         title: file.study.title.clone(),
         sentence: sentence(&runs),
-        passes: turns(&runs),
+        passes: all_proven(unproven(&runs)) & (turns(&runs) == Some(true)),
         diagnosis: gearlash::analysis::diagnosis::Diagnosis::default(),
     };
     Ok((text, pair))

@@ -9,9 +9,9 @@ use super::target::Target;
 use super::{outlines, studies, worst};
 use crate::error::Error;
 use clap::ValueEnum;
-use gearlash::analysis::outlines::OutlinePose;
 use gearlash::analysis::study::{Material, Study};
-use gearlash::contact::{CutPair, LostMotion, Method, Status, Unproven, sweep};
+use gearlash::analysis::{self, outlines::OutlinePose};
+use gearlash::contact::{CutPair, LostMotion, Method, Unproven, sweep};
 use gearlash::gear::Side;
 use gearlash::outline::OutlinePair;
 use gearlash::pair::{GearPair, Mating, Member, Pose};
@@ -142,9 +142,9 @@ fn of_outlines(args: &Args, mut file: OutlinePairFile) -> Result<ExitCode, Error
     let drawn = match (args.worst, args.mating, args.flank) {
         (true, ..) => {
             let runs = outlines::runs(&file, &MethodArgs::default())?;
-            unproven = runs.iter().map(|run| run.count(Status::Unproven)).sum();
+            unproven = analysis::outlines::unproven(&runs);
             tell(&gearlash_files::outlines::sentence(&runs));
-            outlines::worst(&runs).map(|(run, pose)| {
+            analysis::outlines::worst(&runs).map(|(run, pose)| {
                 (
                     run.pair.clone(),
                     run.material,

@@ -151,6 +151,26 @@ pub fn read_drawings(drawings: &outlines::Drawings) -> Result<OutlinePairFile, I
     })
 }
 
+/// Reads two drawings of one gear and compares them.
+///
+/// # Errors
+/// As [`read`]; keys are those that a pair file would have, `a` and `b` in place of wheel and pinion.
+pub fn compare_drawings(
+    drawings: &outlines::TwoDrawings,
+) -> Result<outlines::ComparedOutlines, InputError> {
+    let place = Place::of_working_folder();
+    let understand =
+        |_: &Path, place: &Place, entries: &[(String, Node)], problems: &mut Problems| {
+            drawings.compared(place, entries, problems)
+        };
+    with_text(drawings.paths[1], &place, Ok(drawings.tables()), understand).map_err(|error| {
+        InputError {
+            text: String::new(),
+            ..error
+        }
+    })
+}
+
 /// Reads the gears of the file at `path`: a gear file (`title` and one `[gear]` with the keys of `[wheel]`), or a pair file.
 ///
 /// # Errors

@@ -110,6 +110,19 @@ impl<'a> Table<'a> {
         (entry.is_some() || !self.is_mistyped(name)).then_some(entry)
     }
 
+    /// What `read` makes of the value of `name`: `Some(None)` when it is not there, `None` when it is mistyped or wrong.
+    pub fn optional_as<T>(
+        &self,
+        name: &str,
+        problems: &mut Problems,
+        read: impl FnOnce(&Entry<'a>) -> Result<T, Problem>,
+    ) -> Option<Option<T>> {
+        match self.optional(name)? {
+            Some(entry) => problems.keep(read(&entry)).map(Some),
+            None => Some(None),
+        }
+    }
+
     /// A problem with the value at the dotted `path` below this table, given or not.
     pub fn problem(
         &self,

@@ -38,5 +38,7 @@ pub mod viewer;
 pub use chart::PictureError;
 pub use map::map_picture;
 pub use report::{GearGrades, Report, report};
-pub use snapshot::{Snapshot, animation, exaggerated, outline_snapshot, snapshot};
+pub use snapshot::{
+    Snapshot, animation, exaggerated, outline_difference, outline_snapshot, snapshot,
+};
 pub use text::simulation as simulation_table;

@@ -72,6 +72,16 @@ impl OutlinePose {
     pub fn angle(&self) -> Option<f64> {
         self.found.as_ref().ok()?.angle()
     }
+
+    /// Whether it overlaps.
+    pub fn binds(&self) -> bool {
+        matches!(self.status(), Status::Interference | Status::Jammed)
+    }
+
+    /// The room it has, rad: its lost motion; below all where it has none, as jammed.
+    pub fn room(&self) -> f64 {
+        self.angle().unwrap_or(f64::NEG_INFINITY)
+    }
 }
 
 /// How a cycle is sampled.
@@ -177,9 +187,4 @@ impl Cycle {
             closer.into_iter().min_by(order)
         })
     }
-}
-
-/// Whether a pose overlaps.
-pub(super) fn binds(pose: &OutlinePose) -> bool {
-    matches!(pose.status(), Status::Interference | Status::Jammed)
 }

@@ -126,14 +126,7 @@ impl OutlineRun {
 
     /// Whether it turns through the whole cycle: of the poses looked at none overlaps; `None` where it is out of mesh or not settled.
     pub fn turns(&self) -> Option<bool> {
-        let overlaps =
-            |pose: &&OutlinePose| matches!(pose.status(), Status::Jammed | Status::Interference);
-        if self
-            .poses
-            .iter()
-            .chain(&self.least)
-            .any(|pose| overlaps(&pose))
-        {
+        if self.poses.iter().chain(&self.least).any(OutlinePose::binds) {
             return Some(false);
         }
         self.lost.is_none().then_some(true)
@@ -144,4 +137,29 @@ impl OutlineRun {
         let poses = self.poses.iter();
         poses.filter(|pose| pose.status() == status).count()
     }
+}
+
+/// Whether all turn; of several, one that binds decides, then one of which nothing is known.
+pub fn turns(runs: &[OutlineRun]) -> Option<bool> {
+    let each = runs.iter().map(OutlineRun::turns);
+    let first = each.min_by_key(|turns| match turns {
+        Some(false) => 0,
+        None => 1,
+        Some(true) => 2,
+    });
+    first.flatten()
+}
+
+/// How many of the sampled poses are not settled.
+pub fn unproven(runs: &[OutlineRun]) -> usize {
+    runs.iter().map(|run| run.count(Status::Unproven)).sum()
+}
+
+/// The pose that binds most, or has the least backlash, and its run.
+pub fn worst(runs: &[OutlineRun]) -> Option<(&OutlineRun, &OutlinePose)> {
+    let poses = runs.iter().filter_map(|run| {
+        let jammed = run.lost.iter().find(|pose| pose.status() == Status::Jammed);
+        Some((run, jammed.or(run.least.as_ref())?))
+    });
+    poses.min_by(|a, b| a.1.room().total_cmp(&b.1.room()))
 }

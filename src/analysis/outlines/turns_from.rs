@@ -4,7 +4,7 @@
 //! another pose binds it is the tightest next. A few rounds end at a distance at which none does.
 
 use super::OutlineRun;
-use super::cycle::{Cycle, OutlinePose, binds};
+use super::cycle::{Cycle, OutlinePose};
 use crate::contact::{OutlineKernel, Status};
 use crate::error::Error;
 use crate::outline::OutlinePair;
@@ -43,12 +43,11 @@ pub(super) fn find(
         .iter()
         .sum();
     let tightest = |poses: &[OutlinePose]| {
-        let binding = poses.iter().filter(|pose| binds(pose));
-        // What has no value, jammed, comes first.
-        let key = |pose: &&OutlinePose| pose.angle().unwrap_or(f64::NEG_INFINITY);
-        binding.min_by(|a, b| key(a).total_cmp(&key(b))).cloned()
+        let binding = poses.iter().filter(|pose| pose.binds());
+        let tightest = binding.min_by(|a, b| a.room().total_cmp(&b.room()));
+        tightest.cloned()
     };
-    let least = run.least.iter().filter(|pose| binds(pose)).cloned();
+    let least = run.least.iter().filter(|pose| pose.binds()).cloned();
     let mut next = least.chain(tightest(&run.poses)).next();
     let mut found: Option<TurnsFrom> = None;
     let mut floor = pair.center_distance();
@@ -57,7 +56,7 @@ pub(super) fn find(
             return Ok(found);
         };
         let binds_at = |distance: f64| -> Result<bool, Error> {
-            Ok(binds(&look(&pair.at(distance)?, start, pose.pitches)))
+            Ok(look(&pair.at(distance)?, start, pose.pitches).binds())
         };
         // In growing steps: the nearest distance at which it is free, not one where tips pass each other.
         let (mut low, mut step) = (floor, FIRST_STEP);
@@ -86,7 +85,9 @@ pub(super) fn find(
             return Ok(None);
         }
         let [closest, _] = cycle.extremes(&there, &poses);
-        next = closest.filter(binds).or_else(|| tightest(&poses));
+        next = closest
+            .filter(OutlinePose::binds)
+            .or_else(|| tightest(&poses));
         found = Some(TurnsFrom { high, low, pose });
     }
     Ok(None)

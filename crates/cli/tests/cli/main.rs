@@ -5,6 +5,7 @@ mod bombs;
 mod chart;
 mod check;
 mod compare;
+mod difference;
 mod hostile;
 mod large;
 mod leaks;

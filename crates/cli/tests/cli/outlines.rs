@@ -255,3 +255,52 @@ fn a_drawing_elsewhere_is_not_quoted() {
     );
     assert!(said.contains("not shown"), "{said}");
 }
+
+/// What was drawn from a gear looks like it: module, pressure angle, and the shift that its allowance comes to, −60 µm / (2 m tan 20°); a
+/// gear of module 1.9 like no standard one, by its m cos 20°. A gear by its data is known and not guessed.
+#[test]
+fn an_outline_looks_like_what_it_was_drawn_from() {
+    let folder = tempfile::tempdir().unwrap();
+    let angle = 20f64.to_radians();
+    for (name, module) in [("two", "2.0"), ("odd", "1.9")] {
+        let gear = format!(
+            "[gear]\nteeth = 20\nmodule_mm = {module}\npressure_angle_deg = 20.0\n[gear.thickness]\nallowance_um = -60.0\n"
+        );
+        std::fs::write(folder.path().join("gear.toml"), gear).unwrap();
+        let file = format!("{name}.csv");
+        let draw = ["outline", "gear.toml", "--format", "csv", "-o", &file];
+        assert_eq!(run(folder.path(), &draw).0, Some(0));
+    }
+    let pair = "[wheel.outline]\nfile = \"two.csv\"\n[pinion.outline]\nfile = \"odd.csv\"\n[assembly]\ncenter_distance_mm = 39.5\n";
+    std::fs::write(folder.path().join("pair.toml"), pair).unwrap();
+    let (_, json, said) = run(
+        folder.path(),
+        &["simulate", "pair.toml", "--format", "json"],
+    );
+    let result: Value = serde_json::from_str(&json).unwrap_or_else(|_| panic!("{said}"));
+    let [two, odd] = &result["fitted_involutes"].as_array().unwrap()[..] else {
+        panic!("{result}");
+    };
+    let standard = &two["standard"][0];
+    assert_eq!(
+        (&standard["module_mm"], &standard["pressure_angle_deg"]),
+        (&2.0.into(), &20.0.into())
+    );
+    let shift = standard["generating_shift"].as_f64().unwrap();
+    assert!((shift + 0.06 / (4.0 * angle.tan())).abs() < 1e-6, "{shift}");
+    assert_eq!(odd["standard"], Value::Array(Vec::new()));
+    let found = odd["module_times_cos_mm"].as_f64().unwrap();
+    assert!((found - 1.9 * angle.cos()).abs() < 1e-6, "{found}");
+    let (_, text, _) = run(folder.path(), &["check", "pair.toml"]);
+    assert!(
+        text.contains("the wheel looks like module 2.0 mm, 20°, 20 teeth, x = −0.041"),
+        "{text}"
+    );
+    let data = "[wheel.outline]\nfile = \"two.csv\"\n[pinion]\nteeth = 20\nmodule_mm = 2.0\npressure_angle_deg = 20.0\n[assembly]\ncenter_distance_mm = 40.1\n";
+    std::fs::write(folder.path().join("pair.toml"), data).unwrap();
+    let (_, text, _) = run(folder.path(), &["check", "pair.toml"]);
+    assert!(
+        text.contains("the wheel looks like") && !text.contains("the pinion looks like"),
+        "{text}"
+    );
+}

@@ -1,7 +1,8 @@
 //! A list of points: x and y a line, in order along a closed outline.
 
 use super::error::LONGEST_NAME;
-use super::piece::{Piece, Pieces};
+use super::piece::Piece;
+use super::pieces::Pieces;
 use super::smooth::closed_spline;
 use super::text::decode;
 use super::unit::{Unit, settled};

@@ -11,6 +11,7 @@ mod curve;
 mod dxf;
 mod error;
 mod piece;
+mod pieces;
 mod smooth;
 mod svg;
 mod text;
@@ -18,7 +19,7 @@ mod unit;
 
 pub use error::DrawingError;
 use gearlash::outline::PathSegment;
-use piece::Pieces;
+use pieces::Pieces;
 use std::path::Path;
 pub use unit::Unit;
 

@@ -1,10 +1,14 @@
 //! The unit of a drawing, which is stated and never guessed.
 
 use super::DrawingError;
+use schemars::JsonSchema;
+use serde::Serialize;
 use std::fmt;
 
 /// A unit of length.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+#[schemars(inline)]
 pub enum Unit {
     /// Millimetre.
     Mm,

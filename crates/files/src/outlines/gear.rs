@@ -9,9 +9,7 @@ use crate::node::Node;
 use crate::numbers::{fixed, um};
 use crate::problems::Problems;
 use crate::runout::Runout;
-use crate::spec::{
-    CentreName, CentreSpec, FaceName, OutlineGearSpec, OutlineSpec, PointsKind, UnitName,
-};
+use crate::spec::{CentreName, CentreSpec, FaceName, OutlineGearSpec, OutlineSpec, PointsKind};
 use crate::table::Table;
 use gearlash::gear::Face;
 use gearlash::outline::{OutlineError, OutlineGear, OutlineReading, fit_centre};
@@ -42,13 +40,6 @@ const INSTEAD: &[&str] = &[
     "thickness",
     "pitch",
 ];
-const UNITS: [(&str, UnitName); 5] = [
-    ("mm", UnitName::Mm),
-    ("inch", UnitName::Inch),
-    ("cm", UnitName::Cm),
-    ("m", UnitName::M),
-    ("um", UnitName::Um),
-];
 const FACES: [(&str, Face); 2] = [("front", Face::Front), ("back", Face::Back)];
 const KINDS: [(&str, PointsKind); 2] = [
     ("polygon", PointsKind::Polygon),
@@ -57,21 +48,11 @@ const KINDS: [(&str, PointsKind); 2] = [
 const CENTRES: [(&str, CentreName); 2] = [("bore", CentreName::Bore), ("fit", CentreName::Fit)];
 const CENTRE: &str = "[x, y] in mm, \"bore\" or \"fit\"";
 
-impl From<UnitName> for Unit {
-    fn from(name: UnitName) -> Unit {
-        match name {
-            UnitName::Mm => Unit::Mm,
-            UnitName::Inch => Unit::Inch,
-            UnitName::Cm => Unit::Cm,
-            UnitName::M => Unit::M,
-            UnitName::Um => Unit::Um,
-        }
-    }
-}
-
 /// A gear that is an outline.
 pub(super) struct OutlinePart {
     pub gear: OutlineGear,
+    /// Its centre in the drawing, mm.
+    pub centre: Point2<f64>,
     pub spec: OutlineGearSpec,
     pub remarks: Vec<String>,
 }
@@ -176,6 +157,7 @@ pub(super) fn read(file: &Table, name: &str, problems: &mut Problems) -> Option<
     ));
     Some(OutlinePart {
         gear,
+        centre,
         spec: OutlineGearSpec {
             outline: spec,
             reference_face: FaceName::from(face),
@@ -189,29 +171,16 @@ pub(super) fn read(file: &Table, name: &str, problems: &mut Problems) -> Option<
 fn drawn(gear: &Table, problems: &mut Problems) -> Option<(OutlineSpec, Path, DataFile)> {
     let table = gear.table("outline", KEYS, problems)?;
     let data = DataFile::of(&table, "the name of a .dxf, .svg or .csv file", problems);
-    let choice = |key, problems: &mut Problems| match table.optional(key) {
-        Some(Some(entry)) => problems.keep(entry.choice(&UNITS)).map(Some),
-        absent => absent.map(|_| None),
-    };
-    let units = choice("units", problems);
-    let text = |key, problems: &mut Problems| match table.optional(key) {
-        Some(Some(entry)) => {
-            let text = problems.keep(entry.text("write the name in quotes"));
-            text.map(|text| Some(text.to_owned()))
-        }
-        absent => absent.map(|_| None),
-    };
-    let (layer, id) = (text("layer", problems), text("id", problems));
-    let teeth = match table.optional("teeth") {
-        Some(Some(entry)) => problems
-            .keep(entry.whole(TEETH, "give the number of teeth all round"))
-            .map(Some),
-        absent => absent.map(|_| None),
-    };
-    let first = match table.optional("first_tooth_deg") {
-        Some(Some(entry)) => problems.keep(entry.number(&FIRST_TOOTH)).map(Some),
-        absent => absent.map(|_| None),
-    };
+    let units = table.optional_as("units", problems, |entry| entry.choice(&Unit::NAMED));
+    let text = |entry: &Entry| entry.text("write the name in quotes").map(str::to_owned);
+    let layer = table.optional_as("layer", problems, text);
+    let id = table.optional_as("id", problems, text);
+    let teeth = table.optional_as("teeth", problems, |entry| {
+        entry.whole(TEETH, "give the number of teeth all round")
+    });
+    let first = table.optional_as("first_tooth_deg", problems, |entry| {
+        entry.number(&FIRST_TOOTH)
+    });
     let join_mm = table.number_or("join_mm", JOIN_MM, &JOIN, problems);
     let kind = table.choice_or_first("kind", &KINDS, problems);
     let center_mm = stated_centre(&table, problems);
@@ -241,7 +210,7 @@ fn drawn(gear: &Table, problems: &mut Problems) -> Option<(OutlineSpec, Path, Da
     }
     let bytes = problems.keep(data.bytes())?;
     let options = Options {
-        unit: spec.units.map(Unit::from),
+        unit: spec.units,
         select: spec.layer.clone().or_else(|| spec.id.clone()),
         join_mm: spec.join_mm,
         smooth: spec.kind == PointsKind::Smooth,
@@ -353,5 +322,6 @@ pub(super) fn help(error: &OutlineError) -> &'static str {
         OutlineError::Uneven { .. } => "mend the drawing there, and check the centre",
         OutlineError::Eccentric { .. } => "give the runout in µm",
         OutlineError::TooNear { .. } => "give a greater centre distance",
+        OutlineError::OtherGear { .. } => "give two drawings of the same gear",
     }
 }

@@ -1,11 +1,17 @@
 //! Pair files of which one gear at least is an outline: from the keys and the drawing to the study, the verdict and the result.
 
+mod compared;
+mod fitted;
 mod gear;
 mod pair;
 mod paths;
 mod result;
 mod sentence;
 
+pub use compared::{
+    ComparedOutlines, TwoDrawings, comparison_json, difference_sentence, turn_words,
+};
+pub use fitted::looks_like;
 pub use pair::{Drawings, OutlinePairFile};
 pub(crate) use pair::{has_outline, read, refused};
 pub use result::{to_csv, to_json};

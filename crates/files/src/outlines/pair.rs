@@ -234,6 +234,7 @@ fn part(file: &Table, name: &str, problems: &mut Problems) -> Option<Part> {
             gear,
             spec,
             remarks,
+            ..
         } = gear::read(file, name, problems)?;
         return Some(Part {
             gears: vec![(Material::AsMeasured, gear)],
@@ -294,30 +295,38 @@ pub struct Drawings<'a> {
 impl Drawings<'_> {
     /// The pair file that says the same.
     pub(crate) fn pair_file(&self) -> String {
-        let text = |text: &str| toml::Value::String(text.to_owned());
-        let key = |name: &str, value: Option<&str>| {
-            value.map_or(String::new(), |value| format!("{name} = {}\n", text(value)))
-        };
-        let gear = |name: &str, path: &Path| {
-            let file = key("file", Some(&path.display().to_string()));
-            let (units, center) = (key("units", self.units), key("center_mm", self.center));
-            format!("[{name}.outline]\n{file}{units}{center}\n")
-        };
         let name = |path: &Path| {
             path.file_stem()
                 .unwrap_or_default()
                 .to_string_lossy()
                 .into_owned()
         };
+        let title = format!("{} and {}", name(self.wheel), name(self.pinion));
+        let gear = |name, path| outline_table(name, path, self.units, self.center);
         format!(
             "{}{}{}[assembly]\ncenter_distance_mm = {:?}\n",
-            key(
-                "title",
-                Some(&format!("{} and {}", name(self.wheel), name(self.pinion)))
-            ),
+            key("title", Some(&title)),
             gear("wheel", self.wheel),
             gear("pinion", self.pinion),
             self.center_distance_mm
         )
     }
+}
+
+/// A line of a pair file, where there is a value.
+fn key(name: &str, value: Option<&str>) -> String {
+    let text = |value: &str| toml::Value::String(value.to_owned());
+    value.map_or(String::new(), |value| format!("{name} = {}\n", text(value)))
+}
+
+/// The table of the gear `name` that a drawing is.
+pub(super) fn outline_table(
+    name: &str,
+    path: &Path,
+    units: Option<&str>,
+    center: Option<&str>,
+) -> String {
+    let file = key("file", Some(&path.display().to_string()));
+    let (units, center) = (key("units", units), key("center_mm", center));
+    format!("[{name}.outline]\n{file}{units}{center}\n")
 }

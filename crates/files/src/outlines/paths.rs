@@ -1,9 +1,8 @@
 //! Which of the closed paths of a drawing is the gear.
 
 use crate::drawing::{Drawing, Loop};
-use gearlash::outline::PathSegment;
+use gearlash::outline::{PathSegment, polygon};
 use nalgebra::Point2;
-use std::f64::consts::TAU;
 
 /// The outline of a drawing among its loops.
 pub(super) struct Path {
@@ -12,27 +11,21 @@ pub(super) struct Path {
     pub remarks: Vec<String>,
 }
 
-/// Twice the area a path encloses, by its ends and middles, mm²; without sign.
-fn size(path: &Loop) -> f64 {
-    let points: Vec<Point2<f64>> = path
-        .segments
-        .iter()
-        .flat_map(|segment| [segment.start(), segment.at(0.5)])
-        .collect();
-    let next = points.iter().cycle().skip(1);
-    let sum: f64 = points
-        .iter()
-        .zip(next)
-        .map(|(a, b)| a.coords.perp(&b.coords))
-        .sum();
-    sum.abs()
+/// Points of a path, so many of each segment.
+fn corners(path: &Loop, each: u32) -> Vec<Point2<f64>> {
+    let points = |segment: &PathSegment| {
+        let segment = *segment;
+        (0..each).map(move |k| segment.at(f64::from(k) / f64::from(each)))
+    };
+    path.segments.iter().flat_map(points).collect()
 }
 
 /// The loop that holds all others.
 pub(super) fn outermost(drawing: Drawing) -> Result<Path, String> {
-    let mut loops = drawing.loops;
-    loops.sort_by(|a, b| size(b).total_cmp(&size(a)));
-    let mut loops = loops.into_iter();
+    let sized = |path: Loop| (polygon::area(&corners(&path, 2)).abs(), path);
+    let mut loops: Vec<(f64, Loop)> = drawing.loops.into_iter().map(sized).collect();
+    loops.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let mut loops = loops.into_iter().map(|(_, path)| path);
     let Some(outline) = loops.next() else {
         return Err("holds no closed path".to_owned());
     };
@@ -70,14 +63,7 @@ fn holds(outer: &Loop, inner: &Loop) -> bool {
     let Some(point) = inner.segments.first().map(PathSegment::start) else {
         return true;
     };
-    let mut turns = 0.0;
-    for segment in &outer.segments {
-        for step in 0..8 {
-            let [from, to] = [step, step + 1].map(|step| segment.at(f64::from(step) / 8.0) - point);
-            turns += from.perp(&to).atan2(from.dot(&to));
-        }
-    }
-    (turns / TAU).round() != 0.0
+    polygon::winding(&corners(outer, 8), point) != 0
 }
 
 /// The centre of a path that is one circle.

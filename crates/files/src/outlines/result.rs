@@ -1,10 +1,11 @@
 //! The result of a pair of outlines as JSON and CSV, keys as of other results where they mean the same.
 
+use super::fitted::{FittedRecord, records};
 use super::pair::OutlinePairFile;
 use super::sentence::sentence;
 use crate::characters;
 use crate::spec::OutlinePairSpec;
-use gearlash::analysis::outlines::{OutlinePose, OutlineRun};
+use gearlash::analysis::outlines::{OutlinePose, OutlineRun, turns};
 use gearlash::contact::{OutlineContact, Status};
 use gearlash::pair::{Member, arcmin};
 use serde::Serialize;
@@ -14,6 +15,7 @@ struct Result<'a> {
     title: &'a str,
     input: &'a OutlinePairSpec,
     verdict: VerdictRecord,
+    fitted_involutes: Vec<FittedRecord>,
     runs: Vec<RunRecord>,
 }
 
@@ -136,22 +138,15 @@ fn run(of: &OutlineRun) -> RunRecord {
 /// # Errors
 /// Of serde_json.
 pub fn to_json(file: &OutlinePairFile, runs: &[OutlineRun]) -> serde_json::Result<String> {
-    let turns = runs.iter().map(OutlineRun::turns);
     let result = Result {
         title: &file.study.title,
         input: &file.spec,
         verdict: VerdictRecord {
-            // One that binds decides, then one that is not known.
-            turns: turns
-                .min_by_key(|turns| match turns {
-                    Some(false) => 0,
-                    None => 1,
-                    Some(true) => 2,
-                })
-                .flatten(),
+            turns: turns(runs),
             sentence: sentence(runs),
             proven: false,
         },
+        fitted_involutes: records(file),
         runs: runs.iter().map(run).collect(),
     };
     let text = serde_json::to_string_pretty(&result)?;

@@ -1,7 +1,7 @@
 //! The verdict of a pair of outlines in one sentence.
 
 use crate::numbers::{fixed, stated_distance, um};
-use gearlash::analysis::outlines::{OutlinePose, OutlineRun};
+use gearlash::analysis::outlines::{OutlinePose, OutlineRun, unproven};
 use gearlash::contact::{OutlineContact, Status};
 use gearlash::pair::{Member, arcmin};
 
@@ -16,8 +16,7 @@ pub fn sentence(runs: &[OutlineRun]) -> String {
         return "Nothing was run.".to_owned();
     };
     let poses = runs.iter().map(|run| run.poses.len()).sum::<usize>();
-    let open: usize = runs.iter().map(|run| run.count(Status::Unproven)).sum();
-    let proven = match open {
+    let proven = match unproven(runs) {
         0 => "each pose is proven, and nothing between poses".to_owned(),
         open => {
             format!("{open} of them are not settled, the others proven, and nothing between poses")

@@ -26,7 +26,7 @@ pub use flanks::{
 pub use gear::{FaceName, GearFileSpec, GearSpec, PairSpec, RackSpec};
 pub use outline::{
     CentreName, CentreSpec, EitherGearSpec, OutlineGearSpec, OutlinePairSpec, OutlineSpec,
-    PointsKind, UnitName,
+    PointsKind,
 };
 pub use require::{AngleLimitsSpec, LimitsSpec, RequireSpec};
 pub use schema::{gear_schema, pair_schema};

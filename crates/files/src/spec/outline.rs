@@ -3,6 +3,7 @@
 use super::rules::{whole, within};
 use super::value::Either;
 use super::{AssemblySpec, FaceName, GearSpec, RunoutSpec, SweepSpec};
+use crate::drawing::Unit;
 use crate::limits::{FIRST_TOOTH, JOIN, TEETH};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -52,7 +53,7 @@ pub struct OutlineSpec {
     pub file: String,
     /// Unit of the drawing; needed where it states none.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub units: Option<UnitName>,
+    pub units: Option<Unit>,
     /// The centre in the drawing, mm; "bore": that of the one circle inside; "fit": that of the circle through the tips.
     #[schemars(with = "Option<Either<[f64; 2], CentreName>>")]
     pub center_mm: CentreSpec,
@@ -76,23 +77,6 @@ pub struct OutlineSpec {
     /// Of a list of points: "polygon", or "smooth", a cubic spline through them.
     #[schemars(default)]
     pub kind: PointsKind,
-}
-
-/// A unit of length.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-#[schemars(inline)]
-pub enum UnitName {
-    /// Millimetre.
-    Mm,
-    /// Inch, 25.4 mm.
-    Inch,
-    /// Centimetre.
-    Cm,
-    /// Metre.
-    M,
-    /// Micrometre.
-    Um,
 }
 
 /// Where the centre is.

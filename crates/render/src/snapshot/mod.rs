@@ -4,6 +4,7 @@ mod animation;
 mod caption;
 mod contact_bands;
 mod contact_marks;
+mod difference;
 mod exaggerated;
 mod gears;
 mod inset;
@@ -18,6 +19,7 @@ mod turning;
 mod view;
 
 pub use animation::animation;
+pub use difference::outline_difference;
 pub use exaggerated::exaggerated;
 pub use outlines::outline_snapshot;
 pub use picture::snapshot;

@@ -1,6 +1,7 @@
 //! Results as text for a terminal.
 
 pub mod check;
+mod difference;
 mod layout;
 mod measured;
 mod outlines;
@@ -9,6 +10,7 @@ mod simulation;
 mod unit;
 mod verdict;
 
+pub use difference::text as outline_difference;
 pub(crate) use layout::{Column, Table, where_it_is};
 pub use layout::{Screen, Tone};
 pub use outlines::text as outlines;

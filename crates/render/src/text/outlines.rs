@@ -1,42 +1,31 @@
 //! What is found of a pair of outlines, as text.
 
 use super::layout::{Column, Screen, Table, Tone};
-use gearlash::analysis::outlines::{OutlinePose, OutlineRun};
-use gearlash::contact::Status;
-use gearlash_files::characters::plain;
+use super::verdict::heading;
+use gearlash::analysis::outlines::{OutlinePose, OutlineRun, turns};
+use gearlash_files::OutlinePairFile;
 use gearlash_files::numbers::{stated_distance, um_ascii};
-use gearlash_files::outlines::{region_words, sentence};
+use gearlash_files::outlines::{looks_like, region_words, sentence};
 use std::fmt::Write;
 
 /// Wheel teeth that bind are listed up to so many.
 const LISTED: usize = 24;
 
-/// As text on `screen`: the verdict, and the wheel teeth that bind.
-pub fn text(title: &str, runs: &[OutlineRun], screen: &Screen) -> String {
-    let said = sentence(runs);
-    let tone = match runs
-        .iter()
-        .map(OutlineRun::turns)
-        .min_by_key(|turns| match turns {
-            Some(false) => 0,
-            None => 1,
-            Some(true) => 2,
-        }) {
-        Some(Some(true)) => Tone::Good,
-        Some(Some(false)) => Tone::Bad,
-        _ => Tone::Doubtful,
+/// As text on `screen`: the verdict, the wheel teeth that bind, and what the outlines look like.
+pub fn text(file: &OutlinePairFile, runs: &[OutlineRun], screen: &Screen) -> String {
+    let tone = match turns(runs) {
+        Some(true) => Tone::Good,
+        Some(false) => Tone::Bad,
+        None => Tone::Doubtful,
     };
-    let (first, rest) = said.split_once(':').unwrap_or((&said, ""));
-    let colon = if rest.is_empty() { "" } else { ":" };
-    let mut text = format!(
-        "{}\n\n{}{colon}{rest}\n\n",
-        plain(title),
-        screen.toned(tone, first)
-    );
+    let mut text = heading(&file.study.title, tone, &sentence(runs), screen);
     for run in runs {
         text += &binding(run, screen);
     }
     text += "An outline has no module and no involute: formulas, contact ratio and limits are left out.\n";
+    for finding in looks_like(file) {
+        let _ = writeln!(text, "{finding}");
+    }
     screen.fold(&text)
 }
 
@@ -45,7 +34,7 @@ fn binding(run: &OutlineRun, screen: &Screen) -> String {
     let mut worst: Vec<(u32, &OutlinePose)> = Vec::new();
     for pose in run.poses.iter().chain(&run.least) {
         let found = pose.found.as_ref().ok();
-        if !matches!(pose.status(), Status::Interference | Status::Jammed) {
+        if !pose.binds() {
             continue;
         }
         let contacts = found
@@ -57,7 +46,7 @@ fn binding(run: &OutlineRun, screen: &Screen) -> String {
         }
         for tooth in teeth {
             match worst.iter_mut().find(|(known, _)| *known == tooth) {
-                Some((_, known)) if depth(pose) < depth(known) => *known = pose,
+                Some((_, known)) if pose.room() < known.room() => *known = pose,
                 Some(_) => (),
                 None => worst.push((tooth, pose)),
             }
@@ -67,7 +56,7 @@ fn binding(run: &OutlineRun, screen: &Screen) -> String {
     if worst.iter().all(|(_, pose)| pose.j_wt.is_none()) {
         return String::new();
     }
-    worst.sort_by(|a, b| depth(a.1).total_cmp(&depth(b.1)).then(a.0.cmp(&b.0)));
+    worst.sort_by(|a, b| a.1.room().total_cmp(&b.1.room()).then(a.0.cmp(&b.0)));
     let mut rows = Table::new(vec![
         Column::new("wheel tooth"),
         Column::new("j_wt um"),
@@ -103,9 +92,4 @@ fn binding(run: &OutlineRun, screen: &Screen) -> String {
     );
     let _ = writeln!(text, "{}", rows.text(screen));
     text
-}
-
-/// Backlash of a pose, rad; below all where it is jammed.
-fn depth(pose: &OutlinePose) -> f64 {
-    pose.angle().unwrap_or(f64::NEG_INFINITY)
 }

@@ -14,7 +14,12 @@ pub(crate) fn first_lines(title: &str, verdict: &Verdict, screen: &Screen) -> St
         State::Unproven => Tone::Doubtful,
         State::Pass | State::Warn | State::Fail => Tone::Bad,
     };
-    let (first, rest) = sentence.split_once(':').unwrap_or((&sentence, ""));
+    heading(title, tone, &sentence, screen)
+}
+
+/// The same of any sentence, coloured up to its colon.
+pub(super) fn heading(title: &str, tone: Tone, sentence: &str, screen: &Screen) -> String {
+    let (first, rest) = sentence.split_once(':').unwrap_or((sentence, ""));
     let colon = if rest.is_empty() { "" } else { ":" };
     format!(
         "{}\n\n{}{colon}{rest}\n\n",

@@ -8,19 +8,19 @@ mod entity;
 mod pairs;
 mod shape;
 
-use super::piece::Pieces;
+use super::pieces::Pieces;
 use super::text::decode;
-use super::{DrawingError, Options, unit};
+use super::{DrawingError, Options, Unit, unit};
 use entity::{Entity, Fate};
 use pairs::{Pairs, check_format};
 
 /// `$INSUNITS` by the reference of DXF, those that are read.
-const UNITS: [(i32, &str, f64); 5] = [
-    (1, "inch", 25.4),
-    (4, "mm", 1.0),
-    (5, "cm", 10.0),
-    (6, "m", 1000.0),
-    (13, "um", 0.001),
+const UNITS: [(i32, Unit); 5] = [
+    (1, Unit::Inch),
+    (4, Unit::Mm),
+    (5, Unit::Cm),
+    (6, Unit::M),
+    (13, Unit::Um),
 ];
 
 /// Layers that are remembered for a message.
@@ -150,14 +150,17 @@ impl<'a> Sheet<'a> {
             return Ok(None);
         }
         let known = UNITS.iter().find(|unit| Some(unit.0) == whole);
-        let Some((_, name, mm)) = known else {
+        let Some((_, unit)) = known else {
             return Err(DrawingError::syntax(
                 place,
                 format!("$INSUNITS = {value}, expected 1 (inch), 4 (mm), 5 (cm), 6 (m) or 13 (µm)"),
                 "export the drawing in mm",
             ));
         };
-        Ok(Some((format!("$INSUNITS = {value} (\"{name}\")"), *mm)))
+        Ok(Some((
+            format!("$INSUNITS = {value} (\"{unit}\")"),
+            unit.mm(),
+        )))
     }
 
     /// Sorts an entity that is complete.

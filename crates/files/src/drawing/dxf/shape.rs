@@ -3,7 +3,8 @@
 use super::Kept;
 use crate::drawing::bspline::BSpline;
 use crate::drawing::curve::{bulged, elliptic};
-use crate::drawing::piece::{Piece, Pieces};
+use crate::drawing::piece::Piece;
+use crate::drawing::pieces::Pieces;
 use crate::drawing::{DrawingError, SAME_MM};
 use dxf::entities::{Entity, EntityType, LwPolyline, Polyline, Spline};
 use dxf::{Drawing, Point, Vector};

@@ -8,7 +8,8 @@ mod shape;
 mod view;
 
 use super::error::LONGEST_NAME;
-use super::piece::{Piece, Pieces};
+use super::piece::Piece;
+use super::pieces::Pieces;
 use super::text::{Lines, decode};
 use super::{DrawingError, Options, unit};
 use crate::characters::cut;

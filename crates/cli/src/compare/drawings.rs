@@ -1,0 +1,59 @@
+//! `gearlash compare A.dxf B.svg`: two outlines of one gear.
+
+use super::{Args, Format, of_option};
+use crate::console::{guard, print, warn};
+use crate::error::Error;
+use crate::outlines::is_drawing;
+use crate::target::Target;
+use gearlash_files::outlines::{TwoDrawings, comparison_json};
+use gearlash_render::{outline_difference, text};
+use std::process::ExitCode;
+
+/// Runs the command of two drawings.
+pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
+    let [a, b] = &args.pairs[..] else {
+        return Err(needs_two());
+    };
+    if !(is_drawing(a) && is_drawing(b)) {
+        return Err(needs_two());
+    }
+    if args.method.given()
+        || args.markdown.is_some()
+        || matches!(args.format, Format::Junit | Format::Github)
+    {
+        return Err(Error::Usage(
+            "--method, --no-certify, --markdown and the formats junit and github are for pair files; leave them out"
+                .to_owned(),
+        ));
+    }
+    let compared = gearlash_files::compare_drawings(&TwoDrawings {
+        paths: [a, b],
+        units: args.drawn.units.as_deref(),
+        center: args.drawn.center.as_deref(),
+    })?;
+    guard(&compared.sources)?;
+    for (path, remarks) in args.pairs.iter().zip(&compared.remarks) {
+        warn(path, &[], remarks);
+    }
+    let picture = args.svg.clone();
+    let picture = picture.map(|file| Target::prepare_beside(file, &compared.sources));
+    let picture = picture.transpose();
+    let picture = picture.map_err(|error| of_option(error, "--svg"))?;
+    print(&match args.format {
+        Format::Json => comparison_json(&compared, args.tolerance_um)
+            .map_err(|error| Error::Usage(format!("the outcome cannot be written: {error}")))?,
+        _ => text::outline_difference(&compared, args.tolerance_um, &args.screen.screen()),
+    })?;
+    if let Some(target) = picture {
+        let written = target.write_silently(&outline_difference(&compared));
+        written.map_err(|error| of_option(error, "--svg"))?;
+    }
+    Ok(match compared.passes(args.tolerance_um) {
+        true => ExitCode::SUCCESS,
+        false => ExitCode::from(1),
+    })
+}
+
+fn needs_two() -> Error {
+    Error::Usage("give two drawings of one gear, or pair files alone".to_owned())
+}

@@ -1,0 +1,194 @@
+//! `compare` of two drawings of one gear.
+
+use crate::{files, fixture, gearlash};
+use serde_json::Value;
+use std::path::Path;
+
+/// Runs with these arguments: exit code, standard output, standard error.
+fn run(folder: &Path, args: &[&str]) -> (Option<i32>, String, String) {
+    let output = gearlash(folder).args(args).output().unwrap();
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
+    (
+        output.status.code(),
+        text(output.stdout),
+        text(output.stderr),
+    )
+}
+
+/// The outline of a gear of 20 teeth and module 2 with these lines more, within 0.01 µm.
+fn draw(folder: &Path, name: &str, format: &str, lines: &str) {
+    let gear = format!("[gear]\nteeth = 20\nmodule_mm = 2.0\npressure_angle_deg = 20.0\n{lines}");
+    std::fs::write(folder.join("gear.toml"), gear).unwrap();
+    let args = [
+        "outline",
+        "gear.toml",
+        "--tolerance-um",
+        "0.01",
+        "--format",
+        format,
+        "-o",
+        name,
+    ];
+    let (code, _, said) = run(folder, &args);
+    assert_eq!(code, Some(0), "{said}");
+}
+
+const PLAIN: &str = "[gear.thickness]\nallowance_um = -60.0\n";
+/// Tooth 7 is 180 µm thicker on the reference circle.
+const THICK: &str = "[gear.thickness]\nallowance_um = -60.0\nper_tooth_um = [0, 0, 0, 0, 0, 0, 180, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0]\n";
+
+/// Both flanks of tooth 7 stand 90 µm out on the reference circle, along their normals 90 µm cos 20° = 84.57 µm (an involute that is
+/// turned by φ moves by φ r_b).
+#[test]
+fn a_thicker_tooth_is_found_with_its_size() {
+    let folder = tempfile::tempdir().unwrap();
+    draw(folder.path(), "plain.svg", "svg", PLAIN);
+    draw(folder.path(), "thick.csv", "csv", THICK);
+    let known = 90.0 * 20f64.to_radians().cos();
+    let compare = ["compare", "plain.svg", "thick.csv", "--format", "json"];
+    let (code, json, said) = run(folder.path(), &compare);
+    assert_eq!(code, Some(0), "{said}");
+    let found: Value = serde_json::from_str(&json).unwrap();
+    let off = found["greatest"]["deviation_um"].as_f64().unwrap() - known;
+    let bound = found["error_bound_um"].as_f64().unwrap();
+    // What was drawn is within 0.01 µm of the curves, twice.
+    assert!(off.abs() <= bound + 0.02 && bound < 0.1, "{off} {bound}");
+    assert!(found["least"]["deviation_um"].as_f64().unwrap() > -0.1);
+    assert_eq!(found["greatest"]["a_tooth"], 7);
+    assert_eq!(
+        (&found["a"]["teeth"], &found["b"]["teeth"]),
+        (&20.into(), &20.into())
+    );
+    // The other way round it has less material.
+    let back = ["compare", "thick.csv", "plain.svg", "--format", "json"];
+    let (_, json, _) = run(folder.path(), &back);
+    let found: Value = serde_json::from_str(&json).unwrap();
+    assert_eq!(found["least"]["a_tooth"], 7);
+    assert!(found["least"]["deviation_um"].as_f64().unwrap() < -known + 0.1);
+    // A tolerance decides as it does between simulation and formula: beyond it is exit code 1.
+    for (tolerance, expected) in [("84", 1), ("85", 0)] {
+        let args = [
+            "compare",
+            "plain.svg",
+            "thick.csv",
+            "--tolerance-um",
+            tolerance,
+        ];
+        let (code, text, _) = run(folder.path(), &args);
+        assert_eq!(code, Some(expected), "{text}");
+        let word = if expected == 0 {
+            "Agree within"
+        } else {
+            "DIFFER by more than"
+        };
+        assert!(text.contains(word), "{text}");
+    }
+}
+
+/// The wheel of the fixtures is thicker at tooth 7 than the pinion: the text, and no file beside it.
+#[test]
+fn the_text_of_two_drawings() {
+    let folder = tempfile::tempdir().unwrap();
+    let drawn = |name: &str| fixture("outlines").join(name).display().to_string();
+    for name in ["wheel_20.dxf", "pinion_20.svg"] {
+        std::fs::copy(drawn(name), folder.path().join(name)).unwrap();
+    }
+    let (code, text, said) = run(folder.path(), &["compare", "wheel_20.dxf", "pinion_20.svg"]);
+    assert_eq!(code, Some(0), "{said}");
+    insta::assert_snapshot!(text);
+    assert!(said.contains("wheel_20.dxf: a: 20 teeth"), "{said}");
+    assert_eq!(files(folder.path()).len(), 2);
+    let picture = [
+        "compare",
+        "wheel_20.dxf",
+        "pinion_20.svg",
+        "--svg",
+        "out/difference.svg",
+    ];
+    assert_eq!(run(folder.path(), &picture).0, Some(0));
+    let svg = std::fs::read_to_string(folder.path().join("out/difference.svg")).unwrap();
+    roxmltree::Document::parse(&svg).unwrap();
+    assert!(svg.contains("deviations × 10: B is not to scale") && svg.contains("tooth 7"));
+}
+
+/// An eccentricity of 15 µm towards tooth 1, which points up: tips of the other are 15 µm lower there and higher on the other side. With
+/// both centres fitted nothing is left of it.
+#[test]
+fn an_eccentricity_is_seen_unless_centres_are_fitted() {
+    let folder = tempfile::tempdir().unwrap();
+    let runout = format!("{PLAIN}[gear.runout]\ntotal_um = 30.0\nhigh_tooth = 1.0\n");
+    draw(folder.path(), "off.dxf", "dxf", &runout);
+    draw(folder.path(), "plain.dxf", "dxf", PLAIN);
+    let found = |more: &[&str]| -> [f64; 3] {
+        let args = [
+            &["compare", "off.dxf", "plain.dxf", "--format", "json"],
+            more,
+        ]
+        .concat();
+        let (_, json, said) = run(folder.path(), &args);
+        let found: Value = serde_json::from_str(&json).unwrap_or_else(|_| panic!("{said}"));
+        let value = |value: &Value| value.as_f64().unwrap();
+        [
+            value(&found["least"]["deviation_um"]),
+            value(&found["greatest"]["deviation_um"]),
+            value(&found["root_mean_square_um"]),
+        ]
+    };
+    let [least, greatest, _] = found(&[]);
+    assert!(
+        (least + 15.0).abs() < 0.1 && (greatest - 15.0).abs() < 0.1,
+        "{least} {greatest}"
+    );
+    let [least, greatest, rms] = found(&["--center", "fit"]);
+    assert!(
+        least > -0.1 && greatest < 0.1 && rms < 0.05,
+        "{least} {greatest} {rms}"
+    );
+}
+
+#[test]
+fn what_is_no_pair_of_drawings_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    for entry in std::fs::read_dir(fixture("outlines")).unwrap() {
+        let path = entry.unwrap().path();
+        std::fs::copy(&path, folder.path().join(path.file_name().unwrap())).unwrap();
+    }
+    let other = "[gear]\nteeth = 21\nmodule_mm = 2.0\npressure_angle_deg = 20.0\n[gear.thickness]\nallowance_um = 0\n";
+    std::fs::write(folder.path().join("other.toml"), other).unwrap();
+    let drawn = [
+        "outline",
+        "other.toml",
+        "--format",
+        "svg",
+        "-o",
+        "other.svg",
+    ];
+    assert_eq!(run(folder.path(), &drawn).0, Some(0));
+    let (wheel, pinion) = ("wheel_20.dxf", "pinion_20.svg");
+    let cases: [(&[&str], &str); 8] = [
+        (&[wheel], "give two drawings of one gear"),
+        (
+            &[wheel, "drawn_20x20.toml"],
+            "give two drawings of one gear",
+        ),
+        (&[wheel, pinion, wheel], "give two drawings of one gear"),
+        (&[wheel, pinion, "--format", "junit"], "are for pair files"),
+        (
+            &[wheel, pinion, "--method", "polygon"],
+            "are for pair files",
+        ),
+        (&[wheel, "other.svg"], "20 and 21 teeth are found"),
+        (&[wheel, pinion, "--svg", pinion], "pinion_20.svg"),
+        (
+            &["drawn_20x20.toml", "--center", "fit"],
+            "belong to two drawings",
+        ),
+    ];
+    for (args, reason) in cases {
+        let before = std::fs::read(folder.path().join(pinion)).unwrap();
+        let (code, _, said) = run(folder.path(), &[&["compare"], args].concat());
+        assert_eq!(code, Some(2), "{args:?}: {said}");
+        assert!(said.contains(reason), "{args:?}: {said}");
+        assert_eq!(std::fs::read(folder.path().join(pinion)).unwrap(), before);
+    }
+}

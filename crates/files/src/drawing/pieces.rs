@@ -1,0 +1,138 @@
+//! All pieces of a file, and the loops that they make.
+
+use super::chain::{Chains, Open, chain};
+use super::error::{LONGEST_NAME, at};
+use super::piece::Piece;
+use super::{Drawing, DrawingError, FARTHEST_MM, MOST_NAMED, MOST_SEGMENTS, Options};
+use crate::characters::cut;
+use gearlash::outline::PathSegment;
+use nalgebra::Point2;
+use std::collections::HashMap;
+
+/// All pieces of a file, by the layers whose ends may meet.
+#[derive(Debug, Default)]
+pub struct Pieces {
+    layers: Vec<(String, Vec<Piece>)>,
+    /// The place of each layer in that list.
+    by_name: HashMap<String, usize>,
+    segments: usize,
+    left_out: Vec<LeftOut>,
+}
+
+/// What was left out for one reason.
+#[derive(Debug)]
+struct LeftOut {
+    what: String,
+    first: String,
+    count: usize,
+}
+
+impl Pieces {
+    /// Adds one of the layer `layer`: the segments without those of no length, if any is left.
+    pub fn add(&mut self, layer: &str, mut piece: Piece) -> Result<(), DrawingError> {
+        for segment in &piece.segments {
+            check(segment, &piece.place)?;
+        }
+        piece.segments.retain(|segment| segment.length() > 0.0);
+        self.segments += piece.segments.len();
+        if self.segments > MOST_SEGMENTS {
+            return Err(DrawingError::TooLarge {
+                what: "segments",
+                most: MOST_SEGMENTS,
+            });
+        }
+        if piece.segments.is_empty() {
+            self.leave_out("zero length", &piece.place);
+            return Ok(());
+        }
+        match self.by_name.get(layer) {
+            Some(&index) => self.layers[index].1.push(piece),
+            None => {
+                self.by_name.insert(layer.to_owned(), self.layers.len());
+                self.layers.push((layer.to_owned(), vec![piece]));
+            }
+        }
+        Ok(())
+    }
+
+    /// Remembers that something at `place` is left out: what it is, one of few words.
+    pub fn leave_out(&mut self, what: &str, place: &str) {
+        match self.left_out.iter_mut().find(|known| known.what == what) {
+            Some(known) => known.count += 1,
+            None => self.left_out.push(LeftOut {
+                what: what.to_owned(),
+                first: place.to_owned(),
+                count: 1,
+            }),
+        }
+    }
+
+    /// Their loops. A layer whose paths are all open is left out beside one with loops; an open path beside loops is an error.
+    pub fn drawing(mut self, options: &Options) -> Result<Drawing, DrawingError> {
+        let (mut loops, mut all_open) = (Vec::new(), Vec::new());
+        for (layer, pieces) in std::mem::take(&mut self.layers) {
+            let Chains {
+                found,
+                open,
+                specks,
+            } = chain(pieces, options.join_mm)?;
+            if let (Some(path), false) = (open.first(), found.is_empty()) {
+                return Err(path.error(&open));
+            }
+            if !open.is_empty() {
+                all_open.push((layer, open));
+            }
+            loops.extend(found);
+            for place in specks {
+                self.leave_out("loop shorter than four times join_mm", &place);
+            }
+        }
+        if loops.is_empty() {
+            return Err(match all_open.first() {
+                Some((_, open)) => open[0].error(open),
+                None => DrawingError::NoLoop {
+                    reason: "no line and no curve is drawn".to_owned(),
+                },
+            });
+        }
+        let told = self.left_out.iter().map(|left| {
+            format!(
+                "left out: {} ({}, the first in {})",
+                left.what, left.count, left.first
+            )
+        });
+        let layers = all_open.iter().map(|(layer, open)| open_layer(layer, open));
+        let remarks = told.chain(layers.take(MOST_NAMED)).collect();
+        Ok(Drawing { loops, remarks })
+    }
+}
+
+fn open_layer(layer: &str, open: &[Open]) -> String {
+    format!(
+        "left out: layer \"{}\", on which all {} paths are open, the first from {} to {}",
+        cut(layer, LONGEST_NAME),
+        open.len(),
+        at(&open[0].ends[0]),
+        at(&open[0].ends[1])
+    )
+}
+
+/// Refuses numbers that are not finite or that no gear has.
+fn check(segment: &PathSegment, place: &str) -> Result<(), DrawingError> {
+    let near = |point: &Point2<f64>| point.x.abs().max(point.y.abs()) <= FARTHEST_MM;
+    let good = segment.is_finite()
+        && match segment {
+            PathSegment::Line(points) => points.iter().all(near),
+            PathSegment::Arc { centre, radius, .. } => near(centre) && *radius <= FARTHEST_MM,
+            PathSegment::Cubic(points) => points.iter().all(near),
+        };
+    match good {
+        true => Ok(()),
+        false => Err(DrawingError::Number {
+            place: place.to_owned(),
+            reason: format!(
+                "a coordinate or radius is not a number, or greater than {FARTHEST_MM:e} mm"
+            ),
+        }),
+    }
+}

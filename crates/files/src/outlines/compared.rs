@@ -1,0 +1,211 @@
+//! Two drawings of one gear: reading them, and how far they differ as JSON.
+
+use super::gear::{self, OutlinePart};
+use super::pair::outline_table;
+use crate::characters;
+use crate::node::Node;
+use crate::numbers::{fixed, signed_um, um};
+use crate::place::Place;
+use crate::problems::Problems;
+use crate::sources::Sources;
+use crate::table::Table;
+use gearlash::outline::{Deviation, OutlineDifference, OutlineGear};
+use nalgebra::Point2;
+use serde::Serialize;
+use std::path::Path;
+
+/// The drawings' names in messages and results.
+const NAMES: [&str; 2] = ["a", "b"];
+
+/// Chords of both outlines, mm: 0.01 µm, a tenth of the finest outline that makes sense to write.
+const CHORD_MM: f64 = 1e-5;
+
+/// Two drawings of one gear.
+#[derive(Debug, Clone, Copy)]
+pub struct TwoDrawings<'a> {
+    /// A, and B that is compared with it.
+    pub paths: [&'a Path; 2],
+    /// Unit of both, as a pair file names it, where they state none.
+    pub units: Option<&'a str>,
+    /// `fit` or `bore`; `None`: at (0, 0).
+    pub center: Option<&'a str>,
+}
+
+/// The same, read and compared.
+#[derive(Debug)]
+pub struct ComparedOutlines {
+    /// The files as named.
+    pub files: [String; 2],
+    /// The gears.
+    pub gears: [OutlineGear; 2],
+    /// Their centres in the drawings, mm.
+    pub centres: [Point2<f64>; 2],
+    /// How far B lies from A.
+    pub difference: OutlineDifference,
+    /// What was found of each to be in order, for standard error.
+    pub remarks: [Vec<String>; 2],
+    /// The files it was read from.
+    pub sources: Sources,
+}
+
+impl TwoDrawings<'_> {
+    /// Tables of a pair file that say the same.
+    pub(crate) fn tables(&self) -> String {
+        let table = |k: usize| outline_table(NAMES[k], self.paths[k], self.units, self.center);
+        [0, 1].map(table).concat()
+    }
+
+    /// Reads and compares them, from their tables.
+    pub(crate) fn compared(
+        &self,
+        place: &Place,
+        entries: &[(String, Node)],
+        problems: &mut Problems,
+    ) -> Option<ComparedOutlines> {
+        let table = Table::new("", place, entries, &NAMES, problems);
+        let [a, b] = NAMES.map(|name| gear::read(&table, name, problems));
+        let (a, b): (OutlinePart, OutlinePart) = (a?, b?);
+        let difference = OutlineDifference::new(&a.gear, &b.gear, CHORD_MM);
+        let difference = difference.map_err(|error| {
+            table.problem("b.outline.file", error.to_string(), gear::help(&error))
+        });
+        Some(ComparedOutlines {
+            difference: problems.keep(difference)?,
+            files: self.paths.map(|path| path.display().to_string()),
+            centres: [a.centre, b.centre],
+            gears: [a.gear, b.gear],
+            remarks: [a.remarks, b.remarks],
+            sources: place.sources(),
+        })
+    }
+}
+
+impl ComparedOutlines {
+    /// A place on A in its drawing, mm.
+    pub fn in_drawing(&self, at: &Deviation) -> Point2<f64> {
+        self.centres[0] + at.point.coords
+    }
+
+    /// The deviation farthest from 0.
+    pub fn farthest(&self) -> &Deviation {
+        let OutlineDifference {
+            greatest, least, ..
+        } = &self.difference;
+        match greatest.beyond.abs() >= least.beyond.abs() {
+            true => greatest,
+            false => least,
+        }
+    }
+
+    /// Whether no deviation is above `tolerance_um` + bound; without a tolerance nothing is judged.
+    pub fn passes(&self, tolerance_um: Option<f64>) -> bool {
+        tolerance_um.is_none_or(|tolerance| {
+            self.farthest().beyond.abs() <= 1e-3 * tolerance + self.difference.bound
+        })
+    }
+}
+
+/// How far B lies from A.
+pub fn difference_sentence(compared: &ComparedOutlines) -> String {
+    let found = &compared.difference;
+    let signed = |mm: f64| signed_um(mm, 2).replace('-', "−");
+    format!(
+        "B lies {} … {} µm beyond A, mean {} µm, root mean square {} µm.",
+        signed(found.least.beyond),
+        signed(found.greatest.beyond),
+        signed(found.mean),
+        um(found.root_mean_square, 2)
+    )
+}
+
+/// How B was turned to lie on A.
+pub fn turn_words(compared: &ComparedOutlines) -> String {
+    let found = &compared.difference;
+    let alike = match found.alike {
+        1 => "every other whole tooth fits worse".to_owned(),
+        turns => format!("{turns} turns by whole teeth fit alike, this is the least"),
+    };
+    format!(
+        "Both have {} teeth. B is turned by {}° about its centre, its tooth {} on A's tooth 1: {alike}.",
+        compared.gears[0].teeth(),
+        fixed(found.rotation.to_degrees(), 5),
+        found.tooth
+    )
+}
+
+#[derive(Serialize)]
+struct Result<'a> {
+    gearlash: &'static str,
+    passed: bool,
+    tolerance_um: Option<f64>,
+    a: DrawingRecord<'a>,
+    b: DrawingRecord<'a>,
+    rotation_deg: f64,
+    b_tooth_on_a_tooth_1: u32,
+    turns_alike: u32,
+    mean_um: f64,
+    root_mean_square_um: f64,
+    greatest: PlaceRecord,
+    least: PlaceRecord,
+    error_bound_um: f64,
+}
+
+#[derive(Serialize)]
+struct DrawingRecord<'a> {
+    file: &'a str,
+    teeth: u32,
+    center_mm: [f64; 2],
+    tip_diameter_mm: f64,
+    root_diameter_mm: f64,
+    error_bound_um: f64,
+}
+
+#[derive(Serialize)]
+struct PlaceRecord {
+    deviation_um: f64,
+    a_tooth: u32,
+    point_mm: [f64; 2],
+    radius_mm: f64,
+}
+
+/// The outcome as JSON.
+///
+/// # Errors
+/// Of serde_json.
+pub fn comparison_json(
+    compared: &ComparedOutlines,
+    tolerance_um: Option<f64>,
+) -> serde_json::Result<String> {
+    let drawing = |k: usize| DrawingRecord {
+        file: &compared.files[k],
+        teeth: compared.gears[k].teeth(),
+        center_mm: compared.centres[k].into(),
+        tip_diameter_mm: 2.0 * compared.gears[k].tip_radius(),
+        root_diameter_mm: 2.0 * compared.gears[k].root_radius(),
+        error_bound_um: 1e3 * compared.gears[k].bound(),
+    };
+    let place = |at: &Deviation| PlaceRecord {
+        deviation_um: 1e3 * at.beyond,
+        a_tooth: at.tooth,
+        point_mm: compared.in_drawing(at).into(),
+        radius_mm: at.point.coords.norm(),
+    };
+    let found = &compared.difference;
+    let result = Result {
+        gearlash: env!("CARGO_PKG_VERSION"),
+        passed: compared.passes(tolerance_um),
+        tolerance_um,
+        a: drawing(0),
+        b: drawing(1),
+        rotation_deg: found.rotation.to_degrees(),
+        b_tooth_on_a_tooth_1: found.tooth,
+        turns_alike: found.alike,
+        mean_um: 1e3 * found.mean,
+        root_mean_square_um: 1e3 * found.root_mean_square,
+        greatest: place(&found.greatest),
+        least: place(&found.least),
+        error_bound_um: 1e3 * found.bound,
+    };
+    let text = serde_json::to_string_pretty(&result)?;
+    Ok(characters::json(text) + "\n")
+}

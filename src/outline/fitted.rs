@@ -1,0 +1,355 @@
+//! The involute that an outline looks like: a finding with its residual, from which nothing is computed.
+//!
+//! Points of the middle flanks are laid on involutes of one base circle, each flank where it stands. The distance of a point from an
+//! involute, along the normal, is `r_b (θ − inv α − c)`, with its polar angle `θ`, `cos α = r_b / r`, and `c` where the flank starts on the
+//! base circle; its derivative by `r_b` is `θ + α − c'` (Gauss–Newton, the `c` of each flank eliminated). Of straight lines only the ends are
+//! taken: lines along a flank are chords of something.
+//!
+//! A base circle says `m cos α` and no more: every rack of that base pitch cuts it. Standard modules at usual pressure angles that have it
+//! are offered, as many as fit.
+
+use super::gear::OutlineGear;
+use super::half::HalfOutline;
+use crate::gear::{PartCurve, Side, involute};
+use nalgebra::Complex;
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+/// Shares of the tooth depth, from the root, between which a flank is looked at: above fillets and undercut, below tip rounding and relief
+/// (a standard tooth's undercut ends at 0.44 of its depth even with ten teeth).
+const MIDDLE: [f64; 2] = [0.5, 0.9];
+
+/// Points of a flank at least: with two any base circle fits.
+const LEAST_POINTS: usize = 3;
+
+/// Parts into which a curve is divided for its points (tuned).
+const PARTS: u32 = 8;
+
+/// A residual up to this share of the height of the involute's arc above its chord is one of an involute. Tuned: with 20 teeth of module 2
+/// that is some 6 µm, which a ground gear keeps; arcs with a radius a quarter greater leave 0.13 of it, straight flanks 0.67.
+const CURVED: f64 = 0.1;
+
+/// Rounds at most; each squares the error.
+const ROUNDS: u32 = 40;
+
+/// Modules that differ by less than this share are the same: rounding of a drawing's decimals.
+const SAME: f64 = 1e-6;
+
+/// ISO 54, both series, and DIN 780 below 1; mm.
+const MODULES: [f64; 48] = [
+    0.1, 0.12, 0.16, 0.2, 0.25, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.125, 1.25, 1.375, 1.5,
+    1.75, 2.0, 2.25, 2.5, 2.75, 3.0, 3.5, 4.0, 4.5, 5.0, 5.5, 6.0, 6.5, 7.0, 8.0, 9.0, 10.0, 11.0,
+    12.0, 14.0, 16.0, 18.0, 20.0, 22.0, 25.0, 28.0, 32.0, 36.0, 40.0, 45.0, 50.0,
+];
+
+/// Usual pressure angles, degrees, the commonest first.
+const ANGLES_DEG: [f64; 3] = [20.0, 14.5, 25.0];
+
+/// The involute that the flanks of an outline look like.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FittedInvolute {
+    /// Base radius `r_b`, mm.
+    pub base_radius: f64,
+    /// How far off it can be, mm, as no point of a flank is drawn worse than the residual and the outline's bound.
+    pub base_radius_error: f64,
+    /// Mean tooth thickness on the base circle, mm.
+    pub base_thickness: f64,
+    /// Greatest distance of a point of the middle flanks from its involute, along the normal, mm.
+    pub residual: f64,
+    /// The residual up to which it is called an involute, mm.
+    pub limit: f64,
+    /// Standard gears with this base circle: none, one or several.
+    pub standard: Vec<StandardGear>,
+}
+
+/// A standard gear.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StandardGear {
+    /// Module `m`, mm.
+    pub module: f64,
+    /// Pressure angle `α`, rad.
+    pub pressure_angle: f64,
+    /// Generating shift `x_E`: profile shift and thickness allowance together, in modules.
+    pub shift: f64,
+}
+
+/// A point of a flank: radius, and angle from the flank's first point.
+type Polar = (f64, f64);
+
+impl OutlineGear {
+    /// The involute that its flanks look like; `None` where they do not, or have fewer than three points between half and nine tenths of
+    /// their depth.
+    pub fn fitted_involute(&self) -> Option<FittedInvolute> {
+        let depth = self.tip_radius() - self.root_radius();
+        let range = MIDDLE.map(|share| self.root_radius() + share * depth);
+        let teeth = 1..=self.teeth();
+        let halves = teeth.flat_map(|tooth| Side::BOTH.map(|side| self.half(side, tooth)));
+        let mut flanks: Vec<(f64, Vec<Polar>)> = Vec::new();
+        for half in halves {
+            flanks.push(half.middle(range)?);
+        }
+        let radii = flanks
+            .iter()
+            .flat_map(|flank| flank.1.iter().map(|point| point.0));
+        let lowest = radii.fold(f64::INFINITY, f64::min);
+        let (base, error) = base_radius(&flanks, lowest)?;
+        let (mut residual, mut starts): (f64, Vec<f64>) = (0.0, Vec::new());
+        for (first, points) in &flanks {
+            let off = distances(points, base);
+            let mean = off.iter().sum::<f64>() / off.len() as f64;
+            residual = off
+                .iter()
+                .fold(residual, |most, off| most.max((off - mean).abs()));
+            starts.push(first + mean / base);
+        }
+        let [from, to] = range.map(|radius| involute::roll_at(radius, base));
+        let length = 0.5 * base * (to * to - from * from);
+        let limit = CURVED * length * length / (8.0 * base * 0.5 * (from + to));
+        if !(residual <= limit) {
+            return None;
+        }
+        // Both start before the tooth's centre line, the left one in its mirrored frame.
+        let half_angles = starts
+            .chunks(2)
+            .map(|sides| 0.5 * (-sides[0] - sides[1]).rem_euclid(TAU));
+        let half_angle = half_angles.sum::<f64>() / f64::from(self.teeth());
+        let base_radius_error = error * (residual + self.bound());
+        Some(FittedInvolute {
+            base_radius: base,
+            base_radius_error,
+            base_thickness: 2.0 * base * half_angle,
+            residual,
+            limit,
+            standard: standard(f64::from(self.teeth()), base, base_radius_error, half_angle),
+        })
+    }
+}
+
+/// Distances of `points` from the involute that starts at angle 0, mm.
+fn distances(points: &[Polar], base: f64) -> Vec<f64> {
+    let distance = |(radius, angle): &Polar| {
+        base * (angle - involute::inv_of_roll(involute::roll_at(*radius, base)))
+    };
+    points.iter().map(distance).collect()
+}
+
+/// The base radius with the least squares, mm, and how much an error of every point changes it at most.
+fn base_radius(flanks: &[(f64, Vec<Polar>)], lowest: f64) -> Option<(f64, f64)> {
+    // From a pressure angle of 20° there.
+    let mut base = lowest * 20f64.to_radians().cos();
+    for _ in 0..ROUNDS {
+        let (mut product, mut square, mut sum) = (0.0, 0.0, 0.0);
+        for (_, points) in flanks {
+            let off = distances(points, base);
+            let slope = points
+                .iter()
+                .map(|(radius, angle)| angle + involute::roll_at(*radius, base).atan());
+            let slope: Vec<f64> = slope.collect();
+            let mean = |of: &[f64]| of.iter().sum::<f64>() / of.len() as f64;
+            let (off_mean, slope_mean) = (mean(&off), mean(&slope));
+            for (off, slope) in off.iter().zip(&slope) {
+                let slope = slope - slope_mean;
+                product += slope * (off - off_mean);
+                square += slope * slope;
+                sum += slope.abs();
+            }
+        }
+        let step = -product / square;
+        base += step;
+        // Beyond this there is no involute in reach of its points.
+        if !(base > 0.5 * lowest && base < lowest) {
+            return None;
+        }
+        if step.abs() <= 1e-13 * base {
+            return Some((base, sum / square));
+        }
+    }
+    None
+}
+
+/// Standard gears of `teeth` teeth with the base radius `base` ± `error`.
+fn standard(teeth: f64, base: f64, error: f64, half_angle: f64) -> Vec<StandardGear> {
+    let mut found = Vec::new();
+    for angle in ANGLES_DEG.map(f64::to_radians) {
+        for module in MODULES {
+            let off = 0.5 * module * teeth * angle.cos() - base;
+            if off.abs() <= error + SAME * base {
+                // s_b / 2 r_b = (π/2 + 2 x tan α) / z + inv α.
+                let shift = (half_angle - involute::inv(angle)) * teeth - FRAC_PI_2;
+                found.push(StandardGear {
+                    module,
+                    pressure_angle: angle,
+                    shift: shift / (2.0 * angle.tan()),
+                });
+            }
+        }
+    }
+    found
+}
+
+impl HalfOutline {
+    /// Its points between two radii, and the direction of the first; `None` where they are too few.
+    fn middle(&self, [low, high]: [f64; 2]) -> Option<(f64, Vec<Polar>)> {
+        let mut points: Vec<Complex<f64>> = Vec::new();
+        for piece in &self.pieces {
+            let parts = match piece.curve {
+                PartCurve::Line(_) => 1,
+                _ => PARTS,
+            };
+            let [from, to] = piece.ends;
+            for k in 0..=parts {
+                let t = from + (to - from) * f64::from(k) / f64::from(parts);
+                let point = piece.point(t);
+                let inside = (low..=high).contains(&point.norm());
+                let known = points.last();
+                let new = known.is_none_or(|last| (last - point).norm() > SAME * (high - low));
+                if inside && new {
+                    points.push(point);
+                }
+            }
+        }
+        let first = *points.first().filter(|_| points.len() >= LEAST_POINTS)?;
+        let polar = |point: &Complex<f64>| (point.norm(), (point * first.conj()).arg());
+        Some((first.arg(), points.iter().map(polar).collect()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gear::{AsBuilt, BasicGearData, BasicRack, Face, Gear, GearDesign};
+    use crate::outline::{OutlineReading, PathSegment, of_gear};
+    use nalgebra::Point2;
+
+    fn read(path: &[PathSegment]) -> OutlineGear {
+        let reading = OutlineReading {
+            centre: Point2::origin(),
+            face: Face::Front,
+            teeth: None,
+            first_tooth: None,
+            bound: 0.0,
+        };
+        OutlineGear::new(path, &reading).unwrap()
+    }
+
+    fn gear(teeth: u32, module: f64, angle_deg: f64, allowance: f64) -> Gear {
+        let data = BasicGearData::new(teeth, module, angle_deg.to_radians()).unwrap();
+        // A tip round that a rack of 25° has room for.
+        let design = GearDesign {
+            rack: BasicRack::new(1.0, 1.25, 0.3).unwrap(),
+            ..GearDesign::standard(data)
+        };
+        let thickness = design.nominal_base_thickness() + allowance;
+        Gear::new(design, thickness).unwrap()
+    }
+
+    /// Gears drawn as chords, whose ends lie on the flank, give back what they were drawn from.
+    #[test]
+    fn a_drawn_gear_gives_its_module_back() {
+        for (teeth, module, angle, allowance) in [
+            (20, 2.0, 20.0, -0.06),
+            (10, 1.0, 20.0, 0.0),
+            (17, 0.5, 25.0, 0.02),
+            (120, 5.0, 14.5, -0.1),
+        ] {
+            let gear = gear(teeth, module, angle, allowance);
+            let drawn = of_gear(&AsBuilt::perfect(gear.clone(), Face::Front), 1e-4 * module);
+            let found = read(&drawn).fitted_involute().unwrap();
+            let off = (found.base_radius - gear.base_radius()) / module;
+            assert!(
+                off.abs() < 1e-9 && found.residual < 1e-9,
+                "{teeth}: {off} {}",
+                found.residual
+            );
+            assert!((found.base_thickness - gear.base_thickness()).abs() < 1e-9);
+            let [standard] = found.standard[..] else {
+                panic!("{:?}", found.standard);
+            };
+            assert_eq!(
+                (standard.module, standard.pressure_angle),
+                (module, angle.to_radians())
+            );
+            assert!((standard.shift - gear.generating_shift()).abs() < 1e-8);
+            // By its data it has curves in place of chords.
+            let exact = OutlineGear::from(&AsBuilt::perfect(gear, Face::Front));
+            let exact = exact.fitted_involute().unwrap();
+            assert!((exact.base_radius - found.base_radius).abs() < 1e-9 * module);
+        }
+    }
+
+    /// A base circle of no standard gear is told by itself.
+    #[test]
+    fn another_module_is_not_called_standard() {
+        let gear = gear(30, 1.937, 20.0, 0.0);
+        let drawn = of_gear(&AsBuilt::perfect(gear.clone(), Face::Front), 1e-4);
+        let found = read(&drawn).fitted_involute().unwrap();
+        assert!((found.base_radius - gear.base_radius()).abs() < 1e-9);
+        assert_eq!(found.standard, []);
+    }
+
+    /// Every second corner 1 µm farther out: flanks lie at the pressure angle, so that some 0.4 µm of it are along their normals, half to
+    /// either side of what is fitted; the module is still within what that allows.
+    #[test]
+    fn the_residual_is_what_the_points_are_off() {
+        let gear = gear(20, 2.0, 20.0, 0.0);
+        let drawn = of_gear(&AsBuilt::perfect(gear.clone(), Face::Front), 1e-5);
+        let corners: Vec<Point2<f64>> = drawn.iter().map(PathSegment::start).collect();
+        let moved = corners.iter().enumerate().map(|(k, corner)| {
+            let out = if k.is_multiple_of(2) { 0.0 } else { 1e-3 };
+            corner + corner.coords.normalize() * out
+        });
+        let moved: Vec<Point2<f64>> = moved.collect();
+        let next = moved.iter().cycle().skip(1);
+        let lines = moved
+            .iter()
+            .zip(next)
+            .map(|(a, b)| PathSegment::Line([*a, *b]));
+        let found = read(&lines.collect::<Vec<_>>()).fitted_involute().unwrap();
+        assert!(
+            found.residual > 1e-4 && found.residual < 4e-4,
+            "{}",
+            found.residual
+        );
+        assert!((found.base_radius - gear.base_radius()).abs() <= found.base_radius_error);
+        assert_eq!(found.standard[0].module, 2.0);
+    }
+
+    /// Flanks that are arcs of half the radius of the involute's curvature, straight ones, and ones with too few points are no involutes.
+    #[test]
+    fn other_flanks_are_no_involutes() {
+        let z = 20;
+        let corner = |radius: f64, pitches: f64| {
+            let (sin, cos) = (FRAC_PI_2 + pitches * TAU / f64::from(z)).sin_cos();
+            Point2::new(radius * cos, radius * sin)
+        };
+        let between = |a: Point2<f64>, b: Point2<f64>, bulge: f64| {
+            // A flat arc as the cubic curve with its tangents: height `bulge` of its chord.
+            let along = b - a;
+            let out = nalgebra::Vector2::new(along.y, -along.x) * bulge;
+            PathSegment::Cubic([
+                a,
+                a + along / 3.0 + out * 4.0 / 3.0,
+                b - along / 3.0 + out * 4.0 / 3.0,
+                b,
+            ])
+        };
+        for bulge in [0.0, 0.1] {
+            let tooth = |k: u32| {
+                let [a, b, c, d] = [(17.5, -0.4), (22.0, -0.1), (22.0, 0.1), (17.5, 0.4)]
+                    .map(|(radius, pitches)| corner(radius, f64::from(k) + pitches));
+                let next = corner(17.5, f64::from(k) + 0.6);
+                [
+                    between(a, b, bulge),
+                    PathSegment::Line([b, c]),
+                    between(c, d, bulge),
+                    PathSegment::Line([d, next]),
+                ]
+            };
+            let path: Vec<PathSegment> = (0..z).flat_map(tooth).collect();
+            assert_eq!(read(&path).fitted_involute(), None, "{bulge}");
+            let ends = path
+                .iter()
+                .map(|part| PathSegment::Line([part.start(), part.end()]));
+            assert_eq!(read(&ends.collect::<Vec<_>>()).fitted_involute(), None);
+        }
+    }
+}

@@ -19,11 +19,15 @@
 //! ξ_1 = arg E_1 + ψ_b1 − θ_1,   ξ_2 = (Σ − r_b1 ξ_1)/r_b2,   θ_2 = arg E_1 + ψ_b2 − ξ_2.
 //! ```
 //!
+//! A profile deviation `δ` puts the point as much farther out along the line, `P = C + r_b E (1 − iξ) − iEδ(ξ)`, and leaves its normal to first
+//! order: `Σ = r_b1 ξ_1 + δ_1 + r_b2 ξ_2 + δ_2` with the deviations at the two points. What it tilts the normal by, `δ'/(r_b ξ)`, moves the
+//! contact along the flanks and is left out: it costs the square of it.
+//!
 //! `C_2` turns with the free gear, hence `D` with its rotation `φ`: the last
 //! line is a fixed point `φ = G(φ)`. Differentiating,
 //! `G' = Im(conj(E_1) dD/dφ)/r_b2`, and `|dD/dφ| = e_2`: `|G'| ≤ e_2/r_b2`.
 
-use crate::gear::{AsBuilt, Side};
+use crate::gear::{AsBuilt, RollCurve, Side};
 use crate::pair::{GearPair, Pose};
 use nalgebra::{UnitComplex, Vector2};
 use std::f64::consts::TAU;
@@ -152,7 +156,11 @@ impl<'a> OneSide<'a> {
         let (distance, e) = (self.between.norm(), self.free.eccentricity());
         let direction = self.between.y.atan2(self.between.x) + gear.half_base_angle();
         let swing = (e / distance).min(1.0).asin();
-        let slack = END * gear.tip_roll();
+        let slack = match self.locked.is_modified() {
+            // A flank that deviates ends at another roll: by less than a pitch, or it were none.
+            true => gear.basic_data().angular_pitch(),
+            false => END * gear.tip_roll(),
+        };
         let low = direction - swing + self.tangent(distance - e).0 - gear.tip_roll();
         let high = direction + swing + self.tangent(distance + e).0 - gear.form_roll();
         low - slack..=high + slack
@@ -193,6 +201,8 @@ impl<'a> OneSide<'a> {
         );
         let (locked, free) = (self.locked.gear(), self.free.gear());
         let (locked_base, free_base) = (locked.base_radius(), free.base_radius());
+        let locked_flank = self.locked.modification(self.side, locked_tooth);
+        let free_flank = self.free.modification(self.side, free_tooth);
         let rate = self.free.eccentricity() / free_base;
         if rate >= 1.0 {
             return None;
@@ -204,7 +214,15 @@ impl<'a> OneSide<'a> {
         loop {
             let line = self.line(turn);
             let locked_roll = line.direction + locked.half_base_angle() - theta;
-            let free_roll = (line.length - locked_base * locked_roll) / free_base;
+            let locked_arm = locked_base * locked_roll + deviation(locked_flank, locked_roll);
+            let free_arm = line.length - locked_arm;
+            let mut free_roll = free_arm / free_base;
+            if free_flank.is_some() {
+                // Contracts: a deviation's slope is less than the base radius, and far less in practice.
+                for _ in 0..DEVIATION_STEPS {
+                    free_roll = (free_arm - deviation(free_flank, free_roll)) / free_base;
+                }
+            }
             let next = wrapped(line.direction + free.half_base_angle() - free_roll - nominal);
             let step = (next - turn).abs();
             turn = next;
@@ -214,8 +232,8 @@ impl<'a> OneSide<'a> {
             }
             let counts = step * rate < 1e-9
                 && line.length > 0.0
-                && on_involute(self.locked, locked_roll)
-                && on_involute(self.free, free_roll);
+                && on_involute(self.locked, locked_arm / locked_base)
+                && on_involute(self.free, free_arm / free_base);
             return counts.then(|| SideContact {
                 rotation: self.pose.free_rotation() + self.mirror * turn,
                 locked_tooth,
@@ -227,6 +245,15 @@ impl<'a> OneSide<'a> {
     }
 }
 
+/// Each divides what is left by `r_b/δ'`, some hundreds.
+const DEVIATION_STEPS: u32 = 6;
+
+/// A flank's deviation at a roll, mm.
+fn deviation(flank: Option<&RollCurve>, roll: f64) -> f64 {
+    flank.map_or(0.0, |flank| flank.at(roll))
+}
+
+/// Whether a point lies between form and tip circle whose tangent to the base circle is as long as that of the involute at `roll`.
 fn on_involute(gear: &AsBuilt, roll: f64) -> bool {
     let (form, tip) = (gear.gear().form_roll(), gear.gear().tip_roll());
     form - END * tip <= roll && roll <= tip + END * tip

@@ -99,6 +99,11 @@ impl GearPair {
         })
     }
 
+    /// Whether profiles of either gear deviate from the involute.
+    pub fn is_modified(&self) -> bool {
+        self.wheel.is_modified() || self.pinion.is_modified()
+    }
+
     /// The same gears at another centre distance.
     ///
     /// # Errors

@@ -3,6 +3,7 @@
 mod analytic;
 #[path = "../common/mod.rs"]
 mod common;
+mod deviating;
 mod karba;
 mod limits;
 mod line_of_action;

@@ -1,0 +1,267 @@
+//! The formulas, and closed forms, of flanks whose profiles deviate.
+
+use gearlash::analytic::{InvolutePair, LineOfAction};
+use gearlash::contact::{ExactKernel, LostMotion};
+use gearlash::gear::{
+    AsBuilt, BasicGearData, Deviations, Face, Gear, GearDesign, Modification, Relief, Side,
+    involute,
+};
+use gearlash::pair::{GearPair, Mating, Member, Pose};
+use proptest::prelude::*;
+
+fn gear(teeth: u32) -> Gear {
+    let basic_data = BasicGearData::new(teeth, 3.0, 20f64.to_radians()).unwrap();
+    Gear::nominal(GearDesign::standard(basic_data)).unwrap()
+}
+
+fn built(gear: Gear, face: Face, profiles: [Modification; 2]) -> AsBuilt {
+    let deviations = Deviations {
+        profiles,
+        eccentricity: 0.010,
+        high_tooth: 5.5,
+        ..Deviations::default()
+    };
+    AsBuilt::new(gear, face, &deviations).unwrap()
+}
+
+fn pair(wheel: [Modification; 2], pinion: [Modification; 2]) -> GearPair {
+    let wheel = built(gear(44), Face::Front, wheel);
+    let pinion = built(gear(44), Face::Back, pinion);
+    GearPair::new(wheel, pinion, 132.1).unwrap()
+}
+
+fn none() -> [Modification; 2] {
+    [Modification::default(), Modification::default()]
+}
+
+fn both(modification: Modification) -> [Modification; 2] {
+    [modification.clone(), modification]
+}
+
+fn poses(pair: &GearPair, count: u32) -> Vec<Pose> {
+    let mating = |k| Mating {
+        wheel_tooth: 1,
+        pinion_tooth: 1,
+        flank: Side::Right,
+        fraction: 44.0 * f64::from(k) / f64::from(count),
+    };
+    (0..count).map(|k| Pose::new(pair, mating(k))).collect()
+}
+
+fn lost_motion(pair: &GearPair, pose: &Pose) -> LostMotion {
+    ExactKernel::new(pair).lost_motion(pose).unwrap()
+}
+
+fn play(pair: &GearPair, pose: &Pose) -> f64 {
+    lost_motion(pair, pose).angle().unwrap()
+}
+
+/// A slope `δ = c (ξ − ξ_1)` on all flanks of a gear is, to first order, an involute of the base radius `r_b + c` that has the same
+/// point at `ξ_1`: `E (r_b − i(r_b ξ + δ))` against `E' (r_b' − i r_b' ξ')`. Its pressure angle follows from the base radius.
+fn of_other_base(gear: &Gear, per_roll: f64) -> Gear {
+    let (base, form) = (gear.base_radius(), gear.form_roll());
+    let other = base + per_roll;
+    // Same radius and direction at the form point.
+    let radius = base * form.hypot(1.0);
+    let roll = involute::roll_at(radius, other);
+    let half = gear.half_base_angle() - (form - form.atan()) + (roll - roll.atan());
+    let design = gear.design();
+    let alpha = (other / design.basic_data.reference_radius()).acos();
+    let data = &design.basic_data;
+    let basic_data = BasicGearData::new(data.teeth(), data.module(), alpha).unwrap();
+    let other_design = GearDesign {
+        basic_data,
+        tip_diameter: Some(2.0 * gear.tip_radius()),
+        ..*design
+    };
+    Gear::new(other_design, 2.0 * other * half).unwrap()
+}
+
+/// The difference of the flanks falls with the square of the slope.
+#[test]
+fn a_slope_is_an_involute_of_another_base_circle() {
+    let wheel = gear(44);
+    let mut table = Vec::new();
+    for um in [0.1, 1.0, 5.0, 10.0, 20.0] {
+        let slope = Modification {
+            slope: 1e-3 * um,
+            ..Modification::default()
+        };
+        let per_roll = slope.slope / (wheel.tip_roll() - wheel.form_roll());
+        let sloped = built(wheel.clone(), Face::Front, both(slope));
+        let other = built(of_other_base(&wheel, per_roll), Face::Front, none());
+        table.push((um, worst_flank_distance(&sloped, &other)));
+    }
+    println!("{table:?}");
+    for pair in table.windows(2) {
+        let [(um, off), (more, farther)] = [pair[0], pair[1]];
+        let grown = farther / off / (more / um).powi(2);
+        // To rounding at 0.1 µm: 1e-13 mm of 1e-9.
+        assert!(
+            (0.8..1.25).contains(&grown),
+            "{um} µm: {off} mm, {more} µm: {farther} mm"
+        );
+    }
+}
+
+/// Greatest distance along the circle between the flanks of two gears on circles between form and tip, mm.
+fn worst_flank_distance(one: &AsBuilt, other: &AsBuilt) -> f64 {
+    let at = |built: &AsBuilt, radius: f64| {
+        use gearlash::gear::ProfilePart::Involute;
+        let profile = built.profile(Side::Right, 1);
+        let (mut high, mut low) = profile.range(Involute);
+        for _ in 0..200 {
+            let middle = 0.5 * (low + high);
+            match profile.radius(Involute, middle) < radius {
+                true => low = middle,
+                false => high = middle,
+            }
+        }
+        let point = profile.point(Involute, 0.5 * (low + high), Side::Right);
+        point.y.atan2(point.x)
+    };
+    let gear = one.gear();
+    let (form, tip) = (gear.form_radius() + 0.2, gear.tip_radius() - 1e-6);
+    let radii = (0..=40).map(|k| form + (tip - form) * f64::from(k) / 40.0);
+    radii.fold(0.0, |most, radius| {
+        most.max((at(one, radius) - at(other, radius)).abs() * radius)
+    })
+}
+
+/// To the last bit: where no contact of the unrelieved pair lies on what a relief takes off, nothing changes.
+#[test]
+fn relief_beyond_the_path_of_contact_changes_no_bit() {
+    let plain = pair(none(), none());
+    let gear = gear(44);
+    // Least radius that any pose touches, on either gear.
+    let all = poses(&plain, 300);
+    let radii = all.iter().flat_map(|pose| {
+        let found = lost_motion(&plain, pose);
+        [found.right, found.left].map(|contact| contact.unwrap().wheel.radius)
+    });
+    let radii: Vec<f64> = radii.collect();
+    let (least, most) = radii
+        .iter()
+        .fold((f64::INFINITY, 0.0f64), |(a, b), r| (a.min(*r), b.max(*r)));
+    assert!(
+        least > gear.form_radius() + 0.01 && most < gear.tip_radius() - 0.01,
+        "{least} {most}"
+    );
+    for parabolic in [false, true] {
+        let relief = |from| {
+            Some(Relief {
+                amount: 0.02,
+                from,
+                parabolic,
+            })
+        };
+        let relieved = Modification {
+            tip_relief: relief(0.5 * (most + gear.tip_radius())),
+            root_relief: relief(0.5 * (least + gear.form_radius())),
+            ..Modification::default()
+        };
+        let pair = pair(both(relieved), none());
+        for pose in &all {
+            assert_eq!(lost_motion(&plain, pose), lost_motion(&pair, pose));
+        }
+    }
+}
+
+/// The formula has the flanks' own deviation at its contact point, and lies above by the square of their slope there.
+#[test]
+fn the_formula_takes_the_deviation_where_it_touches() {
+    let crowned = |um: f64| Modification {
+        crowning: 1e-3 * um,
+        slope: -0.5e-3 * um,
+        ..Modification::default()
+    };
+    let mut compared = 0;
+    for um in [1.0, 4.0] {
+        let pair = pair(both(crowned(um)), both(crowned(0.7 * um)));
+        for pose in poses(&pair, 200) {
+            let found = lost_motion(&pair, &pose);
+            let contacts = [found.right.unwrap(), found.left.unwrap()];
+            use gearlash::gear::ProfilePart::Involute;
+            if contacts
+                .iter()
+                .any(|c| c.wheel.curve != Involute || c.pinion.curve != Involute)
+            {
+                continue;
+            }
+            let formula = LineOfAction::new(&pair, &pose).angle().unwrap();
+            let off = (formula - found.angle().unwrap()) * 66.0;
+            // Slopes of both flanks up to (4 C + f)/L over a flank of some 6 mm tilt by up to 4.5e-4 a µm each; curvatures add up to 1/12 a mm
+            // and more: 2 sides, (Σ tilt)²/(2 κ).
+            let tilt = 4.5e-4 * um * 1.7;
+            assert!(
+                off > -1e-12 && off < 2.0 * tilt * tilt * 6.0,
+                "{um} µm: {off} mm"
+            );
+            compared += 1;
+        }
+    }
+    assert!(compared > 300, "{compared}");
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(60))]
+
+    /// What is taken off lets nothing touch sooner.
+    #[test]
+    fn taking_off_never_takes_play(
+        amount in 0.0..0.1f64,
+        share in 0.05..0.95f64,
+        parabolic in any::<bool>(),
+        fraction in 0.0..44.0f64,
+    ) {
+        let gear = gear(44);
+        let from = gear.form_radius() + share * (gear.tip_radius() - gear.form_radius());
+        let relief = Some(Relief { amount, from, parabolic });
+        let before = Modification { crowning: 0.003, ..Modification::default() };
+        let [tip, root] = [
+            Modification { tip_relief: relief, ..before.clone() },
+            Modification { root_relief: relief, ..before.clone() },
+        ];
+        let pose = |pair: &GearPair| Pose::new(pair, Mating { wheel_tooth: 1, pinion_tooth: 1, flank: Side::Left, fraction });
+        let plain = pair(both(before.clone()), none());
+        for relieved in [pair(both(tip.clone()), none()), pair(both(root.clone()), none()), pair([tip, root], none())] {
+            prop_assert!(play(&relieved, &pose(&relieved)) >= play(&plain, &pose(&plain)) - 1e-14);
+        }
+    }
+
+    /// Gears exchanged, the picture mirrored, all lengths scaled: the same play.
+    #[test]
+    fn symmetries_hold(
+        slope in -0.02..0.02f64,
+        crowning in -0.002..0.02f64,
+        fraction in 0.0..44.0f64,
+    ) {
+        let one = [Modification { slope, ..Modification::default() }, Modification { crowning, ..Modification::default() }];
+        let other = both(Modification { slope: -0.3 * slope, crowning: 0.5 * crowning, ..Modification::default() });
+        let make = |wheel: (Face, [Modification; 2]), pinion: (Face, [Modification; 2]), locked| {
+            let [wheel, pinion] = [wheel, pinion].map(|(face, profiles)| built(gear(44), face, profiles));
+            GearPair::with_locked(wheel, pinion, 132.1, locked).unwrap()
+        };
+        let at = |pair: &GearPair, flank| play(pair, &Pose::new(pair, Mating { wheel_tooth: 3, pinion_tooth: 7, flank, fraction }));
+        let plain = make((Face::Front, one.clone()), (Face::Back, other.clone()), Member::Wheel);
+        let there = at(&plain, Side::Right);
+        // Seen from behind: both faces turned, right flanks on the left.
+        let mirrored = make((Face::Back, one.clone()), (Face::Front, other.clone()), Member::Wheel);
+        prop_assert!((at(&mirrored, Side::Left) - there).abs() < 1e-12);
+        let exchanged = make((Face::Back, other), (Face::Front, one), Member::Pinion);
+        let swapped = Mating { wheel_tooth: 7, pinion_tooth: 3, flank: Side::Right, fraction };
+        prop_assert!((play(&exchanged, &Pose::new(&exchanged, swapped)) - there).abs() < 1e-12);
+    }
+}
+
+/// Profile data change neither the nominal teeth nor the models that know no profile.
+#[test]
+fn the_involute_model_knows_no_profile() {
+    let crowned = both(Modification {
+        crowning: 0.01,
+        ..Modification::default()
+    });
+    let [plain, crowned] = [pair(none(), none()), pair(crowned, none())];
+    let play = |pair: &GearPair| InvolutePair::of(pair).circumferential_backlash(132.1);
+    assert_eq!(play(&plain), play(&crowned));
+}

@@ -5,9 +5,10 @@
 //! each flank turned out by its greatest deviation; at any radius the gap of two half teeth is at most that of the outer ones. So:
 //!
 //! 1. Pairs are taken in the order of their outer gaps on the line of action, until the outer gap is below one found.
-//! 2. Of a pair the flanks touch where they have a common normal. A convex flank lies on one side of each of its tangents, and of every line
+//! 2. Of a pair of convex flanks, they touch where they have a common normal. A convex flank lies on one side of each of its tangents, and of every line
 //!    through its tip corner within the corner's cone: where two flanks touch from outside along a tangent of both it divides them, so that
-//!    their gap is nowhere greater. One such place is enough, however it was found: Newton's method finds it.
+//!    their gap is nowhere greater. One such place is enough, however it was found: Newton's method finds it. Where it does not, and of flanks
+//!    that are not convex, as measured ones are not, a search does, near the outer contact.
 //! 3. With the free gear at the gap found no tip corner of the outer gears may stand in the outer mate, wider by as much as deviations vary,
 //!    but on the mate's flank, of a pair that 1. and 2. have settled.
 //!
@@ -18,12 +19,14 @@ use super::candidate::{CandidateContact, slope};
 use super::curves::SearchExhausted;
 use super::direct::{DirectSolver, Envelopes, Level, least_radius};
 use super::flank_problem::{FlankProblem, PosedFlanks};
+use super::lands::without_lands;
 use super::line::Line;
 use super::placed::Placed;
 use super::search;
 use super::shape::Sample;
 use super::tightest::{TightestContacts, Touching};
-use crate::gear::{Osculating, ProfilePart, Side};
+use crate::contact::gap::{Arc, MOST_NODES, Meeting, greatest};
+use crate::gear::{Osculating, ProfilePart, Side, smooth};
 use crate::pair::{GearPair, Member};
 
 /// A step this small, of a length, leaves its square: nothing.
@@ -31,6 +34,9 @@ const SETTLED: f64 = 1e-9;
 
 /// Newton's method from an outer contact takes three or four.
 const STEPS: u32 = 16;
+
+/// How often at most the part of two flanks is doubled that is searched: to all of them from a thousandth.
+const WIDENINGS: u32 = 11;
 
 /// Pairs on the line of action at once: a contact ratio of eight.
 const MOST_PAIRS: usize = 8;
@@ -42,6 +48,10 @@ pub(super) struct OuterGears {
     right: FlankProblem,
     left: FlankProblem,
     solver: DirectSolver,
+    /// Whether every flank lies on one side of each of its tangents.
+    is_convex: bool,
+    /// How far the deviations of a flank vary, mm.
+    range: f64,
     /// Whether deviations only take off: then the outer gears are those without any.
     is_cut_back: bool,
 }
@@ -55,7 +65,7 @@ struct OnLine {
 }
 
 impl OuterGears {
-    /// Those of `assembly`; `None` where its flanks are not all convex, or the outer gears need a search themselves.
+    /// Those of `assembly`; `None` where the outer gears need a search of their flanks themselves.
     pub fn new(assembly: &GearPair, problems: &[FlankProblem; 2]) -> Option<OuterGears> {
         let gears = [Member::Wheel, Member::Pinion].map(|member| assembly.gear(member));
         // Straight flanks have no outer gear, and without deviations none is needed. An undercut joint is a corner that is not looked at here.
@@ -65,9 +75,6 @@ impl OuterGears {
         }
         let convex =
             |problem: &FlankProblem| problem.locked.is_convex() && problem.free.is_convex();
-        if !problems.iter().all(convex) {
-            return None;
-        }
         let outer = |member: Member| assembly.gear(member).enveloping().ok();
         let ((wheel, one), (pinion, other)) = (outer(Member::Wheel)?, outer(Member::Pinion)?);
         let distance = assembly.center_distance();
@@ -82,6 +89,8 @@ impl OuterGears {
             right,
             left,
             solver,
+            is_convex: problems.iter().all(convex),
+            range,
             is_cut_back: !gears.iter().any(|gear| gear.stands_out()),
         })
     }
@@ -99,6 +108,8 @@ impl OuterGears {
             left,
             solver,
             is_cut_back: self.is_cut_back,
+            is_convex: self.is_convex,
+            range: self.range,
         })
     }
 
@@ -112,7 +123,8 @@ impl OuterGears {
         let of = |side: &FlankProblem| {
             let solver = DirectSolver::of(right, pair, envelopes.clone(), side)?;
             let proof = &solver.proof;
-            (proof.is_direct() && !proof.tangents && !proof.turns_back).then_some(solver)
+            let is_plain = proof.steep_arm.is_none() && !proof.tangents && !proof.turns_back;
+            is_plain.then_some(solver)
         };
         // The outer half teeth of the left side mirror those of the right; the deviations need not.
         of(&modified[1]).and(of(&modified[0]))
@@ -154,14 +166,107 @@ impl OuterGears {
             if pair.gap - beyond < tightest.level() {
                 break;
             }
-            tightest.offer(pair.step, posed.flanks_touch(pair)?);
+            let tangent = match self.is_convex {
+                true => posed.flanks_touch(pair),
+                false => None,
+            };
+            let found = match tangent {
+                Some(candidate) => Some(candidate),
+                None => self.flanks_within(posed, outer, pair, tightest.level())?,
+            };
+            if let Some(candidate) = found {
+                tightest.offer(pair.step, candidate);
+            }
         }
         if tightest.greatest() == f64::NEG_INFINITY {
             return None;
         }
         let settled = |step| pairs.iter().flatten().any(|pair| pair.step == step);
         self.on_tips(posed, outer, &mut tightest, settled)?;
-        tightest.choose()
+        let open = self.solver.proof.open;
+        if open.is_empty() {
+            return tightest.choose();
+        }
+        posed.on_lands(open, &mut tightest);
+        search::over(posed, tightest, |_| without_lands(open), MOST_NODES).ok()?
+    }
+
+    /// The greatest gap above `floor` of a pair's flanks, by branch and bound over as much of them as their outer gap leaves open; `None` where it
+    /// is not settled.
+    ///
+    /// The outer gap falls from the contact on the line of action to either side: where it is below what was found between, so is all beyond.
+    fn flanks_within(
+        &self,
+        posed: &PosedFlanks,
+        outer: &PosedFlanks,
+        pair: &OnLine,
+        floor: f64,
+    ) -> Option<Option<CandidateContact>> {
+        let part = ProfilePart::Involute;
+        let (locked, free) = (posed.locked(pair.step), posed.free(pair.step));
+        let (outer_locked, outer_free) = (outer.locked(pair.step), outer.free(pair.step));
+        let radius = |half: &Placed, roll: f64| half.at(part, roll).point.norm();
+        let (low, high) = outer_locked.range(part);
+        let (free_low, free_high) = outer_free.range(part);
+        let free_radii = [free_low, free_high].map(|roll| radius(&outer_free, roll));
+        let outer_gap = |roll: f64, rho: f64| {
+            let start = pair.rolls.1.clamp(free_low, free_high);
+            let mate = outer_free
+                .curve(part)
+                .invert(rho, [free_low, free_high], start);
+            let on = ((&outer_locked, (part, roll)), (&outer_free, (part, mate)));
+            CandidateContact::new(on.0, on.1, outer.origin, 0.0).gap
+        };
+        let beyond = outer.free_offset - posed.free_offset;
+        // As far as two circles of the flanks' curvatures are apart by what the deviations vary.
+        let arm = |half: &Placed, roll: f64| half.shape.base * roll.max(0.01);
+        let arms = [
+            arm(&outer_locked, pair.rolls.0),
+            arm(&outer_free, pair.rolls.1),
+        ];
+        let away = (2.0 * self.range / (1.0 / arms[0] + 1.0 / arms[1])).sqrt();
+        let mut width = away / arms[0];
+        let mut nodes_left = MOST_NODES;
+        for _ in 0..WIDENINGS {
+            let ends = [pair.rolls.0 - width, pair.rolls.0 + width];
+            let ends = ends.map(|roll| roll.clamp(low, high));
+            // The lower end of a locked flank is farthest from the free axis.
+            let radii = ends.map(|roll| radius(&outer_locked, roll));
+            let (own_low, own_high) = locked.range(part);
+            let from = |end: usize, own: f64, border: f64| match ends[end] == border {
+                true => own,
+                false => locked
+                    .curve(part)
+                    .invert(radii[end], [own_high, own_low], ends[end]),
+            };
+            let on_locked = (from(0, own_low, low), from(1, own_high, high));
+            let (mate_low, mate_high) = free.range(part);
+            let to = |rho: f64| {
+                let start = pair.rolls.1.clamp(mate_low, mate_high);
+                free.curve(part).invert(rho, [mate_low, mate_high], start)
+            };
+            let on_free = (to(radii[1]), to(radii[0]));
+            let (locked_arcs, free_arcs) = (arcs(&locked, on_locked), arcs(&free, on_free));
+            let nodes = locked_arcs
+                .iter()
+                .flat_map(|arc| free_arcs.iter().map(move |free| (*arc, *free)));
+            let found = greatest(nodes.collect(), posed.origin, floor, &mut nodes_left).ok()?;
+            let level = found.map_or(floor, |found| found.gap);
+            let is_closed = |end: usize| {
+                ends[end] == [low, high][end]
+                    || !(free_radii[0]..=free_radii[1]).contains(&radii[end])
+                    || outer_gap(ends[end], radii[end]) - beyond <= level
+            };
+            if is_closed(0) && is_closed(1) {
+                let candidate = |found: Meeting| {
+                    let on = ((part, found.locked.1), (part, found.free.1));
+                    CandidateContact::new((&locked, on.0), (&free, on.1), posed.origin, found.slack)
+                };
+                return Some(found.map(candidate));
+            }
+            width *= 2.0;
+        }
+        None
     }
 
     /// Outer pairs on the line of action; `None` where one does not settle, or there are too many.
@@ -375,6 +480,13 @@ impl PosedFlanks<'_> {
         }
         Some(candidate)
     }
+}
+
+/// A stretch of a flank, cut at its edges.
+fn arcs<'a>(half: &Placed<'a>, (low, high): (f64, f64)) -> Vec<Arc<'a>> {
+    let curve = half.curve(ProfilePart::Involute);
+    let arc = |(low, high)| Arc::new(curve, ProfilePart::Involute as usize, low, high);
+    smooth(curve.curve.edges(), low, high).map(arc).collect()
 }
 
 /// Whether the gap of two flanks rises still at these rolls, towards greater radii (`towards` 1) or lesser ones (−1): over ln ρ its slope is

@@ -74,6 +74,12 @@ impl<'a> Workpiece<'a> {
         }
     }
 
+    /// Whether any profile deviates.
+    pub fn has_modified_flanks(&self) -> bool {
+        let has = |side| self.as_built.modification(side, 1).is_some();
+        Side::BOTH.into_iter().any(has)
+    }
+
     fn cut(&self, side: Side, tooth: u32) -> &Cut {
         &self.halves[index(side)][self.as_built.shape_of(side, tooth)]
     }

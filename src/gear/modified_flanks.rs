@@ -109,7 +109,7 @@ fn half_tooth(gear: &Gear, deviation: &Arc<RollCurve>) -> Result<[Part; 4], Gear
 
 /// The roll at which `r_b ξ + δ(ξ) = r_b ξ_0`: bisected to the last bit between the bounds that the greatest deviation sets; `None` where that leaves the
 /// involute. Exactly `ξ_0` where nothing deviates there.
-fn end_at(base: f64, roll: f64, deviation: &RollCurve) -> Option<f64> {
+pub(super) fn end_at(base: f64, roll: f64, deviation: &RollCurve) -> Option<f64> {
     let excess = |xi: f64| base * (xi - roll) + deviation.at(xi);
     if excess(roll) == 0.0 {
         return Some(roll);

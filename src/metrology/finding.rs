@@ -48,6 +48,15 @@ pub enum Finding {
         /// Whether pitch is known; otherwise all unevenness counts as thickness.
         with_pitch: bool,
     },
+    /// Profiles were measured on some teeth; the others take their mean.
+    ProfileOfSomeTeeth {
+        /// The own flank.
+        flank: Flank,
+        /// How many teeth were measured.
+        measured: u32,
+        /// `z`.
+        teeth: u32,
+    },
     /// Spans give the mean thickness only.
     SpansGiveMeanOnly {
         /// `k`.

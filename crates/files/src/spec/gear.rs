@@ -1,6 +1,7 @@
 //! The files, and one gear of them.
 
 use super::flanks::{PitchSpec, RunoutSpec};
+use super::profile::ProfileSpec;
 use super::require::RequireSpec;
 use super::rules::{whole, within};
 use super::thickness::ThicknessSpec;
@@ -98,6 +99,9 @@ pub struct GearSpec {
     /// Pitch deviation of both flanks, one value a tooth.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pitch: Option<PitchSpec>,
+    /// How the profiles deviate from the involute.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub profile: Option<ProfileSpec>,
 }
 
 /// A face of a gear.

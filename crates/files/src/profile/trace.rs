@@ -105,7 +105,8 @@ pub fn read(
             reason,
             "keep one trace a tooth, each with its tooth, or one for all",
         ));
-        good = None;
+        // Most often the other flank has the same.
+        return None;
     }
     good.map(|()| traces)
 }
@@ -299,8 +300,9 @@ fn of_file(
             bad.add(file.problem_at(row.line, reason, help));
         }
     }
+    let mut told = None;
     for ((_, tooth), (line, points)) in &traces {
-        if points.len() < 2 {
+        if points.len() < 2 && told.replace(*line) != Some(*line) {
             let whose = tooth.map_or(String::new(), |tooth| format!(" of tooth {tooth}"));
             let reason = format!("the trace{whose} has one point, allowed are two or more");
             bad.add(file.problem_at(*line, file.found(reason), "give the whole trace"));

@@ -194,9 +194,13 @@ pub fn headings(wanted: &[Column]) -> String {
         .iter()
         .map(|column| format!("{} ({})", column.names()[0], column.unit()))
         .collect();
+    let place = match wanted.contains(&Column::Deviation) {
+        true => "tooth, flank",
+        false => "tooth",
+    };
     match columns.split_last() {
         Some((last, [])) => format!("tooth and {last}"),
-        Some((last, rest)) => format!("tooth, {} and {last}", rest.join(", ")),
+        Some((last, rest)) => format!("{place}, {} and {last}", rest.join(", ")),
         None => "tooth".to_owned(),
     }
 }

@@ -12,7 +12,10 @@
 //! To first order each is `δ` where it touches; the greatest is sought among samples and narrowed down until rounding hides it.
 
 use super::modified_flanks::end_at;
-use super::{Deviations, Flank, FlankShifts, Gear, Modification, RollCurve, involute, thickness};
+use super::{
+    AsBuilt, Deviations, Flank, FlankShifts, Gear, Modification, RollCurve, Side, involute,
+    thickness,
+};
 use crate::error::GearError;
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -108,6 +111,24 @@ fn narrowed(mut low: f64, mut high: f64, value: &impl Fn(f64) -> f64) -> f64 {
         }
     }
     at_left.max(at_right)
+}
+
+impl AsBuilt {
+    /// Arc thickness at the reference circle, mm, that profile deviations add to the mean tooth.
+    pub(crate) fn arc_of_profiles(&self) -> f64 {
+        let basic_data = self.gear().basic_data();
+        let (r, base) = (basic_data.reference_radius(), basic_data.base_radius());
+        let roll = involute::roll_at(r, base);
+        let of_flank = |side: Side, tooth: u32| {
+            let there = end_at(base, roll, self.modification(side, tooth)?);
+            there.map(|there| r * (roll - there))
+        };
+        let of_side = |side: Side| -> f64 {
+            let teeth = 1..=basic_data.teeth();
+            teeth.filter_map(|tooth| of_flank(side, tooth)).sum()
+        };
+        Side::BOTH.map(of_side).iter().sum::<f64>() / f64::from(basic_data.teeth())
+    }
 }
 
 /// The profile deviations of all flanks of a gear.

@@ -104,6 +104,21 @@ pub struct GearSpec {
     pub profile: Option<ProfileSpec>,
 }
 
+impl GearSpec {
+    /// Evaluation range of the profiles of right and left flanks, radii, mm, where it is given.
+    pub fn evaluation_radii(&self) -> [Option<[f64; 2]>; 2] {
+        let Some(profile) = &self.profile else {
+            return [None; 2];
+        };
+        profile
+            .flanks()
+            .map(|flank| match flank.range_mm.as_deref() {
+                Some(&[from, to]) => Some([from / 2.0, to / 2.0]),
+                _ => None,
+            })
+    }
+}
+
 /// A face of a gear.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]

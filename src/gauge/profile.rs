@@ -183,25 +183,24 @@ pub(super) fn profile(
     })
 }
 
-/// The deviations of the points `within` the evaluation range, evenly spread.
+/// The deviations of the points `within` the evaluation range, evenly spread: each stands for the stretch half way to its neighbours, the
+/// first and the last for half of one.
 fn evaluate(points: Vec<(f64, f64)>, within: &[(f64, f64)]) -> ProfileReading {
-    let [at, off] = [
-        mean(within.iter().map(|point| point.0)),
-        mean(within.iter().map(|point| point.1)),
-    ];
-    let square: f64 = within.iter().map(|point| (point.0 - at).powi(2)).sum();
-    let product: f64 = within
-        .iter()
-        .map(|point| (point.0 - at) * (point.1 - off))
-        .sum();
-    let rise = product / square;
+    let last = within.len() - 1;
+    let weight = |k: usize| if k == 0 || k == last { 0.5 } else { 1.0 };
+    let sum = |of: &dyn Fn(f64, f64) -> f64| -> f64 {
+        let points = within.iter().enumerate();
+        points.map(|(k, &(at, off))| weight(k) * of(at, off)).sum()
+    };
+    let [at, off] = [sum(&|at, _| at), sum(&|_, off| off)].map(|sum| sum / last as f64);
+    let square = sum(&|one, _| (one - at).powi(2));
+    let rise = sum(&|one, value| (one - at) * (value - off)) / square;
     let [from, to] = ends(within.iter().map(|point| point.0));
     let on_line = |length: f64| (length, off + rise * (length - at));
-    let length = to - from;
     ProfileReading {
         points,
         mean_line: [on_line(from), on_line(to)],
-        slope: rise * length,
+        slope: rise * (to - from),
         form: range(within.iter().map(|point| point.1 - rise * point.0)),
         total: range(within.iter().map(|point| point.1)),
     }

@@ -1,9 +1,10 @@
 //! Gears whose profiles deviate: a stated thickness is that of the flanks where the measurement touches them.
 
 use super::{measure, quick};
-use gearlash::gauge::{Gauged, Settings};
+use gearlash::gauge::{Gauged, ProfileReadings, Settings};
 use gearlash::gear::{
-    BasicGearData, BasicRack, Face, GearDesign, Modification, Pitch, Relief, Trace,
+    BasicGearData, BasicRack, Face, Flank, Gear, GearDesign, Modification, Pitch, Relief, Trace,
+    involute,
 };
 use gearlash::metrology::{
     Measurements, PitchKind, PitchSense, PitchStatement, ThicknessStatement, Toleranced,
@@ -237,7 +238,7 @@ fn readings_of_each_tooth_are_read_back() {
         let gear = even.measure().unwrap();
         let pitch = measure(gear.as_built.most(), quick()).pitch_own.unwrap();
         let stated = Pitch::from_cumulative(&right, &left);
-        for flank in gearlash::gear::Flank::BOTH {
+        for flank in Flank::BOTH {
             let pairs = pitch
                 .cumulative
                 .flank(flank)
@@ -248,4 +249,110 @@ fn readings_of_each_tooth_are_read_back() {
             }
         }
     }
+}
+
+/// A gear of nominal thickness with these profiles, gauged over the range that they state.
+fn gauged(profiles: &[Modification; 2], face: Face) -> ProfileReadings {
+    let measurements = Measurements {
+        profiles: profiles.clone(),
+        ..Measurements::nominal(design(20), face)
+    };
+    let gear = measurements.measure().unwrap();
+    let settings = Settings {
+        evaluation: profiles.each_ref().map(|profile| profile.range),
+        ..quick()
+    };
+    measure(gear.as_built.most(), settings).profile.unwrap()
+}
+
+/// Slope and crowning come out as they went in, of each flank its own, on either face. Source: ISO 1328-1, by which a straight line has a slope alone
+/// and a parabola of no slope the form `C` and the total `C`. Positive crowning stands out in the middle.
+#[test]
+fn slope_and_crowning_come_out_as_they_went_in() {
+    for face in [Face::Front, Face::Back] {
+        let [sloped, crowned] = [profile(20, 0), profile(20, 1)];
+        let read = gauged(&[sloped.clone(), crowned.clone()], face);
+        let bound = 10.0 * read.error;
+        let [right, left] = [read.flank(Flank::Right), read.flank(Flank::Left)];
+        assert_eq!((right.shapes.len(), left.shapes.len()), (1, 1));
+        let right = &right.shapes[0];
+        assert!((right.slope - sloped.slope).abs() < bound, "{right:?}");
+        assert!(right.form < bound && (right.total - sloped.slope).abs() < bound);
+        let middle = left.evaluated.iter().sum::<f64>() / 2.0;
+        let left = &left.shapes[0];
+        assert!(left.slope.abs() < bound, "{}", left.slope);
+        for value in [left.form, left.total] {
+            assert!((value - crowned.crowning).abs() < bound, "{value}");
+        }
+        let near = |point: &&(f64, f64)| (point.0 - middle).abs() < 0.2;
+        let standing = left.points.iter().find(near).unwrap().1;
+        assert!((standing - crowned.crowning).abs() < 0.01 * crowned.crowning);
+    }
+}
+
+/// A straight tip relief over the last part `q` of the evaluation range, to the amount `C` at its end. Source: least squares of the
+/// ramp by hand, over the range from 0 to 1: slope `−12 C (q²/3 + (1/2 − q) q/2)`.
+#[test]
+fn a_ramp_has_the_slope_of_its_mean_line() {
+    let mut ramp = profile(20, 2);
+    let gear = Gear::nominal(design(20)).unwrap();
+    ramp.range = Some([
+        gear.basic_data().reference_radius() - 1.2,
+        gear.tip_radius(),
+    ]);
+    let relief = ramp.tip_relief.unwrap();
+    let roll = |radius| involute::roll_at(radius, gear.base_radius());
+    let [start, end] = ramp.evaluated(&gear);
+    let q = (end - roll(relief.from)) / (end - start);
+    let expected = -12.0 * relief.amount * (q * q / 3.0 + (0.5 - q) * q / 2.0);
+    let read = gauged(&[ramp.clone(), ramp], Face::Front);
+    let shape = &read.flank(Flank::Left).shapes[0];
+    // The edge lies between two of 201 points.
+    assert!(
+        (shape.slope - expected).abs() < 1e-4 * relief.amount,
+        "{} {expected}",
+        shape.slope
+    );
+    assert!(
+        (shape.total - relief.amount).abs() < 10.0 * read.error,
+        "{}",
+        shape.total
+    );
+}
+
+/// A trace comes out at its own points, on the tooth it was measured on, and the mean on others.
+#[test]
+fn traces_come_out_as_they_went_in() {
+    let trace = |tooth, sign: f64| Trace {
+        tooth: Some(tooth),
+        points: (0..9)
+            .map(|k| (0.15 + 0.07 * f64::from(k), sign * 0.003 * f64::from(k % 3)))
+            .collect(),
+    };
+    let traced = Modification {
+        traces: vec![trace(4, 1.0), trace(9, 3.0)],
+        ..Modification::default()
+    };
+    let base = design(20).basic_data.base_radius();
+    let read = gauged(&[traced.clone(), Modification::default()], Face::Front);
+    for (tooth, times) in [(4, 1.0), (9, 3.0), (1, 2.0)] {
+        let found = &read.flank(Flank::Right).tooth(tooth).points;
+        for (roll, mm) in &trace(1, times).points {
+            let length = base * roll;
+            let Some(pair) = found
+                .windows(2)
+                .find(|w| w[0].0 <= length && length <= w[1].0)
+            else {
+                continue;
+            };
+            let part = (length - pair[0].0) / (pair[1].0 - pair[0].0);
+            let there = pair[0].1 + part * (pair[1].1 - pair[0].1);
+            // Between two of 201 points of a curve that bends by 9 µm in 0.07 rad.
+            assert!((there - mm).abs() < 1e-4, "{tooth} {roll}: {there} {mm}");
+        }
+        // 0, 3 and 6 µm by turns.
+        assert!((read.flank(Flank::Right).tooth(tooth).total - times * 0.006).abs() < 1e-5);
+    }
+    assert_eq!(read.flank(Flank::Right).worst_tooth(), 9);
+    assert!(read.flank(Flank::Left).shapes[0].total < 10.0 * read.error);
 }

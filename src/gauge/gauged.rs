@@ -157,6 +157,17 @@ pub fn pitches(gear: &AsBuilt) -> Vec<PitchReadings> {
     read.into_iter().flatten().collect()
 }
 
+/// Profiles of `gear` as [`gauge`] reads them, evaluated as in [`Settings::evaluation`].
+///
+/// # Errors
+/// Where a flank is no involute or the stylus leaves it.
+pub fn profiles(
+    gear: &AsBuilt,
+    evaluation: [Option<[f64; 2]>; 2],
+) -> Result<ProfileReadings, Unmeasured> {
+    profile(&Workpiece::new(gear), evaluation)
+}
+
 /// Pitch and runout of `gear` as [`gauge`] reads them, with a ball in every space (`ball`, mm; default as in
 /// [`Settings`]), against the accuracy grades.
 ///

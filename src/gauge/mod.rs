@@ -28,7 +28,7 @@ mod workpiece;
 pub use eccentricity::Eccentricity;
 pub use flanks::{PitchReadings, ThicknessReadings};
 pub use formula::Formula;
-pub use gauged::{Gauged, Settings, gauge, graded, pitches, pose_count};
+pub use gauged::{Gauged, Settings, gauge, graded, pitches, pose_count, profiles};
 pub use grades::GradedReading;
 pub use pins::{OverPins, Pins};
 pub use profile::{FlankProfiles, ProfileReading, ProfileReadings};

@@ -25,11 +25,11 @@ pub struct ProfileSpec {
 /// Profile deviations of a flank, µm, plus = more material; they add.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, JsonSchema)]
 pub struct FlankProfileSpec {
-    /// Profile slope f_Hα: 0 at the start of the evaluation range, this much at its end.
+    /// Profile slope f_Hα, µm: 0 at the start of the evaluation range, this much at its end.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = within(&PROFILE))]
     pub slope_um: Option<f64>,
-    /// Profile crowning C_α: a parabola that stands out so far in the middle of the evaluation range, 0 at its ends; negative: hollow.
+    /// Profile crowning C_α, µm: a parabola that stands out so far in the middle of the evaluation range, 0 at its ends; negative: hollow.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = within(&PROFILE))]
     pub crowning_um: Option<f64>,

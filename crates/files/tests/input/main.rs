@@ -206,7 +206,8 @@ fn the_pair_file_of_the_readme_is_one() {
     let readme = fs::read_to_string("../../README.md").unwrap();
     let text = readme
         .split("```toml")
-        .nth(1)
+        .skip(1)
+        .find(|block| block.contains("[assembly]"))
         .unwrap()
         .split("```")
         .next()

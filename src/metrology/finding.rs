@@ -148,7 +148,7 @@ impl Finding {
     pub fn is_in_order(&self) -> bool {
         match self {
             Finding::ThicknessStatedTwice(compared) => compared.agree(),
-            Finding::RunoutWithoutDirection { .. } => true,
+            Finding::RunoutWithoutDirection { .. } | Finding::ProfileOfSomeTeeth { .. } => true,
             _ => false,
         }
     }

@@ -110,12 +110,13 @@ fn deviations(read: &Gauged) -> String {
 
 /// Slope, form and total: of every tooth, or their mean and the worst.
 fn profile_words(flank: &FlankProfiles) -> String {
-    let of: [(&str, fn(&ProfileReading) -> f64); 3] = [
+    type Value = fn(&ProfileReading) -> f64;
+    let of: [(&str, Value); 3] = [
         ("f_Hα", |one| one.slope),
         ("f_fα", |one| one.form),
         ("F_α", |one| one.total),
     ];
-    let one = |(symbol, of): (&str, fn(&ProfileReading) -> f64)| {
+    let one = |(symbol, of): (&str, Value)| {
         let mean = um_ascii(flank.mean(of), 3);
         match flank.shapes.len() {
             1 => format!("{symbol} {mean} µm"),

@@ -255,11 +255,8 @@ fn of_file(
     let file = &read.file;
     let mut bad = Problems::of_list();
     let first = read.rows.first()?;
-    let header = "the header";
     if let (Some(_), Some(_)) = (tooth, first.tooth) {
-        let reason = format!(
-            "has a column tooth, the key `tooth` beside the file is allowed only without ({header} names it)"
-        );
+        let reason = "has a column tooth, and the key `tooth` stands beside the file: allowed is one of them";
         bad.add(file.problem(reason, "remove one or the other"));
     }
     if let (Some(own), Some(_)) = (own, first.flank) {

@@ -168,3 +168,42 @@ fn faults_have_their_line() {
     ];
     insta::assert_snapshot!(cases.join("\n"));
 }
+
+/// Every character of a table changed, one at a time: a problem of that file with its place, or the points that stand there.
+#[test]
+fn garbled_traces_are_told_or_understood() {
+    let good = csv(",");
+    let keys = "profile = { trace = { file = \"t.csv\" } }";
+    let (mut told, mut read) = (0, 0);
+    for (at, old) in good.char_indices() {
+        for new in ["", "x", "-", ",", "9", "\n", "\"", "\u{0}"] {
+            let mut table = good.clone();
+            table.replace_range(at..at + old.len_utf8(), new);
+            match read_with("t.csv", table.as_bytes(), &pair(44, keys)) {
+                Err(problems) => {
+                    let own = |problem: &Problem| problem.key.starts_with("wheel.profile");
+                    assert!(problems.iter().all(own), "{table}: {problems:#?}");
+                    told += 1;
+                }
+                Ok(study) => {
+                    let trace = study.spec.wheel.profile.unwrap().both.traces()[0].clone();
+                    let rows: Vec<String> = table
+                        .lines()
+                        .skip(1)
+                        .filter(|line| !line.trim_matches([',', ' ']).is_empty())
+                        .map(|line| line.replace('"', ""))
+                        .collect();
+                    let points = trace.roll_length_mm.unwrap().into_iter();
+                    let points: Vec<_> = points.zip(trace.deviation_um.unwrap()).collect();
+                    assert_eq!(points.len(), rows.len(), "{table}");
+                    for (row, (length, um)) in rows.iter().zip(points) {
+                        let cells: Vec<f64> = row.split(',').map(|c| c.parse().unwrap()).collect();
+                        assert_eq!(cells, [length, um], "{table}");
+                    }
+                    read += 1;
+                }
+            }
+        }
+    }
+    assert!(told > 200 && read > 20, "{told} {read}");
+}

@@ -115,7 +115,8 @@ pub(super) fn end_at(base: f64, roll: f64, deviation: &RollCurve) -> Option<f64>
         return Some(roll);
     }
     let [least, most] = deviation.bounds(0.0, 2.0 * roll + 1.0)[0];
-    let reach = least.abs().max(most.abs()) / base * 1.001;
+    // More than the rounding of a roll, too: a deviation may be less than that.
+    let reach = least.abs().max(most.abs()) / base * 1.001 + 4.0 * f64::EPSILON * roll;
     let (mut low, mut high) = ((roll - reach).max(0.0), roll + reach);
     if !(excess(low) <= 0.0 && excess(high) >= 0.0) {
         return None;

@@ -7,7 +7,8 @@ use gearlash::gear::{
     involute,
 };
 use gearlash::metrology::{
-    Measurements, PitchKind, PitchSense, PitchStatement, ThicknessStatement, Toleranced,
+    Measurements, PitchKind, PitchSense, PitchStatement, ProbeReadings, ReadWith, RunoutStatement,
+    ThicknessStatement, Toleranced,
 };
 
 fn design(teeth: u32) -> GearDesign {
@@ -355,4 +356,64 @@ fn traces_come_out_as_they_went_in() {
     }
     assert_eq!(read.flank(Flank::Right).worst_tooth(), 9);
     assert!(read.flank(Flank::Left).shapes[0].total < 10.0 * read.error);
+}
+
+/// Runout read with a ball on flanks of which each tooth has its own profile: what these do to the readings is no eccentricity.
+/// Source: the eccentricity that was put in, 10 µm towards tooth 6.25. The traces alone read as more than 0.1 µm of it. (That of
+/// tooth 5 is 1e-19 mm, less than the rounding of a roll: no reason to refuse the flank.)
+#[test]
+fn profiles_of_single_teeth_are_no_eccentricity() {
+    let teeth = 20;
+    let flat = |tooth: u32, mm: f64| Trace {
+        tooth: Some(tooth),
+        points: vec![(0.1, mm), (0.4, 1.2 * mm), (0.8, mm)],
+    };
+    let wave = |tooth: u32| 0.002 * (f64::from(tooth) * std::f64::consts::TAU / 20.0).cos();
+    let traced = Modification {
+        traces: (1..=teeth).map(|tooth| flat(tooth, wave(tooth))).collect(),
+        ..Modification::default()
+    };
+    let with = |runout| Measurements {
+        profiles: [traced.clone(), traced.clone()],
+        runout,
+        ..Measurements::nominal(design(teeth), Face::Front)
+    };
+    let put_in = with(RunoutStatement::Total {
+        total_um: 20.0,
+        high_tooth: Some(6.25),
+    });
+    let gear = put_in.measure().unwrap();
+    let settings = Settings {
+        ball: Some(5.25),
+        ..quick()
+    };
+    let read = measure(gear.as_built.most(), settings).runout.unwrap();
+    let um: Vec<f64> = read.deviations().iter().map(|mm| 1e3 * mm).collect();
+    let readings = |profiles: bool| {
+        let mut measurements = with(RunoutStatement::Readings(ProbeReadings {
+            um: um.clone(),
+            with: ReadWith::Ball(5.25),
+        }));
+        if !profiles {
+            measurements.profiles = Default::default();
+        }
+        measurements.measure().unwrap().deviations
+    };
+    let found = readings(true);
+    assert!(
+        (found.eccentricity - 0.01).abs() < 1e-8,
+        "{}",
+        found.eccentricity
+    );
+    assert!(
+        (found.high_tooth - 6.25).abs() < 1e-5,
+        "{}",
+        found.high_tooth
+    );
+    let taken = readings(false);
+    assert!(
+        (taken.eccentricity - 0.01).abs() > 1e-4,
+        "{}",
+        taken.eccentricity
+    );
 }

@@ -196,14 +196,14 @@ fn whole(view: &Snapshot, gears: &Exaggeration, member: Member, tooth: u32, fram
             um(flanks[0], 2),
             um(flanks[1], 2)
         ),
-        match found.profile.map(|ends| ends.map(|mm| um(mm, 2))) {
-            Some([least, most]) => format!("profile deviations {least} … {most} µm"),
-            None => String::new(),
-        },
     ];
+    let profile = found.profile.map(|ends| {
+        let [least, most] = ends.map(|mm| um(mm, 2));
+        format!("profile deviations {least} … {most} µm")
+    });
     let (left, room) = (square.right + 8.0, frame.right - square.right - 16.0);
     let tops = [48.0, 70.0, 118.0, 138.0, 160.0, 182.0, 222.0];
-    for (row, top) in rows.iter().zip(tops) {
+    for (row, top) in rows.iter().chain(&profile).zip(tops) {
         let style = TextStyle::new(13.0).fitted(row, room, 0.0);
         group = group.add(style.text(row, [left, frame.top + top]));
     }

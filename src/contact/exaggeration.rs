@@ -3,7 +3,7 @@
 //! A picture only. The gears stand at a pose's nominal rotations; their outlines are not in contact.
 
 use crate::error::GearError;
-use crate::gear::{AsBuilt, HalfTooth, Placed, Profile, Side};
+use crate::gear::{AsBuilt, HalfTooth, PartCurve, Placed, ProfilePart, Side};
 use crate::pair::{GearPair, Member, Pose};
 use nalgebra::Point2;
 
@@ -14,6 +14,8 @@ pub struct Found {
     pub eccentricity: (f64, f64),
     /// Least and greatest place of any flank off the perfect gear's, along the reference circle, plus = more metal.
     pub flanks: [f64; 2],
+    /// Least and greatest profile deviation of any flank, plus = more metal; `None` where the flanks are involutes.
+    pub profile: Option<[f64; 2]>,
 }
 
 /// Both gears exaggerated, and as they should be.
@@ -68,7 +70,7 @@ impl<'a> Exaggeration<'a> {
         chordal_error: f64,
     ) -> Vec<Point2<f64>> {
         let half = HalfTooth::new(
-            &Profile::new(placed.as_built().gear()),
+            &placed.as_built().profile(Side::Right, 1),
             Side::Right,
             chordal_error,
         );
@@ -87,6 +89,7 @@ impl<'a> Exaggeration<'a> {
         Found {
             eccentricity: (gear.eccentricity(), gear.high_tooth()),
             flanks: [least, most],
+            profile: profile(gear),
         }
     }
 
@@ -97,6 +100,30 @@ impl<'a> Exaggeration<'a> {
         let radius = drawn.gear().basic_data().reference_radius();
         Side::BOTH.map(|side| side.sense() * drawn.flank_offset(side, tooth) * radius / self.factor)
     }
+}
+
+/// Least and greatest profile deviation of `gear`, mm, among points over its flanks; `None` where they are involutes.
+fn profile(gear: &AsBuilt) -> Option<[f64; 2]> {
+    const POINTS: u32 = 200;
+    let rolls = [gear.gear().form_roll(), gear.gear().tip_roll()];
+    let mut ends: Option<[f64; 2]> = None;
+    for side in Side::BOTH {
+        for shape in 0..gear.shapes(side) {
+            let shape = gear.shape(side, shape);
+            let PartCurve::Modified(flank) = &shape.part(ProfilePart::Involute).curve else {
+                continue;
+            };
+            for k in 0..=POINTS {
+                let part = f64::from(k) / f64::from(POINTS);
+                let value = flank
+                    .deviation()
+                    .at(rolls[0] + part * (rolls[1] - rolls[0]));
+                let [least, most] = ends.unwrap_or([value; 2]);
+                ends = Some([least.min(value), most.max(value)]);
+            }
+        }
+    }
+    ends
 }
 
 /// `points` without the loops of up to `longest` chords that an open line through them makes.

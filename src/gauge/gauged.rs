@@ -6,6 +6,7 @@ use super::flanks::{PitchReadings, ThicknessReadings, pitch, thickness};
 use super::formula::{Formula, formula};
 use super::grades::{GradedReading, grades};
 use super::pins::{Pins, pins};
+use super::profile::{ProfileReadings, profile};
 use super::roll::{Roll, roll};
 use super::root::{RootReading, root};
 use super::runout::{RunoutReadings, runout};
@@ -30,6 +31,8 @@ pub struct Settings {
     pub master_teeth: Option<u32>,
     /// Poses a pitch of the roll test.
     pub steps_per_pitch: u32,
+    /// Evaluation range of the profiles of the gear's own right flanks and of its left ones, radii, mm; default: root form circle to tip circle.
+    pub evaluation: [Option<[f64; 2]>; 2],
 }
 
 impl Default for Settings {
@@ -40,6 +43,7 @@ impl Default for Settings {
             ball: None,
             master_teeth: None,
             steps_per_pitch: 16,
+            evaluation: [None; 2],
         }
     }
 }
@@ -60,6 +64,8 @@ pub struct Gauged {
     pub pitch_datum: Result<PitchReadings, Unmeasured>,
     /// Tooth thickness at the reference circle.
     pub thickness: Result<ThicknessReadings, Unmeasured>,
+    /// Profile deviation of both flanks.
+    pub profile: Result<ProfileReadings, Unmeasured>,
     /// The tip circle's centre.
     pub eccentricity: Eccentricity,
     /// Double-flank roll test.
@@ -112,7 +118,7 @@ pub fn gauge(
     let (thickness, root) = (thickness(&work), root(&work));
     Ok(Gauged {
         stated: stated(
-            gear.gear(),
+            gear,
             &Readings {
                 spans: &spans,
                 thickness: &thickness,
@@ -138,6 +144,7 @@ pub fn gauge(
         pitch_datum,
         thickness,
         root,
+        profile: profile(&work, settings.evaluation),
         eccentricity: eccentricity(&work),
         roll,
     })
@@ -148,6 +155,17 @@ pub fn pitches(gear: &AsBuilt) -> Vec<PitchReadings> {
     let work = Workpiece::new(gear);
     let read = [PitchAxis::Datum, PitchAxis::Own].map(|axis| pitch(&work, axis));
     read.into_iter().flatten().collect()
+}
+
+/// Profiles of `gear` as [`gauge`] reads them, evaluated as in [`Settings::evaluation`].
+///
+/// # Errors
+/// Where a flank is no involute or the stylus leaves it.
+pub fn profiles(
+    gear: &AsBuilt,
+    evaluation: [Option<[f64; 2]>; 2],
+) -> Result<ProfileReadings, Unmeasured> {
+    profile(&Workpiece::new(gear), evaluation)
 }
 
 /// Pitch and runout of `gear` as [`gauge`] reads them, with a ball in every space (`ball`, mm; default as in

@@ -5,6 +5,10 @@
 //! their common normal. Rocking them leaves that distance alone while both touch involutes (the contacts move
 //! along one line of action), and lets it fall once an anvil tilts over a tip corner or leaves the involute's lower end: the
 //! reading is the greatest, and the anvils stand in the middle of the plateau.
+//!
+//! Flanks whose profiles deviate have no plateau: with a slope on one of them the distance grows all the way to its end. There the anvils
+//! stand square to the middle of the teeth spanned, so that both touch at the same height, as a shop reads them; the thickness that is stated
+//! by a span means that reading ([`crate::metrology`]).
 
 use super::Unmeasured;
 use super::spread::{ends, mean};
@@ -12,6 +16,7 @@ use super::workpiece::Workpiece;
 use crate::contact::Touch;
 use crate::gear::{Flank, ProfilePart};
 use crate::parallel;
+use nalgebra::Vector2;
 
 /// One span.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -119,6 +124,28 @@ fn span(work: &Workpiece, k: u32, first_tooth: u32) -> Result<Span, Unmeasured> 
         (face.seen_from_front(Flank::Right), last_tooth, -half),
     ];
     let turns = ends.map(|(side, tooth, pitches)| work.turn(side, tooth, pitches));
+    let read = |along: Vector2<f64>| {
+        let places = [0, 1].map(|i: usize| {
+            let outward = if i == 0 { along } else { -along };
+            work.foremost(ends[i].0, ends[i].1, turns[i].inverse() * outward)
+        });
+        let join = turns[0] * places[0].at - turns[1] * places[1].at;
+        let touch = |i: usize| Touch {
+            tooth: ends[i].1,
+            curve: places[i].curve,
+            radius: places[i].at.coords.norm(),
+        };
+        let span = Span {
+            first_tooth,
+            length: along.dot(&join),
+            error: 2.0 * work.bound(),
+            touched: [touch(0), touch(1)],
+        };
+        (span, join)
+    };
+    if work.has_modified_flanks() {
+        return Ok(read(Vector2::new(0.0, -face.ascending())).0);
+    }
     let corner = |i: usize| {
         let profile = work.as_built.profile(ends[i].0, ends[i].1);
         let (tip, _) = profile.range(ProfilePart::Involute);
@@ -128,25 +155,10 @@ fn span(work: &Workpiece, k: u32, first_tooth: u32) -> Result<Span, Unmeasured> 
     // Two flanks that mirror each other are touched alike by anvils square to the line between their tip corners.
     let mut along = (corner(0) - corner(1)).normalize();
     for _ in 0..MOST_ROCKS {
-        let places = [0, 1].map(|i: usize| {
-            let outward = if i == 0 { along } else { -along };
-            work.foremost(ends[i].0, ends[i].1, turns[i].inverse() * outward)
-        });
-        let join = turns[0] * places[0].at - turns[1] * places[1].at;
-        let length = along.dot(&join);
+        let (span, join) = read(along);
         // Each place stands at most a chord behind its curve. No direction reads more than the distance of the places it touches.
-        if join.norm() - length <= work.bound() {
-            let touch = |i: usize| Touch {
-                tooth: ends[i].1,
-                curve: places[i].curve,
-                radius: places[i].at.coords.norm(),
-            };
-            return Ok(Span {
-                first_tooth,
-                length,
-                error: 2.0 * work.bound(),
-                touched: [touch(0), touch(1)],
-            });
+        if join.norm() - span.length <= work.bound() {
+            return Ok(span);
         }
         along = join.normalize();
     }

@@ -11,7 +11,7 @@ use super::Unmeasured;
 use super::flanks::{PitchReadings, ThicknessReadings};
 use super::root::RootReading;
 use super::span::Spans;
-use crate::gear::{Gear, thickness};
+use crate::gear::{AsBuilt, Gear, thickness};
 
 /// The thickness as a gear file states it. Lengths in mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,8 +42,9 @@ pub(super) struct Readings<'a> {
 /// States the thickness of `gear`, or says why no gear file can.
 ///
 /// Spans are stated only where a reader of the file finds the same: `k` whose contact lies on the involute of a
-/// gear of that thickness.
-pub(super) fn stated(gear: &Gear, read: &Readings) -> Result<StatedThickness, Unmeasured> {
+/// gear of that thickness. An allowance is that of the involutes: what the profiles of `as_built` add at the reference circle is no part of it.
+pub(super) fn stated(as_built: &AsBuilt, read: &Readings) -> Result<StatedThickness, Unmeasured> {
+    let gear = as_built.gear();
     if let Err(reason) = read.pitch {
         return Err(reason.clone());
     }
@@ -55,7 +56,7 @@ pub(super) fn stated(gear: &Gear, read: &Readings) -> Result<StatedThickness, Un
     let by_spans = |spans: &Spans| thickness::base_from_span(basic_data, spans.teeth, spans.mean());
     let (base, error) = match (read.thickness, spans) {
         (Ok(arcs), _) => {
-            let allowance = arcs.mean() - arcs.nominal;
+            let allowance = arcs.mean() - as_built.arc_of_profiles() - arcs.nominal;
             let base = thickness::base_from_allowance(basic_data, nominal, allowance);
             (base, arcs.error)
         }

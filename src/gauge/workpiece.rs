@@ -5,7 +5,7 @@
 //! stretch may touch; that stretch is cut again, until chords are as near their curve as f64 tells.
 
 use crate::contact::Shape;
-use crate::gear::{AsBuilt, HalfTooth, ProfilePart, Side};
+use crate::gear::{AsBuilt, HalfTooth, ProfilePart, Side, involute};
 use nalgebra::{Point2, UnitComplex, Vector2};
 use std::ops::Range;
 
@@ -72,6 +72,12 @@ impl<'a> Workpiece<'a> {
                 shapes.map(|shape| cut(side, shape)).collect()
             }),
         }
+    }
+
+    /// Whether any profile deviates.
+    pub fn has_modified_flanks(&self) -> bool {
+        let has = |side| self.as_built.modification(side, 1).is_some();
+        Side::BOTH.into_iter().any(has)
     }
 
     fn cut(&self, side: Side, tooth: u32) -> &Cut {
@@ -205,6 +211,55 @@ impl<'a> Workpiece<'a> {
             let finer = (polygon.chordal_error() * FINER).max(self.finest());
             cut = Some(polygon.recut(&profile, i..i + 1, finer));
         }
+    }
+
+    /// How far the flank of `side` of `tooth` stands along the tangent to the base circle at the roll `xi`, mm from where that touches,
+    /// and the bound on its error; `None` where the tangent does not cross the flank.
+    ///
+    /// An involute of the mean thickness in its undisturbed place stands at `r_b ξ`. The tangent is all but normal to the flank.
+    pub fn along_tangent(&self, side: Side, tooth: u32, xi: f64) -> Option<(f64, f64)> {
+        let profile = self.as_built.profile(side, tooth);
+        let gear = self.as_built.gear();
+        let angle = xi - gear.half_base_angle();
+        // The left half tooth is the mirror image.
+        let mirror = -side.sense();
+        let outward = Vector2::new(angle.cos(), mirror * angle.sin());
+        let along = Vector2::new(angle.sin(), -mirror * angle.cos());
+        let excess = |p: &Point2<f64>| outward.dot(&p.coords) - gear.base_radius();
+        let mut cut: Option<HalfTooth> = None;
+        loop {
+            let polygon = cut.as_ref().unwrap_or(&self.cut(side, tooth).flank);
+            let points = polygon.points();
+            let crosses = |i: &usize| {
+                polygon.segments()[*i].curve == ProfilePart::Involute
+                    && excess(&points[*i]) >= 0.0
+                    && excess(&points[*i + 1]) < 0.0
+            };
+            let i = (0..polygon.segments().len()).find(crosses)?;
+            if polygon.chordal_error() <= self.finest() {
+                let ends = [excess(&points[i]), excess(&points[i + 1])];
+                let chord = points[i + 1] - points[i];
+                let at = points[i] + ends[0] / (ends[0] - ends[1]) * chord;
+                let cos = chord.normalize().dot(&outward).abs();
+                return Some((along.dot(&at.coords), self.bound() / cos));
+            }
+            let finer = (polygon.chordal_error() * FINER).max(self.finest());
+            cut = Some(polygon.recut(&profile, i..i + 1, finer));
+        }
+    }
+
+    /// Rolls of the ends of the flank of `side` of `tooth`, lower one first: those of the tangents through them.
+    pub fn flank_rolls(&self, side: Side, tooth: u32) -> [f64; 2] {
+        let polygon = &self.cut(side, tooth).flank;
+        let gear = self.as_built.gear();
+        let mut segments = polygon.segments().iter();
+        let first = segments.position(|segment| segment.curve == ProfilePart::Involute);
+        let points = polygon.points();
+        [points[points.len() - 1], points[first.unwrap_or(0)]].map(|end| {
+            let roll = involute::roll_at(end.coords.norm(), gear.base_radius());
+            let angle = -side.sense() * end.y.atan2(end.x);
+            angle + roll.atan() + gear.half_base_angle()
+        })
     }
 
     /// Whether a place of the involute at `radius`, mm, is its lower end, at the form circle.

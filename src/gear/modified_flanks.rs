@@ -109,13 +109,14 @@ fn half_tooth(gear: &Gear, deviation: &Arc<RollCurve>) -> Result<[Part; 4], Gear
 
 /// The roll at which `r_b ξ + δ(ξ) = r_b ξ_0`: bisected to the last bit between the bounds that the greatest deviation sets; `None` where that leaves the
 /// involute. Exactly `ξ_0` where nothing deviates there.
-fn end_at(base: f64, roll: f64, deviation: &RollCurve) -> Option<f64> {
+pub(super) fn end_at(base: f64, roll: f64, deviation: &RollCurve) -> Option<f64> {
     let excess = |xi: f64| base * (xi - roll) + deviation.at(xi);
     if excess(roll) == 0.0 {
         return Some(roll);
     }
     let [least, most] = deviation.bounds(0.0, 2.0 * roll + 1.0)[0];
-    let reach = least.abs().max(most.abs()) / base * 1.001;
+    // More than the rounding of a roll, too: a deviation may be less than that.
+    let reach = least.abs().max(most.abs()) / base * 1.001 + 4.0 * f64::EPSILON * roll;
     let (mut low, mut high) = ((roll - reach).max(0.0), roll + reach);
     if !(excess(low) <= 0.0 && excess(high) >= 0.0) {
         return None;

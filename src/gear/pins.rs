@@ -31,6 +31,8 @@ pub struct PinReadings {
     basic_data: BasicGearData,
     pin: f64,
     readings: Readings,
+    /// What the flanks stand out where they are touched, beyond where they stand.
+    touched: FlankShifts,
 }
 
 impl PinReadings {
@@ -40,7 +42,19 @@ impl PinReadings {
             basic_data: *basic_data,
             pin,
             readings,
+            touched: FlankShifts::default(),
         }
+    }
+
+    /// The same on flanks that stand out by `touched` where they are touched.
+    pub(crate) fn touching(self, touched: FlankShifts) -> PinReadings {
+        PinReadings { touched, ..self }
+    }
+
+    fn shifts(&self, known: &Deviations) -> Result<FlankShifts, GearError> {
+        let mut shifts = FlankShifts::new(&self.basic_data, known)?;
+        shifts.add(&self.touched);
+        Ok(shifts)
     }
 
     /// `D_M`, mm.
@@ -58,7 +72,7 @@ impl PinReadings {
     /// # Errors
     /// [`GearError::WrongLength`]; readings of pins that would lie inside the base circle.
     pub fn base_thickness(&self, known: &Deviations) -> Result<f64, GearError> {
-        let shifts = FlankShifts::new(&self.basic_data, known)?;
+        let shifts = self.shifts(known)?;
         let read = self.readings.mean(|_, over| over);
         let mut base = thickness::base_from_pins(&self.basic_data, self.pin, read)?;
         // Rounding of M is some ulps of the diameter.
@@ -90,7 +104,7 @@ impl PinReadings {
     /// # Errors
     /// Those of [`PinReadings::base_thickness`].
     pub fn beside(&self, of: &Deviations) -> Result<Vec<(f64, f64)>, GearError> {
-        let shifts = FlankShifts::new(&self.basic_data, of)?;
+        let shifts = self.shifts(of)?;
         let base = self.base_thickness(of)?;
         let said = |space, _| self.over(&shifts, space, base)[0];
         Ok(self.readings.beside(said))

@@ -78,10 +78,10 @@ impl Readings {
 /// A pitch deviation moves a flank by `F`; a thickness `δ` moves the right flank, the one towards
 /// the next number, by `δ/2` and the left one by `−δ/2`. The gear's own flanks: the
 /// reference face decides nothing here.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct FlankShifts {
-    right: Vec<f64>,
-    left: Vec<f64>,
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(crate) struct FlankShifts {
+    pub(super) right: Vec<f64>,
+    pub(super) left: Vec<f64>,
 }
 
 impl FlankShifts {
@@ -118,12 +118,36 @@ impl FlankShifts {
         })
     }
 
-    /// That of the `own` flank of the tooth `steps` on from `tooth` (from 1), numbers taken round past `z`.
-    pub(super) fn at(&self, own: Flank, tooth: u32, steps: u32) -> f64 {
-        let list = match own {
+    /// Adds what flanks stand out besides; none where these are empty.
+    pub(super) fn add(&mut self, more: &FlankShifts) {
+        let both = [(&mut self.right, &more.right), (&mut self.left, &more.left)];
+        for (shifts, more) in both {
+            for (shift, more) in shifts.iter_mut().zip(more) {
+                *shift += more;
+            }
+        }
+    }
+
+    /// Whether no shift differs by more than `most`, mm.
+    pub(crate) fn is_near(&self, other: &FlankShifts, most: f64) -> bool {
+        let near = |own: Flank| {
+            let mut pairs = self.flank(own).iter().zip(other.flank(own));
+            pairs.all(|(one, other)| (one - other).abs() <= most)
+        };
+        Flank::BOTH.into_iter().all(near)
+    }
+
+    /// Of the own `flank`, tooth 1 first.
+    pub(crate) fn flank(&self, own: Flank) -> &[f64] {
+        match own {
             Flank::Right => &self.right,
             Flank::Left => &self.left,
-        };
+        }
+    }
+
+    /// That of the `own` flank of the tooth `steps` on from `tooth` (from 1), numbers taken round past `z`.
+    pub(super) fn at(&self, own: Flank, tooth: u32, steps: u32) -> f64 {
+        let list = self.flank(own);
         let index = (tooth as usize + steps as usize).saturating_sub(1) % list.len().max(1);
         list.get(index).copied().unwrap_or(0.0)
     }

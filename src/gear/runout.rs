@@ -16,7 +16,7 @@
 //!   generating line rolls off). Both faces through the apex `d` therefore give, the gear turned by `σ` and its centre
 //!   at `(C_x, C_y)` from the axis, `d = C_x + (x_R − x_L)/(2 tan α) + const` and `r σ = −C_y − (x_R + x_L)/2` (own derivation).
 
-use super::{Deviations, Flank, FlankShifts, Gear, thickness};
+use super::{Deviations, Excess, Flank, FlankShifts, Gear, thickness};
 use crate::error::GearError;
 use nalgebra::{Complex, Vector2};
 use std::f64::consts::TAU;
@@ -87,7 +87,8 @@ impl RunoutReadings {
                 teeth,
             });
         }
-        let shifts = FlankShifts::new(basic_data, known)?;
+        let mut shifts = FlankShifts::new(basic_data, known)?;
+        shifts.add(&self.touched(gear, known)?);
         let even = FlankShifts::new(basic_data, &Deviations::default())?;
         let greatest = self.mm.iter().fold(0.0, |most: f64, mm| most.max(mm.abs()));
         // Rounding of readings and radii is some ulps of them.
@@ -119,6 +120,20 @@ impl RunoutReadings {
         Err(GearError::Readings(
             "no eccentricity explains these runout readings",
         ))
+    }
+
+    /// What profiles stand out where the probe touches them; the fork touches near the reference circle.
+    fn touched(&self, gear: &Gear, known: &Deviations) -> Result<FlankShifts, GearError> {
+        let Some(excess) = Excess::new(gear, &known.profiles)? else {
+            return Ok(FlankShifts::default());
+        };
+        match self.probe {
+            Probe::Ball(diameter) => {
+                let near = excess.by_pins(diameter, known, &FlankShifts::default())?;
+                excess.by_pins(diameter, known, &near)
+            }
+            Probe::Fork => Ok(excess.by_reference_circle()),
+        }
     }
 
     /// What the probe would read, mm, but for a constant.

@@ -25,6 +25,8 @@ pub struct Spans {
     basic_data: BasicGearData,
     k: u32,
     readings: Readings,
+    /// What the flanks stand out where they are touched, beyond where they stand.
+    touched: FlankShifts,
 }
 
 /// What each tooth is thicker than the mean by spans all round.
@@ -54,7 +56,19 @@ impl Spans {
             basic_data: *basic_data,
             k,
             readings,
+            touched: FlankShifts::default(),
         })
+    }
+
+    /// The same on flanks that stand out by `touched` where they are touched.
+    pub(crate) fn touching(self, touched: FlankShifts) -> Spans {
+        Spans { touched, ..self }
+    }
+
+    fn shifts(&self, known: &Deviations) -> Result<FlankShifts, GearError> {
+        let mut shifts = FlankShifts::new(&self.basic_data, known)?;
+        shifts.add(&self.touched);
+        Ok(shifts)
     }
 
     /// Whether spans over `k` teeth at all `z` teeth determine each tooth: whether `L = z/gcd(z, k − 1)` is odd.
@@ -77,7 +91,7 @@ impl Spans {
     /// # Errors
     /// [`GearError::WrongLength`].
     pub fn base_thickness(&self, known: &Deviations) -> Result<f64, GearError> {
-        let shifts = FlankShifts::new(&self.basic_data, known)?;
+        let shifts = self.shifts(known)?;
         Ok(self
             .readings
             .mean(|tooth, span| self.base_at(&shifts, tooth, span)))
@@ -97,7 +111,7 @@ impl Spans {
         if !self.readings.all_round() || !Spans::determine(z, self.k) {
             return Ok(None);
         }
-        let shifts = FlankShifts::new(&self.basic_data, known)?;
+        let shifts = self.shifts(known)?;
         let mean = self.base_thickness(known)?;
         let mut beyond = vec![0.0; z as usize];
         for &(tooth, span) in self.readings.list() {
@@ -131,7 +145,7 @@ impl Spans {
     /// # Errors
     /// [`GearError::WrongLength`].
     pub fn beside(&self, of: &Deviations) -> Result<Vec<(f64, f64)>, GearError> {
-        let shifts = FlankShifts::new(&self.basic_data, of)?;
+        let shifts = self.shifts(of)?;
         let said = |tooth, span| span - self.base_at(&shifts, tooth, span);
         Ok(self.readings.beside(said))
     }

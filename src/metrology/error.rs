@@ -1,6 +1,7 @@
 //! Measurements that no gear has.
 
 use super::finding::Outlier;
+use super::profile::ProfileKey;
 use crate::error::GearError;
 use crate::gear::Flank;
 
@@ -90,6 +91,16 @@ pub enum MeasurementError {
     /// No ball rests on the involutes of this gear.
     #[error("no ball rests on the involutes of this gear")]
     NoBall,
+    /// A profile that no flank of the gear has.
+    #[error("{error}")]
+    Profile {
+        /// The own flank.
+        flank: Flank,
+        /// What of it.
+        key: ProfileKey,
+        /// Why.
+        error: GearError,
+    },
     /// Deviations that leave a tooth without tip or neck, or a space without room.
     #[error("{error}")]
     Deviations {
@@ -129,4 +140,6 @@ pub enum DeviationCause {
     PerTooth,
     /// The pitch.
     Pitch,
+    /// The profiles.
+    Profile,
 }

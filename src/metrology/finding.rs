@@ -48,6 +48,15 @@ pub enum Finding {
         /// Whether pitch is known; otherwise all unevenness counts as thickness.
         with_pitch: bool,
     },
+    /// Profiles were measured on some teeth; the others take their mean.
+    ProfileOfSomeTeeth {
+        /// The own flank.
+        flank: Flank,
+        /// How many teeth were measured.
+        measured: u32,
+        /// `z`.
+        teeth: u32,
+    },
     /// Spans give the mean thickness only.
     SpansGiveMeanOnly {
         /// `k`.
@@ -139,7 +148,7 @@ impl Finding {
     pub fn is_in_order(&self) -> bool {
         match self {
             Finding::ThicknessStatedTwice(compared) => compared.agree(),
-            Finding::RunoutWithoutDirection { .. } => true,
+            Finding::RunoutWithoutDirection { .. } | Finding::ProfileOfSomeTeeth { .. } => true,
             _ => false,
         }
     }

@@ -9,9 +9,9 @@ use super::settle::{FlankStatements, Flanks};
 use super::statement::ThicknessStatement;
 use super::toleranced::Toleranced;
 use super::tooth::StatedTooth;
-use super::{all_round, contradictions, doubts, first_harmonic};
+use super::{all_round, contradictions, doubts, first_harmonic, profile};
 use crate::error::GearError;
-use crate::gear::{AsBuilt, Deviations, Face, Flank, Gear, GearDesign, Pitch};
+use crate::gear::{AsBuilt, Deviations, Face, Flank, Gear, GearDesign, Modification, Pitch};
 
 /// What was measured of one gear.
 ///
@@ -33,6 +33,9 @@ pub struct Measurements {
     pub pitch: Option<PitchStatement>,
     /// Runout.
     pub runout: RunoutStatement,
+    /// Profile deviation of the gear's own right flanks, and of its left ones. A span, a dimension over pins and a pitch are those of the
+    /// flanks where they touch; every other thickness is that of their involutes.
+    pub profiles: [Modification; 2],
 }
 
 /// A second statement of the tooth thickness.
@@ -76,6 +79,7 @@ impl Measurements {
             cross_check: None,
             pitch: None,
             runout: RunoutStatement::None,
+            profiles: Default::default(),
         }
     }
 
@@ -91,17 +95,19 @@ impl Measurements {
                 return Err(errors);
             }
         };
-        let (own, datum) = match (&self.pitch, pitch.as_ref()) {
+        let of_involutes = self.check_profiles(pitch.as_ref())?;
+        let (own, datum) = match (&self.pitch, of_involutes.as_ref()) {
             (Some(statement), Some(curves)) if statement.is_datum() => {
                 (None, Some((statement, curves)))
             }
-            _ => (pitch.clone(), None),
+            _ => (of_involutes.clone(), None),
         };
         self.check_per_tooth().map_err(|error| vec![error])?;
         let stated = Deviations {
             per_tooth: self.per_tooth_um.iter().map(|um| um / 1000.0).collect(),
             pitch: own,
             high_tooth: 1.0,
+            profiles: self.profiles.clone(),
             ..Deviations::default()
         };
         let gears = self.tooth().gears(&stated).map_err(|error| vec![error])?;
@@ -142,6 +148,29 @@ impl Measurements {
                 self.runout.runout().check(&gears)
             });
         checked.err().into_iter().collect()
+    }
+
+    /// Checks the profiles; gives the pitch of the involutes whose flanks were `measured`.
+    fn check_profiles(
+        &self,
+        measured: Option<&Pitch>,
+    ) -> Result<Option<Pitch>, Vec<MeasurementError>> {
+        let without = Deviations::default();
+        // That there is no such gear is told of the thickness itself.
+        let gears = match self.profiles.iter().all(Modification::is_none) {
+            true => None,
+            false => self.tooth().gears(&without).ok(),
+        };
+        let Some(gears) = gears else {
+            return Ok(measured.cloned());
+        };
+        let errors = profile::check(gears.most(), self.face, &self.profiles);
+        if !errors.is_empty() {
+            return Err(errors);
+        }
+        let of_involutes = |pitch| profile::of_involutes(pitch, gears.most(), &self.profiles);
+        let pitch = measured.map(of_involutes).transpose();
+        pitch.map_err(|error| vec![MeasurementError::Pitch(error)])
     }
 
     fn tooth(&self) -> StatedTooth<'_> {
@@ -243,6 +272,7 @@ impl Measurements {
                 total_um: runout.total_um,
             });
         }
+        findings.extend(profile::findings(basic_data.teeth(), &self.profiles));
         findings.extend(all_round::finding(&self.thickness, flanks));
         findings.extend(contradictions::findings(
             &self.thickness,

@@ -49,6 +49,7 @@ mod measure;
 mod notes;
 mod outliers;
 mod pitch_statement;
+mod profile;
 mod runout;
 mod runout_fit;
 mod settle;
@@ -64,6 +65,7 @@ pub use finding::{
 pub use measure::{CrossCheck, MeasuredGear, Measurements};
 pub use notes::{AllRoundNote, Eccentricity, EccentricityNote, GearNotes, ThicknessStatements};
 pub use pitch_statement::{EccentricitySource, PitchKind, PitchSense, PitchStatement};
+pub use profile::ProfileKey;
 pub use runout::{ProbeReadings, ReadWith, Runout, RunoutStatement};
 pub use statement::ThicknessStatement;
 pub use toleranced::Toleranced;

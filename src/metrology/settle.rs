@@ -76,7 +76,7 @@ impl FlankStatements<'_> {
                 return Err(MeasurementError::NotSettled);
             }
         }
-        let found = self.tooth.statement.per_tooth(basic_data, &stated);
+        let found = self.tooth.statement.per_tooth(gears.most(), &stated);
         let found = found.map_err(MeasurementError::PerTooth)?;
         let mut deviations = stated.clone();
         if let Some(found) = &found {

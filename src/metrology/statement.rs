@@ -3,7 +3,8 @@
 use super::toleranced::Toleranced;
 use crate::error::GearError;
 use crate::gear::{
-    BasicGearData, Deviations, Gear, GearDesign, PerTooth, PinReadings, Readings, Spans, thickness,
+    BasicGearData, Deviations, Gear, GearDesign, Modification, PerTooth, PinReadings, Readings,
+    Spans, thickness,
 };
 
 /// One statement of the mean tooth thickness.
@@ -93,7 +94,10 @@ impl ThicknessStatement {
     }
 
     /// The readings over pins, where these are stated.
-    fn pins(&self, basic_data: &BasicGearData) -> Result<Option<PinReadings>, GearError> {
+    pub(super) fn pins(
+        &self,
+        basic_data: &BasicGearData,
+    ) -> Result<Option<PinReadings>, GearError> {
         match self {
             ThicknessStatement::PinReadings { pin_mm, readings } => {
                 let readings = Readings::new(basic_data, readings.clone())?;
@@ -121,27 +125,29 @@ impl ThicknessStatement {
         }
     }
 
-    /// Each tooth's thickness beyond the mean and `known`, where spans all round are to give and do determine it.
+    /// Each tooth's thickness beyond the mean of `gear` and `known`, where spans all round are to give and do determine it.
     ///
     /// # Errors
-    /// [`GearError::WrongLength`] for lists of another gear.
+    /// [`GearError::WrongLength`] for lists of another gear; profiles that no gear has.
     pub fn per_tooth(
         &self,
-        basic_data: &BasicGearData,
+        gear: &Gear,
         known: &Deviations,
     ) -> Result<Option<PerTooth>, GearError> {
-        match self {
-            ThicknessStatement::SpanReadings {
-                per_tooth: true, ..
-            } => match self.spans(basic_data)? {
-                Some(spans) => spans.per_tooth(known),
-                None => Ok(None),
-            },
-            _ => Ok(None),
+        let ThicknessStatement::SpanReadings {
+            per_tooth: true, ..
+        } = self
+        else {
+            return Ok(None);
+        };
+        match self.spans(gear.basic_data())? {
+            Some(spans) => self.thickness_beside_profiles(spans, gear, known),
+            None => Ok(None),
         }
     }
 
-    /// Mean base tooth thickness `s_b`, mm, of a gear with the deviations `known`.
+    /// Mean base tooth thickness `s_b`, mm, of a gear with the deviations `known`: that of the involutes, whose profiles may deviate.
+    /// Span and pins are those of the flanks where they touch; allowance, base thickness and nominal thickness those of the involutes.
     ///
     /// # Errors
     /// A range upside down, a span of no number of teeth, a dimension over pins whose pins would sit inside the base circle, readings that a
@@ -154,6 +160,7 @@ impl ThicknessStatement {
         self.check_range()?;
         let basic_data = &design.basic_data;
         let nominal = design.nominal_base_thickness();
+        let modified = !known.profiles.iter().all(Modification::is_none);
         match self {
             ThicknessStatement::Nominal => Ok(Toleranced::Single(nominal)),
             ThicknessStatement::AllowanceUm(um) => um.try_map(|&um| {
@@ -169,8 +176,12 @@ impl ThicknessStatement {
                         allowed: "1 … number of teeth",
                     });
                 }
+                if modified {
+                    return self.base_of_modified(design, known);
+                }
                 mm.try_map(|&mm| Ok(thickness::base_from_span(basic_data, *teeth, mm)))
             }
+            _ if modified => self.base_of_modified(design, known),
             ThicknessStatement::OverPins { pin_mm, mm } => {
                 mm.try_map(|&mm| thickness::base_from_pins(basic_data, *pin_mm, mm))
             }

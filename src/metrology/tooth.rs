@@ -56,8 +56,14 @@ impl StatedTooth<'_> {
                     pitch: None,
                     ..deviations.clone()
                 };
+                let profiles_alone = Deviations {
+                    profiles: deviations.profiles.clone(),
+                    ..Deviations::default()
+                };
                 let by_spans = matches!(self.statement, ThicknessStatement::SpanReadings { .. });
+                let profiles = AsBuilt::new(gear.clone(), face, &profiles_alone);
                 let cause = match AsBuilt::new(gear.clone(), face, &thickness_alone) {
+                    Err(_) if profiles.is_err() => DeviationCause::Profile,
                     Err(_) if by_spans => DeviationCause::Spans,
                     Err(_) => DeviationCause::PerTooth,
                     Ok(_) => DeviationCause::Pitch,

@@ -2,6 +2,7 @@
 
 mod as_built;
 mod perfect;
+mod profile;
 mod roll;
 
 #[path = "../common/made_up.rs"]

@@ -17,7 +17,7 @@ use gearlash_render::gauge::{charts, missing, page, text};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-/// Measure a gear on the model as the shop does: span, pins, runout, pitch, thickness, roll test
+/// Measure a gear on the model as the shop does: span, pins, runout, pitch, thickness, profile, roll test
 ///
 /// Anvils, pins, balls, measuring circles and a perfect master gear are placed in contact with the outline of the gear
 /// as built. Prints least, mean and greatest of each reading; --positions adds a table with one row per tooth.
@@ -89,6 +89,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         ball: args.ball_mm,
         master_teeth: args.master_teeth,
         steps_per_pitch: args.steps_per_pitch,
+        evaluation: gear.spec.evaluation_radii(),
     };
     let poses = chosen.iter();
     let poses = poses.map(|(gear, _, as_built)| pose_count(as_built, &settings(gear)));

@@ -7,7 +7,7 @@ use super::target::Target;
 use super::{poses, studies};
 use crate::error::Error;
 use gearlash::analysis::Plan;
-use gearlash::gauge::{graded, pitches};
+use gearlash::gauge::{graded, pitches, profiles};
 use gearlash::gear::Inspection;
 use gearlash_files::PairFile;
 use gearlash_render::{self, GearGrades, Report};
@@ -76,13 +76,19 @@ fn grades(pair: &PairFile) -> Vec<GearGrades> {
         ("pinion", pinion, &pair.spec.pinion),
     ]
     .into_iter()
-    .filter(|(_, gear, spec)| spec.grade.is_some() || Inspection::of(gear).deviates());
+    .filter(|(_, gear, spec)| {
+        spec.grade.is_some() || spec.profile.is_some() || Inspection::of(gear).deviates()
+    });
     deviating
         .map(|(name, gear, spec)| GearGrades {
             name,
             required: spec.grade,
             graded: graded(gear, spec.thickness.pin_mm()),
             pitches: pitches(gear),
+            profile: spec
+                .profile
+                .as_ref()
+                .and_then(|_| profiles(gear, spec.evaluation_radii()).ok()),
         })
         .collect()
 }

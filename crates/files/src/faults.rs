@@ -3,6 +3,7 @@
 use super::findings::suspected;
 use super::pitch::PitchSheet;
 use super::problems::Problems;
+use super::profile;
 use super::runout::Runout;
 use super::statements::Statements;
 use super::table::Table;
@@ -10,12 +11,20 @@ use super::thickness::Statement;
 use crate::error::Problem;
 use gearlash::error::GearError;
 use gearlash::gear::{BasicGearData, Gear, GearDesign, thickness};
-use gearlash::metrology::{DeviationCause, Fits, MeasurementError, Outlier, StatementRole};
+use gearlash::metrology::{
+    DeviationCause, Fits, MeasurementError, Outlier, ProfileKey, StatementRole,
+};
 
 /// Adds each of `errors`, with the key it comes from.
 pub fn add_all(of: &Statements, errors: Vec<MeasurementError>, problems: &mut Problems) {
+    let mut told = Vec::new();
     for error in errors {
-        problems.add(problem(of, error));
+        let problem = problem(of, error);
+        // What is said of both flanks is wrong of both.
+        if !told.contains(&problem) {
+            told.push(problem.clone());
+            problems.add(problem);
+        }
     }
 }
 
@@ -76,10 +85,21 @@ fn of_flanks(
                 DeviationCause::Spans => "thickness.span",
                 DeviationCause::PerTooth => "thickness.per_tooth_um",
                 DeviationCause::Pitch => "pitch",
+                DeviationCause::Profile => "profile",
             };
             let suspected: String = suspects.iter().map(suspected).collect();
             let help = format!("check unit (µm) and sign of the values{suspected}");
             return table.problem(key, reason, help);
+        }
+        MeasurementError::Profile { flank, key, .. } => {
+            let help = match key {
+                ProfileKey::Range => "give diameters on the flank",
+                ProfileKey::TipRelief | ProfileKey::RootRelief => {
+                    "check unit (µm) and diameter of the relief"
+                }
+                _ => "check unit (µm) and sign of the profile deviations",
+            };
+            return table.problem(&profile::key_of(table, flank, key), reason, help);
         }
         MeasurementError::PitchOffHalf { flank, .. } => (
             pitch.map_or("pitch", |sheet| sheet.key(flank)),

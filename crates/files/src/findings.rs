@@ -6,8 +6,9 @@ mod outlier;
 mod runout;
 mod thickness;
 
+use super::profile;
 use super::statements::Statements;
-use gearlash::metrology::Finding;
+use gearlash::metrology::{Finding, ProfileKey};
 
 pub use outlier::suspected;
 
@@ -40,6 +41,15 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
         Finding::EccentricityInPitch(note) => {
             format!("{}: {}", key("pitch"), eccentricity::in_pitch(note))
         }
+        Finding::ProfileOfSomeTeeth {
+            flank,
+            measured,
+            teeth,
+        } => format!(
+            "{}: traces of {measured} of {teeth} {} flanks; the other teeth take their mean",
+            key(&profile::key_of(of.table, *flank, ProfileKey::Trace)),
+            flank.name()
+        ),
         Finding::PinsGiveMeanOnly {
             readings,
             with_pitch,

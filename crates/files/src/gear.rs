@@ -6,6 +6,7 @@ use super::cross_check::CrossCheck;
 use super::limits::{MODULE, PRESSURE_ANGLE, PROFILE_SHIFT, TEETH, TIP_DIAMETER};
 use super::pitch::PitchSheet;
 use super::problems::Problems;
+use super::profile::Profiles;
 use super::runout::Runout;
 use super::sheet::Drawn;
 use super::spec::{GearSpec, RackSpec, ThicknessSpec};
@@ -28,6 +29,7 @@ const KEYS: &[&str] = &[
     "thickness",
     "runout",
     "pitch",
+    "profile",
 ];
 const FACES: [(&str, Face); 2] = [("front", Face::Front), ("back", Face::Back)];
 
@@ -107,6 +109,7 @@ impl GearPart {
             .and_then(|table| CrossCheck::read(table, statement.as_ref(), teeth, problems));
         let runout = Runout::read(table, teeth, problems);
         let sheet = PitchSheet::read(table, teeth, problems);
+        let profiles = Profiles::read(table, teeth, self.basic_data.as_ref(), problems);
 
         let pitch = match (&sheet, &self.basic_data, &runout) {
             (Some(None), ..) => Some(()),
@@ -141,6 +144,7 @@ impl GearPart {
             cross_check: cross_check.clone().flatten(),
             pitch: sheet.flatten(),
             runout: runout?,
+            profiles: profiles?,
         };
         let measurements = statements.measurements(face.unwrap_or(Face::Front));
         if !understood {
@@ -176,6 +180,7 @@ impl GearPart {
             },
             runout: runout.spec(),
             pitch: statements.pitch.as_ref().map(PitchSheet::spec),
+            profile: statements.profiles.spec(),
         });
         Some(())
     }

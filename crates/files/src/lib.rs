@@ -50,6 +50,7 @@ mod per_tooth;
 mod pitch;
 mod place;
 mod problems;
+mod profile;
 mod read;
 mod readings;
 mod require;

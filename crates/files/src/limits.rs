@@ -142,6 +142,22 @@ pub const BALL: Limits = length("give the diameter of the ball that was read wit
 /// A pitch deviation.
 pub const PITCH: Limits =
     deviation("give a deviation for every tooth, measured at the reference circle");
+/// A profile deviation.
+pub const PROFILE: Limits = deviation("give the deviation in µm, positive for more material");
+/// What a relief takes off.
+pub const RELIEF: Limits = Limits {
+    allowed: "a number of µm, 0 … 1e7",
+    range: (Included(0.0), Included(1e7)),
+    help: "give what is taken off at the end of the flank, in µm",
+};
+/// Where on a flank something is.
+pub const FLANK_DIAMETER: Limits = length("give a diameter on the flank in mm");
+/// The same by the roll.
+pub const ROLL_LENGTH: Limits = Limits {
+    allowed: "a number of mm, 0 … 1e9",
+    range: (Included(0.0), Included(1e9)),
+    help: "give roll lengths from the base circle on, in mm",
+};
 
 /// `a`. Twenty times the largest pair there can be; beyond, squares of lengths would lose the gears.
 pub const CENTER_DISTANCE: Limits = length("give the distance between the two axes in mm");

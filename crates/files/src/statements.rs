@@ -2,6 +2,7 @@
 
 use super::cross_check::CrossCheck;
 use super::pitch::PitchSheet;
+use super::profile::Profiles;
 use super::runout::Runout;
 use super::table::Table;
 use super::thickness::Statement;
@@ -19,6 +20,7 @@ pub struct Statements<'a> {
     pub cross_check: Option<CrossCheck>,
     pub pitch: Option<PitchSheet>,
     pub runout: Runout,
+    pub profiles: Profiles,
 }
 
 impl Statements<'_> {
@@ -32,6 +34,7 @@ impl Statements<'_> {
             cross_check: self.cross_check.as_ref().map(CrossCheck::measured),
             pitch: self.pitch.as_ref().map(PitchSheet::measured),
             runout: self.runout.measured(),
+            profiles: self.profiles.measured(&self.design.basic_data),
         }
     }
 

@@ -347,7 +347,8 @@ fn good_pairs_are_not_suspected() {
     .unwrap();
     let example = readme
         .split("```toml\n")
-        .nth(1)
+        .skip(1)
+        .find(|block| block.contains("[assembly]"))
         .unwrap()
         .split("```")
         .next()

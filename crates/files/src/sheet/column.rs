@@ -20,6 +20,12 @@ pub enum Column {
     Span,
     /// Dimension over pins `M_dK`, mm.
     OverPins,
+    /// Of a profile trace: roll length `r_b ξ`, mm.
+    RollLength,
+    /// Of a profile trace: diameter, mm.
+    Diameter,
+    /// Of a profile trace: what the flank has beyond its involute, µm.
+    Deviation,
 }
 
 const DEVIATION: Limits = Limits {
@@ -30,6 +36,12 @@ const DEVIATION: Limits = Limits {
 const LENGTH: Limits = Limits {
     allowed: "a number of mm above 0 and up to 1e9",
     range: (Excluded(0.0), Included(1e9)),
+    help: "correct the line",
+};
+
+const ROLL_LENGTH: Limits = Limits {
+    allowed: "a number of mm, 0 … 1e9",
+    range: (Included(0.0), Included(1e9)),
     help: "correct the line",
 };
 
@@ -88,13 +100,16 @@ impl Column {
                 "Zweirollenmaß",
                 "Zweirollenmass",
             ],
+            Column::RollLength => &["roll length", "Wälzlänge"],
+            Column::Diameter => &["diameter", "Durchmesser"],
+            Column::Deviation => &["deviation", "Abweichung"],
         }
     }
 
     /// Its unit.
     pub fn unit(self) -> &'static str {
         match self {
-            Column::Span | Column::OverPins => "mm",
+            Column::Span | Column::OverPins | Column::RollLength | Column::Diameter => "mm",
             _ => "µm",
         }
     }
@@ -102,7 +117,8 @@ impl Column {
     /// What its values may be.
     pub fn limits(self) -> &'static Limits {
         match self {
-            Column::Span | Column::OverPins => &LENGTH,
+            Column::Span | Column::OverPins | Column::Diameter => &LENGTH,
+            Column::RollLength => &ROLL_LENGTH,
             _ => &DEVIATION,
         }
     }
@@ -178,9 +194,13 @@ pub fn headings(wanted: &[Column]) -> String {
         .iter()
         .map(|column| format!("{} ({})", column.names()[0], column.unit()))
         .collect();
+    let place = match wanted.contains(&Column::Deviation) {
+        true => "tooth, flank",
+        false => "tooth",
+    };
     match columns.split_last() {
         Some((last, [])) => format!("tooth and {last}"),
-        Some((last, rest)) => format!("tooth, {} and {last}", rest.join(", ")),
+        Some((last, rest)) => format!("{place}, {} and {last}", rest.join(", ")),
         None => "tooth".to_owned(),
     }
 }

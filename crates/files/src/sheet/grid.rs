@@ -125,7 +125,8 @@ impl Grid {
     }
 }
 
-fn wrong_cell(file: &DataFile, line: u64, name: &str, cell: &Cell, allowed: &str) -> Problem {
+/// The problem of a cell that is not what its column allows.
+pub fn wrong_cell(file: &DataFile, line: u64, name: &str, cell: &Cell, allowed: &str) -> Problem {
     let lost = match cell {
         Cell::Text(text) if number::zero_first(text) => ", as if its decimal sign were lost",
         _ => "",

@@ -20,6 +20,7 @@ mod places;
 mod protocol;
 mod story;
 mod text;
+mod trace;
 mod wanted;
 mod workbook;
 
@@ -27,8 +28,10 @@ use super::data_file::DataFile;
 use super::problems::Problems;
 use super::table::Table;
 pub use column::Column;
+use grid::Grid;
 pub use header::{Drawn, Header};
 use number::Decimal;
+pub use trace::TraceSheet;
 pub use wanted::{Coverage, Row, Wanted};
 
 /// Keys that name a table; others may stand beside them.
@@ -83,13 +86,19 @@ pub fn without_file(table: &Table, problems: &mut Problems) -> Option<()> {
     None
 }
 
-/// The rows by ascending tooth, and the header lines of a protocol.
-fn read<const N: usize>(
+/// What a file holds.
+enum Content {
+    Cells(Grid),
+    /// The text of a measuring machine's protocol.
+    Protocol(String),
+}
+
+/// What `file` holds, and the decimal sign that the pair file states for it.
+fn content(
     file: &DataFile,
     table: &Table,
-    wanted: &Wanted<N>,
     problems: &mut Problems,
-) -> Option<(Vec<Row<N>>, Header)> {
+) -> Option<(Content, Option<Decimal>)> {
     let bytes = problems.keep(file.bytes())?;
     let sheet = match table.get("sheet") {
         Some(entry) => Some(problems.keep(entry.text("give the name of the sheet"))?),
@@ -104,28 +113,44 @@ fn read<const N: usize>(
         problems.add(file.problem("is an old Excel workbook, .xls", help));
         return None;
     }
-    let grid = if workbook::is_one(file, &bytes) {
-        workbook::read(file, bytes, sheet, problems)?
-    } else {
-        if sheet.is_some() {
+    if workbook::is_one(file, &bytes) {
+        let grid = workbook::read(file, bytes, sheet, problems)?;
+        return Some((Content::Cells(grid), stated));
+    }
+    if sheet.is_some() {
+        problems.add(table.problem(
+            "sheet",
+            "the file is not a workbook, sheet is allowed only with .xlsx",
+            "remove it",
+        ));
+    }
+    let text = text::decode(file, &bytes, problems)?;
+    if protocol::is_one(&text) {
+        if stated == Some(Decimal::Comma) {
             problems.add(table.problem(
-                "sheet",
-                "the file is not a workbook, sheet is allowed only with .xlsx",
+                "decimal",
+                "the file is a protocol, whose decimal sign is the point",
                 "remove it",
             ));
         }
-        let text = text::decode(file, &bytes, problems)?;
-        if protocol::is_one(&text) {
-            if stated == Some(Decimal::Comma) {
-                problems.add(table.problem(
-                    "decimal",
-                    "the file is a protocol, whose decimal sign is the point",
-                    "remove it",
-                ));
-            }
-            return protocol::read(file, &text, wanted, problems);
-        }
-        delimited::read(file, &text, problems)?
+        return Some((Content::Protocol(text.into()), stated));
+    }
+    Some((
+        Content::Cells(delimited::read(file, &text, problems)?),
+        stated,
+    ))
+}
+
+/// The rows by ascending tooth, and the header lines of a protocol.
+fn read<const N: usize>(
+    file: &DataFile,
+    table: &Table,
+    wanted: &Wanted<N>,
+    problems: &mut Problems,
+) -> Option<(Vec<Row<N>>, Header)> {
+    let (grid, stated) = match content(file, table, problems)? {
+        (Content::Cells(grid), stated) => (grid, stated),
+        (Content::Protocol(text), _) => return protocol::read(file, &text, wanted, problems),
     };
     let rows = grid.rows(file, wanted, stated, problems)?;
     let rows = by_tooth::ordered(file, rows, wanted, problems)?;

@@ -1,6 +1,7 @@
 //! The files, and one gear of them.
 
 use super::flanks::{PitchSpec, RunoutSpec};
+use super::profile::ProfileSpec;
 use super::require::RequireSpec;
 use super::rules::{whole, within};
 use super::thickness::ThicknessSpec;
@@ -98,6 +99,24 @@ pub struct GearSpec {
     /// Pitch deviation of both flanks, one value a tooth.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pitch: Option<PitchSpec>,
+    /// How the profiles deviate from the involute.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub profile: Option<ProfileSpec>,
+}
+
+impl GearSpec {
+    /// Evaluation range of the profiles of right and left flanks, radii, mm, where it is given.
+    pub fn evaluation_radii(&self) -> [Option<[f64; 2]>; 2] {
+        let Some(profile) = &self.profile else {
+            return [None; 2];
+        };
+        profile
+            .flanks()
+            .map(|flank| match flank.range_mm.as_deref() {
+                Some(&[from, to]) => Some([from / 2.0, to / 2.0]),
+                _ => None,
+            })
+    }
 }
 
 /// A face of a gear.

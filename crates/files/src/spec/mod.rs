@@ -8,6 +8,7 @@ mod assembly;
 mod flanks;
 mod gear;
 mod outline;
+mod profile;
 mod require;
 mod rules;
 mod schema;
@@ -28,6 +29,7 @@ pub use outline::{
     CentreName, CentreSpec, EitherGearSpec, OutlineGearSpec, OutlinePairSpec, OutlineSpec,
     PointsKind,
 };
+pub use profile::{FlankProfileSpec, ProfileSpec, ReliefShape, ReliefSpec, TraceSpec};
 pub use require::{AngleLimitsSpec, LimitsSpec, RequireSpec};
 pub use schema::{gear_schema, pair_schema};
 pub(crate) use thickness::CROSS_CHECK_UM;

@@ -9,6 +9,7 @@ mod keys;
 mod measured;
 mod numbers;
 mod pair;
+mod profile;
 mod sweep;
 mod teeth;
 mod thickness;

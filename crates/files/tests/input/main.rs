@@ -29,11 +29,14 @@ pressure_angle_deg = 20.0
 center_distance_mm = 75.2
 "#;
 
-/// Reads `text` as a file called `name`; the rig's measured rows lie beside it.
+/// Reads `text` as a file called `name`; the rig's measured rows and the traces of a fixture lie beside it.
 fn read_as(name: &str, text: impl AsRef<[u8]>) -> PairFile {
     let folder = TempDir::new().unwrap();
-    let rows = "../../fixtures/reference/karba_tables_5_6.csv";
-    fs::copy(rows, folder.path().join("karba_tables_5_6.csv")).unwrap();
+    for table in ["reference/karba_tables_5_6.csv", "profiled_44x44_trace.csv"] {
+        let name = table.rsplit('/').next().unwrap();
+        let table = format!("../../fixtures/{table}");
+        fs::copy(table, folder.path().join(name)).unwrap();
+    }
     let path = folder.path().join(name);
     fs::write(&path, text).unwrap();
     read(&path).unwrap_or_else(|error| panic!("{error}"))
@@ -206,7 +209,8 @@ fn the_pair_file_of_the_readme_is_one() {
     let readme = fs::read_to_string("../../README.md").unwrap();
     let text = readme
         .split("```toml")
-        .nth(1)
+        .skip(1)
+        .find(|block| block.contains("[assembly]"))
         .unwrap()
         .split("```")
         .next()

@@ -9,6 +9,7 @@ mod mutations;
 mod oracle;
 #[path = "../../../../tests/common/pair_with_table.rs"]
 mod pair_with_table;
+mod profiles;
 mod protocols;
 mod readings;
 mod sheets;

@@ -6,7 +6,7 @@
 use super::lengths::{ByTooth, Length, lengths};
 use crate::chart::{
     BarPanel, BarSeries, Heading, Limits, LineAxes, LineSeries, Look, PictureError, bar_panels,
-    lines,
+    lines, profiles,
 };
 use gearlash::gauge::{GradedReading, PitchReadings, RollPose, RunoutReadings};
 use gearlash::gear::{Flank, Grade, GradedQuantity, PitchAxis};
@@ -28,6 +28,7 @@ const NUMBERS: &str = "numbers ascend clockwise on the reference face";
 pub fn charts(gauged: &GaugedGear) -> Result<Vec<(String, String)>, PictureError> {
     let mut files = length_charts(gauged)?;
     files.extend(deviation_charts(gauged)?);
+    files.extend(profile_chart(gauged)?);
     files.extend(roll_chart(gauged)?);
     Ok(files)
 }
@@ -288,6 +289,24 @@ fn series<'a>(name: &'a str, lengths: &[f64], look: Look) -> BarSeries<'a> {
         values: lengths.iter().map(|mm| Some(mm * 1e3)).collect(),
         look,
     }
+}
+
+/// Profile deviation over the roll length.
+fn profile_chart(gauged: &GaugedGear) -> Result<Option<(String, String)>, PictureError> {
+    let Ok(read) = &gauged.gauged.profile else {
+        return Ok(None);
+    };
+    if !read.deviates() {
+        return Ok(None);
+    }
+    let stem = gauged.stem();
+    let heading = Heading {
+        prefix: &Reading::Profile.file_stem(&stem),
+        title: gauged.title,
+        subtitle: &subtitle(gauged),
+    };
+    let svg = profiles(&heading, read, 100.0 * LEVEL)?.svg;
+    Ok(Some((Reading::Profile.svg(&stem), svg)))
 }
 
 /// The double-flank roll test as a curve over one revolution.

@@ -3,7 +3,9 @@
 use super::lengths::lengths;
 use crate::text::{Column, Screen, Table};
 use gearlash::contact::{ContactKind, PoseClass, Touch};
-use gearlash::gauge::{Eccentricity, Gauged, GradedReading, PitchReadings, Unmeasured};
+use gearlash::gauge::{
+    Eccentricity, FlankProfiles, Gauged, GradedReading, PitchReadings, ProfileReading, Unmeasured,
+};
 use gearlash::gear::{Flank, GRADE_SOURCE, Grade, ProfilePart};
 use gearlash_files::characters::plain;
 use gearlash_files::numbers::{ascii, order_um, um_ascii};
@@ -95,7 +97,39 @@ fn deviations(read: &Gauged) -> String {
     for pitch in [&read.pitch_own, &read.pitch_datum].into_iter().flatten() {
         let _ = writeln!(text, "pitch, {}: {}", pitch.axis.name(), both(pitch));
     }
+    if let Ok(profile) = &read.profile
+        && profile.deviates()
+    {
+        for side in Flank::BOTH {
+            let words = profile_words(profile.flank(side));
+            let _ = writeln!(text, "profile, {} flanks: {words}", side.name());
+        }
+    }
     text
+}
+
+/// Slope, form and total: of every tooth, or their mean and the worst.
+fn profile_words(flank: &FlankProfiles) -> String {
+    type Value = fn(&ProfileReading) -> f64;
+    let of: [(&str, Value); 3] = [
+        ("f_Hα", |one| one.slope),
+        ("f_fα", |one| one.form),
+        ("F_α", |one| one.total),
+    ];
+    let one = |(symbol, of): (&str, Value)| {
+        let mean = um_ascii(flank.mean(of), 3);
+        match flank.shapes.len() {
+            1 => format!("{symbol} {mean} µm"),
+            _ => {
+                let (tooth, worst) = flank.worst(of);
+                let worst = um_ascii(worst, 3);
+                format!("{symbol} {mean} µm on average, {worst} at tooth {tooth}")
+            }
+        }
+    };
+    let [from, to] = flank.evaluated_diameters;
+    let (from, to) = (ascii(from, 3), ascii(to, 3));
+    format!("{} (d {from} to {to} mm)", of.map(one).join(", "))
 }
 
 fn eccentricity(found: &Eccentricity) -> String {
@@ -173,6 +207,7 @@ fn unmeasured(read: &Gauged) -> Vec<String> {
     missing("pitch", read.pitch_own.as_ref().err());
     missing("pitch about the axis", read.pitch_datum.as_ref().err());
     missing("thickness", read.thickness.as_ref().err());
+    missing("profile", read.profile.as_ref().err());
     missing("root diameter", read.root.as_ref().err());
     missing("roll test", read.roll.as_ref().err());
     lines

@@ -1,6 +1,6 @@
 //! The charts of the page.
 
-use super::page::Page;
+use super::page::{GearGrades, Page};
 
 use crate::chart::PictureError;
 use crate::chart::{self, Chart, Heading};
@@ -11,6 +11,9 @@ use maud::{Markup, PreEscaped, html};
 
 /// Centre distances and phases whose curves stand in the page (tuned: some 100 kB each).
 const MOST_COURSES: usize = 12;
+
+/// Least height of a profile chart, µm: that of the gauge's.
+const LEAST_PROFILE: f64 = 0.1;
 
 /// Backlash over the teeth: the centre distance with the least backlash, the others to be opened.
 pub(super) fn revolutions(page: &Page) -> Result<Markup, PictureError> {
@@ -208,7 +211,19 @@ pub(super) fn inspections(page: &Page) -> Result<Markup, PictureError> {
         h3 { "Deviations tooth by tooth" }
         (draw("wheel", wheel)?)
         (draw("pinion", pinion)?)
+        @for gear in page.report.grades { (profiles(page, gear)?) }
     })
+}
+
+/// Profile deviation of a gear over the roll length, where it has any.
+fn profiles(page: &Page, gear: &GearGrades) -> Result<Markup, PictureError> {
+    let Some(read) = gear.profile.as_ref().filter(|read| read.deviates()) else {
+        return Ok(html! {});
+    };
+    let title = format!("Profile deviations of the {}", gear.name);
+    let prefix = format!("profile-{}", gear.name);
+    let drawn = chart::profiles(&heading(page, &prefix, &title), read, LEAST_PROFILE)?;
+    Ok(html! { figure.chart.tall tabindex="0" { (PreEscaped(&drawn.svg)) } })
 }
 
 /// What stands on paper in place of closed `<details>`.

@@ -3,7 +3,7 @@
 use super::figures::inspections;
 use super::page::Page;
 use super::phrases::{plain, symbol};
-use super::stated::{high_tooth, pitch, runout, thickness};
+use super::stated::{high_tooth, pitch, profile, runout, thickness};
 use super::{grades, notes};
 use crate::chart::PictureError;
 use gearlash::gear::{AsBuilt, Inspection};
@@ -120,6 +120,9 @@ pub(super) fn section(page: &Page) -> Result<Markup, PictureError> {
                         (text_row(("2 e", ""), "twice the eccentricity, the runout as stated", "µm", stated(|gear| runout(&gear.runout))))
                         (text_row(("", ""), "high tooth", "–", stated(|gear| high_tooth(&gear.runout))))
                         (text_row(("F", "p"), "pitch deviations", "", pitches))
+                        @if gears.iter().any(|gear| gear.profile.is_some()) {
+                            (text_row(("", ""), "profile deviations, + = more material", "", stated(|gear| profile(gear.profile.as_ref()))))
+                        }
                         (text_row(("", ""), "reference face towards", "", face))
                     }
                 }

@@ -32,8 +32,8 @@ pub(super) fn section(page: &Page) -> Markup {
             }
             h3 { "Not in the model" }
             p {
-                "Helical gears, crowning and other profile modifications, form deviations of single flanks, deflection under "
-                "load, temperature and axis misalignment. Pitch and thickness deviations shift a flank rigidly; its form stays nominal."
+                "Helical gears, lead modifications, deflection under load, temperature and axis misalignment. Pitch and thickness deviations shift "
+                "a flank rigidly; its form is the involute with the profile deviations that the file states."
             }
         }
     }

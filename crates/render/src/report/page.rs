@@ -4,7 +4,7 @@ use gearlash::analysis::Analysis;
 use gearlash::analysis::compare::ComparedRun;
 use gearlash::analysis::curves::Course;
 use gearlash::analysis::outcome::{Agreement, AtDistance, Outcome};
-use gearlash::gauge::{GradedReading, PitchReadings, Unmeasured};
+use gearlash::gauge::{GradedReading, PitchReadings, ProfileReadings, Unmeasured};
 use gearlash_files::PairFile;
 
 /// What a report is of.
@@ -33,6 +33,8 @@ pub struct GearGrades {
     pub graded: Result<Vec<GradedReading>, Unmeasured>,
     /// Pitch about both axes.
     pub pitches: Vec<PitchReadings>,
+    /// Profiles, where the file states how they deviate.
+    pub profile: Option<ProfileReadings>,
 }
 
 /// What the sections of a page share.

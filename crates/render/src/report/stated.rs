@@ -1,7 +1,10 @@
 //! What a pair file states of a gear, in words.
 
 use gearlash_files::numbers::{rounded, shortest};
-use gearlash_files::spec::{BandSpec, Either, LengthSpec, PitchSpec, RunoutSpec, ThicknessSpec};
+use gearlash_files::spec::{
+    BandSpec, Either, FlankProfileSpec, LengthSpec, PitchSpec, ProfileSpec, ReliefShape,
+    RunoutSpec, ThicknessSpec,
+};
 
 /// A single value, or `min … max`.
 fn single_or_band(stated: &Either<f64, BandSpec>) -> String {
@@ -97,4 +100,60 @@ pub(super) fn pitch(stated: Option<&PitchSpec>, by_tooth: bool) -> String {
             )
         }
     }
+}
+
+/// Profile deviations as stated.
+pub(super) fn profile(stated: Option<&ProfileSpec>) -> String {
+    let Some(stated) = stated else {
+        return "not given".to_owned();
+    };
+    let [right, left] = stated.flanks().map(flank_profile);
+    match right == left {
+        true => format!("both flanks: {right}"),
+        false => format!("right flanks: {right}; left flanks: {left}"),
+    }
+}
+
+fn flank_profile(stated: &FlankProfileSpec) -> String {
+    let mut parts = Vec::new();
+    let um = [
+        ("slope f_Hα", stated.slope_um),
+        ("crowning", stated.crowning_um),
+    ];
+    for (name, um) in um {
+        parts.extend(um.map(|um| format!("{name} {} µm", shortest(um))));
+    }
+    let reliefs = [
+        ("tip relief", stated.tip_relief),
+        ("root relief", stated.root_relief),
+    ];
+    for (name, relief) in reliefs {
+        parts.extend(relief.map(|relief| {
+            format!(
+                "{name} {} µm from d {} mm, {}",
+                shortest(relief.um),
+                shortest(relief.from_diameter_mm),
+                match relief.shape {
+                    ReliefShape::Linear => "straight",
+                    ReliefShape::Parabolic => "parabolic",
+                }
+            )
+        }));
+    }
+    match stated.traces() {
+        [] => {}
+        [one] => parts.push(match one.tooth {
+            Some(tooth) => format!("trace of tooth {tooth}"),
+            None => "a trace for all teeth".to_owned(),
+        }),
+        several => parts.push(format!("traces of {} teeth", several.len())),
+    }
+    if parts.is_empty() {
+        return "involute".to_owned();
+    }
+    if let Some(&[from, to]) = stated.range_mm.as_deref() {
+        let [from, to] = [from, to].map(shortest);
+        parts.push(format!("evaluated over d {from} … {to} mm"));
+    }
+    parts.join(", ")
 }

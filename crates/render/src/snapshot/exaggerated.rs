@@ -42,7 +42,8 @@ pub fn exaggerated(view: &Snapshot, gears: &Exaggeration) -> String {
     for ((member, tooth), frame) in MEMBERS.into_iter().zip(mating).zip(INSETS) {
         sheet = sheet.add(whole(view, gears, member, tooth, frame));
     }
-    format!("{}\n", sheet.add(legend()))
+    let modified = MEMBERS.map(|member| gears.found(member).profile.is_some());
+    format!("{}\n", sheet.add(legend(modified.contains(&true))))
 }
 
 const MEMBERS: [Member; 2] = [Member::Wheel, Member::Pinion];
@@ -196,16 +197,20 @@ fn whole(view: &Snapshot, gears: &Exaggeration, member: Member, tooth: u32, fram
             um(flanks[1], 2)
         ),
     ];
+    let profile = found.profile.map(|ends| {
+        let [least, most] = ends.map(|mm| um(mm, 2));
+        format!("profile deviations {least} … {most} µm")
+    });
     let (left, room) = (square.right + 8.0, frame.right - square.right - 16.0);
-    let tops = [48.0, 70.0, 118.0, 138.0, 160.0, 182.0];
-    for (row, top) in rows.iter().zip(tops) {
+    let tops = [48.0, 70.0, 118.0, 138.0, 160.0, 182.0, 222.0];
+    for (row, top) in rows.iter().chain(&profile).zip(tops) {
         let style = TextStyle::new(13.0).fitted(row, room, 0.0);
         group = group.add(style.text(row, [left, frame.top + top]));
     }
     group
 }
 
-fn legend() -> Group {
+fn legend(modified: bool) -> Group {
     let [x, y] = [MAIN.left, 772.0];
     let mut group = Group::new()
         .add(line(&[[x, y], [x + 36.0, y]], INK, 2.4))
@@ -222,6 +227,13 @@ fn legend() -> Group {
     ] {
         group = group.add(TextStyle::new(13.0).text(words, [x + left, y + 4.5]));
     }
-    let note = "centre distance, rotations and the shape of each flank are to scale; where the flanks stand is not";
+    let note = match modified {
+        true => {
+            "centre distance and rotations are to scale; where the flanks stand and how their profiles deviate is not"
+        }
+        false => {
+            "centre distance, rotations and the shape of each flank are to scale; where the flanks stand is not"
+        }
+    };
     group.add(TextStyle::new(13.0).grey().text(note, [x, y + 29.5]))
 }

@@ -4,7 +4,9 @@ use super::GaugedGear;
 use super::readings::{Reading, roll};
 use crate::characters;
 use crate::results::table::{Column, Table};
-use gearlash::gauge::{Gauged, GradedReading, PitchReadings, Unmeasured};
+use gearlash::gauge::{
+    FlankProfiles, Gauged, GradedReading, PitchReadings, ProfileReading, Unmeasured,
+};
 use gearlash::gear::{Flank, GRADE_SOURCE, Grade};
 use serde_json::{Value, json};
 
@@ -61,6 +63,11 @@ fn gear(gauged: &GaugedGear) -> Value {
             "diameter_mm": 2.0 * root.radius,
             "formula_mm": 2.0 * formula.root,
             "error_bound_um": 2.0 * root.error * 1e3,
+        })),
+        "profile": of(&read.profile, |found| json!({
+            "error_bound_um": found.error * 1e3,
+            "right": profiles(found.flank(Flank::Right)),
+            "left": profiles(found.flank(Flank::Left)),
         })),
         "grades": of(&read.grades, |graded| json!({
             "source": GRADE_SOURCE,
@@ -137,6 +144,32 @@ fn pitch(found: &PitchReadings, read: &Gauged, readings: [Reading; 2]) -> Value 
         "error_bound_um": found.error * 1e3,
         "right": flank(Flank::Right),
         "left": flank(Flank::Left),
+    })
+}
+
+/// Values by tooth, and the curves of the teeth that are not alike, each with its first tooth.
+fn profiles(flank: &FlankProfiles) -> Value {
+    let um = |of: fn(&ProfileReading) -> f64| {
+        let values = flank.by_tooth(of).into_iter();
+        values.map(|mm| mm * 1e3).collect::<Vec<f64>>()
+    };
+    let curve = |(shape, profile): (usize, &ProfileReading)| {
+        let tooth = flank.of_tooth.iter().position(|&of| of == shape);
+        let points = || profile.points.iter();
+        json!({
+            "tooth": tooth.map(|index| index + 1),
+            "roll_length_mm": points().map(|point| point.0).collect::<Vec<f64>>(),
+            "deviation_um": points().map(|point| point.1 * 1e3).collect::<Vec<f64>>(),
+        })
+    };
+    json!({
+        "evaluated_roll_length_mm": flank.evaluated,
+        "evaluated_mm": flank.evaluated_diameters,
+        "slope_um": um(|profile| profile.slope),
+        "form_um": um(|profile| profile.form),
+        "total_um": um(|profile| profile.total),
+        "curve_of_tooth": flank.of_tooth,
+        "curves": flank.shapes.iter().enumerate().map(curve).collect::<Vec<_>>(),
     })
 }
 

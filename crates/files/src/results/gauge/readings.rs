@@ -1,8 +1,8 @@
-//! The ten readings of a gear, each as a table with a row a tooth: what every writer and chart takes them from.
+//! The readings of a gear, each as a table with a row a tooth: what every writer and chart takes them from.
 
 use crate::results::table::{Column, Table, Unit};
 use gearlash::contact::Touch;
-use gearlash::gauge::{Gauged, OverPins, PitchReadings, RollPose};
+use gearlash::gauge::{Gauged, OverPins, PitchReadings, ProfileReading, ProfileReadings, RollPose};
 use gearlash::gear::Flank;
 use serde_json::{Value, json};
 
@@ -29,6 +29,8 @@ pub enum Reading {
     Thickness,
     /// Double-flank roll test.
     Roll,
+    /// Profile deviation.
+    Profile,
 }
 
 /// How a reading's column is called beside those of other gauges: its name with the unit, and a narrow heading.
@@ -36,7 +38,7 @@ type Wide = (&'static str, &'static str, &'static str);
 
 impl Reading {
     /// Every reading, in the order of files.
-    pub const ALL: [Reading; 10] = [
+    pub const ALL: [Reading; 11] = [
         Reading::Spans,
         Reading::Pins,
         Reading::ThreePins,
@@ -47,6 +49,7 @@ impl Reading {
         Reading::SinglePitchDatum,
         Reading::Thickness,
         Reading::Roll,
+        Reading::Profile,
     ];
 
     /// As files call it.
@@ -62,6 +65,7 @@ impl Reading {
             Reading::SinglePitchDatum => "single_pitch_datum",
             Reading::Thickness => "thickness",
             Reading::Roll => "roll",
+            Reading::Profile => "profile",
         }
     }
 
@@ -123,6 +127,10 @@ impl Reading {
                 ]
             }
             Reading::Roll => roll(&read.roll.as_ref().ok()?.poses),
+            Reading::Profile => {
+                let found = read.profile.as_ref().ok()?;
+                found.deviates().then(|| profiles(found))?
+            }
         };
         Some(Table {
             name: self.name(),
@@ -143,6 +151,7 @@ impl Reading {
             | Reading::SinglePitchDatum => &["tooth", "left", "right"],
             Reading::Thickness => &["tooth", "thickness"],
             Reading::Roll => &ROLL,
+            Reading::Profile => &PROFILE,
         }
     }
 
@@ -176,12 +185,20 @@ impl Reading {
             ],
             Reading::Thickness => &[("thickness", "thickness_um", "s − mean")],
             Reading::Roll => &[],
+            Reading::Profile => &[
+                ("slope_left", "profile_slope_left_um", "f_Hα left"),
+                ("slope_right", "profile_slope_right_um", "f_Hα right"),
+                ("form_left", "profile_form_left_um", "f_fα left"),
+                ("form_right", "profile_form_right_um", "f_fα right"),
+                ("total_left", "profile_total_left_um", "F_α left"),
+                ("total_right", "profile_total_right_um", "F_α right"),
+            ],
         }
     }
 }
 
 /// The readings that stand beside each other, in the order shown: the single pitch before the cumulative.
-const SIDE_BY_SIDE: [Reading; 9] = [
+const SIDE_BY_SIDE: [Reading; 10] = [
     Reading::Spans,
     Reading::Pins,
     Reading::ThreePins,
@@ -191,6 +208,7 @@ const SIDE_BY_SIDE: [Reading; 9] = [
     Reading::SinglePitchDatum,
     Reading::PitchDatum,
     Reading::Thickness,
+    Reading::Profile,
 ];
 
 /// Every reading that stands at a tooth: each with its heading in a narrow table. What was not measured has no cells.
@@ -220,6 +238,31 @@ pub const ROLL: [&str; 6] = [
     "error_bound_um",
     "class",
 ];
+
+/// The columns of the profiles, each tooth a row.
+const PROFILE: [&str; 7] = [
+    "tooth",
+    "slope_left",
+    "slope_right",
+    "form_left",
+    "form_right",
+    "total_left",
+    "total_right",
+];
+
+/// `f_Hα`, `f_fα` and `F_α` of both flanks.
+fn profiles(read: &ProfileReadings) -> Vec<Column> {
+    let of: [fn(&ProfileReading) -> f64; 3] = [|one| one.slope, |one| one.form, |one| one.total];
+    let values = of
+        .iter()
+        .flat_map(|of| [Flank::Left, Flank::Right].map(|side| um(&read.flank(side).by_tooth(of))));
+    let count = read.flank(Flank::Left).of_tooth.len();
+    let names = PROFILE.into_iter().skip(1);
+    let columns = names.zip(values);
+    std::iter::once(teeth(count))
+        .chain(columns.map(|(name, values)| Column::new(name, Unit::Um, values)))
+        .collect()
+}
 
 /// Poses of a roll test.
 pub fn roll(poses: &[RollPose]) -> Vec<Column> {

@@ -1,0 +1,242 @@
+//! `[profile]`: how the flanks deviate from the involute, both alike or each.
+
+mod trace;
+
+use super::entry::Limits;
+use super::limits::{FLANK_DIAMETER, PROFILE, RELIEF};
+use super::problems::Problems;
+use super::spec::{Either, FlankProfileSpec, ProfileSpec, ReliefShape, ReliefSpec, TraceSpec};
+use super::table::Table;
+use gearlash::gear::{BasicGearData, Flank, Modification, Relief, Trace};
+use gearlash::metrology::ProfileKey;
+use trace::FlankTraces;
+
+const KEYS: &[&str] = &[
+    "slope_um",
+    "crowning_um",
+    "tip_relief",
+    "root_relief",
+    "range_mm",
+    "trace",
+    "right",
+    "left",
+];
+/// Those of one flank.
+const FLANK_KEYS: &[&str] = KEYS.split_at(6).0;
+const RELIEF_KEYS: &[&str] = &["um", "from_diameter_mm", "shape"];
+const SHAPES: [(&str, ReliefShape); 2] = [
+    ("linear", ReliefShape::Linear),
+    ("parabolic", ReliefShape::Parabolic),
+];
+
+/// What is said of the profiles of one gear: of its own right flanks, and of its left ones; each as in the pair file, traces as lists of
+/// roll lengths.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Profiles {
+    flanks: [FlankProfileSpec; 2],
+}
+
+impl Profiles {
+    /// Reads `[profile]` of a gear's table, none when it is not there.
+    pub fn read(
+        gear: &Table,
+        teeth: Option<u32>,
+        basic_data: Option<&BasicGearData>,
+        problems: &mut Problems,
+    ) -> Option<Profiles> {
+        let table = gear.table("profile", KEYS, problems)?;
+        let gear = Measured { teeth, basic_data };
+        let both = flank(&table, None, &gear, problems);
+        let mut own = Vec::new();
+        for side in Flank::BOTH {
+            let below = table.table(side.name(), FLANK_KEYS, problems);
+            if let Some(below) = &below {
+                check_once(&table, below, side, problems);
+            }
+            own.push(below.and_then(|below| flank(&below, Some(side), &gear, problems)));
+        }
+        let own: Vec<(FlankProfileSpec, FlankTraces)> = own.into_iter().collect::<Option<_>>()?;
+        let (both, traces) = both?;
+        let mut flanks = [both.clone(), both];
+        for (index, (mut own, own_traces)) in own.into_iter().enumerate() {
+            let flank = &mut flanks[index];
+            let of = |traces: &FlankTraces| match &traces[index][..] {
+                [] => None,
+                [one] => Some(Either::One(one.clone())),
+                list => Some(Either::Other(list.to_vec())),
+            };
+            own.trace = of(&own_traces).or_else(|| of(&traces));
+            *flank = FlankProfileSpec {
+                slope_um: own.slope_um.or(flank.slope_um),
+                crowning_um: own.crowning_um.or(flank.crowning_um),
+                tip_relief: own.tip_relief.or(flank.tip_relief),
+                root_relief: own.root_relief.or(flank.root_relief),
+                range_mm: own.range_mm.or_else(|| flank.range_mm.take()),
+                trace: own.trace,
+            };
+        }
+        Some(Profiles { flanks })
+    }
+
+    /// What was said, on a gear of `basic_data`.
+    pub fn measured(&self, basic_data: &BasicGearData) -> [Modification; 2] {
+        let base = basic_data.base_radius();
+        self.flanks.each_ref().map(|flank| Modification {
+            slope: flank.slope_um.unwrap_or(0.0) / 1000.0,
+            crowning: flank.crowning_um.unwrap_or(0.0) / 1000.0,
+            tip_relief: flank.tip_relief.map(relief),
+            root_relief: flank.root_relief.map(relief),
+            traces: flank.traces().iter().map(|t| of_trace(t, base)).collect(),
+            range: flank
+                .range_mm
+                .as_deref()
+                .and_then(|range| <[f64; 2]>::try_from(range).ok())
+                .map(|range| range.map(|diameter| diameter / 2.0)),
+        })
+    }
+
+    /// As in the pair file; `None` when nothing is said.
+    pub fn spec(&self) -> Option<ProfileSpec> {
+        let [right, left] = &self.flanks;
+        if self.flanks == <[FlankProfileSpec; 2]>::default() {
+            return None;
+        }
+        Some(match right == left {
+            true => ProfileSpec {
+                both: right.clone(),
+                ..ProfileSpec::default()
+            },
+            false => ProfileSpec {
+                right: Some(right.clone()),
+                left: Some(left.clone()),
+                ..ProfileSpec::default()
+            },
+        })
+    }
+}
+
+/// The key, below the gear's table, that says so much of a flank.
+pub fn key_of(gear: &Table, flank: Flank, key: ProfileKey) -> String {
+    let name = match key {
+        ProfileKey::Slope => "slope_um",
+        ProfileKey::Crowning => "crowning_um",
+        ProfileKey::TipRelief => "tip_relief",
+        ProfileKey::RootRelief => "root_relief",
+        ProfileKey::Range => "range_mm",
+        ProfileKey::Trace => "trace",
+        ProfileKey::All => return "profile".to_owned(),
+    };
+    let own = format!("profile.{}.{name}", flank.name());
+    match gear.has(&own) {
+        true => own,
+        false => format!("profile.{name}"),
+    }
+}
+
+/// The gear that the traces were measured on, as far as it is known.
+struct Measured<'a> {
+    teeth: Option<u32>,
+    basic_data: Option<&'a BasicGearData>,
+}
+
+/// No key stands in the table of one flank and in that of both.
+fn check_once(both: &Table, own: &Table, side: Flank, problems: &mut Problems) {
+    for key in FLANK_KEYS
+        .iter()
+        .filter(|key| both.has(key) && own.has(key))
+    {
+        problems.add(own.problem(
+            key,
+            format!(
+                "given together with {}, allowed is one of them",
+                both.path_of(key)
+            ),
+            format!(
+                "remove one: what stands in [{}] is of both flanks, what stands in [{}] of the {} flanks alone",
+                both.path_of("").trim_end_matches('.'),
+                own.path_of("").trim_end_matches('.'),
+                side.name()
+            ),
+        ));
+    }
+}
+
+/// The keys of a flank, or of both; the traces of each.
+fn flank(
+    table: &Table,
+    own: Option<Flank>,
+    gear: &Measured,
+    problems: &mut Problems,
+) -> Option<(FlankProfileSpec, FlankTraces)> {
+    let mut number = |name: &str, limits: &Limits| match table.optional(name)? {
+        Some(entry) => problems.keep(entry.number(limits)).map(Some),
+        None => Some(None),
+    };
+    let slope_um = number("slope_um", &PROFILE);
+    let crowning_um = number("crowning_um", &PROFILE);
+    let tip_relief = read_relief(table, "tip_relief", problems);
+    let root_relief = read_relief(table, "root_relief", problems);
+    let range_mm = read_range(table, problems);
+    let traces = trace::read(table, own, gear, problems);
+    let spec = FlankProfileSpec {
+        slope_um: slope_um?,
+        crowning_um: crowning_um?,
+        tip_relief: tip_relief?,
+        root_relief: root_relief?,
+        range_mm: range_mm?,
+        trace: None,
+    };
+    Some((spec, traces?))
+}
+
+fn read_relief(table: &Table, name: &str, problems: &mut Problems) -> Option<Option<ReliefSpec>> {
+    let relief = table.table(name, RELIEF_KEYS, problems)?;
+    if !table.has(name) {
+        return Some(None);
+    }
+    let um = relief.number("um", &RELIEF, problems);
+    let from = relief.number("from_diameter_mm", &FLANK_DIAMETER, problems);
+    let shape = relief.choice_or_first("shape", &SHAPES, problems);
+    Some(Some(ReliefSpec {
+        um: um?,
+        from_diameter_mm: from?,
+        shape: shape?,
+    }))
+}
+
+fn read_range(table: &Table, problems: &mut Problems) -> Option<Option<Vec<f64>>> {
+    let Some(entry) = table.optional("range_mm")? else {
+        return Some(None);
+    };
+    let range = entry.numbers(&FLANK_DIAMETER, problems)?;
+    match range[..] {
+        [start, end] if start < end => Some(Some(range)),
+        _ => {
+            problems.add(entry.problem(
+                "no evaluation range, allowed are two diameters in mm, the lesser first",
+                "write range_mm = [start, end]",
+            ));
+            None
+        }
+    }
+}
+
+fn relief(spec: ReliefSpec) -> Relief {
+    Relief {
+        amount: spec.um / 1000.0,
+        from: spec.from_diameter_mm / 2.0,
+        parabolic: spec.shape == ReliefShape::Parabolic,
+    }
+}
+
+fn of_trace(spec: &TraceSpec, base: f64) -> Trace {
+    let rolls = spec.roll_length_mm.iter().flatten();
+    let deviations = spec.deviation_um.iter().flatten();
+    Trace {
+        tooth: spec.tooth,
+        points: rolls
+            .zip(deviations)
+            .map(|(length, um)| (length / base, um / 1000.0))
+            .collect(),
+    }
+}

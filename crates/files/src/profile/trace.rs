@@ -1,0 +1,315 @@
+//! `trace` of `[profile]`: measured profiles, as lists or from tables.
+
+use super::Measured;
+use crate::entry::Entry;
+use crate::limits::{FLANK_DIAMETER, PROFILE, ROLL_LENGTH};
+use crate::node::Node;
+use crate::problems::Problems;
+use crate::sheet::{self, Column, TraceSheet};
+use crate::spec::TraceSpec;
+use crate::table::Table;
+use gearlash::gear::Flank;
+use std::collections::BTreeMap;
+
+const KEYS: &[&str] = &[
+    "tooth",
+    "roll_length_mm",
+    "diameter_mm",
+    "deviation_um",
+    "file",
+    "sheet",
+    "decimal",
+];
+/// How many traces may be listed: one a tooth of the largest gear.
+const MOST: usize = 10_000;
+
+/// Traces of the right flanks, and of the left ones.
+pub type FlankTraces = [Vec<TraceSpec>; 2];
+
+/// A point of a trace: roll length, mm, and deviation, µm.
+type Point = (f64, f64);
+
+/// Reads the traces of a table of the `own` flank, or of both flanks.
+pub fn read(
+    table: &Table,
+    own: Option<Flank>,
+    gear: &Measured,
+    problems: &mut Problems,
+) -> Option<FlankTraces> {
+    let mut traces = FlankTraces::default();
+    let Some(entry) = table.optional("trace")? else {
+        return Some(traces);
+    };
+    let allowed = "a table of a trace, or a list of them";
+    let help = "write trace = { file = \"trace.csv\" }";
+    let path = table.path_of("trace");
+    let nodes: Vec<(String, &Node)> = match entry.node() {
+        Node::Table(_) => vec![(path, entry.node())],
+        Node::List(list) if !list.is_empty() && list.len() <= MOST => (1..)
+            .zip(list)
+            .map(|(place, node)| (format!("{path}[{place}]"), node))
+            .collect(),
+        _ => {
+            problems.add(entry.wrong_type(allowed, help));
+            return None;
+        }
+    };
+    let mut good = Some(());
+    for (path, node) in &nodes {
+        let Node::Table(entries) = node else {
+            let entry = Entry::new(path.clone(), node);
+            problems.add(entry.wrong_type("a table of a trace", help));
+            good = None;
+            continue;
+        };
+        let below = Table::new(path, table.place(), entries, KEYS, problems);
+        match read_one(&below, own, gear, problems) {
+            Some(found) => {
+                for (all, more) in traces.iter_mut().zip(found) {
+                    all.extend(more);
+                }
+            }
+            None => good = None,
+        }
+    }
+    good?;
+    for (flank, traces) in Flank::BOTH.into_iter().zip(&mut traces) {
+        traces.sort_by_key(|trace| trace.tooth);
+        let twice = traces
+            .windows(2)
+            .find(|pair| pair[0].tooth == pair[1].tooth);
+        let reason = match (twice, &traces[..]) {
+            (
+                Some(
+                    [
+                        TraceSpec {
+                            tooth: Some(tooth), ..
+                        },
+                        _,
+                    ],
+                ),
+                _,
+            ) => {
+                format!(
+                    "tooth {tooth} has two traces of the {} flank, allowed is one",
+                    flank.name()
+                )
+            }
+            (_, [TraceSpec { tooth: None, .. }, _, ..]) => format!(
+                "a trace of the {} flanks names no tooth and so stands for all, beside another one",
+                flank.name()
+            ),
+            _ => continue,
+        };
+        problems.add(entry.problem(
+            reason,
+            "keep one trace a tooth, each with its tooth, or one for all",
+        ));
+        // Most often the other flank has the same.
+        return None;
+    }
+    good.map(|()| traces)
+}
+
+fn read_one(
+    table: &Table,
+    own: Option<Flank>,
+    gear: &Measured,
+    problems: &mut Problems,
+) -> Option<FlankTraces> {
+    let tooth = match table.optional("tooth")? {
+        Some(entry) => {
+            let teeth = 1..=gear.teeth.unwrap_or(10_000);
+            let help = "give the number of the tooth that was measured";
+            problems.keep(entry.whole(teeth, help)).map(Some)
+        }
+        None => Some(None),
+    };
+    if table.has("file") {
+        let listed = ["roll_length_mm", "diameter_mm", "deviation_um"];
+        if let Some(second) = listed.into_iter().find(|name| table.has(name)) {
+            problems.add(table.problem(
+                "file",
+                format!("given together with {second}, allowed is one of file and the lists"),
+                "remove one or the other",
+            ));
+            return None;
+        }
+        return of_file(table, tooth?, own, gear, problems);
+    }
+    sheet::without_file(table, problems)?;
+    let points = of_lists(table, gear, problems)?;
+    let trace = spec(tooth?, &points);
+    Some(match own {
+        None => [vec![trace.clone()], vec![trace]],
+        Some(Flank::Right) => [vec![trace], Vec::new()],
+        Some(Flank::Left) => [Vec::new(), vec![trace]],
+    })
+}
+
+fn spec(tooth: Option<u32>, points: &[Point]) -> TraceSpec {
+    TraceSpec {
+        tooth,
+        roll_length_mm: Some(points.iter().map(|point| point.0).collect()),
+        deviation_um: Some(points.iter().map(|point| point.1).collect()),
+        ..TraceSpec::default()
+    }
+}
+
+fn of_lists(table: &Table, gear: &Measured, problems: &mut Problems) -> Option<Vec<Point>> {
+    let (name, limits, by) = match (table.has("roll_length_mm"), table.has("diameter_mm")) {
+        (true, true) => {
+            problems.add(table.problem(
+                "diameter_mm",
+                "given together with roll_length_mm, allowed is one of them",
+                "remove one: they say the same",
+            ));
+            return None;
+        }
+        (false, true) => ("diameter_mm", &FLANK_DIAMETER, Column::Diameter),
+        _ => ("roll_length_mm", &ROLL_LENGTH, Column::RollLength),
+    };
+    let needed = "a list of roll lengths in mm, or `diameter_mm`, or `file`";
+    let entry = table.need(name, needed, problems);
+    let at = entry
+        .as_ref()
+        .and_then(|entry| entry.numbers(limits, problems));
+    let deviations = table.need("deviation_um", "a list of deviations in µm", problems);
+    let deviations = deviations.and_then(|entry| entry.numbers(&PROFILE, problems));
+    let (entry, at, deviations) = (entry?, at?, deviations?);
+    if at.len() != deviations.len() || at.len() < 2 {
+        problems.add(table.problem(
+            "deviation_um",
+            format!(
+                "{} values beside {} of {name}, expected is one for each of two points or more",
+                deviations.len(),
+                at.len()
+            ),
+            "give the deviation at each point",
+        ));
+        return None;
+    }
+    let mut points = Vec::new();
+    for (place, (at, um)) in (1..).zip(at.into_iter().zip(deviations)) {
+        let fault = match roll_length(by, at, gear) {
+            Ok(length) => {
+                let fault = ascending(points.last(), (length, um), by);
+                points.push((length, um));
+                fault
+            }
+            // The gear's own problem is told.
+            Err(fault) => Some(fault?),
+        };
+        if let Some((reason, help)) = fault {
+            problems.add(entry.problem(format!("value {place} of the list: {reason}"), help));
+            return None;
+        }
+    }
+    Some(points)
+}
+
+/// A reason and the way out.
+type Fault = (String, String);
+
+/// Roll length of what a trace says of where it was; `Err(None)` where the gear is not known, which is told.
+fn roll_length(by: Column, at_mm: f64, gear: &Measured) -> Result<f64, Option<Fault>> {
+    if by == Column::RollLength {
+        return Ok(at_mm);
+    }
+    let base = gear.basic_data.ok_or(None)?.base_radius();
+    let radius = 0.5 * at_mm;
+    match radius >= base {
+        true => Ok(((radius - base) * (radius + base)).sqrt()),
+        false => Err(Some((
+            format!(
+                "diameter {at_mm} mm, allowed is from the base circle on, {:.4} mm",
+                2.0 * base
+            ),
+            "leave out points below the base circle: there is no involute".to_owned(),
+        ))),
+    }
+}
+
+/// What is wrong with a point behind `last`.
+fn ascending(last: Option<&Point>, point: Point, by: Column) -> Option<Fault> {
+    let last = last.filter(|last| point.0 <= last.0)?;
+    let how = match point.0 < last.0 {
+        true => "descends",
+        false => "is the same as before",
+    };
+    let name = by.names()[0];
+    Some((
+        format!("the {name} {how}, allowed is strictly ascending"),
+        "give the points of a trace from root to tip, each once".to_owned(),
+    ))
+}
+
+fn of_file(
+    table: &Table,
+    tooth: Option<u32>,
+    own: Option<Flank>,
+    gear: &Measured,
+    problems: &mut Problems,
+) -> Option<FlankTraces> {
+    let read = TraceSheet::read(table, gear.teeth, problems)?;
+    let file = &read.file;
+    let mut bad = Problems::of_list();
+    let first = read.rows.first()?;
+    if let (Some(_), Some(_)) = (tooth, first.tooth) {
+        let reason = "has a column tooth, and the key `tooth` stands beside the file: allowed is one of them";
+        bad.add(file.problem(reason, "remove one or the other"));
+    }
+    if let (Some(own), Some(_)) = (own, first.flank) {
+        let reason = format!(
+            "has a column flank, this table is of the {} flanks alone",
+            own.name()
+        );
+        bad.add(file.problem(
+            reason,
+            "remove the column, or give the trace in the table of both flanks",
+        ));
+    }
+    // By flank and tooth; the line of each trace's last point.
+    let mut traces: BTreeMap<(usize, Option<u32>), (u64, Vec<Point>)> = BTreeMap::new();
+    for row in &read.rows {
+        let flanks = match row.flank.or(own) {
+            None => vec![0, 1],
+            Some(flank) => vec![usize::from(flank == Flank::Left)],
+        };
+        let length = match roll_length(read.by, row.at_mm, gear) {
+            Ok(length) => length,
+            Err(None) => return None,
+            Err(Some((reason, help))) => {
+                bad.add(file.problem_at(row.line, file.found(reason), help));
+                continue;
+            }
+        };
+        let point = (length, row.deviation_um);
+        let mut fault = None;
+        for flank in flanks {
+            let key = (flank, row.tooth.or(tooth));
+            let (line, points) = traces.entry(key).or_default();
+            fault = ascending(points.last(), point, read.by);
+            points.push(point);
+            *line = row.line;
+        }
+        if let Some((reason, help)) = fault {
+            bad.add(file.problem_at(row.line, reason, help));
+        }
+    }
+    let mut told = None;
+    for ((_, tooth), (line, points)) in &traces {
+        if points.len() < 2 && told.replace(*line) != Some(*line) {
+            let whose = tooth.map_or(String::new(), |tooth| format!(" of tooth {tooth}"));
+            let reason = format!("the trace{whose} has one point, allowed are two or more");
+            bad.add(file.problem_at(*line, file.found(reason), "give the whole trace"));
+        }
+    }
+    let good = bad.is_empty();
+    problems.add_list(file.key(), bad);
+    let mut found = FlankTraces::default();
+    for ((flank, tooth), (_, points)) in traces {
+        found[flank].push(spec(tooth, &points));
+    }
+    good.then_some(found)
+}

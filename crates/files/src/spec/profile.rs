@@ -1,0 +1,128 @@
+//! How the flanks deviate from the involute.
+
+use super::rules::{beside, columns, exactly_one, list_length, not_beside, within};
+use super::value::{Either, TableFileSpec};
+use crate::limits::{FLANK_DIAMETER, PROFILE, RELIEF, ROLL_LENGTH, TOOTH};
+use schemars::{JsonSchema, Schema};
+use serde::Serialize;
+
+use super::rules::whole;
+
+/// Profile deviations, µm, plus = more material: of both flanks, or of each in a table of its own.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, JsonSchema)]
+pub struct ProfileSpec {
+    /// Of both flanks.
+    #[serde(flatten)]
+    pub both: FlankProfileSpec,
+    /// Of the right flanks alone.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub right: Option<FlankProfileSpec>,
+    /// Of the left flanks alone.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub left: Option<FlankProfileSpec>,
+}
+
+/// Profile deviations of a flank, µm, plus = more material; they add.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, JsonSchema)]
+pub struct FlankProfileSpec {
+    /// Profile slope f_Hα, µm: 0 at the start of the evaluation range, this much at its end.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(transform = within(&PROFILE))]
+    pub slope_um: Option<f64>,
+    /// Profile crowning C_α, µm: a parabola that stands out so far in the middle of the evaluation range, 0 at its ends; negative: hollow.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(transform = within(&PROFILE))]
+    pub crowning_um: Option<f64>,
+    /// Taken off towards the tip.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tip_relief: Option<ReliefSpec>,
+    /// Taken off towards the root.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub root_relief: Option<ReliefSpec>,
+    /// Evaluation range, diameters, mm; default: root form circle to tip circle.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(transform = within(&FLANK_DIAMETER), transform = list_length(2, Some(2)))]
+    pub range_mm: Option<Vec<f64>>,
+    /// Measured profiles: one, or a list; teeth without one take the mean.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub trace: Option<Either<TraceSpec, Vec<TraceSpec>>>,
+}
+
+/// Material taken off a flank.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+pub struct ReliefSpec {
+    /// Taken off at the tip circle, or at the root form circle, µm.
+    #[schemars(transform = within(&RELIEF))]
+    pub um: f64,
+    /// Diameter at which it begins, mm.
+    #[schemars(transform = within(&FLANK_DIAMETER))]
+    pub from_diameter_mm: f64,
+    /// How it grows with the roll.
+    #[schemars(default)]
+    pub shape: ReliefShape,
+}
+
+/// How a relief grows with the roll.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+#[schemars(inline)]
+pub enum ReliefShape {
+    /// As a straight line, with an edge where it begins.
+    #[default]
+    Linear,
+    /// As a parabola that leaves the flank smoothly.
+    Parabolic,
+}
+
+/// A measured profile: where, and the deviation there; beyond its ends it stays as it is there.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, JsonSchema)]
+#[schemars(
+    transform = trace_keys,
+    transform = columns("roll_length_mm or diameter_mm, deviation_um; tooth, flank where needed")
+)]
+pub struct TraceSpec {
+    /// The tooth it was measured on; none: it stands for all.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(transform = whole(TOOTH))]
+    pub tooth: Option<u32>,
+    /// Roll lengths r_b ξ from the base circle on, mm, ascending.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(transform = within(&ROLL_LENGTH), transform = list_length(2, None))]
+    pub roll_length_mm: Option<Vec<f64>>,
+    /// The same as diameters, mm, ascending.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(transform = within(&FLANK_DIAMETER), transform = list_length(2, None))]
+    pub diameter_mm: Option<Vec<f64>>,
+    /// Deviation at each, µm, plus = more material.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(transform = within(&PROFILE), transform = list_length(2, None))]
+    pub deviation_um: Option<Vec<f64>>,
+    /// Traces from a table.
+    #[serde(flatten)]
+    pub table: Option<TableFileSpec>,
+}
+
+impl FlankProfileSpec {
+    /// Its traces.
+    pub fn traces(&self) -> &[TraceSpec] {
+        match &self.trace {
+            None => &[],
+            Some(Either::One(trace)) => std::slice::from_ref(trace),
+            Some(Either::Other(list)) => list,
+        }
+    }
+}
+
+impl ProfileSpec {
+    /// Of the right flanks, and of the left ones.
+    pub fn flanks(&self) -> [&FlankProfileSpec; 2] {
+        [&self.right, &self.left].map(|own| own.as_ref().unwrap_or(&self.both))
+    }
+}
+
+fn trace_keys(schema: &mut Schema) {
+    exactly_one(schema, &[&["roll_length_mm"], &["diameter_mm"], &["file"]]);
+    beside(schema, "roll_length_mm", &[&["deviation_um"]]);
+    beside(schema, "diameter_mm", &[&["deviation_um"]]);
+    not_beside(schema, "file", &["deviation_um"]);
+}

@@ -1,0 +1,207 @@
+//! Profile deviation: a stylus along the tangents of the base circle, roll by roll.
+//!
+//! Where the tangent at a roll `ξ` crosses an involute is `r_b ξ` from where it touches the base circle; what the flank stands beyond is its
+//! deviation, plus = more material, against the involute of the mean thickness in its undisturbed place (where the pitch has the flank is
+//! no matter of its profile). Over the evaluation range, with the mean line by least squares over the roll (ISO 1328-1, the design profile being the involute): `f_Hα` is what the mean line
+//! rises from the range's start to its end, `f_fα` the range of the deviation about the mean line, `F_α` the range of the deviation itself.
+
+use super::Unmeasured;
+use super::spread::{ends, mean, range};
+use super::workpiece::Workpiece;
+use crate::gear::{Flank, involute};
+use crate::parallel;
+
+/// Points over a range. Tuned: a parabola's range is found to some 1e-5 of it.
+const POINTS: usize = 201;
+/// What is left out at the ends of the flank, rad: beyond rounding, and far below a point's distance.
+const INSIDE: f64 = 1e-9;
+/// Relative to its bound, what of a deviation is more than rounding.
+const LEVEL: f64 = 100.0;
+
+/// Profiles of all flanks.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct ProfileReadings {
+    /// Of the gear's own right flanks, and of its left ones.
+    pub flanks: [FlankProfiles; 2],
+    /// Bound on the error of each deviation, mm.
+    pub error: f64,
+}
+
+/// Profiles of the flanks of one side.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct FlankProfiles {
+    /// The evaluation range as roll lengths `r_b ξ`, mm.
+    pub evaluated: [f64; 2],
+    /// The same as diameters, mm.
+    pub evaluated_diameters: [f64; 2],
+    /// Those that are not alike.
+    pub shapes: Vec<ProfileReading>,
+    /// Which of them each tooth has, tooth 1 first.
+    pub of_tooth: Vec<usize>,
+}
+
+/// One profile.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct ProfileReading {
+    /// Over the whole flank: roll length `r_b ξ` and deviation, mm.
+    pub points: Vec<(f64, f64)>,
+    /// Ends of the mean line, at those of the evaluation range.
+    pub mean_line: [(f64, f64); 2],
+    /// Profile slope deviation `f_Hα`, mm.
+    pub slope: f64,
+    /// Profile form deviation `f_fα`, mm.
+    pub form: f64,
+    /// Total profile deviation `F_α`, mm.
+    pub total: f64,
+}
+
+impl ProfileReadings {
+    /// The profiles of a gear's own flank.
+    pub fn flank(&self, own: Flank) -> &FlankProfiles {
+        &self.flanks[usize::from(own == Flank::Left)]
+    }
+
+    /// Whether any profile deviates by more than rounding.
+    pub fn deviates(&self) -> bool {
+        let mut shapes = self.flanks.iter().flat_map(|flank| &flank.shapes);
+        let off = |shape: &ProfileReading| {
+            let mut points = shape.points.iter();
+            points.any(|point| point.1.abs() > LEVEL * self.error)
+        };
+        shapes.any(off)
+    }
+}
+
+impl FlankProfiles {
+    /// The profile of a tooth, from 1.
+    pub fn tooth(&self, tooth: u32) -> &ProfileReading {
+        &self.shapes[self.of_tooth[tooth as usize - 1]]
+    }
+
+    /// `of` each tooth, tooth 1 first.
+    pub fn by_tooth(&self, of: impl Fn(&ProfileReading) -> f64) -> Vec<f64> {
+        let teeth = self.of_tooth.iter();
+        teeth.map(|&shape| of(&self.shapes[shape])).collect()
+    }
+
+    /// Mean over the teeth.
+    pub fn mean(&self, of: impl Fn(&ProfileReading) -> f64) -> f64 {
+        mean(self.by_tooth(of).into_iter())
+    }
+
+    /// The greatest by amount, with its sign, and its tooth.
+    pub fn worst(&self, of: impl Fn(&ProfileReading) -> f64) -> (u32, f64) {
+        let teeth = (1..).zip(self.by_tooth(of));
+        let greater =
+            |worst: (u32, f64), (tooth, value): (u32, f64)| match value.abs() > worst.1.abs() {
+                true => (tooth, value),
+                false => worst,
+            };
+        teeth.fold((1, 0.0), greater)
+    }
+
+    /// The tooth of the greatest total deviation.
+    pub fn worst_tooth(&self) -> u32 {
+        self.worst(|profile| profile.total).0
+    }
+}
+
+/// Reads the profile of every flank, evaluated between the `radii` of the own right and the own left flanks; of none over the whole flank.
+pub(super) fn profile(
+    work: &Workpiece,
+    radii: [Option<[f64; 2]>; 2],
+) -> Result<ProfileReadings, Unmeasured> {
+    let gear = work.as_built.gear();
+    if !gear.is_generated() {
+        return Err(Unmeasured("the flanks are no involutes".to_owned()));
+    }
+    let base = gear.base_radius();
+    let mut error = 0.0;
+    let mut flanks = Vec::new();
+    for (own, radii) in Flank::BOTH.into_iter().zip(radii) {
+        let side = work.as_built.face().seen_from_front(own);
+        let asked = match radii {
+            Some(radii) => radii.map(|radius| involute::roll_at(radius, base)),
+            None => [gear.form_roll(), gear.tip_roll()],
+        };
+        let of_tooth: Vec<usize> = (1..=gear.basic_data().teeth())
+            .map(|tooth| work.as_built.shape_of(side, tooth))
+            .collect();
+        // The first tooth of each shape.
+        let first = |shape| of_tooth.iter().position(|&of| of == shape);
+        let teeth = (0..work.as_built.shapes(side)).filter_map(first);
+        let teeth: Vec<u32> = teeth.map(|index| index as u32 + 1).collect();
+        let read = |[from, to]: [f64; 2], tooth: u32| -> Option<(Vec<(f64, f64)>, f64)> {
+            let mut worst = 0.0;
+            let point = |k: usize| {
+                let xi = from + (to - from) * k as f64 / (POINTS - 1) as f64;
+                let (at, error) = work.along_tangent(side, tooth, xi)?;
+                worst = f64::max(worst, error);
+                Some((base * xi, at - base * xi))
+            };
+            let points = (0..POINTS).map(point).collect::<Option<_>>()?;
+            Some((points, worst))
+        };
+        let shape = |tooth: u32| {
+            let [low, high] = work.flank_rolls(side, tooth);
+            let whole = [low + INSIDE, high - INSIDE];
+            let evaluated = [asked[0].max(whole[0]), asked[1].min(whole[1])];
+            let (points, error) = read(whole, tooth)?;
+            let (within, more) = read(evaluated, tooth)?;
+            Some((evaluate(points, &within), error.max(more)))
+        };
+        let mut shapes = Vec::new();
+        for (tooth, found) in teeth
+            .iter()
+            .zip(parallel::map(teeth.iter().copied(), shape))
+        {
+            let Some((found, bound)) = found else {
+                return Err(Unmeasured(format!(
+                    "the stylus leaves the {} flank of tooth {tooth}",
+                    own.name()
+                )));
+            };
+            error = f64::max(error, bound);
+            shapes.push(found);
+        }
+        flanks.push(FlankProfiles {
+            evaluated: asked.map(|xi| base * xi),
+            evaluated_diameters: asked.map(|xi| 2.0 * involute::radius_at(xi, base)),
+            shapes,
+            of_tooth,
+        });
+    }
+    let [Some(right), Some(left)] = [0, 1].map(|index| flanks.get(index).cloned()) else {
+        return Err(Unmeasured("there are no flanks".to_owned()));
+    };
+    Ok(ProfileReadings {
+        flanks: [right, left],
+        error,
+    })
+}
+
+/// The deviations of the points `within` the evaluation range, evenly spread: each stands for the stretch half way to its neighbours, the
+/// first and the last for half of one.
+fn evaluate(points: Vec<(f64, f64)>, within: &[(f64, f64)]) -> ProfileReading {
+    let last = within.len() - 1;
+    let weight = |k: usize| if k == 0 || k == last { 0.5 } else { 1.0 };
+    let sum = |of: &dyn Fn(f64, f64) -> f64| -> f64 {
+        let points = within.iter().enumerate();
+        points.map(|(k, &(at, off))| weight(k) * of(at, off)).sum()
+    };
+    let [at, off] = [sum(&|at, _| at), sum(&|_, off| off)].map(|sum| sum / last as f64);
+    let square = sum(&|one, _| (one - at).powi(2));
+    let rise = sum(&|one, value| (one - at) * (value - off)) / square;
+    let [from, to] = ends(within.iter().map(|point| point.0));
+    let on_line = |length: f64| (length, off + rise * (length - at));
+    ProfileReading {
+        points,
+        mean_line: [on_line(from), on_line(to)],
+        slope: rise * (to - from),
+        form: range(within.iter().map(|point| point.1 - rise * point.0)),
+        total: range(within.iter().map(|point| point.1)),
+    }
+}

@@ -88,7 +88,7 @@ impl RunExtreme {
 
     /// Whether no rotation of the cycle lies beyond the bracket, however wide that is.
     pub fn holds(&self) -> bool {
-        let wide = [Doubt::Effort, Doubt::SecondOrder];
+        let wide = [Doubt::Effort, Doubt::SecondOrder, Doubt::Profile];
         self.doubt.is_none_or(|doubt| wide.contains(&doubt)) && self.pose.swept.found.is_ok()
     }
 
@@ -367,7 +367,10 @@ fn distinct(assembly: &GearPair) -> u64 {
     let teeth = |member| gear(member).gear().basic_data().teeth();
     let (wheel, pinion) = (teeth(Member::Wheel), teeth(Member::Pinion));
     // In any direction an eccentricity alone makes no tooth another.
-    let deviates = |member| Inspection::of(&gear(member).centred()).deviates();
+    let deviates = |member| {
+        let gear = gear(member);
+        Inspection::of(&gear.centred()).deviates() || gear.has_unlike_profiles()
+    };
     match [Member::Wheel, Member::Pinion].map(deviates) {
         [true, true] => hunting_pitches(assembly),
         [true, false] => u64::from(wheel),

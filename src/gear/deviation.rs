@@ -375,6 +375,11 @@ impl AsBuilt {
         }
     }
 
+    /// Whether the profiles of one side are not all alike.
+    pub(crate) fn has_unlike_profiles(&self) -> bool {
+        Side::BOTH.into_iter().any(|side| self.shapes(side) > 1)
+    }
+
     /// Whether profiles deviate.
     pub fn is_modified(&self) -> bool {
         self.modified.is_some()
@@ -386,14 +391,14 @@ impl AsBuilt {
     }
 
     /// A gear without profile deviations whose every half tooth holds this one's, turned out by the greatest deviation of its flank, and
-    /// how much less than that any flank has anywhere, mm.
+    /// one that this one holds, by the least; and how much any flank's deviations differ, mm.
     ///
     /// An involute with the constant deviation `D` is the same involute turned by `D/r_b`.
     ///
     /// # Errors
     /// As [`AsBuilt::new`] of thickness.
-    pub(crate) fn enveloping(&self) -> Result<(AsBuilt, f64), GearError> {
-        let mut other = self.unmodified();
+    pub(crate) fn enclosing(&self) -> Result<([AsBuilt; 2], f64), GearError> {
+        let mut enclosing = [self.unmodified(), self.unmodified()];
         let mut range = 0.0f64;
         let base = self.gear.base_radius();
         for side in Side::BOTH {
@@ -401,20 +406,22 @@ impl AsBuilt {
             range = bounds
                 .iter()
                 .fold(range, |range, [least, most]| range.max(most - least));
-            let list = match side {
-                Side::Right => &mut other.right,
-                Side::Left => &mut other.left,
-            };
-            let teeth = (1..).zip(list.iter());
-            *list = teeth
-                .map(|(tooth, offset)| {
-                    let [_, most] = bounds[self.shape_of(side, tooth)];
-                    offset + side.sense() * most / base
-                })
-                .collect();
+            for (which, other) in [1, 0].into_iter().zip(&mut enclosing) {
+                let list = match side {
+                    Side::Right => &mut other.right,
+                    Side::Left => &mut other.left,
+                };
+                let turned = |(tooth, offset): (u32, &f64)| {
+                    let deviation = bounds[self.shape_of(side, tooth)][which];
+                    offset + side.sense() * deviation / base
+                };
+                *list = (1..).zip(list.iter()).map(turned).collect();
+            }
         }
-        other.check_teeth()?;
-        Ok((other, range))
+        for other in &enclosing {
+            other.check_teeth()?;
+        }
+        Ok((enclosing, range))
     }
 
     /// Least and greatest deviation, mm, of each of the shapes of a side.

@@ -2,7 +2,7 @@
 
 use crate::clearance;
 use crate::random::{self, Random};
-use gearlash::contact::{Certifier, Contact, CutGear, ExactKernel, PolygonKernel, Status};
+use gearlash::contact::{Certifier, Contact, CutGear, Doubt, ExactKernel, PolygonKernel, Status};
 use gearlash::gear::{AsBuilt, Deviations, Flank, Gear, Modification, Pitch, Relief, Trace};
 use gearlash::pair::{GearPair, Member, Pose};
 use rayon::prelude::*;
@@ -167,4 +167,51 @@ fn random_profiles_by_every_method() {
         met.len() >= 300 && found.iter().all(|&count| count > 5),
         "{found:?}"
     );
+}
+
+/// The extremes of the whole cycle hold every pose of it. Source: the poses themselves, of pairs in ordinary mesh.
+#[test]
+fn extremes_hold_every_pose() {
+    let found: Vec<bool> = (0..200u64)
+        .into_par_iter()
+        .filter_map(|seed| {
+            let mut random = Random(seed ^ 0xe47e);
+            let assembly = pair(&mut random, true)?;
+            let teeth = |member| assembly.gear(member).gear().basic_data().teeth();
+            if teeth(Member::Wheel).max(teeth(Member::Pinion)) > 80 {
+                return None;
+            }
+            let first = random::mating(&mut random, &assembly);
+            let kernel = ExactKernel::new(&assembly);
+            let matings = 40;
+            let extremes = kernel.extremes(&assembly, first, matings, 1e-6).ok()?;
+            let (least, greatest) = (extremes.least?, extremes.greatest?);
+            let holds = |doubt| matches!(doubt, None | Some(Doubt::Profile | Doubt::Effort));
+            let radius = assembly.operating_pitch_radius(assembly.free());
+            for _ in 0..100 {
+                let mating = first.onward(
+                    &assembly,
+                    random.within(0.0, matings as f64) - first.fraction,
+                );
+                let pose = Pose::new(&assembly, mating);
+                let Some(angle) = kernel.lost_motion(&pose).ok()?.angle() else {
+                    continue;
+                };
+                let play = angle * radius;
+                let rounding = 1e-11 * radius;
+                assert!(
+                    !holds(least.doubt) || play >= least.low - rounding,
+                    "{seed}: {play} {least:?}"
+                );
+                assert!(
+                    !holds(greatest.doubt) || play <= greatest.high + rounding,
+                    "{seed}: {play} {greatest:?}"
+                );
+            }
+            Some(holds(least.doubt) && holds(greatest.doubt))
+        })
+        .collect();
+    let held = found.iter().filter(|held| **held).count();
+    println!("{held} of {}", found.len());
+    assert!(held > 20, "{held} of {}", found.len());
 }

@@ -15,15 +15,16 @@
 //! A pose that one of these leaves open is searched, as are all of undercut gears. Where the outer gears touch and nothing deviates from them there, theirs is the answer: a
 //! relief beyond the path of contact changes nothing.
 
+use super::branch::search as search_pair;
 use super::candidate::{CandidateContact, slope};
 use super::curves::SearchExhausted;
 use super::direct::{DirectSolver, Envelopes, Level, least_radius};
 use super::flank_problem::{FlankProblem, PosedFlanks};
-use super::lands::without_lands;
+use super::lands::{land_on_land, without_lands};
 use super::line::Line;
 use super::placed::Placed;
 use super::search;
-use super::shape::Sample;
+use super::shape::{C, Sample, Shape};
 use super::tightest::{TightestContacts, Touching};
 use crate::contact::gap::{Arc, MOST_NODES, Meeting, greatest};
 use crate::gear::{Osculating, ProfilePart, Side, smooth};
@@ -75,8 +76,9 @@ impl OuterGears {
         }
         let convex =
             |problem: &FlankProblem| problem.locked.is_convex() && problem.free.is_convex();
-        let outer = |member: Member| assembly.gear(member).enveloping().ok();
-        let ((wheel, one), (pinion, other)) = (outer(Member::Wheel)?, outer(Member::Pinion)?);
+        let enclosing = |member: Member| assembly.gear(member).enclosing().ok();
+        let ([wheel, _], one) = enclosing(Member::Wheel)?;
+        let ([pinion, _], other) = enclosing(Member::Pinion)?;
         let distance = assembly.center_distance();
         let pair = GearPair::with_locked(wheel, pinion, distance, assembly.locked()).ok()?;
         let [right, left] = Side::BOTH.map(|side| FlankProblem::new(&pair, side));
@@ -84,6 +86,13 @@ impl OuterGears {
         // Both gears' points move by as much.
         let envelopes = Envelopes::with_room(&right, &pair, 4.0 * range);
         let solver = OuterGears::solver(&right, &pair, envelopes, problems)?;
+        // Where a step is not searched for its open curves the outer gears' own proof says why.
+        if !DirectSolver::new(&right, &pair, solver.envelopes.clone())?
+            .proof
+            .is_direct()
+        {
+            return None;
+        }
         Some(OuterGears {
             pair,
             right,
@@ -183,12 +192,7 @@ impl OuterGears {
         }
         let settled = |step| pairs.iter().flatten().any(|pair| pair.step == step);
         self.on_tips(posed, outer, &mut tightest, settled)?;
-        let open = self.solver.proof.open;
-        if open.is_empty() {
-            return tightest.choose();
-        }
-        posed.on_lands(open, &mut tightest);
-        search::over(posed, tightest, |_| without_lands(open), MOST_NODES).ok()?
+        tightest.choose()
     }
 
     /// The greatest gap above `floor` of a pair's flanks, by branch and bound over as much of them as their outer gap leaves open; `None` where it
@@ -245,7 +249,9 @@ impl OuterGears {
                 let start = pair.rolls.1.clamp(mate_low, mate_high);
                 free.curve(part).invert(rho, [mate_low, mate_high], start)
             };
-            let on_free = (to(radii[1]), to(radii[0]));
+            // Where the flank itself ends it does so at another radius than the outer one.
+            let reached = [radius(&locked, on_locked.0), radius(&locked, on_locked.1)];
+            let on_free = (to(radii[1].min(reached[1])), to(radii[0].max(reached[0])));
             let (locked_arcs, free_arcs) = (arcs(&locked, on_locked), arcs(&free, on_free));
             let nodes = locked_arcs
                 .iter()
@@ -254,7 +260,7 @@ impl OuterGears {
             let level = found.map_or(floor, |found| found.gap);
             let is_closed = |end: usize| {
                 ends[end] == [low, high][end]
-                    || !(free_radii[0]..=free_radii[1]).contains(&radii[end])
+                    || [radii[0] >= free_radii[1], radii[1] <= free_radii[0]][end]
                     || outer_gap(ends[end], radii[end]) - beyond <= level
             };
             if is_closed(0) && is_closed(1) {
@@ -313,8 +319,24 @@ impl OuterGears {
     ) -> Option<()> {
         let beyond = outer.free_offset - posed.free_offset;
         let level = Level::at(outer, tightest.greatest() + beyond);
+        let open = self.solver.proof.open;
+        let mut nodes_left = MOST_NODES;
         for step in outer.steps() {
-            let clear = self.clear_tips(outer, &level, step);
+            let [tips, joints] =
+                [tip_corner, joint].map(|end| self.clear(outer, &level, step, end));
+            if !open.is_empty() && (tips != [true; 2] || joints != [true; 2]) {
+                let (locked, free) = (posed.locked(step), posed.free(step));
+                let floor = tightest.level();
+                let (curves, origin) = (without_lands(open), posed.origin);
+                let found = search_pair(&locked, &free, origin, floor, curves, &mut nodes_left);
+                let lands = land_on_land(&locked, &free, origin, open);
+                for candidate in found.ok()?.into_iter().chain(lands) {
+                    if tightest.admits(candidate.gap) {
+                        tightest.offer(step, candidate);
+                    }
+                }
+            }
+            let clear = tips;
             let (locked_place, _) = outer.places(step);
             let far_corner = || outer.far_corner_reaches(&self.solver, locked_place);
             if self.solver.free_off > 0.0 && far_corner().is_some() {
@@ -322,6 +344,10 @@ impl OuterGears {
             }
             if clear == [true; 2] {
                 continue;
+            }
+            // Of flanks that are not convex nothing but a search tells that their gap is greatest at an end.
+            if !(self.is_convex || settled(step)) {
+                return None;
             }
             let (locked, free) = (posed.locked(step), posed.free(step));
             let [locked_ends, free_ends] = [&locked, &free].map(|half| {
@@ -383,20 +409,26 @@ impl OuterGears {
         Some(())
     }
 
-    /// Whether the tip corner of the locked and of the free half tooth of a step stand clear of the outer mate.
-    fn clear_tips(&self, outer: &PosedFlanks, level: &Level, step: i64) -> [bool; 2] {
+    /// Whether an end of the flanks of a step, of the locked and of the free half tooth, stands clear of the outer mate.
+    fn clear(
+        &self,
+        outer: &PosedFlanks,
+        level: &Level,
+        step: i64,
+        end: fn(&Shape) -> C,
+    ) -> [bool; 2] {
         let envelopes = &self.solver.envelopes;
         let (locked_teeth, free_teeth) = (&outer.problem.locked, &outer.problem.free);
         let (locked_place, free_place) = outer.places(step);
         let toward = free_teeth.direction(free_place);
         let seen = level.direction * locked_teeth.direction(locked_place);
-        let tip = locked_teeth.shape.tip_corner();
-        let near = (level.centre + seen * tip) * toward.conj();
-        let beyond = || outer.locked(step).own_to_axis(tip) > self.solver.outmost;
+        let point = end(&locked_teeth.shape);
+        let near = (level.centre + seen * point) * toward.conj();
+        let beyond = || outer.locked(step).own_to_axis(point) > self.solver.outmost;
         let locked = envelopes.free.clears(near) || envelopes.free.is_beyond_tip(near) && beyond();
-        let tip = free_teeth.shape.tip_corner();
-        let near = (toward * tip - level.centre) * seen.conj();
-        let short = || outer.free(step).own_to_axis(tip) < least_radius(&outer.locked(step));
+        let point = end(&free_teeth.shape);
+        let near = (toward * point - level.centre) * seen.conj();
+        let short = || outer.free(step).own_to_axis(point) < least_radius(&outer.locked(step));
         let over = || envelopes.locked.is_beyond_tip(near) && short();
         let free = level.is_ahead(near, seen) && (envelopes.locked.clears(near) || over());
         [locked, free]
@@ -448,7 +480,7 @@ impl PosedFlanks<'_> {
             return None;
         }
         let [over, free_over] = [x > high, y > free_high];
-        // The gap is stationary along the flanks, not across them: both at one radius to the last bit.
+        // The gap is stationary along the flanks, not across them: both are put at one radius.
         let on = |half: &Placed, rho: f64, range: [f64; 2], start: f64| {
             half.curve(ProfilePart::Involute).invert(rho, range, start)
         };
@@ -456,7 +488,8 @@ impl PosedFlanks<'_> {
         let inward = [high, low];
         match (over, free_over) {
             (true, true) => return None,
-            (false, false) => y = on(&free, radius(&locked, x), [free_low, free_high], y),
+            // Newton's last step left no more than its square.
+            (false, false) => (),
             (true, false) => {
                 (x, y) = (
                     high,
@@ -480,6 +513,14 @@ impl PosedFlanks<'_> {
         }
         Some(candidate)
     }
+}
+
+fn tip_corner(shape: &Shape) -> C {
+    shape.tip_corner()
+}
+
+fn joint(shape: &Shape) -> C {
+    shape.joint
 }
 
 /// A stretch of a flank, cut at its edges.

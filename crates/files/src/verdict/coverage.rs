@@ -57,6 +57,9 @@ pub(crate) fn in_words(doubt: Doubt) -> &'static str {
         Doubt::SecondOrder => {
             "what a runout of any direction does is bounded to the second order of the lost motion"
         }
+        Doubt::Profile => {
+            "profile deviations are bounded by the greatest and the least of each flank alone"
+        }
         Doubt::ContactLost => "at a pose the contact was lost",
     }
 }

@@ -12,6 +12,7 @@
 mod cell;
 mod course;
 mod dip;
+mod enclosed;
 mod fillet;
 mod rolls;
 mod sample;
@@ -78,6 +79,8 @@ pub enum Doubt {
     Unbounded,
     /// What a runout of any direction does is bounded to the second order of the lost motion: the bracket holds, and is wider than was wanted.
     SecondOrder,
+    /// Profile deviations are bounded by the greatest and the least of each flank: the bracket holds, and is wider than was wanted.
+    Profile,
     /// A contact was lost at a pose.
     ContactLost,
 }
@@ -119,6 +122,11 @@ impl ExactKernel {
 
     fn sought(&self, course: &Course, width: f64, greatest_too: bool) -> Result<Extremes, Error> {
         let mut found = Found::default();
+        if course.assembly.is_modified() {
+            sample::sample(course, &mut found, !greatest_too)?;
+            let bounds = enclosed::bounds(course, width, greatest_too)?;
+            return Ok(found.extremes(course, bounds));
+        }
         // Without a solver flanks are no involutes, or base circles may overlap.
         if self.blocked || self.bodies.is_some() || self.solver.is_none() {
             sample::sample(course, &mut found, !greatest_too)?;

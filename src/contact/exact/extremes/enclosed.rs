@@ -1,0 +1,43 @@
+//! Bounds of gears whose profiles deviate, by those without.
+//!
+//! Every half tooth lies within that of an outer gear and holds that of an inner one, which have the greatest and the least deviation of its flank
+//! all along. Metal added nowhere adds play: at any pose the lost motion lies between those of the outer and of the inner gears.
+
+use super::course::Course;
+use super::{Doubt, Extreme, Proof, UNKNOWN};
+use crate::contact::ExactKernel;
+use crate::error::Error;
+use crate::pair::{GearPair, Member};
+
+/// What bounds the least from below and the greatest from above.
+pub(super) fn bounds(course: &Course, width: f64, greatest_too: bool) -> Result<[Proof; 2], Error> {
+    let assembly = course.assembly;
+    let enclosing = |member: Member| assembly.gear(member).enclosing().ok();
+    let Some((wheels, pinions)) = enclosing(Member::Wheel).zip(enclosing(Member::Pinion)) else {
+        return Ok([UNKNOWN; 2]);
+    };
+    let (distance, locked) = (assembly.center_distance(), assembly.locked());
+    let extremes = |which: usize| {
+        let (wheel, pinion) = (wheels.0[which].clone(), pinions.0[which].clone());
+        let pair = GearPair::with_locked(wheel, pinion, distance, locked)?;
+        ExactKernel::new(&pair).extremes(&pair, course.first, course.matings, width)
+    };
+    let per_radian = course.per_radian();
+    let least = extremes(0)?.least;
+    let least = proof(least, |least| least.low / per_radian);
+    let greatest = match greatest_too {
+        true => proof(extremes(1)?.greatest, |most| most.high / per_radian),
+        false => UNKNOWN,
+    };
+    Ok([least, greatest])
+}
+
+/// A bound as far as it holds.
+fn proof(extreme: Option<Extreme>, end: impl Fn(&Extreme) -> f64) -> Proof {
+    match extreme {
+        Some(extreme) if matches!(extreme.doubt, None | Some(Doubt::Effort)) => {
+            (end(&extreme), Some(Doubt::Profile))
+        }
+        _ => UNKNOWN,
+    }
+}

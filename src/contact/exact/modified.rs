@@ -5,18 +5,18 @@
 //! each flank turned out by its greatest deviation; at any radius the gap of two half teeth is at most that of the outer ones. So:
 //!
 //! 1. Pairs are taken in the order of their outer gaps on the line of action, until the outer gap is below one found.
-//! 2. Of a pair of convex flanks, they touch where they have a common normal. A convex flank lies on one side of each of its tangents, and of every line
-//!    through its tip corner within the corner's cone: where two flanks touch from outside along a tangent of both it divides them, so that
-//!    their gap is nowhere greater. One such place is enough, however it was found: Newton's method finds it. Where it does not, and of flanks
-//!    that are not convex, as measured ones are not, a search does, near the outer contact.
+//! 2. Convex flanks touch where they have a common normal, or at a tip corner ([`flanks`]). Where that is not found, and of flanks that are not
+//!    convex, as measured ones are not, a search finds it near the outer contact.
 //! 3. With the free gear at the gap found no tip corner of the outer gears may stand in the outer mate, wider by as much as deviations vary,
 //!    but on the mate's flank, of a pair that 1. and 2. have settled.
 //!
-//! A pose that one of these leaves open is searched, as are all of undercut gears. Where the outer gears touch and nothing deviates from them there, theirs is the answer: a
-//! relief beyond the path of contact changes nothing.
+//! A pose that one of these leaves open is searched, as are all of undercut gears. Where the outer gears touch and nothing deviates from them
+//! there, theirs is the answer: a relief beyond the path of contact changes nothing.
+
+mod flanks;
 
 use super::branch::search as search_pair;
-use super::candidate::{CandidateContact, slope};
+use super::candidate::CandidateContact;
 use super::curves::SearchExhausted;
 use super::direct::{DirectSolver, Envelopes, Level, least_radius};
 use super::flank_problem::{FlankProblem, PosedFlanks};
@@ -24,23 +24,22 @@ use super::lands::{land_on_land, without_lands};
 use super::line::Line;
 use super::placed::Placed;
 use super::search;
-use super::shape::{C, Sample, Shape};
+use super::shape::{C, Shape};
 use super::tightest::{TightestContacts, Touching};
-use crate::contact::gap::{Arc, MOST_NODES, Meeting, greatest};
-use crate::gear::{Osculating, ProfilePart, Side, smooth};
+use crate::contact::gap::MOST_NODES;
+use crate::gear::{ProfilePart, Side};
 use crate::pair::{GearPair, Member};
-
-/// A step this small, of a length, leaves its square: nothing.
-const SETTLED: f64 = 1e-9;
-
-/// Newton's method from an outer contact takes three or four.
-const STEPS: u32 = 16;
-
-/// How often at most the part of two flanks is doubled that is searched: to all of them from a thousandth.
-const WIDENINGS: u32 = 11;
+use flanks::rises;
 
 /// Pairs on the line of action at once: a contact ratio of eight.
 const MOST_PAIRS: usize = 8;
+
+/// Whose tip corner.
+#[derive(Debug, Clone, Copy)]
+enum Tip {
+    Locked,
+    Free,
+}
 
 /// What the quick path needs beside the gears' own teeth.
 #[derive(Debug, Clone)]
@@ -86,13 +85,6 @@ impl OuterGears {
         // Both gears' points move by as much.
         let envelopes = Envelopes::with_room(&right, &pair, 4.0 * range);
         let solver = OuterGears::solver(&right, &pair, envelopes, problems)?;
-        // Where a step is not searched for its open curves the outer gears' own proof says why.
-        if !DirectSolver::new(&right, &pair, solver.envelopes.clone())?
-            .proof
-            .is_direct()
-        {
-            return None;
-        }
         Some(OuterGears {
             pair,
             right,
@@ -135,8 +127,11 @@ impl OuterGears {
             let is_plain = proof.steep_arm.is_none() && !proof.tangents && !proof.turns_back;
             is_plain.then_some(solver)
         };
+        // Where a step is not searched for its open curves the outer gears' own proof says why.
+        let outer = DirectSolver::new(right, pair, envelopes.clone())?;
         // The outer half teeth of the left side mirror those of the right; the deviations need not.
-        of(&modified[1]).and(of(&modified[0]))
+        let both = of(&modified[1]).and(of(&modified[0]));
+        both.filter(|_| outer.proof.is_direct())
     }
 
     /// The pair that touches first, by the quick path or the search.
@@ -193,86 +188,6 @@ impl OuterGears {
         let settled = |step| pairs.iter().flatten().any(|pair| pair.step == step);
         self.on_tips(posed, outer, &mut tightest, settled)?;
         tightest.choose()
-    }
-
-    /// The greatest gap above `floor` of a pair's flanks, by branch and bound over as much of them as their outer gap leaves open; `None` where it
-    /// is not settled.
-    ///
-    /// The outer gap falls from the contact on the line of action to either side: where it is below what was found between, so is all beyond.
-    fn flanks_within(
-        &self,
-        posed: &PosedFlanks,
-        outer: &PosedFlanks,
-        pair: &OnLine,
-        floor: f64,
-    ) -> Option<Option<CandidateContact>> {
-        let part = ProfilePart::Involute;
-        let (locked, free) = (posed.locked(pair.step), posed.free(pair.step));
-        let (outer_locked, outer_free) = (outer.locked(pair.step), outer.free(pair.step));
-        let radius = |half: &Placed, roll: f64| half.at(part, roll).point.norm();
-        let (low, high) = outer_locked.range(part);
-        let (free_low, free_high) = outer_free.range(part);
-        let free_radii = [free_low, free_high].map(|roll| radius(&outer_free, roll));
-        let outer_gap = |roll: f64, rho: f64| {
-            let start = pair.rolls.1.clamp(free_low, free_high);
-            let mate = outer_free
-                .curve(part)
-                .invert(rho, [free_low, free_high], start);
-            let on = ((&outer_locked, (part, roll)), (&outer_free, (part, mate)));
-            CandidateContact::new(on.0, on.1, outer.origin, 0.0).gap
-        };
-        let beyond = outer.free_offset - posed.free_offset;
-        // As far as two circles of the flanks' curvatures are apart by what the deviations vary.
-        let arm = |half: &Placed, roll: f64| half.shape.base * roll.max(0.01);
-        let arms = [
-            arm(&outer_locked, pair.rolls.0),
-            arm(&outer_free, pair.rolls.1),
-        ];
-        let away = (2.0 * self.range / (1.0 / arms[0] + 1.0 / arms[1])).sqrt();
-        let mut width = away / arms[0];
-        let mut nodes_left = MOST_NODES;
-        for _ in 0..WIDENINGS {
-            let ends = [pair.rolls.0 - width, pair.rolls.0 + width];
-            let ends = ends.map(|roll| roll.clamp(low, high));
-            // The lower end of a locked flank is farthest from the free axis.
-            let radii = ends.map(|roll| radius(&outer_locked, roll));
-            let (own_low, own_high) = locked.range(part);
-            let from = |end: usize, own: f64, border: f64| match ends[end] == border {
-                true => own,
-                false => locked
-                    .curve(part)
-                    .invert(radii[end], [own_high, own_low], ends[end]),
-            };
-            let on_locked = (from(0, own_low, low), from(1, own_high, high));
-            let (mate_low, mate_high) = free.range(part);
-            let to = |rho: f64| {
-                let start = pair.rolls.1.clamp(mate_low, mate_high);
-                free.curve(part).invert(rho, [mate_low, mate_high], start)
-            };
-            // Where the flank itself ends it does so at another radius than the outer one.
-            let reached = [radius(&locked, on_locked.0), radius(&locked, on_locked.1)];
-            let on_free = (to(radii[1].min(reached[1])), to(radii[0].max(reached[0])));
-            let (locked_arcs, free_arcs) = (arcs(&locked, on_locked), arcs(&free, on_free));
-            let nodes = locked_arcs
-                .iter()
-                .flat_map(|arc| free_arcs.iter().map(move |free| (*arc, *free)));
-            let found = greatest(nodes.collect(), posed.origin, floor, &mut nodes_left).ok()?;
-            let level = found.map_or(floor, |found| found.gap);
-            let is_closed = |end: usize| {
-                ends[end] == [low, high][end]
-                    || [radii[0] >= free_radii[1], radii[1] <= free_radii[0]][end]
-                    || outer_gap(ends[end], radii[end]) - beyond <= level
-            };
-            if is_closed(0) && is_closed(1) {
-                let candidate = |found: Meeting| {
-                    let on = ((part, found.locked.1), (part, found.free.1));
-                    CandidateContact::new((&locked, on.0), (&free, on.1), posed.origin, found.slack)
-                };
-                return Some(found.map(candidate));
-            }
-            width *= 2.0;
-        }
-        None
     }
 
     /// Outer pairs on the line of action; `None` where one does not settle, or there are too many.
@@ -336,77 +251,80 @@ impl OuterGears {
                     }
                 }
             }
-            let clear = tips;
             let (locked_place, _) = outer.places(step);
             let far_corner = || outer.far_corner_reaches(&self.solver, locked_place);
             if self.solver.free_off > 0.0 && far_corner().is_some() {
                 return None;
             }
-            if clear == [true; 2] {
-                continue;
-            }
-            // Of flanks that are not convex nothing but a search tells that their gap is greatest at an end.
-            if !(self.is_convex || settled(step)) {
-                return None;
-            }
-            let (locked, free) = (posed.locked(step), posed.free(step));
-            let [locked_ends, free_ends] = [&locked, &free].map(|half| {
-                let (form, tip) = half.range(ProfilePart::Involute);
-                [form, tip].map(|t| half.at(ProfilePart::Involute, t).point.norm())
-            });
-            let proof = &self.solver.proof;
-            let mut offer = |(x, y): ((ProfilePart, f64), (ProfilePart, f64))| {
-                let candidate = CandidateContact::new((&locked, x), (&free, y), posed.origin, 0.0);
-                if tightest.admits(candidate.gap) {
+            for (tip, clear) in [Tip::Locked, Tip::Free].into_iter().zip(tips) {
+                if !clear && let Some(candidate) = self.on_tip(posed, step, tip, settled(step))? {
                     tightest.offer(step, candidate);
-                }
-            };
-            let (part, fillet) = (ProfilePart::Involute, ProfilePart::Fillet);
-            if !clear[0] {
-                // The locked gear's tip is nearest to the free axis.
-                let rho = locked_ends[1];
-                let (low, high) = free.range(part);
-                let tip = (part, locked.range(part).1);
-                if (free_ends[0]..=free_ends[1]).contains(&rho) {
-                    if !settled(step) {
-                        let y = free.curve(part).invert(rho, [low, high], high);
-                        rises(&locked, tip.1, &free, y, -1.0).then_some(())?;
-                        offer((tip, (part, y)));
-                    }
-                } else if rho < free_ends[0] && settled(step) {
-                    let least = proof.free_fillet?;
-                    let end = free.shape.fillet_end;
-                    let y = free
-                        .curve(fillet)
-                        .invert(rho, [least, end], 0.5 * (least + end));
-                    offer((tip, (fillet, y)));
-                } else {
-                    return None;
-                }
-            }
-            if !clear[1] {
-                let rho = free_ends[1];
-                let (low, high) = locked.range(part);
-                let tip = (part, free.range(part).1);
-                if (locked_ends[1]..=locked_ends[0]).contains(&rho) {
-                    if !settled(step) {
-                        let x = locked.curve(part).invert(rho, [high, low], high);
-                        rises(&locked, x, &free, tip.1, 1.0).then_some(())?;
-                        offer(((part, x), tip));
-                    }
-                } else if rho > locked_ends[0] && settled(step) {
-                    let least = proof.locked_fillet?;
-                    let end = locked.shape.fillet_end;
-                    let x = locked
-                        .curve(fillet)
-                        .invert(rho, [end, least], 0.5 * (least + end));
-                    offer(((fillet, x), tip));
-                } else {
-                    return None;
                 }
             }
         }
         Some(())
+    }
+
+    /// The contact of a tip corner with the mate's flank or fillet; `Some(None)` on the flank of a step that is `settled`, and `None` where it is left open.
+    fn on_tip(
+        &self,
+        posed: &PosedFlanks,
+        step: i64,
+        tip: Tip,
+        settled: bool,
+    ) -> Option<Option<CandidateContact>> {
+        // Of flanks that are not convex nothing but a search tells that their gap is greatest at an end.
+        if !(self.is_convex || settled) {
+            return None;
+        }
+        let (locked, free) = (posed.locked(step), posed.free(step));
+        let proof = &self.solver.proof;
+        // From the root of a locked half tooth to its tip radii about the free axis fall, of a free one they rise.
+        let (half, mate, least, inward) = match tip {
+            Tip::Locked => (&locked, &free, proof.free_fillet, false),
+            Tip::Free => (&free, &locked, proof.locked_fillet, true),
+        };
+        let (flank, fillet) = (ProfilePart::Involute, ProfilePart::Fillet);
+        let bracket = |low: f64, high: f64| if inward { [high, low] } else { [low, high] };
+        let radius = |half: &Placed, roll: f64| half.at(flank, roll).point.norm();
+        let corner = half.range(flank).1;
+        let rho = radius(half, corner);
+        let (form, top) = mate.range(flank);
+        // Beyond the mate's tip this is below 0, on its flank above, below its form circle less than that of the form point.
+        let sense = if inward { -1.0 } else { 1.0 };
+        let above_form = sense * (rho - radius(mate, form));
+        let below_tip = sense * (radius(mate, top) - rho);
+        let on_mate = if above_form >= 0.0 && below_tip >= 0.0 {
+            if settled {
+                return Some(None);
+            }
+            let met = mate.curve(flank).invert(rho, bracket(form, top), top);
+            let (x, y) = match tip {
+                Tip::Locked => (corner, met),
+                Tip::Free => (met, corner),
+            };
+            rises(&locked, x, &free, y, -sense).then_some(())?;
+            (flank, met)
+        } else if above_form < 0.0 && settled {
+            let (least, end) = (least?, mate.shape.fillet_end);
+            let start = 0.5 * (least + end);
+            (
+                fillet,
+                mate.curve(fillet).invert(rho, bracket(least, end), start),
+            )
+        } else {
+            return None;
+        };
+        let (x, y) = match tip {
+            Tip::Locked => ((flank, corner), on_mate),
+            Tip::Free => (on_mate, (flank, corner)),
+        };
+        Some(Some(CandidateContact::new(
+            (&locked, x),
+            (&free, y),
+            posed.origin,
+            0.0,
+        )))
     }
 
     /// Whether an end of the flanks of a step, of the locked and of the free half tooth, stands clear of the outer mate.
@@ -436,6 +354,10 @@ impl OuterGears {
 
     /// The contact of the outer gears, where their flanks touch at places from which nothing deviates.
     fn undeviating(&self, posed: &PosedFlanks, outer: &PosedFlanks) -> Option<Touching> {
+        // Gaps of both count from one place.
+        if outer.free_offset != posed.free_offset {
+            return None;
+        }
         let touching = super::direct::touching(outer, Some(&self.solver)).ok()??;
         let (locked, free) = (posed.locked(touching.step), posed.free(touching.step));
         let candidate = touching.candidate;
@@ -446,110 +368,10 @@ impl OuterGears {
     }
 }
 
-impl PosedFlanks<'_> {
-    /// Where the flanks of a pair touch, from where the outer ones would: at a common tangent, or at a tip corner beyond which it lies. `None`
-    /// where Newton's method finds none, or one below a flank's lower end.
-    fn flanks_touch(&self, pair: &OnLine) -> Option<CandidateContact> {
-        let (locked, free) = (self.locked(pair.step), self.free(pair.step));
-        let ranges = [&locked, &free].map(|half| half.range(ProfilePart::Involute));
-        let (mut x, mut y) = pair.rolls;
-        let mut settled = false;
-        for _ in 0..STEPS {
-            let ((p, one), (q, other)) = (locked.flank(x)?, free.flank(y)?);
-            let [at_x, at_y] = [Turning::new(&p, &one), Turning::new(&q, &other)];
-            // Both at one radius, with opposite normals: where they are not on opposite sides nothing touches from outside.
-            let rest = 0.5 * (p.point.norm_sqr() - q.point.norm_sqr());
-            let w = p.point.conj() * p.normal * q.point * q.normal.conj();
-            if !(w.re < 0.0) {
-                return None;
-            }
-            let turn = (-w.im).atan2(-w.re);
-            let determinant = at_y.along * at_x.turn - at_x.along * at_y.turn;
-            let by =
-                [&at_y, &at_x].map(|there| (rest * there.turn - turn * there.along) / determinant);
-            x += by[0] / one.speed;
-            y += by[1] / other.speed;
-            if by[0].abs().max(by[1].abs()) < SETTLED * self.problem.distance {
-                settled = true;
-                break;
-            }
-        }
-        let [(low, high), (free_low, free_high)] = ranges;
-        // Not of NaN either.
-        if !(settled && x >= low && y >= free_low) {
-            return None;
-        }
-        let [over, free_over] = [x > high, y > free_high];
-        // The gap is stationary along the flanks, not across them: both are put at one radius.
-        let on = |half: &Placed, rho: f64, range: [f64; 2], start: f64| {
-            half.curve(ProfilePart::Involute).invert(rho, range, start)
-        };
-        let radius = |half: &Placed, t: f64| half.at(ProfilePart::Involute, t).point.norm();
-        let inward = [high, low];
-        match (over, free_over) {
-            (true, true) => return None,
-            // Newton's last step left no more than its square.
-            (false, false) => (),
-            (true, false) => {
-                (x, y) = (
-                    high,
-                    on(&free, radius(&locked, high), [free_low, free_high], y),
-                )
-            }
-            (false, true) => (x, y) = (on(&locked, radius(&free, free_high), inward, x), free_high),
-        }
-        let candidate = CandidateContact::new(
-            (&locked, (ProfilePart::Involute, x)),
-            (&free, (ProfilePart::Involute, y)),
-            self.origin,
-            0.0,
-        );
-        if over || free_over {
-            let towards = if over { -1.0 } else { 1.0 };
-            let meets = (radius(&locked, x) - radius(&free, y)).abs() <= SETTLED;
-            if !(meets && rises(&locked, x, &free, y, towards)) {
-                return None;
-            }
-        }
-        Some(candidate)
-    }
-}
-
 fn tip_corner(shape: &Shape) -> C {
     shape.tip_corner()
 }
 
 fn joint(shape: &Shape) -> C {
     shape.joint
-}
-
-/// A stretch of a flank, cut at its edges.
-fn arcs<'a>(half: &Placed<'a>, (low, high): (f64, f64)) -> Vec<Arc<'a>> {
-    let curve = half.curve(ProfilePart::Involute);
-    let arc = |(low, high)| Arc::new(curve, ProfilePart::Involute as usize, low, high);
-    smooth(curve.curve.edges(), low, high).map(arc).collect()
-}
-
-/// Whether the gap of two flanks rises still at these rolls, towards greater radii (`towards` 1) or lesser ones (−1): over ln ρ its slope is
-/// that of the locked flank less that of the free one.
-fn rises(locked: &Placed, x: f64, free: &Placed, y: f64, towards: f64) -> bool {
-    let slope_at = |half: &Placed, t: f64| slope(&half.at(ProfilePart::Involute, t));
-    towards * (slope_at(locked, x) - slope_at(free, y)) > 0.0
-}
-
-/// How a step of a length along a flank changes half the square of the radius and the angle between normal and radius.
-struct Turning {
-    along: f64,
-    turn: f64,
-}
-
-impl Turning {
-    fn new(sample: &Sample, own: &Osculating) -> Turning {
-        // P · i n and P · n.
-        let z = sample.point.conj() * sample.normal;
-        Turning {
-            along: -z.im,
-            turn: own.curvature - z.re / sample.point.norm_sqr(),
-        }
-    }
 }

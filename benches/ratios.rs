@@ -158,7 +158,8 @@ fn certificate(assembly: &GearPair) -> f64 {
 /// The whole outline of a gear as parry sees it, in the gear's own frame, tooth 1 on +x.
 fn whole_gear(gear: &AsBuilt) -> Polyline {
     let mut points = Vec::new();
-    let halves = Side::BOTH.map(|side| HalfTooth::new(&gear.profile(side, 1), side, NEWCOMER_CHORD));
+    let halves =
+        Side::BOTH.map(|side| HalfTooth::new(&gear.profile(side, 1), side, NEWCOMER_CHORD));
     let teeth = gear.gear().basic_data().teeth();
     for step in 0..i64::from(teeth) {
         let tooth = gear.counter_clockwise(1, step);

@@ -14,7 +14,7 @@ type C = Complex<f64>;
 
 /// Stretches looked at before the rest is left to the error bound (tuned: a seat needs some hundred; a pin of the very radius of the arc it
 /// lies in would need millions).
-const MOST_STRETCHES: usize = 100_000;
+const MOST_STRETCHES: usize = 20_000;
 
 /// A normal that may turn so far, rad, bounds nothing yet.
 const WIDE: f64 = 1.0;

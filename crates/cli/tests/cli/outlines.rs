@@ -162,7 +162,7 @@ fn snapshots_of_outlines() {
 #[test]
 fn what_an_outline_cannot_do_is_said() {
     let folder = copied();
-    for command in ["report", "compare", "chart", "gauge", "outline"] {
+    for command in ["report", "compare", "chart", "outline"] {
         let mut args = vec![command, "drawn_20x20.toml"];
         args.extend(match command {
             "chart" => &["--kind", "revolution"][..],

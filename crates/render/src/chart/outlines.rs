@@ -13,6 +13,9 @@ use gearlash::gear::Side;
 use gearlash::pair::BacklashUnit;
 use gearlash_files::numbers::{fixed, stated_distance};
 
+/// Share of the height that the words below a value need.
+const CLOSE: f64 = 0.08;
+
 /// Backlash of `runs` at one centre distance, a line a material, with the teeth that touch where it is least and greatest; below zero
 /// they interfere, and a gap is a pose without a value.
 ///
@@ -86,13 +89,17 @@ pub fn outlines(heading: &Heading, runs: &[OutlineRun]) -> Result<Chart, Picture
         ),
     ];
     interference(&mut panel, ends[0].2.map_or(0.0, |least| least.x));
+    let [low, high] = panel.y.range;
     for (word, shift, end) in ends {
-        if let Some(end) = end {
-            let word = format!("{word} {} µm", fixed(end.backlash_um, 1));
-            panel
-                .marks
-                .extend(label(&word, &end, end.backlash_um, shift, panel.x.range));
-        }
+        let Some(end) = end else { continue };
+        // No room below it: above.
+        let shift = match end.backlash_um < low + CLOSE * (high - low) {
+            true => -16.0,
+            false => shift,
+        };
+        let word = format!("{word} {} µm", fixed(end.backlash_um, 1));
+        let words = label(&word, &end, end.backlash_um, shift, panel.x.range);
+        panel.marks.extend(words);
     }
     if gaps().next().is_some() {
         details += &format!(" · gaps: {words}");

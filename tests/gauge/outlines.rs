@@ -256,6 +256,65 @@ fn round_heads_by_their_closed_form() {
     }
 }
 
+/// Source: the polygon of the whole outline, chords of 1 nm: no metal lies within a pin, on flanks that are no circle and no involute, and its two places are
+/// touched; no anvil of the reading's direction cuts the teeth it spans.
+#[test]
+fn pins_and_anvils_touch_the_whole_outline() {
+    const CHORD: f64 = 1e-6;
+    let teeth = 19u32;
+    let middle = FRAC_PI_2 - PI / f64::from(teeth);
+    let at = |radius: f64, angle: f64| Point2::new(radius * angle.cos(), radius * angle.sin());
+    let foot = at(8.0, middle + 0.01);
+    let half = [
+        PathSegment::Cubic([[0.0, 11.2], [0.5, 11.2], [0.6, 10.6], [0.75, 10.0]].map(Point2::from)),
+        PathSegment::Cubic([
+            Point2::new(0.75, 10.0),
+            Point2::new(0.9, 9.4),
+            Point2::new(0.8, 8.6),
+            foot,
+        ]),
+        PathSegment::Line([foot, at(8.0, middle)]),
+    ];
+    let outline = read(&all_round(teeth, &half), Face::Front, teeth, 0.0);
+    let polygon = outline.points(0.0, CHORD);
+    let found = gauge_outline(&outline, Some(4), Some(2.4));
+    for seat in &found.pins.unwrap().unwrap().seats {
+        let next = polygon.iter().cycle().skip(1);
+        let distances = polygon.iter().zip(next).map(|(a, b)| {
+            let (chord, to) = (b - a, seat.centre - a);
+            let along = (to.dot(&chord) / chord.norm_squared()).clamp(0.0, 1.0);
+            (to - along * chord).norm()
+        });
+        let least = distances.fold(f64::INFINITY, f64::min);
+        assert!(
+            (least - 1.2).abs() <= CHORD + seat.error,
+            "{least} at {seat:?}"
+        );
+    }
+    // By symmetry the anvils stand square to the middle of the teeth spanned: the reading is how far these reach along that, above the anvils' ends.
+    let depth = outline.tip_radius() - outline.root_radius();
+    let reach = outline.root_radius() + depth / 3.0;
+    let spans = found.spans.unwrap().unwrap();
+    let along = Rotation2::new(outline.tooth_angle(2.5)) * nalgebra::Vector2::y();
+    let spanned = |point: &&Point2<f64>| {
+        let off = along
+            .dot(&point.coords)
+            .atan2((along.perp(&point.coords)).abs());
+        point.coords.norm() >= reach
+            && off.abs() < 2.0 * outline.pitch()
+            && along.perp(&point.coords) < 0.0
+    };
+    let heights: Vec<f64> = polygon
+        .iter()
+        .filter(spanned)
+        .map(|point| along.dot(&point.coords))
+        .collect();
+    let most = heights.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let least = heights.iter().copied().fold(f64::INFINITY, f64::min);
+    let off = most - least - spans.readings[0].length;
+    assert!(off.abs() <= 2.0 * CHORD + spans.readings[0].error, "{off}");
+}
+
 /// What no anvil and no pin can be asked of an outline: too many teeth, flanks that an anvil's end alone touches, pins that sink or rest on the root.
 #[test]
 fn what_has_no_reading_says_why() {

@@ -4,6 +4,8 @@
 //! ever finer round each contact; no reading is computed from the gear's deviations. What went in
 //! must come out: that is what the tests compare.
 //!
+//! A gear by its outline alone has no reference circle and no master: spans and pins are read on it ([`gauge_outline`]).
+//!
 //! Readings are in mm and named as the gear's own: teeth by number, flanks seen on the reference face.
 
 mod eccentricity;
@@ -12,6 +14,7 @@ mod formula;
 mod gauged;
 mod grades;
 mod master;
+mod outlines;
 mod pins;
 mod profile;
 mod roll;
@@ -30,6 +33,9 @@ pub use flanks::{PitchReadings, ThicknessReadings};
 pub use formula::Formula;
 pub use gauged::{Gauged, Settings, gauge, graded, pitches, pose_count, profiles};
 pub use grades::GradedReading;
+pub use outlines::{
+    OutlineGauged, OutlinePins, OutlineSeat, OutlineSpan, OutlineSpans, gauge_outline,
+};
 pub use pins::{OverPins, Pins};
 pub use profile::{FlankProfiles, ProfileReading, ProfileReadings};
 pub use roll::Roll;

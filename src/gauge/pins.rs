@@ -9,6 +9,7 @@ use super::Unmeasured;
 use super::seat::Seat;
 use super::spread::{ends, mean};
 use super::workpiece::Workpiece;
+use nalgebra::Point2;
 
 /// One dimension over pins.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -70,34 +71,52 @@ pub(super) fn pins(work: &Workpiece, diameter: f64, seats: Vec<Seat>) -> Result<
             low.tooth
         )));
     }
-    let at = |tooth: u32| &seats[tooth as usize - 1];
+    let at = |tooth: u32| {
+        let seat = &seats[tooth as usize - 1];
+        (seat.centre, seat.error)
+    };
+    let (two, three) = over(teeth, diameter, work.bound(), at);
+    Ok(Pins {
+        diameter,
+        two,
+        three,
+        seats,
+    })
+}
+
+/// Over two pins and over three, `at` each tooth the centre of the pin in the space after it and the bound on its error, mm; `rounding` that of
+/// what follows, mm.
+pub(super) fn over(
+    teeth: u32,
+    diameter: f64,
+    rounding: f64,
+    at: impl Fn(u32) -> (Point2<f64>, f64),
+) -> (Vec<OverPins>, Vec<OverPins>) {
+    let after = |tooth: u32, steps: u32| (tooth - 1 + steps) % teeth + 1;
     let two = (1..=teeth).map(|tooth| {
-        let (one, other) = (at(tooth), at(work.after(tooth, teeth / 2)));
+        let opposite = after(tooth, teeth / 2);
+        let ((one, one_error), (other, other_error)) = (at(tooth), at(opposite));
         OverPins {
             tooth,
-            opposite: other.tooth,
-            length: (one.centre - other.centre).norm() + diameter,
-            error: one.error + other.error + work.bound(),
+            opposite,
+            length: (one - other).norm() + diameter,
+            error: one_error + other_error + rounding,
         }
     });
     let three = (1..=teeth)
         .filter(|_| !teeth.is_multiple_of(2))
         .map(|tooth| {
-            let one = at(tooth);
-            let pair = [teeth / 2, teeth / 2 + 1].map(|steps| at(work.after(tooth, steps)));
-            let along = (pair[1].centre - pair[0].centre).normalize();
+            let opposite = after(tooth, teeth / 2);
+            let (one, error) = at(tooth);
+            let pair = [opposite, after(opposite, 1)].map(&at);
+            let along = (pair[1].0 - pair[0].0).normalize();
             OverPins {
                 tooth,
-                opposite: pair[0].tooth,
-                length: along.perp(&(one.centre - pair[0].centre)).abs() + diameter,
+                opposite,
+                length: along.perp(&(one - pair[0].0)).abs() + diameter,
                 // The single pin stands between the two, seen along the anvil: their errors do not grow.
-                error: one.error + pair[0].error.max(pair[1].error) + work.bound(),
+                error: error + pair[0].1.max(pair[1].1) + rounding,
             }
         });
-    Ok(Pins {
-        diameter,
-        two: two.collect(),
-        three: three.collect(),
-        seats,
-    })
+    (two.collect(), three.collect())
 }

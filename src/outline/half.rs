@@ -28,7 +28,7 @@ impl HalfPiece {
     }
 
     /// The unit normal at parameter `t`, out of the metal.
-    pub(super) fn normal(&self, t: f64) -> Complex<f64> {
+    pub(crate) fn normal(&self, t: f64) -> Complex<f64> {
         let normal = self.curve.normal(t);
         let normal = Complex::new(normal.x, normal.y);
         self.turn * if self.mirrored { normal.conj() } else { normal }
@@ -68,8 +68,24 @@ const HALVINGS: u32 = 60;
 impl HalfOutline {
     /// Angle, rad, in the frame of its side, of the place nearest the tip at which it passes `radius`, mm, inwards.
     pub(super) fn angle_at(&self, radius: f64) -> Option<f64> {
+        let (piece, t) = self.passes(radius)?;
+        Some(self.pieces[piece].point(t).arg())
+    }
+
+    /// Its pieces from the tip down to where it first passes `radius`, mm, inwards; all where it does not.
+    pub(crate) fn down_to(&self, radius: f64) -> Vec<HalfPiece> {
+        let Some((last, t)) = self.passes(radius) else {
+            return self.pieces.clone();
+        };
+        let mut pieces = self.pieces[..=last].to_vec();
+        pieces[last].ends[1] = t;
+        pieces
+    }
+
+    /// The piece and the parameter at which it first passes `radius`, mm, inwards.
+    fn passes(&self, radius: f64) -> Option<(usize, f64)> {
         let mut reached = false;
-        for piece in &self.pieces {
+        for (index, piece) in self.pieces.iter().enumerate() {
             let [from, to] = piece.ends;
             let mut before = from;
             for step in 0..=STEPS {
@@ -85,7 +101,7 @@ impl HalfOutline {
                             false => below = middle,
                         }
                     }
-                    return Some(piece.point(above).arg());
+                    return Some((index, above));
                 }
             }
         }

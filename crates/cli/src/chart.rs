@@ -1,6 +1,7 @@
 //! `gearlash chart`: curves and bars as SVG.
 
 mod drawn;
+mod outlines;
 
 use super::distances::{self, Distances};
 use super::drawing::{End, Gear, teeth};
@@ -11,14 +12,14 @@ use super::unit::UnitArgs;
 use crate::error::Error;
 use clap::ValueEnum;
 use drawn::Drawn;
-use gearlash_files::PairFile;
+use gearlash_files::{AnyPair, PairFile};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
 /// Draw backlash over teeth or centre distance, or a gear's deviations, as SVG
 ///
 /// The poses are the pair file's where it sweeps a revolution, and one wheel revolution at 16 poses a pitch
-/// where it does not. Legible at 800 px, on A4, in black and white, and for colour-blind readers.
+/// where it does not; of a pair with an outline they are those of the whole mesh cycle (--kind revolution). Legible at 800 px, on A4, in black and white, and for colour-blind readers.
 #[derive(clap::Args)]
 pub(super) struct Args {
     /// The pair file (TOML or JSON), - for standard input
@@ -67,7 +68,10 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         stem,
         sources,
         ..
-    } = studies::pair(&args.pair)?;
+    } = match studies::any(&args.pair)? {
+        AnyPair::Data(file) => *file,
+        AnyPair::Outlines(file) => return outlines::run(args, *file),
+    };
     let given = args.output.clone();
     let given = given.map(|file| Target::prepare_beside(file, &sources));
     let given = given.transpose()?;

@@ -1,7 +1,10 @@
 //! `gearlash gauge`: measures a gear on the model as the shop does.
 
+mod outlines;
+
 use super::console::{print, warn};
 use super::gears::{self, GearName, MaterialName};
+use super::outlines::{DrawnArgs, is_drawing};
 use super::progress::Progress;
 use super::results::{Format, ResultsArgs};
 use super::screen::ScreenArgs;
@@ -9,10 +12,10 @@ use super::studies;
 use crate::error::Error;
 use gearlash::gauge::{Settings, gauge, pose_count};
 use gearlash::gear::AsBuilt;
-use gearlash_files::GearEntry;
 use gearlash_files::results::gauge::{
     GaugedGear, csv_files, json, possible_files, stem, teeth_csv,
 };
+use gearlash_files::{AnyGears, GearEntry};
 use gearlash_render::gauge::{charts, missing, page, text};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -24,9 +27,13 @@ use std::process::ExitCode;
 /// Writes the readings of each gear and material into DIR as CSV, a chart of each that deviates, and a gear file
 /// gauge_<gear>.toml that states them. Files of an earlier run for the same gear and material are replaced or removed;
 /// nothing else is touched.
+///
+/// On a drawing, and where a gear of the file is one, spans and pins are measured when asked for (--span-teeth, --pin-mm),
+/// and no files are written: an outline has no involute for the rest.
 #[derive(clap::Args)]
 pub(super) struct Args {
-    /// A pair file, or a gear file: `title` and one [gear] with the keys of [wheel] (TOML or JSON); - for standard input
+    /// A pair file, or a gear file: `title` and one [gear] with the keys of [wheel] (TOML or JSON); - for standard input; or a drawing
+    /// (.dxf, .svg, .csv)
     file: PathBuf,
     /// Only this gear of a pair
     #[arg(long, value_enum)]
@@ -35,10 +42,10 @@ pub(super) struct Args {
     #[arg(long, value_enum)]
     material: Option<MaterialName>,
     /// Teeth spanned [default: as the file states the thickness, else contact near mid-height]
-    #[arg(long, value_name = "K", value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    #[arg(long, visible_alias = "span", value_name = "K", value_parser = clap::value_parser!(u32).range(1..=10_000))]
     span_teeth: Option<u32>,
     /// Diameter of the pins, mm [default: as the file states the thickness, else contact near mid-height]
-    #[arg(long, value_name = "D", value_parser = diameter, allow_negative_numbers = true)]
+    #[arg(long, visible_alias = "pin", value_name = "D", value_parser = diameter, allow_negative_numbers = true)]
     pin_mm: Option<f64>,
     /// Diameter of the ball for the runout, mm [default: the pin's]
     #[arg(long, value_name = "D", value_parser = diameter, allow_negative_numbers = true)]
@@ -56,6 +63,8 @@ pub(super) struct Args {
     #[arg(long, conflicts_with = "no_files")]
     page: bool,
     #[command(flatten)]
+    drawn: DrawnArgs,
+    #[command(flatten)]
     results: ResultsArgs,
     #[command(flatten)]
     screen: ScreenArgs,
@@ -71,7 +80,20 @@ fn diameter(text: &str) -> Result<f64, String> {
 
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
-    let study = studies::gears(&args.file)?;
+    if is_drawing(&args.file) {
+        let DrawnArgs { units, center } = &args.drawn;
+        let file = studies::drawing(&args.file, units.as_deref(), center.as_deref())?;
+        return outlines::run(args, &file);
+    }
+    if args.drawn.given() {
+        return Err(Error::Usage(
+            "--units and --center belong to a drawing: files state them".to_owned(),
+        ));
+    }
+    let study = match studies::any_gears(&args.file)? {
+        AnyGears::Data(study) => *study,
+        AnyGears::Outlines(file) => return outlines::run(args, &file),
+    };
     let chosen = gears::choose(&args.file, args.gear, args.material, &study)?;
     for (gear, _, as_built) in &chosen {
         check_span(args, gear.name, as_built)?;

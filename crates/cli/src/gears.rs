@@ -25,6 +25,34 @@ pub(super) enum MaterialName {
     Least,
 }
 
+impl GearName {
+    /// As files name it.
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            GearName::Wheel => "wheel",
+            GearName::Pinion => "pinion",
+        }
+    }
+}
+
+impl MaterialName {
+    /// The material.
+    pub(super) fn material(self) -> Material {
+        match self {
+            MaterialName::Most => Material::Most,
+            MaterialName::Least => Material::Least,
+        }
+    }
+}
+
+/// That a file has no gear of the name asked for.
+pub(super) fn one_only(name: &str, file: &Path) -> Error {
+    Error::Usage(format!(
+        "--gear {name}: {} has one gear only; leave --gear out",
+        file.display()
+    ))
+}
+
 /// The gears and materials asked for, in the order of the file.
 ///
 /// # Errors
@@ -35,14 +63,8 @@ pub(super) fn choose<'a>(
     material: Option<MaterialName>,
     study: &'a GearsFile,
 ) -> Result<Vec<(&'a GearEntry, Material, &'a AsBuilt)>, Error> {
-    let name = gear.map(|gear| match gear {
-        GearName::Wheel => "wheel",
-        GearName::Pinion => "pinion",
-    });
-    let material = material.map(|material| match material {
-        MaterialName::Most => Material::Most,
-        MaterialName::Least => Material::Least,
-    });
+    let name = gear.map(GearName::name);
+    let material = material.map(MaterialName::material);
     let mut chosen = Vec::new();
     for gear in &study.gears {
         if name.is_some_and(|name| name != gear.name) {
@@ -56,10 +78,7 @@ pub(super) fn choose<'a>(
         }
     }
     match (chosen.is_empty(), name) {
-        (true, Some(name)) => Err(Error::Usage(format!(
-            "--gear {name}: {} has one gear only; leave --gear out",
-            file.display()
-        ))),
+        (true, Some(name)) => Err(one_only(name, file)),
         _ => Ok(chosen),
     }
 }

@@ -31,6 +31,11 @@ pub(super) enum Format {
 }
 
 impl ResultsArgs {
+    /// Whether a folder was asked for.
+    pub(super) fn names_folder(&self) -> bool {
+        self.output.is_some()
+    }
+
     /// Where the files go, tried before the work begins; `None`: nothing is written. `own` are the names of the command's files,
     /// which replace those of an earlier run; never one of `sources`.
     ///

@@ -3,7 +3,8 @@
 use super::console::{guard, warn};
 use crate::error::Error;
 use gearlash_files::outlines::Drawings;
-use gearlash_files::{AnyPair, GearsFile, OutlinePairFile, PairFile};
+use gearlash_files::outlines::OutlineGearsFile;
+use gearlash_files::{AnyGears, AnyPair, GearsFile, OutlinePairFile, PairFile};
 use std::path::{Path, PathBuf};
 
 /// The pair file at `path`; its warnings are told.
@@ -80,4 +81,40 @@ pub(super) fn gears(path: &Path) -> Result<GearsFile, Error> {
     guard(&file.sources)?;
     warn(path, &file.warnings, &file.remarks);
     Ok(file)
+}
+
+/// The gears of the file at `path`, be they given by data or by outlines; its warnings are told.
+///
+/// # Errors
+/// As [`pair`].
+pub(super) fn any_gears(path: &Path) -> Result<AnyGears, Error> {
+    let file = gearlash_files::read_any_gears(path)?;
+    match &file {
+        AnyGears::Data(file) => {
+            guard(&file.sources)?;
+            warn(path, &file.warnings, &file.remarks);
+        }
+        AnyGears::Outlines(file) => told(path, file)?,
+    }
+    Ok(file)
+}
+
+/// The gear that a drawing is; what was found of it is told.
+///
+/// # Errors
+/// As [`pair`].
+pub(super) fn drawing(
+    path: &Path,
+    units: Option<&str>,
+    center: Option<&str>,
+) -> Result<OutlineGearsFile, Error> {
+    let file = gearlash_files::read_drawing(path, units, center)?;
+    told(path, &file)?;
+    Ok(file)
+}
+
+fn told(path: &Path, file: &OutlineGearsFile) -> Result<(), Error> {
+    guard(&file.sources)?;
+    warn(path, &file.warnings, &file.remarks);
+    Ok(())
 }

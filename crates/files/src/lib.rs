@@ -178,16 +178,69 @@ pub fn compare_drawings(
 /// As [`read`].
 pub fn read_gears(path: &Path) -> Result<GearsFile, InputError> {
     with_entries(path, |path, place, entries, problems| {
-        if gear_file::is_one(entries) {
-            return gear_file::read(path, place, entries, problems);
-        }
         if outlines::has_outline(entries) {
             outlines::refused(path, place, entries, problems);
             return None;
         }
-        let pair = PairTables::read(path, place, entries, problems).study(problems);
-        pair.map(GearsFile::from)
+        gears_by_data(path, place, entries, problems)
     })
+}
+
+/// The gears of a file of either kind.
+#[derive(Debug)]
+pub enum AnyGears {
+    /// All by their data.
+    Data(Box<GearsFile>),
+    /// One at least by its outline.
+    Outlines(Box<outlines::OutlineGearsFile>),
+}
+
+/// Reads the gears of the file at `path`, a gear file or a pair file, be they given by data or by outlines.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_any_gears(path: &Path) -> Result<AnyGears, InputError> {
+    with_entries(path, |path, place, entries, problems| {
+        if !outlines::has_outline(entries) {
+            let gears = gears_by_data(path, place, entries, problems);
+            return gears.map(|gears| AnyGears::Data(Box::new(gears)));
+        }
+        let gears = match gear_file::is_one(entries) {
+            true => outlines::read_gear(path, place, entries, problems),
+            false => outlines::read(path, place, entries, problems).map(From::from),
+        };
+        gears.map(|gears| AnyGears::Outlines(Box::new(gears)))
+    })
+}
+
+/// Reads the gear that the drawing at `path` is, with its unit (where it states none) and its centre as a pair file names them.
+///
+/// # Errors
+/// As [`read`]; keys are those that a gear file would have.
+pub fn read_drawing(
+    path: &Path,
+    units: Option<&str>,
+    center: Option<&str>,
+) -> Result<outlines::OutlineGearsFile, InputError> {
+    let text = outlines::of_drawing(path, units, center);
+    let place = Place::of_working_folder();
+    with_text(path, &place, Ok(text), outlines::read_gear).map_err(|error| InputError {
+        text: String::new(),
+        ..error
+    })
+}
+
+fn gears_by_data(
+    path: &Path,
+    place: &Place,
+    entries: &[(String, Node)],
+    problems: &mut Problems,
+) -> Option<GearsFile> {
+    if gear_file::is_one(entries) {
+        return gear_file::read(path, place, entries, problems);
+    }
+    let pair = PairTables::read(path, place, entries, problems).study(problems);
+    pair.map(GearsFile::from)
 }
 
 /// What `understand` makes of the entries of the file at `path`, by the name it has in messages, when nothing was wrong.

@@ -118,6 +118,7 @@ fn the_gear_schema_is_that_of_gear_files() {
     let gears = jsonschema::validator_for(&schema(&["gear"])).unwrap();
     let wheel = &smallest()["wheel"];
     assert!(gears.is_valid(&json!({ "gear": wheel, "title": "Wheel" })));
+    assert!(gears.is_valid(&json!({ "gear": { "outline": { "file": "gear.dxf" } } })));
     let mut few = wheel.clone();
     few["teeth"] = json!(2);
     for fault in [

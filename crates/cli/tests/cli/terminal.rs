@@ -30,7 +30,7 @@ fn plain(text: &str) -> String {
     parts.fold(first, |plain, part| plain + part.split_once('m').unwrap().1)
 }
 
-const COMMANDS: [&str; 7] = [
+const COMMANDS: [&str; 8] = [
     "simulate --no-files karba_44x44.toml",
     "simulate --no-files karba_86x21.toml",
     "simulate --no-files small.toml",
@@ -38,6 +38,7 @@ const COMMANDS: [&str; 7] = [
     "check tip_on_fillet_86x21.toml",
     "compare karba_44x44.toml tip_on_fillet_86x21.toml small.toml",
     "gauge --no-files --gear wheel --steps-per-pitch 2 karba_44x44_pitch.toml",
+    "gauge --span 12 --pin-mm 3.525 wheel_20.dxf",
 ];
 
 fn folder() -> tempfile::TempDir {
@@ -59,6 +60,8 @@ fn folder() -> tempfile::TempDir {
         let name = format!("{name}.toml");
         std::fs::copy(fixture(&name), folder.path().join(&name)).unwrap();
     }
+    let drawing = fixture("outlines/wheel_20.dxf");
+    std::fs::copy(drawing, folder.path().join("wheel_20.dxf")).unwrap();
     let table = "karba_tables_5_6.csv";
     std::fs::copy(fixture(table), folder.path().join(table)).unwrap();
     folder

@@ -4,6 +4,7 @@ mod command;
 mod files;
 #[path = "../../../../tests/common/made_up.rs"]
 mod made_up;
+mod outlines;
 mod profile;
 mod round_trip;
 #[path = "../../../../tests/common/skip.rs"]

@@ -1,8 +1,11 @@
-//! Pair files of which one gear at least is an outline: from the keys and the drawing to the study, the verdict and the result.
+//! Pair files of which one gear at least is an outline: from the keys and the drawing to the study, the verdict and the result; gears by their
+//! outline alone, and what is gauged on them.
 
 mod compared;
 mod fitted;
+mod gauged;
 mod gear;
+mod gears;
 mod pair;
 mod paths;
 mod result;
@@ -12,6 +15,9 @@ pub use compared::{
     ComparedOutlines, TwoDrawings, comparison_json, difference_sentence, turn_words,
 };
 pub use fitted::looks_like;
+pub use gauged::{GaugedOutline, gauged_csv, gauged_json};
+pub use gears::{OutlineGearEntry, OutlineGearsFile};
+pub(crate) use gears::{of_drawing, read as read_gear};
 pub use pair::{Drawings, OutlinePairFile};
 pub(crate) use pair::{has_outline, read, refused};
 pub use result::{to_csv, to_json};

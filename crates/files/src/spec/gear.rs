@@ -59,6 +59,7 @@ pub struct GearFileSpec {
     #[schemars(with = "Option<String>")]
     pub title: String,
     /// The gear.
+    #[schemars(with = "Either<GearSpec, OutlineGearSpec>")]
     pub gear: GearSpec,
 }
 

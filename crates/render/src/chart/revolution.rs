@@ -136,7 +136,13 @@ pub fn revolution_in(
 }
 
 /// A cross at an extreme, at height `y`, its words and what binds there.
-fn label(words: &str, extreme: &Extreme, y: f64, shift: f64, [left, right]: [f64; 2]) -> [Mark; 2] {
+pub(super) fn label(
+    words: &str,
+    extreme: &Extreme,
+    y: f64,
+    shift: f64,
+    [left, right]: [f64; 2],
+) -> [Mark; 2] {
     let part = (extreme.x - left) / (right - left);
     let (anchor, across) = match part {
         _ if part < 0.3 => (Anchor::Start, 7.0),

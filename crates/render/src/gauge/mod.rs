@@ -2,7 +2,9 @@
 
 mod charts;
 mod lengths;
+mod outlines;
 mod text;
 
 pub use charts::{charts, page};
+pub use outlines::outlines;
 pub use text::{missing, text};

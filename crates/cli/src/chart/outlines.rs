@@ -1,0 +1,73 @@
+//! `gearlash chart` of a pair with an outline: backlash over the mesh cycle.
+
+use super::{Args, Kind};
+use crate::console::tell;
+use crate::distances::Distances;
+use crate::error::Error;
+use crate::method::all_proven;
+use crate::outlines::runs;
+use crate::target::Target;
+use gearlash::analysis::outlines::unproven;
+use gearlash_files::OutlinePairFile;
+use gearlash_files::outlines::sentence;
+use gearlash_render::chart::{self, Heading};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// Runs the command.
+pub(super) fn run(args: &Args, mut file: OutlinePairFile) -> Result<ExitCode, Error> {
+    if args.kind != Kind::Revolution {
+        return Err(Error::Usage(
+            "an outline has no module, no involute and no formula: of pairs with an outline draw --kind revolution".to_owned(),
+        ));
+    }
+    if args.unit.given() || args.material.is_some() {
+        return Err(Error::Usage(
+            "--unit, --at and --material are for gears by their data; leave them out".to_owned(),
+        ));
+    }
+    let least = match &args.center_distance {
+        Some(Distances(given)) if given.len() == 1 => given.clone(),
+        Some(_) => {
+            return Err(Error::Usage(
+                "--center-distance: a chart is drawn at one centre distance".to_owned(),
+            ));
+        }
+        None => file
+            .study
+            .center_distances
+            .iter()
+            .take(1)
+            .copied()
+            .collect(),
+    };
+    if args.center_distance.is_none() && file.study.center_distances.len() > 1 {
+        tell(&format!(
+            "note: at the least of {} centre distances; choose with --center-distance",
+            file.study.center_distances.len()
+        ));
+    }
+    file = file.at(least);
+    let output = match &args.output {
+        Some(output) => Target::prepare_beside(output.clone(), &file.sources)?,
+        None => {
+            let name = format!("chart_revolution_a{}.svg", file.study.center_distances[0]);
+            Target::prepare(
+                PathBuf::from("out").join(&file.stem).join(name),
+                &file.sources,
+            )?
+        }
+    };
+    let runs = runs(&file, &args.method)?;
+    tell(&sentence(&runs));
+    let heading = Heading {
+        prefix: "chart",
+        title: &file.study.title,
+        subtitle: "",
+    };
+    output.write(&chart::outlines(&heading, &runs)?.svg)?;
+    Ok(match all_proven(unproven(&runs)) {
+        true => ExitCode::SUCCESS,
+        false => ExitCode::from(1),
+    })
+}

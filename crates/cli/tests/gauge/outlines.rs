@@ -1,0 +1,164 @@
+//! `gearlash gauge` on outlines: drawings, and files of which a gear is one.
+
+use crate::command::{folder, gauge, stdout};
+use assert_cmd::Command;
+use predicates::prelude::PredicateBooleanExt;
+use predicates::str::contains;
+use serde_json::Value;
+use std::path::Path;
+
+/// What `gauge` reads, as JSON.
+fn json(folder: &Path, arguments: &[&str]) -> Value {
+    let all = [arguments, &["--format", "json"]].concat();
+    serde_json::from_str(&stdout(&mut gauge(folder, &all))).unwrap()
+}
+
+/// The readings of the first gear: tooth, mm.
+fn read(all: &Value, gauge: &str, list: &str) -> Vec<(u64, f64)> {
+    let rows = all["gears"][0][gauge][list].as_array().unwrap();
+    let row = |row: &Value| (row["tooth"].as_u64().unwrap(), row["mm"].as_f64().unwrap());
+    rows.iter().map(row).collect()
+}
+
+/// The gear of `one.toml` (21 teeth, runout) drawn within 0.1 µm as `name`.
+fn draw(folder: &Path, name: &str) {
+    let (_, ending) = name.rsplit_once('.').unwrap();
+    let mut command = Command::cargo_bin("gearlash").unwrap();
+    let outline = [
+        "outline",
+        "one.toml",
+        "--tolerance-um",
+        "0.1",
+        "--format",
+        ending,
+        "-o",
+        name,
+    ];
+    command.current_dir(folder).args(outline).assert().success();
+}
+
+/// Source: the gauge on the gear itself. Each anvil and each flank of a space moves by 0.1 µm at most, and a pin between flanks at some 20°
+/// of either side of its way by 1/sin 20° as much.
+#[test]
+fn a_drawing_reads_as_the_gear_it_was_drawn_from() {
+    const TOLERANCE: f64 = 1e-4;
+    let folder = folder();
+    let sizes = [
+        "--span-teeth",
+        "3",
+        "--pin-mm",
+        "5.25",
+        "--material",
+        "most",
+    ];
+    let gear = json(
+        folder.path(),
+        &[&["one.toml", "--steps-per-pitch", "1"], &sizes[..]].concat(),
+    );
+    for name in ["drawn.dxf", "drawn.svg", "drawn.csv"] {
+        draw(folder.path(), name);
+        let mut arguments = vec![name, "--span", "3", "--pin", "5.25"];
+        if name.ends_with("csv") {
+            arguments.extend(["--units", "mm"]);
+        }
+        let outline = json(folder.path(), &arguments);
+        for (gauge, list, share) in [
+            ("spans", "readings", 2.0),
+            ("pins", "two", 6.0),
+            ("pins", "three", 6.0),
+        ] {
+            let (found, expected) = (read(&outline, gauge, list), read(&gear, gauge, list));
+            assert_eq!(found.len(), 21, "{name} {list}");
+            for (one, other) in found.iter().zip(&expected) {
+                let off = (one.1 - other.1).abs();
+                assert!(
+                    one.0 == other.0 && off <= share * TOLERANCE,
+                    "{name} {list}: {one:?} {other:?}"
+                );
+            }
+        }
+        let touched = &outline["gears"][0]["spans"]["readings"][0]["touched"][0];
+        assert_eq!(touched["region"], "flank");
+    }
+}
+
+/// The drawings of the fixtures: the wheel's seventh tooth is 180 µm thicker (`wheel_20.toml`), so that the two spans over 3 teeth that it ends are greater by
+/// half of that times cos 20°, within four times their chords' 20 µm.
+#[test]
+fn a_pair_of_outlines_and_a_gear_file() {
+    let folder = folder();
+    let fixtures = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/outlines");
+    for name in ["drawn_20x20.toml", "wheel_20.dxf", "pinion_20.svg"] {
+        std::fs::copy(fixtures.join(name), folder.path().join(name)).unwrap();
+    }
+    let file = "title = \"by itself\"\n[gear.outline]\nfile = \"wheel_20.dxf\"\n";
+    std::fs::write(folder.path().join("gear.toml"), file).unwrap();
+    let pair = json(folder.path(), &["drawn_20x20.toml", "--span", "3"]);
+    let spans = read(&pair, "spans", "readings");
+    let thicker = 0.09 * 20f64.to_radians().cos();
+    for (tooth, mm) in &spans {
+        let more = if [5, 7].contains(tooth) { thicker } else { 0.0 };
+        assert!((mm - spans[0].1 - more).abs() < 0.02, "{tooth}: {mm}");
+    }
+    assert!(pair["gears"][0].get("pins").is_none() && pair["gears"][1]["gear"] == "pinion");
+    let of_gear = json(folder.path(), &["gear.toml", "--span", "3"]);
+    assert_eq!(read(&of_gear, "spans", "readings"), spans);
+    let csv = stdout(&mut gauge(
+        folder.path(),
+        &[
+            "drawn_20x20.toml",
+            "--gear",
+            "wheel",
+            "--pin",
+            "3.5",
+            "--format",
+            "csv",
+        ],
+    ));
+    assert_eq!(csv.lines().count(), 21);
+    assert!(csv.starts_with("gear,material,tooth,span_mm,over_two_pins_mm,over_three_pins_mm\nwheel,as-measured,1,,44."), "{csv}");
+    let text = stdout(&mut gauge(
+        folder.path(),
+        &["wheel_20.dxf", "--span", "3", "--positions"],
+    ));
+    assert!(
+        text.contains("span W_3") && text.contains("W_k mm") && !text.contains("pins mm"),
+        "{text}"
+    );
+    assert!(!folder.path().join("out").exists(), "nothing is written");
+}
+
+/// What cannot be asked is refused with what can be; what this outline does not allow is told, by tooth tables on standard error.
+#[test]
+fn what_an_outline_cannot_be_asked_is_said() {
+    let folder = folder();
+    draw(folder.path(), "drawn.dxf");
+    let refused = |arguments: &[&str], reason: &str| {
+        gauge(folder.path(), arguments)
+            .assert()
+            .code(2)
+            .stderr(contains(reason))
+            .stdout("");
+    };
+    refused(
+        &["drawn.dxf"],
+        "can be asked for spans (--span-teeth K) and for pins (--pin-mm D); pitch, thickness and the roll test need an involute",
+    );
+    refused(
+        &["drawn.dxf", "--pin", "5", "--ball-mm", "5"],
+        "are for gears by their data",
+    );
+    refused(
+        &["drawn.dxf", "--pin", "5", "-o", "files"],
+        "are for gears by their data",
+    );
+    refused(
+        &["drawn.dxf", "--pin", "5", "--gear", "wheel"],
+        "has one gear only",
+    );
+    refused(&["one.toml", "--units", "mm"], "belong to a drawing");
+    let blank = ["drawn.dxf", "--pin", "1", "--span", "1", "--format", "csv"];
+    let told = contains("material as-measured: not measured, over pins: a pin of 1 mm")
+        .and(contains("not measured, span: over 1 of 21 teeth"));
+    gauge(folder.path(), &blank).assert().success().stderr(told);
+}

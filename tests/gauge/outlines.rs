@@ -1,0 +1,353 @@
+//! Spans and pins on outlines: against the gauge of gears by their data, and against closed forms where there is no involute.
+
+use super::*;
+use gearlash::contact::Region;
+use gearlash::gauge::{OverPins, Span, gauge_outline};
+use gearlash::outline::{OutlineGear, OutlineReading, PathSegment, of_gear};
+use nalgebra::{Point2, Rotation2};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+fn read(path: &[PathSegment], face: Face, teeth: u32, bound: f64) -> OutlineGear {
+    let reading = OutlineReading {
+        centre: Point2::origin(),
+        face,
+        teeth: Some(teeth),
+        first_tooth: None,
+        bound,
+    };
+    OutlineGear::new(path, &reading).unwrap()
+}
+
+/// `teeth` times the half of a tooth, its centre line on +y, given from tip to root, and its mirror image.
+fn all_round(teeth: u32, half: &[PathSegment]) -> Vec<PathSegment> {
+    let left = half
+        .iter()
+        .rev()
+        .map(|segment| segment.mirrored().reversed());
+    let tooth: Vec<PathSegment> = left.chain(half.iter().copied()).collect();
+    let turned = |k: u32| {
+        let turn = -TAU * f64::from(k) / f64::from(teeth);
+        let rotation = Rotation2::new(turn);
+        tooth.iter().map(move |segment| match *segment {
+            PathSegment::Line(points) => PathSegment::Line(points.map(|point| rotation * point)),
+            PathSegment::Arc {
+                centre,
+                radius,
+                start,
+                sweep,
+            } => PathSegment::Arc {
+                centre: rotation * centre,
+                radius,
+                start: start + turn,
+                sweep,
+            },
+            PathSegment::Cubic(points) => PathSegment::Cubic(points.map(|point| rotation * point)),
+        })
+    };
+    (0..teeth).flat_map(turned).collect()
+}
+
+/// Lengths and bounds agree, one by one.
+fn agree(what: &str, found: &[(u32, f64, f64)], expected: &[(u32, f64, f64)], slack: f64) {
+    assert_eq!(found.len(), expected.len(), "{what}");
+    for (one, other) in found.iter().zip(expected) {
+        assert_eq!(one.0, other.0, "{what}");
+        let off = (one.1 - other.1).abs();
+        assert!(
+            off <= one.2 + other.2,
+            "{what} at {}: {off} of {} and {}",
+            one.0,
+            one.2,
+            other.2
+        );
+        assert!(one.2 <= slack, "{what} at {}: bound {}", one.0, one.2);
+    }
+}
+
+fn over(list: &[OverPins]) -> Vec<(u32, f64, f64)> {
+    list.iter()
+        .map(|one| (one.tooth, one.length, one.error))
+        .collect()
+}
+
+/// Source: the gauge of gears by their data, which cuts polygons of the flanks it knows. The outline is once the gear's own curves, once
+/// chords of 0.1 µm read as a drawing; perfect gears and such with deviations of every tooth, of either face, with runout, odd and even.
+#[test]
+fn an_outline_of_a_gear_reads_as_the_gear() {
+    const CHORD: f64 = 1e-4;
+    let perfect = |teeth, shift| {
+        let gear = Gear::nominal(design(teeth, 3.0, 20.0, shift)).unwrap();
+        AsBuilt::perfect(gear, Face::Front)
+    };
+    let gears = [
+        perfect(20, 0.0),
+        perfect(9, 0.5),
+        perfect(61, -0.3),
+        made(21, Face::Back, 0.031).gear,
+        made(44, Face::Front, 0.0).gear,
+        made(32, Face::Back, 0.02).gear,
+    ];
+    for gear in gears {
+        let expected = measure(&gear, quick());
+        let (spans, pins) = (expected.spans.unwrap(), expected.pins.unwrap());
+        let span = |span: &Span| (span.first_tooth, span.length, span.error);
+        let by_data: Vec<_> = spans.readings.iter().map(span).collect();
+        let teeth = gear.gear().basic_data().teeth();
+        let drawn = of_gear(&gear, CHORD);
+        let outlines = [
+            (OutlineGear::from(&gear), 1e-9),
+            (read(&drawn, gear.face(), teeth, CHORD), 10.0 * CHORD),
+        ];
+        for (outline, slack) in outlines {
+            let found = gauge_outline(&outline, Some(spans.teeth), Some(pins.diameter));
+            let (on, over_pins) = (found.spans.unwrap().unwrap(), found.pins.unwrap().unwrap());
+            let read: Vec<_> = on
+                .readings
+                .iter()
+                .map(|one| (one.first_tooth, one.length, one.error))
+                .collect();
+            agree("span", &read, &by_data, slack);
+            agree("two pins", &over(&over_pins.two), &over(&pins.two), slack);
+            agree(
+                "three pins",
+                &over(&over_pins.three),
+                &over(&pins.three),
+                slack,
+            );
+            for (seat, data) in over_pins.seats.iter().zip(&pins.seats) {
+                assert_eq!(
+                    seat.touched.map(|touch| touch.tooth),
+                    data.touched.map(|touch| touch.tooth)
+                );
+                for end in 0..2 {
+                    let off = seat.touched[end].radius - data.touched[end].radius;
+                    // A chord of 0.1 µm is up to 0.1 mm long.
+                    assert!(off.abs() < 1e-4f64.max(slack * 100.0), "{off}");
+                }
+            }
+        }
+    }
+}
+
+/// Straight flanks that lean by `lean` towards the tip, `h` from the centre: their lines; tip and root arcs at the radii given.
+fn straight(teeth: u32, lean: f64, h: f64, [root, tip]: [f64; 2]) -> Vec<PathSegment> {
+    // On the right flank x cos(lean) + y sin(lean) = h.
+    let (sin, cos) = lean.sin_cos();
+    let at = |radius: f64| {
+        let along = (radius * radius - h * h).sqrt();
+        Point2::new(h * cos - along * sin, h * sin + along * cos)
+    };
+    let angle = |point: Point2<f64>| point.y.atan2(point.x);
+    let (top, bottom) = (at(tip), at(root));
+    let arc = |radius: f64, start: f64, end: f64| PathSegment::Arc {
+        centre: Point2::origin(),
+        radius,
+        start,
+        sweep: end - start,
+    };
+    let middle = FRAC_PI_2 - PI / f64::from(teeth);
+    let half = [
+        arc(tip, FRAC_PI_2, angle(top)),
+        PathSegment::Line([top, bottom]),
+        arc(root, angle(bottom), middle),
+    ];
+    all_round(teeth, &half)
+}
+
+/// Flanks whose lean is half the angle between the outer teeth of a span lie flat on the anvils: W_k = 2 h. A pin touches two lines whose
+/// normals stand β + π/z from the middle of the space's square: its centre at ρ = (h + R) / sin(β + π/z); with an odd number of teeth
+/// M = 2 ρ cos(π/2z) + D over two, ρ (1 + cos(π/z)) + D over three pins.
+#[test]
+fn straight_flanks_by_their_closed_form() {
+    for (teeth, k) in [(24u32, 3u32), (17, 2), (16, 2)] {
+        let pitch = TAU / f64::from(teeth);
+        let lean = 0.5 * f64::from(k - 1) * pitch;
+        let (root, tip, diameter) = (9.0, 11.0, 2.0);
+        let h = 10.0 * (0.25 * pitch + lean).sin();
+        let outline = read(
+            &straight(teeth, lean, h, [root, tip]),
+            Face::Front,
+            teeth,
+            0.0,
+        );
+        let found = gauge_outline(&outline, Some(k), Some(diameter));
+        let spans = found.spans.unwrap().unwrap();
+        for span in &spans.readings {
+            assert!(
+                (span.length - 2.0 * h).abs() <= span.error,
+                "{span:?} of {}",
+                2.0 * h
+            );
+        }
+        assert!(spans.ends()[1] - spans.ends()[0] < 1e-12);
+        let pins = found.pins.unwrap().unwrap();
+        let rho = (h + 0.5 * diameter) / (lean + 0.5 * pitch).sin();
+        let odd = teeth % 2 == 1;
+        let two = diameter + 2.0 * rho * if odd { (0.25 * pitch).cos() } else { 1.0 };
+        let three = diameter + rho * (1.0 + (0.5 * pitch).cos());
+        assert_eq!(pins.three.len(), if odd { teeth as usize } else { 0 });
+        for (list, expected) in [(&pins.two, two), (&pins.three, three)] {
+            for over in list {
+                assert!(
+                    (over.length - expected).abs() <= over.error && over.error < 1e-11,
+                    "{over:?} of {expected}"
+                );
+            }
+        }
+    }
+}
+
+/// Parallel flanks `a` from the tooth's centre line under a round head about a centre at the radius `q`: anvils on two heads
+/// W = 2 q sin((k − 1) π/z) + 2 a, the greatest as they are rocked; a pin between two heads at ρ = q cos(π/z) + √((a + R)² − q² sin²(π/z)).
+#[test]
+fn round_heads_by_their_closed_form() {
+    let (a, q, root, diameter) = (0.9f64, 10.0f64, 8.0f64, 3.0f64);
+    for teeth in [15u32, 14] {
+        let foot = (root * root - a * a).sqrt();
+        let angle = foot.atan2(a);
+        let half = [
+            PathSegment::Arc {
+                centre: Point2::new(0.0, q),
+                radius: a,
+                start: FRAC_PI_2,
+                sweep: -FRAC_PI_2,
+            },
+            PathSegment::Line([Point2::new(a, q), Point2::new(a, foot)]),
+            PathSegment::Arc {
+                centre: Point2::origin(),
+                radius: root,
+                start: angle,
+                sweep: FRAC_PI_2 - PI / f64::from(teeth) - angle,
+            },
+        ];
+        let outline = read(&all_round(teeth, &half), Face::Back, teeth, 0.0);
+        let step = PI / f64::from(teeth);
+        for k in [2u32, 3, 5] {
+            let spans = gauge_outline(&outline, Some(k), None)
+                .spans
+                .unwrap()
+                .unwrap();
+            let expected = 2.0 * q * (f64::from(k - 1) * step).sin() + 2.0 * a;
+            for span in &spans.readings {
+                assert!(
+                    (span.length - expected).abs() <= span.error && span.error < 1e-11,
+                    "{span:?} of {expected}"
+                );
+                assert!(
+                    span.touched
+                        .iter()
+                        .all(|touch| touch.region == Region::Flank),
+                    "{span:?}"
+                );
+            }
+        }
+        let pins = gauge_outline(&outline, None, Some(diameter))
+            .pins
+            .unwrap()
+            .unwrap();
+        let chord = q * step.sin();
+        let rho = q * step.cos() + ((a + 0.5 * diameter).powi(2) - chord * chord).sqrt();
+        for seat in &pins.seats {
+            assert!(
+                (seat.centre.coords.norm() - rho).abs() <= seat.error && seat.error < 1e-11,
+                "{seat:?} of {rho}"
+            );
+        }
+    }
+}
+
+/// Source: the polygon of the whole outline, chords of 1 nm: no metal lies within a pin, on flanks that are no circle and no involute, and its two places are
+/// touched; no anvil of the reading's direction cuts the teeth it spans.
+#[test]
+fn pins_and_anvils_touch_the_whole_outline() {
+    const CHORD: f64 = 1e-6;
+    let teeth = 19u32;
+    let middle = FRAC_PI_2 - PI / f64::from(teeth);
+    let at = |radius: f64, angle: f64| Point2::new(radius * angle.cos(), radius * angle.sin());
+    let foot = at(8.0, middle + 0.01);
+    let half = [
+        PathSegment::Cubic([[0.0, 11.2], [0.5, 11.2], [0.6, 10.6], [0.75, 10.0]].map(Point2::from)),
+        PathSegment::Cubic([
+            Point2::new(0.75, 10.0),
+            Point2::new(0.9, 9.4),
+            Point2::new(0.8, 8.6),
+            foot,
+        ]),
+        PathSegment::Line([foot, at(8.0, middle)]),
+    ];
+    let outline = read(&all_round(teeth, &half), Face::Front, teeth, 0.0);
+    let polygon = outline.points(0.0, CHORD);
+    let found = gauge_outline(&outline, Some(4), Some(2.4));
+    for seat in &found.pins.unwrap().unwrap().seats {
+        let next = polygon.iter().cycle().skip(1);
+        let distances = polygon.iter().zip(next).map(|(a, b)| {
+            let (chord, to) = (b - a, seat.centre - a);
+            let along = (to.dot(&chord) / chord.norm_squared()).clamp(0.0, 1.0);
+            (to - along * chord).norm()
+        });
+        let least = distances.fold(f64::INFINITY, f64::min);
+        assert!(
+            (least - 1.2).abs() <= CHORD + seat.error,
+            "{least} at {seat:?}"
+        );
+    }
+    // By symmetry the anvils stand square to the middle of the teeth spanned: the reading is how far these reach along that, above the anvils' ends.
+    let depth = outline.tip_radius() - outline.root_radius();
+    let reach = outline.root_radius() + depth / 3.0;
+    let spans = found.spans.unwrap().unwrap();
+    let along = Rotation2::new(outline.tooth_angle(2.5)) * nalgebra::Vector2::y();
+    let spanned = |point: &&Point2<f64>| {
+        let off = along
+            .dot(&point.coords)
+            .atan2((along.perp(&point.coords)).abs());
+        point.coords.norm() >= reach
+            && off.abs() < 2.0 * outline.pitch()
+            && along.perp(&point.coords) < 0.0
+    };
+    let heights: Vec<f64> = polygon
+        .iter()
+        .filter(spanned)
+        .map(|point| along.dot(&point.coords))
+        .collect();
+    let most = heights.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let least = heights.iter().copied().fold(f64::INFINITY, f64::min);
+    let off = most - least - spans.readings[0].length;
+    assert!(off.abs() <= 2.0 * CHORD + spans.readings[0].error, "{off}");
+}
+
+/// What no anvil and no pin can be asked of an outline: too many teeth, flanks that an anvil's end alone touches, pins that sink or rest on the root.
+#[test]
+fn what_has_no_reading_says_why() {
+    // Flanks that lean by more than half the angle of two teeth.
+    let lean = 1.5 * PI / 24.0;
+    let outline = read(
+        &straight(24, lean, 10.0 * (PI / 48.0 + lean).sin(), [9.0, 11.0]),
+        Face::Front,
+        24,
+        0.0,
+    );
+    let said = |k, pin| {
+        let found = gauge_outline(&outline, k, pin);
+        let spans = found.spans.and_then(Result::err);
+        let pins = found.pins.and_then(Result::err);
+        spans.or(pins).unwrap().to_string()
+    };
+    for (k, reason) in [
+        (0, "allowed is 1 up to half"),
+        (13, "allowed is 1 up to half"),
+        (2, "span more teeth"),
+    ] {
+        assert!(
+            said(Some(k), None).contains(reason),
+            "{k}: {}",
+            said(Some(k), None)
+        );
+    }
+    for (pin, reason) in [(0.1, "no rest on both flanks"), (1.0, "does not stand out")] {
+        assert!(
+            said(None, Some(pin)).contains(reason),
+            "{pin}: {}",
+            said(None, Some(pin))
+        );
+    }
+}

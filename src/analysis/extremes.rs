@@ -13,7 +13,7 @@ use super::simulate::simulate_plans;
 use super::study::{Material, RunPlan, Study};
 use crate::contact::{Doubt, ExactKernel, Extreme, Extremes, Method, Status};
 use crate::error::Error;
-use crate::gear::{Inspection, Side};
+use crate::gear::Side;
 use crate::pair::{GearPair, Mating, Member, SweepPlan};
 use crate::parallel;
 use std::ops::ControlFlow;
@@ -367,10 +367,7 @@ fn distinct(assembly: &GearPair) -> u64 {
     let teeth = |member| gear(member).gear().basic_data().teeth();
     let (wheel, pinion) = (teeth(Member::Wheel), teeth(Member::Pinion));
     // In any direction an eccentricity alone makes no tooth another.
-    let deviates = |member| {
-        let gear = gear(member);
-        Inspection::of(&gear.centred()).deviates() || gear.has_unlike_profiles()
-    };
+    let deviates = |member| gear(member).centred().has_unlike_teeth();
     match [Member::Wheel, Member::Pinion].map(deviates) {
         [true, true] => hunting_pitches(assembly),
         [true, false] => u64::from(wheel),

@@ -15,6 +15,13 @@ pub struct Inspection {
     runout: Vec<f64>,
 }
 
+impl AsBuilt {
+    /// Whether its teeth are not all alike about its axis: a flank lies off its place, the gear is eccentric, or profiles differ.
+    pub fn has_unlike_teeth(&self) -> bool {
+        Inspection::of(self).deviates() || self.has_unlike_profiles()
+    }
+}
+
 impl Inspection {
     /// Reads `gear`.
     pub fn of(gear: &AsBuilt) -> Inspection {

@@ -125,7 +125,9 @@ fn teeth_that_are_all_alike_are_not_called_binding() {
     assert!(!answer.contains("teeth "), "{answer}");
     let cells = row(&document, "#result", "40.100");
     assert_eq!([&cells[3], &cells[6]], ["all alike", "all alike"]);
-    assert!(notes(&document).contains("Neither gear has deviations: all matings are alike."));
+    assert!(
+        notes(&document).contains("The teeth of each gear are all alike, and so are all matings.")
+    );
 }
 
 /// 20 right-flank poses of the file at 16 a pitch, and as many left-flank ones that only the page has.

@@ -4,7 +4,6 @@ use super::page::Page;
 use super::phrases::few;
 use gearlash::analysis::outcome::Found;
 use gearlash::analysis::phases::phase;
-use gearlash::gear::Inspection;
 use gearlash::pair::{Member, SweepPlan};
 use maud::{Markup, html};
 use std::collections::BTreeSet;
@@ -58,8 +57,8 @@ fn others(page: &Page) -> Markup {
     let matings = extremes.iter().map(|run| run.matings).max().unwrap_or(0);
     let unproven = extremes.iter().filter(|run| !run.is_proven()).count();
     html! {
-        @if extremes.iter().all(|run| [Member::Wheel, Member::Pinion].iter().all(|member| !Inspection::of(run.assembly.gear(*member)).deviates())) {
-            "Neither gear has deviations: all matings are alike. "
+        @if extremes.iter().all(|run| [Member::Wheel, Member::Pinion].iter().all(|member| !run.assembly.gear(*member).has_unlike_teeth())) {
+            "The teeth of each gear are all alike, and so are all matings. "
         }
         "The hunting cycle is " (matings) " matings. Least and greatest backlash are bracketed over all of them and every rotation between"
         @match unproven {
@@ -89,7 +88,7 @@ fn phases(page: &Page) -> Markup {
     let mating = pose.swept.pose.mating();
     // Where one gear is perfect, it does not matter which of its teeth are met.
     let deviate = [Member::Wheel, Member::Pinion]
-        .map(|member| Inspection::of(run.run.assembly.gear(member)).deviates());
+        .map(|member| run.run.assembly.gear(member).has_unlike_teeth());
     let matters = deviate == [true, true] && ways > 1;
     let way = phase(&run.run.assembly, mating);
     let asked = page.report.analysis.runs.iter().flat_map(|run| {

@@ -55,6 +55,12 @@ pub(super) fn section(page: &Page) -> Result<Markup, PictureError> {
                 "Of " (of.poses) " poses " (counts.join("; "))
                 " (tolerance " (gearlash_files::numbers::shortest(page.report.pair.study.tolerance_um)) " µm and the error bound)."
             }
+            @if page.all.iter().any(|run| run.run.assembly.is_modified()) {
+                p {
+                    "Models 1 and 2 know no profile deviation. Model 3 takes it at its own contact point; where a flank is tilted there the real "
+                    "contact lies beside it, which the model cannot follow: it lies above by the square of the tilt."
+                }
+            }
             div.scroll tabindex="0" role="region" aria-label="Formulas beside the simulation" {
                 table {
                     caption { "Simulated minus formula, µm" }

@@ -16,16 +16,21 @@ pub(super) fn search(
     curves: Curves,
     nodes_left: &mut usize,
 ) -> Result<Option<CandidateContact>, SearchExhausted> {
+    let mut frees = Vec::with_capacity(ProfilePart::ALL.len());
+    for curve in ProfilePart::ALL {
+        let wanted = curves.0.iter().any(|row| row[curve as usize]);
+        if let Some(range) = wanted.then(|| free_range(free, curve)).flatten() {
+            frees.extend(stretches(free, curve, range).map(|arc| (curve as usize, arc)));
+        }
+    }
     let mut nodes = Vec::new();
-    let frees = ProfilePart::ALL.map(|curve| whole_free_arcs(free, curve));
     for (curve, row) in ProfilePart::ALL.into_iter().zip(curves.0) {
         if row == [false; 4] || !locked.has(curve) {
             continue;
         }
-        for arc in stretches(locked, curve) {
-            let free_arcs = frees.iter().zip(row).filter(|(_, wanted)| *wanted);
-            let free_arcs = free_arcs.flat_map(|(arcs, _)| arcs);
-            nodes.extend(free_arcs.map(|free| (arc, *free)));
+        for arc in stretches(locked, curve, locked.range(curve)) {
+            let free_arcs = frees.iter().filter(|(curve, _)| row[*curve]);
+            nodes.extend(free_arcs.map(|(_, free)| (arc, *free)));
         }
     }
     let part = |name: usize| ProfilePart::ALL[name];
@@ -41,28 +46,28 @@ pub(super) fn search(
     }))
 }
 
-/// One whole curve, cut at its edges.
-fn stretches<'a>(placed: &Placed<'a>, curve: ProfilePart) -> Vec<Arc<'a>> {
-    let (low, high) = placed.range(curve);
+/// A curve between two parameters, cut at its edges.
+fn stretches<'a>(
+    placed: &Placed<'a>,
+    curve: ProfilePart,
+    (low, high): (f64, f64),
+) -> impl Iterator<Item = Arc<'a>> + use<'a> {
     let on = placed.curve(curve);
-    let arc = |(low, high)| Arc::new(on, curve as usize, low, high);
-    smooth(on.curve.edges(), low, high).map(arc).collect()
+    let arc = move |(low, high)| Arc::new(on, curve as usize, low, high);
+    smooth(on.curve.edges(), low, high).map(arc)
 }
 
 /// The whole of one curve of the free gear, if it has any length. About its own centre a land has one radius, on which
 /// only its end farthest clockwise can touch: of the tip land the corner (which ends the involute
 /// too), of the root land the middle of the space.
-fn whole_free_arcs<'a>(free: &Placed<'a>, curve: ProfilePart) -> Vec<Arc<'a>> {
+fn free_range(free: &Placed, curve: ProfilePart) -> Option<(f64, f64)> {
     if !free.has(curve) {
-        return Vec::new();
+        return None;
     }
-    let centred = free.centre == C::ZERO;
+    let (low, high) = free.range(curve);
     match curve {
-        ProfilePart::Tip if centred => Vec::new(),
-        ProfilePart::Root if centred => {
-            let (_, high) = free.range(curve);
-            vec![Arc::new(free.curve(curve), curve as usize, high, high)]
-        }
-        _ => stretches(free, curve),
+        ProfilePart::Tip if free.centre == C::ZERO => None,
+        ProfilePart::Root if free.centre == C::ZERO => Some((high, high)),
+        _ => Some((low, high)),
     }
 }

@@ -237,9 +237,9 @@ impl OuterGears {
         let open = self.solver.proof.open;
         let mut nodes_left = MOST_NODES;
         for step in outer.steps() {
-            let [tips, joints] =
-                [tip_corner, joint].map(|end| self.clear(outer, &level, step, end));
-            if !open.is_empty() && (tips != [true; 2] || joints != [true; 2]) {
+            let tips = self.clear(outer, &level, step, tip_corner);
+            let stands_in = |end| self.clear(outer, &level, step, end) != [true; 2];
+            if !open.is_empty() && (tips != [true; 2] || stands_in(joint)) {
                 let (locked, free) = (posed.locked(step), posed.free(step));
                 let floor = tightest.level();
                 let (curves, origin) = (without_lands(open), posed.origin);

@@ -1,7 +1,6 @@
 //! Measurements that no gear has.
 
 use super::finding::Outlier;
-use super::profile::ProfileKey;
 use crate::error::GearError;
 use crate::gear::Flank;
 
@@ -111,6 +110,25 @@ pub enum MeasurementError {
         /// The values that may be the reason.
         suspects: Vec<Outlier>,
     },
+}
+
+/// What is said of a profile, as a key of a pair file says it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ProfileKey {
+    /// Profile slope.
+    Slope,
+    /// Profile crowning.
+    Crowning,
+    /// Tip relief.
+    TipRelief,
+    /// Root relief.
+    RootRelief,
+    /// Evaluation range.
+    Range,
+    /// Measured traces.
+    Trace,
+    /// All of it together.
+    All,
 }
 
 /// Which of two statements of the thickness.

@@ -57,7 +57,7 @@ mod statement;
 mod toleranced;
 mod tooth;
 
-pub use error::{DeviationCause, Fits, MeasurementError, StatementRole};
+pub use error::{DeviationCause, Fits, MeasurementError, ProfileKey, StatementRole};
 pub use finding::{
     Finding, FittedReadings, FlankKnowledge, MeanOnly, Outlier, PitchOutlier, Quantity,
     ReadingOutlier, RunoutContradiction, RunoutSource, SameKind, ThicknessBesidePitch, TooFar,
@@ -65,7 +65,6 @@ pub use finding::{
 pub use measure::{CrossCheck, MeasuredGear, Measurements};
 pub use notes::{AllRoundNote, Eccentricity, EccentricityNote, GearNotes, ThicknessStatements};
 pub use pitch_statement::{EccentricitySource, PitchKind, PitchSense, PitchStatement};
-pub use profile::ProfileKey;
 pub use runout::{ProbeReadings, ReadWith, Runout, RunoutStatement};
 pub use statement::ThicknessStatement;
 pub use toleranced::Toleranced;

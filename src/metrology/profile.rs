@@ -4,7 +4,7 @@
 //! would, is taken out of the reading ([`crate::gear::Excess`]); it depends, weakly, on the thickness that is sought, so the two take turns.
 //! Allowance and base thickness are of the involute without its deviations, and so is the nominal thickness.
 
-use super::error::MeasurementError;
+use super::error::{MeasurementError, ProfileKey};
 use super::finding::Finding;
 use super::statement::ThicknessStatement;
 use super::toleranced::Toleranced;
@@ -13,25 +13,6 @@ use crate::gear::{
     AsBuilt, BasicGearData, Deviations, Excess, Face, Flank, FlankShifts, Gear, GearDesign,
     Modification, PerTooth, Pitch, Spans,
 };
-
-/// What is said of a profile, as a key of a pair file says it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum ProfileKey {
-    /// Profile slope.
-    Slope,
-    /// Profile crowning.
-    Crowning,
-    /// Tip relief.
-    TipRelief,
-    /// Root relief.
-    RootRelief,
-    /// Evaluation range.
-    Range,
-    /// Measured traces.
-    Trace,
-    /// All of it together.
-    All,
-}
 
 /// How far an evaluation range may reach beyond the flank, mm: diameters come rounded to 1 µm.
 const ROUNDED: f64 = 1e-3;

@@ -8,6 +8,7 @@ mod gear;
 mod gears;
 mod pair;
 mod paths;
+mod refused;
 mod result;
 mod sentence;
 
@@ -18,7 +19,8 @@ pub use fitted::looks_like;
 pub use gauged::{GaugedOutline, gauged_csv, gauged_json};
 pub use gears::{OutlineGearEntry, OutlineGearsFile};
 pub(crate) use gears::{of_drawing, read as read_gear};
+pub(crate) use pair::read;
 pub use pair::{Drawings, OutlinePairFile};
-pub(crate) use pair::{has_outline, read, refused};
+pub(crate) use refused::{has_outline, refused};
 pub use result::{to_csv, to_json};
 pub use sentence::{region_words, sentence};

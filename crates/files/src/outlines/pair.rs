@@ -1,10 +1,8 @@
 //! A pair file with an outline: two gears, where they stand, and the study they make.
 
 use super::gear::{self, OutlinePart};
-use super::gears;
 use crate::assembly::{self, AssemblyPart};
 use crate::gear::GearPart;
-use crate::gear_file;
 use crate::node::Node;
 use crate::pair_file::names;
 use crate::place::Place;
@@ -23,7 +21,8 @@ use gearlash::outline::{OutlineGear, OutlinePair};
 use gearlash::pair::Mating;
 use std::path::Path;
 
-const KEYS: &[&str] = &[
+/// Keys of a pair file with an outline.
+pub(super) const KEYS: &[&str] = &[
     "title",
     "wheel",
     "pinion",
@@ -74,46 +73,6 @@ impl OutlinePairFile {
             CenterDistanceSpec::Distances(center_distances.clone());
         self.study.center_distances = center_distances;
         self
-    }
-}
-
-/// Whether a gear of a pair or gear file is an outline.
-pub(crate) fn has_outline(entries: &[(String, Node)]) -> bool {
-    let is_outline = |node: &Node| match node {
-        Node::Table(keys) => keys.iter().any(|(key, _)| key == "outline"),
-        _ => false,
-    };
-    let gears = entries
-        .iter()
-        .filter(|(key, _)| ["wheel", "pinion", "gear"].contains(&key.as_str()));
-    gears.into_iter().any(|(_, node)| is_outline(node))
-}
-
-/// The problem of a pair or gear file with an outline where gears by their data are needed.
-pub(crate) fn refused(
-    path: &Path,
-    place: &Place,
-    entries: &[(String, Node)],
-    problems: &mut Problems,
-) {
-    let keys = if gear_file::is_one(entries) {
-        gears::KEYS
-    } else {
-        KEYS
-    };
-    let file = Table::new("", place, entries, keys, problems);
-    for name in ["wheel", "pinion", "gear"] {
-        let key = format!("{name}.outline");
-        if file.has(&key) {
-            problems.add(file.problem(
-                &key,
-                "an outline has no module, no base circle and no line of action, which this command needs",
-                format!(
-                    "use `gearlash check`, `simulate`, `snapshot`, `chart` or `gauge` with {}, or give the gear by its data",
-                    path.display()
-                ),
-            ));
-        }
     }
 }
 

@@ -4,6 +4,7 @@ use super::cell::{Cell, Line};
 use super::column::{self, Column, Named};
 use super::decimal::{self, Numbers};
 use super::grid::{Grid, wrong_cell};
+use super::places::slots;
 use super::wanted::{Coverage, Wanted};
 use super::{Content, content};
 use crate::data_file::DataFile;
@@ -176,51 +177,30 @@ fn row<'a>(
 
 fn places(header: &Line, file: &DataFile, problems: &mut Problems) -> Option<Places> {
     const COLUMNS: [Column; 3] = [Column::RollLength, Column::Diameter, Column::Deviation];
-    let mut tooth = None;
-    let mut flank = None;
-    let mut found = [None; 3];
-    let mut good = Some(());
-    let mut wrong = |reason: String, help: String| {
-        problems.add(file.problem_at(header.number, reason, help));
-        good = None;
-    };
-    for (place, cell) in header.cells.iter().enumerate() {
-        let text = match cell {
-            Cell::Empty => continue,
-            Cell::Text(text) => text,
-            cell => {
-                wrong(
-                    format!("{} is not a column name", cell.shown(file)),
-                    HELP.to_owned(),
-                );
-                continue;
-            }
-        };
-        let slot = match column::named(file, text, &COLUMNS) {
-            _ if FLANK.contains(&text.trim().to_lowercase().as_str()) => &mut flank,
-            Named::Tooth => &mut tooth,
-            Named::Wanted(index) => &mut found[index],
-            Named::Wrong(reason, help) => {
-                wrong(reason, help);
-                continue;
-            }
-        };
-        if slot.is_some() {
-            wrong(
-                format!("duplicate column {}", file.quote(text)),
-                "remove one".to_owned(),
-            );
+    // The tooth, the flank, and behind them those.
+    let slot = |text: &str| {
+        if FLANK.contains(&text.trim().to_lowercase().as_str()) {
+            return Ok(1);
         }
-        *slot = Some(place);
+        match column::named(file, text, &COLUMNS) {
+            Named::Tooth => Ok(0),
+            Named::Wanted(index) => Ok(2 + index),
+            Named::Wrong(reason, help) => Err((reason, help)),
+        }
+    };
+    let (found, good) = slots(header, file, HELP, 2 + COLUMNS.len(), slot, problems);
+    let [tooth, flank, roll, diameter, deviation] = found[..] else {
+        return None;
+    };
+    let is_both = roll.is_some() && diameter.is_some();
+    if is_both {
+        let reason = "columns roll length and diameter, allowed is one of them";
+        let help = "remove one: they say the same";
+        problems.add(file.problem_at(header.number, reason, help));
     }
-    let [roll, diameter, deviation] = found;
-    if roll.is_some() && diameter.is_some() {
-        wrong(
-            "columns roll length and diameter, allowed is one of them".to_owned(),
-            "remove one: they say the same".to_owned(),
-        );
+    if is_both || !good {
+        return None;
     }
-    good?;
     let at = roll.or(diameter);
     for (name, place) in [("roll length or diameter", at), ("deviation", deviation)] {
         if place.is_none() {

@@ -114,73 +114,78 @@ pub(super) fn profile(
     work: &Workpiece,
     radii: [Option<[f64; 2]>; 2],
 ) -> Result<ProfileReadings, Unmeasured> {
-    let gear = work.as_built.gear();
-    if !gear.is_generated() {
+    if !work.as_built.gear().is_generated() {
         return Err(Unmeasured("the flanks are no involutes".to_owned()));
     }
-    let base = gear.base_radius();
-    let mut error = 0.0;
-    let mut flanks = Vec::new();
-    for (own, radii) in Flank::BOTH.into_iter().zip(radii) {
-        let side = work.as_built.face().seen_from_front(own);
-        let asked = match radii {
-            Some(radii) => radii.map(|radius| involute::roll_at(radius, base)),
-            None => [gear.form_roll(), gear.tip_roll()],
-        };
-        let of_tooth: Vec<usize> = (1..=gear.basic_data().teeth())
-            .map(|tooth| work.as_built.shape_of(side, tooth))
-            .collect();
-        // The first tooth of each shape.
-        let first = |shape| of_tooth.iter().position(|&of| of == shape);
-        let teeth = (0..work.as_built.shapes(side)).filter_map(first);
-        let teeth: Vec<u32> = teeth.map(|index| index as u32 + 1).collect();
-        let read = |[from, to]: [f64; 2], tooth: u32| -> Option<(Vec<(f64, f64)>, f64)> {
-            let mut worst = 0.0;
-            let point = |k: usize| {
-                let xi = from + (to - from) * k as f64 / (POINTS - 1) as f64;
-                let (at, error) = work.along_tangent(side, tooth, xi)?;
-                worst = f64::max(worst, error);
-                Some((base * xi, at - base * xi))
-            };
-            let points = (0..POINTS).map(point).collect::<Option<_>>()?;
-            Some((points, worst))
-        };
-        let shape = |tooth: u32| {
-            let [low, high] = work.flank_rolls(side, tooth);
-            let whole = [low + INSIDE, high - INSIDE];
-            let evaluated = [asked[0].max(whole[0]), asked[1].min(whole[1])];
-            let (points, error) = read(whole, tooth)?;
-            let (within, more) = read(evaluated, tooth)?;
-            Some((evaluate(points, &within), error.max(more)))
-        };
-        let mut shapes = Vec::new();
-        for (tooth, found) in teeth
-            .iter()
-            .zip(parallel::map(teeth.iter().copied(), shape))
-        {
-            let Some((found, bound)) = found else {
-                return Err(Unmeasured(format!(
-                    "the stylus leaves the {} flank of tooth {tooth}",
-                    own.name()
-                )));
-            };
-            error = f64::max(error, bound);
-            shapes.push(found);
-        }
-        flanks.push(FlankProfiles {
-            evaluated: asked.map(|xi| base * xi),
-            evaluated_diameters: asked.map(|xi| 2.0 * involute::radius_at(xi, base)),
-            shapes,
-            of_tooth,
-        });
-    }
-    let [Some(right), Some(left)] = [0, 1].map(|index| flanks.get(index).cloned()) else {
-        return Err(Unmeasured("there are no flanks".to_owned()));
-    };
+    let ((right, one), (left, other)) = (
+        of_flank(work, Flank::Right, radii[0])?,
+        of_flank(work, Flank::Left, radii[1])?,
+    );
     Ok(ProfileReadings {
         flanks: [right, left],
-        error,
+        error: one.max(other),
     })
+}
+
+/// The profiles of one side, and the bound on their error, mm.
+fn of_flank(
+    work: &Workpiece,
+    own: Flank,
+    radii: Option<[f64; 2]>,
+) -> Result<(FlankProfiles, f64), Unmeasured> {
+    let gear = work.as_built.gear();
+    let base = gear.base_radius();
+    let side = work.as_built.face().seen_from_front(own);
+    let asked = match radii {
+        Some(radii) => radii.map(|radius| involute::roll_at(radius, base)),
+        None => [gear.form_roll(), gear.tip_roll()],
+    };
+    let of_tooth: Vec<usize> = (1..=gear.basic_data().teeth())
+        .map(|tooth| work.as_built.shape_of(side, tooth))
+        .collect();
+    // The first tooth of each shape.
+    let first = |shape| of_tooth.iter().position(|&of| of == shape);
+    let teeth = (0..work.as_built.shapes(side)).filter_map(first);
+    let teeth: Vec<u32> = teeth.map(|index| index as u32 + 1).collect();
+    let read = |[from, to]: [f64; 2], tooth: u32| -> Option<(Vec<(f64, f64)>, f64)> {
+        let mut worst = 0.0;
+        let point = |k: usize| {
+            let xi = from + (to - from) * k as f64 / (POINTS - 1) as f64;
+            let (at, error) = work.along_tangent(side, tooth, xi)?;
+            worst = f64::max(worst, error);
+            Some((base * xi, at - base * xi))
+        };
+        let points = (0..POINTS).map(point).collect::<Option<_>>()?;
+        Some((points, worst))
+    };
+    let shape = |tooth: u32| {
+        let [low, high] = work.flank_rolls(side, tooth);
+        let whole = [low + INSIDE, high - INSIDE];
+        let evaluated = [asked[0].max(whole[0]), asked[1].min(whole[1])];
+        let (points, error) = read(whole, tooth)?;
+        let (within, more) = read(evaluated, tooth)?;
+        Some((evaluate(points, &within), error.max(more)))
+    };
+    let mut error = 0.0;
+    let mut shapes = Vec::new();
+    let read = parallel::map(teeth.iter().copied(), shape);
+    for (tooth, found) in teeth.iter().zip(read) {
+        let Some((found, bound)) = found else {
+            return Err(Unmeasured(format!(
+                "the stylus leaves the {} flank of tooth {tooth}",
+                own.name()
+            )));
+        };
+        error = f64::max(error, bound);
+        shapes.push(found);
+    }
+    let profiles = FlankProfiles {
+        evaluated: asked.map(|xi| base * xi),
+        evaluated_diameters: asked.map(|xi| 2.0 * involute::radius_at(xi, base)),
+        shapes,
+        of_tooth,
+    };
+    Ok((profiles, error))
 }
 
 /// The deviations of the points `within` the evaluation range, evenly spread: each stands for the stretch half way to its neighbours, the

@@ -143,7 +143,7 @@ fn span(work: &Workpiece, k: u32, first_tooth: u32) -> Result<Span, Unmeasured> 
         };
         (span, join)
     };
-    if work.has_modified_flanks() {
+    if work.as_built.is_modified() {
         return Ok(read(Vector2::new(0.0, -face.ascending())).0);
     }
     let corner = |i: usize| {

@@ -74,12 +74,6 @@ impl<'a> Workpiece<'a> {
         }
     }
 
-    /// Whether any profile deviates.
-    pub fn has_modified_flanks(&self) -> bool {
-        let has = |side| self.as_built.modification(side, 1).is_some();
-        Side::BOTH.into_iter().any(has)
-    }
-
     fn cut(&self, side: Side, tooth: u32) -> &Cut {
         &self.halves[index(side)][self.as_built.shape_of(side, tooth)]
     }
@@ -186,11 +180,24 @@ impl<'a> Workpiece<'a> {
         centre: Point2<f64>,
         radius: f64,
     ) -> Option<(Point2<f64>, f64)> {
-        let profile = self.as_built.profile(side, tooth);
         let excess = |p: &Point2<f64>| {
             let distance = (p - centre).norm();
             (distance - radius) * (distance + radius)
         };
+        let (at, along) = self.where_it_crosses(side, tooth, excess)?;
+        let cos = along.dot(&(at - centre).normalize()).abs();
+        Some((at, self.bound() / cos))
+    }
+
+    /// Where `excess`, all but linear along a chord, falls below 0 from the tip to the root on the flank of `side` of `tooth`, and the direction of the
+    /// finest chord there; `None` where it does not.
+    fn where_it_crosses(
+        &self,
+        side: Side,
+        tooth: u32,
+        excess: impl Fn(&Point2<f64>) -> f64,
+    ) -> Option<(Point2<f64>, Vector2<f64>)> {
+        let profile = self.as_built.profile(side, tooth);
         let mut cut: Option<HalfTooth> = None;
         loop {
             let polygon = cut.as_ref().unwrap_or(&self.cut(side, tooth).flank);
@@ -205,8 +212,7 @@ impl<'a> Workpiece<'a> {
                 let ends = [excess(&points[i]), excess(&points[i + 1])];
                 let chord = points[i + 1] - points[i];
                 let at = points[i] + ends[0] / (ends[0] - ends[1]) * chord;
-                let cos = chord.normalize().dot(&(at - centre).normalize()).abs();
-                return Some((at, self.bound() / cos));
+                return Some((at, chord.normalize()));
             }
             let finer = (polygon.chordal_error() * FINER).max(self.finest());
             cut = Some(polygon.recut(&profile, i..i + 1, finer));
@@ -218,7 +224,6 @@ impl<'a> Workpiece<'a> {
     ///
     /// An involute of the mean thickness in its undisturbed place stands at `r_b ξ`. The tangent is all but normal to the flank.
     pub fn along_tangent(&self, side: Side, tooth: u32, xi: f64) -> Option<(f64, f64)> {
-        let profile = self.as_built.profile(side, tooth);
         let gear = self.as_built.gear();
         let angle = xi - gear.half_base_angle();
         // The left half tooth is the mirror image.
@@ -226,26 +231,11 @@ impl<'a> Workpiece<'a> {
         let outward = Vector2::new(angle.cos(), mirror * angle.sin());
         let along = Vector2::new(angle.sin(), -mirror * angle.cos());
         let excess = |p: &Point2<f64>| outward.dot(&p.coords) - gear.base_radius();
-        let mut cut: Option<HalfTooth> = None;
-        loop {
-            let polygon = cut.as_ref().unwrap_or(&self.cut(side, tooth).flank);
-            let points = polygon.points();
-            let crosses = |i: &usize| {
-                polygon.segments()[*i].curve == ProfilePart::Involute
-                    && excess(&points[*i]) >= 0.0
-                    && excess(&points[*i + 1]) < 0.0
-            };
-            let i = (0..polygon.segments().len()).find(crosses)?;
-            if polygon.chordal_error() <= self.finest() {
-                let ends = [excess(&points[i]), excess(&points[i + 1])];
-                let chord = points[i + 1] - points[i];
-                let at = points[i] + ends[0] / (ends[0] - ends[1]) * chord;
-                let cos = chord.normalize().dot(&outward).abs();
-                return Some((along.dot(&at.coords), self.bound() / cos));
-            }
-            let finer = (polygon.chordal_error() * FINER).max(self.finest());
-            cut = Some(polygon.recut(&profile, i..i + 1, finer));
-        }
+        let (at, chord) = self.where_it_crosses(side, tooth, excess)?;
+        Some((
+            along.dot(&at.coords),
+            self.bound() / chord.dot(&outward).abs(),
+        ))
     }
 
     /// Rolls of the ends of the flank of `side` of `tooth`, lower one first: those of the tangents through them.

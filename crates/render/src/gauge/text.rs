@@ -9,7 +9,10 @@ use gearlash::gauge::{
 use gearlash::gear::{Flank, GRADE_SOURCE, Grade, ProfilePart};
 use gearlash_files::characters::plain;
 use gearlash_files::numbers::{ascii, order_um, um_ascii};
-use gearlash_files::results::gauge::{GaugedGear, by_tooth};
+use gearlash_files::results::{
+    self,
+    gauge::{GaugedGear, by_tooth},
+};
 use std::fmt::Write;
 
 /// The text `gauge` prints on `screen`; with `by_position` every reading tooth by tooth, too.
@@ -263,7 +266,16 @@ fn touched(what: &str, touches: &[[Touch; 2]]) -> String {
 
 /// Every reading tooth by tooth.
 fn position_table(gauged: &GaugedGear) -> String {
-    let columns = by_tooth(&gauged.gauged);
+    let teeth = gauged.gear.gear().basic_data().teeth();
+    format!(
+        "\nBy tooth, in µm where not mm. Span: first tooth spanned; pins and ball: tooth before the space of the (first) pin.\n\
+         f: single pitch, F: cumulative; ball and s less their means.\n{}",
+        tooth_by_tooth(teeth, &by_tooth(&gauged.gauged))
+    )
+}
+
+/// A row a tooth of the columns that have cells.
+pub(super) fn tooth_by_tooth(teeth: u32, columns: &[(&str, results::Column)]) -> String {
     let shown = || {
         columns
             .iter()
@@ -271,16 +283,12 @@ fn position_table(gauged: &GaugedGear) -> String {
     };
     let headings = std::iter::once("tooth").chain(shown().map(|(heading, _)| *heading));
     let mut table = Table::new(headings.map(Column::new));
-    for tooth in 1..=gauged.gear.gear().basic_data().teeth() {
+    for tooth in 1..=teeth {
         let cells = shown().map(|(_, column)| {
             let value = column.cell(tooth as usize - 1).number();
             ascii(value, column.unit.decimals())
         });
         table.add(std::iter::once(tooth.to_string()).chain(cells).collect());
     }
-    format!(
-        "\nBy tooth, in µm where not mm. Span: first tooth spanned; pins and ball: tooth before the space of the (first) pin.\n\
-         f: single pitch, F: cumulative; ball and s less their means.\n{}",
-        table.text(&Screen::default())
-    )
+    table.text(&Screen::default())
 }

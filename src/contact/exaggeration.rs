@@ -3,7 +3,7 @@
 //! A picture only. The gears stand at a pose's nominal rotations; their outlines are not in contact.
 
 use crate::error::GearError;
-use crate::gear::{AsBuilt, HalfTooth, PartCurve, Placed, ProfilePart, Side};
+use crate::gear::{AsBuilt, HalfTooth, Placed, Side};
 use crate::pair::{GearPair, Member, Pose};
 use nalgebra::Point2;
 
@@ -102,28 +102,11 @@ impl<'a> Exaggeration<'a> {
     }
 }
 
-/// Least and greatest profile deviation of `gear`, mm, among points over its flanks; `None` where they are involutes.
+/// Least and greatest profile deviation of `gear`, mm; `None` where its flanks are involutes.
 fn profile(gear: &AsBuilt) -> Option<[f64; 2]> {
-    const POINTS: u32 = 200;
-    let rolls = [gear.gear().form_roll(), gear.gear().tip_roll()];
-    let mut ends: Option<[f64; 2]> = None;
-    for side in Side::BOTH {
-        for shape in 0..gear.shapes(side) {
-            let shape = gear.shape(side, shape);
-            let PartCurve::Modified(flank) = &shape.part(ProfilePart::Involute).curve else {
-                continue;
-            };
-            for k in 0..=POINTS {
-                let part = f64::from(k) / f64::from(POINTS);
-                let value = flank
-                    .deviation()
-                    .at(rolls[0] + part * (rolls[1] - rolls[0]));
-                let [least, most] = ends.unwrap_or([value; 2]);
-                ends = Some([least.min(value), most.max(value)]);
-            }
-        }
-    }
-    ends
+    let all = Side::BOTH.iter().flat_map(|side| gear.deviations(*side));
+    let both = |one: [f64; 2], other: [f64; 2]| [one[0].min(other[0]), one[1].max(other[1])];
+    gear.is_modified().then(|| all.reduce(both))?
 }
 
 /// `points` without the loops of up to `longest` chords that an open line through them makes.

@@ -85,21 +85,15 @@ impl HalfTooth {
     ) -> HalfTooth {
         let mut points = Vec::new();
         let mut segments = Vec::new();
-        for &(curve, (start, end)) in pieces {
-            if start == end {
-                continue;
-            }
-            // A chord over an edge would be bounded by nothing.
-            let mut cuts = Vec::new();
-            let (low, top) = (start.min(end), start.max(end));
-            let mut high = top;
-            let edges = profile.part(curve).curve.edges().iter().rev().copied();
-            let edges = edges.filter(|edge| *edge > low && *edge < top);
-            for to in edges.chain([low]) {
-                let more = cut(to, high, |t| step(profile.bend(curve, t), chordal_error));
-                cuts.extend_from_slice(&more[usize::from(!cuts.is_empty())..]);
-                high = to;
-            }
+        let stretches = pieces.iter().filter(|(_, (start, end))| start != end);
+        let stretches = stretches.flat_map(|&(curve, (start, end))| {
+            let stretches = profile.part(curve).curve.between_edges(start, end);
+            stretches.into_iter().map(move |ends| (curve, ends))
+        });
+        for (curve, [start, end]) in stretches {
+            let mut cuts = cut(start.min(end), start.max(end), |t| {
+                step(profile.bend(curve, t), chordal_error)
+            });
             if start < end {
                 cuts.reverse();
             }

@@ -47,7 +47,7 @@ impl Teeth {
         let ascending = (mirror * gear.face().ascending()) as i64;
         let shape = |profile: Profile| Shape::new(&profile);
         let number = |place: i64| (ascending * place).rem_euclid(i64::from(count)) as u32 + 1;
-        let modified = (!gear.is_generated()).then(|| {
+        let modified = gear.is_modified().then(|| {
             let shapes = (0..gear.shapes(side)).map(|of| shape(gear.shape(side, of)));
             let places =
                 (0..i64::from(count)).map(|place| gear.shape_of(side, number(place)) as u32);

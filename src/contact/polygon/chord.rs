@@ -229,7 +229,10 @@ impl CutHalf {
                 };
                 is_there.then_some((curve, [from, to]))
             })
-            .flat_map(|(curve, ends)| without_edges(profile, curve, ends))
+            .flat_map(|(curve, [from, to])| {
+                let stretches = profile.part(curve).curve.between_edges(from, to);
+                stretches.into_iter().map(move |ends| (curve, ends))
+            })
             .map(|(curve, ends)| Chord::new(profile, side, curve, ends))
             .collect();
         let curves = chords.len();
@@ -287,26 +290,6 @@ impl OwnLands {
                 + gear.gear().root_radius() * (root_end - shared_end).max(0.0),
         }
     }
-}
-
-/// A stretch of a curve, the end nearer the tip first, cut at the curve's edges: a chord over one would be bounded by nothing.
-fn without_edges(
-    profile: &Profile,
-    curve: ProfilePart,
-    [from, to]: [f64; 2],
-) -> Vec<(ProfilePart, [f64; 2])> {
-    let edges = profile.part(curve).curve.edges().iter().copied();
-    let (low, high) = (from.min(to), from.max(to));
-    let mut places = vec![low];
-    places.extend(edges.filter(|edge| *edge > low && *edge < high));
-    places.push(high);
-    if from > to {
-        places.reverse();
-    }
-    places
-        .windows(2)
-        .map(|ends| (curve, [ends[0], ends[1]]))
-        .collect()
 }
 
 /// The half tooth of one tooth: what all share, the rest of its tip land up to the far corner, and of its root land.

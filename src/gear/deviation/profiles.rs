@@ -94,7 +94,7 @@ impl AsBuilt {
     }
 
     /// Least and greatest deviation, mm, of each of the shapes of a side.
-    fn deviations(&self, side: Side) -> Vec<[f64; 2]> {
+    pub(crate) fn deviations(&self, side: Side) -> Vec<[f64; 2]> {
         let bounds = |shape| {
             let part = self.shape(side, shape).part(ProfilePart::Involute);
             let (low, high) = part.range();

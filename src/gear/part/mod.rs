@@ -195,6 +195,18 @@ impl PartCurve {
         }
     }
 
+    /// The stretches between two parameters, in order, cut at the edges between them: a chord over one would be bounded by nothing.
+    pub(crate) fn between_edges(&self, from: f64, to: f64) -> Vec<[f64; 2]> {
+        let (low, high) = (from.min(to), from.max(to));
+        let inside = self.edges().iter().copied();
+        let inside = inside.filter(|edge| *edge > low && *edge < high);
+        let mut places: Vec<f64> = [low].into_iter().chain(inside).chain([high]).collect();
+        if from > to {
+            places.reverse();
+        }
+        places.windows(2).map(|ends| [ends[0], ends[1]]).collect()
+    }
+
     /// Greatest curvature between two parameters, 1/mm, where it is known.
     pub fn curvature(&self, from: f64, to: f64) -> Option<f64> {
         ask!(self, curvature(from, to))

@@ -1,5 +1,6 @@
 //! Spans and pins read on outlines, as a short table of each gear.
 
+use super::text::tooth_by_tooth;
 use crate::text::{Column, Screen, Table};
 use gearlash::contact::{OutlineTouch, Region};
 use gearlash::gauge::OverPins;
@@ -105,7 +106,7 @@ fn remarks(gauged: &GaugedOutline) -> String {
     let mut text = String::new();
     for (what, touches) in &kinds {
         for region in [Region::Tip, Region::Root] {
-            let on = |both: &&[OutlineTouch; 2]| both.iter().any(|touch| touch.region == region);
+            let on = |both: &&[OutlineTouch; 2]| both.iter().any(|touch| touch.curve == region);
             let count = touches.iter().filter(on).count();
             if count > 0 {
                 let (all, region) = (touches.len(), region.name());
@@ -120,17 +121,6 @@ fn remarks(gauged: &GaugedOutline) -> String {
 }
 
 fn positions(gauged: &GaugedOutline) -> String {
-    let columns = gauged.by_tooth();
-    let shown = || {
-        columns
-            .iter()
-            .filter(|(_, column)| !column.cells.is_empty())
-    };
-    let headings = std::iter::once("tooth").chain(shown().map(|(heading, _)| *heading));
-    let mut table = Table::new(headings.map(Column::new));
-    for tooth in 1..=gauged.entry.gear.teeth() {
-        let cells = shown().map(|(_, column)| ascii(column.cell(tooth as usize - 1).number(), 6));
-        table.add(std::iter::once(tooth.to_string()).chain(cells).collect());
-    }
-    format!("\n{}", table.text(&Screen::default()))
+    let teeth = gauged.entry.gear.teeth();
+    format!("\n{}", tooth_by_tooth(teeth, &gauged.by_tooth()))
 }

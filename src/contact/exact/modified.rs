@@ -21,7 +21,6 @@ use super::curves::SearchExhausted;
 use super::direct::{DirectSolver, Envelopes, Level, least_radius};
 use super::flank_problem::{FlankProblem, PosedFlanks};
 use super::lands::{land_on_land, without_lands};
-use super::line::Line;
 use super::placed::Placed;
 use super::search;
 use super::shape::{C, Shape};
@@ -193,17 +192,8 @@ impl OuterGears {
     /// Outer pairs on the line of action; `None` where one does not settle, or there are too many.
     fn on_line(&self, outer: &PosedFlanks, pairs: &mut [Option<OnLine>]) -> Option<usize> {
         let variation = &self.solver.variation;
-        let sum = outer.problem.sum();
-        let (guess, start) = match variation.fixed {
-            Some(line) => (0.0, line),
-            None => {
-                let guess = outer.gap(&variation.centred, &outer.pair(0));
-                (guess, Line::new(outer.between(guess).0, sum)?)
-            }
-        };
-        let error = (outer.gap(&start, &outer.pair(0)) - guess).abs();
+        let (start, plays) = outer.start(variation)?;
         // A flank's contact moves along it by far less than this, rad, for any deviation; what moves farther is left open below.
-        let plays = variation.plays(outer.problem, error);
         let plays = (plays.0 + 0.02, plays.1 + 0.02);
         let mut count = 0;
         for step in outer.steps_on(&start, plays) {

@@ -132,6 +132,21 @@ impl PosedFlanks<'_> {
         }
     }
 
+    /// A line of action near all, taken at the gap that the pair of step 0 has between centred outlines, and the plays of both rolls on it; `None`
+    /// where base circles overlap.
+    #[inline]
+    pub(super) fn start(&self, variation: &TangentVariation) -> Option<(Line, (f64, f64))> {
+        let (guess, start) = match variation.fixed {
+            Some(line) => (0.0, line),
+            None => {
+                let guess = self.gap(&variation.centred, &self.pair(0));
+                (guess, Line::new(self.between(guess).0, self.problem.sum())?)
+            }
+        };
+        let error = (self.gap(&start, &self.pair(0)) - guess).abs();
+        Some((start, variation.plays(self.problem, error)))
+    }
+
     /// Offers every pair that touches on the line of action and may be the tightest within a tie.
     ///
     /// False when one did not settle: then nothing is known.
@@ -140,21 +155,9 @@ impl PosedFlanks<'_> {
         variation: &TangentVariation,
         tightest_contacts: &mut TightestContacts,
     ) -> bool {
-        // The gap the pair of step 0 has between centred outlines: a good place to take the line at.
-        let (guess, start) = match variation.fixed {
-            Some(line) => (0.0, line),
-            None => {
-                let guess = self.gap(&variation.centred, &self.pair(0));
-                match Line::new(self.between(guess).0, self.problem.sum()) {
-                    Some(line) => (guess, line),
-                    None => return false,
-                }
-            }
+        let Some((start, plays)) = self.start(variation) else {
+            return false;
         };
-        let plays = variation.plays(
-            self.problem,
-            (self.gap(&start, &self.pair(0)) - guess).abs(),
-        );
         let mut tightest = f64::NEG_INFINITY;
         for step in self.steps_on(&start, plays) {
             let pair = self.pair(step);

@@ -1,16 +1,31 @@
 //! The result of one pose: right- and left-flank contact, and the lost motion between.
 
-use crate::gear::ProfilePart;
+use super::gap::C;
+use crate::gear::{ProfilePart, Side};
+use crate::pair::Member;
 use nalgebra::{Point2, Vector2};
+use std::f64::consts::PI;
+
+/// A place on a tooth, by name.
+pub trait ToothPlace: Copy {
+    /// Whether what touches there stands in the bottom of the mate's tooth space.
+    fn is_root(self) -> bool;
+}
+
+impl ToothPlace for ProfilePart {
+    fn is_root(self) -> bool {
+        self == ProfilePart::Root
+    }
+}
 
 /// What one gear brings to a contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct Touch {
+pub struct Touch<P = ProfilePart> {
     /// Tooth number, `1..=z`.
     pub tooth: u32,
-    /// The curve touched; `Tip` is the tip corner or the tip land.
-    pub curve: ProfilePart,
+    /// The curve touched, of an outline the region; `Tip` is the tip corner or the tip land.
+    pub curve: P,
     /// Radius about the gear's own geometric centre, mm.
     pub radius: f64,
 }
@@ -18,19 +33,64 @@ pub struct Touch {
 /// Contact of the free gear on one side.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct Contact {
+pub struct Contact<P = ProfilePart> {
     /// Rotation of the free gear at contact, rad, counted as in [`crate::pair::Pose`].
     pub rotation: f64,
-    /// The true rotation of the outlines lies within `rotation ± error`, rad.
+    /// The true rotation of the outlines lies within `rotation ± error`, rad. Of drawn outlines: rounding, what the search left out, and, to
+    /// first order, how far they may lie from what was drawn.
     pub error: f64,
     /// The wheel's part.
-    pub wheel: Touch,
+    pub wheel: Touch<P>,
     /// The pinion's part.
-    pub pinion: Touch,
+    pub pinion: Touch<P>,
     /// Point of contact in the picture frame, mm.
     pub point: Point2<f64>,
     /// Unit normal at the contact, out of the wheel's metal.
     pub normal: Vector2<f64>,
+}
+
+/// What a search found, in the frame of the exact method and of outlines: the free gear's axis at the origin, the locked one's at `(a, 0)`, the left
+/// side mirrored.
+pub(super) struct Framed<P> {
+    pub side: Side,
+    pub free: Member,
+    pub center_distance: f64,
+    /// Rotation of the free gear, rad.
+    pub rotation: f64,
+    pub error: f64,
+    pub locked: Touch<P>,
+    pub mated: Touch<P>,
+    pub point: C,
+    /// Out of the locked metal.
+    pub normal: C,
+}
+
+impl<P> Framed<P> {
+    /// The contact in the picture.
+    pub fn contact(self) -> Contact<P> {
+        let mirror = |z: C| match self.side {
+            Side::Right => z,
+            Side::Left => z.conj(),
+        };
+        // The frame is the picture with a free wheel, the picture turned half round with a free pinion.
+        let (point, normal) = (mirror(self.point), -mirror(self.normal));
+        let (wheel, pinion, point) = match self.free {
+            Member::Pinion => (
+                self.locked,
+                self.mated,
+                C::from(self.center_distance) - point,
+            ),
+            Member::Wheel => (self.mated, self.locked, point),
+        };
+        Contact {
+            rotation: -self.side.sense() * self.rotation,
+            error: self.error.min(PI),
+            wheel,
+            pinion,
+            point: Point2::new(point.re, point.im),
+            normal: Vector2::new(normal.re, normal.im),
+        }
+    }
 }
 
 /// What a lost motion says about the pair at this pose, or that nothing vouches for it.
@@ -67,11 +127,11 @@ impl Status {
 /// Right- and left-flank contact of the free gear at one pose of the locked gear.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct LostMotion {
+pub struct LostMotion<P = ProfilePart> {
     /// Limit of clockwise rotation.
-    pub right: Option<Contact>,
+    pub right: Option<Contact<P>>,
     /// Limit of counter-clockwise rotation.
-    pub left: Option<Contact>,
+    pub left: Option<Contact<P>>,
     /// Whether no rotation of the free gear can free it, whatever touches: teeth stand in the solid body of the mate, or reach
     /// over its axis, or overlap by a pitch or more, so that turning on only brings the next tooth into the place.
     pub solid: bool,
@@ -94,10 +154,12 @@ impl LostMotion {
             ..self
         }
     }
+}
 
+impl<P: ToothPlace> LostMotion<P> {
     /// How the pose ended.
     ///
-    /// Teeth in the mate's body, or an overlap in which a root land takes part, are a tip in a root: turning
+    /// Teeth in the mate's body, or an overlap in which a root land (of an outline a root region) takes part, are a tip in a root: turning
     /// cannot free it, and its angle means nothing.
     pub fn status(&self) -> Status {
         if self.solid {
@@ -106,9 +168,8 @@ impl LostMotion {
         let (Some(right), Some(left)) = (&self.right, &self.left) else {
             return Status::NoContact;
         };
-        let on_root = |contact: &Contact| {
-            [contact.wheel.curve, contact.pinion.curve].contains(&ProfilePart::Root)
-        };
+        let on_root =
+            |contact: &Contact<P>| contact.wheel.curve.is_root() || contact.pinion.curve.is_root();
         if left.rotation >= right.rotation {
             Status::Clear
         } else if on_root(right) || on_root(left) {

@@ -23,7 +23,7 @@ pub use class::{ContactClass, ContactKind, Moment, PoseClass};
 pub use drawn_contact::DrawnContact;
 pub use exact::{Doubt, ExactKernel, Extreme, Extremes};
 pub use exaggeration::{Exaggeration, Found};
-pub use lost_motion::{Contact, LostMotion, Status, Touch};
+pub use lost_motion::{Contact, LostMotion, Status, ToothPlace, Touch};
 pub use outline::OutlineKernel;
 pub use outline_contact::{OutlineContact, OutlineLostMotion, OutlineTouch, Region, Unsettled};
 pub use overlap::Overlap;

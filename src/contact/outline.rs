@@ -5,13 +5,15 @@
 //! Nothing is asked of a curve but its points, its normals, and how far both stray over a piece.
 
 use super::exact::lens_half;
-use super::gap::{Arc, C, MOST_NODES, Meeting, PlacedCurve, Sample, greatest, slope, turn};
+use super::gap::{
+    Arc, C, MOST_NODES, Meeting, PlacedCurve, common_normal, greatest, rounding, turn,
+};
+use super::lost_motion::Framed;
 use super::outline_contact::{OutlineContact, OutlineLostMotion, OutlineTouch, Region, Unsettled};
 use crate::gear::Side;
 use crate::outline::{HalfOutline, HalfPiece, OutlineGear, OutlinePair};
 use crate::pair::{Mating, Member};
-use nalgebra::{Point2, Vector2};
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 /// Lost motion of one pair of outlines.
 #[derive(Debug)]
@@ -179,16 +181,25 @@ impl<'a> OutlineKernel<'a> {
     /// # Errors
     /// [`Unsettled`], never a pair of curves left out.
     pub fn lost_motion(&self, mating: &Mating) -> Result<OutlineLostMotion, Unsettled> {
-        let [right, left] = self
-            .sides
-            .each_ref()
-            .map(|side| side.contact(self.pair, mating));
+        self.lost_motion_at(self.pair, mating)
+    }
+
+    /// The same of `pair`: these gears, perhaps at another centre distance.
+    ///
+    /// # Errors
+    /// As [`OutlineKernel::lost_motion`].
+    pub(crate) fn lost_motion_at(
+        &self,
+        pair: &OutlinePair,
+        mating: &Mating,
+    ) -> Result<OutlineLostMotion, Unsettled> {
+        let [right, left] = self.sides.each_ref().map(|side| side.contact(pair, mating));
         let (right, left) = (right?, left?);
         let overlap = right
             .zip(left)
             .map_or(0.0, |(right, left)| right.rotation - left.rotation);
-        let free = self.pair.gear(self.pair.free());
-        let deep = || self.sides[0].reaches_within(self.pair, mating, self.solid);
+        let free = pair.gear(pair.free());
+        let deep = || self.sides[0].reaches_within(pair, mating, self.solid);
         Ok(OutlineLostMotion {
             right,
             left,
@@ -342,7 +353,7 @@ impl SideKernel<'_> {
         let [p, q] = [0, 1].map(|k: usize| frames[k].placed(pieces[k]).at(at[k].1));
         let corners = [0, 1].map(|k: usize| pieces[k].is_corner(at[k].1));
         let turned = turn(meeting.gap + nominal);
-        let (normal, slope) = common_normal(&p, &q, corners, turned);
+        let (normal, slope) = common_normal(&p, &q, corners, || -q.normal * turned);
         let touch = |k: usize, tooth: u32| {
             let radius = pieces[k].point(at[k].1).norm();
             let region = match radius {
@@ -352,41 +363,27 @@ impl SideKernel<'_> {
             };
             OutlineTouch {
                 tooth,
-                region,
+                curve: region,
                 radius,
             }
         };
-        let (locked, free) = (touch(0, locked), touch(1, free));
-        let mirror = |z: C| match self.side {
-            Side::Right => z,
-            Side::Left => z.conj(),
-        };
-        let (point, out_of_locked) = (mirror(p.point), mirror(normal));
-        // The frame is the picture with a free wheel, the picture turned half round with a free pinion.
-        let (wheel, pinion, point, normal) = match pair.free() {
-            Member::Pinion => (
-                locked,
-                free,
-                C::from(pair.center_distance()) - point,
-                -out_of_locked,
-            ),
-            Member::Wheel => (free, locked, point, -out_of_locked),
-        };
         let radius = p.point.norm();
-        let steep = 1.0 + slope.abs();
         let size =
             pair.center_distance() + 2.0 * (self.locked.gear.reach() + self.free.gear.reach());
-        // As of the exact method: positions within 16 ε of the largest length, angles within 16 ε.
-        let rounding = f64::EPSILON * (16.0 * size / radius * steep + 16.0);
-        let drawn = (self.locked.gear.bound() + self.free.gear.bound()) * steep / radius;
-        OutlineContact {
-            rotation: -self.side.sense() * (nominal + meeting.gap),
-            error: (rounding + meeting.slack + drawn).min(PI),
-            wheel,
-            pinion,
-            point: Point2::new(point.re, point.im),
-            normal: Vector2::new(normal.re, normal.im),
+        let drawn = self.locked.gear.bound() + self.free.gear.bound();
+        let drawn = drawn * (1.0 + slope.abs()) / radius;
+        Framed {
+            side: self.side,
+            free: pair.free(),
+            center_distance: pair.center_distance(),
+            rotation: nominal + meeting.gap,
+            error: rounding(size, radius, slope) + meeting.slack + drawn,
+            locked: touch(0, locked),
+            mated: touch(1, free),
+            point: p.point,
+            normal,
         }
+        .contact()
     }
 
     /// Whether a point of the locked outline lies within `radius`, mm, of the free axis.
@@ -424,15 +421,4 @@ fn nearest(placed: &PlacedCurve, low: f64, high: f64, radius: f64) -> bool {
         return false;
     }
     nearest(placed, low, middle, radius) || nearest(placed, middle, high, radius)
-}
-
-/// The normal out of the locked metal, and the slope that tells how a shift of a curve turns the gap: a corner has none, there the other
-/// curve's counts; where two corners meet the direction in which they do.
-fn common_normal(p: &Sample, q: &Sample, corners: [bool; 2], turned: C) -> (C, f64) {
-    match corners {
-        [true, true] => (p.point * C::i() / p.point.norm(), 0.0),
-        [true, false] => (-q.normal * turned, slope(q)),
-        [false, true] => (p.normal, slope(p)),
-        [false, false] => (p.normal, slope(p).abs().max(slope(q).abs())),
-    }
 }

@@ -1,7 +1,6 @@
-//! The result of one pose of outlines: right- and left-flank contact, and the lost motion between.
+//! What outlines bring to a contact, and a pose that was not settled.
 
-use super::lost_motion::Status;
-use nalgebra::{Point2, Vector2};
+use super::lost_motion::{Contact, LostMotion, ToothPlace, Touch};
 
 /// Where on a tooth of an outline.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -27,85 +26,20 @@ impl Region {
     }
 }
 
-/// What one gear brings to a contact.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct OutlineTouch {
-    /// Tooth number, `1..=z`.
-    pub tooth: u32,
-    /// Where on it.
-    pub region: Region,
-    /// Radius about the gear's own geometric centre, mm.
-    pub radius: f64,
-}
-
-/// Contact of the free gear on one side.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct OutlineContact {
-    /// Rotation of the free gear at contact, rad, counted from where tooth 1 points at the mate.
-    pub rotation: f64,
-    /// The rotation of the drawn outlines lies within `rotation ± error`, rad: rounding, what the search left out, and, to first order,
-    /// how far the outlines may lie from what was drawn.
-    pub error: f64,
-    /// The wheel's part.
-    pub wheel: OutlineTouch,
-    /// The pinion's part.
-    pub pinion: OutlineTouch,
-    /// Point of contact in the picture frame, mm.
-    pub point: Point2<f64>,
-    /// Unit normal at the contact, out of the wheel's metal.
-    pub normal: Vector2<f64>,
-}
-
-/// Right- and left-flank contact of the free gear at one pose.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct OutlineLostMotion {
-    /// Limit of clockwise rotation.
-    pub right: Option<OutlineContact>,
-    /// Limit of counter-clockwise rotation.
-    pub left: Option<OutlineContact>,
-    /// Whether no rotation of the free gear can free it.
-    pub solid: bool,
-}
-
-impl OutlineLostMotion {
-    /// How the pose ended; an overlap in which a root region takes part is a tip in a root: jammed.
-    pub fn status(&self) -> Status {
-        if self.solid {
-            return Status::Jammed;
-        }
-        let (Some(right), Some(left)) = (&self.right, &self.left) else {
-            return Status::NoContact;
-        };
-        let on_root = |contact: &OutlineContact| {
-            [contact.wheel.region, contact.pinion.region].contains(&Region::Root)
-        };
-        if left.rotation >= right.rotation {
-            Status::Clear
-        } else if on_root(right) || on_root(left) {
-            Status::Jammed
-        } else {
-            Status::Interference
-        }
-    }
-
-    /// Lost motion `φ_j` = left − right, rad; negative when the pair interferes, `None` when jammed or out of mesh.
-    pub fn angle(&self) -> Option<f64> {
-        match self.status() {
-            Status::Clear | Status::Interference => {
-                Some(self.left?.rotation - self.right?.rotation)
-            }
-            Status::Jammed | Status::NoContact | Status::Unproven => None,
-        }
-    }
-
-    /// Bound on the error of [`OutlineLostMotion::angle`], rad.
-    pub fn error(&self) -> Option<f64> {
-        Some(self.left?.error + self.right?.error)
+impl ToothPlace for Region {
+    fn is_root(self) -> bool {
+        self == Region::Root
     }
 }
+
+/// What an outline brings to a contact.
+pub type OutlineTouch = Touch<Region>;
+
+/// Contact of outlines. Its rotation counts from where tooth 1 of the free gear points at the mate.
+pub type OutlineContact = Contact<Region>;
+
+/// Right- and left-flank contact of outlines.
+pub type OutlineLostMotion = LostMotion<Region>;
 
 /// A pose that was not settled within 150 000 steps of the search.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]

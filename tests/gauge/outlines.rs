@@ -236,7 +236,7 @@ fn round_heads_by_their_closed_form() {
                 assert!(
                     span.touched
                         .iter()
-                        .all(|touch| touch.region == Region::Flank),
+                        .all(|touch| touch.curve == Region::Flank),
                     "{span:?}"
                 );
             }

@@ -2,6 +2,7 @@
 
 use super::placed::Placed;
 use super::shape::C;
+use crate::contact::gap::common_normal;
 pub(super) use crate::contact::gap::slope;
 use crate::gear::ProfilePart;
 
@@ -26,9 +27,6 @@ pub(super) struct CandidateContact {
 
 impl CandidateContact {
     /// The candidate at one parameter each.
-    ///
-    /// A corner has no normal: there the other curve's counts, and where two corners meet the
-    /// direction in which they do. Likewise with `σ`; of two smooth curves the steeper counts.
     pub fn new(
         (locked_half, locked): (&Placed, (ProfilePart, f64)),
         (free_half, free): (&Placed, (ProfilePart, f64)),
@@ -40,12 +38,8 @@ impl CandidateContact {
         let turned = p.point * q.point.conj();
         let size = turned.norm_sqr().sqrt();
         let corners = [locked_half.is_corner(locked), free_half.is_corner(free)];
-        let (normal, slope) = match corners {
-            [true, true] => (p.point * C::i() / p.point.norm_sqr().sqrt(), 0.0),
-            [true, false] => (-q.normal * turned / size, slope(&q)),
-            [false, true] => (p.normal, slope(&p)),
-            [false, false] => (p.normal, slope(&p).abs().max(slope(&q).abs())),
-        };
+        let opposite = || -q.normal * turned / size;
+        let (normal, slope) = common_normal(&p, &q, corners, opposite);
         CandidateContact {
             gap: (turned * origin).arg(),
             slack,

@@ -12,6 +12,7 @@
 use super::placed::Placed;
 use super::shape::{C, turn};
 use super::teeth::{Teeth, nearest, reduced};
+use crate::contact::gap::rounding;
 use crate::gear::{AsBuilt, Side};
 use crate::pair::{GearPair, Pose};
 use std::f64::consts::PI;
@@ -131,13 +132,7 @@ impl FlankProblem {
         self.window
     }
 
-    /// Bound on the rounding of a gap, rad, whose contact lies at `radius` from the free axis and
-    /// whose curves have the slope `σ`.
-    ///
-    /// Positions come from a table direction (angle and sine and cosine: 6 ε), the locked
-    /// rotation (reduction, sine and cosine: 4 ε), the curve itself (4 ε) and sums: within
-    /// 16 ε of the largest length in them. Off by `δ` a point turns the gap by at most
-    /// `(δ/ρ)(1 + |σ|)`. Angles up to π are added four times: 16 ε.
+    /// Bound on the rounding of a gap, rad, whose contact lies at `radius` from the free axis and whose curves have the slope `σ`.
     pub fn rounding(&self, radius: f64, slope: f64) -> f64 {
         self.rounding_at(self.distance, radius, slope)
     }
@@ -150,7 +145,7 @@ impl FlankProblem {
 
     fn rounding_at(&self, distance: f64, radius: f64, slope: f64) -> f64 {
         let size = distance + self.locked.shape.tip_radius + self.free.shape.tip_radius;
-        f64::EPSILON * (16.0 * size / radius * (1.0 + slope.abs()) + 16.0)
+        rounding(size, radius, slope)
     }
 }
 

@@ -1,13 +1,11 @@
 //! From a pair that touches, in the frame of [`super::flank_problem`], to a [`Contact`] in the picture.
 
 use super::flank_problem::PosedFlanks;
-use super::shape::{C, Shape};
+use super::shape::Shape;
 use super::tightest::Touching;
-use crate::contact::lost_motion::{Contact, Touch};
-use crate::gear::{ProfilePart, Side};
+use crate::contact::lost_motion::{Contact, Framed, Touch};
+use crate::gear::ProfilePart;
 use crate::pair::Member;
-use nalgebra::{Point2, Vector2};
-use std::f64::consts::PI;
 
 /// A contact this near to the tip circle is the tip corner's (the rule of the reference data), one this near to the root
 /// circle the root's: below it the gear is solid all round.
@@ -29,29 +27,18 @@ pub(super) fn contact(posed: &PosedFlanks, touching: &Touching, free: Member) ->
         problem.free.number(free_place),
         candidate.free,
     );
-    let mirror = |z: C| match problem.side {
-        Side::Right => z,
-        Side::Left => z.conj(),
-    };
-    // The frame of `facing` is the picture with a free wheel, the picture turned half round with a free pinion.
-    let (point, out_of_locked) = (mirror(candidate.point), mirror(candidate.normal));
-    let (wheel, pinion, point, normal) = match free {
-        Member::Pinion => (
-            locked,
-            mated,
-            C::from(problem.distance) - point,
-            -out_of_locked,
-        ),
-        Member::Wheel => (mated, locked, point, -out_of_locked),
-    };
-    Contact {
-        rotation: -problem.side.sense() * posed.rotation(touching.greatest),
-        error: error.min(PI),
-        wheel,
-        pinion,
-        point: Point2::new(point.re, point.im),
-        normal: Vector2::new(normal.re, normal.im),
+    Framed {
+        side: problem.side,
+        free,
+        center_distance: problem.distance,
+        rotation: posed.rotation(touching.greatest),
+        error,
+        locked,
+        mated,
+        point: candidate.point,
+        normal: candidate.normal,
     }
+    .contact()
 }
 
 /// Curves as results name them: an involute that ends at the tip circle is the tip corner, a fillet

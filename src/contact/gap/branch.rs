@@ -227,7 +227,7 @@ fn summit(
             break;
         }
     }
-    (best.0, best.1)
+    best
 }
 
 /// Least and greatest distance of a chord from the origin; those of its ends are known.

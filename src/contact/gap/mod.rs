@@ -31,6 +31,36 @@ pub(super) fn slope(sample: &Sample) -> f64 {
     -z.re / z.im
 }
 
+/// The normal out of the locked metal where a locked and a free curve meet, and the slope that tells how a shift of a curve turns the gap: a corner has
+/// none, there the other curve's counts; where two corners meet, the direction in which they do. `opposite` is the free curve's normal, turned
+/// to the contact and out of the locked metal. Of two smooth curves the steeper slope counts.
+#[inline]
+pub(super) fn common_normal(
+    p: &Sample,
+    q: &Sample,
+    corners: [bool; 2],
+    opposite: impl FnOnce() -> C,
+) -> (C, f64) {
+    match corners {
+        [true, true] => (p.point * C::i() / p.point.norm_sqr().sqrt(), 0.0),
+        [true, false] => (opposite(), slope(q)),
+        [false, true] => (p.normal, slope(p)),
+        [false, false] => (p.normal, slope(p).abs().max(slope(q).abs())),
+    }
+}
+
+/// Bound on the rounding of a gap, rad, whose contact lies at `radius` from the free axis and whose curves have the slope `σ`; `size` is the greatest
+/// length in it, mm.
+///
+/// Positions come from a table direction (angle and sine and cosine: 6 ε), the locked
+/// rotation (reduction, sine and cosine: 4 ε), the curve itself (4 ε) and sums: within
+/// 16 ε of the largest length in them. Off by `δ` a point turns the gap by at most
+/// `(δ/ρ)(1 + |σ|)`. Angles up to π are added four times: 16 ε.
+#[inline]
+pub(super) fn rounding(size: f64, radius: f64, slope: f64) -> f64 {
+    f64::EPSILON * (16.0 * size / radius * (1.0 + slope.abs()) + 16.0)
+}
+
 /// A curve where the pose puts it: `centre + direction · P`, from the free gear's axis; `P` the mirror image in the x axis where mirrored.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct PlacedCurve<'a> {

@@ -131,7 +131,7 @@ impl Place {
         let radius = self.at.norm();
         OutlineTouch {
             tooth,
-            region: match radius {
+            curve: match radius {
                 _ if radius >= half.tip_limit => Region::Tip,
                 _ if radius <= half.root_limit => Region::Root,
                 _ => Region::Flank,

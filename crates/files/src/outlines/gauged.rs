@@ -164,6 +164,6 @@ fn over(list: &[OverPins]) -> Value {
 }
 
 fn touched(touches: &[OutlineTouch]) -> Value {
-    let one = |touch: &OutlineTouch| json!({ "tooth": touch.tooth, "region": touch.region.name(), "radius_mm": touch.radius });
+    let one = |touch: &OutlineTouch| json!({ "tooth": touch.tooth, "region": touch.curve.name(), "radius_mm": touch.radius });
     touches.iter().map(one).collect()
 }

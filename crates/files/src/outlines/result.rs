@@ -82,8 +82,8 @@ fn contact(contact: &OutlineContact) -> ContactRecord {
     ContactRecord {
         wheel_tooth: contact.wheel.tooth,
         pinion_tooth: contact.pinion.tooth,
-        wheel_region: contact.wheel.region.name(),
-        pinion_region: contact.pinion.region.name(),
+        wheel_region: contact.wheel.curve.name(),
+        pinion_region: contact.pinion.curve.name(),
         wheel_radius_mm: contact.wheel.radius,
         pinion_radius_mm: contact.pinion.radius,
         free_rotation_rad: contact.rotation,

@@ -107,7 +107,7 @@ fn value(run: &OutlineRun, pose: &OutlinePose) -> Option<String> {
 pub fn region_words(contact: &OutlineContact) -> String {
     format!(
         "{} on {}",
-        contact.wheel.region.name(),
-        contact.pinion.region.name()
+        contact.wheel.curve.name(),
+        contact.pinion.curve.name()
     )
 }

@@ -4,7 +4,6 @@ use super::error::OutlineError;
 use super::gear::OutlineGear;
 use crate::pair::{Mating, Member};
 use nalgebra::Point2;
-use std::f64::consts::PI;
 
 /// A pair of which one gear at least is known by its outline: wheel axis at the origin, pinion axis at `(a, 0)`, y up.
 #[derive(Debug, Clone)]
@@ -97,19 +96,13 @@ impl OutlinePair {
 
     /// Rotation axis, mm.
     pub fn axis(&self, member: Member) -> Point2<f64> {
-        match member {
-            Member::Wheel => Point2::origin(),
-            Member::Pinion => Point2::new(self.center_distance, 0.0),
-        }
+        member.axis(self.center_distance)
     }
 
     /// The closed outline of a gear at `rotation`, rad, in the picture: chords within `chord` mm.
     pub fn outline(&self, member: Member, rotation: f64, chord: f64) -> Vec<Point2<f64>> {
-        let towards_mate = match member {
-            Member::Wheel => 0.0,
-            Member::Pinion => PI,
-        };
-        let points = self.gear(member).points(towards_mate + rotation, chord);
+        let tooth_1 = member.mate_direction() + rotation;
+        let points = self.gear(member).points(tooth_1, chord);
         let axis = self.axis(member);
         points.iter().map(|point| axis + point.coords).collect()
     }

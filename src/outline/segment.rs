@@ -90,40 +90,40 @@ impl PathSegment {
 
     /// Moved by `by`, mm.
     pub fn moved(&self, by: Vector2<f64>) -> PathSegment {
-        match *self {
-            PathSegment::Line(points) => PathSegment::Line(points.map(|point| point + by)),
-            PathSegment::Arc {
-                centre,
-                radius,
-                start,
-                sweep,
-            } => PathSegment::Arc {
-                centre: centre + by,
-                radius,
-                start,
-                sweep,
-            },
-            PathSegment::Cubic(points) => PathSegment::Cubic(points.map(|point| point + by)),
-        }
+        self.mapped(|point| point + by, |start, sweep| (start, sweep))
     }
 
     /// Seen from the other side: mirrored in the y axis.
     pub fn mirrored(&self) -> PathSegment {
-        let mirror = |point: Point2<f64>| Point2::new(-point.x, point.y);
+        self.mapped(
+            |point| Point2::new(-point.x, point.y),
+            |start, sweep| (std::f64::consts::PI - start, -sweep),
+        )
+    }
+
+    /// With its points elsewhere, and the start and sweep of an arc as those say.
+    fn mapped(
+        &self,
+        place: impl Fn(Point2<f64>) -> Point2<f64>,
+        turn: impl Fn(f64, f64) -> (f64, f64),
+    ) -> PathSegment {
         match *self {
-            PathSegment::Line(points) => PathSegment::Line(points.map(mirror)),
+            PathSegment::Line(points) => PathSegment::Line(points.map(place)),
+            PathSegment::Cubic(points) => PathSegment::Cubic(points.map(place)),
             PathSegment::Arc {
                 centre,
                 radius,
                 start,
                 sweep,
-            } => PathSegment::Arc {
-                centre: mirror(centre),
-                radius,
-                start: std::f64::consts::PI - start,
-                sweep: -sweep,
-            },
-            PathSegment::Cubic(points) => PathSegment::Cubic(points.map(mirror)),
+            } => {
+                let (start, sweep) = turn(start, sweep);
+                PathSegment::Arc {
+                    centre: place(centre),
+                    radius,
+                    start,
+                    sweep,
+                }
+            }
         }
     }
 

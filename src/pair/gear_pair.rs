@@ -25,6 +25,22 @@ impl Member {
         }
     }
 
+    /// Its axis in the picture at a centre distance, mm.
+    pub(crate) fn axis(self, center_distance: f64) -> Point2<f64> {
+        match self {
+            Member::Wheel => Point2::origin(),
+            Member::Pinion => Point2::new(center_distance, 0.0),
+        }
+    }
+
+    /// Direction from its axis to its mate's in the picture, rad.
+    pub(crate) fn mate_direction(self) -> f64 {
+        match self {
+            Member::Wheel => 0.0,
+            Member::Pinion => PI,
+        }
+    }
+
     /// `wheel` or `pinion`.
     pub fn name(self) -> &'static str {
         match self {
@@ -142,18 +158,12 @@ impl GearPair {
 
     /// Rotation axis, mm.
     pub fn axis(&self, member: Member) -> Point2<f64> {
-        match member {
-            Member::Wheel => Point2::origin(),
-            Member::Pinion => Point2::new(self.center_distance, 0.0),
-        }
+        member.axis(self.center_distance)
     }
 
     /// Direction from a gear's axis to its mate's, rad.
     pub fn mate_direction(&self, member: Member) -> f64 {
-        match member {
-            Member::Wheel => 0.0,
-            Member::Pinion => PI,
-        }
+        member.mate_direction()
     }
 
     /// Operating pressure angle `α_wt`, rad: `cos α_wt = (r_b1 + r_b2)/a`.

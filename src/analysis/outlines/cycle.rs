@@ -41,7 +41,7 @@ impl OutlinePose {
         mating: Mating,
         pitches: f64,
     ) -> OutlinePose {
-        let found = kernel.lost_motion(&mating);
+        let found = kernel.lost_motion_at(pair, &mating);
         let radius = pair.operating_pitch_radius(pair.free());
         let j_wt = found.as_ref().ok().and_then(|found| {
             let (angle, error) = found.angle().zip(found.error())?;
@@ -123,20 +123,20 @@ impl Cycle {
         OutlinePose::new(kernel, pair, mating, pitches)
     }
 
-    /// All sampled poses.
+    /// All sampled poses of `pair`, whose gears are the kernel's.
     pub fn sampled(
         &self,
+        kernel: &OutlineKernel,
         pair: &OutlinePair,
         start: &Mating,
         tick: &(dyn Fn() -> ControlFlow<()> + Sync),
     ) -> Result<Vec<OutlinePose>, Error> {
-        let kernel = OutlineKernel::new(pair);
         let places: Vec<f64> = self.places().collect();
         let mut poses = Vec::with_capacity(places.len());
         for block in places.chunks(BLOCK) {
             let found = parallel::map(block.iter().copied(), |pitches| {
                 let go_on = tick().is_continue();
-                go_on.then(|| Cycle::pose(&kernel, pair, start, pitches))
+                go_on.then(|| Cycle::pose(kernel, pair, start, pitches))
             });
             for pose in found {
                 poses.push(pose.ok_or(Error::Interrupted)?);
@@ -146,21 +146,26 @@ impl Cycle {
     }
 
     /// The poses with the least and the greatest lost motion of `poses` and of more round the best of them.
-    pub fn extremes(&self, pair: &OutlinePair, poses: &[OutlinePose]) -> [Option<OutlinePose>; 2] {
+    pub fn extremes(
+        &self,
+        kernel: &OutlineKernel,
+        pair: &OutlinePair,
+        poses: &[OutlinePose],
+    ) -> [Option<OutlinePose>; 2] {
         let Some(first) = poses.first() else {
             return [None, None];
         };
-        let kernel = OutlineKernel::new(pair);
         let step = self.matings as f64 / poses.len() as f64;
         [1.0, -1.0].map(|sign| {
             let value = |pose: &OutlinePose| pose.angle().map(|angle| sign * angle);
-            let mut best: Vec<&OutlinePose> =
-                poses.iter().filter(|pose| value(pose).is_some()).collect();
-            best.sort_by(|a, b| {
+            let order = |a: &OutlinePose, b: &OutlinePose| {
                 value(a)
                     .partial_cmp(&value(b))
                     .unwrap_or(std::cmp::Ordering::Equal)
-            });
+            };
+            let mut best: Vec<&OutlinePose> =
+                poses.iter().filter(|pose| value(pose).is_some()).collect();
+            best.sort_by(|a, b| order(a, b));
             best.truncate(BEST);
             let closer = parallel::map(best, |pose| {
                 let (mut found, mut width) = (pose.clone(), step);
@@ -168,7 +173,7 @@ impl Cycle {
                     let middle = found.pitches;
                     for part in [-3.0, -2.0, -1.0, 1.0, 2.0, 3.0] {
                         let pitches = middle + part * 0.25 * width;
-                        let near = Cycle::pose(&kernel, pair, &first.mating, pitches);
+                        let near = Cycle::pose(kernel, pair, &first.mating, pitches);
                         if value(&near)
                             .is_some_and(|near| value(&found).is_none_or(|best| near < best))
                         {
@@ -179,11 +184,6 @@ impl Cycle {
                 }
                 found
             });
-            let order = |a: &OutlinePose, b: &OutlinePose| {
-                value(a)
-                    .partial_cmp(&value(b))
-                    .unwrap_or(std::cmp::Ordering::Equal)
-            };
             closer.into_iter().min_by(order)
         })
     }

@@ -10,7 +10,7 @@ pub use cycle::OutlinePose;
 pub use turns_from::TurnsFrom;
 
 use super::study::Material;
-use crate::contact::Status;
+use crate::contact::{OutlineKernel, Status};
 use crate::error::Error;
 use crate::outline::{OutlineGear, OutlinePair};
 use crate::pair::{Mating, Member, SweepPlan};
@@ -95,31 +95,25 @@ impl OutlineRun {
         let teeth = |member| pair.gear(member).teeth();
         let matings = SweepPlan::hunting_pitches(teeth(Member::Wheel), teeth(Member::Pinion));
         let cycle = Cycle::new(matings, study.steps_per_pitch);
-        let poses = cycle.sampled(&pair, &study.start, tick)?;
+        let kernel = OutlineKernel::new(&pair);
+        let poses = cycle.sampled(&kernel, &pair, &study.start, tick)?;
+        let [least, greatest] = cycle.extremes(&kernel, &pair, &poses);
+        let first = |status| poses.iter().find(|pose| pose.status() == status);
+        let lost = [Status::Jammed, Status::NoContact, Status::Unproven]
+            .into_iter()
+            .find_map(first);
         let mut run = OutlineRun {
             material,
             matings,
-            least: None,
-            greatest: None,
-            lost: None,
+            least: least.filter(|_| first(Status::Jammed).is_none()),
+            greatest: greatest.filter(|_| first(Status::NoContact).is_none()),
+            lost: lost.cloned(),
             turns_from: None,
             poses,
-            pair,
+            pair: pair.clone(),
         };
-        run.lost = [Status::Jammed, Status::NoContact, Status::Unproven]
-            .into_iter()
-            .find_map(|status| run.poses.iter().find(|pose| pose.status() == status))
-            .cloned();
-        let status = run.lost.as_ref().map(OutlinePose::status);
-        let [least, greatest] = cycle.extremes(&run.pair, &run.poses);
-        run.least = least.filter(|_| status != Some(Status::Jammed));
-        run.greatest = greatest.filter(|_| {
-            run.poses
-                .iter()
-                .all(|pose| pose.status() != Status::NoContact)
-        });
         if run.turns() == Some(false) {
-            run.turns_from = turns_from::find(&run, &cycle, &study.start)?;
+            run.turns_from = turns_from::find(&run, &kernel, &cycle, &study.start)?;
         }
         Ok(run)
     }

@@ -7,7 +7,6 @@ use super::OutlineRun;
 use super::cycle::{Cycle, OutlinePose};
 use crate::contact::{OutlineKernel, Status};
 use crate::error::Error;
-use crate::outline::OutlinePair;
 use crate::pair::{Mating, Member};
 use std::ops::ControlFlow;
 
@@ -31,9 +30,10 @@ pub struct TurnsFrom {
     pub pose: OutlinePose,
 }
 
-/// The distance from which on the pair of `run`, which binds, turns; `None` where it binds until tips pass each other, or a pose is not settled.
+/// The distance from which on the pair of `run`, which binds, turns, its gears those of the kernel; `None` where it binds until tips pass each other, or a pose is not settled.
 pub(super) fn find(
     run: &OutlineRun,
+    kernel: &OutlineKernel,
     cycle: &Cycle,
     start: &Mating,
 ) -> Result<Option<TurnsFrom>, Error> {
@@ -56,7 +56,8 @@ pub(super) fn find(
             return Ok(found);
         };
         let binds_at = |distance: f64| -> Result<bool, Error> {
-            Ok(look(&pair.at(distance)?, start, pose.pitches).binds())
+            let there = pair.at(distance)?;
+            Ok(Cycle::pose(kernel, &there, start, pose.pitches).binds())
         };
         // In growing steps: the nearest distance at which it is free, not one where tips pass each other.
         let (mut low, mut step) = (floor, FIRST_STEP);
@@ -77,22 +78,18 @@ pub(super) fn find(
         }
         floor = high;
         let there = pair.at(high)?;
-        let poses = cycle.sampled(&there, start, &|| ControlFlow::Continue(()))?;
+        let poses = cycle.sampled(kernel, &there, start, &|| ControlFlow::Continue(()))?;
         // Out of mesh it does not turn the mate, and of a pose that is not settled nobody knows.
         let is_lost =
             |pose: &OutlinePose| matches!(pose.status(), Status::NoContact | Status::Unproven);
         if poses.iter().any(is_lost) {
             return Ok(None);
         }
-        let [closest, _] = cycle.extremes(&there, &poses);
+        let [closest, _] = cycle.extremes(kernel, &there, &poses);
         next = closest
             .filter(OutlinePose::binds)
             .or_else(|| tightest(&poses));
         found = Some(TurnsFrom { high, low, pose });
     }
     Ok(None)
-}
-
-fn look(pair: &OutlinePair, start: &Mating, pitches: f64) -> OutlinePose {
-    Cycle::pose(&OutlineKernel::new(pair), pair, start, pitches)
 }

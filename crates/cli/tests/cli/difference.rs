@@ -1,19 +1,8 @@
 //! `compare` of two drawings of one gear.
 
-use crate::{files, fixture, gearlash};
+use crate::{files, fixture, run};
 use serde_json::Value;
 use std::path::Path;
-
-/// Runs with these arguments: exit code, standard output, standard error.
-fn run(folder: &Path, args: &[&str]) -> (Option<i32>, String, String) {
-    let output = gearlash(folder).args(args).output().unwrap();
-    let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
-    (
-        output.status.code(),
-        text(output.stdout),
-        text(output.stderr),
-    )
-}
 
 /// The outline of a gear of 20 teeth and module 2 with these lines more, within 0.01 µm.
 fn draw(folder: &Path, name: &str, format: &str, lines: &str) {

@@ -133,6 +133,17 @@ fn simulated(folder: &Path, arguments: &[&str]) -> (String, Value) {
     (text, result)
 }
 
+/// Runs with these arguments: exit code, standard output, standard error.
+fn run(folder: &Path, args: &[&str]) -> (Option<i32>, String, String) {
+    let output = gearlash(folder).args(args).output().unwrap();
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
+    (
+        output.status.code(),
+        text(output.stdout),
+        text(output.stderr),
+    )
+}
+
 fn empty_folder() -> tempfile::TempDir {
     tempfile::tempdir().unwrap()
 }

@@ -1,21 +1,11 @@
 //! Pairs of outlines: pair files with drawings, and two drawings by themselves.
 
-use crate::{fixture, gearlash};
+use crate::{fixture, run};
 use serde_json::Value;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 fn drawn() -> PathBuf {
     fixture("outlines")
-}
-
-fn run(folder: &Path, args: &[&str]) -> (Option<i32>, String, String) {
-    let output = gearlash(folder).args(args).output().unwrap();
-    let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
-    (
-        output.status.code(),
-        text(output.stdout),
-        text(output.stderr),
-    )
 }
 
 fn copied() -> tempfile::TempDir {

@@ -107,28 +107,40 @@ fn half_tooth(gear: &Gear, deviation: &Arc<RollCurve>) -> Result<[Part; 4], Gear
     Ok([land, side, fillet, bottom])
 }
 
-/// The roll at which `r_b ξ + δ(ξ) = r_b ξ_0`: bisected to the last bit between the bounds that the greatest deviation sets; `None` where that leaves the
-/// involute. Exactly `ξ_0` where nothing deviates there.
+/// The roll next to `ξ_0` at which `r_b ξ + δ(ξ) = r_b ξ_0`, bisected to the last bit; `None` where there is none on the involute. Exactly `ξ_0`
+/// where nothing deviates there.
+///
+/// A steep deviation may have others farther off, beyond the fold: so steps from `ξ_0` on find the first, not bounds of the deviation.
 pub(super) fn end_at(base: f64, roll: f64, deviation: &RollCurve) -> Option<f64> {
     let excess = |xi: f64| base * (xi - roll) + deviation.at(xi);
-    if excess(roll) == 0.0 {
+    let here = excess(roll);
+    if here == 0.0 {
         return Some(roll);
     }
     let [least, most] = deviation.bounds(0.0, 2.0 * roll + 1.0)[0];
     // More than the rounding of a roll, too: a deviation may be less than that.
     let reach = least.abs().max(most.abs()) / base * 1.001 + 4.0 * f64::EPSILON * roll;
-    let (mut low, mut high) = ((roll - reach).max(0.0), roll + reach);
-    if !(excess(low) <= 0.0 && excess(high) >= 0.0) {
-        return None;
-    }
+    let mut inside = 0.0;
+    let mut step = here.abs() / base;
+    let beyond = loop {
+        let there = (roll - here.signum() * step).max(0.0);
+        if excess(there) * here <= 0.0 {
+            break there;
+        }
+        if step > reach || there == 0.0 {
+            return None;
+        }
+        (inside, step) = (step, 2.0 * step);
+    };
+    let (mut inside, mut beyond) = (roll - here.signum() * inside, beyond);
     loop {
-        let middle = 0.5 * (low + high);
-        if middle <= low || middle >= high {
+        let middle = 0.5 * (inside + beyond);
+        if middle == inside || middle == beyond {
             return Some(middle);
         }
-        match excess(middle) < 0.0 {
-            true => low = middle,
-            false => high = middle,
+        match excess(middle) * here > 0.0 {
+            true => inside = middle,
+            false => beyond = middle,
         }
     }
 }

@@ -3,8 +3,8 @@
 use gearlash::analytic::{InvolutePair, LineOfAction};
 use gearlash::contact::{ExactKernel, LostMotion};
 use gearlash::gear::{
-    AsBuilt, BasicGearData, Deviations, Face, Gear, GearDesign, Modification, Relief, Side,
-    involute,
+    AsBuilt, BasicGearData, Deviations, Face, Gear, GearDesign, Modification, ProfilePart, Relief,
+    Side, involute,
 };
 use gearlash::pair::{GearPair, Mating, Member, Pose};
 use proptest::prelude::*;
@@ -264,4 +264,32 @@ fn the_involute_model_knows_no_profile() {
     let [plain, crowned] = [pair(none(), none()), pair(crowned, none())];
     let play = |pair: &GearPair| InvolutePair::of(pair).circumferential_backlash(132.1);
     assert_eq!(play(&plain), play(&crowned));
+}
+
+/// A deep parabolic relief of a short tip reaches the tip circle where its flank first does, not where its parabola comes back beyond the fold.
+///
+/// Source: `r_b ξ + δ(ξ) = r_b ξ_a` solved as the quadratic it is.
+#[test]
+fn a_deep_short_relief_ends_at_the_nearest_roll() {
+    let plain = gear(44);
+    let (amount, share) = (0.07026427144793204, 0.9493132429231694);
+    let from = plain.form_radius() + share * (plain.tip_radius() - plain.form_radius());
+    let relief = Relief {
+        amount,
+        from,
+        parabolic: true,
+    };
+    let relieved = Modification {
+        tip_relief: Some(relief),
+        ..Modification::default()
+    };
+    let (base, tip) = (plain.base_radius(), plain.tip_roll());
+    let length = tip - involute::roll_at(from, base);
+    let wheel = built(plain, Face::Front, both(relieved));
+    // With h = ξ − ξ_1: r_b h − C h²/l² = r_b l.
+    let curved = amount / (length * length);
+    let h = (base - (base * base - 4.0 * curved * base * length).sqrt()) / (2.0 * curved);
+    let ends = tip + h - length;
+    let (end, _) = wheel.profile(Side::Right, 1).range(ProfilePart::Involute);
+    assert!((end - ends).abs() < 1e-14, "{end} {ends}");
 }

@@ -123,6 +123,12 @@ pub enum GearError {
         /// Root diameter.
         root_diameter_mm: f64,
     },
+    /// No tolerance field of the tooth thickness.
+    #[error("no tolerance field of DIN 3967")]
+    ThicknessField,
+    /// No tolerance field of a centre distance.
+    #[error("no tolerance field of a centre distance")]
+    DistanceField,
     /// A profile deviation that no flank can have.
     #[error("the profile deviation is too large: the flank {what}")]
     Profile {

@@ -10,17 +10,17 @@ pub struct InvolutePair {
     base_radii: f64,
     /// `s_b1 + s_b2`.
     base_thicknesses: f64,
-    /// `p_b`.
+    /// `p_b`, of gears of unequal temperature the mean of both.
     base_pitch: f64,
 }
 
 impl InvolutePair {
-    /// Two gears of one module and pressure angle, of their mean thicknesses.
+    /// Two gears of one pressure angle and, but for their temperatures, one module; of their mean thicknesses.
     pub fn new(wheel: &Gear, pinion: &Gear) -> InvolutePair {
         InvolutePair {
             base_radii: wheel.base_radius() + pinion.base_radius(),
             base_thicknesses: wheel.base_thickness() + pinion.base_thickness(),
-            base_pitch: wheel.basic_data().base_pitch(),
+            base_pitch: 0.5 * (wheel.basic_data().base_pitch() + pinion.basic_data().base_pitch()),
         }
     }
 

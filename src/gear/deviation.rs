@@ -163,12 +163,8 @@ impl AsBuilt {
                 .map(|offset| factor * (offset + side.sense() * thicker))
                 .collect()
         };
-        let modified = self.modified.as_ref().map(|sides| {
-            let [right, left] = sides.each_ref().map(|side| side.exaggerated(&gear, factor));
-            Ok::<_, GearError>(Arc::new([right?, left?]))
-        });
         let exaggerated = AsBuilt {
-            modified: modified.transpose()?,
+            modified: self.modified_of(&gear, factor)?,
             right: enlarged(&self.right, Side::Right),
             left: enlarged(&self.left, Side::Left),
             eccentricity: factor * self.eccentricity,
@@ -178,6 +174,33 @@ impl AsBuilt {
         exaggerated.check_runout()?;
         exaggerated.check_teeth()?;
         Ok(exaggerated)
+    }
+
+    /// This gear with all lengths `factor` times as large: warmer, or colder. What stands at an angle stays there.
+    ///
+    /// # Errors
+    /// As [`Gear::expanded`].
+    pub fn expanded(&self, factor: f64) -> Result<AsBuilt, GearError> {
+        let gear = self.gear.expanded(factor)?;
+        Ok(AsBuilt {
+            modified: self.modified_of(&gear, factor)?,
+            eccentricity: factor * self.eccentricity,
+            gear,
+            ..self.clone()
+        })
+    }
+
+    /// Its half teeth whose profiles deviate, `factor` times as much, of `gear`.
+    fn modified_of(
+        &self,
+        gear: &Gear,
+        factor: f64,
+    ) -> Result<Option<Arc<[ModifiedHalves; 2]>>, GearError> {
+        let Some(sides) = &self.modified else {
+            return Ok(None);
+        };
+        let [right, left] = sides.each_ref().map(|side| side.exaggerated(gear, factor));
+        Ok(Some(Arc::new([right?, left?])))
     }
 
     /// This gear without an eccentricity whose direction is not known.

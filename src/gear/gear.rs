@@ -248,6 +248,31 @@ impl Gear {
         &self.parts
     }
 
+    /// The same gear with all lengths `factor` times as large: warmer, or colder.
+    ///
+    /// # Errors
+    /// A module beyond what gears have.
+    pub fn expanded(&self, factor: f64) -> Result<Gear, GearError> {
+        let basic_data = self.basic_data();
+        let design = GearDesign {
+            basic_data: BasicGearData::new(
+                basic_data.teeth(),
+                factor * basic_data.module(),
+                basic_data.pressure_angle(),
+            )?,
+            tip_diameter: Some(2.0 * factor * self.tip_radius()),
+            ..self.design
+        };
+        let gear = Gear::new(design, factor * self.base_thickness)?;
+        match self.is_generated() {
+            true => Ok(gear),
+            false => gear.with_straight_flanks(
+                self.part(ProfilePart::Tip).ends[1],
+                self.part(ProfilePart::Root).ends[0],
+            ),
+        }
+    }
+
     /// Whether its flanks are involutes and its fillets what the rack leaves: what the formulas of gears are about.
     pub fn is_generated(&self) -> bool {
         matches!(

@@ -60,7 +60,7 @@ impl ModifiedHalves {
             PartCurve::Modified(flank) => {
                 half_tooth(gear, &Arc::new(flank.deviation().scaled(factor)))
             }
-            _ => Ok(parts.clone()),
+            _ => Ok(gear.parts().clone()),
         };
         Ok(ModifiedHalves {
             shapes: self.shapes.iter().map(enlarged).collect::<Result<_, _>>()?,

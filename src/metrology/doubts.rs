@@ -81,13 +81,17 @@ pub(super) fn same_kind(
 ) -> Option<Finding> {
     let of = |statement: &ThicknessStatement| match statement {
         // A base thickness may come from any measurement.
-        ThicknessStatement::Nominal | ThicknessStatement::BaseThickness(_) => None,
+        ThicknessStatement::Nominal
+        | ThicknessStatement::FlankOffset(_)
+        | ThicknessStatement::BaseThickness(_) => None,
         ThicknessStatement::Span { teeth, .. } | ThicknessStatement::SpanReadings { teeth, .. } => {
             Some((SameKind::Span, f64::from(*teeth)))
         }
         ThicknessStatement::OverPins { pin_mm, .. }
         | ThicknessStatement::PinReadings { pin_mm, .. } => Some((SameKind::OverPins, *pin_mm)),
-        ThicknessStatement::AllowanceUm(_) => Some((SameKind::Allowance, 0.0)),
+        ThicknessStatement::AllowanceUm(_) | ThicknessStatement::Field(_) => {
+            Some((SameKind::Allowance, 0.0))
+        }
     };
     let (kind, _) = of(cross_check).filter(|kind| of(counts) == Some(*kind))?;
     Some(Finding::CrossCheckOfSameKind(kind))

@@ -103,6 +103,15 @@ pub enum Finding {
         /// The greatest, as stated in µm.
         greatest_um: f64,
     },
+    /// What a tolerance field of the tooth thickness means.
+    ThicknessField {
+        /// Reference diameter, mm.
+        diameter_mm: f64,
+        /// Upper allowance, µm.
+        upper_um: f64,
+        /// Lower allowance, µm.
+        lower_um: f64,
+    },
     /// An allowance makes the teeth thicker than nominal.
     AllowanceThickens {
         /// The greatest, µm.
@@ -148,7 +157,9 @@ impl Finding {
     pub fn is_in_order(&self) -> bool {
         match self {
             Finding::ThicknessStatedTwice(compared) => compared.agree(),
-            Finding::RunoutWithoutDirection { .. } | Finding::ProfileOfSomeTeeth { .. } => true,
+            Finding::RunoutWithoutDirection { .. }
+            | Finding::ProfileOfSomeTeeth { .. }
+            | Finding::ThicknessField { .. } => true,
             _ => false,
         }
     }

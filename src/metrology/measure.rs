@@ -280,6 +280,15 @@ impl Measurements {
             pitch,
             flanks,
         ));
+        if let ThicknessStatement::Field(field) = &self.thickness
+            && let Ok([upper_um, lower_um]) = field.allowances_um(basic_data)
+        {
+            findings.push(Finding::ThicknessField {
+                diameter_mm: 2.0 * basic_data.reference_radius(),
+                upper_um,
+                lower_um,
+            });
+        }
         findings.extend(doubts::off_mean(&self.thickness, basic_data, per_tooth_um));
         findings.extend(doubts::of_allowance(&self.thickness));
         let pitch_um = self.pitch.iter().flat_map(|pitch| {

@@ -4,7 +4,7 @@ use super::toleranced::Toleranced;
 use crate::error::GearError;
 use crate::gear::{
     BasicGearData, Deviations, Gear, GearDesign, Modification, PerTooth, PinReadings, Readings,
-    Spans, thickness,
+    Spans, ThicknessField, thickness,
 };
 
 /// One statement of the mean tooth thickness.
@@ -14,6 +14,10 @@ pub enum ThicknessStatement {
     Nominal,
     /// Allowance `A_s`, µm, transverse at the reference circle, negative when thinner than nominal.
     AllowanceUm(Toleranced<f64>),
+    /// The allowances of a drawing's tolerance field, such as 25cd.
+    Field(ThicknessField),
+    /// What both flanks stand out along their normals beyond nominal, mm: printed or cut too thick, or too thin.
+    FlankOffset(Toleranced<f64>),
     /// Base tooth thickness `s_b`, mm.
     BaseThickness(Toleranced<f64>),
     /// A span `W_k`.
@@ -62,6 +66,7 @@ impl ThicknessStatement {
     fn check_range(&self) -> Result<(), GearError> {
         match self {
             ThicknessStatement::AllowanceUm(value)
+            | ThicknessStatement::FlankOffset(value)
             | ThicknessStatement::BaseThickness(value)
             | ThicknessStatement::Span { mm: value, .. }
             | ThicknessStatement::OverPins { mm: value, .. }
@@ -150,7 +155,7 @@ impl ThicknessStatement {
     /// Span and pins are those of the flanks where they touch; allowance, base thickness and nominal thickness those of the involutes.
     ///
     /// # Errors
-    /// A range upside down, a span of no number of teeth, a dimension over pins whose pins would sit inside the base circle, readings that a
+    /// A range upside down, a tolerance field of a larger gear than its table has, a span of no number of teeth, a dimension over pins whose pins would sit inside the base circle, readings that a
     /// gear of `design` cannot have.
     pub fn base_thickness(
         &self,
@@ -167,6 +172,13 @@ impl ThicknessStatement {
                 let mm = um / 1000.0;
                 Ok(thickness::base_from_allowance(basic_data, nominal, mm))
             }),
+            ThicknessStatement::Field(field) => {
+                let [most, least] = field.allowances_um(basic_data)?;
+                ThicknessStatement::AllowanceUm(Toleranced::Band { least, most })
+                    .base_thickness(design, known)
+            }
+            // An involute moved along its normals is the same, turned by the distance on the base circle.
+            ThicknessStatement::FlankOffset(mm) => mm.try_map(|mm| Ok(nominal + 2.0 * mm)),
             ThicknessStatement::BaseThickness(mm) => Ok(*mm),
             ThicknessStatement::Span { teeth, mm } => {
                 if !(1..=basic_data.teeth()).contains(teeth) {

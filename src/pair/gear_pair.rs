@@ -50,6 +50,9 @@ impl Member {
     }
 }
 
+/// How far the modules of two gears that mesh may lie apart: what a hot plastic gear (1e-4 a K, 200 K) has beyond a steel one.
+pub const MOST_UNEQUAL: f64 = 0.02;
+
 /// A pair as assembled: wheel axis at the origin, pinion axis at `(a, 0)`, y up.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GearPair {
@@ -75,7 +78,7 @@ impl GearPair {
     /// Two gears at `center_distance` `a`, mm, the gear `locked` standing still.
     ///
     /// # Errors
-    /// Unequal module or pressure angle; base circles that overlap
+    /// Unequal pressure angle, or modules farther apart than [`MOST_UNEQUAL`]; base circles that overlap
     /// (`a ≤ r_b1 + r_b2`): no operating pressure angle exists then.
     pub fn with_locked(
         wheel: AsBuilt,
@@ -92,7 +95,8 @@ impl GearPair {
                 p.pressure_angle().to_degrees(),
             ),
         ] {
-            if wheel != pinion {
+            let apart = (wheel - pinion).abs();
+            if !(apart <= MOST_UNEQUAL * wheel && (what == "module_mm" || apart == 0.0)) {
                 return Err(GearError::Unequal {
                     what,
                     wheel,

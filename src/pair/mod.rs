@@ -5,10 +5,12 @@
 
 mod backlash;
 mod gear_pair;
+mod iso_286;
 mod pose;
 mod sweep_plan;
 
 pub use backlash::{Backlash, BacklashUnit, arcmin};
-pub use gear_pair::{GearPair, Member};
+pub use gear_pair::{GearPair, MOST_UNEQUAL, Member};
+pub use iso_286::{DesignatedDistance, ISO_286_SOURCE};
 pub use pose::{Mating, Pose};
 pub use sweep_plan::SweepPlan;

@@ -96,6 +96,17 @@ impl Case {
         self.try_assemble(scale).unwrap()
     }
 
+    /// The gears warmer or colder than each other, at a distance of a housing that is neither: lengths times 1 + `expansion`.
+    pub fn warmed(&self, expansion: [f64; 2]) -> Result<GearPair, GearError> {
+        let pair = self.try_assemble(1.0)?;
+        GearPair::with_locked(
+            pair.gear(Member::Wheel).expanded(1.0 + expansion[0])?,
+            pair.gear(Member::Pinion).expanded(1.0 + expansion[1])?,
+            pair.center_distance(),
+            self.locked,
+        )
+    }
+
     pub fn try_assemble(&self, scale: f64) -> Result<GearPair, GearError> {
         let (wheel, pinion) = (self.wheel.build(scale)?, self.pinion.build(scale)?);
         let zero = InvolutePair::new(wheel.gear(), pinion.gear())

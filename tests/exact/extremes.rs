@@ -79,6 +79,36 @@ proptest! {
         }
     }
 
+    /// Gears of unequal temperature: a per mille of expansion and more, so that base pitches differ.
+    #[test]
+    fn no_pose_lies_beyond_of_gears_unequally_warm(
+        case in rough_case(),
+        expansion in prop::array::uniform2(-0.008..0.008f64),
+    ) {
+        if let Ok(pair) = case.warmed(expansion) {
+            hold(&pair, 1500)?;
+        }
+    }
+
+    /// All lengths alike warmer, the housing's too: the same angles.
+    #[test]
+    fn a_pair_warm_as_a_whole_turns_as_before(case in rough_case(), expansion in -0.008..0.008f64) {
+        let (Ok(pair), Ok(warm)) = (case.try_assemble(1.0), case.warmed([expansion; 2])) else {
+            return Ok(());
+        };
+        let Ok(warm) = warm.at(pair.center_distance() * (1.0 + expansion)) else {
+            return Ok(());
+        };
+        let kernels = [ExactKernel::new(&pair), ExactKernel::new(&warm)];
+        for (cold, hot) in spread(&pair, 20).zip(spread(&warm, 20)) {
+            let (cold, hot) = (kernels[0].lost_motion(&cold).unwrap(), kernels[1].lost_motion(&hot).unwrap());
+            prop_assert_eq!(cold.status(), hot.status());
+            if let (Some(cold), Some(hot)) = (cold.angle(), hot.angle()) {
+                prop_assert!((cold - hot).abs() < 1e-12, "{} {}", cold, hot);
+            }
+        }
+    }
+
     /// So close that tips stand in fillets, which then bound the lost motion.
     #[test]
     fn no_pose_lies_beyond_where_tips_reach_fillets(case in rough_case(), closer in 0.0..0.2f64) {

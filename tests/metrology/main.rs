@@ -1,5 +1,6 @@
 //! Gears from measurements in memory: against closed forms, and against the same data in a pair file.
 
+mod drawing;
 mod findings;
 mod pair_file;
 mod refused;

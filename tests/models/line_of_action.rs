@@ -29,6 +29,18 @@ proptest! {
         }
     }
 
+    /// Gears of unequal temperature have unequal base pitches.
+    #[test]
+    fn contacts_touch_on_gears_unequally_warm(
+        case in rough_case(),
+        expansion in prop::array::uniform2(-0.008..0.008f64),
+    ) {
+        if let Ok(assembly) = case.warmed(expansion) {
+            check_contacts(&assembly, case.mating)?;
+            check_complete(&assembly, case.mating)?;
+        }
+    }
+
     /// Every facing pair within both gears' circles is found, and the tightest is taken:
     /// all locked teeth tried by a plain contraction, without a window.
     #[test]

@@ -6,16 +6,43 @@ use gearlash_files::Sources;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-const PAIR: &str = include_str!("init_pair.toml");
-
 /// Write a commented pair file to begin with
 ///
-/// It runs as written and explains every key. An existing file is never overwritten.
+/// It explains every key, and runs as written; with --outline it names the drawings to put beside it. An existing file is never
+/// overwritten.
 #[derive(clap::Args)]
 pub(super) struct Args {
     /// The pair file to write, - for standard output
     #[arg(default_value = "pair.toml")]
     pair: PathBuf,
+    #[command(flatten)]
+    from: From,
+}
+
+/// What there is to start from.
+#[derive(clap::Args)]
+#[group(multiple = false)]
+struct From {
+    /// Short: for what a drawing states, with tolerances
+    #[arg(long)]
+    drawing: bool,
+    /// Short: for measured gears
+    #[arg(long)]
+    measured: bool,
+    /// Short: for gears by their drawn outlines
+    #[arg(long)]
+    outline: bool,
+}
+
+impl From {
+    fn text(&self) -> &'static str {
+        match self {
+            From { drawing: true, .. } => include_str!("init/drawing.toml"),
+            From { measured: true, .. } => include_str!("init/measured.toml"),
+            From { outline: true, .. } => include_str!("init/outline.toml"),
+            _ => include_str!("init/pair.toml"),
+        }
+    }
 }
 
 /// Runs the command.
@@ -26,6 +53,6 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             args.pair.display()
         )));
     }
-    Target::prepare(args.pair.clone(), &Sources::new())?.write(PAIR)?;
+    Target::prepare(args.pair.clone(), &Sources::new())?.write(args.from.text())?;
     Ok(ExitCode::SUCCESS)
 }

@@ -3,12 +3,14 @@
 use super::entry::Entry;
 use super::gear::GearPart;
 use super::limits::{
-    CENTER_DISTANCE, CENTER_DISTANCE_DEVIATION, CENTER_DISTANCE_TOLERANCE, CLEARANCE,
-    MOST_DISTANCES,
+    CENTER_DISTANCE, CENTER_DISTANCE_DEVIATION, CENTER_DISTANCE_TOLERANCE, CLEARANCE, EXPANSION,
+    MOST_DISTANCES, TEMPERATURE,
 };
 use super::node::Node;
 use super::problems::Problems;
-use super::spec::{BearingClearanceSpec, CenterDistanceSpec, DistanceBandSpec};
+use super::spec::{
+    BearingClearanceSpec, CenterDistanceSpec, DesignatedDistanceSpec, DistanceBandSpec,
+};
 use super::stated::{self, Keys};
 use super::table::Table;
 use gearlash::error::GearError;
@@ -21,6 +23,8 @@ pub const KEYS: &[&str] = &[
     "centre_distance_mm",
     "locked",
     "bearing_clearance_mm",
+    "temperature_c",
+    "housing_expansion_per_k",
 ];
 const BAND_KEYS: &[&str] = &["nominal_mm", "tolerance_um", "upper_um", "lower_um"];
 const DEVIATIONS: Keys = Keys {
@@ -29,7 +33,7 @@ const DEVIATIONS: Keys = Keys {
     max: "upper_um",
 };
 /// The ways to write centre distances.
-const ALLOWED: &str = "a number of mm above 0 and up to 1e9, a list of such, \
+const ALLOWED: &str = "a number of mm above 0 and up to 1e9, a list of such, a designation such as \"30 js7\", \
                        { nominal_mm = …, tolerance_um = … } or { nominal_mm = …, upper_um = …, lower_um = … }";
 const MEMBERS: [(&str, Member); 2] = [("wheel", Member::Wheel), ("pinion", Member::Pinion)];
 
@@ -40,6 +44,10 @@ pub struct AssemblyPart {
     pub distances: Option<Option<CenterDistanceSpec>>,
     pub locked: Option<Member>,
     pub bearings: Option<BearingClearanceSpec>,
+    /// °C; `Some(None)` when not given.
+    pub temperature_c: Option<Option<f64>>,
+    /// 1/K; `Some(None)` when not given.
+    pub housing_expansion_per_k: Option<Option<f64>>,
 }
 
 impl AssemblyPart {
@@ -64,6 +72,9 @@ impl AssemblyPart {
         AssemblyPart {
             distances: match entry {
                 Some(Some(entry)) => match entry.node() {
+                    Node::Text(text) => {
+                        designated(&entry, text, problems).map(CenterDistanceSpec::Designated)
+                    }
                     Node::Table(_) => band(table, name, problems).map(CenterDistanceSpec::Band),
                     _ => distances(&entry, problems).map(CenterDistanceSpec::Distances),
                 }
@@ -72,6 +83,14 @@ impl AssemblyPart {
             },
             locked: table.choice_or_first("locked", &MEMBERS, problems),
             bearings: bearings(table, problems),
+            temperature_c: table.optional_as("temperature_c", problems, |entry| {
+                entry.number(&TEMPERATURE)
+            }),
+            housing_expansion_per_k: table.optional_as(
+                "housing_expansion_per_k",
+                problems,
+                |entry| entry.number(&EXPANSION),
+            ),
         }
     }
 }
@@ -133,6 +152,25 @@ fn band(assembly: &Table, name: &'static str, problems: &mut Problems) -> Option
         upper_um,
         lower_um,
     })
+}
+
+/// A designation, such as `"30 js7"`.
+fn designated(
+    entry: &Entry,
+    text: &str,
+    problems: &mut Problems,
+) -> Option<DesignatedDistanceSpec> {
+    let help = "write the nominal distance and js5 … js10, or { nominal_mm = …, tolerance_um = … }";
+    let spec = text
+        .parse()
+        .and_then(|stated| DesignatedDistanceSpec::new(&stated));
+    problems.keep(spec.map_err(|error| {
+        let allowed = match error {
+            GearError::DistanceField => format!("{error}, allowed is {ALLOWED}"),
+            _ => error.to_string(),
+        };
+        entry.problem(allowed, help)
+    }))
 }
 
 fn distances(entry: &Entry, problems: &mut Problems) -> Option<Vec<f64>> {

@@ -10,7 +10,9 @@ use gearlash::metrology;
 const KEYS: &[&str] = &[
     "span",
     "over_pins",
+    "designation",
     "allowance_um",
+    "flank_offset_mm",
     "base_thickness_mm",
     "tolerance_um",
 ];
@@ -52,7 +54,7 @@ impl CrossCheck {
             problems.add(thickness.problem(
                 "cross_check",
                 "states no thickness",
-                "add span, over_pins, allowance_um or base_thickness_mm to it, or remove it",
+                "add span, over_pins or another statement of a thickness to it, or remove it",
             ));
             return None;
         }

@@ -258,6 +258,13 @@ impl Fault<'_> {
     fn pins_inside_base(&self, reason: String) -> Problem {
         let (statement, under) = self.of.of_thickness(self.role);
         let key = match statement {
+            Statement::Field(_) => {
+                return self.of.table.problem(
+                    &format!("{under}.designation"),
+                    reason,
+                    "give allowance_um = { upper = …, lower = … }",
+                );
+            }
             Statement::OverPins { mm, .. } if mm.is_band() => "over_pins.min_mm".to_owned(),
             Statement::Pins { readings, .. } => format!("over_pins.{}", readings.key()),
             _ => "over_pins.mm".to_owned(),
@@ -319,6 +326,7 @@ fn nominal(statement: &Statement, design: &GearDesign) -> String {
             let over = thickness::pins_from_base(basic_data, pin_mm, base);
             format!("nominal over pins of {pin_mm} mm is {over:.4} mm")
         }
-        Statement::Allowance(_) => "nominal is 0 µm".to_owned(),
+        Statement::FlankOffset(_) => "nominal is 0 mm".to_owned(),
+        Statement::Allowance(_) | Statement::Field(_) => "nominal is 0 µm".to_owned(),
     }
 }

@@ -6,8 +6,10 @@ mod outlier;
 mod runout;
 mod thickness;
 
+use super::numbers::shortest;
 use super::profile;
 use super::statements::Statements;
+use gearlash::gear::DIN_3967_SOURCE;
 use gearlash::metrology::{Finding, ProfileKey};
 
 pub use outlier::suspected;
@@ -114,6 +116,15 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
             quantity,
             greatest_um,
         } => doubts::looks_like_mm(of, *quantity, *greatest_um),
+        Finding::ThicknessField {
+            diameter_mm,
+            upper_um,
+            lower_um,
+        } => format!(
+            "{}: at reference diameter {} mm the allowances are {upper_um:.0} and {lower_um:.0} µm, {DIN_3967_SOURCE}",
+            key("thickness.designation"),
+            shortest(*diameter_mm)
+        ),
         Finding::AllowanceThickens { um } => format!(
             "{}: {um} µm makes the teeth thicker than nominal, but an allowance for backlash makes them thinner: check its sign; if {} µm was \
              meant, write that",

@@ -3,7 +3,7 @@
 mod rack;
 
 use super::cross_check::CrossCheck;
-use super::limits::{MODULE, PRESSURE_ANGLE, PROFILE_SHIFT, TEETH, TIP_DIAMETER};
+use super::limits::{EXPANSION, MODULE, PRESSURE_ANGLE, PROFILE_SHIFT, TEETH, TIP_DIAMETER};
 use super::pitch::PitchSheet;
 use super::problems::Problems;
 use super::profile::Profiles;
@@ -25,6 +25,7 @@ const KEYS: &[&str] = &[
     "grade",
     "reference_face",
     "tip_diameter_mm",
+    "expansion_per_k",
     "rack",
     "thickness",
     "runout",
@@ -48,6 +49,8 @@ pub struct GearPart {
     pub as_built: Option<Toleranced<AsBuilt>>,
     /// As in the pair file, defaults filled in.
     pub spec: Option<GearSpec>,
+    /// Coefficient of thermal expansion, 1/K; `Some(None)` where none is given.
+    pub expansion_per_k: Option<Option<f64>>,
     /// What its statements say of each other.
     pub notes: GearNotes,
     /// What the user should know.
@@ -96,6 +99,9 @@ impl GearPart {
             Some(Some(entry)) => problems.keep(entry.number(&TIP_DIAMETER)).map(Some),
             absent => absent.map(|_| None),
         };
+        self.expansion_per_k = table.optional_as("expansion_per_k", problems, |entry| {
+            entry.number(&EXPANSION)
+        });
         let rack = rack::read(table, problems);
         let thickness = table.table("thickness", thickness::KEYS, problems);
         let statement = thickness
@@ -164,6 +170,7 @@ impl GearPart {
         let design = &statements.design;
         let cross_check = statements.cross_check.as_ref();
         let runout = statements.runout.settled(gear.runout);
+        let expansion_per_k = self.expansion_per_k?;
         self.spec = Some(GearSpec {
             teeth: self.teeth?,
             module_mm: self.module_mm?,
@@ -172,6 +179,7 @@ impl GearPart {
             grade: grade?,
             reference_face: face.into(),
             tip_diameter_mm: design.tip_diameter?,
+            expansion_per_k,
             rack: RackSpec::from(&design.rack),
             thickness: ThicknessSpec {
                 statement: statements.thickness.spec(),

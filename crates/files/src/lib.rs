@@ -64,6 +64,7 @@ mod stated;
 mod statements;
 mod sweep;
 mod table;
+mod temperature;
 mod thickness;
 mod uncertainty;
 pub mod verdict;

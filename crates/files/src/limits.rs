@@ -22,6 +22,24 @@ const fn deviation(help: &'static str) -> Limits {
     }
 }
 
+/// A temperature.
+pub const TEMPERATURE: Limits = Limits {
+    allowed: "a number of °C, −200 … 400",
+    range: (Included(-200.0), Included(400.0)),
+    help: "give the temperature of gears and housing in °C; lengths are stated at 20 °C",
+};
+/// A coefficient of thermal expansion. With the temperature: no module grows apart by more than gears may.
+pub const EXPANSION: Limits = Limits {
+    allowed: "a number of 1/K, 0 … 0.0003",
+    range: (Included(0.0), Included(3e-4)),
+    help: "give the coefficient of thermal expansion in 1/K: of steel some 11.5e-6, of aluminium 23e-6, of POM 110e-6",
+};
+/// What flanks stand out.
+pub const FLANK_OFFSET: Limits = Limits {
+    allowed: "a number of mm, −100 … 100",
+    range: (Included(-100.0), Included(100.0)),
+    help: "give what each flank stands out along its normal, in mm; negative: in",
+};
 /// A backlash that is required.
 pub const REQUIRED_UM: Limits = Limits {
     allowed: "a number of µm, −1e6 … 1e6",

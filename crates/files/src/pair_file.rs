@@ -18,6 +18,7 @@ use super::spec::{
 };
 use super::sweep::Sweep;
 use super::table::Table;
+use super::temperature::Temperature;
 use super::uncertainty;
 use gearlash::analysis::study::{Material, Study};
 use gearlash::gear::AsBuilt;
@@ -102,12 +103,41 @@ impl<'a> PairTables<'a> {
     /// The study, once what lies between the tables is checked too.
     pub fn study(self, problems: &mut Problems) -> Option<PairFile> {
         let mut warnings = [&self.wheel.warnings[..], &self.pinion.warnings].concat();
-        let remarks = [&self.wheel.remarks[..], &self.pinion.remarks].concat();
+        let mut remarks = [&self.wheel.remarks[..], &self.pinion.remarks].concat();
         let stated = self.distances(problems, &mut warnings);
         let center_distances = stated.as_ref().map(CenterDistanceSpec::distances_mm);
         self.check_poses(center_distances.as_deref(), problems)?;
-        let (stated, center_distances) = (stated?, center_distances?);
-        let materials = materials(&self.wheel, &self.pinion)?;
+        let (stated, mut center_distances) = (stated?, center_distances?);
+        let mut band = stated.band_mm();
+        let mut materials = materials(&self.wheel, &self.pinion)?;
+        let gears = [&self.wheel, &self.pinion];
+        let temperature = self.temperature(gears, problems)?;
+        if let Some(temperature) = temperature {
+            materials = temperature.gears(&self.table, materials, problems)?;
+            for mm in center_distances.iter_mut().chain(band.iter_mut().flatten()) {
+                *mm = temperature.distance(*mm);
+            }
+            let base_radii = materials.first().map(|(_, wheel, pinion)| {
+                wheel.gear().base_radius() + pinion.gear().base_radius()
+            })?;
+            if let Some(reason) = center_distances
+                .iter()
+                .find_map(|&a| assembly::overlap(a, base_radii))
+            {
+                problems.add(self.table.problem(
+                    "assembly.temperature_c",
+                    reason,
+                    "check the temperature and the coefficients of expansion",
+                ));
+                return None;
+            }
+            let described = temperature.described();
+            remarks.push(format!("assembly.temperature_c: {described}"));
+        }
+        if let CenterDistanceSpec::Designated(designated) = &stated {
+            let meaning = designated.meaning();
+            remarks.push(format!("assembly.center_distance_mm: {meaning}"));
+        }
         let assembly = self.assembly?;
         let (locked, bearings) = (assembly.locked?, assembly.bearings?);
         let (measured, sweep, require) = (self.measured?, self.sweep?, self.require?);
@@ -131,6 +161,8 @@ impl<'a> PairTables<'a> {
                 center_distance_mm: stated,
                 locked: locked.into(),
                 bearing_clearance_mm: bearings,
+                temperature_c: assembly.temperature_c?,
+                housing_expansion_per_k: assembly.housing_expansion_per_k?,
             },
             measured: measured.as_ref().map(Measured::spec),
             sweep: sweep.as_ref().map(|sweep| sweep.spec.clone()),
@@ -148,7 +180,7 @@ impl<'a> PairTables<'a> {
             materials,
             locked,
             center_distances,
-            band: spec.assembly.center_distance_mm.band_mm(),
+            band,
             bearing_clearance: bearings.sum_mm(),
             sweep: sweep.map(|sweep| sweep.plan),
             measured: measured.map_or_else(Vec::new, Measured::into_rows),
@@ -167,6 +199,25 @@ impl<'a> PairTables<'a> {
             remarks,
             sources: self.table.place().sources(),
         })
+    }
+
+    /// At what temperature the pair runs, if one is stated.
+    fn temperature(
+        &self,
+        gears: [&GearPart; 2],
+        problems: &mut Problems,
+    ) -> Option<Option<Temperature>> {
+        let assembly = self.assembly.as_ref()?;
+        let temperature = Temperature::read(&self.table, assembly, gears, problems)?;
+        if temperature.is_some() && self.measured.as_ref()?.is_some() {
+            problems.add(self.table.problem(
+                "assembly.temperature_c",
+                "given together with measured, whose rows state their own centre distances",
+                "remove one or the other",
+            ));
+            return None;
+        }
+        Some(temperature)
     }
 
     /// The centre distances to run, a list in ascending order, checked against the base circles.

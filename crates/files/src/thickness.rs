@@ -1,7 +1,7 @@
 //! `[thickness]`: one statement of the mean tooth thickness.
 
 use super::entry::{Limits, quoted};
-use super::limits::{ALLOWANCE, LENGTH};
+use super::limits::{ALLOWANCE, FLANK_OFFSET, LENGTH};
 use super::node::Node;
 use super::problems::Problems;
 use super::readings::LengthReadings;
@@ -9,17 +9,23 @@ use super::sheet::Column;
 use super::spec::{Either, LengthSpec, OverPinsSpec, SpanSpec, StatementSpec};
 use super::stated::{self, Keys};
 use super::table::Table;
+use gearlash::error::GearError;
+use gearlash::gear::ThicknessField;
 use gearlash::metrology::{ThicknessStatement, Toleranced};
 
 pub const KEYS: &[&str] = &[
     "span",
     "over_pins",
+    "designation",
     "allowance_um",
+    "flank_offset_mm",
     "base_thickness_mm",
     "per_tooth_um",
     "cross_check",
 ];
-const STATEMENTS: &[&str] = KEYS.split_at(4).0;
+const STATEMENTS: &[&str] = KEYS.split_at(6).0;
+/// The ways to write a tolerance field.
+const FIELD: &str = "21 … 30 and a, ab, b, bc, c, cd, d, e, f, g or h, such as \"25cd\"";
 const SPAN_KEYS: &[&str] = &[
     "teeth",
     "mm",
@@ -45,6 +51,12 @@ const BARE: Keys = Keys {
     min: "min",
     max: "max",
 };
+/// As a drawing writes them.
+const LIMITS: Keys = Keys {
+    single: None,
+    min: "lower",
+    max: "upper",
+};
 
 /// How the pair file states the mean thickness.
 #[derive(Debug, Clone, PartialEq)]
@@ -68,6 +80,10 @@ pub enum Statement {
     },
     /// `A_s` in µm, transverse at the reference circle.
     Allowance(Toleranced<f64>),
+    /// A tolerance field such as 25cd.
+    Field(ThicknessField),
+    /// What both flanks stand out along their normals, mm.
+    FlankOffset(Toleranced<f64>),
     /// `s_b` in mm.
     Base(Toleranced<f64>),
 }
@@ -99,6 +115,10 @@ impl Statement {
             Some("allowance_um") => {
                 bare(table, "allowance_um", &ALLOWANCE, problems).map(Statement::Allowance)
             }
+            Some("flank_offset_mm") => {
+                bare(table, "flank_offset_mm", &FLANK_OFFSET, problems).map(Statement::FlankOffset)
+            }
+            Some("designation") => field(table, problems).map(Statement::Field),
             Some(_) => bare(table, "base_thickness_mm", &LENGTH, problems).map(Statement::Base),
             None if STATEMENTS.iter().any(|name| table.is_mistyped(name)) => None,
             None => Some(Statement::Nominal),
@@ -174,6 +194,8 @@ impl Statement {
                 readings: readings.measured(),
             },
             Statement::Allowance(um) => ThicknessStatement::AllowanceUm(*um),
+            Statement::Field(field) => ThicknessStatement::Field(*field),
+            Statement::FlankOffset(mm) => ThicknessStatement::FlankOffset(*mm),
             Statement::Base(mm) => ThicknessStatement::BaseThickness(*mm),
         }
     }
@@ -185,6 +207,8 @@ impl Statement {
             Statement::Span { .. } | Statement::Spans { .. } => Some("span"),
             Statement::OverPins { .. } | Statement::Pins { .. } => Some("over_pins"),
             Statement::Allowance(_) => Some("allowance_um"),
+            Statement::Field(_) => Some("designation"),
+            Statement::FlankOffset(_) => Some("flank_offset_mm"),
             Statement::Base(_) => Some("base_thickness_mm"),
         }
     }
@@ -230,6 +254,8 @@ impl Statement {
                 });
             }
             Statement::Allowance(um) => spec.allowance_um = Some(stated::spec(um)),
+            Statement::Field(field) => spec.designation = Some(field.to_string()),
+            Statement::FlankOffset(mm) => spec.flank_offset_mm = Some(stated::spec(mm)),
             Statement::Base(mm) => spec.base_thickness_mm = Some(stated::spec(mm)),
         }
         spec
@@ -255,7 +281,19 @@ fn all_round(readings: &LengthReadings) -> LengthSpec {
     }
 }
 
-/// A number, or a table of `min` and `max`.
+fn field(table: &Table, problems: &mut Problems) -> Option<ThicknessField> {
+    let entry = table.get("designation")?;
+    let text = problems.keep(entry.text("write it in quotes"))?;
+    let refused = |error: GearError| {
+        entry.problem(
+            format!("{error}, allowed is {FIELD}"),
+            "copy it from the drawing; or give allowance_um = { upper = …, lower = … }",
+        )
+    };
+    problems.keep(text.parse().map_err(refused))
+}
+
+/// A number, or a table of `min` and `max`, of an allowance also of `upper` and `lower`.
 fn bare(
     table: &Table,
     name: &str,
@@ -265,8 +303,26 @@ fn bare(
     let entry = table.get(name)?;
     match entry.node() {
         Node::Table(_) => {
-            let band = table.table(name, &["min", "max"], problems)?;
-            stated::read(&band, &BARE, limits, problems)
+            if name != "allowance_um" {
+                let band = table.table(name, &["min", "max"], problems)?;
+                return stated::read(&band, &BARE, limits, problems);
+            }
+            let band = table.table(name, &["min", "max", "lower", "upper"], problems)?;
+            let first = |names: [&'static str; 2]| names.into_iter().find(|name| band.has(name));
+            match (first(["min", "max"]), first(["lower", "upper"])) {
+                (Some(one), Some(other)) => {
+                    problems.add(band.problem(
+                        other,
+                        format!(
+                            "given together with {one}, allowed is min and max, or lower and upper"
+                        ),
+                        "remove two of them",
+                    ));
+                    None
+                }
+                (None, Some(_)) => stated::read(&band, &LIMITS, limits, problems),
+                _ => stated::read(&band, &BARE, limits, problems),
+            }
         }
         Node::Whole(_) | Node::Number(_) => {
             problems.keep(entry.number(limits)).map(Toleranced::Single)

@@ -6,6 +6,7 @@ mod chart;
 mod check;
 mod compare;
 mod difference;
+mod docs;
 mod hostile;
 mod large;
 mod leaks;
@@ -25,6 +26,7 @@ mod skip;
 mod slips;
 mod small;
 mod snapshot;
+mod stated;
 mod step_summary;
 #[cfg(target_os = "linux")]
 mod terminal;

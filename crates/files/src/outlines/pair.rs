@@ -139,6 +139,14 @@ pub(crate) fn read(
         ));
         return None;
     }
+    if assembly.temperature_c?.is_some() {
+        problems.add(table.problem(
+            "assembly.temperature_c",
+            "an outline is taken as it was drawn, at one temperature",
+            "scale drawings and centre distance by 1 + expansion × (temperature − 20)",
+        ));
+        return None;
+    }
     let (wheel, pinion, ()) = (wheel?, pinion?, left_out?);
     let mut distances = stated.distances_mm();
     distances.sort_by(f64::total_cmp);
@@ -184,6 +192,8 @@ pub(crate) fn read(
                 center_distance_mm: stated,
                 locked: locked.into(),
                 bearing_clearance_mm: bearings,
+                temperature_c: None,
+                housing_expansion_per_k: None,
             },
             sweep,
         },

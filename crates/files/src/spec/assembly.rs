@@ -4,10 +4,11 @@ use super::rules::{at_most_one, beside, exactly_one, list_length, whole, within}
 use super::value::Either;
 use crate::limits::{
     CENTER_DISTANCE, CENTER_DISTANCE_DEVIATION, CENTER_DISTANCE_TOLERANCE, CHORD, CLEARANCE,
-    FRACTION, MOST_DISTANCES, STEPS_PER_PITCH, TOLERANCE, TOOTH,
+    EXPANSION, FRACTION, MOST_DISTANCES, STEPS_PER_PITCH, TEMPERATURE, TOLERANCE, TOOTH,
 };
-use crate::numbers::rounded;
-use gearlash::pair::Member;
+use crate::numbers::{rounded, shortest};
+use gearlash::error::GearError;
+use gearlash::pair::{DesignatedDistance, ISO_286_SOURCE, Member};
 use schemars::{JsonSchema, Schema};
 use serde::Serialize;
 use serde_json::Value;
@@ -28,6 +29,14 @@ pub struct AssemblySpec {
     /// Radial play of each gear on its axis, mm.
     #[schemars(with = "Option<Either<f64, BearingClearanceSpec>>", transform = within(&CLEARANCE))]
     pub bearing_clearance_mm: BearingClearanceSpec,
+    /// Temperature of gears and housing, °C; all lengths are stated at 20 °C, but for the play of the bearings.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(transform = within(&TEMPERATURE))]
+    pub temperature_c: Option<f64>,
+    /// Coefficient of thermal expansion of the housing, 1/K.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(transform = within(&EXPANSION))]
+    pub housing_expansion_per_k: Option<f64>,
 }
 
 /// `centre_distance_mm` is `center_distance_mm`.
@@ -53,6 +62,9 @@ pub enum CenterDistanceSpec {
     /// Nominal distance and tolerance.
     #[schemars(description = "")] // that of the struct
     Band(DistanceBandSpec),
+    /// Nominal distance and tolerance field, ISO 286.
+    #[schemars(description = "")] // that of the struct
+    Designated(DesignatedDistanceSpec),
 }
 
 impl CenterDistanceSpec {
@@ -61,6 +73,7 @@ impl CenterDistanceSpec {
         match self {
             CenterDistanceSpec::Distances(list) => list.clone(),
             CenterDistanceSpec::Band(band) => band.distances_mm(),
+            CenterDistanceSpec::Designated(stated) => stated.band.distances_mm(),
         }
     }
 
@@ -69,7 +82,49 @@ impl CenterDistanceSpec {
         match self {
             CenterDistanceSpec::Distances(_) => None,
             CenterDistanceSpec::Band(band) => Some(band.ends_mm()),
+            CenterDistanceSpec::Designated(stated) => Some(stated.band.ends_mm()),
         }
+    }
+}
+
+/// A nominal distance and its symmetric tolerance field js5 … js10, such as 30 js7 (ISO 286).
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[serde(transparent)]
+#[schemars(inline)]
+pub struct DesignatedDistanceSpec {
+    #[schemars(regex(pattern = r"^[0-9.]+ *(js|JS)([5-9]|10)$"))]
+    text: String,
+    /// What it means.
+    #[serde(skip)]
+    band: DistanceBandSpec,
+}
+
+impl DesignatedDistanceSpec {
+    /// As written, and what it means.
+    ///
+    /// # Errors
+    /// A size beyond the table of ISO 286.
+    pub fn new(stated: &DesignatedDistance) -> Result<DesignatedDistanceSpec, GearError> {
+        Ok(DesignatedDistanceSpec {
+            text: stated.to_string(),
+            band: DistanceBandSpec {
+                nominal_mm: stated.nominal(),
+                tolerance_um: Some(stated.tolerance_um()?),
+                upper_um: None,
+                lower_um: None,
+            },
+        })
+    }
+
+    /// What it means: "30 js7 is 30 ± 0.0105 mm".
+    pub fn meaning(&self) -> String {
+        let tolerance = self.band.tolerance_um.unwrap_or_default();
+        format!(
+            "{} is {} ± {} mm, {ISO_286_SOURCE}",
+            self.text,
+            shortest(self.band.nominal_mm),
+            shortest(rounded(tolerance / 1000.0, 12))
+        )
     }
 }
 

@@ -9,7 +9,7 @@ use super::uncertainty::UncertaintySpec;
 use super::value::Either;
 use super::{AccuracySpec, AssemblySpec, CompareSpec, MeasuredSpec, OutlineGearSpec, SweepSpec};
 use crate::limits::{
-    MODULE, PRESSURE_ANGLE, PROFILE_SHIFT, RACK_DEPTH, ROOT_RADIUS, TEETH, TIP_DIAMETER,
+    EXPANSION, MODULE, PRESSURE_ANGLE, PROFILE_SHIFT, RACK_DEPTH, ROOT_RADIUS, TEETH, TIP_DIAMETER,
 };
 use gearlash::gear::{BasicRack, Face, GRADES};
 use schemars::JsonSchema;
@@ -88,6 +88,10 @@ pub struct GearSpec {
     /// Tip diameter d_a, mm; default from addendum and profile shift.
     #[schemars(with = "Option<f64>", transform = within(&TIP_DIAMETER))]
     pub tip_diameter_mm: f64,
+    /// Coefficient of thermal expansion, 1/K.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(transform = within(&EXPANSION))]
+    pub expansion_per_k: Option<f64>,
     /// Basic rack, in modules.
     #[schemars(with = "Option<RackSpec>")]
     pub rack: RackSpec,

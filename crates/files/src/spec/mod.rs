@@ -19,7 +19,8 @@ mod value;
 pub(crate) use assembly::DEFAULT_STEPS;
 pub use assembly::{
     AccuracySpec, AssemblySpec, BearingClearanceSpec, CenterDistanceSpec, CompareSpec,
-    DistanceBandSpec, GearName, MeasuredSpec, Phases, Revolutions, SweepSpec,
+    DesignatedDistanceSpec, DistanceBandSpec, GearName, MeasuredSpec, Phases, Revolutions,
+    SweepSpec,
 };
 pub use flanks::{
     EccentricitySource, PitchAxis, PitchKind, PitchSense, PitchSpec, ReadingPlace, RunoutSpec,
@@ -37,4 +38,4 @@ pub use thickness::{
     CrossCheckSpec, LengthSpec, OverPinsSpec, SpanSpec, StatementSpec, ThicknessSpec,
 };
 pub use uncertainty::UncertaintySpec;
-pub use value::{BandSpec, DecimalSign, Either, TableFileSpec};
+pub use value::{AllowanceBandSpec, BandSpec, DecimalSign, Either, TableFileSpec};

@@ -1,16 +1,18 @@
 //! How thick the teeth are.
 
 use super::rules::{at_most_one, beside, beside_list, columns, exactly_one, list_length, within};
-use super::value::{BandSpec, Either, TableFileSpec};
-use crate::limits::{ALLOWANCE, CROSS_CHECK, LENGTH, PER_TOOTH};
+use super::value::{AllowanceBandSpec, BandSpec, Either, TableFileSpec};
+use crate::limits::{ALLOWANCE, CROSS_CHECK, FLANK_OFFSET, LENGTH, PER_TOOTH};
 use schemars::{JsonSchema, Schema};
 use serde::Serialize;
 
-/// The four statements, each a key.
-const STATEMENTS: [&[&str]; 4] = [
+/// The statements, each a key.
+const STATEMENTS: [&[&str]; 6] = [
     &["span"],
     &["over_pins"],
+    &["designation"],
     &["allowance_um"],
+    &["flank_offset_mm"],
     &["base_thickness_mm"],
 ];
 
@@ -62,10 +64,21 @@ pub struct StatementSpec {
     /// Dimension M_dK over two pins.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub over_pins: Option<OverPinsSpec>,
+    /// Tolerance field of the tooth thickness, DIN 3967: such as 25cd.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(regex(
+        pattern = r"^(2[1-9]|30) ?(ab?|bc?|cd?|[defgh])$|^(ab?|bc?|cd?|[defgh]) ?(2[1-9]|30)$"
+    ))]
+    pub designation: Option<String>,
     /// Thickness allowance A_s, µm, transverse at the reference circle.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = within(&ALLOWANCE))]
+    #[schemars(with = "Option<Either<f64, AllowanceBandSpec>>")]
     pub allowance_um: Option<Either<f64, BandSpec>>,
+    /// What both flanks stand out along their normals beyond nominal, mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(transform = within(&FLANK_OFFSET))]
+    pub flank_offset_mm: Option<Either<f64, BandSpec>>,
     /// Base tooth thickness s_b, mm.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = within(&LENGTH))]

@@ -1,6 +1,6 @@
 //! Values that may be written in more than one way.
 
-use super::rules::beside;
+use super::rules::{beside, exactly_one};
 use schemars::{JsonSchema, Schema};
 use serde::Serialize;
 
@@ -25,6 +25,28 @@ pub struct BandSpec {
     pub min: f64,
     /// Thickest.
     pub max: f64,
+}
+
+/// Least and most material, or upper and lower allowance as a drawing writes them: for the schema.
+#[derive(Debug, JsonSchema)]
+#[schemars(inline, transform = allowance_keys)]
+pub struct AllowanceBandSpec {
+    /// Thinnest.
+    pub min: Option<f64>,
+    /// Thickest.
+    pub max: Option<f64>,
+    /// Thickest.
+    pub upper: Option<f64>,
+    /// Thinnest.
+    pub lower: Option<f64>,
+}
+
+fn allowance_keys(schema: &mut Schema) {
+    exactly_one(schema, &[&["min", "max"], &["upper", "lower"]]);
+    for [one, other] in [["min", "max"], ["upper", "lower"]] {
+        beside(schema, one, &[&[other]]);
+        beside(schema, other, &[&[one]]);
+    }
 }
 
 /// A table of readings, one row a tooth.

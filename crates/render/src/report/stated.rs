@@ -49,6 +49,12 @@ pub(super) fn thickness(stated: &ThicknessSpec) -> String {
         Some(um) => parts.push(format!("allowance {} µm", single_or_band(um))),
         None => {}
     }
+    if let Some(field) = &statement.designation {
+        parts.push(format!("{field} (DIN 3967)"));
+    }
+    if let Some(mm) = &statement.flank_offset_mm {
+        parts.push(format!("flanks moved out by {} mm", single_or_band(mm)));
+    }
     if let Some(mm) = &statement.base_thickness_mm {
         parts.push(format!("base thickness {} mm", single_or_band(mm)));
     }

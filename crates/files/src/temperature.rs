@@ -1,0 +1,98 @@
+//! `assembly.temperature_c`: from lengths stated at 20 °C to those of warm or cold gears and housing.
+
+use super::assembly::AssemblyPart;
+use super::gear::GearPart;
+use super::numbers::{rounded, shortest};
+use super::problems::Problems;
+use super::table::Table;
+use gearlash::analysis::study::Material;
+use gearlash::gear::AsBuilt;
+
+/// The temperature at which lengths are stated, °C (ISO 1).
+pub const REFERENCE_C: f64 = 20.0;
+
+/// How gears and housing expand.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Temperature {
+    temperature_c: f64,
+    /// Lengths of the wheel, of the pinion and of the housing, times so much.
+    factors: [f64; 3],
+}
+
+impl Temperature {
+    /// What the pair file states; `Some(None)` where it states no temperature.
+    ///
+    /// A coefficient that is missing is a problem.
+    pub fn read(
+        file: &Table,
+        assembly: &AssemblyPart,
+        gears: [&GearPart; 2],
+        problems: &mut Problems,
+    ) -> Option<Option<Temperature>> {
+        let Some(temperature_c) = assembly.temperature_c? else {
+            return Some(None);
+        };
+        let [wheel, pinion] = gears.map(|gear| gear.expansion_per_k);
+        let stated = [
+            ("wheel.expansion_per_k", wheel?),
+            ("pinion.expansion_per_k", pinion?),
+            (
+                "assembly.housing_expansion_per_k",
+                assembly.housing_expansion_per_k?,
+            ),
+        ];
+        let mut missing = Vec::new();
+        let factors = stated.map(|(key, expansion)| {
+            missing.extend(expansion.is_none().then_some(key));
+            1.0 + expansion.unwrap_or_default() * (temperature_c - REFERENCE_C)
+        });
+        if missing.is_empty() {
+            return Some(Some(Temperature {
+                temperature_c,
+                factors,
+            }));
+        }
+        problems.add(file.problem(
+            "assembly.temperature_c",
+            format!("given without {}", missing.join(", ")),
+            "add the coefficients of thermal expansion in 1/K: of steel some 11.5e-6, of aluminium 23e-6, of POM 110e-6; or remove the temperature",
+        ));
+        None
+    }
+
+    /// A centre distance of the warm housing, mm: digits beyond those of a file would be rounding.
+    pub fn distance(&self, mm: f64) -> f64 {
+        rounded(mm * self.factors[2], 12)
+    }
+
+    /// The warm gears; what no gear can be is a problem.
+    pub fn gears(
+        &self,
+        file: &Table,
+        materials: Vec<(Material, AsBuilt, AsBuilt)>,
+        problems: &mut Problems,
+    ) -> Option<Vec<(Material, AsBuilt, AsBuilt)>> {
+        let [wheel, pinion, _] = self.factors;
+        let warm = materials.iter().map(|(material, first, second)| {
+            Ok((*material, first.expanded(wheel)?, second.expanded(pinion)?))
+        });
+        let warm = warm.collect::<Result<_, gearlash::error::GearError>>();
+        problems.keep(warm.map_err(|error| {
+            file.problem(
+                "assembly.temperature_c",
+                format!("leaves no gear: {error}"),
+                "check the temperature and the coefficients of expansion",
+            )
+        }))
+    }
+
+    /// "80 °C: lengths of the wheel × 1.0006900, …".
+    pub fn described(&self) -> String {
+        let [wheel, pinion, housing] = self.factors;
+        format!(
+            "lengths are stated at {REFERENCE_C} °C; at {} °C those of the wheel are × {wheel:.7}, of the pinion × {pinion:.7}, centre distances × {housing:.7}: \
+             results are of the warm pair",
+            shortest(self.temperature_c)
+        )
+    }
+}

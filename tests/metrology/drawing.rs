@@ -1,0 +1,155 @@
+//! What a drawing states: tolerance fields, offsets and temperatures, against published tables and closed forms.
+
+use gearlash::analytic::InvolutePair;
+use gearlash::error::GearError;
+use gearlash::gear::{BasicGearData, Face, Gear, GearDesign, ThicknessField};
+use gearlash::metrology::{Measurements, ThicknessStatement, Toleranced};
+use gearlash::pair::DesignatedDistance;
+
+/// Copied from two public programs that print it alike.
+const DIN_3967: &str = include_str!("../../fixtures/reference/din_3967.csv");
+
+fn basic_data(diameter: f64) -> BasicGearData {
+    // Beyond a module of 1000 mm no gear goes; teeth make up for it.
+    let teeth = if diameter > 1000.0 { 1024 } else { 32 };
+    BasicGearData::new(teeth, diameter / f64::from(teeth), 20f64.to_radians()).unwrap()
+}
+
+#[test]
+fn every_thickness_field_is_that_of_the_published_table() {
+    let mut lines = DIN_3967.lines().filter(|line| !line.starts_with('#'));
+    let header: Vec<&str> = lines.next().unwrap().split(',').collect();
+    let (series, tolerances) = (&header[1..12], &header[12..]);
+    let (mut above, mut compared) = (1.0, 0);
+    for line in lines {
+        let cells: Vec<f64> = line.split(',').map(|cell| cell.parse().unwrap()).collect();
+        // A row is for "previous bound < d ≤ bound": both ends of it.
+        for diameter in [1.001 * above, cells[0]] {
+            for (a, series) in series.iter().enumerate() {
+                for (t, tolerance) in tolerances.iter().enumerate() {
+                    let field: ThicknessField = format!("{tolerance}{series}").parse().unwrap();
+                    let upper = cells[1 + a];
+                    let expected = [upper, upper - cells[12 + t]];
+                    let found = field.allowances_um(&basic_data(diameter)).unwrap();
+                    assert_eq!(found, expected, "{tolerance}{series} at {diameter} mm");
+                    compared += 1;
+                }
+            }
+        }
+        above = cells[0];
+    }
+    assert_eq!(compared, 11 * 2 * 11 * 10);
+}
+
+/// The anchors that stand beside the published table.
+#[test]
+fn known_thickness_fields_are_found() {
+    let of = |text: &str, diameter| {
+        let field: ThicknessField = text.parse().unwrap();
+        field.allowances_um(&basic_data(diameter)).unwrap()
+    };
+    assert_eq!(of("27cd", 100.0), [-70.0, -170.0]);
+    assert_eq!(of("25cd", 40.0), [-54.0, -84.0]);
+    assert_eq!(of("cd 25", 40.0), [-54.0, -84.0]);
+}
+
+#[test]
+fn what_is_no_field_is_refused() {
+    let fields = [
+        "", "cd", "25", "20cd", "31cd", "25i", "25CD", "2c5d", "25cd x", "c25d", "25-cd", "２５cd",
+    ];
+    for text in fields {
+        let field = text.parse::<ThicknessField>();
+        assert_eq!(field, Err(GearError::ThicknessField), "{text}");
+    }
+    let distances = [
+        "",
+        "30",
+        "js7",
+        "30 js4",
+        "30 js11",
+        "30 h7",
+        "30 jS7",
+        "-30 js7",
+        "1e2 js7",
+        "30 js+7",
+        "30 js7 x",
+        "3.0.0 js7",
+        "inf js7",
+        "30 js 7",
+    ];
+    for text in distances {
+        let distance = text.parse::<DesignatedDistance>();
+        assert_eq!(distance, Err(GearError::DistanceField), "{text}");
+    }
+    let field: ThicknessField = "25cd".parse().unwrap();
+    assert!(field.allowances_um(&basic_data(10_001.0)).is_err());
+    for beyond in ["3 js7", "500.1 js7"] {
+        let distance: DesignatedDistance = beyond.parse().unwrap();
+        assert!(distance.tolerance_um().is_err(), "{beyond}");
+    }
+}
+
+/// Source: the standard tolerance factor of ISO 286, `i = 0.45 ∛D + 0.001 D` µm with `D` the geometric mean of a range (mm), and its multiples 7 …
+/// 64; the table is rounded from them.
+#[test]
+fn js_is_half_the_grade_of_the_tolerance_factor() {
+    let bounds = [
+        3.0, 6.0, 10.0, 18.0, 30.0, 50.0, 80.0, 120.0, 180.0, 250.0, 315.0, 400.0, 500.0,
+    ];
+    let multiples = [
+        (5, 7.0),
+        (6, 10.0),
+        (7, 16.0),
+        (8, 25.0),
+        (9, 40.0),
+        (10, 64.0),
+    ];
+    for ends in bounds.windows(2) {
+        let mean = f64::sqrt(ends[0] * ends[1]);
+        let factor = 0.45 * mean.cbrt() + 0.001 * mean;
+        for nominal in [ends[0] + 0.001, ends[1]] {
+            for (grade, multiple) in multiples {
+                let distance: DesignatedDistance = format!("{nominal} js{grade}").parse().unwrap();
+                let found = 2.0 * distance.tolerance_um().unwrap();
+                let off = (found - multiple * factor).abs();
+                assert!(off < 0.6 + 0.03 * found, "{nominal} js{grade}: {found}");
+            }
+        }
+    }
+    let thirty: DesignatedDistance = "30 js7".parse().unwrap();
+    assert_eq!((thirty.nominal(), thirty.tolerance_um()), (30.0, Ok(10.5)));
+}
+
+fn measured(thickness: ThicknessStatement) -> Toleranced<Gear> {
+    let design = GearDesign::standard(BasicGearData::new(24, 2.0, 20f64.to_radians()).unwrap());
+    let statement = Measurements {
+        thickness,
+        ..Measurements::nominal(design, Face::Front)
+    };
+    let gear = statement.measure().unwrap();
+    gear.as_built
+        .try_map(|built| Ok::<_, GearError>(built.gear().clone()))
+        .unwrap()
+}
+
+/// Source: normals of both flanks at the contact lie on the line of action: four flanks moved in by δ each leave 2 δ a side of normal backlash more.
+#[test]
+fn flanks_moved_in_leave_that_much_normal_backlash() {
+    let offset = |mm| ThicknessStatement::FlankOffset(Toleranced::Single(mm));
+    let [nominal, thin] = [0.0, -0.05].map(|mm| measured(offset(mm)));
+    let backlash = |gear: &Gear| InvolutePair::new(gear, gear).normal_backlash(48.3).unwrap();
+    let more = backlash(thin.most()) - backlash(nominal.most());
+    assert!((more - 4.0 * 0.05).abs() < 1e-13, "{more}");
+}
+
+/// A field is the band of its two allowances.
+#[test]
+fn a_field_makes_the_gears_of_its_allowances() {
+    let field = measured(ThicknessStatement::Field("25cd".parse().unwrap()));
+    let band = Toleranced::Band {
+        least: -84.0,
+        most: -54.0,
+    };
+    assert_eq!(field, measured(ThicknessStatement::AllowanceUm(band)));
+}

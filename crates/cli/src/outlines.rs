@@ -100,14 +100,14 @@ pub(super) fn simulate(
     })
 }
 
-/// `gearlash check` of a pair with an outline: its text or JSON, and what the other formats tell.
+/// `gearlash check` of a pair with an outline: its text or JSON, what the other formats tell, and its runs.
 pub(super) fn check(
     path: &Path,
     file: &OutlinePairFile,
     screen: &ScreenArgs,
     method: &MethodArgs,
     as_json: bool,
-) -> Result<(String, CheckedPair), Error> {
+) -> Result<(String, CheckedPair, Vec<OutlineRun>), Error> {
     let runs = runs(file, method)?;
     let text = match as_json {
         true => to_json(file, &runs)
@@ -121,5 +121,5 @@ pub(super) fn check(
         passes: all_proven(unproven(&runs)) & (turns(&runs) == Some(true)),
         diagnosis: gearlash::analysis::diagnosis::Diagnosis::default(),
     };
-    Ok((text, pair))
+    Ok((text, pair, runs))
 }

@@ -36,7 +36,7 @@ pub mod text;
 pub mod viewer;
 
 pub use chart::PictureError;
-pub use map::map_picture;
+pub use map::{map_picture, outline_map_picture};
 pub use report::{GearGrades, Report, report};
 pub use snapshot::{
     Snapshot, animation, exaggerated, outline_difference, outline_snapshot, snapshot,

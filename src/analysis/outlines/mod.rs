@@ -4,9 +4,11 @@
 //! say so; each pose itself is proven ([`crate::contact::OutlineKernel`]).
 
 mod cycle;
+mod map;
 mod turns_from;
 
 pub use cycle::OutlinePose;
+pub use map::{OUTLINE_MAP_ROWS, OutlineMap};
 pub use turns_from::TurnsFrom;
 
 use super::study::Material;
@@ -116,6 +118,19 @@ impl OutlineRun {
             run.turns_from = turns_from::find(&run, &kernel, &cycle, &study.start)?;
         }
         Ok(run)
+    }
+
+    /// The zero-backlash distance: from which centre distance on it turns, be that above its own (known where it binds) or below; `None` where none
+    /// was found.
+    ///
+    /// # Errors
+    /// [`Error::Outline`].
+    pub fn zero_backlash(&self, study: &OutlineStudy) -> Result<Option<TurnsFrom>, Error> {
+        if self.turns() != Some(true) {
+            return Ok(self.turns_from.clone());
+        }
+        let cycle = Cycle::new(self.matings, study.steps_per_pitch);
+        turns_from::find(self, &OutlineKernel::new(&self.pair), &cycle, &study.start)
     }
 
     /// Whether it turns through the whole cycle: of the poses looked at none overlaps; `None` where it is out of mesh or not settled.

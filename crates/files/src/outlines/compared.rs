@@ -72,7 +72,7 @@ impl TwoDrawings<'_> {
         Some(ComparedOutlines {
             difference: problems.keep(difference)?,
             files: self.paths.map(|path| path.display().to_string()),
-            centres: [a.centre, b.centre],
+            centres: [a.read.centre, b.read.centre],
             gears: [a.gear, b.gear],
             remarks: [a.remarks, b.remarks],
             sources: place.sources(),

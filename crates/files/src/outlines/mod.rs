@@ -17,10 +17,11 @@ pub use compared::{
 };
 pub use fitted::looks_like;
 pub use gauged::{GaugedOutline, gauged_csv, gauged_json};
+pub use gear::DrawingRead;
 pub use gears::{OutlineGearEntry, OutlineGearsFile};
 pub(crate) use gears::{of_drawing, read as read_gear};
 pub(crate) use pair::read;
 pub use pair::{Drawings, OutlinePairFile};
 pub(crate) use refused::{has_outline, refused};
-pub use result::{to_csv, to_json};
+pub use result::{outline_map_csv, to_csv, to_json};
 pub use sentence::{region_words, sentence};

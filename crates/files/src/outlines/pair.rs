@@ -1,6 +1,6 @@
 //! A pair file with an outline: two gears, where they stand, and the study they make.
 
-use super::gear::{self, OutlinePart};
+use super::gear::{self, DrawingRead, OutlinePart};
 use crate::assembly::{self, AssemblyPart};
 use crate::gear::GearPart;
 use crate::node::Node;
@@ -56,6 +56,8 @@ pub struct OutlinePairFile {
     pub stem: String,
     /// The input as understood.
     pub spec: OutlinePairSpec,
+    /// What was read of the drawings of wheel and pinion; `None` of a gear by its data.
+    pub drawings: [Option<DrawingRead>; 2],
     /// What the user should know, for standard error.
     pub warnings: Vec<String>,
     /// What was found to be in order, for standard error.
@@ -79,6 +81,7 @@ impl OutlinePairFile {
 /// One gear, in one or both materials.
 struct Part {
     gears: Vec<(Material, OutlineGear)>,
+    read: Option<DrawingRead>,
     spec: EitherGearSpec,
     warnings: Vec<String>,
     remarks: Vec<String>,
@@ -176,6 +179,7 @@ pub(crate) fn read(
     };
     Some(OutlinePairFile {
         stem,
+        drawings: [wheel.read, pinion.read],
         spec: OutlinePairSpec {
             title: study.title.clone(),
             wheel: wheel.spec,
@@ -198,12 +202,13 @@ fn part(file: &Table, name: &str, problems: &mut Problems) -> Option<Part> {
     if file.has(&format!("{name}.outline")) {
         let OutlinePart {
             gear,
+            read,
             spec,
             remarks,
-            ..
         } = gear::read(file, name, problems)?;
         return Some(Part {
             gears: vec![(Material::AsMeasured, gear)],
+            read: Some(read),
             spec: EitherGearSpec::Outline(Box::new(spec)),
             warnings: Vec::new(),
             remarks,
@@ -220,6 +225,7 @@ fn part(file: &Table, name: &str, problems: &mut Problems) -> Option<Part> {
     };
     Some(Part {
         gears,
+        read: None,
         spec: EitherGearSpec::Data(Box::new(data.spec?)),
         warnings: data.warnings,
         remarks: data.remarks,

@@ -63,10 +63,7 @@ fn of_run(run: &OutlineRun, several: bool) -> String {
     }
     if run.turns() == Some(false) {
         parts.push(match &run.turns_from {
-            Some(from) => format!(
-                "turns freely from a = {} mm on",
-                fixed((from.high * 1e4).ceil() * 1e-4, 4)
-            ),
+            Some(from) => format!("turns freely from a = {} mm on", fixed(from.rounded(), 4)),
             None => "no centre distance in mesh is known from which it turns freely".to_owned(),
         });
     }

@@ -4,7 +4,7 @@ use super::console::tell;
 use super::progress::Progress;
 use crate::error::Error;
 use gearlash::analysis::diagnosis::{Diagnosis, Group, MAP_ROWS, ZeroDistance, map};
-use gearlash::analysis::outlines::{OUTLINE_MAP_ROWS, OutlineMap, OutlineRun};
+use gearlash::analysis::outlines::{OUTLINE_MAP_ROWS, OutlineMap, OutlineRun, TurnsFrom};
 use gearlash::analysis::study::{Material, Study};
 use gearlash::pair::Member;
 use gearlash_files::OutlinePairFile;
@@ -82,9 +82,11 @@ pub(super) fn of_outlines(
     file: &OutlinePairFile,
     runs: &[OutlineRun],
 ) -> Result<Vec<DrawnMap>, Error> {
-    let drawn = runs.iter().take(file.study.materials.len());
-    let maps = drawn.map(|run| {
-        let map = outline_map(file, run)?;
+    let drawn = &runs[..file.study.materials.len().min(runs.len())];
+    let zeros = drawn.iter().map(|run| run.zero_backlash(&file.study));
+    let zeros = zeros.collect::<Result<Vec<_>, _>>()?;
+    let maps = outline_maps(file, drawn, &zeros)?;
+    let maps = drawn.iter().zip(maps).map(|(run, map)| {
         Ok(DrawnMap {
             material: run.material,
             svg: gearlash_render::outline_map_picture(&file.study.title, run, &map),
@@ -94,11 +96,18 @@ pub(super) fn of_outlines(
     maps.collect()
 }
 
-/// The map of a run, under a bar.
-pub(super) fn outline_map(file: &OutlinePairFile, run: &OutlineRun) -> Result<OutlineMap, Error> {
-    let zero = run.zero_backlash(&file.study)?;
-    let progress = Progress::of(u64::from(OUTLINE_MAP_ROWS), "rows of the map");
-    Ok(run.map(&file.study, zero.as_ref(), &|| progress.tick())?)
+/// The map of each material at the first centre distance, under a bar; `zeros` are the zero-backlash distances of `runs`.
+pub(super) fn outline_maps(
+    file: &OutlinePairFile,
+    runs: &[OutlineRun],
+    zeros: &[Option<TurnsFrom>],
+) -> Result<Vec<OutlineMap>, Error> {
+    let materials = file.study.materials.len();
+    let rows = materials as u64 * u64::from(OUTLINE_MAP_ROWS);
+    let progress = Progress::of(rows, "rows of the map");
+    let first = runs.iter().zip(zeros).take(materials);
+    let maps = first.map(|(run, zero)| run.map(&file.study, zero.as_ref(), &|| progress.tick()));
+    Ok(maps.collect::<Result<_, _>>()?)
 }
 
 fn unwritable(error: &dyn std::fmt::Display) -> Error {

@@ -141,6 +141,28 @@ impl OutlineRun {
         self.lost.is_none().then_some(true)
     }
 
+    /// The wheel teeth that bind, each with the pose at which it binds most; the tightest first.
+    pub fn binding_teeth(&self) -> Vec<(u32, &OutlinePose)> {
+        let mut worst: Vec<(u32, &OutlinePose)> = Vec::new();
+        let poses = self.poses.iter().chain(&self.least);
+        for pose in poses.filter(|pose| pose.binds()) {
+            let contacts = pose.contacts().into_iter().flatten();
+            let mut teeth: Vec<u32> = contacts.map(|contact| contact.wheel.tooth).collect();
+            if teeth.is_empty() {
+                teeth.push(pose.mating.wheel_tooth);
+            }
+            for tooth in teeth {
+                match worst.iter_mut().find(|(known, _)| *known == tooth) {
+                    Some((_, known)) if pose.room() < known.room() => *known = pose,
+                    Some(_) => (),
+                    None => worst.push((tooth, pose)),
+                }
+            }
+        }
+        worst.sort_by(|a, b| a.1.room().total_cmp(&b.1.room()).then(a.0.cmp(&b.0)));
+        worst
+    }
+
     /// How many of its sampled poses end so.
     pub fn count(&self, status: Status) -> usize {
         let poses = self.poses.iter();

@@ -152,7 +152,7 @@ fn snapshots_of_outlines() {
 #[test]
 fn what_an_outline_cannot_do_is_said() {
     let folder = copied();
-    for command in ["report", "compare", "chart", "outline"] {
+    for command in ["compare", "chart", "outline"] {
         let mut args = vec![command, "drawn_20x20.toml"];
         args.extend(match command {
             "chart" => &["--kind", "difference"][..],
@@ -170,10 +170,6 @@ fn what_an_outline_cannot_do_is_said() {
         (
             &["check", "drawn_20x20.toml", "--method", "polygon"][..],
             "are for gears by their data",
-        ),
-        (
-            &["check", "drawn_20x20.toml", "--map"],
-            "--map is for gears by their data",
         ),
         (
             &["check", "wheel_20.dxf", "pinion_20.svg"],
@@ -326,4 +322,82 @@ fn a_chart_marks_where_it_binds() {
         let (code, _, said) = run(folder.path(), &[&chart[..], &[option, value]].concat());
         assert!(code == Some(2) && said.contains(reason), "{said}");
     }
+}
+
+/// Source: `simulate` of the same pair at a row's centre distance with as many poses a pitch as the map has columns, 120 / 20, and the same pair's
+/// zero-backlash distance.
+#[test]
+fn a_map_is_what_simulate_finds_at_each_distance() {
+    let folder = copied();
+    let map = ["check", "drawn_20x20.toml", "--map", "-o", "out"];
+    let (code, _, said) = run(folder.path(), &map);
+    assert_eq!(code, Some(1), "{said}");
+    let svg = std::fs::read_to_string(folder.path().join("out/map_as-measured.svg")).unwrap();
+    for text in [
+        "40.0714 turns freely from here on",
+        "39.4176 a tip on a root circle",
+        "pitches from mating 1·1 on",
+        "jammed: a tip in a root",
+    ] {
+        assert!(svg.contains(text), "{text}");
+    }
+    let csv = std::fs::read_to_string(folder.path().join("out/map_as-measured.csv")).unwrap();
+    let cells: Vec<Vec<&str>> = csv
+        .lines()
+        .skip(1)
+        .map(|line| line.split(',').collect())
+        .collect();
+    assert_eq!(cells.len(), 60 * 120);
+    for row in cells.chunks(120) {
+        let a: f64 = row[0][0].parse().unwrap();
+        let binds = row.iter().any(|cell| cell[5] != "clear");
+        // Between samples a little is missed, just below.
+        assert!(binds == (a < 40.0714) || (40.06..40.0714).contains(&a), "{a}");
+    }
+    for row in [20, 40, 59] {
+        let row = &cells[120 * row..120 * (row + 1)];
+        let text = format!(
+            "[wheel.outline]\nfile = \"wheel_20.dxf\"\n[pinion.outline]\nfile = \"pinion_20.svg\"\n\
+             [assembly]\ncenter_distance_mm = {}\n[sweep]\nrevolutions = \"hunting\"\nsteps_per_pitch = 6\n",
+            row[0][0]
+        );
+        std::fs::write(folder.path().join("row.toml"), text).unwrap();
+        let (_, csv, said) = run(folder.path(), &["simulate", "row.toml", "--format", "csv"]);
+        let poses: Vec<Vec<&str>> = csv
+            .lines()
+            .skip(1)
+            .map(|line| line.split(',').collect())
+            .collect();
+        assert_eq!(poses.len(), 120, "{said}");
+        for (cell, pose) in row.iter().zip(&poses) {
+            // Wheel tooth, pinion tooth; status; j_wt.
+            assert_eq!((&cell[2..4], cell[5]), (&pose[2..4], pose[5]));
+            let [there, here] = [cell[6], pose[6]].map(|um| um.parse().unwrap_or(f64::NAN));
+            assert!(
+                (there - here).abs() < 1e-6 || there.is_nan() && here.is_nan(),
+                "{cell:?} {pose:?}"
+            );
+        }
+    }
+    // The chart is the same picture.
+    let chart = ["chart", "drawn_20x20.toml", "--kind", "map", "-o", "-"];
+    let (code, drawn, _) = run(folder.path(), &chart);
+    assert_eq!(code, Some(0));
+    assert!(drawn == svg);
+}
+
+/// `chart --kind map` draws what `check --map` does of gears by their data, too.
+#[test]
+fn a_map_of_gears_by_their_data_is_a_chart_too() {
+    let folder = tempfile::tempdir().unwrap();
+    let pair = fixture("karba_86x21.toml");
+    let pair = pair.to_str().unwrap();
+    run(folder.path(), &["check", pair, "--map", "-o", "out"]);
+    let (code, drawn, said) = run(folder.path(), &["chart", pair, "--kind", "map", "-o", "-"]);
+    assert_eq!(code, Some(0), "{said}");
+    let map = std::fs::read_dir(folder.path().join("out")).unwrap();
+    let map = map
+        .map(|entry| entry.unwrap().path())
+        .find(|path| path.ends_with("map_as-measured.svg"));
+    assert!(drawn == std::fs::read_to_string(map.unwrap()).unwrap());
 }

@@ -24,4 +24,4 @@ pub(crate) use pair::read;
 pub use pair::{Drawings, OutlinePairFile};
 pub(crate) use refused::{has_outline, refused};
 pub use result::{outline_map_csv, to_csv, to_json};
-pub use sentence::{region_words, sentence};
+pub use sentence::{region_words, sentence, summary};

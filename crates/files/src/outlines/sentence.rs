@@ -1,7 +1,8 @@
 //! The verdict of a pair of outlines in one sentence.
 
 use crate::numbers::{fixed, stated_distance, um};
-use gearlash::analysis::outlines::{OutlinePose, OutlineRun, unproven};
+use gearlash::analysis::outlines::{OutlinePose, OutlineRun, unproven, worst};
+use gearlash::analysis::study::Material;
 use gearlash::contact::{OutlineContact, Status};
 use gearlash::pair::{Member, arcmin};
 
@@ -12,6 +13,32 @@ const DECIMALS: usize = 2;
 pub fn sentence(runs: &[OutlineRun]) -> String {
     let several = runs.len() > 1;
     let each: Vec<String> = runs.iter().map(|run| of_run(run, several)).collect();
+    each.join(" ") + &scope(runs)
+}
+
+/// The same in no more words than of one run: of several how many turn, and what is said of the tightest.
+pub fn summary(runs: &[OutlineRun]) -> String {
+    let Some((run, _)) = worst(runs).filter(|_| runs.len() > 1) else {
+        return sentence(runs);
+    };
+    let turning = runs.iter().filter(|run| run.turns() == Some(true)).count();
+    let materials = runs.iter().any(|run| run.material != Material::AsMeasured);
+    format!(
+        "Turns freely at {} {} centre distances{}. The tightest: {}{}",
+        match turning {
+            0 => "none of".to_owned(),
+            all if all == runs.len() => "all".to_owned(),
+            some => format!("{some} of"),
+        },
+        runs.len(),
+        if materials { " and materials" } else { "" },
+        of_run(run, true),
+        scope(runs)
+    )
+}
+
+/// Of how many poses it is said, and how surely.
+fn scope(runs: &[OutlineRun]) -> String {
     let Some(run) = runs.first() else {
         return "Nothing was run.".to_owned();
     };
@@ -23,10 +50,7 @@ pub fn sentence(runs: &[OutlineRun]) -> String {
         }
     };
     let matings = run.matings;
-    format!(
-        "{} Over all {matings} matings, {poses} sampled poses: {proven}.",
-        each.join(" ")
-    )
+    format!(" Over all {matings} matings, {poses} sampled poses: {proven}.")
 }
 
 fn of_run(run: &OutlineRun, several: bool) -> String {
@@ -41,7 +65,7 @@ fn of_run(run: &OutlineRun, several: bool) -> String {
         "{how} at a = {} mm",
         stated_distance(run.pair.center_distance())
     );
-    if several && run.material != gearlash::analysis::study::Material::AsMeasured {
+    if several && run.material != Material::AsMeasured {
         text += &format!(" with {}", run.material.words());
     }
     let mut parts = Vec::new();

@@ -54,7 +54,8 @@ fn references(document: &Html) -> Vec<String> {
             }
         }
     }
-    assert!(found.len() > 10);
+    // The contents alone are more.
+    assert!(found.len() > 5);
     found
 }
 

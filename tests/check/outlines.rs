@@ -19,6 +19,7 @@ fn run_of(pair: &GearPair) -> OutlineRun {
         center_distances: vec![pair.center_distance()],
         start: FIRST,
         steps_per_pitch: 8,
+        requirements: Vec::new(),
     };
     let runs = study.runs(&|| ControlFlow::Continue(())).unwrap();
     runs.into_iter().next().unwrap()

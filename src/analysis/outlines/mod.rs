@@ -5,12 +5,14 @@
 
 mod cycle;
 mod map;
+mod required;
 mod turns_from;
 
 pub use cycle::OutlinePose;
 pub use map::{OUTLINE_MAP_ROWS, OutlineMap};
 pub use turns_from::TurnsFrom;
 
+use super::requirement::Requirements;
 use super::study::Material;
 use crate::contact::{OutlineKernel, Status};
 use crate::error::Error;
@@ -34,6 +36,8 @@ pub struct OutlineStudy {
     pub start: Mating,
     /// Poses a pitch.
     pub steps_per_pitch: u32,
+    /// What it must keep: of `j_wt` and lost motions.
+    pub requirements: Requirements,
 }
 
 impl OutlineStudy {

@@ -64,7 +64,7 @@ pub(super) fn run(args: &Args, mut file: OutlinePairFile) -> Result<ExitCode, Er
         }
     };
     let runs = runs(&file, &args.method)?;
-    tell(&sentence(&runs));
+    tell(&sentence(&file.study, &runs));
     let heading = Heading {
         prefix: "chart",
         title: &file.study.title,

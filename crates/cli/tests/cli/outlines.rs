@@ -204,14 +204,14 @@ fn faults_of_an_outline_have_their_key() {
     let folder = copied();
     let text = "[wheel]\nteeth = 20\n[wheel.outline]\nfile = \"wheel_20.dxf\"\n\
                 [pinion.outline]\nfile = \"pinion_20.svg\"\nteeth = 21\nlayer = \"X\"\n\
-                [assembly]\ncenter_distance_mm = 20.0\nbearing_clearance_mm = 0.1\n[require]\nj_wt_um = { min = 1 }\n";
+                [assembly]\ncenter_distance_mm = 20.0\nbearing_clearance_mm = 0.1\n[require]\nj_wt_um = { min = 1 }\nj_bn_um = { min = 1 }\n";
     std::fs::write(folder.path().join("bad.toml"), text).unwrap();
     let (code, _, said) = run(folder.path(), &["check", "bad.toml"]);
     assert_eq!(code, Some(2));
     for reason in [
         "wheel.teeth = 20: given together with outline",
         "pinion.outline.layer = \"X\": belongs to a .dxf file",
-        "require",
+        "require.j_bn_um = { min = 1 }: has no value on an outline",
     ] {
         assert!(said.contains(reason), "{reason}: {said}");
     }
@@ -352,7 +352,10 @@ fn a_map_is_what_simulate_finds_at_each_distance() {
         let a: f64 = row[0][0].parse().unwrap();
         let binds = row.iter().any(|cell| cell[5] != "clear");
         // Between samples a little is missed, just below.
-        assert!(binds == (a < 40.0714) || (40.06..40.0714).contains(&a), "{a}");
+        assert!(
+            binds == (a < 40.0714) || (40.06..40.0714).contains(&a),
+            "{a}"
+        );
     }
     for row in [20, 40, 59] {
         let row = &cells[120 * row..120 * (row + 1)];
@@ -400,4 +403,53 @@ fn a_map_of_gears_by_their_data_is_a_chart_too() {
         .map(|entry| entry.unwrap().path())
         .find(|path| path.ends_with("map_as-measured.svg"));
     assert!(drawn == std::fs::read_to_string(map.unwrap()).unwrap());
+}
+
+/// Source: `check` of the same pair without requirements: −15.61 … 174.18 µm, −2.680 … 29.901 arcmin; jammed at 39.3 mm.
+#[test]
+fn a_requirement_decides_the_exit_code() {
+    let folder = copied();
+    let pair = std::fs::read_to_string(folder.path().join("drawn_20x20.toml")).unwrap();
+    let jammed = pair.replace("40.05", "39.3");
+    for (pair, limits, kept) in [
+        (&pair, "j_wt_um = { min = -16, max = 175 }", true),
+        (&pair, "j_wt_um = { min = -15 }", false),
+        (&pair, "j_wt_um = { max = 174 }", false),
+        (
+            &pair,
+            "lost_motion_arcmin = { max = 29.91, at = \"pinion\" }",
+            true,
+        ),
+        (
+            &pair,
+            "lost_motion_arcmin = { max = 29.89, at = \"pinion\" }",
+            false,
+        ),
+        (&jammed, "j_wt_um = { max = 1000 }", false),
+    ] {
+        std::fs::write(
+            folder.path().join("pair.toml"),
+            format!("{pair}[require]\n{limits}\n"),
+        )
+        .unwrap();
+        for command in ["simulate", "check"] {
+            let (code, json, said) =
+                run(folder.path(), &[command, "pair.toml", "--format", "json"]);
+            assert_eq!(
+                code,
+                Some(if kept { 0 } else { 1 }),
+                "{command} {limits}: {said}"
+            );
+            let verdict: Value = serde_json::from_str(&json).unwrap();
+            let verdict = &verdict["verdict"];
+            assert_eq!(verdict["requirement"], if kept { "met" } else { "not_met" });
+            let sentence = verdict["sentence"].as_str().unwrap();
+            let words = if kept {
+                "The pair meets its requirement."
+            } else {
+                "The pair does not meet its requirement ("
+            };
+            assert!(sentence.contains(words), "{sentence}");
+        }
+    }
 }

@@ -23,6 +23,7 @@ struct Result<'a> {
 struct VerdictRecord {
     turns: Option<bool>,
     sentence: String,
+    requirement: &'static str,
     proven: bool,
 }
 
@@ -143,7 +144,8 @@ pub fn to_json(file: &OutlinePairFile, runs: &[OutlineRun]) -> serde_json::Resul
         input: &file.spec,
         verdict: VerdictRecord {
             turns: turns(runs),
-            sentence: sentence(runs),
+            sentence: sentence(&file.study, runs),
+            requirement: file.study.requirement(runs).name(),
             proven: false,
         },
         fitted_involutes: records(file),

@@ -1,8 +1,10 @@
 //! The verdict of a pair of outlines in one sentence.
 
 use crate::numbers::{fixed, stated_distance, um};
-use gearlash::analysis::outlines::{OutlinePose, OutlineRun, unproven, worst};
+use crate::verdict::not_met;
+use gearlash::analysis::outlines::{OutlinePose, OutlineRun, OutlineStudy, unproven, worst};
 use gearlash::analysis::study::Material;
+use gearlash::analysis::verdict::Requirement;
 use gearlash::contact::{OutlineContact, Status};
 use gearlash::pair::{Member, arcmin};
 
@@ -10,21 +12,21 @@ use gearlash::pair::{Member, arcmin};
 const DECIMALS: usize = 2;
 
 /// What the runs say: whether the pair turns, where it binds and from which centre distance on it turns freely.
-pub fn sentence(runs: &[OutlineRun]) -> String {
+pub fn sentence(study: &OutlineStudy, runs: &[OutlineRun]) -> String {
     let several = runs.len() > 1;
     let each: Vec<String> = runs.iter().map(|run| of_run(run, several)).collect();
-    each.join(" ") + &scope(runs)
+    each.join(" ") + &required(study, runs) + &scope(runs)
 }
 
 /// The same in no more words than of one run: of several how many turn, and what is said of the tightest.
-pub fn summary(runs: &[OutlineRun]) -> String {
+pub fn summary(study: &OutlineStudy, runs: &[OutlineRun]) -> String {
     let Some((run, _)) = worst(runs).filter(|_| runs.len() > 1) else {
-        return sentence(runs);
+        return sentence(study, runs);
     };
     let turning = runs.iter().filter(|run| run.turns() == Some(true)).count();
     let materials = runs.iter().any(|run| run.material != Material::AsMeasured);
     format!(
-        "Turns freely at {} {} centre distances{}. The tightest: {}{}",
+        "Turns freely at {} {} centre distances{}. The tightest: {}{}{}",
         match turning {
             0 => "none of".to_owned(),
             all if all == runs.len() => "all".to_owned(),
@@ -33,8 +35,18 @@ pub fn summary(runs: &[OutlineRun]) -> String {
         runs.len(),
         if materials { " and materials" } else { "" },
         of_run(run, true),
+        required(study, runs),
         scope(runs)
     )
+}
+
+/// Whether what is required is kept; empty where nothing is.
+fn required(study: &OutlineStudy, runs: &[OutlineRun]) -> String {
+    match study.requirement(runs) {
+        Requirement::None => String::new(),
+        Requirement::Met => " The pair meets its requirement.".to_owned(),
+        Requirement::NotMet => format!(" The pair {}.", not_met(&study.unmet(runs))),
+    }
 }
 
 /// Of how many poses it is said, and how surely.

@@ -18,7 +18,12 @@ pub fn text(file: &OutlinePairFile, runs: &[OutlineRun], screen: &Screen) -> Str
         Some(false) => Tone::Bad,
         None => Tone::Doubtful,
     };
-    let mut text = heading(&file.study.title, tone, &sentence(runs), screen);
+    let mut text = heading(
+        &file.study.title,
+        tone,
+        &sentence(&file.study, runs),
+        screen,
+    );
     for run in runs {
         text += &binding(run, screen);
     }

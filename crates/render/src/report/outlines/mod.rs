@@ -14,6 +14,7 @@ use gearlash::analysis::diagnosis::Verdict;
 use gearlash::analysis::outlines::{
     OutlineMap, OutlinePose, OutlineRun, TurnsFrom, turns, unproven, worst,
 };
+use gearlash::analysis::verdict::Requirement;
 use gearlash::contact::Status;
 use gearlash_files::OutlinePairFile;
 use gearlash_files::numbers::{NONE, bound_um, fixed, stated_distance, um};
@@ -74,8 +75,10 @@ pub fn outline_report(report: &OutlineReport) -> Result<String, PictureError> {
 
 fn result(report: &OutlineReport) -> Markup {
     let runs = report.runs;
+    let unmet = report.pair.study.requirement(runs) == Requirement::NotMet;
     let state = match (turns(runs), unproven(runs)) {
         (Some(false), _) => Verdict::Fail,
+        _ if unmet => Verdict::Fail,
         (_, 1..) => Verdict::Unproven,
         (Some(true), _) => Verdict::Pass,
         (None, _) => Verdict::Fail,
@@ -84,7 +87,7 @@ fn result(report: &OutlineReport) -> Markup {
         section id="result" {
             div.verdict.(state.name()) {
                 p.state { (mark(state)) }
-                p.answer { (with_symbols(&summary(runs))) }
+                p.answer { (with_symbols(&summary(&report.pair.study, runs))) }
             }
             (distances(report))
             @for run in runs { (binding(report, run)) }

@@ -13,7 +13,7 @@ mod result;
 mod sentence;
 
 pub use compared::{
-    ComparedOutlines, TwoDrawings, comparison_json, difference_sentence, turn_words,
+    ComparedOutlines, TwoDrawings, comparison_json, difference_csv, difference_sentence, turn_words,
 };
 pub use fitted::looks_like;
 pub use gauged::{GaugedOutline, gauged_csv, gauged_json};

@@ -214,7 +214,8 @@ pub fn outline_map_csv(map: &OutlineMap) -> std::result::Result<String, csv::Err
     text(writer)
 }
 
-fn text(writer: csv::Writer<Vec<u8>>) -> std::result::Result<String, csv::Error> {
+/// What was written.
+pub(super) fn text(writer: csv::Writer<Vec<u8>>) -> std::result::Result<String, csv::Error> {
     let bytes = writer.into_inner().map_err(|error| error.into_error())?;
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }

@@ -43,6 +43,15 @@ pub enum Requirement {
 }
 
 impl Requirement {
+    /// What `unmet` says of what is `required`.
+    pub(super) fn of(required: &Requirements, unmet: &[Unmet]) -> Requirement {
+        match (required.is_empty(), unmet.is_empty()) {
+            (true, _) => Requirement::None,
+            (false, true) => Requirement::Met,
+            (false, false) => Requirement::NotMet,
+        }
+    }
+
     /// The name results use.
     pub fn name(self) -> &'static str {
         match self {
@@ -78,13 +87,15 @@ impl<'a> Verdict<'a> {
     ) -> Verdict<'a> {
         let unmet: Vec<Unmet> = required
             .iter()
-            .flat_map(|(quantity, limits)| unmet(*quantity, limits, runs))
+            .flat_map(|(quantity, limits)| {
+                let found = |run: &RunExtremes, is_max| Found {
+                    bracket: found(*quantity, run, is_max),
+                    holds: *quantity == Quantity::RadialClearance
+                        || extreme(run, is_max).is_none_or(RunExtreme::holds),
+                };
+                unmet(*quantity, limits, runs, found)
+            })
             .collect();
-        let requirement = match (required.is_empty(), unmet.is_empty()) {
-            (true, _) => Requirement::None,
-            (false, true) => Requirement::Met,
-            (false, false) => Requirement::NotMet,
-        };
         let mut failed_checks = Vec::new();
         let groups = checks.into_iter().flat_map(|diagnosis| &diagnosis.groups);
         for check in groups.flat_map(|group| &group.checks) {
@@ -94,7 +105,7 @@ impl<'a> Verdict<'a> {
         }
         Verdict {
             runs,
-            requirement,
+            requirement: Requirement::of(required, &unmet),
             unmet,
             failed_checks,
             uncertainty,
@@ -199,23 +210,35 @@ impl<'a> Verdict<'a> {
     }
 }
 
-/// What of `limits` is not kept by all of `runs`.
-fn unmet(quantity: Quantity, limits: &Limits, runs: &[RunExtremes]) -> Vec<Unmet> {
+/// What a run has of a quantity at an end.
+pub(super) struct Found {
+    /// As [`Unmet::found`].
+    pub bracket: Option<[f64; 2]>,
+    /// As [`Unmet::holds`].
+    pub holds: bool,
+}
+
+/// What of `limits` is not kept by all of `runs`; `found` says what a run has at its least, and, `true`, at its greatest.
+pub(super) fn unmet<R>(
+    quantity: Quantity,
+    limits: &Limits,
+    runs: &[R],
+    found: impl Fn(&R, bool) -> Found,
+) -> Vec<Unmet> {
     let ends = [(limits.min, false), (limits.max, true)];
     let ends = ends
         .into_iter()
         .filter_map(|(limit, is_max)| Some((limit?, is_max)));
     ends.filter_map(|(limit, is_max)| {
         let each = runs.iter().map(|run| {
-            let found = found(quantity, run, is_max);
+            let Found { bracket, holds } = found(run, is_max);
             Unmet {
                 quantity,
                 limit,
                 is_max,
-                found,
-                straddles: found.is_some_and(|[low, high]| low < limit && limit < high),
-                holds: quantity == Quantity::RadialClearance
-                    || extreme(run, is_max).is_none_or(RunExtreme::holds),
+                found: bracket,
+                straddles: bracket.is_some_and(|[low, high]| low < limit && limit < high),
+                holds,
             }
         });
         let beyond = |unmet: &Unmet| match unmet.found {

@@ -26,20 +26,19 @@ impl OutlinePair {
         center_distance: f64,
         locked: Member,
     ) -> Result<OutlinePair, OutlineError> {
-        let least = |gear: &OutlineGear, mate: &OutlineGear| gear.reach() + mate.eccentricity();
-        let least_mm = least(&wheel, &pinion).max(least(&pinion, &wheel));
-        if !(center_distance > least_mm && center_distance.is_finite()) {
-            return Err(OutlineError::TooNear {
-                center_distance_mm: center_distance,
-                least_mm,
-            });
-        }
         let mut pair = OutlinePair {
             gears: [wheel, pinion],
             center_distance,
             locked,
             half_angles: [0.0; 2],
         };
+        let least_mm = pair.least_distance();
+        if !(center_distance > least_mm && center_distance.is_finite()) {
+            return Err(OutlineError::TooNear {
+                center_distance_mm: center_distance,
+                least_mm,
+            });
+        }
         pair.half_angles = [Member::Wheel, Member::Pinion].map(|member| {
             let radius = pair.operating_pitch_radius(member);
             pair.gear(member).half_angle(radius)
@@ -59,6 +58,13 @@ impl OutlinePair {
     /// One of the gears.
     pub fn gear(&self, member: Member) -> &OutlineGear {
         &self.gears[usize::from(member == Member::Pinion)]
+    }
+
+    /// The centre distance, mm, down to which no gear reaches over the other's axis.
+    pub fn least_distance(&self) -> f64 {
+        let [wheel, pinion] = &self.gears;
+        let least = |gear: &OutlineGear, mate: &OutlineGear| gear.reach() + mate.eccentricity();
+        least(wheel, pinion).max(least(pinion, wheel))
     }
 
     /// Centre distance `a`, mm.

@@ -7,8 +7,13 @@ use gearlash::contact::Status;
 use gearlash::outline::OutlineGear;
 
 fn run_of(pair: &GearPair) -> OutlineRun {
+    let runs = study_of(pair).runs(&|| ControlFlow::Continue(())).unwrap();
+    runs.into_iter().next().unwrap()
+}
+
+fn study_of(pair: &GearPair) -> OutlineStudy {
     let gear = |member| OutlineGear::from(pair.gear(member));
-    let study = OutlineStudy {
+    OutlineStudy {
         title: "outlines".to_owned(),
         materials: vec![(
             Material::AsMeasured,
@@ -19,9 +24,8 @@ fn run_of(pair: &GearPair) -> OutlineRun {
         center_distances: vec![pair.center_distance()],
         start: FIRST,
         steps_per_pitch: 8,
-    };
-    let runs = study.runs(&|| ControlFlow::Continue(())).unwrap();
-    runs.into_iter().next().unwrap()
+        requirements: Vec::new(),
+    }
 }
 
 /// 51/23 with a hunting cycle of 1173 matings: what is found of sampled poses lies inside what is proven, and no more than a hundredth of a
@@ -66,4 +70,47 @@ fn what_jams_says_from_where_it_turns() {
     assert!((from.high - 40.0).abs() < 2e-5, "{from:?}");
     let apart = at(44.5);
     assert_eq!((apart.turns(), apart.count(Status::NoContact)), (None, 160));
+}
+
+/// Perfect gears: no backlash at the sum of their pitch radii, 40 mm, from whichever side it is looked for; above, j_wt = 2 a (inv α_w − inv α) with
+/// cos α_w = 40 cos α / a, at every pose of the map.
+#[test]
+fn a_pair_that_turns_has_a_zero_backlash_distance_and_a_map() {
+    let gear = |face| AsBuilt::perfect(Gear::nominal(design(20, 2.0)).unwrap(), face);
+    let angle = 20f64.to_radians();
+    let involute = |angle: f64| angle.tan() - angle;
+    for distance in [40.001, 40.3, 41.5] {
+        let pair = GearPair::new(gear(Face::Front), gear(Face::Back), distance).unwrap();
+        let (study, run) = (study_of(&pair), run_of(&pair));
+        assert_eq!(run.turns(), Some(true));
+        let zero = run.zero_backlash(&study).unwrap().unwrap();
+        assert!(
+            (zero.high - 40.0).abs() < 2e-5 && zero.low < zero.high,
+            "{distance} {zero:?}"
+        );
+        assert!(zero.rounded() >= zero.high && zero.rounded() < zero.high + 1.1e-4);
+        let map = run
+            .map(&study, Some(&zero), &|| ControlFlow::Continue(()))
+            .unwrap();
+        assert_eq!(map.cells.len(), map.distances.len() * map.columns);
+        for (a, row) in map.distances.iter().zip(map.cells.chunks(map.columns)) {
+            // Below 40 mm tips reach fillets, and above 41 mm corners touch.
+            if !(40.0..41.0).contains(a) {
+                continue;
+            }
+            let operating = (40.0 * angle.cos() / a).min(1.0).acos();
+            let known = 2.0 * a * (involute(operating) - involute(angle));
+            for cell in row {
+                let (j_wt, _) = cell.j_wt.unwrap();
+                assert!((j_wt - known).abs() < 1e-9, "{a} {j_wt} {known}");
+            }
+        }
+        let names: Vec<&str> = map.limits.iter().map(|limit| limit.name.as_str()).collect();
+        assert_eq!(names.len(), 3, "{names:?}");
+    }
+    // Out of mesh there is none; stopped, there is no map.
+    let apart = GearPair::new(gear(Face::Front), gear(Face::Back), 44.5).unwrap();
+    let (study, run) = (study_of(&apart), run_of(&apart));
+    assert!(run.zero_backlash(&study).unwrap().is_none());
+    assert!(run.map(&study, None, &|| ControlFlow::Break(())).is_err());
 }

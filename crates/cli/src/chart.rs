@@ -19,7 +19,7 @@ use std::process::ExitCode;
 /// Draw backlash over teeth or centre distance, or a gear's deviations, as SVG
 ///
 /// The poses are the pair file's where it sweeps a revolution, and one wheel revolution at 16 poses a pitch
-/// where it does not; of a pair with an outline they are those of the whole mesh cycle (--kind revolution). Legible at 800 px, on A4, in black and white, and for colour-blind readers.
+/// where it does not; of a pair with an outline they are those of the whole mesh cycle (--kind revolution or map). Legible at 800 px, on A4, in black and white, and for colour-blind readers.
 #[derive(clap::Args)]
 pub(super) struct Args {
     /// The pair file (TOML or JSON), - for standard input
@@ -58,6 +58,8 @@ enum Kind {
     Difference,
     /// Pitch, thickness and runout of one gear, tooth by tooth
     Inspection,
+    /// What touches (of outlines: how much backlash is left) over centre distance and mesh phase, as `check --map`
+    Map,
 }
 
 /// Runs the command.
@@ -79,12 +81,13 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         Kind::Revolution | Kind::Difference => Drawn::over_teeth(args, study)?,
         Kind::Distance => Drawn::over_distance(args, &study)?,
         Kind::Inspection => Drawn::inspection(args, &study)?,
+        Kind::Map => Drawn::map(args, &study)?,
     };
     let target = match given {
         Some(target) => target,
         None => Target::prepare(PathBuf::from("out").join(stem).join(drawn.file), &sources)?,
     };
-    target.write(&drawn.chart.svg)?;
+    target.write(&drawn.svg)?;
     Ok(if drawn.agrees {
         ExitCode::SUCCESS
     } else {

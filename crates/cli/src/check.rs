@@ -1,21 +1,21 @@
 //! `gearlash check`: does the pair interfere, where, why, and what does it cost.
 
-use super::console::{print, print_note, tell};
+use super::console::{print, print_note};
+use super::maps::{self, DrawnMap};
 use super::method::{MethodArgs, agreed};
 use super::outlines::{DrawnArgs, is_drawing};
-use super::progress::{Progress, run_under_bar};
+use super::progress::run_under_bar;
 use super::screen::ScreenArgs;
 use super::{distances, outlines, poses, studies};
 use crate::error::Error;
 use crate::output::OutputFolder;
 use clap::ValueEnum;
 use gearlash::analysis::Plan;
-use gearlash::analysis::diagnosis::{Diagnosis, Group, MAP_ROWS, Verdict, ZeroDistance, map};
-use gearlash::analysis::study::{Material, Study};
+use gearlash::analysis::diagnosis::Verdict;
 use gearlash::analysis::verdict::Requirement;
 use gearlash_files::outlines::Drawings;
 use gearlash_files::verdict::sentence;
-use gearlash_files::{AnyPair, OutlinePairFile, PairFile};
+use gearlash_files::{AnyPair, OutlinePairFile, PairFile, Sources};
 use gearlash_render::checked::{self, CheckedPair};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -39,7 +39,7 @@ pub(super) struct Args {
     /// What to print
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
-    /// Also map the contact over centre distance and mesh phase, as map_<material>.svg and .csv; of one pair file
+    /// Also map the contact (of outlines the backlash) over centre distance and mesh phase, as map_<material>.svg and .csv; of one pair file
     #[arg(long)]
     map: bool,
     /// Folder for the map [default: out/<file stem>]
@@ -91,14 +91,14 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
                 one(args, path, file, &mut done)?;
             }
             AnyPair::Outlines(file) => {
-                if args.map {
-                    return Err(Error::Usage(
-                        "--map is for gears by their data; leave it out".to_owned(),
-                    ));
-                }
+                let folder = folder(args, &file.stem, &file.sources)?;
                 let as_json = args.format == Format::Json;
-                let (text, pair) =
+                let (text, pair, runs) =
                     outlines::check(path, file, &args.screen, &args.method, as_json)?;
+                if let Some(folder) = folder {
+                    let maps = maps::of_outlines(file, &runs)?;
+                    done.written = Some(written(folder, maps)?);
+                }
                 done.texts.push(text);
                 done.pairs.push(pair);
             }
@@ -169,24 +169,34 @@ struct Checked {
     written: Option<String>,
 }
 
+/// The folder for maps, where they are asked for.
+fn folder(args: &Args, stem: &str, sources: &Sources) -> Result<Option<OutputFolder>, Error> {
+    let folder = || match &args.output {
+        Some(folder) => folder.clone(),
+        None => PathBuf::from("out").join(stem),
+    };
+    args.map
+        .then(|| OutputFolder::prepare(&folder(), sources, maps::is_own))
+        .transpose()
+}
+
+/// Writes `maps`, and says so.
+fn written(folder: OutputFolder, maps: Vec<DrawnMap>) -> Result<String, Error> {
+    let files: Vec<_> = maps.into_iter().flat_map(DrawnMap::files).collect();
+    folder.write(&files)
+}
+
 /// Checks one pair.
 fn one(args: &Args, path: &Path, file: &PairFile, done: &mut Checked) -> Result<(), Error> {
     let study = &file.study;
-    let folder = || match &args.output {
-        Some(folder) => folder.clone(),
-        None => PathBuf::from("out").join(&file.stem),
-    };
-    let folder = args
-        .map
-        .then(|| OutputFolder::prepare(&folder(), &file.sources, is_own))
-        .transpose()?;
+    let folder = folder(args, &file.stem, &file.sources)?;
     let plan = Plan::new(study, args.method.method())
         .with_extremes()
         .with_checks();
     let analysis = run_under_bar(&plan)?;
     let (diagnosis, verdict) = (&analysis.diagnosis, analysis.verdict());
     let maps = match &folder {
-        Some(_) => maps(study, diagnosis)?,
+        Some(_) => maps::of_data(study, diagnosis)?,
         None => Vec::new(),
     };
     let text = match args.format {
@@ -198,7 +208,7 @@ fn one(args: &Args, path: &Path, file: &PairFile, done: &mut Checked) -> Result<
         Format::Junit | Format::Github | Format::Markdown => String::new(),
     };
     if let Some(folder) = folder {
-        done.written = Some(folder.write(&maps)?);
+        done.written = Some(written(folder, maps)?);
     }
     let kept = match verdict.requirement {
         Requirement::None => verdict.assembles() == Some(true),
@@ -215,63 +225,4 @@ fn one(args: &Args, path: &Path, file: &PairFile, done: &mut Checked) -> Result<
         diagnosis: analysis.diagnosis.clone(),
     });
     Ok(())
-}
-
-/// Whether a run of this command may write a file called `name`.
-fn is_own(name: &str) -> bool {
-    let map = name.strip_prefix("map_");
-    let map = map.and_then(|map| map.strip_suffix(".svg").or(map.strip_suffix(".csv")));
-    let materials = [Material::Most, Material::Least, Material::AsMeasured];
-    map.is_some_and(|map| materials.iter().any(|material| material.name() == map))
-}
-
-/// A map of each material, at the study's first centre distance.
-fn maps(study: &Study, diagnosis: &Diagnosis) -> Result<Vec<(String, String)>, Error> {
-    let mut drawn: Vec<(&Group, &ZeroDistance)> = Vec::new();
-    let mut seen = Vec::new();
-    for group in &diagnosis.groups {
-        let material = group.material;
-        if seen.contains(&material) {
-            continue;
-        }
-        seen.push(material);
-        match &group.zero {
-            Ok(Some(zero)) => drawn.push((group, zero)),
-            Ok(None) => {}
-            Err(reason) => {
-                tell(&format!(
-                    "note: no map of material {}: the pose with the least backlash is unproven ({reason})",
-                    material.name()
-                ));
-            }
-        }
-    }
-    let mut files = Vec::new();
-    let progress = Progress::of(drawn.len() as u64 * u64::from(MAP_ROWS), "rows of the map");
-    for (group, zero) in drawn {
-        let material = group.material;
-        let map = map(group, zero.pose, &|| progress.tick())?;
-        let caption = format!(
-            "{} and {} teeth, {}: what touches, over one pitch from the pose with the least backlash",
-            group
-                .assembly
-                .gear(gearlash::pair::Member::Wheel)
-                .gear()
-                .basic_data()
-                .teeth(),
-            group
-                .assembly
-                .gear(gearlash::pair::Member::Pinion)
-                .gear()
-                .basic_data()
-                .teeth(),
-            material.words(),
-        );
-        let picture = gearlash_render::map_picture(&map, &study.title, &caption);
-        let csv = gearlash_files::results::map_csv(&map)
-            .map_err(|error| Error::Usage(format!("the map cannot be written: {error}")))?;
-        files.push((format!("map_{}.svg", material.name()), picture));
-        files.push((format!("map_{}.csv", material.name()), csv));
-    }
-    Ok(files)
 }

@@ -67,6 +67,8 @@ enum Format {
     Junit,
     /// GitHub annotations
     Github,
+    /// Of two drawings: how far B lies from A, a row for each place along A
+    Csv,
 }
 
 /// Runs the command.
@@ -87,9 +89,10 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     if args.pairs.iter().any(|path| is_drawing(path)) {
         return drawings::run(args);
     }
-    if args.drawn.given() || args.svg.is_some() {
+    if args.drawn.given() || args.svg.is_some() || args.format == Format::Csv {
         return Err(Error::Usage(
-            "--units, --center and --svg belong to two drawings; leave them out".to_owned(),
+            "--units, --center, --svg and --format csv belong to two drawings; leave them out"
+                .to_owned(),
         ));
     }
     let files = studies::each(&args.pairs, studies::pair)?;
@@ -136,7 +139,8 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let unwritable =
         |error: String| Error::Usage(format!("the outcome cannot be written: {error}"));
     print(&match args.format {
-        Format::Text => comparison::text(&pairs, &args.screen.screen()),
+        // CSV is of drawings, refused above.
+        Format::Text | Format::Csv => comparison::text(&pairs, &args.screen.screen()),
         Format::Json => comparison_json(&pairs).map_err(|error| unwritable(error.to_string()))?,
         Format::Junit => {
             comparison::junit(&pairs).map_err(|error| unwritable(error.to_string()))?

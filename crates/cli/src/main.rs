@@ -14,6 +14,7 @@ mod gauge;
 mod gears;
 mod init;
 mod man;
+mod maps;
 mod method;
 mod outline;
 mod outlines;

@@ -7,6 +7,7 @@ use super::results::{Format, ResultsArgs};
 use super::screen::ScreenArgs;
 use crate::error::Error;
 use gearlash::analysis::outlines::{OutlineRun, turns, unproven, worst};
+use gearlash::analysis::verdict::Requirement;
 use gearlash_files::OutlinePairFile;
 use gearlash_files::outlines::{sentence, to_csv, to_json};
 use gearlash_render::checked::CheckedPair;
@@ -93,33 +94,39 @@ pub(super) fn simulate(
         }
         results.write(folder, &files)?;
     }
-    // As of gears by their data: a pair that binds is a result.
-    Ok(match all_proven(unproven(&runs)) {
+    // As of gears by their data: a pair that binds is a result, unless a requirement says otherwise.
+    let kept = file.study.requirement(&runs) != Requirement::NotMet;
+    Ok(match all_proven(unproven(&runs)) & kept {
         true => ExitCode::SUCCESS,
         false => ExitCode::from(1),
     })
 }
 
-/// `gearlash check` of a pair with an outline: its text or JSON, and what the other formats tell.
+/// `gearlash check` of a pair with an outline: its text or JSON, what the other formats tell, and its runs.
 pub(super) fn check(
     path: &Path,
     file: &OutlinePairFile,
     screen: &ScreenArgs,
     method: &MethodArgs,
     as_json: bool,
-) -> Result<(String, CheckedPair), Error> {
+) -> Result<(String, CheckedPair, Vec<OutlineRun>), Error> {
     let runs = runs(file, method)?;
     let text = match as_json {
         true => to_json(file, &runs)
             .map_err(|error| Error::Usage(format!("the checks cannot be written: {error}")))?,
         false => text::outlines(file, &runs, &screen.screen()),
     };
+    let kept = match file.study.requirement(&runs) {
+        Requirement::None => turns(&runs) == Some(true),
+        Requirement::Met => true,
+        Requirement::NotMet => false,
+    };
     let pair = CheckedPair {
         file: path.display().to_string(),
         title: file.study.title.clone(),
-        sentence: sentence(&runs),
-        passes: all_proven(unproven(&runs)) & (turns(&runs) == Some(true)),
+        sentence: sentence(&file.study, &runs),
+        passes: all_proven(unproven(&runs)) & kept,
         diagnosis: gearlash::analysis::diagnosis::Diagnosis::default(),
     };
-    Ok((text, pair))
+    Ok((text, pair, runs))
 }

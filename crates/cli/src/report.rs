@@ -1,16 +1,17 @@
 //! `gearlash report`: the whole result as one page.
 
 use super::date::today;
-use super::method::{MethodArgs, agreed};
+use super::method::{MethodArgs, agreed, all_proven};
 use super::progress::{Progress, run_under_bar};
 use super::target::Target;
-use super::{poses, studies};
+use super::{maps, outlines, poses, studies};
 use crate::error::Error;
 use gearlash::analysis::Plan;
+use gearlash::analysis::outlines::unproven;
 use gearlash::gauge::{graded, pitches, profiles};
 use gearlash::gear::Inspection;
-use gearlash_files::PairFile;
-use gearlash_render::{self, GearGrades, Report};
+use gearlash_files::{AnyPair, OutlinePairFile, PairFile, Sources};
+use gearlash_render::{self, GearGrades, OutlineReport, Report};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -34,13 +35,12 @@ pub(super) struct Args {
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let date = today()?;
-    let pair = studies::pair(&args.pair)?;
-    let study = &pair.study;
-    let file = match &args.output {
-        Some(file) => file.clone(),
-        None => PathBuf::from("out").join(format!("{}.html", pair.stem)),
+    let pair = match studies::any(&args.pair)? {
+        AnyPair::Data(pair) => *pair,
+        AnyPair::Outlines(pair) => return of_outlines(args, &pair, &date),
     };
-    let target = Target::prepare_beside(file, &pair.sources)?;
+    let study = &pair.study;
+    let target = target(args, &pair.stem, &pair.sources)?;
     let method = args.method.method();
     let plan = Plan::whole(study, method);
     poses::allow(&args.pair, plan.poses(), &poses::HELD)?;
@@ -49,10 +49,9 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     progress.now("accuracy grades");
     let grades = grades(&pair);
     progress.now("page");
-    let file = args.pair.file_name().unwrap_or_default().to_string_lossy();
     let page = gearlash_render::report(&Report {
         pair: &pair,
-        file: &file,
+        file: &name(args),
         date: &date,
         analysis: &analysis,
         grades: &grades,
@@ -64,6 +63,45 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         true => ExitCode::SUCCESS,
         false => ExitCode::from(1),
     })
+}
+
+/// The page of a pair with an outline.
+fn of_outlines(args: &Args, pair: &OutlinePairFile, date: &str) -> Result<ExitCode, Error> {
+    let target = target(args, &pair.stem, &pair.sources)?;
+    let runs = outlines::runs(pair, &args.method)?;
+    let progress = Progress::working();
+    progress.now("zero-backlash distances");
+    let zeros = runs.iter().map(|run| run.zero_backlash(&pair.study));
+    let zeros = zeros.collect::<Result<Vec<_>, _>>()?;
+    drop(progress);
+    let page = gearlash_render::outline_report(&OutlineReport {
+        pair,
+        file: &name(args),
+        date,
+        runs: &runs,
+        zeros: &zeros,
+        maps: &maps::outline_maps(pair, &runs, &zeros)?,
+    })?;
+    target.write(&page)?;
+    Ok(match all_proven(unproven(&runs)) {
+        true => ExitCode::SUCCESS,
+        false => ExitCode::from(1),
+    })
+}
+
+/// Where the page goes.
+fn target(args: &Args, stem: &str, sources: &Sources) -> Result<Target, Error> {
+    let file = match &args.output {
+        Some(file) => file.clone(),
+        None => PathBuf::from("out").join(format!("{stem}.html")),
+    };
+    Target::prepare_beside(file, sources)
+}
+
+/// The pair file's name.
+fn name(args: &Args) -> String {
+    let name = args.pair.file_name().unwrap_or_default();
+    name.to_string_lossy().into_owned()
 }
 
 /// The grades of each gear that has deviations or a grade to keep: of the most material where there are two, as the gauge reads that one.

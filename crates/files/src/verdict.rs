@@ -160,14 +160,16 @@ fn requirement(verdict: &Verdict) -> Option<String> {
     if verdict.unmet.is_empty() {
         return None;
     }
-    let each = verdict.unmet.iter().map(unmet).collect::<Vec<_>>();
-    Some(format!(
-        "does not meet its requirement ({})",
-        each.join("; ")
-    ))
+    Some(not_met(&verdict.unmet))
 }
 
-fn unmet(unmet: &Unmet) -> String {
+/// That `unmet` is not kept.
+pub(crate) fn not_met(unmet: &[Unmet]) -> String {
+    let each = unmet.iter().map(limit).collect::<Vec<_>>();
+    format!("does not meet its requirement ({})", each.join("; "))
+}
+
+fn limit(unmet: &Unmet) -> String {
     let (name, unit, per, decimals) = match unmet.quantity {
         Quantity::OperatingBacklash => ("j_wt", "µm", 1e3, DECIMALS),
         Quantity::ReferenceBacklash => ("j_t", "µm", 1e3, DECIMALS),

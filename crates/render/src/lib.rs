@@ -36,8 +36,8 @@ pub mod text;
 pub mod viewer;
 
 pub use chart::PictureError;
-pub use map::map_picture;
-pub use report::{GearGrades, Report, report};
+pub use map::{map_picture, outline_map_picture};
+pub use report::{GearGrades, OutlineReport, Report, outline_report, report};
 pub use snapshot::{
     Snapshot, animation, exaggerated, outline_difference, outline_snapshot, snapshot,
 };

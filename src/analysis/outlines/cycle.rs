@@ -1,6 +1,6 @@
 //! Sampled poses of a mesh cycle, and more round the best of them.
 
-use crate::contact::{OutlineKernel, OutlineLostMotion, Status, Unsettled};
+use crate::contact::{OutlineContact, OutlineKernel, OutlineLostMotion, Status, Unsettled};
 use crate::error::Error;
 use crate::outline::OutlinePair;
 use crate::pair::Mating;
@@ -71,6 +71,12 @@ impl OutlinePose {
     /// Lost motion, rad.
     pub fn angle(&self) -> Option<f64> {
         self.found.as_ref().ok()?.angle()
+    }
+
+    /// Its contacts on right and left flanks.
+    pub fn contacts(&self) -> [Option<OutlineContact>; 2] {
+        let found = self.found.as_ref().ok();
+        found.map_or([None; 2], |found| [found.right, found.left])
     }
 
     /// Whether it overlaps.

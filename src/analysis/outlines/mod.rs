@@ -4,11 +4,15 @@
 //! say so; each pose itself is proven ([`crate::contact::OutlineKernel`]).
 
 mod cycle;
+mod map;
+mod required;
 mod turns_from;
 
 pub use cycle::OutlinePose;
+pub use map::{OUTLINE_MAP_ROWS, OutlineMap};
 pub use turns_from::TurnsFrom;
 
+use super::requirement::Requirements;
 use super::study::Material;
 use crate::contact::{OutlineKernel, Status};
 use crate::error::Error;
@@ -32,6 +36,8 @@ pub struct OutlineStudy {
     pub start: Mating,
     /// Poses a pitch.
     pub steps_per_pitch: u32,
+    /// What it must keep: of `j_wt` and lost motions.
+    pub requirements: Requirements,
 }
 
 impl OutlineStudy {
@@ -118,12 +124,47 @@ impl OutlineRun {
         Ok(run)
     }
 
+    /// The zero-backlash distance: from which centre distance on it turns, be that above its own (known where it binds) or below; `None` where none
+    /// was found.
+    ///
+    /// # Errors
+    /// [`Error::Outline`].
+    pub fn zero_backlash(&self, study: &OutlineStudy) -> Result<Option<TurnsFrom>, Error> {
+        if self.turns() != Some(true) {
+            return Ok(self.turns_from.clone());
+        }
+        let cycle = Cycle::new(self.matings, study.steps_per_pitch);
+        turns_from::find(self, &OutlineKernel::new(&self.pair), &cycle, &study.start)
+    }
+
     /// Whether it turns through the whole cycle: of the poses looked at none overlaps; `None` where it is out of mesh or not settled.
     pub fn turns(&self) -> Option<bool> {
         if self.poses.iter().chain(&self.least).any(OutlinePose::binds) {
             return Some(false);
         }
         self.lost.is_none().then_some(true)
+    }
+
+    /// The wheel teeth that bind, each with the pose at which it binds most; the tightest first.
+    pub fn binding_teeth(&self) -> Vec<(u32, &OutlinePose)> {
+        let mut worst: Vec<(u32, &OutlinePose)> = Vec::new();
+        let poses = self.poses.iter().chain(&self.least);
+        for pose in poses.filter(|pose| pose.binds()) {
+            let contacts = pose.contacts().into_iter().flatten();
+            let mut teeth: Vec<u32> = contacts.map(|contact| contact.wheel.tooth).collect();
+            if teeth.is_empty() {
+                teeth.push(pose.mating.wheel_tooth);
+            }
+            for tooth in teeth {
+                match worst.iter_mut().find(|(known, _)| *known == tooth) {
+                    Some((_, known)) if pose.room() < known.room() => *known = pose,
+                    Some(_) => (),
+                    None => worst.push((tooth, pose)),
+                }
+            }
+        }
+        worst.sort_by(|a, b| a.1.room().total_cmp(&b.1.room()).then(a.0.cmp(&b.0)));
+        worst
     }
 
     /// How many of its sampled poses end so.

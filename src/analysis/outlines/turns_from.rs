@@ -1,7 +1,7 @@
 //! From which centre distance on a pair of outlines turns through its cycle.
 //!
-//! At a distance the tightest pose binds; a distance at which that pose is free is found by growing steps and halving, and the cycle looked at there: where
-//! another pose binds it is the tightest next. A few rounds end at a distance at which none does.
+//! Where the tightest pose of a distance begins to bind is found by growing steps and halving, and the cycle looked at there: where another pose binds
+//! it is the tightest next. A few rounds end at a distance at which none does.
 
 use super::OutlineRun;
 use super::cycle::{Cycle, OutlinePose};
@@ -30,7 +30,15 @@ pub struct TurnsFrom {
     pub pose: OutlinePose,
 }
 
-/// The distance from which on the pair of `run`, which binds, turns, its gears those of the kernel; `None` where it binds until tips pass each other, or a pose is not settled.
+impl TurnsFrom {
+    /// The distance as it is told: rounded up to 1e-4 mm, so that it turns there.
+    pub fn rounded(&self) -> f64 {
+        (self.high * 1e4).ceil() * 1e-4
+    }
+}
+
+/// The distance from which on the pair of `run` turns, its gears those of the kernel: above its own where it binds, else below; `None` where
+/// it is out of mesh, where it binds until tips pass each other, or where a pose is not settled.
 pub(super) fn find(
     run: &OutlineRun,
     kernel: &OutlineKernel,
@@ -47,8 +55,14 @@ pub(super) fn find(
         let tightest = binding.min_by(|a, b| a.room().total_cmp(&b.room()));
         tightest.cloned()
     };
-    let least = run.least.iter().filter(|pose| pose.binds()).cloned();
-    let mut next = least.chain(tightest(&run.poses)).next();
+    let mut next = match run.turns() {
+        Some(true) => run.least.clone(),
+        Some(false) => {
+            let least = run.least.iter().filter(|pose| pose.binds()).cloned();
+            least.chain(tightest(&run.poses)).next()
+        }
+        None => return Ok(None),
+    };
     let mut found: Option<TurnsFrom> = None;
     let mut floor = pair.center_distance();
     for _ in 0..ROUNDS {
@@ -59,16 +73,10 @@ pub(super) fn find(
             let there = pair.at(distance)?;
             Ok(Cycle::pose(kernel, &there, start, pose.pitches).binds())
         };
-        // In growing steps: the nearest distance at which it is free, not one where tips pass each other.
-        let (mut low, mut step) = (floor, FIRST_STEP);
-        let mut high = low + step;
-        while binds_at(high)? {
-            if high > apart {
-                return Ok(None);
-            }
-            step *= 2.0;
-            (low, high) = (high, high + step);
-        }
+        let within = [pair.least_distance(), apart];
+        let Some([mut low, mut high]) = bracket(&binds_at, floor, within)? else {
+            return Ok(None);
+        };
         while high - low > WIDTH {
             let middle = 0.5 * (low + high);
             match binds_at(middle)? {
@@ -90,6 +98,26 @@ pub(super) fn find(
             .filter(OutlinePose::binds)
             .or_else(|| tightest(&poses));
         found = Some(TurnsFrom { high, low, pose });
+    }
+    Ok(None)
+}
+
+/// Two distances, mm, at the lower of which a pose binds and at the upper not: upwards of `from` where it binds there, else downwards, in growing
+/// steps, so that it is the nearest such place and not one where tips pass each other. `None`: there is none within these ends.
+fn bracket(
+    binds_at: &dyn Fn(f64) -> Result<bool, Error>,
+    from: f64,
+    [nearest, farthest]: [f64; 2],
+) -> Result<Option<[f64; 2]>, Error> {
+    let binds = binds_at(from)?;
+    let mut step = if binds { FIRST_STEP } else { -FIRST_STEP };
+    let mut last = from;
+    while nearest < last + step && last <= farthest {
+        let next = last + step;
+        if binds_at(next)? != binds {
+            return Ok(Some([last.min(next), last.max(next)]));
+        }
+        (last, step) = (next, 2.0 * step);
     }
     Ok(None)
 }

@@ -3,6 +3,7 @@
 use super::super::console::tell;
 use super::super::distances::Distances;
 use super::super::drawing::{End, Gear, material};
+use super::super::maps::{self, DrawnMap};
 use super::super::method::{agreed, agreement_within, all_proven};
 use super::super::poses;
 use super::super::progress::{Progress, run_under_bar};
@@ -18,11 +19,14 @@ use gearlash::error::{Error as Run, GearError};
 use gearlash::gear::Inspection;
 use gearlash::pair::BacklashUnit;
 use gearlash_files::verdict::{in_short, sentence};
-use gearlash_render::chart::{self, Chart, Heading};
+use gearlash_render::chart::{self, Heading};
+
+/// The file of a map.
+pub(super) const MAP: &str = "chart_map.svg";
 
 /// A chart and the name of its file.
 pub(super) struct Drawn {
-    pub chart: Chart,
+    pub svg: String,
     pub file: String,
     /// Whether every pose is proven, and both methods agree where both were asked for.
     pub agrees: bool,
@@ -84,7 +88,7 @@ impl Drawn {
         Ok(Drawn {
             file: file(name, args, course, unit),
             agrees: agreed(&analysis),
-            chart,
+            svg: chart.svg,
         })
     }
 
@@ -117,12 +121,13 @@ impl Drawn {
         let cycle = swept.as_ref().map(told).unwrap_or_default();
         let cycle = in_unit(cycle, unit);
         Ok(Drawn {
-            chart: chart::distance_in(
+            svg: chart::distance_in(
                 unit,
                 &heading(study, &cycle),
                 &curve,
                 &by_distance(&all, &[]),
-            )?,
+            )?
+            .svg,
             file: format!("chart_distance_{wheel}_{pinion}{}.svg", suffix(unit)),
             agrees: agreement_within(curve.polygon_difference) & all_proven(unproven),
         })
@@ -139,11 +144,36 @@ impl Drawn {
         };
         let inspection = Inspection::of(gear);
         Ok(Drawn {
-            chart: chart::inspection(&heading(study, ""), name, &inspection)?,
+            svg: chart::inspection(&heading(study, ""), name, &inspection)?.svg,
             file: format!("chart_inspection_{name}.svg"),
             agrees: true,
         })
     }
+
+    /// What touches over centre distance and mesh phase.
+    pub fn map(args: &Args, study: &Study) -> Result<Drawn, Error> {
+        poses::allow(&args.pair, study.pose_count(), &poses::HELD)?;
+        let plan = Plan::new(study, args.method.method())
+            .with_extremes()
+            .with_checks();
+        let analysis = run_under_bar(&plan)?;
+        tell(&sentence(&analysis.verdict()));
+        Ok(Drawn {
+            svg: first_map(maps::of_data(study, &analysis.diagnosis)?)?,
+            file: MAP.to_owned(),
+            agrees: agreed(&analysis),
+        })
+    }
+}
+
+/// The one of the most material.
+pub(super) fn first_map(maps: Vec<DrawnMap>) -> Result<String, Error> {
+    if maps.len() > 1 {
+        tell("note: with the most material; `gearlash check --map` draws both");
+    }
+    let first = maps.into_iter().next();
+    let none = || Error::Usage("no pose with a backlash was found to map from".to_owned());
+    first.map(|map| map.svg).ok_or_else(none)
 }
 
 fn heading<'a>(study: &'a Study, subtitle: &'a str) -> Heading<'a> {

@@ -1,9 +1,11 @@
-//! `gearlash chart` of a pair with an outline: backlash over the mesh cycle.
+//! `gearlash chart` of a pair with an outline: backlash over the mesh cycle, and over the centre distance, too.
 
+use super::drawn::{MAP, first_map};
 use super::{Args, Kind};
 use crate::console::tell;
 use crate::distances::Distances;
 use crate::error::Error;
+use crate::maps;
 use crate::method::all_proven;
 use crate::outlines::runs;
 use crate::target::Target;
@@ -16,9 +18,9 @@ use std::process::ExitCode;
 
 /// Runs the command.
 pub(super) fn run(args: &Args, mut file: OutlinePairFile) -> Result<ExitCode, Error> {
-    if args.kind != Kind::Revolution {
+    if !matches!(args.kind, Kind::Revolution | Kind::Map) {
         return Err(Error::Usage(
-            "an outline has no module, no involute and no formula: of pairs with an outline draw --kind revolution".to_owned(),
+            "an outline has no module, no involute and no formula: of pairs with an outline draw --kind revolution or map".to_owned(),
         ));
     }
     if args.unit.given() || args.material.is_some() {
@@ -51,7 +53,10 @@ pub(super) fn run(args: &Args, mut file: OutlinePairFile) -> Result<ExitCode, Er
     let output = match &args.output {
         Some(output) => Target::prepare_beside(output.clone(), &file.sources)?,
         None => {
-            let name = format!("chart_revolution_a{}.svg", file.study.center_distances[0]);
+            let name = match args.kind {
+                Kind::Map => MAP.to_owned(),
+                _ => format!("chart_revolution_a{}.svg", file.study.center_distances[0]),
+            };
             Target::prepare(
                 PathBuf::from("out").join(&file.stem).join(name),
                 &file.sources,
@@ -59,13 +64,16 @@ pub(super) fn run(args: &Args, mut file: OutlinePairFile) -> Result<ExitCode, Er
         }
     };
     let runs = runs(&file, &args.method)?;
-    tell(&sentence(&runs));
+    tell(&sentence(&file.study, &runs));
     let heading = Heading {
         prefix: "chart",
         title: &file.study.title,
         subtitle: "",
     };
-    output.write(&chart::outlines(&heading, &runs)?.svg)?;
+    output.write(&match args.kind {
+        Kind::Map => first_map(maps::of_outlines(&file, &runs)?)?,
+        _ => chart::outlines(&heading, &runs)?.svg,
+    })?;
     Ok(match all_proven(unproven(&runs)) {
         true => ExitCode::SUCCESS,
         false => ExitCode::from(1),

@@ -5,7 +5,7 @@ use crate::console::{guard, print, warn};
 use crate::error::Error;
 use crate::outlines::is_drawing;
 use crate::target::Target;
-use gearlash_files::outlines::{TwoDrawings, comparison_json};
+use gearlash_files::outlines::{TwoDrawings, comparison_json, difference_csv};
 use gearlash_render::{outline_difference, text};
 use std::process::ExitCode;
 
@@ -41,6 +41,8 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let picture = picture.map_err(|error| of_option(error, "--svg"))?;
     print(&match args.format {
         Format::Json => comparison_json(&compared, args.tolerance_um)
+            .map_err(|error| Error::Usage(format!("the outcome cannot be written: {error}")))?,
+        Format::Csv => difference_csv(&compared)
             .map_err(|error| Error::Usage(format!("the outcome cannot be written: {error}")))?,
         _ => text::outline_difference(&compared, args.tolerance_um, &args.screen.screen()),
     })?;

@@ -74,6 +74,55 @@ fn a_thicker_tooth_is_found_with_its_size() {
     }
 }
 
+/// Source: the closed form of `a_thicker_tooth_is_found_with_its_size`, and the JSON of the same comparison.
+#[test]
+fn every_place_along_a_is_a_row() {
+    let folder = tempfile::tempdir().unwrap();
+    draw(folder.path(), "plain.svg", "svg", PLAIN);
+    draw(folder.path(), "thick.csv", "csv", THICK);
+    let compare = ["compare", "plain.svg", "thick.csv", "--format", "csv"];
+    let (code, csv, said) = run(folder.path(), &compare);
+    assert_eq!(code, Some(0), "{said}");
+    let mut lines = csv.lines();
+    assert_eq!(
+        lines.next(),
+        Some("a_tooth,x_mm,y_mm,radius_mm,normal_x,normal_y,deviation_um")
+    );
+    let rows: Vec<Vec<f64>> = lines
+        .map(|line| line.split(',').map(|cell| cell.parse().unwrap()).collect())
+        .collect();
+    let known = 90.0 * 20f64.to_radians().cos();
+    for row in &rows {
+        assert!((row[1].hypot(row[2]) - row[3]).abs() < 1e-9);
+        assert!((row[4].hypot(row[5]) - 1.0).abs() < 1e-9);
+        // Well within the flanks of tooth 7, whose normals are those of involutes: at d 38.5 … 42.
+        if row[0] == 7.0 && (19.25..21.0).contains(&row[3]) {
+            assert!((row[6] - known).abs() < 0.1, "{row:?}");
+        } else if row[0] != 7.0 {
+            assert!(row[6].abs() < 0.1, "{row:?}");
+        }
+    }
+    let json = ["compare", "plain.svg", "thick.csv", "--format", "json"];
+    let found: Value = serde_json::from_str(&run(folder.path(), &json).1).unwrap();
+    let greatest = rows
+        .iter()
+        .map(|row| row[6])
+        .fold(f64::NEG_INFINITY, f64::max);
+    // The greatest itself may lie between two places.
+    let short = found["greatest"]["deviation_um"].as_f64().unwrap() - greatest;
+    assert!((0.0..0.01).contains(&short), "{short}");
+    // A pair file has no such rows.
+    let pair = fixture("karba_44x44.toml");
+    let (code, _, said) = run(
+        folder.path(),
+        &["compare", pair.to_str().unwrap(), "--format", "csv"],
+    );
+    assert!(
+        code == Some(2) && said.contains("belong to two drawings"),
+        "{said}"
+    );
+}
+
 /// The wheel of the fixtures is thicker at tooth 7 than the pinion: the text, and no file beside it.
 #[test]
 fn the_text_of_two_drawings() {

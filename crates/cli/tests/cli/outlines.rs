@@ -152,7 +152,7 @@ fn snapshots_of_outlines() {
 #[test]
 fn what_an_outline_cannot_do_is_said() {
     let folder = copied();
-    for command in ["report", "compare", "chart", "outline"] {
+    for command in ["compare", "chart", "outline"] {
         let mut args = vec![command, "drawn_20x20.toml"];
         args.extend(match command {
             "chart" => &["--kind", "difference"][..],
@@ -170,10 +170,6 @@ fn what_an_outline_cannot_do_is_said() {
         (
             &["check", "drawn_20x20.toml", "--method", "polygon"][..],
             "are for gears by their data",
-        ),
-        (
-            &["check", "drawn_20x20.toml", "--map"],
-            "--map is for gears by their data",
         ),
         (
             &["check", "wheel_20.dxf", "pinion_20.svg"],
@@ -208,14 +204,14 @@ fn faults_of_an_outline_have_their_key() {
     let folder = copied();
     let text = "[wheel]\nteeth = 20\n[wheel.outline]\nfile = \"wheel_20.dxf\"\n\
                 [pinion.outline]\nfile = \"pinion_20.svg\"\nteeth = 21\nlayer = \"X\"\n\
-                [assembly]\ncenter_distance_mm = 20.0\nbearing_clearance_mm = 0.1\n[require]\nj_wt_um = { min = 1 }\n";
+                [assembly]\ncenter_distance_mm = 20.0\nbearing_clearance_mm = 0.1\n[require]\nj_wt_um = { min = 1 }\nj_bn_um = { min = 1 }\n";
     std::fs::write(folder.path().join("bad.toml"), text).unwrap();
     let (code, _, said) = run(folder.path(), &["check", "bad.toml"]);
     assert_eq!(code, Some(2));
     for reason in [
         "wheel.teeth = 20: given together with outline",
         "pinion.outline.layer = \"X\": belongs to a .dxf file",
-        "require",
+        "require.j_bn_um = { min = 1 }: has no value on an outline",
     ] {
         assert!(said.contains(reason), "{reason}: {said}");
     }
@@ -325,5 +321,135 @@ fn a_chart_marks_where_it_binds() {
         let value = if option == "--unit" { "arcmin" } else { "most" };
         let (code, _, said) = run(folder.path(), &[&chart[..], &[option, value]].concat());
         assert!(code == Some(2) && said.contains(reason), "{said}");
+    }
+}
+
+/// Source: `simulate` of the same pair at a row's centre distance with as many poses a pitch as the map has columns, 120 / 20, and the same pair's
+/// zero-backlash distance.
+#[test]
+fn a_map_is_what_simulate_finds_at_each_distance() {
+    let folder = copied();
+    let map = ["check", "drawn_20x20.toml", "--map", "-o", "out"];
+    let (code, _, said) = run(folder.path(), &map);
+    assert_eq!(code, Some(1), "{said}");
+    let svg = std::fs::read_to_string(folder.path().join("out/map_as-measured.svg")).unwrap();
+    for text in [
+        "40.0714 turns freely from here on",
+        "39.4176 a tip on a root circle",
+        "pitches from mating 1·1 on",
+        "jammed: a tip in a root",
+    ] {
+        assert!(svg.contains(text), "{text}");
+    }
+    let csv = std::fs::read_to_string(folder.path().join("out/map_as-measured.csv")).unwrap();
+    let cells: Vec<Vec<&str>> = csv
+        .lines()
+        .skip(1)
+        .map(|line| line.split(',').collect())
+        .collect();
+    assert_eq!(cells.len(), 60 * 120);
+    for row in cells.chunks(120) {
+        let a: f64 = row[0][0].parse().unwrap();
+        let binds = row.iter().any(|cell| cell[5] != "clear");
+        // Between samples a little is missed, just below.
+        assert!(
+            binds == (a < 40.0714) || (40.06..40.0714).contains(&a),
+            "{a}"
+        );
+    }
+    for row in [20, 40, 59] {
+        let row = &cells[120 * row..120 * (row + 1)];
+        let text = format!(
+            "[wheel.outline]\nfile = \"wheel_20.dxf\"\n[pinion.outline]\nfile = \"pinion_20.svg\"\n\
+             [assembly]\ncenter_distance_mm = {}\n[sweep]\nrevolutions = \"hunting\"\nsteps_per_pitch = 6\n",
+            row[0][0]
+        );
+        std::fs::write(folder.path().join("row.toml"), text).unwrap();
+        let (_, csv, said) = run(folder.path(), &["simulate", "row.toml", "--format", "csv"]);
+        let poses: Vec<Vec<&str>> = csv
+            .lines()
+            .skip(1)
+            .map(|line| line.split(',').collect())
+            .collect();
+        assert_eq!(poses.len(), 120, "{said}");
+        for (cell, pose) in row.iter().zip(&poses) {
+            // Wheel tooth, pinion tooth; status; j_wt.
+            assert_eq!((&cell[2..4], cell[5]), (&pose[2..4], pose[5]));
+            let [there, here] = [cell[6], pose[6]].map(|um| um.parse().unwrap_or(f64::NAN));
+            assert!(
+                (there - here).abs() < 1e-6 || there.is_nan() && here.is_nan(),
+                "{cell:?} {pose:?}"
+            );
+        }
+    }
+    // The chart is the same picture.
+    let chart = ["chart", "drawn_20x20.toml", "--kind", "map", "-o", "-"];
+    let (code, drawn, _) = run(folder.path(), &chart);
+    assert_eq!(code, Some(0));
+    assert!(drawn == svg);
+}
+
+/// `chart --kind map` draws what `check --map` does of gears by their data, too.
+#[test]
+fn a_map_of_gears_by_their_data_is_a_chart_too() {
+    let folder = tempfile::tempdir().unwrap();
+    let pair = fixture("karba_86x21.toml");
+    let pair = pair.to_str().unwrap();
+    run(folder.path(), &["check", pair, "--map", "-o", "out"]);
+    let (code, drawn, said) = run(folder.path(), &["chart", pair, "--kind", "map", "-o", "-"]);
+    assert_eq!(code, Some(0), "{said}");
+    let map = std::fs::read_dir(folder.path().join("out")).unwrap();
+    let map = map
+        .map(|entry| entry.unwrap().path())
+        .find(|path| path.ends_with("map_as-measured.svg"));
+    assert!(drawn == std::fs::read_to_string(map.unwrap()).unwrap());
+}
+
+/// Source: `check` of the same pair without requirements: −15.61 … 174.18 µm, −2.680 … 29.901 arcmin; jammed at 39.3 mm.
+#[test]
+fn a_requirement_decides_the_exit_code() {
+    let folder = copied();
+    let pair = std::fs::read_to_string(folder.path().join("drawn_20x20.toml")).unwrap();
+    let jammed = pair.replace("40.05", "39.3");
+    for (pair, limits, kept) in [
+        (&pair, "j_wt_um = { min = -16, max = 175 }", true),
+        (&pair, "j_wt_um = { min = -15 }", false),
+        (&pair, "j_wt_um = { max = 174 }", false),
+        (
+            &pair,
+            "lost_motion_arcmin = { max = 29.91, at = \"pinion\" }",
+            true,
+        ),
+        (
+            &pair,
+            "lost_motion_arcmin = { max = 29.89, at = \"pinion\" }",
+            false,
+        ),
+        (&jammed, "j_wt_um = { max = 1000 }", false),
+    ] {
+        std::fs::write(
+            folder.path().join("pair.toml"),
+            format!("{pair}[require]\n{limits}\n"),
+        )
+        .unwrap();
+        for command in ["simulate", "check"] {
+            let (code, json, said) =
+                run(folder.path(), &[command, "pair.toml", "--format", "json"]);
+            assert_eq!(
+                code,
+                Some(if kept { 0 } else { 1 }),
+                "{command} {limits}: {said}"
+            );
+            let verdict: Value = serde_json::from_str(&json).unwrap();
+            let verdict = &verdict["verdict"];
+            assert_eq!(verdict["requirement"], if kept { "met" } else { "not_met" });
+            let sentence = verdict["sentence"].as_str().unwrap();
+            let words = if kept {
+                "The pair meets its requirement."
+            } else {
+                "The pair does not meet its requirement ("
+            };
+            assert!(sentence.contains(words), "{sentence}");
+        }
     }
 }

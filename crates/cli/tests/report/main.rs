@@ -5,6 +5,7 @@ mod bytes;
 mod command;
 #[path = "../../../../tests/common/eccentric_17_100.rs"]
 mod eccentric_17_100;
+mod outlines;
 mod page;
 mod size;
 mod trust;

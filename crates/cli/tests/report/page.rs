@@ -5,7 +5,7 @@ use scraper::{Html, Selector};
 use std::collections::HashSet;
 
 /// Everything that holds of every page; the page, parsed.
-fn checked(page: &str) -> Html {
+pub fn checked(page: &str) -> Html {
     let document = Html::parse_document(page);
     assert!(document.errors.is_empty(), "{:?}", document.errors);
     let ids = all(&document, "[id]", "id");
@@ -54,7 +54,8 @@ fn references(document: &Html) -> Vec<String> {
             }
         }
     }
-    assert!(found.len() > 10);
+    // The contents alone are more.
+    assert!(found.len() > 5);
     found
 }
 

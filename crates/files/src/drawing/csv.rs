@@ -37,6 +37,7 @@ pub fn read(bytes: &[u8], options: &Options, pieces: &mut Pieces) -> Result<(), 
     one_decimal_sign(&rows)?;
     let stated = stated.map(|(unit, line)| (format!("\"{unit}\" in line {line}"), unit.mm()));
     let scale = settled(stated, options.unit, "no line `# unit: mm` in the list")?;
+    pieces.unit_mm = scale;
     let mut points: Vec<Point2<f64>> = Vec::with_capacity(rows.len());
     for row in &rows {
         let [x, y] = row.numbers.map(|number| number.value * scale);

@@ -80,6 +80,8 @@ pub struct Loop {
 /// What a file draws.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Drawing {
+    /// Length of one of its units, mm.
+    pub unit_mm: f64,
     /// At least one, in the order of the file.
     pub loops: Vec<Loop>,
     /// What was left out, and why.

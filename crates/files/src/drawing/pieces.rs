@@ -12,6 +12,8 @@ use std::collections::HashMap;
 /// All pieces of a file, by the layers whose ends may meet.
 #[derive(Debug, Default)]
 pub struct Pieces {
+    /// Length of a unit of the drawing, mm.
+    pub unit_mm: f64,
     layers: Vec<(String, Vec<Piece>)>,
     /// The place of each layer in that list.
     by_name: HashMap<String, usize>,
@@ -103,7 +105,11 @@ impl Pieces {
         });
         let layers = all_open.iter().map(|(layer, open)| open_layer(layer, open));
         let remarks = told.chain(layers.take(MOST_NAMED)).collect();
-        Ok(Drawing { loops, remarks })
+        Ok(Drawing {
+            unit_mm: self.unit_mm,
+            loops,
+            remarks,
+        })
     }
 }
 

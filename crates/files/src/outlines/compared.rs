@@ -72,7 +72,7 @@ impl TwoDrawings<'_> {
         Some(ComparedOutlines {
             difference: problems.keep(difference)?,
             files: self.paths.map(|path| path.display().to_string()),
-            centres: [a.centre, b.centre],
+            centres: [a.read.centre, b.read.centre],
             gears: [a.gear, b.gear],
             remarks: [a.remarks, b.remarks],
             sources: place.sources(),
@@ -166,6 +166,38 @@ struct PlaceRecord {
     a_tooth: u32,
     point_mm: [f64; 2],
     radius_mm: f64,
+}
+
+#[derive(Serialize)]
+struct Row {
+    a_tooth: u32,
+    x_mm: f64,
+    y_mm: f64,
+    radius_mm: f64,
+    normal_x: f64,
+    normal_y: f64,
+    deviation_um: f64,
+}
+
+/// How far B lies from A at each place along A, in A's drawing, as CSV.
+///
+/// # Errors
+/// Of the csv crate.
+pub fn difference_csv(compared: &ComparedOutlines) -> std::result::Result<String, csv::Error> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    for at in &compared.difference.along {
+        let point = compared.in_drawing(at);
+        writer.serialize(Row {
+            a_tooth: at.tooth,
+            x_mm: point.x,
+            y_mm: point.y,
+            radius_mm: at.point.coords.norm(),
+            normal_x: at.normal.x,
+            normal_y: at.normal.y,
+            deviation_um: 1e3 * at.beyond,
+        })?;
+    }
+    super::result::text(writer)
 }
 
 /// The outcome as JSON.

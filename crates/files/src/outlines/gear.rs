@@ -12,7 +12,7 @@ use crate::runout::Runout;
 use crate::spec::{CentreName, CentreSpec, FaceName, OutlineGearSpec, OutlineSpec, PointsKind};
 use crate::table::Table;
 use gearlash::gear::Face;
-use gearlash::outline::{OutlineError, OutlineGear, OutlineReading, fit_centre};
+use gearlash::outline::{OutlineError, OutlineGear, OutlineReading, PathSegment, fit_centre};
 use nalgebra::Point2;
 
 const KEYS: &[&str] = &[
@@ -48,11 +48,25 @@ const KINDS: [(&str, PointsKind); 2] = [
 const CENTRES: [(&str, CentreName); 2] = [("bore", CentreName::Bore), ("fit", CentreName::Fit)];
 const CENTRE: &str = "[x, y] in mm, \"bore\" or \"fit\"";
 
+/// What was read of a drawing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DrawingRead {
+    /// Length of one of its units, mm.
+    pub unit_mm: f64,
+    /// The gear's centre in it, mm.
+    pub centre: Point2<f64>,
+    /// Lines, arcs and cubic curves of the outline.
+    pub parts: [usize; 3],
+    /// How far these may lie from what was drawn, mm.
+    pub bound_mm: f64,
+    /// Closed paths within the outline that are not part of it, such as a bore.
+    pub inside: usize,
+}
+
 /// A gear that is an outline.
 pub(super) struct OutlinePart {
     pub gear: OutlineGear,
-    /// Its centre in the drawing, mm.
-    pub centre: Point2<f64>,
+    pub read: DrawingRead,
     pub spec: OutlineGearSpec,
     pub remarks: Vec<String>,
 }
@@ -155,9 +169,20 @@ pub(super) fn read(file: &Table, name: &str, problems: &mut Problems) -> Option<
             _ => format!("; {}", data.found(path.remarks.join("; "))),
         }
     ));
+    let count = |of: fn(&PathSegment) -> bool| segments.iter().filter(|part| of(part)).count();
     Some(OutlinePart {
         gear,
-        centre,
+        read: DrawingRead {
+            unit_mm: path.unit_mm,
+            centre,
+            parts: [
+                count(|part| matches!(part, PathSegment::Line(_))),
+                count(|part| matches!(part, PathSegment::Arc { .. })),
+                count(|part| matches!(part, PathSegment::Cubic(_))),
+            ],
+            bound_mm: path.outline.bound_mm,
+            inside: path.inside.len(),
+        },
         spec: OutlineGearSpec {
             outline: spec,
             reference_face: FaceName::from(face),

@@ -13,14 +13,15 @@ mod result;
 mod sentence;
 
 pub use compared::{
-    ComparedOutlines, TwoDrawings, comparison_json, difference_sentence, turn_words,
+    ComparedOutlines, TwoDrawings, comparison_json, difference_csv, difference_sentence, turn_words,
 };
 pub use fitted::looks_like;
 pub use gauged::{GaugedOutline, gauged_csv, gauged_json};
+pub use gear::DrawingRead;
 pub use gears::{OutlineGearEntry, OutlineGearsFile};
 pub(crate) use gears::{of_drawing, read as read_gear};
 pub(crate) use pair::read;
 pub use pair::{Drawings, OutlinePairFile};
 pub(crate) use refused::{has_outline, refused};
-pub use result::{to_csv, to_json};
-pub use sentence::{region_words, sentence};
+pub use result::{outline_map_csv, to_csv, to_json};
+pub use sentence::{region_words, sentence, summary};

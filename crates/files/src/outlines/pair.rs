@@ -1,16 +1,17 @@
 //! A pair file with an outline: two gears, where they stand, and the study they make.
 
-use super::gear::{self, OutlinePart};
+use super::gear::{self, DrawingRead, OutlinePart};
 use crate::assembly::{self, AssemblyPart};
 use crate::gear::GearPart;
 use crate::node::Node;
 use crate::pair_file::names;
 use crate::place::Place;
 use crate::problems::Problems;
+use crate::require;
 use crate::sources::Sources;
 use crate::spec::{
     AssemblySpec, BearingClearanceSpec, CenterDistanceSpec, DEFAULT_STEPS, EitherGearSpec,
-    OutlinePairSpec, Revolutions,
+    OutlinePairSpec, RequireSpec, Revolutions,
 };
 use crate::sweep::Sweep;
 use crate::table::Table;
@@ -36,16 +37,18 @@ pub(super) const KEYS: &[&str] = &[
 ];
 
 /// Tables that an outline has no use for, and why.
-const LEFT_OUT: [(&str, &str); 5] = [
+const LEFT_OUT: [(&str, &str); 4] = [
     (
         "accuracy",
         "cuts no polygons: its curves are searched as drawn",
     ),
     ("compare", "has no formula to compare with"),
     ("measured", "has no measured rows beside it yet"),
-    ("require", "has sampled extremes, which prove no limit"),
     ("uncertainty", "has no readings with an uncertainty"),
 ];
+
+/// Limits that an outline has no value for.
+const NOT_REQUIRED: [&str; 4] = ["j_bn_um", "j_t_um", "j_r_um", "radial_clearance_mm"];
 
 /// A pair file with an outline, understood.
 #[derive(Debug, Clone)]
@@ -56,6 +59,8 @@ pub struct OutlinePairFile {
     pub stem: String,
     /// The input as understood.
     pub spec: OutlinePairSpec,
+    /// What was read of the drawings of wheel and pinion; `None` of a gear by its data.
+    pub drawings: [Option<DrawingRead>; 2],
     /// What the user should know, for standard error.
     pub warnings: Vec<String>,
     /// What was found to be in order, for standard error.
@@ -79,6 +84,7 @@ impl OutlinePairFile {
 /// One gear, in one or both materials.
 struct Part {
     gears: Vec<(Material, OutlineGear)>,
+    read: Option<DrawingRead>,
     spec: EitherGearSpec,
     warnings: Vec<String>,
     remarks: Vec<String>,
@@ -128,7 +134,8 @@ pub(crate) fn read(
         ));
         None
     });
-    let (assembly, sweep) = (assembly?, sweep?);
+    let require = required(&table, problems);
+    let (assembly, sweep, require) = (assembly?, sweep?, require?);
     let (stated, locked) = (assembly.distances??, assembly.locked?);
     let bearings: BearingClearanceSpec = assembly.bearings?;
     if bearings.sum_mm() != 0.0 {
@@ -181,9 +188,11 @@ pub(crate) fn read(
             fraction: 0.0,
         },
         steps_per_pitch: sweep.steps_per_pitch.unwrap_or(DEFAULT_STEPS),
+        requirements: require.map_or_else(Vec::new, |require| require.requirements()),
     };
     Some(OutlinePairFile {
         stem,
+        drawings: [wheel.read, pinion.read],
         spec: OutlinePairSpec {
             title: study.title.clone(),
             wheel: wheel.spec,
@@ -196,6 +205,7 @@ pub(crate) fn read(
                 housing_expansion_per_k: None,
             },
             sweep,
+            require,
         },
         study,
         warnings: [wheel.warnings, pinion.warnings].concat(),
@@ -204,16 +214,32 @@ pub(crate) fn read(
     })
 }
 
+/// `[require]`, of what an outline has.
+fn required(file: &Table, problems: &mut Problems) -> Option<Option<RequireSpec>> {
+    let require = require::require(file, problems)?;
+    let mut given = NOT_REQUIRED.iter().map(|key| format!("require.{key}"));
+    let Some(key) = given.find(|key| file.has(key)) else {
+        return Some(require);
+    };
+    problems.add(file.problem(
+        &key,
+        "has no value on an outline, which has no module and no base circle",
+        "limit j_wt_um or lost_motion_arcmin",
+    ));
+    None
+}
+
 fn part(file: &Table, name: &str, problems: &mut Problems) -> Option<Part> {
     if file.has(&format!("{name}.outline")) {
         let OutlinePart {
             gear,
+            read,
             spec,
             remarks,
-            ..
         } = gear::read(file, name, problems)?;
         return Some(Part {
             gears: vec![(Material::AsMeasured, gear)],
+            read: Some(read),
             spec: EitherGearSpec::Outline(Box::new(spec)),
             warnings: Vec::new(),
             remarks,
@@ -230,6 +256,7 @@ fn part(file: &Table, name: &str, problems: &mut Problems) -> Option<Part> {
     };
     Some(Part {
         gears,
+        read: None,
         spec: EitherGearSpec::Data(Box::new(data.spec?)),
         warnings: data.warnings,
         remarks: data.remarks,

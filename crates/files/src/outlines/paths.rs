@@ -8,6 +8,8 @@ use nalgebra::Point2;
 pub(super) struct Path {
     pub outline: Loop,
     pub inside: Vec<Loop>,
+    /// Length of a unit of the drawing, mm.
+    pub unit_mm: f64,
     pub remarks: Vec<String>,
 }
 
@@ -44,7 +46,7 @@ pub(super) fn outermost(drawing: Drawing) -> Result<Path, String> {
             at(beside)
         ));
     }
-    let mut remarks = drawing.remarks;
+    let (unit_mm, mut remarks) = (drawing.unit_mm, drawing.remarks);
     if !inside.is_empty() {
         remarks.push(format!(
             "closed paths inside that are not its outline: {}",
@@ -54,6 +56,7 @@ pub(super) fn outermost(drawing: Drawing) -> Result<Path, String> {
     Ok(Path {
         outline,
         inside,
+        unit_mm,
         remarks,
     })
 }

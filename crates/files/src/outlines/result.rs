@@ -5,7 +5,7 @@ use super::pair::OutlinePairFile;
 use super::sentence::sentence;
 use crate::characters;
 use crate::spec::OutlinePairSpec;
-use gearlash::analysis::outlines::{OutlinePose, OutlineRun, turns};
+use gearlash::analysis::outlines::{OutlineMap, OutlinePose, OutlineRun, turns};
 use gearlash::contact::{OutlineContact, Status};
 use gearlash::pair::{Member, arcmin};
 use serde::Serialize;
@@ -23,6 +23,7 @@ struct Result<'a> {
 struct VerdictRecord {
     turns: Option<bool>,
     sentence: String,
+    requirement: &'static str,
     proven: bool,
 }
 
@@ -143,7 +144,8 @@ pub fn to_json(file: &OutlinePairFile, runs: &[OutlineRun]) -> serde_json::Resul
         input: &file.spec,
         verdict: VerdictRecord {
             turns: turns(runs),
-            sentence: sentence(runs),
+            sentence: sentence(&file.study, runs),
+            requirement: file.study.requirement(runs).name(),
             proven: false,
         },
         fitted_involutes: records(file),
@@ -151,6 +153,17 @@ pub fn to_json(file: &OutlinePairFile, runs: &[OutlineRun]) -> serde_json::Resul
     };
     let text = serde_json::to_string_pretty(&result)?;
     Ok(characters::json(text) + "\n")
+}
+
+#[derive(Serialize)]
+struct MapRow {
+    center_distance_mm: f64,
+    pitches: f64,
+    wheel_tooth: u32,
+    pinion_tooth: u32,
+    fraction: f64,
+    status: &'static str,
+    j_wt_um: Option<f64>,
 }
 
 #[derive(Serialize)]
@@ -173,6 +186,38 @@ struct Row {
     left_pinion_tooth: Option<u32>,
     left_wheel_region: Option<&'static str>,
     left_pinion_region: Option<&'static str>,
+}
+
+/// `map` as CSV, a row a cell: its pose.
+///
+/// # Errors
+/// Of the csv crate.
+pub fn outline_map_csv(map: &OutlineMap) -> std::result::Result<String, csv::Error> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    for (distance, cells) in map
+        .distances
+        .iter()
+        .zip(map.cells.chunks(map.columns.max(1)))
+    {
+        for cell in cells {
+            writer.serialize(MapRow {
+                center_distance_mm: *distance,
+                pitches: cell.pitches,
+                wheel_tooth: cell.mating.wheel_tooth,
+                pinion_tooth: cell.mating.pinion_tooth,
+                fraction: cell.mating.fraction,
+                status: cell.status().name(),
+                j_wt_um: cell.j_wt.map(|(mm, _)| mm * 1e3),
+            })?;
+        }
+    }
+    text(writer)
+}
+
+/// What was written.
+pub(super) fn text(writer: csv::Writer<Vec<u8>>) -> std::result::Result<String, csv::Error> {
+    let bytes = writer.into_inner().map_err(|error| error.into_error())?;
+    Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
 /// A row a pose.
@@ -207,6 +252,5 @@ pub fn to_csv(runs: &[OutlineRun]) -> std::result::Result<String, csv::Error> {
             })?;
         }
     }
-    let bytes = writer.into_inner().map_err(|error| error.into_error())?;
-    Ok(String::from_utf8_lossy(&bytes).into_owned())
+    text(writer)
 }

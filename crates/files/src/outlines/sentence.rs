@@ -1,7 +1,10 @@
 //! The verdict of a pair of outlines in one sentence.
 
 use crate::numbers::{fixed, stated_distance, um};
-use gearlash::analysis::outlines::{OutlinePose, OutlineRun, unproven};
+use crate::verdict::not_met;
+use gearlash::analysis::outlines::{OutlinePose, OutlineRun, OutlineStudy, unproven, worst};
+use gearlash::analysis::study::Material;
+use gearlash::analysis::verdict::Requirement;
 use gearlash::contact::{OutlineContact, Status};
 use gearlash::pair::{Member, arcmin};
 
@@ -9,9 +12,45 @@ use gearlash::pair::{Member, arcmin};
 const DECIMALS: usize = 2;
 
 /// What the runs say: whether the pair turns, where it binds and from which centre distance on it turns freely.
-pub fn sentence(runs: &[OutlineRun]) -> String {
+pub fn sentence(study: &OutlineStudy, runs: &[OutlineRun]) -> String {
     let several = runs.len() > 1;
     let each: Vec<String> = runs.iter().map(|run| of_run(run, several)).collect();
+    each.join(" ") + &required(study, runs) + &scope(runs)
+}
+
+/// The same in no more words than of one run: of several how many turn, and what is said of the tightest.
+pub fn summary(study: &OutlineStudy, runs: &[OutlineRun]) -> String {
+    let Some((run, _)) = worst(runs).filter(|_| runs.len() > 1) else {
+        return sentence(study, runs);
+    };
+    let turning = runs.iter().filter(|run| run.turns() == Some(true)).count();
+    let materials = runs.iter().any(|run| run.material != Material::AsMeasured);
+    format!(
+        "Turns freely at {} {} centre distances{}. The tightest: {}{}{}",
+        match turning {
+            0 => "none of".to_owned(),
+            all if all == runs.len() => "all".to_owned(),
+            some => format!("{some} of"),
+        },
+        runs.len(),
+        if materials { " and materials" } else { "" },
+        of_run(run, true),
+        required(study, runs),
+        scope(runs)
+    )
+}
+
+/// Whether what is required is kept; empty where nothing is.
+fn required(study: &OutlineStudy, runs: &[OutlineRun]) -> String {
+    match study.requirement(runs) {
+        Requirement::None => String::new(),
+        Requirement::Met => " The pair meets its requirement.".to_owned(),
+        Requirement::NotMet => format!(" The pair {}.", not_met(&study.unmet(runs))),
+    }
+}
+
+/// Of how many poses it is said, and how surely.
+fn scope(runs: &[OutlineRun]) -> String {
     let Some(run) = runs.first() else {
         return "Nothing was run.".to_owned();
     };
@@ -23,10 +62,7 @@ pub fn sentence(runs: &[OutlineRun]) -> String {
         }
     };
     let matings = run.matings;
-    format!(
-        "{} Over all {matings} matings, {poses} sampled poses: {proven}.",
-        each.join(" ")
-    )
+    format!(" Over all {matings} matings, {poses} sampled poses: {proven}.")
 }
 
 fn of_run(run: &OutlineRun, several: bool) -> String {
@@ -41,7 +77,7 @@ fn of_run(run: &OutlineRun, several: bool) -> String {
         "{how} at a = {} mm",
         stated_distance(run.pair.center_distance())
     );
-    if several && run.material != gearlash::analysis::study::Material::AsMeasured {
+    if several && run.material != Material::AsMeasured {
         text += &format!(" with {}", run.material.words());
     }
     let mut parts = Vec::new();
@@ -63,10 +99,7 @@ fn of_run(run: &OutlineRun, several: bool) -> String {
     }
     if run.turns() == Some(false) {
         parts.push(match &run.turns_from {
-            Some(from) => format!(
-                "turns freely from a = {} mm on",
-                fixed((from.high * 1e4).ceil() * 1e-4, 4)
-            ),
+            Some(from) => format!("turns freely from a = {} mm on", fixed(from.rounded(), 4)),
             None => "no centre distance in mesh is known from which it turns freely".to_owned(),
         });
     }

@@ -2,7 +2,7 @@
 
 use super::rules::{whole, within};
 use super::value::Either;
-use super::{AssemblySpec, FaceName, GearSpec, RunoutSpec, SweepSpec};
+use super::{AssemblySpec, FaceName, GearSpec, RequireSpec, RunoutSpec, SweepSpec};
 use crate::drawing::Unit;
 use crate::limits::{FIRST_TOOTH, JOIN, TEETH};
 use schemars::JsonSchema;
@@ -21,6 +21,9 @@ pub struct OutlinePairSpec {
     pub assembly: AssemblySpec,
     /// Poses a pitch, and the teeth that mate first.
     pub sweep: SweepSpec,
+    /// What the pair must keep.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub require: Option<RequireSpec>,
 }
 
 /// A gear by its data or by its outline.

@@ -114,9 +114,8 @@ fn order(a: &Extreme, b: &Extreme) -> std::cmp::Ordering {
 
 /// A pose as the end of a curve is labelled.
 fn extreme(run: &OutlineRun, pose: &OutlinePose) -> Option<Extreme> {
-    let found = pose.found.as_ref().ok()?;
-    let [right, left] =
-        [found.right?, found.left?].map(|contact| (contact.wheel.tooth, contact.pinion.tooth));
+    let [right, left] = pose.contacts();
+    let [right, left] = [right?, left?].map(|contact| (contact.wheel.tooth, contact.pinion.tooth));
     Some(Extreme {
         // One that was looked at more closely may be a little before the first pose: the end of the cycle.
         x: pose.pitches.rem_euclid(run.matings as f64),

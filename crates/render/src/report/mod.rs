@@ -14,27 +14,27 @@ mod measured;
 mod method;
 mod models;
 mod notes;
+mod outlines;
 mod page;
 mod phrases;
 mod poses;
 mod results;
+mod shell;
 mod stated;
 mod trust;
 mod unproven;
 mod verdict;
 
 use crate::chart::PictureError;
-use crate::viewer;
 use gearlash::analysis::compare::ComparedRun;
 use gearlash::analysis::curves::courses;
 use gearlash::analysis::outcome::{Agreement, Outcome, by_distance};
-use maud::{DOCTYPE, Markup, PreEscaped, html};
+use maud::html;
 use page::Page;
-use phrases::plain;
+use shell::Shell;
 
+pub use outlines::{OutlineReport, outline_report};
 pub use page::{GearGrades, Report};
-
-const STYLE: &str = include_str!("style.css");
 
 /// The page of `report`, in UTF-8.
 ///
@@ -54,72 +54,36 @@ pub fn report(report: &Report) -> Result<String, PictureError> {
         all,
         report,
     };
-    let title = title(report);
-    let style = PreEscaped(format!("\n{STYLE}{}", viewer::STYLE));
-    let markup = html! {
-        (DOCTYPE)
-        html lang="en" {
-            head {
-                meta charset="utf-8";
-                meta name="viewport" content="width=device-width, initial-scale=1";
-                meta name="generator" content=(format!("gearlash {}", env!("CARGO_PKG_VERSION")));
-                title { (title) " – backlash" }
-                style { (style) }
-            }
-            body {
-                (head(report, &title))
-                main {
-                    (verdict::section(&page))
-                    (unproven::section(&page))
-                    (results::section(&page)?)
-                    (trust::section(&page))
-                    (checks::section(&page))
-                    (input::section(&page)?)
-                    (measured::section(&page))
-                    (models::section(&page)?)
-                    (poses::section(&page))
-                    (method::section(&page))
-                }
-                footer { p {
-                    "gearlash " (env!("CARGO_PKG_VERSION")) ", " (report.date)
-                    ". The same pair file and version give the same numbers."
-                } }
-            }
-        }
+    let mut sections = vec![
+        ("result", "Result"),
+        ("backlash", "Backlash and mesh"),
+        ("trust", "Trust"),
+        ("checks", "Checks"),
+        ("input", "Input"),
+        ("measured", "Measured"),
+        ("models", "Formulas"),
+        ("poses", "Worst poses"),
+        ("method", "Method"),
+    ];
+    sections.retain(|(id, _)| *id != "measured" || !report.analysis.measured.is_empty());
+    let main = html! {
+        (verdict::section(&page))
+        (unproven::section(&page))
+        (results::section(&page)?)
+        (trust::section(&page))
+        (checks::section(&page))
+        (input::section(&page)?)
+        (measured::section(&page))
+        (models::section(&page)?)
+        (poses::section(&page))
+        (method::section(&page))
     };
-    Ok(markup.into_string() + "\n")
-}
-
-/// The pair's title; its file where that holds nothing to be read.
-fn title(report: &Report) -> String {
-    [report.pair.study.title.as_str(), report.file]
-        .map(plain)
-        .into_iter()
-        .find(|title| !title.trim().is_empty())
-        .unwrap_or_else(|| "Gear pair".to_owned())
-}
-
-fn head(report: &Report, title: &str) -> Markup {
-    html! {
-        header {
-            p.kind { "Backlash of a gear pair · calculation report" }
-            h1 { (title) }
-            dl.about {
-                div { dt { "Pair file" } dd { (plain(report.file)) } }
-                div { dt { "Date" } dd { (report.date) " (UTC)" } }
-                div { dt { "Program" } dd { "gearlash " (env!("CARGO_PKG_VERSION")) } }
-            }
-        }
-        nav aria-label="Contents" {
-            a href="#result" { "Result" }
-            a href="#backlash" { "Backlash and mesh" }
-            a href="#trust" { "Trust" }
-            a href="#checks" { "Checks" }
-            a href="#input" { "Input" }
-            @if !report.analysis.measured.is_empty() { a href="#measured" { "Measured" } }
-            a href="#models" { "Formulas" }
-            a href="#poses" { "Worst poses" }
-            a href="#method" { "Method" }
-        }
-    }
+    let shell = Shell {
+        title: &report.pair.study.title,
+        file: report.file,
+        date: report.date,
+        sections: &sections,
+        same: "The same pair file and version give the same numbers.",
+    };
+    Ok(shell.page(&main))
 }

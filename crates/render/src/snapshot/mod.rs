@@ -22,6 +22,7 @@ pub use animation::animation;
 pub use difference::outline_difference;
 pub use exaggerated::exaggerated;
 pub use outlines::outline_snapshot;
+pub(crate) use outlines::outline_snapshot_in_page;
 pub use picture::snapshot;
 pub(crate) use picture::snapshot_in_page;
 pub use subject::Snapshot;

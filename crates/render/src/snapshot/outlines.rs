@@ -7,7 +7,7 @@ use crate::kit::{
     Frame, GREY, INK, Ids, OVERLAP, PINION, Spot, TextStyle, UNITS_PER_MM, WHEEL, WIDTH, arrow,
     blank_sheet, clip, dot, hatch, line, path_data, scale,
 };
-use gearlash::analysis::outlines::OutlinePose;
+use gearlash::analysis::outlines::{OutlinePose, OutlineRun};
 use gearlash::analysis::study::Material;
 use gearlash::contact::{OutlineContact, Status};
 use gearlash::gear::Side;
@@ -22,6 +22,8 @@ use svg::node::element::{ClipPath, Definitions, Group, Path, SVG, Use};
 const PITCHES: f64 = 1.5;
 /// How much larger an inset is than the main view: both flanks curve away from a contact.
 const ENLARGED: f64 = 10.0;
+/// Room for the scale bars below the views.
+const FOOT: f64 = 40.0;
 /// Of the stroke half lies outside the metal.
 const STROKE: f64 = 1.2;
 
@@ -32,27 +34,35 @@ pub fn outline_snapshot(
     material: Material,
     pose: &OutlinePose,
 ) -> String {
-    format!("{}\n", draw(title, pair, material, pose))
+    format!("{}\n", draw(title, pair, material, pose, &Ids::default()))
 }
 
-fn draw(title: &str, pair: &OutlinePair, material: Material, pose: &OutlinePose) -> SVG {
-    let ids = Ids::default();
+/// The same for a page, with ids that begin with `prefix`, named `label` for those who do not see it.
+pub(crate) fn outline_snapshot_in_page(
+    title: &str,
+    run: &OutlineRun,
+    pose: &OutlinePose,
+    [prefix, label]: [&str; 2],
+) -> String {
+    // Without the room that an A4 sheet leaves below.
+    let picture = draw(title, &run.pair, run.material, pose, &Ids::in_page(prefix))
+        .set("viewBox", format!("0 0 {WIDTH} {}", MAIN.bottom + FOOT))
+        .set("role", "img")
+        .set("aria-label", label);
+    format!("{picture}\n")
+}
+
+fn draw(title: &str, pair: &OutlinePair, material: Material, pose: &OutlinePose, ids: &Ids) -> SVG {
     let main = main_view(pair);
-    let contacts = [Side::Right, Side::Left].map(|side| {
-        let found = pose.found.as_ref().ok()?;
-        match side {
-            Side::Right => found.right,
-            Side::Left => found.left,
-        }
-    });
+    let contacts = pose.contacts();
     let held = contacts.iter().flatten().next();
     let nominal = pair.rotation(pair.free(), &pose.mating);
     let rotation = held.map_or(nominal, |contact| contact.rotation);
     let mut sheet = blank_sheet()
-        .add(hatch(&ids))
+        .add(hatch(ids))
         .add(caption(title, pair, material, pose, held.is_some()))
         .add(names(pair))
-        .add(gears(pair, pose, &main, "mesh", &ids, rotation))
+        .add(gears(pair, pose, &main, "mesh", ids, rotation))
         .add(MAIN.border());
     for (contact, (side, frame)) in contacts
         .iter()
@@ -72,14 +82,7 @@ fn draw(title: &str, pair: &OutlinePair, material: Material, pose: &OutlinePose)
         );
         sheet = sheet
             .add(heading.text(&words(side, contact), at))
-            .add(gears(
-                pair,
-                pose,
-                &view,
-                side.name(),
-                &ids,
-                contact.rotation,
-            ))
+            .add(gears(pair, pose, &view, side.name(), ids, contact.rotation))
             .add(mark(contact, &view, 64.0))
             .add(frame.border())
             .add(scale::bar([frame.left, frame.bottom + 16.0], view.scale()));

@@ -2,7 +2,7 @@
 
 use super::layout::{Column, Screen, Table, Tone};
 use super::verdict::heading;
-use gearlash::analysis::outlines::{OutlinePose, OutlineRun, turns};
+use gearlash::analysis::outlines::{OutlineRun, turns};
 use gearlash_files::OutlinePairFile;
 use gearlash_files::numbers::{stated_distance, um_ascii};
 use gearlash_files::outlines::{looks_like, region_words, sentence};
@@ -18,7 +18,12 @@ pub fn text(file: &OutlinePairFile, runs: &[OutlineRun], screen: &Screen) -> Str
         Some(false) => Tone::Bad,
         None => Tone::Doubtful,
     };
-    let mut text = heading(&file.study.title, tone, &sentence(runs), screen);
+    let mut text = heading(
+        &file.study.title,
+        tone,
+        &sentence(&file.study, runs),
+        screen,
+    );
     for run in runs {
         text += &binding(run, screen);
     }
@@ -31,32 +36,11 @@ pub fn text(file: &OutlinePairFile, runs: &[OutlineRun], screen: &Screen) -> Str
 
 /// The wheel teeth at which a run binds, each at its worst; empty where it turns.
 fn binding(run: &OutlineRun, screen: &Screen) -> String {
-    let mut worst: Vec<(u32, &OutlinePose)> = Vec::new();
-    for pose in run.poses.iter().chain(&run.least) {
-        let found = pose.found.as_ref().ok();
-        if !pose.binds() {
-            continue;
-        }
-        let contacts = found
-            .into_iter()
-            .flat_map(|found| found.right.iter().chain(&found.left));
-        let mut teeth: Vec<u32> = contacts.map(|contact| contact.wheel.tooth).collect();
-        if teeth.is_empty() {
-            teeth.push(pose.mating.wheel_tooth);
-        }
-        for tooth in teeth {
-            match worst.iter_mut().find(|(known, _)| *known == tooth) {
-                Some((_, known)) if pose.room() < known.room() => *known = pose,
-                Some(_) => (),
-                None => worst.push((tooth, pose)),
-            }
-        }
-    }
+    let worst = run.binding_teeth();
     // Jammed throughout there is nothing to choose between.
     if worst.iter().all(|(_, pose)| pose.j_wt.is_none()) {
         return String::new();
     }
-    worst.sort_by(|a, b| a.1.room().total_cmp(&b.1.room()).then(a.0.cmp(&b.0)));
     let mut rows = Table::new(vec![
         Column::new("wheel tooth"),
         Column::new("j_wt um"),
@@ -64,22 +48,21 @@ fn binding(run: &OutlineRun, screen: &Screen) -> String {
         Column::new("left flanks").left(),
     ]);
     for (tooth, pose) in worst.iter().take(LISTED) {
-        let found = pose.found.as_ref().ok();
-        let named = |contact: Option<&gearlash::contact::OutlineContact>| {
+        let [right, left] = pose.contacts().map(|contact| {
             contact.map_or("jammed".to_owned(), |contact| {
                 format!(
                     "{}.{} {}",
                     contact.wheel.tooth,
                     contact.pinion.tooth,
-                    region_words(contact)
+                    region_words(&contact)
                 )
             })
-        };
+        });
         rows.add(vec![
             tooth.to_string(),
             um_ascii(pose.j_wt.map(|(j_wt, _)| j_wt), 2),
-            named(found.and_then(|found| found.right.as_ref())),
-            named(found.and_then(|found| found.left.as_ref())),
+            right,
+            left,
         ]);
     }
     let mut text = format!(

@@ -58,6 +58,7 @@ pub fn read(bytes: &[u8], options: &Options, pieces: &mut Pieces) -> Result<(), 
         });
     }
     let scale = unit::settled(sheet.unit()?, options.unit, "no $INSUNITS in the DXF")?;
+    pieces.unit_mm = scale;
     shape::read(&sheet.text, &sheet.kept, scale, pieces)
 }
 

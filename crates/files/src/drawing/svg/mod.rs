@@ -93,6 +93,7 @@ pub fn read(bytes: &[u8], options: &Options, pieces: &mut Pieces) -> Result<(), 
         ));
     }
     let scale = page.scale(root, options)?;
+    page.pieces.unit_mm = scale;
     let within = Within {
         map: Affine::upright(scale),
         asked: page.select.is_none(),

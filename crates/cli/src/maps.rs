@@ -1,0 +1,115 @@
+//! Maps over centre distance and mesh phase, for `check --map` and `chart --kind map`.
+
+use super::console::tell;
+use super::progress::Progress;
+use crate::error::Error;
+use gearlash::analysis::diagnosis::{Diagnosis, Group, MAP_ROWS, ZeroDistance, map};
+use gearlash::analysis::outlines::{OUTLINE_MAP_ROWS, OutlineMap, OutlineRun, TurnsFrom};
+use gearlash::analysis::study::{Material, Study};
+use gearlash::pair::Member;
+use gearlash_files::OutlinePairFile;
+use gearlash_files::outlines::outline_map_csv;
+
+/// A map of one material.
+pub(super) struct DrawnMap {
+    material: Material,
+    pub(super) svg: String,
+    csv: String,
+}
+
+impl DrawnMap {
+    /// As files of a folder.
+    pub(super) fn files(self) -> [(String, String); 2] {
+        let name = self.material.name();
+        [
+            (format!("map_{name}.svg"), self.svg),
+            (format!("map_{name}.csv"), self.csv),
+        ]
+    }
+}
+
+/// Whether a map may be a file called `name`.
+pub(super) fn is_own(name: &str) -> bool {
+    let map = name.strip_prefix("map_");
+    let map = map.and_then(|map| map.strip_suffix(".svg").or(map.strip_suffix(".csv")));
+    let materials = [Material::Most, Material::Least, Material::AsMeasured];
+    map.is_some_and(|map| materials.iter().any(|material| material.name() == map))
+}
+
+/// A map of each material, at the study's first centre distance.
+pub(super) fn of_data(study: &Study, diagnosis: &Diagnosis) -> Result<Vec<DrawnMap>, Error> {
+    let mut drawn: Vec<(&Group, &ZeroDistance)> = Vec::new();
+    let mut seen = Vec::new();
+    for group in &diagnosis.groups {
+        let material = group.material;
+        if seen.contains(&material) {
+            continue;
+        }
+        seen.push(material);
+        match &group.zero {
+            Ok(Some(zero)) => drawn.push((group, zero)),
+            Ok(None) => {}
+            Err(reason) => {
+                tell(&format!(
+                    "note: no map of material {}: the pose with the least backlash is unproven ({reason})",
+                    material.name()
+                ));
+            }
+        }
+    }
+    let progress = Progress::of(drawn.len() as u64 * u64::from(MAP_ROWS), "rows of the map");
+    let maps = drawn.into_iter().map(|(group, zero)| {
+        let material = group.material;
+        let map = map(group, zero.pose, &|| progress.tick())?;
+        let teeth = |member| group.assembly.gear(member).gear().basic_data().teeth();
+        let caption = format!(
+            "{} and {} teeth, {}: what touches, over one pitch from the pose with the least backlash",
+            teeth(Member::Wheel),
+            teeth(Member::Pinion),
+            material.words(),
+        );
+        Ok(DrawnMap {
+            material,
+            svg: gearlash_render::map_picture(&map, &study.title, &caption),
+            csv: gearlash_files::results::map_csv(&map).map_err(|error| unwritable(&error))?,
+        })
+    });
+    maps.collect()
+}
+
+/// The same of a pair with an outline, of `runs` of it.
+pub(super) fn of_outlines(
+    file: &OutlinePairFile,
+    runs: &[OutlineRun],
+) -> Result<Vec<DrawnMap>, Error> {
+    let drawn = &runs[..file.study.materials.len().min(runs.len())];
+    let zeros = drawn.iter().map(|run| run.zero_backlash(&file.study));
+    let zeros = zeros.collect::<Result<Vec<_>, _>>()?;
+    let maps = outline_maps(file, drawn, &zeros)?;
+    let maps = drawn.iter().zip(maps).map(|(run, map)| {
+        Ok(DrawnMap {
+            material: run.material,
+            svg: gearlash_render::outline_map_picture(&file.study.title, run, &map),
+            csv: outline_map_csv(&map).map_err(|error| unwritable(&error))?,
+        })
+    });
+    maps.collect()
+}
+
+/// The map of each material at the first centre distance, under a bar; `zeros` are the zero-backlash distances of `runs`.
+pub(super) fn outline_maps(
+    file: &OutlinePairFile,
+    runs: &[OutlineRun],
+    zeros: &[Option<TurnsFrom>],
+) -> Result<Vec<OutlineMap>, Error> {
+    let materials = file.study.materials.len();
+    let rows = materials as u64 * u64::from(OUTLINE_MAP_ROWS);
+    let progress = Progress::of(rows, "rows of the map");
+    let first = runs.iter().zip(zeros).take(materials);
+    let maps = first.map(|(run, zero)| run.map(&file.study, zero.as_ref(), &|| progress.tick()));
+    Ok(maps.collect::<Result<_, _>>()?)
+}
+
+fn unwritable(error: &dyn std::fmt::Display) -> Error {
+    Error::Usage(format!("the map cannot be written: {error}"))
+}

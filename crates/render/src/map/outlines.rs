@@ -1,0 +1,88 @@
+//! The map of the backlash of two outlines.
+
+use super::grid::Grid;
+use crate::kit::Axis;
+use gearlash::analysis::outlines::{OutlineMap, OutlineRun};
+use gearlash::analysis::study::Material;
+use gearlash::contact::Status;
+use gearlash::pair::Member;
+use gearlash_files::numbers::shortest;
+use svg::node::element::SVG;
+
+/// Steps of backlash above zero.
+const STEPS: usize = 4;
+
+/// Darker is tighter, so that it reads in black and white, too.
+const COLOURS: [&str; 9] = [
+    "#4a1f2e", "#a83224", "#e08a3c", "#8fc7a6", "#b5dac4", "#d7ebdf", "#eef7f1", "#ffffff",
+    "#ff00ff",
+];
+
+/// `map`, of `run`, as SVG; `title` stands above.
+pub fn outline_map_picture(title: &str, run: &OutlineRun, map: &OutlineMap) -> String {
+    format!("{}\n", draw(title, run, map))
+}
+
+/// The same for a page, named for those who do not see it.
+pub(crate) fn outline_map_in_page(title: &str, run: &OutlineRun, map: &OutlineMap) -> String {
+    let label = "Backlash over mesh cycle and centre distance";
+    let picture = draw(title, run, map);
+    format!("{}\n", picture.set("role", "img").set("aria-label", label))
+}
+
+fn draw(title: &str, run: &OutlineRun, map: &OutlineMap) -> SVG {
+    let teeth = |member| run.pair.gear(member).teeth();
+    let caption = format!(
+        "{} and {} teeth{}: backlash j_wt over the whole mesh cycle, the least in each cell",
+        teeth(Member::Wheel),
+        teeth(Member::Pinion),
+        match run.material {
+            Material::AsMeasured => String::new(),
+            material => format!(", {}", material.words()),
+        }
+    );
+    let um = map.cells.iter().filter_map(|cell| Some(1e3 * cell.j_wt?.0));
+    let greatest = um.fold(0.0, f64::max);
+    let step = step(greatest / STEPS as f64);
+    let upto = |steps: usize| shortest(step * steps as f64);
+    let mut names = vec![
+        "jammed: a tip in a root".to_owned(),
+        format!("interference beyond {} µm", upto(1)),
+        format!("interference up to {} µm", upto(1)),
+    ];
+    names.extend((1..STEPS).map(|k| format!("backlash {} … {} µm", upto(k - 1), upto(k))));
+    names.push(format!("backlash above {} µm", upto(STEPS - 1)));
+    names.push("out of mesh".to_owned());
+    names.push("not settled".to_owned());
+    let cells = map.cells.iter().map(|cell| match cell.status() {
+        Status::Unproven => 8,
+        Status::NoContact => 7,
+        Status::Jammed => 0,
+        Status::Clear | Status::Interference => {
+            let steps = cell.j_wt.map_or(0.0, |(mm, _)| 1e3 * mm / step);
+            // From −1 step, one shade a step.
+            (steps.floor() + 3.0).clamp(1.0, 6.0) as usize
+        }
+    });
+    let phase = format!(
+        "pitches from mating {}·{} on",
+        map.start.wheel_tooth, map.start.pinion_tooth
+    );
+    let grid = Grid {
+        distances: &map.distances,
+        columns: map.columns,
+        phase: Axis::new(&phase, [0.0, map.matings as f64]),
+        limits: &map.limits,
+        shades: COLOURS.into_iter().zip(names).collect(),
+        cells: cells.collect(),
+    };
+    grid.picture(title, &caption)
+}
+
+/// 1, 2 or 5 times a power of ten, µm: the least that is no less than `least`.
+fn step(least: f64) -> f64 {
+    let power = 10f64.powf(least.max(1e-3).log10().floor());
+    let steps = [1.0, 2.0, 5.0, 10.0].map(|times| times * power);
+    let found = steps.into_iter().find(|step| *step >= least * (1.0 - 1e-9));
+    found.unwrap_or(10.0 * power)
+}

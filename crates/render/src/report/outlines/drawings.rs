@@ -1,0 +1,173 @@
+//! What was read of each drawing, and how the gears are put together.
+
+use super::super::phrases::{plain, symbol};
+use super::super::stated::{high_tooth, runout, thickness};
+use super::OutlineReport;
+use gearlash::outline::OutlineGear;
+use gearlash_files::numbers::{bound_um, fixed, shortest, stated_distance, trimmed};
+use gearlash_files::outlines::{DrawingRead, looks_like};
+use gearlash_files::spec::{
+    CentreName, CentreSpec, EitherGearSpec, GearSpec, OutlineSpec, PointsKind,
+};
+use maud::{Markup, html};
+
+pub(super) fn section(report: &OutlineReport) -> Markup {
+    let pair = report.pair;
+    let specs = [&pair.spec.wheel, &pair.spec.pinion];
+    let found = looks_like(pair);
+    html! {
+        section id="input" {
+            h2 { "Drawings and assembly" }
+            div.scroll tabindex="0" role="region" aria-label="Both gears" {
+                table {
+                    caption { "What was read of each drawing; lengths after its unit is taken in" }
+                    thead { tr {
+                        th scope="col" { "name" } th.n scope="col" { "wheel (1)" } th.n scope="col" { "pinion (2)" }
+                    } }
+                    tbody { @for (name, cells) in rows(report, specs) {
+                        tr { th scope="row" { (name) } @for cell in cells { td.n { (cell) } } }
+                    } }
+                }
+            }
+            @for sentence in found { p { (sentence) } }
+            (assembly(report))
+            @for warning in pair.warnings.iter().chain(&pair.remarks) { p.warning { strong { "Note: " } (plain(warning)) "." } }
+        }
+    }
+}
+
+/// Name, and of each gear what it says.
+fn rows(report: &OutlineReport, specs: [&EitherGearSpec; 2]) -> Vec<(&'static str, [String; 2])> {
+    let dash = || "–".to_owned();
+    let of = |drawing: &dyn Fn(&OutlineSpec, &DrawingRead) -> String,
+              data: &dyn Fn(&GearSpec) -> String| {
+        [0, 1].map(|k| match (specs[k], &report.pair.drawings[k]) {
+            (EitherGearSpec::Outline(spec), Some(read)) => drawing(&spec.outline, read),
+            (EitherGearSpec::Data(spec), _) => data(spec),
+            (EitherGearSpec::Outline(_), None) => dash(),
+        })
+    };
+    let drawn = |drawing: &dyn Fn(&OutlineSpec, &DrawingRead) -> String| of(drawing, &|_| dash());
+    let gears = |value: fn(&OutlineGear) -> f64| {
+        [0, 1].map(|k| {
+            let materials = report.pair.study.materials.iter();
+            let mut values: Vec<String> = materials
+                .map(|(_, wheel, pinion)| trimmed(value([wheel, pinion][k]), 0, 4))
+                .collect();
+            values.dedup();
+            values.join(" / ")
+        })
+    };
+    let runouts = specs.map(|spec| match spec {
+        EitherGearSpec::Data(spec) => &spec.runout,
+        EitherGearSpec::Outline(spec) => &spec.runout,
+    });
+    let mut rows = vec![
+        ("drawing", of(&|spec, _| plain(&spec.file), &by_its_data)),
+        ("chosen path", drawn(&|spec, _| chosen(spec))),
+        ("unit", drawn(&unit)),
+        ("centre in the drawing, mm", drawn(&centre)),
+        ("parts of the outline", drawn(&parts)),
+        (
+            "followed within, µm",
+            drawn(&|_, read| match read.bound_mm {
+                0.0 => "as drawn".to_owned(),
+                bound => bound_um(bound),
+            }),
+        ),
+        (
+            "closed paths inside",
+            drawn(&|_, read| read.inside.to_string()),
+        ),
+        ("teeth", gears(|gear| f64::from(gear.teeth()))),
+        ("tip diameter, mm", gears(|gear| 2.0 * gear.tip_radius())),
+        ("root diameter, mm", gears(|gear| 2.0 * gear.root_radius())),
+        ("runout as stated, µm", runouts.map(runout)),
+        ("high tooth", runouts.map(high_tooth)),
+        (
+            "reference face towards",
+            specs.map(|spec| match spec {
+                EitherGearSpec::Data(spec) => spec.reference_face.name().to_owned(),
+                EitherGearSpec::Outline(spec) => spec.reference_face.name().to_owned(),
+            }),
+        ),
+    ];
+    rows.retain(|(_, cells)| cells.iter().any(|cell| cell != "–"));
+    rows
+}
+
+fn by_its_data(spec: &GearSpec) -> String {
+    format!(
+        "none: by its data, module {} mm, {}°, x = {}, {}",
+        shortest(spec.module_mm),
+        shortest(spec.pressure_angle_deg),
+        shortest(spec.profile_shift),
+        thickness(&spec.thickness)
+    )
+}
+
+fn chosen(spec: &OutlineSpec) -> String {
+    match (&spec.layer, &spec.id) {
+        (Some(layer), _) => format!("layer {}", plain(layer)),
+        (_, Some(id)) => format!("id {}", plain(id)),
+        (None, None) => "–".to_owned(),
+    }
+}
+
+fn unit(spec: &OutlineSpec, read: &DrawingRead) -> String {
+    let by = match spec.units {
+        Some(_) => "the pair file",
+        None => "the drawing",
+    };
+    format!("{} mm, stated by {by}", shortest(read.unit_mm))
+}
+
+fn centre(spec: &OutlineSpec, read: &DrawingRead) -> String {
+    let how = match spec.center_mm {
+        CentreSpec::At(_) => "as stated",
+        CentreSpec::Found(CentreName::Bore) => "of the circle inside",
+        CentreSpec::Found(CentreName::Fit) => "of the circle through the tips",
+    };
+    let [x, y] = [read.centre.x, read.centre.y].map(|mm| trimmed(mm, 0, 6));
+    format!("({x}, {y}), {how}")
+}
+
+fn parts(spec: &OutlineSpec, read: &DrawingRead) -> String {
+    let named = ["line", "arc", "curve"].into_iter().zip(read.parts);
+    let named = named.filter(|(_, count)| *count > 0);
+    let named = named.map(|(name, count)| match count {
+        1 => format!("1 {name}"),
+        _ => format!("{count} {name}s"),
+    });
+    let smooth = match spec.kind {
+        PointsKind::Smooth => " through the points",
+        PointsKind::Polygon => "",
+    };
+    named.collect::<Vec<_>>().join(", ") + smooth
+}
+
+fn assembly(report: &OutlineReport) -> Markup {
+    let study = &report.pair.study;
+    let distances = study.center_distances.iter();
+    let distances: Vec<String> = distances.map(|a| stated_distance(*a)).collect();
+    let radii = report.runs.first().map(|run| {
+        [study.locked, study.locked.mate()].map(|member| run.pair.operating_pitch_radius(member))
+    });
+    html! {
+        div.scroll tabindex="0" role="region" aria-label="Assembly" {
+            table {
+                caption { "Assembly" }
+                tbody {
+                    tr { td { i { "a" } } th scope="row" { "centre distance" } td { "mm" } td { (distances.join(", ")) } }
+                    @if let Some([locked, free]) = radii {
+                        tr { td { (symbol("r", "w")) } th scope="row" { "operating pitch radius at the least, locked / free gear" } td { "mm" }
+                            td { (fixed(locked, 4)) " / " (fixed(free, 4)) } }
+                    }
+                    tr { td {} th scope="row" { "locked gear" } td {} td { (study.locked.name()) } }
+                    tr { td {} th scope="row" { "first mating, wheel·pinion" } td {} td { (study.start.wheel_tooth) "·" (study.start.pinion_tooth) } }
+                    tr { td {} th scope="row" { "poses a pitch" } td {} td { (study.steps_per_pitch) } }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,73 @@
+//! What every page has round its sections: style, heading, contents, foot.
+
+use super::phrases::plain;
+use crate::viewer;
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+
+const STYLE: &str = include_str!("style.css");
+
+/// A page without its sections.
+pub(super) struct Shell<'a> {
+    pub title: &'a str,
+    /// The pair file, by name.
+    pub file: &'a str,
+    pub date: &'a str,
+    /// Ids and names of the sections.
+    pub sections: &'a [(&'a str, &'a str)],
+    /// What has to be the same for the same numbers.
+    pub same: &'a str,
+}
+
+impl Shell<'_> {
+    /// The page whose sections are `main`, in UTF-8.
+    pub fn page(&self, main: &Markup) -> String {
+        let title = self.title();
+        let style = PreEscaped(format!("\n{STYLE}{}", viewer::STYLE));
+        let markup = html! {
+            (DOCTYPE)
+            html lang="en" {
+                head {
+                    meta charset="utf-8";
+                    meta name="viewport" content="width=device-width, initial-scale=1";
+                    meta name="generator" content=(format!("gearlash {}", env!("CARGO_PKG_VERSION")));
+                    title { (title) " – backlash" }
+                    style { (style) }
+                }
+                body {
+                    (self.head(&title))
+                    main { (main) }
+                    footer { p {
+                        "gearlash " (env!("CARGO_PKG_VERSION")) ", " (self.date) ". " (self.same)
+                    } }
+                }
+            }
+        };
+        markup.into_string() + "\n"
+    }
+
+    /// The pair's title; its file where that holds nothing to be read.
+    fn title(&self) -> String {
+        [self.title, self.file]
+            .map(plain)
+            .into_iter()
+            .find(|title| !title.trim().is_empty())
+            .unwrap_or_else(|| "Gear pair".to_owned())
+    }
+
+    fn head(&self, title: &str) -> Markup {
+        html! {
+            header {
+                p.kind { "Backlash of a gear pair · calculation report" }
+                h1 { (title) }
+                dl.about {
+                    div { dt { "Pair file" } dd { (plain(self.file)) } }
+                    div { dt { "Date" } dd { (self.date) " (UTC)" } }
+                    div { dt { "Program" } dd { "gearlash " (env!("CARGO_PKG_VERSION")) } }
+                }
+            }
+            nav aria-label="Contents" {
+                @for (id, name) in self.sections { a href=(format!("#{id}")) { (name) } }
+            }
+        }
+    }
+}

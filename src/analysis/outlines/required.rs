@@ -1,0 +1,38 @@
+//! What pairs of outlines do not keep of what is required, at the poses that were looked at.
+
+use super::{OutlineRun, OutlineStudy};
+use crate::analysis::requirement::Quantity;
+use crate::analysis::verdict::{Found, Requirement, Unmet, unmet};
+
+impl OutlineStudy {
+    /// The limits that `runs` do not keep, of each the worst. Only `j_wt` and lost motions have a value; a run with a pose that is jammed, out of mesh or
+    /// not settled has none.
+    pub fn unmet(&self, runs: &[OutlineRun]) -> Vec<Unmet> {
+        let each = self.requirements.iter();
+        let each = each.flat_map(|(quantity, limits)| {
+            let found = |run: &OutlineRun, is_max| Found {
+                bracket: found(*quantity, run, is_max),
+                holds: true,
+            };
+            unmet(*quantity, limits, runs, found)
+        });
+        each.collect()
+    }
+
+    /// Whether `runs` keep what is required.
+    pub fn requirement(&self, runs: &[OutlineRun]) -> Requirement {
+        Requirement::of(&self.requirements, &self.unmet(runs))
+    }
+}
+
+fn found(quantity: Quantity, run: &OutlineRun, is_max: bool) -> Option<[f64; 2]> {
+    let pose = if is_max { &run.greatest } else { &run.least };
+    let pose = pose.as_ref().filter(|_| run.lost.is_none())?;
+    let (j_wt, error) = pose.j_wt?;
+    let per = match quantity {
+        Quantity::OperatingBacklash => 1.0,
+        Quantity::LostMotion(member) => 1.0 / run.pair.operating_pitch_radius(member),
+        _ => return None,
+    };
+    Some([j_wt - error, j_wt + error].map(|mm| mm * per))
+}

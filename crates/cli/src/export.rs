@@ -1,5 +1,6 @@
 //! `gearlash export`: the backlash of a pair written into a copy of a gearbox model.
 
+use super::console::tell;
 use super::progress::Progress;
 use super::target::Target;
 use super::{rexs, studies};
@@ -51,6 +52,12 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             "{name}: is zipped; unpack it and name the .rexs file"
         ))
     })?;
+    if ["1.0", "1.1"].contains(&model.version.as_str()) {
+        tell(&format!(
+            "note: {name}: REXS {} does not list these attributes, versions from 1.2 on do",
+            model.version
+        ));
+    }
     target.write(&copy)?;
     Ok(ExitCode::SUCCESS)
 }

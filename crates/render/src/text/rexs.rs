@@ -34,7 +34,9 @@ pub fn text(name: &str, file: &RexsFile, screen: &Screen) -> String {
         plain(&file.application),
         file.stages.len()
     );
-    text += &stages.text(screen);
+    if !file.stages.is_empty() {
+        text += &stages.text(screen);
+    }
     if !file.left_out.is_empty() {
         let each = file
             .left_out

@@ -18,6 +18,11 @@ pub enum Error {
     /// A command-line value that does not suit the file.
     #[error("{0}")]
     Usage(String),
+    /// A result that is not proven, or that the pair does not have, and so is not written.
+    #[error(
+        "nothing is written, because least and greatest backlash are not both there and proven: {0}"
+    )]
+    Unproven(String),
     /// A calculation without a result.
     #[error(transparent)]
     Run(#[from] gearlash::error::Error),
@@ -91,7 +96,8 @@ impl Error {
     pub fn exit_code(&self) -> u8 {
         use gearlash::error::Error as Run;
         match self {
-            Error::Run(Run::CertificateFailed { .. } | Run::ContactLost { .. }) => 1,
+            Error::Unproven(_)
+            | Error::Run(Run::CertificateFailed { .. } | Run::ContactLost { .. }) => 1,
             Error::Run(Run::Interrupted) => 130,
             _ => 2,
         }

@@ -10,8 +10,10 @@ mod distances;
 mod drawing;
 mod error;
 mod explain;
+mod export;
 mod gauge;
 mod gears;
+mod import;
 mod init;
 mod man;
 mod maps;
@@ -24,6 +26,7 @@ mod poses;
 mod progress;
 mod report;
 mod results;
+mod rexs;
 mod schema;
 mod screen;
 mod signals;
@@ -79,6 +82,8 @@ enum Command {
     Chart(chart::Args),
     Report(report::Args),
     Init(init::Args),
+    Import(import::Args),
+    Export(export::Args),
     Schema(schema::Args),
     Completions(completions::Args),
     Man(man::Args),
@@ -114,6 +119,8 @@ fn command(command: Command) -> Result<ExitCode, Error> {
         Command::Gauge(args) => gauge::run(&args),
         Command::Outline(args) => outline::run(&args),
         Command::Init(args) => init::run(&args),
+        Command::Import(args) => import::run(&args),
+        Command::Export(args) => export::run(&args),
         Command::Schema(args) => schema::run(&args),
         Command::Completions(args) => completions::run(&args),
         Command::Man(args) => man::run(&args),

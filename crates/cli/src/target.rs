@@ -14,8 +14,10 @@ pub(super) struct Target {
     place: Option<OutputFile>,
 }
 
-/// Endings of what gearlash reads: pair files and tables.
-const READ: [&str; 7] = ["toml", "json", "csv", "tsv", "xlsx", "xlsm", "xls"];
+/// Endings of what gearlash reads: pair files, tables and gearbox models.
+const READ: [&str; 10] = [
+    "toml", "json", "csv", "tsv", "xlsx", "xlsm", "xls", "rexs", "rexsj", "rexsz",
+];
 
 impl Target {
     /// As [`Target::prepare`], for a page, a picture or Markdown: never in the place of a pair file or table, read or not.

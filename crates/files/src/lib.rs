@@ -55,6 +55,7 @@ mod read;
 mod readings;
 mod require;
 pub mod results;
+pub mod rexs;
 mod runout;
 mod sheet;
 mod source;
@@ -249,16 +250,48 @@ fn with_entries<T>(
     path: &Path,
     understand: impl FnOnce(&Path, &Place, &[(String, Node)], &mut Problems) -> Option<T>,
 ) -> Result<T, InputError> {
-    let from_stdin = path == Path::new(STANDARD_INPUT);
-    let (path, place, bytes) = match from_stdin {
+    let (path, place, bytes) = located(path);
+    with_text(path, &place, bytes.and_then(source::text), understand)
+}
+
+/// What `understand` makes of the bytes of the file at `path`, which is no pair file, when nothing was wrong.
+fn with_bytes<T>(
+    path: &Path,
+    understand: impl FnOnce(&Path, &Place, Result<Vec<u8>, Problem>, &mut Problems) -> Option<T>,
+) -> Result<T, InputError> {
+    let (path, place, bytes) = located(path);
+    let mut problems = Problems::new();
+    understand(path, &place, bytes, &mut problems).ok_or_else(|| InputError {
+        file: path.to_owned(),
+        problems: problems.into_list(),
+        text: String::new(),
+    })
+}
+
+/// The name that the file at `path` has in messages, its place and its bytes.
+fn located(path: &Path) -> (&Path, Place, Result<Vec<u8>, Problem>) {
+    match path == Path::new(STANDARD_INPUT) {
         true => (
             named(path),
             Place::of_standard_input(),
             source::standard_input(),
         ),
         false => (path, Place::of(path), source::bytes(path)),
-    };
-    with_text(path, &place, bytes.and_then(source::text), understand)
+    }
+}
+
+/// The pair of the pair file `text`, which refers to no other file.
+fn read_text(path: &Path, text: &str) -> Result<PairFile, InputError> {
+    let understand =
+        |path: &Path, place: &Place, entries: &[(String, Node)], problems: &mut Problems| {
+            PairTables::read(path, place, entries, problems).study(problems)
+        };
+    with_text(
+        path,
+        &Place::of_working_folder(),
+        Ok(text.to_owned()),
+        understand,
+    )
 }
 
 /// The same of a `text`.

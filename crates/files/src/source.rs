@@ -141,7 +141,19 @@ fn too_large(size: String) -> Problem {
 /// # Errors
 /// One problem, its key empty: not UTF-8.
 pub fn text(bytes: Vec<u8>) -> Result<String, Problem> {
-    let text = String::from_utf8(bytes).map_err(|error| {
+    let text = text_with_mark(bytes)?;
+    Ok(match text.strip_prefix('\u{feff}') {
+        Some(rest) => rest.to_owned(),
+        None => text,
+    })
+}
+
+/// The same with the byte order mark, where there is one.
+///
+/// # Errors
+/// As [`text`].
+pub fn text_with_mark(bytes: Vec<u8>) -> Result<String, Problem> {
+    String::from_utf8(bytes).map_err(|error| {
         let good = error.utf8_error().valid_up_to();
         let line = 1 + error.as_bytes()[..good]
             .iter()
@@ -151,10 +163,6 @@ pub fn text(bytes: Vec<u8>) -> Result<String, Problem> {
             format!("line {line}: not UTF-8 text"),
             "save the file as UTF-8",
         )
-    })?;
-    Ok(match text.strip_prefix('\u{feff}') {
-        Some(rest) => rest.to_owned(),
-        None => text,
     })
 }
 
@@ -214,7 +222,7 @@ pub fn parse(path: &Path, text: &str) -> Result<Vec<(String, Node)>, Problem> {
 }
 
 /// Line and column, from 1, of the byte `offset` of `text`.
-fn line_and_column(text: &str, offset: usize) -> (usize, usize) {
+pub fn line_and_column(text: &str, offset: usize) -> (usize, usize) {
     let before: &[u8] = text.as_bytes().get(..offset).unwrap_or(text.as_bytes());
     let line_start = before
         .iter()

@@ -18,6 +18,7 @@ mod pair_86_21;
 mod pair_with_table;
 mod pictures;
 mod refused;
+mod rexs;
 mod runs;
 mod schema;
 mod simulate;

@@ -6,6 +6,7 @@ mod layout;
 mod measured;
 mod outlines;
 mod phases;
+pub mod rexs;
 mod simulation;
 mod unit;
 mod verdict;

@@ -1,0 +1,79 @@
+//! Gearbox models (REXS): what is understood of one, and the pair file of a stage.
+
+use super::console::{guard, print};
+use super::target::Target;
+use crate::error::Error;
+use gearlash_files::rexs::{RexsFile, RexsPair, RexsStage};
+use gearlash_render::text::{Screen, rexs};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+/// Of a gearbox model.
+#[derive(clap::Args)]
+pub(super) struct RexsArgs {
+    /// The stage of a gearbox model, by its id, where several can be read
+    #[arg(long, value_name = "ID", allow_negative_numbers = true)]
+    stage: Option<i32>,
+    /// Also write the pair file; - for standard output, and nothing else there
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+/// Shows what is understood of the model at `path`, and the pair file of a stage.
+pub(super) fn import(path: &Path, args: &RexsArgs, screen: &Screen) -> Result<ExitCode, Error> {
+    let file = gearlash_files::rexs::read(path)?;
+    guard(&file.sources)?;
+    let name = gearlash_files::named(path).display().to_string();
+    let chosen = match (args.stage, &args.output) {
+        (None, None) => only(&file).ok(),
+        (None, Some(_)) => Some(only(&file).map_err(|why| Error::Usage(format!("{name}: {why}")))?),
+        (Some(id), _) => Some(pair(&name, stage(&name, &file, id)?)?),
+    };
+    let is_stdout = |output: &PathBuf| output.as_path() == Path::new("-");
+    if !args.output.as_ref().is_some_and(is_stdout) {
+        let mut text = rexs::text(&name, &file, screen);
+        match chosen {
+            Some(pair) => {
+                text += &format!("\n{}", rexs::pair(pair, screen));
+                if args.output.is_none() {
+                    text += &format!("\n{}", pair.pair_file);
+                }
+            }
+            None => text += &format!("\n{}\n", only(&file).err().unwrap_or_default()),
+        }
+        print(&text)?;
+    }
+    if let (Some(output), Some(pair)) = (&args.output, chosen) {
+        Target::prepare(output.clone(), &file.sources)?.write(&pair.pair_file)?;
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// The only stage that can be read, or what to do.
+fn only(file: &RexsFile) -> Result<&RexsPair, String> {
+    let mut pairs = file
+        .stages
+        .iter()
+        .filter_map(|stage| stage.pair.as_ref().ok());
+    match (pairs.next(), pairs.next()) {
+        (Some(pair), None) => Ok(pair),
+        (None, _) => Err("No stage can be read; each reason stands above.".to_owned()),
+        _ => Err("Several stages can be read: choose one with --stage ID.".to_owned()),
+    }
+}
+
+/// The stage of that id in the model called `name`.
+pub(super) fn stage<'a>(name: &str, file: &'a RexsFile, id: i32) -> Result<&'a RexsStage, Error> {
+    file.stage(id).ok_or_else(|| {
+        let ids = file.stages.iter().map(|stage| stage.id.to_string());
+        let ids = ids.collect::<Vec<_>>().join(", ");
+        Error::Usage(format!("{name}: has no stage {id}, its stages are {ids}"))
+    })
+}
+
+fn pair<'a>(name: &str, stage: &'a RexsStage) -> Result<&'a RexsPair, Error> {
+    stage
+        .pair
+        .as_ref()
+        .map_err(|why| Error::Usage(format!("{name}: stage {} is left out: {why}", stage.id)))
+}

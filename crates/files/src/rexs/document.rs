@@ -1,0 +1,191 @@
+//! What a REXS file says, XML and JSON alike: components with attributes, and relations between them.
+
+use crate::characters::{cut, plain};
+use crate::error::Problem;
+use crate::node::LONGEST;
+use std::collections::{BTreeMap, HashSet};
+use std::ops::Range;
+
+/// A whole file.
+#[derive(Debug, Clone, Default)]
+pub struct Document {
+    /// Of the format: "1.4".
+    pub version: String,
+    /// What wrote the file.
+    pub application: String,
+    pub components: Vec<Component>,
+    pub relations: Vec<Relation>,
+    /// Parts beside components and relations, such as a load spectrum.
+    pub others: Vec<String>,
+}
+
+/// A part of the gearbox, or data of one.
+#[derive(Debug, Clone)]
+pub struct Component {
+    pub id: i32,
+    pub kind: String,
+    pub name: String,
+    pub attributes: Vec<Attribute>,
+    /// In bytes of the text: the element (XML), or what stands in the brackets of `attributes` (JSON).
+    pub range: Range<usize>,
+}
+
+/// One value of a component.
+#[derive(Debug, Clone)]
+pub struct Attribute {
+    pub id: String,
+    pub unit: Option<String>,
+    /// `None`: no value, or several.
+    pub value: Option<String>,
+    /// In bytes of the text.
+    pub range: Range<usize>,
+}
+
+/// What components have to do with each other.
+#[derive(Debug, Clone)]
+pub struct Relation {
+    pub id: i32,
+    pub kind: String,
+    /// Role and component.
+    pub refs: Vec<(String, i32)>,
+}
+
+impl Document {
+    /// Checks what every reader of it relies on.
+    ///
+    /// # Errors
+    /// An unknown version, an id that stands twice.
+    pub fn check(&self) -> Result<(), Problem> {
+        let mut parts = self.version.split('.');
+        let known = match (parts.next(), parts.next()) {
+            (Some("1"), Some(minor)) => ["0", "1", "2", "3", "4", "5", "6", "7"].contains(&minor),
+            (Some("2"), minor) => minor == Some("0"),
+            _ => false,
+        };
+        if !known {
+            return Err(Problem {
+                value: Some(shown(&self.version)),
+                ..problem(
+                    "model version",
+                    "unknown, known are 1.0 to 1.7 and 2.0",
+                    "export the file in one of these versions",
+                )
+            });
+        }
+        let mut seen = HashSet::new();
+        for component in &self.components {
+            if !seen.insert(component.id) {
+                return Err(twice(&component.place()));
+            }
+            let mut seen = HashSet::new();
+            for attribute in &component.attributes {
+                if !seen.insert(&attribute.id) {
+                    return Err(twice(&component.place_of(&attribute.id)));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The component of that id.
+    ///
+    /// # Errors
+    /// There is none.
+    pub fn component(&self, id: i32, relation: &Relation) -> Result<&Component, Problem> {
+        let found = self.components.iter().find(|component| component.id == id);
+        found.ok_or_else(|| {
+            problem(
+                &format!("relation {}", relation.id),
+                format!("names component {id}, which the file does not have"),
+                "export the file again",
+            )
+        })
+    }
+
+    /// The relations of that kind in which a component has that role.
+    pub fn relations(&self, kind: &str, role: &str, id: i32) -> impl Iterator<Item = &Relation> {
+        let relations = self.relations.iter();
+        relations.filter(move |relation| {
+            relation.kind == kind && relation.refs.iter().any(|(r, i)| r == role && *i == id)
+        })
+    }
+
+    /// How many components there are of each kind, but for those of `read`.
+    pub fn kinds_beside(&self, read: &[i32]) -> Vec<(String, usize)> {
+        let mut kinds = BTreeMap::new();
+        let rest = self.components.iter().filter(|c| !read.contains(&c.id));
+        for component in rest {
+            *kinds.entry(cut(&component.kind, LONGEST)).or_insert(0) += 1;
+        }
+        kinds.into_iter().collect()
+    }
+}
+
+impl Component {
+    /// What a message calls it.
+    pub fn place(&self) -> String {
+        format!("{} {}", cut(&self.kind, LONGEST), self.id)
+    }
+
+    /// What a message calls an attribute of it.
+    pub fn place_of(&self, attribute: &str) -> String {
+        format!("{}, {}", self.place(), cut(attribute, LONGEST))
+    }
+
+    /// The attribute of that id.
+    pub fn attribute(&self, id: &str) -> Option<&Attribute> {
+        self.attributes.iter().find(|attribute| attribute.id == id)
+    }
+}
+
+impl Relation {
+    /// The component in a role.
+    ///
+    /// # Errors
+    /// There is none, or there are several.
+    pub fn one(&self, role: &str) -> Result<i32, Problem> {
+        let mut all = self.refs.iter().filter(|(r, _)| r == role);
+        match (all.next(), all.next()) {
+            (Some((_, id)), None) => Ok(*id),
+            (found, _) => Err(problem(
+                &format!("relation {}", self.id),
+                format!(
+                    "has {} component as {role}, expected one",
+                    if found.is_some() {
+                        "more than one"
+                    } else {
+                        "no"
+                    }
+                ),
+                "export the file again",
+            )),
+        }
+    }
+}
+
+/// Text of a file, to be compared.
+pub fn text_of(text: &str) -> String {
+    plain(text.trim())
+}
+
+/// Text of a file, to be shown.
+pub fn shown(text: &str) -> String {
+    cut(&plain(text.trim()), LONGEST)
+}
+
+pub fn problem(place: &str, reason: impl Into<String>, help: &str) -> Problem {
+    Problem {
+        key: place.to_owned(),
+        value: None,
+        reason: reason.into(),
+        help: help.to_owned(),
+    }
+}
+
+fn twice(place: &str) -> Problem {
+    problem(
+        place,
+        "stands twice",
+        "remove one of them, or export the file again",
+    )
+}

@@ -1,0 +1,132 @@
+//! Why a stage becomes no pair: something is wrong with the file, or it is no pair that can be read.
+
+use super::document::{Component, problem, shown};
+use crate::error::Problem;
+use std::cell::RefCell;
+
+/// What keeps a stage from becoming a pair.
+pub enum Fault {
+    /// The file is wrong.
+    Wrong(Problem),
+    /// The stage is left out, and why.
+    LeftOut(String),
+}
+
+impl From<Problem> for Fault {
+    fn from(problem: Problem) -> Fault {
+        Fault::Wrong(problem)
+    }
+}
+
+/// The unit that the format gives a quantity.
+#[derive(Clone, Copy, PartialEq)]
+pub enum Unit {
+    Millimetre,
+    Micrometre,
+    Degree,
+    None,
+}
+
+impl Unit {
+    /// Its names in the versions of the format.
+    fn names(self) -> &'static [&'static str] {
+        match self {
+            Unit::Millimetre => &["mm"],
+            Unit::Micrometre => &["mum"],
+            Unit::Degree => &["deg", "°"],
+            Unit::None => &["none", ""],
+        }
+    }
+}
+
+/// The attributes of a component, those that were read kept in mind.
+pub struct Attributes<'a> {
+    component: &'a Component,
+    read: RefCell<Vec<String>>,
+}
+
+impl<'a> Attributes<'a> {
+    /// Of `component`, none read.
+    pub fn of(component: &'a Component) -> Attributes<'a> {
+        Attributes {
+            component,
+            read: RefCell::default(),
+        }
+    }
+
+    /// Whose they are.
+    pub fn component(&self) -> &'a Component {
+        self.component
+    }
+
+    /// The text of an attribute; `None` where it is not there or has no single value.
+    pub fn text(&self, id: &str) -> Option<&'a str> {
+        let value = self.component.attribute(id)?.value.as_deref()?;
+        self.read.borrow_mut().push(id.to_owned());
+        Some(value)
+    }
+
+    /// A number.
+    ///
+    /// # Errors
+    /// It is none, or in another unit.
+    pub fn number(&self, id: &str, unit: Unit) -> Result<Option<f64>, Problem> {
+        let Some(text) = self.text(id) else {
+            return Ok(None);
+        };
+        let wrong = |reason: &str, help: &str| Problem {
+            value: Some(shown(text)),
+            ..problem(&self.component.place_of(id), reason, help)
+        };
+        let stated = self.component.attribute(id).and_then(|a| a.unit.as_deref());
+        if let Some(other) = stated.filter(|stated| !unit.names().contains(stated)) {
+            let names = unit.names().join(" or ");
+            let reason = format!("in the unit {}, the format has {names}", shown(other));
+            return Err(wrong(&reason, "convert it, or export the file again"));
+        }
+        // No exponent without digits, no "inf", no "nan": what the format's own number is.
+        let digits = text.trim_start_matches(['-', '+']);
+        let number = text.parse::<f64>().ok().filter(|number| number.is_finite());
+        match number.filter(|_| digits.starts_with(|c: char| c.is_ascii_digit() || c == '.')) {
+            Some(number) => Ok(Some(number)),
+            None => Err(wrong("not a number", "give a number with a decimal point")),
+        }
+    }
+
+    /// A number that must be there.
+    ///
+    /// # Errors
+    /// As [`Attributes::number`]; it is not there.
+    pub fn need(&self, id: &str, unit: Unit) -> Result<f64, Fault> {
+        let found = self.number(id, unit)?;
+        found.ok_or_else(|| Fault::LeftOut(format!("{} has no {id}", self.component.place())))
+    }
+
+    /// A whole number from 1 on; `None` where it is not there.
+    ///
+    /// # Errors
+    /// As [`Attributes::number`]; a fraction, zero or negative.
+    pub fn count(&self, id: &str) -> Result<Option<u32>, Problem> {
+        let Some(number) = self.number(id, Unit::None)? else {
+            return Ok(None);
+        };
+        match number.fract() == 0.0 && (1.0..=1e9).contains(&number) {
+            true => Ok(Some(number as u32)),
+            false => Err(Problem {
+                value: Some(number.to_string()),
+                ..problem(
+                    &self.component.place_of(id),
+                    "not a whole number above 0",
+                    "correct it",
+                )
+            }),
+        }
+    }
+
+    /// Ids of those that were not read.
+    pub fn unread(&self) -> Vec<&'a str> {
+        let read = self.read.borrow();
+        let ids = self.component.attributes.iter().map(|a| a.id.as_str());
+        ids.filter(|id| !read.iter().any(|one| one == id)).collect()
+    }
+}

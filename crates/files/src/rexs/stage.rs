@@ -1,0 +1,234 @@
+//! One stage of a REXS file: the pair that it is, or why it is none that can be read.
+
+use super::document::{Component, Document};
+use super::fault::{Attributes, Fault, Unit};
+use super::gear::{self, Gear, Thickness};
+use crate::characters::cut;
+use crate::node::LONGEST;
+use crate::numbers::shortest;
+use std::fmt::Write;
+
+/// The field of DIN 3964, as version 1.0 calls it and as all others do.
+const FIELD: [&str; 2] = [
+    "center_distance_tolerance_field_din_3964_1980",
+    "din_3964_center_distance_tolerance_field",
+];
+
+/// A stage of two spur gears, as the file states it.
+pub struct Stage<'a> {
+    stage: Attributes<'a>,
+    gears: [Gear<'a>; 2],
+    distance: f64,
+    band: Band,
+}
+
+/// The tolerance of a centre distance.
+enum Band {
+    None,
+    /// js of this grade: the fields of DIN 3964 are those of ISO 286.
+    Js(u32),
+    /// µm.
+    Ends {
+        upper: f64,
+        lower: f64,
+    },
+}
+
+/// Teeth and module of the gears of a stage that has two spur gears and no others.
+pub fn spur_gears(document: &Document, stage: &Component) -> Result<[(u32, f64); 2], Fault> {
+    let [one, two] = gears(document, stage)?;
+    Ok([gear::spur(&one)?, gear::spur(&two)?])
+}
+
+fn gears<'a>(document: &'a Document, stage: &Component) -> Result<[Attributes<'a>; 2], Fault> {
+    let left_out = |why: &str| Err(Fault::LeftOut(why.to_owned()));
+    if stage.kind == "planetary_stage" {
+        return left_out("a planetary stage: its play is not that of one pair");
+    }
+    if stage.kind != "cylindrical_stage" {
+        return left_out("not a stage of cylindrical gears");
+    }
+    for relation in document.relations("assembly", "part", stage.id) {
+        let whole = document.component(relation.one("assembly")?, relation)?;
+        if whole.kind == "planetary_stage" {
+            return Err(Fault::LeftOut(format!("part of {}", whole.place())));
+        }
+    }
+    let mut relations = document.relations("stage", "stage", stage.id);
+    let Some(relation) = relations.next() else {
+        return left_out("no relation names its gears");
+    };
+    if relations.next().is_some() {
+        return left_out("more than one relation names its gears");
+    }
+    let each = ["gear_1", "gear_2"].map(|role| {
+        let gear = document.component(relation.one(role)?, relation)?;
+        Ok::<_, Fault>(Attributes::of(gear))
+    });
+    let [one, two] = each;
+    Ok([one?, two?])
+}
+
+impl<'a> Stage<'a> {
+    /// The stage that `component` is.
+    pub fn read(document: &'a Document, component: &'a Component) -> Result<Stage<'a>, Fault> {
+        let [one, two] = gears(document, component)?;
+        for gear in [&one, &two] {
+            gear::spur(gear)?;
+        }
+        let gears = [Gear::read(document, one)?, Gear::read(document, two)?];
+        let stage = Attributes::of(component);
+        let distance = stage.need("center_distance", Unit::Millimetre)?;
+        let upper = stage.number("upper_center_distance_allowance", Unit::Micrometre)?;
+        let lower = stage.number("lower_center_distance_allowance", Unit::Micrometre)?;
+        let field = FIELD.iter().find_map(|id| stage.count(id).transpose());
+        let band = match (upper, lower, field.transpose()?) {
+            (Some(upper), Some(lower), _) => Band::Ends { upper, lower },
+            (None, None, Some(grade)) => Band::Js(grade),
+            (None, None, None) => Band::None,
+            _ => {
+                return Err(Fault::LeftOut(format!(
+                    "{} has one centre distance allowance without the other",
+                    component.place()
+                )));
+            }
+        };
+        Ok(Stage {
+            stage,
+            gears,
+            distance,
+            band,
+        })
+    }
+
+    /// What it became, in a line.
+    pub fn summary(&self) -> String {
+        let [one, two] = &self.gears;
+        let thickness = self
+            .gears
+            .each_ref()
+            .map(|gear| match gear.thickness.first() {
+                None => "nominal".to_owned(),
+                Some(Thickness::Series(series)) => series.clone(),
+                Some(Thickness::Allowance { upper, lower }) => {
+                    format!("{}…{} µm", shortest(*lower), shortest(*upper))
+                }
+                Some(Thickness::Span { .. }) => "span".to_owned(),
+                Some(Thickness::OverPins { .. }) => "over pins".to_owned(),
+            });
+        let distance = match &self.band {
+            Band::None => shortest(self.distance),
+            Band::Js(grade) => format!("{} js{grade}", shortest(self.distance)),
+            Band::Ends { upper, lower } => format!(
+                "{} {}…{} µm",
+                shortest(self.distance),
+                shortest(*lower),
+                shortest(*upper)
+            ),
+        };
+        format!(
+            "z {}/{}, m {}, a {distance}, thickness {} / {}",
+            one.teeth,
+            two.teeth,
+            shortest(one.module),
+            thickness[0],
+            thickness[1]
+        )
+    }
+
+    /// Its pair file. What is not stated is left to the pair file's own defaults.
+    pub fn pair_file(&self, source: &str) -> String {
+        let component = self.stage.component();
+        let title = match component.name.as_str() {
+            "" => format!("Stage {} of {source}", component.id),
+            name => format!("{name}, stage {} of {source}", component.id),
+        };
+        let mut text = format!("title = {}\n", toml::Value::String(title));
+        for (name, gear) in ["wheel", "pinion"].into_iter().zip(&self.gears) {
+            table(&mut text, name, gear);
+        }
+        let distance = match &self.band {
+            Band::None => format!("{:?}", self.distance),
+            Band::Js(grade) => format!("\"{} js{grade}\"", self.distance),
+            Band::Ends { upper, lower } => format!(
+                "{{ nominal_mm = {:?}, upper_um = {upper:?}, lower_um = {lower:?} }}",
+                self.distance
+            ),
+        };
+        text + &format!("\n[assembly]\ncenter_distance_mm = {distance}\n")
+    }
+
+    /// What the user should know.
+    pub fn remarks(&self) -> Vec<String> {
+        let mut remarks = Vec::new();
+        for gear in &self.gears {
+            let place = gear.parts[0].component().place();
+            if gear.shift.is_none() {
+                remarks.push(format!(
+                    "{place} has no addendum_modification_coefficient: taken as 0"
+                ));
+            }
+            if gear.thickness.is_empty() {
+                remarks.push(format!("{place} states no tooth thickness: nominal"));
+            }
+            remarks.extend_from_slice(&gear.remarks);
+        }
+        remarks
+    }
+
+    /// The components it was read from.
+    pub fn parts(&self) -> impl Iterator<Item = &Attributes<'a>> {
+        let gears = self.gears.iter().flat_map(|gear| &gear.parts);
+        [&self.stage].into_iter().chain(gears)
+    }
+}
+
+/// Adds the table of one gear.
+fn table(text: &mut String, name: &str, gear: &Gear) {
+    let component = gear.parts[0].component();
+    let comment = format!("{} {}", component.place(), cut(&component.name, LONGEST));
+    let mut line = |line: String| {
+        text.push_str(&line);
+        text.push('\n');
+    };
+    line(format!("\n[{name}]  # {}", comment.trim_end()));
+    line(format!("teeth = {}", gear.teeth));
+    line(format!("module_mm = {:?}", gear.module));
+    line(format!("pressure_angle_deg = {:?}", gear.pressure_angle));
+    if let Some(shift) = gear.shift {
+        line(format!("profile_shift = {shift:?}"));
+    }
+    if let Some(tip) = gear.tip {
+        line(format!("tip_diameter_mm = {tip:?}"));
+    }
+    if let Some(rack) = &gear.rack {
+        line(format!(
+            "rack = {{ addendum = {:?}, dedendum = {:?}, root_radius = {:?} }}",
+            rack.addendum, rack.dedendum, rack.root_radius
+        ));
+    }
+    let mut stated = gear.thickness.iter().map(statement);
+    if let Some(counts) = stated.next() {
+        let mut inside = counts;
+        if let Some(second) = stated.next() {
+            let _ = write!(inside, ", cross_check = {{ {second} }}");
+        }
+        line(format!("thickness = {{ {inside} }}"));
+    }
+}
+
+fn statement(thickness: &Thickness) -> String {
+    match thickness {
+        Thickness::Series(series) => {
+            let series = toml::Value::String(series.clone());
+            format!("designation = {series}")
+        }
+        Thickness::Allowance { upper, lower } => {
+            format!("allowance_um = {{ upper = {upper:?}, lower = {lower:?} }}")
+        }
+        Thickness::Span { teeth, mm } => format!("span = {{ teeth = {teeth}, mm = {mm:?} }}"),
+        Thickness::OverPins { pin, mm } => {
+            format!("over_pins = {{ pin_mm = {pin:?}, mm = {mm:?} }}")
+        }
+    }
+}

@@ -1,0 +1,172 @@
+//! REXS as XML: `model` with `relations` and `components`.
+//!
+//! Facts of the format: the public schema `rexs-file.xsd` of FVA's Java API (Apache-2.0). No entity and no other file is read.
+
+use super::document::{Attribute, Component, Document, Relation, problem, shown, text_of};
+use crate::error::Problem;
+use roxmltree::Node;
+use std::ops::Range;
+use std::str::FromStr;
+
+/// Elements and texts of a file of 16 MiB: a hundred thousand in a gearbox with its results.
+const MOST_NODES: u32 = 4_000_000;
+const AGAIN: &str = "export the file again";
+
+/// The file that `text` is.
+///
+/// # Errors
+/// What is wrong and in which line.
+pub fn read(text: &str) -> Result<Document, Problem> {
+    let settings = roxmltree::ParsingOptions {
+        nodes_limit: MOST_NODES,
+        ..roxmltree::ParsingOptions::default()
+    };
+    let parsed = roxmltree::Document::parse_with_options(text, settings).map_err(|error| {
+        let at = error.pos();
+        let place = format!("line {} column {}", at.row, at.col);
+        problem(
+            &place,
+            format!("not XML: {}", shown(&error.to_string())),
+            AGAIN,
+        )
+    })?;
+    let model = parsed.root_element();
+    if model.tag_name().name() != "model" {
+        return Err(wrong(model, "not REXS: the root element is not model"));
+    }
+    let mut document = Document {
+        version: text_of(need(model, "version")?),
+        application: shown(model.attribute("applicationId").unwrap_or_default()),
+        ..Document::default()
+    };
+    for part in elements(model) {
+        let seen = |is_empty: bool| match is_empty {
+            true => Ok(()),
+            false => Err(wrong(part, "this part stands twice")),
+        };
+        match part.tag_name().name() {
+            "relations" => {
+                seen(document.relations.is_empty())?;
+                document.relations = of(part, "relation", relation)?;
+            }
+            "components" => {
+                seen(document.components.is_empty())?;
+                document.components = of(part, "component", component)?;
+            }
+            other => document.others.push(shown(other)),
+        }
+    }
+    Ok(document)
+}
+
+/// Replaces what `edits` names, adding what has no place yet at the end of `component`.
+pub fn edited(
+    text: &str,
+    component: &Component,
+    values: &[(&str, f64)],
+    edits: &mut Vec<(Range<usize>, String)>,
+) {
+    let whole = &text[component.range.clone()];
+    let name_end = whole.find(|c: char| c.is_whitespace() || c == '>' || c == '/');
+    let name = &whole[1..name_end.unwrap_or(1)];
+    let prefix = name.strip_suffix("component").unwrap_or_default();
+    let mut added = String::new();
+    for (id, mm) in values {
+        let element =
+            format!("<{prefix}attribute id=\"{id}\" unit=\"mm\">{mm:?}</{prefix}attribute>");
+        match component.attribute(id) {
+            Some(there) => edits.push((there.range.clone(), element)),
+            None => {
+                if let Some(last) = component.attributes.last() {
+                    let before = &text[..last.range.start];
+                    added += &before[before.trim_end().len()..];
+                }
+                added += &element;
+            }
+        }
+    }
+    if added.is_empty() {
+        return;
+    }
+    let range = &component.range;
+    edits.push(match component.attributes.last() {
+        Some(last) => (last.range.end..last.range.end, added),
+        None if whole.ends_with("/>") => (range.end - 2..range.end, format!(">{added}</{name}>")),
+        None => {
+            let end = range.start + whole.rfind("</").unwrap_or(whole.len());
+            (end..end, added)
+        }
+    });
+}
+
+fn component(node: Node) -> Result<Component, Problem> {
+    Ok(Component {
+        id: id(node)?,
+        kind: text_of(need(node, "type")?),
+        name: shown(node.attribute("name").unwrap_or_default()),
+        attributes: of(node, "attribute", attribute)?,
+        range: node.range(),
+    })
+}
+
+fn attribute(node: Node) -> Result<Attribute, Problem> {
+    let text: String = node
+        .children()
+        .filter_map(|child| child.is_text().then(|| child.text()).flatten())
+        .collect();
+    let is_single = elements(node).next().is_none() && !text.trim().is_empty();
+    Ok(Attribute {
+        id: text_of(need(node, "id")?),
+        unit: node.attribute("unit").map(text_of),
+        value: is_single.then(|| text_of(&text)),
+        range: node.range(),
+    })
+}
+
+fn relation(node: Node) -> Result<Relation, Problem> {
+    Ok(Relation {
+        id: id(node)?,
+        kind: text_of(need(node, "type")?),
+        refs: of(node, "ref", |node| {
+            Ok((text_of(need(node, "role")?), id(node)?))
+        })?,
+    })
+}
+
+/// Each child of `parent`, all of which are called `name`.
+fn of<T>(
+    parent: Node,
+    name: &str,
+    read: impl Fn(Node) -> Result<T, Problem>,
+) -> Result<Vec<T>, Problem> {
+    let each = elements(parent).map(|child| match child.tag_name().name() == name {
+        true => read(child),
+        false => Err(wrong(child, &format!("expected {name}"))),
+    });
+    each.collect()
+}
+
+fn elements<'a, 'i: 'a>(node: Node<'a, 'i>) -> impl Iterator<Item = Node<'a, 'i>> {
+    node.children().filter(Node::is_element)
+}
+
+fn id(node: Node) -> Result<i32, Problem> {
+    let text = need(node, "id")?;
+    i32::from_str(text.trim())
+        .map_err(|_| wrong(node, &format!("id {} is not a whole number", shown(text))))
+}
+
+fn need<'a>(node: Node<'a, '_>, name: &str) -> Result<&'a str, Problem> {
+    let found = node.attribute(name);
+    found.ok_or_else(|| wrong(node, &format!("has no {name}")))
+}
+
+fn wrong(node: Node, reason: &str) -> Problem {
+    let at = node.document().text_pos_at(node.range().start);
+    let place = format!("line {} column {}", at.row, at.col);
+    problem(
+        &place,
+        format!("{}: {reason}", shown(node.tag_name().name())),
+        AGAIN,
+    )
+}

@@ -1,0 +1,170 @@
+//! What stages become.
+
+use super::oracle::Model;
+use super::*;
+use std::io::Write;
+
+#[test]
+fn xml_and_json_make_the_same_pairs() {
+    let (xml, json) = (fixture("gearbox.rexs"), fixture("gearbox.rexsj"));
+    let files = [read(&xml).unwrap(), read(&json).unwrap()];
+    assert_eq!(
+        files.each_ref().map(|f| f.version.clone()),
+        ["2.0.0", "1.7"]
+    );
+    for stage in [10, 20] {
+        let [one, two] = files.each_ref().map(|file| pair(file, stage));
+        assert_eq!(one, two);
+        Model::of_xml(&xml).check(stage.into(), &one);
+        Model::of_json(&json).check(stage.into(), &two);
+    }
+}
+
+#[test]
+fn a_designation_a_tool_and_a_tolerance_field() {
+    let file = read(&fixture("gearbox.rexs")).unwrap();
+    let stage = file.stage(10).unwrap().pair.as_ref().unwrap();
+    let by_hand = r#"title = "Input, stage 10 of gearbox.rexs"
+
+[wheel]  # cylindrical_gear 11 Pinion
+teeth = 17
+module_mm = 4.0
+pressure_angle_deg = 20.0
+profile_shift = 0.0
+rack = { addendum = 1.0, dedendum = 1.25, root_radius = 0.25 }
+thickness = { designation = "25c" }
+
+[pinion]  # cylindrical_gear 12 Wheel
+teeth = 22
+module_mm = 4.0
+pressure_angle_deg = 20.0
+profile_shift = 0.0
+rack = { addendum = 1.0, dedendum = 1.25, root_radius = 0.25 }
+thickness = { designation = "25c" }
+
+[assembly]
+center_distance_mm = "78 js7"
+"#;
+    assert_eq!(stage.pair_file, by_hand);
+    let unused = stage
+        .unused
+        .iter()
+        .map(|(part, ids)| format!("{part}: {}", ids.join(" ")));
+    let unused: Vec<String> = unused.collect();
+    assert!(
+        unused.contains(&"cylindrical_gear 11: face_width".to_owned()),
+        "{unused:?}"
+    );
+    assert!(
+        unused.contains(&"rack_shaped_tool 17: dedendum_coefficient_reference_profile".to_owned()),
+        "{unused:?}"
+    );
+}
+
+#[test]
+fn allowances_of_the_span_beside_the_designation_are_compared() {
+    // DIN 3967: 25cd up to d = 50 mm is −54/−84 µm; of the span times cos 20°.
+    let text = fixture("gearbox.rexs");
+    let file = read(&text).unwrap();
+    let both = pair(&file, 20)["wheel"]["thickness"].clone();
+    assert_eq!(both["designation"].as_str(), Some("25cd"));
+    let upper = both["cross_check"]["allowance_um"]["upper"]
+        .as_float()
+        .unwrap();
+    assert!((upper + 54.0).abs() < 1e-3, "{upper}");
+    let warned = |text: &str| {
+        let file = read(text).unwrap();
+        let pair = file.stage(20).unwrap().pair.as_ref().unwrap().clone();
+        pair.remarks
+            .iter()
+            .any(|remark| remark.contains("cross_check"))
+            && pair.remarks.iter().any(|remark| remark.contains("differ"))
+    };
+    assert!(!warned(&text));
+    assert!(warned(&text.replacen("cd25", "c27", 1)));
+}
+
+#[test]
+fn version_1_0_names_and_places_tools_otherwise() {
+    let model = |flank: &str, tool: &str| {
+        format!(
+            r#"<model version="1.0" applicationId="made" applicationVersion="1" date="">
+<relations>
+<relation id="1" type="stage"><ref id="1" role="stage"/><ref id="2" role="gear_1"/><ref id="3" role="gear_2"/></relation>
+<relation id="2" type="flank"><ref id="2" role="gear"/><ref id="4" role="left"/><ref id="5" role="right"/></relation>
+<relation id="3" type="flank"><ref id="3" role="gear"/><ref id="4" role="left"/><ref id="4" role="right"/></relation>
+{tool}</relations>
+<components>
+<component id="1" type="cylindrical_stage"><attribute id="center_distance" unit="mm">60</attribute>
+<attribute id="din_3964_center_distance_tolerance_field" unit="none">6</attribute></component>
+<component id="2" type="cylindrical_gear"><attribute id="number_of_teeth" unit="none">20</attribute>
+<attribute id="normal_module" unit="mm">2</attribute><attribute id="helix_angle_reference_diameter" unit="°">0.0</attribute>
+<attribute id="din_3967_deviation_tolerance_series" unit="none">e24</attribute></component>
+<component id="3" type="cylindrical_gear"><attribute id="number_of_teeth">40</attribute>
+<attribute id="normal_module">2</attribute><attribute id="helix_angle_reference_diameter">-0.0</attribute></component>
+<component id="4" type="flank_geometry"><attribute id="normal_pressure_angle" unit="°">20.0</attribute></component>
+<component id="5" type="flank_geometry"><attribute id="normal_pressure_angle" unit="°">{flank}</attribute></component>
+<component id="6" type="rack_shaped_tool"><attribute id="addendum_reference_profile" unit="mm">2.8</attribute>
+<attribute id="tip_radius" unit="mm">0.5</attribute></component>
+</components></model>"#
+        )
+    };
+    let tool = r#"<relation id="4" type="ordered_reference" order="1"><ref id="2" role="origin"/><ref id="6" role="referenced"/></relation>"#;
+    let file = read(&model("20.0", tool)).unwrap();
+    let found = pair(&file, 1);
+    assert_eq!(
+        found["assembly"]["center_distance_mm"].as_str(),
+        Some("60 js6")
+    );
+    assert_eq!(
+        found["wheel"]["thickness"]["designation"].as_str(),
+        Some("24e")
+    );
+    assert_eq!(found["wheel"]["rack"]["dedendum"].as_float(), Some(1.4));
+    assert_eq!(found["wheel"]["rack"]["root_radius"].as_float(), Some(0.25));
+    let remarks = &file.stage(1).unwrap().pair.as_ref().unwrap().remarks;
+    for told in [
+        "cylindrical_gear 3 states no tooth thickness: nominal",
+        "cylindrical_gear 3 has no addendum_modification_coefficient: taken as 0",
+        "cylindrical_gear 3 has no rack-shaped tool with addendum and tip radius: the root is that of ISO 53 A",
+    ] {
+        assert!(
+            remarks.iter().any(|remark| remark == told),
+            "{told}: {remarks:?}"
+        );
+    }
+    let unlike = read(&model("25.0", tool)).unwrap();
+    assert!(why(&unlike, 1).contains("differs from the other flank in normal_pressure_angle"));
+}
+
+#[test]
+fn a_zipped_model_is_read_and_not_written() {
+    let mut bytes = std::io::Cursor::new(Vec::new());
+    let mut archive = zip::ZipWriter::new(&mut bytes);
+    let options = zip::write::SimpleFileOptions::default();
+    for (name, content) in [
+        ("rexs-model.rexs", fixture("gearbox.rexs")),
+        ("__MACOSX/._rexs-model.rexs", "x".to_owned()),
+        ("gear.gde", "y".to_owned()),
+    ] {
+        archive.start_file(name, options).unwrap();
+        archive.write_all(content.as_bytes()).unwrap();
+    }
+    archive.finish().unwrap();
+    let file = read_bytes(bytes.get_ref()).unwrap();
+    assert_eq!(
+        pair(&file, 10),
+        pair(&read(&fixture("gearbox.rexs")).unwrap(), 10)
+    );
+    let backlash = rexs::RexsBacklash {
+        normal: [0.0; 2],
+        transverse: [0.0; 2],
+    };
+    assert_eq!(file.with_backlash(10, &backlash), None);
+    let cut = &bytes.get_ref()[..bytes.get_ref().len() / 2];
+    let error = read_bytes(cut).unwrap_err().to_string();
+    assert!(
+        error.contains("the archive: not a whole zip archive"),
+        "{error}"
+    );
+}

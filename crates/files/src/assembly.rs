@@ -164,12 +164,9 @@ fn designated(
     let spec = text
         .parse()
         .and_then(|stated| DesignatedDistanceSpec::new(&stated));
-    problems.keep(spec.map_err(|error| {
-        let allowed = match error {
-            GearError::DistanceField => format!("{error}, allowed is {ALLOWED}"),
-            _ => error.to_string(),
-        };
-        entry.problem(allowed, help)
+    problems.keep(spec.map_err(|error| match error {
+        GearError::DistanceField => entry.wrong_type(ALLOWED, CENTER_DISTANCE.help),
+        _ => entry.problem(error.to_string(), help),
     }))
 }
 

@@ -1,6 +1,8 @@
 //! The built binary, as a user and as a script runs it.
 
 #[cfg(unix)]
+mod action;
+#[cfg(unix)]
 mod bombs;
 mod chart;
 mod check;

@@ -1,0 +1,75 @@
+//! What `action.yml` runs, without GitHub.
+
+use super::{empty_folder, fixture};
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+/// `.ci/action` in `folder`; the program is the built one.
+fn act(folder: &Path, command: &str, files: &str, changed_only: bool, base: &str) -> Output {
+    let script = concat!(env!("CARGO_MANIFEST_DIR"), "/../../.ci/action");
+    Command::new("bash")
+        .arg(script)
+        .arg(env!("CARGO_BIN_EXE_gearlash"))
+        .current_dir(folder)
+        .envs([
+            ("COMMAND", command),
+            ("FILES", files),
+            ("ARGUMENTS", ""),
+            ("BASE", base),
+        ])
+        .env("CHANGED_ONLY", changed_only.to_string())
+        .output()
+        .unwrap()
+}
+
+fn git(folder: &Path, arguments: &[&str]) -> String {
+    let identity = ["-c", "user.name=test", "-c", "user.email=test@example.org"];
+    let output = Command::new("git")
+        .args(identity)
+        .args(arguments)
+        .current_dir(folder)
+        .output()
+        .unwrap();
+    assert!(output.status.success(), "{output:?}");
+    String::from_utf8(output.stdout).unwrap().trim().to_owned()
+}
+
+#[test]
+fn the_action_gates_on_pair_files() {
+    let folder = empty_folder();
+    let pairs = folder.path().join("pairs");
+    fs::create_dir(&pairs).unwrap();
+    for (docs, name) in [
+        ("drawing.toml", "good one.toml"),
+        ("printed.toml", "bad.toml"),
+    ] {
+        fs::copy(fixture("../docs/files").join(docs), pairs.join(name)).unwrap();
+    }
+    let code = |output: Output| output.status.code();
+    let at = folder.path();
+    assert_eq!(
+        code(act(at, "check", "pairs/good*.toml", false, "")),
+        Some(0)
+    );
+    let both = act(at, "check", "pairs/*.toml", false, "");
+    let told = String::from_utf8(both.stdout.clone()).unwrap();
+    assert_eq!(both.status.code(), Some(1));
+    assert!(told.contains("::error file=pairs/bad.toml"), "{told}");
+    assert!(told.contains("::notice file=pairs/good one.toml"), "{told}");
+    // What is no file or no command is told where it is looked for: in the log.
+    assert_eq!(code(act(at, "check", "none/*.toml", false, "")), Some(2));
+    assert_eq!(code(act(at, "rm", "pairs/*.toml", false, "")), Some(2));
+
+    git(at, &["init", "--quiet"]);
+    git(at, &["add", "."]);
+    git(at, &["commit", "--quiet", "-m", "first"]);
+    let base = git(at, &["rev-parse", "HEAD"]);
+    let unchanged = act(at, "check", "pairs/*.toml", true, &base);
+    assert_eq!(unchanged.stdout, b"No pair file has changed.\n");
+    assert_eq!(unchanged.status.code(), Some(0));
+    fs::write(pairs.join("table.csv"), "1\n").unwrap();
+    git(at, &["add", "."]);
+    git(at, &["commit", "--quiet", "-m", "a table beside them"]);
+    assert_eq!(code(act(at, "check", "pairs/*.toml", true, &base)), Some(1));
+}

@@ -38,7 +38,7 @@ impl Model {
                         component = named(&tag, "id").trim().parse().unwrap();
                         model.kinds.insert(component, named(&tag, "type"));
                     }
-                    "attribute" => attribute = named(&tag, "id"),
+                    "attribute" => attribute = named(&tag, "id").trim().to_owned(),
                     _ => {}
                 },
                 Event::End(_) => attribute.clear(),
@@ -69,7 +69,7 @@ impl Model {
                 for value in found.filter(|value| !value.is_null()) {
                     model
                         .attributes
-                        .insert((id, text(&attribute["id"])), text(value));
+                        .insert((id, text(&attribute["id"]).trim().to_owned()), text(value));
                 }
             }
         }

@@ -3,8 +3,9 @@
 use super::document::{Document, Relation, shown};
 use super::fault::{Attributes, Fault, Unit};
 use crate::error::Problem;
-use crate::numbers::rounded;
+use crate::numbers::{fixed, rounded};
 use crate::spec::RackSpec;
+use gearlash::gear::{BasicGearData, ThicknessField};
 
 const HELIX: &str = "helix_angle_reference_diameter";
 const SPAN: &str = "span_measurement";
@@ -48,10 +49,10 @@ pub struct Gear<'a> {
 }
 
 /// A statement of the tooth thickness.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Thickness {
-    /// Of DIN 3967 as drawings write it: "25cd".
-    Series(String),
+    /// Of DIN 3967.
+    Series(ThicknessField),
     /// Normal, at the reference cylinder, µm.
     Allowance { upper: f64, lower: f64 },
     /// mm.
@@ -107,7 +108,10 @@ impl<'a> Gear<'a> {
             shift = mm.map(|mm| mm / module);
         }
         let addendum = shared(&flanks, "addendum_coefficient_basic_profile", Unit::None)?;
-        let thickness = thickness(&gear, pressure_angle)?;
+        let basic_data = BasicGearData::new(teeth, module, pressure_angle.to_radians());
+        let basic_data = basic_data
+            .map_err(|error| Fault::LeftOut(format!("{}: {error}", gear.component().place())))?;
+        let thickness = thickness(&gear, &basic_data)?;
         let tip = gear.number("tip_diameter", Unit::Millimetre)?;
         let mut read = Gear {
             teeth,
@@ -277,21 +281,36 @@ fn shared(flanks: &[Attributes], id: &str, unit: Unit) -> Result<Option<f64>, Fa
     Ok(all)
 }
 
+/// Allowances of a span are printed in whole µm: 0.5 µm, as thickness at pressure angles up to 60° 1 µm.
+const ROUNDING_UM: f64 = 1.0;
+
+/// What tells the allowances of a span from those of the series.
+fn agree(field: ThicknessField, span: [f64; 2], basic_data: &BasicGearData) -> Result<(), String> {
+    let series = field
+        .allowances_um(basic_data)
+        .map_err(|error| error.to_string())?;
+    let apart = |(one, other): (&f64, &f64)| (one - other).abs() > ROUNDING_UM;
+    match series.iter().zip(&span).any(apart) {
+        false => Ok(()),
+        true => Err(format!(
+            "contradicts itself: {field} is {} / {} µm, the allowances of its span make {} / {} µm",
+            fixed(series[0], 1),
+            fixed(series[1], 1),
+            fixed(span[0], 1),
+            fixed(span[1], 1)
+        )),
+    }
+}
+
 /// What is stated of the thickness: series, allowances, and where neither is, measured lengths.
-fn thickness(gear: &Attributes, pressure_angle: f64) -> Result<Vec<Thickness>, Fault> {
+fn thickness(gear: &Attributes, basic_data: &BasicGearData) -> Result<Vec<Thickness>, Fault> {
     let place = gear.component().place();
     let mut stated = Vec::new();
     if let Some(series) = SERIES.iter().find_map(|id| gear.text(id)) {
-        let (letters, digits) = series.split_at(
-            series
-                .find(|c: char| c.is_ascii_digit())
-                .unwrap_or(series.len()),
-        );
-        stated.push(Thickness::Series(format!(
-            "{}{}",
-            shown(digits),
-            shown(letters)
-        )));
+        let field = series
+            .parse()
+            .map_err(|error| Fault::LeftOut(format!("{place}: {}: {error}", shown(series))))?;
+        stated.push(Thickness::Series(field));
     }
     let span = ["upper", "lower"].map(|end| format!("{end}_backlash_allowance_referenced_to_span"));
     let upper = gear.number(&span[0], Unit::Micrometre)?;
@@ -300,8 +319,14 @@ fn thickness(gear: &Attributes, pressure_angle: f64) -> Result<Vec<Thickness>, F
         (Some(upper), Some(lower)) => {
             // W_k of a spur gear changes by A_sn cos α.
             let [upper, lower] =
-                [upper, lower].map(|um| rounded(um / pressure_angle.to_radians().cos(), 6));
-            stated.push(Thickness::Allowance { upper, lower });
+                [upper, lower].map(|um| rounded(um / basic_data.pressure_angle().cos(), 6));
+            match stated[..] {
+                [Thickness::Series(field)] => {
+                    agree(field, [upper, lower], basic_data)
+                        .map_err(|why| Fault::LeftOut(format!("{place} {why}")))?;
+                }
+                _ => stated.push(Thickness::Allowance { upper, lower }),
+            }
         }
         (None, None) => {}
         _ => {

@@ -5,7 +5,7 @@ use super::fault::{Attributes, Fault, Unit};
 use super::gear::{self, Gear, Thickness};
 use crate::characters::cut;
 use crate::node::LONGEST;
-use crate::numbers::shortest;
+use crate::numbers::{shortest, trimmed};
 use std::fmt::Write;
 
 /// The field of DIN 3964, as version 1.0 calls it and as all others do.
@@ -109,9 +109,9 @@ impl<'a> Stage<'a> {
             .each_ref()
             .map(|gear| match gear.thickness.first() {
                 None => "nominal".to_owned(),
-                Some(Thickness::Series(series)) => series.clone(),
+                Some(Thickness::Series(field)) => field.to_string(),
                 Some(Thickness::Allowance { upper, lower }) => {
-                    format!("{}…{} µm", shortest(*lower), shortest(*upper))
+                    format!("{} / {} µm", trimmed(*upper, 0, 1), trimmed(*lower, 0, 1))
                 }
                 Some(Thickness::Span { .. }) => "span".to_owned(),
                 Some(Thickness::OverPins { .. }) => "over pins".to_owned(),
@@ -120,10 +120,10 @@ impl<'a> Stage<'a> {
             Band::None => shortest(self.distance),
             Band::Js(grade) => format!("{} js{grade}", shortest(self.distance)),
             Band::Ends { upper, lower } => format!(
-                "{} {}…{} µm",
+                "{} {} / {} µm",
                 shortest(self.distance),
-                shortest(*lower),
-                shortest(*upper)
+                trimmed(*upper, 0, 1),
+                trimmed(*lower, 0, 1)
             ),
         };
         format!(
@@ -219,10 +219,7 @@ fn table(text: &mut String, name: &str, gear: &Gear) {
 
 fn statement(thickness: &Thickness) -> String {
     match thickness {
-        Thickness::Series(series) => {
-            let series = toml::Value::String(series.clone());
-            format!("designation = {series}")
-        }
+        Thickness::Series(field) => format!("designation = \"{field}\""),
         Thickness::Allowance { upper, lower } => {
             format!("allowance_um = {{ upper = {upper:?}, lower = {lower:?} }}")
         }

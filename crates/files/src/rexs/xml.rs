@@ -53,7 +53,13 @@ pub fn read(text: &str) -> Result<Document, Problem> {
                 seen(document.components.is_empty())?;
                 document.components = of(part, "component", component)?;
             }
-            other => document.others.push(shown(other)),
+            "load_spectrum" => document.others.push("load_spectrum".to_owned()),
+            _ => {
+                return Err(wrong(
+                    part,
+                    "expected relations, components or load_spectrum",
+                ));
+            }
         }
     }
     Ok(document)

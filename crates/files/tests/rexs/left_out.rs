@@ -62,7 +62,12 @@ fn a_stage_that_lacks_or_contradicts_something_is_left_out_with_the_reason() {
             10,
             "is internal: number_of_teeth is negative",
         ),
-        ("c25</attribute>", "k25</attribute>", 10, "designation"),
+        (
+            "c25</attribute>",
+            "k25</attribute>",
+            10,
+            "cylindrical_gear 11: k25: ",
+        ),
         (
             "din_3964_1980\" unit=\"none\">7",
             "din_3964_1980\" unit=\"none\">11",

@@ -38,7 +38,7 @@ impl Model {
                         component = named(&tag, "id").trim().parse().unwrap();
                         model.kinds.insert(component, named(&tag, "type"));
                     }
-                    "attribute" => attribute = named(&tag, "id"),
+                    "attribute" => attribute = named(&tag, "id").trim().to_owned(),
                     _ => {}
                 },
                 Event::End(_) => attribute.clear(),
@@ -69,7 +69,7 @@ impl Model {
                 for value in found.filter(|value| !value.is_null()) {
                     model
                         .attributes
-                        .insert((id, text(&attribute["id"])), text(value));
+                        .insert((id, text(&attribute["id"]).trim().to_owned()), text(value));
                 }
             }
         }
@@ -197,7 +197,7 @@ impl Model {
         // The letters stand before the digits in one, behind them in the other.
         let turned = series.map(|series| {
             let (mut letters, mut digits) = (String::new(), String::new());
-            for c in series.chars() {
+            for c in series.chars().filter(|c| !c.is_whitespace()) {
                 if c.is_ascii_digit() {
                     &mut digits
                 } else {
@@ -212,18 +212,12 @@ impl Model {
             let id = format!("{end}_backlash_allowance_referenced_to_span");
             self.number(gear, &id)
         });
-        let holder = match series {
-            Some(_) => stated
-                .get("cross_check")
-                .map_or(&none, |t| t.as_table().unwrap()),
-            None => stated,
-        };
         let found = ["upper", "lower"].map(|end| {
-            let allowance = holder.get("allowance_um")?.as_table().unwrap();
+            let allowance = stated.get("allowance_um")?.as_table().unwrap();
             allowance[end].as_float()
         });
         for (end, found) in ends.into_iter().zip(found) {
-            assert_eq!(end.is_some(), found.is_some());
+            assert_eq!(end.is_some() && series.is_none(), found.is_some());
             if let (Some(span), Some(found)) = (end, found) {
                 let back = found * pressure_angle.to_radians().cos();
                 assert!(

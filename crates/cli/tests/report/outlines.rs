@@ -148,6 +148,12 @@ fn drawings_that_jam_are_out_of_mesh_or_turn() {
         assert_eq!(row(&document, "#result", a)[6], "40.0714");
     }
     assert_eq!(select(&document, "#backlash details figure").len(), 2);
+    let binds = select(&document, "[aria-label=\"Where it binds\"] caption");
+    let binds: Vec<String> = binds.iter().map(text).collect();
+    assert_eq!(
+        binds,
+        ["Where it binds at a = 40.000 mm, each wheel tooth at its worst"]
+    );
 }
 
 /// A gear by its data as the mate: two materials, each with its row, curve and map; the data stand where its drawing would.

@@ -43,7 +43,8 @@ pub(super) fn run(args: &Args, mut file: OutlinePairFile) -> Result<ExitCode, Er
             .copied()
             .collect(),
     };
-    if args.center_distance.is_none() && file.study.center_distances.len() > 1 {
+    let of_one = args.kind == Kind::Revolution && args.center_distance.is_none();
+    if of_one && file.study.center_distances.len() > 1 {
         tell(&format!(
             "note: at the least of {} centre distances; choose with --center-distance",
             file.study.center_distances.len()

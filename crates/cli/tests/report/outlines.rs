@@ -148,6 +148,12 @@ fn drawings_that_jam_are_out_of_mesh_or_turn() {
         assert_eq!(row(&document, "#result", a)[6], "40.0714");
     }
     assert_eq!(select(&document, "#backlash details figure").len(), 2);
+    let binds = select(&document, "[aria-label=\"Where it binds\"] caption");
+    let binds: Vec<String> = binds.iter().map(text).collect();
+    assert_eq!(
+        binds,
+        ["Where it binds at a = 40.000 mm, each wheel tooth at its worst"]
+    );
 }
 
 /// A gear by its data as the mate: two materials, each with its row, curve and map; the data stand where its drawing would.
@@ -176,4 +182,40 @@ fn a_drawing_and_a_gear_by_its_data() {
     );
     assert_eq!(row(&document, "#input", "unit")[2], "–");
     assert_eq!(select(&document, "#backlash figure").len(), 3);
+}
+
+/// Square teeth, a list of points in inches: no involute, and the unit is the pair file's.
+#[test]
+fn an_outline_that_is_no_involute_is_called_none() {
+    let points = (0..48).map(|k| {
+        let (radius, angle) = (
+            if k % 4 < 2 { 12.0 } else { 9.0 },
+            f64::from(k) * std::f64::consts::TAU / 48.0,
+        );
+        format!(
+            "{:.6},{:.6}\n",
+            radius * angle.cos() / 25.4,
+            radius * angle.sin() / 25.4
+        )
+    });
+    let list = format!("x,y\n{}", points.collect::<String>());
+    let gear = |name: &str| format!("[{name}.outline]\nfile = \"square.csv\"\nunits = \"inch\"\n");
+    let folder = drawn(&format!(
+        "{}{}[assembly]\ncenter_distance_mm = 22.5\n",
+        gear("wheel"),
+        gear("pinion")
+    ));
+    std::fs::write(folder.path().join("square.csv"), list).unwrap();
+    let page = page(&folder);
+    let document = checked(&page);
+    assert!(page.contains("No outline looks like an involute."));
+    assert_eq!(
+        row(&document, "#input", "unit")[1],
+        "25.4 mm, stated by the pair file"
+    );
+    assert_eq!(
+        row(&document, "#input", "parts of the outline")[1],
+        "48 lines"
+    );
+    assert_eq!(row(&document, "#input", "teeth")[2], "12");
 }

@@ -29,7 +29,10 @@ pub(super) fn section(report: &OutlineReport) -> Markup {
                     } }
                 }
             }
-            @for sentence in found { p { (sentence) } }
+            @for sentence in &found { p { (sentence) } }
+            @if found.len() < pair.drawings.iter().flatten().count() {
+                p { (if found.is_empty() { "No" } else { "No other" }) " outline looks like an involute." }
+            }
             (assembly(report))
             @for warning in pair.warnings.iter().chain(&pair.remarks) { p.warning { strong { "Note: " } (plain(warning)) "." } }
         }

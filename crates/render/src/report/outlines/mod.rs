@@ -90,7 +90,7 @@ fn result(report: &OutlineReport) -> Markup {
                 p.answer { (with_symbols(&summary(&report.pair.study, runs))) }
             }
             (distances(report))
-            @for run in runs { (binding(report, run)) }
+            @if let Some((run, _)) = worst(runs) { (binding(report, run)) }
         }
     }
 }
@@ -166,7 +166,7 @@ fn teeth(pose: &OutlinePose) -> [String; 2] {
     })
 }
 
-/// The wheel teeth at which a run binds, each at its worst.
+/// The wheel teeth at which a run binds, each at its worst; nothing where it turns.
 fn binding(report: &OutlineReport, run: &OutlineRun) -> Markup {
     let worst = run.binding_teeth();
     // Jammed throughout there is nothing to choose between.
@@ -269,8 +269,8 @@ fn maps(report: &OutlineReport) -> Markup {
         @if !maps.is_empty() {
             h3 { "Over the centre distance" }
             p {
-                "How much backlash is left at each centre distance, all round the mesh cycle; dark is tight. A column that stays dark "
-                "farther up than the others is a tooth that binds first."
+                "How much backlash is left at each centre distance, all round the mesh cycle. Where interference reaches farther up than "
+                "elsewhere, that tooth binds first."
             }
             @for (run, map) in maps {
                 figure.chart.tall tabindex="0" {

@@ -79,6 +79,7 @@ impl GearPart {
             ..GearPart::default()
         };
         part.complete(&table, problems);
+        part.remarks.extend(table.place().take_remarks());
         part
     }
 

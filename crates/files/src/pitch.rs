@@ -19,6 +19,10 @@ pub const KEYS: &[&str] = &[
     "left_um",
     "file",
     "sheet",
+    "header_row",
+    "tooth_column",
+    "left",
+    "right",
     "decimal",
 ];
 

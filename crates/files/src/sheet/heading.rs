@@ -235,7 +235,7 @@ pub fn meaning(name: &str, group: Option<&str>) -> Option<Meaning> {
 fn of_words(name: &str) -> Option<Meaning> {
     let (mut side, mut rest, mut has_flank) = (None, Vec::new(), false);
     let mut is_letter = false;
-    let separators = |c: char| c.is_whitespace() || "_/,;:()[]|".contains(c);
+    let separators = |c: char| c.is_whitespace() || "_/,:()[]|".contains(c);
     for word in name.split(separators).filter(|word| !word.is_empty()) {
         // `Zahn-Nr.` is one word, `Fp-links` are two.
         let whole = plain(word);

@@ -216,6 +216,8 @@ impl PitchSheet {
                 EccentricitySource::Runout => spec::EccentricitySource::Runout,
             }),
             table: None,
+            left: None,
+            right: None,
         }
     }
 }

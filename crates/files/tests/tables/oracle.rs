@@ -46,7 +46,8 @@ fn below(
         .collect();
     let found = [';', ',', '\t'].into_iter().find_map(|delimiter| {
         let names = |line: &str| -> Vec<String> {
-            let bare = |name: &str| name.replace([' ', '-', '_', '.', '\r', '\u{a0}'], "");
+            let bare =
+                |name: &str| name.replace(|c: char| c.is_whitespace() || "-_.".contains(c), "");
             line.split(delimiter).map(bare).collect()
         };
         let mut lines = lines.iter().enumerate();

@@ -10,7 +10,7 @@ const TEETH: u32 = 17;
 const KEYS: &str = "pitch = { kind = \"cumulative\", file = \"p.xlsx\" }";
 
 /// What stands in a cell.
-#[derive(Clone, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 enum Cell {
     Nothing,
     Number(f64),
@@ -73,7 +73,7 @@ fn written(cells: &Cells) -> Vec<u8> {
 fn right(cells: &Cells) -> Option<Vec<Vec<f64>>> {
     let is = |cell: &Cell, word: &str| *cell == Text(word.to_owned());
     let is_head = |row: &Vec<Cell>| row.iter().any(|cell| is(cell, "Zahn-Nr."));
-    let head = cells.iter().position(is_head)?;
+    let head = cells.iter().rposition(is_head)?;
     let tooth = cells[head].iter().position(|cell| is(cell, "Zahn-Nr."))?;
     let places = (0..cells[head].len()).filter(|place| is(&cells[head][*place], "Fp"));
     let [left, right]: [usize; 2] = places.collect::<Vec<_>>().try_into().ok()?;
@@ -194,7 +194,7 @@ fn ten_thousand_shop_books() {
         fs::write(folder.path().join("p.xlsx"), written(&cells)).unwrap();
         match read_pair(&path) {
             Ok(study) => {
-                assert_eq!(Some(pitch_lists(&study)), expected, "{number}");
+                assert_eq!(Some(pitch_lists(&study)), expected, "{number}: {cells:?}");
                 same += 1;
             }
             Err(problems) => {

@@ -182,6 +182,11 @@ pub fn tables(path: &Path, bytes: Vec<u8>, options: &Options) -> Result<Imported
 fn of_file(problem: Problem, name: &str) -> Problem {
     let reason = problem.reason.strip_prefix(&format!("{name}: "));
     Problem {
+        key: problem
+            .key
+            .strip_prefix("file")
+            .unwrap_or(&problem.key)
+            .to_owned(),
         value: None,
         reason: reason.unwrap_or(&problem.reason).to_owned(),
         ..problem
@@ -281,14 +286,20 @@ impl From<'_> {
     /// Cumulative and single pitch, or what a table has that does not say which.
     fn pitch(&self, asked: bool, tables: &mut Vec<ImportedTable>, problems: &mut Problems) {
         let columns = |kind| [Column::Right(kind), Column::Left(kind)];
+        let chosen = ["left", "right"].map(|key| self.choice.column(key));
+        let chosen = chosen.iter().any(Option::is_some);
         let mut first: Option<Option<Origin>> = None;
+        let mut faults = Vec::new();
         for kind in [PitchKind::Cumulative, PitchKind::Single] {
             let only_other = self.has(&columns(kind).map(Column::of_other_kind));
             if !(self.has(&columns(kind)) || asked && kind == PitchKind::Cumulative && !only_other)
             {
                 continue;
             }
-            let Some(sheet) = self.sheet(columns(kind), Coverage::EveryTooth, problems) else {
+            let mut bad = Problems::of_list();
+            let sheet = self.sheet(columns(kind), Coverage::EveryTooth, &mut bad);
+            let Some(sheet) = sheet.filter(|_| bad.is_empty()) else {
+                faults.push(bad);
                 continue;
             };
             // Columns of neither kind may be of both.
@@ -320,6 +331,15 @@ impl From<'_> {
                 ..table
             });
             first = Some(sheet.origin);
+        }
+        // Columns that were named are of one kind: that they are not of the other is no fault.
+        match (chosen, &first) {
+            (true, Some(_)) => faults.clear(),
+            (true, None) => faults.truncate(1),
+            (false, _) => {}
+        }
+        for bad in faults {
+            problems.add_list(self.file.key(), bad);
         }
     }
 

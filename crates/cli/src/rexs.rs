@@ -19,6 +19,13 @@ pub(super) struct RexsArgs {
     output: Option<PathBuf>,
 }
 
+impl RexsArgs {
+    /// Whether it says anything.
+    pub fn is_given(&self) -> bool {
+        self.stage.is_some() || self.output.is_some()
+    }
+}
+
 /// Shows what is understood of the model at `path`, and the pair file of a stage.
 pub(super) fn import(path: &Path, args: &RexsArgs, screen: &Screen) -> Result<ExitCode, Error> {
     let file = gearlash_files::rexs::read(path)?;

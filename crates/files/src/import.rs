@@ -175,15 +175,21 @@ pub fn tables(path: &Path, bytes: Vec<u8>, options: &Options) -> Result<Imported
             tables,
             sources: place.sources(),
         }),
-        _ => Err(InputError {
-            file: path.to_owned(),
-            problems: problems
-                .into_list()
-                .into_iter()
-                .map(|problem| of_file(problem, &name))
-                .collect(),
-            text: String::new(),
-        }),
+        _ => {
+            // Columns of neither kind of pitch are read as both.
+            let mut told: Vec<Problem> = Vec::new();
+            for problem in problems.into_list() {
+                let problem = of_file(problem, &name);
+                if !told.contains(&problem) {
+                    told.push(problem);
+                }
+            }
+            Err(InputError {
+                file: path.to_owned(),
+                problems: told,
+                text: String::new(),
+            })
+        }
     }
 }
 

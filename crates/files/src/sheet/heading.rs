@@ -123,10 +123,8 @@ const NAMES: [(Quantity, &[&str]); 14] = [
     (Deviation, &["deviation", "abweichung"]),
 ];
 
-const LEFT: &[&str] = &["left", "links", "linke", "linker", "linkes", "li", "lf"];
-const RIGHT: &[&str] = &[
-    "right", "rechts", "rechte", "rechter", "rechtes", "re", "rf",
-];
+const LEFT: &[&str] = &["left", "links", "linke", "li", "lf"];
+const RIGHT: &[&str] = &["right", "rechts", "rechte", "re", "rf"];
 /// One letter is a flank only beside a quantity.
 const LETTERS: [(&str, Side); 2] = [("l", Side::Left), ("r", Side::Right)];
 const FLANK: &[&str] = &[

@@ -36,12 +36,48 @@ pub fn places<const N: usize>(
         let places = head.places_of(column, choice);
         problems.keep(one(head, file, column, &places, choice))
     });
+    let columns = &wanted.columns;
     let mut wanted = [0; N];
     for (place, found) in wanted.iter_mut().zip(found) {
         *place = found?;
     }
     let tooth = tooth?;
+    problems.keep(alike(head, file, columns, &wanted, choice))?;
     Some(Places { tooth, wanted })
+}
+
+/// Checks that of the columns of pitch all say their kind or none does: one that does not, beside one that does, may be of the other
+/// kind, unless the pair file names it.
+fn alike(
+    head: &Head,
+    file: &DataFile,
+    columns: &[Column],
+    places: &[usize],
+    choice: &Choice,
+) -> Result<(), Problem> {
+    let says = |place: &usize| {
+        let meaning = head.headings[*place].meaning;
+        meaning.is_some_and(|meaning| matches!(meaning.quantity, Quantity::Pitch(Some(_))))
+    };
+    let open = |(column, place): &(&Column, &usize)| {
+        column.kind().is_some() && choice.column(column.key()).is_none() && !says(place)
+    };
+    let unsaid = columns.iter().zip(places).find(open);
+    match unsaid.filter(|_| places.iter().any(says)) {
+        None => Ok(()),
+        Some((column, place)) => Err(file.problem_at(
+            head.line,
+            format!(
+                "column {} does not say whether it is fp or Fp, the other flank's does",
+                head.shown(file, &[*place])
+            ),
+            format!(
+                "say so in its heading, or name it: {} = \"{}\"",
+                column.key(),
+                letter(*place)
+            ),
+        )),
+    }
 }
 
 /// The column of teeth; of several the first where all say the same.

@@ -63,7 +63,7 @@ pub const FORMATS: [Format; 6] = [
             format!("tooth,left (µm),right (µm)\n{}", rows(teeth, row)).into_bytes()
         },
         oracle: |bytes, teeth| {
-            delimited(bytes, teeth, &[["right", "rechts"], ["left", "links"]]).map(flanks)
+            delimited(bytes, teeth, &[["right", "recht"], ["left", "link"]]).map(flanks)
         },
         understood: pitch_lists,
         apart: |_, _| 0.0,
@@ -80,7 +80,7 @@ pub const FORMATS: [Format; 6] = [
             text.chars().map(|letter| letter as u8).collect()
         },
         oracle: |bytes, teeth| {
-            delimited(bytes, teeth, &[["right", "rechts"], ["left", "links"]]).map(flanks)
+            delimited(bytes, teeth, &[["right", "recht"], ["left", "link"]]).map(flanks)
         },
         understood: pitch_lists,
         apart: |_, _| 0.0,

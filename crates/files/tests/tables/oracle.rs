@@ -13,8 +13,11 @@ pub fn delimited(bytes: &[u8], teeth: u32, words: &[[&str; 2]]) -> Option<Rows> 
             let has = |name: &String| words.iter().any(|word| name.contains(word));
             names.iter().position(has)
         };
-        let tooth = place(&["toothno", "zahn"])
-            .or_else(|| names.iter().position(|name| name.trim() == "tooth"))?;
+        let tooth = place(&["toothno", "zahn"]).or_else(|| {
+            names
+                .iter()
+                .position(|name| ["tooth", "nr"].contains(&name.trim()))
+        })?;
         let places: Option<Vec<usize>> = words.iter().map(|words| place(words)).collect();
         Some((tooth, places?))
     };

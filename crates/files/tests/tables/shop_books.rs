@@ -72,8 +72,15 @@ fn written(cells: &Cells) -> Vec<u8> {
 /// Right and left `Fp` by the test's own reading: those of the left flank stand first.
 fn right(cells: &Cells) -> Option<Vec<Vec<f64>>> {
     let is = |cell: &Cell, word: &str| *cell == Text(word.to_owned());
-    let is_head = |row: &Vec<Cell>| row.iter().any(|cell| is(cell, "Zahn-Nr."));
-    let head = cells.iter().rposition(is_head)?;
+    // A copy of the header among titles or signatures is no matter.
+    let is_head = |at: &usize| cells[*at].iter().any(|cell| is(cell, "Zahn-Nr."));
+    let mut heads = (0..cells.len()).filter(is_head);
+    heads.find_map(|head| below(cells, head))
+}
+
+/// The same of the rows below the line `head`.
+fn below(cells: &Cells, head: usize) -> Option<Vec<Vec<f64>>> {
+    let is = |cell: &Cell, word: &str| *cell == Text(word.to_owned());
     let tooth = cells[head].iter().position(|cell| is(cell, "Zahn-Nr."))?;
     let places = (0..cells[head].len()).filter(|place| is(&cells[head][*place], "Fp"));
     let [left, right]: [usize; 2] = places.collect::<Vec<_>>().try_into().ok()?;

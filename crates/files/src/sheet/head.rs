@@ -99,7 +99,7 @@ impl Head {
             return good(lines.iter().position(|line| line.number == row)?);
         }
         let mut places = (0..lines.len()).filter(|at| !lines[*at].is_comment());
-        let first = places.find_map(|at| good(at))?;
+        let first = places.find_map(good)?;
         let next = lines.get(first.at + 1);
         let is_group =
             !first.has_units && next.is_some_and(|next| !next.is_comment() && !is_data(next));

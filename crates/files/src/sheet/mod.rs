@@ -158,16 +158,17 @@ impl Origin {
         let headings = used
             .iter()
             .map(|place| (&found.head.headings[*place], head::letter(*place)));
-        let kinds = headings
-            .clone()
-            .filter_map(|(heading, _)| match heading.meaning?.quantity {
-                Quantity::Pitch(kind) => kind,
-                _ => None,
-            });
+        let mut kinds =
+            headings
+                .clone()
+                .filter_map(|(heading, _)| match heading.meaning?.quantity {
+                    Quantity::Pitch(kind) => kind,
+                    _ => None,
+                });
         Origin {
             sheet: found.grid.sheet.clone().filter(|_| grids.len() > 1),
             header_row: found.head.line,
-            kind: kinds.last(),
+            kind: kinds.next_back(),
             columns: headings
                 .map(|(heading, letter)| (heading.shown.clone(), letter))
                 .collect(),

@@ -29,11 +29,16 @@ pub fn shop(bytes: &[u8], teeth: u32) -> Option<Rows> {
     below(bytes, teeth, |names| {
         let tooth = names
             .iter()
-            .position(|name| name.to_lowercase() == "zahnnr")?;
-        let places = (0..names.len()).filter(|place| names[*place] == "Fp");
+            .position(|name| alone(name).to_lowercase() == "zahnnr")?;
+        let places = (0..names.len()).filter(|place| alone(&names[*place]) == "Fp");
         let [left, right] = places.collect::<Vec<_>>().try_into().ok()?;
         Some((tooth, vec![right, left]))
     })
+}
+
+/// The letters and digits of `name`.
+fn alone(name: &str) -> String {
+    name.chars().filter(|c| c.is_alphanumeric()).collect()
 }
 
 /// The rows below the line of which `header` makes the places of tooth and values, comments and statistics left out.
@@ -74,7 +79,9 @@ fn below(
     let mut rows: Vec<Vec<String>> = lines[at + 1..].iter().map(cells).collect();
     rows.retain(|cells| match cells.iter().find(|cell| !cell.is_empty()) {
         Some(first) => {
-            !first.starts_with('#') && !["Max", "Min", "Mittelwert", "-"].contains(&first.as_str())
+            let label = alone(&first.replace("(mm)", "")).to_lowercase();
+            let is_label = ["max", "min", "mittelwert", "", "µm"].contains(&label.as_str());
+            !first.starts_with('#') && !is_label
         }
         None => false,
     });

@@ -71,8 +71,8 @@ fn same_gears(stage: &RexsStage, pair: [&GearSpec; 2]) -> Result<(), String> {
         };
     };
     let mut of_pair = pair.map(|gear| (gear.teeth, gear.module_mm));
-    of_stage.sort_by(|one, other| one.0.cmp(&other.0));
-    of_pair.sort_by(|one, other| one.0.cmp(&other.0));
+    of_stage.sort_by_key(|gear| gear.0);
+    of_pair.sort_by_key(|gear| gear.0);
     match of_stage == of_pair {
         true => Ok(()),
         false => {

@@ -72,7 +72,7 @@ pub fn spur(gear: &Attributes) -> Result<(u32, f64), Fault> {
     }
     let helix = gear.number(HELIX, Unit::Degree)?;
     match helix {
-        Some(angle) if angle == 0.0 => {}
+        Some(0.0) => {}
         Some(angle) => return left_out(format!("is helical: {HELIX} {angle}°")),
         None => return left_out(format!("has no {HELIX}: only 0 makes it spur")),
     }

@@ -111,7 +111,7 @@ impl<'a> Stage<'a> {
                 None => "nominal".to_owned(),
                 Some(Thickness::Series(field)) => field.to_string(),
                 Some(Thickness::Allowance { upper, lower }) => {
-                    format!("{} / {} µm", trimmed(*upper, 0, 1), trimmed(*lower, 0, 1))
+                    format!("{}…{} µm", trimmed(*lower, 0, 1), trimmed(*upper, 0, 1))
                 }
                 Some(Thickness::Span { .. }) => "span".to_owned(),
                 Some(Thickness::OverPins { .. }) => "over pins".to_owned(),
@@ -120,10 +120,10 @@ impl<'a> Stage<'a> {
             Band::None => shortest(self.distance),
             Band::Js(grade) => format!("{} js{grade}", shortest(self.distance)),
             Band::Ends { upper, lower } => format!(
-                "{} {} / {} µm",
+                "{} ({}…{} µm)",
                 shortest(self.distance),
-                trimmed(*upper, 0, 1),
-                trimmed(*lower, 0, 1)
+                trimmed(*lower, 0, 1),
+                trimmed(*upper, 0, 1)
             ),
         };
         format!(

@@ -1,7 +1,9 @@
 //! The gap of two curves about the free gear's axis, for curves of any kind: what both the exact method and outlines search by.
 
+mod boxes;
 mod branch;
 
+pub(super) use boxes::{Boxes, Inside, Rectangle};
 pub(super) use branch::{Arc, MOST_NODES, Meeting, greatest};
 
 use crate::gear::PartCurve;

@@ -83,7 +83,8 @@ impl OuterGears {
             let nodes = locked_arcs
                 .iter()
                 .flat_map(|arc| free_arcs.iter().map(move |free| (*arc, *free)));
-            let found = greatest(nodes.collect(), posed.origin, floor, &mut nodes_left).ok()?;
+            let found =
+                greatest(&mut nodes.collect(), posed.origin, floor, &mut nodes_left).ok()?;
             let level = found.map_or(floor, |found| found.gap);
             let is_closed = |end: usize| {
                 ends[end] == [low, high][end]

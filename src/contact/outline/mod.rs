@@ -71,6 +71,15 @@ impl<'a> OutlineKernel<'a> {
         self.lost_motion_at(self.pair, mating)
     }
 
+    /// The same with every pair of pieces looked at, none ruled out by what stands round it: a hundred times slower, to check
+    /// [`OutlineKernel::lost_motion`] by.
+    ///
+    /// # Errors
+    /// As [`OutlineKernel::lost_motion`].
+    pub fn lost_motion_by_search(&self, mating: &Mating) -> Result<OutlineLostMotion, Unsettled> {
+        self.found(self.pair, mating, false)
+    }
+
     /// The same of `pair`: these gears, perhaps at another centre distance.
     ///
     /// # Errors
@@ -80,7 +89,17 @@ impl<'a> OutlineKernel<'a> {
         pair: &OutlinePair,
         mating: &Mating,
     ) -> Result<OutlineLostMotion, Unsettled> {
-        let [right, left] = self.sides.each_ref().map(|side| side.contact(pair, mating));
+        self.found(pair, mating, true)
+    }
+
+    fn found(
+        &self,
+        pair: &OutlinePair,
+        mating: &Mating,
+        prunes: bool,
+    ) -> Result<OutlineLostMotion, Unsettled> {
+        let sides = self.sides.each_ref();
+        let [right, left] = sides.map(|side| side.contact(pair, mating, prunes));
         let (right, left) = (right?, left?);
         let overlap = right
             .zip(left)
@@ -134,6 +153,7 @@ impl SideKernel<'_> {
         &self,
         pair: &OutlinePair,
         mating: &Mating,
+        prunes: bool,
     ) -> Result<Option<OutlineContact>, Unsettled> {
         let (rotation, locked_frame) = self.locked_frame(pair, mating);
         let free_rotation = -self.side.sense() * pair.rotation(pair.free(), mating);
@@ -145,7 +165,7 @@ impl SideKernel<'_> {
             centre: self.free.displacement,
             direction: C::ONE,
         };
-        let mut search = Search::new(self, pair, locked_frame, origin);
+        let mut search = Search::new(self, pair, locked_frame, origin, prunes);
         let steps = self.steps(pair, mating, rotation);
         // From the middle outwards: what touches stands there most often, and rules the rest out.
         let middle = (steps.start() + steps.end()).div_euclid(2);
@@ -210,8 +230,9 @@ impl SideKernel<'_> {
             }
         };
         let radius = p.point.norm();
-        let size =
-            pair.center_distance() + 2.0 * (self.locked.gear.reach() + self.free.gear.reach());
+        let rounded = [0, 1].map(|k: usize| pieces[k].curve.rounded_lengths(at[k].1));
+        let reach = self.locked.gear.reach() + self.free.gear.reach();
+        let size = pair.center_distance() + 2.0 * reach + rounded[0] + rounded[1];
         let drawn = self.locked.gear.bound() + self.free.gear.bound();
         let drawn = drawn * (1.0 + slope.abs()) / radius;
         Framed {

@@ -69,6 +69,8 @@ pub(super) struct Search<'k> {
     side: &'k SideKernel<'k>,
     frame: Frame,
     origin: C,
+    /// Whether rectangles rule anything out.
+    prunes: bool,
     /// Rounding of lengths, mm, and of their squares, mm².
     rounding: f64,
     squared_rounding: f64,
@@ -87,12 +89,14 @@ impl<'k> Search<'k> {
         pair: &OutlinePair,
         frame: Frame,
         origin: C,
+        prunes: bool,
     ) -> Search<'k> {
         let size = pair.center_distance() + side.locked.gear.reach() + side.free.gear.reach();
         Search {
             side,
             frame,
             origin,
+            prunes,
             rounding: ROUNDING * size,
             squared_rounding: ROUNDING * size * size,
             turned: origin.conj(),
@@ -190,16 +194,17 @@ impl<'k> Search<'k> {
         is_near: bool,
     ) -> Option<Pair> {
         let (mate, squares) = &half.runs[free];
-        if locked.squares.0 > squares.1 + self.squared_rounding
-            || squares.0 > locked.squares.1 + self.squared_rounding
-        {
+        let room = self.squared_rounding;
+        let is_apart = locked.squares.0 > squares.1 + room || squares.0 > locked.squares.1 + room;
+        if is_apart && self.prunes {
             return None;
         }
         let near = || locked.rectangle.is_near(mate, self.turned);
         let is_near = is_near || self.level >= LEAST_LEVEL && near();
         let over = locked.rectangle.beyond(mate, self.turned, self.rounding);
         // Not above 0 it is proof.
-        (!(is_near && over <= 0.0)).then_some(Pair {
+        let is_behind = is_near && over <= 0.0;
+        (!(is_behind && self.prunes)).then_some(Pair {
             locked,
             free,
             level: self.level,

@@ -168,6 +168,11 @@ impl RollCurve {
         self.jet(xi)[1]
     }
 
+    /// Rolls between which it is one cubic, ascending: edges are among them.
+    pub(crate) fn knots(&self) -> &[f64] {
+        &self.knots
+    }
+
     /// Rolls at which the slope jumps, ascending.
     pub fn edges(&self) -> &[f64] {
         &self.edges

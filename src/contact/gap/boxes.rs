@@ -5,7 +5,7 @@
 //! grows along any circle from its one side to its other: then at every radius the locked points lie clockwise of the free ones.
 
 use super::C;
-use crate::outline::HalfPiece;
+use crate::gear::PartCurve;
 use std::f64::consts::FRAC_PI_4;
 
 /// A rectangle.
@@ -25,22 +25,21 @@ fn dot(a: C, b: C) -> f64 {
 }
 
 impl Rectangle {
-    /// Round a piece of a curve.
-    fn of(piece: &HalfPiece) -> Rectangle {
-        let (low, high) = piece.range();
-        let ends = [low, high].map(|t| piece.point(t));
+    /// Round a piece of a curve between two parameters, its points at `point`.
+    pub fn new(curve: &PartCurve, (low, high): (f64, f64), point: impl Fn(f64) -> C) -> Rectangle {
+        let ends = [low, high].map(&point);
         let chord = ends[1] - ends[0];
         let length = chord.norm();
-        let (reach, turn) = piece.curve.spread(low, high);
+        let (reach, turn) = curve.spread(low, high);
         // The chord is parallel to a tangent, and tangents are within twice the turn of it: below a right angle the curve ends where its chord does.
         if !(turn < FRAC_PI_4 && length > 0.0) {
             return Rectangle {
                 along: C::ONE,
-                middle: piece.point(0.5 * (low + high)),
+                middle: point(0.5 * (low + high)),
                 half: [reach; 2],
             };
         }
-        let (a, b) = piece.curve.bend(high);
+        let (a, b) = curve.bend(high);
         let span = high - low;
         let along = chord / length;
         Rectangle {
@@ -175,6 +174,7 @@ struct Run {
 }
 
 /// What is in a run.
+#[derive(Debug, Clone, Copy)]
 pub(in crate::contact) enum Inside {
     /// One piece.
     Piece(usize),
@@ -183,8 +183,8 @@ pub(in crate::contact) enum Inside {
 }
 
 impl Boxes {
-    /// Round these pieces.
-    pub fn new(pieces: &[HalfPiece]) -> Boxes {
+    /// Round pieces in these rectangles, in order.
+    pub fn new(pieces: &[Rectangle]) -> Boxes {
         let mut runs = Vec::with_capacity(2 * pieces.len());
         if !pieces.is_empty() {
             add(&mut runs, pieces, 0);
@@ -221,22 +221,18 @@ impl Boxes {
 }
 
 /// Adds the run of these pieces, and after it what is in it.
-fn add(runs: &mut Vec<Run>, pieces: &[HalfPiece], first: u32) -> Rectangle {
+fn add(runs: &mut Vec<Run>, pieces: &[Rectangle], first: u32) -> Rectangle {
     let place = runs.len();
-    let run = |rectangle| Run {
-        rectangle,
+    runs.push(Run {
+        rectangle: pieces[0],
         first,
         count: pieces.len() as u32,
-    };
-    if let [piece] = pieces {
-        let rectangle = Rectangle::of(piece);
-        runs.push(run(rectangle));
-        return rectangle;
-    }
+    });
     let (one, other) = pieces.split_at(pieces.len() / 2);
-    runs.push(run(Rectangle::of(&pieces[0])));
-    let middle = first + one.len() as u32;
-    let rectangle = Rectangle::round(&add(runs, one, first), &add(runs, other, middle));
-    runs[place].rectangle = rectangle;
-    rectangle
+    if !one.is_empty() {
+        let middle = first + one.len() as u32;
+        let parts = [(one, first), (other, middle)].map(|(part, from)| add(runs, part, from));
+        runs[place].rectangle = Rectangle::round(&parts[0], &parts[1]);
+    }
+    runs[place].rectangle
 }

@@ -2,9 +2,11 @@
 
 mod boxes;
 mod branch;
+mod paths;
 
 pub(super) use boxes::{Boxes, Inside, Rectangle};
 pub(super) use branch::{Arc, MOST_NODES, Meeting, greatest};
+pub(super) use paths::{Path, PathSearch, PlacedRun};
 
 use crate::gear::PartCurve;
 use nalgebra::Complex;

@@ -4,17 +4,17 @@
 //! side mirrored; of a side the contact is the greatest gap of its facing half teeth. A half tooth's whole tip counts on both sides.
 //! Nothing is asked of a curve but its points, its normals, and how far both stray over a piece.
 
-mod search;
+mod halves;
 mod teeth;
 
 use super::exact::lens_half;
-use super::gap::{C, Inside, Meeting, common_normal, rounding, turn};
+use super::gap::{C, Inside, Meeting, PathSearch, common_normal, rounding, turn};
 use super::lost_motion::Framed;
 use super::outline_contact::{OutlineContact, OutlineLostMotion, OutlineTouch, Region, Unsettled};
 use crate::gear::Side;
 use crate::outline::OutlinePair;
 use crate::pair::{Mating, Member};
-use search::{FreeHalf, Search};
+use halves::{FreeHalf, LockedHalf};
 use std::f64::consts::TAU;
 use teeth::{Frame, SideTeeth, nearest};
 
@@ -47,7 +47,7 @@ impl<'a> OutlineKernel<'a> {
                 centre: free.displacement,
                 direction: C::ONE,
             };
-            let halves = (1..=free.gear.teeth()).map(|tooth| FreeHalf::new(&free, tooth, &still));
+            let halves = (1..=free.gear.teeth()).map(|tooth| FreeHalf::new(&free, tooth, still));
             SideKernel {
                 side,
                 locked: teeth(pair.locked()),
@@ -165,7 +165,10 @@ impl SideKernel<'_> {
             centre: self.free.displacement,
             direction: C::ONE,
         };
-        let mut search = Search::new(self, pair, locked_frame, origin, prunes);
+        let size = pair.center_distance() + self.locked.gear.reach() + self.free.gear.reach();
+        let search = PathSearch::new(origin, size, f64::NEG_INFINITY, 0.0);
+        let mut search = if prunes { search } else { search.of_all() };
+        let mut best: Option<(Meeting, u32, u32)> = None;
         let steps = self.steps(pair, mating, rotation);
         // From the middle outwards: what touches stands there most often, and rules the rest out.
         let middle = (steps.start() + steps.end()).div_euclid(2);
@@ -177,11 +180,11 @@ impl SideKernel<'_> {
                 self.locked.beside(locked_tooth, step),
                 self.free.beside(free_tooth, beyond - step),
             );
-            search
-                .teeth(teeth)
-                .map_err(|_| self.unsettled(pair, teeth))?;
+            let locked = LockedHalf::new(&self.locked, teeth.0, locked_frame);
+            let found = search.greatest(&locked, &self.still[teeth.1 as usize - 1]);
+            let found = found.map_err(|_| self.unsettled(pair, teeth))?;
+            best = found.map(|meeting| (meeting, teeth.0, teeth.1)).or(best);
         }
-        let best = search.best();
         Ok(best.map(|(meeting, locked, free)| {
             let frames = [locked_frame, still];
             self.report(pair, &meeting, [locked, free], frames, free_rotation)

@@ -1,6 +1,6 @@
 //! The teeth of one side of an outline, and where a frame puts them.
 
-use crate::contact::gap::{Arc, Boxes, C, PlacedCurve};
+use crate::contact::gap::{Arc, Boxes, C, PlacedCurve, Rectangle};
 use crate::gear::Side;
 use crate::outline::{HalfOutline, HalfPiece, OutlineGear};
 
@@ -20,7 +20,12 @@ impl<'a> SideTeeth<'a> {
     pub fn new(gear: &'a OutlineGear, side: Side) -> SideTeeth<'a> {
         let mirror = -side.sense();
         let displacement = gear.displacement();
-        let boxes = (1..=gear.teeth()).map(|tooth| Boxes::new(&gear.half(side, tooth).pieces));
+        let boxes = (1..=gear.teeth()).map(|tooth| {
+            let pieces = gear.half(side, tooth).pieces.iter();
+            let round =
+                |piece: &HalfPiece| Rectangle::new(&piece.curve, piece.range(), |t| piece.point(t));
+            Boxes::new(&pieces.map(round).collect::<Vec<Rectangle>>())
+        });
         SideTeeth {
             gear,
             side,

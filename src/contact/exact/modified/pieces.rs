@@ -1,4 +1,4 @@
-//! Flanks that are not convex, as pieces between the knots of their deviation.
+//! Flanks that are not convex, as pieces between the knots of their deviation and its turns: such a piece bends to one side.
 
 use crate::contact::exact::candidate::CandidateContact;
 use crate::contact::exact::flank_problem::PosedFlanks;
@@ -10,7 +10,7 @@ use crate::gear::{Part, PartCurve, ProfilePart, smooth};
 /// Pieces of a flank at least (tuned): of a few knots whole stretches are wide.
 const LEAST_PIECES: f64 = 32.0;
 
-/// A flank in pieces, each between two knots of its deviation, and rectangles round them.
+/// A flank in pieces, each between two knots or turns of its deviation, and rectangles round them.
 #[derive(Debug, Clone)]
 pub(in crate::contact::exact) struct FlankPieces {
     /// Rolls of their ends.
@@ -22,12 +22,12 @@ impl FlankPieces {
     pub fn new(flank: &Part) -> FlankPieces {
         let curve = &flank.curve;
         let (low, high) = flank.range();
-        let knots = match curve {
-            PartCurve::Modified(flank) => flank.deviation().knots(),
-            _ => &[],
+        let bends = match curve {
+            PartCurve::Modified(flank) => flank.deviation().bends(),
+            _ => Vec::new(),
         };
         let width = (high - low) / LEAST_PIECES;
-        let stretches = smooth(knots, low, high).filter(|(from, to)| from < to);
+        let stretches = smooth(&bends, low, high).filter(|(from, to)| from < to);
         let divided = stretches.flat_map(|(from, to)| {
             let count = ((to - from) / width).ceil().max(1.0);
             let at = move |k: u32| match f64::from(k) < count {

@@ -168,6 +168,18 @@ impl RollCurve {
         self.jet(xi)[1]
     }
 
+    /// Rolls between which it is one cubic and bends to one side, ascending: edges are among them.
+    pub(crate) fn bends(&self) -> Vec<f64> {
+        let ends = self.knots.windows(2).zip(&self.cubics);
+        let turns = ends.filter_map(|(ends, [.., second, third])| {
+            let turn = ends[0] - second / (3.0 * third);
+            (turn > ends[0] && turn < ends[1]).then_some(turn)
+        });
+        let mut bends: Vec<f64> = self.knots.iter().copied().chain(turns).collect();
+        bends.sort_by(f64::total_cmp);
+        bends
+    }
+
     /// Rolls at which the slope jumps, ascending.
     pub fn edges(&self) -> &[f64] {
         &self.edges

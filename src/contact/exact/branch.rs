@@ -34,7 +34,7 @@ pub(super) fn search(
         }
     }
     let part = |name: usize| ProfilePart::ALL[name];
-    let found = greatest(nodes, origin, floor, nodes_left);
+    let found = greatest(&mut nodes, origin, floor, nodes_left);
     let found = found.map_err(|(locked, free)| SearchExhausted(part(locked), part(free)))?;
     Ok(found.map(|found| {
         CandidateContact::new(

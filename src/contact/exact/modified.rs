@@ -6,7 +6,7 @@
 //!
 //! 1. Pairs are taken in the order of their outer gaps on the line of action, until the outer gap is below one found.
 //! 2. Convex flanks touch where they have a common normal, or at a tip corner ([`flanks`]). Where that is not found, and of flanks that are not
-//!    convex, as measured ones are not, a search finds it near the outer contact.
+//!    convex, as measured ones are not, a search finds it over all pairs of their pieces ([`pieces`]).
 //! 3. With the free gear at the gap found no tip corner of the outer gears may stand in the outer mate, wider by as much as deviations vary,
 //!    but on the mate's flank, of a pair that 1. and 2. have settled.
 //!
@@ -14,6 +14,7 @@
 //! there, theirs is the answer: a relief beyond the path of contact changes nothing.
 
 mod flanks;
+mod pieces;
 
 use super::branch::search as search_pair;
 use super::candidate::CandidateContact;
@@ -29,6 +30,7 @@ use crate::contact::gap::MOST_NODES;
 use crate::gear::{ProfilePart, Side};
 use crate::pair::{GearPair, Member};
 use flanks::rises;
+pub(super) use pieces::FlankPieces;
 
 /// Pairs on the line of action at once: a contact ratio of eight.
 const MOST_PAIRS: usize = 8;
@@ -175,7 +177,7 @@ impl OuterGears {
             };
             let found = match tangent {
                 Some(candidate) => Some(candidate),
-                None => self.flanks_within(posed, outer, pair, tightest.level())?,
+                None => posed.flanks_in_pieces(pair.step, tightest.level(), pair.gap - beyond)?,
             };
             if let Some(candidate) = found {
                 tightest.offer(pair.step, candidate);

@@ -7,6 +7,7 @@ use super::lands::without_lands;
 use super::placed::Placed;
 use super::tightest::{TightestContacts, Touching};
 use crate::contact::gap::MOST_NODES;
+use crate::gear::ProfilePart;
 
 /// The pair that touches first, from the greatest gap of every pair in reach; lands in closed form.
 ///
@@ -16,12 +17,20 @@ use crate::contact::gap::MOST_NODES;
 pub(super) fn touching(posed: &PosedFlanks) -> Result<Option<Touching>, (i64, SearchExhausted)> {
     let mut tightest_contacts = TightestContacts::new(posed.problem);
     posed.on_lands(Curves::ALL, &mut tightest_contacts);
-    over(
-        posed,
-        tightest_contacts,
-        |_| without_lands(Curves::ALL),
-        MOST_NODES,
-    )
+    let mut curves = without_lands(Curves::ALL);
+    let (locked, free) = (&posed.problem.locked, &posed.problem.free);
+    if locked.is_modified() || free.is_modified() {
+        // Of a measured flank the search of the whole has no bound that is near.
+        let part = ProfilePart::Involute;
+        for step in posed.steps() {
+            let found = posed.flanks_in_pieces(step, tightest_contacts.level(), 0.0);
+            if let Some(candidate) = found.ok_or((step, SearchExhausted(part, part)))? {
+                tightest_contacts.offer(step, candidate);
+            }
+        }
+        curves = curves.without(part, part);
+    }
+    over(posed, tightest_contacts, |_| curves, MOST_NODES)
 }
 
 /// The same by nothing but the search, with more patience.

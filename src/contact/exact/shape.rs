@@ -2,8 +2,10 @@
 //!
 //! The left-hand half is the mirror image, and the exact method solves the left side as the mirrored right side.
 
+use super::modified::FlankPieces;
 use crate::gear::{Part, PartCurve, Profile, ProfilePart, involute};
 use std::f64::consts::PI;
+use std::sync::OnceLock;
 
 pub(super) use crate::contact::gap::{C, Sample, turn};
 
@@ -35,6 +37,8 @@ pub(super) struct Shape {
     pub is_convex: bool,
     /// Greatest tilt of its flank's normal by a deviation, rad.
     pub tilt: f64,
+    /// Its flank in pieces, once a pair asks for them.
+    pieces: OnceLock<Box<FlankPieces>>,
 }
 
 impl Shape {
@@ -58,6 +62,7 @@ impl Shape {
             corners: [(0.0, C::ZERO); 2],
             is_convex: true,
             tilt: 0.0,
+            pieces: OnceLock::new(),
         };
         if let PartCurve::Modified(flank) = &profile.part(ProfilePart::Involute).curve {
             let (low, high) = shape.range(ProfilePart::Involute);
@@ -69,6 +74,12 @@ impl Shape {
         shape.joint = shape.corners[1].1;
         shape.tip_normal = shape.at(ProfilePart::Involute, shape.tip_roll).normal;
         shape
+    }
+
+    /// Its flank in pieces.
+    pub fn flank_pieces(&self) -> &FlankPieces {
+        let part = self.part(ProfilePart::Involute);
+        self.pieces.get_or_init(|| Box::new(FlankPieces::new(part)))
     }
 
     /// One of its parts.

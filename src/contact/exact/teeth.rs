@@ -38,6 +38,11 @@ pub(super) struct Teeth {
 }
 
 impl Teeth {
+    /// Whether profiles deviate.
+    pub fn is_modified(&self) -> bool {
+        self.modified.is_some()
+    }
+
     pub fn new(gear: &AsBuilt, side: Side) -> Teeth {
         let basic_data = gear.gear().basic_data();
         let pitch = basic_data.angular_pitch();

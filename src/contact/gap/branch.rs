@@ -51,12 +51,18 @@ pub(in crate::contact) struct Arc<'a> {
     bend: Option<(f64, f64)>,
 }
 
+/// Of a vector; what an overflow would need is longer than any gear.
+#[inline]
+fn length(vector: C) -> f64 {
+    vector.norm_sqr().sqrt()
+}
+
 impl<'a> Arc<'a> {
     /// `placed` from parameter `low` to `high`.
     pub fn new(placed: PlacedCurve<'a>, name: usize, low: f64, high: f64) -> Arc<'a> {
         let sample = placed.at(0.5 * (low + high));
         let (reach, bend) = placed.curve.spread(low, high);
-        let radius = sample.point.norm();
+        let radius = length(sample.point);
         let swing = if reach < radius {
             (reach / radius).asin()
         } else {
@@ -79,7 +85,7 @@ impl<'a> Arc<'a> {
             bend: None,
         };
         let ends = [low, high].map(|t| placed.at(t).point);
-        let far = [ends[0].norm(), ends[1].norm()];
+        let far = ends.map(length);
         if low == high {
             arc.slope = Some((0.0, 0.0, true));
         } else if psi.abs() + play < FRAC_PI_2 {
@@ -121,11 +127,6 @@ impl<'a> Arc<'a> {
         Some((scaled(least, least < 0.0), scaled(most, most > 0.0)))
     }
 
-    /// Least and greatest radius, or bounds of them, mm.
-    pub fn radii(&self) -> (f64, f64) {
-        self.radii
-    }
-
     /// Whether both may have points at one radius.
     pub fn meets(&self, other: &Arc) -> bool {
         self.radii.0.max(other.radii.0) <= self.radii.1.min(other.radii.1)
@@ -135,10 +136,11 @@ impl<'a> Arc<'a> {
     /// meet, not below the first.
     pub fn gap_with(&self, free: &Arc, origin: C) -> (f64, f64) {
         let play = self.swing + free.swing;
-        if play >= PI {
-            return (f64::NEG_INFINITY, f64::INFINITY);
-        }
         let middle = (self.middle * free.middle.conj() * origin).arg();
+        // Beyond half a turn it counts from the other side.
+        if middle.abs() + play >= PI {
+            return (f64::NEG_INFINITY, PI);
+        }
         let meet = self.slope.is_some() && free.slope.is_some();
         let least = if meet {
             middle - play
@@ -237,7 +239,7 @@ fn chord_radii([from, to]: [C; 2], far: [f64; 2]) -> (f64, f64) {
     // The foot of the perpendicular, as a share of the chord.
     let foot = -(from.re * along.re + from.im * along.im) / length;
     let least = match foot > 0.0 && foot < 1.0 {
-        true => (from + along * foot).norm(),
+        true => self::length(from + along * foot),
         false => far[0].min(far[1]),
     };
     (least, far[0].max(far[1]))
@@ -264,7 +266,7 @@ pub(in crate::contact) struct Meeting {
 /// # Errors
 /// The names of two curves whose search did not end.
 pub(in crate::contact) fn greatest<'a>(
-    mut nodes: Vec<(Arc<'a>, Arc<'a>)>,
+    nodes: &mut Vec<(Arc<'a>, Arc<'a>)>,
     origin: C,
     floor: f64,
     nodes_left: &mut usize,
@@ -279,8 +281,7 @@ pub(in crate::contact) fn greatest<'a>(
         let inner = locked.radii.0.max(free.radii.0);
         let outer = locked.radii.1.min(free.radii.1);
         let play = locked.swing + free.swing;
-        let middle_gap = (locked.middle * free.middle.conj() * origin).arg();
-        if inner > outer || (play < PI && middle_gap + play <= level) {
+        if inner > outer || locked.gap_with(&free, origin).1 <= level {
             continue;
         }
         let mut record = |t: f64, u: f64, slack: f64| {

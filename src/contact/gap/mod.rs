@@ -1,8 +1,12 @@
 //! The gap of two curves about the free gear's axis, for curves of any kind: what both the exact method and outlines search by.
 
+mod boxes;
 mod branch;
+mod paths;
 
+pub(super) use boxes::{Boxes, Inside, Rectangle};
 pub(super) use branch::{Arc, MOST_NODES, Meeting, greatest};
+pub(super) use paths::{Path, PathSearch, PlacedRun};
 
 use crate::gear::PartCurve;
 use nalgebra::Complex;

@@ -103,8 +103,37 @@ impl Cubic {
         (6.0 * ends[0].norm().max(ends[1].norm()), 0.0)
     }
 
-    pub(super) fn convexity(&self, _: f64, _: f64) -> Option<(f64, f64)> {
-        None
+    /// `P' × P'' / |P'|³`. With `e` the steps between the control points of the piece both are quadratic: up to factors
+    /// `e_0 u² + 2 e_1 ut + e_2 t²` and, one degree of it being `u + t` = 1, `(e_0 × e_1) u² + (e_0 × e_2) ut + (e_1 × e_2) t²`; the first
+    /// lies in the hull of `e`, the second between its coefficients.
+    pub(super) fn convexity(&self, low: f64, high: f64) -> Option<(f64, f64)> {
+        let [a, b, c, d] = self.piece(low, high);
+        let steps = [b - a, c - b, d - c];
+        let along = (steps[0] + steps[2]).try_normalize(0.0)?;
+        let least = steps.iter().map(|step| along.dot(step));
+        let least = least.fold(f64::INFINITY, f64::min);
+        let most = steps.iter().map(|step| step.norm()).fold(0.0, f64::max);
+        // Control points are rounded by some units in the last place, a turn by that times the steps.
+        let rounded = 16.0 * f64::EPSILON * a.coords.norm();
+        if !(least > 1e6 * rounded) {
+            return None;
+        }
+        let turns = [
+            steps[0].perp(&steps[1]),
+            0.5 * steps[0].perp(&steps[2]),
+            steps[1].perp(&steps[2]),
+        ];
+        let bound = |turn: f64, short: bool| {
+            let speed = if short { least } else { most };
+            2.0 / 3.0 * turn / (speed * speed * speed)
+        };
+        let room = 2.0 * rounded * most;
+        let least_turn = turns.into_iter().fold(f64::INFINITY, f64::min) - room;
+        let most_turn = turns.into_iter().fold(f64::NEG_INFINITY, f64::max) + room;
+        Some((
+            bound(least_turn, least_turn < 0.0),
+            bound(most_turn, most_turn > 0.0),
+        ))
     }
 
     pub(super) fn curvature(&self, _: f64, _: f64) -> Option<f64> {

@@ -168,6 +168,14 @@ impl PartCurve {
         }
     }
 
+    /// Lengths, mm, whose rounding a point at `t` has beside that of its own coordinates: of a circle its radius, and that times the angle.
+    pub(crate) fn rounded_lengths(&self, t: f64) -> f64 {
+        match self {
+            PartCurve::Circle(circle) => circle.speed(t).abs() * (1.0 + t.abs()),
+            _ => 0.0,
+        }
+    }
+
     /// What an involute, deviating or not, is at a roll.
     #[inline]
     pub(crate) fn osculating(&self, xi: f64) -> Option<Osculating> {

@@ -176,7 +176,7 @@ fn what_cannot_be_done_is_refused_and_nothing_is_written() {
             1,
             "nothing is written",
         ),
-        ("import small.toml", 2, "neither XML nor JSON"),
+        ("import small.toml", 2, "no line names a column of teeth"),
     ] {
         gearlash(folder.path())
             .args(args.split(' '))

@@ -41,7 +41,8 @@ fn alone(name: &str) -> String {
     name.chars().filter(|c| c.is_alphanumeric()).collect()
 }
 
-/// The rows below the line of which `header` makes the places of tooth and values, comments and statistics left out.
+/// The rows below a line of which `header` makes the places of tooth and values, comments and statistics left out. Where several lines are a header, below the
+/// first with which all rows make sense.
 fn below(
     bytes: &[u8],
     teeth: u32,
@@ -52,23 +53,27 @@ fn below(
         .lines()
         .filter(|line| !line.trim().is_empty())
         .collect();
-    let found = [';', ',', '\t'].into_iter().find_map(|delimiter| {
+    [';', ',', '\t'].into_iter().find_map(|delimiter| {
         let names = |line: &str| -> Vec<String> {
             let bare =
                 |name: &str| name.replace(|c: char| c.is_whitespace() || "-_.".contains(c), "");
             line.split(delimiter).map(bare).collect()
         };
-        let mut lines = lines.iter().enumerate();
-        let (at, places) = lines.find_map(|(at, line)| Some((at, header(&names(line))?)))?;
-        // A header that is there twice is one.
-        let again = |line: &&&str| header(&names(line)).is_some();
-        Some((
-            delimiter,
-            at + lines.map(|(_, line)| line).take_while(again).count(),
-            places,
-        ))
-    });
-    let (delimiter, at, (tooth, places)) = found?;
+        lines.iter().enumerate().find_map(|(at, line)| {
+            let (tooth, places) = header(&names(line))?;
+            rows(&lines[at + 1..], delimiter, teeth, tooth, &places)
+        })
+    })
+}
+
+/// What `lines` say, if all of them make sense.
+fn rows(
+    lines: &[&str],
+    delimiter: char,
+    teeth: u32,
+    tooth: usize,
+    places: &[usize],
+) -> Option<Rows> {
     let cells = |line: &&str| -> Vec<String> {
         let cell = |cell: &str| {
             cell.trim_matches([' ', '\t', '\r', '\u{a0}'])
@@ -76,7 +81,7 @@ fn below(
         };
         line.split(delimiter).map(cell).collect()
     };
-    let mut rows: Vec<Vec<String>> = lines[at + 1..].iter().map(cells).collect();
+    let mut rows: Vec<Vec<String>> = lines.iter().map(cells).collect();
     rows.retain(|cells| match cells.iter().find(|cell| !cell.is_empty()) {
         Some(first) => {
             let label = alone(&first.replace("(mm)", "")).to_lowercase();

@@ -4,16 +4,19 @@
 //! side mirrored; of a side the contact is the greatest gap of its facing half teeth. A half tooth's whole tip counts on both sides.
 //! Nothing is asked of a curve but its points, its normals, and how far both stray over a piece.
 
+mod halves;
+mod teeth;
+
 use super::exact::lens_half;
-use super::gap::{
-    Arc, C, MOST_NODES, Meeting, PlacedCurve, common_normal, greatest, rounding, turn,
-};
+use super::gap::{C, Inside, Meeting, PathSearch, common_normal, rounding, turn};
 use super::lost_motion::Framed;
 use super::outline_contact::{OutlineContact, OutlineLostMotion, OutlineTouch, Region, Unsettled};
 use crate::gear::Side;
-use crate::outline::{HalfOutline, HalfPiece, OutlineGear, OutlinePair};
+use crate::outline::OutlinePair;
 use crate::pair::{Mating, Member};
+use halves::{FreeHalf, LockedHalf};
 use std::f64::consts::TAU;
+use teeth::{Frame, SideTeeth, nearest};
 
 /// Lost motion of one pair of outlines.
 #[derive(Debug)]
@@ -30,117 +33,8 @@ struct SideKernel<'a> {
     side: Side,
     locked: SideTeeth<'a>,
     free: SideTeeth<'a>,
-    /// Whole pieces of each free half tooth, by number, at rotation 0.
-    free_arcs: Vec<FreeArcs<'a>>,
-}
-
-/// The pieces of a free half tooth, by their least radius ascending.
-#[derive(Debug)]
-struct FreeArcs<'a> {
-    arcs: Vec<Arc<'a>>,
-    /// Greatest range of radii of a piece, mm.
-    widest: f64,
-}
-
-impl<'a> FreeArcs<'a> {
-    fn new(mut arcs: Vec<Arc<'a>>) -> FreeArcs<'a> {
-        arcs.sort_by(|a, b| a.radii().0.total_cmp(&b.radii().0));
-        let widths = arcs.iter().map(|arc| arc.radii().1 - arc.radii().0);
-        FreeArcs {
-            widest: widths.fold(0.0, f64::max),
-            arcs,
-        }
-    }
-
-    /// The range of places of pieces among which all are that may have a point at a radius of `arc`.
-    fn near(&self, arc: &Arc) -> std::ops::Range<usize> {
-        let (least, most) = arc.radii();
-        let from = self
-            .arcs
-            .partition_point(|free| free.radii().0 < least - self.widest);
-        let to = self.arcs.partition_point(|free| free.radii().0 <= most);
-        from..to.max(from)
-    }
-}
-
-/// One side of a gear's teeth, in the frame of the side.
-#[derive(Debug)]
-struct SideTeeth<'a> {
-    gear: &'a OutlineGear,
-    side: Side,
-    displacement: C,
-    /// Sense in which tooth numbers ascend in this frame.
-    ascending: i64,
-    /// Of each piece of each half tooth its middle, mm, and the distance within which it lies.
-    middles: Vec<Vec<(C, f64)>>,
-}
-
-impl<'a> SideTeeth<'a> {
-    fn new(gear: &'a OutlineGear, side: Side) -> SideTeeth<'a> {
-        let mirror = -side.sense();
-        let displacement = gear.displacement();
-        let middle = |piece: &HalfPiece| {
-            let (low, high) = piece.range();
-            let (reach, _) = piece.curve.spread(low, high);
-            (piece.point(0.5 * (low + high)), reach)
-        };
-        let middles = (1..=gear.teeth()).map(|tooth| {
-            let half = gear.half(side, tooth);
-            half.pieces.iter().map(middle).collect()
-        });
-        SideTeeth {
-            gear,
-            side,
-            displacement: if mirror > 0.0 {
-                displacement
-            } else {
-                displacement.conj()
-            },
-            ascending: (mirror * gear.face().ascending()) as i64,
-            middles: middles.collect(),
-        }
-    }
-
-    fn half(&self, tooth: u32) -> &'a HalfOutline {
-        self.gear.half(self.side, tooth)
-    }
-
-    /// The number of the tooth `steps` counter-clockwise of `tooth` in this frame.
-    fn beside(&self, tooth: u32, steps: i64) -> u32 {
-        let index = i64::from(tooth) - 1 + self.ascending * steps;
-        index.rem_euclid(i64::from(self.gear.teeth())) as u32 + 1
-    }
-}
-
-/// A frame of a gear: `centre + direction · P`.
-#[derive(Debug, Clone, Copy)]
-struct Frame {
-    centre: C,
-    direction: C,
-}
-
-impl Frame {
-    fn placed<'a>(&self, piece: &'a HalfPiece) -> PlacedCurve<'a> {
-        PlacedCurve {
-            curve: &piece.curve,
-            mirrored: piece.mirrored,
-            centre: self.centre,
-            direction: self.direction * piece.turn,
-        }
-    }
-
-    fn arc<'a>(&self, piece: &'a HalfPiece, name: usize) -> Arc<'a> {
-        let (low, high) = piece.range();
-        Arc::new(self.placed(piece), name, low, high)
-    }
-
-    /// The same of the free gear: about the axis an arc has one radius, on which only its clockwise end, the one nearer the root, can touch.
-    fn free_arc<'a>(&self, piece: &'a HalfPiece, name: usize) -> Arc<'a> {
-        match self.centre == C::ZERO && piece.curve.is_about_the_origin() {
-            true => Arc::new(self.placed(piece), name, piece.ends[1], piece.ends[1]),
-            false => self.arc(piece, name),
-        }
-    }
+    /// The free half teeth, by number, at rotation 0.
+    still: Vec<FreeHalf<'a>>,
 }
 
 impl<'a> OutlineKernel<'a> {
@@ -153,18 +47,11 @@ impl<'a> OutlineKernel<'a> {
                 centre: free.displacement,
                 direction: C::ONE,
             };
-            let arcs = (1..=free.gear.teeth()).map(|tooth| {
-                let pieces = free.half(tooth).pieces.iter().enumerate();
-                FreeArcs::new(
-                    pieces
-                        .map(|(name, piece)| still.free_arc(piece, name))
-                        .collect(),
-                )
-            });
+            let halves = (1..=free.gear.teeth()).map(|tooth| FreeHalf::new(&free, tooth, still));
             SideKernel {
                 side,
                 locked: teeth(pair.locked()),
-                free_arcs: arcs.collect(),
+                still: halves.collect(),
                 free,
             }
         });
@@ -184,6 +71,15 @@ impl<'a> OutlineKernel<'a> {
         self.lost_motion_at(self.pair, mating)
     }
 
+    /// The same with every pair of pieces looked at, none ruled out by what stands round it: a hundred times slower, to check
+    /// [`OutlineKernel::lost_motion`] by.
+    ///
+    /// # Errors
+    /// As [`OutlineKernel::lost_motion`].
+    pub fn lost_motion_by_search(&self, mating: &Mating) -> Result<OutlineLostMotion, Unsettled> {
+        self.found(self.pair, mating, false)
+    }
+
     /// The same of `pair`: these gears, perhaps at another centre distance.
     ///
     /// # Errors
@@ -193,7 +89,17 @@ impl<'a> OutlineKernel<'a> {
         pair: &OutlinePair,
         mating: &Mating,
     ) -> Result<OutlineLostMotion, Unsettled> {
-        let [right, left] = self.sides.each_ref().map(|side| side.contact(pair, mating));
+        self.found(pair, mating, true)
+    }
+
+    fn found(
+        &self,
+        pair: &OutlinePair,
+        mating: &Mating,
+        prunes: bool,
+    ) -> Result<OutlineLostMotion, Unsettled> {
+        let sides = self.sides.each_ref();
+        let [right, left] = sides.map(|side| side.contact(pair, mating, prunes));
         let (right, left) = (right?, left?);
         let overlap = right
             .zip(left)
@@ -247,6 +153,7 @@ impl SideKernel<'_> {
         &self,
         pair: &OutlinePair,
         mating: &Mating,
+        prunes: bool,
     ) -> Result<Option<OutlineContact>, Unsettled> {
         let (rotation, locked_frame) = self.locked_frame(pair, mating);
         let free_rotation = -self.side.sense() * pair.rotation(pair.free(), mating);
@@ -258,72 +165,30 @@ impl SideKernel<'_> {
             centre: self.free.displacement,
             direction: C::ONE,
         };
-        let mut nodes_left = MOST_NODES;
+        let size = pair.center_distance() + self.locked.gear.reach() + self.free.gear.reach();
+        let search = PathSearch::new(origin, size, f64::NEG_INFINITY, 0.0);
+        let mut search = if prunes { search } else { search.of_all() };
         let mut best: Option<(Meeting, u32, u32)> = None;
-        let mut level = f64::NEG_INFINITY;
         let steps = self.steps(pair, mating, rotation);
         // From the middle outwards: what touches stands there most often, and rules the rest out.
         let middle = (steps.start() + steps.end()).div_euclid(2);
-        let mut order: Vec<i64> = steps.collect();
-        order.sort_by_key(|step| (step - middle).abs());
-        for step in order {
+        let farthest = (steps.end() - middle).max(middle - steps.start());
+        let outwards = (0..=farthest).flat_map(|away| [middle + away, middle - away]);
+        let from_middle = outwards.skip(1).filter(|step| steps.contains(step));
+        for step in from_middle {
             let teeth = (
                 self.locked.beside(locked_tooth, step),
                 self.free.beside(free_tooth, beyond - step),
             );
-            let nodes = self.nodes(teeth, &locked_frame, origin, level);
-            let found = greatest(nodes, origin, level, &mut nodes_left);
+            let locked = LockedHalf::new(&self.locked, teeth.0, locked_frame);
+            let found = search.greatest(&locked, &self.still[teeth.1 as usize - 1]);
             let found = found.map_err(|_| self.unsettled(pair, teeth))?;
-            if let Some(meeting) = found {
-                level = meeting.gap;
-                best = Some((meeting, teeth.0, teeth.1));
-            }
+            best = found.map(|meeting| (meeting, teeth.0, teeth.1)).or(best);
         }
         Ok(best.map(|(meeting, locked, free)| {
             let frames = [locked_frame, still];
             self.report(pair, &meeting, [locked, free], frames, free_rotation)
         }))
-    }
-
-    /// Pairs of pieces of a locked and a free half tooth that may have a greater gap than `level` and than any other pair surely has.
-    fn nodes(
-        &self,
-        (locked, free): (u32, u32),
-        frame: &Frame,
-        origin: C,
-        mut level: f64,
-    ) -> Vec<(Arc<'_>, Arc<'_>)> {
-        let pieces = self.locked.half(locked).pieces.iter();
-        let middles = &self.locked.middles[locked as usize - 1];
-        let frees = &self.free_arcs[free as usize - 1];
-        let outermost = self.free.gear.reach();
-        let reached = pieces.zip(middles).enumerate();
-        let reached = reached.filter(|(_, (_, (middle, reach)))| {
-            (frame.centre + frame.direction * middle).norm() - reach <= outermost
-        });
-        let arcs: Vec<Arc> = reached
-            .map(|(name, (piece, _))| frame.arc(piece, name))
-            .collect();
-        let mut bounded: Vec<(f64, u32, u32)> = Vec::new();
-        for (k, arc) in arcs.iter().enumerate() {
-            for m in frees.near(arc) {
-                let free = &frees.arcs[m];
-                if !arc.meets(free) {
-                    continue;
-                }
-                let (least, most) = arc.gap_with(free, origin);
-                // One that is there is found again below: a strictly greater gap counts.
-                level = level.max(least - f64::EPSILON);
-                if most > level {
-                    bounded.push((most, k as u32, m as u32));
-                }
-            }
-        }
-        // The most promising last, where it is taken first.
-        bounded.retain(|(most, ..)| *most > level);
-        bounded.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let arc = |&(_, k, m): &(f64, u32, u32)| (arcs[k as usize], frees.arcs[m as usize]);
-        bounded.iter().map(arc).collect()
     }
 
     fn unsettled(&self, pair: &OutlinePair, (locked, free): (u32, u32)) -> Unsettled {
@@ -368,8 +233,9 @@ impl SideKernel<'_> {
             }
         };
         let radius = p.point.norm();
-        let size =
-            pair.center_distance() + 2.0 * (self.locked.gear.reach() + self.free.gear.reach());
+        let rounded = [0, 1].map(|k: usize| pieces[k].curve.rounded_lengths(at[k].1));
+        let reach = self.locked.gear.reach() + self.free.gear.reach();
+        let size = pair.center_distance() + 2.0 * reach + rounded[0] + rounded[1];
         let drawn = self.locked.gear.bound() + self.free.gear.bound();
         let drawn = drawn * (1.0 + slope.abs()) / radius;
         Framed {
@@ -394,31 +260,25 @@ impl SideKernel<'_> {
             .steps(pair, mating, rotation)
             .map(|step| self.locked.beside(tooth, step));
         halves.into_iter().any(|tooth| {
-            let pieces = self.locked.half(tooth).pieces.iter();
-            let middles = self.locked.middles[tooth as usize - 1].iter();
-            pieces.zip(middles).any(|(piece, (middle, reach))| {
-                let there = (frame.centre + frame.direction * middle).norm();
-                let (low, high) = piece.range();
-                there - reach < radius && nearest(&frame.placed(piece), low, high, radius)
-            })
+            let boxes = self.locked.boxes(tooth);
+            let pieces = &self.locked.half(tooth).pieces;
+            let mut open: Vec<usize> = boxes.whole().into_iter().collect();
+            while let Some(run) = open.pop() {
+                let placed = boxes.rectangle(run).placed(frame.centre, frame.direction);
+                if placed.squares().0 >= radius * radius {
+                    continue;
+                }
+                match boxes.inside(run) {
+                    Inside::Runs(runs) => open.extend(runs),
+                    Inside::Piece(name) => {
+                        let (low, high) = pieces[name].range();
+                        if nearest(&frame.placed(&pieces[name]), low, high, radius) {
+                            return true;
+                        }
+                    }
+                }
+            }
+            false
         })
     }
-}
-
-/// Whether a curve comes within `radius`, mm, of the origin between two parameters: found at a point, or ruled out by its reach.
-fn nearest(placed: &PlacedCurve, low: f64, high: f64, radius: f64) -> bool {
-    let middle = 0.5 * (low + high);
-    let there = placed.at(middle).point.norm();
-    let (reach, _) = placed.curve.spread(low, high);
-    if there < radius {
-        return true;
-    }
-    // As near as rounding tells is not within.
-    if there - reach >= radius
-        || reach <= 16.0 * f64::EPSILON * there
-        || !(low < middle && middle < high)
-    {
-        return false;
-    }
-    nearest(placed, low, middle, radius) || nearest(placed, middle, high, radius)
 }

@@ -1,0 +1,238 @@
+//! Rectangles round pieces of a path and round runs of them: they rule out most pairs of pieces before a curve is looked at.
+//!
+//! A rectangle lies along the chord of what is in it, so that its width is of second order in its length. A locked rectangle is *behind* a free one
+//! at a gap when a straight line divides them, the free one counter-clockwise of it, both on that side of the axis where a line's angle
+//! grows along any circle from its one side to its other: then at every radius the locked points lie clockwise of the free ones.
+
+use super::C;
+use crate::gear::PartCurve;
+use std::f64::consts::FRAC_PI_4;
+
+/// A rectangle.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::contact) struct Rectangle {
+    /// Direction of its length.
+    along: C,
+    /// Its centre along its own axes: `along · middle` from the origin.
+    middle: C,
+    /// Half its length and half its width, mm.
+    half: [f64; 2],
+}
+
+#[inline]
+fn dot(a: C, b: C) -> f64 {
+    a.re * b.re + a.im * b.im
+}
+
+impl Rectangle {
+    /// Round a piece of a curve between two parameters, its points at `point`.
+    pub fn new(curve: &PartCurve, (low, high): (f64, f64), point: impl Fn(f64) -> C) -> Rectangle {
+        let ends = [low, high].map(&point);
+        let chord = ends[1] - ends[0];
+        let length = chord.norm();
+        let (reach, turn) = curve.spread(low, high);
+        // The chord is parallel to a tangent, and tangents are within twice the turn of it: below a right angle the curve ends where its chord does.
+        if !(turn < FRAC_PI_4 && length > 0.0) {
+            return Rectangle {
+                along: C::ONE,
+                middle: point(0.5 * (low + high)),
+                half: [reach; 2],
+            };
+        }
+        let (a, b) = curve.bend(high);
+        let span = high - low;
+        let along = chord / length;
+        Rectangle {
+            along,
+            middle: along.conj() * (ends[0] + ends[1]) * 0.5,
+            half: [0.5 * length, (a + b * span) * span * span / 8.0],
+        }
+    }
+
+    /// Round two that follow each other.
+    fn round(one: &Rectangle, other: &Rectangle) -> Rectangle {
+        let between = other.along * other.middle - one.along * one.middle;
+        let distance = between.norm();
+        let along = match distance > 0.0 {
+            true => between / distance,
+            false => one.along,
+        };
+        let each = [one, other].map(|it| {
+            let turned = along.conj() * it.along;
+            (turned * it.middle, it.extents(turned))
+        });
+        let [(a, b), (c, d)] = each;
+        let least = [
+            (a.re - b[0]).min(c.re - d[0]),
+            (a.im - b[1]).min(c.im - d[1]),
+        ];
+        let most = [
+            (a.re + b[0]).max(c.re + d[0]),
+            (a.im + b[1]).max(c.im + d[1]),
+        ];
+        Rectangle {
+            along,
+            middle: C::new(least[0] + most[0], least[1] + most[1]) * 0.5,
+            half: [0.5 * (most[0] - least[0]), 0.5 * (most[1] - least[1])],
+        }
+    }
+
+    /// Half of what it measures along two axes, in which its length has the direction `along`, mm.
+    #[inline]
+    fn extents(&self, along: C) -> [f64; 2] {
+        let (cos, sin) = (along.re.abs(), along.im.abs());
+        let [length, width] = self.half;
+        [length * cos + width * sin, length * sin + width * cos]
+    }
+
+    /// Its length, mm.
+    #[inline]
+    pub fn length(&self) -> f64 {
+        2.0 * self.half[0]
+    }
+
+    /// At `centre + direction · X`.
+    #[inline]
+    pub fn placed(&self, centre: C, direction: C) -> Rectangle {
+        let along = direction * self.along;
+        Rectangle {
+            along,
+            middle: self.middle + along.conj() * centre,
+            half: self.half,
+        }
+    }
+
+    /// Bounds of the squares of its points' distances from the origin, mm².
+    #[inline]
+    pub fn squares(&self) -> (f64, f64) {
+        let [length, width] = self.half;
+        let middle = self.middle.norm_sqr();
+        let sway = 2.0 * (length * self.middle.re.abs() + width * self.middle.im.abs());
+        (
+            middle - sway,
+            middle + sway + length * length + width * width,
+        )
+    }
+
+    /// Whether its points are seen from the origin within 15° of its centre.
+    #[inline]
+    fn is_narrow(&self) -> bool {
+        let square = self.half[0] * self.half[0] + self.half[1] * self.half[1];
+        // sin 15° > 1/4.
+        16.0 * square <= self.middle.norm_sqr()
+    }
+
+    /// Whether any two points of both, the free one turned by `turned`, are seen from the origin within 120° of each other.
+    #[inline]
+    pub fn is_near(&self, free: &Rectangle, turned: C) -> bool {
+        let seen = self.along.conj() * turned * free.along * free.middle;
+        self.is_narrow() && free.is_narrow() && dot(self.middle, seen) >= 0.0
+    }
+
+    /// How far, mm, it stands into a free one turned by `turned` and `room` nearer, across the line along one of them that divides them better; not
+    /// above 0: the line proves that it is behind it.
+    #[inline]
+    pub fn beyond(&self, free: &Rectangle, turned: C, room: f64) -> f64 {
+        // Along the locked one's axes; the normal that points counter-clockwise is the second, or its opposite.
+        let along = self.along.conj() * turned * free.along;
+        let sign = 1f64.copysign(self.middle.re);
+        let seen = along * free.middle;
+        let extents = free.extents(along);
+        let over = sign * (self.middle.im - seen.im) + self.half[1] + extents[1] + room;
+        if over <= 0.0 && self.half[0] < sign * self.middle.re && extents[0] < sign * seen.re {
+            return over;
+        }
+        // Along the free one's.
+        let seen = along.conj() * self.middle;
+        let sign = 1f64.copysign(seen.re);
+        let extents = self.extents(along);
+        let other = sign * (seen.im - free.middle.im) + extents[1] + free.half[1] + room;
+        if other <= 0.0 && extents[0] < sign * seen.re && free.half[0] < sign * free.middle.re {
+            return other;
+        }
+        // What is not proven is not behind.
+        match (over > 0.0, other > 0.0) {
+            (true, true) => over.min(other),
+            (true, false) => over,
+            (false, true) => other,
+            (false, false) => f64::INFINITY,
+        }
+    }
+}
+
+/// Rectangles round the pieces of a path in order, and, as a tree, round runs of them.
+#[derive(Debug, Clone)]
+pub(in crate::contact) struct Boxes(Vec<Run>);
+
+/// A run of pieces.
+#[derive(Debug, Clone)]
+struct Run {
+    rectangle: Rectangle,
+    /// The first of its pieces, and how many they are.
+    first: u32,
+    count: u32,
+}
+
+/// What is in a run.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::contact) enum Inside {
+    /// One piece.
+    Piece(usize),
+    /// Two runs.
+    Runs([usize; 2]),
+}
+
+impl Boxes {
+    /// Round pieces in these rectangles, in order.
+    pub fn new(pieces: &[Rectangle]) -> Boxes {
+        let mut runs = Vec::with_capacity(2 * pieces.len());
+        if !pieces.is_empty() {
+            add(&mut runs, pieces, 0);
+        }
+        Boxes(runs)
+    }
+
+    /// The run of all pieces, if there are any.
+    pub fn whole(&self) -> Option<usize> {
+        (!self.0.is_empty()).then_some(0)
+    }
+
+    /// That of a run.
+    #[inline]
+    pub fn rectangle(&self, run: usize) -> &Rectangle {
+        &self.0[run].rectangle
+    }
+
+    /// What is in a run.
+    #[inline]
+    pub fn inside(&self, run: usize) -> Inside {
+        let Run { first, count, .. } = self.0[run];
+        match count {
+            1 => Inside::Piece(first as usize),
+            // The first half follows its run, and it has one run less than twice its pieces.
+            _ => Inside::Runs([run + 1, run + 2 * (count as usize / 2)]),
+        }
+    }
+
+    /// Those of all runs.
+    pub fn rectangles(&self) -> impl Iterator<Item = &Rectangle> {
+        self.0.iter().map(|run| &run.rectangle)
+    }
+}
+
+/// Adds the run of these pieces, and after it what is in it.
+fn add(runs: &mut Vec<Run>, pieces: &[Rectangle], first: u32) -> Rectangle {
+    let place = runs.len();
+    runs.push(Run {
+        rectangle: pieces[0],
+        first,
+        count: pieces.len() as u32,
+    });
+    let (one, other) = pieces.split_at(pieces.len() / 2);
+    if !one.is_empty() {
+        let middle = first + one.len() as u32;
+        let parts = [(one, first), (other, middle)].map(|(part, from)| add(runs, part, from));
+        runs[place].rectangle = Rectangle::round(&parts[0], &parts[1]);
+    }
+    runs[place].rectangle
+}

@@ -1,0 +1,80 @@
+//! Half teeth of outlines as paths.
+
+use super::teeth::{Frame, SideTeeth};
+use crate::contact::gap::{Arc, Boxes, Path, PlacedRun};
+use crate::outline::HalfPiece;
+
+/// A locked half tooth where a pose has it.
+pub(super) struct LockedHalf<'a> {
+    pieces: &'a [HalfPiece],
+    boxes: &'a Boxes,
+    frame: Frame,
+}
+
+impl<'a> LockedHalf<'a> {
+    pub fn new(teeth: &'a SideTeeth<'a>, tooth: u32, frame: Frame) -> LockedHalf<'a> {
+        LockedHalf {
+            pieces: &teeth.half(tooth).pieces,
+            boxes: teeth.boxes(tooth),
+            frame,
+        }
+    }
+}
+
+impl<'a> Path<'a> for LockedHalf<'a> {
+    #[inline]
+    fn boxes(&self) -> &Boxes {
+        self.boxes
+    }
+
+    #[inline]
+    fn put(&self, run: usize) -> PlacedRun {
+        let Frame { centre, direction } = self.frame;
+        PlacedRun::new(run, self.boxes.rectangle(run).placed(centre, direction))
+    }
+
+    fn arc(&self, piece: usize) -> Arc<'a> {
+        self.frame.arc(&self.pieces[piece], piece)
+    }
+}
+
+/// A free half tooth at rotation 0.
+#[derive(Debug)]
+pub(super) struct FreeHalf<'a> {
+    boxes: Boxes,
+    arcs: Vec<Arc<'a>>,
+    runs: Vec<PlacedRun>,
+}
+
+impl<'a> FreeHalf<'a> {
+    pub fn new(teeth: &SideTeeth<'a>, tooth: u32, still: Frame) -> FreeHalf<'a> {
+        let pieces = teeth.half(tooth).pieces.iter().enumerate();
+        let boxes = teeth.boxes(tooth).clone();
+        let runs = boxes.rectangles().enumerate().map(|(run, rectangle)| {
+            PlacedRun::new(run, rectangle.placed(still.centre, still.direction))
+        });
+        FreeHalf {
+            arcs: pieces
+                .map(|(name, piece)| still.free_arc(piece, name))
+                .collect(),
+            runs: runs.collect(),
+            boxes,
+        }
+    }
+}
+
+impl<'a> Path<'a> for FreeHalf<'a> {
+    #[inline]
+    fn boxes(&self) -> &Boxes {
+        &self.boxes
+    }
+
+    #[inline]
+    fn put(&self, run: usize) -> PlacedRun {
+        self.runs[run]
+    }
+
+    fn arc(&self, piece: usize) -> Arc<'a> {
+        self.arcs[piece]
+    }
+}

@@ -46,8 +46,8 @@ pub(super) struct Args {
     #[arg(long, value_name = "SIGN")]
     decimal: Option<String>,
     /// The gear of the TOML
-    #[arg(long, value_enum, default_value_t = Gear::Wheel)]
-    gear: Gear,
+    #[arg(long, value_enum, default_value_t = GearTable::Wheel)]
+    gear: GearTable,
     /// What to print
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
@@ -68,7 +68,7 @@ enum Only {
 }
 
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
-enum Gear {
+enum GearTable {
     /// Of a pair file
     Wheel,
     /// Of a pair file
@@ -176,12 +176,12 @@ impl Only {
     }
 }
 
-impl Gear {
+impl GearTable {
     fn name(self) -> &'static str {
         match self {
-            Gear::Wheel => "wheel",
-            Gear::Pinion => "pinion",
-            Gear::Gear => "gear",
+            GearTable::Wheel => "wheel",
+            GearTable::Pinion => "pinion",
+            GearTable::Gear => "gear",
         }
     }
 }

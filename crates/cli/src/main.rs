@@ -12,6 +12,7 @@ mod error;
 mod explain;
 mod gauge;
 mod gears;
+mod import;
 mod init;
 mod man;
 mod method;
@@ -77,6 +78,7 @@ enum Command {
     Outline(outline::Args),
     Chart(chart::Args),
     Report(report::Args),
+    Import(import::Args),
     Init(init::Args),
     Schema(schema::Args),
     Completions(completions::Args),
@@ -112,6 +114,7 @@ fn command(command: Command) -> Result<ExitCode, Error> {
         Command::Snapshot(args) => snapshot::run(&args),
         Command::Gauge(args) => gauge::run(&args),
         Command::Outline(args) => outline::run(&args),
+        Command::Import(args) => import::run(&args),
         Command::Init(args) => init::run(&args),
         Command::Schema(args) => schema::run(&args),
         Command::Completions(args) => completions::run(&args),

@@ -65,6 +65,8 @@ pub fn gauged_file(
                 left_um: None,
                 eccentricity: None,
                 table: Some(TableFileSpec::new(tables.pitch)),
+                left: None,
+                right: None,
             }),
             ..spec.clone()
         },

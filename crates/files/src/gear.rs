@@ -82,6 +82,7 @@ impl GearPart {
             ..GearPart::default()
         };
         part.complete(&table, problems);
+        part.remarks.extend(table.place().take_remarks());
         part
     }
 

@@ -34,6 +34,7 @@ mod findings;
 mod gauged_file;
 mod gear;
 mod gear_file;
+pub mod import;
 mod limits;
 mod location;
 mod measured;

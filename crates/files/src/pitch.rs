@@ -19,6 +19,10 @@ pub const KEYS: &[&str] = &[
     "left_um",
     "file",
     "sheet",
+    "header_row",
+    "tooth_column",
+    "left",
+    "right",
     "decimal",
 ];
 
@@ -212,6 +216,8 @@ impl PitchSheet {
                 EccentricitySource::Runout => spec::EccentricitySource::Runout,
             }),
             table: None,
+            left: None,
+            right: None,
         }
     }
 }

@@ -10,6 +10,7 @@ use std::path::{Path, PathBuf};
 pub struct Place {
     folder: PathBuf,
     read: RefCell<Sources>,
+    remarks: RefCell<Vec<String>>,
 }
 
 impl Place {
@@ -20,6 +21,7 @@ impl Place {
         Place {
             folder: path.parent().unwrap_or(Path::new("")).to_path_buf(),
             read: RefCell::new(read),
+            remarks: RefCell::default(),
         }
     }
 
@@ -31,6 +33,7 @@ impl Place {
         Place {
             folder: PathBuf::new(),
             read: RefCell::new(read),
+            remarks: RefCell::default(),
         }
     }
 
@@ -39,6 +42,7 @@ impl Place {
         Place {
             folder: PathBuf::new(),
             read: RefCell::new(Sources::new()),
+            remarks: RefCell::default(),
         }
     }
 
@@ -52,6 +56,16 @@ impl Place {
         let path = self.folder.join(name);
         self.read.borrow_mut().add(&path);
         path
+    }
+
+    /// Keeps in mind what was found of a file.
+    pub fn tell(&self, remark: Option<String>) {
+        self.remarks.borrow_mut().extend(remark);
+    }
+
+    /// What was told since the last time.
+    pub fn take_remarks(&self) -> Vec<String> {
+        self.remarks.take()
     }
 
     /// All that was read.

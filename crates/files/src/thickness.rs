@@ -35,10 +35,23 @@ const SPAN_KEYS: &[&str] = &[
     "per_tooth",
     "file",
     "sheet",
+    "header_row",
+    "tooth_column",
+    "column",
     "decimal",
 ];
 const PIN_KEYS: &[&str] = &[
-    "pin_mm", "mm", "min_mm", "max_mm", "space", "file", "sheet", "decimal",
+    "pin_mm",
+    "mm",
+    "min_mm",
+    "max_mm",
+    "space",
+    "file",
+    "sheet",
+    "header_row",
+    "tooth_column",
+    "column",
+    "decimal",
 ];
 
 const MEASURED: Keys = Keys {

@@ -18,6 +18,9 @@ const KEYS: &[&str] = &[
     "deviation_um",
     "file",
     "sheet",
+    "header_row",
+    "tooth_column",
+    "column",
     "decimal",
 ];
 /// How many traces may be listed: one a tooth of the largest gear.
@@ -237,7 +240,7 @@ fn ascending(last: Option<&Point>, point: Point, by: Column) -> Option<Fault> {
         true => "descends",
         false => "is the same as before",
     };
-    let name = by.names()[0];
+    let name = by.name();
     Some((
         format!("the {name} {how}, allowed is strictly ascending"),
         "give the points of a trace from root to tip, each once".to_owned(),

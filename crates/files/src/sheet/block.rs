@@ -52,16 +52,24 @@ pub fn side(line: &str) -> Option<Side> {
     }
 }
 
+/// The column that `word` names, perhaps with its unit.
+pub fn named(word: &str) -> Option<Name> {
+    let word = word.strip_suffix("[µm]").unwrap_or(word);
+    let mut names = NAMES.iter();
+    names
+        .find(|(known, _)| *known == word)
+        .map(|(_, name)| *name)
+}
+
 /// The columns of a block.
 pub fn names(file: &DataFile, text: &str) -> Result<Vec<Name>, String> {
     let mut names = Vec::new();
     for word in text.split_whitespace() {
-        let word = word.strip_suffix("[µm]").unwrap_or(word);
-        match NAMES.iter().find(|(known, _)| *known == word) {
-            Some((_, name)) if names.contains(name) => {
-                return Err(format!("duplicate column {word}"));
+        match named(word) {
+            Some(name) if names.contains(&name) => {
+                return Err(format!("duplicate column {}", file.quote(word)));
             }
-            Some((_, name)) => names.push(*name),
+            Some(name) => names.push(name),
             None => return Err(format!("unknown column {}", file.quote(word))),
         }
     }

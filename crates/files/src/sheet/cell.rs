@@ -8,12 +8,10 @@ use crate::data_file::DataFile;
 pub enum Cell {
     /// Nothing, or only white space.
     Empty,
-    /// Text without white space around it; in a text file numbers are text too.
+    /// Text without white space around it; in a text file numbers are text too, and in a workbook they may be.
     Text(String),
     /// A number of a workbook.
     Number(f64),
-    /// Text of a workbook where a number must be.
-    TextBelow(String),
     /// Anything else of a workbook, in words that say nothing of what it holds.
     Other(String),
 }
@@ -25,14 +23,13 @@ impl Cell {
             Cell::Empty => "empty".to_owned(),
             Cell::Text(text) => file.quote(text),
             Cell::Number(number) => file.bare(&number.to_string()),
-            Cell::TextBelow(text) => {
-                format!(
-                    "the text {} (convert it to a number there)",
-                    file.quote(text)
-                )
-            }
             Cell::Other(words) => words.clone(),
         }
+    }
+
+    /// Whether it has several lines and separators in them: lines of a text that a quotation mark put into one.
+    pub fn is_torn(&self) -> bool {
+        matches!(self, Cell::Text(text) if text.contains('\n') && text.contains([',', ';', '\t']))
     }
 
     /// As a tooth number.
@@ -41,7 +38,7 @@ impl Cell {
             Cell::Text(text) => number::tooth(text),
             // The cast saturates.
             Cell::Number(number) => (number.fract() == 0.0).then_some(*number as u32),
-            Cell::Empty | Cell::TextBelow(_) | Cell::Other(_) => None,
+            Cell::Empty | Cell::Other(_) => None,
         }
     }
 
@@ -53,7 +50,7 @@ impl Cell {
                 value: *number,
                 ..Written::default()
             }),
-            Cell::Empty | Cell::TextBelow(_) | Cell::Other(_) => None,
+            Cell::Empty | Cell::Other(_) => None,
         }
     }
 }
@@ -68,6 +65,21 @@ pub struct Line {
 }
 
 impl Line {
+    /// The cell in column `place`, empty beyond the last.
+    pub fn cell(&self, place: usize) -> &Cell {
+        self.cells.get(place).unwrap_or(&Cell::Empty)
+    }
+
+    /// The first cell that is not empty.
+    pub fn first(&self) -> Option<&Cell> {
+        self.cells.iter().find(|cell| **cell != Cell::Empty)
+    }
+
+    /// Whether it is a comment.
+    pub fn is_comment(&self) -> bool {
+        matches!(self.first(), Some(Cell::Text(text)) if text.starts_with('#'))
+    }
+
     /// Whether every cell is empty.
     pub fn is_blank(&self) -> bool {
         self.cells.iter().all(|cell| *cell == Cell::Empty)

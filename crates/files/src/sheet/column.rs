@@ -1,7 +1,8 @@
-//! The columns a table may have: their names in plain words, and their units.
+//! The columns a table may have: their names, units and limits.
 
-use crate::data_file::DataFile;
+use super::heading::{Meaning, Quantity};
 use crate::entry::Limits;
+use gearlash::gear::Side;
 use gearlash::metrology::PitchKind;
 use std::ops::Bound::{Excluded, Included};
 
@@ -45,64 +46,74 @@ const ROLL_LENGTH: Limits = Limits {
     help: "correct the line",
 };
 
-/// Names of the column of tooth numbers.
-const TOOTH: &[&str] = &[
-    "tooth",
-    "tooth no",
-    "tooth number",
-    "zahn",
-    "zahn nr",
-    "zahnnummer",
-];
-/// Besides, of spans: a span is known by the first tooth it runs over.
-const FIRST_TOOTH: &[&str] = &["first tooth", "erster zahn"];
-/// Besides, of pins: they lie in spaces.
-const SPACE: &[&str] = &["space", "space no", "lücke", "zahnlücke"];
-
-/// Units that a header may name, each as written there and as meant.
-const UNITS: [(&str, &str); 8] = [
-    ("um", "µm"),
-    ("µm", "µm"),
-    // The Greek letter, where the line above has the micro sign.
-    ("μm", "µm"),
-    ("mm", "mm"),
-    ("nm", "nm"),
-    ("m", "m"),
-    ("in", "in"),
-    ("inch", "in"),
-];
-
 impl Column {
-    /// Its names, the first of them for messages; white space, case, `-`, `_` and `.` do not count.
-    pub fn names(self) -> &'static [&'static str] {
+    /// Its name in messages.
+    pub fn name(self) -> &'static str {
         match self {
-            Column::Right(_) => &[
-                "right",
-                "right flank",
-                "rechts",
-                "rechte Flanke",
-                "rechte Zahnflanke",
-            ],
-            Column::Left(_) => &[
-                "left",
-                "left flank",
-                "links",
-                "linke Flanke",
-                "linke Zahnflanke",
-            ],
-            Column::Thickness => &["thickness", "tooth thickness", "Dicke", "Zahndicke"],
-            Column::Runout => &["runout", "Fr", "Rundlauf", "Rundlaufabweichung"],
-            Column::Span => &["span", "Wk", "Zahnweite"],
-            Column::OverPins => &[
-                "over pins",
-                "pins",
-                "MdK",
-                "Zweirollenmaß",
-                "Zweirollenmass",
-            ],
-            Column::RollLength => &["roll length", "Wälzlänge"],
-            Column::Diameter => &["diameter", "Durchmesser"],
-            Column::Deviation => &["deviation", "Abweichung"],
+            Column::Right(_) => "right",
+            Column::Left(_) => "left",
+            Column::Thickness => "thickness",
+            Column::Runout => "runout",
+            Column::Span => "span",
+            Column::OverPins => "over pins",
+            Column::RollLength => "roll length",
+            Column::Diameter => "diameter",
+            Column::Deviation => "deviation",
+        }
+    }
+
+    /// The key that says which column of a table it is; none of what a trace says where it is.
+    pub fn key(self) -> &'static str {
+        match self {
+            Column::Right(_) => "right",
+            Column::Left(_) => "left",
+            Column::RollLength | Column::Diameter => "",
+            _ => "column",
+        }
+    }
+
+    /// Whether a column of this `meaning` may be it.
+    pub fn may_be(self, meaning: Meaning) -> bool {
+        let Meaning { side, quantity } = meaning;
+        let of_flank = |wanted, kind| {
+            side == Some(wanted)
+                && match quantity {
+                    Quantity::Unsaid | Quantity::Pitch(None) => true,
+                    Quantity::Pitch(said) => said == Some(kind),
+                    _ => false,
+                }
+        };
+        match self {
+            Column::Right(kind) => of_flank(Side::Right, kind),
+            Column::Left(kind) => of_flank(Side::Left, kind),
+            Column::Thickness => quantity == Quantity::Thickness,
+            Column::Runout => quantity == Quantity::Runout,
+            Column::Span => quantity == Quantity::Span,
+            Column::OverPins => quantity == Quantity::OverPins,
+            Column::RollLength => quantity == Quantity::RollLength,
+            Column::Diameter => quantity == Quantity::Diameter,
+            Column::Deviation => quantity == Quantity::Deviation && side.is_none(),
+        }
+    }
+
+    /// Of a pitch deviation, its kind.
+    pub fn kind(self) -> Option<PitchKind> {
+        match self {
+            Column::Right(kind) | Column::Left(kind) => Some(kind),
+            _ => None,
+        }
+    }
+
+    /// Of a pitch deviation, that of the other kind; else the same.
+    pub fn of_other_kind(self) -> Column {
+        let other = |kind| match kind {
+            PitchKind::Single => PitchKind::Cumulative,
+            PitchKind::Cumulative => PitchKind::Single,
+        };
+        match self {
+            Column::Right(kind) => Column::Right(other(kind)),
+            Column::Left(kind) => Column::Left(other(kind)),
+            column => column,
         }
     }
 
@@ -124,75 +135,11 @@ impl Column {
     }
 }
 
-/// What one cell of the header names.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Named {
-    /// The tooth number.
-    Tooth,
-    /// The wanted column of this place.
-    Wanted(usize),
-    /// Something else: why it does not fit, and the way out.
-    Wrong(String, String),
-}
-
-/// What the header cell `text` of `file` names among `wanted`.
-pub fn named(file: &DataFile, text: &str, wanted: &[Column]) -> Named {
-    let (name, unit) = name_and_unit(text);
-    let is = |names: &[&str]| names.iter().any(|known| plain(known) == plain(name));
-    let place = is(TOOTH)
-        || is(FIRST_TOOTH) && wanted.contains(&Column::Span)
-        || is(SPACE) && wanted.contains(&Column::OverPins);
-    let (found, needed) = if place {
-        (Named::Tooth, None)
-    } else if let Some(place) = wanted.iter().position(|column| is(column.names())) {
-        (Named::Wanted(place), Some(wanted[place].unit()))
-    } else if wanted.contains(&Column::OverPins) && plain(name) == "threepins" {
-        return Named::Wrong(
-            format!("column {} is a dimension over three pins, allowed is one over two", file.quote(text)),
-            "give the dimensions over two pins (gearlash gauge writes them beside these), or the span".to_owned(),
-        );
-    } else {
-        return Named::Wrong(
-            format!(
-                "unknown column {}, allowed are {}",
-                file.quote(text),
-                headings(wanted)
-            ),
-            "correct its name, or remove the column".to_owned(),
-        );
-    };
-    let Some(unit) = unit else { return found };
-    let meant = UNITS
-        .iter()
-        .find(|(written, _)| *written == unit.to_lowercase());
-    match (meant, needed) {
-        (Some((_, meant)), Some(needed)) if *meant == needed => found,
-        (_, Some(needed)) => Named::Wrong(
-            format!(
-                "column {} is in {}, allowed is {needed}",
-                file.quote(text),
-                file.bare(unit)
-            ),
-            format!(
-                "convert its values to {needed} and name it \"{} ({needed})\"",
-                file.bare(name)
-            ),
-        ),
-        (_, None) => Named::Wrong(
-            format!(
-                "column {} has a unit, a tooth number has none",
-                file.quote(text)
-            ),
-            format!("name it \"{}\"", file.bare(name)),
-        ),
-    }
-}
-
 /// "tooth, left (µm) and right (µm)".
 pub fn headings(wanted: &[Column]) -> String {
     let columns: Vec<String> = wanted
         .iter()
-        .map(|column| format!("{} ({})", column.names()[0], column.unit()))
+        .map(|column| format!("{} ({})", column.name(), column.unit()))
         .collect();
     let place = match wanted.contains(&Column::Deviation) {
         true => "tooth, flank",
@@ -203,33 +150,4 @@ pub fn headings(wanted: &[Column]) -> String {
         Some((last, rest)) => format!("{place}, {} and {last}", rest.join(", ")),
         None => "tooth".to_owned(),
     }
-}
-
-/// A heading apart: `left (µm)`, `left [µm]`, `left_um` and `left µm` all have a unit.
-fn name_and_unit(text: &str) -> (&str, Option<&str>) {
-    let text = text.trim();
-    for (open, close) in [('(', ')'), ('[', ']')] {
-        if let Some((name, unit)) = text
-            .strip_suffix(close)
-            .and_then(|rest| rest.split_once(open))
-        {
-            return (name.trim(), Some(unit.trim()));
-        }
-    }
-    let last = text.rsplit_once(|c: char| c == '_' || c.is_whitespace());
-    match last {
-        Some((name, unit)) if UNITS.iter().any(|(known, _)| *known == unit.to_lowercase()) => {
-            (name.trim(), Some(unit))
-        }
-        _ => (text, None),
-    }
-}
-
-/// `name` without what does not count.
-fn plain(name: &str) -> String {
-    let counts = |c: &char| !c.is_whitespace() && !matches!(c, '-' | '_' | '.');
-    name.chars()
-        .filter(counts)
-        .flat_map(char::to_lowercase)
-        .collect()
 }

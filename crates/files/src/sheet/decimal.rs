@@ -45,7 +45,7 @@ pub fn check<const N: usize>(
     for (line, column, value, found) in with_sign().filter(|(.., found)| *found != sign) {
         let reason = format!(
             "{} {} has a decimal {}, the table's decimal sign is the {}{}",
-            column.names()[0],
+            column.name(),
             file.bare(value.text),
             found.name(),
             sign.name(),
@@ -63,7 +63,7 @@ pub fn check<const N: usize>(
         };
         let reason = format!(
             "{} {} may have a decimal {} or a thousands separator{more}: nothing in the table shows which",
-            column.names()[0],
+            column.name(),
             file.bare(value.text),
             sign.name(),
         );

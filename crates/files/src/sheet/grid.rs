@@ -1,9 +1,15 @@
-//! A table as cells, and the step from cells to numbers.
+//! A table as cells: the part of a text or a sheet that is the table, and the step from its cells to numbers.
 
 use super::cell::{Cell, Line};
+use super::choice::Choice;
+use super::column::Column;
 use super::decimal::{self, Numbers};
+use super::head::{Head, letter};
+use super::left_out::LeftOut;
+use super::limits::MOST_NAMED;
 use super::number::{self, Decimal, Written};
-use super::places::{self, Places};
+use super::places::{Places, places};
+use super::statistic;
 use super::wanted::{Row, Wanted};
 use crate::data_file::DataFile;
 use crate::entry::whole_in;
@@ -11,44 +17,107 @@ use crate::error::Problem;
 use crate::problems::Problems;
 use std::ops::RangeBounds;
 
-/// A header and what stands below it.
+/// What one sheet holds, or a text by one separator.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Grid {
-    /// The names of the columns.
-    pub header: Line,
-    /// Without blank ones.
+    /// Of a sheet, its name.
+    pub sheet: Option<String>,
+    /// At least one, without blank ones.
     pub lines: Vec<Line>,
     /// The decimal sign where the format settles it.
     pub decimal: Option<Decimal>,
 }
 
-impl Grid {
-    /// `lines`, of which the first is the header; `None` when there are none.
-    pub fn of(lines: Vec<Line>, decimal: Option<Decimal>) -> Option<Grid> {
-        let mut lines = lines.into_iter();
-        Some(Grid {
-            header: lines.next()?,
-            lines: lines.collect(),
-            decimal,
+/// A table in a grid.
+#[derive(Debug)]
+pub struct Found<'a> {
+    pub grid: &'a Grid,
+    pub head: Head,
+    /// The lines of its rows.
+    pub rows: Vec<&'a Line>,
+    /// What stands beside the table.
+    pub left_out: LeftOut,
+}
+
+impl<'a> Found<'a> {
+    /// The table below `head`, with numbers in the columns `used`, that of the teeth first, and words in those `beside`.
+    ///
+    /// Comments, statistics, what stands above the header and what is no row below the last one is left out.
+    pub fn below(
+        grid: &'a Grid,
+        head: Head,
+        [used, beside]: [&[usize]; 2],
+        file: &DataFile,
+        problems: &mut Problems,
+    ) -> Option<Found<'a>> {
+        let begin = head.at + 1 + usize::from(head.has_units);
+        let mut left_out = LeftOut::default();
+        for (at, line) in grid.lines[..head.at].iter().enumerate() {
+            let is_number = |place: &usize| line.cell(*place).number().is_some();
+            if used.first().is_some_and(is_number) && used.iter().skip(1).any(is_number) {
+                problems.add(file.problem_at(
+                    line.number,
+                    format!("has numbers like a row of the table, but stands above its header in line {}", head.line),
+                    "move it below the header, or remove it",
+                ));
+                return None;
+            }
+            if !(head.has_groups && at + 1 == head.at) {
+                left_out.line(line.number);
+            }
+        }
+        let mut rows = Vec::new();
+        for line in &grid.lines[begin..] {
+            if grid.sheet.is_none() && line.cells.iter().any(Cell::is_torn) {
+                problems.add(file.problem_at(
+                    line.number,
+                    "a cell of several lines that hold separators, as if a quotation mark were missing or left over",
+                    "correct the quotation marks",
+                ));
+                return None;
+            }
+            match statistic::label(line, used[0]) {
+                Some(label) => left_out.labelled(line.number, label),
+                None if line.is_comment() => left_out.line(line.number),
+                None => rows.push(line),
+            }
+        }
+        let last = rows.iter().rposition(|line| is_row(line, used));
+        for line in rows.drain(last.map_or(0, |last| last + 1)..) {
+            left_out.line(line.number);
+        }
+        for (place, heading) in head.headings.iter().enumerate() {
+            let holds = |line: &&Line| *line.cell(place) != Cell::Empty;
+            if ![used, beside].concat().contains(&place)
+                && (!heading.shown.is_empty() || rows.iter().any(holds))
+            {
+                left_out.columns.push(place);
+            }
+        }
+        Some(Found {
+            grid,
+            head,
+            rows,
+            left_out,
         })
     }
 
-    /// The rows as numbers, in the order of the lines; `stated`: the decimal sign by the pair file.
-    pub fn rows<const N: usize>(
+    /// The rows as numbers, in the order of the lines, and what they are read from.
+    pub fn numbers<const N: usize>(
         &self,
         file: &DataFile,
+        places: &Places<N>,
         wanted: &Wanted<N>,
-        stated: Option<Decimal>,
+        choice: &Choice,
         problems: &mut Problems,
     ) -> Option<Vec<Row<N>>> {
-        let places = places::places(&self.header, file, wanted, problems)?;
         // All lines are read before the first bad one ends it.
         let mut numbers = Vec::new();
-        for line in &self.lines {
-            numbers.push(self.numbers(file, line, &places, wanted, problems));
+        for line in &self.rows {
+            numbers.push(self.line(file, line, places, wanted, problems));
         }
         let numbers: Vec<Numbers<'_, N>> = numbers.into_iter().collect::<Option<_>>()?;
-        let settled = (stated, self.decimal);
+        let settled = (choice.decimal, self.grid.decimal);
         decimal::check(file, &numbers, wanted, settled, problems)?;
         let rows = numbers.iter().map(|numbers| Row {
             line: numbers.line,
@@ -58,20 +127,14 @@ impl Grid {
         Some(rows.collect())
     }
 
-    fn numbers<'a, const N: usize>(
-        &self,
-        file: &DataFile,
-        line: &'a Line,
-        places: &Places<N>,
-        wanted: &Wanted<N>,
-        problems: &mut Problems,
-    ) -> Option<Numbers<'a, N>> {
-        let (columns, found) = (self.header.cells.len(), line.cells.len());
-        if found != columns {
+    /// Checks that a row is as wide as the header, as a text's must be, and has no number that slipped out of its column.
+    pub fn check_width(&self, file: &DataFile, line: &Line, problems: &mut Problems) -> Option<()> {
+        let (columns, found) = (self.head.headings.len(), line.cells.len());
+        if self.grid.sheet.is_none() && found != columns {
             problems.add(file.problem_at(
                 line.number,
                 format!("{found} values, the header names {columns} columns"),
-                match self.decimal {
+                match self.grid.decimal {
                     Some(Decimal::Point) => {
                         "give every column one value; in a file separated by commas numbers need a point"
                     }
@@ -80,39 +143,57 @@ impl Grid {
             ));
             return None;
         }
+        let is_named = |place: usize| {
+            let heading = self.head.headings.get(place);
+            heading.is_some_and(|heading| !heading.shown.is_empty())
+        };
         let mut good = Some(());
-        let unnamed = self.header.cells.iter().zip(&line.cells);
-        for (_, cell) in
-            unnamed.filter(|(name, cell)| **name == Cell::Empty && **cell != Cell::Empty)
-        {
-            problems.add(file.problem_at(
-                line.number,
-                format!("{} is in a column without a name", cell.shown(file)),
-                "remove it, or name its column",
-            ));
-            good = None;
+        for (place, cell) in line.cells.iter().enumerate().skip(1) {
+            if cell.number().is_some() && !is_named(place) && is_named(place - 1) {
+                problems.add(file.problem_at(
+                    line.number,
+                    format!(
+                        "{} is in column {}, which has no name",
+                        cell.shown(file),
+                        letter(place)
+                    ),
+                    "remove it, or name its column",
+                ));
+                good = None;
+            }
         }
+        good
+    }
+
+    fn line<const N: usize>(
+        &self,
+        file: &DataFile,
+        line: &'a Line,
+        places: &Places<N>,
+        wanted: &Wanted<N>,
+        problems: &mut Problems,
+    ) -> Option<Numbers<'a, N>> {
+        self.check_width(file, line, problems)?;
         let teeth = 1..=wanted.teeth.unwrap_or(10_000);
-        let tooth = line.cells.get(places.tooth).and_then(Cell::tooth);
+        let tooth = line.cell(places.tooth).tooth();
         let tooth = tooth.filter(|tooth| teeth.contains(tooth));
         if tooth.is_none() {
-            let cell = &line.cells[places.tooth];
+            let cell = line.cell(places.tooth);
             let allowed = whole_in(&teeth);
             problems.add(wrong_cell(file, line.number, "tooth", cell, &allowed));
         }
         let mut values = [None; N];
         for (index, column) in wanted.columns.iter().enumerate() {
-            let cell = &line.cells[places.wanted[index]];
+            let cell = line.cell(places.wanted[index]);
             let limits = column.limits();
             values[index] = cell
                 .number()
                 .filter(|written| limits.range.contains(&written.value));
             if values[index].is_none() {
-                let name = column.names()[0];
+                let name = column.name();
                 problems.add(wrong_cell(file, line.number, name, cell, limits.allowed));
             }
         }
-        good?;
         let mut numbers = [Written::default(); N];
         for (number, value) in numbers.iter_mut().zip(values) {
             *number = value?;
@@ -123,6 +204,113 @@ impl Grid {
             values: numbers,
         })
     }
+}
+
+/// Whether a line may be a row of numbers in the columns `used`; words below the last row are none.
+fn is_row(line: &Line, used: &[usize]) -> bool {
+    let mut cells = used.iter().map(|place| line.cell(*place));
+    match cells.next() {
+        Some(Cell::Empty) => cells.any(|cell| *cell != Cell::Empty),
+        Some(Cell::Text(text)) if !text.contains(|c: char| c.is_ascii_digit()) => {
+            cells.all(|cell| cell.number().is_some())
+        }
+        _ => true,
+    }
+}
+
+/// The table of `wanted` columns in one of `grids`: the one that has a header of a tooth column and one of them.
+pub fn find<'a, const N: usize>(
+    grids: &'a [Grid],
+    file: &DataFile,
+    wanted: &Wanted<N>,
+    choice: &Choice,
+    problems: &mut Problems,
+) -> Option<(Found<'a>, Places<N>)> {
+    // Where only pitch of the other kind is there, that is told.
+    let strict = |head: &Head| is_head(head, &wanted.columns, choice);
+    let there = |grid: &Grid| Head::find(&grid.lines, choice, strict).is_some();
+    let others = match grids.iter().any(there) {
+        true => wanted.columns,
+        false => wanted.columns.map(Column::of_other_kind),
+    };
+    let is_head = |head: &Head| strict(head) || is_head(head, &others, choice);
+    let (grid, head) = one_of(grids, file, choice, is_head, &wanted.columns, problems)?;
+    let places = places(&head, grid, file, wanted, choice, problems)?;
+    let used: Vec<usize> = std::iter::once(places.tooth).chain(places.wanted).collect();
+    let found = Found::below(grid, head, [&used, &[]], file, problems)?;
+    Some((found, places))
+}
+
+/// Whether `head` names a tooth column and one that is wanted.
+pub fn is_head(head: &Head, wanted: &[Column], choice: &Choice) -> bool {
+    let any = |column: &Column| !head.places_of(*column, choice).is_empty();
+    !head.teeth(wanted, choice).is_empty() && wanted.iter().any(any)
+}
+
+/// The one grid that has a header, and that.
+pub fn one_of<'a>(
+    grids: &'a [Grid],
+    file: &DataFile,
+    choice: &Choice,
+    is_head: impl Fn(&Head) -> bool,
+    wanted: &[Column],
+    problems: &mut Problems,
+) -> Option<(&'a Grid, Head)> {
+    let in_grid = |grid: &'a Grid| Some((grid, Head::find(&grid.lines, choice, &is_head)?));
+    let mut found: Vec<_> = grids.iter().filter_map(in_grid).collect();
+    if found.is_empty()
+        && let ([grid], Some(row)) = (grids, choice.header_row)
+        && let Some(at) = grid.lines.iter().position(|line| line.number == row)
+    {
+        // What it lacks is told.
+        return Some((grid, Head::of(&grid.lines, at)));
+    }
+    if found.len() == 1 {
+        return found.pop();
+    }
+    let names = |grids: &mut dyn Iterator<Item = &'a Grid>| {
+        let names = grids
+            .filter_map(|grid| grid.sheet.as_ref())
+            .take(MOST_NAMED);
+        let names: Vec<String> = names.map(|name| file.quote(name)).collect();
+        names.join(", ")
+    };
+    let columns = super::column::headings(wanted);
+    problems.add(match (found.first(), &grids[0].sheet) {
+        (Some((grid, _)), Some(_)) => file.problem(
+            format!("has {} sheets with a table of {columns}: {}", found.len(), names(&mut found.iter().map(|found| found.0))),
+            format!(
+                "say which one: sheet = {}",
+                file.quote(grid.sheet.as_deref().unwrap_or_default())
+            ),
+        ),
+        (Some((_, head)), None) => file.problem_at(
+            head.line,
+            "can be the header with more than one separator, allowed is one of comma, semicolon and tab",
+            "separate all columns alike",
+        ),
+        (None, sheet) => {
+            let (what, row) = match choice.header_row {
+                Some(row) => (format!("line {row} does not name"), row),
+                None => ("no line names".to_owned(), 1),
+            };
+            let place = match (sheet, grids.len()) {
+                (Some(_), 2..) => format!(" in sheets {}", names(&mut grids.iter())),
+                _ => String::new(),
+            };
+            let keys = wanted.iter().zip('B'..).map(|(column, letter)| format!("{} = \"{letter}\"", column.key()));
+            let keys: Vec<String> = keys.collect();
+            let help = match wanted.contains(&Column::Deviation) {
+                true => format!("name the columns {columns}"),
+                false => format!(
+                    "say where they are, by letter or heading: header_row = {row}, tooth_column = \"A\", {}",
+                    keys.join(", ")
+                ),
+            };
+            file.problem(format!("{what} the columns {columns}{place}"), help)
+        }
+    });
+    None
 }
 
 /// The problem of a cell that is not what its column allows.

@@ -1,23 +1,28 @@
 //! Inspection tables in files of their own: CSV, `.xlsx`, or a measuring machine's protocol.
 //!
-//! A file becomes a grid of cells ([`delimited`], [`workbook`]; a [`protocol`] has its own rows); the header names the columns
-//! ([`column`]); the cells become numbers ([`number`]); the rows are put in
-//! order of the teeth ([`by_tooth`]). Nothing is padded, replaced, guessed or
-//! passed over: whatever is not understood is a problem with its line.
+//! A file becomes grids of cells, one a sheet or separator ([`delimited`], [`workbook`]; a [`protocol`] has its own rows); the
+//! header is found in one of them ([`head`], [`heading`]) and names the columns ([`places`]); the cells become numbers
+//! ([`number`]); the rows are put in order of the teeth ([`by_tooth`]). What is no part of the table is told ([`left_out`]).
+//! No number is padded, replaced or guessed: whatever is not understood is a problem with its line.
 
 mod block;
 mod by_tooth;
 mod cell;
+mod choice;
 mod column;
 mod container;
 mod decimal;
 mod delimited;
 mod grid;
+mod head;
 mod header;
+mod heading;
+mod left_out;
 mod limits;
 pub mod number;
 mod places;
 mod protocol;
+mod statistic;
 mod story;
 mod text;
 mod trace;
@@ -27,18 +32,26 @@ mod workbook;
 use super::data_file::DataFile;
 use super::problems::Problems;
 use super::table::Table;
+pub use choice::Choice;
 pub use column::Column;
-use grid::Grid;
+use gearlash::metrology::PitchKind;
+use grid::{Found, Grid};
+use head::Head;
 pub use header::{Drawn, Header};
+use heading::Quantity;
 use number::Decimal;
 pub use trace::TraceSheet;
 pub use wanted::{Coverage, Row, Wanted};
 
 /// Keys that name a table; others may stand beside them.
-pub const KEYS: &[&str] = &["file", "sheet", "decimal"];
-
-/// The decimal signs as the pair file states them.
-const DECIMALS: [(&str, Decimal); 2] = [(".", Decimal::Point), (",", Decimal::Comma)];
+pub const KEYS: &[&str] = &[
+    "file",
+    "sheet",
+    "header_row",
+    "tooth_column",
+    "column",
+    "decimal",
+];
 
 /// How the container of `.xls` files begins: what CSV cannot.
 const OLD_WORKBOOK: &[u8] = b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1";
@@ -50,6 +63,22 @@ pub struct Sheet<const N: usize> {
     pub header: Header,
     /// At least one.
     pub rows: Vec<Row<N>>,
+    /// Where it stands in the file; `None`: in a protocol.
+    pub origin: Option<Origin>,
+}
+
+/// Where a table stands in its file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Origin {
+    pub sheet: Option<String>,
+    /// The line of its header.
+    pub header_row: u64,
+    /// The columns it is read from, that of the teeth first: heading and letter.
+    pub columns: Vec<(String, String)>,
+    /// Of the columns of pitch, the kind that their headings say.
+    pub kind: Option<PitchKind>,
+    /// What of the file is no part of it, in words.
+    pub left_out: Option<String>,
 }
 
 impl<const N: usize> Sheet<N> {
@@ -63,11 +92,47 @@ impl<const N: usize> Sheet<N> {
             problems,
         )?;
         let mut bad = Problems::of_list();
-        let read = read(&file, table, wanted, &mut bad);
+        let read = Choice::read(table, &mut bad).and_then(|choice| {
+            let bytes = bad.keep(file.bytes())?;
+            let content = content(&file, bytes, table, &choice, &mut bad)?;
+            Sheet::of(&content, &file, &choice, wanted, &mut bad)
+        });
         let good = bad.is_empty();
         problems.add_list(file.key(), bad);
-        let (rows, header) = read.filter(|_| good)?;
-        Some(Sheet { header, rows })
+        let sheet = read.filter(|_| good)?;
+        if let Some(origin) = &sheet.origin {
+            table.place().tell(origin.remark(&file));
+        }
+        Some(sheet)
+    }
+
+    /// The `wanted` table of what a file holds.
+    pub fn of(
+        content: &Content,
+        file: &DataFile,
+        choice: &Choice,
+        wanted: &Wanted<N>,
+        problems: &mut Problems,
+    ) -> Option<Sheet<N>> {
+        let grids = match content {
+            Content::Cells(grids) => grids,
+            Content::Protocol(text) => {
+                let (rows, header) = protocol::read(file, text, wanted, problems)?;
+                return Some(Sheet {
+                    header,
+                    rows,
+                    origin: None,
+                });
+            }
+        };
+        let (found, places) = grid::find(grids, file, wanted, choice, problems)?;
+        let rows = found.numbers(file, &places, wanted, choice, problems)?;
+        let used: Vec<usize> = std::iter::once(places.tooth).chain(places.wanted).collect();
+        Some(Sheet {
+            header: Header::default(),
+            rows: by_tooth::ordered(file, rows, wanted, problems)?,
+            origin: Some(Origin::of(&found, grids, &used, file)),
+        })
     }
 
     /// The values of one column, by ascending tooth.
@@ -79,80 +144,132 @@ impl<const N: usize> Sheet<N> {
 
 /// Checks that nothing is said of a file that `table` does not name.
 pub fn without_file(table: &Table, problems: &mut Problems) -> Option<()> {
-    let Some(name) = KEYS.iter().find(|name| table.has(name)) else {
+    let mut keys = KEYS.iter().chain(&["left", "right"]);
+    let Some(name) = keys.find(|name| table.has(name)) else {
         return Some(());
     };
     problems.add(table.problem(name, "given without `file`", "add the file, or remove it"));
     None
 }
 
+impl Origin {
+    /// That of a table found in one of `grids`, read from the columns `used`.
+    fn of(found: &Found, grids: &[Grid], used: &[usize], file: &DataFile) -> Origin {
+        let headings = used
+            .iter()
+            .map(|place| (&found.head.headings[*place], head::letter(*place)));
+        let kinds = headings
+            .clone()
+            .filter_map(|(heading, _)| match heading.meaning?.quantity {
+                Quantity::Pitch(kind) => kind,
+                _ => None,
+            });
+        Origin {
+            sheet: found.grid.sheet.clone().filter(|_| grids.len() > 1),
+            header_row: found.head.line,
+            kind: kinds.last(),
+            columns: headings
+                .map(|(heading, letter)| (heading.shown.clone(), letter))
+                .collect(),
+            left_out: found.left_out.words(&found.head, file),
+        }
+    }
+
+    /// What the user should know of it; `None` where the whole file is the table.
+    fn remark(&self, file: &DataFile) -> Option<String> {
+        let sheet = self
+            .sheet
+            .as_ref()
+            .map(|name| format!("sheet {}, ", file.quote(name)));
+        if sheet.is_none() && self.left_out.is_none() {
+            return None;
+        }
+        let columns = self
+            .columns
+            .iter()
+            .map(|(name, letter)| format!("{} ({letter})", file.quote(name)));
+        let columns: Vec<String> = columns.collect();
+        let rest = self
+            .left_out
+            .as_ref()
+            .map(|words| format!("; left out: {words}"));
+        Some(format!(
+            "{}: {}: read from {}line {} on, columns {}{}",
+            file.key(),
+            file.name(),
+            sheet.unwrap_or_default(),
+            self.header_row,
+            columns.join(", "),
+            rest.unwrap_or_default()
+        ))
+    }
+}
+
 /// What a file holds.
-enum Content {
-    Cells(Grid),
+pub enum Content {
+    /// Cells: one grid or more.
+    Cells(Vec<Grid>),
     /// The text of a measuring machine's protocol.
     Protocol(String),
 }
 
-/// What `file` holds, and the decimal sign that the pair file states for it.
-fn content(
+impl Content {
+    /// Whether there is a table of teeth with one of the `columns`.
+    pub fn has(&self, columns: &[Column], choice: &Choice) -> bool {
+        match self {
+            Content::Cells(grids) => {
+                let is_head = |head: &Head| grid::is_head(head, columns, choice);
+                grids
+                    .iter()
+                    .any(|grid| Head::find(&grid.lines, choice, is_head).is_some())
+            }
+            Content::Protocol(text) => columns.iter().any(|column| protocol::has(text, *column)),
+        }
+    }
+
+    /// Whether there is a table of traces.
+    pub fn has_trace(&self, choice: &Choice) -> bool {
+        let Content::Cells(grids) = self else {
+            return false;
+        };
+        let is_head = |head: &Head| trace::is_head(head, choice);
+        grids
+            .iter()
+            .any(|grid| Head::find(&grid.lines, choice, is_head).is_some())
+    }
+}
+
+/// What `file` of these `bytes` holds.
+pub fn content(
     file: &DataFile,
+    bytes: Vec<u8>,
     table: &Table,
+    choice: &Choice,
     problems: &mut Problems,
-) -> Option<(Content, Option<Decimal>)> {
-    let bytes = problems.keep(file.bytes())?;
-    let sheet = match table.get("sheet") {
-        Some(entry) => Some(problems.keep(entry.text("give the name of the sheet"))?),
-        None => None,
-    };
-    let stated = match table.get("decimal") {
-        Some(entry) => Some(problems.keep(entry.choice(&DECIMALS))?),
-        None => None,
-    };
+) -> Option<Content> {
     if bytes.starts_with(OLD_WORKBOOK) {
         let help = "save it as .xlsx or CSV";
         problems.add(file.problem("is an old Excel workbook, .xls", help));
         return None;
     }
     if workbook::is_one(file, &bytes) {
-        let grid = workbook::read(file, bytes, sheet, problems)?;
-        return Some((Content::Cells(grid), stated));
+        return workbook::read(file, bytes, choice.sheet, problems).map(Content::Cells);
     }
-    if sheet.is_some() {
-        problems.add(table.problem(
-            "sheet",
-            "the file is not a workbook, sheet is allowed only with .xlsx",
-            "remove it",
-        ));
+    if choice.sheet.is_some() {
+        let words = "the file is not a workbook, sheet is allowed only with .xlsx";
+        problems.add(table.problem("sheet", words, "remove it"));
     }
     let text = text::decode(file, &bytes, problems)?;
-    if protocol::is_one(&text) {
-        if stated == Some(Decimal::Comma) {
-            problems.add(table.problem(
-                "decimal",
-                "the file is a protocol, whose decimal sign is the point",
-                "remove it",
-            ));
-        }
-        return Some((Content::Protocol(text.into()), stated));
+    if !protocol::is_one(&text) {
+        return delimited::read(file, &text, problems).map(Content::Cells);
     }
-    Some((
-        Content::Cells(delimited::read(file, &text, problems)?),
-        stated,
-    ))
-}
-
-/// The rows by ascending tooth, and the header lines of a protocol.
-fn read<const N: usize>(
-    file: &DataFile,
-    table: &Table,
-    wanted: &Wanted<N>,
-    problems: &mut Problems,
-) -> Option<(Vec<Row<N>>, Header)> {
-    let (grid, stated) = match content(file, table, problems)? {
-        (Content::Cells(grid), stated) => (grid, stated),
-        (Content::Protocol(text), _) => return protocol::read(file, &text, wanted, problems),
-    };
-    let rows = grid.rows(file, wanted, stated, problems)?;
-    let rows = by_tooth::ordered(file, rows, wanted, problems)?;
-    Some((rows, Header::default()))
+    if choice.decimal == Some(Decimal::Comma) {
+        let words = "the file is a protocol, whose decimal sign is the point";
+        problems.add(table.problem("decimal", words, "remove it"));
+    }
+    if let Some(key) = choice.of_cells() {
+        let words = format!("the file is a protocol, {key} is allowed only with CSV and .xlsx");
+        problems.add(table.problem(key, words, "remove it"));
+    }
+    Some(Content::Protocol(text.into()))
 }

@@ -5,7 +5,7 @@
 //! row a tooth, in µm. Only these and the known header lines are read. Within
 //! a block everything must be a row until a blank line and other text.
 
-use super::block::{Block, Name, names, row, side};
+use super::block::{Block, Name, named, names, row, side};
 use super::column::Column;
 use super::header::Header;
 use super::limits::MOST_ROWS;
@@ -21,6 +21,23 @@ use std::collections::HashMap;
 /// Whether `text` has the head of a block.
 pub fn is_one(text: &str) -> bool {
     text.lines().any(|line| side(line).is_some())
+}
+
+/// Whether a line of `text` below the head of a block names `column`.
+pub fn has(text: &str, column: Column) -> bool {
+    let name = match column {
+        Column::Right(kind) | Column::Left(kind) => name_of(kind),
+        Column::Runout => Name::Runout,
+        _ => return false,
+    };
+    let mut lines = text.lines().filter(|line| !line.trim().is_empty());
+    while lines.any(|line| side(line).is_some()) {
+        let symbols = lines.next().unwrap_or_default().split_whitespace();
+        if symbols.into_iter().any(|word| named(word) == Some(name)) {
+            return true;
+        }
+    }
+    false
 }
 
 /// The wanted columns, by ascending tooth, and the header lines.
@@ -39,7 +56,7 @@ pub fn read<const N: usize>(
             Column::Runout => runout(file, &blocks, problems),
             other => {
                 problems.add(file.problem(
-                    format!("is a pitch protocol, which has no {}", other.names()[0]),
+                    format!("is a pitch protocol, which has no {}", other.name()),
                     "name a table that has it",
                 ));
                 None
@@ -150,6 +167,13 @@ fn parse<'a>(
     Some((blocks, header))
 }
 
+fn name_of(kind: PitchKind) -> Name {
+    match kind {
+        PitchKind::Single => Name::Single,
+        PitchKind::Cumulative => Name::Cumulative,
+    }
+}
+
 fn pitch(
     file: &DataFile,
     blocks: &[Block],
@@ -169,11 +193,7 @@ fn pitch(
         ));
         return None;
     };
-    let name = match kind {
-        PitchKind::Single => Name::Single,
-        PitchKind::Cumulative => Name::Cumulative,
-    };
-    let Some(values) = block.column(name) else {
+    let Some(values) = block.column(name_of(kind)) else {
         problems.add(file.problem_at(
             block.line,
             format!(

@@ -1,12 +1,14 @@
 //! Profile traces in a table: roll length or diameter and deviation, a row a point, perhaps with the tooth and the flank.
 
 use super::cell::{Cell, Line};
-use super::column::{self, Column, Named};
+use super::column::Column;
 use super::decimal::{self, Numbers};
-use super::grid::{Grid, wrong_cell};
-use super::places::slots;
+use super::grid::{Found, one_of, wrong_cell};
+use super::head::Head;
+use super::heading::Quantity;
+use super::places::{one, several};
 use super::wanted::{Coverage, Wanted};
-use super::{Content, content};
+use super::{Choice, Content, Origin, content};
 use crate::data_file::DataFile;
 use crate::entry::whole_in;
 use crate::problems::Problems;
@@ -14,8 +16,6 @@ use crate::table::Table;
 use gearlash::gear::Flank;
 use std::ops::RangeBounds;
 
-/// Names of the column that says which flank.
-const FLANK: &[&str] = &["flank", "flanke"];
 /// What stands in it.
 const FLANKS: [(&str, Flank); 4] = [
     ("right", Flank::Right),
@@ -44,9 +44,11 @@ pub struct TraceSheet {
     pub rows: Vec<TraceRow>,
     /// What the rows say where they are: [`Column::RollLength`] or [`Column::Diameter`].
     pub by: Column,
+    pub origin: Origin,
 }
 
 /// Where the columns stand.
+#[derive(Clone, Copy)]
 struct Places {
     tooth: Option<usize>,
     flank: Option<usize>,
@@ -61,66 +63,94 @@ impl TraceSheet {
         let needed = "the name of a table, such as \"trace.csv\"";
         let file = DataFile::of(table, needed, problems)?;
         let mut bad = Problems::of_list();
-        let read = rows(&file, table, teeth, &mut bad);
+        let read = Choice::read(table, &mut bad).and_then(|choice| {
+            let bytes = bad.keep(file.bytes())?;
+            let content = content(&file, bytes, table, &choice, &mut bad)?;
+            TraceSheet::of(&content, &file, &choice, teeth, &mut bad)
+        });
         let good = bad.is_empty();
         problems.add_list(file.key(), bad);
-        let (rows, by) = read.filter(|_| good)?;
-        Some(TraceSheet { file, rows, by })
+        let sheet = read.filter(|_| good)?;
+        table.place().tell(sheet.origin.remark(&file));
+        Some(sheet)
+    }
+
+    /// The traces of what a file holds.
+    pub fn of(
+        content: &Content,
+        file: &DataFile,
+        choice: &Choice,
+        teeth: Option<u32>,
+        problems: &mut Problems,
+    ) -> Option<TraceSheet> {
+        let Content::Cells(grids) = content else {
+            problems.add(file.problem(
+                "is a protocol of pitch, expected is a table of traces",
+                HELP,
+            ));
+            return None;
+        };
+        let columns = [Column::RollLength, Column::Deviation];
+        let is_head = |head: &Head| is_head(head, choice);
+        let (grid, head) = one_of(grids, file, choice, is_head, &columns, problems)?;
+        let places = places(&head, file, choice, problems)?;
+        let used = [places.tooth, Some(places.at), Some(places.deviation)];
+        let used: Vec<usize> = used.into_iter().flatten().collect();
+        let beside: Vec<usize> = places.flank.into_iter().collect();
+        let found = Found::below(grid, head, [&used, &beside], file, problems)?;
+        let wanted = Wanted {
+            columns: [places.by, Column::Deviation],
+            teeth,
+            coverage: Coverage::SomeTeeth,
+        };
+        let mut all = Some(Vec::new());
+        for line in &found.rows {
+            // All lines are read before the first bad one ends it.
+            match (
+                row(&found, line, file, &places, &wanted, problems),
+                &mut all,
+            ) {
+                (Some(row), Some(rows)) => rows.push(row),
+                _ => all = None,
+            }
+        }
+        let (rows, numbers): (Vec<TraceRow>, Vec<Numbers<'_, 2>>) = all?.into_iter().unzip();
+        decimal::check(
+            file,
+            &numbers,
+            &wanted,
+            (choice.decimal, grid.decimal),
+            problems,
+        )?;
+        if rows.is_empty() {
+            problems.add(file.problem("no rows below the header", "add a row for each point"));
+            return None;
+        }
+        Some(TraceSheet {
+            file: file.clone(),
+            rows,
+            by: places.by,
+            origin: Origin::of(&found, grids, &used, file),
+        })
     }
 }
 
-fn rows(
-    file: &DataFile,
-    table: &Table,
-    teeth: Option<u32>,
-    problems: &mut Problems,
-) -> Option<(Vec<TraceRow>, Column)> {
-    let (content, stated) = content(file, table, problems)?;
-    let Content::Cells(grid) = content else {
-        problems.add(file.problem(
-            "is a protocol of pitch, expected is a table of traces",
-            HELP,
-        ));
-        return None;
-    };
-    let places = places(&grid.header, file, problems)?;
-    let wanted = Wanted {
-        columns: [places.by, Column::Deviation],
-        teeth,
-        coverage: Coverage::SomeTeeth,
-    };
-    let mut all = Some(Vec::new());
-    for line in &grid.lines {
-        // All lines are read before the first bad one ends it.
-        match (row(&grid, line, file, &places, &wanted, problems), &mut all) {
-            (Some(row), Some(rows)) => rows.push(row),
-            _ => all = None,
-        }
-    }
-    let (rows, numbers): (Vec<TraceRow>, Vec<Numbers<'_, 2>>) = all?.into_iter().unzip();
-    decimal::check(file, &numbers, &wanted, (stated, grid.decimal), problems)?;
-    if rows.is_empty() {
-        problems.add(file.problem("no rows below the header", "add a row for each point"));
-        return None;
-    }
-    Some((rows, places.by))
+/// Whether `head` names where and how much.
+pub fn is_head(head: &Head, choice: &Choice) -> bool {
+    let has = |column| !head.places_of(column, choice).is_empty();
+    has(Column::Deviation) && (has(Column::RollLength) || has(Column::Diameter))
 }
 
 /// One line: the point, and its numbers as written.
 fn row<'a>(
-    grid: &Grid,
+    found: &Found,
     line: &'a Line,
     file: &DataFile,
     places: &Places,
     wanted: &Wanted<2>,
     problems: &mut Problems,
 ) -> Option<(TraceRow, Numbers<'a, 2>)> {
-    let (columns, found) = (grid.header.cells.len(), line.cells.len());
-    if found != columns {
-        let reason = format!("{found} values, the header names {columns} columns");
-        problems.add(file.problem_at(line.number, reason, "give every column one value"));
-        return None;
-    }
+    found.check_width(file, line, problems)?;
     let mut good = Some(());
     let mut wrong = |name: &str, cell: &Cell, allowed: &str| {
         problems.add(wrong_cell(file, line.number, name, cell, allowed));
@@ -128,7 +158,7 @@ fn row<'a>(
     };
     let teeth = 1..=wanted.teeth.unwrap_or(10_000);
     let tooth = places.tooth.map(|place| {
-        let cell = &line.cells[place];
+        let cell = line.cell(place);
         let tooth = cell.tooth().filter(|tooth| teeth.contains(tooth));
         if tooth.is_none() {
             wrong("tooth", cell, &whole_in(&teeth));
@@ -136,9 +166,9 @@ fn row<'a>(
         tooth
     });
     let flank = places.flank.map(|place| {
-        let cell = &line.cells[place];
+        let cell = line.cell(place);
         let text = match cell {
-            Cell::Text(text) | Cell::TextBelow(text) => text.trim().to_lowercase(),
+            Cell::Text(text) => text.trim().to_lowercase(),
             _ => String::new(),
         };
         let found = FLANKS.into_iter().find(|(name, _)| *name == text);
@@ -147,14 +177,14 @@ fn row<'a>(
         }
         found.map(|(_, flank)| flank)
     });
-    let [at, deviation] = [places.at, places.deviation].map(|place| &line.cells[place]);
+    let [at, deviation] = [places.at, places.deviation].map(|place| line.cell(place));
     let [at, deviation] =
         [(at, wanted.columns[0]), (deviation, wanted.columns[1])].map(|(cell, column)| {
             let limits = column.limits();
             let number = cell.number();
             let number = number.filter(|number| limits.range.contains(&number.value));
             if number.is_none() {
-                wrong(column.names()[0], cell, limits.allowed);
+                wrong(column.name(), cell, limits.allowed);
             }
             number
         });
@@ -175,47 +205,46 @@ fn row<'a>(
     Some((row, numbers))
 }
 
-fn places(header: &Line, file: &DataFile, problems: &mut Problems) -> Option<Places> {
-    const COLUMNS: [Column; 3] = [Column::RollLength, Column::Diameter, Column::Deviation];
-    // The tooth, the flank, and behind them those.
-    let slot = |text: &str| {
-        if FLANK.contains(&text.trim().to_lowercase().as_str()) {
-            return Ok(1);
-        }
-        match column::named(file, text, &COLUMNS) {
-            Named::Tooth => Ok(0),
-            Named::Wanted(index) => Ok(2 + index),
-            Named::Wrong(reason, help) => Err((reason, help)),
+fn places(
+    head: &Head,
+    file: &DataFile,
+    choice: &Choice,
+    problems: &mut Problems,
+) -> Option<Places> {
+    let mut optional = |name: &str, places: Vec<usize>| match *places {
+        [] => Some(None),
+        [place] => Some(Some(place)),
+        _ => {
+            problems.add(several(head, file, name, "tooth_column", &places));
+            None
         }
     };
-    let (found, good) = slots(header, file, HELP, 2 + COLUMNS.len(), slot, problems);
-    let [tooth, flank, roll, diameter, deviation] = found[..] else {
-        return None;
+    let tooth = optional("tooth", head.teeth(&[], choice));
+    let is_flank = |place: &usize| {
+        let meaning = head.headings[*place].meaning;
+        meaning.is_some_and(|meaning| meaning.quantity == Quantity::Flank)
     };
-    let is_both = roll.is_some() && diameter.is_some();
-    if is_both {
+    let flank = optional("flank", head.all().into_iter().filter(is_flank).collect());
+    let [roll, diameter] =
+        [Column::RollLength, Column::Diameter].map(|column| head.places_of(column, choice));
+    if !roll.is_empty() && !diameter.is_empty() {
         let reason = "columns roll length and diameter, allowed is one of them";
         let help = "remove one: they say the same";
-        problems.add(file.problem_at(header.number, reason, help));
-    }
-    if is_both || !good {
+        problems.add(file.problem_at(head.line, reason, help));
         return None;
     }
-    let at = roll.or(diameter);
-    for (name, place) in [("roll length or diameter", at), ("deviation", deviation)] {
-        if place.is_none() {
-            let reason = format!("column {name} is missing");
-            problems.add(file.problem_at(header.number, reason, HELP));
-        }
-    }
+    let (by, at) = match diameter.is_empty() {
+        true => (Column::RollLength, roll),
+        false => (Column::Diameter, diameter),
+    };
+    let at = problems.keep(one(head, file, by, &at, choice));
+    let deviation = head.places_of(Column::Deviation, choice);
+    let deviation = problems.keep(one(head, file, Column::Deviation, &deviation, choice));
     Some(Places {
-        tooth,
-        flank,
+        tooth: tooth?,
+        flank: flank?,
         at: at?,
         deviation: deviation?,
-        by: match roll {
-            Some(_) => Column::RollLength,
-            None => Column::Diameter,
-        },
+        by,
     })
 }

@@ -1,7 +1,7 @@
-//! `.xlsx` workbooks: the one sheet with content, or the one that is named.
+//! `.xlsx` workbooks: the sheets with content, or the one that is named.
 //!
-//! Numbers must be numbers: text that looks like one has lost its decimal sign's meaning, and a date may have
-//! been one (`1.2` to a German Excel). Both are problems with a way out.
+//! Text that is a number is read as in a text file, its decimal sign settled by the table. A date may have been a number
+//! (`1.2` to a German Excel): where one must be, it is a problem with a way out.
 
 use super::cell::{Cell, Line};
 use super::container;
@@ -24,13 +24,13 @@ pub fn is_one(file: &DataFile, bytes: &[u8]) -> bool {
     extension.eq_ignore_ascii_case("xlsx") || bytes.starts_with(b"PK\x03\x04")
 }
 
-/// The cells of the sheet called `name`, or of the only one with content.
+/// The cells of the sheet called `name`, or of all with content.
 pub fn read(
     file: &DataFile,
     bytes: Vec<u8>,
     name: Option<&str>,
     problems: &mut Problems,
-) -> Option<Grid> {
+) -> Option<Vec<Grid>> {
     let unreadable = |error: String| {
         file.problem(
             format!("cannot be read as an .xlsx workbook: {error}"),
@@ -78,27 +78,13 @@ pub fn read(
     {
         let cells = read.cells(&mut workbook, &sheet).map_err(unreadable);
         let cells = problems.keep(cells)?;
-        if !cells.is_empty() {
-            filled.push((sheet, cells));
-        }
+        filled.extend(grid(sheet, cells));
     }
-    if filled.len() > 1 {
-        let names: Vec<String> = filled.into_iter().map(|(name, _)| name).collect();
-        problems.add(file.problem(
-            format!(
-                "has {} sheets with content: {}",
-                names.len(),
-                listed(&names)
-            ),
-            format!("say which one: sheet = {}", file.quote(&names[0])),
-        ));
-        return None;
-    }
-    let Some((_, cells)) = filled.pop() else {
+    if filled.is_empty() {
         problems.add(file.problem("is empty", "give a header and a row for each tooth"));
         return None;
-    };
-    grid(cells)
+    }
+    Some(filled)
 }
 
 /// Reads sheet after sheet, all of them within the limits of one table.
@@ -191,24 +177,20 @@ impl CellReader<'_> {
     }
 }
 
-/// The first row is the header; text below it is no number.
-fn grid(cells: Cells) -> Option<Grid> {
-    let columns = cells.first_key_value()?.1.last_key_value()?.0 + 1;
-    let lines = cells
-        .into_iter()
-        .enumerate()
-        .map(|(index, (row, mut cells))| {
-            let width = cells
-                .last_key_value()
-                .map_or(columns, |(last, _)| columns.max(last + 1));
-            let mut take = |column| match cells.remove(&column).unwrap_or(Cell::Empty) {
-                Cell::Text(text) if index > 0 => Cell::TextBelow(text),
-                cell => cell,
-            };
-            Line {
-                number: u64::from(row) + 1,
-                cells: (0..width).map(&mut take).collect(),
-            }
-        });
-    Grid::of(lines.collect(), None)
+/// `None` where there are no cells.
+fn grid(sheet: String, cells: Cells) -> Option<Grid> {
+    let lines = cells.into_iter().map(|(row, mut cells)| {
+        let width = cells.last_key_value().map_or(0, |(last, _)| last + 1);
+        let mut take = |column| cells.remove(&column).unwrap_or(Cell::Empty);
+        Line {
+            number: u64::from(row) + 1,
+            cells: (0..width).map(&mut take).collect(),
+        }
+    });
+    let lines: Vec<Line> = lines.collect();
+    (!lines.is_empty()).then_some(Grid {
+        sheet: Some(sheet),
+        lines,
+        decimal: None,
+    })
 }

@@ -1,6 +1,6 @@
 //! Where the flanks stand: runout and pitch.
 
-use super::rules::{beside, columns, exactly_one, not_beside, values_need, within};
+use super::rules::{beside, columns, exactly_one, not_beside, values_need, within, without};
 use super::value::TableFileSpec;
 use crate::limits::{BALL, HIGH_TOOTH, PITCH, RUNOUT};
 use schemars::{JsonSchema, Schema};
@@ -61,6 +61,12 @@ pub struct PitchSpec {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = within(&PITCH))]
     pub left_um: Option<Vec<f64>>,
+    /// Column of the left flanks in the table, by heading or letter.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub left: Option<String>,
+    /// Column of the right flanks in the table, by heading or letter.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub right: Option<String>,
     /// With axis = "datum" and a runout: which of them counts.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub eccentricity: Option<EccentricitySource>,
@@ -148,4 +154,8 @@ fn pitch_keys(schema: &mut Schema) {
     values_need(schema, "left_um", "right_um", "kind");
     beside(schema, "file", &[&["kind"]]);
     not_beside(schema, "file", &["right_um", "left_um"]);
+    beside(schema, "left", &[&["file"]]);
+    beside(schema, "right", &[&["file"]]);
+    // It has two.
+    without(schema, "column");
 }

@@ -71,6 +71,15 @@ pub fn not_beside(schema: &mut Schema, key: &str, others: &[&str]) {
     depend(schema, key, json!({ "not": others }));
 }
 
+/// `key` does not stand at all.
+pub fn without(schema: &mut Schema, key: &str) {
+    for place in ["properties", "dependencies"] {
+        if let Some(Value::Object(keys)) = schema.get_mut(place) {
+            keys.shift_remove(key);
+        }
+    }
+}
+
 /// A `list` that has values needs the `other` with values, and `key`.
 pub fn values_need(schema: &mut Schema, list: &str, other: &str, key: &str) {
     let has_values =

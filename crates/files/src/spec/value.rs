@@ -55,9 +55,19 @@ fn allowance_keys(schema: &mut Schema) {
 pub struct TableFileSpec {
     /// Table beside the pair file (CSV, .xlsx or text protocol).
     pub file: String,
-    /// Sheet of an .xlsx file, where it has several.
+    /// Sheet of an .xlsx file, where several have such a table.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sheet: Option<String>,
+    /// Line of the header, where its names do not tell.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(range(min = 1, max = 1_048_576))]
+    pub header_row: Option<u32>,
+    /// Column of the tooth numbers, by heading or letter.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tooth_column: Option<String>,
+    /// Column of the values, by heading or letter.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub column: Option<String>,
     /// Decimal sign of a text table, where nothing in it tells.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub decimal: Option<DecimalSign>,
@@ -69,6 +79,9 @@ impl TableFileSpec {
         TableFileSpec {
             file,
             sheet: None,
+            header_row: None,
+            tooth_column: None,
+            column: None,
             decimal: None,
         }
     }
@@ -87,6 +100,7 @@ pub enum DecimalSign {
 }
 
 fn table_file_keys(schema: &mut Schema) {
-    beside(schema, "sheet", &[&["file"]]);
-    beside(schema, "decimal", &[&["file"]]);
+    for key in ["sheet", "header_row", "tooth_column", "column", "decimal"] {
+        beside(schema, key, &[&["file"]]);
+    }
 }

@@ -1,7 +1,7 @@
 //! The formats of text tables, and what is right of each.
 
 use super::*;
-use oracle::{Rows, column, delimited, protocol};
+use oracle::{Rows, column, delimited, protocol, shop};
 
 /// The right data of a table for a number of teeth: a list a column; `None` where it is malformed.
 pub type Oracle = fn(&[u8], u32) -> Option<Vec<Vec<f64>>>;
@@ -54,7 +54,7 @@ pub fn pitch_lists(study: &PairFile) -> Vec<Vec<f64>> {
         .to_vec()
 }
 
-pub const FORMATS: [Format; 5] = [
+pub const FORMATS: [Format; 6] = [
     Format {
         name: "pitch.csv",
         keys: "pitch = { kind = \"cumulative\", file = \"pitch.csv\" }",
@@ -82,6 +82,24 @@ pub const FORMATS: [Format; 5] = [
         oracle: |bytes, teeth| {
             delimited(bytes, teeth, &[["right", "rechts"], ["left", "links"]]).map(flanks)
         },
+        understood: pitch_lists,
+        apart: |_, _| 0.0,
+    },
+    Format {
+        name: "shop.csv",
+        keys: "pitch = { kind = \"cumulative\", file = \"shop.csv\" }",
+        table: |teeth| {
+            let row = |tooth| {
+                let (left, right) = (others(tooth), tenths(tooth));
+                let values = format!("0.1;{left:.1};0.2;0.3;{right:.1};0.4").replace('.', ",");
+                format!("{tooth};{values};12.03.2026\r\n")
+            };
+            let head = "Prüfprotokoll 4711;;;;;;;\r\n# Zahnrad 17;;;;;;;\r\n\r\n;Linke Flanke;;;Rechte Flanke;;;\r\n\
+                        Zahn-Nr.;fp;Fp;fu;fp;Fp;fu;Datum\r\n-;µm;µm;µm;µm;µm;µm;\r\n";
+            let foot = "\r\nMax;0,1;1,5;0,2;0,3;1,7;0,4;\r\nMittelwert;0,1;0,0;0,2;0,3;0,0;0,4;\r\nPrüfer: Kunz;;;;;;;\r\n";
+            format!("{head}{}{foot}", rows(teeth, row)).into_bytes()
+        },
+        oracle: |bytes, teeth| shop(bytes, teeth).map(flanks),
         understood: pitch_lists,
         apart: |_, _| 0.0,
     },

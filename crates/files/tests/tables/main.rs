@@ -13,6 +13,7 @@ mod profiles;
 mod protocols;
 mod readings;
 mod sheets;
+mod shop_books;
 mod workbooks;
 
 use gearlash_files::{PairFile, Problem, read};

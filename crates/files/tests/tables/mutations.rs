@@ -50,6 +50,7 @@ fn run(format: &Format, teeth: u32, count: usize) -> (usize, usize) {
 
 /// What may be wrong of a whole text file; everything else is in a line.
 const OF_THE_FILE: &[&str] = &[
+    "no line names the columns ",
     "is empty",
     "no rows below the header",
     "has no block linke Zahnflanke",
@@ -57,7 +58,12 @@ const OF_THE_FILE: &[&str] = &[
 ];
 
 /// What may be wrong of a workbook: the container, its sheets.
-pub const OF_THE_WORKBOOK: &[&str] = &["cannot be read as an .xlsx workbook: ", "is empty"];
+pub const OF_THE_WORKBOOK: &[&str] = &[
+    "no line names the columns ",
+    "cannot be read as an .xlsx workbook: ",
+    "no rows below the header",
+    "is empty",
+];
 
 /// A table that is read right may still be of a gear that cannot be: `right` says whether it was.
 pub fn check(name: &str, of_the_file: &[&str], problem: &Problem, right: bool) {

@@ -5,46 +5,94 @@ use std::collections::BTreeMap;
 /// Values by tooth; `None` when a line makes no sense or a tooth is not there exactly once.
 pub type Rows = BTreeMap<u32, Vec<f64>>;
 
-/// The columns of a delimited text whose headings contain one of each of `words`.
+/// The columns of a delimited text whose headings contain one of each of `words`; the header may stand in any line.
 pub fn delimited(bytes: &[u8], teeth: u32, words: &[[&str; 2]]) -> Option<Rows> {
-    let text = String::from_utf8_lossy(bytes).replace(['"', '\u{feff}'], "");
-    let mut lines = text.lines().filter(|line| !line.trim().is_empty());
-    let header = lines
-        .next()?
-        .to_lowercase()
-        .replace([' ', '-', '_', '.'], "");
-    let delimiter = [';', ',', '\t']
-        .into_iter()
-        .find(|sign| header.contains(*sign))?;
-    let names: Vec<&str> = header.split(delimiter).collect();
-    let place = |words: &[&str]| {
-        names
-            .iter()
-            .position(|name| words.iter().any(|word| name.contains(word)))
+    let header = |names: &[String]| {
+        let names: Vec<String> = names.iter().map(|name| name.to_lowercase()).collect();
+        let place = |words: &[&str]| {
+            let has = |name: &String| words.iter().any(|word| name.contains(word));
+            names.iter().position(has)
+        };
+        let tooth = place(&["toothno", "zahn"])
+            .or_else(|| names.iter().position(|name| name.trim() == "tooth"))?;
+        let places: Option<Vec<usize>> = words.iter().map(|words| place(words)).collect();
+        Some((tooth, places?))
     };
-    let tooth = place(&["toothno", "zahn"])
-        .or_else(|| names.iter().position(|name| name.trim() == "tooth"))?;
-    let places: Vec<usize> = words
-        .iter()
-        .map(|words| place(words))
-        .collect::<Option<_>>()?;
-    let mut rows = Rows::new();
-    for line in lines {
-        let cells: Vec<String> = line
-            .split(delimiter)
-            .map(|cell| {
-                cell.trim_matches([' ', '\t', '\r', '\u{a0}'])
-                    .replace(',', ".")
-            })
-            .collect();
-        if cells.iter().all(String::is_empty) {
-            continue;
+    below(bytes, teeth, header)
+}
+
+/// Right and left `Fp` of a shop's sheet: those of the left flank stand before those of the right one.
+pub fn shop(bytes: &[u8], teeth: u32) -> Option<Rows> {
+    below(bytes, teeth, |names| {
+        let tooth = names
+            .iter()
+            .position(|name| name.to_lowercase() == "zahnnr")?;
+        let places = (0..names.len()).filter(|place| names[*place] == "Fp");
+        let [left, right] = places.collect::<Vec<_>>().try_into().ok()?;
+        Some((tooth, vec![right, left]))
+    })
+}
+
+/// The rows below the line of which `header` makes the places of tooth and values, comments and statistics left out.
+fn below(
+    bytes: &[u8],
+    teeth: u32,
+    header: impl Fn(&[String]) -> Option<(usize, Vec<usize>)>,
+) -> Option<Rows> {
+    let text = String::from_utf8_lossy(bytes).replace(['"', '\u{feff}'], "");
+    let lines: Vec<&str> = text
+        .lines()
+        .filter(|line| !line.trim().is_empty())
+        .collect();
+    let found = [';', ',', '\t'].into_iter().find_map(|delimiter| {
+        let names = |line: &str| -> Vec<String> {
+            let bare =
+                |name: &str| name.replace(|c: char| c.is_whitespace() || "-_.".contains(c), "");
+            line.split(delimiter).map(bare).collect()
+        };
+        let mut lines = lines.iter().enumerate();
+        let (at, places) = lines.find_map(|(at, line)| Some((at, header(&names(line))?)))?;
+        // A header that is there twice is one.
+        let again = |line: &&&str| header(&names(line)).is_some();
+        Some((
+            delimiter,
+            at + lines.map(|(_, line)| line).take_while(again).count(),
+            places,
+        ))
+    });
+    let (delimiter, at, (tooth, places)) = found?;
+    let cells = |line: &&str| -> Vec<String> {
+        let cell = |cell: &str| {
+            cell.trim_matches([' ', '\t', '\r', '\u{a0}'])
+                .replace(',', ".")
+        };
+        line.split(delimiter).map(cell).collect()
+    };
+    let mut rows: Vec<Vec<String>> = lines[at + 1..].iter().map(cells).collect();
+    rows.retain(|cells| match cells.iter().find(|cell| !cell.is_empty()) {
+        Some(first) => {
+            !first.starts_with('#') && !["Max", "Min", "Mittelwert", "-"].contains(&first.as_str())
         }
-        let values = places.iter().map(|place| number(cells.get(*place)?));
-        let values: Vec<f64> = values.collect::<Option<_>>()?;
-        add(&mut rows, cells.get(tooth)?.parse().ok()?, values)?;
+        None => false,
+    });
+    let values = |cells: &[String]| -> Option<Vec<f64>> {
+        places
+            .iter()
+            .map(|place| number(cells.get(*place)?))
+            .collect()
+    };
+    while let Some(last) = rows.last() {
+        let first = last.get(tooth).map_or("", String::as_str);
+        if first.contains(|c: char| c.is_ascii_digit()) || values(last).is_some() {
+            break;
+        }
+        rows.pop();
     }
-    complete(rows, teeth)
+    let mut found = Rows::new();
+    for cells in rows {
+        add(&mut found, cells.get(tooth)?.parse().ok()?, values(&cells)?)?;
+    }
+    complete(found, teeth)
 }
 
 /// Left and right values of one column (1: fp, 2: Fp, 3: Fr) of a protocol's blocks.

@@ -2,6 +2,7 @@
 
 pub mod check;
 mod difference;
+mod import;
 mod layout;
 mod measured;
 mod outlines;
@@ -11,6 +12,7 @@ mod unit;
 mod verdict;
 
 pub use difference::text as outline_difference;
+pub use import::imported;
 pub(crate) use layout::{Column, Table, where_it_is};
 pub use layout::{Screen, Tone};
 pub use outlines::text as outlines;

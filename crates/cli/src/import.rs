@@ -1,0 +1,150 @@
+//! `gearlash import`: what a file of measurements holds, as a table and as lines for a pair file.
+
+use super::console::{guard, print};
+use super::screen::ScreenArgs;
+use crate::error::Error;
+use clap::ValueEnum;
+use gearlash_files::import::{self, Content, Imported, Kind, Options};
+use gearlash_render::text::imported;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// Show what is understood of an inspection table, workbook or protocol, and the lines of a pair file that name it
+///
+/// Every table that the file holds is read as a pair file has it read: pitch, runout, thickness, spans and pins by tooth, profile traces. Prints their
+/// numbers, what of the file was left out, and the TOML to paste into a pair file or gear file; writes nothing else.
+/// The options are the keys that a pair file may have beside `file`; errors name them so.
+#[derive(clap::Args)]
+pub(super) struct Args {
+    /// CSV, workbook (.xlsx), or text protocol of a measuring machine
+    file: PathBuf,
+    /// What the file is read for [default: all that it has]
+    #[arg(long, value_enum)]
+    only: Option<Only>,
+    /// Sheet of a workbook that has several with such a table
+    #[arg(long, value_name = "NAME")]
+    sheet: Option<String>,
+    /// Line of the header, from 1 [default: found by its names]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_048_576))]
+    header_row: Option<u32>,
+    /// Column of tooth numbers, by heading or letter
+    #[arg(long, value_name = "COLUMN")]
+    tooth_column: Option<String>,
+    /// Column of left flanks, by heading or letter
+    #[arg(long, value_name = "COLUMN")]
+    left: Option<String>,
+    /// Column of right flanks, by heading or letter
+    #[arg(long, value_name = "COLUMN")]
+    right: Option<String>,
+    /// Column of the values that --only names, by heading or letter
+    #[arg(long, value_name = "COLUMN", requires = "only")]
+    column: Option<String>,
+    /// Decimal sign of a text table, where nothing in it tells
+    #[arg(long, value_name = "SIGN")]
+    decimal: Option<String>,
+    /// The gear of the TOML
+    #[arg(long, value_enum, default_value_t = Gear::Wheel)]
+    gear: Gear,
+    /// What to print
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+    #[command(flatten)]
+    screen: ScreenArgs,
+}
+
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+enum Only {
+    Pitch,
+    Runout,
+    Thickness,
+    Span,
+    OverPins,
+    Trace,
+}
+
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+enum Gear {
+    /// Of a pair file
+    Wheel,
+    /// Of a pair file
+    Pinion,
+    /// Of a gear file
+    Gear,
+}
+
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+enum Format {
+    /// Tables and TOML
+    Text,
+    /// The same, for a program
+    Json,
+}
+
+/// Runs the command.
+pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
+    // By what the file holds, not by its name.
+    let bytes = import::bytes(&args.file)?;
+    let imported = match Content::of(&bytes) {
+        Content::Table => table(args, bytes)?,
+    };
+    show(args, &imported)
+}
+
+/// A table in cells, or a protocol's.
+fn table(args: &Args, bytes: Vec<u8>) -> Result<Imported, Error> {
+    let row = args.header_row.map(|row| row.to_string());
+    let said = [
+        ("sheet", &args.sheet),
+        ("header_row", &row),
+        ("tooth_column", &args.tooth_column),
+        ("left", &args.left),
+        ("right", &args.right),
+        ("column", &args.column),
+        ("decimal", &args.decimal),
+    ];
+    let keys = said
+        .into_iter()
+        .filter_map(|(key, said)| Some((key, said.clone()?)));
+    let keys: Vec<(&str, String)> = keys.collect();
+    Ok(import::tables(
+        &args.file,
+        bytes,
+        &Options {
+            only: args.only.map(Only::kind),
+            keys: &keys,
+            gear: args.gear.name(),
+        },
+    )?)
+}
+
+fn show(args: &Args, found: &Imported) -> Result<ExitCode, Error> {
+    guard(&found.sources)?;
+    print(&match args.format {
+        Format::Text => imported(found, &args.screen.screen()),
+        Format::Json => found.to_json(),
+    })?;
+    Ok(ExitCode::SUCCESS)
+}
+
+impl Only {
+    fn kind(self) -> Kind {
+        match self {
+            Only::Pitch => Kind::Pitch,
+            Only::Runout => Kind::Runout,
+            Only::Thickness => Kind::Thickness,
+            Only::Span => Kind::Span,
+            Only::OverPins => Kind::OverPins,
+            Only::Trace => Kind::Trace,
+        }
+    }
+}
+
+impl Gear {
+    fn name(self) -> &'static str {
+        match self {
+            Gear::Wheel => "wheel",
+            Gear::Pinion => "pinion",
+            Gear::Gear => "gear",
+        }
+    }
+}

@@ -1,0 +1,67 @@
+//! The keys that say what of a file is the table, where the file alone does not.
+
+use super::number::Decimal;
+use crate::problems::Problems;
+use crate::table::Table;
+
+/// Lines of a file: as many as a spreadsheet has.
+const LINES: std::ops::RangeInclusive<u32> = 1..=1_048_576;
+/// The decimal signs as the pair file states them.
+const DECIMALS: [(&str, Decimal); 2] = [(".", Decimal::Point), (",", Decimal::Comma)];
+/// The keys that name a column.
+const COLUMNS: [&str; 4] = [TOOTH, "left", "right", "column"];
+/// That of the tooth numbers.
+pub const TOOTH: &str = "tooth_column";
+
+/// What those keys say.
+#[derive(Debug, Clone, Default)]
+pub struct Choice<'a> {
+    pub sheet: Option<&'a str>,
+    /// The line of the header, from 1.
+    pub header_row: Option<u64>,
+    pub decimal: Option<Decimal>,
+    columns: Vec<(&'static str, &'a str)>,
+}
+
+impl<'a> Choice<'a> {
+    /// Reads the keys of `table`; `None` where one is wrong.
+    pub fn read(table: &Table<'a>, problems: &mut Problems) -> Option<Choice<'a>> {
+        let sheet = table.optional_as("sheet", problems, |entry| {
+            entry.text("give the name of the sheet")
+        });
+        let header_row = table.optional_as("header_row", problems, |entry| {
+            entry.whole(LINES, "give the line that names the columns, from 1")
+        });
+        let decimal = table.optional_as("decimal", problems, |entry| entry.choice(&DECIMALS));
+        let mut columns = Some(Vec::new());
+        for key in COLUMNS {
+            let named = table.optional_as(key, problems, |entry| {
+                entry.text("give the heading of the column in quotes, or its letter")
+            });
+            match (named, &mut columns) {
+                (Some(named), Some(columns)) => columns.extend(named.map(|name| (key, name))),
+                _ => columns = None,
+            }
+        }
+        Some(Choice {
+            sheet: sheet?,
+            header_row: header_row?.map(u64::from),
+            decimal: decimal?,
+            columns: columns?,
+        })
+    }
+
+    /// The column that `key` names.
+    pub fn column(&self, key: &str) -> Option<&'a str> {
+        let mut columns = self.columns.iter();
+        columns
+            .find(|(known, _)| *known == key)
+            .map(|(_, name)| *name)
+    }
+
+    /// A key that only a table of cells can have, where one is given.
+    pub fn of_cells(&self) -> Option<&'static str> {
+        let row = self.header_row.map(|_| "header_row");
+        row.or(self.columns.first().map(|(key, _)| *key))
+    }
+}

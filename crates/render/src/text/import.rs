@@ -1,0 +1,72 @@
+//! What was understood of a file, as text.
+
+use super::layout::{Column, Screen, Table};
+use gearlash_files::characters::line;
+use gearlash_files::import::{Imported, ImportedTable, Value};
+use std::fmt::Write;
+
+/// The tables of a file, and the lines of a pair file that name them.
+pub fn imported(imported: &Imported, screen: &Screen) -> String {
+    let mut text = String::new();
+    for table in &imported.tables {
+        text += &screen.fold(&origin(table));
+        text += &values(table).text(screen);
+        text.push('\n');
+    }
+    let _ = writeln!(text, "For a pair file beside {}:", line(&imported.file));
+    // Not folded: it is to be copied.
+    text + "\n" + &imported.toml
+}
+
+/// Its name, where it stands, and what was left out.
+fn origin(table: &ImportedTable) -> String {
+    let sheet = table
+        .sheet
+        .as_ref()
+        .map(|name| format!(", sheet {:?}", line(name)));
+    let row = table
+        .header_row
+        .map(|row| format!(", header in line {row}"));
+    let rows = table
+        .columns
+        .first()
+        .map_or(0, |column| column.values.len());
+    let mut text = format!(
+        "{}: {rows} rows{}{}\n",
+        table.title,
+        sheet.unwrap_or_default(),
+        row.unwrap_or_default()
+    );
+    let named = table.columns.iter().filter_map(|column| {
+        let (heading, letter) = column.heading.as_ref()?;
+        Some(format!("{} = {:?} ({letter})", column.name, line(heading)))
+    });
+    let named: Vec<String> = named.collect();
+    if !named.is_empty() {
+        let _ = writeln!(text, "  read: {}", named.join(", "));
+    }
+    if let Some(words) = &table.left_out {
+        let _ = writeln!(text, "  left out: {}", line(words));
+    }
+    text
+}
+
+fn values(table: &ImportedTable) -> Table {
+    let headings = table.columns.iter().map(|column| Column::new(column.name));
+    let mut shown = Table::new(headings);
+    let rows = table
+        .columns
+        .first()
+        .map_or(0, |column| column.values.len());
+    for row in 0..rows {
+        let cell = |value: Option<&Value>| match value {
+            Some(Value::Whole(tooth)) => tooth.to_string(),
+            Some(Value::Number(number)) => number.to_string(),
+            Some(Value::Word(word)) => (*word).to_owned(),
+            Some(Value::None) | None => String::new(),
+        };
+        let cells = table.columns.iter();
+        shown.add(cells.map(|column| cell(column.values.get(row))).collect());
+    }
+    shown
+}

@@ -15,7 +15,9 @@ pub(super) struct Target {
 }
 
 /// Endings of what gearlash reads: pair files and tables.
-const READ: [&str; 7] = ["toml", "json", "csv", "tsv", "xlsx", "xlsm", "xls"];
+const READ: [&str; 9] = [
+    "toml", "json", "csv", "tsv", "xlsx", "xlsm", "xls", "mka", "mew",
+];
 
 impl Target {
     /// As [`Target::prepare`], for a page, a picture or Markdown: never in the place of a pair file or table, read or not.

@@ -336,8 +336,10 @@ fn said(bytes: &[u8]) -> Option<Vec<Vec<f64>>> {
     for line in text.lines().map(str::trim) {
         let number = |word: &str| word.parse::<f64>().ok();
         if line.starts_with("Profil:") || line.ends_with(':') && line != "Teilung:" {
-            list = (line == "Profil:").then_some(9);
-        } else if line.starts_with("Zahn-Nr.:") && list.is_some_and(|list| list >= 2) {
+            list = line.starts_with("Profil:").then_some(9);
+        }
+        let line = line.trim_start_matches("Profil:").trim();
+        if line.starts_with("Zahn-Nr.:") && list.is_some_and(|list| list >= 2) {
             list = Some(if line.contains("links") { 3 } else { 2 });
         } else if line.to_lowercase().ends_with("e zahnflanke") {
             list = Some(usize::from(line.to_lowercase().starts_with("linke")));
@@ -377,6 +379,8 @@ fn ten_thousand_mutants_of_each() {
         "has no profile trace",
         "is a value file (.mew)",
         "no rows below the header",
+        // With another first line it is a table of cells.
+        "no line names the columns",
     ];
     for (name, good) in [("mka", Made::new(17).text()), ("mew", MEW.to_owned())] {
         let folder = TempDir::new().unwrap();

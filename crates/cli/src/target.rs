@@ -14,9 +14,9 @@ pub(super) struct Target {
     place: Option<OutputFile>,
 }
 
-/// Endings of what gearlash reads: pair files, tables and gearbox models.
-const READ: [&str; 10] = [
-    "toml", "json", "csv", "tsv", "xlsx", "xlsm", "xls", "rexs", "rexsj", "rexsz",
+/// Endings of what gearlash reads: pair files, tables, protocols and gearbox models.
+const READ: [&str; 12] = [
+    "toml", "json", "csv", "tsv", "xlsx", "xlsm", "xls", "mka", "mew", "rexs", "rexsj", "rexsz",
 ];
 
 impl Target {

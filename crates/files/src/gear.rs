@@ -108,9 +108,20 @@ impl GearPart {
         let statement = thickness
             .as_ref()
             .and_then(|table| Statement::read(table, teeth, problems));
+        let nominal = self.basic_data.as_ref().zip(profile_shift);
         let per_tooth = thickness
             .as_ref()
-            .and_then(|table| per_tooth::thickness(table, teeth, problems));
+            .and_then(|table| per_tooth::thickness(table, teeth, nominal, problems));
+        let positions = thickness
+            .as_ref()
+            .filter(|table| table.has("file"))
+            .and_then(|thick| per_tooth::positions(table, thick, nominal, problems));
+        let is_positions = thickness.as_ref().is_some_and(|table| table.has("file"));
+        let (statement, per_tooth) = match (is_positions, positions) {
+            (false, _) => (statement, per_tooth),
+            (true, None) => (None, None),
+            (true, Some((mean, each))) => (Some(mean), Some(each)),
+        };
         let cross_check = thickness
             .as_ref()
             .and_then(|table| CrossCheck::read(table, statement.as_ref(), teeth, problems));
@@ -138,7 +149,9 @@ impl GearPart {
         };
         let pitch_header = sheet.iter().flatten().filter_map(PitchSheet::header);
         let mut header_warnings = Vec::new();
-        for header in pitch_header.chain(runout.iter().filter_map(Runout::header)) {
+        let told = table.place().take_headers();
+        let runout_header = runout.iter().filter_map(Runout::header);
+        for header in pitch_header.chain(runout_header).chain(&told) {
             header.check(&drawn, problems);
             header_warnings.extend_from_slice(header.warnings());
         }
@@ -186,6 +199,7 @@ impl GearPart {
                 statement: statements.thickness.spec(),
                 cross_check: cross_check.map(CrossCheck::spec),
                 per_tooth_um: Some(statements.per_tooth_um),
+                file: None,
             },
             runout: runout.spec(),
             pitch: statements.pitch.as_ref().map(PitchSheet::spec),

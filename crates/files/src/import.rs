@@ -270,7 +270,7 @@ fn read(
         }
     }
     if is_asked(Kind::Trace) && (options.only.is_some() || from.has_trace()) {
-        let traces = TraceSheet::of(&content, &file, &choice, None, problems);
+        let traces = TraceSheet::of(&content, &file, &choice, (None, None), problems);
         tables.extend(traces.as_ref().map(traced));
     }
     if tables.is_empty() && problems.is_empty() {
@@ -422,7 +422,7 @@ impl ImportedTable {
 
 fn traced(traces: &TraceSheet) -> ImportedTable {
     let rows = &traces.rows;
-    let origin = &traces.origin;
+    let origin = traces.origin.as_ref();
     let tooth = rows
         .iter()
         .map(|row| row.tooth.map_or(Value::None, Value::Whole));
@@ -455,9 +455,9 @@ fn traced(traces: &TraceSheet) -> ImportedTable {
         kind: Kind::Trace,
         title: "Profile traces, mm and µm".to_owned(),
         pitch_kind: None,
-        sheet: origin.sheet.clone(),
-        header_row: Some(origin.header_row),
-        left_out: origin.left_out.clone(),
+        sheet: origin.and_then(|origin| origin.sheet.clone()),
+        header_row: origin.map(|origin| origin.header_row),
+        left_out: origin.and_then(|origin| origin.left_out.clone()),
         columns: there
             .map(|(name, values)| ImportedColumn {
                 name,

@@ -3,13 +3,25 @@
 use super::limits::PER_TOOTH;
 use super::node::Node;
 use super::problems::Problems;
-use super::sheet::{self, Column, Coverage, Sheet, Wanted};
+use super::sheet::{self, Column, Coverage, Positions, Sheet, Wanted};
 use super::table::Table;
+use super::thickness::Statement;
+use gearlash::gear::BasicGearData;
+use gearlash::metrology::Toleranced;
 
 /// `per_tooth_um` of `[thickness]`, listed or in a file: empty or one value a tooth, µm.
-pub fn thickness(table: &Table, teeth: Option<u32>, problems: &mut Problems) -> Option<Vec<f64>> {
+pub fn thickness(
+    table: &Table,
+    teeth: Option<u32>,
+    nominal: Option<(&BasicGearData, f64)>,
+    problems: &mut Problems,
+) -> Option<Vec<f64>> {
     if let Some(Node::Table(_)) = table.get("per_tooth_um").map(|entry| entry.node()) {
         let named = table.table("per_tooth_um", sheet::KEYS, problems)?;
+        if Positions::is_named(&named) {
+            let nominal = base_thickness(nominal?);
+            return Some(Positions::read(&named, nominal, true, problems)?.per_tooth_um);
+        }
         let wanted = Wanted {
             columns: [Column::Thickness],
             teeth,
@@ -19,6 +31,41 @@ pub fn thickness(table: &Table, teeth: Option<u32>, problems: &mut Problems) -> 
     }
     let list = table.numbers("per_tooth_um", &PER_TOOTH, problems)?;
     one_a_tooth(table, "per_tooth_um", list, teeth, problems)
+}
+
+/// The mean and each tooth's thickness from the `file` of `[thickness]`. Where the pitch of both flanks is there, it says that of each tooth; of
+/// a gear with runout, the part once a turn is that.
+pub fn positions(
+    gear: &Table,
+    table: &Table,
+    nominal: Option<(&BasicGearData, f64)>,
+    problems: &mut Problems,
+) -> Option<(Statement, Vec<f64>)> {
+    let mut beside = super::thickness::KEYS.iter().filter(|key| **key != "file");
+    if let Some(second) = beside.find(|key| table.has(key)) {
+        problems.add(table.problem(
+            "file",
+            format!("given together with {second}, allowed is one of them"),
+            "remove one or the other",
+        ));
+        return None;
+    }
+    let once = !gear.has("runout");
+    let read = Positions::read(table, base_thickness(nominal?), once, problems)?;
+    let each = match gear.has("pitch") {
+        true => Vec::new(),
+        false => read.per_tooth_um,
+    };
+    Some((
+        Statement::Base(Toleranced::Single(read.base_thickness_mm)),
+        each,
+    ))
+}
+
+/// With the nominal base tooth thickness of a profile shift, mm.
+fn base_thickness((basic_data, shift): (&BasicGearData, f64)) -> (&BasicGearData, f64) {
+    let half = basic_data.half_base_angle(shift);
+    (basic_data, 2.0 * basic_data.base_radius() * half)
 }
 
 /// `list`, when it is empty or has one value a tooth.

@@ -1,5 +1,6 @@
 //! Where a pair file lies, and what has been read from there.
 
+use crate::sheet::Header;
 use crate::sources::Sources;
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
@@ -11,6 +12,7 @@ pub struct Place {
     folder: PathBuf,
     read: RefCell<Sources>,
     remarks: RefCell<Vec<String>>,
+    headers: RefCell<Vec<Header>>,
 }
 
 impl Place {
@@ -22,6 +24,7 @@ impl Place {
             folder: path.parent().unwrap_or(Path::new("")).to_path_buf(),
             read: RefCell::new(read),
             remarks: RefCell::default(),
+            headers: RefCell::default(),
         }
     }
 
@@ -34,6 +37,7 @@ impl Place {
             folder: PathBuf::new(),
             read: RefCell::new(read),
             remarks: RefCell::default(),
+            headers: RefCell::default(),
         }
     }
 
@@ -43,6 +47,7 @@ impl Place {
             folder: PathBuf::new(),
             read: RefCell::new(Sources::new()),
             remarks: RefCell::default(),
+            headers: RefCell::default(),
         }
     }
 
@@ -66,6 +71,16 @@ impl Place {
     /// What was told since the last time.
     pub fn take_remarks(&self) -> Vec<String> {
         self.remarks.take()
+    }
+
+    /// Keeps in mind what a file says of the gear.
+    pub fn keep_header(&self, header: Header) {
+        self.headers.borrow_mut().push(header);
+    }
+
+    /// What files said of the gear since the last time.
+    pub fn take_headers(&self) -> Vec<Header> {
+        self.headers.take()
     }
 
     /// All that was read.

@@ -8,7 +8,7 @@ use crate::problems::Problems;
 use crate::sheet::{self, Column, TraceSheet};
 use crate::spec::TraceSpec;
 use crate::table::Table;
-use gearlash::gear::Flank;
+use gearlash::gear::{BasicGearData, Flank};
 use std::collections::BTreeMap;
 
 const KEYS: &[&str] = &[
@@ -254,7 +254,12 @@ fn of_file(
     gear: &Measured,
     problems: &mut Problems,
 ) -> Option<FlankTraces> {
-    let read = TraceSheet::read(table, gear.teeth, problems)?;
+    let read = TraceSheet::read(
+        table,
+        gear.teeth,
+        gear.basic_data.map(BasicGearData::base_radius),
+        problems,
+    )?;
     let file = &read.file;
     let mut bad = Problems::of_list();
     let first = read.rows.first()?;

@@ -84,6 +84,7 @@ pub fn row<'a>(
     file: &DataFile,
     text: &'a str,
     columns: &[Name],
+    number: impl Fn(&'a str) -> Option<Written<'a>>,
 ) -> Result<(u32, Vec<Written<'a>>), String> {
     let found = text.split_whitespace().count();
     let mut words = text.split_whitespace();
@@ -102,8 +103,7 @@ pub fn row<'a>(
     })?;
     let mut values = Vec::new();
     for word in words {
-        let written =
-            number::written(word).filter(|written| written.decimal != Some(Decimal::Comma));
+        let written = number(word).filter(|written| written.decimal != Some(Decimal::Comma));
         let written =
             written.filter(|written| written.value.abs() <= 1e7 && !number::zero_first(word));
         let written = written.ok_or_else(|| {

@@ -51,6 +51,8 @@ const UNITS: [&str; 4] = ["mm", "Grad", "°", "deg"];
 pub struct Header {
     said: Vec<Said>,
     warnings: Vec<String>,
+    /// What of the file is read and left unused, in words.
+    unused: Option<String>,
 }
 
 #[derive(Debug, Clone, PartialEq)]
@@ -124,6 +126,30 @@ impl Header {
             value: written.value,
             rounding: written.rounding,
         });
+    }
+
+    /// Keeps in mind what of `file` is left unused.
+    pub fn left_unused(&mut self, file: &DataFile, words: &str) {
+        self.unused = Some(format!(
+            "{}: {}: read and not used here: {words}",
+            file.key(),
+            file.name()
+        ));
+    }
+
+    /// What of the file is left unused.
+    pub fn unused(&self) -> Option<String> {
+        self.unused.clone()
+    }
+
+    /// What a line states of the gear's base circle, mm: by teeth, module and pressure angle where all three are there.
+    pub fn base_radius(&self) -> Option<f64> {
+        let value = |fact| {
+            let mut said = self.said.iter();
+            Some(said.find(|said| said.fact == fact)?.value)
+        };
+        let angle = value(Fact::PressureAngle)?.to_radians();
+        Some(0.5 * value(Fact::Module)? * value(Fact::Teeth)? * angle.cos())
     }
 
     /// Header lines that look known and are not.

@@ -20,7 +20,9 @@ mod heading;
 mod left_out;
 mod limits;
 pub mod number;
+mod p40;
 mod places;
+mod positions;
 mod protocol;
 mod statistic;
 mod story;
@@ -40,6 +42,7 @@ use head::Head;
 pub use header::{Drawn, Header};
 use heading::Quantity;
 use number::Decimal;
+pub use positions::Positions;
 pub use trace::TraceSheet;
 pub use wanted::{Coverage, Row, Wanted};
 
@@ -100,6 +103,7 @@ impl<const N: usize> Sheet<N> {
         let good = bad.is_empty();
         problems.add_list(file.key(), bad);
         let sheet = read.filter(|_| good)?;
+        table.place().tell(sheet.header.unused());
         if let Some(origin) = &sheet.origin {
             table.place().tell(origin.remark(&file));
         }
@@ -118,6 +122,18 @@ impl<const N: usize> Sheet<N> {
             Content::Cells(grids) => grids,
             Content::Protocol(text) => {
                 let (rows, header) = protocol::read(file, text, wanted, problems)?;
+                return Some(Sheet {
+                    header,
+                    rows,
+                    origin: None,
+                });
+            }
+            Content::P40(text) => {
+                let p40 = p40::parse(file, text, problems)?;
+                p40.refuse_values(file, problems)?;
+                let rows = protocol::of_blocks(file, &p40.blocks, wanted, problems)?;
+                let mut header = p40.header.clone();
+                header.left_unused(file, &p40.unused("blocks of pitch"));
                 return Some(Sheet {
                     header,
                     rows,
@@ -212,6 +228,8 @@ pub enum Content {
     Cells(Vec<Grid>),
     /// The text of a measuring machine's protocol.
     Protocol(String),
+    /// That of a P40's curve file or value file.
+    P40(String),
 }
 
 impl Content {
@@ -224,14 +242,20 @@ impl Content {
                     .iter()
                     .any(|grid| Head::find(&grid.lines, choice, is_head).is_some())
             }
-            Content::Protocol(text) => columns.iter().any(|column| protocol::has(text, *column)),
+            Content::Protocol(text) | Content::P40(text) => {
+                columns.iter().any(|column| protocol::has(text, *column))
+            }
         }
     }
 
     /// Whether there is a table of traces.
     pub fn has_trace(&self, choice: &Choice) -> bool {
-        let Content::Cells(grids) = self else {
-            return false;
+        let grids = match self {
+            Content::Cells(grids) => grids,
+            Content::P40(text) => {
+                return text.lines().any(|line| line.trim().starts_with("Profil:"));
+            }
+            Content::Protocol(_) => return false,
         };
         let is_head = |head: &Head| trace::is_head(head, choice);
         grids
@@ -261,7 +285,8 @@ pub fn content(
         problems.add(table.problem("sheet", words, "remove it"));
     }
     let text = text::decode(file, &bytes, problems)?;
-    if !protocol::is_one(&text) {
+    let is_p40 = p40::is_one(&text);
+    if !is_p40 && !protocol::is_one(&text) {
         return delimited::read(file, &text, problems).map(Content::Cells);
     }
     if choice.decimal == Some(Decimal::Comma) {
@@ -272,5 +297,8 @@ pub fn content(
         let words = format!("the file is a protocol, {key} is allowed only with CSV and .xlsx");
         problems.add(table.problem(key, words, "remove it"));
     }
-    Some(Content::Protocol(text.into()))
+    Some(match is_p40 {
+        true => Content::P40(text.into()),
+        false => Content::Protocol(text.into()),
+    })
 }

@@ -9,7 +9,7 @@ use super::block::{Block, Name, named, names, row, side};
 use super::column::Column;
 use super::header::Header;
 use super::limits::MOST_ROWS;
-use super::number::Written;
+use super::number::{self, Written};
 use super::wanted::{Row, Wanted};
 use super::{by_tooth, story};
 use crate::data_file::DataFile;
@@ -48,12 +48,22 @@ pub fn read<const N: usize>(
     problems: &mut Problems,
 ) -> Option<(Vec<Row<N>>, Header)> {
     let (blocks, header) = parse(file, text, problems)?;
+    Some((of_blocks(file, &blocks, wanted, problems)?, header))
+}
+
+/// The wanted columns of `blocks`, by ascending tooth.
+pub fn of_blocks<const N: usize>(
+    file: &DataFile,
+    blocks: &[Block],
+    wanted: &Wanted<N>,
+    problems: &mut Problems,
+) -> Option<Vec<Row<N>>> {
     let mut columns = Vec::new();
     for column in wanted.columns {
         let rows: Option<Vec<Row<1>>> = match column {
-            Column::Right(kind) => pitch(file, &blocks, Side::Right, kind, problems),
-            Column::Left(kind) => pitch(file, &blocks, Side::Left, kind, problems),
-            Column::Runout => runout(file, &blocks, problems),
+            Column::Right(kind) => pitch(file, blocks, Side::Right, kind, problems),
+            Column::Left(kind) => pitch(file, blocks, Side::Left, kind, problems),
+            Column::Runout => runout(file, blocks, problems),
             other => {
                 problems.add(file.problem(
                     format!("is a pitch protocol, which has no {}", other.name()),
@@ -71,7 +81,7 @@ pub fn read<const N: usize>(
         .iter()
         .any(|column| *column != Column::Runout)
     {
-        for block in &blocks {
+        for block in blocks {
             story::check(file, block, problems);
         }
     }
@@ -89,7 +99,7 @@ pub fn read<const N: usize>(
             values,
         })
     });
-    Some((rows.collect::<Option<_>>()?, header))
+    rows.collect()
 }
 
 fn parse<'a>(
@@ -152,7 +162,7 @@ fn parse<'a>(
                     break;
                 }
                 line_count += 1;
-                match row(file, text, &block.columns) {
+                match row(file, text, &block.columns, number::written) {
                     Ok((tooth, values)) => block.rows.push((line, tooth, values)),
                     Err(reason) => wrong(reason, "correct the line"),
                 }

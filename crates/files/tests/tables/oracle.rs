@@ -54,13 +54,18 @@ fn below(
         .filter(|line| !line.trim().is_empty())
         .collect();
     [';', ',', '\t'].into_iter().find_map(|delimiter| {
-        let names = |line: &str| -> Vec<String> {
-            let bare =
-                |name: &str| name.replace(|c: char| c.is_whitespace() || "-_.".contains(c), "");
-            line.split(delimiter).map(bare).collect()
-        };
-        lines.iter().enumerate().find_map(|(at, line)| {
-            let (tooth, places) = header(&names(line))?;
+        let names = |line: &str| -> Vec<String> { line.split(delimiter).map(alone).collect() };
+        (0..lines.len()).find_map(|at| {
+            let one = names(lines[at]);
+            // Or of two lines, the upper one naming groups.
+            let both = || {
+                let mut both = names(lines[at.checked_sub(1)?]);
+                both.resize(both.len().max(one.len()), String::new());
+                let cells = both.iter_mut().zip(&one);
+                cells.for_each(|(upper, lower)| upper.push_str(lower));
+                Some(both)
+            };
+            let (tooth, places) = header(&one).or_else(|| header(&both()?))?;
             rows(&lines[at + 1..], delimiter, teeth, tooth, &places)
         })
     })

@@ -111,7 +111,7 @@ impl GearPart {
         let nominal = self.basic_data.as_ref().zip(profile_shift);
         let per_tooth = thickness
             .as_ref()
-            .and_then(|table| per_tooth::thickness(table, teeth, nominal, problems));
+            .and_then(|thick| per_tooth::thickness(table, thick, teeth, nominal, problems));
         let positions = thickness
             .as_ref()
             .filter(|table| table.has("file"))

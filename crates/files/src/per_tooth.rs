@@ -9,8 +9,10 @@ use super::thickness::Statement;
 use gearlash::gear::BasicGearData;
 use gearlash::metrology::Toleranced;
 
-/// `per_tooth_um` of `[thickness]`, listed or in a file: empty or one value a tooth, µm.
+/// `per_tooth_um` of `[thickness]`, listed or in a file: empty or one value a tooth, µm. From positions about the bore the part once a turn is left out where
+/// runout or pitch of the `gear` state the eccentricity.
 pub fn thickness(
+    gear: &Table,
     table: &Table,
     teeth: Option<u32>,
     nominal: Option<(&BasicGearData, f64)>,
@@ -20,7 +22,8 @@ pub fn thickness(
         let named = table.table("per_tooth_um", sheet::KEYS, problems)?;
         if Positions::is_named(&named) {
             let nominal = base_thickness(nominal?);
-            return Some(Positions::read(&named, nominal, true, problems)?.per_tooth_um);
+            let once = !gear.has("runout") && !gear.has("pitch");
+            return Some(Positions::read(&named, nominal, once, problems)?.per_tooth_um);
         }
         let wanted = Wanted {
             columns: [Column::Thickness],

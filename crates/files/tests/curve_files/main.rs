@@ -261,6 +261,35 @@ fn each_tooth_by_its_positions() {
     }
 }
 
+/// Positions are about the bore: where a runout is stated, what varies once a turn is the eccentricity, and counts once.
+#[test]
+fn beside_a_runout_nothing_once_a_turn_is_left() {
+    let made = Made {
+        each: |tooth| 0.002 * (f64::from(tooth) * std::f64::consts::TAU / 21.0).sin(),
+        ..Made::new(21)
+    };
+    let runout = "runout = { total_um = 10, high_tooth = 3 }";
+    for keys in [
+        "thickness = { file = \"gear.mka\" }",
+        "thickness.per_tooth_um = { file = \"gear.mka\" }",
+    ] {
+        let of = |keys: &str| {
+            let thickness = good(&made, keys).spec.wheel.thickness;
+            let values = thickness.per_tooth_um.unwrap().into_iter().zip(0..);
+            let [mut re, mut im] = [0.0, 0.0];
+            for (um, tooth) in values {
+                let angle = f64::from(tooth) * std::f64::consts::TAU / 21.0;
+                re += um * angle.cos();
+                im += um * angle.sin();
+            }
+            f64::hypot(re, im) / 10.5
+        };
+        let (alone, beside) = (of(keys), of(&format!("{runout}\n{keys}")));
+        assert!(alone > 0.1, "{alone}");
+        assert!(beside < 1e-9, "{beside}");
+    }
+}
+
 #[test]
 fn faults_have_their_words() {
     let made = Made::new(17);

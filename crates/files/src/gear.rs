@@ -149,9 +149,11 @@ impl GearPart {
         };
         let pitch_header = sheet.iter().flatten().filter_map(PitchSheet::header);
         let mut header_warnings = Vec::new();
-        let told = table.place().take_headers();
         let runout_header = runout.iter().filter_map(Runout::header);
-        for header in pitch_header.chain(runout_header).chain(&told) {
+        let thickness_header = per_tooth.iter().map(|(_, header)| header);
+        let trace_headers = profiles.iter().flat_map(Profiles::headers);
+        let headers = pitch_header.chain(runout_header);
+        for header in headers.chain(thickness_header).chain(trace_headers) {
             header.check(&drawn, problems);
             header_warnings.extend_from_slice(header.warnings());
         }
@@ -160,7 +162,7 @@ impl GearPart {
             table,
             design,
             thickness: statement?,
-            per_tooth_um: per_tooth.unwrap_or_default(),
+            per_tooth_um: per_tooth.unwrap_or_default().0,
             cross_check: cross_check.clone().flatten(),
             pitch: sheet.flatten(),
             runout: runout?,

@@ -3,37 +3,40 @@
 use super::limits::PER_TOOTH;
 use super::node::Node;
 use super::problems::Problems;
-use super::sheet::{self, Column, Coverage, Positions, Sheet, Wanted};
+use super::sheet::{self, Column, Coverage, Header, Positions, Sheet, Wanted};
 use super::table::Table;
 use super::thickness::Statement;
 use gearlash::gear::BasicGearData;
 use gearlash::metrology::Toleranced;
 
 /// `per_tooth_um` of `[thickness]`, listed or in a file: empty or one value a tooth, µm. From positions about the bore the part once a turn is left out where
-/// runout or pitch of the `gear` state the eccentricity.
+/// runout or pitch of the `gear` state the eccentricity. With it what the file says of the gear.
 pub fn thickness(
     gear: &Table,
     table: &Table,
     teeth: Option<u32>,
     nominal: Option<(&BasicGearData, f64)>,
     problems: &mut Problems,
-) -> Option<Vec<f64>> {
+) -> Option<(Vec<f64>, Header)> {
     if let Some(Node::Table(_)) = table.get("per_tooth_um").map(|entry| entry.node()) {
         let named = table.table("per_tooth_um", sheet::KEYS, problems)?;
         if Positions::is_named(&named) {
             let nominal = base_thickness(nominal?);
             let once = !gear.has("runout") && !gear.has("pitch");
-            return Some(Positions::read(&named, nominal, once, problems)?.per_tooth_um);
+            let read = Positions::read(&named, nominal, once, problems)?;
+            return Some((read.per_tooth_um, read.header));
         }
         let wanted = Wanted {
             columns: [Column::Thickness],
             teeth,
             coverage: Coverage::EveryTooth,
         };
-        return Some(Sheet::read(&named, &wanted, problems)?.values(0));
+        let values = Sheet::read(&named, &wanted, problems)?.values(0);
+        return Some((values, Header::default()));
     }
     let list = table.numbers("per_tooth_um", &PER_TOOTH, problems)?;
-    one_a_tooth(table, "per_tooth_um", list, teeth, problems)
+    let list = one_a_tooth(table, "per_tooth_um", list, teeth, problems)?;
+    Some((list, Header::default()))
 }
 
 /// The mean and each tooth's thickness from the `file` of `[thickness]`. Where the pitch of both flanks is there, it says that of each tooth; of
@@ -43,7 +46,7 @@ pub fn positions(
     table: &Table,
     nominal: Option<(&BasicGearData, f64)>,
     problems: &mut Problems,
-) -> Option<(Statement, Vec<f64>)> {
+) -> Option<(Statement, (Vec<f64>, Header))> {
     let mut beside = super::thickness::KEYS.iter().filter(|key| **key != "file");
     if let Some(second) = beside.find(|key| table.has(key)) {
         problems.add(table.problem(
@@ -61,7 +64,7 @@ pub fn positions(
     };
     Some((
         Statement::Base(Toleranced::Single(read.base_thickness_mm)),
-        each,
+        (each, read.header),
     ))
 }
 

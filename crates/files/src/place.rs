@@ -1,6 +1,5 @@
 //! Where a pair file lies, and what has been read from there.
 
-use crate::sheet::Header;
 use crate::sources::Sources;
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
@@ -12,7 +11,6 @@ pub struct Place {
     folder: PathBuf,
     read: RefCell<Sources>,
     remarks: RefCell<Vec<String>>,
-    headers: RefCell<Vec<Header>>,
 }
 
 impl Place {
@@ -24,7 +22,6 @@ impl Place {
             folder: path.parent().unwrap_or(Path::new("")).to_path_buf(),
             read: RefCell::new(read),
             remarks: RefCell::default(),
-            headers: RefCell::default(),
         }
     }
 
@@ -37,7 +34,6 @@ impl Place {
             folder: PathBuf::new(),
             read: RefCell::new(read),
             remarks: RefCell::default(),
-            headers: RefCell::default(),
         }
     }
 
@@ -47,7 +43,6 @@ impl Place {
             folder: PathBuf::new(),
             read: RefCell::new(Sources::new()),
             remarks: RefCell::default(),
-            headers: RefCell::default(),
         }
     }
 
@@ -71,16 +66,6 @@ impl Place {
     /// What was told since the last time.
     pub fn take_remarks(&self) -> Vec<String> {
         self.remarks.take()
-    }
-
-    /// Keeps in mind what a file says of the gear.
-    pub fn keep_header(&self, header: Header) {
-        self.headers.borrow_mut().push(header);
-    }
-
-    /// What files said of the gear since the last time.
-    pub fn take_headers(&self) -> Vec<Header> {
-        self.headers.take()
     }
 
     /// All that was read.

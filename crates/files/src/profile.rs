@@ -5,10 +5,12 @@ mod trace;
 use super::entry::Limits;
 use super::limits::{FLANK_DIAMETER, PROFILE, RELIEF};
 use super::problems::Problems;
+use super::sheet::Header;
 use super::spec::{Either, FlankProfileSpec, ProfileSpec, ReliefShape, ReliefSpec, TraceSpec};
 use super::table::Table;
 use gearlash::gear::{BasicGearData, Flank, Modification, Relief, Trace};
 use gearlash::metrology::ProfileKey;
+use std::cell::RefCell;
 use trace::FlankTraces;
 
 const KEYS: &[&str] = &[
@@ -34,6 +36,7 @@ const SHAPES: [(&str, ReliefShape); 2] = [
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Profiles {
     flanks: [FlankProfileSpec; 2],
+    headers: Vec<Header>,
 }
 
 impl Profiles {
@@ -45,7 +48,11 @@ impl Profiles {
         problems: &mut Problems,
     ) -> Option<Profiles> {
         let table = gear.table("profile", KEYS, problems)?;
-        let gear = Measured { teeth, basic_data };
+        let gear = Measured {
+            teeth,
+            basic_data,
+            headers: RefCell::default(),
+        };
         let both = flank(&table, None, &gear, problems);
         let mut own = Vec::new();
         for side in Flank::BOTH {
@@ -75,7 +82,15 @@ impl Profiles {
                 trace: own.trace,
             };
         }
-        Some(Profiles { flanks })
+        Some(Profiles {
+            flanks,
+            headers: gear.headers.into_inner(),
+        })
+    }
+
+    /// What the files of traces say of the gear.
+    pub fn headers(&self) -> &[Header] {
+        &self.headers
     }
 
     /// What was said, on a gear of `basic_data`.
@@ -137,6 +152,8 @@ pub fn key_of(gear: &Table, flank: Flank, key: ProfileKey) -> String {
 struct Measured<'a> {
     teeth: Option<u32>,
     basic_data: Option<&'a BasicGearData>,
+    /// What the files that were read say of it.
+    headers: RefCell<Vec<Header>>,
 }
 
 /// No key stands in the table of one flank and in that of both.

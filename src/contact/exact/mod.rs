@@ -27,6 +27,7 @@ mod curves;
 mod direct;
 mod envelope;
 mod extremes;
+mod flank_pieces;
 mod flank_problem;
 mod lands;
 mod line;

@@ -30,7 +30,6 @@ use crate::contact::gap::MOST_NODES;
 use crate::gear::{ProfilePart, Side};
 use crate::pair::{GearPair, Member};
 use flanks::rises;
-pub(super) use pieces::FlankPieces;
 
 /// Pairs on the line of action at once: a contact ratio of eight.
 const MOST_PAIRS: usize = 8;

@@ -2,7 +2,7 @@
 //!
 //! The left-hand half is the mirror image, and the exact method solves the left side as the mirrored right side.
 
-use super::modified::FlankPieces;
+use super::flank_pieces::FlankPieces;
 use crate::gear::{Part, PartCurve, Profile, ProfilePart, involute};
 use std::f64::consts::PI;
 use std::sync::OnceLock;

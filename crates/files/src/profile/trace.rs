@@ -260,6 +260,7 @@ fn of_file(
         gear.basic_data.map(BasicGearData::base_radius),
         problems,
     )?;
+    gear.headers.borrow_mut().push(read.header.clone());
     let file = &read.file;
     let mut bad = Problems::of_list();
     let first = read.rows.first()?;

@@ -5,6 +5,7 @@
 //! stands out by half its diameter: of centres, `s_b + d` comes instead. Which of the two the file holds, and whether its `PHI` turns the
 //! gear, the probe, or says nothing new, is not documented: that reading counts under which every pitch and every tooth fits the gear.
 
+use super::header::Header;
 use super::p40::{self, P40};
 use super::text;
 use crate::data_file::DataFile;
@@ -27,6 +28,8 @@ pub struct Positions {
     pub base_thickness_mm: f64,
     /// What each tooth has more, µm at the reference circle.
     pub per_tooth_um: Vec<f64>,
+    /// What the file says of the gear.
+    pub header: Header,
 }
 
 impl Positions {
@@ -62,8 +65,10 @@ impl Positions {
                 read.1,
                 p40.unused("positions of the probe")
             )));
-            table.place().keep_header(p40.header);
-            Some(read.0)
+            Some(Positions {
+                header: p40.header,
+                ..read.0
+            })
         });
         let good = bad.is_empty();
         problems.add_list(file.key(), bad);
@@ -182,6 +187,7 @@ fn of(
     let positions = Positions {
         base_thickness_mm: mean,
         per_tooth_um,
+        header: Header::default(),
     };
     Some((positions, words))
 }

@@ -81,10 +81,7 @@ impl TraceSheet {
         let sheet = read.filter(|_| good)?;
         match &sheet.origin {
             Some(origin) => table.place().tell(origin.remark(&file)),
-            None => {
-                table.place().tell(sheet.header.unused());
-                table.place().keep_header(sheet.header.clone());
-            }
+            None => table.place().tell(sheet.header.unused()),
         }
         Some(sheet)
     }

@@ -73,6 +73,22 @@ pub(super) fn looks_like_mm(
     })
 }
 
+/// By which share the thickness of a shifted tooth may be off half the pitch, either way: a shift of 0.65 at 20°.
+const SHIFTED: f64 = 0.3;
+/// How much whole lengths of one gear vary, of their mean, at most: a deviation in µm varies as much as it is large. Tuned.
+const VARIES: f64 = 0.1;
+
+/// Where the values in µm are all about the number that the whole length has in mm: thicknesses or pitches, not what they deviate by. A
+/// list of one value may be an offset.
+pub(super) fn looks_like_whole(quantity: Quantity, um: &[f64], whole_mm: f64) -> Option<Finding> {
+    let mean_um = um.iter().sum::<f64>() / um.len() as f64;
+    let is_alike = |value: &f64| (value - mean_um).abs() < VARIES * mean_um;
+    let differ = um.iter().any(|value| *value != um[0]);
+    let is_whole = (mean_um - whole_mm).abs() < SHIFTED * whole_mm;
+    (differ && is_whole && um.iter().all(is_alike))
+        .then_some(Finding::LooksLikeWhole { quantity, mean_um })
+}
+
 /// What `cross_check` has in common with the statement that `counts`, where it is the same measurement: it repeats its faults, the
 /// pin's or the count of teeth.
 pub(super) fn same_kind(

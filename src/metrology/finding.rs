@@ -103,6 +103,13 @@ pub enum Finding {
         /// The greatest, as stated in µm.
         greatest_um: f64,
     },
+    /// Values in µm are that of the whole tooth or pitch in mm.
+    LooksLikeWhole {
+        /// What they are.
+        quantity: Quantity,
+        /// Their mean, as stated in µm.
+        mean_um: f64,
+    },
     /// What a tolerance field of the tooth thickness means.
     ThicknessField {
         /// Reference diameter, mm.

@@ -289,7 +289,10 @@ impl Measurements {
                 lower_um,
             });
         }
-        findings.extend(doubts::off_mean(&self.thickness, basic_data, per_tooth_um));
+        let half_pitch = 0.5 * std::f64::consts::PI * basic_data.module();
+        let whole = doubts::looks_like_whole(Quantity::PerTooth, per_tooth_um, half_pitch);
+        let off_mean = || doubts::off_mean(&self.thickness, basic_data, per_tooth_um);
+        findings.extend(whole.or_else(off_mean));
         findings.extend(doubts::of_allowance(&self.thickness));
         let pitch_um = self.pitch.iter().flat_map(|pitch| {
             let both = Flank::BOTH.map(|flank| pitch.values(flank).iter().copied());
@@ -302,6 +305,12 @@ impl Measurements {
         findings.extend(doubts::looks_like_mm(
             Quantity::PerTooth,
             per_tooth_um.iter().copied(),
+        ));
+        let pitch_um: Vec<f64> = pitch_um.collect();
+        findings.extend(doubts::looks_like_whole(
+            Quantity::Pitch,
+            &pitch_um,
+            2.0 * half_pitch,
         ));
         findings.extend(doubts::looks_like_mm(Quantity::Pitch, pitch_um));
         findings.extend(cross_check.and_then(|check| doubts::same_kind(&self.thickness, check)));

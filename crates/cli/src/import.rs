@@ -27,8 +27,8 @@ pub(super) struct Args {
     /// Sheet of a workbook that has several with such a table
     #[arg(long, value_name = "NAME")]
     sheet: Option<String>,
-    /// Line of the header, from 1 [default: found by its names]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_048_576))]
+    /// Line of the header, from 1; 0: the file has none [default: found by its names]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=1_048_576))]
     header_row: Option<u32>,
     /// Column of tooth numbers, by heading or letter
     #[arg(long, value_name = "COLUMN")]

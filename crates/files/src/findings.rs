@@ -116,6 +116,9 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
             quantity,
             greatest_um,
         } => doubts::looks_like_mm(of, *quantity, *greatest_um),
+        Finding::LooksLikeWhole { quantity, mean_um } => {
+            doubts::looks_like_whole(of, *quantity, *mean_um)
+        }
         Finding::ThicknessField {
             diameter_mm,
             upper_um,

@@ -87,6 +87,9 @@ pub struct Imported {
     pub file: String,
     /// At least one.
     pub tables: Vec<ImportedTable>,
+    /// What is there, but not read, and why.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub not_read: Vec<String>,
     /// To be pasted into a pair file or gear file beside the file.
     pub toml: String,
     /// The files that were read.
@@ -167,9 +170,24 @@ pub fn tables(path: &Path, bytes: Vec<u8>, options: &Options) -> Result<Imported
         entries.push(((*key).to_owned(), node));
     }
     let mut problems = Problems::of_list();
-    let tables = read(&entries, bytes, &place, options, &mut problems);
+    let mut not_read = Problems::of_list();
+    let found = [&mut problems, &mut not_read];
+    let tables = read(&entries, bytes, &place, options, found);
+    // Without anything else that is there, it is what is wrong.
+    let is_alone = tables.as_ref().is_some_and(|tables| tables.is_empty());
+    if is_alone {
+        problems.add_list(
+            "file",
+            std::mem::replace(&mut not_read, Problems::of_list()),
+        );
+    }
     match tables {
         Some(tables) if problems.is_empty() => Ok(Imported {
+            not_read: not_read
+                .into_list()
+                .into_iter()
+                .map(|problem| of_file(problem, &name).to_string())
+                .collect(),
             file: name.clone(),
             toml: toml(&tables, path, options),
             tables,
@@ -208,23 +226,14 @@ fn of_file(problem: Problem, name: &str) -> Problem {
     }
 }
 
-const KEYS: &[&str] = &[
-    "file",
-    "sheet",
-    "header_row",
-    "tooth_column",
-    "left",
-    "right",
-    "column",
-    "decimal",
-];
+const KEYS: &[&str] = &sheet::keys_beside::<2, 8>(["left", "right"]);
 
 fn read(
     entries: &[(String, Node)],
     bytes: Vec<u8>,
     place: &Place,
     options: &Options,
-    problems: &mut Problems,
+    [problems, not_read]: [&mut Problems; 2],
 ) -> Option<Vec<ImportedTable>> {
     let table = Table::new("", place, entries, KEYS, problems);
     let file = DataFile::of(&table, "the name of a table", problems)?;
@@ -238,7 +247,11 @@ fn read(
     let mut tables = Vec::new();
     let is_asked = |kind| options.only.is_none_or(|only| only == kind);
     if is_asked(Kind::Pitch) {
-        from.pitch(options.only.is_some(), &mut tables, problems);
+        from.pitch(
+            options.only.is_some(),
+            &mut tables,
+            [&mut *problems, &mut *not_read],
+        );
     }
     let singles = [
         (Kind::Runout, Column::Runout, "runout_um", "Runout F_r, µm"),
@@ -264,7 +277,12 @@ fn read(
                 Kind::Runout | Kind::Thickness => Coverage::EveryTooth,
                 _ => Coverage::SomeTeeth,
             };
-            if let Some(sheet) = from.sheet([column], coverage, problems) {
+            // What is not asked for by its name hides nothing else.
+            let told = match from.has_each([column], coverage) || options.only.is_some() {
+                true => &mut *problems,
+                false => &mut *not_read,
+            };
+            if let Some(sheet) = from.sheet([column], coverage, told) {
                 tables.push(ImportedTable::of(kind, title.to_owned(), [name], &sheet));
             }
         }
@@ -273,7 +291,7 @@ fn read(
         let traces = TraceSheet::of(&content, &file, &choice, (None, None), problems);
         tables.extend(traces.as_ref().map(traced));
     }
-    if tables.is_empty() && problems.is_empty() {
+    if tables.is_empty() && problems.is_empty() && not_read.is_empty() {
         problems.add(file.problem(
             "no line names a column of teeth and one of pitch, runout, thickness, span or dimension over pins, nor of a profile",
             "say what it holds and where, by letter or heading: --only pitch --header-row 1 --tooth-column A --left B --right C",
@@ -294,12 +312,26 @@ impl From<'_> {
         self.content.has(columns, self.choice)
     }
 
+    fn has_each<const N: usize>(&self, columns: [Column; N], coverage: Coverage) -> bool {
+        let wanted = Wanted {
+            columns,
+            teeth: None,
+            coverage,
+        };
+        self.content.has_each(self.file, &wanted, self.choice)
+    }
+
     fn has_trace(&self) -> bool {
         self.content.has_trace(self.choice)
     }
 
     /// Cumulative and single pitch, or what a table has that does not say which.
-    fn pitch(&self, asked: bool, tables: &mut Vec<ImportedTable>, problems: &mut Problems) {
+    fn pitch(
+        &self,
+        asked: bool,
+        tables: &mut Vec<ImportedTable>,
+        [problems, not_read]: [&mut Problems; 2],
+    ) {
         let columns = |kind| [Column::Right(kind), Column::Left(kind)];
         let chosen = ["left", "right"].map(|key| self.choice.column(key));
         let chosen = chosen.iter().any(Option::is_some);
@@ -314,7 +346,7 @@ impl From<'_> {
             let mut bad = Problems::of_list();
             let sheet = self.sheet(columns(kind), Coverage::EveryTooth, &mut bad);
             let Some(sheet) = sheet.filter(|_| bad.is_empty()) else {
-                faults.push(bad);
+                faults.push((bad, self.has_each(columns(kind), Coverage::EveryTooth)));
                 continue;
             };
             // Columns of neither kind may be of both.
@@ -353,8 +385,13 @@ impl From<'_> {
             (true, None) => faults.truncate(1),
             (false, _) => {}
         }
-        for bad in faults {
-            problems.add_list(self.file.key(), bad);
+        for (bad, has_each) in faults {
+            // Beside the one kind, of which there is a column a flank, the other hides nothing.
+            let told = match has_each || first.is_none() {
+                true => &mut *problems,
+                false => &mut *not_read,
+            };
+            told.add_list(self.file.key(), bad);
         }
     }
 

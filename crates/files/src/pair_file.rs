@@ -112,6 +112,7 @@ impl<'a> PairTables<'a> {
         let mut materials = materials(&self.wheel, &self.pinion)?;
         let gears = [&self.wheel, &self.pinion];
         let temperature = self.temperature(gears, problems)?;
+        remarks.extend(self.table.place().take_remarks());
         if let Some(temperature) = temperature {
             materials = temperature.gears(&self.table, materials, problems)?;
             for mm in center_distances.iter_mut().chain(band.iter_mut().flatten()) {

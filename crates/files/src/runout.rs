@@ -11,18 +11,7 @@ use gearlash::metrology::{self, RunoutStatement};
 
 pub use readings::RunoutSheet;
 
-pub const KEYS: &[&str] = &[
-    "total_um",
-    "high_tooth",
-    "file",
-    "sheet",
-    "header_row",
-    "tooth_column",
-    "column",
-    "decimal",
-    "at",
-    "ball_mm",
-];
+pub const KEYS: &[&str] = &sheet::keys_beside::<4, 10>(["total_um", "high_tooth", "at", "ball_mm"]);
 
 /// Runout `F_r`, µm, and the tooth towards which the teeth are displaced.
 #[derive(Debug, Clone, Default, PartialEq)]

@@ -29,9 +29,6 @@ impl Temperature {
         gears: [&GearPart; 2],
         problems: &mut Problems,
     ) -> Option<Option<Temperature>> {
-        let Some(temperature_c) = assembly.temperature_c? else {
-            return Some(None);
-        };
         let [wheel, pinion] = gears.map(|gear| gear.expansion_per_k);
         let stated = [
             ("wheel.expansion_per_k", wheel?),
@@ -41,6 +38,18 @@ impl Temperature {
                 assembly.housing_expansion_per_k?,
             ),
         ];
+        let Some(temperature_c) = assembly.temperature_c? else {
+            let unused = stated.iter().filter(|(_, expansion)| expansion.is_some());
+            let unused: Vec<&str> = unused.map(|(key, _)| *key).collect();
+            let told = (!unused.is_empty()).then(|| {
+                format!(
+                    "{}: not used without assembly.temperature_c",
+                    unused.join(", ")
+                )
+            });
+            file.place().tell(told);
+            return Some(None);
+        };
         let mut missing = Vec::new();
         let factors = stated.map(|(key, expansion)| {
             missing.extend(expansion.is_none().then_some(key));

@@ -5,7 +5,7 @@ use super::limits::{ALLOWANCE, FLANK_OFFSET, LENGTH};
 use super::node::Node;
 use super::problems::Problems;
 use super::readings::LengthReadings;
-use super::sheet::Column;
+use super::sheet::{self, Column};
 use super::spec::{Either, LengthSpec, OverPinsSpec, SpanSpec, StatementSpec};
 use super::stated::{self, Keys};
 use super::table::Table;
@@ -27,33 +27,16 @@ pub const KEYS: &[&str] = &[
 const STATEMENTS: &[&str] = KEYS.split_at(6).0;
 /// The ways to write a tolerance field.
 const FIELD: &str = "21 … 30 and a, ab, b, bc, c, cd, d, e, f, g or h, such as \"25cd\"";
-const SPAN_KEYS: &[&str] = &[
+const SPAN_KEYS: &[&str] = &sheet::keys_beside::<6, 12>([
     "teeth",
     "mm",
     "min_mm",
     "max_mm",
     "first_tooth",
     "per_tooth",
-    "file",
-    "sheet",
-    "header_row",
-    "tooth_column",
-    "column",
-    "decimal",
-];
-const PIN_KEYS: &[&str] = &[
-    "pin_mm",
-    "mm",
-    "min_mm",
-    "max_mm",
-    "space",
-    "file",
-    "sheet",
-    "header_row",
-    "tooth_column",
-    "column",
-    "decimal",
-];
+]);
+const PIN_KEYS: &[&str] =
+    &sheet::keys_beside::<5, 11>(["pin_mm", "mm", "min_mm", "max_mm", "space"]);
 
 const MEASURED: Keys = Keys {
     single: Some("mm"),

@@ -84,7 +84,7 @@ fn three_pins_are_not_read_as_two() {
     assert!(over("pins").is_ok());
     let refused = over("three_pins").unwrap_err().to_string();
     assert!(
-        refused.contains("no line names the columns tooth and over pins (mm)"),
+        refused.contains("is a dimension over three pins, allowed is one over two"),
         "{refused}"
     );
 }

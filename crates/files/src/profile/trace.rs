@@ -11,18 +11,8 @@ use crate::table::Table;
 use gearlash::gear::{BasicGearData, Flank};
 use std::collections::BTreeMap;
 
-const KEYS: &[&str] = &[
-    "tooth",
-    "roll_length_mm",
-    "diameter_mm",
-    "deviation_um",
-    "file",
-    "sheet",
-    "header_row",
-    "tooth_column",
-    "column",
-    "decimal",
-];
+const KEYS: &[&str] =
+    &sheet::keys_beside::<4, 10>(["tooth", "roll_length_mm", "diameter_mm", "deviation_um"]);
 /// How many traces may be listed: one a tooth of the largest gear.
 const MOST: usize = 10_000;
 

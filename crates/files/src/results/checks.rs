@@ -16,6 +16,10 @@ use serde_json::{Map, Value};
 struct CheckFile<'a> {
     gearlash: &'static str,
     pair: &'a PairSpec,
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    warnings: &'a [String],
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    remarks: &'a [String],
     verdict: VerdictRecord,
     extremes: Vec<ExtremesRecord>,
     checks_verdict: &'static str,
@@ -62,6 +66,8 @@ pub fn checks_json(
     let file = CheckFile {
         gearlash: env!("CARGO_PKG_VERSION"),
         pair: &file.spec,
+        warnings: &file.warnings,
+        remarks: &file.remarks,
         verdict: verdict_record(verdict),
         extremes: extremes_records(verdict),
         checks_verdict: diagnosis.verdict().name(),

@@ -43,6 +43,11 @@ impl<'w> ResultWriter<'w> {
             if let Some(notes) = notes::notes(&file.study) {
                 json.entry("notes", &notes)?;
             }
+            for (key, told) in [("warnings", &file.warnings), ("remarks", &file.remarks)] {
+                if !told.is_empty() {
+                    json.entry(key, told)?;
+                }
+            }
             json.key("runs")?;
             json.open_list()?;
         }

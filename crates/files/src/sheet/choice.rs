@@ -4,8 +4,8 @@ use super::number::Decimal;
 use crate::problems::Problems;
 use crate::table::Table;
 
-/// Lines of a file: as many as a spreadsheet has.
-const LINES: std::ops::RangeInclusive<u32> = 1..=1_048_576;
+/// Lines of a file, as many as a spreadsheet has; 0: none names the columns.
+const LINES: std::ops::RangeInclusive<u32> = 0..=1_048_576;
 /// The decimal signs as the pair file states them.
 const DECIMALS: [(&str, Decimal); 2] = [(".", Decimal::Point), (",", Decimal::Comma)];
 /// The keys that name a column.
@@ -17,7 +17,7 @@ pub const TOOTH: &str = "tooth_column";
 #[derive(Debug, Clone, Default)]
 pub struct Choice<'a> {
     pub sheet: Option<&'a str>,
-    /// The line of the header, from 1.
+    /// The line of the header, from 1; 0 where the file has none.
     pub header_row: Option<u64>,
     pub decimal: Option<Decimal>,
     columns: Vec<(&'static str, &'a str)>,
@@ -30,7 +30,10 @@ impl<'a> Choice<'a> {
             entry.text("give the name of the sheet")
         });
         let header_row = table.optional_as("header_row", problems, |entry| {
-            entry.whole(LINES, "give the line that names the columns, from 1")
+            entry.whole(
+                LINES,
+                "give the line that names the columns, from 1; 0: none does",
+            )
         });
         let decimal = table.optional_as("decimal", problems, |entry| entry.choice(&DECIMALS));
         let mut columns = Some(Vec::new());

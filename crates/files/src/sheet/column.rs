@@ -96,6 +96,24 @@ impl Column {
         }
     }
 
+    /// Whether a column of this `meaning` may be it where the user names it: its heading may say less, but nothing else.
+    pub fn may_be_named(self, meaning: Meaning) -> bool {
+        let Meaning { side, quantity } = meaning;
+        let is_side = |wanted| side.is_none_or(|side| side == wanted);
+        match (self, quantity) {
+            (Column::Right(_), Quantity::Unsaid | Quantity::Pitch(_) | Quantity::Deviation) => {
+                is_side(Side::Right)
+            }
+            (Column::Left(_), Quantity::Unsaid | Quantity::Pitch(_) | Quantity::Deviation) => {
+                is_side(Side::Left)
+            }
+            (Column::Right(_) | Column::Left(_), _) => false,
+            (_, Quantity::Unsaid) => true,
+            (Column::Thickness | Column::Runout, Quantity::Deviation) => true,
+            _ => self.may_be(meaning),
+        }
+    }
+
     /// Of a pitch deviation, its kind.
     pub fn kind(self) -> Option<PitchKind> {
         match self {

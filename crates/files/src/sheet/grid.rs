@@ -84,7 +84,10 @@ impl<'a> Found<'a> {
         }
         let last = rows.iter().rposition(|line| is_row(line, used));
         for line in rows.drain(last.map_or(0, |last| last + 1)..) {
-            left_out.line(line.number);
+            match line.first() {
+                Some(Cell::Text(text)) => left_out.labelled(line.number, text),
+                _ => left_out.line(line.number),
+            }
         }
         for (place, heading) in head.headings.iter().enumerate() {
             let holds = |line: &&Line| *line.cell(place) != Cell::Empty;
@@ -180,7 +183,14 @@ impl<'a> Found<'a> {
         if tooth.is_none() {
             let cell = line.cell(places.tooth);
             let allowed = whole_in(&teeth);
-            problems.add(wrong_cell(file, line.number, "tooth", cell, &allowed));
+            let problem = wrong_cell(file, line.number, "tooth", cell, &allowed);
+            problems.add(match cell {
+                Cell::Empty => Problem {
+                    help: "correct the line; one of statistics is left out where its first cell says so, such as max".to_owned(),
+                    ..problem
+                },
+                _ => problem,
+            });
         }
         let mut values = [None; N];
         for (index, column) in wanted.columns.iter().enumerate() {
@@ -206,16 +216,34 @@ impl<'a> Found<'a> {
     }
 }
 
-/// Whether a line may be a row of numbers in the columns `used`; words below the last row are none.
+/// Whether a line may be a row of numbers in the columns `used`: a footer's words or its date are none.
 fn is_row(line: &Line, used: &[usize]) -> bool {
     let mut cells = used.iter().map(|place| line.cell(*place));
-    match cells.next() {
-        Some(Cell::Empty) => cells.any(|cell| *cell != Cell::Empty),
+    let first = cells.next();
+    let is_empty = cells.clone().all(|cell| *cell == Cell::Empty);
+    match first {
+        Some(Cell::Empty) => !is_empty,
+        Some(Cell::Text(text)) if is_empty => !(is_words(text) || is_date(text)),
         Some(Cell::Text(text)) if !text.contains(|c: char| c.is_ascii_digit()) => {
             cells.all(|cell| cell.number().is_some())
         }
         _ => true,
     }
+}
+
+/// Whether `text` begins with a word.
+fn is_words(text: &str) -> bool {
+    text.chars().take(2).all(char::is_alphabetic) && text.chars().count() > 1
+}
+
+/// Whether `text` is a date such as 12.03.2024 or 2024-03-12: three numbers, one of them a year.
+fn is_date(text: &str) -> bool {
+    let parts: Vec<&str> = text.split(['.', '-', '/']).collect();
+    let is_number = |part: &&str| part.bytes().all(|b| b.is_ascii_digit());
+    parts.len() == 3
+        && parts.iter().all(is_number)
+        && (parts[0].len() == 4 || parts[2].len() == 4)
+        && parts[1].len() == 2
 }
 
 /// The table of `wanted` columns in one of `grids`: the one that has a header of a tooth column and one of them.
@@ -235,7 +263,7 @@ pub fn find<'a, const N: usize>(
     };
     let is_head = |head: &Head| strict(head) || is_head(head, &others, choice);
     let (grid, head) = one_of(grids, file, choice, is_head, &wanted.columns, problems)?;
-    let places = places(&head, grid, file, wanted, choice, problems)?;
+    let places = places(&head, &grid.lines, file, wanted, choice, problems)?;
     let used: Vec<usize> = std::iter::once(places.tooth).chain(places.wanted).collect();
     let found = Found::below(grid, head, [&used, &[]], file, problems)?;
     Some((found, places))
@@ -245,6 +273,29 @@ pub fn find<'a, const N: usize>(
 pub fn is_head(head: &Head, wanted: &[Column], choice: &Choice) -> bool {
     let any = |column: &Column| !head.places_of(*column, choice).is_empty();
     !head.teeth(wanted, choice).is_empty() && wanted.iter().any(any)
+}
+
+/// Whether a line below `head` has numbers in its columns.
+fn has_rows(grid: &Grid, head: &Head, wanted: &[Column], choice: &Choice) -> bool {
+    let first = |places: Vec<usize>| places.first().copied();
+    let tooth = first(head.teeth(wanted, choice));
+    let values: Vec<usize> = wanted
+        .iter()
+        .filter_map(|column| first(head.places_of(*column, choice)))
+        .collect();
+    let is_row = |line: &Line| {
+        tooth.is_none_or(|tooth| line.cell(tooth).tooth().is_some())
+            && values
+                .iter()
+                .all(|place| line.cell(*place).number().is_some())
+    };
+    grid.lines[head.at + 1..].iter().any(is_row)
+}
+
+/// Whether `head` has several headings, of which one is of teeth or of a wanted column: what it lacks is better told than that there is none.
+fn is_nearly_head(head: &Head, wanted: &[Column], choice: &Choice) -> bool {
+    let any = |column: &Column| !head.places_of(*column, choice).is_empty();
+    head.all().len() > 1 && (!head.teeth(wanted, choice).is_empty() || wanted.iter().any(any))
 }
 
 /// The one grid that has a header, and that.
@@ -264,6 +315,23 @@ pub fn one_of<'a>(
     {
         // What it lacks is told.
         return Some((grid, Head::of(&grid.lines, at)));
+    }
+    if found.is_empty() && choice.header_row.is_none() {
+        let in_grid = |grid: &'a Grid| {
+            let nearly = |head: &Head| is_nearly_head(head, wanted, choice);
+            Some((grid, Head::find(&grid.lines, choice, nearly)?))
+        };
+        let mut nearly = grids.iter().filter_map(in_grid);
+        if let (Some(only), None) = (nearly.next(), nearly.next()) {
+            return Some(only);
+        }
+    }
+    if found.len() > 1 && grids[0].sheet.is_none() {
+        // Of several separators that whose lines are rows.
+        found.retain(|(grid, head)| has_rows(grid, head, wanted, choice));
+        if found.is_empty() {
+            found = grids.iter().filter_map(in_grid).collect();
+        }
     }
     if found.len() == 1 {
         return found.pop();

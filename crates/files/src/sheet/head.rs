@@ -91,7 +91,7 @@ impl Head {
         }
     }
 
-    /// The first line of `lines` that is a header by `is_one`, or the one below it where that is one with it as its groups;
+    /// The first line of `lines` that is a header by `is_one`, or the one below it where that says more with it as its groups;
     /// the line that the pair file names, where it names one.
     pub fn find(lines: &[Line], choice: &Choice, is_one: impl Fn(&Head) -> bool) -> Option<Head> {
         let good = |at: usize| Some(Head::of(lines, at)).filter(|head| is_one(head));
@@ -103,8 +103,19 @@ impl Head {
         let next = lines.get(first.at + 1);
         let is_group =
             !first.has_units && next.is_some_and(|next| !next.is_comment() && !is_data(next));
-        let below = is_group.then(|| good(first.at + 1)).flatten();
-        Some(below.unwrap_or(first))
+        if !is_group {
+            return Some(first);
+        }
+        // Words that mean something with those above belong to the header, even where it is then no header of what is looked for.
+        let below = Head::of(lines, first.at + 1);
+        let means = |heading: &Heading| {
+            let quantity = heading.meaning.map(|meaning| meaning.quantity);
+            !heading.own.is_empty() && quantity.is_some_and(|quantity| quantity != Quantity::Unsaid)
+        };
+        match is_one(&below) || (below.has_groups && below.headings.iter().any(means)) {
+            true => Some(below).filter(|below| is_one(below)),
+            false => Some(first),
+        }
     }
 
     /// The columns that `name` may be: by their heading, or else by their letter.
@@ -134,12 +145,19 @@ impl Head {
 
     /// The columns that may be of tooth numbers beside those of `wanted`.
     pub fn teeth(&self, wanted: &[Column], choice: &Choice) -> Vec<usize> {
-        self.places(choice.column(TOOTH), |meaning| match meaning.quantity {
+        let named = choice.column(TOOTH);
+        let teeth = self.places(named, |meaning| match meaning.quantity {
             Quantity::Tooth => true,
             Quantity::FirstTooth => wanted.contains(&Column::Span),
             Quantity::Space => wanted.contains(&Column::OverPins),
             _ => false,
-        })
+        });
+        // Without any, the numbers of the first column are the teeth's.
+        let number = self.places(named, |meaning| meaning.quantity == Quantity::Number);
+        match teeth.is_empty() {
+            true => number.into_iter().filter(|place| *place == 0).collect(),
+            false => teeth,
+        }
     }
 
     fn places(&self, named: Option<&str>, may_be: impl Fn(Meaning) -> bool) -> Vec<usize> {

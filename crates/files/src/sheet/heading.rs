@@ -1,7 +1,7 @@
 //! What a heading says: the words of a column's own cell and of the group above it, in German or English, and its unit.
 //!
 //! Every word must be known: "left limit" is no left flank. `fp` and `Fp` are told apart by their case, and
-//! nothing else tells them apart: `FP` is neither.
+//! nothing else tells them apart: `FP` is neither. So is `Fr`, the runout, from `FR`, which may be a right flank.
 
 use gearlash::gear::Side;
 use gearlash::metrology::PitchKind;
@@ -12,6 +12,8 @@ pub enum Quantity {
     /// Not said; a flank alone was named.
     Unsaid,
     Tooth,
+    /// A number, of what is not said.
+    Number,
     /// The first tooth of a span.
     FirstTooth,
     /// The tooth before a space.
@@ -40,7 +42,8 @@ pub struct Meaning {
 }
 
 /// Symbols whose case tells what they are.
-const SYMBOLS: [(&str, Quantity); 5] = [
+const SYMBOLS: [(&str, Quantity); 6] = [
+    ("Fr", Runout),
     ("fp", Pitch(Some(PitchKind::Single))),
     ("fpi", Pitch(Some(PitchKind::Single))),
     ("fpt", Pitch(Some(PitchKind::Single))),
@@ -49,7 +52,7 @@ const SYMBOLS: [(&str, Quantity); 5] = [
 ];
 
 /// Names as [`plain`] leaves them.
-const NAMES: [(Quantity, &[&str]); 14] = [
+const NAMES: [(Quantity, &[&str]); 15] = [
     (
         Tooth,
         &[
@@ -60,8 +63,10 @@ const NAMES: [(Quantity, &[&str]); 14] = [
             "zahn",
             "zahnnr",
             "zahnnummer",
+            "znr",
         ],
     ),
+    (Number, &["nr", "no", "number", "nummer"]),
     (FirstTooth, &["firsttooth", "ersterzahn"]),
     (Space, &["space", "spaceno", "lücke", "zahnlücke"]),
     (
@@ -101,7 +106,6 @@ const NAMES: [(Quantity, &[&str]); 14] = [
         Runout,
         &[
             "runout",
-            "fr",
             "radialrunout",
             "rundlauf",
             "rundlaufabweichung",
@@ -118,14 +122,14 @@ const NAMES: [(Quantity, &[&str]); 14] = [
         &["overpins", "pins", "mdk", "zweirollenmaß", "zweirollenmass"],
     ),
     (OverThreePins, &["threepins"]),
-    (RollLength, &["rolllength", "wälzlänge"]),
+    (RollLength, &["rolllength", "wälzlänge", "wälzweg"]),
     (Diameter, &["diameter", "durchmesser"]),
     (Deviation, &["deviation", "abweichung"]),
 ];
 
-const LEFT: &[&str] = &["left", "links", "linke", "li", "lf"];
-const RIGHT: &[&str] = &["right", "rechts", "rechte", "re", "rf"];
-/// One letter is a flank only beside a quantity.
+const LEFT: &[&str] = &["left", "links", "linke", "li", "lf", "linksflanke"];
+const RIGHT: &[&str] = &["right", "rechts", "rechte", "re", "rf", "rechtsflanke"];
+/// One letter is a flank only beside a quantity or the word.
 const LETTERS: [(&str, Side); 2] = [("l", Side::Left), ("r", Side::Right)];
 const FLANK: &[&str] = &[
     "flank",
@@ -230,9 +234,22 @@ pub fn meaning(name: &str, group: Option<&str>) -> Option<Meaning> {
     }
 }
 
+/// The flank that a cell's word is, a letter too.
+pub fn side(text: &str) -> Option<Side> {
+    let word = plain(text);
+    let letter = LETTERS.iter().find(|(letter, _)| *letter == word);
+    match of_words(text) {
+        Some(Meaning {
+            side,
+            quantity: Unsaid,
+        }) => side,
+        _ => letter.map(|(_, side)| *side),
+    }
+}
+
 fn of_words(name: &str) -> Option<Meaning> {
     let (mut side, mut rest, mut has_flank) = (None, Vec::new(), false);
-    let mut is_letter = false;
+    let (mut is_letter, mut is_both) = (false, false);
     let separators = |c: char| c.is_whitespace() || "_/,:()[]|".contains(c);
     for word in name.split(separators).filter(|word| !word.is_empty()) {
         // `Zahn-Nr.` is one word, `Fp-links` are two.
@@ -261,10 +278,16 @@ fn of_words(name: &str) -> Option<Meaning> {
                     }
                 },
             };
-            if side.replace(found).is_some_and(|side| side != found) {
-                return None;
-            }
+            is_both |= side.replace(found).is_some_and(|side| side != found);
         }
+    }
+    if is_both {
+        // "Flanke L/R": which of them, a word a row.
+        let quantity = (has_flank && rest.is_empty()).then_some(Flank);
+        return quantity.map(|quantity| Meaning {
+            side: None,
+            quantity,
+        });
     }
     let said = |quantity| Some(Meaning { side, quantity });
     if rest.is_empty() {
@@ -272,7 +295,7 @@ fn of_words(name: &str) -> Option<Meaning> {
             Some(_) => Unsaid,
             None => Flank,
         };
-        return said(quantity).filter(|_| !is_letter && (side.is_some() || has_flank));
+        return said(quantity).filter(|_| has_flank || (side.is_some() && !is_letter));
     }
     let whole = rest.concat();
     if let Some(quantity) = of_word(&whole, &plain(&whole)) {

@@ -34,6 +34,7 @@ mod workbook;
 use super::data_file::DataFile;
 use super::problems::Problems;
 use super::table::Table;
+use cell::{Cell, Line};
 pub use choice::Choice;
 pub use column::Column;
 use gearlash::metrology::PitchKind;
@@ -55,6 +56,20 @@ pub const KEYS: &[&str] = &[
     "column",
     "decimal",
 ];
+
+/// The keys of a table that has its `own` ones beside [`KEYS`].
+pub const fn keys_beside<const OWN: usize, const ALL: usize>(
+    own: [&'static str; OWN],
+) -> [&'static str; ALL] {
+    assert!(OWN + KEYS.len() == ALL);
+    let mut all = [""; ALL];
+    let mut at = 0;
+    while at < ALL {
+        all[at] = if at < OWN { own[at] } else { KEYS[at - OWN] };
+        at += 1;
+    }
+    all
+}
 
 /// How the container of `.xls` files begins: what CSV cannot.
 const OLD_WORKBOOK: &[u8] = b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1";
@@ -248,6 +263,22 @@ impl Content {
         }
     }
 
+    /// Whether there is one column for each that is wanted.
+    pub fn has_each<const N: usize>(
+        &self,
+        file: &DataFile,
+        wanted: &Wanted<N>,
+        choice: &Choice,
+    ) -> bool {
+        match self {
+            Content::Cells(grids) => {
+                let mut unheard = Problems::of_list();
+                grid::find(grids, file, wanted, choice, &mut unheard).is_some()
+            }
+            Content::Protocol(_) | Content::P40(_) => true,
+        }
+    }
+
     /// Whether there is a table of traces.
     pub fn has_trace(&self, choice: &Choice) -> bool {
         let grids = match self {
@@ -278,7 +309,8 @@ pub fn content(
         return None;
     }
     if workbook::is_one(file, &bytes) {
-        return workbook::read(file, bytes, choice.sheet, problems).map(Content::Cells);
+        let grids = workbook::read(file, bytes, choice.sheet, problems)?;
+        return Some(Content::Cells(below_header(grids, choice)));
     }
     if choice.sheet.is_some() {
         let words = "the file is not a workbook, sheet is allowed only with .xlsx";
@@ -287,7 +319,8 @@ pub fn content(
     let text = text::decode(file, &bytes, problems)?;
     let is_p40 = p40::is_one(&text);
     if !is_p40 && !protocol::is_one(&text) {
-        return delimited::read(file, &text, problems).map(Content::Cells);
+        let grids = delimited::read(file, &text, problems)?;
+        return Some(Content::Cells(below_header(grids, choice)));
     }
     if choice.decimal == Some(Decimal::Comma) {
         let words = "the file is a protocol, whose decimal sign is the point";
@@ -301,4 +334,16 @@ pub fn content(
         true => Content::P40(text.into()),
         false => Content::Protocol(text.into()),
     })
+}
+
+/// The grids, below a blank header where the file is said to have none: letters name its columns.
+fn below_header(mut grids: Vec<Grid>, choice: &Choice) -> Vec<Grid> {
+    if choice.header_row == Some(0) {
+        for grid in &mut grids {
+            let width = grid.lines.iter().map(|line| line.cells.len()).max();
+            let cells = vec![Cell::Empty; width.unwrap_or(0)];
+            grid.lines.insert(0, Line { number: 0, cells });
+        }
+    }
+    grids
 }

@@ -1,9 +1,9 @@
 //! Which columns of a header are the tooth's and those that are wanted: one each, or an error that lists them.
 
+use super::cell::Line;
 use super::choice::{Choice, TOOTH};
 use super::column::Column;
-use super::grid::Grid;
-use super::head::{Head, letter};
+use super::head::{Head, Heading, letter};
 use super::heading::Quantity;
 use super::wanted::Wanted;
 use crate::data_file::DataFile;
@@ -21,29 +21,76 @@ pub struct Places<const N: usize> {
     pub wanted: [usize; N],
 }
 
-/// The places of the tooth and the wanted columns that `head` names, or `choice`.
+/// The places of the tooth and the wanted columns that `head`, one of `lines`, names, or `choice`.
 pub fn places<const N: usize>(
     head: &Head,
-    grid: &Grid,
+    lines: &[Line],
     file: &DataFile,
     wanted: &Wanted<N>,
     choice: &Choice,
     problems: &mut Problems,
 ) -> Option<Places<N>> {
-    let tooth = tooth(head, grid, file, wanted, choice);
+    let tooth = tooth(head, lines, file, wanted, choice);
     let tooth = problems.keep(tooth);
-    let found = wanted.columns.map(|column| {
-        let places = head.places_of(column, choice);
+    let columns = &wanted.columns;
+    let missing = columns.map(|column| is_missing(head, column, choice));
+    if let (true, Some(again)) = (missing.contains(&true), again(head, lines)) {
+        problems.add(file.problem_at(
+            again,
+            format!(
+                "names columns again, as line {} does: a table in two blocks, one below the other, is not read",
+                head.line
+            ),
+            "put the blocks side by side: a row a tooth, with a column for each flank",
+        ));
+        return None;
+    }
+    if N > 1 && missing == [true; N] {
+        problems.add(all_missing(head, file, columns));
+        return None;
+    }
+    let found = columns.map(|column| {
+        let places = in_unit(
+            head,
+            column,
+            once(head, lines, head.places_of(column, choice)),
+        );
         problems.keep(one(head, file, column, &places, choice))
     });
-    let columns = &wanted.columns;
     let mut wanted = [0; N];
     for (place, found) in wanted.iter_mut().zip(found) {
         *place = found?;
     }
     let tooth = tooth?;
     problems.keep(alike(head, file, columns, &wanted, choice))?;
+    problems.keep(apart(head, file, tooth, columns, &wanted))?;
     Some(Places { tooth, wanted })
+}
+
+/// Checks that no column is read as two things.
+fn apart(
+    head: &Head,
+    file: &DataFile,
+    tooth: usize,
+    columns: &[Column],
+    places: &[usize],
+) -> Result<(), Problem> {
+    let mut read = vec![("tooth", TOOTH, tooth)];
+    for (column, place) in columns.iter().zip(places) {
+        let (name, key) = (column.name(), column.key());
+        if let Some((other, other_key, _)) = read.iter().find(|(.., taken)| taken == place) {
+            return Err(file.problem_at(
+                head.line,
+                format!(
+                    "column {} is read as {other} and as {name}",
+                    head.shown(file, &[*place])
+                ),
+                format!("name two columns: {other_key} = \"…\", {key} = \"…\""),
+            ));
+        }
+        read.push((name, key, *place));
+    }
+    Ok(())
 }
 
 /// Checks that of the columns of pitch all say their kind or none does: one that does not, beside one that does, may be of the other
@@ -80,10 +127,10 @@ fn alike(
     }
 }
 
-/// The column of teeth; of several the first where all say the same.
+/// The column of teeth.
 fn tooth<const N: usize>(
     head: &Head,
-    grid: &Grid,
+    lines: &[Line],
     file: &DataFile,
     wanted: &Wanted<N>,
     choice: &Choice,
@@ -93,11 +140,33 @@ fn tooth<const N: usize>(
         let key = choice.column(TOOTH).map(|name| (TOOTH, name));
         return Err(missing(head, file, "tooth", TOOTH, key));
     };
-    let rows = &grid.lines[head.at + 1..];
-    let alike = |place: &usize| rows.iter().all(|row| row.cell(*place) == row.cell(first));
+    match once(head, lines, places)[..] {
+        [_] => unit(head, file, first, None).map(|()| first),
+        ref places => Err(several(head, file, "tooth", TOOTH, places)),
+    }
+}
+
+/// The first of `places` where all of them hold the same, else all.
+pub fn once(head: &Head, lines: &[Line], places: Vec<usize>) -> Vec<usize> {
+    let rows = &lines[head.at + 1..];
+    let alike = |place: &usize| {
+        rows.iter()
+            .all(|row| row.cell(*place) == row.cell(places[0]))
+    };
     match places.iter().all(alike) {
-        true => unit(head, file, first, None).map(|()| first),
-        false => Err(several(head, file, "tooth", TOOTH, &places)),
+        true => places.into_iter().take(1).collect(),
+        false => places,
+    }
+}
+
+/// The one of `places` whose heading has the unit of `column`, where all others have another one.
+fn in_unit(head: &Head, column: Column, places: Vec<usize>) -> Vec<usize> {
+    let unit = |place: &usize| head.headings[*place].unit;
+    let good = |place: &&usize| unit(place) == Some(column.unit());
+    let say = places.iter().all(|place| unit(place).is_some());
+    match places.iter().filter(good).collect::<Vec<_>>()[..] {
+        [only] if say => vec![*only],
+        _ => places,
     }
 }
 
@@ -120,13 +189,66 @@ pub fn one(
         }
         _ => return Err(several(head, file, column.name(), column.key(), places)),
     };
-    let said = head.headings[place].meaning.map(|meaning| meaning.quantity);
+    let meaning = head.headings[place].meaning;
+    let said = meaning.map(|meaning| meaning.quantity);
+    if meaning.is_some_and(|meaning| !column.may_be_named(meaning)) {
+        return Err(file.problem_at(
+            head.line,
+            format!(
+                "the heading of column {} says something else than {}",
+                head.shown(file, &[place]),
+                column.name()
+            ),
+            match column.kind() {
+                Some(_) => "name the column of that flank; where the gear was seen from its other face, say so with reference_face",
+                None => "name the column that holds it, or correct the heading",
+            },
+        ));
+    }
     if let (Some(Quantity::Pitch(Some(said))), Some(kind)) = (said, column.kind())
         && said != kind
     {
         return Err(contradicts(head, file, place, kind));
     }
     unit(head, file, place, Some(column)).map(|()| place)
+}
+
+/// The line below `head` that has the same headings, or more than one that is known.
+fn again(head: &Head, lines: &[Line]) -> Option<u64> {
+    let known = |heading: &&Heading| heading.meaning.is_some();
+    let is_again = |at: &usize| {
+        let below = Head::of(lines, *at);
+        !lines[*at].is_comment() && below.headings.iter().filter(known).count() > 1
+    };
+    let mut below = head.at + 2..lines.len();
+    below.find(is_again).map(|at| lines[at].number)
+}
+
+/// Whether `head` has no column that may be `column`, nor one of the other kind, and none is named.
+fn is_missing(head: &Head, column: Column, choice: &Choice) -> bool {
+    let none = |column| head.places_of(column, choice).is_empty();
+    choice.column(column.key()).is_none() && none(column) && none(column.of_other_kind())
+}
+
+/// The problem of a table that has none of the `columns`.
+fn all_missing(head: &Head, file: &DataFile, columns: &[Column]) -> Problem {
+    let names: Vec<&str> = columns.iter().map(|column| column.name()).collect();
+    let keys: Vec<String> = columns
+        .iter()
+        .map(|column| format!("{} = \"…\"", column.key()))
+        .collect();
+    file.problem_at(
+        head.line,
+        format!(
+            "columns {} are missing; the columns are {}",
+            names.join(" and "),
+            head.shown(file, &head.all())
+        ),
+        format!(
+            "name them there, or say which they are, by heading or letter: {}",
+            keys.join(", ")
+        ),
+    )
 }
 
 /// The problem of a table that has the flank's pitch, but the other kind of it.
@@ -146,7 +268,7 @@ fn contradicts(head: &Head, file: &DataFile, place: usize, kind: PitchKind) -> P
     };
     file.problem_at(
         head.line,
-        format!("column {} is of {said}; the pair file has kind = \"{stated}\"", head.shown(file, &[place])),
+        format!("column {} is of {said}, asked for is kind = \"{stated}\"", head.shown(file, &[place])),
         format!("write kind = \"{key}\", or name the column of the other kind: left = \"…\", right = \"…\""),
     )
 }
@@ -166,15 +288,24 @@ fn missing(
         None => format!("column {name} is missing"),
     };
     let all = head.all();
-    let three = |place: &usize| {
+    let over_three = |place: &usize| {
         let meaning = head.headings[*place].meaning;
         meaning.is_some_and(|meaning| meaning.quantity == Quantity::OverThreePins)
     };
-    let help = match (name, all.iter().any(three)) {
-        ("over pins", true) => {
-            "give the dimensions over two pins (gearlash gauge writes them beside those over three), or the span".to_owned()
-        }
-        _ if key.is_empty() => "name it there".to_owned(),
+    if let Some(place) = all.iter().copied().find(over_three)
+        && name == Column::OverPins.name()
+    {
+        return file.problem_at(
+            head.line,
+            format!(
+                "column {} is a dimension over three pins, allowed is one over two",
+                head.shown(file, &[place])
+            ),
+            "give the dimensions over two pins (gearlash gauge writes them beside those over three), or the span",
+        );
+    }
+    let help = match key {
+        "" => "name it there".to_owned(),
         _ => format!("name it there, or say which it is, by heading or letter: {key} = \"…\""),
     };
     let columns = head.shown(file, &all);

@@ -5,7 +5,7 @@ use super::column::Column;
 use super::decimal::{self, Numbers};
 use super::grid::{Found, one_of, wrong_cell};
 use super::head::Head;
-use super::heading::Quantity;
+use super::heading::{self, Quantity};
 use super::places::{one, several};
 use super::wanted::{Coverage, Wanted};
 use super::{Choice, Content, Header, Origin, content, p40};
@@ -13,16 +13,9 @@ use crate::data_file::DataFile;
 use crate::entry::whole_in;
 use crate::problems::Problems;
 use crate::table::Table;
-use gearlash::gear::Flank;
+use gearlash::gear::{Flank, Side};
 use std::ops::RangeBounds;
 
-/// What stands in it.
-const FLANKS: [(&str, Flank); 4] = [
-    ("right", Flank::Right),
-    ("left", Flank::Left),
-    ("rechts", Flank::Right),
-    ("links", Flank::Left),
-];
 const HELP: &str = "name the columns roll_length_mm or diameter_mm, deviation_um, and tooth and flank where needed";
 
 /// A point of a trace.
@@ -297,15 +290,17 @@ fn row<'a>(
     });
     let flank = places.flank.map(|place| {
         let cell = line.cell(place);
-        let text = match cell {
-            Cell::Text(text) => text.trim().to_lowercase(),
-            _ => String::new(),
+        let found = match cell {
+            Cell::Text(text) => heading::side(text),
+            _ => None,
         };
-        let found = FLANKS.into_iter().find(|(name, _)| *name == text);
         if found.is_none() {
             wrong("flank", cell, "right or left");
         }
-        found.map(|(_, flank)| flank)
+        found.map(|side| match side {
+            Side::Right => Flank::Right,
+            Side::Left => Flank::Left,
+        })
     });
     let [at, deviation] = [places.at, places.deviation].map(|place| line.cell(place));
     let [at, deviation] =

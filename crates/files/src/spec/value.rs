@@ -58,9 +58,9 @@ pub struct TableFileSpec {
     /// Sheet of an .xlsx file, where several have such a table.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sheet: Option<String>,
-    /// Line of the header, where its names do not tell.
+    /// Line of the header, where its names do not tell; 0 where there is none.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(range(min = 1, max = 1_048_576))]
+    #[schemars(range(min = 0, max = 1_048_576))]
     pub header_row: Option<u32>,
     /// Column of the tooth numbers, by heading or letter.
     #[serde(skip_serializing_if = "Option::is_none")]

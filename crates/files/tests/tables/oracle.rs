@@ -103,7 +103,13 @@ fn rows(
     };
     while let Some(last) = rows.last() {
         let first = last.get(tooth).map_or("", String::as_str);
-        if first.contains(|c: char| c.is_ascii_digit()) || values(last).is_some() {
+        let nothing = |place: &usize| last.get(*place).is_none_or(|cell| cell.is_empty());
+        // A word with a number behind it, such as that of the report.
+        let is_word = first.chars().take_while(|c| c.is_alphabetic()).count() > 1
+            && places.iter().all(nothing);
+        let is_date = first.len() == 10 && first.ends_with(".2026") && places.iter().all(nothing);
+        let may_be_tooth = first.contains(|c: char| c.is_ascii_digit()) && !is_word && !is_date;
+        if may_be_tooth || values(last).is_some() {
             break;
         }
         rows.pop();

@@ -97,7 +97,7 @@ fn below(cells: &Cells, head: usize) -> Option<Vec<Vec<f64>>> {
         None => true,
         Some(Text(text)) => {
             text.starts_with('#')
-                || ["Max", "Min", "Mittelwert", "-", "µm"].contains(&text.as_str())
+                || ["Max", "Min", "Mittelwert", "-", "µm", "fp", "Fp"].contains(&text.as_str())
         }
         Some(_) => false,
     };
@@ -111,10 +111,13 @@ fn below(cells: &Cells, head: usize) -> Option<Vec<Vec<f64>>> {
             .iter()
             .all(|place| row.get(*place).unwrap_or(&Nothing) == &Nothing),
         Text(text) => {
-            !text.contains(|c: char| c.is_ascii_digit())
-                && [right, left]
-                    .iter()
-                    .any(|place| number(row, *place).is_none())
+            let empty = |place: &usize| row.get(*place).unwrap_or(&Nothing) == &Nothing;
+            let is_word = text.starts_with("Prüf") && [right, left].iter().all(empty);
+            is_word
+                || !text.contains(|c: char| c.is_ascii_digit())
+                    && [right, left]
+                        .iter()
+                        .any(|place| number(row, *place).is_none())
         }
         Number(_) => false,
     };

@@ -13,6 +13,9 @@ pub fn imported(imported: &Imported, screen: &Screen) -> String {
         text += &values(table).text(screen);
         text.push('\n');
     }
+    for reason in &imported.not_read {
+        text += &screen.fold(&format!("Not read: {}\n\n", line(reason)));
+    }
     let _ = writeln!(text, "For a pair file beside {}:", line(&imported.file));
     // Not folded: it is to be copied.
     text + "\n" + &imported.toml

@@ -24,6 +24,7 @@ fn study_of(pair: &GearPair) -> OutlineStudy {
         center_distances: vec![pair.center_distance()],
         start: FIRST,
         steps_per_pitch: 8,
+        certify: true,
         requirements: Vec::new(),
     }
 }

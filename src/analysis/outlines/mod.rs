@@ -1,7 +1,7 @@
 //! Pairs of which one gear at least is an outline: lost motion through the whole mesh cycle, where it binds, where it turns freely.
 //!
 //! Nothing bounds the lost motion of any curves between two poses, so extremes are those of sampled poses and of more round the best, and
-//! say so; each pose itself is proven ([`crate::contact::OutlineKernel`]).
+//! say so; each pose itself is proven ([`crate::contact::OutlineKernel`]), and borne out by polygons ([`crate::contact::OutlineCertifier`]).
 
 mod cycle;
 mod map;
@@ -14,7 +14,7 @@ pub use turns_from::TurnsFrom;
 
 use super::requirement::Requirements;
 use super::study::Material;
-use crate::contact::{OutlineKernel, Status};
+use crate::contact::{OutlineCertifier, OutlineKernel, Status};
 use crate::error::Error;
 use crate::outline::{OutlineGear, OutlinePair};
 use crate::pair::{Mating, Member, SweepPlan};
@@ -36,7 +36,9 @@ pub struct OutlineStudy {
     pub start: Mating,
     /// Poses a pitch.
     pub steps_per_pitch: u32,
-    /// What it must keep: of `j_wt` and lost motions.
+    /// Whether polygons bear out each pose that is kept.
+    pub certify: bool,
+    /// What it must keep: of `j_wt`, lost motions and radial clearance.
     pub requirements: Requirements,
 }
 
@@ -102,18 +104,29 @@ impl OutlineRun {
         let matings = SweepPlan::hunting_pitches(teeth(Member::Wheel), teeth(Member::Pinion));
         let cycle = Cycle::new(matings, study.steps_per_pitch);
         let kernel = OutlineKernel::new(&pair);
-        let poses = cycle.sampled(&kernel, &pair, &study.start, tick)?;
-        let [least, greatest] = cycle.extremes(&kernel, &pair, &poses);
-        let first = |status| poses.iter().find(|pose| pose.status() == status);
+        let certifier = study.certify.then(|| OutlineCertifier::new(&kernel));
+        let by = (&kernel, certifier.as_ref());
+        let poses = cycle.sampled(by, &pair, &study.start, tick)?;
+        let extremes = cycle.extremes(&kernel, &pair, &poses);
+        let [least, greatest] =
+            extremes.map(|pose| pose.map(|pose| pose.certified(certifier.as_ref())));
+        let closer = || least.iter().chain(&greatest);
+        let first = |status| {
+            let mut all = poses.iter().chain(closer());
+            all.find(|pose| pose.status() == status)
+        };
         let lost = [Status::Jammed, Status::NoContact, Status::Unproven]
             .into_iter()
             .find_map(first);
+        let (lost, jams) = (lost.cloned(), first(Status::Jammed).is_some());
+        let apart = first(Status::NoContact).is_some();
+        let proven = |pose: &OutlinePose| pose.found.is_ok();
         let mut run = OutlineRun {
             material,
             matings,
-            least: least.filter(|_| first(Status::Jammed).is_none()),
-            greatest: greatest.filter(|_| first(Status::NoContact).is_none()),
-            lost: lost.cloned(),
+            least: least.filter(|least| !jams && proven(least)),
+            greatest: greatest.filter(|greatest| !apart && proven(greatest)),
+            lost,
             turns_from: None,
             poses,
             pair: pair.clone(),

@@ -188,6 +188,7 @@ pub(crate) fn read(
             fraction: 0.0,
         },
         steps_per_pitch: sweep.steps_per_pitch.unwrap_or(DEFAULT_STEPS),
+        certify: true,
         requirements: require.map_or_else(Vec::new, |require| require.requirements()),
     };
     Some(OutlinePairFile {

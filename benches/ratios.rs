@@ -3,7 +3,9 @@
 //! `cargo bench --bench ratios`. Every time is the least of several rounds: what else the machine does adds time, never takes it.
 
 use gearlash::analytic::LineOfAction;
-use gearlash::contact::{Certifier, CutPair, ExactKernel, Method, OutlineKernel, sweep};
+use gearlash::contact::{
+    Certifier, CutPair, ExactKernel, Method, OutlineCertifier, OutlineKernel, sweep,
+};
 use gearlash::gear::{
     AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, HalfTooth, Modification,
     Pitch, Relief, Side, Trace,
@@ -156,8 +158,8 @@ fn exact(assembly: &GearPair) -> f64 {
     })
 }
 
-/// Seconds a pose of the same gears drawn in chords, and how many parts a tooth has.
-fn outlines(assembly: &GearPair) -> (f64, usize) {
+/// Seconds a pose of the same gears drawn in chords, and of its certificate, and how many parts a tooth has.
+fn outlines(assembly: &GearPair) -> (f64, f64, usize) {
     let mut parts = 0;
     let mut drawn = |member| {
         let built = assembly.gear(member);
@@ -180,7 +182,18 @@ fn outlines(assembly: &GearPair) -> (f64, usize) {
     let seconds = a_pose(&poses(assembly), |pose| {
         black_box(kernel.lost_motion(pose.mating()).unwrap());
     });
-    (seconds, parts)
+    let certifier = OutlineCertifier::new(&kernel);
+    let poses = poses(assembly);
+    let found: Vec<_> = poses
+        .iter()
+        .map(|pose| kernel.lost_motion(pose.mating()).unwrap())
+        .collect();
+    let all = fastest(|| {
+        for (pose, found) in poses.iter().zip(&found) {
+            certifier.check(pose.mating(), found).unwrap();
+        }
+    });
+    (seconds, all.as_secs_f64() / poses.len() as f64, parts)
 }
 
 fn model_3(assembly: &GearPair) -> f64 {
@@ -324,9 +337,11 @@ fn main() {
     let noisy = GearPair::with_locked(wheel, pinion, 132.1, Member::Wheel).unwrap();
     let what = "exact, 44/44 deviated, eccentric, trace of 480 points";
     row(what, exact(&noisy) * 1e3, "ms", "");
-    let (seconds, parts) = outlines(&wild);
+    let (seconds, certificate_of_outlines, parts) = outlines(&wild);
     let what = format!("outlines, 44/44 deviated, {parts} parts a tooth");
     row(&what, seconds * 1e6, "µs", "≤ 20");
+    let micro = certificate_of_outlines * 1e6;
+    row("certificate of such outlines", micro, "µs", "≤ 50");
     for (what, assembly, exact) in [
         ("perfect", &perfect, exact_perfect),
         ("deviated, eccentric", &wild, exact_wild),

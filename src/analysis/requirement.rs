@@ -33,3 +33,10 @@ pub enum Quantity {
 
 /// What a pair must keep, each over the whole mesh cycle and at every centre distance and material.
 pub type Requirements = Vec<(Quantity, Limits)>;
+
+/// The least radial clearance, mm, of both gears' tips in their mates' roots, by those about their geometric centres: both gears off their axes to the
+/// worse, or, `is_max`, to the better side.
+pub(super) fn clearance_off_axes(centred: [f64; 2], eccentricities: [f64; 2], is_max: bool) -> f64 {
+    let off: f64 = eccentricities.iter().sum();
+    centred[0].min(centred[1]) + if is_max { off } else { -off }
+}

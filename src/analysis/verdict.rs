@@ -5,7 +5,7 @@ use super::compare::ComparedPose;
 use super::diagnosis::{self, Diagnosis};
 use super::extremes::{RunExtreme, RunExtremes, WIDTH};
 use super::meshes_to::MeshesTo;
-use super::requirement::{Limits, Quantity, Requirements};
+use super::requirement::{Limits, Quantity, Requirements, clearance_off_axes};
 use super::study::Study;
 use super::uncertainty::Uncertainty;
 use crate::analytic::limits::radial_clearance;
@@ -277,13 +277,8 @@ fn found(quantity: Quantity, run: &RunExtremes, is_max: bool) -> Option<[f64; 2]
         Quantity::RadialClearance => {
             let both = [Member::Wheel, Member::Pinion];
             let mean = both.map(|member| radial_clearance(assembly, member));
-            // Both gears off their axes to the worse, or to the better side.
-            let off: f64 = both
-                .map(|member| assembly.gear(member).eccentricity())
-                .iter()
-                .sum();
-            let value = mean[0].min(mean[1]) + if is_max { off } else { -off };
-            Some([value; 2])
+            let off = both.map(|member| assembly.gear(member).eccentricity());
+            Some([clearance_off_axes(mean, off, is_max); 2])
         }
     }
 }

@@ -24,8 +24,10 @@ pub use drawn_contact::DrawnContact;
 pub use exact::{Doubt, ExactKernel, Extreme, Extremes};
 pub use exaggeration::{Exaggeration, Found};
 pub use lost_motion::{Contact, LostMotion, Status, ToothPlace, Touch};
-pub use outline::OutlineKernel;
-pub use outline_contact::{OutlineContact, OutlineLostMotion, OutlineTouch, Region, Unsettled};
+pub use outline::{OutlineCertifier, OutlineKernel};
+pub use outline_contact::{
+    NotBorneOut, OutlineContact, OutlineDoubt, OutlineLostMotion, OutlineTouch, Region, Unsettled,
+};
 pub use overlap::Overlap;
 pub use pair_at_distance::PairAtDistance;
 pub(crate) use pair_at_distance::reach;

@@ -54,3 +54,24 @@ pub struct Unsettled {
     /// `right` or `left`.
     pub flank: &'static str,
 }
+
+/// A contact that polygons do not bear out.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[error("polygons do not bear out the contact on {flank} flanks: {reason}")]
+pub struct NotBorneOut {
+    /// `right` or `left`.
+    pub flank: &'static str,
+    /// What they show in its place.
+    pub reason: &'static str,
+}
+
+/// Why a pose of outlines is not proven.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum OutlineDoubt {
+    /// The search did not end.
+    #[error(transparent)]
+    Search(#[from] Unsettled),
+    /// The certificate failed.
+    #[error(transparent)]
+    Certificate(#[from] NotBorneOut),
+}

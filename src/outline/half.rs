@@ -66,6 +66,17 @@ const STEPS: u32 = 32;
 const HALVINGS: u32 = 60;
 
 impl HalfOutline {
+    /// Least and greatest radius, mm, of the ends of its pieces.
+    pub(super) fn end_radii(&self) -> [f64; 2] {
+        let ends = self
+            .pieces
+            .iter()
+            .flat_map(|piece| piece.ends.map(|t| piece.point(t).norm()));
+        ends.fold([f64::INFINITY, 0.0], |[least, most], radius| {
+            [least.min(radius), most.max(radius)]
+        })
+    }
+
     /// Angle, rad, in the frame of its side, of the place nearest the tip at which it passes `radius`, mm, inwards.
     pub(super) fn angle_at(&self, radius: f64) -> Option<f64> {
         let (piece, t) = self.passes(radius)?;

@@ -2,6 +2,7 @@
 
 use super::error::OutlineError;
 use super::gear::OutlineGear;
+use crate::gear::Side;
 use crate::pair::{Mating, Member};
 use nalgebra::Point2;
 
@@ -100,6 +101,19 @@ impl OutlinePair {
         -mating.flank.sense() * half - gear.tooth_angle(tooth) + sense * onward * gear.pitch()
     }
 
+    /// Least and greatest radial clearance `a − r_a − r_f,mate`, mm, of `member`'s tips in its mate's spaces about their geometric centres: of the
+    /// highest tip in the shallowest space, and of the lowest in the deepest. A tip counts as no higher, and a space as no deeper, than the ends of the
+    /// curves that it is drawn by.
+    pub fn radial_clearance(&self, member: Member) -> [f64; 2] {
+        let (own, mate) = (self.gear(member), self.gear(member.mate()));
+        let tips = half_ends(own).map(|[_, greatest]| greatest);
+        let roots = half_ends(mate).map(|[least, _]| least);
+        let low_tip = tips.fold(own.tip_radius(), f64::min);
+        let shallow = roots.fold(mate.root_radius(), f64::max);
+        [own.tip_radius() + shallow, low_tip + mate.root_radius()]
+            .map(|radii| self.center_distance - radii)
+    }
+
     /// Rotation axis, mm.
     pub fn axis(&self, member: Member) -> Point2<f64> {
         member.axis(self.center_distance)
@@ -133,4 +147,10 @@ impl OutlinePair {
             ..*mating
         }
     }
+}
+
+/// Least and greatest radius, mm, of the ends of the pieces of each half tooth.
+fn half_ends(gear: &OutlineGear) -> impl Iterator<Item = [f64; 2]> {
+    let teeth = (1..=gear.teeth()).flat_map(|tooth| Side::BOTH.map(|side| (side, tooth)));
+    teeth.map(|(side, tooth)| gear.half(side, tooth).end_radii())
 }

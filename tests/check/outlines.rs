@@ -7,7 +7,8 @@ use gearlash::contact::Status;
 use gearlash::outline::OutlineGear;
 
 fn run_of(pair: &GearPair) -> OutlineRun {
-    let runs = study_of(pair).runs(&|| ControlFlow::Continue(())).unwrap();
+    let runs = study_of(pair).runs(true, &|| ControlFlow::Continue(()));
+    let runs = runs.unwrap();
     runs.into_iter().next().unwrap()
 }
 

@@ -5,7 +5,9 @@ use crate::random::Random;
 use crate::straight_sided::straight;
 use crate::wide::drawn::{Depth, Pair};
 use gearlash::analytic::InvolutePair;
-use gearlash::contact::{ExactKernel, LostMotion, OutlineKernel, OutlineLostMotion, Status};
+use gearlash::contact::{
+    ExactKernel, LostMotion, OutlineCertifier, OutlineKernel, OutlineLostMotion, Status,
+};
 use gearlash::gear::{
     AsBuilt, BasicGearData, Deviations, Face, Gear, GearDesign, Pitch, Placed, Side,
 };
@@ -21,7 +23,7 @@ fn outlines(pair: &GearPair) -> OutlinePair {
     OutlinePair::new(wheel, pinion, pair.center_distance(), pair.locked()).unwrap()
 }
 
-/// Both methods at one rotation of the locked gear, near `mating`.
+/// Both methods at one rotation of the locked gear, near `mating`; polygons bear out what is found.
 fn both(pair: &GearPair, mating: Mating) -> (LostMotion, OutlineLostMotion) {
     let outlines = outlines(pair);
     let pose = Pose::new(pair, mating);
@@ -30,8 +32,11 @@ fn both(pair: &GearPair, mating: Mating) -> (LostMotion, OutlineLostMotion) {
     let off = outlines.rotation(pair.locked(), &mating) - pose.locked_rotation();
     let same = mating.onward(pair, -locked.face().ascending() * off / pitch);
     let exact = ExactKernel::new(pair).lost_motion(&Pose::new(pair, same));
-    let found = OutlineKernel::new(&outlines).lost_motion(&mating);
-    (exact.unwrap(), found.unwrap())
+    let kernel = OutlineKernel::new(&outlines);
+    let found = kernel.lost_motion(&mating).unwrap();
+    let seen = OutlineCertifier::new(&kernel).check(&mating, &found);
+    assert_eq!(seen, Ok(()), "{mating:?} {found:?}");
+    (exact.unwrap(), found)
 }
 
 /// The same contacts, within both bounds and what the two rotations differ by rounding.
@@ -180,6 +185,7 @@ fn polygons_of_measured_gears_have_their_lost_motion() {
             [Member::Wheel, Member::Pinion].map(|member| drawn(pair.gear(member), CHORD));
         let outlines = OutlinePair::new(wheel, pinion, distance, locked).unwrap();
         let (kernel, exact) = (OutlineKernel::new(&outlines), ExactKernel::new(&pair));
+        let certifier = OutlineCertifier::new(&kernel);
         let locked = pair.gear(pair.locked());
         for k in 0..8 {
             let flank = Side::BOTH[k as usize % 2];
@@ -193,6 +199,7 @@ fn polygons_of_measured_gears_have_their_lost_motion() {
             let same = mating.onward(&pair, -locked.face().ascending() * off / pitch);
             let exact = exact.lost_motion(&Pose::new(&pair, same)).unwrap();
             let found = kernel.lost_motion(&mating).unwrap();
+            refuses_any_other(&certifier, &mating, &found);
             let Some((angle, other)) = exact.angle().zip(found.angle()) else {
                 continue;
             };
@@ -207,6 +214,30 @@ fn polygons_of_measured_gears_have_their_lost_motion() {
         }
     }
     assert!(compared > 80, "{compared}");
+}
+
+/// Polygons bear out `found`, and neither rotation a little to either side of it: before it nothing touches, beyond it something has.
+fn refuses_any_other(certifier: &OutlineCertifier, mating: &Mating, found: &OutlineLostMotion) {
+    assert_eq!(certifier.check(mating, found), Ok(()), "{found:?}");
+    let Some((right, left)) = found.right.zip(found.left).filter(|_| !found.solid) else {
+        return;
+    };
+    // Contacts of drawn gears are known within what was drawn.
+    let little = 1e-6 + 3.0 * right.error.max(left.error);
+    for off in [-little, little] {
+        let (mut one, mut other) = (*found, *found);
+        one.right.as_mut().unwrap().rotation += off;
+        other.left.as_mut().unwrap().rotation += off;
+        for (wrong, flank) in [(one, "right"), (other, "left")] {
+            let seen = certifier.check(mating, &wrong);
+            assert!(seen.is_err_and(|seen| seen.flank == flank), "{seen:?}");
+        }
+    }
+    let none = OutlineLostMotion {
+        right: None,
+        ..*found
+    };
+    assert!(certifier.check(mating, &none).is_err());
 }
 
 /// Straight-sided teeth, drawn: two racks' worth of trapezoids, whose play [`crate::straight_sided`] works out by hand.

@@ -35,6 +35,16 @@ impl MethodArgs {
         self.method.is_some() || self.no_certify
     }
 
+    /// Whether a method was asked for by name.
+    pub fn named(&self) -> bool {
+        self.method.is_some()
+    }
+
+    /// Whether polygons are to bear out what the exact method finds.
+    pub fn certifies(&self) -> bool {
+        !self.no_certify
+    }
+
     /// The method asked for.
     pub fn method(&self) -> Method {
         match self.method.unwrap_or(Name::Exact) {

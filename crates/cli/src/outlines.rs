@@ -5,9 +5,11 @@ use super::method::{MethodArgs, all_proven};
 use super::progress::Progress;
 use super::results::{Format, ResultsArgs};
 use super::screen::ScreenArgs;
+use super::unit::UnitArgs;
 use crate::error::Error;
 use gearlash::analysis::outlines::{OutlineRun, turns, unproven, worst};
 use gearlash::analysis::verdict::Requirement;
+use gearlash::pair::BacklashUnit;
 use gearlash_files::OutlinePairFile;
 use gearlash_files::outlines::{sentence, to_csv, to_json};
 use gearlash_render::checked::CheckedPair;
@@ -47,14 +49,14 @@ pub(super) fn is_drawing(path: &Path) -> bool {
 
 /// All runs, under a bar.
 pub(super) fn runs(file: &OutlinePairFile, method: &MethodArgs) -> Result<Vec<OutlineRun>, Error> {
-    if method.given() {
+    if method.named() {
         return Err(Error::Usage(
-            "--method and --no-certify are for gears by their data: an outline's curves are searched as drawn; leave them out"
+            "--method is for gears by their data: an outline's curves are searched as drawn, and polygons bear out every pose; leave it out"
                 .to_owned(),
         ));
     }
     let progress = Progress::start(file.study.steps());
-    let runs = file.study.runs(&|| progress.tick())?;
+    let runs = file.study.runs(method.certifies(), &|| progress.tick())?;
     drop(progress);
     Ok(runs)
 }
@@ -64,8 +66,9 @@ pub(super) fn simulate(
     file: &OutlinePairFile,
     results: &ResultsArgs,
     screen: &ScreenArgs,
-    method: &MethodArgs,
+    (method, unit): (&MethodArgs, &UnitArgs),
 ) -> Result<ExitCode, Error> {
+    let unit = unit.of_outlines(&file.study, results.format == Format::Text)?;
     let folder = results.folder(&file.stem, &file.sources, |name| {
         matches!(name, JSON | CSV | WORST)
     })?;
@@ -81,7 +84,7 @@ pub(super) fn simulate(
         csv = to_csv(&runs).map_err(|error| unwritable(&error))?;
     }
     match results.format {
-        Format::Text => print(&text::outlines(file, &runs, &screen.screen()))?,
+        Format::Text => print(&text::outlines(file, &runs, unit, &screen.screen()))?,
         Format::Json => print(&json)?,
         Format::Csv => print(&csv)?,
     }
@@ -114,7 +117,7 @@ pub(super) fn check(
     let text = match as_json {
         true => to_json(file, &runs)
             .map_err(|error| Error::Usage(format!("the checks cannot be written: {error}")))?,
-        false => text::outlines(file, &runs, &screen.screen()),
+        false => text::outlines(file, &runs, BacklashUnit::Um, &screen.screen()),
     };
     let kept = match file.study.requirement(&runs) {
         Requirement::None => turns(&runs) == Some(true),

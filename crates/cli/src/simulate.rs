@@ -60,13 +60,9 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         file = moved.map_err(|reason| Error::Usage(format!("--center-distance: {reason}")))?;
     }
     let study = &file.study;
-    let unit = args.unit.unit(study)?;
-    if args.unit.given() && args.results.format != Format::Text {
-        return Err(Error::Usage(
-            "--unit belongs to --format text: JSON and CSV have every unit; leave it out"
-                .to_owned(),
-        ));
-    }
+    let unit = args
+        .unit
+        .of_table(study, args.results.format == Format::Text)?;
     poses::allow(&args.pair, study.pose_count(), &poses::STREAMED)?;
     // Before the simulation, not after it.
     let mut folder = args.results.folder(&file.stem, &file.sources, is_own)?;
@@ -138,15 +134,20 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
 
 /// The same of a pair of which a gear is an outline.
 fn of_outlines(args: &Args, mut file: OutlinePairFile) -> Result<ExitCode, Error> {
-    if args.snapshots || args.unit.given() {
+    if args.snapshots {
         return Err(Error::Usage(
-            "--snapshots, --unit and --at are for gears by their data; leave them out".to_owned(),
+            "--snapshots is for gears by their data: the worst pose is drawn by itself; leave it out".to_owned(),
         ));
     }
     if let Some(Distances(distances)) = &args.center_distance {
         file = file.at(distances.clone());
     }
-    outlines::simulate(&file, &args.results, &args.screen, &args.method)
+    outlines::simulate(
+        &file,
+        &args.results,
+        &args.screen,
+        (&args.method, &args.unit),
+    )
 }
 
 const JSON: &str = "result.json";

@@ -3,8 +3,9 @@
 use super::drawing::Gear;
 use crate::error::Error;
 use clap::ValueEnum;
+use gearlash::analysis::outlines::OutlineStudy;
 use gearlash::analysis::study::Study;
-use gearlash::pair::BacklashUnit;
+use gearlash::pair::{BacklashUnit, Member};
 
 #[derive(clap::Args)]
 pub(super) struct UnitArgs {
@@ -35,17 +36,60 @@ impl UnitArgs {
     /// # Errors
     /// `--at` beside µm.
     pub(super) fn unit(&self, study: &Study) -> Result<BacklashUnit, Error> {
-        let gears = study.materials.first();
-        match (self.unit, self.at, gears) {
-            (Some(Name::Arcmin), at, Some((_, wheel, pinion))) => {
-                let at = at.map_or(study.locked.mate(), Gear::member);
-                Ok(BacklashUnit::arcmin(at, wheel.gear(), pinion.gear()))
+        let arcmin = |at| {
+            let (_, wheel, pinion) = study.materials.first()?;
+            Some(BacklashUnit::arcmin(at, wheel.gear(), pinion.gear()))
+        };
+        self.of(study.locked, arcmin)
+    }
+
+    /// The same of a table.
+    ///
+    /// # Errors
+    /// As [`UnitArgs::unit`]; a unit of what is no text.
+    pub(super) fn of_table(&self, study: &Study, is_text: bool) -> Result<BacklashUnit, Error> {
+        let unit = self.unit(study)?;
+        self.shown(is_text).map(|()| unit)
+    }
+
+    /// The same of a pair with an outline.
+    ///
+    /// # Errors
+    /// As [`UnitArgs::of_table`].
+    pub(super) fn of_outlines(
+        &self,
+        study: &OutlineStudy,
+        is_text: bool,
+    ) -> Result<BacklashUnit, Error> {
+        let unit = self.of(study.locked, |at| study.arcmin(at))?;
+        self.shown(is_text).map(|()| unit)
+    }
+
+    fn of(
+        &self,
+        locked: Member,
+        arcmin: impl FnOnce(Member) -> Option<BacklashUnit>,
+    ) -> Result<BacklashUnit, Error> {
+        match (self.unit, self.at) {
+            (Some(Name::Arcmin), at) => {
+                Ok(arcmin(at.map_or(locked.mate(), Gear::member)).unwrap_or_default())
             }
-            (Some(Name::Um) | None, Some(_), _) => Err(Error::Usage(
+            (Some(Name::Um) | None, Some(_)) => Err(Error::Usage(
                 "--at belongs to --unit arcmin: j_wt is the same at both gears; leave it out"
                     .to_owned(),
             )),
             _ => Ok(BacklashUnit::Um),
+        }
+    }
+
+    /// Whether what was asked for can be shown.
+    fn shown(&self, is_text: bool) -> Result<(), Error> {
+        match self.given() && !is_text {
+            false => Ok(()),
+            true => Err(Error::Usage(
+                "--unit belongs to --format text: JSON and CSV have every unit; leave it out"
+                    .to_owned(),
+            )),
         }
     }
 }

@@ -1,6 +1,8 @@
 //! Sampled poses of a mesh cycle, and more round the best of them.
 
-use crate::contact::{OutlineContact, OutlineKernel, OutlineLostMotion, Status, Unsettled};
+use crate::contact::{
+    OutlineCertifier, OutlineContact, OutlineDoubt, OutlineKernel, OutlineLostMotion, Status,
+};
 use crate::error::Error;
 use crate::outline::OutlinePair;
 use crate::pair::Mating;
@@ -26,8 +28,8 @@ pub struct OutlinePose {
     pub pitches: f64,
     /// Which teeth mate.
     pub mating: Mating,
-    /// Its contacts, or why they are not known.
-    pub found: Result<OutlineLostMotion, Unsettled>,
+    /// Its contacts, or why they are not proven.
+    pub found: Result<OutlineLostMotion, OutlineDoubt>,
     /// Circumferential backlash `j_wt`, mm, an arc of the operating pitch circles, and the bound on its error; `None` where jammed, out of
     /// mesh or not settled.
     pub j_wt: Option<(f64, f64)>,
@@ -41,7 +43,9 @@ impl OutlinePose {
         mating: Mating,
         pitches: f64,
     ) -> OutlinePose {
-        let found = kernel.lost_motion_at(pair, &mating);
+        let found = kernel
+            .lost_motion_at(pair, &mating)
+            .map_err(OutlineDoubt::from);
         let radius = pair.operating_pitch_radius(pair.free());
         let j_wt = found.as_ref().ok().and_then(|found| {
             let (angle, error) = found.angle().zip(found.error())?;
@@ -58,6 +62,20 @@ impl OutlinePose {
     /// The pose of `mating`, by itself.
     pub fn of(pair: &OutlinePair, mating: Mating) -> OutlinePose {
         OutlinePose::new(&OutlineKernel::new(pair), pair, mating, 0.0)
+    }
+
+    /// The same, borne out by polygons where `certifier` is given: what they do not bear out is not proven.
+    #[must_use]
+    pub(super) fn certified(self, certifier: Option<&OutlineCertifier>) -> OutlinePose {
+        let seen = certifier.zip(self.found.as_ref().ok());
+        match seen.map(|(certifier, found)| certifier.check(&self.mating, found)) {
+            Some(Err(reason)) => OutlinePose {
+                found: Err(reason.into()),
+                j_wt: None,
+                ..self
+            },
+            _ => self,
+        }
     }
 
     /// How it ended.
@@ -129,10 +147,10 @@ impl Cycle {
         OutlinePose::new(kernel, pair, mating, pitches)
     }
 
-    /// All sampled poses of `pair`, whose gears are the kernel's.
+    /// All sampled poses of `pair`, whose gears are the kernel's; `certifier`, where it is to bear them out, of a kernel of the same pair.
     pub fn sampled(
         &self,
-        kernel: &OutlineKernel,
+        (kernel, certifier): (&OutlineKernel, Option<&OutlineCertifier>),
         pair: &OutlinePair,
         start: &Mating,
         tick: &(dyn Fn() -> ControlFlow<()> + Sync),
@@ -142,7 +160,7 @@ impl Cycle {
         for block in places.chunks(BLOCK) {
             let found = parallel::map(block.iter().copied(), |pitches| {
                 let go_on = tick().is_continue();
-                go_on.then(|| Cycle::pose(kernel, pair, start, pitches))
+                go_on.then(|| Cycle::pose(kernel, pair, start, pitches).certified(certifier))
             });
             for pose in found {
                 poses.push(pose.ok_or(Error::Interrupted)?);

@@ -1,7 +1,7 @@
 //! Pairs of which one gear at least is an outline: lost motion through the whole mesh cycle, where it binds, where it turns freely.
 //!
 //! Nothing bounds the lost motion of any curves between two poses, so extremes are those of sampled poses and of more round the best, and
-//! say so; each pose itself is proven ([`crate::contact::OutlineKernel`]).
+//! say so; each pose itself is proven ([`crate::contact::OutlineKernel`]), and borne out by polygons ([`crate::contact::OutlineCertifier`]).
 
 mod cycle;
 mod map;
@@ -14,10 +14,10 @@ pub use turns_from::TurnsFrom;
 
 use super::requirement::Requirements;
 use super::study::Material;
-use crate::contact::{OutlineKernel, Status};
+use crate::contact::{OutlineCertifier, OutlineKernel, Status};
 use crate::error::Error;
 use crate::outline::{OutlineGear, OutlinePair};
-use crate::pair::{Mating, Member, SweepPlan};
+use crate::pair::{BacklashUnit, Mating, Member, SweepPlan};
 use cycle::Cycle;
 use std::ops::ControlFlow;
 
@@ -36,7 +36,7 @@ pub struct OutlineStudy {
     pub start: Mating,
     /// Poses a pitch.
     pub steps_per_pitch: u32,
-    /// What it must keep: of `j_wt` and lost motions.
+    /// What it must keep: of `j_wt`, lost motions and radial clearance.
     pub requirements: Requirements,
 }
 
@@ -51,19 +51,32 @@ impl OutlineStudy {
         all * self.center_distances.len() as u64
     }
 
-    /// Every centre distance and material, in order.
+    /// Lost motion in arcmin at a gear: its part of the centre distance is that of its teeth.
+    pub fn arcmin(&self, at: Member) -> Option<BacklashUnit> {
+        let (_, wheel, pinion) = self.materials.first()?;
+        let [wheel, pinion] = [wheel, pinion].map(|gear| f64::from(gear.teeth()));
+        let own = match at {
+            Member::Wheel => wheel,
+            Member::Pinion => pinion,
+        };
+        let share = own / (wheel + pinion);
+        Some(BacklashUnit::Arcmin { at, share })
+    }
+
+    /// Every centre distance and material, in order; where `certify`, polygons bear out each pose that is kept.
     ///
     /// # Errors
     /// [`Error::Outline`]: a centre distance at which a gear reaches over an axis; `tick` asked to stop.
     pub fn runs(
         &self,
+        certify: bool,
         tick: &(dyn Fn() -> ControlFlow<()> + Sync),
     ) -> Result<Vec<OutlineRun>, Error> {
         let mut runs = Vec::new();
         for &distance in &self.center_distances {
             for (material, wheel, pinion) in &self.materials {
                 let pair = OutlinePair::new(wheel.clone(), pinion.clone(), distance, self.locked)?;
-                runs.push(OutlineRun::new(*material, pair, self, tick)?);
+                runs.push(OutlineRun::new(*material, pair, self, certify, tick)?);
             }
         }
         Ok(runs)
@@ -79,6 +92,8 @@ pub struct OutlineRun {
     pub pair: OutlinePair,
     /// Matings of the cycle: lcm(z_1, z_2).
     pub matings: u64,
+    /// Whether polygons bear out its poses.
+    pub certified: bool,
     /// Sampled poses, in order.
     pub poses: Vec<OutlinePose>,
     /// The pose with the least lost motion that was found, one more closely looked at included; `None` where a pose is jammed.
@@ -96,24 +111,37 @@ impl OutlineRun {
         material: Material,
         pair: OutlinePair,
         study: &OutlineStudy,
+        certify: bool,
         tick: &(dyn Fn() -> ControlFlow<()> + Sync),
     ) -> Result<OutlineRun, Error> {
         let teeth = |member| pair.gear(member).teeth();
         let matings = SweepPlan::hunting_pitches(teeth(Member::Wheel), teeth(Member::Pinion));
         let cycle = Cycle::new(matings, study.steps_per_pitch);
         let kernel = OutlineKernel::new(&pair);
-        let poses = cycle.sampled(&kernel, &pair, &study.start, tick)?;
-        let [least, greatest] = cycle.extremes(&kernel, &pair, &poses);
-        let first = |status| poses.iter().find(|pose| pose.status() == status);
+        let certifier = certify.then(|| OutlineCertifier::new(&kernel));
+        let by = (&kernel, certifier.as_ref());
+        let poses = cycle.sampled(by, &pair, &study.start, tick)?;
+        let extremes = cycle.extremes(&kernel, &pair, &poses);
+        let [least, greatest] =
+            extremes.map(|pose| pose.map(|pose| pose.certified(certifier.as_ref())));
+        let closer = || least.iter().chain(&greatest);
+        let first = |status| {
+            let mut all = poses.iter().chain(closer());
+            all.find(|pose| pose.status() == status)
+        };
         let lost = [Status::Jammed, Status::NoContact, Status::Unproven]
             .into_iter()
             .find_map(first);
+        let (lost, jams) = (lost.cloned(), first(Status::Jammed).is_some());
+        let apart = first(Status::NoContact).is_some();
+        let proven = |pose: &OutlinePose| pose.found.is_ok();
         let mut run = OutlineRun {
             material,
             matings,
-            least: least.filter(|_| first(Status::Jammed).is_none()),
-            greatest: greatest.filter(|_| first(Status::NoContact).is_none()),
-            lost: lost.cloned(),
+            certified: certify,
+            least: least.filter(|least| !jams && proven(least)),
+            greatest: greatest.filter(|greatest| !apart && proven(greatest)),
+            lost,
             turns_from: None,
             poses,
             pair: pair.clone(),

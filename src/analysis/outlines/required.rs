@@ -1,11 +1,12 @@
 //! What pairs of outlines do not keep of what is required, at the poses that were looked at.
 
 use super::{OutlineRun, OutlineStudy};
-use crate::analysis::requirement::Quantity;
+use crate::analysis::requirement::{Quantity, clearance_off_axes};
 use crate::analysis::verdict::{Found, Requirement, Unmet, unmet};
+use crate::pair::Member;
 
 impl OutlineStudy {
-    /// The limits that `runs` do not keep, of each the worst. Only `j_wt` and lost motions have a value; a run with a pose that is jammed, out of mesh or
+    /// The limits that `runs` do not keep, of each the worst. Only `j_wt`, lost motions and radial clearance have a value; of the first two a run with a pose that is jammed, out of mesh or
     /// not settled has none.
     pub fn unmet(&self, runs: &[OutlineRun]) -> Vec<Unmet> {
         let each = self.requirements.iter();
@@ -26,6 +27,9 @@ impl OutlineStudy {
 }
 
 fn found(quantity: Quantity, run: &OutlineRun, is_max: bool) -> Option<[f64; 2]> {
+    if quantity == Quantity::RadialClearance {
+        return Some(clearance(run, is_max));
+    }
     let pose = if is_max { &run.greatest } else { &run.least };
     let pose = pose.as_ref().filter(|_| run.lost.is_none())?;
     let (j_wt, error) = pose.j_wt?;
@@ -35,4 +39,17 @@ fn found(quantity: Quantity, run: &OutlineRun, is_max: bool) -> Option<[f64; 2]>
         _ => return None,
     };
     Some([j_wt - error, j_wt + error].map(|mm| mm * per))
+}
+
+/// The least or the greatest radial clearance, mm, within what the drawings are off.
+fn clearance(run: &OutlineRun, is_max: bool) -> [f64; 2] {
+    let both = [Member::Wheel, Member::Pinion];
+    let ends = both.map(|member| run.pair.radial_clearance(member)[usize::from(is_max)]);
+    let off = both.map(|member| run.pair.gear(member).eccentricity());
+    let bound: f64 = both
+        .map(|member| run.pair.gear(member).bound())
+        .iter()
+        .sum();
+    let value = clearance_off_axes(ends, off, is_max);
+    [value - bound, value + bound]
 }

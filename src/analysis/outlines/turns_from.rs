@@ -86,7 +86,7 @@ pub(super) fn find(
         }
         floor = high;
         let there = pair.at(high)?;
-        let poses = cycle.sampled(kernel, &there, start, &|| ControlFlow::Continue(()))?;
+        let poses = cycle.sampled((kernel, None), &there, start, &|| ControlFlow::Continue(()))?;
         // Out of mesh it does not turn the mate, and of a pose that is not settled nobody knows.
         let is_lost =
             |pose: &OutlinePose| matches!(pose.status(), Status::NoContact | Status::Unproven);

@@ -50,10 +50,11 @@ impl PlacedRun {
 /// A locked and a free run, not ruled out at the gap of `level`.
 #[derive(Debug, Clone, Copy)]
 struct Pair {
-    runs: [PlacedRun; 2],
-    level: f64,
+    /// Places of both among the runs put.
+    runs: [u32; 2],
     /// Whether both are seen within 120° of each other at a gap from [`LEAST_LEVEL`] on.
     is_near: bool,
+    level: f64,
     /// How far the locked run stood into its mate.
     over: f64,
 }
@@ -70,6 +71,8 @@ pub(in crate::contact) struct PathSearch<'a> {
     turned: C,
     level: f64,
     nodes_left: usize,
+    /// Runs put so far of both paths: pairs are moved about, and name them by their places.
+    put: [Vec<PlacedRun>; 2],
     open: Vec<Pair>,
     nodes: Vec<(Arc<'a>, Arc<'a>)>,
 }
@@ -85,6 +88,7 @@ impl<'a> PathSearch<'a> {
             turned: origin.conj() * turn(if floor.is_finite() { floor } else { guess }),
             level: floor,
             nodes_left: MOST_NODES,
+            put: [Vec::with_capacity(64), Vec::with_capacity(64)],
             open: Vec::with_capacity(64),
             nodes: Vec::with_capacity(4),
         }
@@ -111,7 +115,11 @@ impl<'a> PathSearch<'a> {
         let Some(whole) = locked_boxes.whole().zip(free_boxes.whole()) else {
             return Ok(None);
         };
-        let whole = [locked.put(whole.0), free.put(whole.1)];
+        self.put.iter_mut().for_each(Vec::clear);
+        let whole = [
+            self.add(0, locked.put(whole.0)),
+            self.add(1, free.put(whole.1)),
+        ];
         let mut best = None;
         self.open.extend(self.looked_at(whole, false));
         while let Some(mut pair) = self.open.pop() {
@@ -121,7 +129,7 @@ impl<'a> PathSearch<'a> {
                     None => continue,
                 }
             }
-            let [one, other] = pair.runs;
+            let [one, other] = self.runs(pair.runs);
             let inside = (locked_boxes.inside(one.run), free_boxes.inside(other.run));
             if let (Inside::Piece(piece), Inside::Piece(mate)) = inside {
                 best = self.pieces(locked.arc(piece), free.arc(mate))?.or(best);
@@ -141,12 +149,12 @@ impl<'a> PathSearch<'a> {
             let free_runs = parts(inside.1, inside.0, [lengths[1], lengths[0]]);
             let from = self.open.len();
             let frees = match free_runs {
-                Some(runs) => runs.map(|run| Some(free.put(run))),
-                None => [Some(other), None],
+                Some(runs) => runs.map(|run| Some(self.add(1, free.put(run)))),
+                None => [Some(pair.runs[1]), None],
             };
             let lockeds = match locked_runs {
-                Some(runs) => runs.map(|run| Some(locked.put(run))),
-                None => [Some(one), None],
+                Some(runs) => runs.map(|run| Some(self.add(0, locked.put(run)))),
+                None => [Some(pair.runs[0]), None],
             };
             for locked in lockeds.into_iter().flatten() {
                 for free in frees.into_iter().flatten() {
@@ -160,10 +168,22 @@ impl<'a> PathSearch<'a> {
         Ok(best)
     }
 
+    /// Adds a run of a path; its place.
+    #[inline]
+    fn add(&mut self, path: usize, run: PlacedRun) -> u32 {
+        self.put[path].push(run);
+        self.put[path].len() as u32 - 1
+    }
+
+    #[inline]
+    fn runs(&self, [locked, free]: [u32; 2]) -> [&PlacedRun; 2] {
+        [&self.put[0][locked as usize], &self.put[1][free as usize]]
+    }
+
     /// A pair as the greatest gap so far leaves it; `None` where it is ruled out.
     #[inline]
-    fn looked_at(&self, runs: [PlacedRun; 2], is_near: bool) -> Option<Pair> {
-        let [locked, free] = &runs;
+    fn looked_at(&self, runs: [u32; 2], is_near: bool) -> Option<Pair> {
+        let [locked, free] = self.runs(runs);
         let room = self.squared_rounding;
         let is_apart =
             locked.squares.0 > free.squares.1 + room || free.squares.0 > locked.squares.1 + room;
@@ -179,8 +199,8 @@ impl<'a> PathSearch<'a> {
         let is_behind = is_near && over <= 0.0;
         (!(is_behind && self.prunes)).then_some(Pair {
             runs,
-            level: self.level,
             is_near,
+            level: self.level,
             over,
         })
     }

@@ -4,16 +4,20 @@
 //! side mirrored; of a side the contact is the greatest gap of its facing half teeth. A half tooth's whole tip counts on both sides.
 //! Nothing is asked of a curve but its points, its normals, and how far both stray over a piece.
 
+mod certificate;
 mod halves;
 mod teeth;
 
 use super::exact::lens_half;
 use super::gap::{C, Inside, Meeting, PathSearch, common_normal, rounding, turn};
 use super::lost_motion::Framed;
-use super::outline_contact::{OutlineContact, OutlineLostMotion, OutlineTouch, Region, Unsettled};
+use super::outline_contact::{
+    NotBorneOut, OutlineContact, OutlineLostMotion, OutlineTouch, Region, Unsettled,
+};
 use crate::gear::Side;
 use crate::outline::OutlinePair;
 use crate::pair::{Mating, Member};
+use certificate::{CutSide, Witness};
 use halves::{FreeHalf, LockedHalf};
 use std::f64::consts::TAU;
 use teeth::{Frame, SideTeeth, nearest};
@@ -114,7 +118,101 @@ impl<'a> OutlineKernel<'a> {
     }
 }
 
+/// A rotation known no closer than this part of a pitch is no place to look at: other teeth, or nothing, may stand there.
+const NARROW: f64 = 1e-2;
+
+/// Bears out by polygons what a kernel finds.
+#[derive(Debug)]
+pub struct OutlineCertifier<'a> {
+    kernel: &'a OutlineKernel<'a>,
+    cut: [CutSide; 2],
+}
+
+impl<'a> OutlineCertifier<'a> {
+    /// Of the gears of `kernel`.
+    pub fn new(kernel: &'a OutlineKernel<'a>) -> OutlineCertifier<'a> {
+        let sides = kernel.sides.each_ref();
+        OutlineCertifier {
+            cut: sides.map(|side| CutSide::new([&side.locked, &side.free])),
+            kernel,
+        }
+    }
+
+    /// Bears out both contacts of `found` at `mating`. Of a jammed pose the rotations mean nothing, and of a contact whose bound is wider than a
+    /// hundredth of a pitch no more than that is said: neither is looked at.
+    ///
+    /// # Errors
+    /// [`NotBorneOut`]: something touches before, or nothing there.
+    pub fn check(&self, mating: &Mating, found: &OutlineLostMotion) -> Result<(), NotBorneOut> {
+        if found.solid {
+            return Ok(());
+        }
+        let contacts = [found.right.as_ref(), found.left.as_ref()];
+        let sides = self.kernel.sides.iter().zip(&self.cut).zip(contacts);
+        for ((side, cut), contact) in sides {
+            let seen = side.borne_out(self.kernel.pair, cut, mating, contact);
+            seen.map_err(|reason| NotBorneOut {
+                flank: side.side.name(),
+                reason,
+            })?;
+        }
+        Ok(())
+    }
+}
+
 impl SideKernel<'_> {
+    fn borne_out(
+        &self,
+        pair: &OutlinePair,
+        cut: &CutSide,
+        mating: &Mating,
+        contact: Option<&OutlineContact>,
+    ) -> Result<(), &'static str> {
+        let (rotation, locked) = self.locked_frame(pair, mating);
+        let pairs = self.facing(pair, mating, rotation);
+        let witness = Witness {
+            teeth: [&self.locked, &self.free],
+            cut,
+            center_distance: pair.center_distance(),
+            locked,
+            pairs: pairs.collect(),
+        };
+        let Some(contact) = contact else {
+            return witness.touches_nothing();
+        };
+        let arm = contact.point - pair.axis(pair.free());
+        let lever = arm.perp(&contact.normal).abs();
+        let little = contact.error + witness.little(lever);
+        if !(little <= NARROW * self.free.gear.pitch()) {
+            return Ok(());
+        }
+        let there = -self.side.sense() * contact.rotation;
+        witness.touches(there + little, there - little)
+    }
+
+    /// Half teeth that face each other within reach, locked and free, the likeliest to touch first.
+    fn facing(
+        &self,
+        pair: &OutlinePair,
+        mating: &Mating,
+        rotation: f64,
+    ) -> impl Iterator<Item = [u32; 2]> {
+        let (locked_tooth, free_tooth) = (mating.tooth(pair.locked()), mating.tooth(pair.free()));
+        let beyond = i64::from(mating.flank != self.side);
+        let steps = self.steps(pair, mating, rotation);
+        // From the middle outwards: what touches stands there most often, and rules the rest out.
+        let middle = (steps.start() + steps.end()).div_euclid(2);
+        let farthest = (steps.end() - middle).max(middle - steps.start());
+        let outwards = (0..=farthest).flat_map(move |away| [middle + away, middle - away]);
+        let from_middle = outwards.skip(1).filter(move |step| steps.contains(step));
+        from_middle.map(move |step| {
+            [
+                self.locked.beside(locked_tooth, step),
+                self.free.beside(free_tooth, beyond - step),
+            ]
+        })
+    }
+
     /// Rotation of the locked gear, in this frame, and its frame.
     fn locked_frame(&self, pair: &OutlinePair, mating: &Mating) -> (f64, Frame) {
         let rotation = -self.side.sense() * pair.rotation(pair.locked(), mating);
@@ -159,8 +257,6 @@ impl SideKernel<'_> {
         let free_rotation = -self.side.sense() * pair.rotation(pair.free(), mating);
         // Gaps count from the nominal rotation.
         let origin = turn(-free_rotation);
-        let (locked_tooth, free_tooth) = (mating.tooth(pair.locked()), mating.tooth(pair.free()));
-        let beyond = i64::from(mating.flank != self.side);
         let still = Frame {
             centre: self.free.displacement,
             direction: C::ONE,
@@ -168,30 +264,21 @@ impl SideKernel<'_> {
         let size = pair.center_distance() + self.locked.gear.reach() + self.free.gear.reach();
         let search = PathSearch::new(origin, size, f64::NEG_INFINITY, 0.0);
         let mut search = if prunes { search } else { search.of_all() };
-        let mut best: Option<(Meeting, u32, u32)> = None;
-        let steps = self.steps(pair, mating, rotation);
-        // From the middle outwards: what touches stands there most often, and rules the rest out.
-        let middle = (steps.start() + steps.end()).div_euclid(2);
-        let farthest = (steps.end() - middle).max(middle - steps.start());
-        let outwards = (0..=farthest).flat_map(|away| [middle + away, middle - away]);
-        let from_middle = outwards.skip(1).filter(|step| steps.contains(step));
-        for step in from_middle {
-            let teeth = (
-                self.locked.beside(locked_tooth, step),
-                self.free.beside(free_tooth, beyond - step),
-            );
-            let locked = LockedHalf::new(&self.locked, teeth.0, locked_frame);
-            let found = search.greatest(&locked, &self.still[teeth.1 as usize - 1]);
+        let mut best: Option<(Meeting, [u32; 2])> = None;
+        for teeth in self.facing(pair, mating, rotation) {
+            let [locked_tooth, free_tooth] = teeth;
+            let locked = LockedHalf::new(&self.locked, locked_tooth, locked_frame);
+            let found = search.greatest(&locked, &self.still[free_tooth as usize - 1]);
             let found = found.map_err(|_| self.unsettled(pair, teeth))?;
-            best = found.map(|meeting| (meeting, teeth.0, teeth.1)).or(best);
+            best = found.map(|meeting| (meeting, teeth)).or(best);
         }
-        Ok(best.map(|(meeting, locked, free)| {
+        Ok(best.map(|(meeting, teeth)| {
             let frames = [locked_frame, still];
-            self.report(pair, &meeting, [locked, free], frames, free_rotation)
+            self.report(pair, &meeting, teeth, frames, free_rotation)
         }))
     }
 
-    fn unsettled(&self, pair: &OutlinePair, (locked, free): (u32, u32)) -> Unsettled {
+    fn unsettled(&self, pair: &OutlinePair, [locked, free]: [u32; 2]) -> Unsettled {
         let (wheel_tooth, pinion_tooth) = match pair.locked() {
             Member::Wheel => (locked, free),
             Member::Pinion => (free, locked),

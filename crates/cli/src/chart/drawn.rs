@@ -210,7 +210,7 @@ fn file(name: &str, args: &Args, course: &Course, unit: BacklashUnit) -> String 
 }
 
 /// What tells a chart in `unit` from one in µm.
-fn suffix(unit: BacklashUnit) -> String {
+pub(super) fn suffix(unit: BacklashUnit) -> String {
     match unit {
         BacklashUnit::Um => String::new(),
         BacklashUnit::Arcmin { at, .. } => format!("_arcmin_{}", at.name()),

@@ -1,6 +1,6 @@
 //! `gearlash chart` of a pair with an outline: backlash over the mesh cycle, and over the centre distance, too.
 
-use super::drawn::{MAP, first_map};
+use super::drawn::{MAP, first_map, suffix};
 use super::{Args, Kind};
 use crate::console::tell;
 use crate::distances::Distances;
@@ -23,11 +23,13 @@ pub(super) fn run(args: &Args, mut file: OutlinePairFile) -> Result<ExitCode, Er
             "an outline has no module, no involute and no formula: of pairs with an outline draw --kind revolution or map".to_owned(),
         ));
     }
-    if args.unit.given() || args.material.is_some() {
+    if args.material.is_some() {
         return Err(Error::Usage(
-            "--unit, --at and --material are for gears by their data; leave them out".to_owned(),
+            "--material is for gears by their data: every material has its line; leave it out"
+                .to_owned(),
         ));
     }
+    let unit = args.unit.of_outlines(&file.study, true)?;
     let least = match &args.center_distance {
         Some(Distances(given)) if given.len() == 1 => given.clone(),
         Some(_) => {
@@ -56,7 +58,11 @@ pub(super) fn run(args: &Args, mut file: OutlinePairFile) -> Result<ExitCode, Er
         None => {
             let name = match args.kind {
                 Kind::Map => MAP.to_owned(),
-                _ => format!("chart_revolution_a{}.svg", file.study.center_distances[0]),
+                _ => format!(
+                    "chart_revolution_a{}{}.svg",
+                    file.study.center_distances[0],
+                    suffix(unit)
+                ),
             };
             Target::prepare(
                 PathBuf::from("out").join(&file.stem).join(name),
@@ -73,7 +79,7 @@ pub(super) fn run(args: &Args, mut file: OutlinePairFile) -> Result<ExitCode, Er
     };
     output.write(&match args.kind {
         Kind::Map => first_map(maps::of_outlines(&file, &runs)?)?,
-        _ => chart::outlines(&heading, &runs)?.svg,
+        _ => chart::outlines(unit, &heading, &runs)?.svg,
     })?;
     Ok(match all_proven(unproven(&runs)) {
         true => ExitCode::SUCCESS,

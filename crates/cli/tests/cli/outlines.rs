@@ -169,7 +169,7 @@ fn what_an_outline_cannot_do_is_said() {
     for (args, reason) in [
         (
             &["check", "drawn_20x20.toml", "--method", "polygon"][..],
-            "are for gears by their data",
+            "is for gears by their data",
         ),
         (
             &["check", "wheel_20.dxf", "pinion_20.svg"],
@@ -184,8 +184,30 @@ fn what_an_outline_cannot_do_is_said() {
             "belong to two drawings",
         ),
         (
-            &["simulate", "drawn_20x20.toml", "--unit", "arcmin"],
-            "are for gears by their data",
+            &[
+                "simulate",
+                "drawn_20x20.toml",
+                "--unit",
+                "arcmin",
+                "--format",
+                "csv",
+            ],
+            "JSON and CSV have every unit",
+        ),
+        (
+            &["simulate", "drawn_20x20.toml", "--at", "wheel"],
+            "--at belongs to --unit arcmin",
+        ),
+        (
+            &[
+                "chart",
+                "drawn_20x20.toml",
+                "--kind",
+                "map",
+                "--unit",
+                "arcmin",
+            ],
+            "--unit belongs to --kind revolution or distance",
         ),
         (
             &["snapshot", "drawn_20x20.toml", "--worst", "--animate"],
@@ -204,14 +226,17 @@ fn faults_of_an_outline_have_their_key() {
     let folder = copied();
     let text = "[wheel]\nteeth = 20\n[wheel.outline]\nfile = \"wheel_20.dxf\"\n\
                 [pinion.outline]\nfile = \"pinion_20.svg\"\nteeth = 21\nlayer = \"X\"\n\
-                [assembly]\ncenter_distance_mm = 20.0\nbearing_clearance_mm = 0.1\n[require]\nj_wt_um = { min = 1 }\nj_bn_um = { min = 1 }\n";
+                [assembly]\ncenter_distance_mm = 20.0\nbearing_clearance_mm = 0.1\n[require]\nj_wt_um = { min = 1 }\nj_bn_um = { min = 1 }\n\
+                j_t_um = { max = 1 }\nj_r_um = { max = 1 }\n";
     std::fs::write(folder.path().join("bad.toml"), text).unwrap();
     let (code, _, said) = run(folder.path(), &["check", "bad.toml"]);
     assert_eq!(code, Some(2));
     for reason in [
         "wheel.teeth = 20: given together with outline",
         "pinion.outline.layer = \"X\": belongs to a .dxf file",
-        "require.j_bn_um = { min = 1 }: has no value on an outline",
+        "require.j_bn_um = { min = 1 }: lies along a line of action, which an outline has not",
+        "require.j_t_um = { max = 1 }: is an arc of the reference circle",
+        "require.j_r_um = { max = 1 }: is worked out of an involute",
     ] {
         assert!(said.contains(reason), "{reason}: {said}");
     }
@@ -314,14 +339,59 @@ fn a_chart_marks_where_it_binds() {
     assert_eq!(run(folder.path(), &far).0, Some(0));
     let svg = std::fs::read_to_string(folder.path().join("far.svg")).unwrap();
     assert!(!svg.contains("interference"));
-    for (option, reason) in [
-        ("--unit", "are for gears by their data"),
-        ("--material", "are for gears by their data"),
-    ] {
-        let value = if option == "--unit" { "arcmin" } else { "most" };
-        let (code, _, said) = run(folder.path(), &[&chart[..], &[option, value]].concat());
-        assert!(code == Some(2) && said.contains(reason), "{said}");
+    let (code, _, said) = run(
+        folder.path(),
+        &[&chart[..], &["--material", "most"]].concat(),
+    );
+    assert!(
+        code == Some(2) && said.contains("is for gears by their data"),
+        "{said}"
+    );
+}
+
+/// Source: −15.61 and 174.18 µm on pitch radii of 40.05/2 mm are −2.680 and 29.901 arcmin, at either gear: both have 20 teeth.
+#[test]
+fn tables_and_charts_show_lost_motion() {
+    let folder = copied();
+    for at in [&[][..], &["--at", "wheel"]] {
+        let arcmin = [&["--unit", "arcmin"], at].concat();
+        let gear = if at.is_empty() { "pinion" } else { "wheel" };
+        let table = ["simulate", "drawn_20x20.toml", "--no-files"];
+        let (code, text, said) = run(folder.path(), &[&table[..], &arcmin].concat());
+        assert_eq!(code, Some(0), "{said}");
+        let mut rows = text.lines().skip_while(|row| !row.contains(" arcmin  "));
+        assert!(rows.next().unwrap().contains(&format!("{gear} arcmin")));
+        assert!(rows.any(|row| row.contains(" -2.680 ")), "{text}");
+        let chart = ["chart", "drawn_20x20.toml", "--kind", "revolution"];
+        let (code, _, said) = run(folder.path(), &[&chart[..], &arcmin].concat());
+        assert_eq!(code, Some(0), "{said}");
+        let file = format!("out/drawn_20x20/chart_revolution_a40.05_arcmin_{gear}.svg");
+        let svg = std::fs::read_to_string(folder.path().join(file)).unwrap();
+        for words in ["least −2.68 arcmin", "greatest 29.90 arcmin"] {
+            assert!(svg.contains(words), "{words}");
+        }
     }
+}
+
+/// Polygons bear out every pose, and leave it where that is not wanted: the same numbers.
+#[test]
+fn polygons_bear_out_every_pose() {
+    let folder = copied();
+    let simulate = ["simulate", "drawn_20x20.toml", "--format", "json"];
+    let [certified, plain] = [&[][..], &["--no-certify"]].map(|more| {
+        let (code, json, said) = run(folder.path(), &[&simulate[..], more].concat());
+        assert_eq!(code, Some(0), "{said}");
+        serde_json::from_str::<Value>(&json).unwrap()
+    });
+    assert_eq!(certified["verdict"]["certified"], true);
+    assert_eq!(plain["verdict"]["certified"], false);
+    let borne_out = |result: &Value| {
+        let sentence = result["verdict"]["sentence"].as_str().unwrap();
+        sentence.contains("proven and borne out by polygons")
+    };
+    assert!(borne_out(&certified) && !borne_out(&plain));
+    assert_eq!(certified["runs"], plain["runs"]);
+    assert_eq!(certified["runs"][0]["counts"]["unproven"], 0);
 }
 
 /// Source: `simulate` of the same pair at a row's centre distance with as many poses a pitch as the map has columns, 120 / 20, and the same pair's
@@ -405,7 +475,8 @@ fn a_map_of_gears_by_their_data_is_a_chart_too() {
     assert!(drawn == std::fs::read_to_string(map.unwrap()).unwrap());
 }
 
-/// Source: `check` of the same pair without requirements: −15.61 … 174.18 µm, −2.680 … 29.901 arcmin; jammed at 39.3 mm.
+/// Source: `check` of the same pair without requirements: −15.61 … 174.18 µm, −2.680 … 29.901 arcmin; jammed at 39.3 mm. Radial clearance: tips at 22 mm,
+/// roots at 17.5 mm less what the allowance shifts the rack at most, 0.06/(2 tan 20°) = 0.08 mm: 0.55 … 0.63 mm.
 #[test]
 fn a_requirement_decides_the_exit_code() {
     let folder = copied();
@@ -426,6 +497,13 @@ fn a_requirement_decides_the_exit_code() {
             false,
         ),
         (&jammed, "j_wt_um = { max = 1000 }", false),
+        (
+            &pair,
+            "radial_clearance_mm = { min = 0.5, max = 0.7 }",
+            true,
+        ),
+        (&pair, "radial_clearance_mm = { min = 0.7 }", false),
+        (&pair, "radial_clearance_mm = { max = 0.5 }", false),
     ] {
         std::fs::write(
             folder.path().join("pair.toml"),

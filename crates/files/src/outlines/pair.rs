@@ -47,8 +47,21 @@ const LEFT_OUT: [(&str, &str); 4] = [
     ("uncertainty", "has no readings with an uncertainty"),
 ];
 
-/// Limits that an outline has no value for.
-const NOT_REQUIRED: [&str; 4] = ["j_bn_um", "j_t_um", "j_r_um", "radial_clearance_mm"];
+/// Limits that an outline has no value for, and why.
+const NOT_REQUIRED: [(&str, &str); 3] = [
+    (
+        "j_bn_um",
+        "lies along a line of action, which an outline has not",
+    ),
+    (
+        "j_t_um",
+        "is an arc of the reference circle, which an outline has not",
+    ),
+    (
+        "j_r_um",
+        "is worked out of an involute, which an outline has not",
+    ),
+];
 
 /// A pair file with an outline, understood.
 #[derive(Debug, Clone)]
@@ -217,16 +230,16 @@ pub(crate) fn read(
 /// `[require]`, of what an outline has.
 fn required(file: &Table, problems: &mut Problems) -> Option<Option<RequireSpec>> {
     let require = require::require(file, problems)?;
-    let mut given = NOT_REQUIRED.iter().map(|key| format!("require.{key}"));
-    let Some(key) = given.find(|key| file.has(key)) else {
-        return Some(require);
-    };
-    problems.add(file.problem(
-        &key,
-        "has no value on an outline, which has no module and no base circle",
-        "limit j_wt_um or lost_motion_arcmin",
-    ));
-    None
+    let given = NOT_REQUIRED.map(|(key, why)| (format!("require.{key}"), why));
+    let given = given.iter().filter(|(key, _)| file.has(key));
+    let refused = given.map(|(key, why)| {
+        let way_out = "limit j_wt_um, lost_motion_arcmin or radial_clearance_mm";
+        problems.add(file.problem(key, *why, way_out));
+    });
+    match refused.count() {
+        0 => Some(require),
+        _ => None,
+    }
 }
 
 fn part(file: &Table, name: &str, problems: &mut Problems) -> Option<Part> {

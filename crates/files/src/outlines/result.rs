@@ -24,6 +24,7 @@ struct VerdictRecord {
     turns: Option<bool>,
     sentence: String,
     requirement: &'static str,
+    certified: bool,
     proven: bool,
 }
 
@@ -146,6 +147,7 @@ pub fn to_json(file: &OutlinePairFile, runs: &[OutlineRun]) -> serde_json::Resul
             turns: turns(runs),
             sentence: sentence(&file.study, runs),
             requirement: file.study.requirement(runs).name(),
+            certified: !runs.is_empty() && runs.iter().all(|run| run.certified),
             proven: false,
         },
         fitted_involutes: records(file),

@@ -11,22 +11,27 @@ use gearlash::analysis::outlines::{OutlinePose, OutlineRun};
 use gearlash::contact::Status;
 use gearlash::gear::Side;
 use gearlash::pair::BacklashUnit;
-use gearlash_files::numbers::{fixed, stated_distance};
+use gearlash_files::numbers::{backlash, stated_distance};
 
 /// Share of the height that the words below a value need.
 const CLOSE: f64 = 0.08;
 
-/// Backlash of `runs` at one centre distance, a line a material, with the teeth that touch where it is least and greatest; below zero
+/// Backlash of `runs` at one centre distance in `unit`, a line a material, with the teeth that touch where it is least and greatest; below zero
 /// they interfere, and a gap is a pose without a value.
 ///
 /// # Errors
 /// [`PictureError`]: no runs.
-pub fn outlines(heading: &Heading, runs: &[OutlineRun]) -> Result<Chart, PictureError> {
+pub fn outlines(
+    unit: BacklashUnit,
+    heading: &Heading,
+    runs: &[OutlineRun],
+) -> Result<Chart, PictureError> {
     let (Some(first), Some(start)) = (runs.first(), runs.first().and_then(|run| run.poses.first()))
     else {
         return Err(PictureError("there are no poses to draw".to_owned()));
     };
-    let um = |pose: &OutlinePose| pose.j_wt.map(|(mm, _)| mm * 1e3);
+    let of_um = |um| unit.of_um(um, first.pair.center_distance());
+    let shown = |pose: &OutlinePose| pose.j_wt.map(|(mm, _)| of_um(mm * 1e3));
     let poses = || runs.iter().flat_map(|run| &run.poses);
     let gaps = || {
         poses()
@@ -47,14 +52,14 @@ pub fn outlines(heading: &Heading, runs: &[OutlineRun]) -> Result<Chart, Picture
     let closer = runs
         .iter()
         .flat_map(|run| run.least.iter().chain(&run.greatest));
-    let Some(y) = backlash_range(poses().chain(closer).filter_map(um), 1.0) else {
+    let Some(y) = backlash_range(poses().chain(closer).filter_map(shown), of_um(1.0)) else {
         let panel = empty(x, &format!("no pose has a backlash: {words}"));
         return sheet::draw(heading, &details, &[], &[panel]);
     };
     let mut panel = Panel {
         title: String::new(),
         x,
-        y: backlash_axis(BacklashUnit::Um, y),
+        y: backlash_axis(unit, y),
         height: 360.0,
         marks: Vec::new(),
     };
@@ -64,7 +69,7 @@ pub fn outlines(heading: &Heading, runs: &[OutlineRun]) -> Result<Chart, Picture
         let points: Vec<Point> = run
             .poses
             .iter()
-            .map(|pose| (pose.pitches, um(pose)))
+            .map(|pose| (pose.pitches, shown(pose)))
             .collect();
         panel.marks.push(Mark::Line {
             points,
@@ -93,12 +98,14 @@ pub fn outlines(heading: &Heading, runs: &[OutlineRun]) -> Result<Chart, Picture
     for (word, shift, end) in ends {
         let Some(end) = end else { continue };
         // No room below it: above.
-        let shift = match end.backlash_um < low + CLOSE * (high - low) {
+        let height = of_um(end.backlash_um);
+        let shift = match height < low + CLOSE * (high - low) {
             true => -16.0,
             false => shift,
         };
-        let word = format!("{word} {} µm", fixed(end.backlash_um, 1));
-        let words = label(&word, &end, end.backlash_um, shift, panel.x.range);
+        let value = backlash(unit, end.backlash_um, first.pair.center_distance(), 1);
+        let word = format!("{word} {value} {}", unit.name());
+        let words = label(&word, &end, height, shift, panel.x.range);
         panel.marks.extend(words);
     }
     if gaps().next().is_some() {

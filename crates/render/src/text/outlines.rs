@@ -1,18 +1,25 @@
 //! What is found of a pair of outlines, as text.
 
 use super::layout::{Column, Screen, Table, Tone};
+use super::unit::cell;
 use super::verdict::heading;
 use gearlash::analysis::outlines::{OutlineRun, turns};
+use gearlash::pair::BacklashUnit;
 use gearlash_files::OutlinePairFile;
-use gearlash_files::numbers::{stated_distance, um_ascii};
+use gearlash_files::numbers::stated_distance;
 use gearlash_files::outlines::{looks_like, region_words, sentence};
 use std::fmt::Write;
 
 /// Wheel teeth that bind are listed up to so many.
 const LISTED: usize = 24;
 
-/// As text on `screen`: the verdict, the wheel teeth that bind, and what the outlines look like.
-pub fn text(file: &OutlinePairFile, runs: &[OutlineRun], screen: &Screen) -> String {
+/// As text on `screen`, backlash of tables in `unit`: the verdict, the wheel teeth that bind, and what the outlines look like.
+pub fn text(
+    file: &OutlinePairFile,
+    runs: &[OutlineRun],
+    unit: BacklashUnit,
+    screen: &Screen,
+) -> String {
     let tone = match turns(runs) {
         Some(true) => Tone::Good,
         Some(false) => Tone::Bad,
@@ -25,7 +32,7 @@ pub fn text(file: &OutlinePairFile, runs: &[OutlineRun], screen: &Screen) -> Str
         screen,
     );
     for run in runs {
-        text += &binding(run, screen);
+        text += &binding(run, unit, screen);
     }
     text += "An outline has no module and no involute: formulas, contact ratio and limits are left out.\n";
     for finding in looks_like(file) {
@@ -35,7 +42,7 @@ pub fn text(file: &OutlinePairFile, runs: &[OutlineRun], screen: &Screen) -> Str
 }
 
 /// The wheel teeth at which a run binds, each at its worst; empty where it turns.
-fn binding(run: &OutlineRun, screen: &Screen) -> String {
+fn binding(run: &OutlineRun, unit: BacklashUnit, screen: &Screen) -> String {
     let worst = run.binding_teeth();
     // Jammed throughout there is nothing to choose between.
     if worst.iter().all(|(_, pose)| pose.j_wt.is_none()) {
@@ -43,7 +50,10 @@ fn binding(run: &OutlineRun, screen: &Screen) -> String {
     }
     let mut rows = Table::new(vec![
         Column::new("wheel tooth"),
-        Column::new("j_wt um"),
+        Column::new(match unit {
+            BacklashUnit::Um => "j_wt um".to_owned(),
+            BacklashUnit::Arcmin { at, .. } => format!("{} arcmin", at.name()),
+        }),
         Column::new("right flanks").left(),
         Column::new("left flanks").left(),
     ]);
@@ -58,9 +68,10 @@ fn binding(run: &OutlineRun, screen: &Screen) -> String {
                 )
             })
         });
+        let j_wt = pose.j_wt.map(|(j_wt, _)| j_wt);
         rows.add(vec![
             tooth.to_string(),
-            um_ascii(pose.j_wt.map(|(j_wt, _)| j_wt), 2),
+            cell(unit, j_wt, run.pair.center_distance(), 2),
             right,
             left,
         ]);

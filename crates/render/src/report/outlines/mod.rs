@@ -16,6 +16,7 @@ use gearlash::analysis::outlines::{
 };
 use gearlash::analysis::verdict::Requirement;
 use gearlash::contact::Status;
+use gearlash::pair::BacklashUnit;
 use gearlash_files::OutlinePairFile;
 use gearlash_files::numbers::{NONE, bound_um, fixed, stated_distance, um};
 use gearlash_files::outlines::{region_words, summary};
@@ -235,7 +236,7 @@ fn backlash(report: &OutlineReport) -> Result<Markup, PictureError> {
             title: &format!("Backlash over the mesh cycle at a = {a} mm"),
             subtitle: &report.pair.study.title,
         };
-        let drawn = chart::outlines(&heading, runs)?;
+        let drawn = chart::outlines(BacklashUnit::Um, &heading, runs)?;
         Ok(html! { figure.chart tabindex="0" { (PreEscaped(drawn.svg)) } })
     };
     let drawn = curves.iter().take(MOST_CURVES).enumerate().map(draw);

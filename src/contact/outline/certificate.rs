@@ -1,0 +1,271 @@
+//! The certificate of outlines: polygons bear out a rotation that the search found.
+//!
+//! A little more open than the rotation in question every pair of half teeth in reach must be clear, proven by chords that are halved only where
+//! they are within both chordal errors of each other; a little more closed one of them must touch. Nothing of the search is used but its answer: no
+//! gap, no rectangles, no slopes.
+
+use super::teeth::{Frame, SideTeeth};
+use crate::contact::gap::{C, PlacedCurve};
+use crate::contact::parry::closest;
+use crate::gear::PartCurve;
+use crate::outline::HalfPiece;
+use nalgebra::Point2;
+use std::f64::consts::FRAC_PI_4;
+
+/// Pairs of chords looked at before a side is given up.
+const EFFORT: u32 = 50_000;
+
+/// What the finest chords leave of their curve, of the centre distance: far above rounding, far below what a drawing says.
+const FINEST: f64 = 1e-11;
+
+/// How far apart, in finest chords, a pair is turned: where a corner stands beside an edge it is only a part of that away from it.
+const APART: f64 = 256.0;
+
+/// A stretch of a curve: a straight line, and how far the stretch may lie from it, mm.
+#[derive(Debug, Clone, Copy)]
+struct Chord {
+    ends: [C; 2],
+    error: f64,
+}
+
+impl Chord {
+    fn new(curve: &PartCurve, (low, high): (f64, f64), point: impl Fn(f64) -> C) -> Chord {
+        let (reach, turn) = curve.spread(low, high);
+        // Its chord is parallel to a tangent: below a right angle between them the stretch ends where its chord does.
+        if !(turn < FRAC_PI_4) {
+            return Chord {
+                ends: [point(0.5 * (low + high)); 2],
+                error: reach,
+            };
+        }
+        let (a, b) = curve.bend(high);
+        let span = high - low;
+        Chord {
+            ends: [low, high].map(point),
+            error: (a + b * span) * span * span / 8.0,
+        }
+    }
+}
+
+/// One side of both gears in chords, a piece of the outline each: those of every half tooth, locked and free.
+#[derive(Debug)]
+pub(super) struct CutSide([Vec<Vec<Chord>>; 2]);
+
+impl CutSide {
+    pub fn new(teeth: [&SideTeeth; 2]) -> CutSide {
+        CutSide(teeth.map(|teeth| {
+            let half = |tooth| {
+                let pieces = teeth.half(tooth).pieces.iter();
+                let cut =
+                    |piece: &HalfPiece| Chord::new(&piece.curve, piece.range(), |t| piece.point(t));
+                pieces.map(cut).collect()
+            };
+            (1..=teeth.gear.teeth()).map(half).collect()
+        }))
+    }
+}
+
+/// A stretch where a pose has it.
+#[derive(Debug, Clone, Copy)]
+struct Seen<'a> {
+    ends: [Point2<f64>; 2],
+    half_length: f64,
+    error: f64,
+    curve: PlacedCurve<'a>,
+    low: f64,
+    high: f64,
+}
+
+impl<'a> Seen<'a> {
+    fn new(chord: &Chord, curve: PlacedCurve<'a>, (low, high): (f64, f64)) -> Seen<'a> {
+        let [from, to] = chord.ends;
+        Seen {
+            ends: chord.ends.map(|end| Point2::new(end.re, end.im)),
+            half_length: 0.5 * (to - from).norm_sqr().sqrt(),
+            error: chord.error,
+            curve,
+            low,
+            high,
+        }
+    }
+
+    fn middle(&self) -> Point2<f64> {
+        nalgebra::center(&self.ends[0], &self.ends[1])
+    }
+
+    /// Within which it lies round its middle, mm.
+    fn reach(&self) -> f64 {
+        self.half_length + self.error
+    }
+
+    /// Whether halving it tells more.
+    fn is_coarse(&self, finest: f64) -> bool {
+        let middle = 0.5 * (self.low + self.high);
+        self.error > finest && self.low < middle && middle < self.high
+    }
+
+    fn halves(&self) -> [Seen<'a>; 2] {
+        let middle = 0.5 * (self.low + self.high);
+        [(self.low, middle), (middle, self.high)].map(|range| {
+            let chord = Chord::new(self.curve.curve, range, |t| self.curve.at(t).point);
+            Seen::new(&chord, self.curve, range)
+        })
+    }
+
+    /// Raises `greatest` to its greatest distance from the origin, mm, if that is more.
+    fn farthest(&self, greatest: &mut f64, finest: f64) {
+        let far = self.ends.map(|end| end.coords.norm());
+        let far = far[0].max(far[1]);
+        match self.is_coarse(finest) {
+            // The curve goes through the ends of its chords, not through the middle of a disc.
+            true if far + self.error <= *greatest => (),
+            true => self
+                .halves()
+                .iter()
+                .for_each(|half| half.farthest(greatest, finest)),
+            false => *greatest = greatest.max(far),
+        }
+    }
+
+    /// Lowers `least` to its least distance from the origin, mm, if that is less.
+    fn nearest(&self, least: &mut f64, finest: f64) {
+        let near = closest(&self.ends, &[Point2::origin(); 2]).distance;
+        match self.is_coarse(finest) {
+            true if near - self.error >= *least => (),
+            true => self
+                .halves()
+                .iter()
+                .for_each(|half| half.nearest(least, finest)),
+            false => *least = least.min(near),
+        }
+    }
+}
+
+/// The half teeth of one side at a pose, in the frame of the search, the free gear's axis at the origin.
+pub(super) struct Witness<'a> {
+    pub teeth: [&'a SideTeeth<'a>; 2],
+    pub cut: &'a CutSide,
+    pub center_distance: f64,
+    /// Where the locked gear is.
+    pub locked: Frame,
+    /// Numbers of the half teeth that face each other, locked and free.
+    pub pairs: Vec<[u32; 2]>,
+}
+
+impl<'a> Witness<'a> {
+    fn finest(&self) -> f64 {
+        FINEST * self.center_distance
+    }
+
+    /// How far the free gear is turned to either side, rad, where a point at this lever, mm, moves most.
+    pub fn little(&self, lever: f64) -> f64 {
+        APART * self.finest() / lever
+    }
+
+    /// Whether all is clear at the free rotation `open`, and something touches at `closed`, rad.
+    ///
+    /// # Errors
+    /// What is not so.
+    pub fn touches(&self, open: f64, closed: f64) -> Result<(), &'static str> {
+        let mut left = EFFORT;
+        let free = [open, closed].map(|rotation| self.free(rotation));
+        let mut seen = |free, pair: &[u32; 2]| self.clear(free, *pair, &mut left);
+        if !self.pairs.iter().all(|pair| seen(free[0], pair)) {
+            return Err(match left {
+                0 => "too many stretches of the outlines are too near each other to be told apart",
+                _ => "a pair touches before",
+            });
+        }
+        match self.pairs.iter().any(|pair| !seen(free[1], pair)) {
+            true => Ok(()),
+            false => Err("nothing touches there"),
+        }
+    }
+
+    /// Whether the half teeth that face each other have no radius in common, so that none ever touches.
+    ///
+    /// # Errors
+    /// Where two do.
+    pub fn touches_nothing(&self) -> Result<(), &'static str> {
+        let finest = self.finest();
+        let free = self.free(0.0);
+        let meets = |&[locked, free_tooth]: &[u32; 2]| {
+            let (mut least, mut greatest) = (f64::INFINITY, 0.0);
+            for seen in self.seen(0, locked, self.locked) {
+                seen.nearest(&mut least, finest);
+            }
+            for seen in self.seen(1, free_tooth, free) {
+                seen.farthest(&mut greatest, finest);
+            }
+            least < greatest - APART * finest
+        };
+        match self.pairs.iter().any(meets) {
+            true => Err("a pair does touch"),
+            false => Ok(()),
+        }
+    }
+
+    fn free(&self, rotation: f64) -> Frame {
+        let turned = C::from_polar(1.0, rotation);
+        Frame {
+            centre: turned * self.teeth[1].displacement,
+            direction: turned,
+        }
+    }
+
+    /// The pieces of a half tooth, locked (0) or free (1).
+    fn seen(&self, which: usize, tooth: u32, frame: Frame) -> impl Iterator<Item = Seen<'a>> {
+        let pieces = &self.teeth[which].half(tooth).pieces;
+        let chords = &self.cut.0[which][tooth as usize - 1];
+        chords.iter().zip(pieces).map(move |(chord, piece)| {
+            let there = Chord {
+                ends: chord.ends.map(|end| frame.centre + frame.direction * end),
+                ..*chord
+            };
+            Seen::new(&there, frame.placed(piece), piece.range())
+        })
+    }
+
+    /// Whether two half teeth are proven clear.
+    fn clear(&self, free: Frame, [locked, free_tooth]: [u32; 2], left: &mut u32) -> bool {
+        let axes = [Point2::new(self.center_distance, 0.0), Point2::origin()];
+        let reaches = self.teeth.map(|teeth| teeth.gear.reach());
+        // What does not reach the mate's greatest radius touches nothing.
+        let in_reach = |mate: usize| {
+            move |seen: &Seen| (seen.middle() - axes[mate]).norm() <= reaches[mate] + seen.reach()
+        };
+        let own = self.seen(0, locked, self.locked).filter(in_reach(1));
+        let own: Vec<Seen> = own.collect();
+        let mut mates = self.seen(1, free_tooth, free).filter(in_reach(0));
+        mates.all(|mate| own.iter().all(|own| self.stretches_clear(own, &mate, left)))
+    }
+
+    /// Whether two stretches are proven clear.
+    fn stretches_clear(&self, own: &Seen, mate: &Seen, left: &mut u32) -> bool {
+        let within = own.reach() + mate.reach();
+        if (own.middle() - mate.middle()).norm_squared() > within * within {
+            return true;
+        }
+        if *left == 0 {
+            return false;
+        }
+        *left -= 1;
+        let finest = self.finest();
+        let distance = closest(&own.ends, &mate.ends).distance;
+        // The finest may be straight: rounding alone is left of them.
+        if distance > (own.error + mate.error).max(2.0 * finest) {
+            return true;
+        }
+        match (own.is_coarse(finest), mate.is_coarse(finest)) {
+            (false, false) => false,
+            (true, other) if !other || own.error >= mate.error => {
+                let mut halves = own.halves().into_iter();
+                halves.all(|half| self.stretches_clear(&half, mate, left))
+            }
+            _ => {
+                let mut halves = mate.halves().into_iter();
+                halves.all(|half| self.stretches_clear(own, &half, left))
+            }
+        }
+    }
+}

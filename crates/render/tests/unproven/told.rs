@@ -51,6 +51,7 @@ fn pair(case: &Case, runs: Vec<ComparedRun>) -> ComparedPair {
         allow_off_line: true,
         runs: tally(&runs),
         extremes: Vec::new(),
+        failed_checks: Vec::new(),
         requirements: Vec::new(),
         uncertainty: None,
     }
@@ -64,7 +65,7 @@ fn json_has_nulls_and_the_doubtful_values_under_their_own_keys() {
         let json = result_file(
             &case.pair,
             &runs,
-            &Verdict::new(&[], &Vec::new(), None, None),
+            &Verdict::new(&[], &Vec::new(), None, Vec::new()),
         )
         .to_json()
         .unwrap();
@@ -104,7 +105,7 @@ fn csv_has_empty_cells_and_columns_of_doubt() {
     let csv = result_file(
         &case.pair,
         &runs,
-        &Verdict::new(&[], &Vec::new(), None, None),
+        &Verdict::new(&[], &Vec::new(), None, Vec::new()),
     )
     .to_csv()
     .unwrap();
@@ -137,7 +138,7 @@ fn the_table_counts_them_and_takes_none_in() {
     let runs = case.compared(CERTIFIED);
     let text = simulation_table(
         &case.study,
-        &Verdict::new(&[], &Vec::new(), None, None),
+        &Verdict::new(&[], &Vec::new(), None, Vec::new()),
         &tally(&runs),
         &[],
         BacklashUnit::Um,
@@ -304,6 +305,7 @@ fn a_report_vouches_for_nothing() {
         runs: runs.clone(),
         revolution: runs.clone(),
         extremes: CycleExtremes::default(),
+        failed_checks: Vec::new(),
         over_distance: Vec::new(),
         measured: Vec::new(),
         diagnosis,

@@ -24,6 +24,7 @@ mod table;
 use super::ExactKernel;
 use crate::contact::lost_motion::Status;
 use crate::error::Error;
+use crate::gear::Side;
 use crate::pair::{GearPair, Mating};
 use course::Course;
 use search::{Search, Which};
@@ -118,6 +119,22 @@ impl ExactKernel {
             greatest: None,
             ..found
         })
+    }
+
+    /// Whether it is clear at once that no tip comes to a fillet or a root at any pose of `assembly`, which is this kernel's, nor at any
+    /// greater centre distance: involutes, their ends and tip lands touch before.
+    pub(crate) fn keeps_to_involutes(&self, assembly: &GearPair) -> bool {
+        if assembly.is_modified() || self.blocked || self.bodies.is_some() || !self.is_direct() {
+            return false;
+        }
+        let first = Mating {
+            wheel_tooth: 1,
+            pinion_tooth: 1,
+            flank: Side::Right,
+            fraction: 0.0,
+        };
+        let course = Course::new(self, assembly, first, 1);
+        self.stays_on_involutes(&course) && !Table::new(&course).has_dips()
     }
 
     fn sought(&self, course: &Course, width: f64, greatest_too: bool) -> Result<Extremes, Error> {

@@ -158,17 +158,22 @@ impl ExactKernel {
             which,
             samples: greatest_too,
         };
-        let greatest = match greatest_too {
-            true => search(Which::Greatest).run(&mut found)?,
-            false => UNKNOWN,
-        };
-        let least = match self.stays_on_involutes(course) {
-            true => search(Which::Least).run(&mut found)?,
-            false => {
-                sample::sample(course, &mut found, !greatest_too)?;
-                UNKNOWN
+        let stays = self.stays_on_involutes(course);
+        let wanted = [(Which::Greatest, greatest_too), (Which::Least, stays)];
+        let wanted = wanted.into_iter().filter(|(_, wanted)| *wanted);
+        let searches: Vec<Search> = wanted.map(|(which, _)| search(which)).collect();
+        let (mut least, mut greatest) = (UNKNOWN, UNKNOWN);
+        let ranked = search::rank(&searches, &mut found)?;
+        for (search, ranked) in searches.iter().zip(ranked) {
+            let proof = search.run(ranked, &mut found)?;
+            match search.which {
+                Which::Least => least = proof,
+                Which::Greatest => greatest = proof,
             }
-        };
+        }
+        if !stays {
+            sample::sample(course, &mut found, !greatest_too)?;
+        }
         Ok(found.extremes(course, [least, greatest]))
     }
 

@@ -224,7 +224,6 @@ fn an_outcome_does_not_assemble_and_does_not_fail_either() {
     assert!(!whole.assembles() && !whole.fails());
     assert_eq!(whole.unproven, runs[0].summary().unproven);
     assert_eq!(whole.unproven_ends, [whole.unproven; 2]);
-    assert_eq!(whole.without_value, [0, 0]);
     let agreement = Agreement::of(&[&runs[0]]);
     assert_eq!(agreement.unproven, whole.unproven);
     assert_eq!((agreement.jammed, agreement.neither), (0, 0));

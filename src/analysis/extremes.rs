@@ -6,20 +6,18 @@
 
 use super::assembles_from::AssemblesFrom;
 use super::compare::{ComparedPose, ComparedRun, compare};
-use super::directions::{self, Directed, Search, is_open};
+use super::cycles::{Planned, Searched, SearchedEnd, distinct, hunting_pitches, plans};
+use super::directions::{Directed, is_open};
 use super::meshes_to::MeshesTo;
-use super::phases::phase;
 use super::simulate::simulate_plans;
 use super::study::{Material, RunPlan, Study};
-use crate::contact::{Doubt, ExactKernel, Extreme, Extremes, Method, Status};
+use crate::contact::{Doubt, Extreme, Method, Status};
 use crate::error::Error;
-use crate::gear::Side;
-use crate::pair::{GearPair, Mating, Member, SweepPlan};
+use crate::pair::GearPair;
 use crate::parallel;
 use std::ops::ControlFlow;
 
-/// Width of a proven bracket of `j_wt`, mm: a nanometre, a hundredth of what any gear is measured to.
-pub const WIDTH: f64 = 1e-6;
+pub use super::cycles::WIDTH;
 
 /// One centre distance, material and assembly phase.
 #[derive(Debug, Clone)]
@@ -45,6 +43,30 @@ pub struct RunExtremes {
     pub assembles_from: Option<AssemblesFrom>,
     /// Where it is out of mesh: up to which centre distance it is in mesh.
     pub meshes_to: Option<MeshesTo>,
+    /// The axes nearer, and farther apart, by what their bearings allow; `None` where no play of them is stated.
+    pub bearings: Option<BearingPlay>,
+}
+
+/// A pair whose axes move in their bearings.
+#[derive(Debug, Clone)]
+pub struct BearingPlay {
+    /// `c`, mm: radial clearance of both bearings together.
+    pub clearance: f64,
+    /// The gears pressed together.
+    pub pressed: BearingEnd,
+    /// The gears pulled apart.
+    pub apart: BearingEnd,
+}
+
+/// One end of what the bearings allow.
+#[derive(Debug, Clone)]
+pub struct BearingEnd {
+    /// The pair there: its centre distance is `a − c` or `a + c`.
+    pub assembly: GearPair,
+    /// How the worst of its poses ends.
+    pub status: Status,
+    /// The least of the pair pressed together, `None` where it is jammed; the greatest of that pulled apart, `None` where it is out of mesh.
+    pub extreme: Option<RunExtreme>,
 }
 
 /// The extremes of a study.
@@ -80,7 +102,42 @@ pub struct RunExtreme {
     pub pose: ComparedPose,
 }
 
+impl PairPose {
+    fn of(run: &ComparedRun) -> impl Iterator<Item = PairPose> + '_ {
+        run.poses.iter().map(|pose| PairPose {
+            assembly: run.run.assembly.clone(),
+            pose: pose.clone(),
+        })
+    }
+}
+
+impl BearingEnd {
+    /// What was found there, its pose simulated in the next of `runs`.
+    fn new<'a>(end: &SearchedEnd, runs: &mut impl Iterator<Item = &'a ComparedRun>) -> BearingEnd {
+        let run = end.pose.as_ref().and_then(|_| runs.next());
+        let pose = run.and_then(|run| PairPose::of(run).next());
+        BearingEnd {
+            assembly: end.assembly.clone(),
+            status: end.status,
+            extreme: end
+                .extreme
+                .zip(pose)
+                .map(|(extreme, pose)| RunExtreme::new(extreme, pose)),
+        }
+    }
+}
+
 impl RunExtreme {
+    fn new(found: Extreme, PairPose { assembly, pose }: PairPose) -> RunExtreme {
+        RunExtreme {
+            low: found.low,
+            high: found.high,
+            doubt: found.doubt,
+            assembly,
+            pose,
+        }
+    }
+
     /// Whether no rotation of the cycle lies beyond a bracket as narrow as was wanted, and something vouches for the pose itself.
     pub fn is_proven(&self) -> bool {
         self.doubt.is_none() && self.pose.swept.found.is_ok()
@@ -102,6 +159,34 @@ impl RunExtreme {
 }
 
 impl RunExtremes {
+    fn new(
+        planned: &Planned,
+        searched: &Searched,
+        runs: &[ComparedRun],
+        bearings: Option<BearingPlay>,
+    ) -> RunExtremes {
+        let mut poses = runs.iter().flat_map(PairPose::of);
+        let mut one = |extreme: Option<Extreme>| {
+            let extreme = extreme?;
+            Some(RunExtreme::new(extreme, poses.next()?))
+        };
+        let found = &searched.found;
+        let (least, greatest) = (one(found.least), one(found.greatest));
+        RunExtremes {
+            material: planned.run.material,
+            assembly: planned.run.assembly.clone(),
+            phase: planned.phase,
+            matings: hunting_pitches(&planned.run.assembly),
+            status: found.status,
+            least,
+            greatest,
+            lost: found.lost.and_then(|_| poses.next()),
+            assembles_from: searched.assembles_from,
+            meshes_to: searched.meshes_to,
+            bearings,
+        }
+    }
+
     /// Whether the pair assembles over the whole cycle; `None` where that is not proven.
     pub fn assembles(&self) -> Option<bool> {
         match (self.status, &self.least) {
@@ -145,32 +230,51 @@ pub fn extremes(
         if tick().is_break() {
             return Err(Error::Interrupted);
         }
-        plans[index as usize].search()
+        let plan = &plans[index as usize];
+        let clearance = study.bearing_clearance;
+        let ends = (clearance > 0.0).then(|| plan.at_ends(clearance));
+        Ok((plan.search()?, ends.transpose()?))
     });
     let found = found
         .into_iter()
-        .collect::<Result<Vec<Searched>, Error>>()?;
-    let poses = plans.iter().zip(&found).flat_map(|(planned, searched)| {
+        .collect::<Result<Vec<(Searched, Option<[SearchedEnd; 2]>)>, Error>>()?;
+    let pose_plan = |planned: &Planned, poses: &Directed| RunPlan {
+        assembly: poses.assembly.clone(),
+        matings: poses.matings.clone(),
+        ..planned.run.clone()
+    };
+    let all = || plans.iter().zip(&found);
+    let poses = all().flat_map(|(planned, (searched, _))| {
         let each = searched.poses.iter();
-        each.map(|poses| RunPlan {
-            assembly: poses.assembly.clone(),
-            matings: poses.matings.clone(),
-            ..planned.run.clone()
-        })
+        each.map(|poses| pose_plan(planned, poses))
     });
-    let runs = simulate_plans(
-        study,
-        poses.collect(),
-        method,
-        &|| ControlFlow::Continue(()),
-    )?;
-    let runs = compare(runs, study.tolerance_um);
+    let at_ends = all().flat_map(|(planned, (_, ends))| {
+        let each = ends.iter().flatten();
+        each.filter_map(|end| Some(pose_plan(planned, end.pose.as_ref()?)))
+    });
+    let simulated = |study: &Study, plans: Vec<RunPlan>| {
+        let on = || ControlFlow::Continue(());
+        let runs = simulate_plans(study, plans, method, &on)?;
+        Ok::<_, Error>(compare(runs, study.tolerance_um))
+    };
+    let runs = simulated(study, poses.collect())?;
+    // There the bearings have no more play.
+    let without_play = Study {
+        bearing_clearance: 0.0,
+        ..study.clone()
+    };
+    let runs_at_ends = simulated(&without_play, at_ends.collect())?;
+    let mut at_ends = runs_at_ends.iter();
     let mut rest = &runs[..];
-    let all = plans.iter().zip(&found);
-    let each = all.map(|(planned, searched)| {
+    let each = all().map(|(planned, (searched, ends))| {
         let (own, others) = rest.split_at(searched.poses.len());
         rest = others;
-        planned.extremes(searched, own)
+        let bearings = ends.as_ref().map(|[near, far]| BearingPlay {
+            clearance: study.bearing_clearance,
+            pressed: BearingEnd::new(near, &mut at_ends),
+            apart: BearingEnd::new(far, &mut at_ends),
+        });
+        RunExtremes::new(planned, searched, own, bearings)
     });
     Ok(CycleExtremes {
         each: each.collect(),
@@ -184,194 +288,4 @@ pub fn extremes(
 /// As [`Study::runs`].
 pub fn run_count(study: &Study) -> Result<u64, Error> {
     Ok(plans(study)?.len() as u64)
-}
-
-/// A run and where its cycle begins.
-struct Planned {
-    run: RunPlan,
-    first: Mating,
-    /// Matings that differ.
-    distinct: u64,
-    phase: Option<(u32, u32)>,
-}
-
-/// What was found of it, and the poses of that: least, greatest, lost.
-struct Searched {
-    found: Extremes,
-    poses: Vec<Directed>,
-    assembles_from: Option<AssemblesFrom>,
-    meshes_to: Option<MeshesTo>,
-}
-
-impl Planned {
-    fn search(&self) -> Result<Searched, Error> {
-        let assembly = &self.run.assembly;
-        let of = |pair: &GearPair| {
-            ExactKernel::new(pair).extremes(pair, self.first, self.distinct, WIDTH)
-        };
-        if is_open(assembly) {
-            let all = directions::extremes(assembly, &of, WIDTH)?;
-            let [(near, nearest), (far, farthest)] = &all.ends;
-            return Ok(Searched {
-                assembles_from: self.assembles_from(near, nearest, all.off)?,
-                meshes_to: meshes_to(far, farthest, all.off, &of)?,
-                found: all.found,
-                poses: all.poses,
-            });
-        }
-        let found = of(assembly)?;
-        let extremes = [found.least, found.greatest].into_iter().flatten();
-        let matings = extremes.map(|extreme| extreme.mating).chain(found.lost);
-        let assembles_from = self.assembles_from(assembly, &found, 0.0)?;
-        // Beside them what binds where the pair begins to assemble, for checks that seek distances.
-        let binds = assembles_from.map(|from| from.mating);
-        Ok(Searched {
-            poses: vec![Directed {
-                assembly: assembly.clone(),
-                matings: matings.chain(binds).collect(),
-            }],
-            assembles_from,
-            meshes_to: meshes_to(assembly, &found, 0.0, &of)?,
-            found,
-        })
-    }
-
-    /// From where on the axes of `pair`, of which `found` was found, have to be `farther` apart than where it assembles.
-    fn assembles_from(
-        &self,
-        pair: &GearPair,
-        found: &Extremes,
-        farther: f64,
-    ) -> Result<Option<AssemblesFrom>, Error> {
-        let least = found.least.map(|least| least.low);
-        if found.status == Status::NoContact || least.is_some_and(|least| least >= 0.0) {
-            return Ok(None);
-        }
-        let from = AssemblesFrom::new(pair, self.first, self.distinct, least, 0.1 * WIDTH)?;
-        Ok(from.map(|from| AssemblesFrom {
-            low: from.low + farther,
-            high: from.high + farther,
-            ..from
-        }))
-    }
-
-    fn extremes(&self, searched: &Searched, runs: &[ComparedRun]) -> RunExtremes {
-        let poses = runs.iter().flat_map(|run| {
-            run.poses.iter().map(|pose| PairPose {
-                assembly: run.run.assembly.clone(),
-                pose: pose.clone(),
-            })
-        });
-        let mut poses = poses.collect::<Vec<PairPose>>().into_iter();
-        let mut one = |extreme: Option<Extreme>| {
-            extreme.and_then(|extreme| {
-                let PairPose { assembly, pose } = poses.next()?;
-                Some(RunExtreme {
-                    low: extreme.low,
-                    high: extreme.high,
-                    doubt: extreme.doubt,
-                    assembly,
-                    pose,
-                })
-            })
-        };
-        let found = &searched.found;
-        let (least, greatest) = (one(found.least), one(found.greatest));
-        RunExtremes {
-            material: self.run.material,
-            assembly: self.run.assembly.clone(),
-            phase: self.phase,
-            matings: hunting_pitches(&self.run.assembly),
-            status: found.status,
-            least,
-            greatest,
-            lost: found.lost.and_then(|_| poses.next()),
-            assembles_from: searched.assembles_from,
-            meshes_to: searched.meshes_to,
-        }
-    }
-}
-
-/// Up to where the axes of `pair`, of which `found` was found, may be apart: less than it is in mesh by `nearer`.
-fn meshes_to(
-    pair: &GearPair,
-    found: &Extremes,
-    nearer: f64,
-    search: &Search<'_>,
-) -> Result<Option<MeshesTo>, Error> {
-    if found.status != Status::NoContact {
-        return Ok(None);
-    }
-    let to = MeshesTo::new(pair, found, search)?;
-    Ok(to.map(|to| MeshesTo {
-        low: to.low - nearer,
-        high: to.high - nearer,
-        ..to
-    }))
-}
-
-/// Every centre distance and material, each in the phases that the study is about.
-fn plans(study: &Study) -> Result<Vec<Planned>, Error> {
-    let runs = study.runs()?;
-    let mut plans: Vec<Planned> = Vec::new();
-    for run in runs {
-        let mut firsts: Vec<Mating> = Vec::new();
-        for mating in &run.matings {
-            let first = first_of_phase(&run.assembly, mating);
-            if !firsts.contains(&first) {
-                firsts.push(first);
-            }
-        }
-        // Against perfect teeth it does not matter which are met.
-        let distinct = distinct(&run.assembly);
-        if distinct < hunting_pitches(&run.assembly) {
-            firsts.truncate(1);
-        }
-        let several = firsts.len() > 1;
-        firsts.sort_by_key(|first| first.pinion_tooth);
-        for first in firsts {
-            let own = several.then_some((first.wheel_tooth, first.pinion_tooth));
-            plans.push(Planned {
-                phase: run.phase.or(own),
-                run: RunPlan {
-                    matings: Vec::new(),
-                    ..run.clone()
-                },
-                first,
-                distinct,
-            });
-        }
-    }
-    Ok(plans)
-}
-
-/// The mating of wheel tooth 1 that names the assembly phase of `mating`.
-fn first_of_phase(assembly: &GearPair, mating: &Mating) -> Mating {
-    Mating {
-        wheel_tooth: 1,
-        pinion_tooth: phase(assembly, mating),
-        flank: Side::Right,
-        fraction: 0.0,
-    }
-}
-
-/// lcm(z_1, z_2).
-fn hunting_pitches(assembly: &GearPair) -> u64 {
-    let teeth = |member| assembly.gear(member).gear().basic_data().teeth();
-    SweepPlan::hunting_pitches(teeth(Member::Wheel), teeth(Member::Pinion))
-}
-
-/// Matings that differ: after them every deviation of both gears is where it was.
-fn distinct(assembly: &GearPair) -> u64 {
-    let gear = |member| assembly.gear(member);
-    let teeth = |member| gear(member).gear().basic_data().teeth();
-    let (wheel, pinion) = (teeth(Member::Wheel), teeth(Member::Pinion));
-    // In any direction an eccentricity alone makes no tooth another.
-    let deviates = |member| gear(member).centred().has_unlike_teeth();
-    match [Member::Wheel, Member::Pinion].map(deviates) {
-        [true, true] => hunting_pitches(assembly),
-        [true, false] => u64::from(wheel),
-        [false, true] => u64::from(pinion),
-        [false, false] => 1,
-    }
 }

@@ -5,6 +5,7 @@
 pub mod assembles_from;
 pub mod compare;
 pub mod curves;
+mod cycles;
 pub mod diagnosis;
 mod directions;
 pub mod extremes;
@@ -22,7 +23,7 @@ pub mod verdict;
 
 use self::compare::{ComparedRun, compare};
 use self::curves::OverDistance;
-use self::diagnosis::Diagnosis;
+use self::diagnosis::{Diagnosis, Seen, failed_checks};
 use self::extremes::CycleExtremes;
 use self::measured::{MeasuredMating, measured_matings};
 use self::simulate::simulate;
@@ -123,7 +124,7 @@ impl<'a> Plan<'a> {
             let followed = 1 + curves::measured_teeth(self.study).len() as u64;
             steps += followed * curves::over_distance_pose_count(self.study);
         }
-        if self.checks {
+        if self.checks || self.extremes {
             steps += diagnosis::pitch_count(&self.study.runs()?) as u64;
         }
         Ok(steps)
@@ -157,6 +158,8 @@ pub struct Analysis<'a> {
     pub measured: Vec<MeasuredMating>,
     /// Every check.
     pub diagnosis: Diagnosis,
+    /// Ids of the checks that fail: of every check, or, beside the extremes, as far as they need be made to know.
+    pub failed_checks: Vec<&'static str>,
 }
 
 impl<'a> Analysis<'a> {
@@ -185,6 +188,7 @@ impl<'a> Analysis<'a> {
             extremes: CycleExtremes::default(),
             over_distance: Vec::new(),
             diagnosis: Diagnosis::default(),
+            failed_checks: Vec::new(),
         };
         if plan.extremes {
             (progress.stage)("(mesh cycle)");
@@ -206,6 +210,10 @@ impl<'a> Analysis<'a> {
             };
             let (runs, extremes) = (&analysis.runs, &analysis.extremes.runs);
             analysis.diagnosis = diagnosis::diagnose(study, runs, extremes, &mut step, tick)?;
+            analysis.failed_checks = analysis.diagnosis.failed();
+        } else if plan.extremes {
+            let seen: Vec<Seen> = analysis.runs.iter().map(Seen::of).collect();
+            analysis.failed_checks = failed_checks(study, &seen, &analysis.extremes, tick)?;
         }
         Ok(analysis)
     }
@@ -236,8 +244,7 @@ impl<'a> Analysis<'a> {
 
     /// What is to be said first.
     pub fn verdict(&self) -> Verdict<'_> {
-        let checks = (!self.diagnosis.groups.is_empty()).then_some(&self.diagnosis);
-        Verdict::of_study(self.study, &self.extremes.each, checks)
+        Verdict::of_study(self.study, &self.extremes.each, self.failed_checks.clone())
     }
 
     /// Largest amount of `j_wt` on polygons minus the exact one, mm; `None` where only one method was asked for.

@@ -41,10 +41,6 @@ pub struct Outcome<'a> {
     pub uniform: bool,
     /// Mean of those that have a value.
     pub mean: Option<f64>,
-    /// Least at `a − c`, greatest at `a + c`, `c` the bearing clearance; without it least and greatest.
-    pub with_clearance: [Option<f64>; 2],
-    /// How many are jammed or out of mesh at `a − c`, and at `a + c`.
-    pub without_value: [usize; 2],
     /// Greatest error bound.
     pub error_bound: Option<f64>,
 }
@@ -110,7 +106,6 @@ impl<'a> Outcome<'a> {
         let (highest, lowest) = (ends(1.0).reduce(f64::min), ends(-1.0).reduce(f64::max));
         let together = highest.zip(lowest).is_some_and(|(high, low)| low <= high);
         let all_valued = ends(1.0).count() == all().count();
-        let end = |end: usize| all().filter_map(move |found| found.pose.swept.range()[end]);
         Outcome {
             poses: all().count(),
             interfering: count(&PoseResult::interferes),
@@ -124,10 +119,6 @@ impl<'a> Outcome<'a> {
             least: extreme(1.0),
             greatest: extreme(-1.0),
             mean: (valued > 0).then(|| backlash().sum::<f64>() / valued as f64),
-            with_clearance: [end(0).reduce(f64::min), end(1).reduce(f64::max)],
-            without_value: [0, 1].map(|end| {
-                count(&|pose| pose.range()[end].is_none() && !pose.is_end_unproven(end))
-            }),
             error_bound: all()
                 .filter_map(|found| found.pose.swept.error_bound)
                 .reduce(f64::max),

@@ -6,7 +6,7 @@
 use crate::analysis::compare::{
     ComparedPose, ComparedRun, Summary, SummaryTally, Verdict, compared,
 };
-use crate::analysis::diagnosis::ContactCount;
+use crate::analysis::diagnosis::Seen;
 use crate::analysis::simulate::each_block;
 use crate::analysis::study::{Material, Study};
 use crate::contact::{BLOCK, FirstLeast, Method, Status};
@@ -51,8 +51,8 @@ pub struct RunTally {
     pub listed: Vec<ComparedPose>,
     /// Largest amount of `j_wt` on polygons minus the exact one, mm; `None` where only one method was asked for.
     pub polygon_difference: Option<f64>,
-    /// What touched, and what it cost.
-    pub contact: ContactCount,
+    /// What touched, where, and what it cost.
+    pub seen: Seen,
     verdicts: [usize; Verdict::ALL.len()],
     valued: usize,
     summary: SummaryTally,
@@ -65,6 +65,7 @@ impl RunTally {
     /// Of no pose yet.
     fn new(material: Material, assembly: GearPair, phase: Option<(u32, u32)>) -> RunTally {
         RunTally {
+            seen: Seen::new(&assembly, material),
             material,
             assembly,
             phase,
@@ -78,7 +79,6 @@ impl RunTally {
             first_unproven: Vec::new(),
             listed: Vec::new(),
             polygon_difference: None,
-            contact: ContactCount::default(),
             verdicts: [0; Verdict::ALL.len()],
             valued: 0,
             summary: SummaryTally::default(),
@@ -115,7 +115,7 @@ impl RunTally {
             let largest = self.polygon_difference;
             self.polygon_difference = Some(largest.map_or(difference, |l| l.max(difference)));
         }
-        self.contact.add(&self.assembly, self.material, pose);
+        self.seen.add(pose);
         self.summary.add(pose);
         if let (Some(backlash), Some(bound)) = (swept.backlash, swept.error_bound) {
             self.least.add(backlash, bound, || pose.clone());

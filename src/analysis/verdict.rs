@@ -2,7 +2,7 @@
 
 use super::assembles_from::AssemblesFrom;
 use super::compare::ComparedPose;
-use super::diagnosis::{self, Diagnosis};
+use super::diagnosis;
 use super::extremes::{RunExtreme, RunExtremes, WIDTH};
 use super::meshes_to::MeshesTo;
 use super::requirement::{Limits, Quantity, Requirements, clearance_off_axes};
@@ -27,6 +27,8 @@ pub struct Unmet {
     pub straddles: bool,
     /// Whether the bracket holds every pose; else what was found may be kept, and others not.
     pub holds: bool,
+    /// Whether what was found is of axes that their bearings let move.
+    pub with_play: bool,
 }
 
 /// Whether what is required is kept.
@@ -71,19 +73,19 @@ pub struct Verdict<'a> {
     pub requirement: Requirement,
     /// What is not: of each limit the worst.
     pub unmet: Vec<Unmet>,
-    /// Ids of the checks that fail, where checks were made; no id twice.
+    /// Ids of the checks that fail, no id twice.
     pub failed_checks: Vec<&'static str>,
     /// What the measurements may be off, where that is stated.
     pub uncertainty: Option<Uncertainty>,
 }
 
 impl<'a> Verdict<'a> {
-    /// Of `runs`, what is `required` of them and what their measurements may be off, and of the checks if there are any.
+    /// Of `runs`, what is `required` of them and what their measurements may be off, and of the ids of the checks that fail.
     pub fn new(
         runs: &'a [RunExtremes],
         required: &Requirements,
         uncertainty: Option<Uncertainty>,
-        checks: Option<&Diagnosis>,
+        failed_checks: Vec<&'static str>,
     ) -> Verdict<'a> {
         let unmet: Vec<Unmet> = required
             .iter()
@@ -91,18 +93,12 @@ impl<'a> Verdict<'a> {
                 let found = |run: &RunExtremes, is_max| Found {
                     bracket: found(*quantity, run, is_max),
                     holds: *quantity == Quantity::RadialClearance
-                        || extreme(run, is_max).is_none_or(RunExtreme::holds),
+                        || extreme(run, is_max).1.is_none_or(RunExtreme::holds),
+                    with_play: run.bearings.is_some(),
                 };
                 unmet(*quantity, limits, runs, found)
             })
             .collect();
-        let mut failed_checks = Vec::new();
-        let groups = checks.into_iter().flat_map(|diagnosis| &diagnosis.groups);
-        for check in groups.flat_map(|group| &group.checks) {
-            if check.verdict == diagnosis::Verdict::Fail && !failed_checks.contains(&check.id) {
-                failed_checks.push(check.id);
-            }
-        }
         Verdict {
             runs,
             requirement: Requirement::of(required, &unmet),
@@ -112,13 +108,13 @@ impl<'a> Verdict<'a> {
         }
     }
 
-    /// Of the runs of `study`.
+    /// Of the runs of `study`, and of the ids of its checks that fail.
     pub fn of_study(
         study: &Study,
         runs: &'a [RunExtremes],
-        checks: Option<&Diagnosis>,
+        failed_checks: Vec<&'static str>,
     ) -> Verdict<'a> {
-        Verdict::new(runs, &study.requirements, study.uncertainty, checks)
+        Verdict::new(runs, &study.requirements, study.uncertainty, failed_checks)
     }
 
     /// Expanded uncertainty of an extreme's `j_wt`, mm, where uncertainties are stated.
@@ -155,22 +151,40 @@ impl<'a> Verdict<'a> {
 
     /// The run with the least backlash of all that have one, the first of those that differ by nothing that counts.
     pub fn least(&self) -> Option<(&'a RunExtremes, &'a RunExtreme)> {
-        let each = self.runs.iter();
-        let each = each.filter_map(|run| Some((run, run.least.as_ref()?)));
-        each.reduce(|one, other| match other.1.found() < one.1.found() - WIDTH {
-            true => other,
-            false => one,
-        })
+        self.foremost(-1.0, |run| run.least.as_ref())
     }
 
     /// The run with the greatest.
     pub fn greatest(&self) -> Option<(&'a RunExtremes, &'a RunExtreme)> {
+        self.foremost(1.0, |run| run.greatest.as_ref())
+    }
+
+    /// The run with the least, the axes pressed together as far as their bearings allow; `None` where no play of them is stated.
+    pub fn least_pressed(&self) -> Option<(&'a RunExtremes, &'a RunExtreme)> {
+        let pressed = |run: &'a RunExtremes| run.bearings.as_ref()?.pressed.extreme.as_ref();
+        self.foremost(-1.0, pressed)
+    }
+
+    /// The run with the greatest, the axes pulled apart likewise.
+    pub fn greatest_apart(&self) -> Option<(&'a RunExtremes, &'a RunExtreme)> {
+        let apart = |run: &'a RunExtremes| run.bearings.as_ref()?.apart.extreme.as_ref();
+        self.foremost(1.0, apart)
+    }
+
+    /// The run whose extreme is the greatest, or with `sign` −1 the least.
+    fn foremost(
+        &self,
+        sign: f64,
+        of: impl Fn(&'a RunExtremes) -> Option<&'a RunExtreme>,
+    ) -> Option<(&'a RunExtremes, &'a RunExtreme)> {
         let each = self.runs.iter();
-        let each = each.filter_map(|run| Some((run, run.greatest.as_ref()?)));
-        each.reduce(|one, other| match other.1.found() > one.1.found() + WIDTH {
-            true => other,
-            false => one,
-        })
+        let each = each.filter_map(|run| Some((run, of(run)?)));
+        each.reduce(
+            |one, other| match sign * (other.1.found() - one.1.found()) > WIDTH {
+                true => other,
+                false => one,
+            },
+        )
     }
 
     /// The worst pose of all, its run and the pair in it: jammed before the least backlash; `None` where nothing is in mesh.
@@ -216,6 +230,8 @@ pub(super) struct Found {
     pub bracket: Option<[f64; 2]>,
     /// As [`Unmet::holds`].
     pub holds: bool,
+    /// As [`Unmet::with_play`].
+    pub with_play: bool,
 }
 
 /// What of `limits` is not kept by all of `runs`; `found` says what a run has at its least, and, `true`, at its greatest.
@@ -231,7 +247,11 @@ pub(super) fn unmet<R>(
         .filter_map(|(limit, is_max)| Some((limit?, is_max)));
     ends.filter_map(|(limit, is_max)| {
         let each = runs.iter().map(|run| {
-            let Found { bracket, holds } = found(run, is_max);
+            let Found {
+                bracket,
+                holds,
+                with_play,
+            } = found(run, is_max);
             Unmet {
                 quantity,
                 limit,
@@ -239,6 +259,7 @@ pub(super) fn unmet<R>(
                 found: bracket,
                 straddles: bracket.is_some_and(|[low, high]| low < limit && limit < high),
                 holds,
+                with_play,
             }
         });
         let beyond = |unmet: &Unmet| match unmet.found {
@@ -253,20 +274,23 @@ pub(super) fn unmet<R>(
     .collect()
 }
 
-fn extreme(run: &RunExtremes, is_max: bool) -> Option<&RunExtreme> {
-    match is_max {
-        true => run.greatest.as_ref(),
-        false => run.least.as_ref(),
+/// The pair with its least or its greatest backlash: where the bearings let the axes move, pressed together or pulled apart.
+fn extreme(run: &RunExtremes, is_max: bool) -> (&GearPair, Option<&RunExtreme>) {
+    match (&run.bearings, is_max) {
+        (Some(play), true) => (&play.apart.assembly, play.apart.extreme.as_ref()),
+        (Some(play), false) => (&play.pressed.assembly, play.pressed.extreme.as_ref()),
+        (None, true) => (&run.assembly, run.greatest.as_ref()),
+        (None, false) => (&run.assembly, run.least.as_ref()),
     }
 }
 
 /// The least or the greatest of a quantity over a run.
 fn found(quantity: Quantity, run: &RunExtremes, is_max: bool) -> Option<[f64; 2]> {
+    let (assembly, extreme) = extreme(run, is_max);
     let of = |value: &dyn Fn(f64) -> f64| {
-        let extreme = extreme(run, is_max)?;
+        let extreme = extreme?;
         Some([extreme.low, extreme.high].map(value))
     };
-    let assembly = &run.assembly;
     let in_all = |j_wt| assembly.backlash(j_wt);
     match quantity {
         Quantity::OperatingBacklash => of(&|j_wt| j_wt),

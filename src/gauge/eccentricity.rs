@@ -17,6 +17,8 @@ pub struct Eccentricity {
     pub amount: f64,
     /// The tooth (fractional, `1 ≤ … < z + 1`) it points to; 1 where there is none.
     pub high_tooth: f64,
+    /// Whether no direction is stated of it: the tooth is one of many that may be the high one.
+    pub any_direction: bool,
     /// Bound on the error of `amount`, mm.
     pub error: f64,
 }
@@ -65,6 +67,7 @@ pub(super) fn eccentricity(work: &Workpiece) -> Eccentricity {
         return Eccentricity {
             amount: 0.0,
             high_tooth: 1.0,
+            any_direction: gear.any_direction(),
             error,
         };
     }
@@ -72,6 +75,7 @@ pub(super) fn eccentricity(work: &Workpiece) -> Eccentricity {
     Eccentricity {
         amount,
         high_tooth: gear.gear().basic_data().tooth_towards(angle),
+        any_direction: gear.any_direction(),
         error,
     }
 }

@@ -1,9 +1,11 @@
 //! Checks of a pair: classes of contact, what they cost, limits by formula and as measured.
 
 mod assembles;
+mod bearings;
 mod classes;
 mod directions;
 mod distances;
+mod failed;
 mod onset;
 mod outlines;
 mod uncertainty;

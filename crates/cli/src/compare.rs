@@ -12,12 +12,14 @@ use super::target::Target;
 use crate::error::Error;
 use clap::ValueEnum;
 use gearlash::analysis::compare::tolerance_um;
+use gearlash::analysis::diagnosis::{Seen, failed_checks};
 use gearlash::analysis::extremes::{extremes, run_count};
 use gearlash::analysis::tally::{MOST_UNPROVEN, simulate_by_blocks};
 use gearlash_files::Sources;
 use gearlash_files::results::{ComparedPair, comparison_json};
 use gearlash_render::comparison;
 use std::io::Write;
+use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -124,6 +126,8 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         )?;
         let method = args.method.method();
         let found = extremes(&study, method, &|| progress.tick())?;
+        let seen: Vec<Seen> = runs.iter().map(|run| run.seen.clone()).collect();
+        let failed = failed_checks(&study, &seen, &found, &|| ControlFlow::Continue(()))?;
         pairs.push(ComparedPair {
             file: path.display().to_string(),
             title: study.title,
@@ -131,6 +135,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             allow_off_line: study.allow_off_line_contact,
             runs,
             extremes: found.each,
+            failed_checks: failed,
             requirements: study.requirements,
             uncertainty: study.uncertainty,
         });

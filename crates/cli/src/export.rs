@@ -3,7 +3,7 @@
 use super::console::tell;
 use super::progress::Progress;
 use super::target::Target;
-use super::{rexs, studies};
+use super::{rexs, studies, verdict};
 use crate::error::Error;
 use gearlash::analysis::extremes::{RunExtreme, RunExtremes, extremes, run_count};
 use gearlash::analysis::study::Study;
@@ -88,11 +88,12 @@ fn same_gears(stage: &RexsStage, pair: [&GearSpec; 2]) -> Result<(), String> {
 
 /// The extremes of `study`, where every one of them is proven.
 fn backlash(study: &Study) -> Result<RexsBacklash, Error> {
-    let progress = Progress::of(run_count(study)?, "runs");
+    let progress = Progress::of(run_count(study)? + study.pose_count(), "steps");
     let method = Method::Exact { certify: true };
     let found = extremes(study, method, &|| progress.tick())?;
+    let failed = verdict::failed_checks(study, &found, &progress)?;
     drop(progress);
-    let verdict = sentence(&Verdict::of_study(study, &found.each, None));
+    let verdict = sentence(&Verdict::of_study(study, &found.each, failed));
     let unproven = || Error::Unproven(verdict.clone());
     let mut each = Vec::new();
     for run in &found.each {

@@ -35,6 +35,7 @@ mod snapshot;
 mod studies;
 mod target;
 mod unit;
+mod verdict;
 mod worst;
 
 use crate::error::Error;

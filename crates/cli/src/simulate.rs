@@ -10,6 +10,7 @@ use super::unit::UnitArgs;
 use super::{outlines, poses, studies};
 use crate::error::Error;
 use crate::output::{NewFile, OutputFolder};
+use gearlash::analysis::diagnosis::{Seen, failed_checks};
 use gearlash::analysis::extremes::{extremes, run_count};
 use gearlash::analysis::measured::MeasuredTally;
 use gearlash::analysis::study::{Material, Study};
@@ -21,6 +22,7 @@ use gearlash_files::{AnyPair, OutlinePairFile, ResultWriter};
 use gearlash_files::{POSE_BYTES_CSV, POSE_BYTES_JSON};
 use gearlash_render::Snapshot;
 use std::io::{IsTerminal, Write};
+use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -81,7 +83,6 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     };
     let (method, tick) = (args.method.method(), || progress.tick());
     let found = extremes(study, method, &tick)?;
-    let verdict = Verdict::of_study(study, &found.each, None);
     let [json, csv] = outputs(args.results.format, folder.as_mut())?;
     let mut writer = ResultWriter::begin(&file, json, csv).map_err(unwritable)?;
     let mut measured = MeasuredTally::new(study);
@@ -95,6 +96,9 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     };
     let tolerance = study.tolerance_um;
     let runs = simulate_by_blocks(study, method, tolerance, MOST_UNPROVEN, &tick, each)?;
+    let seen: Vec<Seen> = runs.iter().map(|run| run.seen.clone()).collect();
+    let failed = failed_checks(study, &seen, &found, &|| ControlFlow::Continue(()))?;
+    let verdict = Verdict::of_study(study, &found.each, failed);
     writer.finish(&verdict).map_err(unwritable)?;
     drop(progress);
 

@@ -2,6 +2,7 @@
 
 use super::console::tell;
 use super::progress::Progress;
+use super::verdict;
 use crate::error::Error;
 use gearlash::analysis::extremes::{extremes, run_count};
 use gearlash::analysis::simulate::Run;
@@ -18,11 +19,12 @@ pub(super) fn find(
     material: Option<Material>,
 ) -> Result<(Run, PoseResult, usize), Error> {
     let study = narrowed(study, distance, material)?;
-    let progress = Progress::start(run_count(&study)?);
+    let progress = Progress::of(run_count(&study)? + study.pose_count(), "steps");
     let method = Method::Exact { certify: true };
     let found = extremes(&study, method, &|| progress.tick())?;
+    let failed = verdict::failed_checks(&study, &found, &progress)?;
     drop(progress);
-    let verdict = Verdict::of_study(&study, &found.each, None);
+    let verdict = Verdict::of_study(&study, &found.each, failed);
     tell(&sentence(&verdict));
     let Some((run, assembly, pose)) = verdict.worst() else {
         return Err(Error::Usage(

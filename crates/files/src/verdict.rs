@@ -1,5 +1,6 @@
 //! The verdict in one sentence: what every command says first, in the same words.
 
+mod bearings;
 mod coverage;
 
 use crate::numbers::{fixed, stated_distance, um};
@@ -10,6 +11,7 @@ use gearlash::analysis::verdict::{Requirement, Unmet, Verdict};
 use gearlash::contact::Status;
 use gearlash::pair::{GearPair, Member, arcmin};
 
+use bearings::bearings;
 use coverage::{coverage, unless_proven};
 pub(crate) use coverage::{doubt, in_words};
 
@@ -48,6 +50,10 @@ pub fn sentence(verdict: &Verdict) -> String {
     }
     text += ". ";
     text += &coverage(verdict);
+    if let Some(bearings) = bearings(verdict) {
+        text += " ";
+        text += &bearings;
+    }
     // Below what is worse: the same words as of a command that makes no checks.
     if let Some(failed) = failed.filter(|_| !assembles) {
         text += &format!(" It also {failed}.");
@@ -195,12 +201,17 @@ fn limit(unmet: &Unmet) -> String {
             }
         }
     };
+    let play = if unmet.with_play {
+        " with the bearing clearance"
+    } else {
+        ""
+    };
     let why = match (unmet.straddles, unmet.holds) {
         (true, _) => ", the limit inside its bracket",
         (false, false) => ", which is not proven",
         (false, true) => "",
     };
-    format!("{name} at {end} {limit} {unit}, {found}{why}")
+    format!("{name} at {end} {limit} {unit}, {found}{play}{why}")
 }
 
 /// Checks that fail when the pair does not assemble: said already.
@@ -281,19 +292,8 @@ fn values(verdict: &Verdict) -> Option<String> {
 }
 
 fn value(verdict: &Verdict, run: &RunExtremes, extreme: &RunExtreme, is_least: bool) -> String {
-    let found = extreme.found();
     let several = |differs: &dyn Fn(&RunExtremes) -> bool| verdict.runs.iter().any(differs);
-    let off = match (verdict.expanded(extreme), verdict.uncertainty) {
-        (Some(expanded), Some(stated)) => {
-            format!(" ± {} µm (k = {})", um(expanded, DECIMALS), stated.coverage)
-        }
-        _ => " µm".to_owned(),
-    };
-    let mut text = format!(
-        "j_wt {}{off} ({})",
-        um(found, DECIMALS),
-        lost_motion(&run.assembly, found)
-    );
+    let mut text = amount(verdict, &run.assembly, extreme);
     if uniform(run) {
         text += ", the same at every pose";
     } else if run.has_like_teeth() {
@@ -322,6 +322,22 @@ fn value(verdict: &Verdict, run: &RunExtremes, extreme: &RunExtreme, is_least: b
         text += &format!(", {}", place.join(", "));
     }
     text
+}
+
+/// An extreme as a backlash with its uncertainty, and as a lost motion of both gears of `assembly`.
+fn amount(verdict: &Verdict, assembly: &GearPair, extreme: &RunExtreme) -> String {
+    let found = extreme.found();
+    let off = match (verdict.expanded(extreme), verdict.uncertainty) {
+        (Some(expanded), Some(stated)) => {
+            format!(" ± {} µm (k = {})", um(expanded, DECIMALS), stated.coverage)
+        }
+        _ => " µm".to_owned(),
+    };
+    format!(
+        "j_wt {}{off} ({})",
+        um(found, DECIMALS),
+        lost_motion(assembly, found)
+    )
 }
 
 /// Lost motion of a backlash, mm, at both gears, in minutes of arc.

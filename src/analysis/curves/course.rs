@@ -2,6 +2,7 @@
 
 use super::scale::Scale;
 use crate::analysis::compare::{ComparedPose, ComparedRun};
+use crate::analysis::extremes::{RunExtreme, RunExtremes};
 use crate::analysis::study::Material;
 use crate::contact::{Contact, Status, first_least};
 use crate::gear::Side;
@@ -27,6 +28,24 @@ pub struct Course {
     pub least: Option<Extreme>,
     /// The greatest.
     pub greatest: Option<Extreme>,
+    /// Least and greatest `j_wt` of the whole mesh cycle at this centre distance, µm, of every phase and material; `None` where they are not known.
+    pub cycle_um: [Option<f64>; 2],
+}
+
+impl Course {
+    /// The same with the extremes of the mesh cycle among `runs`.
+    #[must_use]
+    pub fn with_cycle(self, runs: &[RunExtremes]) -> Course {
+        let here = |run: &&RunExtremes| run.assembly.center_distance() == self.center_distance;
+        let here = || runs.iter().filter(here);
+        let um = |extreme: Option<&RunExtreme>| extreme.map(|extreme| extreme.found() * 1e3);
+        let least = here().filter_map(|run| um(run.least.as_ref()));
+        let greatest = here().filter_map(|run| um(run.greatest.as_ref()));
+        Course {
+            cycle_um: [least.reduce(f64::min), greatest.reduce(f64::max)],
+            ..self
+        }
+    }
 }
 
 /// The poses of one material and flank.
@@ -156,6 +175,7 @@ fn course((center_distance, phase): (f64, Option<(u32, u32)>), runs: Vec<&Compar
         start,
         least: extreme(1.0),
         greatest: extreme(-1.0),
+        cycle_um: [None; 2],
         lines,
     }
 }

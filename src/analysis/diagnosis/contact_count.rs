@@ -1,6 +1,6 @@
 //! What touched over a run, how often, and what it cost.
 
-use crate::analysis::compare::{ComparedPose, ComparedRun};
+use crate::analysis::compare::ComparedPose;
 use crate::analysis::study::Material;
 use crate::analytic::limits;
 use crate::contact::{Contact, ContactClass, ContactKind, PoseClass};
@@ -56,26 +56,6 @@ pub struct Worst {
 }
 
 impl ContactCount {
-    /// Counts `run`.
-    pub fn of(run: &ComparedRun) -> ContactCount {
-        let mut count = ContactCount::default();
-        for pose in &run.poses {
-            count.add(&run.run.assembly, run.run.material, pose);
-        }
-        count
-    }
-
-    /// Several runs together.
-    pub fn sum<'a>(runs: impl IntoIterator<Item = &'a ComparedRun>) -> ContactCount {
-        let mut count = ContactCount::default();
-        for run in runs {
-            for pose in &run.poses {
-                count.add(&run.run.assembly, run.run.material, pose);
-            }
-        }
-        count
-    }
-
     /// Poses counted.
     pub fn poses(&self) -> usize {
         self.classes.values().sum()
@@ -85,6 +65,28 @@ impl ContactCount {
     pub fn of_class(&self, which: impl Fn(PoseClass) -> bool) -> usize {
         let matching = self.classes.iter().filter(|(class, _)| which(**class));
         matching.map(|(_, count)| count).sum()
+    }
+
+    /// Takes in what was counted of others.
+    pub(super) fn extend(&mut self, other: &ContactCount) {
+        for (class, poses) in &other.classes {
+            *self.classes.entry(*class).or_default() += poses;
+        }
+        self.off_line += other.off_line;
+        let Some(of_other) = &other.loss else {
+            return;
+        };
+        let Some(known) = &mut self.loss else {
+            self.loss = Some(of_other.clone());
+            return;
+        };
+        known.least = known.least.min(of_other.least);
+        known.poses += of_other.poses;
+        known.mean += (of_other.mean - known.mean) * of_other.poses as f64 / known.poses as f64;
+        // Losses that differ by rounding are equal.
+        if of_other.worst.loss > known.worst.loss + limits::MET_WITHIN {
+            known.worst = of_other.worst.clone();
+        }
     }
 
     /// Takes in a pose of `assembly`.

@@ -14,12 +14,14 @@ mod clearance;
 mod contact_count;
 mod map;
 mod onset;
+mod seen;
 mod zero_distance;
 
 pub use check::{Check, Verdict};
-pub use checks::{Diagnosis, Group, Searched, diagnose, pitch_count};
+pub use checks::{Diagnosis, Group, Searched, diagnose, failed_checks, pitch_count};
 pub use clearance::{RadialClearance, radial_clearance};
 pub use contact_count::{ContactCount, Loss, Worst};
 pub use map::{Limit, MAP_ROWS, Map, MapCell, map};
 pub use onset::{Onset, form_onset, non_involute_onset};
+pub use seen::Seen;
 pub use zero_distance::{ZeroDistance, zero_distance};

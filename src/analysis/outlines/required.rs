@@ -14,6 +14,7 @@ impl OutlineStudy {
             let found = |run: &OutlineRun, is_max| Found {
                 bracket: found(*quantity, run, is_max),
                 holds: true,
+                with_play: false,
             };
             unmet(*quantity, limits, runs, found)
         });

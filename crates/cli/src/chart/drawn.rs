@@ -74,6 +74,7 @@ impl Drawn {
                 courses.len()
             ));
         }
+        let course = &course.clone().with_cycle(&analysis.extremes.each);
         let cycle = in_unit(told(&analysis), unit);
         let (name, chart) = match args.kind {
             Kind::Difference => (

@@ -51,6 +51,55 @@ fn every_command_says_the_same() {
     assert!(page.contains(SENTENCE), "{}", &page[..page.len().min(6000)]);
 }
 
+/// A check that fails, and what the bearings do, stand in the sentence of commands that make no table of checks too. Contact ratio by hand:
+/// 17/17 teeth, m 2, 20° at a = 35.5 mm: ε = (2 √(19² − 15.975²) − 35.5 sin 25.84°)/5.904 = 0.863.
+#[test]
+fn every_command_names_the_checks_that_fail() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("pair.toml");
+    std::fs::write(
+        &file,
+        "[wheel]\nteeth = 17\nmodule_mm = 2.0\npressure_angle_deg = 20.0\n\
+         [pinion]\nteeth = 17\nmodule_mm = 2.0\npressure_angle_deg = 20.0\n\
+         [assembly]\ncenter_distance_mm = 35.5\nbearing_clearance_mm = 0.01\n",
+    )
+    .unwrap();
+    let said = |args: &[&str]| -> String {
+        let output = gearlash(folder.path())
+            .args(args)
+            .arg(&file)
+            .output()
+            .unwrap();
+        text(&output.stdout) + &text(&output.stderr)
+    };
+    let sentence = |said: &str| -> String {
+        let from = said
+            .find("Assembles at a = 35.500 mm")
+            .unwrap_or(said.len());
+        let words = said[from..]
+            .split_whitespace()
+            .collect::<Vec<_>>()
+            .join(" ");
+        let end = words.find("with them apart, proven.").unwrap_or(0);
+        words[..end].to_owned()
+    };
+    let first = sentence(&said(&["check"]));
+    assert!(
+        first.contains("but fails the check contact ratio"),
+        "{first}"
+    );
+    assert!(first.contains("With the bearing clearance (a ± 0.020 mm): least j_wt"));
+    let commands: [&[&str]; 4] = [
+        &["simulate", "--no-files"],
+        &["compare"],
+        &["chart", "--kind", "revolution"],
+        &["snapshot", "--worst"],
+    ];
+    for args in commands {
+        assert_eq!(sentence(&said(args)), first, "{args:?}");
+    }
+}
+
 #[test]
 fn json_carries_verdict_and_extremes() {
     let folder = tempfile::tempdir().unwrap();

@@ -26,6 +26,8 @@ pub struct ComparedPair {
     pub runs: Vec<RunTally>,
     /// Extremes of the whole mesh cycle.
     pub extremes: Vec<RunExtremes>,
+    /// Ids of the checks that fail.
+    pub failed_checks: Vec<&'static str>,
     /// What the pair must keep.
     pub requirements: Requirements,
     /// What its measurements may be off, where that is stated.
@@ -41,7 +43,12 @@ impl ComparedPair {
 
     /// What is to be said first.
     pub fn verdict(&self) -> CycleVerdict<'_> {
-        CycleVerdict::new(&self.extremes, &self.requirements, self.uncertainty, None)
+        CycleVerdict::new(
+            &self.extremes,
+            &self.requirements,
+            self.uncertainty,
+            self.failed_checks.clone(),
+        )
     }
 }
 

@@ -105,7 +105,7 @@ pub(super) fn summary_record(run: &RunTally) -> SummaryRecord {
             involute: summary.off_involute.map(um),
             line_of_action: summary.off_line_of_action.map(um),
         },
-        contact: contact_count_record(&run.contact),
+        contact: contact_count_record(&run.seen.contact),
         min_lost_motion_arcmin: lost_motion(summary.min),
         max_lost_motion_arcmin: lost_motion(summary.max),
     }

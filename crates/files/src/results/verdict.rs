@@ -33,6 +33,18 @@ pub(super) struct ExtremesRecord {
     meshes_to_doubt: Option<&'static str>,
     least: Option<ExtremeRecord>,
     greatest: Option<ExtremeRecord>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    with_bearing_clearance: Option<BearingRecord>,
+}
+
+/// The least at `a − c`, the greatest at `a + c`.
+#[derive(Debug, Serialize)]
+struct BearingRecord {
+    clearance_mm: f64,
+    /// Of the axes pressed together, and pulled apart.
+    status: [&'static str; 2],
+    least: Option<ExtremeRecord>,
+    greatest: Option<ExtremeRecord>,
 }
 
 #[derive(Debug, Serialize)]
@@ -93,6 +105,12 @@ fn extremes_record(verdict: &Verdict, run: &RunExtremes) -> ExtremesRecord {
         meshes_to_doubt: run.meshes_to.and_then(|to| to.doubt).map(in_words),
         least: one(&run.least),
         greatest: one(&run.greatest),
+        with_bearing_clearance: run.bearings.as_ref().map(|play| BearingRecord {
+            clearance_mm: play.clearance,
+            status: [&play.pressed, &play.apart].map(|end| end.status.name()),
+            least: one(&play.pressed.extreme),
+            greatest: one(&play.apart.extreme),
+        }),
     }
 }
 

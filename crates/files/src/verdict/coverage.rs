@@ -17,25 +17,42 @@ pub(super) fn coverage(verdict: &Verdict) -> String {
     let runs = verdict.runs.iter();
     let extremes = runs.flat_map(|run| run.least.iter().chain(&run.greatest));
     let extremes: Vec<&RunExtreme> = extremes.collect();
-    let doubts = each(extremes.iter().filter_map(|extreme| doubt(extreme)));
     let rotation = match verdict.runs.iter().any(RunExtremes::any_direction) {
         true => "every rotation and every direction of the runout",
         false => "every rotation",
     };
+    // What is sampled is not over every rotation.
+    let doubts = doubts(&extremes);
+    let over = match doubts.is_empty() || widest(&extremes, &doubts).is_some() {
+        true => format!("{of} and {rotation}"),
+        false => of,
+    };
+    format!("Over {over}, {}.", proof(&extremes))
+}
+
+/// That `extremes` are proven, or how far, or why not.
+pub(super) fn proof(extremes: &[&RunExtreme]) -> String {
+    let doubts = doubts(extremes);
+    match (&doubts[..], widest(extremes, &doubts)) {
+        ([], _) => "proven".to_owned(),
+        ([only], Some(width)) => format!("proven to {} µm: {only}", um(width, DECIMALS)),
+        (doubts, _) => format!("not proven: {}", doubts.join("; ")),
+    }
+}
+
+fn doubts(extremes: &[&RunExtreme]) -> Vec<String> {
+    each(extremes.iter().filter_map(|extreme| doubt(extreme)))
+}
+
+/// The width of the widest bracket, where all hold and only one doubt is left.
+fn widest(extremes: &[&RunExtreme], doubts: &[String]) -> Option<f64> {
     let wide = extremes
         .iter()
         .filter(|extreme| extreme.doubt.is_some() && extreme.holds());
     let widest = wide
         .map(|extreme| extreme.high - extreme.low)
         .reduce(f64::max);
-    match (&doubts[..], widest) {
-        ([], _) => format!("Over {of} and {rotation}, proven."),
-        ([only], Some(width)) => format!(
-            "Over {of} and {rotation}, proven to {} µm: {only}.",
-            um(width, DECIMALS)
-        ),
-        (doubts, _) => format!("Over {of}, not proven: {}.", doubts.join("; ")),
-    }
+    widest.filter(|_| doubts.len() == 1)
 }
 
 /// Why an extreme is only the one found; `None` where it is proven.

@@ -17,6 +17,9 @@ use gearlash_files::numbers::backlash;
 /// How strongly a band is filled.
 const FILL: f64 = 0.2;
 
+/// What a label tells apart, µm.
+const SHOWN: f64 = 0.1;
+
 /// Backlash over the teeth at one centre distance: a band a flank, from most to least material, with the teeth
 /// that bind where it is least and greatest.
 ///
@@ -48,6 +51,8 @@ pub fn revolution_in(
         without_value(without.map(|point| point.status))
     };
     let values = points_of_all().filter_map(|point| point.simulated_um.map(of_um));
+    let beyond = beyond(course);
+    let values = values.chain(beyond.iter().flatten().copied().map(of_um));
     let Some(y) = backlash_range(values, of_um(1.0)) else {
         let words = format!("no pose has a backlash: {}", without());
         let panel = empty(course_axis(course), &words);
@@ -126,6 +131,23 @@ pub fn revolution_in(
         }
         _ => {}
     }
+    for (um, word, shift) in [(beyond[0], "least", -7.0), (beyond[1], "greatest", 13.0)] {
+        let Some(um) = um else {
+            continue;
+        };
+        let y = of_um(um);
+        panel.marks.push(Mark::Line {
+            points: panel.x.range.map(|x| (x, Some(y))).to_vec(),
+            look: Look::Limit,
+            width: 1.2,
+        });
+        panel.marks.push(Mark::Text {
+            at: [panel.x.range[0], y],
+            shift: [8.0, shift],
+            text: format!("{word} of the whole mesh cycle {}", shown(um)),
+            anchor: Anchor::Start,
+        });
+    }
     let gaps = match points_of_all().any(|point| point.simulated_um.is_none()) {
         true => format!(" · gaps: {}", without()),
         false => String::new(),
@@ -133,6 +155,17 @@ pub fn revolution_in(
     let unproven = unproven_note(unproven_of(course.lines.iter()));
     let details = format!("{unproven}{}{gaps}", course_caption(course));
     sheet::draw(heading, &details, &legend, &[panel])
+}
+
+/// Least and greatest of the mesh cycle, µm, where they show beyond what the course attains: at other teeth, or between its poses.
+fn beyond(course: &Course) -> [Option<f64>; 2] {
+    let ends = [(&course.least, -1.0), (&course.greatest, 1.0)];
+    let ends = ends.into_iter().zip(course.cycle_um);
+    let mut beyond = ends.map(|((attained, sign), of_cycle)| {
+        let attained = attained.as_ref().map(|extreme| extreme.backlash_um);
+        of_cycle.filter(|um| attained.is_none_or(|attained| sign * (um - attained) >= SHOWN))
+    });
+    [beyond.next().flatten(), beyond.next().flatten()]
 }
 
 /// A cross at an extreme, at height `y`, its words and what binds there.

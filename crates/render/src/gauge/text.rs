@@ -136,7 +136,12 @@ fn profile_words(flank: &FlankProfiles) -> String {
 }
 
 fn eccentricity(found: &Eccentricity) -> String {
-    if found.amount > 0.0 {
+    if found.amount > 0.0 && found.any_direction {
+        format!(
+            "2 e = {} µm; towards which tooth is not stated, read here with tooth 1 high",
+            um_ascii(2.0 * found.amount, 3)
+        )
+    } else if found.amount > 0.0 {
         format!(
             "2 e = {} µm towards tooth {}",
             um_ascii(2.0 * found.amount, 3),

@@ -7,6 +7,7 @@ use super::phrases::{band, j_wt, touching, with_symbols};
 use super::{cycle, unproven};
 use crate::text::check::governing;
 use gearlash::analysis::diagnosis::Verdict;
+use gearlash::analysis::extremes::{BearingEnd, RunExtreme};
 use gearlash::analysis::outcome::{Found, Outcome};
 use gearlash_files::numbers::{stated_distance, um};
 use gearlash_files::verdict::sentence;
@@ -71,35 +72,11 @@ fn answer(page: &Page) -> Markup {
     }
 }
 
+/// That bearings are without play, where none is stated: else the verdict says what it does.
 fn clearance(page: &Page) -> Markup {
-    let c = page.report.pair.study.bearing_clearance;
-    if !(c > 0.0) {
-        return html! {
-            p { "Bearing clearance: none is stated; the axes are assumed fixed at the centre distance." }
-        };
-    }
-    let whole = &page.whole;
-    let ends = whole.with_clearance;
-    let tighter = ends[0].is_some_and(|least| least < 0.0) || whole.without_value[0] > 0;
-    let binds = whole.assembles() && tighter;
     html! {
-        p {
-            "With the bearing clearance taken in (" i { "a" } " ± " (stated_distance(c)) " mm) "
-            @if ends == [None, None] {
-                "no pose has a value: the gears are jammed or out of mesh there"
-                @if whole.unproven_ends != [0, 0] { ", or it is unproven" }
-            } @else {
-                "backlash lies within " span.w { (band(ends, 2)) " µm" } " over all centre distances"
-                @if whole.unproven_ends != [0, 0] { " where it is proven" }
-                @for (end, poses) in ["−", "+"].into_iter().zip(whole.without_value) {
-                    @if poses > 0 {
-                        "; at " (poses) " of " (whole.poses) " poses the gears are jammed or out of mesh at "
-                        span.w { i { "a" } " " (end) " " (stated_distance(c)) " mm" }
-                    }
-                }
-            }
-            @if binds { strong { ": pushed together in their bearings, the gears bind" } }
-            "."
+        @if !(page.report.pair.study.bearing_clearance > 0.0) {
+            p { "Bearing clearance: none is stated; the axes are assumed fixed at the centre distance." }
         }
     }
 }
@@ -133,13 +110,24 @@ fn table(page: &Page) -> Markup {
                             (extreme_cells(page, at.all.least))
                             td.n { (um(at.all.mean, 2)) }
                             (extreme_cells(page, at.all.greatest))
-                            @if c > 0.0 { td.n { (band(at.all.with_clearance, 2)) } }
+                            @if c > 0.0 { td.n { (band(with_play(page, at.center_distance), 2)) } }
                         }
                     }
                 }
             }
         }
     }
+}
+
+/// Least and greatest at a centre distance, the axes moved as far as their bearings allow.
+fn with_play(page: &Page, center_distance: f64) -> [Option<f64>; 2] {
+    let runs = page.report.analysis.extremes.each.iter();
+    let here = runs.filter(|run| run.assembly.center_distance() == center_distance);
+    let ends = here.filter_map(|run| run.bearings.as_ref());
+    let found = |end: &BearingEnd| end.extreme.as_ref().map(RunExtreme::found);
+    let least = ends.clone().filter_map(|play| found(&play.pressed));
+    let greatest = ends.filter_map(|play| found(&play.apart));
+    [least.reduce(f64::min), greatest.reduce(f64::max)]
 }
 
 fn extreme_cells(page: &Page, found: Option<Found>) -> Markup {

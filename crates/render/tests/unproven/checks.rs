@@ -61,7 +61,7 @@ fn its_text_and_json_say_so() {
     let found = diagnosed(&case, CERTIFIED);
     let text = check::text(
         &case.study,
-        &CycleVerdict::new(&[], &Vec::new(), None, Some(&found)),
+        &CycleVerdict::new(&[], &Vec::new(), None, found.failed()),
         &found,
         &Screen::default(),
     );
@@ -80,7 +80,7 @@ fn its_text_and_json_say_so() {
         &checks_json(
             &case.pair,
             &found,
-            &CycleVerdict::new(&[], &Vec::new(), None, Some(&found)),
+            &CycleVerdict::new(&[], &Vec::new(), None, found.failed()),
         )
         .unwrap(),
     )

@@ -51,6 +51,7 @@ fn pair(case: &Case, runs: Vec<ComparedRun>) -> ComparedPair {
         allow_off_line: true,
         runs: tally(&runs),
         extremes: Vec::new(),
+        failed_checks: Vec::new(),
         requirements: Vec::new(),
         uncertainty: None,
     }
@@ -64,7 +65,7 @@ fn json_has_nulls_and_the_doubtful_values_under_their_own_keys() {
         let json = result_file(
             &case.pair,
             &runs,
-            &Verdict::new(&[], &Vec::new(), None, None),
+            &Verdict::new(&[], &Vec::new(), None, Vec::new()),
         )
         .to_json()
         .unwrap();
@@ -104,7 +105,7 @@ fn csv_has_empty_cells_and_columns_of_doubt() {
     let csv = result_file(
         &case.pair,
         &runs,
-        &Verdict::new(&[], &Vec::new(), None, None),
+        &Verdict::new(&[], &Vec::new(), None, Vec::new()),
     )
     .to_csv()
     .unwrap();
@@ -137,7 +138,7 @@ fn the_table_counts_them_and_takes_none_in() {
     let runs = case.compared(CERTIFIED);
     let text = simulation_table(
         &case.study,
-        &Verdict::new(&[], &Vec::new(), None, None),
+        &Verdict::new(&[], &Vec::new(), None, Vec::new()),
         &tally(&runs),
         &[],
         BacklashUnit::Um,
@@ -223,7 +224,6 @@ fn an_outcome_does_not_assemble_and_does_not_fail_either() {
     assert!(!whole.assembles() && !whole.fails());
     assert_eq!(whole.unproven, runs[0].summary().unproven);
     assert_eq!(whole.unproven_ends, [whole.unproven; 2]);
-    assert_eq!(whole.without_value, [0, 0]);
     let agreement = Agreement::of(&[&runs[0]]);
     assert_eq!(agreement.unproven, whole.unproven);
     assert_eq!((agreement.jammed, agreement.neither), (0, 0));
@@ -304,6 +304,7 @@ fn a_report_vouches_for_nothing() {
         runs: runs.clone(),
         revolution: runs.clone(),
         extremes: CycleExtremes::default(),
+        failed_checks: Vec::new(),
         over_distance: Vec::new(),
         measured: Vec::new(),
         diagnosis,

@@ -6,22 +6,31 @@ use crate::analysis::diagnosis::clearance::least_over;
 use crate::analytic::limits;
 use crate::error::Error;
 use crate::gear::Side;
-use crate::pair::Member;
+use crate::pair::{Mating, Member};
 use std::ops::ControlFlow;
 
 /// Tip thickness below which a tooth is thought too sharp, modules (a rule of design offices; hardened teeth take more).
 const LEAST_TIP: f64 = 0.2;
 
 impl Here<'_> {
-    /// K (9), (10): `member`'s tip over its mate's root.
+    /// Whether `member`'s tips keep the limit however the teeth and the eccentricities stand.
+    pub(super) fn is_surely_clear(&self, member: Member) -> bool {
+        let off = |member| self.assembly.gear(member).eccentricity();
+        let least = limits::radial_clearance(self.assembly, member);
+        let least = least - off(member) - off(member.mate());
+        met(least - limits::LEAST_CLEARANCE * self.module())
+    }
+
+    /// K (9), (10): `member`'s tip over its mate's root, over one pitch on from each of `pitches`.
     pub(super) fn clearance(
         &self,
         member: Member,
+        pitches: &[Mating],
         tick: &(dyn Fn() -> ControlFlow<()> + Sync),
     ) -> Result<Check, Error> {
         let module = self.module();
         let analytic = limits::radial_clearance(self.assembly, member);
-        let found = least_over(self.assembly, member, &self.pitches(), tick)?;
+        let found = least_over(self.assembly, member, pitches, tick)?;
         let least = found.map_or(analytic, |found| found.distance.min(analytic));
         let limit = limits::LEAST_CLEARANCE * module;
         let verdict = if !met(least - limit) {

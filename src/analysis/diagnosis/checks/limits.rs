@@ -1,7 +1,8 @@
 //! Backlash, undercut and contact ratio against their limits.
 
-use super::{Check, Here, Verdict, hundredths, place};
+use super::{Check, Here, Verdict, hundredths};
 use crate::analysis::diagnosis::check::met;
+use crate::analysis::diagnosis::seen::place;
 use crate::analysis::diagnosis::zero_distance::ZeroDistance;
 use crate::analytic::limits;
 use crate::contact::PoseClass;
@@ -58,11 +59,11 @@ impl Here<'_> {
         let pitch = limits::operating_pitch(self.assembly);
         let thickness = |member| limits::operating_thickness(self.assembly, member);
         let analytic = thickness(Member::Wheel) + thickness(Member::Pinion);
-        let poses = || self.runs.iter().flat_map(|run| &run.poses);
-        let least = poses()
-            .filter_map(|pose| pose.swept.backlash)
-            .reduce(f64::min);
-        let jammed = self.contact.of_class(|class| class == PoseClass::Jammed);
+        let least = self.seen.least;
+        let jammed = self
+            .seen
+            .contact
+            .of_class(|class| class == PoseClass::Jammed);
         let measured = least.map(|least| pitch - least);
         let margin = pitch - measured.map_or(analytic, |measured| measured.max(analytic));
         Check {
@@ -84,7 +85,7 @@ impl Here<'_> {
                 0 => least.map_or(String::new(), |least| {
                     format!("least j_wt {} µm", hundredths(least))
                 }),
-                _ => format!("jammed in {jammed} of {} poses", self.contact.poses()),
+                _ => format!("jammed in {jammed} of {} poses", self.seen.contact.poses()),
             },
         }
     }

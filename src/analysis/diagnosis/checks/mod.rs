@@ -9,13 +9,15 @@ use super::check::{Check, Verdict};
 use super::clearance::pitches;
 use super::contact_count::ContactCount;
 use super::onset::{Onset, non_involute_onset};
+use super::seen::Seen;
 use super::zero_distance::{ZeroDistance, zero_distance};
 use crate::analysis::compare::ComparedRun;
 use crate::analysis::directions::is_open;
+use crate::analysis::extremes::{CycleExtremes, WIDTH};
 use crate::analysis::study::{Material, RunPlan, Study};
-use crate::contact::{Contact, Touch};
+use crate::contact::{ExactKernel, Status};
 use crate::error::Error;
-use crate::gear::{Gear, Side};
+use crate::gear::Gear;
 use crate::pair::{GearPair, Mating, Member};
 use std::ops::ControlFlow;
 
@@ -59,6 +61,15 @@ impl Diagnosis {
             .max()
             .unwrap_or(Verdict::Pass)
     }
+
+    /// Ids of the checks that fail, none twice.
+    pub fn failed(&self) -> Vec<&'static str> {
+        let mut failed = Vec::new();
+        for group in &self.groups {
+            add_failed(&mut failed, &group.checks);
+        }
+        failed
+    }
 }
 
 /// How often [`diagnose`] will tick for the runs of `plans`: the pitches over which the clearance of both gears' tips is looked for.
@@ -92,60 +103,200 @@ pub fn diagnose(
     step: &mut dyn FnMut(&str) -> Result<(), Error>,
     tick: &(dyn Fn() -> ControlFlow<()> + Sync),
 ) -> Result<Diagnosis, Error> {
+    let seen: Vec<Seen> = runs.iter().map(Seen::of).collect();
     let mut groups: Vec<Group> = Vec::new();
     let mut searched: Vec<(Material, Searched<ZeroDistance>, Searched<Onset>)> = Vec::new();
-    for runs_here in runs.chunk_by(same_group) {
-        let Some(first) = runs_here.first() else {
+    let each = runs.chunk_by(|one, other| same_place(place_of(one), place_of(other)));
+    for (runs_here, seen_here) in each.zip(seen.chunk_by(same_group)) {
+        let Some(seen_here) = Seen::sum(seen_here) else {
             continue;
         };
-        let (assembly, material) = (&first.run.assembly, first.run.material);
+        let (assembly, material) = (&seen_here.assembly, seen_here.material);
         let known = searched.iter().find(|entry| entry.0 == material).cloned();
         let (_, zero, onset) = match known {
             Some(known) => known,
             None => {
-                let of_material = || runs.iter().filter(|run| run.run.material == material);
-                let beside = || extremes.iter().filter(|run| run.run.material == material);
-                let matings = matings(of_material().chain(beside()));
-                // Of a runout without a direction the one that is worst.
-                let worst = beside().next().map(|run| &run.run.assembly);
-                let assembly = worst.filter(|_| is_open(assembly)).unwrap_or(assembly);
-                // A search from poses that are not proven would be no better than they are.
-                let doubt = doubt(of_material());
+                let of_material = runs.iter().filter(|run| run.run.material == material);
+                let matings = of_material.flat_map(matings_of);
+                let start = Start::new(assembly, material, matings, &seen, extremes);
                 step("zero-backlash centre distance")?;
-                let zero = search(&doubt, || zero_distance(assembly, &matings))?;
+                let zero = start.zero()?;
                 step("onset of non-involute contact")?;
-                let onset = search(&doubt, || non_involute_onset(assembly, &matings))?;
+                let onset = start.onset()?;
                 searched.push((material, zero.clone(), onset.clone()));
                 (material, zero, onset)
             }
         };
         step("radial clearance")?;
-        let contact = ContactCount::sum(runs_here);
         let here = Here {
             assembly,
-            runs: runs_here,
-            contact: &contact,
+            seen: &seen_here,
             allow_off_line: study.allow_off_line_contact,
+        };
+        let pitches = pitches(assembly, &distinct(runs_here.iter().flat_map(matings_of)));
+        let all = Sought {
+            clear: false,
+            pitches: &|| Ok(pitches.clone()),
+            zero: Known::Found(zero.clone()),
+            onset: Known::Found(onset.clone()),
         };
         groups.push(Group {
             assembly: assembly.clone(),
             material,
-            checks: here.checks(&zero, &onset, tick)?,
-            contact,
+            checks: here.checks(&all, tick)?,
+            contact: seen_here.contact.clone(),
             zero,
             onset,
         });
     }
     Ok(Diagnosis {
         groups,
-        contact: ContactCount::sum(runs),
+        contact: Seen::sum(&seen).map_or_else(Default::default, |all| all.contact),
     })
 }
 
+/// Ids of the checks that fail, as [`Diagnosis::failed`] has them, without what is sought only to be told: where it is clear without a search
+/// that a limit is kept, or that it is not, none is made.
+///
+/// `seen` is what the poses of each run of `study` have shown, in the order of [`Study::runs`]; `cycle` are its extremes.
+///
+/// # Errors
+/// As [`diagnose`].
+pub fn failed_checks(
+    study: &Study,
+    seen: &[Seen],
+    cycle: &CycleExtremes,
+    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+) -> Result<Vec<&'static str>, Error> {
+    let mut failed = Vec::new();
+    let mut zeros: Vec<(Material, Searched<ZeroDistance>)> = Vec::new();
+    let mut onsets: Vec<(Material, Searched<Onset>)> = Vec::new();
+    for seen_here in seen.chunk_by(same_group) {
+        let Some(seen_here) = Seen::sum(seen_here) else {
+            continue;
+        };
+        let (assembly, material) = (&seen_here.assembly, seen_here.material);
+        let here = Here {
+            assembly,
+            seen: &seen_here,
+            allow_off_line: study.allow_off_line_contact,
+        };
+        let start = || -> Result<Start, Error> {
+            let runs = study.runs()?;
+            let of_material = runs.iter().filter(|run| run.material == material);
+            let matings = of_material.flat_map(|run| run.matings.iter().copied());
+            Ok(Start::new(assembly, material, matings, seen, &cycle.runs))
+        };
+        let doubt = Seen::doubt(seen.iter().filter(|seen| seen.material == material));
+        let zero = match (&doubt, here.assembles(cycle)) {
+            (None, Some(true)) => Known::Kept,
+            (None, Some(false)) => Known::Missed,
+            _ => Known::Found(once(&mut zeros, material, || start()?.zero())?),
+        };
+        let onset = match ExactKernel::new(assembly).keeps_to_involutes(assembly) {
+            true => Known::Kept,
+            false => Known::Found(once(&mut onsets, material, || start()?.onset())?),
+        };
+        let pitches = || {
+            let runs = study.runs()?;
+            let here = |run: &&RunPlan| {
+                same_place(
+                    (run.assembly.center_distance(), run.material),
+                    (assembly.center_distance(), material),
+                )
+            };
+            let runs = runs.iter().filter(here);
+            let matings = runs.flat_map(|run| run.matings.iter().copied());
+            Ok(pitches(assembly, &distinct(matings)))
+        };
+        let needed = Sought {
+            clear: true,
+            pitches: &pitches,
+            zero,
+            onset,
+        };
+        add_failed(&mut failed, &here.checks(&needed, tick)?);
+    }
+    Ok(failed)
+}
+
+/// Adds to `failed` the ids of those of `checks` that fail, none twice.
+fn add_failed(failed: &mut Vec<&'static str>, checks: &[Check]) {
+    for check in checks {
+        if check.verdict == Verdict::Fail && !failed.contains(&check.id) {
+            failed.push(check.id);
+        }
+    }
+}
+
+/// What was found of `material`, sought now if it was not.
+fn once<T: Clone>(
+    found: &mut Vec<(Material, Searched<T>)>,
+    material: Material,
+    seek: impl FnOnce() -> Result<Searched<T>, Error>,
+) -> Result<Searched<T>, Error> {
+    if let Some((_, known)) = found.iter().find(|entry| entry.0 == material) {
+        return Ok(known.clone());
+    }
+    let sought = seek()?;
+    found.push((material, sought.clone()));
+    Ok(sought)
+}
+
+/// Where searches over the poses of a material start.
+struct Start {
+    assembly: GearPair,
+    matings: Vec<Mating>,
+    /// A search from poses that are not proven would be no better than they are.
+    doubt: Option<String>,
+}
+
+impl Start {
+    /// From `matings` of `assembly`, and `extremes` of its material; `seen` is what all poses have shown.
+    fn new(
+        assembly: &GearPair,
+        material: Material,
+        matings: impl Iterator<Item = Mating>,
+        seen: &[Seen],
+        extremes: &[ComparedRun],
+    ) -> Start {
+        let beside = || extremes.iter().filter(|run| run.run.material == material);
+        // Of a runout without a direction the one that is worst.
+        let worst = beside().next().map(|run| &run.run.assembly);
+        let worst = worst.filter(|_| is_open(assembly)).unwrap_or(assembly);
+        Start {
+            assembly: worst.clone(),
+            matings: distinct(matings.chain(beside().flat_map(matings_of))),
+            doubt: Seen::doubt(seen.iter().filter(|seen| seen.material == material)),
+        }
+    }
+
+    fn zero(&self) -> Result<Searched<ZeroDistance>, Error> {
+        search(&self.doubt, || zero_distance(&self.assembly, &self.matings))
+    }
+
+    fn onset(&self) -> Result<Searched<Onset>, Error> {
+        search(&self.doubt, || {
+            non_involute_onset(&self.assembly, &self.matings)
+        })
+    }
+}
+
+/// Centre distance and material.
+type Place = (f64, Material);
+
+fn place_of(run: &ComparedRun) -> Place {
+    (run.run.assembly.center_distance(), run.run.material)
+}
+
+fn same_place(one: Place, other: Place) -> bool {
+    one == other
+}
+
 /// Whether two runs are of one centre distance and material.
-fn same_group(one: &ComparedRun, other: &ComparedRun) -> bool {
-    let key = |run: &ComparedRun| (run.run.assembly.center_distance(), run.run.material);
-    key(one) == key(other)
+fn same_group(one: &Seen, other: &Seen) -> bool {
+    let place = |seen: &Seen| (seen.assembly.center_distance(), seen.material);
+    same_place(place(one), place(other))
 }
 
 /// What `look` finds, unless there is `doubt` about the poses it starts from or it loses a contact.
@@ -167,24 +318,8 @@ fn search<T>(
     }
 }
 
-/// How many poses of `runs` are not proven, and why the first is not; `None` where all are.
-fn doubt<'a>(runs: impl Iterator<Item = &'a ComparedRun> + Clone) -> Option<String> {
-    let poses = runs.clone().map(|run| run.poses.len()).sum::<usize>();
-    let unproven = runs.flat_map(ComparedRun::unproven);
-    let count = unproven.clone().count();
-    let first = unproven.into_iter().next()?;
-    let why = first.swept.unproven().next()?;
-    Some(format!(
-        "{count} of {poses} poses are unproven; the first is {}: {}",
-        place(first.swept.pose.mating()),
-        why.reason
-    ))
-}
-
-/// The matings of `runs`, each once, in order.
-fn matings<'a>(runs: impl Iterator<Item = &'a ComparedRun>) -> Vec<Mating> {
-    let poses = runs.flat_map(|run| &run.poses);
-    distinct(poses.map(|pose| *pose.swept.pose.mating()))
+fn matings_of(run: &ComparedRun) -> impl Iterator<Item = Mating> + '_ {
+    run.poses.iter().map(|pose| *pose.swept.pose.mating())
 }
 
 /// `matings`, each once.
@@ -195,41 +330,55 @@ fn distinct(matings: impl Iterator<Item = Mating>) -> Vec<Mating> {
         .collect()
 }
 
-/// One pair as assembled, with what was found for it.
+/// What is known of a distance that is sought.
+enum Known<T> {
+    /// That its check's limit is kept: nothing was sought.
+    Kept,
+    /// That it is not.
+    Missed,
+    /// What was found.
+    Found(Searched<T>),
+}
+
+/// What checks need beside what poses have shown.
+struct Sought<'a> {
+    /// Whether tips that are clear of all roots in any direction need no further look.
+    clear: bool,
+    /// Where the pitches begin over which the clearance of the tips is looked for.
+    pitches: &'a dyn Fn() -> Result<Vec<Mating>, Error>,
+    zero: Known<ZeroDistance>,
+    onset: Known<Onset>,
+}
+
+/// One pair as assembled, with what was seen of it.
 struct Here<'a> {
     assembly: &'a GearPair,
-    runs: &'a [ComparedRun],
-    contact: &'a ContactCount,
+    seen: &'a Seen,
     allow_off_line: bool,
 }
 
 impl Here<'_> {
+    /// Every check, but for those that are known to be kept.
     fn checks(
         &self,
-        zero: &Searched<ZeroDistance>,
-        onset: &Searched<Onset>,
+        sought: &Sought,
         tick: &(dyn Fn() -> ControlFlow<()> + Sync),
     ) -> Result<Vec<Check>, Error> {
-        let doubt = doubt(self.runs.iter());
+        let doubt = Seen::doubt([self.seen]);
         let of_poses = |check: Check| match &doubt {
             Some(reason) => check.not_proven(reason),
             None => check,
         };
         let mut checks = Vec::new();
-        for member in MEMBERS {
-            checks.push(self.clearance(member, tick)?);
+        let look = |member: &Member| !sought.clear || !self.is_surely_clear(*member);
+        for member in MEMBERS.into_iter().filter(look) {
+            checks.push(self.clearance(member, &(sought.pitches)()?, tick)?);
         }
         checks.extend(MEMBERS.map(|member| of_poses(self.k_8(member))));
         checks.extend(MEMBERS.map(|member| of_poses(self.form(member))));
-        checks.push(match onset {
-            Ok(onset) => self.onset(onset.as_ref()),
-            Err(reason) => self.onset(None).not_proven(reason),
-        });
+        checks.extend(of(&sought.onset, |onset| self.onset(onset)));
         checks.push(of_poses(self.off_line()));
-        checks.push(match zero {
-            Ok(zero) => self.zero(zero.as_ref()),
-            Err(reason) => self.zero(None).not_proven(reason),
-        });
+        checks.extend(of(&sought.zero, |zero| self.zero(zero)));
         checks.push(of_poses(self.backlash()));
         checks.extend(MEMBERS.map(|member| self.undercut(member)));
         checks.push(self.contact_ratio());
@@ -245,28 +394,40 @@ impl Here<'_> {
         self.gear(Member::Wheel).basic_data().module()
     }
 
-    fn pitches(&self) -> Vec<Mating> {
-        pitches(self.assembly, &matings(self.runs.iter()))
-    }
-
-    /// Every contact of this pair that has a rotation to it.
-    fn contacts(&self) -> impl Iterator<Item = (Side, &Contact)> {
-        let poses = self.runs.iter().flat_map(|run| &run.poses);
-        poses
-            .filter_map(|pose| pose.swept.proven())
-            .flat_map(|found| {
-                let right = found.right.as_ref().map(|c| (Side::Right, c));
-                right
-                    .into_iter()
-                    .chain(found.left.as_ref().map(|c| (Side::Left, c)))
-            })
+    /// Whether the pair assembles over the whole cycle, where that is beyond doubt and rounding.
+    fn assembles(&self, cycle: &CycleExtremes) -> Option<bool> {
+        let place = |pair: &GearPair| pair.center_distance();
+        let runs = cycle.each.iter().filter(|run| {
+            run.material == self.seen.material && place(&run.assembly) == place(self.assembly)
+        });
+        // Over all directions of a runout the search follows one of them.
+        let beyond = match is_open(self.assembly) {
+            true => 10.0 * WIDTH,
+            false => 0.01 * WIDTH,
+        };
+        let each = runs.map(|run| {
+            let least = run.least.as_ref().filter(|least| least.holds())?;
+            match run.status {
+                Status::Clear if least.low >= beyond => Some(true),
+                Status::Interference if least.high <= -beyond => Some(false),
+                _ => None,
+            }
+        });
+        let each = each.collect::<Option<Vec<bool>>>()?;
+        (!each.is_empty()).then(|| each.into_iter().all(|assembles| assembles))
     }
 }
 
-fn touch(contact: &Contact, member: Member) -> Touch {
-    match member {
-        Member::Wheel => contact.wheel,
-        Member::Pinion => contact.pinion,
+/// The check of what is known of a distance: `of_found` of what was found; none where it is known to be kept.
+fn of<T>(known: &Known<T>, of_found: impl Fn(Option<&T>) -> Check) -> Option<Check> {
+    match known {
+        Known::Kept => None,
+        Known::Missed => Some(Check {
+            verdict: Verdict::Fail,
+            ..of_found(None)
+        }),
+        Known::Found(Ok(found)) => Some(of_found(found.as_ref())),
+        Known::Found(Err(reason)) => Some(of_found(None).not_proven(reason)),
     }
 }
 
@@ -275,20 +436,6 @@ fn percent(part: usize, whole: usize) -> f64 {
         0 => 0.0,
         _ => 100.0 * part as f64 / whole as f64,
     }
-}
-
-/// A pose in words: mating, flank, fraction.
-fn place(mating: &Mating) -> String {
-    let beyond = match mating.fraction {
-        0.0 => String::new(),
-        fraction => format!(", {fraction:.4} pitch beyond"),
-    };
-    format!(
-        "wheel {} with pinion {} at the {} flank{beyond}",
-        mating.wheel_tooth,
-        mating.pinion_tooth,
-        mating.flank.name()
-    )
 }
 
 /// A length in mm as µm with two decimals, never `-0.00`.

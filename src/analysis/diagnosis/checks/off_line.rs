@@ -1,8 +1,9 @@
 //! Contact off the line of action: from which centre distance on, in which poses, what it costs.
 
-use super::{Check, Here, Verdict, hundredths, percent, place};
+use super::{Check, Here, Verdict, hundredths, percent};
 use crate::analysis::diagnosis::check::met;
 use crate::analysis::diagnosis::onset::{Onset, form_onset};
+use crate::analysis::diagnosis::seen::place;
 use crate::analytic::limits;
 use crate::contact::PoseClass;
 use crate::pair::Member;
@@ -36,9 +37,9 @@ impl Here<'_> {
     }
 
     pub(super) fn off_line(&self) -> Check {
-        let poses = self.contact.poses();
-        let off = self.contact.off_line;
-        let grave = self.contact.of_class(PoseClass::is_non_involute);
+        let poses = self.seen.contact.poses();
+        let off = self.seen.contact.off_line;
+        let grave = self.seen.contact.of_class(PoseClass::is_non_involute);
         let verdict = match (off, grave) {
             (0, _) => Verdict::Pass,
             (_, 0) => Verdict::Warn,
@@ -47,7 +48,7 @@ impl Here<'_> {
         };
         let mut details = Vec::new();
         let mut note = String::new();
-        if let Some(loss) = &self.contact.loss {
+        if let Some(loss) = &self.seen.contact.loss {
             details.extend([
                 ("least_loss_um", loss.least * 1e3),
                 ("mean_loss_um", loss.mean * 1e3),

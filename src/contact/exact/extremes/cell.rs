@@ -3,7 +3,7 @@
 use super::course::{Course, PARTS, Posed, SideCourse};
 use super::fillet::{self, OnFillet, Reached};
 use super::separation::{Separation, lowest_roll};
-use super::table::Table;
+use super::table::{OpenStep, Table};
 use std::f64::consts::PI;
 
 /// A stretch of one mating and what its lost motion is at least and at most, rad.
@@ -124,7 +124,7 @@ impl Cell {
         &self,
         side: &SideCourse,
         posed: &Posed,
-        steps: impl Iterator<Item = (i64, f64)>,
+        steps: impl Iterator<Item = OpenStep>,
     ) -> Vec<PairRoom> {
         let ends = [posed.on(self.from), posed.on(self.to)];
         let mut rooms = Vec::with_capacity(8);
@@ -139,7 +139,7 @@ impl Cell {
         &self,
         side: &SideCourse,
         ends: &[Posed; 2],
-        (step, enough): (i64, f64),
+        OpenStep { step, enough, dips }: OpenStep,
         rooms: &mut Vec<PairRoom>,
     ) {
         let problem = side.problem;
@@ -171,6 +171,9 @@ impl Cell {
             let forms = [&problem.locked.shape, &problem.free.shape].map(lowest_roll);
             let short = found[0].short(&found[1], plays, forms);
             rooms.push(PairRoom::straight(room(&found, slack + short)));
+        }
+        if !dips {
+            return;
         }
         let places = self.places(side, ends, step);
         for dip in side

@@ -62,14 +62,18 @@ struct Outline {
     base: f64,
     half_base: f64,
     corner: C,
+    /// How far the corner is from the axis.
+    reach: f64,
 }
 
 impl Outline {
     fn new(shape: &Shape) -> Outline {
+        let corner = shape.corners()[0].1;
         Outline {
             base: shape.base,
             half_base: shape.half_base,
-            corner: shape.corners()[0].1,
+            corner,
+            reach: corner.norm(),
         }
     }
 }
@@ -133,53 +137,43 @@ impl Dip {
     /// The locked half tooth stands within `play` of the angle `at`. Two values: between the distances of the outlines' centres `distances`
     /// the straight line between them holds. Halved where they do not show `enough`.
     pub fn clearance(&self, at: f64, play: f64, distances: (f64, f64), enough: f64) -> [f64; 2] {
-        self.cut((at, play), distances, enough, HALVINGS)
-    }
-
-    fn cut(
-        &self,
-        (at, play): (f64, f64),
-        distances: (f64, f64),
-        enough: f64,
-        halvings: u32,
-    ) -> [f64; 2] {
-        let whole = self.over(at, play, distances);
-        if halvings == 0 || whole[0].min(whole[1]) >= enough {
-            return whole;
-        }
-        let half = 0.5 * play;
-        let [a, b] =
-            [at - half, at + half].map(|at| self.cut((at, half), distances, enough, halvings - 1));
-        [0, 1].map(|end| a[end].min(b[end]).max(whole[end]))
-    }
-
-    fn over(&self, at: f64, play: f64, distances: (f64, f64)) -> [f64; 2] {
-        let (low, high) = distances;
-        let ends = [low, high].map(|distance| self.at_distance(at, play, distance));
-        if high == low {
-            return ends;
-        }
-        // h bends with the distance: the gap by cos² α/(d sin α r_bF) and sin² α/r_bF², times ρ.
         let sum = self.locked.base + self.free.base;
-        let cos = sum / low;
+        let line = |distance: f64| Some((distance, Line::new(C::from(distance), sum)?));
+        let (low, high) = distances;
+        let (Some(near), Some(far)) = (line(low), line(high)) else {
+            return [f64::NEG_INFINITY; 2];
+        };
+        let cut = Cut {
+            dip: self,
+            lines: [near, far],
+            bend: match high == low {
+                true => 0.0,
+                false => self.bend(low) * (high - low).powi(2),
+            },
+        };
+        let whole = cut.over(at, play);
+        cut.refined((at, play), whole, enough, HALVINGS)
+    }
+
+    /// How `h/ρ` bends with the distance: the gap by cos² α/(d sin α r_bF) and sin² α/r_bF², times ρ.
+    fn bend(&self, distance: f64) -> f64 {
+        let sum = self.locked.base + self.free.base;
+        let cos = sum / distance;
         let sin = (1.0 - cos * cos).max(0.0).sqrt();
         let per_base = 1.0 / self.free.base;
-        let bend = cos * cos / (low * sin) * per_base + (sin * per_base).powi(2);
-        ends.map(|end| end - bend * (high - low).powi(2))
+        cos * cos / (distance * sin) * per_base + (sin * per_base).powi(2)
     }
 
-    fn at_distance(&self, at: f64, play: f64, distance: f64) -> f64 {
-        let Some(line) = Line::new(C::from(distance), self.locked.base + self.free.base) else {
-            return f64::NEG_INFINITY;
-        };
+    /// At one distance and its line, the locked half tooth within `play` of the angle `at`, towards which `l` points.
+    fn at_distance(&self, at: f64, l: C, play: f64, (distance, line): &(f64, Line)) -> f64 {
+        let (distance, ratio) = (*distance, self.locked.base / self.free.base);
         let (locked, free) = (&self.locked, &self.free);
-        let ratio = locked.base / free.base;
         let gap = ((locked.base + free.base) * line.angle
             - line.length
             - locked.base * (at - locked.half_base))
             / free.base
             + free.half_base;
-        let (l, f) = (-turn(at), turn(gap));
+        let f = turn(gap);
         // The corner in the mate's frame, its velocity, and its radius about the free axis.
         let (point, velocity, radius, by_gap) = match self.tip {
             Tip::Locked => {
@@ -190,7 +184,7 @@ impl Dip {
                 (
                     seen,
                     moving * f.conj() - ratio * by_gap,
-                    corner.norm(),
+                    length(corner),
                     by_gap,
                 )
             }
@@ -199,26 +193,21 @@ impl Dip {
                 let seen = (corner - C::from(distance)) * l.conj();
                 let moving = -C::i() * ratio * corner;
                 let by_gap = C::i() * corner * l.conj();
-                (
-                    seen,
-                    moving * l.conj() - C::i() * seen,
-                    free.corner.norm(),
-                    by_gap,
-                )
+                (seen, moving * l.conj() - C::i() * seen, free.reach, by_gap)
             }
         };
-        let speed = velocity.norm();
+        let speed = length(velocity);
         let square = (1.0 + ratio).powi(2);
         let acceleration = match self.tip {
             Tip::Locked => {
                 let corner = C::from(distance) + l * locked.corner;
-                let moving = locked.corner.norm();
-                ((1.0 + 2.0 * ratio) * distance - corner * square).norm() + square * moving * play
+                let corner = (1.0 + 2.0 * ratio) * distance - corner * square;
+                length(corner) + square * locked.reach * play
             }
             Tip::Free => distance + square * (radius + speed * play),
         };
         let jolt = 0.5 * acceleration * play * play;
-        let off = point.norm();
+        let off = length(point);
         let band = (off - speed * play - jolt, off + speed * play + jolt);
         let turned = (speed + (1.0 + ratio) * radius) * play + jolt;
         let least = |chord: &Chord| {
@@ -261,4 +250,58 @@ impl Dip {
             false => over(f64::MAX),
         }
     }
+}
+
+/// A stretch of the locked gear's turn that is cut where it does not show enough.
+struct Cut<'a> {
+    dip: &'a Dip,
+    /// The least and the greatest distance, and the line of action there.
+    lines: [(f64, Line); 2],
+    /// What bends between the distances.
+    bend: f64,
+}
+
+impl Cut<'_> {
+    /// As [`Dip::clearance`] of `whole`, what the stretch has uncut; cut `halvings` times at most.
+    fn refined(
+        &self,
+        (at, play): (f64, f64),
+        whole: [f64; 2],
+        enough: f64,
+        halvings: u32,
+    ) -> [f64; 2] {
+        if halvings == 0 || least(whole) >= enough {
+            return whole;
+        }
+        let half = 0.5 * play;
+        let halves = [at - half, at + half].map(|at| ((at, half), self.over(at, half)));
+        let [worse, other] = match least(halves[0].1) <= least(halves[1].1) {
+            true => halves,
+            false => [halves[1], halves[0]],
+        };
+        let found = self.refined(worse.0, worse.1, enough, halvings - 1);
+        // What the whole comes to is no more than this: the other half has to show no more either.
+        let enough = enough.min(least(found));
+        let beside = self.refined(other.0, other.1, enough, halvings - 1);
+        [0, 1].map(|end| found[end].min(beside[end]).max(whole[end]))
+    }
+
+    fn over(&self, at: f64, play: f64) -> [f64; 2] {
+        let l = -turn(at);
+        let [near, far] = &self.lines;
+        let end = |line| self.dip.at_distance(at, l, play, line) - self.bend;
+        match near.0 == far.0 {
+            true => [end(near); 2],
+            false => [end(near), end(far)],
+        }
+    }
+}
+
+fn least([a, b]: [f64; 2]) -> f64 {
+    a.min(b)
+}
+
+/// The length of a vector, as large as gears are.
+fn length(vector: C) -> f64 {
+    vector.norm_sqr().sqrt()
 }

@@ -24,6 +24,7 @@ mod table;
 use super::ExactKernel;
 use crate::contact::lost_motion::Status;
 use crate::error::Error;
+use crate::gear::Side;
 use crate::pair::{GearPair, Mating};
 use course::Course;
 use search::{Search, Which};
@@ -120,6 +121,22 @@ impl ExactKernel {
         })
     }
 
+    /// Whether it is clear at once that no tip comes to a fillet or a root at any pose of `assembly`, which is this kernel's, nor at any
+    /// greater centre distance: involutes, their ends and tip lands touch before.
+    pub(crate) fn keeps_to_involutes(&self, assembly: &GearPair) -> bool {
+        if assembly.is_modified() || self.blocked || self.bodies.is_some() || !self.is_direct() {
+            return false;
+        }
+        let first = Mating {
+            wheel_tooth: 1,
+            pinion_tooth: 1,
+            flank: Side::Right,
+            fraction: 0.0,
+        };
+        let course = Course::new(self, assembly, first, 1);
+        self.stays_on_involutes(&course) && !Table::new(&course).has_dips()
+    }
+
     fn sought(&self, course: &Course, width: f64, greatest_too: bool) -> Result<Extremes, Error> {
         let mut found = Found::default();
         if course.assembly.is_modified() {
@@ -141,17 +158,22 @@ impl ExactKernel {
             which,
             samples: greatest_too,
         };
-        let greatest = match greatest_too {
-            true => search(Which::Greatest).run(&mut found)?,
-            false => UNKNOWN,
-        };
-        let least = match self.stays_on_involutes(course) {
-            true => search(Which::Least).run(&mut found)?,
-            false => {
-                sample::sample(course, &mut found, !greatest_too)?;
-                UNKNOWN
+        let stays = self.stays_on_involutes(course);
+        let wanted = [(Which::Greatest, greatest_too), (Which::Least, stays)];
+        let wanted = wanted.into_iter().filter(|(_, wanted)| *wanted);
+        let searches: Vec<Search> = wanted.map(|(which, _)| search(which)).collect();
+        let (mut least, mut greatest) = (UNKNOWN, UNKNOWN);
+        let ranked = search::rank(&searches, &mut found)?;
+        for (search, ranked) in searches.iter().zip(ranked) {
+            let proof = search.run(ranked, &mut found)?;
+            match search.which {
+                Which::Least => least = proof,
+                Which::Greatest => greatest = proof,
             }
-        };
+        }
+        if !stays {
+            sample::sample(course, &mut found, !greatest_too)?;
+        }
         Ok(found.extremes(course, [least, greatest]))
     }
 

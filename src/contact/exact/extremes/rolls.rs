@@ -45,6 +45,11 @@ impl Part {
             Some([a, b]) => self.beside.min(a).min(b),
         }
     }
+
+    /// Room of a tip corner and a fillet at least, rad; without end where none is near.
+    pub fn dipping(&self) -> f64 {
+        self.dip.map_or(f64::INFINITY, |[a, b]| a.min(b))
+    }
 }
 
 impl<'a> Rolls<'a> {
@@ -131,10 +136,8 @@ impl<'a> Rolls<'a> {
             (low - shape.tip_roll).max(0.0) * arm / (length - arm).max(0.1 * length)
         });
         let corner = corner.fold(0.0, f64::max);
-        [0.0, corner, below]
-            .map(more)
-            .into_iter()
-            .fold(f64::NEG_INFINITY, f64::max)
+        let others = [corner, below].into_iter().filter(|y| *y != 0.0);
+        others.map(more).fold(more(0.0), f64::max)
     }
 }
 

@@ -29,6 +29,7 @@ pub(super) struct Search<'a> {
 }
 
 /// A cell in the order in which cells are looked into.
+#[derive(Debug)]
 struct Open {
     /// How promising it is.
     key: f64,
@@ -59,6 +60,64 @@ impl Ord for Open {
     }
 }
 
+/// What one search has to look into.
+#[derive(Debug, Default)]
+pub(super) struct Ranked {
+    open: Vec<Open>,
+    /// How promising the best of the rest is.
+    bound: f64,
+}
+
+/// Looks at the most promising pose of each of `searches` over one cycle, and ranks what may beat the best found.
+pub(super) fn rank(searches: &[Search], found: &mut Found) -> Result<Vec<Ranked>, Error> {
+    let Some(Search { course, table, .. }) = searches.first() else {
+        return Ok(Vec::new());
+    };
+    let range = 0..table.matings();
+    let mut tops: Vec<Option<Bounds>> = vec![None; searches.len()];
+    table.each(range.clone(), &mut |bounds| {
+        for (search, top) in searches.iter().zip(&mut tops) {
+            let key = |bounds: Bounds| search.key(bounds.low, bounds.high);
+            if top.is_none_or(|top| key(bounds) > key(top)) {
+                *top = Some(bounds);
+            }
+        }
+    });
+    for top in tops.into_iter().flatten() {
+        let middle = Cell::of_part(top.mating, top.part);
+        let mating = course.mating(top.mating, 0.5 * (middle.from + middle.to));
+        found.look(course, mating)?;
+    }
+    let enough = searches
+        .iter()
+        .map(|search| search.best(found) + search.width);
+    let enough: Vec<f64> = enough.collect();
+    let ranked = searches.iter().map(|search| Ranked {
+        open: Vec::new(),
+        bound: search.best(found),
+    });
+    let mut ranked: Vec<Ranked> = ranked.collect();
+    table.each(range, &mut |bounds| {
+        for ((search, enough), ranked) in searches.iter().zip(&enough).zip(&mut ranked) {
+            let key = search.key(bounds.low, bounds.high);
+            if key > *enough {
+                let cell = Cell::of_part(bounds.mating, bounds.part);
+                ranked.open.push(Open {
+                    key,
+                    cell: Cell {
+                        low: bounds.low,
+                        high: bounds.high,
+                        ..cell
+                    },
+                });
+            } else {
+                ranked.bound = ranked.bound.max(key);
+            }
+        }
+    });
+    Ok(ranked)
+}
+
 impl Search<'_> {
     /// How far beyond everything else a cell may reach: the sign makes the least a greatest.
     fn key(&self, low: f64, high: f64) -> f64 {
@@ -77,42 +136,10 @@ impl Search<'_> {
         seen.unwrap_or(f64::NEG_INFINITY)
     }
 
-    /// The bound that holds for the whole cycle, rad.
-    pub fn run(&self, found: &mut Found) -> Result<Proof, Error> {
-        let range = 0..self.table.matings();
-        let mut top: Option<Bounds> = None;
-        self.table.each(range.clone(), &mut |bounds| {
-            let key = self.key(bounds.low, bounds.high);
-            if top.is_none_or(|top| key > self.key(top.low, top.high)) {
-                top = Some(bounds);
-            }
-        });
-        if let Some(top) = top {
-            let middle = Cell::of_part(top.mating, top.part);
-            let mating = self
-                .course
-                .mating(top.mating, 0.5 * (middle.from + middle.to));
-            found.look(self.course, mating)?;
-        }
-        let enough = self.best(found) + self.width;
-        let mut bound = self.best(found);
-        let mut open = BinaryHeap::new();
-        self.table.each(range, &mut |bounds| {
-            let key = self.key(bounds.low, bounds.high);
-            if key > enough {
-                let cell = Cell::of_part(bounds.mating, bounds.part);
-                open.push(Open {
-                    key,
-                    cell: Cell {
-                        low: bounds.low,
-                        high: bounds.high,
-                        ..cell
-                    },
-                });
-            } else {
-                bound = bound.max(key);
-            }
-        });
+    /// The bound that holds for the whole cycle, rad, of the `ranked` stretches of the same search.
+    pub fn run(&self, ranked: Ranked, found: &mut Found) -> Result<Proof, Error> {
+        let Ranked { open, mut bound } = ranked;
+        let mut open = BinaryHeap::from(open);
         for _ in 0..MOST_CELLS {
             let Some(next) = open.pop() else {
                 return Ok((self.value(bound), None));

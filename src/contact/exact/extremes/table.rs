@@ -24,8 +24,8 @@ struct SideTable {
     /// Places of step 0 where the cycle begins; the locked one falls by `sense` with each mating.
     first: [i64; 2],
     sense: i64,
-    /// Steps that may be the tightest, and what they have beside the line of action at least.
-    open: [Vec<(i64, f64)>; PARTS],
+    /// Steps that may be the tightest, and what they have beside the line of action at least: at all, and where a tip corner meets a fillet.
+    open: [Vec<(i64, f64, f64)>; PARTS],
     /// Those of them of which involutes and their ends decide, and those whose tip corners may dip into fillets.
     plain: [Vec<(i64, f64)>; PARTS],
     dipping: [Vec<(i64, Part)>; PARTS],
@@ -46,6 +46,16 @@ pub(super) struct Table {
     /// Of each side, how far the outlines' centres are apart; `None` where no corner comes near a fillet.
     distances: Option<Distances>,
     matings: u64,
+}
+
+/// A step that may be the tightest in a part of a mating.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct OpenStep {
+    pub step: i64,
+    /// How much more room than its own place on the line of action gives a step on that line has at most.
+    pub enough: f64,
+    /// Whether a corner on a fillet may have less than that.
+    pub dips: bool,
 }
 
 /// How far the outlines' centres are apart.
@@ -157,27 +167,36 @@ impl Table {
         }
     }
 
+    /// Whether a tip corner on a fillet may be the tightest somewhere.
+    pub fn has_dips(&self) -> bool {
+        let mut parts = self.sides.iter().flat_map(|side| &side.dipping);
+        parts.any(|dipping| !dipping.is_empty())
+    }
+
     pub fn matings(&self) -> u64 {
         self.matings
     }
 
-    /// Steps of a side that may be the tightest in a part of a mating, those that need not have more room than one on the line of action,
-    /// and how much more than its own place on the line of action gives that would be.
+    /// Steps of a side that may be the tightest in a part of a mating: those that need not have more room than one on the line of action.
     pub fn steps(
         &self,
         side: usize,
         mating: u64,
         part: usize,
-    ) -> impl Iterator<Item = (i64, f64)> + '_ {
+    ) -> impl Iterator<Item = OpenStep> + '_ {
         let table = &self.sides[side];
         let places = table.places(mating);
         let covering = table.covering[part].iter();
         let limit = covering.map(|step| table.off(places, *step));
         let limit = limit.fold(f64::INFINITY, f64::min) + self.slack;
         let open = table.open[part].iter();
-        open.filter_map(move |(step, more)| {
+        open.filter_map(move |(step, more, dipping)| {
             let enough = limit - table.off(places, *step);
-            (*more <= enough).then_some((*step, enough))
+            (*more <= enough).then_some(OpenStep {
+                step: *step,
+                enough,
+                dips: !(*dipping >= enough),
+            })
         })
     }
 }
@@ -242,7 +261,9 @@ impl SideTable {
                 false => f64::INFINITY,
             };
             let open = || found.iter().filter(|(_, part)| part.least() <= limit);
-            table.open[part] = open().map(|(step, part)| (*step, part.least())).collect();
+            table.open[part] = open()
+                .map(|(step, part)| (*step, part.least(), part.dipping()))
+                .collect();
             for (step, found) in open() {
                 match found.least() < found.beside {
                     true => table.dipping[part].push((*step, *found)),

@@ -1,0 +1,223 @@
+//! The mesh cycles of a study, and what the search finds in each: at its centre distance, and at both ends of the bearing clearance.
+
+use super::assembles_from::AssemblesFrom;
+use super::directions::{self, Directed, Search, is_open};
+use super::meshes_to::MeshesTo;
+use super::phases::phase;
+use super::study::{RunPlan, Study};
+use crate::contact::{ExactKernel, Extreme, Extremes, Status};
+use crate::error::Error;
+use crate::gear::Side;
+use crate::pair::{GearPair, Mating, Member, SweepPlan};
+
+/// Width of a proven bracket of `j_wt`, mm: a nanometre, a hundredth of what any gear is measured to.
+pub const WIDTH: f64 = 1e-6;
+
+/// A run and where its cycle begins.
+pub(super) struct Planned {
+    pub run: RunPlan,
+    first: Mating,
+    /// Matings that differ.
+    distinct: u64,
+    pub phase: Option<(u32, u32)>,
+}
+
+/// What was found of it, and the poses of that: least, greatest, lost.
+pub(super) struct Searched {
+    pub found: Extremes,
+    pub poses: Vec<Directed>,
+    pub assembles_from: Option<AssemblesFrom>,
+    pub meshes_to: Option<MeshesTo>,
+}
+
+/// What was found at one end of the bearing clearance.
+pub(super) struct SearchedEnd {
+    /// The pair there.
+    pub assembly: GearPair,
+    pub status: Status,
+    pub extreme: Option<Extreme>,
+    /// The pose of that.
+    pub pose: Option<Directed>,
+}
+
+impl Planned {
+    pub fn search(&self) -> Result<Searched, Error> {
+        let assembly = &self.run.assembly;
+        let of = |pair: &GearPair| self.cycle(pair);
+        if is_open(assembly) {
+            let all = directions::extremes(assembly, &of, WIDTH)?;
+            let [(near, nearest), (far, farthest)] = &all.ends;
+            return Ok(Searched {
+                assembles_from: self.assembles_from(near, nearest, all.off)?,
+                meshes_to: meshes_to(far, farthest, all.off, &of)?,
+                found: all.found,
+                poses: all.poses,
+            });
+        }
+        let found = of(assembly)?;
+        let extremes = [found.least, found.greatest].into_iter().flatten();
+        let matings = extremes.map(|extreme| extreme.mating).chain(found.lost);
+        let assembles_from = self.assembles_from(assembly, &found, 0.0)?;
+        // Beside them what binds where the pair begins to assemble, for checks that seek distances.
+        let binds = assembles_from.map(|from| from.mating);
+        Ok(Searched {
+            poses: vec![Directed {
+                assembly: assembly.clone(),
+                matings: matings.chain(binds).collect(),
+            }],
+            assembles_from,
+            meshes_to: meshes_to(assembly, &found, 0.0, &of)?,
+            found,
+        })
+    }
+
+    /// The least with the axes nearer by `clearance`, mm, and the greatest with them as much farther apart. Backlash grows with the
+    /// distance: no pose between has less, or more.
+    pub fn at_ends(&self, clearance: f64) -> Result<[SearchedEnd; 2], Error> {
+        Ok([
+            self.at_end(-clearance, true)?,
+            self.at_end(clearance, false)?,
+        ])
+    }
+
+    fn at_end(&self, farther: f64, is_least: bool) -> Result<SearchedEnd, Error> {
+        let assembly = &self.run.assembly;
+        let assembly = assembly.at(assembly.center_distance() + farther)?;
+        let of = |found: &Extremes| match is_least {
+            true => found.least,
+            false => found.greatest,
+        };
+        let (found, pose) = match is_open(&assembly) {
+            true => {
+                let all = directions::extremes(&assembly, &|pair| self.cycle(pair), WIDTH)?;
+                // The least comes first.
+                let before = !is_least && all.found.least.is_some();
+                let pose = all.poses.into_iter().nth(usize::from(before));
+                (all.found, pose)
+            }
+            false => {
+                let found = self.cycle(&assembly)?;
+                let pose = of(&found).map(|extreme| Directed {
+                    assembly: assembly.clone(),
+                    matings: vec![extreme.mating],
+                });
+                (found, pose)
+            }
+        };
+        let extreme = of(&found);
+        Ok(SearchedEnd {
+            assembly,
+            status: found.status,
+            extreme,
+            pose: pose.filter(|_| extreme.is_some()),
+        })
+    }
+
+    /// The extremes of `pair`, whose runout has a direction, over the cycle.
+    fn cycle(&self, pair: &GearPair) -> Result<Extremes, Error> {
+        ExactKernel::new(pair).extremes(pair, self.first, self.distinct, WIDTH)
+    }
+
+    /// From where on the axes of `pair`, of which `found` was found, have to be `farther` apart than where it assembles.
+    fn assembles_from(
+        &self,
+        pair: &GearPair,
+        found: &Extremes,
+        farther: f64,
+    ) -> Result<Option<AssemblesFrom>, Error> {
+        let least = found.least.map(|least| least.low);
+        if found.status == Status::NoContact || least.is_some_and(|least| least >= 0.0) {
+            return Ok(None);
+        }
+        let from = AssemblesFrom::new(pair, self.first, self.distinct, least, 0.1 * WIDTH)?;
+        Ok(from.map(|from| AssemblesFrom {
+            low: from.low + farther,
+            high: from.high + farther,
+            ..from
+        }))
+    }
+}
+
+/// Up to where the axes of `pair`, of which `found` was found, may be apart: less than it is in mesh by `nearer`.
+fn meshes_to(
+    pair: &GearPair,
+    found: &Extremes,
+    nearer: f64,
+    search: &Search<'_>,
+) -> Result<Option<MeshesTo>, Error> {
+    if found.status != Status::NoContact {
+        return Ok(None);
+    }
+    let to = MeshesTo::new(pair, found, search)?;
+    Ok(to.map(|to| MeshesTo {
+        low: to.low - nearer,
+        high: to.high - nearer,
+        ..to
+    }))
+}
+
+/// Every centre distance and material, each in the phases that the study is about.
+pub(super) fn plans(study: &Study) -> Result<Vec<Planned>, Error> {
+    let runs = study.runs()?;
+    let mut plans: Vec<Planned> = Vec::new();
+    for run in runs {
+        let mut firsts: Vec<Mating> = Vec::new();
+        for mating in &run.matings {
+            let first = first_of_phase(&run.assembly, mating);
+            if !firsts.contains(&first) {
+                firsts.push(first);
+            }
+        }
+        // Against perfect teeth it does not matter which are met.
+        let distinct = distinct(&run.assembly);
+        if distinct < hunting_pitches(&run.assembly) {
+            firsts.truncate(1);
+        }
+        let several = firsts.len() > 1;
+        firsts.sort_by_key(|first| first.pinion_tooth);
+        for first in firsts {
+            let own = several.then_some((first.wheel_tooth, first.pinion_tooth));
+            plans.push(Planned {
+                phase: run.phase.or(own),
+                run: RunPlan {
+                    matings: Vec::new(),
+                    ..run.clone()
+                },
+                first,
+                distinct,
+            });
+        }
+    }
+    Ok(plans)
+}
+
+/// The mating of wheel tooth 1 that names the assembly phase of `mating`.
+fn first_of_phase(assembly: &GearPair, mating: &Mating) -> Mating {
+    Mating {
+        wheel_tooth: 1,
+        pinion_tooth: phase(assembly, mating),
+        flank: Side::Right,
+        fraction: 0.0,
+    }
+}
+
+/// lcm(z_1, z_2).
+pub(super) fn hunting_pitches(assembly: &GearPair) -> u64 {
+    let teeth = |member| assembly.gear(member).gear().basic_data().teeth();
+    SweepPlan::hunting_pitches(teeth(Member::Wheel), teeth(Member::Pinion))
+}
+
+/// Matings that differ: after them every deviation of both gears is where it was.
+pub(super) fn distinct(assembly: &GearPair) -> u64 {
+    let gear = |member| assembly.gear(member);
+    let teeth = |member| gear(member).gear().basic_data().teeth();
+    let (wheel, pinion) = (teeth(Member::Wheel), teeth(Member::Pinion));
+    // In any direction an eccentricity alone makes no tooth another.
+    let deviates = |member| gear(member).centred().has_unlike_teeth();
+    match [Member::Wheel, Member::Pinion].map(deviates) {
+        [true, true] => hunting_pitches(assembly),
+        [true, false] => u64::from(wheel),
+        [false, true] => u64::from(pinion),
+        [false, false] => 1,
+    }
+}

@@ -1,0 +1,201 @@
+//! What the poses of a run have shown: all that checks ask of them, so that the poses need not be kept.
+
+use super::contact_count::ContactCount;
+use crate::analysis::compare::{ComparedPose, ComparedRun};
+use crate::analysis::study::Material;
+use crate::contact::{Contact, ContactClass, ContactKind, Touch, Unproven};
+use crate::gear::{ProfilePart, Side};
+use crate::pair::{GearPair, Mating, Member};
+use std::collections::HashSet;
+
+const MEMBERS: [Member; 2] = [Member::Wheel, Member::Pinion];
+
+/// What was seen at some poses of one centre distance and material.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Seen {
+    /// The pair.
+    pub assembly: GearPair,
+    /// Which thickness.
+    pub material: Material,
+    /// What touched, and what it cost.
+    pub contact: ContactCount,
+    /// Least `j_wt`, mm; `None` where no pose has one.
+    pub least: Option<f64>,
+    /// Poses that are not proven.
+    pub(super) unproven: usize,
+    /// The first of these, and why it is not.
+    pub(super) first_unproven: Option<(Mating, Unproven)>,
+    /// Of the wheel and of the pinion.
+    touched: [Touched; 2],
+}
+
+/// Where a gear was touched.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(super) struct Touched {
+    /// Poses in which something below its involute, the edge of an undercut flank included, is touched.
+    pub below: usize,
+    /// Greatest and least radius of a contact, mm.
+    pub greatest: Option<f64>,
+    pub least: Option<f64>,
+    /// Pairs of teeth that touch below the involute, and the first contact of those nearest to the root.
+    pub pairs: HashSet<(u32, u32)>,
+    pub lowest: Option<Contact>,
+}
+
+impl Seen {
+    /// No pose of `assembly` yet.
+    pub fn new(assembly: &GearPair, material: Material) -> Seen {
+        Seen {
+            assembly: assembly.clone(),
+            material,
+            contact: ContactCount::default(),
+            least: None,
+            unproven: 0,
+            first_unproven: None,
+            touched: Default::default(),
+        }
+    }
+
+    /// At the poses of `run`.
+    pub fn of(run: &ComparedRun) -> Seen {
+        let mut seen = Seen::new(&run.run.assembly, run.run.material);
+        run.poses.iter().for_each(|pose| seen.add(pose));
+        seen
+    }
+
+    /// Takes in a pose.
+    pub(crate) fn add(&mut self, pose: &ComparedPose) {
+        let swept = &pose.swept;
+        self.contact.add(&self.assembly, self.material, pose);
+        self.least = least(self.least, swept.backlash);
+        if swept.is_unproven() {
+            self.unproven += 1;
+            if self.first_unproven.is_none() {
+                let why = swept.unproven().next();
+                self.first_unproven = why.map(|why| (*swept.pose.mating(), why.clone()));
+            }
+        }
+        let Some(found) = swept.proven() else {
+            return;
+        };
+        let sides = [(Side::Right, &found.right), (Side::Left, &found.left)];
+        for (touched, member) in self.touched.iter_mut().zip(MEMBERS) {
+            let mut is_below = false;
+            for (side, contact) in sides {
+                if let Some(contact) = contact {
+                    is_below |= touched.add(&self.assembly, member, side, contact);
+                }
+            }
+            touched.below += usize::from(is_below);
+        }
+    }
+
+    /// Several together; `None` of none.
+    pub(super) fn sum<'a>(all: impl IntoIterator<Item = &'a Seen>) -> Option<Seen> {
+        let mut all = all.into_iter();
+        let mut sum = all.next()?.clone();
+        for other in all {
+            sum.contact.extend(&other.contact);
+            sum.least = least(sum.least, other.least);
+            sum.unproven += other.unproven;
+            sum.first_unproven = sum.first_unproven.or_else(|| other.first_unproven.clone());
+            for (own, member) in sum.touched.iter_mut().zip(MEMBERS) {
+                own.extend(member, other.touched(member));
+            }
+        }
+        Some(sum)
+    }
+
+    pub(super) fn touched(&self, member: Member) -> &Touched {
+        let [wheel, pinion] = &self.touched;
+        match member {
+            Member::Wheel => wheel,
+            Member::Pinion => pinion,
+        }
+    }
+
+    /// Why nothing is known of poses; `None` where all are proven.
+    pub(super) fn doubt<'a>(all: impl IntoIterator<Item = &'a Seen>) -> Option<String> {
+        let sum = Seen::sum(all)?;
+        let (mating, why) = sum.first_unproven.as_ref()?;
+        Some(format!(
+            "{} of {} poses are unproven; the first is {}: {}",
+            sum.unproven,
+            sum.contact.poses(),
+            place(mating),
+            why.reason
+        ))
+    }
+}
+
+impl Touched {
+    /// Takes in a contact of `member`: whether it is below the involute.
+    fn add(&mut self, assembly: &GearPair, member: Member, side: Side, contact: &Contact) -> bool {
+        let here = touch(contact, member);
+        self.greatest = greatest(self.greatest, Some(here.radius));
+        self.least = least(self.least, Some(here.radius));
+        let below = match here.curve {
+            ProfilePart::Fillet | ProfilePart::Root => true,
+            ProfilePart::Tip => false,
+            // An undercut edge: the class knows, of one gear or the other.
+            ProfilePart::Involute => {
+                let form = assembly.gear(member).gear().form_radius();
+                here.radius <= form + 1e-7
+                    && ContactClass::of(assembly, side, contact).kind == ContactKind::Edge
+            }
+        };
+        if below {
+            self.pairs
+                .insert((contact.wheel.tooth, contact.pinion.tooth));
+            self.lower(member, contact);
+        }
+        below
+    }
+
+    fn lower(&mut self, member: Member, contact: &Contact) {
+        let lowest = self.lowest.as_ref();
+        let radius = |contact: &Contact| touch(contact, member).radius;
+        if lowest.is_none_or(|lowest| radius(contact) < radius(lowest)) {
+            self.lowest = Some(*contact);
+        }
+    }
+
+    fn extend(&mut self, member: Member, other: &Touched) {
+        self.below += other.below;
+        self.greatest = greatest(self.greatest, other.greatest);
+        self.least = least(self.least, other.least);
+        self.pairs.extend(&other.pairs);
+        if let Some(lowest) = &other.lowest {
+            self.lower(member, lowest);
+        }
+    }
+}
+
+fn least(one: Option<f64>, other: Option<f64>) -> Option<f64> {
+    [one, other].into_iter().flatten().reduce(f64::min)
+}
+
+fn greatest(one: Option<f64>, other: Option<f64>) -> Option<f64> {
+    [one, other].into_iter().flatten().reduce(f64::max)
+}
+
+fn touch(contact: &Contact, member: Member) -> Touch {
+    match member {
+        Member::Wheel => contact.wheel,
+        Member::Pinion => contact.pinion,
+    }
+}
+
+/// A pose in words: mating, flank, fraction.
+pub(super) fn place(mating: &Mating) -> String {
+    let beyond = match mating.fraction {
+        0.0 => String::new(),
+        fraction => format!(", {fraction:.4} pitch beyond"),
+    };
+    format!(
+        "wheel {} with pinion {} at the {} flank{beyond}",
+        mating.wheel_tooth,
+        mating.pinion_tooth,
+        mating.flank.name()
+    )
+}

@@ -10,6 +10,7 @@ use super::column::Column;
 use super::header::Header;
 use super::limits::MOST_ROWS;
 use super::number::{self, Written};
+use super::unmeasured::Unmeasured;
 use super::wanted::{Row, Wanted};
 use super::{by_tooth, story};
 use crate::data_file::DataFile;
@@ -162,7 +163,13 @@ fn parse<'a>(
                     break;
                 }
                 line_count += 1;
-                match row(file, text, &block.columns, number::written) {
+                match row(
+                    file,
+                    text,
+                    &block.columns,
+                    Unmeasured::default(),
+                    number::written,
+                ) {
                     Ok((tooth, values)) => block.rows.push((line, tooth, values)),
                     Err(reason) => wrong(reason, "correct the line"),
                 }

@@ -89,7 +89,7 @@ fn the_undefined_number_is_no_threshold() {
         |number: &str| text.replace("UNDEFINED -2147483.648", &format!("UNDEFINED {number}"));
     let all = left_trace(&text);
     assert_eq!((all.len(), all[0]), (19, 0.01));
-    for number in ["999.9", "0", "0.005", "-10.0"] {
+    for number in ["999.9", "0", "0.004", "-10.0"] {
         assert_eq!(left_trace(&with(number)), all, "{number}");
     }
     // As it stands there.

@@ -137,7 +137,11 @@ impl<const N: usize> Sheet<N> {
             Content::P40(text) => {
                 let p40 = p40::parse(file, text, problems)?;
                 p40.refuse_values(file, problems)?;
-                let rows = protocol::of_blocks(file, &p40.blocks, wanted, problems)?;
+                let wanted = Wanted {
+                    teeth: wanted.teeth.or(p40.header.teeth()),
+                    ..*wanted
+                };
+                let rows = protocol::of_blocks(file, &p40.blocks, &wanted, problems)?;
                 let mut header = p40.header.clone();
                 header.left_unused(file, &p40.unused(p40::PITCH));
                 return Some(Sheet {
@@ -297,6 +301,10 @@ impl Content {
         };
         let p40 = p40::parse(file, text, problems)?;
         p40.refuse_values(file, problems)?;
+        let teeth = p40.header.teeth().filter(|_| !p40.positions.is_empty());
+        if let Some(teeth) = teeth {
+            positions::by_tooth(&p40, file, teeth as usize, problems)?;
+        }
         let mut header = p40.header.clone();
         header.left_unused(file, &p40.unused(p40::POSITIONS));
         Some((p40.positions, header))

@@ -52,7 +52,7 @@ pub struct Nominal<'a> {
 }
 
 /// The positions of a tooth, right flank first: `PHI`, degrees, and `X`, `Y`, mm.
-type Flanks = [[f64; 3]; 2];
+pub type Flanks = [[f64; 3]; 2];
 
 /// A way to read the positions under which they fit the gear.
 struct Reading {
@@ -191,8 +191,8 @@ fn of(
 /// What is wrong where the convention is not kept.
 const BEHIND: &str = "in the direction of the tooth numbers R lies behind L, as of a space between two teeth, or where R and L are exchanged: seen on the reference face teeth are numbered clockwise, and R is the right-hand flank of a tooth that points up";
 
-/// Both flanks of each tooth.
-fn by_tooth(
+/// Both flanks of each of `teeth` teeth.
+pub fn by_tooth(
     p40: &P40,
     file: &DataFile,
     teeth: usize,

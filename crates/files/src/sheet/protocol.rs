@@ -49,7 +49,11 @@ pub fn read<const N: usize>(
     problems: &mut Problems,
 ) -> Option<(Vec<Row<N>>, Header)> {
     let (blocks, header) = parse(file, text, problems)?;
-    Some((of_blocks(file, &blocks, wanted, problems)?, header))
+    let wanted = Wanted {
+        teeth: wanted.teeth.or(header.teeth()),
+        ..*wanted
+    };
+    Some((of_blocks(file, &blocks, &wanted, problems)?, header))
 }
 
 /// The wanted columns of `blocks`, by ascending tooth.

@@ -82,6 +82,12 @@ fn positions_alone() {
         assert_eq!(found.tables.len(), 1);
         assert_eq!(found.toml, "[wheel.thickness]\nfile = \"gear.mka\"\n");
     }
+    let last = alone.rfind("\r\n  17  L").unwrap();
+    let told = import(&alone[..last], None).unwrap_err();
+    assert!(
+        told.contains("does not have both flanks of each of 17 teeth"),
+        "{told}"
+    );
     let told = import(&format!("{head}Flankenlinie:\r\n"), None).unwrap_err();
     assert!(
         told.contains("no positions of the probe (Teilung:)"),
@@ -109,6 +115,11 @@ fn a_tooth_that_is_missing() {
         let told = import(&lines.join("\r\n"), None).unwrap_err();
         assert!(told.contains(&format!("without tooth {tooth}")), "{told}");
         assert!(told.contains("give all 17 teeth"), "{told}");
+        // That the neighbours do not fit follows from it.
+        assert!(
+            !told.contains("differ by more than their rounding"),
+            "{told}"
+        );
     }
 }
 

@@ -117,3 +117,10 @@ fn lost_motion_as_with_our_own_tables() {
     // X and Y are printed to 0.1 µm: a position is off by up to 0.071 µm, the mean of 88 by far less.
     assert!(worst <= 0.071, "{worst} µm");
 }
+
+/// The example beside the other sheets is what the writer makes.
+#[test]
+fn the_fixture() {
+    let path = "../../fixtures/sheets/curves.mka";
+    assert_eq!(fs::read_to_string(path).unwrap(), Made::new(9).text());
+}

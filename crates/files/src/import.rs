@@ -22,7 +22,7 @@ use std::path::Path;
 /// What a file is, by what it holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Content {
-    /// A table in cells (CSV, a workbook), or the text protocol of a measuring machine.
+    /// A table in cells (CSV, a workbook), or the text protocol or curve file of a measuring machine.
     Table,
     /// A gearbox model, REXS.
     GearboxModel,

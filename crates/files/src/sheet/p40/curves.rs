@@ -4,7 +4,7 @@
 
 use super::super::block::{self, Block};
 use super::super::limits::MOST_ROWS;
-use super::super::number as tooth;
+use super::super::number::tooth as tooth_number;
 use super::super::unmeasured::Unmeasured;
 use super::content::{CORRECT, Curve, P40, PROFILES, Position};
 use super::number::written;
@@ -283,7 +283,7 @@ fn take_position(file: &DataFile, p40: &mut P40, (line, text): (u64, &str)) -> R
     let [tooth, side, numbers @ ..] = &words[..] else {
         return Err(wrong());
     };
-    let tooth = tooth::tooth(tooth).filter(|tooth| (1..=10_000).contains(tooth));
+    let tooth = tooth_number(tooth).filter(|tooth| (1..=10_000).contains(tooth));
     let flank = match *side {
         "R" => Some(Flank::Right),
         "L" => Some(Flank::Left),

@@ -113,8 +113,9 @@ pub fn row<'a>(
         })?;
         if unmeasured.is(&written) {
             return Err(format!(
-                "{} stands for a value that was not measured",
-                file.bare(word)
+                "{} {}",
+                file.bare(word),
+                unmeasured.words(&written)
             ));
         }
         values.push(written);

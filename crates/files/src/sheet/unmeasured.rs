@@ -18,6 +18,14 @@ impl Unmeasured {
         Unmeasured { said: Some(number) }
     }
 
+    /// What `value` is where it is one of them, in words.
+    pub fn words(self, value: &Written) -> &'static str {
+        match Unmeasured::default().is(value) {
+            true => "stands for a value that was not measured",
+            false => "stands for a value that was not measured, as UNDEFINED of the preamble says",
+        }
+    }
+
     /// Whether `value` is one of them, as far as its digits say; never by its size.
     pub fn is(self, value: &Written) -> bool {
         // Whole numbers at most: 1e7 has its last digit seven places above them.

@@ -111,7 +111,7 @@ fn the_undefined_number_in_a_table_of_pitch() {
     let told = told(&text, 17, PITCH);
     assert_eq!(told.lines().count(), 1, "{told}");
     assert!(
-        told.contains("-8888.0 stands for a value that was not measured"),
+        told.contains("-8888.0 stands for a value that was not measured, as UNDEFINED"),
         "{told}"
     );
 }

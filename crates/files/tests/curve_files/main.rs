@@ -106,6 +106,8 @@ fn lost_motion_as_with_our_own_tables() {
         "{remarks}"
     );
     assert!(remarks.contains("1 lead traces"), "{remarks}");
+    let holes = "of the profiles 2 values were not measured";
+    assert!(remarks.contains(holes), "{remarks}");
     let [found, expected] = [&found, &expected].map(lost_motion);
     assert_eq!((found.len(), expected.len()), (88, 88));
     let worst = found

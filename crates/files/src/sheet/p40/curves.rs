@@ -295,8 +295,9 @@ fn take_position(file: &DataFile, p40: &mut P40, (line, text): (u64, &str)) -> R
     let unmeasured = Unmeasured::default();
     if let Some(number) = numbers.iter().find(|number| unmeasured.is(number)) {
         return Err(format!(
-            "{} stands for a value that was not measured",
-            file.bare(number.text)
+            "{} {}",
+            file.bare(number.text),
+            unmeasured.words(number)
         ));
     }
     let [phi, x, y, z] = numbers[..] else {

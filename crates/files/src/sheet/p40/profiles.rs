@@ -104,9 +104,11 @@ pub fn read(
             return wrong(curve.line, reason.to_owned(), "remove the trace");
         }
     }
+    let values = p40.profiles.iter().flat_map(|curve| &curve.values);
+    let holes = values.filter(|(_, value)| value.is_none()).count();
     let mut header = p40.header.clone();
     let words = format!(
-        "{}; the profiles are read at equal steps of roll length, {:.4} to {:.4} mm, which the file does not say",
+        "{}; of the profiles {holes} values were not measured; they are read at equal steps of roll length, {:.4} to {:.4} mm, which the file does not say",
         p40.unused(PROFILES),
         ends[0],
         ends[1]

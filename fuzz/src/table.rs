@@ -4,11 +4,11 @@ use crate::folder::Folder;
 
 /// Reads `table` as the file that the pair named by `choice` asks for; `None` where `choice` names none.
 ///
-/// `0` … `7` are readings of a gear of 44 teeth, `a` … `h` the same of 9 teeth, for which a small table is whole.
+/// `0` … `9` are readings of a gear of 44 teeth, `a` … `j` the same of 9 teeth, for which a small table is whole.
 pub fn read(choice: u8, table: &[u8]) -> Option<()> {
     let (teeth, reading) = match choice {
-        b'0'..=b'7' => (44, choice - b'0'),
-        b'a'..=b'h' => (9, choice - b'a'),
+        b'0'..=b'9' => (44, choice - b'0'),
+        b'a'..=b'j' => (9, choice - b'a'),
         _ => return None,
     };
     let spanned = if teeth == 44 { 6 } else { 2 };
@@ -22,6 +22,8 @@ pub fn read(choice: u8, table: &[u8]) -> Option<()> {
         6 => {
             "thickness.over_pins = { pin_mm = 5.25, file = \"table\", decimal = \",\" }".to_owned()
         }
+        8 => "thickness = { file = \"table\" }".to_owned(),
+        9 => "profile = { trace = { file = \"table\" } }".to_owned(),
         _ => String::new(),
     };
     let gear = format!("teeth = {teeth}\nmodule_mm = 3.0\npressure_angle_deg = 20.0\n");

@@ -19,7 +19,7 @@ use std::process::ExitCode;
 /// Of a gearbox model (REXS 1.0 to 2.0, XML, JSON, or zipped) stages of external spur gears become pair files; everything else is named and left out.
 #[derive(clap::Args)]
 pub(super) struct Args {
-    /// CSV, workbook (.xlsx), text protocol of a measuring machine, or gearbox model (.rexs, .rexsj, .rexsz; - for one on standard input)
+    /// CSV, workbook (.xlsx), text protocol or curve file (.mka) of a measuring machine, or gearbox model (.rexs, .rexsj, .rexsz; - for one on standard input)
     file: PathBuf,
     /// What the file is read for [default: all that it has]
     #[arg(long, value_enum)]

@@ -9,7 +9,9 @@ use crate::node::Node;
 use crate::place::Place;
 use crate::problems::Problems;
 use crate::rexs;
-use crate::sheet::{self, Choice, Column, Coverage, Origin, Sheet, TraceSheet, Wanted};
+use crate::sheet::{
+    self, Choice, Column, Coverage, Header, Origin, Position, Sheet, TraceSheet, Wanted,
+};
 use crate::source;
 use crate::sources::Sources;
 use crate::table::Table;
@@ -20,7 +22,7 @@ use std::path::Path;
 /// What a file is, by what it holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Content {
-    /// A table in cells (CSV, a workbook), or the text protocol of a measuring machine.
+    /// A table in cells (CSV, a workbook), or the text protocol or curve file of a measuring machine.
     Table,
     /// A gearbox model, REXS.
     GearboxModel,
@@ -61,6 +63,8 @@ pub enum Kind {
     Runout,
     /// Thickness of each tooth.
     Thickness,
+    /// Positions of a probe at every flank, from which the thickness of each tooth follows.
+    Positions,
     /// Spans all round.
     Span,
     /// Dimensions over pins all round.
@@ -270,6 +274,11 @@ fn read(
         ),
     ];
     for (kind, column, name, title) in singles {
+        if kind == Kind::Thickness && is_asked(kind) && content.has_positions() {
+            let found = content.positions(&file, problems);
+            tables.extend(found.map(|(positions, header)| positioned(&positions, &header)));
+            continue;
+        }
         // A key that names the column says nothing of what it holds.
         let named = choice.column("column").is_none() || options.only.is_some();
         if is_asked(kind) && named && (options.only.is_some() || from.has(&[column])) {
@@ -290,6 +299,14 @@ fn read(
     if is_asked(Kind::Trace) && (options.only.is_some() || from.has_trace()) {
         let traces = TraceSheet::of(&content, &file, &choice, (None, None), problems);
         tables.extend(traces.as_ref().map(traced));
+    }
+    if tables.is_empty() && problems.is_empty() && content.is_p40() {
+        content.positions(&file, problems)?;
+        problems.add(file.problem(
+            "has no pitch (linke, rechte Zahnflanke), no profile trace (Profil:) and no positions of the probe (Teilung:)",
+            "name a file that has one of them",
+        ));
+        return None;
     }
     if tables.is_empty() && problems.is_empty() && not_read.is_empty() {
         problems.add(file.problem(
@@ -407,8 +424,9 @@ impl From<'_> {
             coverage,
         };
         let sheet = Sheet::of(self.content, self.file, self.choice, &wanted, problems)?;
-        // As many teeth as there are: one that is missing between them is told.
-        wanted.teeth = sheet.rows.last().map(|row| row.tooth);
+        // As many teeth as the file says, or as there are: one that is missing is told.
+        let last = sheet.rows.last().map(|row| row.tooth);
+        wanted.teeth = sheet.header.teeth().or(last);
         match coverage {
             Coverage::EveryTooth => {
                 Sheet::of(self.content, self.file, self.choice, &wanted, problems)
@@ -448,12 +466,41 @@ impl ImportedTable {
                 .as_ref()
                 .and_then(|origin| origin.sheet.clone()),
             header_row: sheet.origin.as_ref().map(|origin| origin.header_row),
-            left_out: sheet
-                .origin
-                .as_ref()
-                .and_then(|origin| origin.left_out.clone()),
+            left_out: left_out(sheet.origin.as_ref(), &sheet.header),
             columns,
         }
+    }
+}
+
+/// What of the file is no part of a table, in words.
+fn left_out(origin: Option<&Origin>, header: &Header) -> Option<String> {
+    match origin {
+        Some(origin) => origin.left_out.clone(),
+        None => header.unused().map(str::to_owned),
+    }
+}
+
+fn positioned(positions: &[Position], header: &Header) -> ImportedTable {
+    let column = |name, value: &dyn Fn(&Position) -> Value| ImportedColumn {
+        name,
+        heading: None,
+        values: positions.iter().map(value).collect(),
+    };
+    ImportedTable {
+        kind: Kind::Positions,
+        title: "Positions of the probe (Teilung:), which give the thickness of each tooth"
+            .to_owned(),
+        pitch_kind: None,
+        sheet: None,
+        header_row: None,
+        left_out: left_out(None, header),
+        columns: vec![
+            column("tooth", &|at| Value::Whole(at.tooth)),
+            column("flank", &|at| Value::Word(at.flank.name())),
+            column("phi_deg", &|at| Value::Number(at.at[0])),
+            column("x_mm", &|at| Value::Number(at.at[1])),
+            column("y_mm", &|at| Value::Number(at.at[2])),
+        ],
     }
 }
 
@@ -494,7 +541,7 @@ fn traced(traces: &TraceSheet) -> ImportedTable {
         pitch_kind: None,
         sheet: origin.and_then(|origin| origin.sheet.clone()),
         header_row: origin.map(|origin| origin.header_row),
-        left_out: origin.and_then(|origin| origin.left_out.clone()),
+        left_out: left_out(origin, &traces.header),
         columns: there
             .map(|(name, values)| ImportedColumn {
                 name,
@@ -527,6 +574,7 @@ fn toml(tables: &[ImportedTable], path: &Path, options: &Options) -> String {
                 "at = \"tooth\" (fork) or \"space\" (ball, between it and the next)",
             ),
             Kind::Thickness => ("thickness.per_tooth_um", ""),
+            Kind::Positions => ("thickness", ""),
             Kind::Span => ("thickness.span", "teeth = …, the teeth spanned"),
             // A second statement is compared with the first.
             Kind::OverPins if written.contains(&Kind::Span) => (

@@ -3,7 +3,7 @@
 use super::limits::PER_TOOTH;
 use super::node::Node;
 use super::problems::Problems;
-use super::sheet::{self, Column, Coverage, Header, Positions, Sheet, Wanted};
+use super::sheet::{self, Column, Content, Coverage, Header, Nominal, Positions, Sheet, Wanted};
 use super::table::Table;
 use super::thickness::Statement;
 use gearlash::gear::BasicGearData;
@@ -20,19 +20,21 @@ pub fn thickness(
 ) -> Option<(Vec<f64>, Header)> {
     if let Some(Node::Table(_)) = table.get("per_tooth_um").map(|entry| entry.node()) {
         let named = table.table("per_tooth_um", sheet::KEYS, problems)?;
-        if Positions::is_named(&named) {
-            let nominal = base_thickness(nominal?);
-            let once = !gear.has("runout") && !gear.has("pitch");
-            let read = Positions::read(&named, nominal, once, problems)?;
-            return Some((read.per_tooth_um, read.header));
-        }
         let wanted = Wanted {
             columns: [Column::Thickness],
             teeth,
             coverage: Coverage::EveryTooth,
         };
-        let values = Sheet::read(&named, &wanted, problems)?.values(0);
-        return Some((values, Header::default()));
+        let once = !gear.has("runout") && !gear.has("pitch");
+        return sheet::read_with(&named, problems, |content, file, choice, bad| {
+            if let Content::P40(text) = content {
+                let nominal = of_nominal(nominal?, once);
+                let read = Positions::of(&named, file, text, &nominal, bad)?;
+                return Some((read.per_tooth_um, read.header));
+            }
+            let read = Sheet::told(&named, content, file, choice, &wanted, bad)?;
+            Some((read.values(0), Header::default()))
+        });
     }
     let list = table.numbers("per_tooth_um", &PER_TOOTH, problems)?;
     let list = one_a_tooth(table, "per_tooth_um", list, teeth, problems)?;
@@ -57,7 +59,7 @@ pub fn positions(
         return None;
     }
     let once = !gear.has("runout");
-    let read = Positions::read(table, base_thickness(nominal?), once, problems)?;
+    let read = Positions::read(table, &of_nominal(nominal?, once), problems)?;
     let each = match gear.has("pitch") {
         true => Vec::new(),
         false => read.per_tooth_um,
@@ -68,10 +70,14 @@ pub fn positions(
     ))
 }
 
-/// With the nominal base tooth thickness of a profile shift, mm.
-fn base_thickness((basic_data, shift): (&BasicGearData, f64)) -> (&BasicGearData, f64) {
+/// What the positions of a gear of a profile shift are held against.
+fn of_nominal((basic_data, shift): (&BasicGearData, f64), once: bool) -> Nominal<'_> {
     let half = basic_data.half_base_angle(shift);
-    (basic_data, 2.0 * basic_data.base_radius() * half)
+    Nominal {
+        basic_data,
+        base_thickness_mm: 2.0 * basic_data.base_radius() * half,
+        once,
+    }
 }
 
 /// `list`, when it is empty or has one value a tooth.

@@ -47,6 +47,21 @@ fn a_protocol_as_it_is() {
     insta::assert_snapshot!(found["toml"].as_str().unwrap());
 }
 
+/// A curve file: all that it has, what of it no table uses, and the thickness that the probe's positions give.
+#[test]
+fn a_curve_file() {
+    let shop = fixture("curves.mka");
+    let text = text(&shop, &["--gear", "pinion"]);
+    for words in [
+        "Positions of the probe (Teilung:)",
+        "  left out: 2 blocks of pitch, 1 lead traces, 2 profile traces, 2 root diameters",
+        "[pinion.thickness]\nfile = \"curves.mka\"\n",
+        "[pinion.profile.trace]\nfile = \"curves.mka\"\n",
+    ] {
+        assert!(text.contains(words), "{words}: {text}");
+    }
+}
+
 /// Each format that the program reads is understood.
 #[test]
 fn every_format() {

@@ -1,11 +1,9 @@
 //! One block of a protocol: its head, its columns, its rows.
 
 use super::number::{self, Decimal, Written};
+use super::unmeasured::Unmeasured;
 use crate::data_file::DataFile;
 use gearlash::gear::Side;
-
-/// What such machines print for a value that was not measured.
-const NOT_MEASURED: [f64; 2] = [-2147483.648, -9999.0];
 
 /// A column of a block.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -84,6 +82,7 @@ pub fn row<'a>(
     file: &DataFile,
     text: &'a str,
     columns: &[Name],
+    unmeasured: Unmeasured,
     number: impl Fn(&'a str) -> Option<Written<'a>>,
 ) -> Result<(u32, Vec<Written<'a>>), String> {
     let found = text.split_whitespace().count();
@@ -112,10 +111,11 @@ pub fn row<'a>(
                 file.quote(word)
             )
         })?;
-        if NOT_MEASURED.contains(&written.value) {
+        if unmeasured.is(&written) {
             return Err(format!(
-                "{} stands for a value that was not measured",
-                file.bare(word)
+                "{} {}",
+                file.bare(word),
+                unmeasured.words(&written)
             ));
         }
         values.push(written);

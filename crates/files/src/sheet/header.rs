@@ -11,22 +11,16 @@ enum Fact {
     Teeth,
     Module,
     PressureAngle,
-    HelixAngle,
     ProfileShift,
     TipDiameter,
 }
 
 /// The labels and the key that states the same. `*` is the umlaut, which the code pages of old machines
 /// write as one strange character or as two letters.
-const LABELS: [(&str, Fact, &str); 7] = [
+const LABELS: [(&str, Fact, &str); 6] = [
     ("Z*hnezahl", Fact::Teeth, "teeth"),
     ("Normalmodul", Fact::Module, "module_mm"),
     ("Eingriffswinkel", Fact::PressureAngle, "pressure_angle_deg"),
-    (
-        "Schr*gungswinkel",
-        Fact::HelixAngle,
-        "helix angle (gearlash knows spur gears only)",
-    ),
     (
         "Profilverschiebungsfaktor",
         Fact::ProfileShift,
@@ -35,6 +29,10 @@ const LABELS: [(&str, Fact, &str); 7] = [
     ("Kopfkreisdurchmesser", Fact::TipDiameter, "tip_diameter_mm"),
     ("Kopfkreis", Fact::TipDiameter, "tip_diameter_mm"),
 ];
+/// Label of the helix angle, which no pair file states.
+const HELIX_ANGLE: &str = "Schr*gungswinkel";
+/// Words beside the number of teeth that make the gear an internal one.
+const INTERNAL: [&str; 2] = ["innen", "internal"];
 /// The numbers under which such protocols state them.
 const NUMBERS: [(&str, &str); 5] = [
     ("21", "Normalmodul"),
@@ -51,8 +49,8 @@ const UNITS: [&str; 4] = ["mm", "Grad", "°", "deg"];
 pub struct Header {
     said: Vec<Said>,
     warnings: Vec<String>,
-    /// What of the file is read and left unused, in words.
-    unused: Option<String>,
+    /// The file, and what of it is read and left unused, in words.
+    unused: Option<(DataFile, String)>,
 }
 
 #[derive(Debug, Clone, PartialEq)]
@@ -85,15 +83,52 @@ impl Header {
         if behind_number.len() == rest.len() {
             return;
         }
+        let code = &rest[..rest.len() - behind_number.len()];
         let behind = behind_number.trim_start_matches([' ', '\t', ':']);
-        let Some((label, said, fact, key)) = LABELS.iter().find_map(|&(known, fact, key)| {
-            let length = labelled(behind, known)?;
-            Some((&behind[..length], &behind[length..], fact, key))
-        }) else {
-            let number = &rest[..rest.len() - behind_number.len()];
-            let mut numbers = NUMBERS.iter().filter(|(known, _)| *known == number);
+        let length = LABELS
+            .iter()
+            .find_map(|&(known, ..)| labelled(behind, known))
+            .or(labelled(behind, HELIX_ANGLE));
+        let (label, rest) = behind.split_at(length.unwrap_or(behind.len()));
+        let fields = rest.rsplit_once(':').map_or(rest, |(_, fields)| fields);
+        self.state(file, line, [code, label, fields], value_of(rest), problems);
+    }
+
+    /// Takes over `value` of a header line with the number `code`, a label and fields, of which the value is one.
+    pub fn state(
+        &mut self,
+        file: &DataFile,
+        line: u64,
+        [code, label, fields]: [&str; 3],
+        value: &str,
+        problems: &mut Problems,
+    ) {
+        let mut wrong =
+            |reason: String, help: &str| problems.add(file.problem_at(line, reason, help));
+        if let Some(length) = labelled(label, HELIX_ANGLE) {
+            let name = &label[..length];
+            let words = fields.split([' ', '\t', ':', '°']).chain([value]);
+            let mut numbers = words.filter_map(number::written).peekable();
+            if numbers.peek().is_none() {
+                let reason = format!("{name} is {}, allowed is 0", file.quote(value));
+                wrong(reason, "correct the line, or remove it");
+            } else if let Some(angle) = numbers.find(|number| number.value != 0.0) {
+                let reason = format!(
+                    "{name} is {}: the gear is helical, gearlash reads spur gears, whose helix angle is 0",
+                    file.bare(angle.text)
+                );
+                wrong(reason, "name the file of a spur gear");
+            }
+            return;
+        }
+        let known = LABELS.iter().find_map(|&(known, fact, key)| {
+            let length = labelled(label, known)?;
+            Some((&label[..length], fact, key))
+        });
+        let Some((label, fact, key)) = known else {
+            let mut numbers = NUMBERS.iter().filter(|(known, _)| *known == code);
             // A number behind it makes it a row of some other list.
-            let labelled = behind.starts_with(char::is_alphabetic);
+            let labelled = label.starts_with(char::is_alphabetic);
             if let Some((_, usual)) = numbers.next().filter(|_| labelled) {
                 self.warnings.push(format!(
                     "{}: {}: line {line} has the number of {usual}, but another label: it is not compared with the pair file",
@@ -103,18 +138,28 @@ impl Header {
             }
             return;
         };
-        let value = value_of(said);
-        let Some(written) = number::written(value)
-            .filter(|written| written.decimal != Some(number::Decimal::Comma))
-        else {
-            problems.add(file.problem_at(
-                line,
-                format!(
-                    "{label} is {}, allowed is a number with a decimal point",
-                    file.quote(value)
-                ),
-                "correct the line, or remove it",
-            ));
+        let words = fields.to_lowercase();
+        let internal = INTERNAL.iter().any(|word| words.contains(word));
+        if fact == Fact::Teeth && (internal || value.starts_with(['-', '\u{2212}'])) {
+            let reason = format!(
+                "{label} is {}: the gear is internal, gearlash reads external gears",
+                file.quote(fields.trim_matches([' ', '\t', '.', ':']))
+            );
+            wrong(reason, "name the file of an external gear");
+            return;
+        }
+        let point = |number: &number::Written| number.decimal != Some(number::Decimal::Comma);
+        let number = number::written(value).filter(point);
+        let whole = |number: &number::Written| {
+            (1.0..=10_000.0).contains(&number.value) && number.value.fract() == 0.0
+        };
+        let (number, allowed) = match fact {
+            Fact::Teeth => (number.filter(whole), "a whole number from 1 on"),
+            _ => (number, "a number with a decimal point"),
+        };
+        let Some(number) = number else {
+            let reason = format!("{label} is {}, allowed is {allowed}", file.quote(value));
+            wrong(reason, "correct the line, or remove it");
             return;
         };
         self.said.push(Said {
@@ -123,23 +168,36 @@ impl Header {
             label: label.to_owned(),
             fact,
             key,
-            value: written.value,
-            rounding: written.rounding,
+            value: number.value,
+            rounding: number.rounding,
         });
     }
 
     /// Keeps in mind what of `file` is left unused.
     pub fn left_unused(&mut self, file: &DataFile, words: &str) {
-        self.unused = Some(format!(
+        self.unused = Some((file.clone(), words.to_owned()));
+    }
+
+    /// The remark of what of the file is left unused.
+    pub fn remark(&self) -> Option<String> {
+        let (file, words) = self.unused.as_ref()?;
+        Some(format!(
             "{}: {}: read and not used here: {words}",
             file.key(),
             file.name()
-        ));
+        ))
     }
 
-    /// What of the file is left unused.
-    pub fn unused(&self) -> Option<String> {
-        self.unused.clone()
+    /// What of the file is left unused, in words.
+    pub fn unused(&self) -> Option<&str> {
+        self.unused.as_ref().map(|(_, words)| &words[..])
+    }
+
+    /// The number of teeth that a line states.
+    pub fn teeth(&self) -> Option<u32> {
+        let said = self.said.iter().find(|said| said.fact == Fact::Teeth)?;
+        // Whole and within 1 … 10 000.
+        Some(said.value as u32)
     }
 
     /// What a line states of the gear's base circle, mm: by teeth, module and pressure angle where all three are there.
@@ -165,7 +223,6 @@ impl Header {
                 Fact::Teeth => f64::from(design.basic_data.teeth()),
                 Fact::Module => design.basic_data.module(),
                 Fact::PressureAngle => drawn.pressure_angle_deg,
-                Fact::HelixAngle => 0.0,
                 Fact::ProfileShift => design.profile_shift,
                 Fact::TipDiameter => 2.0 * design.tip_radius(),
             };

@@ -28,6 +28,8 @@ mod statistic;
 mod story;
 mod text;
 mod trace;
+mod trace_row;
+mod unmeasured;
 mod wanted;
 mod workbook;
 
@@ -43,7 +45,8 @@ use head::Head;
 pub use header::{Drawn, Header};
 use heading::Quantity;
 use number::Decimal;
-pub use positions::Positions;
+pub use p40::Position;
+pub use positions::{Nominal, Positions};
 pub use trace::TraceSheet;
 pub use wanted::{Coverage, Row, Wanted};
 
@@ -104,23 +107,26 @@ impl<const N: usize> Sheet<N> {
     ///
     /// All that is wrong is added to `problems`, under the key of `file` and with line numbers.
     pub fn read(table: &Table, wanted: &Wanted<N>, problems: &mut Problems) -> Option<Sheet<N>> {
-        let file = DataFile::of(
-            table,
-            "the name of a table, such as \"pitch.csv\"",
-            problems,
-        )?;
-        let mut bad = Problems::of_list();
-        let read = Choice::read(table, &mut bad).and_then(|choice| {
-            let bytes = bad.keep(file.bytes())?;
-            let content = content(&file, bytes, table, &choice, &mut bad)?;
-            Sheet::of(&content, &file, &choice, wanted, &mut bad)
-        });
-        let good = bad.is_empty();
-        problems.add_list(file.key(), bad);
-        let sheet = read.filter(|_| good)?;
-        table.place().tell(sheet.header.unused());
-        if let Some(origin) = &sheet.origin {
-            table.place().tell(origin.remark(&file));
+        read_with(table, problems, |content, file, choice, bad| {
+            Sheet::told(table, content, file, choice, wanted, bad)
+        })
+    }
+
+    /// The `wanted` table of what the file that `table` names holds, with the remarks.
+    pub fn told(
+        table: &Table,
+        content: &Content,
+        file: &DataFile,
+        choice: &Choice,
+        wanted: &Wanted<N>,
+        problems: &mut Problems,
+    ) -> Option<Sheet<N>> {
+        let sheet = Sheet::of(content, file, choice, wanted, problems)?;
+        if problems.is_empty() {
+            table.place().tell(sheet.header.remark());
+            if let Some(origin) = &sheet.origin {
+                table.place().tell(origin.remark(file));
+            }
         }
         Some(sheet)
     }
@@ -146,9 +152,13 @@ impl<const N: usize> Sheet<N> {
             Content::P40(text) => {
                 let p40 = p40::parse(file, text, problems)?;
                 p40.refuse_values(file, problems)?;
-                let rows = protocol::of_blocks(file, &p40.blocks, wanted, problems)?;
+                let wanted = Wanted {
+                    teeth: wanted.teeth.or(p40.header.teeth()),
+                    ..*wanted
+                };
+                let rows = protocol::of_blocks(file, &p40.blocks, &wanted, problems)?;
                 let mut header = p40.header.clone();
-                header.left_unused(file, &p40.unused("blocks of pitch"));
+                header.left_unused(file, &p40.unused(p40::PITCH));
                 return Some(Sheet {
                     header,
                     rows,
@@ -171,6 +181,25 @@ impl<const N: usize> Sheet<N> {
         let value = |row: &Row<N>| row.values.get(column).copied();
         self.rows.iter().filter_map(value).collect()
     }
+}
+
+/// Reads the file that `table` names once, and hands over what it holds; a problem in it leaves nothing.
+pub fn read_with<'a, T>(
+    table: &Table<'a>,
+    problems: &mut Problems,
+    take: impl FnOnce(&Content, &DataFile, &Choice<'a>, &mut Problems) -> Option<T>,
+) -> Option<T> {
+    let needed = "the name of a table, such as \"pitch.csv\"";
+    let file = DataFile::of(table, needed, problems)?;
+    let mut bad = Problems::of_list();
+    let read = Choice::read(table, &mut bad).and_then(|choice| {
+        let bytes = bad.keep(file.bytes())?;
+        let content = content(&file, bytes, table, &choice, &mut bad)?;
+        take(&content, &file, &choice, &mut bad)
+    });
+    let good = bad.is_empty();
+    problems.add_list(file.key(), bad);
+    read.filter(|_| good)
 }
 
 /// Checks that nothing is said of a file that `table` does not name.
@@ -277,6 +306,39 @@ impl Content {
             }
             Content::Protocol(_) | Content::P40(_) => true,
         }
+    }
+
+    /// Whether it is a file of a P40, of curves or values.
+    pub fn is_p40(&self) -> bool {
+        matches!(self, Content::P40(_))
+    }
+
+    /// Whether there are positions of a probe.
+    pub fn has_positions(&self) -> bool {
+        match self {
+            Content::P40(text) => text.lines().any(|line| line.trim() == "Teilung:"),
+            Content::Cells(_) | Content::Protocol(_) => false,
+        }
+    }
+
+    /// The positions of a probe, and what the file says of the gear; none of a file that cannot have them.
+    pub fn positions(
+        &self,
+        file: &DataFile,
+        problems: &mut Problems,
+    ) -> Option<(Vec<Position>, Header)> {
+        let Content::P40(text) = self else {
+            return Some((Vec::new(), Header::default()));
+        };
+        let p40 = p40::parse(file, text, problems)?;
+        p40.refuse_values(file, problems)?;
+        let teeth = p40.header.teeth().filter(|_| !p40.positions.is_empty());
+        if let Some(teeth) = teeth {
+            positions::by_tooth(&p40, file, teeth as usize, problems)?;
+        }
+        let mut header = p40.header.clone();
+        header.left_unused(file, &p40.unused(p40::POSITIONS));
+        Some((p40.positions, header))
     }
 
     /// Whether there is a table of traces.

@@ -10,6 +10,7 @@ use super::column::Column;
 use super::header::Header;
 use super::limits::MOST_ROWS;
 use super::number::{self, Written};
+use super::unmeasured::Unmeasured;
 use super::wanted::{Row, Wanted};
 use super::{by_tooth, story};
 use crate::data_file::DataFile;
@@ -48,7 +49,11 @@ pub fn read<const N: usize>(
     problems: &mut Problems,
 ) -> Option<(Vec<Row<N>>, Header)> {
     let (blocks, header) = parse(file, text, problems)?;
-    Some((of_blocks(file, &blocks, wanted, problems)?, header))
+    let wanted = Wanted {
+        teeth: wanted.teeth.or(header.teeth()),
+        ..*wanted
+    };
+    Some((of_blocks(file, &blocks, &wanted, problems)?, header))
 }
 
 /// The wanted columns of `blocks`, by ascending tooth.
@@ -162,7 +167,13 @@ fn parse<'a>(
                     break;
                 }
                 line_count += 1;
-                match row(file, text, &block.columns, number::written) {
+                match row(
+                    file,
+                    text,
+                    &block.columns,
+                    Unmeasured::default(),
+                    number::written,
+                ) {
                     Ok((tooth, values)) => block.rows.push((line, tooth, values)),
                     Err(reason) => wrong(reason, "correct the line"),
                 }

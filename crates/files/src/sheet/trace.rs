@@ -7,6 +7,7 @@ use super::grid::{Found, one_of, wrong_cell};
 use super::head::Head;
 use super::heading::{self, Quantity};
 use super::places::{one, several};
+use super::trace_row::TraceRow;
 use super::wanted::{Coverage, Wanted};
 use super::{Choice, Content, Header, Origin, content, p40};
 use crate::data_file::DataFile;
@@ -17,18 +18,6 @@ use gearlash::gear::{Flank, Side};
 use std::ops::RangeBounds;
 
 const HELP: &str = "name the columns roll_length_mm or diameter_mm, deviation_um, and tooth and flank where needed";
-
-/// A point of a trace.
-#[derive(Debug, Clone, PartialEq)]
-pub struct TraceRow {
-    /// The line it stands in.
-    pub line: u64,
-    pub tooth: Option<u32>,
-    pub flank: Option<Flank>,
-    /// Roll length or diameter, mm.
-    pub at_mm: f64,
-    pub deviation_um: f64,
-}
 
 /// A table of traces.
 #[derive(Debug)]
@@ -74,7 +63,7 @@ impl TraceSheet {
         let sheet = read.filter(|_| good)?;
         match &sheet.origin {
             Some(origin) => table.place().tell(origin.remark(&file)),
-            None => table.place().tell(sheet.header.unused()),
+            None => table.place().tell(sheet.header.remark()),
         }
         Some(sheet)
     }
@@ -88,7 +77,14 @@ impl TraceSheet {
         problems: &mut Problems,
     ) -> Option<TraceSheet> {
         if let Content::P40(text) = content {
-            return of_curves(file, text, (teeth, base), problems);
+            let (rows, header) = p40::profiles(file, text, (teeth, base), problems)?;
+            return Some(TraceSheet {
+                file: file.clone(),
+                rows,
+                by: Column::RollLength,
+                header,
+                origin: None,
+            });
         }
         let Content::Cells(grids) = content else {
             problems.add(file.problem(
@@ -141,121 +137,6 @@ impl TraceSheet {
             header: Header::default(),
         })
     }
-}
-
-/// The profiles of a curve file. Their values stand at equal steps of the roll length, from the diameter at which the measurement starts
-/// to that at which it ends.
-fn of_curves(
-    file: &DataFile,
-    text: &str,
-    (teeth, base): (Option<u32>, Option<f64>),
-    problems: &mut Problems,
-) -> Option<TraceSheet> {
-    let p40 = p40::parse(file, text, problems)?;
-    p40.refuse_values(file, problems)?;
-    let help = "give the traces in a table";
-    let Some(first) = p40.profiles.first() else {
-        problems.add(file.problem("has no profile trace (Profil:)", help));
-        return None;
-    };
-    let mut wrong = |line, reason: String, help: &str| {
-        problems.add(file.problem_at(line, reason, help));
-        None
-    };
-    let by = p40.profile_by().unwrap_or("diameter");
-    if by != "diameter" {
-        let reason = format!("PROFILE is {}, understood is diameter", file.quote(by));
-        return wrong(first.line, reason, help);
-    }
-    let Some(base) = base.or(p40.header.base_radius()) else {
-        let reason = "a trace, but no header line gives module and pressure angle";
-        return wrong(
-            first.line,
-            reason.to_owned(),
-            "name the file in a pair file",
-        );
-    };
-    let mut ends = [0.0; 2];
-    let labels: [&[&str]; 2] = [
-        &["start messbereich", "start meßbereich"],
-        &[
-            "ende der messstrecke",
-            "ende der meßstrecke",
-            "ende messbereich",
-            "ende meßbereich",
-        ],
-    ];
-    for (end, labels) in ends.iter_mut().zip(labels) {
-        let Some(said) = p40.labelled(labels) else {
-            let reason = format!("a trace, but no header line is labelled {}", labels[0]);
-            return wrong(first.line, reason, "add the line with the diameter in mm");
-        };
-        let (Some(&mm), same) = (
-            said.numbers.first(),
-            said.numbers.windows(2).all(|pair| pair[0] == pair[1]),
-        ) else {
-            return wrong(said.line, "no number".to_owned(), "give the diameter in mm");
-        };
-        let radius = 0.5 * mm;
-        if !same || radius < base || radius > 1e9 {
-            let reason = format!(
-                "where the profiles were measured: {}, allowed is one diameter of both flanks, from the base circle on, {:.4} mm",
-                file.bare(&format!("{:?} mm", said.numbers)),
-                2.0 * base
-            );
-            return wrong(
-                said.line,
-                reason,
-                "correct the line, or give the traces in a table",
-            );
-        }
-        *end = ((radius - base) * (radius + base)).sqrt();
-    }
-    let mut rows = Vec::new();
-    for curve in &p40.profiles {
-        if teeth.is_some_and(|teeth| curve.tooth > teeth) {
-            let reason = format!(
-                "tooth {}, allowed is 1 … {}",
-                curve.tooth,
-                teeth.unwrap_or(0)
-            );
-            return wrong(
-                curve.line,
-                file.found(reason),
-                "correct its number or teeth",
-            );
-        }
-        let step = (ends[1] - ends[0]) / (curve.values.len() - 1) as f64;
-        let before = rows.len();
-        for (index, (line, value)) in curve.values.iter().enumerate() {
-            rows.extend(value.map(|deviation_um| TraceRow {
-                line: *line,
-                tooth: Some(curve.tooth),
-                flank: Some(curve.flank),
-                at_mm: ends[0] + step * index as f64,
-                deviation_um,
-            }));
-        }
-        if rows.len() < before + 2 {
-            let reason = "a trace with fewer than two points that were measured";
-            return wrong(curve.line, reason.to_owned(), "remove the trace");
-        }
-    }
-    let mut header = p40.header.clone();
-    let words = format!(
-        "{}; the profiles are read at equal steps of roll length, {:.4} to {:.4} mm, which the file does not say",
-        p40.unused("profile traces"),
-        ends[0],
-        ends[1]
-    );
-    header.left_unused(file, &words);
-    Some(TraceSheet {
-        file: file.clone(),
-        rows,
-        by: Column::RollLength,
-        header,
-        origin: None,
-    })
 }
 
 /// Whether `head` names where and how much.

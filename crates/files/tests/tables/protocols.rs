@@ -105,14 +105,31 @@ fn a_header_that_contradicts_the_pair_file() {
         "21 :Normalmodul.......: 2.5 mm",
         "24 Eingriffswinkel....: 17.5 Grad",
         "27 Kopfkreisdurchmesser 137.0 mm",
-        "23 Schraegungswinkel 15.0",
     ] {
         let told = read_as(text.replace(teeth, line).as_bytes(), PITCH).unwrap_err();
         assert!(told.contains(", the pair file has "), "{line}: {told}");
     }
+    for (line, expected) in [
+        ("23 Schraegungswinkel 15.0", "the gear is helical"),
+        (
+            "  23 :Schrägungswinkel....[Grad]: -15.0",
+            "the gear is helical",
+        ),
+        ("  22 :Zähnezahl: -44", "the gear is internal"),
+        (
+            "  22 :Zähnezahl: 44 Innenverzahnung",
+            "the gear is internal",
+        ),
+    ] {
+        let told = read_as(text.replace(teeth, line).as_bytes(), PITCH).unwrap_err();
+        assert!(told.contains(expected), "{line}: {told}");
+    }
     // ä is 0x84 in code page 850 and 0x8A in Mac Roman.
     for strange in [0x84, 0x8a] {
-        for (label, value) in [("Zähnezahl", "45"), ("Schrägungswinkel", "15.0")] {
+        for (label, value, expected) in [
+            ("Zähnezahl", "45", ", the pair file has "),
+            ("Schrägungswinkel", "15.0", "the gear is helical"),
+        ] {
             let line = format!("22 :{label}....: {value}");
             let bytes: Vec<u8> = text
                 .replace(teeth, &line)
@@ -126,13 +143,15 @@ fn a_header_that_contradicts_the_pair_file() {
                 })
                 .collect();
             let told = read_as(&bytes, PITCH).unwrap_err();
-            assert!(told.contains(", the pair file has "), "{label}: {told}");
+            assert!(told.contains(expected), "{label}: {told}");
         }
     }
     for line in [
         "22 Zähnezahl 44",
         "21 Normalmodul [mm] 3.000",
         "27 Kopfkreis 138.00 mm",
+        "23 :Schrägungswinkel (R/L)....: 0.0000 Grad",
+        "22 :Zähnezahl (bei Innenverzahnung negativ)....: 44",
     ] {
         read_as(text.replace(teeth, line).as_bytes(), PITCH).unwrap();
     }

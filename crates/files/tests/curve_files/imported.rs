@@ -1,0 +1,134 @@
+//! `gearlash import` of files of a P40.
+
+use super::made::{MEW, Made};
+use gearlash_files::import::{Imported, Kind, Options, tables};
+use std::path::Path;
+
+fn import(text: &str, only: Option<Kind>) -> Result<Imported, String> {
+    let options = Options {
+        only,
+        keys: &[],
+        gear: "wheel",
+    };
+    let found = tables(Path::new("gear.mka"), text.as_bytes().to_vec(), &options);
+    found.map_err(|error| {
+        let told = error
+            .problems
+            .iter()
+            .map(|problem| format!("{}; {}\n", problem.reason, problem.help));
+        told.collect()
+    })
+}
+
+/// Every table with what it leaves unused, and the thickness that the positions give.
+#[test]
+fn all_that_a_curve_file_has() {
+    let found = import(&Made::new(17).text(), None).unwrap();
+    let kinds: Vec<Kind> = found.tables.iter().map(|table| table.kind).collect();
+    assert_eq!(
+        kinds,
+        [
+            Kind::Pitch,
+            Kind::Pitch,
+            Kind::Runout,
+            Kind::Positions,
+            Kind::Trace
+        ]
+    );
+    for table in &found.tables {
+        let words = table.left_out.as_deref().unwrap();
+        for name in [
+            "1 lead traces",
+            "1 twist traces",
+            "2 root diameters",
+            "2 tip diameters",
+        ] {
+            assert!(words.contains(name), "{words}");
+        }
+        let has_positions = words.contains("36 positions of the probe");
+        assert_eq!(has_positions, table.kind != Kind::Positions, "{words}");
+    }
+    assert_eq!(found.tables[3].columns[0].values.len(), 36);
+    assert!(
+        found
+            .toml
+            .contains("[wheel.thickness]\nfile = \"gear.mka\"\n"),
+        "{}",
+        found.toml
+    );
+}
+
+/// What it offers, a pair file takes.
+#[test]
+fn the_lines_are_good() {
+    let made = Made::new(17);
+    let toml = import(&made.text(), None).unwrap().toml;
+    let added = "at = \"space\"\n[wheel.thickness]";
+    let keys = toml
+        .replacen("[wheel.thickness]", added, 1)
+        .replace("kind = \"single\"", "");
+    let good = super::read_with(made.text().as_bytes(), &super::pair(17, &keys));
+    assert!(good.is_ok(), "{keys}: {:#?}", good.err());
+}
+
+#[test]
+fn positions_alone() {
+    let text = Made::new(17).text();
+    let (head, rest) = text.split_once("Flankenlinie:").unwrap();
+    let positions = rest.split_once("Teilung:").unwrap().1;
+    let alone = format!("{head}Teilung:{positions}");
+    for only in [None, Some(Kind::Thickness)] {
+        let found = import(&alone, only).unwrap();
+        assert_eq!(found.tables.len(), 1);
+        assert_eq!(found.toml, "[wheel.thickness]\nfile = \"gear.mka\"\n");
+    }
+    let last = alone.rfind("\r\n  17  L").unwrap();
+    let told = import(&alone[..last], None).unwrap_err();
+    assert!(
+        told.contains("does not have both flanks of each of 17 teeth"),
+        "{told}"
+    );
+    let told = import(&format!("{head}Flankenlinie:\r\n"), None).unwrap_err();
+    assert!(
+        told.contains("no positions of the probe (Teilung:)"),
+        "{told}"
+    );
+}
+
+#[test]
+fn a_value_file() {
+    for only in [None, Some(Kind::Pitch), Some(Kind::Trace)] {
+        let told = import(MEW, only).unwrap_err();
+        assert!(told.contains("is a value file (.mew)"), "{told}");
+        assert!(!told.contains("--header-row"), "{told}");
+    }
+}
+
+/// The header says how many teeth there are: the last one that is missing is told, as any other.
+#[test]
+fn a_tooth_that_is_missing() {
+    let text = Made::new(17).text();
+    for tooth in [7, 17] {
+        let begin = format!("  {tooth}  ");
+        let is_row = |line: &&str| line.starts_with(&begin) && line.split_whitespace().count() == 4;
+        let lines: Vec<&str> = text.lines().filter(|line| !is_row(line)).collect();
+        let told = import(&lines.join("\r\n"), None).unwrap_err();
+        assert!(told.contains(&format!("without tooth {tooth}")), "{told}");
+        assert!(told.contains("give all 17 teeth"), "{told}");
+        // That the neighbours do not fit follows from it.
+        assert!(
+            !told.contains("differ by more than their rounding"),
+            "{told}"
+        );
+    }
+}
+
+#[test]
+fn gears_of_other_kinds() {
+    let text = Made::new(17).text();
+    let told = import(&text.replace("Außenverzahnung", "Innenverzahnung"), None).unwrap_err();
+    assert!(told.contains("the gear is internal"), "{told}");
+    let helix = " 26 :Schrägungswinkel.......: 15.0\r\n 24 :Eingriffswinkel";
+    let told = import(&text.replace(" 24 :Eingriffswinkel", helix), None).unwrap_err();
+    assert!(told.contains("the gear is helical"), "{told}");
+}

@@ -59,6 +59,7 @@ impl FromStr for ThicknessField {
 
     /// `25cd` or `cd25`, with or without a space.
     fn from_str(text: &str) -> Result<ThicknessField, GearError> {
+        let text = text.trim();
         let letters: String = text.chars().filter(|c| c.is_alphabetic()).collect();
         let digits: String = text.chars().filter(char::is_ascii_digit).collect();
         let written = |first: &str, second: &str| text.split_whitespace().eq([first, second]);

@@ -61,7 +61,7 @@ impl DesignatedDistance {
 impl FromStr for DesignatedDistance {
     type Err = GearError;
 
-    /// `30 js7`, with or without the space; `JS` is the same field on a hole.
+    /// `30 js7`, with or without spaces; `JS` is the same field on a hole.
     fn from_str(text: &str) -> Result<DesignatedDistance, GearError> {
         let refused = || GearError::DistanceField;
         let (nominal, field) = text
@@ -71,6 +71,7 @@ impl FromStr for DesignatedDistance {
         let plain = |c: char| c.is_ascii_digit() || c == '.';
         let nominal = Some(nominal.trim()).filter(|nominal| nominal.chars().all(plain));
         let nominal: f64 = nominal.and_then(|n| n.parse().ok()).ok_or_else(refused)?;
+        let field = field.trim();
         let digits = field.chars().all(|c| c.is_ascii_digit());
         let grade = field.parse().ok().filter(|_| digits);
         match grade.filter(|grade| GRADES.contains(grade)) {

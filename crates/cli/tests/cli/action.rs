@@ -68,8 +68,40 @@ fn the_action_gates_on_pair_files() {
     let unchanged = act(at, "check", "pairs/*.toml", true, &base);
     assert_eq!(unchanged.stdout, b"No pair file has changed.\n");
     assert_eq!(unchanged.status.code(), Some(0));
-    fs::write(pairs.join("table.csv"), "1\n").unwrap();
-    git(at, &["add", "."]);
-    git(at, &["commit", "--quiet", "-m", "a table beside them"]);
+    // A table of any folder may belong to any of them; nothing else does.
+    let commit = |name: &str| {
+        fs::create_dir_all(at.join("tables")).unwrap();
+        fs::write(at.join(name), "1\n").unwrap();
+        git(at, &["add", "."]);
+        git(at, &["commit", "--quiet", "-m", name]);
+    };
+    commit("tables/readme.md");
+    let unchanged = act(at, "check", "pairs/*.toml", true, &base);
+    assert_eq!(unchanged.stdout, b"No pair file has changed.\n");
+    commit("tables/table.csv");
     assert_eq!(code(act(at, "check", "pairs/*.toml", true, &base)), Some(1));
+}
+
+/// One file changed: it alone is looked at.
+#[test]
+fn only_what_has_changed_is_looked_at() {
+    let folder = empty_folder();
+    let at = folder.path();
+    for (docs, name) in [("drawing.toml", "good.toml"), ("printed.toml", "bad.toml")] {
+        fs::copy(fixture("../docs/files").join(docs), at.join(name)).unwrap();
+    }
+    git(at, &["init", "--quiet"]);
+    git(at, &["add", "."]);
+    git(at, &["commit", "--quiet", "-m", "first"]);
+    let base = git(at, &["rev-parse", "HEAD"]);
+    let good = fs::read_to_string(at.join("good.toml")).unwrap();
+    fs::write(at.join("good.toml"), good + "# changed\n").unwrap();
+    git(at, &["commit", "--quiet", "-a", "-m", "second"]);
+    let found = act(at, "check", "*.toml", true, &base);
+    assert_eq!(found.status.code(), Some(0), "{found:?}");
+    assert!(
+        !String::from_utf8(found.stdout)
+            .unwrap()
+            .contains("bad.toml")
+    );
 }

@@ -204,7 +204,8 @@ fn columns_by_letter() {
     let shop = Shop::new("p.xlsx", saved(workbook));
     let told = shop.refused("pitch = { kind = \"cumulative\", file = \"p.xlsx\" }");
     assert!(
-        told.contains("left = \"") && told.contains("header_row = "),
+        told.contains("\"B-Seite\" (C); name them there")
+            && told.contains("right = \"…\", left = \"…\""),
         "{told}"
     );
     let chosen = "left = \"B\", right = \"B-Seite\"";

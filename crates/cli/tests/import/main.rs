@@ -7,6 +7,7 @@ mod books;
 mod command;
 #[path = "../../../../tests/common/pair_with_table.rs"]
 mod pair_with_table;
+mod slips;
 mod texts;
 
 use assert_cmd::Command;
@@ -69,8 +70,9 @@ impl Shop {
         Shop { folder, name }
     }
 
-    /// What `check` prints of the pair whose wheel has `keys` in its table and `below` behind the other tables; else the errors.
-    fn check(&self, keys: &str, below: &str) -> Result<(String, String), String> {
+    /// What `check` finds of the pair whose wheel has `keys` in its table and `below` behind the other tables, and what it tells of the files; else
+    /// the errors.
+    fn check(&self, keys: &str, below: &str) -> Result<(Value, String), String> {
         let text = pair(TEETH, keys) + below;
         fs::write(self.folder.path().join("pair.toml"), text).unwrap();
         let mut command = gearlash(self.folder.path());
@@ -80,7 +82,14 @@ impl Shop {
             .unwrap();
         let told = String::from_utf8(output.stderr).unwrap();
         match output.status.code() {
-            Some(0 | 1) => Ok((String::from_utf8(output.stdout).unwrap(), told)),
+            Some(0 | 1) => {
+                let mut found: Value = serde_json::from_slice(&output.stdout).unwrap();
+                // They name the file.
+                for key in ["warnings", "remarks"] {
+                    found.as_object_mut().unwrap().remove(key);
+                }
+                Ok((found, told))
+            }
             _ => Err(told),
         }
     }

@@ -3,6 +3,7 @@
 use super::layout::{Column, Screen, Table};
 use gearlash_files::characters::line;
 use gearlash_files::import::{Imported, ImportedTable, Value};
+use gearlash_files::numbers::rounded;
 use std::fmt::Write;
 
 /// The tables of a file, and the lines of a pair file that name them.
@@ -27,22 +28,23 @@ fn origin(table: &ImportedTable) -> String {
         .sheet
         .as_ref()
         .map(|name| format!(", sheet {:?}", line(name)));
-    let row = table
-        .header_row
-        .map(|row| format!(", header in line {row}"));
-    let rows = table
-        .columns
-        .first()
-        .map_or(0, |column| column.values.len());
+    let row = table.header_row.map(|row| match row {
+        0 => ", no header".to_owned(),
+        row => format!(", header in line {row}"),
+    });
     let mut text = format!(
-        "{}: {rows} rows{}{}\n",
+        "{}: {} rows{}{}\n",
         table.title,
+        table.rows(),
         sheet.unwrap_or_default(),
         row.unwrap_or_default()
     );
     let named = table.columns.iter().filter_map(|column| {
         let (heading, letter) = column.heading.as_ref()?;
-        Some(format!("{} = {:?} ({letter})", column.name, line(heading)))
+        Some(match &heading[..] {
+            "" => format!("{} = {letter}", column.name),
+            heading => format!("{} = {:?} ({letter})", column.name, line(heading)),
+        })
     });
     let named: Vec<String> = named.collect();
     if !named.is_empty() {
@@ -57,14 +59,11 @@ fn origin(table: &ImportedTable) -> String {
 fn values(table: &ImportedTable) -> Table {
     let headings = table.columns.iter().map(|column| Column::new(column.name));
     let mut shown = Table::new(headings);
-    let rows = table
-        .columns
-        .first()
-        .map_or(0, |column| column.values.len());
-    for row in 0..rows {
+    for row in 0..table.rows() {
         let cell = |value: Option<&Value>| match value {
             Some(Value::Whole(tooth)) => tooth.to_string(),
-            Some(Value::Number(number)) => number.to_string(),
+            // A nanometre's thousandth; no sign of a zero.
+            Some(Value::Number(number)) => rounded(*number, 6).to_string(),
             Some(Value::Word(word)) => (*word).to_owned(),
             Some(Value::None) | None => String::new(),
         };

@@ -1,0 +1,216 @@
+//! Which tables a file has: each kind is looked for, and read as a pair file that names it would have it read.
+
+use super::table::{ImportedTable, Kind, positioned, traced};
+use crate::data_file::DataFile;
+use crate::node::Node;
+use crate::place::Place;
+use crate::problems::Problems;
+use crate::sheet::{self, Choice, Column, Coverage, Origin, Sheet, TraceSheet, Wanted};
+use crate::table::Table;
+use gearlash::metrology::PitchKind;
+
+const KEYS: &[&str] = &sheet::keys_beside::<2, 8>(["left", "right"]);
+
+/// The tables of the file that the entries name, all or those of one kind; with `not_read` what is there but ambiguous.
+pub(super) fn tables(
+    (entries, place): (&[(String, Node)], &Place),
+    bytes: Vec<u8>,
+    only: Option<Kind>,
+    [problems, not_read]: [&mut Problems; 2],
+) -> Option<Vec<ImportedTable>> {
+    let table = Table::new("", place, entries, KEYS, problems);
+    let file = DataFile::of(&table, "the name of a table", problems)?;
+    let choice = Choice::read(&table, problems)?;
+    let content = sheet::content(&file, bytes, &table, &choice, problems)?;
+    let from = From {
+        file: &file,
+        content: &content,
+        choice: &choice,
+    };
+    let mut tables = Vec::new();
+    let is_asked = |kind| only.is_none_or(|only| only == kind);
+    if is_asked(Kind::Pitch) {
+        from.pitch(
+            only.is_some(),
+            &mut tables,
+            [&mut *problems, &mut *not_read],
+        );
+    }
+    let singles = [
+        (Kind::Runout, Column::Runout, "runout_um", "Runout F_r, µm"),
+        (
+            Kind::Thickness,
+            Column::Thickness,
+            "thickness_um",
+            "Thickness beyond the mean, µm",
+        ),
+        (Kind::Span, Column::Span, "span_mm", "Span W_k, mm"),
+        (
+            Kind::OverPins,
+            Column::OverPins,
+            "over_pins_mm",
+            "Dimension over pins M_dK, mm",
+        ),
+    ];
+    for (kind, column, name, title) in singles {
+        if kind == Kind::Thickness && is_asked(kind) && content.has_positions() {
+            let found = content.positions(&file, problems);
+            tables.extend(found.map(|(positions, header)| positioned(&positions, &header)));
+            continue;
+        }
+        // A key that names the column says nothing of what it holds.
+        let named = choice.column("column").is_none() || only.is_some();
+        if is_asked(kind) && named && (only.is_some() || from.has(&[column])) {
+            let coverage = match kind {
+                Kind::Runout | Kind::Thickness => Coverage::EveryTooth,
+                _ => Coverage::SomeTeeth,
+            };
+            // What is not asked for by its name hides nothing else.
+            let told = match from.has_each([column], coverage) || only.is_some() {
+                true => &mut *problems,
+                false => &mut *not_read,
+            };
+            if let Some(sheet) = from.sheet([column], coverage, told) {
+                tables.push(ImportedTable::of(kind, title.to_owned(), [name], &sheet));
+            }
+        }
+    }
+    if is_asked(Kind::Trace) && (only.is_some() || from.has_trace()) {
+        let traces = TraceSheet::of(&content, &file, &choice, (None, None), problems);
+        tables.extend(traces.as_ref().map(traced));
+    }
+    if tables.is_empty() && problems.is_empty() && content.is_p40() {
+        content.positions(&file, problems)?;
+        problems.add(file.problem(
+            "has no pitch (linke, rechte Zahnflanke), no profile trace (Profil:) and no positions of the probe (Teilung:)",
+            "name a file that has one of them",
+        ));
+        return None;
+    }
+    if tables.is_empty() && problems.is_empty() && not_read.is_empty() {
+        problems.add(file.problem(
+            "no line names a column of teeth and one of pitch, runout, thickness, span or dimension over pins, nor of a profile",
+            "say what it holds and where, by letter or heading: --only pitch --header-row 1 --tooth-column A --left B --right C",
+        ));
+    }
+    Some(tables)
+}
+
+/// What is read from.
+struct From<'a> {
+    file: &'a DataFile,
+    content: &'a sheet::Content,
+    choice: &'a Choice<'a>,
+}
+
+impl From<'_> {
+    fn has(&self, columns: &[Column]) -> bool {
+        self.content.has(columns, self.choice)
+    }
+
+    fn has_each<const N: usize>(&self, columns: [Column; N], coverage: Coverage) -> bool {
+        let wanted = Wanted {
+            columns,
+            teeth: None,
+            coverage,
+        };
+        self.content.has_each(self.file, &wanted, self.choice)
+    }
+
+    fn has_trace(&self) -> bool {
+        self.content.has_trace(self.choice)
+    }
+
+    /// Cumulative and single pitch, or what a table has that does not say which.
+    fn pitch(
+        &self,
+        asked: bool,
+        tables: &mut Vec<ImportedTable>,
+        [problems, not_read]: [&mut Problems; 2],
+    ) {
+        let columns = |kind| [Column::Right(kind), Column::Left(kind)];
+        let chosen = ["left", "right"].map(|key| self.choice.column(key));
+        let chosen = chosen.iter().any(Option::is_some);
+        let mut first: Option<Option<Origin>> = None;
+        let mut faults = Vec::new();
+        for kind in [PitchKind::Cumulative, PitchKind::Single] {
+            let only_other = self.has(&columns(kind).map(Column::of_other_kind));
+            if !(self.has(&columns(kind)) || asked && kind == PitchKind::Cumulative && !only_other)
+            {
+                continue;
+            }
+            let mut bad = Problems::of_list();
+            let sheet = self.sheet(columns(kind), Coverage::EveryTooth, &mut bad);
+            let Some(sheet) = sheet.filter(|_| bad.is_empty()) else {
+                faults.push((bad, self.has_each(columns(kind), Coverage::EveryTooth)));
+                continue;
+            };
+            // Columns of neither kind may be of both.
+            if first
+                .as_ref()
+                .is_some_and(|first| first.is_some() && *first == sheet.origin)
+            {
+                continue;
+            }
+            let said = match &sheet.origin {
+                Some(origin) => origin.kind,
+                None => Some(kind),
+            };
+            let (pitch_kind, title) = match said {
+                Some(PitchKind::Single) => (Some("single"), "Single pitch deviation fp, µm"),
+                Some(PitchKind::Cumulative) => {
+                    (Some("cumulative"), "Cumulative pitch deviation Fp, µm")
+                }
+                None => (None, "Pitch deviation, fp or Fp, µm"),
+            };
+            let table = ImportedTable::of(
+                Kind::Pitch,
+                title.to_owned(),
+                ["right_um", "left_um"],
+                &sheet,
+            );
+            tables.push(ImportedTable {
+                pitch_kind,
+                ..table
+            });
+            first = Some(sheet.origin);
+        }
+        // Columns that were named are of one kind: that they are not of the other is no fault.
+        match (chosen, &first) {
+            (true, Some(_)) => faults.clear(),
+            (true, None) => faults.truncate(1),
+            (false, _) => {}
+        }
+        for (bad, has_each) in faults {
+            // Beside the one kind, of which there is a column a flank, the other hides nothing.
+            let told = match has_each || first.is_none() {
+                true => &mut *problems,
+                false => &mut *not_read,
+            };
+            told.add_list(self.file.key(), bad);
+        }
+    }
+
+    fn sheet<const N: usize>(
+        &self,
+        columns: [Column; N],
+        coverage: Coverage,
+        problems: &mut Problems,
+    ) -> Option<Sheet<N>> {
+        let mut wanted = Wanted {
+            columns,
+            teeth: None,
+            coverage,
+        };
+        let sheet = Sheet::of(self.content, self.file, self.choice, &wanted, problems)?;
+        // As many teeth as the file says, or as there are: one that is missing is told.
+        let last = sheet.rows.last().map(|row| row.tooth);
+        wanted.teeth = sheet.header.teeth().or(last);
+        match coverage {
+            Coverage::EveryTooth => {
+                Sheet::of(self.content, self.file, self.choice, &wanted, problems)
+            }
+            Coverage::SomeTeeth => Some(sheet),
+        }
+    }
+}

@@ -222,6 +222,8 @@ fn one(args: &Args, path: &Path, file: &PairFile, done: &mut Checked) -> Result<
         title: study.title.clone(),
         sentence: sentence(&verdict),
         passes,
+        warnings: file.warnings.clone(),
+        remarks: file.remarks.clone(),
         diagnosis: analysis.diagnosis.clone(),
     });
     Ok(())

@@ -125,6 +125,8 @@ pub(super) fn check(
         Requirement::NotMet => false,
     };
     let pair = CheckedPair {
+        warnings: file.warnings.clone(),
+        remarks: file.remarks.clone(),
         file: path.display().to_string(),
         title: file.study.title.clone(),
         sentence: sentence(&file.study, &runs),

@@ -17,6 +17,10 @@ pub struct CheckedPair {
     pub title: String,
     /// The verdict in a sentence.
     pub sentence: String,
+    /// What of its files may be meant otherwise.
+    pub warnings: Vec<String>,
+    /// What else was noticed of them.
+    pub remarks: Vec<String>,
     /// Every check.
     pub diagnosis: Diagnosis,
     /// Whether all is well: exit code 0.
@@ -46,7 +50,8 @@ fn told(pair: &CheckedPair) -> Vec<(&Check, String)> {
     .collect()
 }
 
-/// GitHub workflow commands: an error for a pair that does not pass and for each check that fails, a notice for one that does.
+/// GitHub workflow commands: an error for a pair that does not pass and for each check that fails, a notice for one that does; warnings and
+/// remarks of its files as such.
 pub fn github(pairs: &[CheckedPair]) -> String {
     let mut text = String::new();
     for pair in pairs {
@@ -61,6 +66,12 @@ pub fn github(pairs: &[CheckedPair]) -> String {
         };
         let kind = if pair.passes { "notice" } else { "error" };
         line(kind, "gearlash check", &pair.sentence);
+        for warning in &pair.warnings {
+            line("warning", "gearlash check", warning);
+        }
+        for remark in &pair.remarks {
+            line("notice", "gearlash check", remark);
+        }
         for (check, words) in told(pair) {
             match check.verdict {
                 Verdict::Pass => (),
@@ -72,7 +83,7 @@ pub fn github(pairs: &[CheckedPair]) -> String {
     text
 }
 
-/// Markdown: a heading, and for each pair its verdict and the checks that do not pass.
+/// Markdown: a heading, and for each pair its verdict, the checks that do not pass, and what was noticed of its files.
 pub fn markdown(pairs: &[CheckedPair]) -> String {
     let failing = pairs.iter().filter(|pair| !pair.passes).count();
     let heading = match failing {
@@ -90,6 +101,12 @@ pub fn markdown(pairs: &[CheckedPair]) -> String {
             if check.verdict != Verdict::Pass {
                 let words = crate::comparison::markdown_text(&words);
                 let _ = writeln!(text, "- **{}** {words}", check.verdict.name());
+            }
+        }
+        for (kind, told) in [("warning", &pair.warnings), ("note", &pair.remarks)] {
+            for words in told {
+                let words = crate::comparison::markdown_text(words);
+                let _ = writeln!(text, "- **{kind}** {words}");
             }
         }
     }

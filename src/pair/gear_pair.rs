@@ -50,7 +50,7 @@ impl Member {
     }
 }
 
-/// How far the modules of two gears that mesh may lie apart: what a hot plastic gear (1e-4 a K, 200 K) has beyond a steel one.
+/// How far the modules of two gears that mesh may lie apart, of the greater one: what a hot plastic gear (1e-4 a K, 200 K) has beyond a steel one.
 pub const MOST_UNEQUAL: f64 = 0.02;
 
 /// A pair as assembled: wheel axis at the origin, pinion axis at `(a, 0)`, y up.
@@ -96,7 +96,9 @@ impl GearPair {
             ),
         ] {
             let apart = (wheel - pinion).abs();
-            if !(apart <= MOST_UNEQUAL * wheel && (what == "module_mm" || apart == 0.0)) {
+            // Of the greater one, whichever gear has it; with the rounding of both lengths.
+            let most = (MOST_UNEQUAL + 4.0 * f64::EPSILON) * wheel.max(pinion);
+            if !(apart <= most && (what == "module_mm" || apart == 0.0)) {
                 return Err(GearError::Unequal {
                     what,
                     wheel,
@@ -122,6 +124,13 @@ impl GearPair {
     /// Whether profiles of either gear deviate from the involute.
     pub fn is_modified(&self) -> bool {
         self.wheel.is_modified() || self.pinion.is_modified()
+    }
+
+    /// Whether the gears' base pitches `p_b` differ by more than the rounding of their lengths, as those of unlike temperature do.
+    pub fn base_pitches_differ(&self) -> bool {
+        let [wheel, pinion] =
+            [&self.wheel, &self.pinion].map(|gear| gear.gear().basic_data().base_pitch());
+        (wheel - pinion).abs() > 8.0 * f64::EPSILON * wheel
     }
 
     /// The same gears at another centre distance.

@@ -28,7 +28,7 @@ pub const TEMPERATURE: Limits = Limits {
     range: (Included(-200.0), Included(400.0)),
     help: "give the temperature of gears and housing in °C; lengths are stated at 20 °C",
 };
-/// A coefficient of thermal expansion. With the temperature: no module grows apart by more than gears may.
+/// A coefficient of thermal expansion.
 pub const EXPANSION: Limits = Limits {
     allowed: "a number of 1/K, 0 … 0.0003",
     range: (Included(0.0), Included(3e-4)),

@@ -7,6 +7,7 @@ use super::problems::Problems;
 use super::table::Table;
 use gearlash::analysis::study::Material;
 use gearlash::gear::AsBuilt;
+use gearlash::pair::MOST_UNEQUAL;
 
 /// The temperature at which lengths are stated, °C (ISO 1).
 pub const REFERENCE_C: f64 = 20.0;
@@ -55,6 +56,20 @@ impl Temperature {
             missing.extend(expansion.is_none().then_some(key));
             1.0 + expansion.unwrap_or_default() * (temperature_c - REFERENCE_C)
         });
+        let [wheel, pinion, _] = factors;
+        let apart = (wheel - pinion).abs();
+        if missing.is_empty() && apart > MOST_UNEQUAL * wheel.max(pinion) {
+            problems.add(file.problem(
+                "assembly.temperature_c",
+                format!(
+                    "lets the modules of wheel and pinion differ by {:.2} %, allowed is up to {} %",
+                    100.0 * apart / wheel.max(pinion),
+                    100.0 * MOST_UNEQUAL
+                ),
+                "check the temperature and the coefficients of expansion",
+            ));
+            return None;
+        }
         if missing.is_empty() {
             return Some(Some(Temperature {
                 temperature_c,

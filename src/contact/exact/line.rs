@@ -11,7 +11,7 @@
 //! r_bF μ = Σ (arg B + α) − T − r_bL (λ − ψ_bL) + r_bF ψ_bF.
 //! ```
 //!
-//! A step on moves `λ` by `τ_L` and `μ` by `−τ_F`, and `r_bL τ_L = r_bF τ_F`: all
+//! A step on moves `λ` by `τ_L` and `μ` by `−τ_F`. Where base pitches are equal, `r_bL τ_L = r_bF τ_F`: all
 //! pairs share this equation up to `w = r_bL δ_L + r_bF δ_F`, `δ` the offsets of their
 //! flanks, and the pair of least `w` is the tightest. With an eccentric free gear `B`
 //! depends on the gap `μ`: the right-hand side `G(μ)` has the slope

@@ -170,6 +170,25 @@ fn what_a_drawing_cannot_say_is_refused_with_the_way_out() {
     }
 }
 
+/// Modules that heat lets grow too far apart, whichever gear is the plastic one: (0.024 − 0.0008)/1.024 of the greater.
+#[test]
+fn heat_that_parts_the_modules_is_refused() {
+    let folder = empty_folder();
+    let mut gears = ["expansion_per_k = 3e-4", "expansion_per_k = 1e-5"];
+    for _ in 0..2 {
+        let warm = "center_distance_mm = 31\ntemperature_c = 100\nhousing_expansion_per_k = 1e-5";
+        fs::write(folder.path().join("pair.toml"), pair(gears, warm)).unwrap();
+        let (code, _, errors) = run(folder.path(), &["check", "pair.toml"]);
+        assert_eq!(code, Some(2));
+        let errors = errors.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(
+            errors.contains("differ by 2.27 %, allowed is up to 2 %"),
+            "{errors}"
+        );
+        gears.reverse();
+    }
+}
+
 /// The short files: a verdict at the first run; that of outlines once the drawings it names are there.
 #[test]
 fn short_files_to_start_from_end_in_a_verdict() {

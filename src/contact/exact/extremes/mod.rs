@@ -82,6 +82,8 @@ pub enum Doubt {
     SecondOrder,
     /// Profile deviations are bounded by the greatest and the least of each flank: the bracket holds, and is wider than was wanted.
     Profile,
+    /// The gears have unequal base pitches, as of unlike temperature: the bounds between poses hold only of equal ones.
+    UnequalBasePitch,
     /// A contact was lost at a pose.
     ContactLost,
 }
@@ -139,6 +141,10 @@ impl ExactKernel {
 
     fn sought(&self, course: &Course, width: f64, greatest_too: bool) -> Result<Extremes, Error> {
         let mut found = Found::default();
+        if course.assembly.base_pitches_differ() {
+            sample::sample(course, &mut found, !greatest_too)?;
+            return Ok(found.extremes(course, [UNEQUAL; 2]));
+        }
         if course.assembly.is_modified() {
             sample::sample(course, &mut found, !greatest_too)?;
             let bounds = enclosed::bounds(course, width, greatest_too)?;
@@ -191,6 +197,9 @@ type Proof = (f64, Option<Doubt>);
 
 /// No bound at all.
 const UNKNOWN: Proof = (f64::NAN, Some(Doubt::OffInvolute));
+
+/// None either: a pair `s` steps on has `(r_bL/r_bF) τ_L s − τ_F s` more room, which [`table`] leaves out. It is 0 where `r_bL τ_L = r_bF τ_F`.
+const UNEQUAL: Proof = (f64::NAN, Some(Doubt::UnequalBasePitch));
 
 /// Poses seen so far.
 #[derive(Debug, Default)]

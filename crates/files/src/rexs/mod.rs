@@ -8,8 +8,10 @@ mod archive;
 mod document;
 mod fault;
 mod gear;
+mod generated;
 mod json;
 mod stage;
+mod thickness;
 mod xml;
 
 use crate::characters::{cut, plain};

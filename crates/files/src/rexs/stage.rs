@@ -2,7 +2,8 @@
 
 use super::document::{Component, Document};
 use super::fault::{Attributes, Fault, Unit};
-use super::gear::{self, Gear, Thickness};
+use super::gear::{self, Gear};
+use super::thickness::Thickness;
 use crate::characters::cut;
 use crate::node::LONGEST;
 use crate::numbers::{shortest, trimmed};

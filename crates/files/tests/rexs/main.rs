@@ -4,6 +4,7 @@
 mod mutant;
 
 mod edited;
+mod generated;
 mod left_out;
 mod mutations;
 mod oracle;

@@ -67,7 +67,14 @@ fn gears<'a>(document: &'a Document, stage: &Component) -> Result<[Attributes<'a
         Ok::<_, Fault>(Attributes::of(gear))
     });
     let [one, two] = each;
-    Ok([one?, two?])
+    let (one, two) = (one?, two?);
+    if one.component().id == two.component().id {
+        return Err(Fault::LeftOut(format!(
+            "both its gears are {}",
+            one.component().place()
+        )));
+    }
+    Ok([one, two])
 }
 
 impl<'a> Stage<'a> {

@@ -75,6 +75,12 @@ fn a_stage_that_lacks_or_contradicts_something_is_left_out_with_the_reason() {
             "js11",
         ),
         (
+            "<ref id=\"12\" role=\"gear_2\"/>",
+            "<ref id=\"11\" role=\"gear_2\"/>",
+            10,
+            "both its gears are cylindrical_gear 11",
+        ),
+        (
             "lower_center_distance_allowance",
             "other",
             20,
@@ -232,4 +238,14 @@ fn what_is_wrong_with_json_is_told_with_its_place() {
     }
     let error = read("tooth;fp\n1;2\n").unwrap_err().to_string();
     assert!(error.contains("neither XML nor JSON"), "{error}");
+}
+
+#[test]
+fn a_gear_does_not_mate_with_itself() {
+    let same = "<ref id=\"21\" role=\"gear_2\"/>";
+    let text = fixture("gearbox.rexs").replacen("<ref id=\"22\" role=\"gear_2\"/>", same, 1);
+    let file = read(&text).unwrap();
+    assert_eq!(why(&file, 20), "both its gears are cylindrical_gear 21");
+    assert!(file.stage(20).unwrap().gears.is_none());
+    pair(&file, 10);
 }

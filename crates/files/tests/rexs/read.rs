@@ -164,3 +164,52 @@ fn a_zipped_model_is_read_and_not_written() {
         "{error}"
     );
 }
+
+#[test]
+fn allowances_of_the_centre_distance_must_agree_with_its_field() {
+    // ISO 286: IT7 from 50 to 80 mm is 30 µm, IT6 19 µm.
+    let good = fixture("gearbox.rexs");
+    let field = |grade: &str| {
+        format!(
+            "<attribute id=\"center_distance_tolerance_field_din_3964_1980\" unit=\"none\">{grade}</attribute>"
+        )
+    };
+    let ends = |grade: &str, um: f64| {
+        let end = |end: &str, um: f64| {
+            format!(
+                "<attribute id=\"{end}_center_distance_allowance\" unit=\"mum\">{um}</attribute>"
+            )
+        };
+        let new = field(grade) + &end("upper", um) + &end("lower", -um);
+        assert!(good.contains(&field("7")));
+        read(&good.replacen(&field("7"), &new, 1)).unwrap()
+    };
+    let distance = pair(&ends("7", 15.0), 10)["assembly"]["center_distance_mm"].clone();
+    assert_eq!(distance["upper_um"].as_float(), Some(15.0));
+    for (grade, um, told) in [
+        (
+            "7",
+            200.0,
+            "js7 is ±15 µm, its centre distance allowances are 200 / −200 µm",
+        ),
+        (
+            "6",
+            15.0,
+            "js6 is ±9.5 µm, its centre distance allowances are 15 / −15 µm",
+        ),
+    ] {
+        let found = why(&ends(grade, um), 10);
+        assert_eq!(
+            found,
+            format!("cylindrical_stage 10 contradicts itself: {told}")
+        );
+    }
+    let beyond = ends("11", 95.0);
+    let remarks = &beyond.stage(10).unwrap().pair.as_ref().unwrap().remarks;
+    assert!(
+        remarks
+            .iter()
+            .any(|told| told.contains("js11 is not compared")),
+        "{remarks:?}"
+    );
+}

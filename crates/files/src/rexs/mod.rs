@@ -99,7 +99,8 @@ pub fn is_rexs(path: &Path) -> bool {
 /// Reads the REXS file at `path`; `-` is standard input.
 ///
 /// # Errors
-/// [`InputError`] with the places of what is wrong: a line and a column, or a component and an attribute.
+/// [`InputError`] with the place of what is wrong with the file as a whole: a line and a column, or a component and an attribute. What is
+/// wrong with one stage is the reason of that stage.
 pub fn read(path: &Path) -> Result<RexsFile, InputError> {
     with_bytes(path, |path, place, bytes, problems| {
         let file = bytes.and_then(|bytes| of_bytes(path, place, bytes));
@@ -149,7 +150,7 @@ fn of_bytes(path: &Path, place: &Place, bytes: Vec<u8>) -> Result<RexsFile, Prob
     let stages = stages
         .into_iter()
         .map(|component| stage_of(&document, component, &source, &mut used))
-        .collect::<Result<_, _>>()?;
+        .collect();
     let mut left_out = document.kinds_beside(&used);
     left_out.extend(document.others.iter().map(|other| (cut(other, LONGEST), 1)));
     Ok(RexsFile {
@@ -172,22 +173,23 @@ fn stage_of(
     component: &Component,
     source: &str,
     used: &mut Vec<i32>,
-) -> Result<RexsStage, Problem> {
+) -> RexsStage {
     let pair = match Stage::read(document, component) {
         Ok(stage) => {
             let parts: Vec<&Component> = stage.parts().map(|part| part.component()).collect();
             pair_of(&stage, source).inspect(|_| used.extend(parts.iter().map(|part| part.id)))
         }
         Err(Fault::LeftOut(why)) => Err(why),
-        Err(Fault::Wrong(problem)) => return Err(problem),
+        // What is wrong with one stage is nothing to the others.
+        Err(Fault::Wrong(problem)) => Err(problem.to_string()),
     };
-    Ok(RexsStage {
+    RexsStage {
         id: component.id,
         kind: cut(&component.kind, LONGEST),
         name: component.name.clone(),
         gears: stage::spur_gears(document, component).ok(),
         pair,
-    })
+    }
 }
 
 /// The pair file of a stage, if gearlash takes it.

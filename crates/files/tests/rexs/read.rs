@@ -213,3 +213,20 @@ fn allowances_of_the_centre_distance_must_agree_with_its_field() {
         "{remarks:?}"
     );
 }
+
+#[test]
+fn the_sign_of_a_micrometre_is_a_unit_and_no_unit_has_a_name() {
+    let good = fixture("gearbox.rexs");
+    let whole = pair(&read(&good).unwrap(), 20);
+    for sign in ["\u{b5}m", "\u{3bc}m"] {
+        let text = good.replace("unit=\"mum\"", &format!("unit=\"{sign}\""));
+        assert_eq!(pair(&read(&text).unwrap(), 20), whole, "{sign}");
+    }
+    let text = good.replacen("unit=\"none\">17<", "unit=\"-\">17<", 1);
+    assert_ne!(text, good);
+    let told = why(&read(&text).unwrap(), 10);
+    assert!(
+        told.contains("in the unit -, the format has none;"),
+        "{told}"
+    );
+}

@@ -10,6 +10,7 @@ mod fault;
 mod gear;
 mod generated;
 mod json;
+mod same;
 mod stage;
 mod thickness;
 mod xml;
@@ -18,6 +19,7 @@ use crate::characters::{cut, plain};
 use crate::error::{InputError, Problem};
 use crate::node::LONGEST;
 use crate::place::Place;
+use crate::spec::PairSpec;
 use crate::{source, with_bytes};
 use document::{Component, Document, problem};
 use fault::Fault;
@@ -71,6 +73,8 @@ pub struct RexsPair {
     pub remarks: Vec<String>,
     /// Attributes that were not used, by component.
     pub unused: Vec<(String, Vec<String>)>,
+    /// The pair file as understood.
+    spec: PairSpec,
 }
 
 /// Least and greatest backlash of a stage, mm.
@@ -211,7 +215,23 @@ fn pair_of(stage: &Stage, source: &str) -> Result<RexsPair, String> {
         remarks,
         unused: unused.collect(),
         pair_file,
+        spec: read.spec,
     })
+}
+
+impl RexsStage {
+    /// Whether `pair` is a pair file of this stage, whose backlash may be written into it: teeth, module, pressure angle, profile shift,
+    /// allowances of the thickness and centre distance are those of [`RexsPair::pair_file`], or lie within its tolerances.
+    ///
+    /// # Errors
+    /// What tells them apart with both values, to be set behind "stage 3"; the reason why the stage is left out.
+    pub fn is_of(&self, pair: &PairSpec) -> Result<(), String> {
+        match (&self.pair, self.gears) {
+            (Ok(own), _) => same::same(&own.spec, pair),
+            (Err(why), None) => Err(format!("has no two external spur gears: {why}")),
+            (Err(why), Some(_)) => Err(format!("is left out: {why}")),
+        }
+    }
 }
 
 impl RexsFile {

@@ -9,6 +9,7 @@ mod left_out;
 mod mutations;
 mod oracle;
 mod read;
+mod same;
 
 use gearlash_files::InputError;
 use gearlash_files::rexs::{self, RexsFile};

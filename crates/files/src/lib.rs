@@ -252,6 +252,7 @@ fn with_entries<T>(
     understand: impl FnOnce(&Path, &Place, &[(String, Node)], &mut Problems) -> Option<T>,
 ) -> Result<T, InputError> {
     let (path, place, bytes) = located(path);
+    let bytes = bytes.and_then(|bytes| rexs::no_model(path, bytes));
     with_text(path, &place, bytes.and_then(source::text), understand)
 }
 

@@ -230,3 +230,24 @@ fn the_sign_of_a_micrometre_is_a_unit_and_no_unit_has_a_name() {
         "{told}"
     );
 }
+
+#[test]
+fn a_model_is_no_pair_file() {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, of) in [
+        ("box.rexs", "gearbox.rexs"),
+        ("box.rexsj", "gearbox.rexsj"),
+        ("box.xml", "gearbox.rexs"),
+    ] {
+        let path = folder.path().join(name);
+        std::fs::write(&path, fixture(of)).unwrap();
+        let told = gearlash_files::read_any(&path).unwrap_err().to_string();
+        assert!(
+            told.contains("is a gearbox model; gearlash import "),
+            "{told}"
+        );
+        assert!(told.contains("--stage ID -o pair.toml"), "{told}");
+    }
+    let none = gearlash_files::read_any(&folder.path().join("none.rexs")).unwrap_err();
+    assert!(none.to_string().contains("there is no such file"), "{none}");
+}

@@ -10,8 +10,7 @@ use gearlash::analysis::study::Study;
 use gearlash::analysis::verdict::Verdict;
 use gearlash::contact::Method;
 use gearlash_files::numbers::rounded;
-use gearlash_files::rexs::{RexsBacklash, RexsStage};
-use gearlash_files::spec::GearSpec;
+use gearlash_files::rexs::RexsBacklash;
 use gearlash_files::verdict::sentence;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -41,8 +40,12 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let name = args.file.display().to_string();
     let stage = rexs::stage(&name, &model, args.stage)?;
     let pair = studies::pair(&args.pair)?;
-    same_gears(stage, [&pair.spec.wheel, &pair.spec.pinion])
-        .map_err(|why| Error::Usage(format!("{name}: stage {} {why}", stage.id)))?;
+    stage.is_of(&pair.spec).map_err(|why| {
+        let id = stage.id;
+        Error::Usage(format!(
+            "{name}: stage {id} {why}; export the pair file that gearlash import {name} --stage {id} -o PAIR writes, or correct the model"
+        ))
+    })?;
     let mut sources = model.sources.clone();
     sources.extend(&pair.sources);
     let target = Target::prepare(args.output.clone(), &sources)?;
@@ -60,30 +63,6 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     }
     target.write(&copy)?;
     Ok(ExitCode::SUCCESS)
-}
-
-/// What tells the gears of a pair file from those of the stage.
-fn same_gears(stage: &RexsStage, pair: [&GearSpec; 2]) -> Result<(), String> {
-    let Some(mut of_stage) = stage.gears else {
-        return match &stage.pair {
-            Err(why) => Err(format!("has no two external spur gears: {why}")),
-            Ok(_) => Ok(()),
-        };
-    };
-    let mut of_pair = pair.map(|gear| (gear.teeth, gear.module_mm));
-    of_stage.sort_by_key(|gear| gear.0);
-    of_pair.sort_by_key(|gear| gear.0);
-    match of_stage == of_pair {
-        true => Ok(()),
-        false => {
-            let words = |[(z1, m), (z2, _)]: [(u32, f64); 2]| format!("{z1}/{z2} teeth, m {m}");
-            Err(format!(
-                "has {}, the pair file {}",
-                words(of_stage),
-                words(of_pair)
-            ))
-        }
-    }
 }
 
 /// The extremes of `study`, where every one of them is proven.

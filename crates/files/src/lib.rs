@@ -34,6 +34,7 @@ mod findings;
 mod gauged_file;
 mod gear;
 mod gear_file;
+mod gearbox_model;
 pub mod import;
 mod limits;
 mod location;
@@ -252,6 +253,7 @@ fn with_entries<T>(
     understand: impl FnOnce(&Path, &Place, &[(String, Node)], &mut Problems) -> Option<T>,
 ) -> Result<T, InputError> {
     let (path, place, bytes) = located(path);
+    let bytes = bytes.and_then(|bytes| gearbox_model::no_model(path, bytes));
     with_text(path, &place, bytes.and_then(source::text), understand)
 }
 

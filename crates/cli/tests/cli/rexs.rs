@@ -130,6 +130,7 @@ fn what_cannot_be_done_is_refused_and_nothing_is_written() {
     let tight = std::fs::read_to_string(at("pair.toml")).unwrap();
     let tight = tight.replace("nominal_mm = 30.0", "nominal_mm = 28.6");
     std::fs::write(at("jammed.toml"), tight).unwrap();
+    std::fs::write(at("jammed.rexs"), model().replace(">30.0<", ">28.6<")).unwrap();
     for (args, code, told) in [
         (
             "import box.rexs -o out.toml",
@@ -173,6 +174,11 @@ fn what_cannot_be_done_is_refused_and_nothing_is_written() {
         ),
         (
             "export box.rexs jammed.toml --stage 20 -o out.rexs",
+            2,
+            "stage 20 has centre distance 29.9895…30.0105 mm, the pair file 28.5895…28.6105 mm; export the pair file that gearlash import",
+        ),
+        (
+            "export jammed.rexs jammed.toml --stage 20 -o out.rexs",
             1,
             "nothing is written",
         ),
@@ -190,5 +196,14 @@ fn what_cannot_be_done_is_refused_and_nothing_is_written() {
         .map(|entry| entry.unwrap().file_name().into_string().unwrap())
         .collect();
     left.sort();
-    assert_eq!(left, ["box.rexs", "jammed.toml", "pair.toml", "small.toml"]);
+    assert_eq!(
+        left,
+        [
+            "box.rexs",
+            "jammed.rexs",
+            "jammed.toml",
+            "pair.toml",
+            "small.toml"
+        ]
+    );
 }

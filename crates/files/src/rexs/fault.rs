@@ -28,13 +28,23 @@ pub enum Unit {
 }
 
 impl Unit {
-    /// Its names in the versions of the format.
+    /// Its names in the versions of the format, and the sign that `mum` stands for: U+00B5 or U+03BC.
     fn names(self) -> &'static [&'static str] {
         match self {
             Unit::Millimetre => &["mm"],
-            Unit::Micrometre => &["mum"],
+            Unit::Micrometre => &["mum", "µm", "μm"],
             Unit::Degree => &["deg", "°"],
             Unit::None => &["none", ""],
+        }
+    }
+
+    /// What a message calls it.
+    fn words(self) -> &'static str {
+        match self {
+            Unit::Millimetre => "mm",
+            Unit::Micrometre => "mum",
+            Unit::Degree => "deg or °",
+            Unit::None => "none",
         }
     }
 }
@@ -80,8 +90,8 @@ impl<'a> Attributes<'a> {
         };
         let stated = self.component.attribute(id).and_then(|a| a.unit.as_deref());
         if let Some(other) = stated.filter(|stated| !unit.names().contains(stated)) {
-            let names = unit.names().join(" or ");
-            let reason = format!("in the unit {}, the format has {names}", shown(other));
+            let (other, words) = (shown(other), unit.words());
+            let reason = format!("in the unit {other}, the format has {words}");
             return Err(wrong(&reason, "convert it, or export the file again"));
         }
         // No exponent without digits, no "inf", no "nan": what the format's own number is.

@@ -1,31 +1,15 @@
 //! One spur gear of a REXS stage: its data, tool and thickness.
 
-use super::document::{Document, Relation, shown};
+use super::document::{Document, Relation};
 use super::fault::{Attributes, Fault, Unit};
+use super::generated::Generated;
+use super::thickness::{self, Thickness};
 use crate::error::Problem;
-use crate::numbers::{fixed, rounded};
 use crate::spec::RackSpec;
-use gearlash::gear::{BasicGearData, ThicknessField};
+use gearlash::gear::BasicGearData;
 
 const HELIX: &str = "helix_angle_reference_diameter";
-const SPAN: &str = "span_measurement";
-const SPANNED: &str = "number_of_teeth_for_span_measurement";
-const PIN: &str = "diameter_of_measuring_ball_or_pin";
-const SIZES: [&str; 3] = ["size_over_pins", "size_over_balls", "diametral_measurement"];
-/// The series of DIN 3967, as version 1.0 calls it and as all others do.
-const SERIES: [&str; 2] = [
-    "tooth_thickness_deviation_tolerance_series_din_3967_1978",
-    "din_3967_deviation_tolerance_series",
-];
-/// Limits of the thickness in forms that are not read: where nothing else states it, the gear is not taken for a nominal one.
-const OTHER_LIMITS: [&str; 6] = [
-    "upper_backlash_allowance_balls_or_pins",
-    "lower_backlash_allowance_balls_or_pins",
-    "chordal_tooth_thickness_upper_deviation",
-    "chordal_tooth_thickness_lower_deviation",
-    "chordal_transverse_tooth_thickness_upper_deviation",
-    "chordal_transverse_tooth_thickness_lower_deviation",
-];
+const SETTINGS: &str = "manufacturing_settings";
 
 /// A gear as the file states it.
 pub struct Gear<'a> {
@@ -46,19 +30,6 @@ pub struct Gear<'a> {
     pub remarks: Vec<String>,
     /// The components it was read from, the gear first.
     pub parts: Vec<Attributes<'a>>,
-}
-
-/// A statement of the tooth thickness.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Thickness {
-    /// Of DIN 3967.
-    Series(ThicknessField),
-    /// Normal, at the reference cylinder, µm.
-    Allowance { upper: f64, lower: f64 },
-    /// mm.
-    Span { teeth: u32, mm: f64 },
-    /// mm.
-    OverPins { pin: f64, mm: f64 },
 }
 
 /// The number of teeth and the module of a gear that is no other than spur and external.
@@ -111,7 +82,17 @@ impl<'a> Gear<'a> {
         let basic_data = BasicGearData::new(teeth, module, pressure_angle.to_radians());
         let basic_data = basic_data
             .map_err(|error| Fault::LeftOut(format!("{}: {error}", gear.component().place())))?;
-        let thickness = thickness(&gear, &basic_data)?;
+        let settings = settings(document, id, &flanks)?;
+        let sources = [&gear].into_iter().chain(&flanks).chain(&settings);
+        let generated = Generated::read(sources)?;
+        let mut remarks = Vec::new();
+        let thickness = thickness::stated(
+            &gear,
+            &basic_data,
+            shift.unwrap_or(0.0),
+            &generated,
+            &mut remarks,
+        )?;
         let tip = gear.number("tip_diameter", Unit::Millimetre)?;
         let mut read = Gear {
             teeth,
@@ -121,11 +102,12 @@ impl<'a> Gear<'a> {
             tip,
             rack: None,
             thickness,
-            remarks: Vec::new(),
+            remarks,
             parts: vec![gear],
         };
         read.parts.extend(flanks);
         read.tool(document, addendum)?;
+        read.parts.extend(settings);
         Ok(read)
     }
 
@@ -263,6 +245,27 @@ fn flanks(document: &Document, gear: i32) -> Result<Vec<Attributes<'_>>, Problem
     Ok(flanks)
 }
 
+/// Settings of the steps that manufacture a gear or its flanks, each once.
+fn settings<'a>(
+    document: &'a Document,
+    gear: i32,
+    flanks: &[Attributes],
+) -> Result<Vec<Attributes<'a>>, Problem> {
+    let mut settings: Vec<Attributes> = Vec::new();
+    let flanks = flanks.iter().map(|flank| flank.component().id);
+    for id in [gear].into_iter().chain(flanks) {
+        for relation in document.relations("manufacturing_step", "workpiece", id) {
+            for (_, id) in relation.refs.iter().filter(|(r, _)| r == SETTINGS) {
+                let component = document.component(*id, relation)?;
+                if settings.iter().all(|other| other.component().id != *id) {
+                    settings.push(Attributes::of(component));
+                }
+            }
+        }
+    }
+    Ok(settings)
+}
+
 /// What all flanks that state it have.
 fn shared(flanks: &[Attributes], id: &str, unit: Unit) -> Result<Option<f64>, Fault> {
     let mut all: Option<f64> = None;
@@ -279,95 +282,4 @@ fn shared(flanks: &[Attributes], id: &str, unit: Unit) -> Result<Option<f64>, Fa
         }
     }
     Ok(all)
-}
-
-/// Allowances of a span are printed in whole µm: 0.5 µm, as thickness at pressure angles up to 60° 1 µm.
-const ROUNDING_UM: f64 = 1.0;
-
-/// What tells the allowances of a span from those of the series.
-fn agree(field: ThicknessField, span: [f64; 2], basic_data: &BasicGearData) -> Result<(), String> {
-    let series = field
-        .allowances_um(basic_data)
-        .map_err(|error| error.to_string())?;
-    let apart = |(one, other): (&f64, &f64)| (one - other).abs() > ROUNDING_UM;
-    match series.iter().zip(&span).any(apart) {
-        false => Ok(()),
-        true => Err(format!(
-            "contradicts itself: {field} is {} / {} µm, the allowances of its span make {} / {} µm",
-            fixed(series[0], 1),
-            fixed(series[1], 1),
-            fixed(span[0], 1),
-            fixed(span[1], 1)
-        )),
-    }
-}
-
-/// What is stated of the thickness: series, allowances, and where neither is, measured lengths.
-fn thickness(gear: &Attributes, basic_data: &BasicGearData) -> Result<Vec<Thickness>, Fault> {
-    let place = gear.component().place();
-    let mut stated = Vec::new();
-    if let Some(series) = SERIES.iter().find_map(|id| gear.text(id)) {
-        let field = series
-            .parse()
-            .map_err(|error| Fault::LeftOut(format!("{place}: {}: {error}", shown(series))))?;
-        stated.push(Thickness::Series(field));
-    }
-    let span = ["upper", "lower"].map(|end| format!("{end}_backlash_allowance_referenced_to_span"));
-    let upper = gear.number(&span[0], Unit::Micrometre)?;
-    let lower = gear.number(&span[1], Unit::Micrometre)?;
-    match (upper, lower) {
-        (Some(upper), Some(lower)) => {
-            // W_k of a spur gear changes by A_sn cos α.
-            let [upper, lower] =
-                [upper, lower].map(|um| rounded(um / basic_data.pressure_angle().cos(), 6));
-            match stated[..] {
-                [Thickness::Series(field)] => {
-                    agree(field, [upper, lower], basic_data)
-                        .map_err(|why| Fault::LeftOut(format!("{place} {why}")))?;
-                }
-                _ => stated.push(Thickness::Allowance { upper, lower }),
-            }
-        }
-        (None, None) => {}
-        _ => {
-            return Err(Fault::LeftOut(format!(
-                "{place} has one of {} and {} without the other",
-                span[0], span[1]
-            )));
-        }
-    }
-    if !stated.is_empty() {
-        return Ok(stated);
-    }
-    if let Some(other) = OTHER_LIMITS
-        .into_iter()
-        .find(|id| gear.component().attribute(id).is_some())
-    {
-        return Err(Fault::LeftOut(format!(
-            "{place} limits its thickness by {other} alone, which is not read: add its DIN 3967 series or the allowances of its span"
-        )));
-    }
-    if let Some(mm) = gear.number(SPAN, Unit::Millimetre)?
-        && let Some(teeth) = gear.count(SPANNED)?
-    {
-        stated.push(Thickness::Span { teeth, mm });
-    }
-    if let Some(pin) = gear.number(PIN, Unit::Millimetre)? {
-        for size in SIZES {
-            if let Some(mm) = gear.number(size, Unit::Millimetre)? {
-                stated.push(Thickness::OverPins { pin, mm });
-                break;
-            }
-        }
-    }
-    let lengths = [&[SPAN][..], &SIZES].concat();
-    let length = lengths
-        .into_iter()
-        .find(|id| gear.component().attribute(id).is_some());
-    match length.filter(|_| stated.is_empty()) {
-        Some(length) => Err(Fault::LeftOut(format!(
-            "{place} has {length} without {SPANNED} or {PIN}"
-        ))),
-        None => Ok(stated),
-    }
 }

@@ -8,14 +8,20 @@ mod archive;
 mod document;
 mod fault;
 mod gear;
+mod generated;
 mod json;
+mod same;
 mod stage;
+mod thickness;
 mod xml;
+
+pub use crate::gearbox_model::is_rexs;
 
 use crate::characters::{cut, plain};
 use crate::error::{InputError, Problem};
 use crate::node::LONGEST;
 use crate::place::Place;
+use crate::spec::PairSpec;
 use crate::{source, with_bytes};
 use document::{Component, Document, problem};
 use fault::Fault;
@@ -69,6 +75,8 @@ pub struct RexsPair {
     pub remarks: Vec<String>,
     /// Attributes that were not used, by component.
     pub unused: Vec<(String, Vec<String>)>,
+    /// The pair file as understood.
+    spec: PairSpec,
 }
 
 /// Least and greatest backlash of a stage, mm.
@@ -88,16 +96,11 @@ enum Content {
     Zipped,
 }
 
-/// Whether the file at `path` is to be read as REXS, by its name.
-pub fn is_rexs(path: &Path) -> bool {
-    let ending = path.extension().map(|ending| ending.to_ascii_lowercase());
-    ending.is_some_and(|ending| ["rexs", "rexsj", "rexsz"].iter().any(|one| ending == *one))
-}
-
 /// Reads the REXS file at `path`; `-` is standard input.
 ///
 /// # Errors
-/// [`InputError`] with the places of what is wrong: a line and a column, or a component and an attribute.
+/// [`InputError`] with the place of what is wrong with the file as a whole: a line and a column, or a component and an attribute. What is
+/// wrong with one stage is the reason of that stage.
 pub fn read(path: &Path) -> Result<RexsFile, InputError> {
     with_bytes(path, |path, place, bytes, problems| {
         let file = bytes.and_then(|bytes| of_bytes(path, place, bytes));
@@ -147,7 +150,7 @@ fn of_bytes(path: &Path, place: &Place, bytes: Vec<u8>) -> Result<RexsFile, Prob
     let stages = stages
         .into_iter()
         .map(|component| stage_of(&document, component, &source, &mut used))
-        .collect::<Result<_, _>>()?;
+        .collect();
     let mut left_out = document.kinds_beside(&used);
     left_out.extend(document.others.iter().map(|other| (cut(other, LONGEST), 1)));
     Ok(RexsFile {
@@ -170,22 +173,23 @@ fn stage_of(
     component: &Component,
     source: &str,
     used: &mut Vec<i32>,
-) -> Result<RexsStage, Problem> {
+) -> RexsStage {
     let pair = match Stage::read(document, component) {
         Ok(stage) => {
             let parts: Vec<&Component> = stage.parts().map(|part| part.component()).collect();
             pair_of(&stage, source).inspect(|_| used.extend(parts.iter().map(|part| part.id)))
         }
         Err(Fault::LeftOut(why)) => Err(why),
-        Err(Fault::Wrong(problem)) => return Err(problem),
+        // What is wrong with one stage is nothing to the others.
+        Err(Fault::Wrong(problem)) => Err(problem.to_string()),
     };
-    Ok(RexsStage {
+    RexsStage {
         id: component.id,
         kind: cut(&component.kind, LONGEST),
         name: component.name.clone(),
         gears: stage::spur_gears(document, component).ok(),
         pair,
-    })
+    }
 }
 
 /// The pair file of a stage, if gearlash takes it.
@@ -207,7 +211,23 @@ fn pair_of(stage: &Stage, source: &str) -> Result<RexsPair, String> {
         remarks,
         unused: unused.collect(),
         pair_file,
+        spec: read.spec,
     })
+}
+
+impl RexsStage {
+    /// Whether `pair` is a pair file of this stage, whose backlash may be written into it: teeth, module, pressure angle, profile shift,
+    /// allowances of the thickness and centre distance are those of [`RexsPair::pair_file`], or lie within its tolerances.
+    ///
+    /// # Errors
+    /// What tells them apart with both values, to be set behind "stage 3"; the reason why the stage is left out.
+    pub fn is_of(&self, pair: &PairSpec) -> Result<(), String> {
+        match (&self.pair, self.gears) {
+            (Ok(own), _) => same::same(&own.spec, pair),
+            (Err(why), None) => Err(format!("has no two external spur gears: {why}")),
+            (Err(why), Some(_)) => Err(format!("is left out: {why}")),
+        }
+    }
 }
 
 impl RexsFile {

@@ -2,10 +2,12 @@
 
 use super::document::{Component, Document};
 use super::fault::{Attributes, Fault, Unit};
-use super::gear::{self, Gear, Thickness};
+use super::gear::{self, Gear};
+use super::thickness::Thickness;
 use crate::characters::cut;
 use crate::node::LONGEST;
 use crate::numbers::{shortest, trimmed};
+use gearlash::pair::DesignatedDistance;
 use std::fmt::Write;
 
 /// The field of DIN 3964, as version 1.0 calls it and as all others do.
@@ -20,6 +22,7 @@ pub struct Stage<'a> {
     gears: [Gear<'a>; 2],
     distance: f64,
     band: Band,
+    remarks: Vec<String>,
 }
 
 /// The tolerance of a centre distance.
@@ -66,7 +69,14 @@ fn gears<'a>(document: &'a Document, stage: &Component) -> Result<[Attributes<'a
         Ok::<_, Fault>(Attributes::of(gear))
     });
     let [one, two] = each;
-    Ok([one?, two?])
+    let (one, two) = (one?, two?);
+    if one.component().id == two.component().id {
+        return Err(Fault::LeftOut(format!(
+            "both its gears are {}",
+            one.component().place()
+        )));
+    }
+    Ok([one, two])
 }
 
 impl<'a> Stage<'a> {
@@ -82,8 +92,17 @@ impl<'a> Stage<'a> {
         let upper = stage.number("upper_center_distance_allowance", Unit::Micrometre)?;
         let lower = stage.number("lower_center_distance_allowance", Unit::Micrometre)?;
         let field = FIELD.iter().find_map(|id| stage.count(id).transpose());
+        let mut remarks = Vec::new();
         let band = match (upper, lower, field.transpose()?) {
-            (Some(upper), Some(lower), _) => Band::Ends { upper, lower },
+            (Some(upper), Some(lower), field) => {
+                if let Some(grade) = field {
+                    let told = agree(distance, grade, [upper, lower])
+                        .map_err(|why| Fault::LeftOut(format!("{} {why}", component.place())))?;
+                    let place = component.place();
+                    remarks.extend(told.map(|told| format!("{place}: {told}")));
+                }
+                Band::Ends { upper, lower }
+            }
             (None, None, Some(grade)) => Band::Js(grade),
             (None, None, None) => Band::None,
             _ => {
@@ -98,6 +117,7 @@ impl<'a> Stage<'a> {
             gears,
             distance,
             band,
+            remarks,
         })
     }
 
@@ -160,7 +180,7 @@ impl<'a> Stage<'a> {
 
     /// What the user should know.
     pub fn remarks(&self) -> Vec<String> {
-        let mut remarks = Vec::new();
+        let mut remarks = self.remarks.clone();
         for gear in &self.gears {
             let place = gear.parts[0].component().place();
             if gear.shift.is_none() {
@@ -180,6 +200,28 @@ impl<'a> Stage<'a> {
     pub fn parts(&self) -> impl Iterator<Item = &Attributes<'a>> {
         let gears = self.gears.iter().flat_map(|gear| &gear.parts);
         [&self.stage].into_iter().chain(gears)
+    }
+}
+
+/// Allowances are printed in whole µm, and so is half a grade of the table.
+const ROUNDING_UM: f64 = 1.0;
+
+/// What tells the allowances of a centre distance (upper and lower, µm) from its tolerance field; a remark where it cannot be told.
+fn agree(distance: f64, grade: u32, allowances: [f64; 2]) -> Result<Option<String>, String> {
+    let field = format!("{distance} js{grade}").parse::<DesignatedDistance>();
+    let half = match field.and_then(|field| field.tolerance_um()) {
+        Ok(half) => half,
+        Err(error) => return Ok(Some(format!("js{grade} is not compared: {error}"))),
+    };
+    let apart = |(one, other): (f64, f64)| (one - other).abs() > ROUNDING_UM;
+    match allowances.into_iter().zip([half, -half]).any(apart) {
+        false => Ok(None),
+        true => Err(format!(
+            "contradicts itself: js{grade} is ±{} µm, its centre distance allowances are {} / {} µm",
+            trimmed(half, 0, 1),
+            trimmed(allowances[0], 0, 1),
+            trimmed(allowances[1], 0, 1)
+        )),
     }
 }
 

@@ -75,6 +75,12 @@ fn a_stage_that_lacks_or_contradicts_something_is_left_out_with_the_reason() {
             "js11",
         ),
         (
+            "<ref id=\"12\" role=\"gear_2\"/>",
+            "<ref id=\"11\" role=\"gear_2\"/>",
+            10,
+            "both its gears are cylindrical_gear 11",
+        ),
+        (
             "lower_center_distance_allowance",
             "other",
             20,
@@ -185,7 +191,10 @@ fn what_is_wrong_is_told_with_its_place() {
     ] {
         let text = good.replacen(from, to, 1);
         assert_ne!(text, good, "{from}");
-        let error = read(&text).unwrap_err().to_string();
+        let error = match read(&text) {
+            Ok(file) => why(&file, 10),
+            Err(error) => error.to_string(),
+        };
         assert!(error.contains(told), "{told}: {error}");
     }
 }
@@ -227,9 +236,62 @@ fn what_is_wrong_with_json_is_told_with_its_place() {
     ] {
         let text = good.replacen(from, to, 1);
         assert_ne!(text, good, "{from}");
-        let error = read(&text).unwrap_err().to_string();
+        let error = match read(&text) {
+            Ok(file) => why(&file, 10),
+            Err(error) => error.to_string(),
+        };
         assert!(error.contains(&told), "{told}: {error}");
     }
     let error = read("tooth;fp\n1;2\n").unwrap_err().to_string();
     assert!(error.contains("neither XML nor JSON"), "{error}");
+}
+
+#[test]
+fn a_gear_does_not_mate_with_itself() {
+    let same = "<ref id=\"21\" role=\"gear_2\"/>";
+    let text = fixture("gearbox.rexs").replacen("<ref id=\"22\" role=\"gear_2\"/>", same, 1);
+    let file = read(&text).unwrap();
+    assert_eq!(why(&file, 20), "both its gears are cylindrical_gear 21");
+    assert!(file.stage(20).unwrap().gears.is_none());
+    pair(&file, 10);
+}
+
+#[test]
+fn a_flaw_of_one_stage_leaves_the_others() {
+    let good = fixture("gearbox.rexs");
+    let whole = read(&good).unwrap();
+    for (from, to, stage, told) in [
+        (
+            "<ref id=\"31\" role=\"gear_1\"/>",
+            "<ref id=\"931\" role=\"gear_1\"/>",
+            30,
+            "relation 7: names component 931, which the file does not have",
+        ),
+        (
+            "unit=\"deg\">15.0<",
+            "unit=\"rad\">0.26<",
+            30,
+            "cylindrical_gear 31, helix_angle_reference_diameter = 0.26: in the unit rad",
+        ),
+        (
+            "din_3964_1980\" unit=\"none\">7<",
+            "din_3964_1980\" unit=\"none\">js7<",
+            10,
+            "din_3964_1980 = js7: not a number",
+        ),
+        (
+            "<ref id=\"14\" role=\"right\"/>",
+            "",
+            10,
+            "relation 12: has no component as right",
+        ),
+    ] {
+        let text = good.replacen(from, to, 1);
+        assert_ne!(text, good, "{from}");
+        let file = read(&text).unwrap();
+        assert!(why(&file, stage).contains(told), "{}", why(&file, stage));
+        for other in [10, 20].into_iter().filter(|other| *other != stage) {
+            assert_eq!(pair(&file, other), pair(&whole, other));
+        }
+    }
 }

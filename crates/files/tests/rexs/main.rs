@@ -4,10 +4,12 @@
 mod mutant;
 
 mod edited;
+mod generated;
 mod left_out;
 mod mutations;
 mod oracle;
 mod read;
+mod same;
 
 use gearlash_files::InputError;
 use gearlash_files::rexs::{self, RexsFile};

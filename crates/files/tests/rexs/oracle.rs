@@ -181,10 +181,33 @@ impl Model {
             let found = ["dedendum", "root_radius"].map(|key| rack[key].as_float());
             assert_eq!(found, of_tool);
         }
-        self.check_thickness(gear, table, of_flanks("normal_pressure_angle").unwrap());
+        let angle = of_flanks("normal_pressure_angle").unwrap();
+        let settings = flanks.iter().flat_map(|flank| {
+            self.related(
+                "manufacturing_step",
+                "workpiece",
+                *flank,
+                "manufacturing_settings",
+            )
+        });
+        let id = "generated_addendum_modification_coefficient";
+        let generated = settings.filter_map(|id_of| self.number(id_of, id)).next();
+        let x = of_flanks("addendum_modification_coefficient").unwrap_or(0.0);
+        let module = self.number(gear, "normal_module").unwrap();
+        let generated = generated
+            .filter(|generated| *generated != x)
+            .map(|generated| 2e3 * module * angle.to_radians().tan() * (generated - x));
+        self.check_thickness(gear, table, angle, generated);
     }
 
-    fn check_thickness(&self, gear: i64, table: &toml::Table, pressure_angle: f64) {
+    /// `generated`: the allowance that manufacturing states, µm.
+    fn check_thickness(
+        &self,
+        gear: i64,
+        table: &toml::Table,
+        pressure_angle: f64,
+        generated: Option<f64>,
+    ) {
         let none = toml::Table::new();
         let stated = table
             .get("thickness")
@@ -216,6 +239,15 @@ impl Model {
             let allowance = stated.get("allowance_um")?.as_table().unwrap();
             allowance[end].as_float()
         });
+        if let (Some(generated), [None, None], [Some(upper), Some(lower)]) =
+            (generated.filter(|_| series.is_none()), ends, found)
+        {
+            for found in [upper, lower] {
+                let off = (found - generated).abs();
+                assert!(off < 1e-5 * (1.0 + found.abs()), "{found}: {generated}");
+            }
+            return;
+        }
         for (end, found) in ends.into_iter().zip(found) {
             assert_eq!(end.is_some() && series.is_none(), found.is_some());
             if let (Some(span), Some(found)) = (end, found) {

@@ -164,3 +164,90 @@ fn a_zipped_model_is_read_and_not_written() {
         "{error}"
     );
 }
+
+#[test]
+fn allowances_of_the_centre_distance_must_agree_with_its_field() {
+    // ISO 286: IT7 from 50 to 80 mm is 30 µm, IT6 19 µm.
+    let good = fixture("gearbox.rexs");
+    let field = |grade: &str| {
+        format!(
+            "<attribute id=\"center_distance_tolerance_field_din_3964_1980\" unit=\"none\">{grade}</attribute>"
+        )
+    };
+    let ends = |grade: &str, um: f64| {
+        let end = |end: &str, um: f64| {
+            format!(
+                "<attribute id=\"{end}_center_distance_allowance\" unit=\"mum\">{um}</attribute>"
+            )
+        };
+        let new = field(grade) + &end("upper", um) + &end("lower", -um);
+        assert!(good.contains(&field("7")));
+        read(&good.replacen(&field("7"), &new, 1)).unwrap()
+    };
+    let distance = pair(&ends("7", 15.0), 10)["assembly"]["center_distance_mm"].clone();
+    assert_eq!(distance["upper_um"].as_float(), Some(15.0));
+    for (grade, um, told) in [
+        (
+            "7",
+            200.0,
+            "js7 is ±15 µm, its centre distance allowances are 200 / −200 µm",
+        ),
+        (
+            "6",
+            15.0,
+            "js6 is ±9.5 µm, its centre distance allowances are 15 / −15 µm",
+        ),
+    ] {
+        let found = why(&ends(grade, um), 10);
+        assert_eq!(
+            found,
+            format!("cylindrical_stage 10 contradicts itself: {told}")
+        );
+    }
+    let beyond = ends("11", 95.0);
+    let remarks = &beyond.stage(10).unwrap().pair.as_ref().unwrap().remarks;
+    assert!(
+        remarks
+            .iter()
+            .any(|told| told.contains("js11 is not compared")),
+        "{remarks:?}"
+    );
+}
+
+#[test]
+fn the_sign_of_a_micrometre_is_a_unit_and_no_unit_has_a_name() {
+    let good = fixture("gearbox.rexs");
+    let whole = pair(&read(&good).unwrap(), 20);
+    for sign in ["\u{b5}m", "\u{3bc}m"] {
+        let text = good.replace("unit=\"mum\"", &format!("unit=\"{sign}\""));
+        assert_eq!(pair(&read(&text).unwrap(), 20), whole, "{sign}");
+    }
+    let text = good.replacen("unit=\"none\">17<", "unit=\"-\">17<", 1);
+    assert_ne!(text, good);
+    let told = why(&read(&text).unwrap(), 10);
+    assert!(
+        told.contains("in the unit -, the format has none;"),
+        "{told}"
+    );
+}
+
+#[test]
+fn a_model_is_no_pair_file() {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, of) in [
+        ("box.rexs", "gearbox.rexs"),
+        ("box.rexsj", "gearbox.rexsj"),
+        ("box.xml", "gearbox.rexs"),
+    ] {
+        let path = folder.path().join(name);
+        std::fs::write(&path, fixture(of)).unwrap();
+        let told = gearlash_files::read_any(&path).unwrap_err().to_string();
+        assert!(
+            told.contains("is a gearbox model; gearlash import "),
+            "{told}"
+        );
+        assert!(told.contains("--stage ID -o pair.toml"), "{told}");
+    }
+    let none = gearlash_files::read_any(&folder.path().join("none.rexs")).unwrap_err();
+    assert!(none.to_string().contains("there is no such file"), "{none}");
+}

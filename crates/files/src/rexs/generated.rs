@@ -1,0 +1,100 @@
+//! The profile shift that a gear is generated with: the thickness as manufacturing states it.
+
+use super::fault::{Attributes, Fault, Unit};
+use crate::numbers::{rounded, shortest};
+use gearlash::gear::BasicGearData;
+use std::fmt;
+
+const SHIFT: &str = "generated_addendum_modification_coefficient";
+
+/// What the settings of a gear, its flanks, or the gear itself state of it.
+pub enum Generated {
+    None,
+    One(GeneratedShift),
+    /// Unlike each other: which step is the last is not read. In words.
+    Several(String),
+}
+
+/// A generated profile shift coefficient `x_E`, in modules.
+pub struct GeneratedShift {
+    shift: f64,
+    /// Upper and lower.
+    deviations: [f64; 2],
+    /// The component that states it.
+    place: String,
+}
+
+impl Generated {
+    /// Of `sources`: all that may state it.
+    ///
+    /// # Errors
+    /// No number, or one deviation without the other.
+    pub fn read<'a, 'b: 'a>(
+        sources: impl Iterator<Item = &'a Attributes<'b>>,
+    ) -> Result<Generated, Fault> {
+        let mut all: Vec<GeneratedShift> = Vec::new();
+        for source in sources {
+            let Some(shift) = source.number(SHIFT, Unit::None)? else {
+                continue;
+            };
+            let end = |end: &str| source.number(&format!("{SHIFT}_{end}_deviation"), Unit::None);
+            let place = source.component().place();
+            let deviations = match (end("upper")?, end("lower")?) {
+                (Some(upper), Some(lower)) => [upper, lower],
+                (None, None) => [0.0; 2],
+                _ => {
+                    return Err(Fault::LeftOut(format!(
+                        "{place} has one deviation of {SHIFT} without the other"
+                    )));
+                }
+            };
+            let same =
+                |other: &GeneratedShift| other.shift == shift && other.deviations == deviations;
+            if !all.iter().any(same) {
+                all.push(GeneratedShift {
+                    shift,
+                    deviations,
+                    place,
+                });
+            }
+        }
+        let told: Vec<String> = all.iter().map(ToString::to_string).collect();
+        Ok(match (all.pop(), all.is_empty()) {
+            (None, _) => Generated::None,
+            (Some(one), true) => Generated::One(one),
+            (Some(_), false) => Generated::Several(told.join(" and ")),
+        })
+    }
+}
+
+impl GeneratedShift {
+    /// Whether it is the profile shift `x` itself and without deviations: it then states no allowance.
+    pub fn is(&self, x: f64) -> bool {
+        self.shift == x && self.deviations == [0.0; 2]
+    }
+
+    /// Upper and lower allowance of the thickness at the reference cylinder against a gear of profile shift `x`, µm.
+    ///
+    /// A rack that stands `x` modules off generates the thickness `s = m (π/2 + 2 x tan α)` (ISO 21771, as `BasicGearData::half_base_angle`).
+    /// The gear generated at `x_E` thus has `A_s = s(x_E) − s(x) = 2 m tan α (x_E − x)`.
+    pub fn allowances_um(&self, x: f64, basic_data: &BasicGearData) -> [f64; 2] {
+        let of_shift = um_of_shift(basic_data);
+        self.deviations
+            .map(|deviation| rounded(of_shift * (self.shift + deviation - x), 6))
+    }
+}
+
+/// µm of thickness that a profile shift of one module makes.
+pub fn um_of_shift(basic_data: &BasicGearData) -> f64 {
+    2e3 * basic_data.module() * basic_data.pressure_angle().tan()
+}
+
+impl fmt::Display for GeneratedShift {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        write!(f, "{SHIFT} {} of {}", shortest(self.shift), self.place)?;
+        match self.deviations {
+            [0.0, 0.0] => Ok(()),
+            [upper, lower] => write!(f, " ({}…{})", shortest(lower), shortest(upper)),
+        }
+    }
+}

@@ -1,0 +1,232 @@
+//! What a REXS file states of the thickness of a tooth.
+
+use super::document::shown;
+use super::fault::{Attributes, Fault, Unit};
+use super::generated::{Generated, um_of_shift};
+use crate::numbers::{fixed, rounded};
+use gearlash::gear::{BasicGearData, ThicknessField};
+
+const SPAN: &str = "span_measurement";
+const SPANNED: &str = "number_of_teeth_for_span_measurement";
+const PIN: &str = "diameter_of_measuring_ball_or_pin";
+const SIZES: [&str; 3] = ["size_over_pins", "size_over_balls", "diametral_measurement"];
+/// The series of DIN 3967, as version 1.0 calls it and as all others do.
+const SERIES: [&str; 2] = [
+    "tooth_thickness_deviation_tolerance_series_din_3967_1978",
+    "din_3967_deviation_tolerance_series",
+];
+/// Limits of the thickness in forms that are not read: where nothing else states it, the gear is not taken for a nominal one.
+const OTHER_LIMITS: [&str; 6] = [
+    "upper_backlash_allowance_balls_or_pins",
+    "lower_backlash_allowance_balls_or_pins",
+    "chordal_tooth_thickness_upper_deviation",
+    "chordal_tooth_thickness_lower_deviation",
+    "chordal_transverse_tooth_thickness_upper_deviation",
+    "chordal_transverse_tooth_thickness_lower_deviation",
+];
+
+/// A statement of the tooth thickness.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Thickness {
+    /// Of DIN 3967.
+    Series(ThicknessField),
+    /// Normal, at the reference cylinder, µm.
+    Allowance { upper: f64, lower: f64 },
+    /// mm.
+    Span { teeth: u32, mm: f64 },
+    /// mm.
+    OverPins { pin: f64, mm: f64 },
+}
+
+/// Allowances of a span are printed in whole µm: 0.5 µm, as thickness at pressure angles up to 60° 1 µm.
+const ROUNDING_UM: f64 = 1.0;
+
+/// Generated profile shifts are printed in three decimals.
+const ROUNDING_SHIFT: f64 = 0.0005;
+
+impl Thickness {
+    /// Upper and lower allowance, µm; `None` of a measured length.
+    fn allowances_um(&self, basic_data: &BasicGearData) -> Result<Option<[f64; 2]>, String> {
+        match self {
+            Thickness::Series(field) => field
+                .allowances_um(basic_data)
+                .map(Some)
+                .map_err(|error| error.to_string()),
+            Thickness::Allowance { upper, lower } => Ok(Some([*upper, *lower])),
+            Thickness::Span { .. } | Thickness::OverPins { .. } => Ok(None),
+        }
+    }
+
+    /// What a message calls it.
+    fn words(&self) -> String {
+        match self {
+            Thickness::Series(field) => field.to_string(),
+            Thickness::Allowance { .. } => "the allowance of its span".to_owned(),
+            Thickness::Span { .. } => SPAN.to_owned(),
+            Thickness::OverPins { .. } => "the size over pins".to_owned(),
+        }
+    }
+}
+
+/// What tells the allowances of a span from those of the series.
+fn agree(field: ThicknessField, span: [f64; 2], basic_data: &BasicGearData) -> Result<(), String> {
+    let series = field
+        .allowances_um(basic_data)
+        .map_err(|error| error.to_string())?;
+    let apart = |(one, other): (&f64, &f64)| (one - other).abs() > ROUNDING_UM;
+    match series.iter().zip(&span).any(apart) {
+        false => Ok(()),
+        true => Err(format!(
+            "contradicts itself: {field} is {} / {} µm, the allowances of its span make {} / {} µm",
+            fixed(series[0], 1),
+            fixed(series[1], 1),
+            fixed(span[0], 1),
+            fixed(span[1], 1)
+        )),
+    }
+}
+
+/// What is stated of the thickness: series, allowances, and where neither is, measured lengths.
+///
+/// `shift` is the profile shift coefficient that the thickness without allowance has. Where nothing else states the thickness, the
+/// generated profile shift does; beside series or allowances it must lie within them.
+///
+/// # Errors
+/// What is stated lacks something, is not read, or contradicts itself.
+pub fn stated(
+    gear: &Attributes,
+    basic_data: &BasicGearData,
+    shift: f64,
+    generated: &Generated,
+    remarks: &mut Vec<String>,
+) -> Result<Vec<Thickness>, Fault> {
+    let place = gear.component().place();
+    let mut stated = limits(gear, basic_data)?;
+    if stated.is_empty() {
+        stated = lengths(gear)?;
+    }
+    let left_out = |why: String| Fault::LeftOut(format!("{place} {why}"));
+    match generated {
+        Generated::None => {}
+        Generated::Several(told) if stated.is_empty() => {
+            return Err(left_out(format!(
+                "states its thickness by {told} alone, which differ: add its DIN 3967 series or the allowances of its span"
+            )));
+        }
+        Generated::Several(told) => {
+            remarks.push(format!("{place}: {told} differ and are not used"));
+        }
+        Generated::One(one) => {
+            let made = one.allowances_um(shift, basic_data);
+            let words = format!(
+                "{one} makes {} / {} µm",
+                fixed(made[0], 1),
+                fixed(made[1], 1)
+            );
+            match stated.first() {
+                None if one.is(shift) => {}
+                None => {
+                    let [upper, lower] = made;
+                    stated.push(Thickness::Allowance { upper, lower });
+                    remarks.push(format!("{place} has no other thickness: {words}"));
+                }
+                // Programs write the profile shift itself where none was given.
+                Some(first) if one.is(shift) => {
+                    remarks.push(format!("{place}: {words}, {} counts", first.words()));
+                }
+                Some(first) => match first.allowances_um(basic_data).map_err(left_out)? {
+                    None => remarks.push(format!(
+                        "{place}: {words}, which is not compared: {} counts",
+                        first.words()
+                    )),
+                    Some(band) => {
+                        let slack = ROUNDING_UM + um_of_shift(basic_data) * ROUNDING_SHIFT;
+                        if made[0] > band[0] + slack || made[1] < band[1] - slack {
+                            return Err(left_out(format!(
+                                "contradicts itself: {} is {} / {} µm, {words}",
+                                first.words(),
+                                fixed(band[0], 1),
+                                fixed(band[1], 1)
+                            )));
+                        }
+                    }
+                },
+            }
+        }
+    }
+    Ok(stated)
+}
+
+/// Series and allowances of the thickness.
+fn limits(gear: &Attributes, basic_data: &BasicGearData) -> Result<Vec<Thickness>, Fault> {
+    let place = gear.component().place();
+    let mut stated = Vec::new();
+    if let Some(series) = SERIES.iter().find_map(|id| gear.text(id)) {
+        let field = series
+            .parse()
+            .map_err(|error| Fault::LeftOut(format!("{place}: {}: {error}", shown(series))))?;
+        stated.push(Thickness::Series(field));
+    }
+    let span = ["upper", "lower"].map(|end| format!("{end}_backlash_allowance_referenced_to_span"));
+    let upper = gear.number(&span[0], Unit::Micrometre)?;
+    let lower = gear.number(&span[1], Unit::Micrometre)?;
+    match (upper, lower) {
+        (Some(upper), Some(lower)) => {
+            // W_k of a spur gear changes by A_sn cos α.
+            let [upper, lower] =
+                [upper, lower].map(|um| rounded(um / basic_data.pressure_angle().cos(), 6));
+            match stated[..] {
+                [Thickness::Series(field)] => {
+                    agree(field, [upper, lower], basic_data)
+                        .map_err(|why| Fault::LeftOut(format!("{place} {why}")))?;
+                }
+                _ => stated.push(Thickness::Allowance { upper, lower }),
+            }
+        }
+        (None, None) => {}
+        _ => {
+            return Err(Fault::LeftOut(format!(
+                "{place} has one of {} and {} without the other",
+                span[0], span[1]
+            )));
+        }
+    }
+    Ok(stated)
+}
+
+/// Measured lengths.
+fn lengths(gear: &Attributes) -> Result<Vec<Thickness>, Fault> {
+    let place = gear.component().place();
+    let mut stated = Vec::new();
+    if let Some(other) = OTHER_LIMITS
+        .into_iter()
+        .find(|id| gear.component().attribute(id).is_some())
+    {
+        return Err(Fault::LeftOut(format!(
+            "{place} limits its thickness by {other} alone, which is not read: add its DIN 3967 series or the allowances of its span"
+        )));
+    }
+    if let Some(mm) = gear.number(SPAN, Unit::Millimetre)?
+        && let Some(teeth) = gear.count(SPANNED)?
+    {
+        stated.push(Thickness::Span { teeth, mm });
+    }
+    if let Some(pin) = gear.number(PIN, Unit::Millimetre)? {
+        for size in SIZES {
+            if let Some(mm) = gear.number(size, Unit::Millimetre)? {
+                stated.push(Thickness::OverPins { pin, mm });
+                break;
+            }
+        }
+    }
+    let lengths = [&[SPAN][..], &SIZES].concat();
+    let length = lengths
+        .into_iter()
+        .find(|id| gear.component().attribute(id).is_some());
+    match length.filter(|_| stated.is_empty()) {
+        Some(length) => Err(Fault::LeftOut(format!(
+            "{place} has {length} without {SPANNED} or {PIN}"
+        ))),
+        None => Ok(stated),
+    }
+}

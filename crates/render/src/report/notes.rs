@@ -1,4 +1,4 @@
-//! What the statements about a gear say of each other, and what was noticed when they were read.
+//! What the statements about a gear say of each other.
 
 use super::page::Page;
 use super::phrases::symbol;
@@ -28,21 +28,6 @@ pub(super) fn list(page: &Page) -> Markup {
                     @if let Some(note) = &of.all_round { li { (gear) ": " (all_round(note, teeth)) } }
                     @if let Some(note) = &of.thickness { li { (gear) ": " (thickness(note)) } }
                 }
-            }
-        }
-        (told(page))
-    }
-}
-
-/// What was noticed of the files: warnings first.
-fn told(page: &Page) -> Markup {
-    let pair = page.report.pair;
-    html! {
-        @if !pair.warnings.is_empty() || !pair.remarks.is_empty() {
-            h3 { "What was noticed when the files were read" }
-            ul {
-                @for warning in &pair.warnings { li { strong { "Warning: " } (warning) } }
-                @for remark in &pair.remarks { li { (remark) } }
             }
         }
     }

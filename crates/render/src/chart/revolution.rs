@@ -131,21 +131,34 @@ pub fn revolution_in(
         }
         _ => {}
     }
-    for (um, word, shift) in [(beyond[0], "least", -7.0), (beyond[1], "greatest", 13.0)] {
+    let ends = [
+        (beyond[0], "least", 14.0, &course.least),
+        (beyond[1], "greatest", 13.0, &course.greatest),
+    ];
+    for (um, word, shift, attained) in ends {
         let Some(um) = um else {
             continue;
         };
         let y = of_um(um);
+        // Away from the words at what the course attains.
+        let [first, last] = panel.x.range;
+        let is_left = attained
+            .as_ref()
+            .is_some_and(|extreme| extreme.x < 0.5 * (first + last));
+        let (x, beside, anchor) = match is_left {
+            true => (last, -8.0, Anchor::End),
+            false => (first, 8.0, Anchor::Start),
+        };
         panel.marks.push(Mark::Line {
             points: panel.x.range.map(|x| (x, Some(y))).to_vec(),
             look: Look::Limit,
             width: 1.2,
         });
         panel.marks.push(Mark::Text {
-            at: [panel.x.range[0], y],
-            shift: [8.0, shift],
+            at: [x, y],
+            shift: [beside, shift],
             text: format!("{word} of the whole mesh cycle {}", shown(um)),
-            anchor: Anchor::Start,
+            anchor,
         });
     }
     let gaps = match points_of_all().any(|point| point.simulated_um.is_none()) {

@@ -58,6 +58,9 @@ fn what_is_no_field_is_refused() {
     let fields = [
         "", "cd", "25", "20cd", "31cd", "25i", "25CD", "2c5d", "25cd x", "c25d", "25-cd", "２５cd",
     ];
+    // Blanks are no matter.
+    assert_eq!("30 js 7 ".parse::<DesignatedDistance>(), "30js7".parse());
+    assert_eq!(" cd 25 ".parse::<ThicknessField>(), "25cd".parse());
     for text in fields {
         let field = text.parse::<ThicknessField>();
         assert_eq!(field, Err(GearError::ThicknessField), "{text}");
@@ -76,7 +79,7 @@ fn what_is_no_field_is_refused() {
         "30 js7 x",
         "3.0.0 js7",
         "inf js7",
-        "30 js 7",
+        "30 j s7",
     ];
     for text in distances {
         let distance = text.parse::<DesignatedDistance>();

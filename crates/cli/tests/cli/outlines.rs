@@ -523,7 +523,7 @@ fn a_requirement_decides_the_exit_code() {
             assert_eq!(verdict["requirement"], if kept { "met" } else { "not_met" });
             let sentence = verdict["sentence"].as_str().unwrap();
             let words = if kept {
-                "The pair meets its requirement."
+                "At the poses looked at the pair meets its requirement."
             } else {
                 "The pair does not meet its requirement ("
             };

@@ -44,7 +44,7 @@ pub fn summary(study: &OutlineStudy, runs: &[OutlineRun]) -> String {
 fn required(study: &OutlineStudy, runs: &[OutlineRun]) -> String {
     match study.requirement(runs) {
         Requirement::None => String::new(),
-        Requirement::Met => " The pair meets its requirement.".to_owned(),
+        Requirement::Met => " At the poses looked at the pair meets its requirement.".to_owned(),
         Requirement::NotMet => format!(" The pair {}.", not_met(&study.unmet(runs))),
     }
 }

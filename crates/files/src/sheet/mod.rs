@@ -17,6 +17,7 @@ mod grid;
 mod head;
 mod header;
 mod heading;
+mod keys;
 mod left_out;
 mod limits;
 pub mod number;
@@ -44,35 +45,12 @@ use grid::{Found, Grid};
 use head::Head;
 pub use header::{Drawn, Header};
 use heading::Quantity;
+pub use keys::{KEYS, keys_beside, without_file};
 use number::Decimal;
 pub use p40::Position;
 pub use positions::{Nominal, Positions};
 pub use trace::TraceSheet;
 pub use wanted::{Coverage, Row, Wanted};
-
-/// Keys that name a table; others may stand beside them.
-pub const KEYS: &[&str] = &[
-    "file",
-    "sheet",
-    "header_row",
-    "tooth_column",
-    "column",
-    "decimal",
-];
-
-/// The keys of a table that has its `own` ones beside [`KEYS`].
-pub const fn keys_beside<const OWN: usize, const ALL: usize>(
-    own: [&'static str; OWN],
-) -> [&'static str; ALL] {
-    assert!(OWN + KEYS.len() == ALL);
-    let mut all = [""; ALL];
-    let mut at = 0;
-    while at < ALL {
-        all[at] = if at < OWN { own[at] } else { KEYS[at - OWN] };
-        at += 1;
-    }
-    all
-}
 
 /// How the container of `.xls` files begins: what CSV cannot.
 const OLD_WORKBOOK: &[u8] = b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1";
@@ -200,16 +178,6 @@ pub fn read_with<'a, T>(
     let good = bad.is_empty();
     problems.add_list(file.key(), bad);
     read.filter(|_| good)
-}
-
-/// Checks that nothing is said of a file that `table` does not name.
-pub fn without_file(table: &Table, problems: &mut Problems) -> Option<()> {
-    let mut keys = KEYS.iter().chain(&["left", "right"]);
-    let Some(name) = keys.find(|name| table.has(name)) else {
-        return Some(());
-    };
-    problems.add(table.problem(name, "given without `file`", "add the file, or remove it"));
-    None
 }
 
 impl Origin {

@@ -165,6 +165,9 @@ fn designated(
         .parse()
         .and_then(|stated| DesignatedDistanceSpec::new(&stated));
     problems.keep(spec.map_err(|error| match error {
+        GearError::DistanceField if !text.contains(char::is_alphabetic) => {
+            entry.wrong_type(ALLOWED, CENTER_DISTANCE.help)
+        }
         GearError::DistanceField => entry.problem(
             format!("no distance with a tolerance field of ISO 286 that is known, js5 … js10; allowed is {ALLOWED}"),
             help,

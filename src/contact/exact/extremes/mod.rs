@@ -126,7 +126,8 @@ impl ExactKernel {
     /// Whether it is clear at once that no tip comes to a fillet or a root at any pose of `assembly`, which is this kernel's, nor at any
     /// greater centre distance: involutes, their ends and tip lands touch before.
     pub(crate) fn keeps_to_involutes(&self, assembly: &GearPair) -> bool {
-        if assembly.is_modified() || self.blocked || self.bodies.is_some() || !self.is_direct() {
+        let has_no_table = assembly.is_modified() || assembly.base_pitches_differ();
+        if has_no_table || self.blocked || self.bodies.is_some() || !self.is_direct() {
             return false;
         }
         let first = Mating {

@@ -236,14 +236,12 @@ fn is_words(text: &str) -> bool {
     text.chars().take(2).all(char::is_alphabetic) && text.chars().count() > 1
 }
 
-/// Whether `text` is a date such as 12.03.2024 or 2024-03-12: three numbers, one of them a year.
+/// Whether `text` is a date such as 12.03.2024 or 2024-03-12.
 fn is_date(text: &str) -> bool {
     let parts: Vec<&str> = text.split(['.', '-', '/']).collect();
     let is_number = |part: &&str| part.bytes().all(|b| b.is_ascii_digit());
-    parts.len() == 3
-        && parts.iter().all(is_number)
-        && (parts[0].len() == 4 || parts[2].len() == 4)
-        && parts[1].len() == 2
+    let lengths: Vec<usize> = parts.iter().map(|part| part.len()).collect();
+    parts.iter().all(is_number) && (lengths == [2, 2, 4] || lengths == [4, 2, 2])
 }
 
 /// The table of `wanted` columns in one of `grids`: the one that has a header of a tooth column and one of them.

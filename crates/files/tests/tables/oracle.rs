@@ -107,7 +107,9 @@ fn rows(
         // A word with a number behind it, such as that of the report.
         let is_word = first.chars().take_while(|c| c.is_alphabetic()).count() > 1
             && places.iter().all(nothing);
-        let is_date = first.len() == 10 && first.ends_with(".2026") && places.iter().all(nothing);
+        let is_date = first.split('.').map(str::len).eq([2, 2, 4])
+            && first.bytes().all(|b| b == b'.' || b.is_ascii_digit())
+            && places.iter().all(nothing);
         let may_be_tooth = first.contains(|c: char| c.is_ascii_digit()) && !is_word && !is_date;
         if may_be_tooth || values(last).is_some() {
             break;

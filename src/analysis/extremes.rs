@@ -1,7 +1,7 @@
 //! The least and the greatest backlash of every run of a study, over its whole mesh cycle and every rotation.
 //!
 //! Tooth numbers of 17 and 100 meet in 1700 pairs, of which one wheel revolution brings 17. Whether the pair assembles, all of them have
-//! to say, and every rotation between two poses: [`ExactKernel::extremes`] proves what bounds them. What it found is simulated as every
+//! to say, and every rotation between two poses: [`ExactKernel::extremes`](crate::contact::ExactKernel::extremes) proves what bounds them. What it found is simulated as every
 //! other pose is, certificate and formulas beside it.
 
 use super::assembles_from::AssemblesFrom;

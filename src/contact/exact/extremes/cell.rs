@@ -1,6 +1,7 @@
 //! Bounds of the lost motion over a stretch of one mating, which close with the square of its length.
 
 use super::course::{Course, PARTS, Posed, SideCourse};
+use super::dip::Lines;
 use super::fillet::{self, OnFillet, Reached};
 use super::separation::{Separation, lowest_roll};
 use super::table::{OpenStep, Table};
@@ -19,6 +20,8 @@ pub(super) struct Cell {
     /// Where, between `from` and `to`, the lost motion is expected to be least and greatest.
     pub lowest: f64,
     pub highest: f64,
+    /// A pose in it or at its end that has been looked at.
+    pub seen: Option<f64>,
 }
 
 /// The room of one pair of half teeth over a cell, `u` from 0 to 1.
@@ -88,14 +91,28 @@ impl Cell {
             high: f64::INFINITY,
             lowest: from,
             highest: from,
+            seen: None,
         }
     }
 
-    /// The two cells to both sides of `at`, which is kept off the ends.
+    /// The two cells to both sides of `at`, a pose that has been looked at; the cut is kept off the ends.
     pub fn cut(&self, at: f64) -> [Cell; 2] {
         let width = self.to - self.from;
-        let at = at.clamp(self.from + 0.25 * width, self.to - 0.25 * width);
-        [Cell { to: at, ..*self }, Cell { from: at, ..*self }]
+        let border = at.clamp(self.from + 0.25 * width, self.to - 0.25 * width);
+        let whole = Cell {
+            seen: Some(at),
+            ..*self
+        };
+        [
+            Cell {
+                to: border,
+                ..whole
+            },
+            Cell {
+                from: border,
+                ..whole
+            },
+        ]
     }
 
     /// The same cell with its bounds.
@@ -176,13 +193,19 @@ impl Cell {
             return;
         }
         let places = self.places(side, ends, step);
+        let lines = Lines::new(places.distances, problem.sum());
         for dip in side
             .dips
             .iter()
             .filter(|dip| dip.may_dip(places.at, places.play))
         {
-            let [a, b] = dip.clearance(places.at, places.play, places.distances, enough);
-            let clearance = a.min(b);
+            let clearance = match &lines {
+                Some(lines) => {
+                    let [a, b] = dip.clearance(places.at, places.play, lines, enough);
+                    a.min(b)
+                }
+                None => f64::NEG_INFINITY,
+            };
             if clearance >= enough {
                 continue;
             }

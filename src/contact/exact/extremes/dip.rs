@@ -134,18 +134,13 @@ impl Dip {
     /// How much farther than to the contact of the involutes the free gear has to turn at least until the corner meets the fillet, rad;
     /// negative where it may meet it before.
     ///
-    /// The locked half tooth stands within `play` of the angle `at`. Two values: between the distances of the outlines' centres `distances`
-    /// the straight line between them holds. Halved where they do not show `enough`.
-    pub fn clearance(&self, at: f64, play: f64, distances: (f64, f64), enough: f64) -> [f64; 2] {
-        let sum = self.locked.base + self.free.base;
-        let line = |distance: f64| Some((distance, Line::new(C::from(distance), sum)?));
-        let (low, high) = distances;
-        let (Some(near), Some(far)) = (line(low), line(high)) else {
-            return [f64::NEG_INFINITY; 2];
-        };
+    /// The locked half tooth stands within `play` of the angle `at`. Two values: between the two distances of the outlines' centres that
+    /// `lines` has ([`Lines::new`]) the straight line between them holds. Halved where they do not show `enough`.
+    pub fn clearance(&self, at: f64, play: f64, lines: &Lines, enough: f64) -> [f64; 2] {
+        let [(low, _), (high, _)] = lines.0;
         let cut = Cut {
             dip: self,
-            lines: [near, far],
+            lines,
             bend: match high == low {
                 true => 0.0,
                 false => self.bend(low) * (high - low).powi(2),
@@ -252,11 +247,23 @@ impl Dip {
     }
 }
 
+/// Two distances of the outlines' centres, and the line of action at each.
+#[derive(Debug)]
+pub(super) struct Lines([(f64, Line); 2]);
+
+impl Lines {
+    /// Of the least and the greatest distance; `None` where base circles of the sum `sum` of radii overlap at one.
+    pub fn new((low, high): (f64, f64), sum: f64) -> Option<Lines> {
+        let line = |distance: f64| Some((distance, Line::new(C::from(distance), sum)?));
+        Some(Lines([line(low)?, line(high)?]))
+    }
+}
+
 /// A stretch of the locked gear's turn that is cut where it does not show enough.
 struct Cut<'a> {
     dip: &'a Dip,
-    /// The least and the greatest distance, and the line of action there.
-    lines: [(f64, Line); 2],
+    /// At the least and the greatest distance.
+    lines: &'a Lines,
     /// What bends between the distances.
     bend: f64,
 }
@@ -288,7 +295,7 @@ impl Cut<'_> {
 
     fn over(&self, at: f64, play: f64) -> [f64; 2] {
         let l = -turn(at);
-        let [near, far] = &self.lines;
+        let Lines([near, far]) = self.lines;
         let end = |line| self.dip.at_distance(at, l, play, line) - self.bend;
         match near.0 == far.0 {
             true => [end(near); 2],

@@ -2,6 +2,7 @@
 
 use super::super::line::Line;
 use super::course::{PARTS, SideCourse};
+use super::dip::Lines;
 use super::separation::lowest_roll;
 
 /// What a part of a pitch means for a step.
@@ -19,6 +20,8 @@ pub(super) struct Part {
 pub(super) struct Rolls<'a> {
     side: &'a SideCourse<'a>,
     line: &'a Line,
+    /// At the least and the greatest distance of the outlines' centres.
+    lines: Option<Lines>,
     ahead: f64,
     /// What `arg B + α` and `T` change by, and the flanks' places.
     turning: f64,
@@ -62,6 +65,7 @@ impl<'a> Rolls<'a> {
         Rolls {
             side,
             line,
+            lines: Lines::new((nearest, problem.distance + off), sum),
             ahead,
             turning: off * (1.0 + sum / length) / nearest,
             stretching: off * (problem.distance + off) / length,
@@ -90,12 +94,12 @@ impl<'a> Rolls<'a> {
             && free_high <= free.tip_roll;
         let rolls = [(low, high), (free_low, free_high)];
         let beside = self.beside(rolls);
-        let off = self.side.off[0] + self.side.off[1];
-        let distances = (problem.distance - off, problem.distance + off);
         let dips = self.side.dips.iter();
-        let dips = dips
-            .filter(|dip| dip.may_dip(at, play))
-            .map(|dip| dip.clearance(at, play, distances, self.spread));
+        let dips = dips.filter(|dip| dip.may_dip(at, play));
+        let dips = dips.map(|dip| match &self.lines {
+            Some(lines) => dip.clearance(at, play, lines, self.spread),
+            None => [f64::NEG_INFINITY; 2],
+        });
         Part {
             beside,
             dip: dips.reduce(|a, b| [a[0].min(b[0]), a[1].min(b[1])]),

@@ -17,6 +17,60 @@ pub(super) enum Which {
     Greatest,
 }
 
+impl Which {
+    /// How far beyond everything else a stretch with these bounds may reach: the sign makes the least a greatest.
+    fn key(self, low: f64, high: f64) -> f64 {
+        match self {
+            Which::Least => -low,
+            Which::Greatest => high,
+        }
+    }
+
+    /// How far it reaches for sure.
+    fn sure(self, low: f64, high: f64) -> f64 {
+        match self {
+            Which::Least => -high,
+            Which::Greatest => low,
+        }
+    }
+}
+
+/// Stretches that may hold an extreme: those which may reach as far as any that was seen reaches for sure.
+struct Candidates {
+    which: Which,
+    kept: Vec<Bounds>,
+    /// The most promising.
+    top: Option<Bounds>,
+    /// How promising that is.
+    key: f64,
+    /// How far the best reaches for sure.
+    sure: f64,
+}
+
+impl Candidates {
+    fn new(which: Which) -> Candidates {
+        Candidates {
+            which,
+            kept: Vec::new(),
+            top: None,
+            key: f64::NEG_INFINITY,
+            sure: f64::NEG_INFINITY,
+        }
+    }
+
+    fn take(&mut self, bounds: Bounds) {
+        let key = self.which.key(bounds.low, bounds.high);
+        self.sure = self.sure.max(self.which.sure(bounds.low, bounds.high));
+        if key < self.sure {
+            return;
+        }
+        self.kept.push(bounds);
+        if self.top.is_none() || key > self.key {
+            (self.top, self.key) = (Some(bounds), key);
+        }
+    }
+}
+
 /// A search for one extreme, best bound first.
 pub(super) struct Search<'a> {
     pub course: &'a Course<'a>,
@@ -73,58 +127,51 @@ pub(super) fn rank(searches: &[Search], found: &mut Found) -> Result<Vec<Ranked>
     let Some(Search { course, table, .. }) = searches.first() else {
         return Ok(Vec::new());
     };
-    let range = 0..table.matings();
-    let mut tops: Vec<Option<Bounds>> = vec![None; searches.len()];
-    table.each(range.clone(), &mut |bounds| {
-        for (search, top) in searches.iter().zip(&mut tops) {
-            let key = |bounds: Bounds| search.key(bounds.low, bounds.high);
-            if top.is_none_or(|top| key(bounds) > key(top)) {
-                *top = Some(bounds);
-            }
+    let mut candidates: Vec<Candidates> = searches
+        .iter()
+        .map(|search| Candidates::new(search.which))
+        .collect();
+    table.each(0..table.matings(), &mut |bounds| {
+        for candidates in &mut candidates {
+            candidates.take(bounds);
         }
     });
-    for top in tops.into_iter().flatten() {
+    for top in candidates.iter().filter_map(|candidates| candidates.top) {
         let middle = Cell::of_part(top.mating, top.part);
         let mating = course.mating(top.mating, 0.5 * (middle.from + middle.to));
         found.look(course, mating)?;
     }
-    let enough = searches
-        .iter()
-        .map(|search| search.best(found) + search.width);
-    let enough: Vec<f64> = enough.collect();
-    let ranked = searches.iter().map(|search| Ranked {
-        open: Vec::new(),
-        bound: search.best(found),
-    });
-    let mut ranked: Vec<Ranked> = ranked.collect();
-    table.each(range, &mut |bounds| {
-        for ((search, enough), ranked) in searches.iter().zip(&enough).zip(&mut ranked) {
-            let key = search.key(bounds.low, bounds.high);
-            if key > *enough {
-                let cell = Cell::of_part(bounds.mating, bounds.part);
-                ranked.open.push(Open {
-                    key,
-                    cell: Cell {
-                        low: bounds.low,
-                        high: bounds.high,
-                        ..cell
-                    },
-                });
+    let ranked = searches.iter().zip(candidates);
+    let ranked = ranked.map(|(search, candidates)| search.ranked(&candidates.kept, found));
+    Ok(ranked.collect())
+}
+
+impl Search<'_> {
+    fn key(&self, low: f64, high: f64) -> f64 {
+        self.which.key(low, high)
+    }
+
+    /// What has to be looked into of all that may hold the extreme.
+    fn ranked(&self, kept: &[Bounds], found: &Found) -> Ranked {
+        let best = self.best(found);
+        let mut ranked = Ranked {
+            open: Vec::new(),
+            bound: best,
+        };
+        for bounds in kept {
+            let key = self.key(bounds.low, bounds.high);
+            if key > best + self.width {
+                let cell = Cell {
+                    low: bounds.low,
+                    high: bounds.high,
+                    ..Cell::of_part(bounds.mating, bounds.part)
+                };
+                ranked.open.push(Open { key, cell });
             } else {
                 ranked.bound = ranked.bound.max(key);
             }
         }
-    });
-    Ok(ranked)
-}
-
-impl Search<'_> {
-    /// How far beyond everything else a cell may reach: the sign makes the least a greatest.
-    fn key(&self, low: f64, high: f64) -> f64 {
-        match self.which {
-            Which::Least => -low,
-            Which::Greatest => high,
-        }
+        ranked
     }
 
     /// The best found, as a key.
@@ -153,7 +200,9 @@ impl Search<'_> {
                 Which::Least => cell.lowest,
                 Which::Greatest => cell.highest,
             };
-            found.look(self.course, self.course.mating(cell.mating, at))?;
+            if cell.seen != Some(at) {
+                found.look(self.course, self.course.mating(cell.mating, at))?;
+            }
             let without = match self.which {
                 Which::Least => found.jammed,
                 Which::Greatest => found.unmeshed,

@@ -5,7 +5,7 @@ use super::course::{PARTS, Posed, SideCourse};
 use std::f64::consts::TAU;
 
 /// At both ends of a pitch and between its parts.
-type Ends = [f64; PARTS + 1];
+type Ends<T = f64> = [T; PARTS + 1];
 
 /// The shift of the centres along a direction: what the locked and what the free gear's turn contribute.
 #[derive(Debug)]
@@ -18,18 +18,18 @@ impl Shift {
         let locked = posed.flanks.centre - C::from(problem.distance);
         let free = -posed.flanks.free_centre * turn(gap);
         let of = |at: C, sense: f64, count: i64| -> Vec<Ends> {
-            let turn_of = |pitches: f64| turn(sense * TAU * pitches / count as f64);
-            let value = |pitches: f64| {
-                let b = at * turn_of(pitches);
-                toward.re * b.re + toward.im * b.im
-            };
-            let ends = |index: i64| {
-                std::array::from_fn(|part| value(index as f64 + part as f64 / PARTS as f64))
-            };
-            match at == C::ZERO {
-                true => vec![[0.0; PARTS + 1]; count as usize],
-                false => (0..count).map(ends).collect(),
+            if at == C::ZERO {
+                return vec![[0.0; PARTS + 1]; count as usize];
             }
+            let turned = |pitches: f64| turn(sense * TAU * pitches / count as f64);
+            // Whole pitches and parts are turned one after the other, which is off by rounding alone.
+            let parts: Ends<C> =
+                std::array::from_fn(|part| toward.conj() * turned(part as f64 / PARTS as f64));
+            let ends = |index: i64| {
+                let shifted = at * turned(index as f64);
+                parts.map(|part| (part * shifted).re)
+            };
+            (0..count).map(ends).collect()
         };
         Shift([
             of(locked, side.sense, problem.locked.count()),

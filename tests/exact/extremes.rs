@@ -79,21 +79,15 @@ proptest! {
         }
     }
 
-    /// Gears of unequal temperature: base pitches differ, and nothing is called proven. A bound that took them for equal said of a wheel of POM
-    /// on a steel pinion at 50 °C that it has 391.85 µm at least, where a pose has 381.96.
+    /// Gears of unequal temperature: base pitches differ, so a pair that stands a step on has more room or less. A bound that took them for
+    /// equal said of a wheel of POM on a steel pinion at 50 °C that it has 391.85 µm at least, where a pose has 381.96.
     #[test]
-    fn nothing_is_proven_of_gears_unequally_warm(
+    fn no_pose_of_gears_unequally_warm_lies_beyond(
         case in rough_case(),
         expansion in prop::array::uniform2(-0.008..0.008f64),
     ) {
-        let warmed = case.warmed(expansion);
-        let differ = (expansion[0] - expansion[1]).abs() > 1e-12;
-        if let Some(pair) = warmed.ok().filter(|_| differ) {
-            let found = hold(&pair, 1500)?;
-            for extreme in [found.least, found.greatest].into_iter().flatten() {
-                let doubts = [Doubt::UnequalBasePitch, Doubt::ContactLost].map(Some);
-                prop_assert!(doubts.contains(&extreme.doubt), "{:?}", extreme);
-            }
+        if let Ok(pair) = case.warmed(expansion) {
+            hold(&pair, 1500)?;
         }
     }
 

@@ -39,6 +39,9 @@ pub(super) struct FlankProblem {
     pub per_locked_base: f64,
     /// Pitches of the locked gear a radian.
     pub per_pitch: f64,
+    /// `κ = (r_bL/r_bF) τ_L − τ_F`: how much more room a pair has that stands a step on, on the line of action, rad; 0 where base pitches
+    /// are equal.
+    pub per_step: f64,
     /// Tie tolerance, rad.
     pub tie: f64,
     /// The operating pitch point.
@@ -72,9 +75,14 @@ impl FlankProblem {
             per_free_base: 1.0 / free.gear().base_radius(),
             per_locked_base: 1.0 / locked.gear().base_radius(),
             per_pitch: 1.0 / locked.gear().basic_data().angular_pitch(),
+            per_step: 0.0,
             tie: 0.0,
             pitch_point: C::from(assembly.operating_pitch_radius(assembly.free())),
         };
+        if assembly.base_pitches_differ() {
+            let ratio = problem.locked.shape.base * problem.per_free_base;
+            problem.per_step = ratio * problem.locked.pitch - problem.free.pitch;
+        }
         problem.tie = problem.tie_at(problem.distance);
         problem.window = window_half(locked, free, problem.distance).map(|half| {
             (
@@ -130,6 +138,16 @@ impl FlankProblem {
     /// `None` when none can.
     pub fn window(&self) -> Option<(f64, f64)> {
         self.window
+    }
+
+    /// How much unequal base pitches tell the gaps of step 0 and of any step in reach apart at most, rad.
+    pub fn all_steps(&self) -> f64 {
+        match self.window {
+            Some((low, high)) if self.per_step != 0.0 => {
+                self.per_step.abs() * (low.abs().max(high.abs()) * self.per_pitch + 1.0)
+            }
+            _ => 0.0,
+        }
     }
 
     /// Bound on the rounding of a gap, rad, whose contact lies at `radius` from the free axis and whose curves have the slope `σ`.

@@ -115,15 +115,16 @@ impl TangentVariation {
 impl TangentVariation {
     /// Plays of both rolls on a line taken at a gap that is `error` off for the pair of step 0.
     ///
-    /// Another pair's gap differs from its by no more than all offsets do.
+    /// Another pair's gap differs from its by no more than all offsets do, and by what unequal base pitches come to over the steps in reach.
     pub fn plays(&self, problem: &FlankProblem, error: f64) -> (f64, f64) {
         if !self.moves {
             return (ROLL_PLAY, ROLL_PLAY);
         }
         let spread = |(low, high): (f64, f64)| high - low;
         let ratio = problem.locked.shape.base * problem.per_free_base;
-        let error =
-            error + 2.0 * (ratio * spread(problem.locked.extremes) + spread(problem.free.extremes));
+        let error = error
+            + 2.0 * (ratio * spread(problem.locked.extremes) + spread(problem.free.extremes))
+            + problem.all_steps();
         let play = self.turning * error;
         let free_play = ratio * play + self.stretching * problem.per_free_base * error;
         (play + ROLL_PLAY, free_play + ROLL_PLAY)

@@ -77,9 +77,6 @@ pub(crate) fn in_words(doubt: Doubt) -> &'static str {
         Doubt::Profile => {
             "profile deviations are bounded by the greatest and the least of each flank alone"
         }
-        Doubt::UnequalBasePitch => {
-            "the gears have unequal base pitches, so only sampled poses were looked at"
-        }
         Doubt::ContactLost => "at a pose the contact was lost",
     }
 }

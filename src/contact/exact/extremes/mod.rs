@@ -82,8 +82,6 @@ pub enum Doubt {
     SecondOrder,
     /// Profile deviations are bounded by the greatest and the least of each flank: the bracket holds, and is wider than was wanted.
     Profile,
-    /// The gears have unequal base pitches, as of unlike temperature: the bounds between poses hold only of equal ones.
-    UnequalBasePitch,
     /// A contact was lost at a pose.
     ContactLost,
 }
@@ -126,8 +124,7 @@ impl ExactKernel {
     /// Whether it is clear at once that no tip comes to a fillet or a root at any pose of `assembly`, which is this kernel's, nor at any
     /// greater centre distance: involutes, their ends and tip lands touch before.
     pub(crate) fn keeps_to_involutes(&self, assembly: &GearPair) -> bool {
-        let has_no_table = assembly.is_modified() || assembly.base_pitches_differ();
-        if has_no_table || self.blocked || self.bodies.is_some() || !self.is_direct() {
+        if assembly.is_modified() || self.blocked || self.bodies.is_some() || !self.is_direct() {
             return false;
         }
         let first = Mating {
@@ -142,10 +139,6 @@ impl ExactKernel {
 
     fn sought(&self, course: &Course, width: f64, greatest_too: bool) -> Result<Extremes, Error> {
         let mut found = Found::default();
-        if course.assembly.base_pitches_differ() {
-            sample::sample(course, &mut found, !greatest_too)?;
-            return Ok(found.extremes(course, [UNEQUAL; 2]));
-        }
         if course.assembly.is_modified() {
             sample::sample(course, &mut found, !greatest_too)?;
             let bounds = enclosed::bounds(course, width, greatest_too)?;
@@ -198,9 +191,6 @@ type Proof = (f64, Option<Doubt>);
 
 /// No bound at all.
 const UNKNOWN: Proof = (f64::NAN, Some(Doubt::OffInvolute));
-
-/// None either: a pair `s` steps on has `(r_bL/r_bF) τ_L s − τ_F s` more room, which [`table`] leaves out. It is 0 where `r_bL τ_L = r_bF τ_F`.
-const UNEQUAL: Proof = (f64::NAN, Some(Doubt::UnequalBasePitch));
 
 /// Poses seen so far.
 #[derive(Debug, Default)]

@@ -2,7 +2,8 @@
 //!
 //! Where two involutes touch on the line of action, the room a side has is `ρ + r δ_L + δ_F − ε`: what perfect gears would have, what both
 //! flanks are off their places (`r = r_bL/r_bF`) and what the eccentricities take, which is the shift `b` of the centres along the line
-//! of action: `ε = (−b_x sin α + b_y cos α)/r_bF`, but for its second order. Beside the line of action a pair has more room. How much more at least
+//! of action: `ε = (−b_x sin α + b_y cos α)/r_bF`, but for its second order. Of gears of unequal base pitch a pair `s` steps on, and `f` of a
+//! pitch later, has `κ (s + sense f)` more, `κ = r τ_L − τ_F`. Beside the line of action a pair has more room. How much more at least
 //! depends on the part of the pitch alone, so it is worked out once for each of [`PARTS`]; and so is which pairs stand on
 //! the line of action all through a part: these bound the room from above.
 
@@ -33,6 +34,10 @@ struct SideTable {
     covering: [Vec<i64>; PARTS],
     /// `ρ`.
     nominal: f64,
+    /// `κ`: 0 where base pitches are equal.
+    per_step: f64,
+    /// How much `r δ_L + δ_F + κ s` differs over all flanks and the steps that may be the tightest.
+    spread: f64,
 }
 
 /// Both sides'.
@@ -91,7 +96,7 @@ impl Table {
         let length = ((nearest - sum) * (nearest + sum)).sqrt();
         let turning = (1.0 + sum / length) / nearest;
         // Of each side: the gap at which `b` is taken, the second order in `b`, the bend over a part.
-        let spread = sides.iter().map(|side| side.spread()).fold(0.0, f64::max);
+        let spread = sides.iter().map(|side| side.spread).fold(0.0, f64::max);
         let level = 0.5 * spread + off * per_base / (1.0 - side.off[1] * per_base);
         let moved = side.off[1] * per_base * level / (1.0 - side.off[1] * per_base);
         let pitches = [problem.locked.pitch, problem.free.pitch];
@@ -149,11 +154,11 @@ impl Table {
                             .map(|(step, more)| side.off(places, *step) + more.between(shares))
                             .fold(least, f64::min);
                     }
-                    low += least;
+                    let drifts = side.drifts(part);
+                    low += least + drifts[0].min(drifts[1]);
                     let covering = side.covering[part].iter();
-                    high += covering
-                        .map(|step| side.off(places, *step))
-                        .fold(f64::INFINITY, f64::min);
+                    let most = covering.map(|step| side.off(places, *step));
+                    high += most.fold(f64::INFINITY, f64::min) + drifts[0].max(drifts[1]);
                 }
                 let nominal = self.sides[0].nominal + self.sides[1].nominal;
                 let ends = [shift[part], shift[part + 1]];
@@ -239,7 +244,13 @@ impl SideTable {
             dipping: std::array::from_fn(|_| Vec::new()),
             covering: std::array::from_fn(|_| Vec::new()),
             nominal: 0.0,
+            per_step: problem.per_step,
+            spread: 0.0,
         };
+        let [low, high] = table.ends();
+        // A step more: what it comes to in a pitch.
+        let reach = (steps.end - steps.start + 1) as f64;
+        table.spread = high - low + table.per_step.abs() * reach;
         let Some(line) = Line::new(C::from(problem.distance), problem.sum()) else {
             return table;
         };
@@ -250,7 +261,7 @@ impl SideTable {
             * problem.per_free_base
             - pair.free_base;
         table.nominal = posed.room(gap) - table.off(table.places(0), 0);
-        let spread = table.spread();
+        let spread = table.spread;
         let rolls = Rolls::new(side, &line, posed.flanks.ahead, spread);
         for part in 0..PARTS {
             let found = steps.clone().map(|step| (step, rolls.of(step, part)));
@@ -286,10 +297,17 @@ impl SideTable {
         })
     }
 
-    /// `r δ_L + δ_F` of a step.
+    /// `r δ_L + δ_F + κ s` of a step.
     fn off(&self, [locked, free]: [i64; 2], step: i64) -> f64 {
         self.locked[(self.pad + locked + step) as usize]
             + self.free[(self.pad + free - step) as usize]
+            + self.per_step * step as f64
+    }
+
+    /// `κ sense f` at both ends of a part.
+    fn drifts(&self, part: usize) -> [f64; 2] {
+        let drift = self.per_step * self.sense as f64;
+        [part, part + 1].map(|end| drift * end as f64 / PARTS as f64)
     }
 
     /// How much deeper or higher than its involute a tip corner may meet a fillet, rad; `None` where none comes near.
@@ -312,12 +330,6 @@ impl SideTable {
         };
         let (locked, free) = (ends(&self.locked), ends(&self.free));
         [locked.0 + free.0, locked.1 + free.1]
-    }
-
-    /// How much `r δ_L + δ_F` differs over all flanks.
-    fn spread(&self) -> f64 {
-        let [low, high] = self.ends();
-        high - low
     }
 
     fn middle(&self) -> f64 {

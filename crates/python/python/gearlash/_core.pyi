@@ -1,6 +1,6 @@
 """The Rust side; `Gear`, `Pair` and their results are what to use."""
 
-from typing import Any
+from typing import Any, final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 __version__: str
 STATUSES: list[str]
 
+@final
 class Gear:
     title: str
     teeth: int
@@ -24,6 +25,7 @@ class Gear:
     def base_thickness_mm(self, material: str | None = None) -> float: ...
     def diameters_mm(self, material: str | None = None) -> list[float]: ...
 
+@final
 class Pair:
     title: str
     teeth: list[int]

@@ -42,10 +42,11 @@ class Runout(TypedDict, total=False):
     """F_r: twice the eccentricity."""
     high_tooth: float
     """The tooth it points to; without it every direction is meant."""
-    um: Numbers
-    """Readings in place of both, + = outwards."""
-    at: str
     file: str
+    """Readings in place of both, + = outwards; beside it the keys of a table."""
+    at: str
+    """Where they were read: ``tooth`` or ``space``."""
+    ball_mm: float
 
 
 class Pitch(TypedDict, total=False):

@@ -145,13 +145,11 @@ class Pair:
         ``certify=False`` leaves out the polygons that bear each pose out, which take some 20 times as long as the poses.
         ``threads``: as many of its own, or ``None`` for those that all calls share. The interpreter's lock is released.
         """
+        teeth = _whole("wheel_tooth", wheel_tooth), _whole("pinion_tooth", pinion_tooth)
+        flanks = _left(flank)
         try:
-            wheel, pinion, left, fractions = np.broadcast_arrays(
-                _whole("wheel_tooth", wheel_tooth),
-                _whole("pinion_tooth", pinion_tooth),
-                _left(flank),
-                np.asarray(fraction, dtype=np.float64),
-            )
+            fractions = np.asarray(fraction, dtype=np.float64)
+            wheel, pinion, left, fractions = np.broadcast_arrays(*teeth, flanks, fractions)
         except ValueError as reason:
             raise GearlashError(f"poses: {reason}") from None
         if wheel.ndim > 1:
@@ -274,7 +272,7 @@ def _whole(name: str, values: ArrayLike) -> NDArray[np.int64]:
 def _left(flank: ArrayLike) -> NDArray[np.bool_]:
     array = np.asarray(flank)
     if array.dtype.kind in "iu" and np.isin(array, (Flank.RIGHT, Flank.LEFT)).all():
-        return array == Flank.LEFT
+        return np.asarray(array == Flank.LEFT)
     if array.dtype.kind in "UO" and np.isin(array, ("right", "left")).all():
         return np.asarray(array == "left")
     raise GearlashError('flank: "right" or "left" (Flank.RIGHT or Flank.LEFT) of each pose')

@@ -151,6 +151,19 @@ def test_a_pair_of_the_gears_of_a_file_is_that_of_the_file(fixtures, tmp_path, m
             assert (found[0].j_wt_um == found[1].j_wt_um).all()
 
 
+@pytest.mark.parametrize(("name", "distances"), [("karba_44x44_pitch.toml", [130.0, 132.0, 137.9]), ("tip_on_fillet_86x21.toml", [160.2])])
+def test_without_certificates_poses_are_the_same(fixtures, name: str, distances: list[float]) -> None:
+    pair = gearlash.read(fixtures / name)
+    for distance in distances:
+        for flank in ("right", "left"):
+            both = [
+                pair.revolution(center_distance_mm=distance, flank=flank, certify=certify)
+                for certify in (True, False)
+            ]
+            for column in ("j_wt_um", "error_bound_um", "status", "wheel_tooth", "fraction"):
+                assert np.array_equal(*(getattr(poses, column) for poses in both), equal_nan=True), column
+
+
 def test_flanks_start_and_hunting_cycle() -> None:
     pair = gearlash.Pair(perfect(9, 2.0), perfect(6, 2.0, "back"), 15.4)
     whole = pair.revolution(steps_per_pitch=2, hunting=True, start=(3, 5))

@@ -7,20 +7,20 @@ use gearlash::gauge::{Settings, gauge as measure};
 use gearlash_files::results::gauge::{GaugedGear, json};
 use pyo3::prelude::*;
 
+/// Teeth spanned, diameters of pins and ball, mm, teeth of the master gear, poses a pitch: a tuple in Python.
+#[derive(FromPyObject)]
+pub struct Sizes(Option<u32>, Option<f64>, Option<f64>, Option<u32>, u32);
+
 /// What the gauges read, as the JSON of `gearlash gauge`.
 #[pyfunction]
-#[pyo3(signature = (gear, span_teeth, pin_mm, ball_mm, master_teeth, steps_per_pitch, material, threads))]
 pub fn gauge(
     py: Python<'_>,
     gear: &Gear,
-    span_teeth: Option<u32>,
-    pin_mm: Option<f64>,
-    ball_mm: Option<f64>,
-    master_teeth: Option<u32>,
-    steps_per_pitch: u32,
+    sizes: Sizes,
     material: Option<&str>,
     threads: Option<usize>,
 ) -> PyResult<String> {
+    let Sizes(span_teeth, pin_mm, ball_mm, master_teeth, steps_per_pitch) = sizes;
     let (material, as_built) = gear.as_built(py, material)?;
     let teeth = as_built.gear().basic_data().teeth();
     let whole = |name: &str, value: Option<u32>, least: u32, most: u32| match value {

@@ -65,22 +65,30 @@ pub fn lost_motion(
     json.map_err(|reason| error(py, reason))
 }
 
+/// Of which gears, and how: a tuple in Python.
+#[derive(FromPyObject)]
+pub struct How(Option<f64>, Option<String>, bool, Option<usize>);
+
+impl How {
+    fn assembly(&self, py: Python<'_>, pair: &Pair) -> PyResult<GearPair> {
+        let How(distance, material, ..) = self;
+        let (_, assembly) = pair.assembly(py, *distance, material.as_deref())?;
+        Ok(assembly)
+    }
+}
+
 /// The poses of these arrays, all of one length, as arrays.
 #[pyfunction]
 pub fn lost_motions<'py>(
     py: Python<'py>,
     pair: &Pair,
-    wheel_tooth: PyReadonlyArray1<'py, i64>,
-    pinion_tooth: PyReadonlyArray1<'py, i64>,
+    teeth: [PyReadonlyArray1<'py, i64>; 2],
     left: PyReadonlyArray1<'py, bool>,
     fraction: PyReadonlyArray1<'py, f64>,
-    distance: Option<f64>,
-    material: Option<&str>,
-    certify: bool,
-    threads: Option<usize>,
+    how: How,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let (_, assembly) = pair.assembly(py, distance, material)?;
-    let (wheels, pinions) = (wheel_tooth.as_array(), pinion_tooth.as_array());
+    let assembly = how.assembly(py, pair)?;
+    let [wheels, pinions] = teeth.each_ref().map(|teeth| teeth.as_array());
     let (lefts, fractions) = (left.as_array(), fraction.as_array());
     let mut matings = Vec::with_capacity(wheels.len());
     for (((wheel, pinion), left), fraction) in wheels.iter().zip(pinions).zip(lefts).zip(fractions)
@@ -88,7 +96,7 @@ pub fn lost_motions<'py>(
         check(py, &assembly, [*wheel, *pinion], *fraction)?;
         matings.push(mating([*wheel, *pinion], *left, *fraction));
     }
-    found(py, &assembly, matings, certify, threads)
+    found(py, &assembly, matings, &how)
 }
 
 /// One wheel revolution, or every mating of the cycle, on one flank.
@@ -100,12 +108,9 @@ pub fn revolution<'py>(
     start: [i64; 2],
     hunting: bool,
     left: bool,
-    distance: Option<f64>,
-    material: Option<&str>,
-    certify: bool,
-    threads: Option<usize>,
+    how: How,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let (_, assembly) = pair.assembly(py, distance, material)?;
+    let assembly = how.assembly(py, pair)?;
     check(py, &assembly, start, 0.0)?;
     let first = mating(start, false, 0.0);
     let first = (first.wheel_tooth, first.pinion_tooth);
@@ -128,7 +133,7 @@ pub fn revolution<'py>(
             *mating = mating.at_flank(&assembly, Side::Left);
         }
     }
-    found(py, &assembly, matings, certify, threads)
+    found(py, &assembly, matings, &how)
 }
 
 /// Poses of one call that makes its own: 80 bytes each while it works.
@@ -198,10 +203,9 @@ fn found<'py>(
     py: Python<'py>,
     assembly: &GearPair,
     matings: Vec<Mating>,
-    certify: bool,
-    threads: Option<usize>,
+    How(_, _, certify, threads): &How,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let found = work(py, threads, |tick| match certify {
+    let found = work(py, *threads, |tick| match certify {
         true => certified(assembly, &matings, tick),
         false => exact(assembly, &matings, tick),
     })?;

@@ -51,14 +51,10 @@ def lost_motion(
 ) -> str: ...
 def lost_motions(
     pair: Pair,
-    wheel_tooth: NDArray[np.int64],
-    pinion_tooth: NDArray[np.int64],
+    teeth: tuple[NDArray[np.int64], NDArray[np.int64]],
     left: NDArray[np.bool_],
     fraction: NDArray[np.float64],
-    distance: float | None,
-    material: str | None,
-    certify: bool,
-    threads: int | None,
+    how: tuple[float | None, str | None, bool, int | None],
 ) -> dict[str, Any]: ...
 def revolution(
     pair: Pair,
@@ -66,20 +62,13 @@ def revolution(
     start: tuple[int, int],
     hunting: bool,
     left: bool,
-    distance: float | None,
-    material: str | None,
-    certify: bool,
-    threads: int | None,
+    how: tuple[float | None, str | None, bool, int | None],
 ) -> dict[str, Any]: ...
 def extremes(pair: Pair, threads: int | None = None) -> str: ...
 def check(pair: Pair, threads: int | None = None) -> str: ...
 def gauge(
     gear: Gear,
-    span_teeth: int | None,
-    pin_mm: float | None,
-    ball_mm: float | None,
-    master_teeth: int | None,
-    steps_per_pitch: int,
+    sizes: tuple[int | None, float | None, float | None, int | None, int],
     material: str | None,
     threads: int | None,
 ) -> str: ...

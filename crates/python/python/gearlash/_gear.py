@@ -140,9 +140,8 @@ class Gear:
 
         ``threads``: as many of its own, or ``None`` for those that all calls share.
         """
-        found = _core.gauge(
-            self._core, span_teeth, pin_mm, ball_mm, master_teeth, steps_per_pitch, material, threads
-        )
+        sizes = (span_teeth, pin_mm, ball_mm, master_teeth, steps_per_pitch)
+        found = _core.gauge(self._core, sizes, material, threads)
         return Gauged(json.loads(found)["gears"][0])
 
     def chart(self, material: str | None = None) -> Picture:

@@ -156,14 +156,10 @@ class Pair:
             raise GearlashError(f"poses: arrays of shape (n,) are needed, not {wheel.shape}")
         found = _core.lost_motions(
             self._core,
-            np.atleast_1d(wheel),
-            np.atleast_1d(pinion),
+            (np.atleast_1d(wheel), np.atleast_1d(pinion)),
             np.atleast_1d(left),
             np.atleast_1d(fractions),
-            center_distance_mm,
-            material,
-            certify,
-            threads,
+            (center_distance_mm, material, certify, threads),
         )
         return Poses(**found)
 
@@ -191,10 +187,7 @@ class Pair:
             start,
             hunting,
             is_left(flank),
-            center_distance_mm,
-            material,
-            certify,
-            threads,
+            (center_distance_mm, material, certify, threads),
         )
         return Poses(**found)
 

@@ -105,13 +105,25 @@ pub use spec::{gear_schema, pair_schema};
 /// # Errors
 /// [`InputError`] with all problems of the file, each with key, value, what is allowed and what to do.
 pub fn read(path: &Path) -> Result<PairFile, InputError> {
-    with_entries(path, |path, place, entries, problems| {
-        if outlines::has_outline(entries) {
-            outlines::refused(path, place, entries, problems);
-            return None;
-        }
-        PairTables::read(path, place, entries, problems).study(problems)
-    })
+    with_entries(path, pair_by_data)
+}
+
+/// Reads the pair file `text`, TOML or JSON, called `name` in messages; the files that it names are looked for in the working folder.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_text(name: &Path, text: &str) -> Result<PairFile, InputError> {
+    let place = Place::of_working_folder();
+    with_text(name, &place, Ok(text.to_owned()), pair_by_data)
+}
+
+/// Reads the gears of the gear file or pair file `text`, as [`read_text`] does.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_gears_text(name: &Path, text: &str) -> Result<GearsFile, InputError> {
+    let place = Place::of_working_folder();
+    with_text(name, &place, Ok(text.to_owned()), no_outlines)
 }
 
 /// A pair file of either kind.
@@ -181,13 +193,7 @@ pub fn compare_drawings(
 /// # Errors
 /// As [`read`].
 pub fn read_gears(path: &Path) -> Result<GearsFile, InputError> {
-    with_entries(path, |path, place, entries, problems| {
-        if outlines::has_outline(entries) {
-            outlines::refused(path, place, entries, problems);
-            return None;
-        }
-        gears_by_data(path, place, entries, problems)
-    })
+    with_entries(path, no_outlines)
 }
 
 /// The gears of a file of either kind.
@@ -232,6 +238,34 @@ pub fn read_drawing(
         text: String::new(),
         ..error
     })
+}
+
+/// The pair, which must be by its data.
+fn pair_by_data(
+    path: &Path,
+    place: &Place,
+    entries: &[(String, Node)],
+    problems: &mut Problems,
+) -> Option<PairFile> {
+    if outlines::has_outline(entries) {
+        outlines::refused(path, place, entries, problems);
+        return None;
+    }
+    PairTables::read(path, place, entries, problems).study(problems)
+}
+
+/// The gears, which must all be by their data.
+fn no_outlines(
+    path: &Path,
+    place: &Place,
+    entries: &[(String, Node)],
+    problems: &mut Problems,
+) -> Option<GearsFile> {
+    if outlines::has_outline(entries) {
+        outlines::refused(path, place, entries, problems);
+        return None;
+    }
+    gears_by_data(path, place, entries, problems)
 }
 
 fn gears_by_data(
@@ -281,20 +315,6 @@ fn located(path: &Path) -> (&Path, Place, Result<Vec<u8>, Problem>) {
         ),
         false => (path, Place::of(path), source::bytes(path)),
     }
-}
-
-/// The pair of the pair file `text`, which refers to no other file.
-fn read_text(path: &Path, text: &str) -> Result<PairFile, InputError> {
-    let understand =
-        |path: &Path, place: &Place, entries: &[(String, Node)], problems: &mut Problems| {
-            PairTables::read(path, place, entries, problems).study(problems)
-        };
-    with_text(
-        path,
-        &Place::of_working_folder(),
-        Ok(text.to_owned()),
-        understand,
-    )
 }
 
 /// The same of a `text`.

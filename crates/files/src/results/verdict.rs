@@ -1,10 +1,12 @@
 //! The verdict and the extremes of the mesh cycle, as results carry them beside their runs.
 
 use super::records::{PoseRecord, pose_record, um};
+use crate::characters;
 use crate::verdict::{doubt, in_words, sentence};
+use gearlash::analysis::compare::ComparedPose;
 use gearlash::analysis::extremes::{RunExtreme, RunExtremes};
 use gearlash::analysis::verdict::Verdict;
-use gearlash::pair::Member;
+use gearlash::pair::{GearPair, Member};
 use serde::Serialize;
 
 /// What is said first.
@@ -72,6 +74,22 @@ struct HighTooth {
 struct ArcminRecord {
     wheel: f64,
     pinion: f64,
+}
+
+/// The extremes that `verdict` rests on as JSON: a list of what results have under `extremes`.
+///
+/// # Errors
+/// None for a verdict; a number that JSON cannot hold otherwise.
+pub fn extremes_json(verdict: &Verdict) -> Result<String, serde_json::Error> {
+    serde_json::to_string(&extremes_records(verdict)).map(characters::json)
+}
+
+/// A pose of `assembly` as JSON, as results have it.
+///
+/// # Errors
+/// None for a pose; a number that JSON cannot hold otherwise.
+pub fn pose_json(assembly: &GearPair, pose: &ComparedPose) -> Result<String, serde_json::Error> {
+    serde_json::to_string(&pose_record(assembly, pose)).map(characters::json)
 }
 
 pub(super) fn verdict_record(verdict: &Verdict) -> VerdictRecord {

@@ -1,0 +1,176 @@
+//! The command line: one file a command. The binary and the Python package run the same program.
+
+mod chart;
+mod check;
+mod compare;
+mod completions;
+mod console;
+mod date;
+mod distances;
+mod drawing;
+mod error;
+mod explain;
+mod export;
+mod gauge;
+mod gears;
+mod import;
+mod init;
+mod man;
+mod maps;
+mod method;
+mod outline;
+mod outlines;
+mod output;
+mod pictures;
+mod poses;
+mod progress;
+mod report;
+mod results;
+mod rexs;
+mod schema;
+mod screen;
+mod signals;
+mod simulate;
+mod snapshot;
+mod studies;
+mod target;
+mod unit;
+mod verdict;
+mod worst;
+
+use crate::error::Error;
+use clap::{Parser, Subcommand};
+use console::{printed, tell, tell_lines};
+use gearlash_files::characters::plain;
+use std::ffi::OsString;
+use std::io::Write;
+use std::process::ExitCode;
+
+/// Backlash of a measured gear pair, found by turning one gear's true outline against the other's.
+///
+/// A pair file (TOML, or JSON with the same keys) states two gears, what was measured on them, and how
+/// they are assembled. gearlash builds the real tooth outlines, locks one gear and turns the other to
+/// right-flank and to left-flank contact. The angle between is the lost motion; as an arc of the
+/// operating pitch circle it is the circumferential backlash j_wt. Negative: the pair interferes.
+#[derive(Parser)]
+#[command(name = "gearlash", version, max_term_width = 100, after_help = EXIT_CODES)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+    /// Print only results and errors: no progress, notes, warnings or file names
+    #[arg(short, long, global = true)]
+    quiet: bool,
+}
+
+const EXIT_CODES: &str = "\
+Exit codes: 0 done; 1 a comparison or a check failed, or a pose is unproven; 2 bad input or usage (nothing is written then).
+Results go to standard output and to files; progress, warnings and errors to standard error.
+
+Example:
+  gearlash simulate fixtures/karba_44x44.toml
+  gearlash snapshot fixtures/karba_44x44.toml --mating 11,11 --flank right
+  gearlash snapshot fixtures/karba_44x44.toml --worst
+  gearlash chart fixtures/karba_44x44.toml --kind distance --mating 44,44";
+
+/// What each does stands at its arguments.
+#[derive(Subcommand)]
+enum Command {
+    Simulate(simulate::Args),
+    Compare(compare::Args),
+    Check(check::Args),
+    Snapshot(snapshot::Args),
+    Gauge(gauge::Args),
+    Outline(outline::Args),
+    Chart(chart::Args),
+    Report(report::Args),
+    Import(import::Args),
+    Init(init::Args),
+    Export(export::Args),
+    Schema(schema::Args),
+    Completions(completions::Args),
+    Man(man::Args),
+}
+
+/// Runs the program with its command line `words`, its name first; what it prints goes to this process's standard output and error.
+///
+/// For good it takes over the signals that end a process, so this belongs at a program's beginning. A signal ends the process.
+pub fn run(words: impl IntoIterator<Item = OsString>) -> ExitCode {
+    signals::handle();
+    let words: Vec<OsString> = words.into_iter().collect();
+    let ended = match parse(&words) {
+        Ok(cli) => {
+            if cli.quiet {
+                console::be_quiet();
+            }
+            cap_threads();
+            command(cli.command)
+        }
+        Err(usage) => help(&usage),
+    };
+    match ended {
+        Ok(code) => code,
+        Err(error) => {
+            tell_lines(&explain::explain(&error));
+            ExitCode::from(error.exit_code())
+        }
+    }
+}
+
+fn command(command: Command) -> Result<ExitCode, Error> {
+    match command {
+        Command::Simulate(args) => simulate::run(&args),
+        Command::Compare(args) => compare::run(&args),
+        Command::Check(args) => check::run(&args),
+        Command::Snapshot(args) => snapshot::run(&args),
+        Command::Gauge(args) => gauge::run(&args),
+        Command::Outline(args) => outline::run(&args),
+        Command::Import(args) => import::run(&args),
+        Command::Init(args) => init::run(&args),
+        Command::Export(args) => export::run(&args),
+        Command::Schema(args) => schema::run(&args),
+        Command::Completions(args) => completions::run(&args),
+        Command::Man(args) => man::run(&args),
+        Command::Chart(args) => chart::run(&args),
+        Command::Report(args) => report::run(&args),
+    }
+}
+
+/// Threads that more than the cores of the machine may be asked for. Each takes 2 MiB of address space and time to start; none
+/// beyond the cores brings anything but tests of the same bytes.
+const MOST_THREADS: usize = 64;
+
+/// Keeps `RAYON_NUM_THREADS` to what a machine can start.
+fn cap_threads() {
+    let variable = std::env::var("RAYON_NUM_THREADS").ok();
+    let wanted: Option<usize> = variable.and_then(|threads| threads.parse().ok());
+    let cores = std::thread::available_parallelism().map_or(1, |cores| cores.get());
+    let most = MOST_THREADS.max(cores);
+    if let Some(wanted) = wanted.filter(|wanted| *wanted > most) {
+        // Fails where a pool is there already, in which case it is not too large.
+        let _ = rayon::ThreadPoolBuilder::new()
+            .num_threads(most)
+            .build_global();
+        tell(&format!(
+            "note: RAYON_NUM_THREADS={wanted}: {most} threads are used, the most that make sense on this machine"
+        ));
+    }
+}
+
+/// The command line as parsed. A usage error quotes arguments, which file names that a shell filled in may be: only
+/// those characters of them that do not act.
+fn parse(words: &[OsString]) -> Result<Cli, clap::Error> {
+    Cli::try_parse_from(words).map_err(|error| {
+        let words = words.iter().map(|word| plain(&word.to_string_lossy()));
+        Cli::try_parse_from(words).err().unwrap_or(error)
+    })
+}
+
+/// Prints what was asked for with --help and --version, or what is wrong with the command line.
+fn help(usage: &clap::Error) -> Result<ExitCode, Error> {
+    let shown = usage.print();
+    if usage.use_stderr() {
+        return Ok(ExitCode::from(2));
+    }
+    printed(shown.and_then(|()| std::io::stdout().flush()))?;
+    Ok(ExitCode::SUCCESS)
+}

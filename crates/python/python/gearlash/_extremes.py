@@ -1,0 +1,175 @@
+"""Least and greatest backlash of the whole mesh cycle, and the checks of a pair."""
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from gearlash._poses import Pose
+from gearlash._table import Codes, Table
+
+
+@dataclass(frozen=True)
+class Extreme:
+    """An extreme of the backlash over the whole mesh cycle and every rotation, and a pose that attains it."""
+
+    j_wt_um: tuple[float, float]
+    """Circumferential backlash, µm: no less, and no more."""
+    wheel_arcmin: float
+    pinion_arcmin: float
+    proven: bool
+    """Whether no rotation lies beyond the bracket, and that is as narrow as it should be."""
+    doubt: str | None
+    """Why it is not."""
+    uncertainty_um: float | None
+    """Expanded uncertainty, where the pair states uncertainties."""
+    pose: Pose
+    record: dict[str, Any] = field(repr=False, compare=False)
+    """As ``result.json`` has it."""
+
+    @classmethod
+    def of(cls, record: dict[str, Any] | None) -> "Extreme | None":
+        """Of an extreme as ``result.json`` has it."""
+        if record is None:
+            return None
+        low, high = record["j_wt_um"]
+        return cls(
+            j_wt_um=(low, high),
+            wheel_arcmin=record["lost_motion_arcmin"]["wheel"],
+            pinion_arcmin=record["lost_motion_arcmin"]["pinion"],
+            proven=record["proven"],
+            doubt=record.get("doubt"),
+            uncertainty_um=record["uncertainty_um"],
+            pose=Pose.of(record["pose"]),
+            record=record,
+        )
+
+
+@dataclass(frozen=True)
+class RunExtremes:
+    """The extremes at one centre distance, of one material and assembly phase."""
+
+    center_distance_mm: float
+    material: str
+    """``most``, ``least`` or ``as-measured``."""
+    phase: tuple[int, int] | None
+    """Wheel and pinion tooth that name the assembly phase, where there are several."""
+    status: str
+    """How the worst pose ends: ``clear``, ``interference``, ``jammed``, ``no_contact``."""
+    least: Extreme | None
+    """``None`` where a pose is jammed."""
+    greatest: Extreme | None
+    """``None`` where a pose is out of mesh."""
+    assembles_from_mm: tuple[float, float] | None
+    """Where the pair does not assemble: bracket of the centre distance from which on it does."""
+    record: dict[str, Any] = field(repr=False, compare=False)
+    """As ``result.json`` has it: with the bearings' play too."""
+
+    @classmethod
+    def of(cls, record: dict[str, Any]) -> "RunExtremes":
+        """Of the extremes as ``result.json`` has them."""
+        phase, assembles = record["phase"], record["assembles_from_mm"]
+        return cls(
+            center_distance_mm=record["center_distance_mm"],
+            material=record["material"],
+            phase=None if phase is None else (phase[0], phase[1]),
+            status=record["status"],
+            least=Extreme.of(record["least"]),
+            greatest=Extreme.of(record["greatest"]),
+            assembles_from_mm=None if assembles is None else (assembles[0], assembles[1]),
+            record=record,
+        )
+
+
+@dataclass(frozen=True)
+class Extremes(Table):
+    """The extremes of every centre distance, material and assembly phase of a pair."""
+
+    runs: tuple[RunExtremes, ...]
+
+    @property
+    def least(self) -> Extreme | None:
+        """The least of all; ``None`` where a run is jammed."""
+        found = [run.least for run in self.runs]
+        if any(extreme is None for extreme in found):
+            return None
+        return min((extreme for extreme in found if extreme), key=lambda e: e.j_wt_um[0], default=None)
+
+    @property
+    def greatest(self) -> Extreme | None:
+        """The greatest of all; ``None`` where a run is out of mesh."""
+        found = [run.greatest for run in self.runs]
+        if any(extreme is None for extreme in found):
+            return None
+        return max((extreme for extreme in found if extreme), key=lambda e: e.j_wt_um[1], default=None)
+
+    def columns(self) -> dict[str, "np.ndarray[Any, Any] | Codes"]:
+        """A row a run: brackets of least and greatest ``j_wt``, µm."""
+
+        def end(which: str, place: int) -> "np.ndarray[Any, Any]":
+            extremes = [getattr(run, which) for run in self.runs]
+            return np.array([e.j_wt_um[place] if e else np.nan for e in extremes])
+
+        def words(values: list[str]) -> Codes:
+            names = tuple(sorted(set(values)))
+            return np.array([names.index(value) for value in values], dtype=np.int8), names
+
+        return {
+            "center_distance_mm": np.array([run.center_distance_mm for run in self.runs]),
+            "material": words([run.material for run in self.runs]),
+            "status": words([run.status for run in self.runs]),
+            "least_low_um": end("least", 0),
+            "least_high_um": end("least", 1),
+            "greatest_low_um": end("greatest", 0),
+            "greatest_high_um": end("greatest", 1),
+        }
+
+
+@dataclass(frozen=True)
+class Check:
+    """One check at one centre distance and material, by formula and on the outlines."""
+
+    id: str
+    gear: str | None
+    analytic: float | None
+    measured: float | None
+    limit: float | None
+    margin: float | None
+    unit: str
+    verdict: str
+    """``pass``, ``unproven``, ``fail`` …"""
+    center_distance_mm: float
+    material: str
+    note: str
+
+
+@dataclass(frozen=True)
+class Checked:
+    """A pair, checked: what ``gearlash check`` says."""
+
+    verdict: str
+    """The sentence that the command says first."""
+    assembles: bool | None
+    """``None`` where that is not proven."""
+    requirement: str
+    """``none``, ``met`` or ``not_met``."""
+    failed_checks: tuple[str, ...]
+    extremes: Extremes
+    checks: tuple[Check, ...]
+    record: dict[str, Any] = field(repr=False, compare=False)
+    """As ``gearlash check --format json`` has it."""
+
+    @classmethod
+    def of(cls, record: dict[str, Any]) -> "Checked":
+        """Of the JSON of ``gearlash check``."""
+        verdict = record["verdict"]
+        fields = Check.__dataclass_fields__
+        return cls(
+            verdict=verdict["text"],
+            assembles=verdict["assembles"],
+            requirement=verdict["requirement"],
+            failed_checks=tuple(verdict["failed_checks"]),
+            extremes=Extremes(tuple(RunExtremes.of(run) for run in record["extremes"])),
+            checks=tuple(Check(**{name: check[name] for name in fields}) for check in record["checks"]),
+            record=record,
+        )

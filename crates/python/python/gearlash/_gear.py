@@ -1,0 +1,155 @@
+"""One gear."""
+
+import json
+import os
+import warnings
+from collections.abc import Mapping
+from typing import Any
+
+from gearlash import _core
+from gearlash._errors import GearlashWarning
+from gearlash._gauged import Gauged
+from gearlash._keys import Pitch, Rack, Runout, Thickness
+from gearlash._picture import Picture
+from gearlash._text import text
+
+
+class Gear:
+    """A spur gear by its drawing and what was measured on it.
+
+    The arguments are the keys of ``[wheel]`` in a pair file, checked and refused as those of a file; deviations may be numpy arrays of
+    shape (z,), µm, tooth 1 first.
+
+    >>> import numpy as np
+    >>> gear = Gear(
+    ...     teeth=44, module_mm=3.0, pressure_angle_deg=20.0,
+    ...     thickness={"span": {"teeth": 6, "mm": 50.55}},
+    ...     runout={"total_um": 30.0, "high_tooth": 7},
+    ...     pitch={"kind": "cumulative", "right_um": np.zeros(44), "left_um": np.zeros(44)},
+    ... )
+
+    Raises:
+        InputError: with everything that is wrong.
+    """
+
+    def __init__(
+        self,
+        *,
+        teeth: int,
+        module_mm: float,
+        pressure_angle_deg: float,
+        profile_shift: float | None = None,
+        reference_face: str | None = None,
+        tip_diameter_mm: float | None = None,
+        rack: Rack | None = None,
+        thickness: Thickness | None = None,
+        runout: Runout | None = None,
+        pitch: Pitch | None = None,
+        profile: Mapping[str, Any] | None = None,
+        grade: int | None = None,
+        expansion_per_k: float | None = None,
+        title: str | None = None,
+    ) -> None:
+        table = {name: value for name, value in locals().items() if name not in ("self", "title")}
+        values = {"title": title, "gear": table}
+        self._set(_core.Gear.from_text("Gear", text(values, "Gear")))
+
+    def _set(self, core: _core.Gear) -> None:
+        self._core = core
+        for warning in core.warnings:
+            warnings.warn(warning, GearlashWarning, stacklevel=3)
+
+    @classmethod
+    def read(cls, path: str | os.PathLike[str], name: str | None = None) -> "Gear":
+        """The gear of a gear file, or the one called ``wheel`` or ``pinion`` of a pair file.
+
+        Raises:
+            InputError: with everything that is wrong with the file.
+        """
+        gear = cls.__new__(cls)
+        gear._set(_core.Gear.read(os.fspath(path), name))
+        return gear
+
+    def __repr__(self) -> str:
+        angle = self.pressure_angle_deg
+        return f"Gear(teeth={self.teeth}, module_mm={self.module_mm:g}, pressure_angle_deg={angle:g})"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (_restored, (self.title, self.to_dict()))
+
+    @property
+    def title(self) -> str:
+        """Shown in pictures."""
+        return self._core.title
+
+    @property
+    def teeth(self) -> int:
+        """z."""
+        return self._core.teeth
+
+    @property
+    def module_mm(self) -> float:
+        """m, mm."""
+        return self._core.module_mm
+
+    @property
+    def pressure_angle_deg(self) -> float:
+        """α, degrees."""
+        return self._core.pressure_angle_deg
+
+    @property
+    def materials(self) -> list[str]:
+        """``as-measured`` alone, or ``most`` and ``least``, the ends of a thickness that has two."""
+        return self._core.materials
+
+    @property
+    def warnings(self) -> list[str]:
+        """What looks like a slip."""
+        return self._core.warnings
+
+    @property
+    def remarks(self) -> list[str]:
+        """What was found to be in order."""
+        return self._core.remarks
+
+    def to_dict(self) -> dict[str, Any]:
+        """The gear as understood: keys of ``[gear]`` in a gear file, defaults filled in."""
+        return dict(json.loads(self._core.spec()))
+
+    def base_thickness_mm(self, material: str | None = None) -> float:
+        """Mean base tooth thickness s_b, mm; of the most material where there are two and none is named."""
+        return self._core.base_thickness_mm(material)
+
+    def diameters_mm(self, material: str | None = None) -> tuple[float, float, float]:
+        """Tip, root form and root diameter, mm."""
+        tip, form, root = self._core.diameters_mm(material)
+        return tip, form, root
+
+    def gauge(
+        self,
+        *,
+        span_teeth: int | None = None,
+        pin_mm: float | None = None,
+        ball_mm: float | None = None,
+        master_teeth: int | None = None,
+        steps_per_pitch: int = 16,
+        material: str | None = None,
+        threads: int | None = None,
+    ) -> Gauged:
+        """Measure the gear on its outline as the shop does; what is not given is chosen as ``gearlash gauge`` does.
+
+        ``threads``: as many of its own, or ``None`` for those that all calls share.
+        """
+        sizes = (span_teeth, pin_mm, ball_mm, master_teeth, steps_per_pitch)
+        found = _core.gauge(self._core, sizes, material, threads)
+        return Gauged(json.loads(found)["gears"][0])
+
+    def chart(self, material: str | None = None) -> Picture:
+        """Pitch, thickness and runout, tooth by tooth."""
+        return Picture(_core.inspection(self._core, material))
+
+
+def _restored(title: str, table: dict[str, Any]) -> Gear:
+    gear = Gear.__new__(Gear)
+    gear._core = _core.Gear.from_text("Gear", text({"title": title, "gear": table}, "Gear"))
+    return gear

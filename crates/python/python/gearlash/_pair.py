@@ -1,0 +1,271 @@
+"""Two gears and how they are put together."""
+
+import json
+import os
+import warnings
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from gearlash import _core
+from gearlash._errors import GearlashError, GearlashWarning
+from gearlash._extremes import Checked, Extremes, RunExtremes
+from gearlash._gear import Gear
+from gearlash._picture import Picture
+from gearlash._poses import Flank, Pose, Poses, is_left
+from gearlash._text import text
+
+
+class Pair:
+    """Two gears at one or several centre distances.
+
+    ``center_distance_mm`` is what a pair file may have there: a number, several, a band
+    (``{"nominal_mm": 132.18, "tolerance_um": 30}``) or a designation (``"132.18 js7"``). The other arguments are the keys of ``[assembly]`` and
+    the tables ``[require]`` and ``[uncertainty]``.
+
+    Where a thickness has two ends, methods that take a ``material`` take ``most`` unless one is named; those that take a
+    ``center_distance_mm`` take the pair's least unless one is given.
+
+    Raises:
+        InputError: with everything that is wrong.
+    """
+
+    def __init__(
+        self,
+        wheel: Gear,
+        pinion: Gear,
+        center_distance_mm: float | Sequence[float] | str | Mapping[str, float],
+        *,
+        bearing_clearance_mm: float | Mapping[str, float] | None = None,
+        locked: str | None = None,
+        temperature_c: float | None = None,
+        housing_expansion_per_k: float | None = None,
+        require: Mapping[str, Any] | None = None,
+        uncertainty: Mapping[str, Any] | None = None,
+        title: str | None = None,
+    ) -> None:
+        values = {
+            "title": title,
+            "wheel": wheel.to_dict(),
+            "pinion": pinion.to_dict(),
+            "assembly": {
+                "center_distance_mm": center_distance_mm,
+                "bearing_clearance_mm": bearing_clearance_mm,
+                "locked": locked,
+                "temperature_c": temperature_c,
+                "housing_expansion_per_k": housing_expansion_per_k,
+            },
+            "require": require,
+            "uncertainty": uncertainty,
+        }
+        self._set(_core.Pair.from_text("Pair", text(values, "Pair")))
+
+    def _set(self, core: _core.Pair) -> None:
+        self._core = core
+        for warning in core.warnings:
+            warnings.warn(warning, GearlashWarning, stacklevel=3)
+
+    def __repr__(self) -> str:
+        wheel, pinion = self._core.teeth
+        return f"Pair({self.title!r}, {wheel}/{pinion}, center_distances_mm={self.center_distances_mm})"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (_restored, (self.to_dict(),))
+
+    @property
+    def title(self) -> str:
+        """Shown in pictures."""
+        return self._core.title
+
+    @property
+    def center_distances_mm(self) -> list[float]:
+        """Centre distances that are run, mm; of a band the least, the nominal and the greatest."""
+        return self._core.center_distances_mm
+
+    @property
+    def materials(self) -> list[str]:
+        """``as-measured`` alone, or ``most`` and ``least``."""
+        return self._core.materials
+
+    @property
+    def warnings(self) -> list[str]:
+        """What looks like a slip."""
+        return self._core.warnings
+
+    @property
+    def remarks(self) -> list[str]:
+        """What was found to be in order."""
+        return self._core.remarks
+
+    def to_dict(self) -> dict[str, Any]:
+        """The pair as understood: keys of a pair file, defaults filled in."""
+        return dict(json.loads(self._core.spec()))
+
+    def at(self, center_distance_mm: float | Sequence[float]) -> "Pair":
+        """The same gears at other centre distances, mm."""
+        distances = np.atleast_1d(np.asarray(center_distance_mm, dtype=np.float64))
+        pair = Pair.__new__(Pair)
+        pair._core = self._core.at(distances.tolist())
+        return pair
+
+    def lost_motion(
+        self,
+        wheel_tooth: int,
+        pinion_tooth: int,
+        flank: str | Flank = "right",
+        fraction: float = 0.0,
+        *,
+        center_distance_mm: float | None = None,
+        material: str | None = None,
+    ) -> Pose:
+        """Lost motion where these teeth mate: the exact method, borne out by polygons. For many poses: :meth:`lost_motions`."""
+        teeth = (wheel_tooth, pinion_tooth)
+        found = _core.lost_motion(
+            self._core, teeth, is_left(flank), fraction, center_distance_mm, material
+        )
+        return Pose.of(json.loads(found))
+
+    def lost_motions(
+        self,
+        wheel_tooth: ArrayLike,
+        pinion_tooth: ArrayLike,
+        flank: ArrayLike = "right",
+        fraction: ArrayLike = 0.0,
+        *,
+        center_distance_mm: float | None = None,
+        material: str | None = None,
+        certify: bool = True,
+        threads: int | None = None,
+    ) -> Poses:
+        """Lost motion at n poses: whole numbers, flanks (``"right"``/``"left"`` or :class:`Flank`) and numbers of pitches, each a value or
+        of shape (n,). Bearing clearance is not applied.
+
+        ``certify=False`` leaves out the polygons that bear each pose out, which take some 20 times as long as the poses.
+        ``threads``: as many of its own, or ``None`` for those that all calls share. The interpreter's lock is released.
+        """
+        teeth = _whole("wheel_tooth", wheel_tooth), _whole("pinion_tooth", pinion_tooth)
+        flanks = _left(flank)
+        try:
+            fractions = np.asarray(fraction, dtype=np.float64)
+            wheel, pinion, left, fractions = np.broadcast_arrays(*teeth, flanks, fractions)
+        except ValueError as reason:
+            raise GearlashError(f"poses: {reason}") from None
+        if wheel.ndim > 1:
+            raise GearlashError(f"poses: arrays of shape (n,) are needed, not {wheel.shape}")
+        found = _core.lost_motions(
+            self._core,
+            (np.atleast_1d(wheel), np.atleast_1d(pinion)),
+            np.atleast_1d(left),
+            np.atleast_1d(fractions),
+            (center_distance_mm, material, certify, threads),
+        )
+        return Poses(**found)
+
+    def revolution(
+        self,
+        *,
+        steps_per_pitch: int = 16,
+        start: tuple[int, int] = (1, 1),
+        flank: str | Flank = "right",
+        hunting: bool = False,
+        center_distance_mm: float | None = None,
+        material: str | None = None,
+        certify: bool = True,
+        threads: int | None = None,
+    ) -> Poses:
+        """One wheel revolution from the mating ``start`` on, or, ``hunting``, until the same teeth meet again: ``steps_per_pitch`` poses a pitch.
+
+        Further arguments as of :meth:`lost_motions`.
+        """
+        if not 1 <= steps_per_pitch <= 10_000:
+            raise GearlashError(f"steps_per_pitch = {steps_per_pitch}: allowed is 1 … 10000")
+        found = _core.revolution(
+            self._core,
+            steps_per_pitch,
+            start,
+            hunting,
+            is_left(flank),
+            (center_distance_mm, material, certify, threads),
+        )
+        return Poses(**found)
+
+    def extremes(self, *, threads: int | None = None) -> Extremes:
+        """Least and greatest backlash over the whole mesh cycle and every rotation, proven: of each centre distance and material."""
+        found = json.loads(_core.extremes(self._core, threads))
+        return Extremes(tuple(RunExtremes.of(run) for run in found))
+
+    def check(self, *, threads: int | None = None) -> Checked:
+        """Verdict, extremes and every check: what ``gearlash check`` says."""
+        return Checked.of(json.loads(_core.check(self._core, threads)))
+
+    def snapshot(
+        self,
+        wheel_tooth: int,
+        pinion_tooth: int,
+        flank: str | Flank = "right",
+        fraction: float = 0.0,
+        *,
+        center_distance_mm: float | None = None,
+        material: str | None = None,
+    ) -> Picture:
+        """The contact at one pose, true to scale."""
+        teeth = (wheel_tooth, pinion_tooth)
+        return Picture(
+            _core.snapshot(self._core, teeth, is_left(flank), fraction, center_distance_mm, material)
+        )
+
+    def chart(
+        self,
+        kind: str = "revolution",
+        *,
+        center_distance_mm: float | None = None,
+        material: str | None = None,
+        mating: tuple[int, int] | None = None,
+    ) -> Picture:
+        """Backlash as a curve.
+
+        ``kind``: ``revolution`` over the wheel's teeth, ``difference`` from the formula there, or ``distance`` over the centre
+        distance, of the teeth ``mating`` or else of what binds.
+        """
+        if kind == "distance":
+            return Picture(_core.over_distance(self._core, mating))
+        if kind not in ("revolution", "difference"):
+            raise GearlashError(f'kind = {kind!r}: "revolution", "difference" or "distance"')
+        return Picture(
+            _core.over_teeth(self._core, kind == "difference", center_distance_mm, material)
+        )
+
+
+def read(path: str | os.PathLike[str]) -> Pair:
+    """The pair of the pair file at ``path`` (TOML or JSON); both gears must be given by their data, not by outlines.
+
+    Raises:
+        InputError: with everything that is wrong with the file.
+    """
+    pair = Pair.__new__(Pair)
+    pair._set(_core.Pair.read(os.fspath(path)))
+    return pair
+
+
+def _restored(values: dict[str, Any]) -> Pair:
+    pair = Pair.__new__(Pair)
+    pair._core = _core.Pair.from_text("Pair", text(values, "Pair"))
+    return pair
+
+
+def _whole(name: str, values: ArrayLike) -> NDArray[np.int64]:
+    array = np.asarray(values)
+    if array.dtype.kind not in "iu":
+        raise GearlashError(f"{name}: whole numbers are needed, not {array.dtype}")
+    return array.astype(np.int64, copy=False)
+
+
+def _left(flank: ArrayLike) -> NDArray[np.bool_]:
+    array = np.asarray(flank)
+    if array.dtype.kind in "iu" and np.isin(array, (Flank.RIGHT, Flank.LEFT)).all():
+        return np.asarray(array == Flank.LEFT)
+    if array.dtype.kind in "UO" and np.isin(array, ("right", "left")).all():
+        return np.asarray(array == "left")
+    raise GearlashError('flank: "right" or "left" (Flank.RIGHT or Flank.LEFT) of each pose')

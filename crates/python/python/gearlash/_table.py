@@ -1,0 +1,62 @@
+"""Columns as a table of pandas or Arrow, where these are installed."""
+
+from abc import abstractmethod
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+if TYPE_CHECKING:
+    import pandas
+    import pyarrow
+
+Codes = tuple[np.ndarray[Any, Any], tuple[str, ...]]
+"""Numbers, and the words that they stand for."""
+
+
+def needed(package: str, extra: str, what: str) -> Any:
+    """The package, or an error that names it."""
+    try:
+        return import_module(package)
+    except ModuleNotFoundError as missing:
+        if missing.name != package:
+            raise
+        text = f"{what} needs {package}: pip install {package}, or gearlash[{extra}]"
+        raise ModuleNotFoundError(text, name=package) from None
+
+
+class Table:
+    """What has columns of one length."""
+
+    @abstractmethod
+    def columns(self) -> dict[str, "np.ndarray[Any, Any] | Codes"]:
+        """The columns by name."""
+
+    def to_pandas(self) -> "pandas.DataFrame":
+        """The columns as a ``pandas.DataFrame``; words as categories. Needs pandas."""
+        pandas = needed("pandas", "pandas", "to_pandas")
+
+        def column(values: "np.ndarray[Any, Any] | Codes") -> Any:
+            if isinstance(values, tuple):
+                return pandas.Categorical.from_codes(values[0], list(values[1]))
+            return values
+
+        frame = {name: column(values) for name, values in self.columns().items()}
+        return pandas.DataFrame(frame)
+
+    def to_arrow(self) -> "pyarrow.Table":
+        """The columns as a ``pyarrow.Table``: NaN as null, words as a dictionary. Needs pyarrow."""
+        arrow = needed("pyarrow", "arrow", "to_arrow")
+
+        def column(values: "np.ndarray[Any, Any] | Codes") -> Any:
+            if isinstance(values, tuple):
+                codes = arrow.array(values[0].astype(np.int8))
+                return arrow.DictionaryArray.from_arrays(codes, list(values[1]))
+            return arrow.array(values, from_pandas=True)
+
+        columns = {name: column(values) for name, values in self.columns().items()}
+        return arrow.table(columns)
+
+    def __arrow_c_stream__(self, requested_schema: object = None) -> object:
+        """The columns for any program that reads Arrow (polars, duckdb, …). Needs pyarrow."""
+        return self.to_arrow().__arrow_c_stream__(requested_schema)

@@ -1,0 +1,74 @@
+//! Work without the interpreter's lock, which Ctrl-C ends.
+
+use crate::error::error;
+use gearlash::error::Error;
+use pyo3::prelude::*;
+use rayon::ThreadPoolBuilder;
+use std::ops::ControlFlow;
+use std::panic::resume_unwind;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::thread;
+use std::time::Duration;
+
+/// How often the interpreter is asked for signals: no delay that a person feels, no load.
+const LISTEN: Duration = Duration::from_millis(50);
+
+/// Told as each step of the work begins; a break ends it.
+pub type Tick<'a> = &'a (dyn Fn() -> ControlFlow<()> + Sync);
+
+/// Does `work` with the lock released, on `threads` threads of its own or, without a number, on those that all calls share.
+///
+/// Where a signal handler raises meanwhile, as Python's own does of Ctrl-C, the work is told to stop, and that exception is raised.
+///
+/// # Errors
+/// Those of the work, as `GearlashError`.
+pub fn work<T: Send>(
+    py: Python<'_>,
+    threads: Option<usize>,
+    work: impl FnOnce(Tick) -> Result<T, Error> + Send,
+) -> PyResult<T> {
+    let stop = AtomicBool::new(false);
+    let tick = || match stop.load(Ordering::Relaxed) {
+        true => ControlFlow::Break(()),
+        false => ControlFlow::Continue(()),
+    };
+    let pool = match threads {
+        None => None,
+        Some(0) => return Err(error(py, "threads = 0: a number from 1 on, or None")),
+        Some(threads) => {
+            let pool = ThreadPoolBuilder::new().num_threads(threads).build();
+            Some(pool.map_err(|reason| error(py, format!("threads = {threads}: {reason}")))?)
+        }
+    };
+    let (done, raised) = py.detach(|| {
+        thread::scope(|scope| {
+            let (ended, wait) = channel();
+            let (tick, pool) = (&tick, &pool);
+            let worker = scope.spawn(move || {
+                let done = match pool {
+                    Some(pool) => pool.install(|| work(tick)),
+                    None => work(tick),
+                };
+                // Nobody waits any more only where this thread panics.
+                let _ = ended.send(());
+                done
+            });
+            let mut raised = None;
+            while let Err(RecvTimeoutError::Timeout) = wait.recv_timeout(LISTEN) {
+                if raised.is_none() {
+                    raised = Python::attach(|py| py.check_signals()).err();
+                    stop.store(raised.is_some(), Ordering::Relaxed);
+                }
+            }
+            (
+                worker.join().unwrap_or_else(|panic| resume_unwind(panic)),
+                raised,
+            )
+        })
+    });
+    match raised {
+        Some(raised) => Err(raised),
+        None => done.map_err(|reason| error(py, reason)),
+    }
+}

@@ -1,0 +1,43 @@
+//! Least and greatest backlash of the whole mesh cycle, and every check of a pair.
+
+use crate::call::work;
+use crate::error::error;
+use crate::pair::Pair;
+use gearlash::analysis::extremes as cycle;
+use gearlash::analysis::verdict::Verdict;
+use gearlash::analysis::{Analysis, Plan, Progress};
+use gearlash::contact::Method;
+use gearlash_files::results::{checks_json, extremes_json};
+use pyo3::prelude::*;
+
+const METHOD: Method = Method::Exact { certify: true };
+
+/// The extremes of each centre distance, material and assembly phase as the JSON of results.
+#[pyfunction]
+#[pyo3(signature = (pair, threads=None))]
+pub fn extremes(py: Python<'_>, pair: &Pair, threads: Option<usize>) -> PyResult<String> {
+    let study = pair.study();
+    let found = work(py, threads, |tick| cycle::extremes(study, METHOD, tick))?;
+    let verdict = Verdict::of_study(study, &found.each, Vec::new());
+    extremes_json(&verdict).map_err(|reason| error(py, reason))
+}
+
+/// Verdict, extremes and every check as the JSON of `gearlash check`.
+#[pyfunction]
+#[pyo3(signature = (pair, threads=None))]
+pub fn check(py: Python<'_>, pair: &Pair, threads: Option<usize>) -> PyResult<String> {
+    let plan = Plan::new(pair.study(), METHOD)
+        .with_extremes()
+        .with_checks();
+    let analysis = work(py, threads, |tick| {
+        Analysis::run(
+            &plan,
+            &mut Progress {
+                stage: &mut |_| (),
+                tick,
+            },
+        )
+    })?;
+    checks_json(&pair.file, &analysis.diagnosis, &analysis.verdict())
+        .map_err(|reason| error(py, reason))
+}

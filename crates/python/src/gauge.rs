@@ -1,0 +1,65 @@
+//! A gear measured on its outline.
+
+use crate::call::work;
+use crate::error::error;
+use crate::gear::Gear;
+use gearlash::gauge::{Settings, gauge as measure};
+use gearlash_files::results::gauge::{GaugedGear, json};
+use pyo3::prelude::*;
+
+/// Teeth spanned, diameters of pins and ball, mm, teeth of the master gear, poses a pitch: a tuple in Python.
+#[derive(FromPyObject)]
+pub struct Sizes(Option<u32>, Option<f64>, Option<f64>, Option<u32>, u32);
+
+/// What the gauges read, as the JSON of `gearlash gauge`.
+#[pyfunction]
+pub fn gauge(
+    py: Python<'_>,
+    gear: &Gear,
+    sizes: Sizes,
+    material: Option<&str>,
+    threads: Option<usize>,
+) -> PyResult<String> {
+    let Sizes(span_teeth, pin_mm, ball_mm, master_teeth, steps_per_pitch) = sizes;
+    let (material, as_built) = gear.as_built(py, material)?;
+    let teeth = as_built.gear().basic_data().teeth();
+    let whole = |name: &str, value: Option<u32>, least: u32, most: u32| match value {
+        Some(value) if !(least..=most).contains(&value) => Err(error(
+            py,
+            format!("{name} = {value}: allowed is {least} … {most}"),
+        )),
+        _ => Ok(()),
+    };
+    whole("span_teeth", span_teeth, 1, teeth)?;
+    whole("master_teeth", master_teeth, 3, 10_000)?;
+    whole("steps_per_pitch", Some(steps_per_pitch), 1, 1000)?;
+    for (name, diameter) in [("pin_mm", pin_mm), ("ball_mm", ball_mm)] {
+        if let Some(mm) = diameter.filter(|mm| !(*mm > 0.0 && *mm <= 1e6)) {
+            return Err(error(
+                py,
+                format!("{name} = {mm}: a number of mm above 0 and up to 1e6 is needed"),
+            ));
+        }
+    }
+    let spec = &gear.entry.spec;
+    let settings = Settings {
+        span_teeth: span_teeth.or(spec.thickness.span_teeth()),
+        pin: pin_mm.or(spec.thickness.pin_mm()),
+        ball: ball_mm,
+        master_teeth,
+        steps_per_pitch,
+        evaluation: spec.evaluation_radii(),
+    };
+    let gauged = work(py, threads, |tick| {
+        measure(as_built, &settings, &|_| (), tick)
+    })?;
+    let gauged = GaugedGear {
+        title: &gear.title,
+        name: gear.entry.name,
+        material,
+        gear: as_built,
+        spec,
+        gauged,
+    };
+    json(&gear.title, &[gauged]).map_err(|reason| error(py, reason))
+}

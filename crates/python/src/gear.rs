@@ -1,0 +1,143 @@
+//! One gear.
+
+use crate::error::{error, input};
+use gearlash::analysis::study::Material;
+use gearlash::gear::AsBuilt;
+use gearlash_files::{GearEntry, GearsFile, InputError};
+use pyo3::prelude::*;
+use std::path::{Path, PathBuf};
+
+/// A gear as its data and measurements say it is.
+#[pyclass(frozen, module = "gearlash._core")]
+pub struct Gear {
+    pub title: String,
+    pub entry: GearEntry,
+    #[pyo3(get)]
+    warnings: Vec<String>,
+    #[pyo3(get)]
+    remarks: Vec<String>,
+}
+
+impl Gear {
+    fn of(
+        py: Python<'_>,
+        read: Result<GearsFile, InputError>,
+        name: Option<&str>,
+    ) -> PyResult<Gear> {
+        let file = read.map_err(|error| input(py, &error))?;
+        let mut gears = file.gears;
+        let place = match name {
+            None if gears.len() == 1 => Some(0),
+            None => None,
+            Some(name) => gears.iter().position(|gear| gear.name == name),
+        };
+        let Some(place) = place else {
+            let names: Vec<&str> = gears.iter().map(|gear| gear.name).collect();
+            let which = names.join(", ");
+            return Err(error(py, format!("which gear? the file has: {which}")));
+        };
+        Ok(Gear {
+            title: file.title,
+            entry: gears.swap_remove(place),
+            warnings: file.warnings,
+            remarks: file.remarks,
+        })
+    }
+
+    /// The gear in a material: without a name that of the most, where there are two.
+    pub fn as_built(&self, py: Python<'_>, name: Option<&str>) -> PyResult<(Material, &AsBuilt)> {
+        let materials = self.entry.materials.iter();
+        chosen(
+            py,
+            materials.map(|(material, gear)| (*material, gear)),
+            name,
+        )
+    }
+
+    fn any(&self) -> &AsBuilt {
+        &self.entry.materials[0].1
+    }
+}
+
+/// The one of `materials` that is called `name`, or the first.
+pub fn chosen<T>(
+    py: Python<'_>,
+    materials: impl Iterator<Item = (Material, T)> + Clone,
+    name: Option<&str>,
+) -> PyResult<(Material, T)> {
+    let named = |material: &Material| name.is_none_or(|name| name == material.name());
+    let mut found = materials.clone();
+    found.find(|(material, _)| named(material)).ok_or_else(|| {
+        let names: Vec<&str> = materials.map(|(material, _)| material.name()).collect();
+        let (name, names) = (name.unwrap_or_default(), names.join(", "));
+        error(
+            py,
+            format!("material = {name}: not stated here, which has: {names}"),
+        )
+    })
+}
+
+#[pymethods]
+impl Gear {
+    /// Of `text` with the keys of a gear file.
+    #[staticmethod]
+    fn from_text(py: Python<'_>, name: &str, text: &str) -> PyResult<Gear> {
+        let read = py.detach(|| gearlash_files::read_gears_text(Path::new(name), text));
+        Gear::of(py, read, None)
+    }
+
+    /// Of the gear file or pair file at `path`; `name` is the gear's of a pair.
+    #[staticmethod]
+    #[pyo3(signature = (path, name=None))]
+    fn read(py: Python<'_>, path: PathBuf, name: Option<&str>) -> PyResult<Gear> {
+        let read = py.detach(|| gearlash_files::read_gears(&path));
+        Gear::of(py, read, name)
+    }
+
+    /// Its table as JSON: keys of a gear file, defaults filled in.
+    fn spec(&self, py: Python<'_>) -> PyResult<String> {
+        serde_json::to_string(&self.entry.spec).map_err(|reason| error(py, reason))
+    }
+
+    #[getter]
+    fn title(&self) -> &str {
+        &self.title
+    }
+
+    #[getter]
+    fn teeth(&self) -> u32 {
+        self.any().gear().basic_data().teeth()
+    }
+
+    #[getter]
+    fn module_mm(&self) -> f64 {
+        self.any().gear().basic_data().module()
+    }
+
+    #[getter]
+    fn pressure_angle_deg(&self) -> f64 {
+        self.any().gear().basic_data().pressure_angle().to_degrees()
+    }
+
+    /// Names of its materials.
+    #[getter]
+    fn materials(&self) -> Vec<&'static str> {
+        let materials = self.entry.materials.iter();
+        materials.map(|(material, _)| material.name()).collect()
+    }
+
+    /// Base tooth thickness, mm.
+    #[pyo3(signature = (material=None))]
+    fn base_thickness_mm(&self, py: Python<'_>, material: Option<&str>) -> PyResult<f64> {
+        let (_, gear) = self.as_built(py, material)?;
+        Ok(gear.gear().base_thickness())
+    }
+
+    /// Diameters of tip, root form and root circle, mm.
+    #[pyo3(signature = (material=None))]
+    fn diameters_mm(&self, py: Python<'_>, material: Option<&str>) -> PyResult<[f64; 3]> {
+        let (_, gear) = self.as_built(py, material)?;
+        let gear = gear.gear();
+        Ok([gear.tip_radius(), gear.form_radius(), gear.root_radius()].map(|radius| 2.0 * radius))
+    }
+}

@@ -1,0 +1,39 @@
+//! The extension module `gearlash._core`: what the Python package calls of gearlash, one function each.
+//!
+//! Python's side (`python/gearlash/`) has the classes, their types and their documentation; here are the conversions. Gears and pairs are
+//! made of text with the keys of gear and pair files, so that every value is checked, and refused in the same words, as one of a file.
+//! Arrays go out as numpy arrays, one pose or one gear's readings as the JSON of the command's results. The interpreter's lock is released
+//! while the library works.
+
+mod call;
+mod command;
+mod error;
+mod extremes;
+mod gauge;
+mod gear;
+mod pair;
+mod pictures;
+mod poses;
+
+use pyo3::prelude::*;
+
+/// The Rust side of the package gearlash.
+#[pymodule]
+fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add("__version__", env!("CARGO_PKG_VERSION"))?;
+    module.add("STATUSES", poses::STATUSES.map(|status| status.name()))?;
+    module.add_class::<gear::Gear>()?;
+    module.add_class::<pair::Pair>()?;
+    module.add_function(wrap_pyfunction!(command::run, module)?)?;
+    module.add_function(wrap_pyfunction!(poses::lost_motion, module)?)?;
+    module.add_function(wrap_pyfunction!(poses::lost_motions, module)?)?;
+    module.add_function(wrap_pyfunction!(poses::revolution, module)?)?;
+    module.add_function(wrap_pyfunction!(extremes::extremes, module)?)?;
+    module.add_function(wrap_pyfunction!(extremes::check, module)?)?;
+    module.add_function(wrap_pyfunction!(gauge::gauge, module)?)?;
+    module.add_function(wrap_pyfunction!(pictures::snapshot, module)?)?;
+    module.add_function(wrap_pyfunction!(pictures::over_teeth, module)?)?;
+    module.add_function(wrap_pyfunction!(pictures::over_distance, module)?)?;
+    module.add_function(wrap_pyfunction!(pictures::inspection, module)?)?;
+    Ok(())
+}

@@ -1,0 +1,162 @@
+//! Two gears and how they are put together.
+
+use crate::error::{error, input};
+use crate::gear::chosen;
+use gearlash::analysis::study::{Material, Study};
+use gearlash::pair::{GearPair, Mating, Member};
+use gearlash_files::{InputError, PairFile};
+use pyo3::prelude::*;
+use std::path::{Path, PathBuf};
+
+/// A pair as a pair file states it.
+#[pyclass(frozen, module = "gearlash._core")]
+pub struct Pair {
+    pub file: PairFile,
+}
+
+impl Pair {
+    fn of(py: Python<'_>, read: Result<PairFile, InputError>) -> PyResult<Pair> {
+        let file = read.map_err(|error| input(py, &error))?;
+        Ok(Pair { file })
+    }
+
+    pub fn study(&self) -> &Study {
+        &self.file.study
+    }
+
+    /// The gears in the material called `material` (without a name: of the most, where there are two) at `distance` mm (without one: the
+    /// least of the pair).
+    pub fn assembly(
+        &self,
+        py: Python<'_>,
+        distance: Option<f64>,
+        material: Option<&str>,
+    ) -> PyResult<(Material, GearPair)> {
+        let study = self.study();
+        let gears = study.materials.iter();
+        let gears = gears.map(|(material, wheel, pinion)| (*material, (wheel, pinion)));
+        let (material, (wheel, pinion)) = chosen(py, gears, material)?;
+        let distance = distance.or(study.center_distances.first().copied());
+        let distance = distance.ok_or_else(|| {
+            error(
+                py,
+                "the pair has no centre distance; give center_distance_mm",
+            )
+        })?;
+        GearPair::with_locked(wheel.clone(), pinion.clone(), distance, study.locked)
+            .map(|assembly| (material, assembly))
+            .map_err(|reason| error(py, format!("center_distance_mm = {distance}: {reason}")))
+    }
+}
+
+/// How many teeth the gears have.
+pub fn teeth(assembly: &GearPair) -> [u32; 2] {
+    [Member::Wheel, Member::Pinion].map(|member| assembly.gear(member).gear().basic_data().teeth())
+}
+
+/// Checks that `mating` is one of `assembly`.
+pub fn check(py: Python<'_>, assembly: &GearPair, mating: [i64; 2], fraction: f64) -> PyResult<()> {
+    let [wheel, pinion] = mating;
+    for (member, (tooth, teeth)) in [Member::Wheel, Member::Pinion]
+        .iter()
+        .zip(mating.into_iter().zip(teeth(assembly)))
+    {
+        if !(1..=i64::from(teeth)).contains(&tooth) {
+            let name = member.name();
+            return Err(error(
+                py,
+                format!("mating {wheel},{pinion}: the {name} has teeth 1 … {teeth}, not {tooth}"),
+            ));
+        }
+    }
+    match fraction.abs() <= 1000.0 {
+        true => Ok(()),
+        false => Err(error(
+            py,
+            format!("fraction = {fraction}: a number of pitches between -1000 and 1000"),
+        )),
+    }
+}
+
+/// The mating of these numbers, which were checked.
+pub fn mating([wheel, pinion]: [i64; 2], left: bool, fraction: f64) -> Mating {
+    use gearlash::gear::Side;
+    Mating {
+        wheel_tooth: wheel as u32,
+        pinion_tooth: pinion as u32,
+        flank: if left { Side::Left } else { Side::Right },
+        fraction,
+    }
+}
+
+#[pymethods]
+impl Pair {
+    /// Of `text` with the keys of a pair file.
+    #[staticmethod]
+    fn from_text(py: Python<'_>, name: &str, text: &str) -> PyResult<Pair> {
+        let read = py.detach(|| gearlash_files::read_text(Path::new(name), text));
+        Pair::of(py, read)
+    }
+
+    /// Of the pair file at `path`.
+    #[staticmethod]
+    fn read(py: Python<'_>, path: PathBuf) -> PyResult<Pair> {
+        let read = py.detach(|| gearlash_files::read(&path));
+        Pair::of(py, read)
+    }
+
+    /// The same at other centre distances, mm.
+    fn at(&self, py: Python<'_>, distances: Vec<f64>) -> PyResult<Pair> {
+        if let Some(wrong) = distances.iter().find(|distance| !distance.is_finite()) {
+            return Err(error(
+                py,
+                format!("center_distance_mm = {wrong}: a number of mm"),
+            ));
+        }
+        let moved = self.file.clone().at(distances);
+        let file = moved.map_err(|reason| error(py, format!("center_distance_mm: {reason}")))?;
+        Ok(Pair { file })
+    }
+
+    /// The input as JSON: keys of a pair file, defaults filled in.
+    fn spec(&self, py: Python<'_>) -> PyResult<String> {
+        serde_json::to_string(&self.file.spec).map_err(|reason| error(py, reason))
+    }
+
+    #[getter]
+    fn title(&self) -> &str {
+        &self.study().title
+    }
+
+    #[getter]
+    fn warnings(&self) -> Vec<String> {
+        self.file.warnings.clone()
+    }
+
+    #[getter]
+    fn remarks(&self) -> Vec<String> {
+        self.file.remarks.clone()
+    }
+
+    /// Names of its materials.
+    #[getter]
+    fn materials(&self) -> Vec<&'static str> {
+        let materials = self.study().materials.iter();
+        materials.map(|(material, ..)| material.name()).collect()
+    }
+
+    /// Its centre distances, mm.
+    #[getter]
+    fn center_distances_mm(&self) -> Vec<f64> {
+        self.study().center_distances.clone()
+    }
+
+    /// Teeth of wheel and pinion.
+    #[getter]
+    fn teeth(&self) -> Vec<u32> {
+        let (_, wheel, pinion) = &self.study().materials[0];
+        [wheel, pinion]
+            .map(|gear| gear.gear().basic_data().teeth())
+            .to_vec()
+    }
+}

@@ -1,0 +1,139 @@
+//! Pictures as SVG.
+
+use crate::call::work;
+use crate::error::error;
+use crate::gear::Gear;
+use crate::pair::{Pair, check, mating};
+use gearlash::analysis::curves::{self, Followed};
+use gearlash::analysis::outcome::by_distance;
+use gearlash::analysis::{Analysis, Plan, Progress};
+use gearlash::contact::Method;
+use gearlash::gear::Inspection;
+use gearlash_files::verdict::in_short;
+use gearlash_render::Snapshot;
+use gearlash_render::chart::{self, Heading};
+use pyo3::prelude::*;
+
+const METHOD: Method = Method::Exact { certify: true };
+
+fn heading<'a>(title: &'a str, subtitle: &'a str) -> Heading<'a> {
+    Heading {
+        prefix: "chart",
+        title,
+        subtitle,
+    }
+}
+
+/// The contact at one pose.
+#[pyfunction]
+pub fn snapshot(
+    py: Python<'_>,
+    pair: &Pair,
+    teeth: [i64; 2],
+    left: bool,
+    fraction: f64,
+    distance: Option<f64>,
+    material: Option<&str>,
+) -> PyResult<String> {
+    let (material, assembly) = pair.assembly(py, distance, material)?;
+    check(py, &assembly, teeth, fraction)?;
+    let drawn = py.detach(|| {
+        let found = assembly.lost_motion(mating(teeth, left, fraction))?;
+        let view = Snapshot {
+            title: &pair.study().title,
+            assembly: &assembly,
+            pose: &found.pose,
+            material,
+            found: found.found.as_ref(),
+        };
+        Ok::<_, gearlash::error::Error>(gearlash_render::snapshot(&view))
+    });
+    drawn.map_err(|reason| error(py, reason))
+}
+
+/// Backlash, or its difference from the formula, over the wheel's teeth at one centre distance.
+#[pyfunction]
+pub fn over_teeth(
+    py: Python<'_>,
+    pair: &Pair,
+    difference: bool,
+    distance: Option<f64>,
+    material: Option<&str>,
+) -> PyResult<String> {
+    let (named, assembly) = pair.assembly(py, distance, material)?;
+    let mut study = curves::swept(pair.study().clone());
+    if material.is_some() {
+        study.materials.retain(|(material, ..)| *material == named);
+    }
+    let study = study.at(vec![assembly.center_distance()]);
+    let study = study.map_err(|reason| error(py, format!("center_distance_mm: {reason}")))?;
+    let plan = Plan::new(&study, METHOD).with_revolution().with_extremes();
+    let analysis = analysed(py, &plan)?;
+    let course = curves::courses(&analysis.revolution).into_iter().next();
+    let course = course.ok_or_else(|| error(py, "the pair asks for no poses"))?;
+    let course = course.with_cycle(&analysis.extremes.each);
+    let cycle = in_short(&analysis.verdict());
+    let heading = heading(&study.title, &cycle);
+    let drawn = match difference {
+        true => chart::difference(&heading, &course, study.tolerance_um),
+        false => chart::revolution(&heading, &course),
+    };
+    drawn
+        .map(|chart| chart.svg)
+        .map_err(|reason| error(py, reason))
+}
+
+/// One mating's backlash over the centre distance: without teeth that of what binds.
+#[pyfunction]
+pub fn over_distance(py: Python<'_>, pair: &Pair, teeth: Option<[i64; 2]>) -> PyResult<String> {
+    let study = pair.study();
+    let swept = match teeth {
+        Some(_) => None,
+        None => {
+            // They only choose, and bound the curve: what is drawn as a curve is certified.
+            let method = Method::Exact { certify: false };
+            let plan = Plan::new(study, method).with_revolution().with_extremes();
+            Some(analysed(py, &plan)?)
+        }
+    };
+    let all: Vec<_> = swept.iter().flat_map(Analysis::all).collect();
+    let followed = match teeth {
+        None => curves::binding(study, all.iter().copied()),
+        Some([wheel, pinion]) => {
+            let (_, assembly) = pair.assembly(py, None, None)?;
+            check(py, &assembly, [wheel, pinion], 0.0)?;
+            Followed::Teeth(wheel as u32, pinion as u32)
+        }
+    };
+    let curve = work(py, None, |tick| {
+        curves::over_distance(study, followed, METHOD, tick)
+    })?;
+    let cycle = swept.as_ref().map(|analysis| in_short(&analysis.verdict()));
+    let cycle = cycle.unwrap_or_default();
+    let outcomes = by_distance(&all, &[]);
+    chart::distance(&heading(&study.title, &cycle), &curve, &outcomes)
+        .map(|chart| chart.svg)
+        .map_err(|reason| error(py, reason))
+}
+
+/// A gear's deviations, tooth by tooth.
+#[pyfunction]
+pub fn inspection(py: Python<'_>, gear: &Gear, material: Option<&str>) -> PyResult<String> {
+    let (_, as_built) = gear.as_built(py, material)?;
+    let inspection = Inspection::of(as_built);
+    chart::inspection(&heading(&gear.title, ""), gear.entry.name, &inspection)
+        .map(|chart| chart.svg)
+        .map_err(|reason| error(py, reason))
+}
+
+fn analysed<'a>(py: Python<'_>, plan: &Plan<'a>) -> PyResult<Analysis<'a>> {
+    work(py, None, |tick| {
+        Analysis::run(
+            plan,
+            &mut Progress {
+                stage: &mut |_| (),
+                tick,
+            },
+        )
+    })
+}

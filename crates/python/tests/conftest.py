@@ -1,0 +1,29 @@
+"""What the tests share: the repository's fixtures, and the numbers of the command itself."""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+FIXTURES = Path(__file__).parents[3] / "fixtures"
+
+
+@pytest.fixture
+def fixtures() -> Path:
+    return FIXTURES
+
+
+def command(*words: object, code: int = 0) -> str:
+    """What the command prints on standard output."""
+    words_ = [str(word) for word in words]
+    ran = subprocess.run([sys.executable, "-m", "gearlash", *words_], capture_output=True, text=True)
+    assert ran.returncode == code, ran.stderr
+    return ran.stdout
+
+
+def of_command(*words: object) -> Any:
+    """The JSON that the command prints."""
+    return json.loads(command(*words))

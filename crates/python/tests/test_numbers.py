@@ -1,0 +1,173 @@
+"""Numbers: closed forms, published values, and those of the command's own JSON."""
+
+import math
+
+import numpy as np
+import pytest
+
+import gearlash
+from conftest import of_command
+
+
+def perfect(teeth: int, module: float = 3.0, face: str = "front") -> gearlash.Gear:
+    return gearlash.Gear(teeth=teeth, module_mm=module, pressure_angle_deg=20.0, reference_face=face)
+
+
+def involute_backlash_um(teeth: int, module: float, distance: float) -> float:
+    """j_wt of two equal nominal gears, ISO 21771: j_bn = p_bt of both flanks' involutes; 2 r_w (ψ-sum)."""
+    alpha = math.radians(20.0)
+    working = math.acos(teeth * module * math.cos(alpha) / distance)
+    inv = lambda angle: math.tan(angle) - angle  # noqa: E731
+    return 1e3 * 2.0 * distance * (inv(working) - inv(alpha))
+
+
+def test_a_nominal_pair_has_the_backlash_of_the_closed_form() -> None:
+    pair = gearlash.Pair(perfect(44), perfect(44, face="back"), 132.1)
+    expected = involute_backlash_um(44, 3.0, 132.1)
+    # Published for this pair: src/lib.rs.
+    assert expected == pytest.approx(73.0569413863697, abs=1e-9)
+    assert pair.lost_motion(11, 11).j_wt_um == pytest.approx(expected, abs=1e-6)
+    poses = pair.revolution(steps_per_pitch=4)
+    assert len(poses) == 44 * 4
+    assert np.abs(poses.j_wt_um - expected).max() < 1e-6
+    least = pair.extremes().least
+    assert least is not None and least.proven
+    assert least.j_wt_um[0] - 1e-6 <= expected <= least.j_wt_um[1] + 1e-6
+
+
+def test_units_are_their_closed_forms() -> None:
+    pair = gearlash.Pair(perfect(44), perfect(44, face="back"), 132.1)
+    pose = pair.lost_motion(11, 11)
+    poses = pair.lost_motions([11], [11])
+    assert pose.j_wt_um is not None
+    cos_working = 132.0 * math.cos(math.radians(20.0)) / 132.1
+    expected = {
+        "j_t_um": pose.j_wt_um * 132.0 / 132.1,
+        "j_bn_um": pose.j_wt_um * cos_working,
+        "wheel_arcmin": math.degrees(pose.j_wt_um * 1e-3 / 66.05) * 60.0,
+        "pinion_arcmin": math.degrees(pose.j_wt_um * 1e-3 / 66.05) * 60.0,
+    }
+    for name, value in expected.items():
+        assert getattr(pose, name) == pytest.approx(value, rel=1e-12), name
+        assert getattr(poses, name)[0] == pytest.approx(value, rel=1e-12), name
+
+
+@pytest.mark.parametrize("name", ["karba_44x44.toml", "profiled_44x44.toml", "hunting_51x23.toml"])
+def test_poses_are_those_of_simulate(fixtures, name: str) -> None:
+    path = fixtures / name
+    result = of_command("simulate", path, "--no-files", "--format", "json")
+    pair = gearlash.read(path)
+    for run in result["runs"]:
+        mating = [pose["mating"] for pose in run["poses"]]
+        poses = pair.lost_motions(
+            [each["wheel_tooth"] for each in mating],
+            [each["pinion_tooth"] for each in mating],
+            [each["flank"] for each in mating],
+            [each["fraction"] for each in mating],
+            center_distance_mm=run["center_distance_mm"],
+            material=run["material"],
+        )
+        assert poses.j_wt_um.tolist() == [pose["j_wt_um"] for pose in run["poses"]]
+        assert poses.error_bound_um.tolist() == [pose["error_bound_um"] for pose in run["poses"]]
+        statuses = [gearlash.Status(status).name.lower() for status in poses.status]
+        assert statuses == [pose["status"] for pose in run["poses"]]
+    one = result["runs"][0]["poses"][0]
+    mating = one["mating"]
+    found = pair.lost_motion(
+        mating["wheel_tooth"],
+        mating["pinion_tooth"],
+        mating["flank"],
+        mating["fraction"],
+        center_distance_mm=result["runs"][0]["center_distance_mm"],
+        material=result["runs"][0]["material"],
+    )
+    assert found.j_wt_um == one["j_wt_um"] and found.j_r_um == one["j_r_um"]
+    assert found.right is not None and list(found.right.point_mm) == one["right"]["point_mm"]
+
+
+def test_verdict_extremes_and_checks_are_those_of_check(fixtures) -> None:
+    path = fixtures / "karba_44x44.toml"
+    result = of_command("check", path, "--format", "json")
+    pair = gearlash.read(path)
+    checked = pair.check()
+    assert checked.record == result
+    assert checked.verdict == result["verdict"]["text"]
+    assert [run.record for run in pair.extremes().runs] == result["extremes"]
+    assert {check.id for check in checked.checks} == {check["id"] for check in result["checks"]}
+
+
+def test_a_jammed_and_an_unmeshed_pair_are_results() -> None:
+    wheel, pinion = perfect(20, 2.0), perfect(20, 2.0, "back")
+    jammed = gearlash.Pair(wheel, pinion, 38.0)
+    assert jammed.lost_motion(1, 1).status is gearlash.Status.JAMMED
+    assert jammed.lost_motion(1, 1).j_wt_um is None
+    assert np.isnan(jammed.lost_motions(1, [1, 2]).j_wt_um).all()
+    assert jammed.extremes().least is None
+    apart = gearlash.Pair(wheel, pinion, 45.0)
+    assert apart.lost_motions([1], [1]).status.tolist() == [gearlash.Status.NO_CONTACT]
+    assert apart.extremes().greatest is None
+
+
+def test_the_gauge_reads_what_was_stated() -> None:
+    rng = np.random.default_rng(1)
+    deviation = rng.normal(0.0, 4.0, 44).round(1)
+    deviation -= deviation.mean()
+    gear = gearlash.Gear(
+        teeth=44,
+        module_mm=3.0,
+        pressure_angle_deg=20.0,
+        thickness={"span": {"teeth": 6, "mm": 50.55}},
+        runout={"total_um": 30.0, "high_tooth": 7},
+        pitch={"kind": "cumulative", "right_um": deviation, "left_um": deviation},
+    )
+    gauged = gear.gauge()
+    assert gauged.spans_mm.shape == (44,) and gauged.span_teeth == 6
+    assert gauged.spans_mm.mean() == pytest.approx(50.55, abs=1e-6)
+    for flank in ("right", "left"):
+        assert gauged.pitch_um(flank) == pytest.approx(deviation, abs=1e-3)
+    # e = F_r/2.
+    assert gauged.record["eccentricity"]["um"] == pytest.approx(15.0, abs=1e-3)
+    result = gear.to_dict()
+    assert result["pitch"]["right_um"] == deviation.tolist()
+
+
+def test_the_gauge_is_that_of_the_command(fixtures) -> None:
+    path = fixtures / "karba_86x21.toml"
+    result = of_command("gauge", path, "--gear", "pinion", "--no-files", "--format", "json")
+    found = gearlash.Gear.read(path, "pinion").gauge()
+    assert found.record == result["gears"][0]
+
+
+def test_a_pair_of_the_gears_of_a_file_is_that_of_the_file(fixtures, tmp_path, monkeypatch) -> None:
+    for name in ("karba_44x44_pitch.toml", "profiled_44x44.toml"):
+        path = fixtures / name
+        read = gearlash.read(path)
+        gears = [gearlash.Gear.read(path, gear) for gear in ("wheel", "pinion")]
+        # Elsewhere, where the files that the pair file names are not found.
+        monkeypatch.chdir(tmp_path)
+        made = gearlash.Pair(gears[0], gears[1], read.center_distances_mm)
+        for material in read.materials:
+            found = [pair.revolution(material=material, certify=False) for pair in (read, made)]
+            assert (found[0].j_wt_um == found[1].j_wt_um).all()
+
+
+@pytest.mark.parametrize(("name", "distances"), [("karba_44x44_pitch.toml", [130.0, 132.0, 137.9]), ("tip_on_fillet_86x21.toml", [160.2])])
+def test_without_certificates_poses_are_the_same(fixtures, name: str, distances: list[float]) -> None:
+    pair = gearlash.read(fixtures / name)
+    for distance in distances:
+        for flank in ("right", "left"):
+            both = [
+                pair.revolution(center_distance_mm=distance, flank=flank, certify=certify)
+                for certify in (True, False)
+            ]
+            for column in ("j_wt_um", "error_bound_um", "status", "wheel_tooth", "fraction"):
+                assert np.array_equal(*(getattr(poses, column) for poses in both), equal_nan=True), column
+
+
+def test_flanks_start_and_hunting_cycle() -> None:
+    pair = gearlash.Pair(perfect(9, 2.0), perfect(6, 2.0, "back"), 15.4)
+    whole = pair.revolution(steps_per_pitch=2, hunting=True, start=(3, 5))
+    assert len(whole) == 2 * 18
+    assert (whole.wheel_tooth[0], whole.pinion_tooth[0]) == (3, 5)
+    left = pair.revolution(steps_per_pitch=2, flank="left")
+    assert (left.flank == gearlash.Flank.LEFT).all()

@@ -111,6 +111,7 @@ fn a_runout_in_any_direction_moves_both_ends_by_the_eccentricities() {
                 GearDesign::standard(BasicGearData::new(teeth, 2.0, 20f64.to_radians()).unwrap());
             let deviations = Deviations {
                 eccentricity: share * eccentricity,
+                high_tooth: 1.0,
                 any_direction: share > 0.0,
                 ..Deviations::default()
             };

@@ -296,7 +296,7 @@ fn a_deep_short_relief_ends_at_the_nearest_roll() {
     assert!((end - ends).abs() < 1e-14, "{end} {ends}");
 }
 
-/// A tooth of 20 that has lost, or a space that has lost, 2.5 mm of its width on the reference circle: `s_a = 2 r_a (s/2r + inv α − inv α_a)`,
+/// A tooth of 20 that has lost, or a space that has lost, 3 mm of its width on the reference circle: `s_a = 2 r_a (s/2r + inv α − inv α_a)`,
 /// and what is left of it; the form circle's space likewise.
 #[test]
 fn a_tooth_without_tip_and_a_closed_space_are_told_with_their_width() {
@@ -310,10 +310,10 @@ fn a_tooth_without_tip_and_a_closed_space_are_told_with_their_width() {
     // Half a tooth, as an angle.
     let half = |radius: f64| PI / 40.0 + inv_at(reference) - inv_at(radius);
     // Cumulative deviations count from their mean.
-    let lost = 2.5 * (1.0 - 1.0 / 20.0) / reference;
+    let lost = 3.0 * (1.0 - 1.0 / 20.0) / reference;
     let width = |sign: f64| {
         let mut right = vec![0.0; 20];
-        right[7] = sign * 2.5;
+        right[7] = sign * 3.0;
         let deviations = Deviations {
             pitch: Some(Pitch::from_cumulative(&right, &[0.0; 20])),
             ..Deviations::default()

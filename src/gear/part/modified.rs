@@ -271,6 +271,31 @@ mod tests {
         }
     }
 
+    #[test]
+    fn an_osculating_circle_touches_where_the_flank_is() {
+        for flank in flanks() {
+            for xi in [0.03, 0.1, 0.3, 0.5, 0.8] {
+                let (point, normal) = flank.at(xi);
+                let found = flank.osculating(xi);
+                assert!((found.point - point).norm() < 1e-13, "{xi}");
+                assert!((found.normal - normal).norm() < 1e-13, "{xi}");
+                let [before, behind] = [xi - 1e-5, xi + 1e-5].map(|xi| flank.at(xi).0);
+                let speed = (behind - before).norm() / 2e-5;
+                assert!((found.speed / speed - 1.0).abs() < 1e-6, "{xi}");
+            }
+        }
+    }
+
+    /// An edge has no radius: 0 where one lies between, and not where one lies beside.
+    #[test]
+    fn an_edge_bends_with_no_radius() {
+        let curve = RollCurve::polynomial([0.0, 1.0], [0.01, -0.12, 0.12, 0.02]).with_edge(0.4);
+        let flank = ModifiedFlank::new(40.0, 0.03, Arc::new(curve), [0.02, 0.9]).unwrap();
+        assert_eq!(flank.least_bend_radius(0.3, 0.5), 0.0);
+        assert!(flank.least_bend_radius(0.2, 0.3) > 0.0);
+        assert!(flank.least_bend_radius(0.5, 0.8) > 0.0);
+    }
+
     /// Bounds hold at every place between, and are nearly reached where the stretch is short.
     #[test]
     fn no_place_of_a_flank_is_more_curved_than_its_bounds() {

@@ -230,4 +230,37 @@ mod tests {
             );
         }
     }
+
+    /// Parseval: `Σ F_i² = 2/z Σ |harmonic|²` of an odd number of values about their mean.
+    #[test]
+    fn the_energy_of_the_harmonics_is_that_of_the_teeth() {
+        for z in [3u32, 7, 45] {
+            let list = |k: u32| {
+                (0..z)
+                    .map(|i| f64::from((i * i * k + 5 * i) % 13))
+                    .collect()
+            };
+            let (right, left): (Vec<f64>, Vec<f64>) = (list(3), list(7));
+            let pitch = Pitch::from_cumulative(&right, &left);
+            let squares = Flank::BOTH.map(|side| pitch.flank(side).iter().map(|f| f * f).sum());
+            let of_teeth: f64 = squares.iter().sum();
+            let energy: f64 = pitch.harmonics().iter().map(|h| h.energy).sum();
+            let of_harmonics = 2.0 / f64::from(z) * energy;
+            assert!(
+                (of_harmonics - of_teeth).abs() < 1e-12 * of_teeth,
+                "z = {z}"
+            );
+        }
+    }
+
+    /// `F = A cos φ` on the right flanks alone: `A/2` of it alike on both leaves `±A/2`, whose harmonics are `A z/4` each.
+    #[test]
+    fn what_a_wave_of_both_flanks_leaves_of_a_wave_of_one() {
+        let (z, amplitude) = (12, 3.0);
+        let wave = |i: u32| amplitude * (TAU * f64::from(i) / f64::from(z)).cos();
+        let right: Vec<f64> = (0..z).map(wave).collect();
+        let pitch = Pitch::from_cumulative(&right, &vec![0.0; z as usize]);
+        let left_over = 2.0 * (amplitude * f64::from(z) / 4.0).powi(2);
+        assert!((pitch.first_harmonic_apart() - left_over).abs() < 1e-12 * left_over);
+    }
 }

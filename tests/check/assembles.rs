@@ -100,3 +100,43 @@ fn a_search_given_up_without_a_bound_holds_nothing() {
     assert_eq!(greatest.doubt, Some(Doubt::Unbounded));
     assert!(!greatest.holds() && !greatest.is_proven());
 }
+
+/// Perfect gears `e` off their axes in any direction: high teeth that face their mate bring the outlines nearer by `e`, and turned away
+/// farther, at every pose. They assemble from `Σ e` farther than without, and are in mesh up to `Σ e` nearer.
+#[test]
+fn a_runout_in_any_direction_moves_both_ends_by_the_eccentricities() {
+    let pair = |distance: f64, share: f64| {
+        let gear = |teeth, face, eccentricity| {
+            let design =
+                GearDesign::standard(BasicGearData::new(teeth, 2.0, 20f64.to_radians()).unwrap());
+            let deviations = Deviations {
+                eccentricity: share * eccentricity,
+                high_tooth: 1.0,
+                any_direction: share > 0.0,
+                ..Deviations::default()
+            };
+            AsBuilt::new(Gear::nominal(design).unwrap(), face, &deviations).unwrap()
+        };
+        let wheel = gear(31, Face::Front, 0.012);
+        GearPair::new(wheel, gear(17, Face::Back, 0.007), distance).unwrap()
+    };
+    // Nominal teeth have no backlash at 48 mm.
+    let from = |share| extremes_of(&pair(47.95, share)).assembles_from.unwrap();
+    for (share, expected) in [(0.0, 48.0), (1.0, 48.019)] {
+        let found = from(share);
+        assert!(
+            found.low <= expected + 1e-9 && expected - 1e-9 <= found.high,
+            "{found:?}"
+        );
+        assert!(found.high - found.low <= 1e-6, "{found:?}");
+    }
+    let to = |share| extremes_of(&pair(51.9, share)).meshes_to.unwrap();
+    let (without, with) = (to(0.0), to(1.0));
+    for (without, with) in [(without.low, with.low), (without.high, with.high)] {
+        assert!((without - with - 0.019).abs() < 2e-5, "{without}, {with}");
+    }
+    assert!(
+        with.low < with.high && with.high - with.low <= 1e-5,
+        "{with:?}"
+    );
+}

@@ -116,6 +116,26 @@ fn deviating_gears_have_the_extremes_of_pairs_that_stand_there() {
     }
 }
 
+/// The pose that is named has what is said of it, simulated anew: pressed together the least, pulled apart the greatest.
+#[test]
+fn the_poses_of_both_ends_have_their_extremes() {
+    for any_direction in [false, true] {
+        let found = play(&pair(48.05, 1.0, any_direction), 0.03);
+        for end in [&found.pressed, &found.apart] {
+            let extreme = end.extreme.as_ref().unwrap();
+            let pair = &extreme.assembly;
+            let found = ExactKernel::new(pair).lost_motion(&extreme.pose.swept.pose);
+            let j_wt = found.unwrap().angle().unwrap() * pair.operating_pitch_radius(pair.free());
+            assert!(
+                extreme.low - 1e-9 <= j_wt && j_wt <= extreme.high + 1e-9,
+                "{any_direction}: {} … {}, not {j_wt}",
+                extreme.low,
+                extreme.high
+            );
+        }
+    }
+}
+
 #[test]
 fn ends_without_a_value_say_why() {
     // Half a module nearer tips stand in roots, three modules farther nothing meets.

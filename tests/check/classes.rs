@@ -122,3 +122,38 @@ fn a_corner_that_costs_nothing_is_not_off_the_line_of_action() {
     );
     assert_eq!(check.note, "");
 }
+
+/// What contact off the line of action costs is model 3's backlash less the simulation's, of every pose of both materials.
+#[test]
+fn losses_are_those_of_all_poses() {
+    let study = input::read(&fixture("karba_44x44.toml")).unwrap().study;
+    let exact = Method::Exact { certify: true };
+    let runs = simulate(&study, exact, &|| ControlFlow::Continue(())).unwrap();
+    let runs = compare(runs, study.tolerance_um);
+    assert!(runs.len() > 1);
+    let poses = || runs.iter().flat_map(|run| &run.poses);
+    let losses: Vec<f64> = poses()
+        .map(|pose| pose.line_of_action.unwrap() - pose.swept.backlash.unwrap())
+        .collect();
+    let found = diagnosed(&study);
+    let loss = found.contact.loss.as_ref().unwrap();
+    let mean = losses.iter().sum::<f64>() / losses.len() as f64;
+    assert_eq!(loss.poses, losses.len());
+    assert!((loss.mean - mean).abs() < 1e-15, "{} {mean}", loss.mean);
+    let least = losses.iter().copied().fold(f64::INFINITY, f64::min);
+    assert_eq!(loss.least, least);
+    let worst = losses.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    assert!((loss.worst.loss - worst).abs() <= limits::MET_WITHIN);
+    let condition = check(&found, "backlash_condition", None);
+    let group = found.groups[0].material;
+    let backlash = runs.iter().filter(|run| run.run.material == group);
+    let backlash = backlash
+        .flat_map(|run| &run.poses)
+        .map(|pose| pose.swept.backlash.unwrap());
+    let least = backlash.fold(f64::INFINITY, f64::min);
+    let [(name, value)] = condition.details[..] else {
+        panic!("{condition:?}")
+    };
+    assert_eq!(name, "least_j_wt_um");
+    assert!((value - 1e3 * least).abs() < 1e-9, "{value}, {least} mm");
+}

@@ -1,6 +1,8 @@
 //! Limits of distance and clearance beside their formulas.
 
 use super::*;
+use gearlash::analysis::diagnosis::{map, pitch_count};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// K (17) is exact for perfect gears.
 #[test]
@@ -94,4 +96,93 @@ fn radial_clearance_of_eccentric_gears_where_the_phases_allow_it() {
     let perfect = eccentric(132.4, [(0.0, 1.0), (0.0, 1.0)], 44);
     let found = radial_clearance(&perfect, Member::Wheel, &[mating(1, 1)]).unwrap();
     assert!((found.distance - limits::radial_clearance(&perfect, Member::Wheel)).abs() <= 1e-12);
+}
+
+/// What a progress bar is told beforehand is how often it is moved on.
+#[test]
+fn each_pitch_of_the_clearance_ticks_once() {
+    let study = input::read(&fixture("karba_44x44.toml")).unwrap().study;
+    let exact = Method::Exact { certify: true };
+    let runs = simulate(&study, exact, &|| ControlFlow::Continue(())).unwrap();
+    let runs = compare(runs, study.tolerance_um);
+    let ticks = AtomicUsize::new(0);
+    diagnose(&study, &runs, &[], &mut |_| Ok(()), &|| {
+        ticks.fetch_add(1, Ordering::Relaxed);
+        ControlFlow::Continue(())
+    })
+    .unwrap();
+    let expected = pitch_count(&study.runs().unwrap());
+    assert_eq!(ticks.into_inner(), expected);
+    assert!(expected > 1);
+}
+
+/// `ε_α = (√(r_a1² − r_b1²) + √(r_a2² − r_b2²) − a sin α_wt)/(π m cos α)` of 31/17 teeth: fails from where it is below 1 on.
+#[test]
+fn a_contact_ratio_below_one_fails() {
+    let gear = |teeth, face| AsBuilt::perfect(Gear::nominal(design(teeth, 2.0)).unwrap(), face);
+    let cos = 20f64.to_radians().cos();
+    let mut verdicts = [0, 0];
+    for step in 0..8 {
+        let distance = 48.4 + 0.3 * f64::from(step);
+        let pair = GearPair::new(gear(31, Face::Front), gear(17, Face::Back), distance).unwrap();
+        let found = diagnosed(&Study::of_pair("contact ratio", &pair, 1));
+        let found = check(&found, "contact_ratio", None);
+        let path = |teeth: f64| ((teeth + 2.0).powi(2) - (teeth * cos).powi(2)).sqrt();
+        let sin = (1.0 - (48.0 * cos / distance).powi(2)).sqrt();
+        let ratio = (path(31.0) + path(17.0) - distance * sin) / (2.0 * std::f64::consts::PI * cos);
+        assert!(
+            (found.analytic.unwrap() - ratio).abs() < 1e-9,
+            "{ratio} at {distance}"
+        );
+        assert!(
+            (found.margin.unwrap() - (ratio - 1.0)).abs() < 1e-9,
+            "{ratio} at {distance}"
+        );
+        let fails = ratio < 1.0;
+        assert_eq!(
+            found.verdict == Verdict::Fail,
+            fails,
+            "{ratio} at {distance}"
+        );
+        verdicts[usize::from(fails)] += 1;
+    }
+    assert!(verdicts[0] > 0 && verdicts[1] > 0, "{verdicts:?}");
+}
+
+/// Rows of a map are evenly spaced about the limits that they are drawn for; a cell has the backlash of a pair that stands there.
+#[test]
+fn rows_of_a_map_are_even() {
+    let pair = eccentric(132.3, [(0.01, 1.0), (0.02, 3.0)], 44);
+    let found = diagnosed(&Study::of_pair("map", &pair, 1));
+    let map = map(
+        &found.groups[0],
+        mating(1, 1),
+        &|| ControlFlow::Continue(()),
+    )
+    .unwrap();
+    let rows = map.distances.len();
+    let step = (map.distances[rows - 1] - map.distances[0]) / (rows - 1) as f64;
+    for (row, distance) in map.distances.iter().enumerate() {
+        let even = map.distances[0] + step * row as f64;
+        assert!(
+            step > 0.0 && (distance - even).abs() < 1e-9,
+            "row {row}: {distance}, {even}"
+        );
+    }
+    for row in [0, rows / 2, rows - 1] {
+        let there = pair.at(map.distances[row]).unwrap();
+        let columns = map.fractions.len();
+        let column = columns / 3;
+        let pose = Pose::new(&there, mating(1, 1).onward(&there, map.fractions[column]));
+        let angle = ExactKernel::new(&there).lost_motion(&pose).unwrap().angle();
+        let expected = angle.map(|angle| angle * there.operating_pitch_radius(there.free()));
+        let cell = map.cells[row * columns + column].backlash;
+        assert_eq!(cell.is_some(), expected.is_some());
+        if let (Some(cell), Some(expected)) = (cell, expected) {
+            assert!(
+                (cell - expected).abs() < 1e-9,
+                "row {row}: {cell}, {expected}"
+            );
+        }
+    }
 }

@@ -2,12 +2,14 @@
 
 use gearlash::analytic::{InvolutePair, LineOfAction};
 use gearlash::contact::{ExactKernel, LostMotion};
+use gearlash::error::GearError;
 use gearlash::gear::{
-    AsBuilt, BasicGearData, Deviations, Face, Gear, GearDesign, Modification, ProfilePart, Relief,
-    Side, involute,
+    AsBuilt, BasicGearData, Deviations, Face, Gear, GearDesign, Modification, Pitch, ProfilePart,
+    Relief, Side, involute,
 };
 use gearlash::pair::{GearPair, Mating, Member, Pose};
 use proptest::prelude::*;
+use std::f64::consts::{PI, TAU};
 
 fn gear(teeth: u32) -> Gear {
     let basic_data = BasicGearData::new(teeth, 3.0, 20f64.to_radians()).unwrap();
@@ -292,4 +294,52 @@ fn a_deep_short_relief_ends_at_the_nearest_roll() {
     let ends = tip + h - length;
     let (end, _) = wheel.profile(Side::Right, 1).range(ProfilePart::Involute);
     assert!((end - ends).abs() < 1e-14, "{end} {ends}");
+}
+
+/// A tooth of 20 that has lost, or a space that has lost, 3 mm of its width on the reference circle: `s_a = 2 r_a (s/2r + inv α − inv α_a)`,
+/// and what is left of it; the form circle's space likewise.
+#[test]
+fn a_tooth_without_tip_and_a_closed_space_are_told_with_their_width() {
+    let design = GearDesign::standard(BasicGearData::new(20, 2.0, 20f64.to_radians()).unwrap());
+    let gear = Gear::nominal(design).unwrap();
+    let (base, reference) = (20.0 * 20f64.to_radians().cos(), 20.0);
+    let inv_at = |radius: f64| {
+        let angle = (base / radius).acos();
+        angle.tan() - angle
+    };
+    // Half a tooth, as an angle.
+    let half = |radius: f64| PI / 40.0 + inv_at(reference) - inv_at(radius);
+    // Cumulative deviations count from their mean.
+    let lost = 3.0 * (1.0 - 1.0 / 20.0) / reference;
+    let width = |sign: f64| {
+        let mut right = vec![0.0; 20];
+        right[7] = sign * 3.0;
+        let deviations = Deviations {
+            pitch: Some(Pitch::from_cumulative(&right, &[0.0; 20])),
+            ..Deviations::default()
+        };
+        match AsBuilt::new(gear.clone(), Face::Front, &deviations) {
+            Err(GearError::OutOfRange { what, value, .. }) => (what, value),
+            other => panic!("{other:?}"),
+        }
+    };
+    let form = gear.form_radius();
+    for (found, what, expected) in [
+        (
+            [width(1.0), width(-1.0)],
+            "tip thickness of the thinnest tooth (mm)",
+            22.0 * (2.0 * half(22.0) - lost),
+        ),
+        (
+            [width(1.0), width(-1.0)],
+            "space width at the form circle (mm)",
+            form * (TAU / 20.0 - 2.0 * half(form) - lost),
+        ),
+    ] {
+        let (_, value) = found.into_iter().find(|found| found.0 == what).expect(what);
+        assert!(
+            (value - expected).abs() < 1e-12,
+            "{what}: {value}, not {expected}"
+        );
+    }
 }

@@ -304,7 +304,8 @@ impl PosedFlanks<'_> {
         let behind =
             solver.proof.turns_back && tip_arm(&locked) <= 0.0 && rho >= nearest_turn(&locked);
         let trusted = level.known && !behind;
-        let over = || solver.envelopes.locked.is_beyond_tip(near) && rho < least_radius(&locked);
+        let over =
+            || solver.envelopes.locked.is_beyond_tip(near) && rho < locked.least_land_radius();
         if trusted && (clear || over()) {
             return;
         }
@@ -380,16 +381,4 @@ impl Level {
             }
         }
     }
-}
-
-/// A locked tooth's least radius about the free axis, on its tip land: at a corner,
-/// or where it crosses the line of centres.
-pub(super) fn least_radius(locked: &Placed) -> f64 {
-    let ends = [locked.shape.corners()[0].1, locked.far].map(|end| locked.direction * end);
-    let side = ends.map(|end| end.re * locked.centre.im - end.im * locked.centre.re);
-    if side[0] * side[1] <= 0.0 {
-        return locked.centre.norm_sqr().sqrt() - locked.shape.tip_radius;
-    }
-    let squares = ends.map(|end| (locked.centre + end).norm_sqr());
-    squares[0].min(squares[1]).sqrt()
 }

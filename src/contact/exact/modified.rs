@@ -19,7 +19,7 @@ mod pieces;
 use super::branch::search as search_pair;
 use super::candidate::CandidateContact;
 use super::curves::SearchExhausted;
-use super::direct::{DirectSolver, Envelopes, Level, least_radius};
+use super::direct::{DirectSolver, Envelopes, Level};
 use super::flank_problem::{FlankProblem, PosedFlanks};
 use super::lands::{land_on_land, without_lands};
 use super::placed::Placed;
@@ -337,7 +337,7 @@ impl OuterGears {
         let locked = envelopes.free.clears(near) || envelopes.free.is_beyond_tip(near) && beyond();
         let point = end(&free_teeth.shape);
         let near = (toward * point - level.centre) * seen.conj();
-        let short = || outer.free(step).own_to_axis(point) < least_radius(&outer.locked(step));
+        let short = || outer.free(step).own_to_axis(point) < outer.locked(step).least_land_radius();
         let over = || envelopes.locked.is_beyond_tip(near) && short();
         let free = level.is_ahead(near, seen) && (envelopes.locked.clears(near) || over());
         [locked, free]

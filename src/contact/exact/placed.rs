@@ -33,6 +33,17 @@ impl<'a> Placed<'a> {
         (self.centre + self.direction * point).norm_sqr().sqrt()
     }
 
+    /// Least radius about the free axis of a locked tooth's tip land: at a corner, or where it crosses the line of centres.
+    pub fn least_land_radius(&self) -> f64 {
+        let ends = [self.shape.tip_corner(), self.far].map(|end| self.direction * end);
+        let side = ends.map(|end| end.re * self.centre.im - end.im * self.centre.re);
+        if side[0] * side[1] <= 0.0 {
+            return self.centre.norm_sqr().sqrt() - self.shape.tip_radius;
+        }
+        let squares = ends.map(|end| (self.centre + end).norm_sqr());
+        squares[0].min(squares[1]).sqrt()
+    }
+
     /// Parameters of a curve's two ends, the lesser first: the tip land is a whole one, down to its far corner, the
     /// root land reaches to the middle of the space as built. Equal ends: the curve has no length.
     pub fn range(&self, curve: ProfilePart) -> (f64, f64) {
@@ -80,6 +91,43 @@ impl<'a> Placed<'a> {
         Sample {
             point: self.centre + self.direction * sample.point,
             normal: self.direction * sample.normal,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::gap::turn;
+    use crate::gear::{Gear, GearDesign, Profile};
+
+    /// Against every thousandth of the land, of a gear that stands beside its axis, turned to either side of the line of centres.
+    #[test]
+    fn a_tip_land_is_as_near_as_its_nearest_point() {
+        let gear = Gear::nominal(GearDesign::plain(17, 2.0)).unwrap();
+        let shape = Shape::new(&Profile::new(&gear));
+        let far = shape.tip_corner().conj();
+        let half = shape.tip_corner().arg().abs();
+        for centre in [C::new(40.0, 0.0), C::new(39.0, 0.7), C::new(0.6, -41.0)] {
+            for step in -12..=12 {
+                let towards_axis = turn((-centre).arg() + 0.4 * half * f64::from(step));
+                let placed = Placed {
+                    shape: &shape,
+                    centre,
+                    direction: towards_axis,
+                    far,
+                    root_end: 0.0,
+                };
+                let points =
+                    (-1000..=1000).map(|k| turn(half * f64::from(k) / 1000.0) * shape.tip_radius);
+                let nearest = points
+                    .map(|point| placed.own_to_axis(point))
+                    .fold(f64::INFINITY, f64::min);
+                assert!(
+                    (placed.least_land_radius() - nearest).abs() < 1e-6,
+                    "{centre} {step}"
+                );
+            }
         }
     }
 }

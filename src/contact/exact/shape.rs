@@ -174,3 +174,54 @@ impl Shape {
         self.part(part).is_corner(t)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gear::{BasicGearData, BasicRack, Gear, GearDesign};
+
+    /// The amount of the angle between fillet and radius at every thousandth: few teeth whose tool's round stands outside its
+    /// pitch line, and ordinary and undercut ones.
+    #[test]
+    fn no_fillet_is_steeper_than_the_steepest() {
+        for (teeth, alpha_deg, shift, round) in [
+            (3, 14.5f64, 0.85, 0.55),
+            (4, 14.5, 0.95, 0.5),
+            (3, 20.0, 1.0, 0.4),
+            (17, 20.0, 0.0, 0.38),
+            (9, 20.0, 0.0, 0.38),
+        ] {
+            let basic = BasicGearData::new(teeth, 1.0, alpha_deg.to_radians()).unwrap();
+            let design = GearDesign {
+                profile_shift: shift,
+                rack: BasicRack::new(1.0, 1.25, round).unwrap(),
+                tip_diameter: (shift > 0.0).then_some(f64::from(teeth) + 2.0 * shift + 0.7),
+                ..GearDesign::standard(basic)
+            };
+            let gear = Gear::nominal(design).unwrap();
+            let shape = Shape::new(&Profile::new(&gear));
+            let amount = |gamma: f64| {
+                let sample = shape.at(ProfilePart::Fillet, gamma);
+                let along = sample.normal * C::new(0.0, 1.0);
+                let cos = (along.conj() * sample.point).re.abs() / sample.point.norm();
+                cos.min(1.0).acos()
+            };
+            for from in [0.3, 0.6, 0.9] {
+                let start = from * shape.fillet_end;
+                let at = |k: u32| start + (shape.fillet_end - start) * f64::from(k) / 1000.0;
+                let most = (0..=1000).map(|k| amount(at(k))).fold(0.0, f64::max);
+                let steepest = shape.steepest_fillet(start);
+                assert!(
+                    steepest >= most - 1e-9,
+                    "{teeth} {from}: {steepest}, {most}"
+                );
+                if shape.depth >= 0.0 {
+                    assert!(
+                        steepest <= most + 1e-9,
+                        "{teeth} {from}: {steepest}, {most}"
+                    );
+                }
+            }
+        }
+    }
+}

@@ -236,3 +236,90 @@ impl ModifiedFlank {
 fn most([least, most]: [f64; 2]) -> f64 {
     least.abs().max(most.abs())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Of 40 mm base radius, 20 µm of crowning and a hollow of 30 µm.
+    fn flanks() -> [ModifiedFlank; 2] {
+        [[-0.02, 0.08, -0.08, 0.0], [0.01, -0.12, 0.12, 0.02]].map(|coefficients| {
+            let curve = Arc::new(RollCurve::polynomial([0.0, 1.0], coefficients));
+            ModifiedFlank::new(40.0, 0.03, curve, [0.02, 0.9]).unwrap()
+        })
+    }
+
+    /// How fast the normal turns a length, from points 2e-5 rad apart.
+    fn turned(flank: &ModifiedFlank, xi: f64) -> f64 {
+        let [(from, before), (to, behind)] = [xi - 1e-5, xi + 1e-5].map(|xi| flank.at(xi));
+        before.perp(&behind).asin() / (to - from).norm()
+    }
+
+    #[test]
+    fn a_flank_curves_as_its_normals_turn() {
+        for flank in flanks() {
+            for xi in [0.03, 0.1, 0.3, 0.5, 0.8] {
+                let expected = turned(&flank, xi);
+                let (least, most) = flank.convexity(xi, xi).unwrap();
+                for found in [least, most, flank.osculating(xi).curvature] {
+                    assert!(
+                        (found / expected - 1.0).abs() < 1e-6,
+                        "{xi}: {found}, {expected}"
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn an_osculating_circle_touches_where_the_flank_is() {
+        for flank in flanks() {
+            for xi in [0.03, 0.1, 0.3, 0.5, 0.8] {
+                let (point, normal) = flank.at(xi);
+                let found = flank.osculating(xi);
+                assert!((found.point - point).norm() < 1e-13, "{xi}");
+                assert!((found.normal - normal).norm() < 1e-13, "{xi}");
+                let [before, behind] = [xi - 1e-5, xi + 1e-5].map(|xi| flank.at(xi).0);
+                let speed = (behind - before).norm() / 2e-5;
+                assert!((found.speed / speed - 1.0).abs() < 1e-6, "{xi}");
+            }
+        }
+    }
+
+    /// An edge has no radius: 0 where one lies between, and not where one lies beside.
+    #[test]
+    fn an_edge_bends_with_no_radius() {
+        let curve = RollCurve::polynomial([0.0, 1.0], [0.01, -0.12, 0.12, 0.02]).with_edge(0.4);
+        let flank = ModifiedFlank::new(40.0, 0.03, Arc::new(curve), [0.02, 0.9]).unwrap();
+        assert_eq!(flank.least_bend_radius(0.3, 0.5), 0.0);
+        assert!(flank.least_bend_radius(0.2, 0.3) > 0.0);
+        assert!(flank.least_bend_radius(0.5, 0.8) > 0.0);
+    }
+
+    /// Bounds hold at every place between, and are nearly reached where the stretch is short.
+    #[test]
+    fn no_place_of_a_flank_is_more_curved_than_its_bounds() {
+        for flank in flanks() {
+            for ([low, high], near) in [
+                ([0.1, 0.11], 0.97),
+                ([0.05, 0.2], 0.85),
+                ([0.3, 0.85], 0.85),
+            ] {
+                let at = |k: u32| low + (high - low) * f64::from(k) / 100.0;
+                let places: Vec<f64> = (0..=100).map(|k| turned(&flank, at(k))).collect();
+                let (least, most) = flank.convexity(low, high).unwrap();
+                assert!(
+                    places
+                        .iter()
+                        .all(|there| *there > least - 1e-8 && *there < most + 1e-8)
+                );
+                let roundest = 1.0 / places.iter().copied().fold(0.0, f64::max);
+                let radius = flank.least_bend_radius(low, high);
+                assert!(
+                    radius < roundest + 1e-6 && radius > near * roundest,
+                    "{radius}, {roundest}"
+                );
+            }
+        }
+    }
+}

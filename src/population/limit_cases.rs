@@ -182,7 +182,7 @@ fn assembly(
         None => population.clearance(),
     };
     let pair = GearPair::with_locked(wheel, pinion, distance, pair.locked())?;
-    Ok(Assembly::new(pair, play, 1))
+    Ok(Assembly::new(pair, play, population.phase()))
 }
 
 /// What a tooth is thicker, mm, with both flanks at the limit of their cumulative pitch deviation.

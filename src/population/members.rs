@@ -35,7 +35,7 @@ pub struct Scatters {
     pub center_distance: Option<Scatter>,
     /// Radial play of both bearings together: the axes may be nearer, and farther apart, by as much.
     pub bearing_play: Option<Scatter>,
-    /// Whether the gears are put together in any of their gcd(z_1, z_2) ways, or always in the first.
+    /// Whether the gears are put together in any of their gcd(z_1, z_2) ways, or always alike ([`Population::with_phase`]).
     pub phase: bool,
     /// Correlation of both thicknesses (of their normal scores), −1 … 1; 1 where both gears come from one batch.
     pub thickness_correlation: f64,
@@ -65,6 +65,24 @@ pub enum Factor {
 }
 
 impl Factor {
+    /// All there are.
+    pub const ALL: [Factor; 14] = [
+        Factor::Thicknesses,
+        Factor::Thickness(Member::Wheel),
+        Factor::Runout(Member::Wheel),
+        Factor::Pitch(Member::Wheel),
+        Factor::PerTooth(Member::Wheel),
+        Factor::Gear(Member::Wheel),
+        Factor::Thickness(Member::Pinion),
+        Factor::Runout(Member::Pinion),
+        Factor::Pitch(Member::Pinion),
+        Factor::PerTooth(Member::Pinion),
+        Factor::Gear(Member::Pinion),
+        Factor::CenterDistance,
+        Factor::BearingPlay,
+        Factor::Phase,
+    ];
+
     /// Which numbers it is drawn from: never to be changed, or a seed would mean another population.
     fn quantity(self) -> u32 {
         let of = |first, member| first + 8 * u32::from(member == Member::Pinion);
@@ -150,6 +168,7 @@ pub struct Population {
     pair: GearPair,
     scatters: Scatters,
     clearance: f64,
+    phase: u32,
     factors: Vec<Factor>,
 }
 
@@ -186,6 +205,7 @@ impl Population {
             pair,
             scatters,
             clearance: 0.0,
+            phase: 1,
             factors,
         })
     }
@@ -194,6 +214,12 @@ impl Population {
     #[must_use]
     pub fn with_bearing_clearance(self, clearance: f64) -> Population {
         Population { clearance, ..self }
+    }
+
+    /// The same, wheel tooth 1 with pinion tooth `phase` at their right flanks where the phase does not scatter.
+    #[must_use]
+    pub fn with_phase(self, phase: u32) -> Population {
+        Population { phase, ..self }
     }
 
     /// The pair about which it scatters.
@@ -209,6 +235,11 @@ impl Population {
     /// Play of both bearings where none scatters, mm.
     pub(super) fn clearance(&self) -> f64 {
         self.clearance
+    }
+
+    /// The pinion tooth that meets wheel tooth 1 where the phase does not scatter.
+    pub(super) fn phase(&self) -> u32 {
+        self.phase
     }
 
     /// The quantities that scatter, each by itself, in a fixed order.
@@ -244,7 +275,7 @@ impl Population {
         let phases = f64::from(phase_count(&self.pair));
         let phase = match self.scatters.phase {
             true => (stream(Factor::Phase).uniform() * phases) as u32 + 1,
-            false => 1,
+            false => self.phase,
         };
         let pair = GearPair::with_locked(wheel, pinion, distance, self.pair.locked())?;
         Ok(Assembly::new(pair, play.unwrap_or(self.clearance), phase))

@@ -44,7 +44,7 @@ pub use contributions::{
 };
 pub use limit_cases::{LimitCases, PITCH_LIMIT_SIGMAS, limit_cases};
 pub use members::{Factor, GearScatter, Population, PopulationError, Scatters};
-pub use sample::{Sample, SampleError, sample};
+pub use sample::{CHUNK, Sample, SampleError, outcomes, sample};
 pub use scatter::{LIMIT_SHARE, LIMIT_SIGMAS, Scatter, ScatterError};
 pub use spread::{BIN_TENTHS_NM, Overflow, Spread, TENTHS_NM_PER_MM};
 pub use statistics::{CONFIDENCE, QUANTILES, Share, SpreadStatistics, Statistics};

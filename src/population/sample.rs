@@ -9,8 +9,8 @@ use crate::error::Error;
 use crate::parallel;
 use std::ops::{ControlFlow, Range};
 
-/// Assemblies that one core takes at a time.
-const CHUNK: u64 = 32;
+/// Assemblies that one core takes at a time: of a tick.
+pub const CHUNK: u64 = 32;
 
 /// What is drawn from a population.
 #[derive(Debug, Clone, Copy)]
@@ -56,6 +56,29 @@ impl Sample<'_> {
             Err(_) => Ok(Outcome::without(OutcomeKind::Impossible)),
         }
     }
+}
+
+/// What comes of the assemblies `numbers` of `sample`, each by itself and in their order. `tick` as in [`sample()`].
+///
+/// # Errors
+/// As [`sample()`].
+pub fn outcomes(
+    sample: &Sample<'_>,
+    numbers: Range<u64>,
+    tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+) -> Result<Vec<(u64, Outcome)>, SampleError> {
+    let chunks = parallel::map(in_chunks(&numbers, CHUNK), |chunk| {
+        if tick().is_break() {
+            return Err(SampleError::Error(Error::Interrupted));
+        }
+        let each = chunk.map(|number| Ok((number, sample.outcome(number)?)));
+        each.collect::<Result<Vec<_>, SampleError>>()
+    });
+    let mut all = Vec::new();
+    for chunk in chunks {
+        all.extend(chunk?);
+    }
+    Ok(all)
 }
 
 /// The sums over the assemblies `numbers` of `sample`, the same on any number of cores. `tick` is called every few assemblies, from any

@@ -157,7 +157,10 @@ impl Default for Tally {
 
 impl Tally {
     /// Adds assembly `number` of `total`.
-    pub(super) fn count(
+    ///
+    /// # Errors
+    /// [`Overflow`].
+    pub fn count(
         &mut self,
         outcome: &Outcome,
         requirement: &Requirement,

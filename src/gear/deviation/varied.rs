@@ -2,7 +2,8 @@
 
 use super::{AsBuilt, Deviations};
 use crate::error::GearError;
-use crate::gear::{Gear, thickness};
+use crate::gear::modified_flanks::ModifiedHalves;
+use crate::gear::{Face, Gear, thickness};
 use std::sync::Arc;
 
 impl AsBuilt {
@@ -39,12 +40,34 @@ impl AsBuilt {
         varied.check_teeth()?;
         Ok(varied)
     }
+
+    /// This gear with its reference face towards `face`: turned over, each flank what it is on the gear's own faces.
+    ///
+    /// Turned over, the gear's own right flanks stand on the other side of the picture, and what was clockwise is counter-clockwise.
+    #[must_use]
+    pub fn facing(&self, face: Face) -> AsBuilt {
+        if face == self.face {
+            return self.clone();
+        }
+        let turned = |list: &[f64]| list.iter().map(|offset| -offset).collect();
+        let swapped = |sides: &[ModifiedHalves; 2]| {
+            let [right, left] = sides;
+            Arc::new([left.clone(), right.clone()])
+        };
+        AsBuilt {
+            face,
+            right: turned(&self.left),
+            left: turned(&self.right),
+            modified: self.modified.as_deref().map(swapped),
+            ..self.clone()
+        }
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gear::{Face, GearDesign, Pitch, Side};
+    use crate::gear::{GearDesign, Pitch, Side};
 
     /// In two steps as in one.
     #[test]
@@ -73,7 +96,13 @@ mod tests {
             let base = design.nominal_base_thickness() - 0.05 * 20f64.to_radians().cos();
             let gear = Gear::new(design, base).unwrap();
             let own = AsBuilt::new(gear.clone(), face, &own).unwrap();
-            let other = AsBuilt::new(gear, face, &deviations(thick.clone(), 0.3)).unwrap();
+            let other = AsBuilt::new(gear.clone(), face, &deviations(thick.clone(), 0.3)).unwrap();
+            let turned = match face {
+                Face::Front => Face::Back,
+                Face::Back => Face::Front,
+            };
+            let over = AsBuilt::new(gear, turned, &deviations(thick.clone(), 0.3)).unwrap();
+            assert_eq!(other.facing(turned), over);
             assert_eq!(varied.gear(), own.gear());
             assert_eq!((varied.eccentricity(), varied.high_tooth()), (0.01, 3.0));
             for side in Side::BOTH {

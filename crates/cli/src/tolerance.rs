@@ -90,7 +90,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         None => Path::new("out").join(&file.pair.stem),
     };
     // Many parts go to one folder, from many processes; a whole run has its folder for itself.
-    let prepared = match args.shard {
+    let mut prepared = match args.shard {
         Some(_) => None,
         None => Some(OutputFolder::prepare(&folder, &file.pair.sources, is_own)?),
     };
@@ -102,10 +102,10 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         path: folder.join(name),
         sources: &file.pair.sources,
     };
+    let results = prepared.as_mut().map(|results| (folder.as_path(), results));
     let rows = args.rows.as_deref();
-    let rows = rows
-        .map(|path| RowsFile::begin(path, &file.pair.sources))
-        .transpose()?;
+    let rows = rows.map(|path| RowsFile::begin(path, &file.pair.sources, results));
+    let rows = rows.transpose()?;
     let begun = file.part(assemblies, seed, shard)?;
     let mut part = match rows {
         Some(_) => begun,

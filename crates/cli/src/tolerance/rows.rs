@@ -13,13 +13,18 @@ const PIECE: usize = 1 << 16;
 
 /// The rows so far; nobody sees them until all are there.
 pub(super) struct RowsFile {
-    folder: OutputFolder,
+    /// Of its own; `None` where it goes to the folder of the results.
+    folder: Option<OutputFolder>,
     file: BufWriter<NewFile>,
 }
 
 impl RowsFile {
-    /// Begins the file at `path`, in a folder that no other run writes to.
-    pub fn begin(path: &Path, sources: &Sources) -> Result<RowsFile, Error> {
+    /// Begins the file at `path`: in the folder of the `results`, or in one that no other run writes to.
+    pub fn begin(
+        path: &Path,
+        sources: &Sources,
+        results: Option<(&Path, &mut OutputFolder)>,
+    ) -> Result<RowsFile, Error> {
         let name = path.file_name().and_then(|name| name.to_str());
         let Some(name) = name.filter(|name| name.ends_with(".csv")) else {
             return Err(Error::Usage(format!(
@@ -31,12 +36,23 @@ impl RowsFile {
             Some(folder) if !folder.as_os_str().is_empty() => folder,
             _ => Path::new("."),
         };
-        let own = name.to_owned();
-        let mut folder = OutputFolder::prepare(parent, sources, move |name| name == own)?;
-        let file = folder.create(name)?;
+        let real = |path: &Path| path.canonicalize().ok();
+        let (folder, file, failed) = match results {
+            Some((path, results)) if real(path).is_some() && real(path) == real(parent) => {
+                let file = results.create(name)?;
+                (None, file, results.failed(name))
+            }
+            _ => {
+                let own = name.to_owned();
+                let mut folder = OutputFolder::prepare(parent, sources, move |name| name == own)?;
+                let file = folder.create(name)?;
+                let failed = folder.failed(name);
+                (Some(folder), file, failed)
+            }
+        };
         let mut file = BufWriter::with_capacity(PIECE, file);
         file.write_all(b"assembly,outcome,least_um,greatest_um,proven\n")
-            .map_err(folder.failed(name))?;
+            .map_err(failed)?;
         Ok(RowsFile { folder, file })
     }
 
@@ -60,7 +76,10 @@ impl RowsFile {
     pub fn finish(mut self) -> Result<(), Error> {
         self.file.flush().map_err(Error::Printing)?;
         drop(self.file);
-        self.folder.write(&[]).map(|_| ())
+        match self.folder {
+            Some(folder) => folder.write(&[]).map(|_| ()),
+            None => Ok(()),
+        }
     }
 }
 

@@ -116,20 +116,25 @@ impl ToleranceFile {
         let own = measured.iter().find(same).map_or(own, |one| &one.spec);
         let teeth = gear.gear().basic_data().teeth();
         let radius = gear.gear().basic_data().reference_radius();
-        let offsets = |side: Side| (1..=teeth).map(move |tooth| gear.flank_offset(side, tooth));
-        let mean = |side: Side| offsets(side).sum::<f64>() / f64::from(teeth);
-        // Each tooth's thickness turns both flanks out alike: what is common to all is not in the pitch.
-        let thicker: f64 = Side::BOTH
-            .map(|side| side.sense() * radius * mean(side))
-            .iter()
-            .sum();
+        // Where teeth differ in thickness, each one's; what is left of its flanks is pitch. Elsewhere all of it is.
+        let scatters = self.population.scatters();
+        let stated = own.thickness.per_tooth_um.as_ref();
+        let differ =
+            scatters.of(member).per_tooth.is_some() || stated.is_some_and(|each| !each.is_empty());
+        let thicker = |tooth: u32| match differ {
+            true => {
+                let turned = Side::BOTH.map(|side| side.sense() * gear.flank_offset(side, tooth));
+                radius * turned.iter().sum::<f64>()
+            }
+            false => 0.0,
+        };
         let pitch = |own: Flank| -> Vec<f64> {
             let side = gear.face().seen_from_front(own);
-            let mean = mean(side);
-            let along = 1e3 * radius * gear.face().ascending();
-            offsets(side)
-                .map(|offset| along * (offset - mean))
-                .collect()
+            let along = 1e3 * gear.face().ascending();
+            let offset = |tooth: u32| {
+                radius * gear.flank_offset(side, tooth) - 0.5 * side.sense() * thicker(tooth)
+            };
+            (1..=teeth).map(|tooth| along * offset(tooth)).collect()
         };
         let (right, left) = (pitch(Flank::Right), pitch(Flank::Left));
         let deviates = right.iter().chain(&left).any(|um| *um != 0.0);
@@ -141,7 +146,8 @@ impl ToleranceFile {
                     base_thickness_mm: Some(Either::One(gear.gear().base_thickness())),
                     ..StatementSpec::default()
                 },
-                per_tooth_um: (thicker != 0.0).then(|| vec![1e3 * thicker; teeth as usize]),
+                per_tooth_um: differ
+                    .then(|| (1..=teeth).map(|tooth| 1e3 * thicker(tooth)).collect()),
                 ..ThicknessSpec::default()
             },
             runout: RunoutSpec {

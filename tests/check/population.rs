@@ -108,7 +108,7 @@ fn spread_of_thickness_is_the_closed_form() {
         (0.0, 0.02),
         (1.0, 0.028),
         (-1.0, 0.004),
-        (0.5, 0.024331050121192877),
+        (0.5, 0.02433105012119288),
     ] {
         let scatters = Scatters {
             thickness_correlation: correlation,
@@ -301,11 +301,8 @@ fn drawn_pitch_closes_and_has_its_standard_deviation() {
         }
     }
     // Of two independent flanks the mean has σ/√2.
-    let sigma = (squares / count as f64).sqrt() / (0.003 / 2f64.sqrt());
-    assert!(
-        (sigma - 1.0).abs() < 4.0 / (2.0 * count as f64).sqrt(),
-        "{sigma}"
-    );
+    let sigma = (squares / count).sqrt() / (0.003 / 2f64.sqrt());
+    assert!((sigma - 1.0).abs() < 4.0 / (2.0 * count).sqrt(), "{sigma}");
 }
 
 /// With play the least is that of the axes nearer by it, the greatest that of the axes farther apart.

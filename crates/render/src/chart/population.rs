@@ -10,6 +10,8 @@ use gearlash_files::tolerance::{Convergence, ToleranceResult};
 
 /// Bars of a histogram, at most.
 const BARS: i64 = 120;
+/// A line's name.
+const ROOTS: &str = "root sum of squares";
 /// Bins of the sums, µm.
 const BIN_UM: f64 = BIN_TENTHS_NM as f64 / TENTHS_NM_PER_MM * 1e3;
 
@@ -63,7 +65,7 @@ pub fn histogram(heading: &Heading, result: &ToleranceResult) -> Result<Chart, P
         lines.extend(limit.map(|mm| (1e3 * mm, format!("{name} {}", shortest(1e3 * mm)), top)));
     }
     if let Some([_, worst, roots]) = about.limit_cases {
-        for (case, name) in [(worst, "worst case"), (roots, "root sum of squares")] {
+        for (case, name) in [(worst, "worst case"), (roots, ROOTS)] {
             let at = if name == "worst case" { 0.93 } else { 0.86 };
             let case = case.into_iter().flatten();
             lines.extend(case.map(|mm| (1e3 * mm, name.to_owned(), at * top)));
@@ -79,7 +81,9 @@ pub fn histogram(heading: &Heading, result: &ToleranceResult) -> Result<Chart, P
             look: Look::Limit,
             width: 1.4,
         });
-        let (anchor, shift) = match at < middle {
+        // Beside the bars, not across them.
+        let inwards = name != ROOTS;
+        let (anchor, shift) = match (at < middle) == inwards {
             true => (Anchor::Start, 5.0),
             false => (Anchor::End, -5.0),
         };
@@ -177,19 +181,21 @@ pub fn contributions(heading: &Heading, found: &Contributions) -> Result<Chart, 
         [one.first, one.total].map(|index| 100.0 * (index.value + 2.0 * index.error))
     });
     let right = ends.fold(1.0, f64::max);
-    // Names stand in the plot, left of zero.
-    let x = [-0.62 * right, 1.12 * right];
+    let lows = each.iter().flat_map(|one| {
+        [one.first, one.total].map(|index| 100.0 * (index.value.max(0.0) - 2.0 * index.error))
+    });
+    let x = [lows.fold(0.0, f64::min), 1.05 * right];
     let mut marks = Vec::new();
     for (place, one) in each.iter().enumerate() {
         let middle = count - place as f64 - 0.5;
         for (index, look, at) in [
-            (one.total, Look::Right, middle + 0.2),
-            (one.first, Look::Left, middle - 0.2),
+            (one.total, Look::Right, middle + 0.04),
+            (one.first, Look::Left, middle - 0.24),
         ] {
             let percent = (100.0 * index.value).max(0.0);
             marks.push(Mark::Bar {
                 x: [0.0, percent],
-                y: [at - 0.16, at + 0.16],
+                y: [at - 0.12, at + 0.12],
                 look,
             });
             let error = 200.0 * index.error;
@@ -201,14 +207,14 @@ pub fn contributions(heading: &Heading, found: &Contributions) -> Result<Chart, 
             });
         }
         marks.push(Mark::Text {
-            at: [0.0, middle],
-            shift: [-8.0, 0.0],
+            at: [0.0, middle + 0.32],
+            shift: [4.0, 0.0],
             text: format!(
                 "{} {} %",
                 one.factor.name(),
                 fixed(100.0 * one.total.value, 1)
             ),
-            anchor: Anchor::End,
+            anchor: Anchor::Start,
         });
     }
     marks.push(Mark::Line {
@@ -232,7 +238,7 @@ pub fn contributions(heading: &Heading, found: &Contributions) -> Result<Chart, 
             bare: true,
             ..Axis::new("", [0.0, count])
         },
-        height: 70.0 + 44.0 * count,
+        height: 70.0 + 56.0 * count,
         marks,
     };
     sheet::draw(heading, "", &entries, &[panel])

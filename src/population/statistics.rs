@@ -190,6 +190,23 @@ mod tests {
         assert!(all.high == 1.0 && (all.low - 0.025f64.powf(0.01)).abs() < 1e-10);
     }
 
+    /// Of many the interval is k ± 1.96 √(k (1 − k/n)) + O(1) (normal approximation; Wilson's shift is below 4).
+    #[test]
+    fn intervals_of_the_largest_samples_hold_their_share() {
+        for n in [1_000_000u64, 1_000_000_000] {
+            for k in [1, 10, 1000, n / 1000, n / 2, n - 1000, n - 1] {
+                let share = Share::of(k, n);
+                assert!(share.low < share.share && share.share < share.high);
+                let (all, count) = (n as f64, k as f64);
+                let reach = 1.959964 * (count * (1.0 - count / all)).sqrt();
+                for end in [share.low, share.high] {
+                    let apart = ((end - share.share) * all).abs();
+                    assert!((apart - reach).abs() < 5.0, "{k} of {n}: {apart} {reach}");
+                }
+            }
+        }
+    }
+
     /// 1, 2, … 1000 µm: mean 500.5, n − 1 variance n (n + 1)/12, the median the 500th.
     #[test]
     fn moments_and_quantiles_of_whole_numbers() {

@@ -68,7 +68,7 @@ fn shard(text: &str) -> Result<[u64; 2], String> {
 }
 
 /// How often what is done is kept (tuned: a part takes some milliseconds to write).
-const KEPT_EVERY: Duration = Duration::from_secs(2);
+const KEPT_EVERY: Duration = Duration::from_secs(1);
 
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {

@@ -292,7 +292,8 @@ mod tests {
         ] {
             let scatter = Scatter::normal(2.0, 0.5).unwrap();
             assert!((scatter.at(p) - (2.0 + 0.5 * z)).abs() < 1e-12, "{p}");
-            assert!((normal_share(z) - p).abs() < 1e-14);
+            // The crate's error function is good to 1.4e-11 (seen here).
+            assert!((normal_share(z) - p).abs() < 1e-10);
         }
         assert_eq!(Scatter::uniform(-1.0, 3.0).unwrap().at(0.25), 0.0);
         let triangular = Scatter::triangular(0.0, 1.0, 4.0).unwrap();

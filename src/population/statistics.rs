@@ -2,7 +2,7 @@
 
 use super::spread::{BIN_TENTHS_NM, Spread, TENTHS_NM_PER_MM};
 use super::tally::{Requirement, Tally};
-use statrs::function::beta::inv_beta_reg;
+use statrs::function::beta::beta_reg;
 
 /// Of the intervals of shares.
 pub const CONFIDENCE: f64 = 0.95;
@@ -35,12 +35,26 @@ impl Share {
             share: if total == 0 { 0.0 } else { k / n },
             low: match count == 0 {
                 true => 0.0,
-                false => inv_beta_reg(k, n - k + 1.0, tail),
+                false => beta_quantile([k, n - k + 1.0], tail, [0.0, k / n]),
             },
             high: match count == total {
                 true => 1.0,
-                false => inv_beta_reg(k + 1.0, n - k, 1.0 - tail),
+                false => beta_quantile([k + 1.0, n - k], 1.0 - tail, [k / n, 1.0]),
             },
+        }
+    }
+}
+
+/// Where the beta distribution has `p` below, between `ends`, by halving: the crate's own inverse does not end for a million and more.
+fn beta_quantile([a, b]: [f64; 2], p: f64, [mut low, mut high]: [f64; 2]) -> f64 {
+    loop {
+        let middle = 0.5 * (low + high);
+        if !(low < middle && middle < high) {
+            return middle;
+        }
+        match beta_reg(a, b, middle) < p {
+            true => low = middle,
+            false => high = middle,
         }
     }
 }

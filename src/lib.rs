@@ -170,3 +170,4 @@ pub mod metrology;
 pub mod outline;
 pub mod pair;
 mod parallel;
+pub mod population;

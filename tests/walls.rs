@@ -106,6 +106,29 @@ fn measurements_know_one_gear_alone() {
     assert_eq!(that_name("metrology", &names), [""; 0]);
 }
 
+#[test]
+fn nothing_knows_a_population() {
+    let rooms = [
+        "gear",
+        "pair",
+        "metrology",
+        "outline",
+        "contact",
+        "analytic",
+        "analysis",
+        "gauge",
+    ];
+    for room in rooms {
+        assert_eq!(that_name(room, &["crate::population"]), [""; 0], "{room}");
+    }
+}
+
+#[test]
+fn a_population_knows_no_gauge_and_no_measurements() {
+    let names = ["crate::gauge", "crate::metrology", "crate::outline"];
+    assert_eq!(that_name("population", &names), [""; 0]);
+}
+
 /// That the test above can fail.
 #[test]
 fn an_import_is_found() {

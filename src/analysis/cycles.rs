@@ -191,6 +191,26 @@ pub(super) fn plans(study: &Study) -> Result<Vec<Planned>, Error> {
     Ok(plans)
 }
 
+/// The extremes of one pair over the mesh cycle on which the right flank of wheel tooth 1 meets that of pinion tooth `phase`, in brackets of
+/// about `width` mm: over all directions of a runout that has none.
+///
+/// # Errors
+/// As [`ExactKernel::extremes`].
+pub fn extremes_of_phase(assembly: &GearPair, phase: u32, width: f64) -> Result<Extremes, Error> {
+    let first = Mating {
+        wheel_tooth: 1,
+        pinion_tooth: phase,
+        flank: Side::Right,
+        fraction: 0.0,
+    };
+    let distinct = distinct(assembly);
+    let search = |pair: &GearPair| ExactKernel::new(pair).extremes(pair, first, distinct, width);
+    match is_open(assembly) {
+        true => Ok(directions::extremes(assembly, &search, width)?.found),
+        false => search(assembly),
+    }
+}
+
 /// The mating of wheel tooth 1 that names the assembly phase of `mating`.
 fn first_of_phase(assembly: &GearPair, mating: &Mating) -> Mating {
     Mating {

@@ -17,7 +17,7 @@ use crate::pair::GearPair;
 use crate::parallel;
 use std::ops::ControlFlow;
 
-pub use super::cycles::WIDTH;
+pub use super::cycles::{WIDTH, extremes_of_phase};
 
 /// One centre distance, material and assembly phase.
 #[derive(Debug, Clone)]

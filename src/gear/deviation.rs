@@ -1,10 +1,11 @@
 //! A gear as built: where every flank really sits, and the axis it turns about.
 
 mod profiles;
+mod varied;
 
 use super::modified_flanks::ModifiedHalves;
 use super::pitch::Pitch;
-use super::{Face, Flank, Gear, Modification, ProfilePart, Side};
+use super::{BasicGearData, Face, Flank, Gear, Modification, ProfilePart, Side};
 use crate::error::GearError;
 use nalgebra::{UnitComplex, Vector2};
 use profiles::modified;
@@ -26,6 +27,53 @@ pub struct Deviations {
     pub any_direction: bool,
     /// Profile deviation of the gear's own right flanks, and of its left ones.
     pub profiles: [Modification; 2],
+}
+
+impl Deviations {
+    /// `offsets` of the flanks on the right and on the left, and what thickness and pitch turn them beyond, rad, counter-clockwise.
+    fn offsets(
+        &self,
+        basic_data: &BasicGearData,
+        face: Face,
+        mut offsets: [Vec<f64>; 2],
+    ) -> Result<[Vec<f64>; 2], GearError> {
+        let teeth = basic_data.teeth();
+        let length = |what, list: &[f64]| match list.len() {
+            found if found == teeth as usize => Ok(()),
+            found => Err(GearError::WrongLength { what, found, teeth }),
+        };
+        let r = basic_data.reference_radius();
+        let of = |side: Side| usize::from(side == Side::Left);
+        if !self.per_tooth.is_empty() {
+            length("per_tooth", &self.per_tooth)?;
+            for side in Side::BOTH {
+                for (offset, thickness) in offsets[of(side)].iter_mut().zip(&self.per_tooth) {
+                    *offset += side.sense() * thickness / (2.0 * r);
+                }
+            }
+        }
+        if let Some(pitch) = &self.pitch {
+            for own in Flank::BOTH {
+                let curve = pitch.flank(own);
+                length("pitch", curve)?;
+                if let Some(&worst) = curve
+                    .iter()
+                    .find(|f| !(f.abs() < PI * basic_data.module() / 2.0))
+                {
+                    return Err(GearError::OutOfRange {
+                        what: "pitch deviation (mm)",
+                        value: worst,
+                        allowed: "less than half a pitch",
+                    });
+                }
+                let side = face.seen_from_front(own);
+                for (offset, f) in offsets[of(side)].iter_mut().zip(curve) {
+                    *offset += face.ascending() * f / r;
+                }
+            }
+        }
+        Ok(offsets)
+    }
 }
 
 /// A gear with every tooth where it was measured to be.
@@ -59,43 +107,9 @@ impl AsBuilt {
     /// on straight flanks or too large for any flank;
     /// deviations that leave a tooth without tip or a space without room.
     pub fn new(gear: Gear, face: Face, deviations: &Deviations) -> Result<AsBuilt, GearError> {
-        let basic_data = *gear.basic_data();
-        let teeth = basic_data.teeth();
-        let length = |what, list: &[f64]| match list.len() {
-            found if found == teeth as usize => Ok(()),
-            found => Err(GearError::WrongLength { what, found, teeth }),
-        };
-        let r = basic_data.reference_radius();
-        let mut offsets = Side::BOTH.map(|_| vec![0.0; teeth as usize]);
-        let of = |side: Side| usize::from(side == Side::Left);
-        if !deviations.per_tooth.is_empty() {
-            length("per_tooth", &deviations.per_tooth)?;
-            for side in Side::BOTH {
-                for (offset, thickness) in offsets[of(side)].iter_mut().zip(&deviations.per_tooth) {
-                    *offset += side.sense() * thickness / (2.0 * r);
-                }
-            }
-        }
-        if let Some(pitch) = &deviations.pitch {
-            for own in Flank::BOTH {
-                let curve = pitch.flank(own);
-                length("pitch", curve)?;
-                if let Some(&worst) = curve
-                    .iter()
-                    .find(|f| !(f.abs() < PI * basic_data.module() / 2.0))
-                {
-                    return Err(GearError::OutOfRange {
-                        what: "pitch deviation (mm)",
-                        value: worst,
-                        allowed: "less than half a pitch",
-                    });
-                }
-                let side = face.seen_from_front(own);
-                for (offset, f) in offsets[of(side)].iter_mut().zip(curve) {
-                    *offset += face.ascending() * f / r;
-                }
-            }
-        }
+        let teeth = gear.basic_data().teeth() as usize;
+        let offsets = Side::BOTH.map(|_| vec![0.0; teeth]);
+        let offsets = deviations.offsets(gear.basic_data(), face, offsets)?;
         let [right, left] = offsets.map(Arc::from);
         let as_built = AsBuilt {
             modified: modified(&gear, face, &deviations.profiles)?.map(Arc::new),
@@ -141,6 +155,17 @@ impl AsBuilt {
         };
         other.check_runout()?;
         Ok(other)
+    }
+
+    /// This gear with another runout: the eccentricity, mm, in a direction that is not known.
+    ///
+    /// # Errors
+    /// As [`AsBuilt::new`] of a runout.
+    pub fn with_runout_of_any_direction(&self, eccentricity: f64) -> Result<AsBuilt, GearError> {
+        Ok(AsBuilt {
+            any_direction: true,
+            ..self.with_runout(eccentricity, 1.0)?
+        })
     }
 
     /// This gear with its deviations `factor` times as large, for a picture: from the perfect gear of nominal

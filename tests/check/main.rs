@@ -8,6 +8,7 @@ mod distances;
 mod failed;
 mod onset;
 mod outlines;
+mod population;
 mod uncertainty;
 mod undercut;
 

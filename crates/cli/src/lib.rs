@@ -17,6 +17,7 @@ mod import;
 mod init;
 mod man;
 mod maps;
+mod merge;
 mod method;
 mod outline;
 mod outlines;
@@ -34,6 +35,7 @@ mod simulate;
 mod snapshot;
 mod studies;
 mod target;
+mod tolerance;
 mod unit;
 mod verdict;
 mod worst;
@@ -81,6 +83,8 @@ enum Command {
     Snapshot(snapshot::Args),
     Gauge(gauge::Args),
     Outline(outline::Args),
+    Tolerance(tolerance::Args),
+    Merge(merge::Args),
     Chart(chart::Args),
     Report(report::Args),
     Import(import::Args),
@@ -130,6 +134,8 @@ fn command(command: Command) -> Result<ExitCode, Error> {
         Command::Schema(args) => schema::run(&args),
         Command::Completions(args) => completions::run(&args),
         Command::Man(args) => man::run(&args),
+        Command::Tolerance(args) => tolerance::run(&args),
+        Command::Merge(args) => merge::run(&args),
         Command::Chart(args) => chart::run(&args),
         Command::Report(args) => report::run(&args),
     }

@@ -8,6 +8,15 @@ use super::console::tell;
 use super::progress;
 use crate::error::Error;
 use crate::output;
+use std::sync::{Mutex, PoisonError};
+
+/// What an interrupted command has kept, and how to go on.
+static HINT: Mutex<Option<String>> = Mutex::new(None);
+
+/// From here on an interrupted command has kept that, in words.
+pub(super) fn has_kept(hint: String) {
+    *HINT.lock().unwrap_or_else(PoisonError::into_inner) = Some(hint);
+}
 
 /// From here on a signal ends the process tidily, with 128 + its number as shells count.
 pub(super) fn handle() {
@@ -18,7 +27,9 @@ pub(super) fn handle() {
 fn end(code: i32) -> ! {
     progress::clear();
     let ended = output::abandon();
+    let hint = HINT.lock().unwrap_or_else(PoisonError::into_inner).take();
     tell(&match ended.written() {
+        _ if hint.is_some() => format!("error: interrupted; {}", hint.unwrap_or_default()),
         false => format!("error: {}", Error::INTERRUPTED),
         true => "error: interrupted; what had been written before is complete".to_owned(),
     });

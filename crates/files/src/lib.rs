@@ -69,6 +69,8 @@ mod sweep;
 mod table;
 mod temperature;
 mod thickness;
+pub mod tolerance;
+mod tolerance_table;
 mod uncertainty;
 pub mod verdict;
 

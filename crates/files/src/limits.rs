@@ -46,6 +46,44 @@ pub const REQUIRED_UM: Limits = Limits {
     range: (Included(-1e6), Included(1e6)),
     help: "give the limit in µm",
 };
+/// A length that scatters.
+pub const SCATTER: Limits = deviation("give it in µm");
+/// How far a length scatters.
+pub const SPREAD: Limits = Limits {
+    allowed: "a number of µm above 0 and up to 1e7",
+    range: (Excluded(0.0), Included(1e7)),
+    help: "give the standard deviation, or the scale, in µm",
+};
+/// `C_pk`.
+pub const CAPABILITY: Limits = Limits {
+    allowed: "a number above 0 and up to 100",
+    range: (Excluded(0.0), Included(100.0)),
+    help: "give the process capability: 1.33 is usual, 1 has limits of three standard deviations",
+};
+/// Of two thicknesses.
+pub const CORRELATION: Limits = Limits {
+    allowed: "a number, −1 … 1",
+    range: (Included(-1.0), Included(1.0)),
+    help: "give the correlation: 0 for none, 1 for gears of one batch",
+};
+/// A share of a million.
+pub const PPM: Limits = Limits {
+    allowed: "a number, 0 … 1e6",
+    range: (Included(0.0), Included(1e6)),
+    help: "give how many of a million assemblies may miss the requirement",
+};
+/// A share.
+pub const SHARE: Limits = Limits {
+    allowed: "a number, 0 … 1",
+    range: (Included(0.0), Included(1.0)),
+    help: "give the share of draws that may be of no gear: 0.001 is one of a thousand",
+};
+/// Assemblies drawn.
+pub const ASSEMBLIES: RangeInclusive<u32> = 1..=1_000_000_000;
+/// Of a population.
+pub const SEED: RangeInclusive<u32> = 0..=u32::MAX;
+/// Of the samples that contributions come from.
+pub const CONTRIBUTION_ROWS: RangeInclusive<u32> = 0..=10_000_000;
 /// A lost motion that is required.
 pub const REQUIRED_ARCMIN: Limits = Limits {
     allowed: "a number of minutes of arc, −10800 … 10800",

@@ -14,17 +14,18 @@ use super::read::PairFile;
 use super::require;
 use super::spec::{
     AccuracySpec, AssemblySpec, CenterDistanceSpec, CompareSpec, PairSpec, RequireSpec,
-    UncertaintySpec,
+    ToleranceSpec, UncertaintySpec,
 };
 use super::sweep::Sweep;
 use super::table::Table;
 use super::temperature::Temperature;
+use super::tolerance_table;
 use super::uncertainty;
 use gearlash::analysis::study::{Material, Study};
 use gearlash::gear::AsBuilt;
 use std::path::Path;
 
-const KEYS: &[&str] = &[
+pub const KEYS: &[&str] = &[
     "title",
     "wheel",
     "pinion",
@@ -35,6 +36,7 @@ const KEYS: &[&str] = &[
     "compare",
     "require",
     "uncertainty",
+    "tolerance",
 ];
 
 /// What is good of each table: `None` where something was wrong, `Some(None)` where nothing was asked for.
@@ -53,6 +55,7 @@ pub struct PairTables<'a> {
     /// `Some(None)`: nothing is required.
     require: Option<Option<RequireSpec>>,
     uncertainty: Option<Option<UncertaintySpec>>,
+    tolerance: Option<Option<ToleranceSpec>>,
 }
 
 impl<'a> PairTables<'a> {
@@ -92,6 +95,7 @@ impl<'a> PairTables<'a> {
             compare: options::compare(&table, problems),
             require: require::require(&table, problems),
             uncertainty: uncertainty::uncertainty(&table, problems),
+            tolerance: tolerance_table::tolerance(&table, problems),
             table,
             title,
             stem,
@@ -143,6 +147,7 @@ impl<'a> PairTables<'a> {
         let (locked, bearings) = (assembly.locked?, assembly.bearings?);
         let (measured, sweep, require) = (self.measured?, self.sweep?, self.require?);
         let uncertainty = self.uncertainty?;
+        let scatter = self.tolerance?;
         let (accuracy, compare, title) = (self.accuracy?, self.compare?, self.title?);
         warnings.extend(pair_slips::in_bearings(&bearings));
         warnings.extend(pair_slips::in_distances(
@@ -171,6 +176,7 @@ impl<'a> PairTables<'a> {
             compare,
             require,
             uncertainty,
+            tolerance: scatter,
         };
         let gears = materials.first();
         let uncertainty = uncertainty.zip(gears).map(|(stated, (_, wheel, pinion))| {

@@ -58,6 +58,11 @@ impl Place {
         path
     }
 
+    /// `others` were read as well.
+    pub fn read_too(&self, others: &Sources) {
+        self.read.borrow_mut().extend(others);
+    }
+
     /// Keeps in mind what was found of a file.
     pub fn tell(&self, remark: Option<String>) {
         self.remarks.borrow_mut().extend(remark);

@@ -33,12 +33,16 @@ mod pose_name;
 mod report;
 mod snapshot;
 pub mod text;
+mod tolerance;
 pub mod viewer;
 
 pub use chart::PictureError;
 pub use map::{map_picture, outline_map_picture};
-pub use report::{GearGrades, OutlineReport, Report, outline_report, report};
+pub use report::{
+    GearGrades, OutlineReport, Report, ToleranceReport, outline_report, report, tolerance_report,
+};
 pub use snapshot::{
     Snapshot, animation, exaggerated, outline_difference, outline_snapshot, snapshot,
 };
 pub use text::simulation as simulation_table;
+pub use tolerance::{Pictures, pictures as tolerance_pictures};

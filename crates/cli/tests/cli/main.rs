@@ -33,6 +33,7 @@ mod stated;
 mod step_summary;
 #[cfg(target_os = "linux")]
 mod terminal;
+mod tolerance;
 mod units;
 mod verdict;
 

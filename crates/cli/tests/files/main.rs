@@ -6,6 +6,7 @@ mod failures;
 mod inputs;
 mod kills;
 mod links;
+mod population;
 mod sets;
 mod signals;
 #[path = "../../../../tests/common/skip.rs"]

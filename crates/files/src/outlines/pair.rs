@@ -34,10 +34,11 @@ pub(super) const KEYS: &[&str] = &[
     "measured",
     "require",
     "uncertainty",
+    "tolerance",
 ];
 
 /// Tables that an outline has no use for, and why.
-const LEFT_OUT: [(&str, &str); 4] = [
+const LEFT_OUT: [(&str, &str); 5] = [
     (
         "accuracy",
         "cuts no polygons: its curves are searched as drawn",
@@ -45,6 +46,7 @@ const LEFT_OUT: [(&str, &str); 4] = [
     ("compare", "has no formula to compare with"),
     ("measured", "has no measured rows beside it yet"),
     ("uncertainty", "has no readings with an uncertainty"),
+    ("tolerance", "does not scatter yet"),
 ];
 
 /// Limits that an outline has no value for, and why.

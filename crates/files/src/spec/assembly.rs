@@ -77,6 +77,18 @@ impl CenterDistanceSpec {
         }
     }
 
+    /// The one distance that is stated, mm: the nominal one of a band; `None` of several.
+    pub fn nominal_mm(&self) -> Option<f64> {
+        match self {
+            CenterDistanceSpec::Distances(list) => match list[..] {
+                [only] => Some(only),
+                _ => None,
+            },
+            CenterDistanceSpec::Band(band) => Some(band.nominal_mm),
+            CenterDistanceSpec::Designated(stated) => Some(stated.band.nominal_mm),
+        }
+    }
+
     /// The least and the greatest distance of a band, mm.
     pub fn band_mm(&self) -> Option<[f64; 2]> {
         match self {

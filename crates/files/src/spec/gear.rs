@@ -5,6 +5,7 @@ use super::profile::ProfileSpec;
 use super::require::RequireSpec;
 use super::rules::{whole, within};
 use super::thickness::ThicknessSpec;
+use super::tolerance::ToleranceSpec;
 use super::uncertainty::UncertaintySpec;
 use super::value::Either;
 use super::{AccuracySpec, AssemblySpec, CompareSpec, MeasuredSpec, OutlineGearSpec, SweepSpec};
@@ -49,6 +50,9 @@ pub struct PairSpec {
     /// What the measurements may be off.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub uncertainty: Option<UncertaintySpec>,
+    /// How the numbers scatter from one assembly to the next: of gearlash tolerance.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tolerance: Option<ToleranceSpec>,
 }
 
 /// One spur gear and what was measured on it.

@@ -13,6 +13,7 @@ mod require;
 mod rules;
 mod schema;
 mod thickness;
+mod tolerance;
 mod uncertainty;
 mod value;
 
@@ -36,6 +37,10 @@ pub use schema::{gear_schema, pair_schema};
 pub(crate) use thickness::CROSS_CHECK_UM;
 pub use thickness::{
     CrossCheckSpec, LengthSpec, OverPinsSpec, SpanSpec, StatementSpec, ThicknessSpec,
+};
+pub(crate) use tolerance::{DEFAULT_ASSEMBLIES, DEFAULT_IMPOSSIBLE, DEFAULT_ROWS};
+pub use tolerance::{
+    GearToleranceSpec, PhaseName, PitchScatterSpec, ScatterName, ScatterSpec, ToleranceSpec,
 };
 pub use uncertainty::UncertaintySpec;
 pub use value::{AllowanceBandSpec, BandSpec, DecimalSign, Either, TableFileSpec};

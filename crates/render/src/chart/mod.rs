@@ -19,6 +19,7 @@ mod outlines;
 mod overplotting;
 mod paint;
 mod panel;
+pub(crate) mod population;
 mod profiles;
 mod revolution;
 mod sheet;

@@ -21,6 +21,7 @@ mod poses;
 mod results;
 mod shell;
 mod stated;
+mod tolerance;
 mod trust;
 mod unproven;
 mod verdict;
@@ -35,6 +36,7 @@ use shell::Shell;
 
 pub use outlines::{OutlineReport, outline_report};
 pub use page::{GearGrades, Report};
+pub use tolerance::{ToleranceReport, tolerance_report};
 
 /// The page of `report`, in UTF-8.
 ///

@@ -9,6 +9,7 @@ mod outlines;
 mod phases;
 pub mod rexs;
 mod simulation;
+mod tolerance;
 mod unit;
 mod verdict;
 
@@ -18,3 +19,4 @@ pub(crate) use layout::{Column, Table, where_it_is};
 pub use layout::{Screen, Tone};
 pub use outlines::text as outlines;
 pub use simulation::simulation;
+pub use tolerance::text as tolerance;

@@ -1,0 +1,95 @@
+//! What a whole run is told and written as, by the command that drew it and by the one that put its parts together.
+
+use crate::console::{print, print_note};
+use crate::date::today;
+use crate::error::Error;
+use crate::output::OutputFolder;
+use clap::ValueEnum;
+use gearlash_files::tolerance::{ToleranceResult, histogram_csv, worst_file};
+use gearlash_render::text::Screen;
+use gearlash_render::{ToleranceReport, tolerance_pictures, tolerance_report};
+use std::process::ExitCode;
+
+/// What an interrupted run has kept.
+pub(super) const PART: &str = "part.json";
+
+const HISTOGRAM: &str = "histogram.svg";
+const CONVERGENCE: &str = "convergence.svg";
+const CONTRIBUTIONS: &str = "contributions.svg";
+const FILES: [&str; 8] = [
+    PART,
+    "result.json",
+    "result.csv",
+    "histogram.csv",
+    HISTOGRAM,
+    CONVERGENCE,
+    CONTRIBUTIONS,
+    "index.html",
+];
+
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+pub(crate) enum Format {
+    /// A readable table
+    Text,
+    /// The whole result
+    Json,
+}
+
+/// Whether a run may write a file called `name`.
+pub(crate) fn is_own(name: &str) -> bool {
+    let worst = name
+        .strip_prefix("worst_")
+        .and_then(|name| name.strip_suffix(".toml"));
+    let worst = worst.is_some_and(|number| number.bytes().all(|byte| byte.is_ascii_digit()));
+    worst || FILES.contains(&name)
+}
+
+/// Prints `result` and writes it to `folder`.
+pub(crate) fn tell_result(
+    result: &ToleranceResult,
+    folder: OutputFolder,
+    format: Format,
+    screen: &Screen,
+) -> Result<ExitCode, Error> {
+    let date = today()?;
+    let pictures = tolerance_pictures(result)?;
+    let json = result.to_json();
+    let unwritable = |error: &dyn std::fmt::Display| {
+        Error::Usage(format!("the result cannot be written: {error}"))
+    };
+    let csv = result.to_csv().map_err(|error| unwritable(&error))?;
+    let page = tolerance_report(&ToleranceReport {
+        result,
+        pictures: &pictures,
+        date: &date,
+    });
+    let mut files = vec![
+        ("result.json".to_owned(), json.clone()),
+        ("result.csv".to_owned(), csv),
+        ("histogram.csv".to_owned(), histogram_csv(&result.part)),
+        ("index.html".to_owned(), page),
+        (CONVERGENCE.to_owned(), pictures.convergence),
+    ];
+    for (name, picture) in [
+        (HISTOGRAM, pictures.histogram),
+        (CONTRIBUTIONS, pictures.contributions),
+    ] {
+        files.extend(picture.map(|picture| (name.to_owned(), picture)));
+    }
+    for (index, worst) in result.part.worst.iter().enumerate() {
+        let (name, text) = worst_file(index, worst);
+        files.push((name, text.map_err(|error| unwritable(&error))?));
+    }
+    match format {
+        Format::Text => print(&gearlash_render::text::tolerance(result, screen))?,
+        Format::Json => print(&json)?,
+    }
+    let written = folder.write(&files)?;
+    if format == Format::Text {
+        print_note(&format!("\n{written}\n"))?;
+    }
+    Ok(match result.is_met() {
+        Some(false) => ExitCode::from(1),
+        _ => ExitCode::SUCCESS,
+    })
+}

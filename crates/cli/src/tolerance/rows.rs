@@ -1,0 +1,95 @@
+//! Each assembly of a run as a row of CSV.
+
+use crate::error::Error;
+use crate::output::{NewFile, OutputFolder};
+use gearlash::population::{Outcome, OutcomeKind};
+use gearlash_files::Sources;
+use gearlash_files::numbers::rounded;
+use std::io::{BufWriter, Write};
+use std::path::Path;
+
+/// Bytes written at a time (tuned).
+const PIECE: usize = 1 << 16;
+
+/// The rows so far; nobody sees them until all are there.
+pub(super) struct RowsFile {
+    /// Of its own; `None` where it goes to the folder of the results.
+    folder: Option<OutputFolder>,
+    file: BufWriter<NewFile>,
+}
+
+impl RowsFile {
+    /// Begins the file at `path`: in the folder of the `results`, or in one that no other run writes to.
+    pub fn begin(
+        path: &Path,
+        sources: &Sources,
+        results: Option<(&Path, &mut OutputFolder)>,
+    ) -> Result<RowsFile, Error> {
+        let name = path.file_name().and_then(|name| name.to_str());
+        let Some(name) = name.filter(|name| name.ends_with(".csv")) else {
+            return Err(Error::Usage(format!(
+                "--rows {}: rows are written as CSV; name a file that ends in .csv",
+                path.display()
+            )));
+        };
+        let parent = match path.parent() {
+            Some(folder) if !folder.as_os_str().is_empty() => folder,
+            _ => Path::new("."),
+        };
+        let real = |path: &Path| path.canonicalize().ok();
+        let (folder, file, failed) = match results {
+            Some((path, results)) if real(path).is_some() && real(path) == real(parent) => {
+                let file = results.create(name)?;
+                (None, file, results.failed(name))
+            }
+            _ => {
+                let own = name.to_owned();
+                let mut folder = OutputFolder::prepare(parent, sources, move |name| name == own)?;
+                let file = folder.create(name)?;
+                let failed = folder.failed(name);
+                (Some(folder), file, failed)
+            }
+        };
+        let mut file = BufWriter::with_capacity(PIECE, file);
+        file.write_all(b"assembly,outcome,least_um,greatest_um,proven\n")
+            .map_err(failed)?;
+        Ok(RowsFile { folder, file })
+    }
+
+    /// Adds a row each.
+    pub fn take(&mut self, each: &[(u64, Outcome)]) -> std::io::Result<()> {
+        let um = |mm: Option<f64>| mm.map_or(String::new(), |mm| rounded(1e3 * mm, 4).to_string());
+        for (number, outcome) in each {
+            writeln!(
+                self.file,
+                "{number},{},{},{},{}",
+                word(outcome.kind),
+                um(outcome.least),
+                um(outcome.greatest),
+                outcome.is_proven
+            )?;
+        }
+        Ok(())
+    }
+
+    /// Puts the file in its place.
+    pub fn finish(mut self) -> Result<(), Error> {
+        self.file.flush().map_err(Error::Printing)?;
+        drop(self.file);
+        match self.folder {
+            Some(folder) => folder.write(&[]).map(|_| ()),
+            None => Ok(()),
+        }
+    }
+}
+
+fn word(kind: OutcomeKind) -> &'static str {
+    match kind {
+        OutcomeKind::Clear => "clear",
+        OutcomeKind::Interference => "interference",
+        OutcomeKind::Jammed => "jammed",
+        OutcomeKind::OutOfMesh => "out_of_mesh",
+        OutcomeKind::Unproven => "unproven",
+        OutcomeKind::Impossible => "impossible",
+    }
+}

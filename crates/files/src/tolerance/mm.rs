@@ -1,0 +1,67 @@
+//! Distributions of a pair file as the library takes them.
+
+use crate::error::Problem;
+use crate::problems::Problems;
+use crate::spec::{ScatterName, ScatterSpec};
+use crate::table::Table;
+use gearlash::population::{Scatter, ScatterError};
+
+const MM: f64 = 1e-3;
+
+/// The distribution at `key` of the pair file, mm; limits that are not given are those of the `band`, mm, where there is one.
+pub fn scatter(
+    spec: &ScatterSpec,
+    band: Option<[f64; 2]>,
+    (file, key): (&Table, &str),
+    problems: &mut Problems,
+) -> Option<Scatter> {
+    let wrong = |reason: String, help: &str| -> Problem { file.problem(key, reason, help) };
+    let limits = match (spec.lower_um, spec.upper_um) {
+        (Some(low), Some(high)) => Some([low * MM, high * MM]),
+        _ => band,
+    };
+    let middle = |limits: [f64; 2]| 0.5 * (limits[0] + limits[1]);
+    let um = |value: Option<f64>| value.map(|um| um * MM);
+    let within = |of: &dyn Fn([f64; 2]) -> Result<Scatter, ScatterError>| limits.map(of);
+    let made = match spec.scatter {
+        ScatterName::Fixed => um(spec.value_um).map(Scatter::fixed),
+        ScatterName::Uniform => within(&|[low, high]| Scatter::uniform(low, high)),
+        ScatterName::Triangular => within(&|[low, high]| {
+            let mode = um(spec.mode_um).unwrap_or(middle([low, high]));
+            Scatter::triangular(low, mode, high)
+        }),
+        ScatterName::Normal => match um(spec.sigma_um) {
+            Some(sigma) => Some(Scatter::normal(um(spec.mean_um).unwrap_or(0.0), sigma)),
+            None => within(&|[low, high]| {
+                let mean = um(spec.mean_um).unwrap_or(middle([low, high]));
+                Scatter::normal_within(low, high, mean, spec.cpk.unwrap_or(1.0))
+            }),
+        },
+        ScatterName::Rayleigh => match (um(spec.scale_um), um(spec.upper_um)) {
+            (Some(scale), _) => Some(Scatter::rayleigh(scale)),
+            (None, Some(high)) => Some(Scatter::rayleigh_below(high)),
+            (None, None) => None,
+        },
+        ScatterName::Table => spec.values_um.as_ref().map(|values| {
+            let values: Vec<f64> = values.iter().map(|um| um * MM).collect();
+            Scatter::table(&values)
+        }),
+    };
+    let Some(made) = made else {
+        problems.add(wrong(
+            "has no limits, and the pair file states no band that they could be".to_owned(),
+            "give lower_um and upper_um",
+        ));
+        return None;
+    };
+    // The library speaks of mm: the numbers in the message would be those of another unit.
+    problems.keep(made.map_err(|error| {
+        let reason = match error {
+            ScatterError::Limits { .. } => "the lower limit lies above the upper one".to_owned(),
+            ScatterError::Outside { what, .. } => format!("{what} lies outside the limits"),
+            ScatterError::NotPositive { what, .. } => format!("{what} is not above 0"),
+            other => other.to_string(),
+        };
+        wrong(reason, "correct the numbers of this distribution")
+    }))
+}

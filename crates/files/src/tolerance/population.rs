@@ -1,0 +1,297 @@
+//! From a pair file with `[tolerance]` to a population.
+
+use super::gears::{MeasuredGear, gears};
+use super::mm::scatter;
+use crate::error::InputError;
+use crate::pair_file::{KEYS, PairTables};
+use crate::problems::Problems;
+use crate::read::PairFile;
+use crate::spec::{GearToleranceSpec, PhaseName, ScatterSpec, ToleranceSpec};
+use crate::table::Table;
+use crate::{outlines, with_entries};
+use gearlash::analysis::phases::phase;
+use gearlash::analysis::requirement::{Limits, Quantity};
+use gearlash::error::GearError;
+use gearlash::gear::{AsBuilt, Face, GradedQuantity, Side};
+use gearlash::pair::{GearPair, Mating, Member, SweepPlan};
+use gearlash::population::{
+    GearScatter, Population, PopulationError, Requirement, Scatter, Scatters,
+};
+use std::path::Path;
+
+/// A pair file with `[tolerance]`, understood.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ToleranceFile {
+    /// The pair.
+    pub pair: PairFile,
+    /// What it says of the population, defaults filled in.
+    pub tolerance: ToleranceSpec,
+    /// The population.
+    pub population: Population,
+    /// What each assembly must keep.
+    pub requirement: Requirement,
+    /// Tables of the gears that are drawn whole, of wheel and pinion.
+    pub(super) measured: [Vec<MeasuredGear>; 2],
+    /// What the user should know of it, beside the pair's warnings.
+    pub warnings: Vec<String>,
+}
+
+/// Reads the pair file at `path`, which has `[tolerance]`, with the gears that it names.
+///
+/// # Errors
+/// As [`crate::read`].
+pub fn read_tolerance(path: &Path) -> Result<ToleranceFile, InputError> {
+    with_entries(path, |path, place, entries, problems| {
+        if outlines::has_outline(entries) {
+            outlines::refused(path, place, entries, problems);
+            return None;
+        }
+        // Its unknown keys are told by the tables.
+        let file = Table::new("", place, entries, KEYS, &mut Problems::new());
+        let pair = PairTables::read(path, place, entries, problems).study(problems)?;
+        understood(pair, &file, problems)
+    })
+}
+
+fn understood(pair: PairFile, file: &Table, problems: &mut Problems) -> Option<ToleranceFile> {
+    let Some(tolerance) = pair.spec.tolerance.clone() else {
+        problems.add(file.problem(
+            "tolerance",
+            "missing: it says how the numbers of the pair scatter",
+            "add [tolerance], such as center_distance = { scatter = \"normal\", sigma_um = 5 }",
+        ));
+        return None;
+    };
+    let own = own_pair(&pair, file, problems);
+    let distance = pair.spec.assembly.center_distance_mm.nominal_mm();
+    let distance_band = pair.study.band.zip(distance);
+    let distance_band = distance_band.map(|(band, nominal)| band.map(|mm| mm - nominal));
+    let mut one = |spec: &Option<ScatterSpec>, key: &str, band| match spec {
+        Some(spec) => scatter(spec, band, (file, key), problems).map(Some),
+        None => Some(None),
+    };
+    let center_distance = one(
+        &tolerance.center_distance,
+        "tolerance.center_distance",
+        distance_band,
+    );
+    let bearing_play = one(&tolerance.bearing_play, "tolerance.bearing_play", None);
+    let wheel = gear(&tolerance.wheel, Member::Wheel, &pair, file, problems);
+    let pinion = gear(&tolerance.pinion, Member::Pinion, &pair, file, problems);
+    let ((wheel, wheels), (pinion, pinions)) = (wheel?, pinion?);
+    let scatters = Scatters {
+        wheel,
+        pinion,
+        center_distance: center_distance?,
+        bearing_play: bearing_play?,
+        phase: tolerance.phase == PhaseName::Any,
+        thickness_correlation: tolerance.thickness_correlation,
+    };
+    let own = own?;
+    let first = marked(&pair, &own);
+    let population = Population::new(own, scatters).map_err(|error| refused(file, &error));
+    let population = problems.keep(population)?;
+    let clearance = pair.study.bearing_clearance;
+    let (requirement, warnings) = requirement(&pair);
+    Some(ToleranceFile {
+        tolerance,
+        population: population
+            .with_bearing_clearance(clearance)
+            .with_phase(first),
+        requirement,
+        measured: [wheels, pinions],
+        warnings,
+        pair: PairFile {
+            sources: file.place().sources(),
+            ..pair
+        },
+    })
+}
+
+/// The pair about which the numbers scatter: the middle of thickness bands, the nominal centre distance.
+fn own_pair(pair: &PairFile, file: &Table, problems: &mut Problems) -> Option<GearPair> {
+    let spec = &pair.spec.assembly;
+    if spec.temperature_c.is_some_and(|celsius| celsius != 20.0) {
+        problems.add(file.problem(
+            "assembly.temperature_c",
+            "given together with tolerance, whose numbers are those of 20 °C",
+            "remove the temperature",
+        ));
+        return None;
+    }
+    let Some(distance) = spec.center_distance_mm.nominal_mm() else {
+        problems.add(file.problem(
+            "assembly.center_distance_mm",
+            "several distances, tolerance needs the one about which it scatters",
+            "give one, or { nominal_mm = …, tolerance_um = … }",
+        ));
+        return None;
+    };
+    let materials = &pair.study.materials;
+    let wheel = middle(materials.iter().map(|(_, wheel, _)| wheel));
+    let pinion = middle(materials.iter().map(|(_, _, pinion)| pinion));
+    let made =
+        wheel.and_then(|wheel| GearPair::with_locked(wheel, pinion?, distance, pair.study.locked));
+    let made = made.map_err(|error| {
+        let help = "correct the gears, or their distance";
+        file.problem("tolerance", error.to_string(), help)
+    });
+    problems.keep(made)
+}
+
+/// The gear in the middle of the thickest and the thinnest.
+pub(super) fn middle<'a>(gears: impl Iterator<Item = &'a AsBuilt>) -> Result<AsBuilt, GearError> {
+    let gears: Vec<&AsBuilt> = gears.collect();
+    let base = |gear: &AsBuilt| gear.gear().base_thickness();
+    let (first, rest) = gears.split_first().ok_or(GearError::ThicknessField)?;
+    let Some(last) = rest.last() else {
+        return Ok((*first).clone());
+    };
+    let cos = first.gear().basic_data().pressure_angle().cos();
+    let thicker = 0.5 * (base(last) - base(first)) / cos;
+    first.varied(thicker, &gearlash::gear::Deviations::default())
+}
+
+/// Half of what the thickness of a gear may be more than its middle, and less, mm at the reference circle.
+fn thickness_band(pair: &PairFile, member: Member) -> Option<[f64; 2]> {
+    let base = |(_, wheel, pinion): &(_, AsBuilt, AsBuilt)| match member {
+        Member::Wheel => wheel.gear().base_thickness(),
+        Member::Pinion => pinion.gear().base_thickness(),
+    };
+    let materials = &pair.study.materials;
+    let (_, gear, _) = materials.first()?;
+    let cos = gear.gear().basic_data().pressure_angle().cos();
+    let half = 0.5 * (base(materials.first()?) - base(materials.last()?)) / cos;
+    (half > 0.0).then_some([-half, half])
+}
+
+fn gear(
+    spec: &Option<GearToleranceSpec>,
+    member: Member,
+    pair: &PairFile,
+    file: &Table,
+    problems: &mut Problems,
+) -> Option<(GearScatter, Vec<MeasuredGear>)> {
+    let Some(spec) = spec else {
+        return Some((GearScatter::default(), Vec::new()));
+    };
+    let key = |name: &str| format!("tolerance.{}.{name}", member.name());
+    let mut one = |spec: &Option<ScatterSpec>, name: &str, band| -> Option<Option<Scatter>> {
+        match spec {
+            Some(spec) => scatter(spec, band, (file, &key(name)), problems).map(Some),
+            None => Some(None),
+        }
+    };
+    let thickness = one(&spec.thickness, "thickness", thickness_band(pair, member));
+    let runout = one(&spec.runout, "runout", None);
+    let per_tooth = one(&spec.per_tooth, "per_tooth", None);
+    let (_, wheel, pinion) = pair.study.materials.first()?;
+    let basic_data = match member {
+        Member::Wheel => wheel.gear().basic_data(),
+        Member::Pinion => pinion.gear().basic_data(),
+    };
+    let pitch = match spec.pitch {
+        None => Some(None),
+        Some(pitch) => match (pitch.sigma_um, pitch.grade) {
+            (Some(sigma), _) => Some(Some(1e-3 * sigma)),
+            (None, Some(grade)) => {
+                let found = GradedQuantity::SinglePitch.tolerance(basic_data, grade);
+                let help = "give sigma_um in place of the grade";
+                let found =
+                    found.map_err(|error| file.problem(&key("pitch"), error.to_string(), help));
+                problems.keep(found).map(|tolerance| Some(tolerance / 3.0))
+            }
+            (None, None) => Some(None),
+        },
+    };
+    let measured = match &spec.gears {
+        None => Some(Vec::new()),
+        Some(names) => gears(names, member, (file, &key("gears")), problems),
+    }?;
+    let face = face(pair, member);
+    let turned = |one: &MeasuredGear| one.gear.facing(face);
+    let whole = (!measured.is_empty()).then(|| measured.iter().map(turned).collect());
+    Some((
+        GearScatter {
+            thickness: thickness?,
+            runout: runout?,
+            pitch: pitch?,
+            per_tooth: per_tooth?,
+            gears: whole,
+        },
+        measured,
+    ))
+}
+
+fn face(pair: &PairFile, member: Member) -> Face {
+    match (pair.study.materials.first(), member) {
+        (Some((_, wheel, _)), Member::Wheel) => wheel.face(),
+        (Some((_, _, pinion)), Member::Pinion) => pinion.face(),
+        (None, _) => Face::Front,
+    }
+}
+
+/// A population that cannot be, at the key that it comes from.
+fn refused(file: &Table, error: &PopulationError) -> crate::error::Problem {
+    let (key, help) = match error {
+        PopulationError::Negative { what, .. } if what.contains("play") => (
+            "tolerance.bearing_play",
+            "take a distribution that ends at 0 or above",
+        ),
+        PopulationError::Negative { .. } => (
+            "tolerance",
+            "take a rayleigh distribution, or one that ends at 0 or above, for each runout",
+        ),
+        PopulationError::Correlation(_) | PopulationError::NothingToCorrelate => (
+            "tolerance.thickness_correlation",
+            "remove it, or give both gears a thickness",
+        ),
+        PopulationError::OtherGear { .. } => (
+            "tolerance",
+            "name gears with the teeth, module and pressure angle of the pair's",
+        ),
+        PopulationError::Nothing => (
+            "tolerance",
+            "give at least one distribution, such as center_distance = { scatter = \"normal\", sigma_um = 5 }",
+        ),
+        PopulationError::Pitch(_) | PopulationError::WholeGears => ("tolerance", "correct it"),
+    };
+    file.problem(key, error.to_string(), help)
+}
+
+/// What `[require]` says of `j_wt`, and a warning of what else it says.
+fn requirement(pair: &PairFile) -> (Requirement, Vec<String>) {
+    let requirements = &pair.study.requirements;
+    let of_backlash =
+        |(quantity, _): &&(Quantity, Limits)| *quantity == Quantity::OperatingBacklash;
+    let limits = requirements.iter().find(of_backlash);
+    let limits = limits.map_or(Limits::default(), |(_, limits)| *limits);
+    let others = requirements.iter().any(|one| !of_backlash(&one));
+    let warnings = others.then(|| {
+        "require: of each assembly only j_wt_um is looked at; gearlash check looks at the others"
+            .to_owned()
+    });
+    (
+        Requirement::new(limits.min, limits.max),
+        warnings.into_iter().collect(),
+    )
+}
+
+/// The pinion tooth that meets wheel tooth 1, of gears that are always put together as the sweep starts.
+fn marked(pair: &PairFile, own: &GearPair) -> u32 {
+    match pair.study.sweep {
+        Some(SweepPlan::Revolution {
+            start: (wheel_tooth, pinion_tooth),
+            ..
+        }) => phase(
+            own,
+            &Mating {
+                wheel_tooth,
+                pinion_tooth,
+                flank: Side::Right,
+                fraction: 0.0,
+            },
+        ),
+        _ => 1,
+    }
+}

@@ -1,0 +1,71 @@
+//! A run in one sentence: what a production manager and a designer ask.
+
+use super::result::ToleranceResult;
+use crate::numbers::{rounded, shortest};
+use gearlash::population::{Contributions, Share};
+
+/// What `result` says: what share misses the requirement, with its interval, and what most of the spread comes from.
+///
+/// "310 ppm below 40 µm [270, 354]; 71 % of the scatter from the centre distance"
+pub fn sentence(result: &ToleranceResult) -> String {
+    let (about, statistics) = (&result.part.about, &result.statistics);
+    let um = |mm: f64| shortest(rounded(1e3 * mm, 6));
+    let mut shares = Vec::new();
+    match about.min_mm {
+        Some(min) => shares.push(share(&statistics.below, &format!("below {} µm", um(min)))),
+        None => shares.push(share(&statistics.below, "do not assemble")),
+    }
+    if let Some(max) = about.max_mm {
+        shares.push(share(&statistics.above, &format!("above {} µm", um(max))));
+    }
+    let mut text = shares.join(", ");
+    // Of what is asked for: the least, or the greatest where that alone is limited.
+    let greatest = about.min_mm.is_none() && about.max_mm.is_some();
+    if let Some(most) = largest(&result.contributions[usize::from(greatest)]) {
+        text += &format!("; {most}");
+    }
+    let counts = &result.part.tally.counts;
+    for (count, what) in [
+        (counts.jammed, "jammed"),
+        (counts.out_of_mesh, "out of mesh"),
+        (counts.impossible, "of no gear"),
+        (counts.unproven, "without a result"),
+        (result.part.tally.doubtful, "in a wide bracket"),
+    ] {
+        if count > 0 {
+            text += &format!("; {count} {what}");
+        }
+    }
+    if let Some(met) = result.is_met() {
+        let most = about.max_ppm.unwrap_or_default();
+        text += match met {
+            true => "; meets",
+            false => "; does not meet",
+        };
+        text += &format!(" the {} ppm allowed", shortest(most));
+    }
+    text
+}
+
+/// "310 ppm below 40 µm [270, 354]".
+fn share(share: &Share, what: &str) -> String {
+    let [low, high] = [share.low, share.high].map(ppm);
+    format!("{} ppm {what} [{low}, {high}]", ppm(share.share))
+}
+
+/// Parts of a million, whole from ten on.
+pub(crate) fn ppm(share: f64) -> String {
+    let ppm = 1e6 * share;
+    shortest(rounded(ppm, if ppm < 10.0 { 1 } else { 0 }))
+}
+
+/// "71 % of the scatter from the centre distance".
+fn largest(found: &Contributions) -> Option<String> {
+    let each = found.each.iter();
+    let most = each.max_by(|a, b| a.total.value.total_cmp(&b.total.value))?;
+    let percent = (100.0 * most.total.value).round().clamp(0.0, 100.0);
+    Some(format!(
+        "{percent} % of the scatter from the {}",
+        most.factor.name()
+    ))
+}

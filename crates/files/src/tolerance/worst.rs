@@ -1,0 +1,172 @@
+//! One assembly of a population as a pair file.
+
+use super::population::ToleranceFile;
+use crate::spec::{
+    BearingClearanceSpec, CenterDistanceSpec, Either, FaceName, GearSpec, PairSpec, PitchAxis,
+    PitchKind, PitchSense, PitchSpec, Revolutions, RunoutSpec, StatementSpec, SweepSpec,
+    ThicknessSpec,
+};
+use gearlash::error::Error;
+use gearlash::gear::{AsBuilt, Flank, Side};
+use gearlash::pair::Member;
+use gearlash::population::{Assembly, Sample};
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+
+/// One of the worst assemblies of a part.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Worst {
+    /// Its number.
+    pub number: u64,
+    /// What it has left to the nearer limit, tenths of a nanometre; the least there is where it is jammed or out of mesh.
+    pub margin: i64,
+    /// Least `j_wt`, mm.
+    pub least_mm: Option<f64>,
+    /// Greatest `j_wt`, mm.
+    pub greatest_mm: Option<f64>,
+    /// The pair file that is it.
+    pub pair: Value,
+}
+
+impl Worst {
+    /// The pair file, as TOML.
+    ///
+    /// # Errors
+    /// A table that is none.
+    pub fn to_toml(&self) -> Result<String, toml::ser::Error> {
+        toml::to_string(&self.pair)
+    }
+}
+
+/// Name and text of the pair file of the worst assembly (`index` 0), of the one after it, ….
+pub fn worst_file(index: usize, worst: &Worst) -> (String, Result<String, toml::ser::Error>) {
+    (super::result::worst_name(index), worst.to_toml())
+}
+
+impl ToleranceFile {
+    /// Assembly `number` of `sample`, of which so much is left.
+    ///
+    /// # Errors
+    /// As [`Assembly::outcome`].
+    pub(super) fn worst(
+        &self,
+        sample: &Sample<'_>,
+        (margin, number): (i64, u64),
+    ) -> Result<Worst, Error> {
+        let assembly = self.population.assembly(sample.draw(number))?;
+        let found = assembly.outcome()?;
+        let title = format!(
+            "{}, assembly {number} of seed {}",
+            self.pair.spec.title, sample.seed
+        );
+        let spec = self.spec_of(&assembly, title);
+        Ok(Worst {
+            number,
+            margin,
+            least_mm: found.least,
+            greatest_mm: found.greatest,
+            // Plain structs with text keys: nothing of it can fail.
+            pair: serde_json::to_value(spec).unwrap_or_default(),
+        })
+    }
+
+    /// `assembly` as a pair file that says nothing of the population.
+    fn spec_of(&self, assembly: &Assembly, title: String) -> PairSpec {
+        let own = &self.pair.spec;
+        let pair = assembly.pair();
+        let bearings = own.assembly.bearing_clearance_mm;
+        let is_own = bearings.sum_mm() == assembly.clearance();
+        let mut spec = own.clone();
+        spec.title = title;
+        spec.wheel = self.gear_spec(pair.gear(Member::Wheel), Member::Wheel);
+        spec.pinion = self.gear_spec(pair.gear(Member::Pinion), Member::Pinion);
+        spec.assembly.center_distance_mm =
+            CenterDistanceSpec::Distances(vec![pair.center_distance()]);
+        if !is_own {
+            spec.assembly.bearing_clearance_mm = BearingClearanceSpec {
+                wheel: assembly.clearance(),
+                pinion: 0.0,
+            };
+        }
+        spec.sweep = Some(SweepSpec {
+            revolutions: Some(Revolutions::Wheel),
+            start: Some([1, assembly.phase()]),
+            ..SweepSpec::default()
+        });
+        (spec.measured, spec.uncertainty, spec.tolerance) = (None, None, None);
+        spec
+    }
+
+    /// `gear` as it is: the mean thickness that the tool cut, what each flank deviates, its runout.
+    fn gear_spec(&self, gear: &AsBuilt, member: Member) -> GearSpec {
+        let (own, measured) = match member {
+            Member::Wheel => (&self.pair.spec.wheel, &self.measured[0]),
+            Member::Pinion => (&self.pair.spec.pinion, &self.measured[1]),
+        };
+        // The whole gear that was drawn, by what no draw changes.
+        let same = |one: &&super::gears::MeasuredGear| {
+            let one = one.gear.facing(gear.face());
+            one.gear() == gear.gear()
+                && Side::BOTH.iter().all(|&side| {
+                    (1..=gear.gear().basic_data().teeth()).all(|tooth| {
+                        one.flank_offset(side, tooth) == gear.flank_offset(side, tooth)
+                    })
+                })
+        };
+        let own = measured.iter().find(same).map_or(own, |one| &one.spec);
+        let teeth = gear.gear().basic_data().teeth();
+        let radius = gear.gear().basic_data().reference_radius();
+        // Where teeth differ in thickness, each one's; what is left of its flanks is pitch. Elsewhere all of it is.
+        let scatters = self.population.scatters();
+        let stated = own.thickness.per_tooth_um.as_ref();
+        let differ =
+            scatters.of(member).per_tooth.is_some() || stated.is_some_and(|each| !each.is_empty());
+        let thicker = |tooth: u32| match differ {
+            true => {
+                let turned = Side::BOTH.map(|side| side.sense() * gear.flank_offset(side, tooth));
+                radius * turned.iter().sum::<f64>()
+            }
+            false => 0.0,
+        };
+        let pitch = |own: Flank| -> Vec<f64> {
+            let side = gear.face().seen_from_front(own);
+            let along = 1e3 * gear.face().ascending();
+            let offset = |tooth: u32| {
+                radius * gear.flank_offset(side, tooth) - 0.5 * side.sense() * thicker(tooth)
+            };
+            (1..=teeth).map(|tooth| along * offset(tooth)).collect()
+        };
+        let (right, left) = (pitch(Flank::Right), pitch(Flank::Left));
+        let deviates = right.iter().chain(&left).any(|um| *um != 0.0);
+        let eccentricity = gear.eccentricity();
+        GearSpec {
+            reference_face: FaceName::from(gear.face()),
+            thickness: ThicknessSpec {
+                statement: StatementSpec {
+                    base_thickness_mm: Some(Either::One(gear.gear().base_thickness())),
+                    ..StatementSpec::default()
+                },
+                per_tooth_um: differ
+                    .then(|| (1..=teeth).map(|tooth| 1e3 * thicker(tooth)).collect()),
+                ..ThicknessSpec::default()
+            },
+            runout: RunoutSpec {
+                total_um: 2e3 * eccentricity,
+                high_tooth: (eccentricity > 0.0).then(|| gear.high_tooth()),
+                ..RunoutSpec::default()
+            },
+            pitch: deviates.then_some(PitchSpec {
+                kind: PitchKind::Cumulative,
+                axis: PitchAxis::Own,
+                sense: PitchSense::Numbers,
+                right_um: Some(right),
+                left_um: Some(left),
+                left: None,
+                right: None,
+                eccentricity: None,
+                table: None,
+            }),
+            ..own.clone()
+        }
+    }
+}

@@ -1,0 +1,245 @@
+//! A population: histogram with limits, how its share came out, what contributes to its spread.
+
+use super::paint::Look;
+use super::panel::{Entry, Mark, Panel, Sample, range};
+use super::sheet::{self, Chart, Heading, PictureError};
+use crate::kit::{Anchor, Axis};
+use gearlash::population::{BIN_TENTHS_NM, Contributions, Spread, TENTHS_NM_PER_MM};
+use gearlash_files::numbers::{fixed, shortest};
+use gearlash_files::tolerance::{Convergence, ToleranceResult};
+
+/// Bars of a histogram, at most.
+const BARS: i64 = 120;
+/// A line's name.
+const ROOTS: &str = "root sum of squares";
+/// Bins of the sums, µm.
+const BIN_UM: f64 = BIN_TENTHS_NM as f64 / TENTHS_NM_PER_MM * 1e3;
+
+/// Least and greatest backlash over the population, with the limits required and the worst case.
+///
+/// # Errors
+/// [`PictureError`] where no assembly has a backlash.
+pub fn histogram(heading: &Heading, result: &ToleranceResult) -> Result<Chart, PictureError> {
+    let about = &result.part.about;
+    let tally = &result.part.tally;
+    let spreads = [
+        ("least of each assembly", &tally.least, Look::Right),
+        ("greatest", &tally.greatest, Look::Left),
+    ];
+    let ends = spreads.iter().flat_map(|(_, spread, _)| {
+        let bins = spread.histogram.keys();
+        [bins.clone().min().copied(), bins.max().copied()]
+    });
+    let ends: Vec<i64> = ends.flatten().collect();
+    let (Some(&low), Some(&high)) = (ends.iter().min(), ends.iter().max()) else {
+        return Err(PictureError("no assembly has a backlash".to_owned()));
+    };
+    // Whole bins a bar, a round number of them.
+    let least = (high - low) / BARS + 1;
+    let rounds = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10_000];
+    let width = rounds.into_iter().find(|width| *width >= least);
+    let width = width.unwrap_or(least);
+    let bars = |spread: &Spread| {
+        let mut bars = std::collections::BTreeMap::<i64, u64>::new();
+        for (bin, count) in &spread.histogram {
+            *bars.entry(bin.div_euclid(width)).or_default() += count;
+        }
+        bars
+    };
+    let um = |bar: i64| (bar * width) as f64 * BIN_UM;
+    let mut marks = Vec::new();
+    let mut most = 0;
+    for (_, spread, look) in spreads {
+        for (bar, count) in bars(spread) {
+            most = most.max(count);
+            marks.push(Mark::Bar {
+                x: [um(bar), um(bar + 1)],
+                y: [0.0, count as f64],
+                look,
+            });
+        }
+    }
+    let top = 1.18 * most as f64;
+    let mut lines: Vec<(f64, String, f64)> = Vec::new();
+    for (limit, name) in [(about.min_mm, "min"), (about.max_mm, "max")] {
+        lines.extend(limit.map(|mm| (1e3 * mm, format!("{name} {}", shortest(1e3 * mm)), top)));
+    }
+    if let Some([_, worst, roots]) = about.limit_cases {
+        for (case, name) in [(worst, "worst case"), (roots, ROOTS)] {
+            let at = if name == "worst case" { 0.93 } else { 0.86 };
+            let case = case.into_iter().flatten();
+            lines.extend(case.map(|mm| (1e3 * mm, name.to_owned(), at * top)));
+        }
+    }
+    let values = lines.iter().map(|line| line.0);
+    let values = values.chain([um(low.div_euclid(width)), um(high.div_euclid(width) + 1)]);
+    let x = range(values, [0.06; 2], BIN_UM).unwrap_or([0.0, 1.0]);
+    let middle = 0.5 * (x[0] + x[1]);
+    for (at, name, height) in lines {
+        marks.push(Mark::Line {
+            points: vec![(at, Some(0.0)), (at, Some(height))],
+            look: Look::Limit,
+            width: 1.4,
+        });
+        // Beside the bars, not across them.
+        let inwards = name != ROOTS;
+        let (anchor, shift) = match (at < middle) == inwards {
+            true => (Anchor::Start, 5.0),
+            false => (Anchor::End, -5.0),
+        };
+        marks.push(Mark::Text {
+            at: [at, height],
+            shift: [shift, 8.0],
+            text: name,
+            anchor,
+        });
+    }
+    let entries = spreads.map(|(name, _, look)| Entry {
+        name: name.to_owned(),
+        look,
+        sample: Sample::Bar,
+    });
+    let panel = Panel {
+        title: String::new(),
+        x: Axis::new("backlash j_wt over the whole mesh cycle, µm", x),
+        y: Axis::new(
+            &format!("assemblies in {} µm", shortest(width as f64 * BIN_UM)),
+            [0.0, top],
+        ),
+        height: 380.0,
+        marks,
+    };
+    sheet::draw(heading, "", &entries, &[panel])
+}
+
+/// The share that does not meet the requirement over the number of assemblies, with its interval.
+///
+/// # Errors
+/// [`PictureError`] without a point.
+pub fn convergence(heading: &Heading, course: &[Convergence]) -> Result<Chart, PictureError> {
+    let points = |of: fn(&Convergence) -> f64| -> Vec<(f64, Option<f64>)> {
+        let each = course.iter();
+        each.map(|point| (point.assemblies as f64, Some(1e6 * of(point))))
+            .collect()
+    };
+    let shares = points(|point| point.share.share);
+    // Of the first assemblies the interval is as wide as the picture would be.
+    let later = course.iter().skip(course.len() / 8);
+    let highs = later.map(|point| 1e6 * point.share.high);
+    let values = highs
+        .chain(shares.iter().filter_map(|point| point.1))
+        .chain([0.0]);
+    let y = range(values, [0.0, 0.08], 1.0);
+    let (Some(last), Some(y)) = (course.last(), y) else {
+        return Err(PictureError("there are no assemblies".to_owned()));
+    };
+    let clipped = |of: fn(&Convergence) -> f64| {
+        let each = points(of).into_iter();
+        each.map(|(x, value)| (x, value.map(|value| value.min(y[1]))))
+            .collect()
+    };
+    let marks = vec![
+        Mark::Band {
+            low: clipped(|point| point.share.low),
+            high: clipped(|point| point.share.high),
+            look: Look::Right,
+            opacity: 0.2,
+        },
+        Mark::Line {
+            points: shares,
+            look: Look::Right,
+            width: 1.8,
+        },
+    ];
+    let entries = [Entry {
+        name: "share so far, and its interval of 95 % (Clopper and Pearson)".to_owned(),
+        look: Look::Right,
+        sample: Sample::LineInBand(0.2),
+    }];
+    let panel = Panel {
+        title: String::new(),
+        x: Axis::new("assemblies drawn", [0.0, last.assemblies as f64]),
+        y: Axis::new("outside the requirement, ppm", y),
+        height: 320.0,
+        marks,
+    };
+    sheet::draw(heading, "", &entries, &[panel])
+}
+
+/// What each quantity contributes to the variance of an extreme: by itself, and with all it does together with others.
+///
+/// # Errors
+/// [`PictureError`] without a contribution.
+pub fn contributions(heading: &Heading, found: &Contributions) -> Result<Chart, PictureError> {
+    if found.each.is_empty() {
+        return Err(PictureError("no contributions were found".to_owned()));
+    }
+    let mut each: Vec<_> = found.each.iter().collect();
+    each.sort_by(|a, b| b.total.value.total_cmp(&a.total.value));
+    let count = each.len() as f64;
+    let ends = each.iter().flat_map(|one| {
+        [one.first, one.total].map(|index| 100.0 * (index.value + 2.0 * index.error))
+    });
+    let right = ends.fold(1.0, f64::max);
+    let lows = each.iter().flat_map(|one| {
+        [one.first, one.total].map(|index| 100.0 * (index.value.max(0.0) - 2.0 * index.error))
+    });
+    let x = [lows.fold(0.0, f64::min), 1.05 * right];
+    let mut marks = Vec::new();
+    for (place, one) in each.iter().enumerate() {
+        let middle = count - place as f64 - 0.5;
+        for (index, look, at) in [
+            (one.total, Look::Right, middle + 0.04),
+            (one.first, Look::Left, middle - 0.24),
+        ] {
+            let percent = (100.0 * index.value).max(0.0);
+            marks.push(Mark::Bar {
+                x: [0.0, percent],
+                y: [at - 0.12, at + 0.12],
+                look,
+            });
+            let error = 200.0 * index.error;
+            let ends = [percent - error, percent + error];
+            marks.push(Mark::Line {
+                points: ends.map(|x| (x, Some(at))).to_vec(),
+                look: Look::Plain,
+                width: 1.2,
+            });
+        }
+        marks.push(Mark::Text {
+            at: [0.0, middle + 0.32],
+            shift: [4.0, 0.0],
+            text: format!(
+                "{} {} %",
+                one.factor.name(),
+                fixed(100.0 * one.total.value, 1)
+            ),
+            anchor: Anchor::Start,
+        });
+    }
+    marks.push(Mark::Line {
+        points: vec![(0.0, Some(0.0)), (0.0, Some(count))],
+        look: Look::Plain,
+        width: 1.0,
+    });
+    let entries = [
+        ("with all that it does together with others", Look::Right),
+        ("by itself", Look::Left),
+    ];
+    let entries = entries.map(|(name, look)| Entry {
+        name: name.to_owned(),
+        look,
+        sample: Sample::Bar,
+    });
+    let panel = Panel {
+        title: String::new(),
+        x: Axis::new("share of the variance, %; lines: ± 2 standard errors", x),
+        y: Axis {
+            bare: true,
+            ..Axis::new("", [0.0, count])
+        },
+        height: 70.0 + 56.0 * count,
+        marks,
+    };
+    sheet::draw(heading, "", &entries, &[panel])
+}

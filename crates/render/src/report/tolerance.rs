@@ -1,0 +1,224 @@
+//! The page of a population of pairs.
+
+use super::marks::mark;
+use super::phrases::{j_wt, plain, with_symbols};
+use super::shell::Shell;
+use crate::tolerance::Pictures;
+use gearlash::analysis::diagnosis::Verdict;
+use gearlash::population::{
+    CONFIDENCE, Contributions, GROUPS, LIMIT_SIGMAS, PITCH_LIMIT_SIGMAS, QUANTILES,
+};
+use gearlash_files::numbers::{fixed, rounded, shortest, um};
+use gearlash_files::tolerance::{ToleranceResult, sentence};
+use maud::{Markup, PreEscaped, html};
+
+/// What a page of a population is of.
+#[derive(Debug, Clone, Copy)]
+pub struct ToleranceReport<'a> {
+    /// The run.
+    pub result: &'a ToleranceResult,
+    /// Its pictures.
+    pub pictures: &'a Pictures,
+    /// Day of the page, as it shall stand there.
+    pub date: &'a str,
+}
+
+/// The page of `report`, in UTF-8.
+pub fn tolerance_report(report: &ToleranceReport) -> String {
+    let sections = [
+        ("result", "Result"),
+        ("spread", "Spread"),
+        ("contributions", "Contributions"),
+        ("worst", "Worst assemblies"),
+        ("method", "Method"),
+    ];
+    let about = &report.result.part.about;
+    let main = html! {
+        (result(report))
+        (spread(report))
+        (contributions(report))
+        (worst(report.result))
+        (method(report.result))
+    };
+    let shell = Shell {
+        title: &about.title,
+        file: &about.title,
+        date: report.date,
+        sections: &sections,
+        same: "The same pair file, seed and version give the same numbers, on any number of machines.",
+    };
+    shell.page(&main)
+}
+
+fn picture(svg: &str) -> Markup {
+    html! { figure { (PreEscaped(svg)) } }
+}
+
+fn result(report: &ToleranceReport) -> Markup {
+    let result = report.result;
+    let head = &result.part.head;
+    let state = match result.is_met() {
+        Some(false) => Verdict::Fail,
+        _ => Verdict::Pass,
+    };
+    let answer = format!("{}.", sentence(result));
+    html! {
+        section id="result" {
+            @if result.is_met().is_some() {
+                div.verdict.(state.name()) {
+                    p.state { (mark(state)) }
+                    p.answer { (with_symbols(&answer)) }
+                }
+            } @else {
+                p.answer { strong { (with_symbols(&answer)) } }
+            }
+            p {
+                (head.assemblies) " assemblies of seed " (head.seed)
+                ", each over its whole mesh cycle and every rotation. In brackets the interval that holds the share of the whole population with "
+                (shortest(100.0 * CONFIDENCE)) " %."
+            }
+            @if let Some(svg) = &report.pictures.histogram { (picture(svg)) }
+            (picture(&report.pictures.convergence))
+        }
+    }
+}
+
+fn spread(report: &ToleranceReport) -> Markup {
+    let result = report.result;
+    let statistics = &result.statistics;
+    let both = [&statistics.least, &statistics.greatest];
+    let mut rows: Vec<(String, [Option<f64>; 2])> = vec![
+        ("mean".to_owned(), both.map(|one| one.mean)),
+        ("standard deviation".to_owned(), both.map(|one| one.sigma)),
+    ];
+    for (index, p) in QUANTILES.iter().enumerate() {
+        let name = format!("{} % below", rounded(100.0 * p, 3));
+        rows.push((name, both.map(|one| one.quantiles[index])));
+    }
+    rows.push((
+        "least drawn".to_owned(),
+        both.map(|one| one.least.map(|end| end.0)),
+    ));
+    rows.push((
+        "greatest drawn".to_owned(),
+        both.map(|one| one.greatest.map(|end| end.0)),
+    ));
+    if let Some([mean, worst, roots]) = result.part.about.limit_cases {
+        rows.push(("at the mean".to_owned(), mean));
+        rows.push(("root sum of squares".to_owned(), roots));
+        rows.push(("worst case".to_owned(), worst));
+    }
+    html! {
+        section id="spread" {
+            h2 { "Spread" }
+            table {
+                caption { "Circumferential backlash " (j_wt()) " over the mesh cycle, µm" }
+                thead { tr { th scope="col" { } th.n scope="col" { "least" } th.n scope="col" { "greatest" } } }
+                tbody { @for (name, each) in rows {
+                    tr { th scope="row" { (name) } @for mm in each { td.n { (um(mm, 2)) } } }
+                } }
+            }
+            @if statistics.cp.is_some() || statistics.cpk.is_some() {
+                p {
+                    @if let Some(cp) = statistics.cp { "Cp " (fixed(cp, 2)) " " }
+                    @if let Some(cpk) = statistics.cpk { "Cpk " (fixed(cpk, 2)) }
+                    ", if normal."
+                }
+            }
+        }
+    }
+}
+
+fn contributions(report: &ToleranceReport) -> Markup {
+    let ends = report
+        .result
+        .contributions
+        .iter()
+        .zip(["least", "greatest"]);
+    html! {
+        section id="contributions" {
+            h2 { "Contributions" }
+            @match &report.pictures.contributions {
+                Some(svg) => (picture(svg)),
+                None => p { "None were found: too few rows of the samples, or nothing varies." },
+            }
+            @for (found, end) in ends {
+                @if !found.each.is_empty() { (table(found, end)) }
+            }
+        }
+    }
+}
+
+fn table(found: &Contributions, end: &str) -> Markup {
+    let percent = |value: f64| fixed(100.0 * value, 1);
+    html! {
+        table {
+            caption {
+                "Share of the variance of the " (end) " backlash, %, with standard errors, of " (found.rows) " rows"
+                @if found.left_out > 0 { "; " (found.left_out) " rows without such a backlash are left out" }
+            }
+            thead { tr {
+                th scope="col" { }
+                th.n scope="col" { "by itself" } th.n scope="col" { "±" }
+                th.n scope="col" { "in all" } th.n scope="col" { "±" }
+            } }
+            tbody { @for one in &found.each { tr {
+                th scope="row" { (one.factor.name()) }
+                @for index in [one.first, one.total] {
+                    td.n { (percent(index.value)) } td.n { (percent(index.error)) }
+                }
+            } } }
+        }
+    }
+}
+
+fn worst(result: &ToleranceResult) -> Markup {
+    html! {
+        section id="worst" {
+            h2 { "Worst assemblies" }
+            p { "Each is a pair file beside this page, worst_01.toml and on: gearlash simulate finds the same." }
+            table {
+                thead { tr {
+                    th scope="col" { "assembly" } th.n scope="col" { "least µm" } th.n scope="col" { "greatest µm" }
+                } }
+                tbody { @for one in &result.part.worst { tr {
+                    th scope="row" { (one.number) }
+                    @for mm in [one.least_mm, one.greatest_mm] { td.n { (um(mm, 2)) } }
+                } } }
+            }
+        }
+    }
+}
+
+fn method(result: &ToleranceResult) -> Markup {
+    let about = &result.part.about;
+    let counts = &result.part.tally.counts;
+    html! {
+        section id="method" {
+            h2 { "Method" }
+            p { "What scatters: " (about.quantities.join(", ")) "." }
+            p {
+                "Each assembly is drawn by the seed and its number alone. Its least and greatest backlash are proven over every mating and rotation. "
+                (counts.clear) " assemblies are clear, " (counts.interference) " interfere, " (counts.jammed) " are jammed, "
+                (counts.out_of_mesh) " out of mesh, " (counts.unproven) " without a result; " (counts.impossible)
+                " draws are of no gear. None is left out of the shares."
+            }
+            p { "Intervals of shares: Clopper and Pearson. Quantiles: to 0.01 µm. Capability: what it says of shares holds of normal populations." }
+            @if about.limit_cases.is_some() {
+                p {
+                    "Worst case: every scatter at its limit. Without an end, and so cut at "
+                    (shortest(LIMIT_SIGMAS)) " standard deviations or at stated limits: "
+                    (if about.without_end.is_empty() { "none".to_owned() } else { plain(&about.without_end.join(", ")) })
+                    ". Pitch: flanks in contact " (shortest(PITCH_LIMIT_SIGMAS))
+                    " standard deviations of their cumulative deviation out. Root sum of squares: of what each changes alone."
+                }
+            } @else {
+                p { "No worst case: whole gears that were measured have no limits." }
+            }
+            p {
+                "Contributions: Sobol’ indices by the estimators of Saltelli et al. (2010), standard errors by the jackknife over "
+                (GROUPS) " groups of rows."
+            }
+        }
+    }
+}

@@ -1,0 +1,48 @@
+//! Pictures of a population.
+
+use crate::chart::{Chart, Heading, PictureError, population};
+use gearlash_files::tolerance::{ToleranceResult, convergence, sentence};
+
+/// Pictures of a run, each an SVG element.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Pictures {
+    /// Histogram with limits; `None` where no assembly has a backlash.
+    pub histogram: Option<String>,
+    /// The share outside the requirement over the number of assemblies.
+    pub convergence: String,
+    /// Contributions to what the requirement limits first; `None` where none were found.
+    pub contributions: Option<String>,
+}
+
+/// The pictures of `result`.
+///
+/// # Errors
+/// None for a run of at least one assembly.
+pub fn pictures(result: &ToleranceResult) -> Result<Pictures, PictureError> {
+    let about = &result.part.about;
+    let first = sentence(result);
+    let heading = |prefix| Heading {
+        prefix,
+        title: &about.title,
+        subtitle: &first,
+    };
+    let svg = |chart: Chart| chart.svg;
+    let greatest = about.min_mm.is_none() && about.max_mm.is_some();
+    let found = &result.contributions[usize::from(greatest)];
+    let of = ["least", "greatest"][usize::from(greatest)];
+    let subtitle = format!("What the spread of the {of} backlash comes from");
+    let contributions = Heading {
+        subtitle: &subtitle,
+        ..heading("contributions")
+    };
+    Ok(Pictures {
+        histogram: population::histogram(&heading("histogram"), result)
+            .ok()
+            .map(svg),
+        convergence: population::convergence(&heading("convergence"), &convergence(&result.part))
+            .map(svg)?,
+        contributions: population::contributions(&contributions, found)
+            .ok()
+            .map(svg),
+    })
+}

@@ -1,0 +1,139 @@
+//! One assembly of a population, and its extremes over the whole mesh cycle.
+
+use crate::analysis::extremes::{WIDTH, extremes_of_phase};
+use crate::contact::{Extremes, Status};
+use crate::error::Error;
+use crate::pair::GearPair;
+
+/// One pair as assembled.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Assembly {
+    pair: GearPair,
+    clearance: f64,
+    phase: u32,
+}
+
+/// How an assembly ends.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum OutcomeKind {
+    /// Some backlash at every pose.
+    Clear,
+    /// Less than none at a pose.
+    Interference,
+    /// A pose at which teeth stand across each other.
+    Jammed,
+    /// A pose at which nothing touches.
+    OutOfMesh,
+    /// No extreme was found.
+    Unproven,
+    /// The numbers drawn are of no gear, or of no pair.
+    Impossible,
+}
+
+/// The backlash of one assembly over its whole mesh cycle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Outcome {
+    /// How it ends.
+    pub kind: OutcomeKind,
+    /// Least `j_wt`, mm: no pose has less. `None` where a pose is jammed, or none was found.
+    pub least: Option<f64>,
+    /// Greatest `j_wt`, mm: no pose has more. `None` where a pose is out of mesh, or none was found.
+    pub greatest: Option<f64>,
+    /// Whether both are proven.
+    pub is_proven: bool,
+}
+
+impl Assembly {
+    pub(super) fn new(pair: GearPair, clearance: f64, phase: u32) -> Assembly {
+        Assembly {
+            pair,
+            clearance,
+            phase,
+        }
+    }
+
+    /// The pair.
+    pub fn pair(&self) -> &GearPair {
+        &self.pair
+    }
+
+    /// Radial play of both bearings together, mm.
+    pub fn clearance(&self) -> f64 {
+        self.clearance
+    }
+
+    /// The pinion tooth whose right flank meets that of wheel tooth 1.
+    pub fn phase(&self) -> u32 {
+        self.phase
+    }
+
+    /// Its extremes: with play in the bearings the least with the axes as near, the greatest with them as far apart as that allows.
+    ///
+    /// # Errors
+    /// What ends a calculation; a pose that fails is an outcome.
+    pub fn outcome(&self) -> Result<Outcome, Error> {
+        let at = |farther: f64| {
+            let pair = match farther == 0.0 {
+                true => self.pair.clone(),
+                false => self.pair.at(self.pair.center_distance() + farther)?,
+            };
+            extremes_of_phase(&pair, self.phase, WIDTH)
+        };
+        let found = match self.clearance > 0.0 {
+            false => at(0.0),
+            true => at(-self.clearance).and_then(|near| {
+                let far = at(self.clearance)?;
+                Ok(Extremes {
+                    status: worse(near.status, far.status),
+                    greatest: far.greatest,
+                    ..near
+                })
+            }),
+        };
+        match found {
+            Ok(found) => Ok(Outcome::of(&found)),
+            Err(Error::Gear(_)) => Ok(Outcome::without(OutcomeKind::Impossible)),
+            Err(error) if error.of_one_pose().is_some() => {
+                Ok(Outcome::without(OutcomeKind::Unproven))
+            }
+            Err(error) => Err(error),
+        }
+    }
+}
+
+/// Jammed where the axes are near, else out of mesh where they are far, else as where they are near.
+fn worse(near: Status, far: Status) -> Status {
+    match (near, far) {
+        (Status::Jammed, _) => Status::Jammed,
+        (_, Status::NoContact) => Status::NoContact,
+        _ => near,
+    }
+}
+
+impl Outcome {
+    /// Of numbers that nothing is found for.
+    pub(super) fn without(kind: OutcomeKind) -> Outcome {
+        Outcome {
+            kind,
+            least: None,
+            greatest: None,
+            is_proven: false,
+        }
+    }
+
+    fn of(found: &Extremes) -> Outcome {
+        let both = [found.least, found.greatest];
+        Outcome {
+            kind: match found.status {
+                Status::Clear => OutcomeKind::Clear,
+                Status::Interference => OutcomeKind::Interference,
+                Status::Jammed => OutcomeKind::Jammed,
+                Status::NoContact => OutcomeKind::OutOfMesh,
+                Status::Unproven => OutcomeKind::Unproven,
+            },
+            least: found.least.map(|least| least.low),
+            greatest: found.greatest.map(|greatest| greatest.high),
+            is_proven: both.iter().flatten().all(|extreme| extreme.is_proven()),
+        }
+    }
+}

@@ -1,0 +1,193 @@
+//! The worst case and the root sum of squares: what designers reckoned with before they drew.
+
+use super::assembly::Assembly;
+use super::members::{GearScatter, Population};
+use super::scatter::Scatter;
+use crate::error::{Error, GearError};
+use crate::gear::{AsBuilt, Deviations};
+use crate::pair::{GearPair, Member};
+
+/// How many standard deviations of a flank's cumulative pitch deviation the worst case takes.
+pub const PITCH_LIMIT_SIGMAS: f64 = 3.0;
+
+/// Least and greatest `j_wt`, mm, with every scatter at its limits, and by the root sum of squares. `None` where a pair there is jammed,
+/// out of mesh or none.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LimitCases {
+    /// With all at their mean, runout and pitch at 0.
+    pub mean: [Option<f64>; 2],
+    /// The least with all at their limits to one side, the greatest with all to the other.
+    pub worst: [Option<f64>; 2],
+    /// `j − √(Σ Δ_i²)` and `j + √(Σ Δ_i²)`: `Δ_i` what each alone changes of the mean's at the limit that changes it the more.
+    pub root_sum_of_squares: [Option<f64>; 2],
+}
+
+/// A quantity at a limit, all others at their mean.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Alone {
+    Thickness(Member),
+    Runout(Member),
+    Pitch(Member),
+    PerTooth(Member),
+    Distance,
+    Play,
+}
+
+const EACH: [Alone; 10] = [
+    Alone::Thickness(Member::Wheel),
+    Alone::Thickness(Member::Pinion),
+    Alone::Runout(Member::Wheel),
+    Alone::Runout(Member::Pinion),
+    Alone::Pitch(Member::Wheel),
+    Alone::Pitch(Member::Pinion),
+    Alone::PerTooth(Member::Wheel),
+    Alone::PerTooth(Member::Pinion),
+    Alone::Distance,
+    Alone::Play,
+];
+
+/// Towards less or more backlash.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Towards {
+    Less,
+    More,
+}
+
+/// Both, of `population`; `None` where whole gears are drawn, which have no limits.
+///
+/// Distributions without an end are cut at their limits ([`Scatter::limits`]). A runout is in its worst direction. Pitch is a list of
+/// numbers that close on the circle: the flanks in contact are taken [`PITCH_LIMIT_SIGMAS`] standard deviations of a cumulative
+/// deviation out, or in, on both sides of both gears. That of `z` closed single deviations of standard deviation `σ` about their own mean is
+///
+/// ```text
+/// σ_F² = (z + 1)/12 σ²
+/// ```
+///
+/// as `f_i = g_i − mean(g)` with `σ_g² = σ² z/(z − 1)` makes `F_i = Σ_j c(i − j) g_j`, `c(m) = (z − 1)/(2z) − m/z` at `m = 0 … z − 1`, and
+/// `Σ c² = (z² − 1)/(12 z)`.
+///
+/// # Errors
+/// As [`Assembly::outcome`].
+pub fn limit_cases(population: &Population) -> Result<Option<LimitCases>, Error> {
+    let scatters = population.scatters();
+    let members = [Member::Wheel, Member::Pinion];
+    if members
+        .iter()
+        .any(|&member| scatters.of(member).gears.is_some())
+    {
+        return Ok(None);
+    }
+    let both = |of: &dyn Fn(Alone) -> bool| {
+        let less = case(population, of, Towards::Less)?.0;
+        Ok::<_, Error>([less, case(population, of, Towards::More)?.1])
+    };
+    let mean = both(&|_| false)?;
+    let mut squares = [Some(0.0); 2];
+    let mut thickness = [[Some(0.0); 2]; 2];
+    for alone in EACH {
+        let moved = both(&|one| one == alone)?;
+        for end in 0..2 {
+            let change = moved[end].zip(mean[end]).map(|(moved, mean)| moved - mean);
+            if let Alone::Thickness(member) = alone {
+                thickness[usize::from(member == Member::Pinion)][end] = change;
+            }
+            squares[end] = squares[end]
+                .zip(change)
+                .map(|(sum, change)| sum + change * change);
+        }
+    }
+    // Of correlated quantities the squares of sums have 2 ρ Δ_1 Δ_2 as well.
+    let correlation = scatters.thickness_correlation;
+    let roots = [0, 1].map(|end| {
+        let product = thickness[0][end]
+            .zip(thickness[1][end])
+            .map(|(one, other)| one * other);
+        let sum = squares[end]
+            .zip(product)
+            .map(|(sum, product)| sum + 2.0 * correlation * product);
+        let sign = [-1.0, 1.0][end];
+        mean[end]
+            .zip(sum)
+            .map(|(mean, sum)| mean + sign * sum.max(0.0).sqrt())
+    });
+    Ok(Some(LimitCases {
+        mean,
+        worst: both(&|_| true)?,
+        root_sum_of_squares: roots,
+    }))
+}
+
+/// Least and greatest with the quantities that `at_limit` says at their limit, all else at its mean.
+fn case(
+    population: &Population,
+    at_limit: &dyn Fn(Alone) -> bool,
+    towards: Towards,
+) -> Result<(Option<f64>, Option<f64>), Error> {
+    let assembly = match assembly(population, at_limit, towards) {
+        Ok(assembly) => assembly,
+        // As a draw that is no gear: there is no such case.
+        Err(_) => return Ok((None, None)),
+    };
+    let found = assembly.outcome()?;
+    Ok((found.least, found.greatest))
+}
+
+fn assembly(
+    population: &Population,
+    at_limit: &dyn Fn(Alone) -> bool,
+    towards: Towards,
+) -> Result<Assembly, GearError> {
+    let (pair, scatters) = (population.pair(), population.scatters());
+    // More material is less backlash, more distance more of it.
+    let [less, more] = match towards {
+        Towards::Less => [1, 0],
+        Towards::More => [0, 1],
+    };
+    let of = |scatter: &Option<Scatter>, alone: Alone, side: usize| match scatter {
+        None => 0.0,
+        Some(scatter) if at_limit(alone) => scatter.limits()[side],
+        Some(scatter) => scatter.mean(),
+    };
+    let gear = |member: Member| {
+        let (own, scatter) = (pair.gear(member), scatters.of(member));
+        let thicker = of(&scatter.thickness, Alone::Thickness(member), less);
+        let each = of(&scatter.per_tooth, Alone::PerTooth(member), less);
+        let pitch = match at_limit(Alone::Pitch(member)) {
+            true => pitch_limit(scatter, own) * if towards == Towards::Less { 1.0 } else { -1.0 },
+            false => 0.0,
+        };
+        let teeth = own.gear().basic_data().teeth() as usize;
+        let further = Deviations {
+            per_tooth: match each + pitch == 0.0 {
+                true => Vec::new(),
+                false => vec![each + pitch; teeth],
+            },
+            ..Deviations::default()
+        };
+        let gear = own.varied(thicker, &further)?;
+        match &scatter.runout {
+            Some(runout) if at_limit(Alone::Runout(member)) => {
+                gear.with_runout_of_any_direction(0.5 * runout.limits()[1])
+            }
+            Some(_) => gear.with_runout(0.0, 1.0),
+            None => Ok(gear),
+        }
+    };
+    let farther = of(&scatters.center_distance, Alone::Distance, more);
+    let distance = pair.center_distance() + farther;
+    let (wheel, pinion) = (gear(Member::Wheel)?, gear(Member::Pinion)?);
+    let play = match &scatters.bearing_play {
+        Some(play) if at_limit(Alone::Play) => play.limits()[1],
+        Some(play) => play.mean(),
+        None => population.clearance(),
+    };
+    let pair = GearPair::with_locked(wheel, pinion, distance, pair.locked())?;
+    Ok(Assembly::new(pair, play, population.phase()))
+}
+
+/// What a tooth is thicker, mm, with both flanks at the limit of their cumulative pitch deviation.
+fn pitch_limit(scatter: &GearScatter, gear: &AsBuilt) -> f64 {
+    let z = f64::from(gear.gear().basic_data().teeth());
+    let sigma = scatter.pitch.unwrap_or(0.0) * ((z + 1.0) / 12.0).sqrt();
+    2.0 * PITCH_LIMIT_SIGMAS * sigma
+}

@@ -166,6 +166,8 @@ pub mod contact;
 pub mod error;
 pub mod gauge;
 pub mod gear;
+#[cfg(feature = "matching")]
+pub mod matching;
 pub mod metrology;
 pub mod outline;
 pub mod pair;

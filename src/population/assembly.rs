@@ -44,7 +44,7 @@ pub struct Outcome {
 }
 
 impl Assembly {
-    pub(super) fn new(pair: GearPair, clearance: f64, phase: u32) -> Assembly {
+    pub(crate) fn new(pair: GearPair, clearance: f64, phase: u32) -> Assembly {
         Assembly {
             pair,
             clearance,
@@ -111,6 +111,22 @@ fn worse(near: Status, far: Status) -> Status {
 }
 
 impl Outcome {
+    /// The same pair with its axes near, as here, or far, as in `far`: the least of the one, the greatest of the other.
+    #[cfg(feature = "matching")]
+    pub(crate) fn with_far(&self, far: &Outcome) -> Outcome {
+        let kind = match (self.kind, far.kind) {
+            (OutcomeKind::Jammed, _) => OutcomeKind::Jammed,
+            (_, OutcomeKind::OutOfMesh | OutcomeKind::Impossible) => far.kind,
+            (near, _) => near,
+        };
+        Outcome {
+            kind,
+            least: self.least,
+            greatest: far.greatest,
+            is_proven: self.is_proven && far.is_proven,
+        }
+    }
+
     /// Of numbers that nothing is found for.
     pub(super) fn without(kind: OutcomeKind) -> Outcome {
         Outcome {

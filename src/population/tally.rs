@@ -34,6 +34,12 @@ impl Requirement {
         self.max
     }
 
+    /// Whether `outcome` keeps it: of a pair that has both extremes.
+    pub fn is_met(&self, outcome: &Outcome) -> bool {
+        let is_found = outcome.least.is_some() && outcome.greatest.is_some();
+        is_found && !self.is_below(outcome) && !self.is_above(outcome)
+    }
+
     /// What the least is held against: nothing stated, no interference that is proven.
     fn lower(&self) -> f64 {
         self.min.unwrap_or(-WIDTH)

@@ -17,6 +17,7 @@ mod import;
 mod init;
 mod man;
 mod maps;
+mod matching;
 mod merge;
 mod method;
 mod outline;
@@ -85,6 +86,7 @@ enum Command {
     Outline(outline::Args),
     Tolerance(tolerance::Args),
     Merge(merge::Args),
+    Match(matching::Args),
     Chart(chart::Args),
     Report(report::Args),
     Import(import::Args),
@@ -136,6 +138,7 @@ fn command(command: Command) -> Result<ExitCode, Error> {
         Command::Man(args) => man::run(&args),
         Command::Tolerance(args) => tolerance::run(&args),
         Command::Merge(args) => merge::run(&args),
+        Command::Match(args) => matching::run(&args),
         Command::Chart(args) => chart::run(&args),
         Command::Report(args) => report::run(&args),
     }

@@ -38,6 +38,7 @@ mod gearbox_model;
 pub mod import;
 mod limits;
 mod location;
+pub mod matching;
 mod measured;
 mod measured_row;
 mod nearest;

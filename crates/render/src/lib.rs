@@ -29,6 +29,7 @@ pub mod gauge;
 mod junit;
 mod kit;
 mod map;
+mod match_map;
 mod pose_name;
 mod report;
 mod snapshot;
@@ -38,6 +39,7 @@ pub mod viewer;
 
 pub use chart::PictureError;
 pub use map::{map_picture, outline_map_picture};
+pub use match_map::match_map;
 pub use report::{
     GearGrades, OutlineReport, Report, ToleranceReport, outline_report, report, tolerance_report,
 };

@@ -21,13 +21,20 @@ fn words(text: &str) -> String {
 /// A folder with a copy of what the commands read.
 fn copy() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
-    fs::create_dir(folder.path().join("files")).unwrap();
-    for entry in fs::read_dir(docs().join("files")).unwrap() {
-        let from = entry.unwrap().path();
-        let to = folder.path().join("files").join(from.file_name().unwrap());
-        fs::copy(&from, to).unwrap();
-    }
+    copied(&docs().join("files"), &folder.path().join("files"));
     folder
+}
+
+fn copied(from: &Path, to: &Path) {
+    fs::create_dir(to).unwrap();
+    for entry in fs::read_dir(from).unwrap() {
+        let from = entry.unwrap().path();
+        let to = to.join(from.file_name().unwrap());
+        match from.is_dir() {
+            true => copied(&from, &to),
+            false => drop(fs::copy(&from, to).unwrap()),
+        }
+    }
 }
 
 /// Runs the commands of a page, each ending with `# exit N` where it is not 0; a block of text shows parts of what the last ones print, `…` for the rest.

@@ -12,6 +12,7 @@ mod docs;
 mod hostile;
 mod large;
 mod leaks;
+mod matching;
 mod outline;
 mod outlines;
 #[path = "../../../../tests/common/pair_86_21.rs"]

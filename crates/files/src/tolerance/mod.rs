@@ -10,6 +10,8 @@ mod run;
 mod sentence;
 mod worst;
 
+pub(crate) use population::{middle, requirement};
+
 pub use part::{About, Part, PartError, PartHead, Progress};
 pub use population::{ToleranceFile, read_tolerance};
 pub use result::{Convergence, ToleranceResult, convergence, histogram_csv};

@@ -140,7 +140,7 @@ fn own_pair(pair: &PairFile, file: &Table, problems: &mut Problems) -> Option<Ge
 }
 
 /// The gear in the middle of the thickest and the thinnest.
-pub(super) fn middle<'a>(gears: impl Iterator<Item = &'a AsBuilt>) -> Result<AsBuilt, GearError> {
+pub(crate) fn middle<'a>(gears: impl Iterator<Item = &'a AsBuilt>) -> Result<AsBuilt, GearError> {
     let gears: Vec<&AsBuilt> = gears.collect();
     let base = |gear: &AsBuilt| gear.gear().base_thickness();
     let (first, rest) = gears.split_first().ok_or(GearError::ThicknessField)?;
@@ -260,7 +260,7 @@ fn refused(file: &Table, error: &PopulationError) -> crate::error::Problem {
 }
 
 /// What `[require]` says of `j_wt`, and a warning of what else it says.
-fn requirement(pair: &PairFile) -> (Requirement, Vec<String>) {
+pub(crate) fn requirement(pair: &PairFile) -> (Requirement, Vec<String>) {
     let requirements = &pair.study.requirements;
     let of_backlash =
         |(quantity, _): &&(Quantity, Limits)| *quantity == Quantity::OperatingBacklash;

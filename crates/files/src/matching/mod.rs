@@ -1,0 +1,7 @@
+//! Selective assembly: folders of measured gears, and which go together.
+
+mod read;
+mod result;
+
+pub use read::{MatchFile, NamedGear, read_match};
+pub use result::{MatchResult, MatchedPair};

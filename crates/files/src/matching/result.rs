@@ -1,0 +1,215 @@
+//! Which gears go together: as a sentence, JSON and CSV.
+
+use super::read::MatchFile;
+use crate::characters;
+use crate::numbers::{fixed, rounded, shortest};
+use gearlash::matching::{Expected, Fit, Matrix};
+use gearlash::population::OutcomeKind;
+use serde_json::{Value, json};
+
+/// A pair that was made.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MatchedPair {
+    /// Name of the wheel.
+    pub wheel: String,
+    /// Name of the pinion.
+    pub pinion: String,
+    /// Its best phase: wheel tooth 1 meets this pinion tooth, right flanks.
+    pub fit: Fit,
+}
+
+/// What came of a matching.
+#[derive(Debug, Clone)]
+pub struct MatchResult {
+    /// Title of the pair file.
+    pub title: String,
+    /// Names of the wheels and of the pinions, in the matrix' order.
+    pub names: [Vec<String>; 2],
+    /// Every wheel with every pinion.
+    pub matrix: Matrix,
+    /// The pairs that were made, in the order of the wheels.
+    pub pairs: Vec<MatchedPair>,
+    /// The same by their places in the matrix.
+    pub places: Vec<(usize, usize)>,
+    /// Whether no other assignment is better.
+    pub is_best: bool,
+    /// Names of the wheels and of the pinions that are left over.
+    pub left_over: [Vec<String>; 2],
+    /// Gears taken as they come.
+    pub at_random: Expected,
+    /// Thickness classes, and how many of them do best.
+    pub by_classes: Option<(usize, Expected)>,
+    /// Least and greatest backlash allowed, and the wanted one, mm.
+    pub limits: [Option<f64>; 2],
+    /// Wanted, mm.
+    pub wanted: f64,
+}
+
+impl MatchResult {
+    /// The assignment of `matrix`, which is of `file`.
+    pub fn of(file: &MatchFile, matrix: Matrix) -> MatchResult {
+        let names = [&file.wheels, &file.pinions];
+        let names = names.map(|gears| gears.iter().map(|gear| gear.name.clone()).collect());
+        let names: [Vec<String>; 2] = names;
+        let assignment = matrix.assign();
+        let pairs = assignment.pairs.iter().filter_map(|&(wheel, pinion)| {
+            Some(MatchedPair {
+                wheel: names[0].get(wheel)?.clone(),
+                pinion: names[1].get(pinion)?.clone(),
+                fit: matrix.meeting(wheel, pinion)?.best,
+            })
+        });
+        let pairs = pairs.collect();
+        let taken = [
+            assignment
+                .pairs
+                .iter()
+                .map(|pair| pair.0)
+                .collect::<Vec<_>>(),
+            assignment
+                .pairs
+                .iter()
+                .map(|pair| pair.1)
+                .collect::<Vec<_>>(),
+        ];
+        let left_over = [0, 1].map(|kind| {
+            let each = names[kind].iter().enumerate();
+            let left = each.filter(|(place, _)| !taken[kind].contains(place));
+            left.map(|(_, name)| name.clone()).collect()
+        });
+        let requirement = file.requirement();
+        MatchResult {
+            title: file.pair.study.title.clone(),
+            at_random: matrix.at_random(),
+            by_classes: matrix.by_classes(),
+            limits: [requirement.min(), requirement.max()],
+            wanted: file.terms.wanted(),
+            is_best: assignment.is_best,
+            places: assignment.pairs,
+            names,
+            pairs,
+            left_over,
+            matrix,
+        }
+    }
+
+    /// Whether as many pairs were made as there are gears for.
+    pub fn is_complete(&self) -> bool {
+        self.pairs.len() == self.matrix.most()
+    }
+
+    /// "198 of 200 pairs keep least 40 µm; 171.3 are to be expected at random, 183.0 with 6 thickness classes"
+    pub fn sentence(&self) -> String {
+        let um = |mm: f64| shortest(rounded(1e3 * mm, 6));
+        let limits = match self.limits {
+            [Some(min), Some(max)] => format!("keep {} … {} µm", um(min), um(max)),
+            [Some(min), None] => format!("keep {} µm or more", um(min)),
+            [None, Some(max)] => format!("assemble with {} µm or less", um(max)),
+            [None, None] => "assemble".to_owned(),
+        };
+        let mut text = format!(
+            "{} of {} pairs {limits}; to be expected {} at random",
+            self.pairs.len(),
+            self.matrix.most(),
+            fixed(self.at_random.any_phase, 1)
+        );
+        if let Some((count, classes)) = self.by_classes.filter(|(count, _)| *count > 1) {
+            text += &format!(
+                ", {} with {count} thickness classes",
+                fixed(classes.any_phase, 1)
+            );
+        }
+        if !self.is_best {
+            text += "; nearest pairs first, so that another assignment may be better";
+        }
+        text
+    }
+
+    /// The whole result; lengths in µm.
+    pub fn to_json(&self) -> String {
+        let um = |mm: Option<f64>| mm.map(|mm| 1e3 * mm);
+        let expected = |expected: Expected| json!({ "any_phase": expected.any_phase, "best_phase": expected.best_phase });
+        let pairs: Vec<Value> = self
+            .pairs
+            .iter()
+            .map(|pair| {
+                json!({
+                    "wheel": pair.wheel,
+                    "pinion": pair.pinion,
+                    "wheel_tooth": 1,
+                    "pinion_tooth": pair.fit.pinion_tooth,
+                    "least_um": um(pair.fit.outcome.least),
+                    "greatest_um": um(pair.fit.outcome.greatest),
+                })
+            })
+            .collect();
+        let all = json!({
+            "gearlash": env!("CARGO_PKG_VERSION"),
+            "title": self.title,
+            "text": self.sentence(),
+            "require_um": { "min": um(self.limits[0]), "max": um(self.limits[1]) },
+            "wanted_um": 1e3 * self.wanted,
+            "phases": self.matrix.phases(),
+            "pairs": pairs,
+            "best": self.is_best,
+            "left_over": { "wheels": self.left_over[0], "pinions": self.left_over[1] },
+            "expected_pairs": {
+                "random": expected(self.at_random),
+                "thickness_classes": self.by_classes.map(|(count, classes)| json!({
+                    "classes": count, "any_phase": classes.any_phase, "best_phase": classes.best_phase,
+                })),
+            },
+        });
+        characters::json(format!("{all:#}")) + "\n"
+    }
+
+    /// Every wheel with every pinion in its best phase, a row each.
+    ///
+    /// # Errors
+    /// None that a result can cause; the writer's otherwise.
+    pub fn matrix_csv(&self) -> Result<String, csv::Error> {
+        let mut writer = csv::Writer::from_writer(Vec::new());
+        writer.write_record([
+            "wheel",
+            "pinion",
+            "pinion_tooth",
+            "least_um",
+            "greatest_um",
+            "status",
+            "phases_meeting",
+            "assigned",
+        ])?;
+        let um = |mm: Option<f64>| mm.map_or(String::new(), |mm| shortest(1e3 * mm));
+        for (wheel, wheel_name) in self.names[0].iter().enumerate() {
+            for (pinion, pinion_name) in self.names[1].iter().enumerate() {
+                let Some(meeting) = self.matrix.meeting(wheel, pinion) else {
+                    continue;
+                };
+                let outcome = meeting.best.outcome;
+                writer.write_record([
+                    wheel_name.clone(),
+                    pinion_name.clone(),
+                    meeting.best.pinion_tooth.to_string(),
+                    um(outcome.least),
+                    um(outcome.greatest),
+                    status(outcome.kind).to_owned(),
+                    meeting.meeting.to_string(),
+                    u8::from(self.places.binary_search(&(wheel, pinion)).is_ok()).to_string(),
+                ])?;
+            }
+        }
+        let bytes = writer.into_inner().map_err(|error| error.into_error())?;
+        Ok(String::from_utf8_lossy(&bytes).into_owned())
+    }
+}
+
+fn status(kind: OutcomeKind) -> &'static str {
+    match kind {
+        OutcomeKind::Clear => "clear",
+        OutcomeKind::Interference => "interference",
+        OutcomeKind::Jammed => "jammed",
+        OutcomeKind::OutOfMesh => "no_contact",
+        OutcomeKind::Unproven => "unproven",
+        OutcomeKind::Impossible => "impossible",
+    }
+}

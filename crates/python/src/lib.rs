@@ -13,6 +13,7 @@ mod gauge;
 mod gear;
 mod pair;
 mod pictures;
+mod population;
 mod poses;
 
 use pyo3::prelude::*;
@@ -31,6 +32,9 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(extremes::extremes, module)?)?;
     module.add_function(wrap_pyfunction!(extremes::check, module)?)?;
     module.add_function(wrap_pyfunction!(gauge::gauge, module)?)?;
+    module.add_function(wrap_pyfunction!(population::tolerance_part, module)?)?;
+    module.add_function(wrap_pyfunction!(population::tolerance_result, module)?)?;
+    module.add_function(wrap_pyfunction!(population::matched, module)?)?;
     module.add_function(wrap_pyfunction!(pictures::snapshot, module)?)?;
     module.add_function(wrap_pyfunction!(pictures::over_teeth, module)?)?;
     module.add_function(wrap_pyfunction!(pictures::over_distance, module)?)?;

@@ -18,6 +18,7 @@ from gearlash._gauged import Gauged
 from gearlash._gear import Gear
 from gearlash._pair import Pair, read
 from gearlash._picture import Picture
+from gearlash._population import Matched, MatchedPair, Share, Tolerance, match, tolerance
 from gearlash._poses import Contact, Flank, Pose, Poses, Status
 
 __all__ = [
@@ -32,13 +33,19 @@ __all__ = [
     "GearlashError",
     "GearlashWarning",
     "InputError",
+    "Matched",
+    "MatchedPair",
     "Pair",
     "Picture",
     "Pose",
     "Poses",
     "Problem",
     "RunExtremes",
+    "Share",
     "Status",
+    "Tolerance",
     "__version__",
+    "match",
     "read",
+    "tolerance",
 ]

@@ -66,6 +66,21 @@ def revolution(
 ) -> dict[str, Any]: ...
 def extremes(pair: Pair, threads: int | None = None) -> str: ...
 def check(pair: Pair, threads: int | None = None) -> str: ...
+def tolerance_part(
+    path: str,
+    assemblies: int | None,
+    seed: int | None,
+    shard: tuple[int, int],
+    threads: int | None = None,
+) -> str: ...
+def tolerance_result(parts: list[str]) -> str: ...
+def match(
+    path: str,
+    wheels: str,
+    pinions: str,
+    target_um: float | None = None,
+    threads: int | None = None,
+) -> str: ...
 def gauge(
     gear: Gear,
     sizes: tuple[int | None, float | None, float | None, int | None, int],

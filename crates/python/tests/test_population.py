@@ -1,0 +1,125 @@
+"""Populations and matchings: the command's own numbers, and the same bytes on a cluster."""
+
+import json
+import os
+import signal
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import gearlash
+import gearlash.dask
+import pytest
+from conftest import command
+
+DOCS = Path(__file__).parents[3] / "docs" / "files"
+
+distributed = pytest.importorskip("distributed")
+
+
+@pytest.fixture(scope="module")
+def pair(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The page's pair, with few rows for the contributions: they take most of the time."""
+    text = (DOCS / "tolerances.toml").read_text(encoding="utf-8")
+    file = tmp_path_factory.mktemp("pair") / "pair.toml"
+    short = text.replace("[tolerance]", "[tolerance]\ncontribution_rows = 32", 1)
+    file.write_text(short, encoding="utf-8")
+    return file
+
+
+@pytest.fixture(scope="module")
+def whole(pair: Path, tmp_path_factory: pytest.TempPathFactory) -> dict[str, object]:
+    """What the command finds, 600 assemblies."""
+    folder = tmp_path_factory.mktemp("whole")
+    command("tolerance", pair, "--assemblies", 600, "-o", folder, "-q")
+    found: dict[str, object] = json.loads((folder / "result.json").read_text(encoding="utf-8"))
+    return found
+
+
+def test_the_population_is_the_commands(pair: Path, whole: dict[str, object]) -> None:
+    found = gearlash.tolerance(pair, assemblies=600)
+    assert found.record == whole
+    assert found.assemblies == 600
+    assert found.below.low_ppm <= found.below.ppm <= found.below.high_ppm
+    assert found.sentence in repr(found)
+
+
+def test_another_seed_draws_others(pair: Path, whole: dict[str, object]) -> None:
+    assert gearlash.tolerance(pair, assemblies=600, seed=99).record["least"] != whole["least"]
+
+
+def test_errors_are_exceptions(pair: Path, tmp_path: Path) -> None:
+    file = tmp_path / "none.toml"
+    file.write_text(pair.read_text(encoding="utf-8").split("[tolerance]")[0], encoding="utf-8")
+    with pytest.raises(gearlash.InputError, match="tolerance: missing"):
+        gearlash.tolerance(file)
+    with pytest.raises(gearlash.GearlashError, match="0 assemblies"):
+        gearlash.tolerance(pair, assemblies=0)
+
+
+def local_cluster(processes: bool) -> Any:
+    """Two workers of this machine, none of whose ports is open to others."""
+    inside = {"host": "127.0.0.1"} if processes else {"protocol": "inproc"}
+    return distributed.LocalCluster(
+        n_workers=2,
+        threads_per_worker=1,
+        processes=processes,
+        dashboard_address="127.0.0.1:0",
+        **inside,
+    )
+
+
+@pytest.fixture(scope="module", params=[False, True], ids=["threads", "processes"])
+def cluster(request: pytest.FixtureRequest) -> Iterator[object]:
+    with local_cluster(request.param) as cluster, distributed.Client(cluster) as client:
+        yield client
+
+
+@pytest.mark.parametrize("shards", [1, 7])
+def test_a_cluster_comes_to_the_same(
+    cluster: object, pair: Path, whole: dict[str, object], shards: int
+) -> None:
+    found = gearlash.dask.tolerance(cluster, pair, shards=shards, assemblies=600)
+    assert json.dumps(found.record) == json.dumps(whole)
+
+
+def test_a_killed_worker_changes_nothing(pair: Path, whole: dict[str, object]) -> None:
+    with local_cluster(True) as cluster, distributed.Client(cluster) as client:
+        victim = next(iter(client.run(os.getpid).values()))
+        # Its first part kills the worker's process, once: the file says that it has been done.
+        mark = os.path.join(client.run(os.getcwd).popitem()[1], f"gearlash-killed-{os.getpid()}")
+
+        def deadly(shard: int) -> str:
+            if os.getpid() == victim and not os.path.exists(mark):
+                Path(mark).touch()
+                os.kill(victim, signal.SIGKILL)
+            return gearlash.dask._part(os.fspath(pair), 600, None, (shard, 8), 1)
+
+        try:
+            parts = client.gather(client.map(deadly, range(1, 9), pure=False))
+            assert os.path.exists(mark)
+        finally:
+            Path(mark).unlink(missing_ok=True)
+    found = json.loads(gearlash._core.tolerance_result(parts))
+    assert json.dumps(found) == json.dumps(whole)
+
+
+def test_gears_are_matched_as_by_the_command(cluster: object, tmp_path: Path) -> None:
+    folders = (DOCS / "wheels", DOCS / "pinions")
+    file = DOCS / "matching.toml"
+    found = gearlash.match(file, *folders)
+    words = ("match", file, "--wheels", folders[0], "--pinions", folders[1], "-o", tmp_path / "out")
+    assert found.record == json.loads(command(*words, "--format", "json"))
+    assert len(found.pairs) == 6 and all(pair.least_um >= 80 for pair in found.pairs)
+    assert gearlash.dask.match(cluster, file, *folders).record == found.record
+
+
+def test_parts_of_another_run_are_named(pair: Path) -> None:
+    part = gearlash.dask._part(os.fspath(pair), 20, None, (1, 2), None)
+    other = gearlash.dask._part(os.fspath(pair), 20, 5, (2, 2), None)
+    with pytest.raises(gearlash.GearlashError, match="is of another run"):
+        gearlash._core.tolerance_result([part, other])
+    with pytest.raises(gearlash.GearlashError, match="missing: 2"):
+        gearlash._core.tolerance_result([part])
+    with pytest.raises(gearlash.GearlashError, match="name each part once"):
+        gearlash._core.tolerance_result([part, part])

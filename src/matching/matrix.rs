@@ -25,7 +25,7 @@ pub struct Terms {
     pub locked: Member,
     /// What each pair must keep over its whole mesh cycle.
     pub requirement: Requirement,
-    /// The backlash that is wanted in the middle between a pair's least and greatest, mm; `None`: the middle of what is required, or its one
+    /// The backlash from which that of a pair is to stray least over its mesh cycle, mm; `None`: the middle of what is required, or its one
     /// limit.
     pub target: Option<f64>,
 }
@@ -53,7 +53,7 @@ pub struct Fit {
     pub outcome: Outcome,
     /// Whether it is within what is required, and proven.
     pub meets: bool,
-    /// How far the middle of its backlash lies from what is wanted, mm; infinite without backlash.
+    /// How far its backlash strays from what is wanted over the mesh cycle, mm; infinite without backlash.
     pub off: f64,
 }
 
@@ -177,7 +177,7 @@ impl Meeting {
 }
 
 impl Fit {
-    /// How far the middle lies from what is wanted, in widths of the brackets: what is nearer is alike. Those above [`FARTHEST`] are, too.
+    /// How far its backlash strays from what is wanted, in widths of the brackets: what is nearer is alike. Those above [`FARTHEST`] are, too.
     pub(super) fn steps(&self) -> i64 {
         (self.off.min(FARTHEST) / WIDTH).round() as i64
     }
@@ -210,7 +210,8 @@ impl Fit {
         };
         let both = outcome.least.zip(outcome.greatest);
         let off = both.map_or(f64::INFINITY, |(least, greatest)| {
-            (0.5 * (least + greatest) - terms.wanted()).abs()
+            let wanted = terms.wanted();
+            (least - wanted).abs().max((greatest - wanted).abs())
         });
         Ok(Fit {
             pinion_tooth,

@@ -32,7 +32,7 @@ pub(super) struct Args {
     /// Folder of the pinions' gear files
     #[arg(long, value_name = "DIR")]
     pinions: PathBuf,
-    /// Wanted backlash in µm, in the middle between least and greatest of a pair [default: the middle of [require], or its one limit]
+    /// Wanted backlash in µm, from which a pair is to stray least over its mesh cycle [default: the middle of [require], or its one limit]
     #[arg(long, value_name = "UM", value_parser = target, allow_negative_numbers = true)]
     target_um: Option<f64>,
     /// Folder for results [default: out/<file stem>]

@@ -119,7 +119,7 @@ def match(
 ) -> Matched:
     """Which of the gears in the folders ``wheels`` and ``pinions`` go together by ``[require]`` of a pair file.
 
-    ``target_um`` is the backlash that is wanted in the middle of each pair, µm; by default the middle of what is required, or its one limit.
+    ``target_um`` is the backlash from which each pair is to stray least over its mesh cycle, µm; by default the middle of what is required, or its one limit.
     """
     found = _core.match(
         os.fspath(path), os.fspath(wheels), os.fspath(pinions), target_um, threads

@@ -66,8 +66,8 @@ fn check(page: &Path) -> usize {
                     rest = &rest[at + part.len()..];
                 }
             }
-            // Python is run by crates/python/tests.
-            "toml" | "yaml" | "python" => {}
+            // Python is run by crates/python/tests; what schedulers start was tried by hand.
+            "toml" | "yaml" | "python" | "bash" => {}
             other => panic!("{page:?}: a block of {other}"),
         }
     }

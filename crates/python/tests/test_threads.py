@@ -57,12 +57,15 @@ def test_results_do_not_depend_on_threads() -> None:
 
 @pytest.mark.skipif(os.name == "nt", reason="signals of Unix")
 def test_ctrl_c_ends_a_long_call() -> None:
+    # A shell's background job, as this may be one of, has the signal ignored.
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
     timer = threading.Timer(0.3, lambda: os.kill(os.getpid(), signal.SIGINT))
     timer.start()
     with pytest.raises(KeyboardInterrupt):
         # Minutes of work.
         pair().revolution(steps_per_pitch=5000, hunting=True)
     timer.join()
+    signal.signal(signal.SIGINT, before)
 
 
 @pytest.mark.skipif(os.name == "nt", reason="signals of Unix")

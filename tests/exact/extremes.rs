@@ -70,16 +70,16 @@ fn hold(pair: &GearPair, count: u32) -> Result<Extremes, TestCaseError> {
     Ok(found)
 }
 
-/// Ordinary pairs, each gear warmer or colder by up to `expansion`: how many of 40 are proven both ways, none of 1500 poses beyond.
-fn proven_of_ordinary_pairs(expansion: f64) -> usize {
+/// Ordinary pairs, each gear warmer or colder by up to `expansion`: how many of `count` are proven both ways, none of `poses` beyond.
+fn proven_of_ordinary_pairs(count: usize, expansion: f64, poses: u32) -> usize {
     let mut runner = TestRunner::deterministic();
     let each = prop::array::uniform2(-1.0..1.0f64);
     let drawn = (case(), each);
     let mut proven = 0;
-    for _ in 0..40 {
+    for _ in 0..count {
         let (case, warm) = drawn.new_tree(&mut runner).unwrap().current();
         let pair = case.warmed(warm.map(|warm| expansion * warm)).unwrap();
-        let found = hold(&pair, 1500).unwrap();
+        let found = hold(&pair, poses).unwrap();
         let both = [found.least, found.greatest];
         proven += usize::from(
             both.iter()
@@ -89,16 +89,18 @@ fn proven_of_ordinary_pairs(expansion: f64) -> usize {
     proven
 }
 
-/// Rough pairs are jammed or off the line of action for the most part, where nothing is called proven: these are not.
+/// Rough pairs are jammed or off the line of action for the most part, where nothing is called proven: these are not. One in a hundred was left
+/// after 4000 cells: a corner above the form circle was asked how deep in the fillet it stands, and Newton's method for the direction in which a
+/// pair is separated stood still, or went to and fro, at an end of an involute.
 #[test]
 fn ordinary_pairs_are_proven_and_hold() {
-    assert!(proven_of_ordinary_pairs(0.0) >= 38);
+    assert_eq!(proven_of_ordinary_pairs(400, 0.0, 150), 400);
 }
 
 /// The same with base pitches that differ by up to 0.4 %, some tens of kelvin of a polymer: a few touch off the line of action then.
 #[test]
 fn ordinary_pairs_unequally_warm_are_proven_and_hold() {
-    assert!(proven_of_ordinary_pairs(0.002) >= 32);
+    assert!(proven_of_ordinary_pairs(40, 0.002, 1500) >= 32);
 }
 
 proptest! {

@@ -137,7 +137,9 @@ impl<'a> OnFillet<'a> {
 }
 
 /// Bounds over a stretch between two poses of the same teeth, `angle` of the locked gear apart; `deepest` is the least `γ` in reach.
-/// `None` where they cannot be had, or where the corner stays above the form circle.
+/// `None` where they cannot be had.
+///
+/// A corner that is above the form circle as it comes to the chord's line has not been in the fillet up to there: in front of that line there is none.
 pub(super) fn bounds(
     ends: [OnFillet; 2],
     near: [f64; 2],
@@ -151,11 +153,16 @@ pub(super) fn bounds(
     for _ in 0..3 {
         let border = chord(mate, band);
         let found = reach(ends, border, near)?;
-        band = radii(mate, found, angle, range)?;
+        match radii(mate, found, angle, range) {
+            Some(found) => band = found,
+            None => return bent(found, None, angle),
+        }
     }
     let clear = reach(ends, chord(mate, band), near)?;
     // The chord now used holds for the radii that the corner has with it.
-    let needed = radii(mate, clear, angle, range)?;
+    let Some(needed) = radii(mate, clear, angle, range) else {
+        return bent(clear, None, angle);
+    };
     let play = 0.5 * (band.1 - band.0);
     if needed.0 < band.0 - play || needed.1 > band.1 + play {
         return None;
@@ -166,6 +173,11 @@ pub(super) fn bounds(
     let inside = (band.1 < mate.fillet_end)
         .then(|| reach(ends, tangent(mate, 0.5 * (band.0 + band.1)), near))
         .flatten();
+    bent(clear, inside, angle)
+}
+
+/// These bounds with how much they bend over `angle`.
+fn bent(clear: [Reached; 2], inside: Option<[Reached; 2]>, angle: f64) -> Option<Bounds> {
     let both = clear.iter().chain(inside.iter().flatten());
     let bend = both
         .map(|one| one.bend(angle))

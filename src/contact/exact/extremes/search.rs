@@ -1,7 +1,7 @@
 //! The search for one extreme: what may beat the best pose found is cut, the most promising stretch first.
 
 use super::cell::Cell;
-use super::course::Course;
+use super::course::{Course, PARTS};
 use super::table::{Bounds, Table};
 use super::{Doubt, Found, Proof, sample};
 use crate::error::Error;
@@ -9,6 +9,9 @@ use std::collections::BinaryHeap;
 
 /// Cells looked into for one extreme, at most (tuned: a hundred settle an ordinary one; so many take some 20 ms).
 const MOST_CELLS: usize = 4_000;
+
+/// Matings whose stretches are taken up before what was overtaken is dropped (tuned: 160 kB of stretches).
+const STRIDE: u64 = 512;
 
 /// Which extreme is sought.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -36,8 +39,8 @@ impl Which {
 }
 
 /// Stretches that may hold an extreme: those which may reach as far as any that was seen reaches for sure.
-struct Candidates {
-    which: Which,
+struct Candidates<'a> {
+    search: &'a Search<'a>,
     kept: Vec<Bounds>,
     /// The most promising.
     top: Option<Bounds>,
@@ -45,28 +48,92 @@ struct Candidates {
     key: f64,
     /// How far the best reaches for sure.
     sure: f64,
+    /// So many may be kept before a pose is looked at, to drop what cannot beat it.
+    room: usize,
+    /// How promising the best of those dropped is.
+    dropped: f64,
 }
 
-impl Candidates {
-    fn new(which: Which) -> Candidates {
+impl Candidates<'_> {
+    fn new<'a>(search: &'a Search<'a>) -> Candidates<'a> {
         Candidates {
-            which,
+            search,
             kept: Vec::new(),
             top: None,
             key: f64::NEG_INFINITY,
             sure: f64::NEG_INFINITY,
+            room: STRIDE as usize * PARTS,
+            dropped: f64::NEG_INFINITY,
         }
     }
 
     fn take(&mut self, bounds: Bounds) {
-        let key = self.which.key(bounds.low, bounds.high);
-        self.sure = self.sure.max(self.which.sure(bounds.low, bounds.high));
+        let which = self.search.which;
+        let key = which.key(bounds.low, bounds.high);
+        self.sure = self.sure.max(which.sure(bounds.low, bounds.high));
         if key < self.sure {
             return;
         }
         self.kept.push(bounds);
         if self.top.is_none() || key > self.key {
             (self.top, self.key) = (Some(bounds), key);
+        }
+    }
+
+    /// Looks at the most promising stretch in its middle.
+    fn look(&self, found: &mut Found) -> Result<(), Error> {
+        let Some(top) = self.top else {
+            return Ok(());
+        };
+        let cell = Cell::of_part(top.mating, top.part);
+        let course = self.search.course;
+        let middle = course.mating(top.mating, 0.5 * (cell.from + cell.to));
+        found.look(course, middle)
+    }
+
+    /// Looks at the most promising stretch where its extreme is expected, and drops what cannot beat that: of gears that repeat themselves
+    /// every mating is as promising as any.
+    fn thin(&mut self, found: &mut Found) -> Result<(), Error> {
+        let Some(top) = self.top else {
+            return Ok(());
+        };
+        let Search { course, table, .. } = self.search;
+        let cell = Cell::of_part(top.mating, top.part).bounded(course, table);
+        let at = self.search.expected(&cell);
+        found.look(course, course.mating(top.mating, at))?;
+        self.drop(found);
+        // Doubled at least, so that this costs no more than keeping.
+        self.room = self.room.max(2 * self.kept.len());
+        Ok(())
+    }
+
+    /// Drops what cannot beat the best found by more than the width.
+    fn drop(&mut self, found: &Found) {
+        let (which, dropped) = (self.search.which, &mut self.dropped);
+        let enough = self.search.best(found) + self.search.width;
+        self.kept.retain(|kept| {
+            let key = which.key(kept.low, kept.high);
+            if key <= enough {
+                *dropped = dropped.max(key);
+            }
+            key > enough
+        });
+    }
+
+    /// What has to be looked into.
+    fn ranked(mut self, found: &Found) -> Ranked {
+        self.drop(found);
+        let open = self.kept.iter().map(|bounds| Open {
+            key: self.search.which.key(bounds.low, bounds.high),
+            cell: Cell {
+                low: bounds.low,
+                high: bounds.high,
+                ..Cell::of_part(bounds.mating, bounds.part)
+            },
+        });
+        Ranked {
+            open: open.collect(),
+            bound: self.search.best(found).max(self.dropped),
         }
     }
 }
@@ -124,26 +191,28 @@ pub(super) struct Ranked {
 
 /// Looks at the most promising pose of each of `searches` over one cycle, and ranks what may beat the best found.
 pub(super) fn rank(searches: &[Search], found: &mut Found) -> Result<Vec<Ranked>, Error> {
-    let Some(Search { course, table, .. }) = searches.first() else {
+    let Some(Search { table, .. }) = searches.first() else {
         return Ok(Vec::new());
     };
-    let mut candidates: Vec<Candidates> = searches
-        .iter()
-        .map(|search| Candidates::new(search.which))
-        .collect();
-    table.each(0..table.matings(), &mut |bounds| {
+    let mut candidates: Vec<Candidates> = searches.iter().map(Candidates::new).collect();
+    let matings = table.matings();
+    for first in (0..matings).step_by(STRIDE as usize) {
+        table.each(first..matings.min(first + STRIDE), &mut |bounds| {
+            for candidates in &mut candidates {
+                candidates.take(bounds);
+            }
+        });
         for candidates in &mut candidates {
-            candidates.take(bounds);
+            if candidates.kept.len() > candidates.room {
+                candidates.thin(found)?;
+            }
         }
-    });
-    for top in candidates.iter().filter_map(|candidates| candidates.top) {
-        let middle = Cell::of_part(top.mating, top.part);
-        let mating = course.mating(top.mating, 0.5 * (middle.from + middle.to));
-        found.look(course, mating)?;
     }
-    let ranked = searches.iter().zip(candidates);
-    let ranked = ranked.map(|(search, candidates)| search.ranked(&candidates.kept, found));
-    Ok(ranked.collect())
+    for candidates in &candidates {
+        candidates.look(found)?;
+    }
+    let ranked = candidates.into_iter();
+    Ok(ranked.map(|candidates| candidates.ranked(found)).collect())
 }
 
 impl Search<'_> {
@@ -151,27 +220,12 @@ impl Search<'_> {
         self.which.key(low, high)
     }
 
-    /// What has to be looked into of all that may hold the extreme.
-    fn ranked(&self, kept: &[Bounds], found: &Found) -> Ranked {
-        let best = self.best(found);
-        let mut ranked = Ranked {
-            open: Vec::new(),
-            bound: best,
-        };
-        for bounds in kept {
-            let key = self.key(bounds.low, bounds.high);
-            if key > best + self.width {
-                let cell = Cell {
-                    low: bounds.low,
-                    high: bounds.high,
-                    ..Cell::of_part(bounds.mating, bounds.part)
-                };
-                ranked.open.push(Open { key, cell });
-            } else {
-                ranked.bound = ranked.bound.max(key);
-            }
+    /// Where in a cell with its bounds the extreme is expected.
+    fn expected(&self, cell: &Cell) -> f64 {
+        match self.which {
+            Which::Least => cell.lowest,
+            Which::Greatest => cell.highest,
         }
-        ranked
     }
 
     /// The best found, as a key.
@@ -196,10 +250,7 @@ impl Search<'_> {
                 return Ok((self.value(bound.max(next.key)), None));
             }
             let cell = next.cell.bounded(self.course, self.table);
-            let at = match self.which {
-                Which::Least => cell.lowest,
-                Which::Greatest => cell.highest,
-            };
+            let at = self.expected(&cell);
             if cell.seen != Some(at) {
                 found.look(self.course, self.course.mating(cell.mating, at))?;
             }

@@ -117,19 +117,24 @@ impl Separation {
         let mut beta = between.im.atan2(between.re) + start.atan2(sum);
         let mut state = State::new(&arcs, &pair, between, rate, beta, gap);
         let mut touches = false;
+        let mut last = (0.0f64, 0.0);
         for _ in 0..STEPS {
             // One step for both: where `s` is greatest its derivative by the direction is 0.
-            let turned = if state.bend < LEVEL * sum {
-                (-state.tilt / state.bend).clamp(-0.3, 0.3)
-            } else {
-                0.0
+            // Where it does not bend down, that is farther up the slope.
+            let newton = (-state.tilt / state.bend.min(LEVEL * sum)).clamp(-0.3, 0.3);
+            // At an end of an arc `s` bends at once, and two such steps may lead to and fro: the chord of both tilts does not.
+            let returns = state.tilt * last.1 < 0.0 && newton.abs() >= last.0.abs();
+            let turned = match returns {
+                true => -last.0 * state.tilt / (state.tilt - last.1),
+                false => newton,
             };
+            last = (turned, state.tilt);
             let step = -state.apart / state.turning;
             beta += turned;
             gap += step;
             (between, rate) = posed.between(gap);
             state = State::new(&arcs, &pair, between, rate, beta, gap);
-            if step.abs() < SETTLED.0 && turned.abs() < SETTLED.1 {
+            if step.abs() < SETTLED.0 && newton.abs() < SETTLED.1 {
                 touches = state.bend < LEVEL * sum;
                 break;
             }

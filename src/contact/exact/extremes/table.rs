@@ -137,7 +137,7 @@ impl Table {
             let distances =
                 distances.map(|distances| [0, 1].map(|k| distances.sides[k].at(mating)));
             for part in 0..PARTS {
-                let (mut low, mut high) = (0.0, 0.0);
+                let (mut low, mut high) = ([0.0; 2], [0.0; 2]);
                 for (index, (side, places)) in self.sides.iter().zip(places).enumerate() {
                     let plain = side.plain[part].iter();
                     let plain = plain.map(|(step, more)| side.off(places, *step) + more);
@@ -155,18 +155,22 @@ impl Table {
                             .fold(least, f64::min);
                     }
                     let drifts = side.drifts(part);
-                    low += least + drifts[0].min(drifts[1]);
                     let covering = side.covering[part].iter();
                     let most = covering.map(|step| side.off(places, *step));
-                    high += most.fold(f64::INFINITY, f64::min) + drifts[0].max(drifts[1]);
+                    let most = most.fold(f64::INFINITY, f64::min);
+                    for (end, drift) in drifts.into_iter().enumerate() {
+                        low[end] += least + drift;
+                        high[end] += most + drift;
+                    }
                 }
                 let nominal = self.sides[0].nominal + self.sides[1].nominal;
-                let ends = [shift[part], shift[part + 1]];
+                // All but the steps' own places changes along a straight line, but for `slack`.
+                let ends = [0, 1].map(|end| nominal + shift[part + end]);
                 take(Bounds {
                     mating,
                     part,
-                    low: low + nominal + ends[0].min(ends[1]) - self.slack,
-                    high: high + nominal + ends[0].max(ends[1]) + self.slack,
+                    low: (low[0] + ends[0]).min(low[1] + ends[1]) - self.slack,
+                    high: (high[0] + ends[0]).max(high[1] + ends[1]) + self.slack,
                 });
             }
         }

@@ -134,6 +134,10 @@ pub fn junit(pairs: &[CheckedPair]) -> io::Result<String> {
             file: pair.file.clone(),
             title: pair.title.clone(),
             cases: std::iter::once(first).chain(checks).collect(),
+            said: [("warning", &pair.warnings), ("note", &pair.remarks)]
+                .into_iter()
+                .flat_map(|(kind, told)| told.iter().map(move |words| format!("{kind}: {words}")))
+                .collect(),
         }
     };
     let suites: Vec<Suite> = pairs.iter().map(suite).collect();

@@ -67,6 +67,7 @@ pub fn junit(pairs: &[ComparedPair]) -> io::Result<String> {
             file: pair.file.clone(),
             title: pair.title.clone(),
             cases: std::iter::once(first).chain(runs).collect(),
+            said: Vec::new(),
         }
     };
     let suites: Vec<Suite> = pairs.iter().map(suite).collect();

@@ -2,7 +2,7 @@
 
 use gearlash_files::characters::plain;
 use quick_xml::Writer;
-use quick_xml::events::{BytesDecl, BytesEnd, BytesStart, Event};
+use quick_xml::events::{BytesDecl, BytesEnd, BytesStart, BytesText, Event};
 use std::io;
 
 /// One file.
@@ -11,6 +11,8 @@ pub(crate) struct Suite {
     /// Title of the pair: the class of its cases.
     pub title: String,
     pub cases: Vec<Case>,
+    /// What else is to be said of it: the suite's output.
+    pub said: Vec<String>,
 }
 
 /// One thing that was looked at.
@@ -34,18 +36,36 @@ pub(crate) fn junit(name: &str, suites: &[Suite]) -> io::Result<String> {
     within(&mut xml, all, suites, |xml, suite| {
         let cases: Vec<&Case> = suite.cases.iter().collect();
         let tag = counted("testsuite", &plain(&suite.file), &cases);
-        within(xml, tag, &cases, |xml, case| {
-            let mut tag = BytesStart::new("testcase");
-            tag.push_attribute(("name", plain(&case.name).as_str()));
-            tag.push_attribute(("classname", plain(&suite.title).as_str()));
-            within(xml, tag, case.failure.as_slice(), |xml, reason| {
-                let mut failure = BytesStart::new("failure");
-                failure.push_attribute(("message", plain(reason).as_str()));
-                xml.write_event(Event::Empty(failure))
-            })
+        let said = (!suite.said.is_empty()).then(|| Part::Said(suite.said.join("\n")));
+        let parts: Vec<Part> = cases.into_iter().map(Part::Case).chain(said).collect();
+        within(xml, tag, &parts, |xml, part| match part {
+            Part::Case(case) => write_case(xml, suite, case),
+            Part::Said(text) => {
+                let tag = BytesStart::new("system-out");
+                within(xml, tag, &[text], |xml, text| {
+                    xml.write_event(Event::Text(BytesText::new(&plain(text))))
+                })
+            }
         })
     })?;
     Ok(String::from_utf8_lossy(&xml.into_inner()).into_owned() + "\n")
+}
+
+/// What stands in a suite.
+enum Part<'a> {
+    Case(&'a Case),
+    Said(String),
+}
+
+fn write_case(xml: &mut Xml, suite: &Suite, case: &Case) -> io::Result<()> {
+    let mut tag = BytesStart::new("testcase");
+    tag.push_attribute(("name", plain(&case.name).as_str()));
+    tag.push_attribute(("classname", plain(&suite.title).as_str()));
+    within(xml, tag, case.failure.as_slice(), |xml, reason| {
+        let mut failure = BytesStart::new("failure");
+        failure.push_attribute(("message", plain(reason).as_str()));
+        xml.write_event(Event::Empty(failure))
+    })
 }
 
 /// A tag with its name and how many of `cases` there are and fail; nothing is skipped, and nothing ends in an error.

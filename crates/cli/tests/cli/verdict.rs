@@ -316,6 +316,21 @@ fn a_wrong_requirement_says_what_is_allowed() {
 }
 
 #[test]
+fn junit_has_what_was_noticed_as_output() {
+    let folder = tempfile::tempdir().unwrap();
+    let assert = gearlash(folder.path())
+        .args(["check", "--format", "junit"])
+        .arg(fixture("profiled_44x44.toml"))
+        .assert();
+    let junit = text(&assert.get_output().stdout);
+    let document = roxmltree::Document::parse(&junit).unwrap();
+    let mut nodes = document.descendants();
+    let output = nodes.find(|node| node.has_tag_name("system-out"));
+    let told = output.and_then(|output| output.text()).unwrap();
+    assert!(told.contains("traces of 4 of 44 right flanks"), "{told}");
+}
+
+#[test]
 fn check_takes_several_files() {
     let folder = tempfile::tempdir().unwrap();
     let files = [fixture("karba_86x21.toml"), hunting()];

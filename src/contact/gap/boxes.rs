@@ -252,8 +252,8 @@ mod tests {
 
     /// Its corners, and points between them.
     fn points(it: &Rectangle) -> Vec<C> {
-        let part = |k: i32, half: f64| f64::from(k) / 8.0 * half;
-        let each = (-8..=8).flat_map(|i| (-8..=8).map(move |j| (i, j)));
+        let part = |k: i32, half: f64| f64::from(k) / 4.0 * half;
+        let each = (-4..=4).flat_map(|i| (-4..=4).map(move |j| (i, j)));
         let inside = each.map(|(i, j)| C::new(part(i, it.half[0]), part(j, it.half[1])));
         inside.map(|off| it.along * (it.middle + off)).collect()
     }
@@ -281,6 +281,9 @@ mod tests {
         let round = Rectangle::round(&row[0], &row[1]);
         assert!((round.length() - 8.0).abs() < 1e-12 && (round.half[1] - 0.5).abs() < 1e-12);
         assert!((round.along * round.middle - C::new(5.0, 1.0)).norm() < 1e-12);
+        let [small, great] = [(5.0, 0.2), (5.5, 3.0)]
+            .map(|(x, length)| rectangle(0.0, C::new(x, 0.0), [length, 0.5]));
+        assert!((Rectangle::round(&small, &great).length() - 6.0).abs() < 1e-12);
         for pair in some().windows(2) {
             let round = Rectangle::round(&pair[0], &pair[1]);
             let all = [points(&pair[0]), points(&pair[1])].concat();
@@ -306,9 +309,9 @@ mod tests {
     /// Bounds of squares hold all points, and those of one whose length points at the origin are its ends'.
     #[test]
     fn no_point_is_nearer_or_farther_than_the_bounds() {
-        let radial = rectangle(0.4, C::from_polar(10.0, 0.4), [1.0, 0.0]);
+        let radial = rectangle(0.4, C::from_polar(10.0, 0.4), [2.0, 0.0]);
         let (low, high) = radial.squares();
-        assert!((low - 80.0).abs() < 1e-12 && (high - 121.0).abs() < 1e-12);
+        assert!((low - 60.0).abs() < 1e-12 && (high - 144.0).abs() < 1e-12);
         for it in some() {
             let (low, high) = it.squares();
             for point in points(&it) {

@@ -309,7 +309,7 @@ mod tests {
                         }
                         let own = match dip.tip {
                             Tip::Locked => side.problem.locked.shape.tip_radius + side.off[0],
-                            Tip::Free => here.lengths[0],
+                            Tip::Free => here.radius + 3.0 * side.off[0],
                         };
                         assert!((here.lengths[0] - own).abs() < 1e-12);
                         compared[usize::from(dip.tip == Tip::Free)] += 1;

@@ -91,3 +91,36 @@ impl Inspection {
         &self.runout
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gear::{Deviations, Face, Gear, GearDesign};
+
+    /// Teeth of which each is thicker by `t` have flanks off their places by `t/2` each way: pitch is told about the mean of that.
+    #[test]
+    fn pitch_is_about_the_mean_of_the_flanks() {
+        let gear = Gear::nominal(GearDesign::plain(20, 2.0)).unwrap();
+        let built = |thicker: &dyn Fn(u32) -> f64, face| {
+            let deviations = Deviations {
+                per_tooth: (0..20).map(thicker).collect(),
+                ..Deviations::default()
+            };
+            Inspection::of(&AsBuilt::new(gear.clone(), face, &deviations).unwrap())
+        };
+        for face in [Face::Front, Face::Back] {
+            let alike = built(&|_| 0.03, face);
+            let one = built(&|tooth| if tooth == 4 { 0.04 } else { 0.0 }, face);
+            for flank in [Flank::Right, Flank::Left] {
+                for (index, found) in alike.cumulative(flank).iter().enumerate() {
+                    assert!(found.abs() < 1e-15);
+                    let own = if index == 4 { 0.02 } else { 0.0 };
+                    let found = one.cumulative(flank)[index];
+                    let size = (found.abs() - (own - 0.02 / 20.0f64).abs()).abs();
+                    assert!(size < 1e-15, "{found} at {index}");
+                }
+                assert!(one.cumulative(flank).iter().sum::<f64>().abs() < 1e-15);
+            }
+        }
+    }
+}

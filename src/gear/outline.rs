@@ -227,3 +227,28 @@ fn step((a, b): (f64, f64), chordal_error: f64) -> f64 {
         delta = next;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gear::{Gear, GearDesign};
+
+    /// Parts of a chord stand for the same parts of its parameters, beyond its ends for the ends.
+    #[test]
+    fn a_part_of_a_chord_is_that_part_of_its_parameters() {
+        let gear = Gear::nominal(GearDesign::plain(20, 2.0)).unwrap();
+        for side in Side::BOTH {
+            let half = HalfTooth::new(&Profile::new(&gear), side, 1e-3);
+            for (index, segment) in half.segments().iter().enumerate() {
+                let [start, end] = [half.points()[index], half.points()[index + 1]];
+                let [from, to] = segment.parameters;
+                for (part, expected) in [(-0.5, 0.0), (0.25, 0.25), (0.5, 0.5), (1.5, 1.0)] {
+                    let (curve, found) = half.locate(index, &(start + part * (end - start)));
+                    let wanted = (1.0 - expected) * from + expected * to;
+                    assert_eq!(curve, segment.curve);
+                    assert!((found - wanted).abs() < 1e-9 * (to - from).abs(), "{found}");
+                }
+            }
+        }
+    }
+}

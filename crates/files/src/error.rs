@@ -3,7 +3,7 @@
 use crate::{characters, location};
 use std::fmt;
 use std::ops::Range;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// One thing wrong with one value of a pair file.
 #[derive(Debug, Clone, PartialEq)]
@@ -16,6 +16,18 @@ pub struct Problem {
     pub reason: String,
     /// What to do.
     pub help: String,
+}
+
+impl Problem {
+    /// What is wrong with a whole file.
+    pub(crate) fn of_file(reason: impl Into<String>, help: impl Into<String>) -> Problem {
+        Problem {
+            key: String::new(),
+            value: None,
+            reason: reason.into(),
+            help: help.into(),
+        }
+    }
 }
 
 impl fmt::Display for Problem {
@@ -44,6 +56,15 @@ pub struct InputError {
 }
 
 impl InputError {
+    /// Of a file whose text says no more.
+    pub(crate) fn of(file: &Path, problems: Vec<Problem>) -> InputError {
+        InputError {
+            file: file.to_path_buf(),
+            problems,
+            text: String::new(),
+        }
+    }
+
     /// A line for each problem, the file before it: whatever stands in the file, it breaks no line and acts on no terminal or log.
     pub fn lines(&self) -> Vec<String> {
         let problems = self.problems.iter();

@@ -43,6 +43,7 @@ pub fn read(
             materials,
             spec: part.spec?,
         }],
+        temperature_c: None,
         warnings: part.warnings,
         remarks: part.remarks,
         sources: place.sources(),

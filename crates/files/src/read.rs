@@ -59,6 +59,8 @@ pub struct GearsFile {
     pub stem: String,
     /// One gear, or wheel and pinion.
     pub gears: Vec<GearEntry>,
+    /// The temperature that they have, °C, where a pair file states one; lengths are those of 20 °C elsewhere.
+    pub temperature_c: Option<f64>,
     /// What the user should know, for standard error.
     pub warnings: Vec<String>,
     /// What was found to be in order, for standard error.
@@ -91,6 +93,7 @@ impl From<PairFile> for GearsFile {
                 gear("pinion", file.spec.pinion, |pair| &pair.2),
             ],
             title: study.title,
+            temperature_c: file.spec.assembly.temperature_c,
             stem: file.stem,
             warnings: file.warnings,
             remarks: file.remarks,

@@ -26,7 +26,7 @@ const LONGEST_MESSAGE: usize = 300;
 pub fn bytes(path: &Path) -> Result<Vec<u8>, Problem> {
     let metadata = std::fs::metadata(path).map_err(cannot)?;
     if metadata.is_dir() {
-        return Err(whole_file("is a folder", "name the file in it"));
+        return Err(Problem::of_file("is a folder", "name the file in it"));
     }
     if metadata.len() > MOST_BYTES {
         let mebibytes = metadata.len() as f64 / f64::from(1 << 20);
@@ -117,12 +117,12 @@ fn rest(file: impl Read, bytes: &mut Vec<u8>) -> Result<(), Problem> {
 
 fn cannot(error: std::io::Error) -> Problem {
     match error.kind() {
-        ErrorKind::NotFound => whole_file("there is no such file", "check name and folder"),
-        ErrorKind::TimedOut => whole_file(
+        ErrorKind::NotFound => Problem::of_file("there is no such file", "check name and folder"),
+        ErrorKind::TimedOut => Problem::of_file(
             format!("cannot be read: {error}"),
             "start the program that writes to it, or name a file",
         ),
-        _ => whole_file(
+        _ => Problem::of_file(
             format!("cannot be read: {error}"),
             "make it a file you may read",
         ),
@@ -130,7 +130,7 @@ fn cannot(error: std::io::Error) -> Problem {
 }
 
 fn too_large(size: String) -> Problem {
-    whole_file(
+    Problem::of_file(
         format!("{size}, allowed is up to 16 MiB"),
         "check that this is the file you mean",
     )
@@ -159,7 +159,7 @@ pub fn text_with_mark(bytes: Vec<u8>) -> Result<String, Problem> {
             .iter()
             .filter(|&&b| b == b'\n')
             .count();
-        whole_file(
+        Problem::of_file(
             format!("line {line}: not UTF-8 text"),
             "save the file as UTF-8",
         )
@@ -180,7 +180,7 @@ pub fn is_json(path: &Path, text: &str) -> bool {
 pub fn parse(path: &Path, text: &str) -> Result<Vec<(String, Node)>, Problem> {
     let node = if is_json(path, text) {
         serde_json::from_str(text).map_err(|error| {
-            whole_file(
+            Problem::of_file(
                 format!("not JSON: {}", cut(&error.to_string(), LONGEST_MESSAGE)),
                 "fix it there, or give TOML a name that ends in .toml",
             )
@@ -188,7 +188,7 @@ pub fn parse(path: &Path, text: &str) -> Result<Vec<(String, Node)>, Problem> {
     } else {
         let marks = text.bytes().filter(|b| b"=,[{.".contains(b)).count();
         if marks > MOST_MARKS {
-            return Err(whole_file(
+            return Err(Problem::of_file(
                 format!("has some {marks} keys and values, allowed are up to {MOST_MARKS} in TOML"),
                 "check that this is the file you mean, or put long lists into files of their own",
             ));
@@ -202,7 +202,7 @@ pub fn parse(path: &Path, text: &str) -> Result<Vec<(String, Node)>, Problem> {
                 }
                 _ => String::new(),
             };
-            whole_file(
+            Problem::of_file(
                 format!(
                     "not TOML: {}{named} at line {line} column {column}",
                     cut(error.message(), LONGEST_MESSAGE)
@@ -214,7 +214,7 @@ pub fn parse(path: &Path, text: &str) -> Result<Vec<(String, Node)>, Problem> {
     };
     match node {
         Node::Table(entries) => Ok(entries),
-        other => Err(whole_file(
+        other => Err(Problem::of_file(
             format!("holds {}, allowed is an object of keys", other.kind()),
             "write { \"wheel\": { … }, … }",
         )),
@@ -233,13 +233,4 @@ pub fn line_and_column(text: &str, offset: usize) -> (usize, usize) {
         .chars()
         .count();
     (line, column)
-}
-
-fn whole_file(reason: impl Into<String>, help: &str) -> Problem {
-    Problem {
-        key: String::new(),
-        value: None,
-        reason: reason.into(),
-        help: help.to_owned(),
-    }
 }

@@ -452,4 +452,87 @@ mod tests {
         }
         least
     }
+
+    /// Source: the nearest of 2001 points of each land, and of as many about those.
+    #[test]
+    fn lands_are_as_near_as_their_points() {
+        let ends = [
+            [-0.05, 0.02],
+            [0.01, 0.06],
+            [-0.11, -0.03],
+            [0.04, 0.05],
+            [0.02, 0.02],
+        ];
+        let (distance, tip_radius, root_radius) = (100.0, 41.0, 58.0);
+        for tip_ends in ends {
+            for root_ends in ends {
+                let tip = Land::new(distance, tip_radius, tip_ends);
+                let root = Land::new(distance, root_radius, root_ends);
+                let apart = |[tip, root]: [f64; 2]| {
+                    let tip = [tip_radius * tip.cos(), tip_radius * tip.sin()];
+                    let mate = [
+                        distance - root_radius * root.cos(),
+                        -root_radius * root.sin(),
+                    ];
+                    (mate[0] - tip[0]).hypot(mate[1] - tip[1])
+                };
+                let mut window = [tip_ends, root_ends];
+                let mut least = (f64::INFINITY, [0.0; 2]);
+                for _ in 0..3 {
+                    let at = |which: usize, k: i32| {
+                        let [from, to] = window[which];
+                        from + (to - from) * f64::from(k) / 200.0
+                    };
+                    for pair in (0..=200).flat_map(|i| (0..=200).map(move |j| [i, j])) {
+                        let angles = [at(0, pair[0]), at(1, pair[1])];
+                        let here = apart(angles);
+                        if here < least.0 {
+                            least = (here, angles);
+                        }
+                    }
+                    let about = |which: usize, whole: [f64; 2]| {
+                        let half = (window[which][1] - window[which][0]) / 50.0;
+                        [-half, half].map(|off| (least.1[which] + off).clamp(whole[0], whole[1]))
+                    };
+                    window = [about(0, tip_ends), about(1, root_ends)];
+                }
+                let found = between_lands(distance, &tip, &root);
+                assert!(
+                    found <= least.0 + 1e-12 && found >= least.0 - 1e-7,
+                    "{tip_ends:?} {root_ends:?}: {found} {}",
+                    least.0
+                );
+            }
+        }
+    }
+
+    /// A full tip round leaves root lands without length; where teeth are thicker, they are the middle of the space between their flanks:
+    /// half of what one tooth is thicker than the next, as an angle half of that again, off the middle of the pitch.
+    #[test]
+    fn a_closed_root_land_is_its_middle() {
+        let alpha = 20f64.to_radians();
+        // Where the tool's flat is 0: π/4 = (h_f − ρ) tan α + ρ/cos α.
+        let round =
+            (std::f64::consts::FRAC_PI_4 - 1.25 * alpha.tan()) / (1.0 / alpha.cos() - alpha.tan());
+        let design = GearDesign {
+            rack: BasicRack::new(1.0, 1.25, round).unwrap(),
+            ..GearDesign::plain(30, 2.0)
+        };
+        let deviations = Deviations {
+            per_tooth: (0..30).map(|k| 0.02 + 0.01 * f64::from(k % 4)).collect(),
+            ..Deviations::default()
+        };
+        let gear = Gear::nominal(design).unwrap();
+        let built = AsBuilt::new(gear, Face::Front, &deviations).unwrap();
+        let placed = Placed::new(&built, Default::default(), 0.0);
+        for tooth in 1..=30 {
+            let next = built.counter_clockwise(tooth, 1);
+            let thicker = |tooth: u32| deviations.per_tooth[tooth as usize - 1];
+            let off = (thicker(tooth) - thicker(next)) / (4.0 * 30.0);
+            let middle = placed.direction(tooth) + PI / 30.0 + off;
+            for end in root_land(&placed, tooth, middle) {
+                assert!(end.abs() < 1e-14, "{end} at tooth {tooth}");
+            }
+        }
+    }
 }

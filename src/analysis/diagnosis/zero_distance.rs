@@ -244,3 +244,84 @@ fn root(
     }
     Ok(Some([low.0, high.0]))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gear::{AsBuilt, Face, Gear, GearDesign, Side};
+    use std::cell::Cell;
+
+    #[test]
+    fn minima_are_no_higher_than_both_neighbours_round_the_list() {
+        assert_eq!(local_minima(&[3.0, 1.0, 2.0, 4.0, 5.0]), [1]);
+        assert_eq!(local_minima(&[1.0, 2.0, 3.0, 0.0]), [3]);
+        assert_eq!(local_minima(&[2.0, 4.0, 1.0, 4.0, 3.0, 5.0]), [2, 0, 4]);
+    }
+
+    fn pair(eccentricities: [f64; 2]) -> GearPair {
+        let gear = Gear::nominal(GearDesign::plain(20, 2.0)).unwrap();
+        let [wheel, pinion] = [(Face::Front, 0), (Face::Back, 1)].map(|(face, kind)| {
+            let perfect = AsBuilt::perfect(gear.clone(), face);
+            perfect.with_runout(eccentricities[kind], 1.0).unwrap()
+        });
+        GearPair::new(wheel, pinion, 40.5).unwrap()
+    }
+
+    /// Straight play, one with a bend at its root or beside it, and one that jams below it, from near and far: the bracket has the
+    /// sign change in it and the width asked for, after few looks: of straight play those of two secants, of any play two a halving at
+    /// most.
+    #[test]
+    fn a_sign_change_is_bracketed_in_few_looks() {
+        let pair = pair([0.0; 2]);
+        for root_at in [39.6, 40.0, 40.7] {
+            for guess in [39.3, 39.9, 40.0, 40.2, 40.5] {
+                for (name, bend, jam, most) in [
+                    ("straight", 0.0, f64::INFINITY, 8),
+                    ("bent at the root", 0.4, f64::INFINITY, 80),
+                    ("jams", 0.0, 0.3, 20),
+                ] {
+                    let looks = Cell::new(0);
+                    let play = |distance: f64| {
+                        looks.set(looks.get() + 1);
+                        assert!(looks.get() <= most, "{name} at {root_at} from {guess}");
+                        let over = distance - root_at;
+                        Ok(match over < -jam {
+                            true => f64::NEG_INFINITY,
+                            false => 0.7 * over + bend * over.max(0.0),
+                        })
+                    };
+                    let [low, high] = root(&pair, guess, play).unwrap().unwrap();
+                    let told = format!("{name} at {root_at} from {guess}: {low} {high}");
+                    assert!(low < root_at && root_at <= high, "{told}");
+                    assert!(high - low <= WIDTH, "{told}");
+                }
+            }
+        }
+        assert_eq!(root(&pair, 40.0, |_| Ok(1.0)).unwrap(), None);
+        assert_eq!(root(&pair, 40.0, |_| Ok(-1.0)).unwrap(), None);
+    }
+
+    /// Source: the least of 6400 poses of the whole revolution; the play falls once and rises once.
+    #[test]
+    fn downhill_ends_at_the_least_of_the_revolution() {
+        let pair = pair([0.02, 0.015]);
+        let bench = PairAtDistance::new(&pair).at(40.05).unwrap();
+        for tooth in [1, 8, 15] {
+            let start = Mating {
+                wheel_tooth: tooth,
+                pinion_tooth: tooth,
+                flank: Side::Right,
+                fraction: 0.0,
+            };
+            let poses = (0..6400).map(|k| start.onward(&pair, f64::from(k) / 320.0));
+            let plays = bench.plays(&poses.collect::<Vec<_>>()).unwrap();
+            let least = plays.iter().copied().fold(f64::INFINITY, f64::min);
+            let (found, at) = lowest(&bench, start, plays[0]).unwrap();
+            assert!(
+                found <= least + 1e-12 && found > least - 1e-6,
+                "from tooth {tooth}: {found} {least}"
+            );
+            assert_eq!(bench.play(&at).unwrap(), found);
+        }
+    }
+}

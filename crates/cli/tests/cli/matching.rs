@@ -126,7 +126,7 @@ fn what_cannot_be_matched_is_told() {
         .code(2)
         .stderr(predicates::str::contains("bad.toml: gear.module_mm"))
         .stderr(predicates::str::contains(
-            "other.toml: 43 teeth, the pair file's wheel has 44",
+            "other.toml: gear.teeth = 43: wheel.teeth of the pair file is 44; match gears of one pair",
         ))
         .stderr(predicates::str::contains("p: holds no gear file"));
     assert!(!here.join("out").exists());
@@ -146,4 +146,184 @@ fn a_gear_without_a_mate_is_left_over() {
         .code(1)
         .stdout(predicates::str::starts_with("1 of 2 pairs assemble"))
         .stdout(predicates::str::contains("Wheels left over: fat."));
+}
+
+/// A gear whose reference face is at the back has its teeth numbered the other way, what was right on it is left: matched so it is the gear
+/// with its sheet turned over by hand, tooth `t` being tooth `22 - t` of 20, and a place along ascending numbers one against them.
+#[test]
+fn a_gear_seen_from_behind_is_its_sheet_turned_over() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    let basic = "teeth = 20\nmodule_mm = 3.0\npressure_angle_deg = 20.0\n";
+    let sheet = |tooth: f64, right: &[f64], left: &[f64]| {
+        format!(
+            "[gear]\n{basic}thickness.allowance_um = -60\nrunout = {{ total_um = 30, high_tooth = {tooth} }}\n\
+             pitch = {{ kind = \"cumulative\", right_um = {right:?}, left_um = {left:?} }}\n"
+        )
+    };
+    let wave = |lag: f64| -> Vec<f64> {
+        (0..20)
+            .map(|k| (8.0 * (0.3 * f64::from(k * k) + lag).sin()).round())
+            .collect()
+    };
+    let (right, left) = (wave(0.0), wave(1.0));
+    let turned = |list: &[f64]| -> Vec<f64> { (0..20).map(|k| -list[(20 - k) % 20]).collect() };
+    for kind in ["w", "asis", "turned"] {
+        fs::create_dir_all(here.join(kind)).unwrap();
+    }
+    fs::write(here.join("w/1.toml"), sheet(4.0, &left, &right)).unwrap();
+    fs::write(here.join("asis/1.toml"), sheet(7.0, &right, &left)).unwrap();
+    let over = sheet(15.0, &turned(&left), &turned(&right));
+    fs::write(here.join("turned/1.toml"), over).unwrap();
+    let matched = |pinions: &str, face: &str| -> serde_json::Value {
+        let text = format!(
+            "[wheel]\n{basic}[pinion]\n{basic}reference_face = \"{face}\"\n[assembly]\ncenter_distance_mm = 60.0\n[require]\nj_wt_um.min = 0\n"
+        );
+        fs::write(here.join("pair.toml"), text).unwrap();
+        let words = ["match", "pair.toml", "--wheels", "w", "--pinions", pinions];
+        let output = gearlash(here)
+            .args(words)
+            .args(["--format", "json", "-o", "out"])
+            .output()
+            .unwrap();
+        let json: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        json["pairs"][0].clone()
+    };
+    let (behind, by_hand) = (matched("asis", "back"), matched("turned", "front"));
+    for end in ["least_um", "greatest_um"] {
+        let ends = [&behind, &by_hand].map(|pair| pair[end].as_f64().unwrap());
+        assert!((ends[0] - ends[1]).abs() < 1e-3, "{end}: {ends:?}");
+    }
+    let tooth = |pair: &serde_json::Value| pair["pinion_tooth"].as_u64().unwrap();
+    assert_eq!(tooth(&behind), (21 - tooth(&by_hand)) % 20 + 1);
+    assert_ne!(matched("asis", "front")["least_um"], behind["least_um"]);
+}
+
+/// Measured gears are those of 20 °C: a warm pair, or the gears of one, would stand at a distance that is not theirs.
+#[test]
+fn gears_are_not_matched_at_another_temperature() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    gear(&here.join("w"), "1.toml", 40.0, 0.0);
+    gear(&here.join("p"), "1.toml", 40.0, 0.0);
+    let warm = |celsius: f64| {
+        let gear =
+            "teeth = 44\nmodule_mm = 3.0\npressure_angle_deg = 20.0\nexpansion_per_k = 11.5e-6\n";
+        format!(
+            "[wheel]\n{gear}[pinion]\n{gear}[assembly]\ncenter_distance_mm = 132.0\nhousing_expansion_per_k = 23e-6\ntemperature_c = {celsius}\n"
+        )
+    };
+    fs::write(here.join("pair.toml"), warm(80.0)).unwrap();
+    matched(here).code(2).stderr(predicates::str::contains(
+        "pair.toml: assembly.temperature_c = 80: gears are matched at the 20 °C at which they were measured; remove the temperature",
+    ));
+    fs::write(here.join("pair.toml"), warm(20.0)).unwrap();
+    matched(here).success();
+    fs::write(here.join("p/pair.toml"), warm(80.0)).unwrap();
+    matched(here).code(2).stderr(predicates::str::contains(
+        "pair.toml: assembly.temperature_c = 80",
+    ));
+}
+
+/// A gear that is not one of the pair's is told with its file and key, and so are the others.
+#[test]
+fn gears_of_another_pair_are_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    gear(&here.join("w"), "1.toml", 40.0, 0.0);
+    gear(&here.join("p"), "1.toml", 40.0, 0.0);
+    let other = "[gear]\nteeth = 44\nmodule_mm = 3.5\npressure_angle_deg = 14.5\n";
+    fs::write(here.join("p/other.toml"), other).unwrap();
+    pair(here, "");
+    matched(here).code(2).stderr(
+        predicates::str::contains(
+            "other.toml: gear.module_mm = 3.5: pinion.module_mm of the pair file is 3; match gears of one pair",
+        )
+        .and(predicates::str::contains(
+            "other.toml: gear.pressure_angle_deg = 14.5: pinion.pressure_angle_deg of the pair file is 20",
+        )),
+    );
+}
+
+/// Every file of a folder that is named as a gear file is a gear, or is told.
+#[test]
+fn no_gear_file_of_a_folder_is_left_out() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    pair(here, "");
+    gear(&here.join("p"), "1.toml", 40.0, 0.0);
+    gear(&here.join("p"), "2.toml", 40.0, 0.0);
+    gear(&here.join("w"), "1.TOML", 40.0, 0.0);
+    gear(&here.join("w"), "2.Toml", 40.0, 0.0);
+    fs::write(here.join("w/readme.txt"), "gears").unwrap();
+    matched(here)
+        .success()
+        .stdout(predicates::str::starts_with("2 of 2 pairs assemble"));
+    fs::create_dir(here.join("w/folder.toml")).unwrap();
+    fs::write(
+        here.join("p/2.json"),
+        "{\"gear\": {\"teeth\": 44, \"module_mm\": 3.0, \"pressure_angle_deg\": 20.0}}",
+    )
+    .unwrap();
+    #[cfg(unix)]
+    std::os::unix::fs::symlink("nowhere", here.join("p/gone.json")).unwrap();
+    let told = matched(here)
+        .code(2)
+        .stderr(predicates::str::contains("folder.toml: is no file"))
+        .stderr(predicates::str::contains(
+            "2.toml: 2.json is a gear of the same name; rename one of them",
+        ));
+    if cfg!(unix) {
+        told.stderr(predicates::str::contains("gone.json: cannot be read: "));
+    }
+}
+
+/// Of a band of thickness its middle is matched; a band of the pair file, and how its numbers scatter, say nothing of measured gears.
+#[test]
+fn bands_that_are_not_used_are_told_once() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    let band = "thickness.allowance_um = { min = -90, max = -50 }\n";
+    let text = format!("[gear]\nteeth = 44\nmodule_mm = 3.0\npressure_angle_deg = 20.0\n{band}");
+    for kind in ["w", "p"] {
+        gear(&here.join(kind), "1.toml", 70.0, 0.0);
+        fs::write(here.join(kind).join("2.toml"), &text).unwrap();
+    }
+    let gear = "teeth = 44\nmodule_mm = 3.0\npressure_angle_deg = 20.0\n";
+    let text = format!(
+        "[wheel]\n{gear}{band}[pinion]\n{gear}[assembly]\ncenter_distance_mm = 132.0\n[tolerance]\ncenter_distance = {{ scatter = \"normal\", sigma_um = 5 }}\n"
+    );
+    fs::write(here.join("pair.toml"), text).unwrap();
+    let output = gearlash(here)
+        .args([
+            "match",
+            "pair.toml",
+            "--wheels",
+            "w",
+            "--pinions",
+            "p",
+            "--format",
+            "json",
+            "-o",
+            "out",
+        ])
+        .output()
+        .unwrap();
+    let told = String::from_utf8(output.stderr).unwrap();
+    let told: Vec<&str> = told.lines().collect();
+    assert_eq!(
+        told,
+        [
+            "warning: pair.toml: wheel.thickness.allowance_um, tolerance: not used: gears are matched as the files of the two folders have them",
+            "warning: pair.toml: w/2.toml: gear.thickness.allowance_um: a band, whose middle is matched, as in one file more: state what was measured",
+        ]
+    );
+    // All four are 70 µm thinner than nominal.
+    let json: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    for pair in json["pairs"].as_array().unwrap() {
+        assert!(
+            (pair["least_um"].as_f64().unwrap() - 140.0).abs() < 1e-3,
+            "{pair}"
+        );
+    }
 }

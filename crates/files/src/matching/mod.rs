@@ -1,7 +1,10 @@
 //! Selective assembly: folders of measured gears, and which go together.
 
+mod folder;
+mod gear;
 mod read;
 mod result;
 
-pub use read::{MatchFile, NamedGear, read_match};
+pub use gear::NamedGear;
+pub use read::{MatchFile, read_match};
 pub use result::{MatchResult, MatchedPair};

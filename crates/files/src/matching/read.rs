@@ -1,22 +1,13 @@
 //! A pair file and the folders of its wheels and pinions.
 
+use super::folder::gear_files;
+use super::gear::{NamedGear, one, thickness_key, warm};
 use crate::error::{InputError, Problem};
 use crate::read::PairFile;
-use crate::tolerance::middle;
-use gearlash::gear::AsBuilt;
 use gearlash::matching::Terms;
 use gearlash::pair::{GearPair, Member};
 use gearlash::population::Requirement;
-use std::path::{Path, PathBuf};
-
-/// A measured gear and the file that it is of.
-#[derive(Debug, Clone, PartialEq)]
-pub struct NamedGear {
-    /// Name of the file without its folder and ending.
-    pub name: String,
-    /// The gear; in the middle of a band of thickness.
-    pub gear: AsBuilt,
-}
+use std::path::Path;
 
 /// What is to be matched.
 #[derive(Debug, Clone)]
@@ -34,30 +25,28 @@ pub struct MatchFile {
 }
 
 /// Reads the pair file at `path` and every gear file (`.toml`, `.json`) of the folders `wheels` and `pinions`; `target` is the wanted
-/// backlash, mm.
+/// backlash, mm. The gears face as those of the pair file do.
 ///
 /// # Errors
-/// [`InputError`] of each file that cannot be used, all of them.
+/// [`InputError`] of each file that cannot be used, all of them: the pair file's alone where it is one.
 pub fn read_match(
     path: &Path,
     [wheels, pinions]: [&Path; 2],
     target: Option<f64>,
 ) -> Result<MatchFile, Vec<InputError>> {
-    let pair = crate::read(path).map_err(|error| vec![error])?;
-    let mut pair = pair;
-    let mut errors = Vec::new();
+    let mut pair = crate::read(path).map_err(|error| vec![error])?;
+    if let Some(problem) = warm(pair.spec.assembly.temperature_c) {
+        return Err(vec![InputError::of(path, vec![problem])]);
+    }
+    let (mut errors, mut bands) = (Vec::new(), Vec::new());
     let mut gears = |folder: &Path, member: Member| {
-        let own = pair.study.materials.first();
-        let own = own.map(|(_, wheel, pinion)| match member {
-            Member::Wheel => wheel,
-            Member::Pinion => pinion,
-        });
         let mut gears = Vec::new();
-        for file in files(folder, &mut errors) {
-            match one(&file, member, own) {
-                Ok((gear, sources)) => {
-                    pair.sources.extend(&sources);
-                    gears.push(gear);
+        for file in gear_files(folder, &mut errors) {
+            match one(&file, member, &pair) {
+                Ok(found) => {
+                    bands.extend(found.band);
+                    pair.sources.extend(&found.sources);
+                    gears.push(found.gear);
                 }
                 Err(error) => errors.push(error),
             }
@@ -75,9 +64,12 @@ pub fn read_match(
         .band
         .or(ends(f64::min).zip(ends(f64::max)).map(<[f64; 2]>::from));
     let Some(center_distances) = ends else {
-        return Err(vec![problem(path, "no centre distance", "give one")]);
+        let problem = Problem::of_file("no centre distance", "give one");
+        return Err(vec![InputError::of(path, vec![problem])]);
     };
-    let (requirement, warnings) = crate::tolerance::requirement(&pair);
+    let (requirement, mut warnings) = crate::tolerance::requirement(&pair);
+    warnings.extend(unused(&pair));
+    warnings.extend(middles(&bands));
     let terms = Terms {
         center_distances,
         clearance: pair.study.bearing_clearance,
@@ -86,18 +78,19 @@ pub fn read_match(
         target,
     };
     let near = center_distances[0] - terms.clearance;
-    for gear in wheels
-        .iter()
-        .flat_map(|wheel| pinions.first().map(|pinion| (wheel, pinion)))
-    {
-        let (wheel, pinion) = (gear.0.gear.clone(), gear.1.gear.clone());
-        if let Err(reason) = GearPair::with_locked(wheel, pinion, near, terms.locked) {
-            return Err(vec![problem(
-                path,
-                &format!("{} and {} make no pair: {reason}", gear.0.name, gear.1.name),
-                "match gears of one pair",
-            )]);
-        }
+    if let (Some(wheel), Some(pinion)) = (wheels.first(), pinions.first()) {
+        let made =
+            GearPair::with_locked(wheel.gear.clone(), pinion.gear.clone(), near, terms.locked);
+        made.map_err(|reason| {
+            let problem = Problem {
+                key: "assembly.center_distance_mm".to_owned(),
+                ..Problem::of_file(
+                    reason.to_string(),
+                    "correct the distance, or the bearings' clearance",
+                )
+            };
+            vec![InputError::of(path, vec![problem])]
+        })?;
     }
     Ok(MatchFile {
         pair,
@@ -115,75 +108,34 @@ impl MatchFile {
     }
 }
 
-/// The gear files of a folder, in the order of their names.
-fn files(folder: &Path, errors: &mut Vec<InputError>) -> Vec<PathBuf> {
-    let entries = match std::fs::read_dir(folder) {
-        Ok(entries) => entries,
-        Err(reason) => {
-            errors.push(problem(
-                folder,
-                &format!("cannot be read: {reason}"),
-                "name a folder of gear files",
-            ));
-            return Vec::new();
-        }
-    };
-    let is_gear = |path: &PathBuf| {
-        let ending = path.extension().and_then(|ending| ending.to_str());
-        path.is_file() && matches!(ending, Some("toml" | "json"))
-    };
-    let mut files: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
-    files.retain(is_gear);
-    files.sort();
-    if files.is_empty() {
-        errors.push(problem(
-            folder,
-            "holds no gear file (.toml, .json)",
-            "name a folder of gear files, one a gear",
-        ));
-    }
-    files
+/// A warning of what the pair file states of its own gears and of scatter, which says nothing of gears that were measured.
+fn unused(pair: &PairFile) -> Option<String> {
+    let (_, most_wheel, most_pinion) = pair.study.materials.first()?;
+    let (_, least_wheel, least_pinion) = pair.study.materials.last()?;
+    let spec = &pair.spec;
+    let keys = [
+        (most_wheel != least_wheel).then(|| thickness_key("wheel", &spec.wheel)),
+        (most_pinion != least_pinion).then(|| thickness_key("pinion", &spec.pinion)),
+        spec.tolerance.is_some().then(|| "tolerance".to_owned()),
+    ];
+    let keys: Vec<String> = keys.into_iter().flatten().collect();
+    (!keys.is_empty()).then(|| {
+        format!(
+            "{}: not used: gears are matched as the files of the two folders have them",
+            keys.join(", ")
+        )
+    })
 }
 
-/// The gear of a gear file, or the `member` of a pair file, of as many teeth as `own` has.
-fn one(
-    path: &Path,
-    member: Member,
-    own: Option<&AsBuilt>,
-) -> Result<(NamedGear, crate::Sources), InputError> {
-    let file = crate::read_gears(path)?;
-    let named = |name: &str| name == "gear" || name == member.name();
-    let entry = file.gears.iter().find(|gear| named(gear.name));
-    let Some(entry) = entry else {
-        return Err(problem(path, "has no such gear", "name a gear file"));
+/// A warning of gear files that state a band of thickness.
+fn middles(bands: &[String]) -> Option<String> {
+    let first = bands.first()?;
+    let others = match bands.len() - 1 {
+        0 => String::new(),
+        1 => ", as in one file more".to_owned(),
+        more => format!(", as in {more} files more"),
     };
-    let gear = middle(entry.materials.iter().map(|(_, gear)| gear));
-    let gear = gear.map_err(|reason| problem(path, &reason.to_string(), "correct the file"))?;
-    let teeth = |gear: &AsBuilt| gear.gear().basic_data().teeth();
-    if let Some(own) = own.map(teeth).filter(|own| *own != teeth(&gear)) {
-        let reason = format!(
-            "{} teeth, the pair file's {} has {own}",
-            teeth(&gear),
-            member.name()
-        );
-        return Err(problem(path, &reason, "match gears of one pair"));
-    }
-    let name = path
-        .file_stem()
-        .map(|stem| stem.to_string_lossy().into_owned());
-    let name = name.unwrap_or_default();
-    Ok((NamedGear { name, gear }, file.sources))
-}
-
-fn problem(path: &Path, reason: &str, help: &str) -> InputError {
-    InputError {
-        file: path.to_path_buf(),
-        problems: vec![Problem {
-            key: String::new(),
-            value: None,
-            reason: reason.to_owned(),
-            help: help.to_owned(),
-        }],
-        text: String::new(),
-    }
+    Some(format!(
+        "{first}: a band, whose middle is matched{others}: state what was measured"
+    ))
 }

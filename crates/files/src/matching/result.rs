@@ -98,7 +98,7 @@ impl MatchResult {
         self.pairs.len() == self.matrix.most()
     }
 
-    /// "198 of 200 pairs keep least 40 µm; 171.3 are to be expected at random, 183.0 with 6 thickness classes"
+    /// "198 of 200 pairs keep 40 µm or more; to be expected 171.3 at random, 183.0 with 6 thickness classes"
     pub fn sentence(&self) -> String {
         let um = |mm: f64| shortest(rounded(1e3 * mm, 6));
         let limits = match self.limits {

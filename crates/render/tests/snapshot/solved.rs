@@ -196,6 +196,36 @@ fn an_overlap_has_the_area_that_counting_finds() {
     }
 }
 
+/// Two flanks of the radii of curvature `ρ` that overlap by a depth `δ` far below them share `4/3 δ √(2 δ/κ)`, `κ = 1/ρ_1 + 1/ρ_2`: the
+/// length over which two parabolas overlap, times two thirds of the depth. Of involutes `ρ = √(r² − r_b²)`.
+#[test]
+fn overlaps_of_a_tenth_of_a_micrometre_and_of_a_tenth_of_a_millimetre_have_their_areas() {
+    for (module, below) in [(3.0, 1e-4), (3.0, 1e-3), (20.0, 0.2)] {
+        let assembly = pair([44, 44], module, 44.0 * module - below, Member::Wheel);
+        let pose = pose(&assembly, [1, 1], Side::Right, 0.1);
+        let solved = Solved::new("thin", assembly, pose);
+        let scene = solved.scene();
+        let mut seen = 0;
+        for meeting in scene.meetings().iter().filter(|one| one.gap < 0.0) {
+            let depth = -meeting.gap;
+            let [wheel, pinion] = [
+                (meeting.contact.wheel.radius, Member::Wheel),
+                (meeting.contact.pinion.radius, Member::Pinion),
+            ]
+            .map(|(radius, member)| {
+                let base = solved.assembly.gear(member).gear().base_radius();
+                (radius * radius - base * base).sqrt()
+            });
+            let bend = 1.0 / wheel + 1.0 / pinion;
+            let area = 4.0 / 3.0 * depth * (2.0 * depth / bend).sqrt();
+            let found = scene.overlap(meeting).unwrap().area;
+            assert!((found / area - 1.0).abs() < 0.005, "{found} {area}");
+            seen += 1;
+        }
+        assert!(seen > 0);
+    }
+}
+
 /// Perfect involutes overlap along their normal by exactly `−j_bn` (closed form).
 #[test]
 fn depth_and_area_are_written_beside_the_overlap() {

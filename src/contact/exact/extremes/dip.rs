@@ -312,3 +312,95 @@ fn least([a, b]: [f64; 2]) -> f64 {
 fn length(vector: C) -> f64 {
     vector.norm_sqr().sqrt()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::ExactKernel;
+    use super::super::course::Course;
+    use super::*;
+    use crate::gear::{AsBuilt, Face, Gear, GearDesign, Side};
+    use crate::pair::{GearPair, Mating, Member};
+
+    /// How much farther the free gear turns until the corner is behind a chord, as far as `most`: step by step, with the locked half tooth
+    /// at `at`. `None` where it is behind one before, or nowhere.
+    fn met(dip: &Dip, distance: f64, at: f64, most: f64) -> Option<f64> {
+        let (locked, free) = (&dip.locked, &dip.free);
+        let sum = locked.base + free.base;
+        // Involutes of both base circles, which touch on the line of action: its length is what both have unwound.
+        let alpha = (sum / distance).acos();
+        let unwound = distance * alpha.sin();
+        let gap = (sum * alpha - unwound - locked.base * (at - locked.half_base)) / free.base
+            + free.half_base;
+        let behind = |farther: f64| {
+            let (l, f) = (-turn(at), turn(gap - farther));
+            let seen = match dip.tip {
+                Tip::Locked => (C::from(distance) + l * locked.corner) * f.conj(),
+                Tip::Free => (f * free.corner - C::from(distance)) * l.conj(),
+            };
+            dip.chords.iter().any(|chord| {
+                let away = seen - chord.point;
+                let height = away.re * chord.normal.re + away.im * chord.normal.im;
+                let radius = seen.norm();
+                chord.radii.0 <= radius && radius <= chord.radii.1 && height < 0.0
+            })
+        };
+        const STEP: f64 = 1e-5;
+        let mut farther = -0.02;
+        if behind(farther) {
+            return None;
+        }
+        while farther < most {
+            farther += STEP;
+            if behind(farther) {
+                return Some(farther - STEP);
+            }
+        }
+        None
+    }
+
+    /// The bound of a stretch lies below what every pose of it has. Source: the corner turned step by step.
+    #[test]
+    fn no_corner_meets_the_fillet_before_its_bound() {
+        let gear = |teeth, face| {
+            AsBuilt::perfect(Gear::nominal(GearDesign::plain(teeth, 2.0)).unwrap(), face)
+        };
+        let mut compared = [0; 2];
+        for locked in [Member::Wheel, Member::Pinion] {
+            let (wheel, pinion) = (gear(60, Face::Front), gear(18, Face::Back));
+            let pair = GearPair::with_locked(wheel, pinion, 78.1, locked).unwrap();
+            let kernel = ExactKernel::new(&pair);
+            let first = Mating {
+                wheel_tooth: 1,
+                pinion_tooth: 1,
+                flank: Side::Right,
+                fraction: 0.0,
+            };
+            let course = Course::new(&kernel, &pair, first, 1);
+            for dip in &course.sides[0].dips {
+                let distances = (78.05, 78.15);
+                let lines = Lines::new(distances, dip.locked.base + dip.free.base).unwrap();
+                for part in -5..=5 {
+                    let at = dip.middle + 0.17 * f64::from(part) * dip.half;
+                    for play in [0.0, 0.1 * dip.half] {
+                        let bounds = dip.clearance(at, play, &lines, f64::INFINITY);
+                        for (end, distance) in [distances.0, distances.1].into_iter().enumerate() {
+                            for k in -4..=4 {
+                                let there = at + 0.25 * f64::from(k) * play;
+                                let Some(met) = met(dip, distance, there, 0.06) else {
+                                    continue;
+                                };
+                                let told = format!(
+                                    "{:?} {part} ± {play} at {distance}: {met} {}",
+                                    dip.tip, bounds[end]
+                                );
+                                assert!(bounds[end] <= met + 1e-5, "{told}");
+                                compared[usize::from(dip.tip == Tip::Free)] += 1;
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        assert!(compared.iter().all(|count| *count > 50), "{compared:?}");
+    }
+}

@@ -262,3 +262,107 @@ impl Reached {
         holds.then_some(bend)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::ExactKernel;
+    use super::super::course::Course;
+    use super::*;
+    use crate::gear::{AsBuilt, Face, Gear, GearDesign, Profile, Side};
+    use crate::pair::{GearPair, Mating, Member};
+
+    /// Source: differences between neighbouring poses. A point that turns about an axis has its radius for the second derivative.
+    #[test]
+    fn slopes_and_bends_are_those_of_poses() {
+        let gear = |teeth, face, eccentricity| {
+            let gear = Gear::nominal(GearDesign::plain(teeth, 2.0)).unwrap();
+            AsBuilt::perfect(gear, face)
+                .with_runout(eccentricity, 1.0)
+                .unwrap()
+        };
+        let mut compared = [0; 2];
+        for (locked, off) in [
+            (Member::Wheel, [0.0, 0.0]),
+            (Member::Pinion, [0.0, 0.0]),
+            (Member::Wheel, [0.05, 0.03]),
+            (Member::Pinion, [0.05, 0.03]),
+        ] {
+            let (wheel, pinion) = (gear(60, Face::Front, off[0]), gear(18, Face::Back, off[1]));
+            let pair = GearPair::with_locked(wheel, pinion, 78.1, locked).unwrap();
+            let kernel = ExactKernel::new(&pair);
+            let first = Mating {
+                wheel_tooth: 1,
+                pinion_tooth: 1,
+                flank: Side::Right,
+                fraction: 0.0,
+            };
+            let course = Course::new(&kernel, &pair, first, 1);
+            let side = &course.sides[0];
+            for (index, fraction) in [(0, 0.0), (4, 0.3), (9, 0.7)] {
+                let posed = course.posed(index)[0].on(fraction).flanks;
+                for dip in &side.dips {
+                    for step in -1..=1 {
+                        let at = |x: f64| OnFillet::new(posed.turned_on(x), step, dip.tip);
+                        let mate = at(0.0).mate();
+                        let border = chord(mate, (dip.deepest, mate.fillet_end));
+                        let Some(here) = at(0.0).reach(border, 0.0) else {
+                            continue;
+                        };
+                        const H: f64 = 1e-3;
+                        let beside = [-H, H].map(|x| at(x).reach(border, here.gap));
+                        let [Some(before), Some(after)] = beside else {
+                            continue;
+                        };
+                        let slope = (after.gap - before.gap) / (2.0 * H);
+                        assert!((slope - here.slope).abs() < 1e-3 * (1.0 + slope.abs()));
+                        let bend = (after.gap - 2.0 * here.gap + before.gap) / (H * H);
+                        if let Some(most) = here.bend(H) {
+                            assert!(bend.abs() <= most + 1e-5, "{bend} {most}");
+                        }
+                        let own = match dip.tip {
+                            Tip::Locked => side.problem.locked.shape.tip_radius + side.off[0],
+                            Tip::Free => here.radius + 3.0 * side.off[0],
+                        };
+                        assert!((here.lengths[0] - own).abs() < 1e-12);
+                        compared[usize::from(dip.tip == Tip::Free)] += 1;
+                    }
+                }
+            }
+        }
+        assert!(compared.iter().all(|count| *count > 5), "{compared:?}");
+    }
+
+    /// `(|s_xx| + 2 |s_xμ| |μ'| + |s_μμ| μ'²)/s_μ` with the slope taken a fifth steeper.
+    #[test]
+    fn a_bend_is_its_formula() {
+        let reached = Reached {
+            gap: 0.0,
+            slope: -2.0,
+            turning: 30.0,
+            radius: 31.0,
+            speed: 1.0,
+            lengths: [5.0, 3.0, 2.0],
+        };
+        let expected = (5.0 + 2.0 * 3.0 * 2.4 + 2.0 * 2.4 * 2.4) / 30.0;
+        assert!((reached.bend(0.0).unwrap() - expected).abs() < 1e-15);
+        // Over so long a stretch the arm may be short, and the slope steep.
+        assert_eq!(reached.bend(1.0), None);
+    }
+
+    /// A chord goes through both its ends, and the fillet between, which is hollow, lies on its metal's side.
+    #[test]
+    fn a_chord_has_its_ends_on_it_and_the_fillet_behind() {
+        let gear = Gear::nominal(GearDesign::plain(18, 2.0)).unwrap();
+        let shape = Shape::new(&Profile::new(&gear));
+        for (low, high) in [(0.0, 0.4), (0.3, 0.9), (0.2, shape.fillet_end)] {
+            let border = chord(&shape, (low, high));
+            assert!((border.normal.norm() - 1.0).abs() < 1e-14);
+            let height = |gamma: f64| {
+                let away = shape.at(ProfilePart::Fillet, gamma).point - border.point;
+                away.re * border.normal.re + away.im * border.normal.im
+            };
+            assert!(height(low).abs() < 1e-12 && height(high).abs() < 1e-12);
+            assert!(height(0.5 * (low + high)) < -1e-4);
+        }
+    }
+}

@@ -48,3 +48,46 @@ pub(super) fn sample(course: &Course, found: &mut Found, until_jam: bool) -> Res
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::ExactKernel;
+    use super::*;
+    use crate::gear::{AsBuilt, Face, Gear, GearDesign, Side};
+    use crate::pair::{GearPair, Pose};
+
+    /// What is found is no worse than the least and the greatest of sixteen poses of every pitch of the cycle.
+    #[test]
+    fn every_pitch_is_looked_at() {
+        let gear = Gear::nominal(GearDesign::plain(20, 2.0)).unwrap();
+        let [wheel, pinion] = [(Face::Front, 0.05), (Face::Back, 0.04)].map(|(face, e)| {
+            let perfect = AsBuilt::perfect(gear.clone(), face);
+            perfect.with_runout(e, 8.0).unwrap()
+        });
+        let pair = GearPair::new(wheel, pinion, 40.4).unwrap();
+        let kernel = ExactKernel::new(&pair);
+        let first = Mating {
+            wheel_tooth: 1,
+            pinion_tooth: 1,
+            flank: Side::Right,
+            fraction: 0.0,
+        };
+        let course = Course::new(&kernel, &pair, first, 20);
+        let mut found = Found::default();
+        sample(&course, &mut found, false).unwrap();
+        let poses = (0..320).map(|k| {
+            let mating = first.onward(&pair, f64::from(k) / 16.0);
+            let lost = kernel.lost_motion(&Pose::new(&pair, mating)).unwrap();
+            lost.angle().unwrap()
+        });
+        let (least, greatest) = poses.fold((f64::MAX, f64::MIN), |(least, greatest), angle| {
+            (least.min(angle), greatest.max(angle))
+        });
+        let [low, high] = [found.least, found.greatest].map(|seen| seen.unwrap().angle);
+        assert!(low <= least + 1e-9 && low > least - 1e-5, "{low} {least}");
+        assert!(
+            high >= greatest - 1e-9 && high < greatest + 1e-5,
+            "{high} {greatest}"
+        );
+    }
+}

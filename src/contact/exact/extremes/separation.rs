@@ -213,3 +213,78 @@ impl State {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::PI;
+
+    fn separation(bases: [f64; 2], rolls: [f64; 2]) -> Separation {
+        Separation {
+            gap: 0.0,
+            slope: 0.0,
+            touches: true,
+            rolls,
+            arcs: bases.map(|base| Arc {
+                base,
+                form: f64::NEG_INFINITY,
+                tip: f64::INFINITY,
+            }),
+        }
+    }
+
+    /// Source: how far the end point, and an endless involute, reach in the direction of a roll below the form roll: `ξ_f cos δ + sin δ` and
+    /// `ξ`, at the least of all rolls in play.
+    #[test]
+    fn involutes_that_end_are_short_by_what_their_end_reaches_farther() {
+        let (bases, forms) = ([30.0, 20.0], [0.01, 0.02]);
+        let here = separation(bases, [0.03, -0.02]);
+        let there = separation(bases, [0.01, 0.05]);
+        let farther = |form: f64, roll: f64| {
+            let beyond: f64 = roll - form;
+            form * beyond.cos() + beyond.sin() - roll
+        };
+        let plays = [0.08, 0.06];
+        let [locked, free] = [farther(0.01, 0.01 - 0.08), farther(0.02, -0.02 - 0.06)];
+        let expected = (30.0 * locked + 20.0 * free) / 20.0;
+        assert!(locked > 0.0 && free > 0.0);
+        assert!((here.short(&there, plays, forms) - expected).abs() < 1e-16);
+        assert_eq!(there.short(&there, [0.0, 0.0], [0.0, 0.0]), 0.0);
+    }
+
+    /// No touch bends more than its bound, and one that the eccentricities bend the most not much less. Source: differences of the rotation
+    /// of touch of involutes, found by Newton's method from the length of the line of action.
+    #[test]
+    fn a_touch_bends_no_more_than_its_bound() {
+        for (bases, off) in [
+            ([60.0, 15.0], [0.0, 0.05]),
+            ([15.0, 60.0], [0.05, 0.0]),
+            ([30.0, 20.0], [0.03, 0.04]),
+        ] {
+            let sum: f64 = bases[0] + bases[1];
+            let distance = sum / 20f64.to_radians().cos();
+            let touch = |x: f64, phases: [f64; 2]| {
+                let (mut mu, mut beta) = (0.0, 0.0);
+                for _ in 0..60 {
+                    let between = C::from(distance) - turn(x + phases[0]) * off[0]
+                        + turn(mu + phases[1]) * off[1];
+                    let length = (between.norm_sqr() - sum * sum).sqrt();
+                    beta = between.arg() + length.atan2(sum);
+                    mu -= (length - bases[0] * (beta - x) - bases[1] * (beta - mu)) / bases[1];
+                }
+                (mu, [beta - x, beta - mu])
+            };
+            let mut share = 0.0f64;
+            for k in 0..400 {
+                let phases = [f64::from(k % 20), f64::from(k / 20)].map(|k| 0.1 * PI * k);
+                const H: f64 = 2e-3;
+                let [before, here, after] = [-H, 0.0, H].map(|x| touch(x, phases));
+                let bend = (after.0 - 2.0 * here.0 + before.0) / (H * H);
+                let bound = separation(bases, here.1).bend([0.0; 2], off).unwrap();
+                assert!(bend <= bound + 1e-8, "{bend} {bound}");
+                share = share.max(bend / bound);
+            }
+            assert!(share > 0.7, "{share}");
+        }
+    }
+}

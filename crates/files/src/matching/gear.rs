@@ -1,0 +1,133 @@
+//! A measured gear of a folder.
+
+use crate::Sources;
+use crate::error::{InputError, Problem};
+use crate::numbers::shortest;
+use crate::read::PairFile;
+use crate::spec::GearSpec;
+use crate::temperature::REFERENCE_C;
+use crate::tolerance::middle;
+use gearlash::gear::AsBuilt;
+use gearlash::pair::Member;
+use std::path::Path;
+
+/// A measured gear and the file that it is of.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NamedGear {
+    /// Name of the file without its folder and ending.
+    pub name: String,
+    /// The gear; in the middle of a band of thickness.
+    pub gear: AsBuilt,
+}
+
+/// A gear that was read.
+pub struct Found {
+    /// The gear.
+    pub gear: NamedGear,
+    /// The files it was read from.
+    pub sources: Sources,
+    /// File and key of its thickness, where that is a band.
+    pub band: Option<String>,
+}
+
+/// The gear of a gear file, or the `member` of a pair file, which must be one of the gears of `pair`; it faces as that does.
+pub fn one(path: &Path, member: Member, pair: &PairFile) -> Result<Found, InputError> {
+    let file = crate::read_gears(path)?;
+    let wrong = |problem| InputError::of(path, vec![problem]);
+    let named = |name: &str| name == "gear" || name == member.name();
+    let entry = file.gears.iter().find(|gear| named(gear.name));
+    let Some(entry) = entry else {
+        return Err(wrong(Problem::of_file(
+            "has no such gear",
+            "name a gear file",
+        )));
+    };
+    if let Some(problem) = warm(file.temperature_c) {
+        return Err(wrong(problem));
+    }
+    let (own, face) = match (member, pair.study.materials.first()) {
+        (Member::Wheel, Some((_, wheel, _))) => (&pair.spec.wheel, wheel.face()),
+        (Member::Pinion, Some((_, _, pinion))) => (&pair.spec.pinion, pinion.face()),
+        (_, None) => return Err(wrong(Problem::of_file("has no mate", "name a pair file"))),
+    };
+    let others = differences(&entry.spec, own).map(|(key, found, wanted)| Problem {
+        key: format!("{}.{key}", entry.name),
+        value: Some(shortest(found)),
+        reason: format!(
+            "{}.{key} of the pair file is {}",
+            member.name(),
+            shortest(wanted)
+        ),
+        help: "match gears of one pair".to_owned(),
+    });
+    let others: Vec<Problem> = others.collect();
+    if !others.is_empty() {
+        return Err(InputError::of(path, others));
+    }
+    let gear = middle(entry.materials.iter().map(|(_, gear)| gear));
+    let gear =
+        gear.map_err(|reason| wrong(Problem::of_file(reason.to_string(), "correct the file")))?;
+    let is_band = entry.materials.len() > 1;
+    let name = path
+        .file_stem()
+        .map(|stem| stem.to_string_lossy().into_owned());
+    Ok(Found {
+        gear: NamedGear {
+            name: name.unwrap_or_default(),
+            gear: gear.facing(face),
+        },
+        band: is_band.then(|| {
+            format!(
+                "{}: {}",
+                path.display(),
+                thickness_key(entry.name, &entry.spec)
+            )
+        }),
+        sources: file.sources,
+    })
+}
+
+/// What gears must have alike to take each other's place, where they differ: key, value of `gear`, value of `own`.
+fn differences<'a>(
+    gear: &'a GearSpec,
+    own: &'a GearSpec,
+) -> impl Iterator<Item = (&'static str, f64, f64)> {
+    let each = |gear: &GearSpec| {
+        [
+            ("teeth", f64::from(gear.teeth)),
+            ("module_mm", gear.module_mm),
+            ("pressure_angle_deg", gear.pressure_angle_deg),
+        ]
+    };
+    let both = each(gear).into_iter().zip(each(own));
+    both.filter_map(|((key, found), (_, wanted))| (found != wanted).then_some((key, found, wanted)))
+}
+
+/// What is wrong with a pair at this temperature, if anything.
+pub fn warm(temperature_c: Option<f64>) -> Option<Problem> {
+    let celsius = temperature_c.filter(|celsius| *celsius != REFERENCE_C)?;
+    Some(Problem {
+        key: "assembly.temperature_c".to_owned(),
+        value: Some(shortest(celsius)),
+        ..Problem::of_file(
+            format!("gears are matched at the {REFERENCE_C} °C at which they were measured"),
+            "remove the temperature",
+        )
+    })
+}
+
+/// The key of the thickness of a gear that is called `name`.
+pub fn thickness_key(name: &str, gear: &GearSpec) -> String {
+    let statement = &gear.thickness.statement;
+    let keys = [
+        ("span", statement.span.is_some()),
+        ("over_pins", statement.over_pins.is_some()),
+        ("designation", statement.designation.is_some()),
+        ("allowance_um", statement.allowance_um.is_some()),
+        ("flank_offset_mm", statement.flank_offset_mm.is_some()),
+        ("base_thickness_mm", statement.base_thickness_mm.is_some()),
+    ];
+    let key = keys.iter().find(|(_, is_stated)| *is_stated);
+    let key = key.map_or(String::new(), |(key, _)| format!(".{key}"));
+    format!("{name}.thickness{key}")
+}

@@ -13,7 +13,8 @@
 //! `f(B)` is taken about the mean of all, which changes no expectation of the first and makes it scatter less. The standard errors are
 //! those of the jackknife over [`GROUPS`] groups of rows. All sums are of integers, and add up whichever way the rows are cut.
 
-use super::members::{Factor, Population};
+use super::factor::Factor;
+use super::members::Population;
 use super::sample::{SampleError, in_chunks};
 use super::spread::{Overflow, TENTHS_NM_PER_MM, tenths};
 use super::stream::{Draw, Run};

@@ -1,8 +1,9 @@
 //! The worst case and the root sum of squares: what designers reckoned with before they drew.
 
 use super::assembly::Assembly;
-use super::members::{GearScatter, Population};
+use super::members::Population;
 use super::scatter::Scatter;
+use super::scatters::GearScatter;
 use crate::error::{Error, GearError};
 use crate::gear::{AsBuilt, Deviations};
 use crate::pair::{GearPair, Member};

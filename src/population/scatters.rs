@@ -101,7 +101,11 @@ impl Scatters {
         for member in [Member::Wheel, Member::Pinion] {
             let (of, gear) = (self.of(member), pair.gear(member));
             // A runout without a direction has any.
-            let open = of.gears.is_none() && gear.any_direction() && gear.eccentricity() > 0.0;
+            let is_open = |gear: &AsBuilt| gear.any_direction() && gear.eccentricity() > 0.0;
+            let open = match &of.gears {
+                Some(gears) => gears.iter().any(is_open),
+                None => is_open(gear),
+            };
             let each = [
                 (
                     !correlated && scatters(&of.thickness),

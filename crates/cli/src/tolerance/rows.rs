@@ -1,5 +1,6 @@
 //! Each assembly of a run as a row of CSV.
 
+use super::results::is_own;
 use crate::error::Error;
 use crate::output::{NewFile, OutputFolder};
 use gearlash::population::{Outcome, OutcomeKind};
@@ -38,7 +39,14 @@ impl RowsFile {
         };
         let real = |path: &Path| path.canonicalize().ok();
         let (folder, file, failed) = match results {
-            Some((path, results)) if real(path).is_some() && real(path) == real(parent) => {
+            Some((folder, results)) if real(folder).is_some() && real(folder) == real(parent) => {
+                // Some file systems know no capital letters.
+                if is_own(&name.to_ascii_lowercase()) {
+                    return Err(Error::Usage(format!(
+                        "--rows {}: the results themselves have a file called {name} there; take another name",
+                        path.display()
+                    )));
+                }
                 let file = results.create(name)?;
                 (None, file, results.failed(name))
             }

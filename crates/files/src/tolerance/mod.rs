@@ -27,5 +27,5 @@ pub use part_head::{MOST_ASSEMBLIES, MOST_SHARDS, PartHead, Progress};
 pub use population::{ToleranceFile, read_tolerance};
 pub use result::{Convergence, ToleranceResult, convergence, histogram_csv};
 pub use run::{BlockError, Rows};
-pub use sentence::sentence;
+pub use sentence::{phases_of_limits, sentence, without_backlash};
 pub use worst::{Worst, worst_file};

@@ -1,7 +1,7 @@
 //! What a whole run says, as JSON and CSV.
 
 use super::part::Part;
-use super::sentence::sentence;
+use super::sentence::{phases_of_limits, sentence};
 use crate::numbers::rounded;
 use gearlash::population::{
     CONFIDENCE, Contributions, LIMIT_SHARE, LIMIT_SIGMAS, PITCH_LIMIT_SIGMAS, QUANTILES, Share,
@@ -142,6 +142,8 @@ impl ToleranceResult {
                 "cpk": statistics.cpk.map(|cpk| rounded(cpk, 4)),
             },
             "limits": {
+                // "worst": each number is of the assembly phase where it is the worst; null where the phase does not scatter.
+                "phase": phases_of_limits(&self.part).map(|_| "worst"),
                 "at_mean": both(0),
                 "worst_case": both(1),
                 "root_sum_of_squares": both(2),

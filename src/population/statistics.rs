@@ -62,7 +62,8 @@ fn beta_quantile([a, b]: [f64; 2], p: f64, [mut low, mut high]: [f64; 2]) -> f64
 /// One extreme over the population; lengths in mm.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SpreadStatistics {
-    /// How many have it: mean and standard deviation are of these alone. The jammed have no least, those out of mesh no greatest.
+    /// How many have it: mean and standard deviation are of these alone. The jammed have no least, those out of mesh no greatest, and of
+    /// what is jammed or out of mesh the other need not have been found.
     pub count: u64,
     /// Mean of those that have it; `None` of none.
     pub mean: Option<f64>,

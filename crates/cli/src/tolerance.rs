@@ -1,5 +1,6 @@
 //! `gearlash tolerance`: what share of a population meets its requirement, and what it depends on.
 
+mod parquet;
 mod results;
 mod rows;
 
@@ -45,8 +46,8 @@ pub(super) struct Args {
     /// Part K of N of the run alone, to DIR/part_K_of_N.json: gearlash merge puts all together
     #[arg(long, value_name = "K/N", value_parser = shard)]
     shard: Option<[u64; 2]>,
-    /// Also each assembly's least and greatest backlash, as CSV; such a run begins anew where it was interrupted
-    #[arg(long, value_name = "FILE.csv")]
+    /// Also each assembly's least and greatest backlash, to FILE.csv or FILE.parquet; such a run begins anew where it was interrupted
+    #[arg(long, value_name = "FILE")]
     rows: Option<PathBuf>,
     /// What to print
     #[arg(long, value_enum, default_value_t = Format::Text)]

@@ -52,20 +52,17 @@ pub fn sentence(result: &ToleranceResult) -> String {
 pub fn without_backlash(result: &ToleranceResult) -> Option<String> {
     let statistics = &result.statistics;
     let without = [
-        (statistics.least.count, "least", "jammed"),
-        (statistics.greatest.count, "greatest", "out of mesh"),
+        (&statistics.least, "least"),
+        (&statistics.greatest, "greatest"),
     ];
-    let each = without.into_iter().filter_map(|(count, end, why)| {
-        let count = statistics.total.saturating_sub(count);
-        let ones = if count == 1 { "one" } else { "ones" };
-        (count > 0).then(|| {
-            format!("the {count} {ones} without a {end} backlash ({why}, of no gear or without a result)")
-        })
+    let each = without.into_iter().filter_map(|(spread, end)| {
+        let count = statistics.total.saturating_sub(spread.count);
+        (count > 0).then(|| format!("the {count} that have no {end} backlash"))
     });
     let each: Vec<String> = each.collect();
     (!each.is_empty()).then(|| {
         format!(
-            "Mean, standard deviation, Cp and Cpk leave out {}; shares and quantiles count the jammed as less, and those out of mesh as more, than any.",
+            "Mean, standard deviation, Cp and Cpk are without {} (jammed, out of mesh, of no gear or without a result); none of them is left out of the share that misses the requirement.",
             each.join(" and ")
         )
     })

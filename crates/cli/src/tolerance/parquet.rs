@@ -150,7 +150,7 @@ mod tests {
     /// Two groups and a half, with lengths that are there and such that are not, read back by the crate's own reader.
     #[test]
     fn several_groups_are_read_back() {
-        let length = |number: u64| (number % 3 > 0).then_some(number as f64 / 1e4);
+        let length = |number: u64| (!number.is_multiple_of(3)).then_some(number as f64 / 1e4);
         let mut rows = ParquetRows::new(Vec::new()).unwrap();
         let count = 5 * GROUP as u64 / 2;
         for number in 1..=count {

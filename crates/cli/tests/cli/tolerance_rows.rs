@@ -59,6 +59,8 @@ fn rows_of_jammed_assemblies_are_not_called_proven() {
         "{ scatter = \"uniform\" }",
         "{ scatter = \"table\", values_um = [0, 1500] }",
     );
+    let text = text.replace("assemblies = 300", "assemblies = 24");
+    let text = text.replace("contribution_rows = 64", "contribution_rows = 0");
     std::fs::write(folder.path().join("pair.toml"), text).unwrap();
     let (code, printed, told) = tolerance(folder.path(), "tolerance pair.toml -o o --rows r.csv");
     assert_eq!(code, Some(0), "{told}");
@@ -71,7 +73,7 @@ fn rows_of_jammed_assemblies_are_not_called_proven() {
         .lines()
         .filter(|row| row.contains(",jammed,,,"))
         .collect();
-    assert!(jammed.len() > 50, "{rows}");
+    assert!(jammed.len() > 5, "{rows}");
     assert!(jammed.iter().all(|row| row.ends_with(",false")), "{rows}");
 }
 

@@ -2,6 +2,7 @@
 
 use super::part::Part;
 use super::sentence::{phases_of_limits, sentence};
+use super::worst::worst_name;
 use crate::numbers::rounded;
 use gearlash::population::{
     CONFIDENCE, Contributions, LIMIT_SHARE, LIMIT_SIGMAS, PITCH_LIMIT_SIGMAS, QUANTILES, Share,
@@ -266,11 +267,6 @@ pub fn histogram_csv(part: &Part) -> String {
         text += &format!("{},{},{}\n", bin as f64 / 100.0, of(least), of(greatest));
     }
     text
-}
-
-/// The name of the pair file of the worst assembly, of the one after it, ….
-pub(crate) fn worst_name(index: usize) -> String {
-    format!("worst_{:02}.toml", index + 1)
 }
 
 fn spread(spread: &SpreadStatistics) -> Value {

@@ -227,14 +227,22 @@ pub(super) fn hunting_pitches(assembly: &GearPair) -> u64 {
     SweepPlan::hunting_pitches(teeth(Member::Wheel), teeth(Member::Pinion))
 }
 
+/// Whether it matters for the extremes over the cycle in which phase the gears are put together: not against teeth that are all alike.
+pub(crate) fn phases_differ(assembly: &GearPair) -> bool {
+    deviate(assembly) == [true, true]
+}
+
+/// Whether wheel and pinion have unlike teeth: in any direction an eccentricity alone makes no tooth another.
+fn deviate(assembly: &GearPair) -> [bool; 2] {
+    [Member::Wheel, Member::Pinion].map(|one| assembly.gear(one).centred().has_unlike_teeth())
+}
+
 /// Matings that differ: after them every deviation of both gears is where it was.
 pub(super) fn distinct(assembly: &GearPair) -> u64 {
     let gear = |member| assembly.gear(member);
     let teeth = |member| gear(member).gear().basic_data().teeth();
     let (wheel, pinion) = (teeth(Member::Wheel), teeth(Member::Pinion));
-    // In any direction an eccentricity alone makes no tooth another.
-    let deviates = |member| gear(member).centred().has_unlike_teeth();
-    match [Member::Wheel, Member::Pinion].map(deviates) {
+    match deviate(assembly) {
         [true, true] => hunting_pitches(assembly),
         [true, false] => u64::from(wheel),
         [false, true] => u64::from(pinion),

@@ -17,6 +17,7 @@ use crate::pair::GearPair;
 use crate::parallel;
 use std::ops::ControlFlow;
 
+pub(crate) use super::cycles::phases_differ;
 pub use super::cycles::{WIDTH, extremes_of_phase};
 
 /// One centre distance, material and assembly phase.

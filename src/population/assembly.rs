@@ -39,7 +39,7 @@ pub struct Outcome {
     pub least: Option<f64>,
     /// Greatest `j_wt`, mm: no pose has more. `None` where a pose is out of mesh, or none was found.
     pub greatest: Option<f64>,
-    /// Whether both are proven.
+    /// Whether those that there are of both are proven; `false` where there is none.
     pub is_proven: bool,
 }
 
@@ -65,6 +65,14 @@ impl Assembly {
     /// The pinion tooth whose right flank meets that of wheel tooth 1.
     pub fn phase(&self) -> u32 {
         self.phase
+    }
+
+    /// The same pair put together in another phase.
+    pub(super) fn in_phase(&self, phase: u32) -> Assembly {
+        Assembly {
+            phase,
+            ..self.clone()
+        }
     }
 
     /// Its extremes: with play in the bearings the least with the axes as near, the greatest with them as far apart as that allows.
@@ -123,7 +131,12 @@ impl Outcome {
             kind,
             least: self.least,
             greatest: far.greatest,
-            is_proven: self.is_proven && far.is_proven,
+            is_proven: match (self.least, far.greatest) {
+                (None, None) => false,
+                (Some(_), None) => self.is_proven,
+                (None, Some(_)) => far.is_proven,
+                (Some(_), Some(_)) => self.is_proven && far.is_proven,
+            },
         }
     }
 
@@ -149,7 +162,49 @@ impl Outcome {
             },
             least: found.least.map(|least| least.low),
             greatest: found.greatest.map(|greatest| greatest.high),
-            is_proven: both.iter().flatten().all(|extreme| extreme.is_proven()),
+            is_proven: both.iter().any(Option::is_some)
+                && both.iter().flatten().all(|extreme| extreme.is_proven()),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::{Doubt, Extreme};
+    use crate::gear::Side;
+    use crate::pair::Mating;
+
+    fn found(status: Status, [least, greatest]: [Option<Option<Doubt>>; 2]) -> Outcome {
+        let mating = Mating {
+            wheel_tooth: 1,
+            pinion_tooth: 1,
+            flank: Side::Right,
+            fraction: 0.0,
+        };
+        let extreme = |doubt| Extreme {
+            low: 0.1,
+            high: 0.1,
+            mating,
+            doubt,
+        };
+        Outcome::of(&Extremes {
+            matings: 1,
+            status,
+            least: least.map(extreme),
+            greatest: greatest.map(extreme),
+            lost: None,
+        })
+    }
+
+    /// Of nothing nothing is proven; of a jammed pair what it has.
+    #[test]
+    fn nothing_is_proven_of_an_outcome_without_values() {
+        let doubt = Some(Some(Doubt::Effort));
+        assert!(!found(Status::Jammed, [None, None]).is_proven);
+        assert!(found(Status::Jammed, [None, Some(None)]).is_proven);
+        assert!(!found(Status::Jammed, [None, doubt]).is_proven);
+        assert!(!found(Status::Clear, [Some(None), doubt]).is_proven);
+        assert!(found(Status::Clear, [Some(None), Some(None)]).is_proven);
     }
 }

@@ -13,7 +13,8 @@
 //! `f(B)` is taken about the mean of all, which changes no expectation of the first and makes it scatter less. The standard errors are
 //! those of the jackknife over [`GROUPS`] groups of rows. All sums are of integers, and add up whichever way the rows are cut.
 
-use super::members::{Factor, Population};
+use super::factor::Factor;
+use super::members::Population;
 use super::sample::{SampleError, in_chunks};
 use super::spread::{Overflow, TENTHS_NM_PER_MM, tenths};
 use super::stream::{Draw, Run};
@@ -145,7 +146,8 @@ impl GroupSums {
         })
     }
 
-    fn without(&self, other: &GroupSums) -> GroupSums {
+    /// `None` where the rest does not fit.
+    fn without(&self, other: &GroupSums) -> Option<GroupSums> {
         let mut rest = self.clone();
         rest.rows -= other.rows;
         let own = rest
@@ -154,17 +156,17 @@ impl GroupSums {
             .chain(rest.factors.iter_mut().flatten());
         let others = other.samples.iter().chain(other.factors.iter().flatten());
         for (sum, other) in own.zip(others) {
-            *sum -= other;
+            *sum = sum.checked_sub(*other)?;
         }
-        rest
+        Some(rest)
     }
 
-    /// First-order and total share of each quantity; `None` where nothing varies.
+    /// First-order and total share of each quantity; `None` where nothing varies, or sums do not fit.
     fn indices(&self) -> Option<Vec<[f64; 2]>> {
         let n = self.rows as f64;
         let [a, b, aa, bb, ab] = self.samples;
-        let mean = (a + b) as f64 / (2.0 * n);
-        let variance = (aa + bb) as f64 / (2.0 * n) - mean * mean;
+        let mean = a.checked_add(b)? as f64 / (2.0 * n);
+        let variance = aa.checked_add(bb)? as f64 / (2.0 * n) - mean * mean;
         // Of lengths in tenths of a nanometre rounding alone leaves 1/12.
         if !(variance > 1.0) {
             return None;
@@ -173,11 +175,13 @@ impl GroupSums {
             .factors
             .iter()
             .map(|&[mixed, mixed_2, b_mixed, a_mixed]| {
-                let first = (b_mixed - ab) as f64 / n - mean * (mixed - a) as f64 / n;
-                let total = (aa - 2 * a_mixed + mixed_2) as f64 / (2.0 * n);
-                [first / variance, total / variance]
+                let (products, moved) = (b_mixed.checked_sub(ab)?, mixed.checked_sub(a)?);
+                let squares = aa.checked_sub(a_mixed.checked_mul(2)?)?;
+                let first = products as f64 / n - mean * moved as f64 / n;
+                let total = squares.checked_add(mixed_2)? as f64 / (2.0 * n);
+                Some([first / variance, total / variance])
             });
-        Some(each.collect())
+        each.collect()
     }
 }
 
@@ -195,7 +199,7 @@ impl Contributions {
             each: Vec::new(),
         };
         let filled = groups.iter().all(|group| group.rows > 0);
-        let rest = groups.iter().map(|group| all.without(group).indices());
+        let rest = groups.iter().map(|group| all.without(group)?.indices());
         let rest: Option<Vec<Vec<[f64; 2]>>> = match fits && filled {
             true => rest.collect(),
             false => None,

@@ -1,24 +1,28 @@
 //! The worst case and the root sum of squares: what designers reckoned with before they drew.
 
 use super::assembly::Assembly;
-use super::members::{GearScatter, Population};
+use super::members::Population;
 use super::scatter::Scatter;
+use super::scatters::{GearScatter, Scatters, phase_count};
+use crate::analysis::extremes::phases_differ;
 use crate::error::{Error, GearError};
 use crate::gear::{AsBuilt, Deviations};
 use crate::pair::{GearPair, Member};
+use crate::parallel;
 
 /// How many standard deviations of a flank's cumulative pitch deviation the worst case takes.
 pub const PITCH_LIMIT_SIGMAS: f64 = 3.0;
 
 /// Least and greatest `j_wt`, mm, with every scatter at its limits, and by the root sum of squares. `None` where a pair there is jammed,
-/// out of mesh or none.
+/// out of mesh or none. Where the assembly phase scatters, each is the least, or the greatest, of all phases.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LimitCases {
-    /// With all at their mean, runout and pitch at 0.
+    /// With all that scatters at its mean, but a runout and a pitch that are drawn at 0. What does not scatter is as the pair has it.
     pub mean: [Option<f64>; 2],
     /// The least with all at their limits to one side, the greatest with all to the other.
     pub worst: [Option<f64>; 2],
-    /// `j − √(Σ Δ_i²)` and `j + √(Σ Δ_i²)`: `Δ_i` what each alone changes of the mean's at the limit that changes it the more.
+    /// `j − √(Σ Δ_i²)` and `j + √(Σ Δ_i²)`: `Δ_i` what each alone changes of the mean's, of the least at its limit towards less backlash, of
+    /// the greatest at that towards more.
     pub root_sum_of_squares: [Option<f64>; 2],
 }
 
@@ -55,6 +59,9 @@ enum Towards {
 
 /// Both, of `population`; `None` where whole gears are drawn, which have no limits.
 ///
+/// An assembly phase has no limits: where it scatters, each case is taken in all of the gcd(z_1, z_2), its least in the one that has the
+/// least and its greatest in the one that has the greatest.
+///
 /// Distributions without an end are cut at their limits ([`Scatter::limits`]). A runout is in its worst direction. Pitch is a list of
 /// numbers that close on the circle: the flanks in contact are taken [`PITCH_LIMIT_SIGMAS`] standard deviations of a cumulative
 /// deviation out, or in, on both sides of both gears. That of `z` closed single deviations of standard deviation `σ` about their own mean is
@@ -84,7 +91,7 @@ pub fn limit_cases(population: &Population) -> Result<Option<LimitCases>, Error>
     let mean = both(&|_| false)?;
     let mut squares = [Some(0.0); 2];
     let mut thickness = [[Some(0.0); 2]; 2];
-    for alone in EACH {
+    for alone in EACH.into_iter().filter(|alone| alone.scatters(scatters)) {
         let moved = both(&|one| one == alone)?;
         for end in 0..2 {
             let change = moved[end].zip(mean[end]).map(|(moved, mean)| moved - mean);
@@ -117,7 +124,20 @@ pub fn limit_cases(population: &Population) -> Result<Option<LimitCases>, Error>
     }))
 }
 
-/// Least and greatest with the quantities that `at_limit` says at their limit, all else at its mean.
+impl Alone {
+    fn scatters(self, scatters: &Scatters) -> bool {
+        match self {
+            Alone::Thickness(member) => scatters.of(member).thickness.is_some(),
+            Alone::Runout(member) => scatters.of(member).runout.is_some(),
+            Alone::Pitch(member) => scatters.of(member).pitch.is_some(),
+            Alone::PerTooth(member) => scatters.of(member).per_tooth.is_some(),
+            Alone::Distance => scatters.center_distance.is_some(),
+            Alone::Play => scatters.bearing_play.is_some(),
+        }
+    }
+}
+
+/// Least and greatest with the quantities that `at_limit` says at their limit, all else at its mean, over the phases there may be.
 fn case(
     population: &Population,
     at_limit: &dyn Fn(Alone) -> bool,
@@ -128,8 +148,19 @@ fn case(
         // As a draw that is no gear: there is no such case.
         Err(_) => return Ok((None, None)),
     };
-    let found = assembly.outcome()?;
-    Ok((found.least, found.greatest))
+    let pair = assembly.pair();
+    let phases = match population.scatters().phase && phases_differ(pair) {
+        true => (1..=phase_count(pair)).collect(),
+        false => vec![assembly.phase()],
+    };
+    let each = parallel::map(phases, |phase| assembly.in_phase(phase).outcome());
+    let each = each.into_iter().collect::<Result<Vec<_>, _>>()?;
+    // A phase in which there is none leaves nothing that holds of all.
+    let least = each.iter().map(|found| found.least);
+    let least = least.reduce(|one, other| Some(one?.min(other?)));
+    let greatest = each.iter().map(|found| found.greatest);
+    let greatest = greatest.reduce(|one, other| Some(one?.max(other?)));
+    Ok((least.flatten(), greatest.flatten()))
 }
 
 fn assembly(

@@ -29,10 +29,12 @@
 
 mod assembly;
 mod contributions;
+mod factor;
 mod limit_cases;
 mod members;
 mod sample;
 mod scatter;
+mod scatters;
 mod spread;
 mod statistics;
 mod stream;
@@ -42,10 +44,12 @@ pub use assembly::{Assembly, Outcome, OutcomeKind};
 pub use contributions::{
     Contribution, ContributionSums, Contributions, Estimate, GROUPS, GroupSums, contribution_sums,
 };
+pub use factor::Factor;
 pub use limit_cases::{LimitCases, PITCH_LIMIT_SIGMAS, limit_cases};
-pub use members::{Factor, GearScatter, Population, PopulationError, Scatters};
+pub use members::Population;
 pub use sample::{CHUNK, Sample, SampleError, outcomes, sample};
 pub use scatter::{LIMIT_SHARE, LIMIT_SIGMAS, Scatter, ScatterError};
+pub use scatters::{GearScatter, PopulationError, Scatters};
 pub use spread::{BIN_TENTHS_NM, Overflow, Spread, TENTHS_NM_PER_MM};
 pub use statistics::{CONFIDENCE, QUANTILES, Share, SpreadStatistics, Statistics};
 pub use stream::{Draw, Run};

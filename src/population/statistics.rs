@@ -62,11 +62,12 @@ fn beta_quantile([a, b]: [f64; 2], p: f64, [mut low, mut high]: [f64; 2]) -> f64
 /// One extreme over the population; lengths in mm.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SpreadStatistics {
-    /// How many have it.
+    /// How many have it: mean and standard deviation are of these alone. The jammed have no least, those out of mesh no greatest, and of
+    /// what is jammed or out of mesh the other need not have been found.
     pub count: u64,
-    /// Mean; `None` of none.
+    /// Mean of those that have it; `None` of none.
     pub mean: Option<f64>,
-    /// Standard deviation of the population, estimated with `n − 1`; `None` of less than two.
+    /// Standard deviation of the population of those that have it, estimated with `n − 1`; `None` of less than two.
     pub sigma: Option<f64>,
     /// The [`QUANTILES`], to the width of a bin of the histogram; `None` where those that have no such extreme reach so far.
     pub quantiles: [Option<f64>; 5],
@@ -91,7 +92,8 @@ pub struct Statistics {
     pub least: SpreadStatistics,
     /// Greatest `j_wt`. Those out of mesh have more than any.
     pub greatest: SpreadStatistics,
-    /// `(max − min)/(6 σ)`, the greater σ of both; `None` without both limits. What it says of shares holds of normal populations.
+    /// `(max − min)/(6 σ)`, the greater σ of both; `None` without both limits. What it says of shares holds of normal populations, and of
+    /// assemblies that have both extremes.
     pub cp: Option<f64>,
     /// The lesser of `(mean of the least − min)/(3 σ)` and `(max − mean of the greatest)/(3 σ)`, of the limits there are.
     pub cpk: Option<f64>,

@@ -3,12 +3,14 @@
 //! `j_wt = p_w − s_w1 − s_w2` with `s_w = 2 r_w (s_b/(2 r_b) − inv α_wt)` (ISO 21771).
 
 use gearlash::gear::{
-    AsBuilt, BasicGearData, Face, Gear, GearDesign, Side, involute, thickness as shop,
+    AsBuilt, BasicGearData, Deviations, Face, Gear, GearDesign, Pitch, Side, involute,
+    thickness as shop,
 };
 use gearlash::pair::{GearPair, Member};
 use gearlash::population::{
-    ContributionSums, Draw, Factor, GearScatter, Population, PopulationError, Requirement, Run,
-    Sample, Scatter, Scatters, Statistics, Tally, contribution_sums, limit_cases, sample,
+    ContributionSums, Draw, Factor, GearScatter, LimitCases, Population, PopulationError,
+    Requirement, Run, Sample, Scatter, Scatters, Statistics, Tally, contribution_sums, limit_cases,
+    sample,
 };
 use std::ops::ControlFlow;
 
@@ -232,6 +234,95 @@ fn no_assembly_is_worse_than_the_worst_case() {
         let found = all.outcome(number).unwrap();
         assert!(found.is_proven && found.least.unwrap() >= least);
         assert!(found.greatest.unwrap() <= greatest);
+    }
+}
+
+/// A gear whose tooth 1 has its flanks `off` before their places, mm, own flanks as numbers ascend.
+fn with_pitch(teeth: u32, face: Face, off: f64) -> AsBuilt {
+    let cumulative: Vec<f64> = (1..=teeth)
+        .map(|tooth| if tooth == 1 { off } else { 0.0 })
+        .collect();
+    let pitch = Pitch::from_cumulative(&cumulative, &cumulative);
+    let deviations = Deviations {
+        pitch: Some(pitch),
+        ..Deviations::default()
+    };
+    gear(teeth, face).varied(0.0, &deviations).unwrap()
+}
+
+/// 30/20 of which a tooth each stands beside its place: of its 10 phases each has a worst case of its own, and that of the population is the
+/// worst of these; no assembly of bounded scatter in any phase lies beyond.
+#[test]
+fn the_worst_case_is_that_of_all_phases() {
+    let own = || {
+        let wheel = with_pitch(30, Face::Front, 0.03);
+        GearPair::new(wheel, with_pitch(20, Face::Back, -0.025), 75.2).unwrap()
+    };
+    let scatters = |phase| Scatters {
+        center_distance: Some(Scatter::uniform(-0.01, 0.01).unwrap()),
+        phase,
+        ..of_thickness(Some(Scatter::uniform(-0.005, 0.005).unwrap()), None)
+    };
+    let population = Population::new(own(), scatters(true)).unwrap();
+    let all = limit_cases(&population).unwrap().unwrap();
+    let each = (1..=10).map(|phase| {
+        let population = Population::new(own(), scatters(false)).unwrap();
+        limit_cases(&population.with_phase(phase)).unwrap().unwrap()
+    });
+    let each: Vec<LimitCases> = each.collect();
+    type Both = [Option<f64>; 2];
+    for of in [
+        |case: &LimitCases| case.worst,
+        |case: &LimitCases| case.mean,
+    ] as [fn(&LimitCases) -> Both; 2]
+    {
+        let ends = |end: usize| each.iter().map(move |case| of(case)[end].unwrap());
+        let least = ends(0).fold(f64::INFINITY, f64::min);
+        let greatest = ends(1).fold(f64::NEG_INFINITY, f64::max);
+        assert_eq!(of(&all).map(Option::unwrap), [least, greatest]);
+        // Some phase is not the worst by more than a µm.
+        assert!(ends(0).any(|other| other > least + 1e-3));
+    }
+    let [low, high] = all.root_sum_of_squares.map(Option::unwrap);
+    let [least, greatest] = all.worst.map(Option::unwrap);
+    assert!(least < low && high < greatest);
+    let requirement = Requirement::new(None, None);
+    let sample = Sample {
+        population: &population,
+        requirement,
+        seed: 5,
+        total: 300,
+    };
+    for number in 1..=300 {
+        let found = sample.outcome(number).unwrap();
+        assert!(found.is_proven && found.least.unwrap() >= least, "{number}");
+        assert!(found.greatest.unwrap() <= greatest, "{number}");
+    }
+}
+
+/// One wheel with a runout of any direction, drawn whole, against a pinion whose high tooth is known, of as many teeth: put together alike,
+/// all that varies is the direction, so that its index is 1.
+#[test]
+fn the_direction_of_whole_gears_contributes() {
+    let open = gear(44, Face::Front).with_runout_of_any_direction(0.015);
+    let pinion = gear(44, Face::Back).with_runout(0.01, 7.0).unwrap();
+    let pair = GearPair::new(gear(44, Face::Front), pinion, 132.1).unwrap();
+    let scatters = Scatters {
+        wheel: GearScatter {
+            gears: Some([open.unwrap()].into()),
+            ..GearScatter::default()
+        },
+        ..Scatters::default()
+    };
+    let population = Population::new(pair, scatters).unwrap();
+    let wheel = Member::Wheel;
+    let factors = [Factor::Runout(wheel), Factor::Gear(wheel)];
+    assert_eq!(population.factors(), factors);
+    let sums = contribution_sums(&population, 1, 1..257, &go_on).unwrap();
+    for found in sums.contributions(&factors) {
+        let [direction, which] = [found.each[0], found.each[1]];
+        assert!(direction.total.admits(1.0, 5.0) && direction.first.admits(1.0, 5.0));
+        assert_eq!(which.total.value, 0.0);
     }
 }
 

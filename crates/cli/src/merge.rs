@@ -46,13 +46,8 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     guard(&sources)?;
     let folder = OutputFolder::prepare(&args.output, &sources, is_own)?;
     let result = ToleranceResult::of(Part::merged(parts)?);
-    if result.part.is_impossible() {
-        return Err(Error::Usage(format!(
-            "{} of {} draws are of no gear, more than the share of {} that tolerance.max_impossible allows; narrow what scatters",
-            result.part.tally.counts.impossible,
-            result.part.head.assemblies,
-            result.part.about.max_impossible
-        )));
+    if let Some(reason) = result.part.too_many_impossible() {
+        return Err(Error::Usage(reason.to_string()));
     }
     tell_result(&result, folder, args.format, &args.screen.screen())
 }

@@ -1,5 +1,6 @@
 //! `gearlash tolerance`: what share of a population meets its requirement, and what it depends on.
 
+mod parquet;
 mod results;
 mod rows;
 
@@ -11,8 +12,11 @@ use crate::error::Error;
 use crate::output::{OutputFile, OutputFolder};
 use gearlash::population::{CHUNK, SampleError};
 use gearlash_files::Sources;
-use gearlash_files::tolerance::{BlockError, Part, ToleranceFile, ToleranceResult, read_tolerance};
+use gearlash_files::tolerance::{
+    BlockError, MOST_ASSEMBLIES, MOST_SHARDS, Part, ToleranceFile, ToleranceResult, read_tolerance,
+};
 use rows::RowsFile;
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
@@ -34,7 +38,7 @@ pub(super) struct Args {
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
     /// How many assemblies, in place of the pair file's
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=1_000_000_000))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=MOST_ASSEMBLIES))]
     assemblies: Option<u64>,
     /// Another seed than the pair file's
     #[arg(long, value_name = "S", value_parser = clap::value_parser!(u64).range(0..=u64::from(u32::MAX)))]
@@ -42,8 +46,8 @@ pub(super) struct Args {
     /// Part K of N of the run alone, to DIR/part_K_of_N.json: gearlash merge puts all together
     #[arg(long, value_name = "K/N", value_parser = shard)]
     shard: Option<[u64; 2]>,
-    /// Also each assembly's least and greatest backlash, as CSV; such a run begins anew where it was interrupted
-    #[arg(long, value_name = "FILE.csv")]
+    /// Also each assembly's least and greatest backlash, to FILE.csv or FILE.parquet; such a run begins anew where it was interrupted
+    #[arg(long, value_name = "FILE")]
     rows: Option<PathBuf>,
     /// What to print
     #[arg(long, value_enum, default_value_t = Format::Text)]
@@ -51,9 +55,6 @@ pub(super) struct Args {
     #[command(flatten)]
     screen: ScreenArgs,
 }
-
-/// Parts of a run, at most.
-const MOST_SHARDS: u64 = 100_000;
 
 /// `K/N`.
 fn shard(text: &str) -> Result<[u64; 2], String> {
@@ -154,7 +155,9 @@ fn work(
                 BlockError::Sample(other) => Error::Usage(other.to_string()),
                 BlockError::Rows(source) => Error::Printing(source),
             })?;
-        possible(file, part)?;
+        if let Some(reason) = file.too_many_impossible(part) {
+            return Err(Error::Usage(reason.to_string()));
+        }
         if !went_on {
             break;
         }
@@ -172,23 +175,6 @@ fn work(
     rows.map_or(Ok(()), RowsFile::finish)
 }
 
-/// An error where more draws are of no gear than may be.
-fn possible(file: &ToleranceFile, part: &Part) -> Result<(), Error> {
-    if !part.is_impossible() {
-        return Ok(());
-    }
-    let count = part.tally.counts.impossible;
-    let first = part.tally.first_impossible;
-    let why = first.and_then(|number| Some((number, file.impossible(part, number)?)));
-    let why = why.map_or(String::new(), |(number, why)| {
-        format!("; assembly {number}: {why}")
-    });
-    Err(Error::Usage(format!(
-        "tolerance: {count} of the first {} draws are of no gear, more than the share of {} of all {} that tolerance.max_impossible allows{why}; narrow what scatters",
-        part.done.assemblies, part.about.max_impossible, part.head.assemblies
-    )))
-}
-
 /// Where what is done of a run is kept.
 struct Kept<'a> {
     path: PathBuf,
@@ -199,12 +185,21 @@ impl Kept<'_> {
     /// What is kept of the run of `begun`; `begun` itself where nothing is.
     fn found(&self, begun: Part) -> Part {
         let name = self.path.display().to_string();
-        let text = std::fs::read_to_string(&self.path);
-        let Some(found) = text
-            .ok()
-            .and_then(|text| Part::from_json(&name, &text).ok())
-        else {
-            return begun;
+        let found = match std::fs::read_to_string(&self.path) {
+            Err(error) if error.kind() == ErrorKind::NotFound => return begun,
+            Err(error) => Err(error.to_string()),
+            Ok(text) => Part::from_json(&name, &text).map_err(|error| error.to_string()),
+        };
+        let found = match found {
+            Ok(found) => found,
+            Err(reason) => {
+                // Which names the file, but for what the system says.
+                let reason = reason.strip_prefix(&format!("{name}: ")).unwrap_or(&reason);
+                tell(&format!(
+                    "note: {name}: what was kept there cannot be gone on from, and is done again: {reason}"
+                ));
+                return begun;
+            }
         };
         if found.head != begun.head || found.about != begun.about {
             tell(&format!("note: {name} is of another run, and is replaced"));

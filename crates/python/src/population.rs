@@ -6,9 +6,14 @@ use gearlash::gear::AsBuilt;
 use gearlash::matching::Matrix;
 use gearlash::population::SampleError;
 use gearlash_files::matching::{MatchResult, NamedGear, read_match};
-use gearlash_files::tolerance::{BlockError, Part, ToleranceResult, read_tolerance};
+use gearlash_files::tolerance::{
+    BlockError, MOST_ASSEMBLIES, MOST_SHARDS, Part, ToleranceResult, read_tolerance,
+};
 use pyo3::prelude::*;
 use std::path::{Path, PathBuf};
+
+/// The farthest that a wanted backlash may lie from 0, µm, as that of the command.
+const MOST_TARGET_UM: f64 = 1e5;
 
 /// Part `k` of `n` of the run that `[tolerance]` of the pair file at `path` asks for, as the text of a part's file.
 #[pyfunction]
@@ -26,18 +31,23 @@ pub fn tolerance_part(
     let assemblies = assemblies.unwrap_or(file.tolerance.assemblies.into());
     let seed = seed.unwrap_or(file.tolerance.seed.into());
     let (k, n) = shard;
-    if assemblies == 0 || k == 0 || k > n || n > assemblies {
+    let is_run = (1..=MOST_ASSEMBLIES).contains(&assemblies);
+    if !is_run || k == 0 || k > n || n > assemblies || n > MOST_SHARDS {
         return Err(error(
             py,
             format!(
-                "part {k} of {n} of {assemblies} assemblies: parts from 1 on are allowed, as many as assemblies at most"
+                "part {k} of {n} of {assemblies} assemblies: parts from 1 on are allowed, as many as assemblies and {MOST_SHARDS} at most, and up to {MOST_ASSEMBLIES} assemblies"
             ),
         ));
     }
     let done = work(py, threads, |tick| {
         let mut part = file.part(assemblies, seed, [k, n])?;
         loop {
-            match file.go_on(&mut part, None, tick) {
+            let went_on = file.go_on(&mut part, None, tick);
+            if let Some(reason) = file.too_many_impossible(&part) {
+                return Ok(Err(reason.to_string()));
+            }
+            match went_on {
                 Ok(true) => (),
                 Ok(false) => return Ok(Ok(part)),
                 Err(BlockError::Sample(SampleError::Error(reason))) => return Err(reason),
@@ -57,14 +67,8 @@ pub fn tolerance_result(py: Python<'_>, parts: Vec<String>) -> PyResult<String> 
     });
     let merged = each.collect::<Result<_, _>>().and_then(Part::merged);
     let part = merged.map_err(|reason| error(py, reason))?;
-    if part.is_impossible() {
-        return Err(error(
-            py,
-            format!(
-                "{} of {} draws are of no gear, more than the share of {} that tolerance.max_impossible allows; narrow what scatters",
-                part.tally.counts.impossible, part.head.assemblies, part.about.max_impossible
-            ),
-        ));
+    if let Some(reason) = part.too_many_impossible() {
+        return Err(error(py, reason.to_string()));
     }
     Ok(ToleranceResult::of(part).to_json())
 }
@@ -81,6 +85,16 @@ pub fn matched(
     threads: Option<usize>,
 ) -> PyResult<String> {
     let folders: [&Path; 2] = [&wheels, &pinions];
+    if let Some(um) = target_um
+        && !(um.abs() <= MOST_TARGET_UM)
+    {
+        return Err(error(
+            py,
+            format!(
+                "target_um is {um}: a number of µm between -{MOST_TARGET_UM} and {MOST_TARGET_UM} is needed"
+            ),
+        ));
+    }
     let wanted = target_um.map(|um| 1e-3 * um);
     let file = py.detach(|| read_match(&path, folders, wanted));
     let file = file.map_err(|reasons| match &reasons[..] {

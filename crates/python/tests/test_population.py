@@ -57,6 +57,32 @@ def test_errors_are_exceptions(pair: Path, tmp_path: Path) -> None:
         gearlash.tolerance(pair, assemblies=0)
 
 
+def test_a_share_counts_those_that_miss(whole: dict[str, object], pair: Path) -> None:
+    below = gearlash.tolerance(pair, assemblies=600).below
+    assert below.ppm == pytest.approx(1e6 * below.count / 600, abs=1e-3)
+
+
+@pytest.mark.parametrize("target", [float("nan"), float("inf"), 1e300, -100_001.0])
+def test_a_wanted_backlash_that_is_none_is_refused(
+    pair: Path, tmp_path: Path, target: float
+) -> None:
+    with pytest.raises(gearlash.GearlashError, match="target_um is .*: a number of µm between"):
+        gearlash.match(pair, tmp_path, tmp_path, target_um=target)
+
+
+def test_draws_of_no_gear_stop_a_part(pair: Path, tmp_path: Path) -> None:
+    """Teeth of 9 mm more: half of the draws are of no gear, and the first is named with its reason."""
+    text = pair.read_text(encoding="utf-8")
+    file = tmp_path / "thick.toml"
+    thick = 'thickness = { scatter = "table", values_um = [0, 9000] }'
+    lines = [
+        thick if line.startswith("thickness = { scatter") else line for line in text.splitlines()
+    ]
+    file.write_text("\n".join(lines), encoding="utf-8")
+    with pytest.raises(gearlash.GearlashError, match="are of no gear, .*; assembly [0-9]+: .+"):
+        gearlash.tolerance(file, assemblies=40_000)
+
+
 def local_cluster(processes: bool) -> Any:
     """Two workers of this machine, none of whose ports is open to others."""
     inside = {"host": "127.0.0.1"} if processes else {"protocol": "inproc"}

@@ -1,5 +1,7 @@
-//! Each assembly of a run as a row of CSV.
+//! Each assembly of a run as a row of CSV or Parquet.
 
+use super::parquet::ParquetRows;
+use super::results::is_own;
 use crate::error::Error;
 use crate::output::{NewFile, OutputFolder};
 use gearlash::population::{Outcome, OutcomeKind};
@@ -15,7 +17,12 @@ const PIECE: usize = 1 << 16;
 pub(super) struct RowsFile {
     /// Of its own; `None` where it goes to the folder of the results.
     folder: Option<OutputFolder>,
-    file: BufWriter<NewFile>,
+    file: RowsWriter,
+}
+
+enum RowsWriter {
+    Csv(BufWriter<NewFile>),
+    Parquet(Box<ParquetRows<NewFile>>),
 }
 
 impl RowsFile {
@@ -26,9 +33,10 @@ impl RowsFile {
         results: Option<(&Path, &mut OutputFolder)>,
     ) -> Result<RowsFile, Error> {
         let name = path.file_name().and_then(|name| name.to_str());
-        let Some(name) = name.filter(|name| name.ends_with(".csv")) else {
+        let is_parquet = |name: &str| name.ends_with(".parquet");
+        let Some(name) = name.filter(|name| name.ends_with(".csv") || is_parquet(name)) else {
             return Err(Error::Usage(format!(
-                "--rows {}: rows are written as CSV; name a file that ends in .csv",
+                "--rows {}: rows are written as CSV or Parquet; name a file that ends in .csv or .parquet",
                 path.display()
             )));
         };
@@ -38,7 +46,14 @@ impl RowsFile {
         };
         let real = |path: &Path| path.canonicalize().ok();
         let (folder, file, failed) = match results {
-            Some((path, results)) if real(path).is_some() && real(path) == real(parent) => {
+            Some((folder, results)) if real(folder).is_some() && real(folder) == real(parent) => {
+                // Some file systems know no capital letters.
+                if is_own(&name.to_ascii_lowercase()) {
+                    return Err(Error::Usage(format!(
+                        "--rows {}: the results themselves have a file called {name} there; take another name",
+                        path.display()
+                    )));
+                }
                 let file = results.create(name)?;
                 (None, file, results.failed(name))
             }
@@ -50,32 +65,46 @@ impl RowsFile {
                 (Some(folder), file, failed)
             }
         };
-        let mut file = BufWriter::with_capacity(PIECE, file);
-        file.write_all(b"assembly,outcome,least_um,greatest_um,proven\n")
-            .map_err(failed)?;
-        Ok(RowsFile { folder, file })
+        let file = match is_parquet(name) {
+            true => ParquetRows::new(file).map(|rows| RowsWriter::Parquet(Box::new(rows))),
+            false => {
+                let mut file = BufWriter::with_capacity(PIECE, file);
+                let begun = file.write_all(b"assembly,outcome,least_um,greatest_um,proven\n");
+                begun.map(|()| RowsWriter::Csv(file))
+            }
+        };
+        Ok(RowsFile {
+            folder,
+            file: file.map_err(failed)?,
+        })
     }
 
     /// Adds a row each.
     pub fn take(&mut self, each: &[(u64, Outcome)]) -> std::io::Result<()> {
-        let um = |mm: Option<f64>| mm.map_or(String::new(), |mm| rounded(1e3 * mm, 4).to_string());
+        let um = |mm: Option<f64>| mm.map(|mm| rounded(1e3 * mm, 4));
+        let text = |um: Option<f64>| um.map_or(String::new(), |um| um.to_string());
         for (number, outcome) in each {
-            writeln!(
-                self.file,
-                "{number},{},{},{},{}",
-                word(outcome.kind),
-                um(outcome.least),
-                um(outcome.greatest),
-                outcome.is_proven
-            )?;
+            let word = word(outcome.kind);
+            let both = [outcome.least, outcome.greatest].map(um);
+            match &mut self.file {
+                RowsWriter::Parquet(rows) => rows.add(*number, word, both, outcome)?,
+                RowsWriter::Csv(file) => {
+                    let [least, greatest] = both.map(text);
+                    let proven = outcome.is_proven;
+                    writeln!(file, "{number},{word},{least},{greatest},{proven}")?;
+                }
+            }
         }
         Ok(())
     }
 
     /// Puts the file in its place.
-    pub fn finish(mut self) -> Result<(), Error> {
-        self.file.flush().map_err(Error::Printing)?;
-        drop(self.file);
+    pub fn finish(self) -> Result<(), Error> {
+        match self.file {
+            RowsWriter::Csv(mut file) => file.flush(),
+            RowsWriter::Parquet(rows) => rows.finish().and_then(|mut file| file.flush()),
+        }
+        .map_err(Error::Printing)?;
         match self.folder {
             Some(folder) => folder.write(&[]).map(|_| ()),
             None => Ok(()),

@@ -35,6 +35,8 @@ mod step_summary;
 #[cfg(target_os = "linux")]
 mod terminal;
 mod tolerance;
+mod tolerance_rows;
+mod tolerance_told;
 mod units;
 mod verdict;
 

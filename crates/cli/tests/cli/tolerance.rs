@@ -3,7 +3,7 @@
 use super::*;
 
 /// 44/44 as of the lib's tests, with all that can scatter.
-const PAIR: &str = r#"
+pub const PAIR: &str = r#"
 title = "with tolerances"
 [wheel]
 teeth = 20
@@ -33,7 +33,7 @@ pitch = { grade = 7 }
 per_tooth = { scatter = "triangular", lower_um = -3, upper_um = 3 }
 "#;
 
-fn pair(folder: &Path) {
+pub fn pair(folder: &Path) {
     std::fs::write(folder.join("pair.toml"), PAIR).unwrap();
 }
 
@@ -44,7 +44,7 @@ fn bytes(folder: &Path) -> Vec<(String, Vec<u8>)> {
     each.collect()
 }
 
-fn tolerance(folder: &Path, args: &str) -> (Option<i32>, String, String) {
+pub fn tolerance(folder: &Path, args: &str) -> (Option<i32>, String, String) {
     let words: Vec<&str> = args.split_whitespace().collect();
     let mut command = gearlash(folder);
     // The page is dated.

@@ -1,5 +1,7 @@
 //! Measured gears that are drawn whole.
 
+use super::bands::middle;
+use super::gear_names::{doubled, named};
 use crate::place::Place;
 use crate::problems::Problems;
 use crate::read::GearsFile;
@@ -7,10 +9,13 @@ use crate::spec::GearSpec;
 use crate::table::Table;
 use gearlash::gear::AsBuilt;
 use gearlash::pair::Member;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// Gear files of one list: more would not be a folder of measurements.
 const MOST_GEARS: usize = 100_000;
+
+/// Warnings of one list, at most (tuned: they fit a screen beside others).
+const MOST_WARNINGS: usize = 12;
 
 /// A measured gear and its table.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,66 +24,79 @@ pub struct MeasuredGear {
     pub spec: GearSpec,
 }
 
-/// The gears that `names` stand for, in the order of the names and of the files' names: of a pair file its `member`.
+/// The gears that `names` stand for, in the order of the names and of the files' names, with warnings: of a pair file its `member`.
 pub fn gears(
     names: &[String],
     member: Member,
     (file, key): (&Table, &str),
     problems: &mut Problems,
-) -> Option<Vec<MeasuredGear>> {
+) -> Option<(Vec<MeasuredGear>, Vec<String>)> {
     let mut bad = Problems::of_list();
     let mut wrong = |reason: String, help: &str| bad.add(file.problem(key, reason, help));
-    let mut gears = Vec::new();
+    let (mut files, mut warnings) = (Vec::new(), Vec::new());
     for name in names {
-        let found = paths(file.place(), name);
-        match found {
-            Err(reason) => wrong(format!("{name:?}: {reason}"), "correct the name"),
-            Ok(found) if found.is_empty() => wrong(
+        let found = named(file.place().folder(), name);
+        if found.files.is_empty() && found.faults.is_empty() {
+            wrong(
                 format!("{name:?}: there is no such file"),
                 "name gear files, such as \"measured/*.toml\", beside the pair file",
-            ),
-            Ok(found) => {
-                for path in found {
-                    if gears.len() >= MOST_GEARS {
-                        wrong(
-                            format!("more than {MOST_GEARS} gears"),
-                            "name fewer of them",
-                        );
-                        break;
-                    }
-                    match one(&path, member, file.place()) {
-                        Ok(gear) => gears.push(gear),
-                        Err(reason) => wrong(
-                            format!("{}: {reason}", path.display()),
-                            "correct the file: gearlash gauge says what is wrong with it",
-                        ),
-                    }
-                }
-            }
+            );
         }
+        for fault in found.faults {
+            wrong(fault, "correct it, take it away, or name the others");
+        }
+        let left_out = found.left_out.into_iter();
+        warnings.extend(left_out.map(|left_out| format!("{key}: {left_out}")));
+        files.extend(found.files);
+    }
+    for doubled in doubled(&files) {
+        wrong(doubled, "take one away, or name the other alone");
+    }
+    if files.len() > MOST_GEARS {
+        let reason = format!("more than {MOST_GEARS} gears");
+        wrong(reason, "name fewer of them");
+        files.truncate(MOST_GEARS);
+    }
+    let (mut gears, mut banded) = (Vec::new(), Vec::new());
+    for path in files {
+        match one(&path, member, file.place()) {
+            Ok((gear, has_band)) => {
+                gears.push(gear);
+                banded.extend(has_band.then_some(path));
+            }
+            Err(reason) => wrong(
+                format!("{}: {reason}", path.display()),
+                "correct the file: gearlash gauge says what is wrong with it",
+            ),
+        }
+    }
+    if let Some(first) = banded.first() {
+        let first = first.display();
+        let others = match banded.len() {
+            1 => String::new(),
+            count => format!(" and {} more", count - 1),
+        };
+        warnings.push(format!(
+            "{key}: {first}{others}: states a band of thickness, the gear drawn has its middle; give the thickness that was measured"
+        ));
     }
     let good = bad.is_empty();
     problems.add_list(key, bad);
-    good.then_some(gears)
+    good.then_some((gears, shortened(warnings, key)))
 }
 
-/// The files that `name` stands for.
-fn paths(place: &Place, name: &str) -> Result<Vec<PathBuf>, String> {
-    if !name.contains(['*', '?', '[']) {
-        let path = place.folder().join(name);
-        return Ok(path.is_file().then_some(path).into_iter().collect());
+/// The first dozen of `warnings`, and how many more there are.
+fn shortened(mut warnings: Vec<String>, key: &str) -> Vec<String> {
+    let more = warnings.len().saturating_sub(MOST_WARNINGS);
+    warnings.truncate(MOST_WARNINGS);
+    if more > 0 {
+        warnings.push(format!("{key}: {more} more warnings like these"));
     }
-    let folder = place.folder().to_string_lossy();
-    let pattern = match (folder.as_ref(), Path::new(name).is_absolute()) {
-        ("", _) | (_, true) => name.to_owned(),
-        (folder, false) => format!("{}/{name}", glob::Pattern::escape(folder)),
-    };
-    let found = glob::glob(&pattern).map_err(|error| error.msg.to_owned())?;
-    Ok(found.flatten().filter(|path| path.is_file()).collect())
+    warnings
 }
 
-/// The gear of a gear file, or the `member` of a pair file: of a band of thickness the middle.
-fn one(path: &Path, member: Member, place: &Place) -> Result<MeasuredGear, String> {
+/// The gear of a gear file, or the `member` of a pair file: of a band of thickness the middle, and whether it states one.
+fn one(path: &Path, member: Member, place: &Place) -> Result<(MeasuredGear, bool), String> {
     // What stands in the file is not quoted: it may lie outside the pair file's folder.
     let file: GearsFile = crate::read_gears(path).map_err(|error| match error.problems.len() {
         1 => "this is no gear file that can be read".to_owned(),
@@ -88,9 +106,10 @@ fn one(path: &Path, member: Member, place: &Place) -> Result<MeasuredGear, Strin
     let own = |name: &str| name == "gear" || name == member.name();
     let gear = file.gears.into_iter().find(|gear| own(gear.name));
     let gear = gear.ok_or("has no such gear")?;
-    let middle = super::population::middle(gear.materials.iter().map(|(_, gear)| gear));
-    Ok(MeasuredGear {
+    let middle = middle(gear.materials.iter().map(|(_, gear)| gear));
+    let measured = MeasuredGear {
         gear: middle.map_err(|error| error.to_string())?,
         spec: gear.spec,
-    })
+    };
+    Ok((measured, gear.materials.len() > 1))
 }

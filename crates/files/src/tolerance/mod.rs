@@ -1,8 +1,15 @@
 //! Populations of pair files: what `[tolerance]` makes of a pair, parts of a run, and what is told of it.
 
+mod bands;
+mod consistent;
+mod gear_names;
 mod gears;
+mod impossible;
+mod merged;
 mod mm;
 mod part;
+mod part_error;
+mod part_head;
 mod population;
 mod records;
 mod result;
@@ -10,11 +17,15 @@ mod run;
 mod sentence;
 mod worst;
 
-pub(crate) use population::{middle, requirement};
+pub(crate) use bands::middle;
+pub(crate) use population::requirement;
 
-pub use part::{About, Part, PartError, PartHead, Progress};
+pub use impossible::TooManyImpossible;
+pub use part::{About, Part};
+pub use part_error::PartError;
+pub use part_head::{MOST_ASSEMBLIES, MOST_SHARDS, PartHead, Progress};
 pub use population::{ToleranceFile, read_tolerance};
 pub use result::{Convergence, ToleranceResult, convergence, histogram_csv};
 pub use run::{BlockError, Rows};
-pub use sentence::sentence;
+pub use sentence::{phases_of_limits, sentence, without_backlash};
 pub use worst::{Worst, worst_file};

@@ -1,5 +1,6 @@
 //! From a pair file with `[tolerance]` to a population.
 
+use super::bands::{left_out, middle, thickness_band};
 use super::gears::{MeasuredGear, gears};
 use super::mm::scatter;
 use crate::error::InputError;
@@ -11,8 +12,7 @@ use crate::table::Table;
 use crate::{outlines, with_entries};
 use gearlash::analysis::phases::phase;
 use gearlash::analysis::requirement::{Limits, Quantity};
-use gearlash::error::GearError;
-use gearlash::gear::{AsBuilt, Face, GradedQuantity, Side};
+use gearlash::gear::{Face, GradedQuantity, Side};
 use gearlash::pair::{GearPair, Mating, Member, SweepPlan};
 use gearlash::population::{
     GearScatter, Population, PopulationError, Requirement, Scatter, Scatters,
@@ -76,8 +76,10 @@ fn understood(pair: PairFile, file: &Table, problems: &mut Problems) -> Option<T
         distance_band,
     );
     let bearing_play = one(&tolerance.bearing_play, "tolerance.bearing_play", None);
-    let wheel = gear(&tolerance.wheel, Member::Wheel, &pair, file, problems);
-    let pinion = gear(&tolerance.pinion, Member::Pinion, &pair, file, problems);
+    let mut warnings = left_out(&pair, &tolerance);
+    let mut gear = |spec, member| gear(spec, member, &pair, (file, &mut warnings), problems);
+    let wheel = gear(&tolerance.wheel, Member::Wheel);
+    let pinion = gear(&tolerance.pinion, Member::Pinion);
     let ((wheel, wheels), (pinion, pinions)) = (wheel?, pinion?);
     let scatters = Scatters {
         wheel,
@@ -92,7 +94,8 @@ fn understood(pair: PairFile, file: &Table, problems: &mut Problems) -> Option<T
     let population = Population::new(own, scatters).map_err(|error| refused(file, &error));
     let population = problems.keep(population)?;
     let clearance = pair.study.bearing_clearance;
-    let (requirement, warnings) = requirement(&pair);
+    let (requirement, further) = requirement(&pair);
+    warnings.extend(further);
     Some(ToleranceFile {
         tolerance,
         population: population
@@ -139,37 +142,11 @@ fn own_pair(pair: &PairFile, file: &Table, problems: &mut Problems) -> Option<Ge
     problems.keep(made)
 }
 
-/// The gear in the middle of the thickest and the thinnest.
-pub(crate) fn middle<'a>(gears: impl Iterator<Item = &'a AsBuilt>) -> Result<AsBuilt, GearError> {
-    let gears: Vec<&AsBuilt> = gears.collect();
-    let base = |gear: &AsBuilt| gear.gear().base_thickness();
-    let (first, rest) = gears.split_first().ok_or(GearError::ThicknessField)?;
-    let Some(last) = rest.last() else {
-        return Ok((*first).clone());
-    };
-    let cos = first.gear().basic_data().pressure_angle().cos();
-    let thicker = 0.5 * (base(last) - base(first)) / cos;
-    first.varied(thicker, &gearlash::gear::Deviations::default())
-}
-
-/// Half of what the thickness of a gear may be more than its middle, and less, mm at the reference circle.
-fn thickness_band(pair: &PairFile, member: Member) -> Option<[f64; 2]> {
-    let base = |(_, wheel, pinion): &(_, AsBuilt, AsBuilt)| match member {
-        Member::Wheel => wheel.gear().base_thickness(),
-        Member::Pinion => pinion.gear().base_thickness(),
-    };
-    let materials = &pair.study.materials;
-    let (_, gear, _) = materials.first()?;
-    let cos = gear.gear().basic_data().pressure_angle().cos();
-    let half = 0.5 * (base(materials.first()?) - base(materials.last()?)) / cos;
-    (half > 0.0).then_some([-half, half])
-}
-
 fn gear(
     spec: &Option<GearToleranceSpec>,
     member: Member,
     pair: &PairFile,
-    file: &Table,
+    (file, warnings): (&Table, &mut Vec<String>),
     problems: &mut Problems,
 ) -> Option<(GearScatter, Vec<MeasuredGear>)> {
     let Some(spec) = spec else {
@@ -206,7 +183,13 @@ fn gear(
     };
     let measured = match &spec.gears {
         None => Some(Vec::new()),
-        Some(names) => gears(names, member, (file, &key("gears")), problems),
+        Some(names) => {
+            let found = gears(names, member, (file, &key("gears")), problems);
+            found.map(|(gears, further)| {
+                warnings.extend(further);
+                gears
+            })
+        }
     }?;
     let face = face(pair, member);
     let turned = |one: &MeasuredGear| one.gear.facing(face);

@@ -1,5 +1,6 @@
 //! The sums of a part as they stand in its file: sums that JSON numbers cannot hold as text.
 
+use super::part_head::MOST_ASSEMBLIES;
 use gearlash::population::{ContributionSums, Counts, GROUPS, GroupSums, STRETCHES, Spread, Tally};
 use serde::{Deserialize, Serialize};
 
@@ -77,7 +78,11 @@ impl SpreadRecord {
 
     fn spread(&self) -> Result<Spread, String> {
         let counts = self.histogram.iter().map(|(_, count)| u128::from(*count));
-        if counts.sum::<u128>() != u128::from(self.count) {
+        let ascending = self
+            .histogram
+            .is_sorted_by(|(bin, _), (next, _)| bin < next);
+        let filled = self.histogram.iter().all(|(_, count)| *count > 0);
+        if counts.sum::<u128>() != u128::from(self.count) || !ascending || !filled {
             return Err("a histogram does not hold as many as it says".to_owned());
         }
         Ok(Spread {
@@ -124,8 +129,9 @@ impl TallyRecord {
         let others = [self.doubtful, self.below, self.above, self.outside];
         // No more than any run has: sums of them cannot overflow.
         let stretches = &self.outside_by_stretch;
-        let most = counts.iter().chain(&others).chain(stretches).max();
-        if most.is_some_and(|most| *most > u64::from(u32::MAX)) || stretches.len() != STRETCHES {
+        let spreads = [&self.least.count, &self.greatest.count];
+        let most = counts.iter().chain(&others).chain(stretches).chain(spreads);
+        if most.max().is_some_and(|most| *most > MOST_ASSEMBLIES) || stretches.len() != STRETCHES {
             return Err("a count is beyond what a run has".to_owned());
         }
         Ok(Tally {

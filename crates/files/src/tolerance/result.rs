@@ -1,7 +1,8 @@
 //! What a whole run says, as JSON and CSV.
 
 use super::part::Part;
-use super::sentence::sentence;
+use super::sentence::{phases_of_limits, sentence};
+use super::worst::worst_name;
 use crate::numbers::rounded;
 use gearlash::population::{
     CONFIDENCE, Contributions, LIMIT_SHARE, LIMIT_SIGMAS, PITCH_LIMIT_SIGMAS, QUANTILES, Share,
@@ -142,6 +143,8 @@ impl ToleranceResult {
                 "cpk": statistics.cpk.map(|cpk| rounded(cpk, 4)),
             },
             "limits": {
+                // "worst": each number is of the assembly phase where it is the worst; null where the phase does not scatter.
+                "phase": phases_of_limits(&self.part).map(|_| "worst"),
                 "at_mean": both(0),
                 "worst_case": both(1),
                 "root_sum_of_squares": both(2),
@@ -264,11 +267,6 @@ pub fn histogram_csv(part: &Part) -> String {
         text += &format!("{},{},{}\n", bin as f64 / 100.0, of(least), of(greatest));
     }
     text
-}
-
-/// The name of the pair file of the worst assembly, of the one after it, ….
-pub(crate) fn worst_name(index: usize) -> String {
-    format!("worst_{:02}.toml", index + 1)
 }
 
 fn spread(spread: &SpreadStatistics) -> Value {

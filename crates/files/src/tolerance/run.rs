@@ -1,6 +1,7 @@
 //! One part of a population's run, block by block.
 
-use super::part::{About, Part, PartHead, Progress, cases};
+use super::part::{About, Part, cases};
+use super::part_head::{PartHead, Progress};
 use super::population::ToleranceFile;
 use gearlash::error::Error;
 use gearlash::population::{
@@ -106,12 +107,7 @@ impl ToleranceFile {
         rows: Option<Rows<'_>>,
         tick: &(dyn Fn() -> ControlFlow<()> + Sync),
     ) -> Result<bool, BlockError> {
-        let of = Sample {
-            population: &self.population,
-            requirement: self.requirement,
-            seed: part.head.seed,
-            total: part.head.assemblies,
-        };
+        let of = self.sample(part);
         if let Some(numbers) = next(part.head.numbers(), part.done.assemblies, BLOCK) {
             let count = numbers.end - numbers.start;
             let tally = match rows {
@@ -148,16 +144,14 @@ impl ToleranceFile {
         Ok(false)
     }
 
-    /// Why assembly `number` of `part` is no pair of gears, where it is none.
-    pub fn impossible(&self, part: &Part, number: u64) -> Option<String> {
-        let of = Sample {
+    /// What `part` is a part of.
+    pub(super) fn sample(&self, part: &Part) -> Sample<'_> {
+        Sample {
             population: &self.population,
             requirement: self.requirement,
             seed: part.head.seed,
             total: part.head.assemblies,
-        };
-        let drawn = self.population.assembly(of.draw(number));
-        drawn.err().map(|error| error.to_string())
+        }
     }
 }
 

@@ -1,8 +1,9 @@
 //! A run in one sentence: what a production manager and a designer ask.
 
+use super::part::Part;
 use super::result::ToleranceResult;
 use crate::numbers::{rounded, shortest};
-use gearlash::population::{Contributions, Share};
+use gearlash::population::{Contributions, Factor, Share};
 
 /// What `result` says: what share misses the requirement, with its interval, and what most of the spread comes from.
 ///
@@ -45,6 +46,35 @@ pub fn sentence(result: &ToleranceResult) -> String {
         text += &format!(" the {} ppm allowed", shortest(most));
     }
     text
+}
+
+/// Which assemblies mean, standard deviation and capability leave out; `None` where all have a least and a greatest backlash.
+pub fn without_backlash(result: &ToleranceResult) -> Option<String> {
+    let statistics = &result.statistics;
+    let without = [
+        (&statistics.least, "least"),
+        (&statistics.greatest, "greatest"),
+    ];
+    let each = without.into_iter().filter_map(|(spread, end)| {
+        let count = statistics.total.saturating_sub(spread.count);
+        (count > 0).then(|| format!("the {count} that have no {end} backlash"))
+    });
+    let each: Vec<String> = each.collect();
+    (!each.is_empty()).then(|| {
+        format!(
+            "Mean, standard deviation, Cp and Cpk are without {} (jammed, out of mesh, of no gear or without a result); none of them is left out of the share that misses the requirement.",
+            each.join(" and ")
+        )
+    })
+}
+
+/// Of which assembly phases worst case and root sum of squares are; `None` where the phase does not scatter.
+pub fn phases_of_limits(part: &Part) -> Option<&'static str> {
+    let phase = Factor::Phase.name();
+    let scatters = part.about.quantities.iter().any(|name| name == phase);
+    (scatters && part.about.limit_cases.is_some()).then_some(
+        "At the mean, worst case and root sum of squares: each in the assembly phase where it is the worst.",
+    )
 }
 
 /// "310 ppm below 40 µm [270, 354]".

@@ -38,9 +38,14 @@ impl Worst {
     }
 }
 
+/// The name of the pair file of the worst assembly, of the one after it, ….
+pub(super) fn worst_name(index: usize) -> String {
+    format!("worst_{:02}.toml", index + 1)
+}
+
 /// Name and text of the pair file of the worst assembly (`index` 0), of the one after it, ….
 pub fn worst_file(index: usize, worst: &Worst) -> (String, Result<String, toml::ser::Error>) {
-    (super::result::worst_name(index), worst.to_toml())
+    (worst_name(index), worst.to_toml())
 }
 
 impl ToleranceFile {

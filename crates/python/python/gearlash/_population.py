@@ -15,7 +15,7 @@ class Share:
     """Parts of a million, with the interval that holds those of the whole population with 95 %."""
 
     count: int
-    """Assemblies drawn."""
+    """Assemblies of those drawn that miss the limit."""
     ppm: float
     low_ppm: float
     high_ppm: float

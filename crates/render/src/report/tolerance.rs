@@ -9,7 +9,7 @@ use gearlash::population::{
     CONFIDENCE, Contributions, GROUPS, LIMIT_SIGMAS, PITCH_LIMIT_SIGMAS, QUANTILES,
 };
 use gearlash_files::numbers::{fixed, rounded, shortest, um};
-use gearlash_files::tolerance::{ToleranceResult, sentence};
+use gearlash_files::tolerance::{ToleranceResult, phases_of_limits, sentence, without_backlash};
 use maud::{Markup, PreEscaped, html};
 
 /// What a page of a population is of.
@@ -125,6 +125,8 @@ fn spread(report: &ToleranceReport) -> Markup {
                     ", if normal."
                 }
             }
+            @if let Some(without) = without_backlash(result) { p { (without) } }
+            @if let Some(phases) = phases_of_limits(&result.part) { p { (phases) } }
         }
     }
 }

@@ -4,7 +4,7 @@ use super::layout::{Column, Screen, Table};
 use gearlash::population::QUANTILES;
 use gearlash_files::characters::plain;
 use gearlash_files::numbers::{fixed, rounded, um};
-use gearlash_files::tolerance::{ToleranceResult, sentence};
+use gearlash_files::tolerance::{ToleranceResult, phases_of_limits, sentence, without_backlash};
 
 /// The sentence, the spread beside worst case and root sum of squares, the contributions, the worst assemblies.
 pub fn text(result: &ToleranceResult, screen: &Screen) -> String {
@@ -27,6 +27,12 @@ pub fn text(result: &ToleranceResult, screen: &Screen) -> String {
         .collect();
     if !capability.is_empty() {
         text += &screen.fold(&format!("{}, if normal.\n", capability.join(", ")));
+    }
+    if let Some(without) = without_backlash(result) {
+        text += &screen.fold(&format!("{without}\n"));
+    }
+    if let Some(phases) = phases_of_limits(&result.part) {
+        text += &screen.fold(&format!("{phases}\n"));
     }
     if about.limit_cases.is_some() && !about.without_end.is_empty() {
         text += &screen.fold(&format!(

@@ -7,6 +7,7 @@ mod empty;
 mod envelope;
 mod inspection;
 mod one_assembly;
+mod parts;
 mod places;
 #[path = "../../../../tests/common/two_thick_teeth.rs"]
 mod two_thick_teeth;

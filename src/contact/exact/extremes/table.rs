@@ -38,6 +38,9 @@ struct SideTable {
     per_step: f64,
     /// How much `r δ_L + δ_F + κ s` differs over all flanks and the steps that may be the tightest.
     spread: f64,
+    /// How far `r δ_L + δ_F + κ (s + sense f)` lies from the middle of `r δ_L + δ_F` at most, of those steps all through a pitch: of
+    /// steps `s` that reach farther to one side than to the other more than half of what they differ.
+    level: f64,
 }
 
 /// Both sides'.
@@ -96,8 +99,8 @@ impl Table {
         let length = ((nearest - sum) * (nearest + sum)).sqrt();
         let turning = (1.0 + sum / length) / nearest;
         // Of each side: the gap at which `b` is taken, the second order in `b`, the bend over a part.
-        let spread = sides.iter().map(|side| side.spread).fold(0.0, f64::max);
-        let level = 0.5 * spread + off * per_base / (1.0 - side.off[1] * per_base);
+        let level = sides.iter().map(|side| side.level).fold(0.0, f64::max);
+        let level = level + off * per_base / (1.0 - side.off[1] * per_base);
         let moved = side.off[1] * per_base * level / (1.0 - side.off[1] * per_base);
         let pitches = [problem.locked.pitch, problem.free.pitch];
         let bends = [0, 1].map(|k| side.off[k] * pitches[k] * pitches[k]);
@@ -250,11 +253,14 @@ impl SideTable {
             nominal: 0.0,
             per_step: problem.per_step,
             spread: 0.0,
+            level: 0.0,
         };
         let [low, high] = table.ends();
         // A step more: what it comes to in a pitch.
         let reach = (steps.end - steps.start + 1) as f64;
         table.spread = high - low + table.per_step.abs() * reach;
+        let farthest = steps.start.abs().max((steps.end - 1).abs()) + 1;
+        table.level = 0.5 * (high - low) + table.per_step.abs() * farthest as f64;
         let Some(line) = Line::new(C::from(problem.distance), problem.sum()) else {
             return table;
         };
@@ -354,4 +360,51 @@ fn steps(side: &SideCourse, ahead: f64) -> Range<i64> {
     let from = ((low - last) * problem.per_pitch).floor() as i64;
     let to = ((high - first) * problem.per_pitch).ceil() as i64;
     from.max(-half)..to.min(half + 1) + 1
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::ExactKernel;
+    use crate::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign, Side};
+    use crate::pair::{GearPair, Mating};
+
+    /// 400/400 of base pitches 0.001 % apart, profile shifts −6 and 6: they touch far from the pitch point, and their steps reach farther to
+    /// one side of it. Whatever step touches, κ (s + sense f) is no more than the level says.
+    #[test]
+    fn the_level_holds_steps_to_one_side() {
+        let gear = |module: f64, shift: f64, face| {
+            let data = BasicGearData::new(400, module, 20f64.to_radians()).unwrap();
+            let design = GearDesign {
+                profile_shift: shift,
+                ..GearDesign::standard(data)
+            };
+            AsBuilt::perfect(Gear::nominal(design).unwrap(), face)
+        };
+        let wheel = gear(1.0, -6.0, Face::Front);
+        let pair = GearPair::new(wheel, gear(1.00001, 6.0, Face::Back), 400.05).unwrap();
+        let kernel = ExactKernel::new(&pair);
+        let first = Mating {
+            wheel_tooth: 1,
+            pinion_tooth: 1,
+            flank: Side::Right,
+            fraction: 0.0,
+        };
+        let course = Course::new(&kernel, &pair, first, 1);
+        let table = Table::new(&course);
+        let posed = course.posed(0);
+        let mut lopsided = 0;
+        for (index, side) in table.sides.iter().enumerate() {
+            assert!(side.per_step != 0.0);
+            let steps = steps(&course.sides[index], posed[index].flanks.ahead);
+            lopsided += u32::from(steps.start + steps.end - 1 != 0);
+            for step in steps {
+                for drift in side.drifts(0).into_iter().chain(side.drifts(PARTS - 1)) {
+                    let more = side.per_step * step as f64 + drift;
+                    assert!(more.abs() <= side.level, "{step}: {more}");
+                }
+            }
+        }
+        assert!(lopsided > 0);
+    }
 }

@@ -1,0 +1,59 @@
+//! Bands that a file states: their middle, their limits, and those that `[tolerance]` draws nothing from.
+
+use crate::read::PairFile;
+use crate::spec::ToleranceSpec;
+use gearlash::error::GearError;
+use gearlash::gear::{AsBuilt, Deviations};
+use gearlash::pair::Member;
+
+/// A warning of each band of `pair` that `tolerance` leaves out, with what to write.
+pub fn left_out(pair: &PairFile, tolerance: &ToleranceSpec) -> Vec<String> {
+    let mut warnings = Vec::new();
+    for (member, spec) in [
+        (Member::Wheel, &tolerance.wheel),
+        (Member::Pinion, &tolerance.pinion),
+    ] {
+        let is_drawn = spec
+            .as_ref()
+            .is_some_and(|spec| spec.thickness.is_some() || spec.gears.is_some());
+        if !is_drawn && thickness_band(pair, member).is_some() {
+            let name = member.name();
+            warnings.push(format!(
+                "{name}.thickness: states a band from which nothing is drawn, every {name} has its middle; to draw it, write thickness = {{ scatter = \"normal\" }} in [tolerance.{name}]"
+            ));
+        }
+    }
+    if tolerance.center_distance.is_none() && pair.study.band.is_some() {
+        warnings.push(
+            "assembly.center_distance_mm: states a band from which nothing is drawn, every pair has the nominal distance; to draw it, write center_distance = { scatter = \"normal\" } in [tolerance]"
+                .to_owned(),
+        );
+    }
+    warnings
+}
+
+/// The gear in the middle of the thickest and the thinnest.
+pub fn middle<'a>(gears: impl Iterator<Item = &'a AsBuilt>) -> Result<AsBuilt, GearError> {
+    let gears: Vec<&AsBuilt> = gears.collect();
+    let base = |gear: &AsBuilt| gear.gear().base_thickness();
+    let (first, rest) = gears.split_first().ok_or(GearError::ThicknessField)?;
+    let Some(last) = rest.last() else {
+        return Ok((*first).clone());
+    };
+    let cos = first.gear().basic_data().pressure_angle().cos();
+    let thicker = 0.5 * (base(last) - base(first)) / cos;
+    first.varied(thicker, &Deviations::default())
+}
+
+/// Half of what the thickness of a gear may be more than its middle, and less, mm at the reference circle.
+pub fn thickness_band(pair: &PairFile, member: Member) -> Option<[f64; 2]> {
+    let base = |(_, wheel, pinion): &(_, AsBuilt, AsBuilt)| match member {
+        Member::Wheel => wheel.gear().base_thickness(),
+        Member::Pinion => pinion.gear().base_thickness(),
+    };
+    let materials = &pair.study.materials;
+    let (_, gear, _) = materials.first()?;
+    let cos = gear.gear().basic_data().pressure_angle().cos();
+    let half = 0.5 * (base(materials.first()?) - base(materials.last()?)) / cos;
+    (half > 0.0).then_some([-half, half])
+}

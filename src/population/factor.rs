@@ -1,0 +1,84 @@
+//! The quantities that scatter, each by itself, and which numbers each is drawn from.
+
+use crate::pair::Member;
+
+/// A quantity that scatters by itself.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Factor {
+    /// Thickness of a gear.
+    Thickness(Member),
+    /// Thickness of both gears, where it is correlated.
+    Thicknesses,
+    /// Runout of a gear, with its direction.
+    Runout(Member),
+    /// Pitch of a gear, both flanks of all teeth.
+    Pitch(Member),
+    /// Thickness of each tooth of a gear.
+    PerTooth(Member),
+    /// Which whole gear is taken.
+    Gear(Member),
+    /// Centre distance.
+    CenterDistance,
+    /// Play of the bearings.
+    BearingPlay,
+    /// How the gears are put together.
+    Phase,
+}
+
+impl Factor {
+    /// All there are.
+    pub const ALL: [Factor; 14] = [
+        Factor::Thicknesses,
+        Factor::Thickness(Member::Wheel),
+        Factor::Runout(Member::Wheel),
+        Factor::Pitch(Member::Wheel),
+        Factor::PerTooth(Member::Wheel),
+        Factor::Gear(Member::Wheel),
+        Factor::Thickness(Member::Pinion),
+        Factor::Runout(Member::Pinion),
+        Factor::Pitch(Member::Pinion),
+        Factor::PerTooth(Member::Pinion),
+        Factor::Gear(Member::Pinion),
+        Factor::CenterDistance,
+        Factor::BearingPlay,
+        Factor::Phase,
+    ];
+
+    /// Which numbers it is drawn from: never to be changed, or a seed would mean another population.
+    pub(super) fn quantity(self) -> u32 {
+        let of = |first, member| first + 8 * u32::from(member == Member::Pinion);
+        match self {
+            Factor::Thickness(member) => of(0, member),
+            Factor::Runout(member) => of(1, member),
+            Factor::Pitch(member) => of(2, member),
+            Factor::PerTooth(member) => of(3, member),
+            Factor::Gear(member) => of(4, member),
+            Factor::CenterDistance => 16,
+            Factor::BearingPlay => 17,
+            Factor::Phase => 18,
+            Factor::Thicknesses => 19,
+        }
+    }
+
+    /// In words, such as `thickness of the wheel`.
+    pub fn name(self) -> &'static str {
+        let of = |member, names: [&'static str; 2]| names[usize::from(member == Member::Pinion)];
+        match self {
+            Factor::Thickness(m) => of(m, ["thickness of the wheel", "thickness of the pinion"]),
+            Factor::Runout(m) => of(m, ["runout of the wheel", "runout of the pinion"]),
+            Factor::Pitch(m) => of(m, ["pitch of the wheel", "pitch of the pinion"]),
+            Factor::PerTooth(m) => of(
+                m,
+                [
+                    "thickness of the wheel's single teeth",
+                    "thickness of the pinion's single teeth",
+                ],
+            ),
+            Factor::Gear(m) => of(m, ["which wheel", "which pinion"]),
+            Factor::Thicknesses => "thickness of both gears",
+            Factor::CenterDistance => "centre distance",
+            Factor::BearingPlay => "play of the bearings",
+            Factor::Phase => "assembly phase",
+        }
+    }
+}

@@ -1,0 +1,196 @@
+//! What scatters of a pair and of its gears, and what cannot.
+
+use super::factor::Factor;
+use super::scatter::Scatter;
+use crate::gear::AsBuilt;
+use crate::pair::{GearPair, Member, SweepPlan};
+use std::sync::Arc;
+
+/// What scatters of one gear; lengths in mm. `None`: as the pair has it.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct GearScatter {
+    /// What all teeth are thicker, at the reference circle.
+    pub thickness: Option<Scatter>,
+    /// Runout `F_r`, twice the eccentricity, in place of the pair's; its direction is uniform.
+    pub runout: Option<Scatter>,
+    /// Standard deviation of the single pitch deviations `f_p`, each by itself but that they close on the circle; right and left flanks
+    /// apart. On top of the pair's pitch.
+    pub pitch: Option<f64>,
+    /// What each tooth is thicker, on top of the pair's.
+    pub per_tooth: Option<Scatter>,
+    /// Whole gears, one of which is drawn in place of the pair's; the others are then `None`.
+    pub gears: Option<Arc<[AsBuilt]>>,
+}
+
+/// What scatters of a pair; lengths in mm. `None`: as the pair has it.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Scatters {
+    /// Of the wheel.
+    pub wheel: GearScatter,
+    /// Of the pinion.
+    pub pinion: GearScatter,
+    /// What the centre distance is greater.
+    pub center_distance: Option<Scatter>,
+    /// Radial play of both bearings together: the axes may be nearer, and farther apart, by as much.
+    pub bearing_play: Option<Scatter>,
+    /// Whether the gears are put together in any of their gcd(z_1, z_2) ways, or always alike ([`Population::with_phase`]).
+    pub phase: bool,
+    /// Correlation of both thicknesses (of their normal scores), −1 … 1; 1 where both gears come from one batch.
+    pub thickness_correlation: f64,
+}
+
+/// Scatter that no population can have.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum PopulationError {
+    /// A runout or a play below 0.
+    #[error("{what} reaches {low} mm, it cannot be below 0")]
+    Negative {
+        /// What it is.
+        what: &'static str,
+        /// The least there may be, mm.
+        low: f64,
+    },
+    /// A correlation that is none.
+    #[error("the correlation is {0}, it must be −1 … 1")]
+    Correlation(f64),
+    /// A correlation of what does not scatter.
+    #[error("a correlation of both thicknesses, of which one at least does not scatter")]
+    NothingToCorrelate,
+    /// A standard deviation that is none.
+    #[error("the standard deviation of the pitch is {0} mm, it must be above 0")]
+    Pitch(f64),
+    /// Whole gears beside other scatter of the same gear, or none of them.
+    #[error("whole gears are drawn, at least one, and nothing of them scatters beside")]
+    WholeGears,
+    /// A whole gear that is no such wheel, or pinion.
+    #[error("gear {number} of the list has {what} {found}, not {wanted}")]
+    OtherGear {
+        /// Its place in the list, from 1.
+        number: usize,
+        /// What differs.
+        what: &'static str,
+        /// What it has.
+        found: f64,
+        /// What the pair's gear has.
+        wanted: f64,
+    },
+    /// Nothing scatters.
+    #[error("nothing scatters")]
+    Nothing,
+}
+
+impl Scatters {
+    /// Those of one gear.
+    pub fn of(&self, member: Member) -> &GearScatter {
+        match member {
+            Member::Wheel => &self.wheel,
+            Member::Pinion => &self.pinion,
+        }
+    }
+
+    pub(super) fn factors(&self, pair: &GearPair) -> Vec<Factor> {
+        let scatters = |scatter: &Option<Scatter>| {
+            let scatter = scatter.as_ref();
+            scatter.is_some_and(|scatter| !scatter.is_fixed())
+        };
+        let mut factors = Vec::new();
+        let correlated = self.thickness_correlation != 0.0;
+        if correlated {
+            factors.push(Factor::Thicknesses);
+        }
+        for member in [Member::Wheel, Member::Pinion] {
+            let (of, gear) = (self.of(member), pair.gear(member));
+            // A runout without a direction has any.
+            let is_open = |gear: &AsBuilt| gear.any_direction() && gear.eccentricity() > 0.0;
+            let open = match &of.gears {
+                Some(gears) => gears.iter().any(is_open),
+                None => is_open(gear),
+            };
+            let each = [
+                (
+                    !correlated && scatters(&of.thickness),
+                    Factor::Thickness(member),
+                ),
+                (of.runout.is_some() || open, Factor::Runout(member)),
+                (of.pitch.is_some(), Factor::Pitch(member)),
+                (scatters(&of.per_tooth), Factor::PerTooth(member)),
+                (of.gears.is_some(), Factor::Gear(member)),
+            ];
+            factors.extend(
+                each.into_iter()
+                    .filter_map(|(there, one)| there.then_some(one)),
+            );
+        }
+        let rest = [
+            (scatters(&self.center_distance), Factor::CenterDistance),
+            (scatters(&self.bearing_play), Factor::BearingPlay),
+            (self.phase && phase_count(pair) > 1, Factor::Phase),
+        ];
+        factors.extend(
+            rest.into_iter()
+                .filter_map(|(there, one)| there.then_some(one)),
+        );
+        factors
+    }
+}
+
+impl GearScatter {
+    pub(super) fn check(&self, own: &AsBuilt) -> Result<(), PopulationError> {
+        if let Some(runout) = &self.runout {
+            not_negative("the runout", runout)?;
+        }
+        if let Some(sigma) = self.pitch
+            && !(sigma > 0.0 && sigma.is_finite())
+        {
+            return Err(PopulationError::Pitch(sigma));
+        }
+        let Some(gears) = &self.gears else {
+            return Ok(());
+        };
+        let alone = GearScatter {
+            gears: Some(Arc::clone(gears)),
+            ..GearScatter::default()
+        };
+        if gears.is_empty() || *self != alone {
+            return Err(PopulationError::WholeGears);
+        }
+        for (index, gear) in gears.iter().enumerate() {
+            let (found, wanted) = (gear.gear().basic_data(), own.gear().basic_data());
+            for (what, found, wanted) in [
+                ("teeth", f64::from(found.teeth()), f64::from(wanted.teeth())),
+                ("module", found.module(), wanted.module()),
+                (
+                    "pressure angle",
+                    found.pressure_angle(),
+                    wanted.pressure_angle(),
+                ),
+            ] {
+                if found != wanted {
+                    return Err(PopulationError::OtherGear {
+                        number: index + 1,
+                        what,
+                        found,
+                        wanted,
+                    });
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+pub(super) fn not_negative(what: &'static str, scatter: &Scatter) -> Result<(), PopulationError> {
+    let [low, _] = scatter.limits();
+    // The least of all: a normal one has none.
+    let least = scatter.at(f64::MIN_POSITIVE).min(low);
+    let right = least >= 0.0;
+    right
+        .then_some(())
+        .ok_or(PopulationError::Negative { what, low: least })
+}
+
+/// Ways to put the gears together.
+pub(super) fn phase_count(pair: &GearPair) -> u32 {
+    let teeth = |member| pair.gear(member).gear().basic_data().teeth();
+    SweepPlan::phase_count(teeth(Member::Wheel), teeth(Member::Pinion))
+}

@@ -309,6 +309,13 @@ fn measured_gears_are_drawn_whole() {
     refused("gear 4 of the list has teeth 21, not 20");
     std::fs::write(&bad, "teeth = \"a secret\"").unwrap();
     refused("3.toml: this is no gear file that can be read");
+    // A wheel of a pair file that stands in the warm.
+    let warm = text.replace("wheels/*", "wheels/1.toml");
+    let assembly = "[assembly]\ntemperature_c = 60\nhousing_expansion_per_k = 1e-5";
+    let warm = warm.replace("[assembly]", assembly);
+    let warm = warm.replace("\nteeth", "\nexpansion_per_k = 1e-5\nteeth");
+    std::fs::write(&bad, warm).unwrap();
+    refused("stands at 60 °C");
     std::fs::write(
         folder.path().join("pair.toml"),
         text.replace("wheels/*", "none/*"),

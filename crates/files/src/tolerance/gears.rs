@@ -2,11 +2,13 @@
 
 use super::bands::middle;
 use super::gear_names::{doubled, named};
+use crate::numbers::shortest;
 use crate::place::Place;
 use crate::problems::Problems;
 use crate::read::GearsFile;
 use crate::spec::GearSpec;
 use crate::table::Table;
+use crate::temperature::REFERENCE_C;
 use gearlash::gear::AsBuilt;
 use gearlash::pair::Member;
 use std::path::Path;
@@ -102,6 +104,12 @@ fn one(path: &Path, member: Member, place: &Place) -> Result<(MeasuredGear, bool
         1 => "this is no gear file that can be read".to_owned(),
         several => format!("this is no gear file that can be read: {several} problems"),
     })?;
+    if let Some(celsius) = file.temperature_c.filter(|celsius| *celsius != REFERENCE_C) {
+        return Err(format!(
+            "stands at {} °C, gears are drawn at the {REFERENCE_C} °C at which they were measured",
+            shortest(celsius)
+        ));
+    }
     place.read_too(&file.sources);
     let own = |name: &str| name == "gear" || name == member.name();
     let gear = file.gears.into_iter().find(|gear| own(gear.name));

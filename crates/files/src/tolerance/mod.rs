@@ -16,6 +16,7 @@ mod result;
 mod run;
 mod sentence;
 mod worst;
+mod written;
 
 pub(crate) use bands::middle;
 pub(crate) use population::requirement;
@@ -25,7 +26,8 @@ pub use part::{About, Part};
 pub use part_error::PartError;
 pub use part_head::{MOST_ASSEMBLIES, MOST_SHARDS, PartHead, Progress};
 pub use population::{ToleranceFile, read_tolerance};
-pub use result::{Convergence, ToleranceResult, convergence, histogram_csv};
+pub use result::{Convergence, ToleranceResult, convergence};
 pub use run::{BlockError, Rows};
 pub use sentence::{phases_of_limits, sentence, without_backlash};
 pub use worst::{Worst, worst_file};
+pub use written::histogram_csv;

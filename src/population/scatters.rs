@@ -33,7 +33,7 @@ pub struct Scatters {
     pub center_distance: Option<Scatter>,
     /// Radial play of both bearings together: the axes may be nearer, and farther apart, by as much.
     pub bearing_play: Option<Scatter>,
-    /// Whether the gears are put together in any of their gcd(z_1, z_2) ways, or always alike ([`Population::with_phase`]).
+    /// Whether the gears are put together in any of their gcd(z_1, z_2) ways, or always alike ([`with_phase`](crate::population::Population::with_phase)).
     pub phase: bool,
     /// Correlation of both thicknesses (of their normal scores), −1 … 1; 1 where both gears come from one batch.
     pub thickness_correlation: f64,

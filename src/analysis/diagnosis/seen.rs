@@ -19,7 +19,7 @@ pub struct Seen {
     pub material: Material,
     /// What touched, and what it cost.
     pub contact: ContactCount,
-    /// Least `j_wt`, mm; `None` where no pose has one.
+    /// Least `j_wt`, mm, of these poses and where the cycle has its extremes; `None` where no pose has one.
     pub least: Option<f64>,
     /// Poses that are not proven.
     pub(super) unproven: usize,
@@ -88,6 +88,16 @@ impl Seen {
             }
             touched.below += usize::from(is_below);
         }
+    }
+
+    /// Takes in the least `j_wt` of the cycle from `extremes`, the poses where that has them.
+    pub(super) fn with_least_of(mut self, extremes: &[ComparedRun]) -> Seen {
+        let here = (self.assembly.center_distance(), self.material);
+        let place = |run: &&ComparedRun| (run.run.assembly.center_distance(), run.run.material);
+        let poses = extremes.iter().filter(|run| place(run) == here);
+        let poses = poses.flat_map(|run| &run.poses);
+        self.least = poses.fold(self.least, |found, pose| least(found, pose.swept.backlash));
+        self
     }
 
     /// Several together; `None` of none.

@@ -1,7 +1,7 @@
 //! The files that names of measured gears stand for: what stands among them and is none is told, never passed over.
 
 use glob::MatchOptions;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashSet};
 use std::ffi::OsString;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
@@ -40,11 +40,11 @@ pub fn named(folder: &Path, name: &str) -> Named {
             return named;
         }
     };
-    let mut all = Vec::new();
+    let mut all = HashSet::new();
     for found in as_written {
         match found {
             Ok(path) => {
-                all.push(path.clone());
+                all.insert(path.clone());
                 named.add(path, true);
             }
             Err(error) => {

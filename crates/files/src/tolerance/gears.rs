@@ -39,8 +39,10 @@ pub fn gears(
     for name in names {
         let found = named(file.place().folder(), name);
         if found.files.is_empty() && found.faults.is_empty() {
+            let beside = found.left_out.iter().take(MOST_WARNINGS);
+            let beside: String = beside.map(|left_out| format!("; {left_out}")).collect();
             wrong(
-                format!("{name:?}: there is no such file"),
+                format!("{name:?}: there is no such file{beside}"),
                 "name gear files, such as \"measured/*.toml\", beside the pair file",
             );
         }
@@ -78,9 +80,11 @@ pub fn gears(
             1 => String::new(),
             count => format!(" and {} more", count - 1),
         };
-        warnings.push(format!(
+        let told = format!(
             "{key}: {first}{others}: states a band of thickness, the gear drawn has its middle; give the thickness that was measured"
-        ));
+        );
+        // It changes numbers: before what was left out.
+        warnings.insert(0, told);
     }
     let good = bad.is_empty();
     problems.add_list(key, bad);

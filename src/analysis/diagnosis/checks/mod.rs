@@ -111,6 +111,7 @@ pub fn diagnose(
         let Some(seen_here) = Seen::sum(seen_here) else {
             continue;
         };
+        let seen_here = seen_here.with_least_of(extremes);
         let (assembly, material) = (&seen_here.assembly, seen_here.material);
         let known = searched.iter().find(|entry| entry.0 == material).cloned();
         let (_, zero, onset) = match known {
@@ -175,6 +176,7 @@ pub fn failed_checks(
         let Some(seen_here) = Seen::sum(seen_here) else {
             continue;
         };
+        let seen_here = seen_here.with_least_of(&cycle.runs);
         let (assembly, material) = (&seen_here.assembly, seen_here.material);
         let here = Here {
             assembly,

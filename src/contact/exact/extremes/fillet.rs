@@ -139,7 +139,7 @@ impl<'a> OnFillet<'a> {
 /// Bounds over a stretch between two poses of the same teeth, `angle` of the locked gear apart; `deepest` is the least `γ` in reach.
 /// `None` where they cannot be had.
 ///
-/// A corner that is above the form circle as it comes to the chord's line has not been in the fillet up to there: in front of that line there is none.
+/// A corner that is above the form circle as it comes to the line of a chord that ends there has not been in the fillet up to there.
 pub(super) fn bounds(
     ends: [OnFillet; 2],
     near: [f64; 2],
@@ -148,6 +148,11 @@ pub(super) fn bounds(
 ) -> Option<Bounds> {
     let mate = ends[0].mate();
     let range = (deepest, mate.fillet_end);
+    // In front of the line of a chord that goes on to the form circle there is no fillet, from `low` on.
+    let to_the_form_circle = |(low, _): (f64, f64)| {
+        let found = reach(ends, chord(mate, (low, mate.fillet_end)), near)?;
+        bent(found, None, angle)
+    };
     // Where the corner is, the whole fillet's chord for a start, then between the radii it was found at.
     let mut band = range;
     for _ in 0..3 {
@@ -155,13 +160,13 @@ pub(super) fn bounds(
         let found = reach(ends, border, near)?;
         match radii(mate, found, angle, range) {
             Some(found) => band = found,
-            None => return bent(found, None, angle),
+            None => return to_the_form_circle(band),
         }
     }
     let clear = reach(ends, chord(mate, band), near)?;
     // The chord now used holds for the radii that the corner has with it.
     let Some(needed) = radii(mate, clear, angle, range) else {
-        return bent(clear, None, angle);
+        return to_the_form_circle(band);
     };
     let play = 0.5 * (band.1 - band.0);
     if needed.0 < band.0 - play || needed.1 > band.1 + play {

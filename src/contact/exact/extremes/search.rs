@@ -23,10 +23,12 @@ pub(super) enum Which {
 impl Which {
     /// How far beyond everything else a stretch with these bounds may reach: the sign makes the least a greatest.
     fn key(self, low: f64, high: f64) -> f64 {
-        match self {
+        let key = match self {
             Which::Least => -low,
             Which::Greatest => high,
-        }
+        };
+        // Without a bound it may reach any distance.
+        if key.is_nan() { f64::INFINITY } else { key }
     }
 
     /// How far it reaches for sure.
@@ -102,6 +104,9 @@ impl Candidates<'_> {
         let at = self.search.expected(&cell);
         found.look(course, course.mating(top.mating, at))?;
         self.drop(found);
+        let key = |bounds: &Bounds| self.search.key(bounds.low, bounds.high);
+        let top = self.kept.iter().max_by(|a, b| key(a).total_cmp(&key(b)));
+        (self.top, self.key) = (top.copied(), top.map_or(f64::NEG_INFINITY, key));
         // Doubled at least, so that this costs no more than keeping.
         self.room = self.room.max(2 * self.kept.len());
         Ok(())

@@ -51,7 +51,7 @@ fn finding(teeth: (u32, u32), root_radius: f64, closer: f64) -> Result<Finding, 
         Member::Wheel,
     )?;
     let kernel = ExactKernel::new(&assembly);
-    let formula = InvolutePair::of(&assembly).normal_backlash(assembly.center_distance());
+    let formula = InvolutePair::of(&assembly).base_backlash(assembly.center_distance());
     let base = assembly.gear(Member::Pinion).gear().base_radius();
     let mut loss = 0f64;
     for phase in 0..PHASES {

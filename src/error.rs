@@ -145,10 +145,10 @@ pub enum GearError {
         /// Values needed.
         teeth: u32,
     },
-    /// The two gears do not share module or pressure angle.
+    /// The two gears do not share module, pressure angle or helix angle.
     #[error("{what} differs: wheel {wheel}, pinion {pinion}; a pair shares it")]
     Unequal {
-        /// Module or pressure angle.
+        /// Module, pressure angle or helix angle.
         what: &'static str,
         /// The wheel's.
         wheel: f64,
@@ -164,6 +164,22 @@ pub enum GearError {
         center_distance_mm: f64,
         /// `r_b1 + r_b2`.
         least_mm: f64,
+    },
+    /// Two external helical gears of one hand.
+    #[error("both gears are {hand}-handed: teeth of an external pair wind opposite ways")]
+    SameHand {
+        /// The hand of both.
+        hand: &'static str,
+    },
+    /// A face that is none.
+    #[error(
+        "the common face runs from {from_mm} to {to_mm} mm: the gears face each other over none"
+    )]
+    NoCommonFace {
+        /// Its near end.
+        from_mm: f64,
+        /// Its far end.
+        to_mm: f64,
     },
     /// A tooth number beyond the gear's.
     #[error("the gear has teeth 1 … {teeth}, not {tooth}")]

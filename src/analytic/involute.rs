@@ -8,9 +8,9 @@ use crate::pair::{GearPair, Member};
 pub struct InvolutePair {
     /// `r_b1 + r_b2`.
     base_radii: f64,
-    /// `s_b1 + s_b2`.
+    /// `s_bt1 + s_bt2`.
     base_thicknesses: f64,
-    /// `p_b`, of gears of unequal temperature the mean of both.
+    /// `p_bt`, of gears of unequal temperature the mean of both.
     base_pitch: f64,
 }
 
@@ -49,32 +49,33 @@ impl InvolutePair {
         (center_distance > self.base_radii).then(|| (self.base_radii / center_distance).acos())
     }
 
-    /// Normal backlash `j_bn = p_b − s_b1 − s_b2 + 2 (r_b1 + r_b2) inv α_wt`, mm, at centre distance `a`, mm.
+    /// Base circle backlash `j_bt = p_bt − s_bt1 − s_bt2 + 2 (r_b1 + r_b2) inv α_wt`, mm, at centre distance `a`, mm: of spur gears the normal
+    /// backlash `j_bn`, of helical ones `j_bn/cos β_b`.
     ///
     /// Derivation: at `a` the common base tangent is shared by one tooth of each
     /// gear and the play; winding it onto both base circles adds their two
     /// `2 r_b inv α_wt` to the base pitch. `None` as
     /// [`InvolutePair::operating_pressure_angle`].
-    pub fn normal_backlash(&self, center_distance: f64) -> Option<f64> {
+    pub fn base_backlash(&self, center_distance: f64) -> Option<f64> {
         let alpha = self.operating_pressure_angle(center_distance)?;
         Some(self.base_pitch - self.base_thicknesses + 2.0 * self.base_radii * involute::inv(alpha))
     }
 
-    /// Circumferential backlash `j_wt = j_bn/cos α_wt`, mm, on the operating circles of centre distance `a`, mm.
+    /// Circumferential backlash `j_wt = j_bt/cos α_wt`, mm, on the operating circles of centre distance `a`, mm.
     ///
     /// `None` as [`InvolutePair::operating_pressure_angle`].
     pub fn circumferential_backlash(&self, center_distance: f64) -> Option<f64> {
-        let normal = self.normal_backlash(center_distance)?;
-        Some(normal * center_distance / self.base_radii)
+        let base = self.base_backlash(center_distance)?;
+        Some(base * center_distance / self.base_radii)
     }
 
-    /// Centre distance `a`, mm, at which the normal backlash is `j_bn`, mm: the inverse of
-    /// [`InvolutePair::normal_backlash`]; K (17) for `j_bn = 0`.
+    /// Centre distance `a`, mm, at which the base circle backlash is `j_bt`, mm: the inverse of
+    /// [`InvolutePair::base_backlash`]; K (17) for `j_bt = 0`.
     ///
     /// `None` when the teeth are so thin that there is more play on touching base circles already.
-    pub fn center_distance(&self, normal_backlash: f64) -> Option<f64> {
+    pub fn center_distance(&self, base_backlash: f64) -> Option<f64> {
         let inv =
-            (normal_backlash + self.base_thicknesses - self.base_pitch) / (2.0 * self.base_radii);
+            (base_backlash + self.base_thicknesses - self.base_pitch) / (2.0 * self.base_radii);
         (inv > 0.0).then(|| involute::radius_at(involute::roll_of_inv(inv), self.base_radii))
     }
 }

@@ -114,12 +114,14 @@ pub fn tip_thickness(gear: &Gear) -> f64 {
     2.0 * gear.tip_radius() * gear.half_angle_at_roll(gear.tip_roll())
 }
 
-/// Least generating shift `x_E` without undercut, modules: `h_fP* − ρ_fP* (1 − sin α) − z sin² α/2`.
+/// Least generating shift `x_E` without undercut, modules: `h_fP* − ρ_fP* (1 − sin α_n) − z sin² α_t/(2 cos β)`.
 ///
 /// Design section 4's `r sin α − (h_0/sin α + ρ) ≥ 0` solved for the shift.
 pub fn least_shift_without_undercut(basic_data: &BasicGearData, rack: &BasicRack) -> f64 {
     let sin = basic_data.pressure_angle().sin();
+    let transverse = basic_data.transverse_pressure_angle().sin();
     rack.dedendum()
         - rack.root_radius() * (1.0 - sin)
-        - f64::from(basic_data.teeth()) * sin * sin / 2.0
+        - f64::from(basic_data.teeth()) * transverse * transverse
+            / (2.0 * basic_data.helix_angle().cos())
 }

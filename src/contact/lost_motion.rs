@@ -47,6 +47,14 @@ pub struct Contact<P = ProfilePart> {
     pub point: Point2<f64>,
     /// Unit normal at the contact, out of the wheel's metal.
     pub normal: Vector2<f64>,
+    /// Where along the axes it is `b`, mm from the measuring plane away from the viewer; 0 of spur gears.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "is_measuring_plane"))]
+    pub section: f64,
+}
+
+#[cfg(feature = "serde")]
+fn is_measuring_plane(section: &f64) -> bool {
+    *section == 0.0
 }
 
 /// What a search found, in the frame of the exact method and of outlines: the free gear's axis at the origin, the locked one's at `(a, 0)`, the left
@@ -89,6 +97,7 @@ impl<P> Framed<P> {
             pinion,
             point: Point2::new(point.re, point.im),
             normal: Vector2::new(normal.re, normal.im),
+            section: 0.0,
         }
     }
 }

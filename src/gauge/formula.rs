@@ -41,7 +41,7 @@ pub(super) fn formula(
     let centre = |diameter| thickness::pin_centre_radius(basic_data, diameter, s_b);
     let odd = !basic_data.teeth().is_multiple_of(2);
     let both = 1.0 + (PI / f64::from(basic_data.teeth())).cos();
-    let alpha = basic_data.pressure_angle();
+    let alpha = basic_data.transverse_pressure_angle();
     Formula {
         span: k.map(|k| thickness::span_from_base(basic_data, k, s_b)),
         over_two: pin.map(|pin| thickness::pins_from_base(basic_data, pin, s_b)),

@@ -41,6 +41,10 @@ fn with_teeth(as_built: &AsBuilt, teeth: u32) -> Result<(Gear, bool), GearError>
     let of = gear.basic_data();
     let module = of.module();
     let basic_data = BasicGearData::new(teeth, module, of.pressure_angle())?;
+    let basic_data = match of.hand() {
+        Some(hand) => basic_data.with_helix(of.helix_angle(), hand.mate())?,
+        None => basic_data,
+    };
     let dedendum =
         (gear.design().rack.addendum() + 0.25).min(POINTED * FRAC_PI_4 / of.pressure_angle().tan());
     let design = |addendum: f64| -> Result<GearDesign, GearError> {

@@ -50,7 +50,7 @@ pub(super) fn stated(as_built: &AsBuilt, read: &Readings) -> Result<StatedThickn
     }
     let (design, basic_data) = (gear.design(), gear.basic_data());
     let nominal = design.nominal_base_thickness();
-    let cos = basic_data.pressure_angle().cos();
+    let cos = basic_data.transverse_pressure_angle().cos();
     // Base thickness by the flanks.
     let spans = read.spans.as_ref().ok();
     let by_spans = |spans: &Spans| thickness::base_from_span(basic_data, spans.teeth, spans.mean());

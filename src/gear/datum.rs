@@ -116,7 +116,7 @@ impl Pitch {
         mean: f64,
     ) -> Result<(Vec<f64>, Vector2<f64>), GearError> {
         let basic_data = gear.basic_data();
-        let alpha = basic_data.pressure_angle();
+        let alpha = basic_data.transverse_pressure_angle();
         // Ascending numbers count positive here: right flanks stand ahead of their tooth.
         let ahead = -side.sense();
         let half = gear.half_angle_at_roll(alpha.tan());
@@ -150,7 +150,7 @@ mod tests {
             let pitch_angle = gear.basic_data().angular_pitch();
             let direction = (high - 1.0) * pitch_angle;
             let e_vector = e * Vector2::new(f64::cos(direction), f64::sin(direction));
-            let half = gear.half_angle_at_roll(gear.basic_data().pressure_angle().tan());
+            let half = gear.half_angle_at_roll(gear.basic_data().transverse_pressure_angle().tan());
             let own = |i: u32| wave * f64::sin(2.0 * f64::from(i) * pitch_angle);
             let sheet = |ahead: f64| -> Vec<f64> {
                 let reading = |i| {

@@ -51,7 +51,7 @@ pub(super) fn read(
 ) -> Result<f64, GearError> {
     let basic_data = gear.basic_data();
     let (r, base) = (basic_data.reference_radius(), basic_data.base_radius());
-    let alpha = basic_data.pressure_angle();
+    let alpha = basic_data.transverse_pressure_angle();
     let e = Complex::new(e.x, e.y);
     // Everything is seen from the undisturbed crossing, so that the angle read is a small one.
     let e = e * Complex::from_polar(1.0, -place);
@@ -102,7 +102,7 @@ pub(super) mod tests {
     #[test]
     fn reads_the_first_order_sine() {
         let gear = gear(44);
-        let alpha = gear.basic_data().pressure_angle();
+        let alpha = gear.basic_data().transverse_pressure_angle();
         let e = 1e-4;
         for (ahead, place) in [(1.0, 0.7), (-1.0, 0.7), (1.0, 3.0), (-1.0, -2.0)] {
             let exact = read(&gear, ahead, place, 0.0, Vector2::new(e, 0.0)).unwrap();

@@ -48,7 +48,7 @@ impl Deviations {
             length("per_tooth", &self.per_tooth)?;
             for side in Side::BOTH {
                 for (offset, thickness) in offsets[of(side)].iter_mut().zip(&self.per_tooth) {
-                    *offset += side.sense() * thickness / (2.0 * r);
+                    *offset += side.sense() * thickness / (2.0 * r * basic_data.helix_cos());
                 }
             }
         }

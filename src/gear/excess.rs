@@ -164,7 +164,7 @@ impl<'a> Excess<'a> {
         excess: impl Fn(&Touched, f64) -> f64,
     ) -> FlankShifts {
         let gear = self.gear;
-        let cos = gear.basic_data().pressure_angle().cos();
+        let cos = gear.basic_data().transverse_pressure_angle().cos();
         let mut known: HashMap<(*const RollCurve, u64), f64> = HashMap::new();
         let mut of_side = |own: Flank| -> Vec<f64> {
             let curves = &self.curves[usize::from(own == Flank::Left)];
@@ -233,7 +233,7 @@ impl<'a> Excess<'a> {
                 Flank::Left => (tooth + teeth - 2) % teeth + 1,
             };
             let apart = standing.at(Flank::Right, space, 0) - standing.at(Flank::Left, space, 1);
-            let base = gear.base_thickness() + apart * basic_data.pressure_angle().cos();
+            let base = gear.base_thickness() + apart * basic_data.transverse_pressure_angle().cos();
             let centre = thickness::pin_centre_radius(basic_data, pin, base);
             gear.base_radius() * involute::roll_at(centre, gear.base_radius())
         };

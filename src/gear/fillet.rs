@@ -19,7 +19,20 @@
 //! dP/dγ = i n S,   S = ρ + h_0 L/(r cos² γ),   d(arg n)/dγ = −q,   q = 1 + h_0/(r cos² γ).
 //! ```
 //!
+//! In the transverse section of a helical gear the tool's tip round `ρ` is an ellipse, `ρ/cos β` along the pitch line and `ρ` deep. Its point
+//! whose normal has the angle `γ` lies, with `k = √(1 + tan²β sin²γ)`, at `ρ (sin γ/cos²β, −cos γ)/k` from its centre. Rolled alike, now
+//!
+//! ```text
+//! L = h_0/cos γ + ρ/k,   u = h_0 tan γ − ρ tan²β sin γ/k,   −r dβ/dγ = M/cos γ,   M = h_0/cos γ − ρ tan²β cos²γ/k³ = L − ρ_t,
+//! S = ρ_t + L M/(r cos γ),   q = 1 + M/(r cos γ),   ρ_t = ρ/(cos²β k³),
+//! ```
+//!
+//! `ρ_t` the ellipse's radius of curvature: the circle's formulas with `ρ/k` in `L` and `M` for `h_0/cos γ`, which they become at `β = 0`.
+//! (A circle in place of the ellipse moves form diameters by tens of micrometres.)
+//!
 //! All for the right-hand half tooth, its centre line on +x.
+
+mod elliptic;
 
 use super::{BasicGearData, BasicRack, involute};
 use crate::error::GearError;
@@ -35,6 +48,8 @@ pub struct Fillet {
     depth: f64,
     /// `ρ`, mm.
     tip_round: f64,
+    /// `tan²β`.
+    lean: f64,
     /// Polar angle of the root land's end, `−π/z + c_0/r`.
     root_angle: f64,
     /// `γ` at the form point.
@@ -57,7 +72,7 @@ impl Fillet {
         x_e: f64,
     ) -> Result<Fillet, GearError> {
         rack.check_tip_round(basic_data)?;
-        let (module, alpha) = (basic_data.module(), basic_data.pressure_angle());
+        let (module, alpha) = (basic_data.module(), basic_data.transverse_pressure_angle());
         let radius = basic_data.reference_radius();
         let tip_round = rack.root_radius() * module;
         let depth = (rack.dedendum() - rack.root_radius() - x_e) * module;
@@ -67,13 +82,16 @@ impl Fillet {
             radius,
             depth,
             tip_round,
-            root_angle: rack.half_root_land(basic_data) / radius
+            lean: basic_data.helix_angle().tan().powi(2),
+            root_angle: rack.half_root_land(basic_data) / basic_data.helix_cos() / radius
                 - PI / f64::from(basic_data.teeth()),
             end: tangency,
-            // The contact normal at the tangency is the line of action: r sin α
-            // long to the base circle, h_0/sin α + ρ of it below the pitch point.
-            form_roll: (radius * alpha.sin() - depth / alpha.sin() - tip_round) / base,
+            form_roll: 0.0,
         };
+        // The contact normal at the tangency is the line of action: r sin α_t
+        // long to the base circle, L = h_0/sin α_t + ρ/k of it below the pitch point.
+        fillet.form_roll =
+            (radius * alpha.sin() - depth / alpha.sin() - fillet.round(alpha.cos())) / base;
         if fillet.least_speed() < 0.0 {
             return Err(GearError::FilletCusp {
                 generating_shift: x_e,
@@ -89,6 +107,9 @@ impl Fillet {
     /// Least `S` over the fillet. In `c = 1/cos γ`: `S = ρ + h_0 ρ c²/r + h_0² c³/r`, which for
     /// `h_0 < 0` has its minimum at `c = 2ρ/(3|h_0|)`.
     fn least_speed(&self) -> f64 {
+        if self.lean > 0.0 {
+            return self.least_elliptic_speed();
+        }
         let greatest = 1.0 / self.end.cos();
         let c = if self.depth < 0.0 {
             (2.0 * self.tip_round / (-3.0 * self.depth)).clamp(1.0, greatest)
@@ -150,6 +171,9 @@ impl Fillet {
     /// `P' = i n S` turns by `S n·P/|P|²`, and `n·P = r cos γ − L`. With `c = cos γ` it is 0 where `r c² − ρ c − h_0 = 0`;
     /// the greatest angle lies there or at an end.
     pub fn neck(&self) -> f64 {
+        if self.lean > 0.0 {
+            return self.elliptic_neck();
+        }
         let (r, round, depth) = (self.radius, self.tip_round, self.depth);
         // Without a real root NaN, which is in no range.
         let root = (round * round + 4.0 * r * depth).sqrt();
@@ -168,15 +192,27 @@ impl Fillet {
             })
     }
 
+    /// Polar angle `arg E` of the generating pitch point at `gamma`, rad.
+    pub(crate) fn pitch_angle(&self, gamma: f64) -> f64 {
+        self.pitch_point(gamma).angle()
+    }
+
+    /// `L`, mm: how far the fillet stands from its generating pitch point, along its normal.
+    pub(crate) fn reach(&self, gamma: f64) -> f64 {
+        let (sin, cos) = gamma.sin_cos();
+        self.depth / cos + self.round(sin)
+    }
+
     /// Rotation `E` of the pitch point at `gamma`.
     fn pitch_point(&self, gamma: f64) -> UnitComplex<f64> {
-        UnitComplex::new(self.root_angle - self.depth * gamma.tan() / self.radius)
+        let turn = self.depth * gamma.tan() / self.radius - self.held_back(gamma.sin());
+        UnitComplex::new(self.root_angle - turn)
     }
 
     /// The point at `gamma`, mm.
     pub fn point(&self, gamma: f64) -> Point2<f64> {
         let (sin, cos) = gamma.sin_cos();
-        let reach = self.depth / cos + self.tip_round;
+        let reach = self.depth / cos + self.round(sin);
         let offset = Vector2::new(self.radius - reach * cos, reach * sin);
         (self.pitch_point(gamma) * offset).into()
     }
@@ -190,11 +226,12 @@ impl Fillet {
     #[inline]
     pub(super) fn at(&self, gamma: f64) -> (Point2<f64>, Vector2<f64>) {
         let (sin, cos) = gamma.sin_cos();
-        let (pitch_sin, pitch_cos) =
-            (self.root_angle - self.depth * sin / (cos * self.radius)).sin_cos();
+        let (pitch_sin, pitch_cos) = (self.root_angle
+            - (self.depth * sin / (cos * self.radius) - self.held_back(sin)))
+        .sin_cos();
         let e = Complex::new(pitch_cos, pitch_sin);
         let normal = e * Complex::new(cos, -sin);
-        let point = e * self.radius - normal * (self.depth / cos + self.tip_round);
+        let point = e * self.radius - normal * (self.depth / cos + self.round(sin));
         (
             Point2::new(point.re, point.im),
             Vector2::new(normal.re, normal.im),
@@ -210,6 +247,9 @@ impl Fillet {
     /// `S`, mm.
     #[inline]
     pub(super) fn speed(&self, gamma: f64) -> f64 {
+        if self.lean > 0.0 {
+            return self.over(gamma, gamma).speed()[0];
+        }
         let c = 1.0 / gamma.cos();
         let lift = self.depth * c * c / self.radius;
         self.tip_round + lift * (self.tip_round + self.depth * c)
@@ -218,6 +258,10 @@ impl Fillet {
     /// `S` times the half length, `q` times the half length: both rise with `γ` once `h_0` is taken by its amount.
     pub(super) fn spread(&self, low: f64, high: f64) -> (f64, f64) {
         let half = 0.5 * (high - low);
+        if self.lean > 0.0 {
+            let over = self.over(low, high);
+            return (greatest(over.speed()) * half, greatest(over.turn()) * half);
+        }
         let c = 1.0 / high.cos();
         let depth = self.depth.abs();
         let lift = depth * c * c / self.radius;
@@ -227,6 +271,11 @@ impl Fillet {
 
     /// `−q/S`; with `h_0 ≥ 0` both grow with `γ`.
     pub(super) fn convexity(&self, low: f64, high: f64) -> Option<(f64, f64)> {
+        if self.lean > 0.0 {
+            let over = self.over(low, high);
+            let ([slow, fast], [little, much]) = (over.speed(), over.turn());
+            return (slow > 0.0 && little > 0.0).then(|| (-much / slow, -little / fast));
+        }
         let (least, most) = (self.speed(low), self.speed(high));
         let turn = |gamma: f64| {
             let cos = gamma.cos();
@@ -251,6 +300,11 @@ impl Fillet {
         self.tip_round
     }
 
+    /// Whether the tool's tip round is an ellipse in the transverse section, as that of a helical gear is.
+    pub fn is_elliptic(&self) -> bool {
+        self.lean > 0.0
+    }
+
     /// `(A, B)` such that over any `[γ − Δ, γ]` the part of `P''` across the chord is at most `A + B Δ`.
     ///
     /// `P'' = (i n S)'`: across the tangent `S |q|`, along it `|S'|`. The chord is
@@ -258,6 +312,9 @@ impl Fillet {
     /// turns by at most `q Δ`. With `c = 1/cos γ` every term below rises with
     /// `γ` once `h_0` is taken by its amount, so its value at the upper end bounds the interval.
     pub fn bend(&self, gamma: f64) -> (f64, f64) {
+        if self.lean > 0.0 {
+            return self.elliptic_bend(gamma);
+        }
         let c = 1.0 / gamma.cos();
         let (depth, round, r) = (self.depth.abs(), self.tip_round, self.radius);
         let speed = round + (depth * round * c * c + depth * depth * c * c * c) / r;
@@ -266,6 +323,11 @@ impl Fillet {
             gamma.tan() * (2.0 * depth * round * c * c + 3.0 * depth * depth * c * c * c) / r;
         (speed * turn, speed_slope * turn)
     }
+}
+
+/// The greater amount of an interval's ends.
+fn greatest([low, high]: [f64; 2]) -> f64 {
+    low.abs().max(high.abs())
 }
 
 /// The point where `below` turns from true to false between `low` and `high`, to the last bit.
@@ -334,6 +396,7 @@ mod tests {
                     radius: basic_data.reference_radius(),
                     depth: (0.8 - round - x_e) * 2.0,
                     tip_round: 2.0 * round,
+                    lean: 0.0,
                     root_angle: 0.0,
                     end: FRAC_PI_2 - alpha,
                     form_roll: 0.0,

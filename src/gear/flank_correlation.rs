@@ -100,7 +100,7 @@ impl Pitch {
 
     /// First harmonic of the own `side` flanks, counted from the angle `±α` at which an eccentricity shows nothing.
     fn first_harmonic_as_eccentric(&self, gear: &Gear, side: Flank) -> Complex<f64> {
-        let alpha = gear.basic_data().pressure_angle();
+        let alpha = gear.basic_data().transverse_pressure_angle();
         let ahead = -side.sense();
         let start = ahead * (gear.half_angle_at_roll(alpha.tan()) - alpha);
         self.first_harmonic(side) * Complex::from_polar(1.0, -start)

@@ -30,13 +30,13 @@ impl GearDesign {
         }
     }
 
-    /// Nominal tooth thickness `s = m (π/2 + 2 x tan α)` at the reference circle, mm.
+    /// Nominal tooth thickness `s_n = m_n (π/2 + 2 x tan α_n)` at the reference circle in the normal section, mm.
     pub fn nominal_thickness(&self) -> f64 {
         let alpha = self.basic_data.pressure_angle();
         self.basic_data.module() * (PI / 2.0 + 2.0 * self.profile_shift * alpha.tan())
     }
 
-    /// Nominal base tooth thickness `s_b = r_b (s/r + 2 inv α)`, mm, of `s = m (π/2 + 2 x tan α)`.
+    /// Nominal transverse base tooth thickness `s_bt = r_b (s_t/r + 2 inv α_t)`, mm, of `s_t = s_n/cos β`.
     pub fn nominal_base_thickness(&self) -> f64 {
         2.0 * self.basic_data.base_radius() * self.basic_data.half_base_angle(self.profile_shift)
     }
@@ -79,7 +79,7 @@ fn generated(
     let half_base = base_thickness / (2.0 * base);
     let tip_roll = involute::roll_at(tip, base);
     // An undercut fillet ends before the tangency.
-    let undercut = fillet.end() < FRAC_PI_2 - basic_data.pressure_angle();
+    let undercut = fillet.end() < FRAC_PI_2 - basic_data.transverse_pressure_angle();
     let land = |radius: f64, ends: [f64; 2]| Part {
         curve: PartCurve::Arc(Arc::new(radius)),
         ends,
@@ -117,10 +117,10 @@ pub struct Gear {
 }
 
 impl Gear {
-    /// A gear of `design` whose teeth have the mean `base_thickness` `s_b`, mm.
+    /// A gear of `design` whose teeth have the mean transverse `base_thickness` `s_bt`, mm.
     ///
     /// The thickness decides the generating shift
-    /// `x_E = x + (s − s_nominal)/(2 m tan α)` (design section 4) and with it
+    /// `x_E = x + (s_n − s_n,nominal)/(2 m_n tan α_n)` (design section 4) and with it
     /// root circle and fillet; the tip circle follows `x` or the given tip diameter.
     ///
     /// # Errors
@@ -136,8 +136,9 @@ impl Gear {
                 allowed: "a positive number",
             });
         }
-        // s − s_nominal = (s_b − s_b,nominal)/cos α, since s_b = cos α (s + 2 r inv α).
-        let alpha = basic_data.pressure_angle();
+        // s_t − s_t,nominal = (s_bt − s_bt,nominal)/cos α_t, since s_bt = cos α_t (s_t + 2 r inv α_t); s_n = s_t cos β, and
+        // tan α_n = tan α_t cos β.
+        let alpha = basic_data.transverse_pressure_angle();
         let generating_shift = design.profile_shift
             + (base_thickness - design.nominal_base_thickness())
                 / (2.0 * basic_data.module() * alpha.sin());
@@ -202,7 +203,7 @@ impl Gear {
         &self.fillet
     }
 
-    /// Mean base tooth thickness `s_b`, mm.
+    /// Mean base tooth thickness `s_bt` in the transverse section, mm.
     pub fn base_thickness(&self) -> f64 {
         self.base_thickness
     }
@@ -255,11 +256,7 @@ impl Gear {
     pub fn expanded(&self, factor: f64) -> Result<Gear, GearError> {
         let basic_data = self.basic_data();
         let design = GearDesign {
-            basic_data: BasicGearData::new(
-                basic_data.teeth(),
-                factor * basic_data.module(),
-                basic_data.pressure_angle(),
-            )?,
+            basic_data: basic_data.with_module(factor * basic_data.module())?,
             tip_diameter: Some(2.0 * factor * self.tip_radius()),
             ..self.design
         };

@@ -33,7 +33,7 @@ mod side;
 mod spans;
 pub mod thickness;
 
-pub use basic_gear_data::BasicGearData;
+pub use basic_gear_data::{BasicGearData, Hand};
 pub use basic_rack::BasicRack;
 pub use datum::EccentricitySeparation;
 pub use deviation::{AsBuilt, Deviations};

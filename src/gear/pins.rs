@@ -130,7 +130,7 @@ impl PinReadings {
         let basic_data = &self.basic_data;
         let right = shifts.at(Flank::Right, space, steps);
         let left = shifts.at(Flank::Left, space, steps + 1);
-        let thicker = (right - left) * basic_data.pressure_angle().cos();
+        let thicker = (right - left) * basic_data.transverse_pressure_angle().cos();
         let radius = thickness::pin_centre_radius(basic_data, self.pin, base + thicker);
         // r_K = r_b √(1 + ξ²) and d inv/dξ = ξ²/(1 + ξ²): dr_K/ds_b = r_K/(2 r_b ξ) = 1/(2 sin α_K).
         let roll = involute::roll_at(radius, basic_data.base_radius());

@@ -139,7 +139,10 @@ impl RunoutReadings {
     /// What the probe would read, mm, but for a constant.
     fn expected(&self, gear: &Gear, shifts: &FlankShifts, e: Vector2<f64>) -> Vec<f64> {
         let basic_data = gear.basic_data();
-        let (r, alpha) = (basic_data.reference_radius(), basic_data.pressure_angle());
+        let (r, alpha) = (
+            basic_data.reference_radius(),
+            basic_data.transverse_pressure_angle(),
+        );
         let e = Complex::new(e.x, e.y);
         let reading = |tooth: u32| {
             let steps = u32::from(matches!(self.probe, Probe::Ball(_)));

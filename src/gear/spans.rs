@@ -117,7 +117,7 @@ impl Spans {
         for &(tooth, span) in self.readings.list() {
             beyond[tooth as usize - 1] = self.base_at(&shifts, tooth, span) - mean;
         }
-        let cos = self.basic_data.pressure_angle().cos();
+        let cos = super::thickness::per_normal_thickness(&self.basic_data);
         let on = |index: usize| (index + step as usize) % z as usize;
         let mut thickness = vec![0.0; z as usize];
         for first in 0..(z / length) as usize {
@@ -155,7 +155,7 @@ impl Spans {
         let step = self.k - 1;
         let apart = shifts.at(Flank::Right, first, step) - shifts.at(Flank::Left, first, 0);
         super::thickness::base_from_span(&self.basic_data, self.k, span)
-            - self.basic_data.pressure_angle().cos() * apart
+            - self.basic_data.transverse_pressure_angle().cos() * apart
     }
 }
 

@@ -8,14 +8,23 @@ use super::{BasicGearData, Gear, involute};
 use crate::error::GearError;
 use std::f64::consts::FRAC_PI_2;
 
-/// `s_b` from the span `W_k` over `k` teeth: `s_b = W_k − (k − 1) p_b` (K (15); ISO 21771).
+/// `s_bt` from the span `W_k` over `k` teeth: `s_bt = W_k/cos β_b − (k − 1) p_bt` (K (15); ISO 21771). The span lies in the normal of the
+/// helix: it is the transverse base tangent's times `cos β_b`.
 pub fn base_from_span(basic_data: &BasicGearData, k: u32, span: f64) -> f64 {
-    span - f64::from(k.saturating_sub(1)) * basic_data.base_pitch()
+    span / normal(basic_data) - f64::from(k.saturating_sub(1)) * basic_data.base_pitch()
 }
 
-/// Span `W_k = (k − 1) p_b + s_b` over `k` teeth.
+/// Span `W_k = ((k − 1) p_bt + s_bt) cos β_b` over `k` teeth.
 pub fn span_from_base(basic_data: &BasicGearData, k: u32, base_thickness: f64) -> f64 {
-    f64::from(k.saturating_sub(1)) * basic_data.base_pitch() + base_thickness
+    (f64::from(k.saturating_sub(1)) * basic_data.base_pitch() + base_thickness) * normal(basic_data)
+}
+
+/// `cos β_b`: what part of a length along the transverse base tangent lies in the normal of the helix.
+fn normal(basic_data: &BasicGearData) -> f64 {
+    match basic_data.hand() {
+        None => 1.0,
+        Some(_) => basic_data.base_helix_angle().cos(),
+    }
 }
 
 /// What part of `2 r_K` two pins in the most opposite spaces span: 1, or `cos(π/(2z))` for odd `z`.
@@ -27,12 +36,12 @@ fn opposite(basic_data: &BasicGearData) -> f64 {
     }
 }
 
-/// `s_b` from the dimension `M_dK` over two pins of diameter `D_M`.
+/// `s_bt` from the dimension `M_dK` over two balls of diameter `D_M`; of a spur gear pins are the same.
 ///
 /// The pin's centre lies at `r_K`, `M_dK = 2 r_K + D_M` (even `z`) or
 /// `2 r_K cos(π/(2z)) + D_M` (odd). A circle on the involute through its centre
-/// moves both flanks by `D_M/2` along the base tangent:
-/// `inv α_K = (D_M − p_b + s_b)/d_b` (ISO 21771, dimension over balls).
+/// moves both flanks by `D_M/2` along the base tangent, a ball by `D_M/(2 cos β_b)` in its transverse section:
+/// `inv α_K = (D_M/cos β_b − p_bt + s_bt)/d_b` (ISO 21771, dimension over balls).
 ///
 /// # Errors
 /// When the pin's centre would lie inside the base circle.
@@ -47,44 +56,68 @@ pub fn base_from_pins(basic_data: &BasicGearData, pin: f64, over: f64) -> Result
         });
     }
     let inv = involute::inv_of_roll(involute::roll_at(centre, base));
-    Ok(2.0 * base * inv - pin + basic_data.base_pitch())
+    Ok(2.0 * base * inv - pin / normal(basic_data) + basic_data.base_pitch())
 }
 
-/// Radius `r_K` of the centre of a pin in a space between teeth of `base_thickness`.
+/// Radius `r_K` of the centre of a ball (of a pin in a spur gear) in a space between teeth of `base_thickness`.
 pub fn pin_centre_radius(basic_data: &BasicGearData, pin: f64, base_thickness: f64) -> f64 {
     let base = basic_data.base_radius();
-    let inv = (pin - basic_data.base_pitch() + base_thickness) / (2.0 * base);
+    let inv = (pin / normal(basic_data) - basic_data.base_pitch() + base_thickness) / (2.0 * base);
     involute::radius_at(involute::roll_of_inv(inv), base)
 }
 
-/// Dimension `M_dK` over two pins of diameter `D_M`.
+/// Dimension `M_dK` over two balls of diameter `D_M` in the most opposite spaces; of a spur gear pins are the same.
 pub fn pins_from_base(basic_data: &BasicGearData, pin: f64, base_thickness: f64) -> f64 {
     2.0 * opposite(basic_data) * pin_centre_radius(basic_data, pin, base_thickness) + pin
 }
 
-/// Diameter `D_M` of the pin that touches the flanks of a space at roll `ξ`, between teeth of `base_thickness`.
+/// Dimension `M_dR = 2 r_K + D_M` over two pins in the most opposite spaces of a helical gear: pins lie along the spaces, and of an odd number of teeth
+/// the planes that touch both find them opposite somewhere along the face, which is as long as that takes.
+pub fn over_helical_pins(basic_data: &BasicGearData, pin: f64, base_thickness: f64) -> f64 {
+    2.0 * pin_centre_radius(basic_data, pin, base_thickness) + pin
+}
+
+/// `s_bt` from the dimension `M_dR` over two pins of a helical gear.
 ///
-/// The pin's centre has the roll `ξ_K = ξ + D_M/d_b` and `inv α_K = ξ_K − atan ξ_K =
-/// (D_M − p_b + s_b)/d_b`, so `atan ξ_K = ξ + (p_b − s_b)/d_b`. No pin (not positive,
+/// # Errors
+/// As [`base_from_pins`].
+pub fn base_from_helical_pins(
+    basic_data: &BasicGearData,
+    pin: f64,
+    over: f64,
+) -> Result<f64, GearError> {
+    base_from_pins(basic_data, pin, (over - pin) * opposite(basic_data) + pin)
+}
+
+/// Diameter `D_M` of the ball (of a spur gear, or pin) whose contact would have the roll `ξ` in the section through its centre, between teeth of
+/// `base_thickness`.
+///
+/// With `D = D_M/cos β_b` the centre has the roll `ξ_K = ξ + D/d_b` and `inv α_K = ξ_K − atan ξ_K =
+/// (D − p_b + s_b)/d_b`, so `atan ξ_K = ξ + (p_b − s_b)/d_b`. No pin (not positive,
 /// or not finite) where that is a right angle or more.
 pub fn pin_touching(basic_data: &BasicGearData, roll: f64, base_thickness: f64) -> f64 {
     let base_diameter = 2.0 * basic_data.base_radius();
     let centre = (roll + (basic_data.base_pitch() - base_thickness) / base_diameter).tan();
-    base_diameter * (centre - roll)
+    base_diameter * (centre - roll) * normal(basic_data)
 }
 
-/// `s_b` from the thickness allowance `A_s` (transverse, at the reference circle): `s_b,nominal + A_s cos α`.
+/// `s_bt` from the thickness allowance `A_sn` (normal section, at the reference circle): `s_bt,nominal + A_sn cos α_t/cos β`.
 pub fn base_from_allowance(basic_data: &BasicGearData, nominal_base: f64, allowance: f64) -> f64 {
-    nominal_base + allowance * basic_data.pressure_angle().cos()
+    nominal_base + allowance * per_normal_thickness(basic_data)
 }
 
-/// Thickness allowance `A_s = (s_b − s_b,nominal)/cos α` at the reference circle.
+/// `ds_bt/ds_n = cos α_t/cos β`: base tooth thickness a tooth thickness at the reference circle in the normal section.
+pub fn per_normal_thickness(basic_data: &BasicGearData) -> f64 {
+    basic_data.transverse_pressure_angle().cos() / basic_data.helix_cos()
+}
+
+/// Thickness allowance `A_sn = (s_bt − s_bt,nominal) cos β/cos α_t` at the reference circle.
 pub fn allowance_from_base(
     basic_data: &BasicGearData,
     nominal_base: f64,
     base_thickness: f64,
 ) -> f64 {
-    (base_thickness - nominal_base) / basic_data.pressure_angle().cos()
+    (base_thickness - nominal_base) / per_normal_thickness(basic_data)
 }
 
 /// Whether a span over `k` teeth touches the involute on both sides.
@@ -96,7 +129,9 @@ pub fn allowance_from_base(
 /// [`GearError::SpanOffInvolute`].
 pub fn check_span(gear: &Gear, k: u32) -> Result<(), GearError> {
     let base = gear.base_radius();
-    let roll = span_from_base(gear.basic_data(), k, gear.base_thickness()) / (2.0 * base);
+    // In the transverse section the contacts are W_k cos β_b apart: the tangent to the base cylinder leans by β_b.
+    let leaning = normal(gear.basic_data());
+    let roll = span_from_base(gear.basic_data(), k, gear.base_thickness()) * leaning / (2.0 * base);
     if (gear.form_roll()..=gear.tip_roll()).contains(&roll) {
         return Ok(());
     }
@@ -116,8 +151,8 @@ pub fn check_pins(gear: &Gear, pin: f64) -> Result<(), GearError> {
     let base = gear.base_radius();
     let centre = pin_centre_radius(gear.basic_data(), pin, gear.base_thickness());
     let tip = 2.0 * gear.tip_radius();
-    // The pin touches D_M/2 down the base tangent from its centre.
-    let roll = involute::roll_at(centre, base) - pin / (2.0 * base);
+    // The ball touches D_M/2 down the base tangent from its centre, which leans by β_b.
+    let roll = involute::roll_at(centre, base) - pin * normal(gear.basic_data()) / (2.0 * base);
     if !(gear.form_roll()..=gear.tip_roll()).contains(&roll) {
         return Err(GearError::PinOffInvolute {
             pin_mm: pin,

@@ -46,7 +46,7 @@ fn held(measured: &Pitch, by_readings: bool, flanks: &Flanks) -> Option<Finding>
     let z = f64::from(basic_data.teeth());
     let free = (2.0 * z - 4.0).max(1.0);
     let deviation =
-        (rest.iter().sum::<f64>() / free / z).sqrt() * basic_data.pressure_angle().cos();
+        (rest.iter().sum::<f64>() / free / z).sqrt() * basic_data.transverse_pressure_angle().cos();
     let left = found.pitch.first_harmonic_energy();
     let jointly = left <= NOT_JOINT * measured.first_harmonic_energy();
     if !(jointly && found.eccentricity > STANDS_OUT * deviation) {

@@ -135,7 +135,7 @@ fn check_ball(gear: &Gear, diameter: f64) -> Result<(), GearError> {
 /// The ball that touches `gear` at the reference circle: its centre has `α_K = α + (p_b − s_b)/d_b − inv α`. Where there is
 /// none, the least one that rests on the involutes.
 fn usual_ball(gear: &Gear) -> Option<f64> {
-    let roll = gear.basic_data().pressure_angle().tan();
+    let roll = gear.basic_data().transverse_pressure_angle().tan();
     let ball = thickness::pin_touching(gear.basic_data(), roll, gear.base_thickness());
     let there = ball > 0.0 && ball.is_finite();
     if there {

@@ -1,5 +1,5 @@
 //! Backlash in every unit in use, each from the circumferential backlash `j_wt`. Symbols and conversions as in ISO 21771
-//! (spur gears); a sign stays what it is: negative means interference.
+//! (of helical gears, too); a sign stays what it is: negative means interference.
 
 use super::gear_pair::{GearPair, Member};
 use crate::gear::{Gear, involute};
@@ -12,7 +12,7 @@ pub struct Backlash {
     pub j_wt: f64,
     /// Transverse backlash `j_t = j_wt r/r_w`: the same lost motion as an arc of the reference circle, for both gears alike.
     pub j_t: f64,
-    /// Normal backlash `j_bn = j_wt cos α_wt`: along the line of action.
+    /// Normal backlash `j_bn = j_wt cos α_wt cos β_b`: along the normal of the flanks.
     pub j_bn: f64,
     /// Radial backlash `j_r = a − a_0`: how far the centre distance can fall until the backlash is gone, of involutes alone;
     /// `None` where some is left on touching base circles. `j_wt/(2 tan α_wt)`, its first order, differs by some 1 %.
@@ -21,6 +21,11 @@ pub struct Backlash {
 }
 
 impl Backlash {
+    /// Base circle backlash `j_bt = φ_j r_b = j_wt r_b/r_w`, mm: along the line of action in the transverse section; of spur gears `j_bn`.
+    pub fn j_bt(&self, assembly: &GearPair) -> f64 {
+        self.j_wt * assembly.operating_pressure_angle().cos()
+    }
+
     /// Lost motion `φ_j = j_wt/r_w`, rad: how far `gear` turns where its mate stands still.
     pub fn angle(&self, gear: Member) -> f64 {
         let [wheel, pinion] = self.pitch_radii;
@@ -46,7 +51,7 @@ impl GearPair {
         Backlash {
             j_wt,
             j_t: j_wt * reference.reference_radius() / wheel_radius,
-            j_bn: j_wt * angle.cos(),
+            j_bn: j_wt * angle.cos() * reference.base_helix_angle().cos(),
             j_r: self.radial_backlash(j_wt * angle.cos()),
             pitch_radii: [wheel_radius, self.operating_pitch_radius(Member::Pinion)],
         }
@@ -54,12 +59,12 @@ impl GearPair {
 }
 
 impl GearPair {
-    /// `a − a_0`, mm, of a normal backlash, mm: `j_bn = (d_b1 + d_b2) (inv α_wt − inv α_w0)` and `a_0 = (r_b1 + r_b2)/cos α_w0`,
-    /// from `d(inv α) = tan² α dα` and `dj_bn/da = 2 sin α_w`.
-    fn radial_backlash(&self, j_bn: f64) -> Option<f64> {
+    /// `a − a_0`, mm, of a base circle backlash, mm: `j_bt = (d_b1 + d_b2) (inv α_wt − inv α_w0)` and `a_0 = (r_b1 + r_b2)/cos α_w0`,
+    /// from `d(inv α) = tan² α dα` and `dj_bt/da = 2 sin α_w`.
+    fn radial_backlash(&self, j_bt: f64) -> Option<f64> {
         let base = |member| self.gear(member).gear().base_radius();
         let sum = base(Member::Wheel) + base(Member::Pinion);
-        let at_zero = involute::inv(self.operating_pressure_angle()) - j_bn / (2.0 * sum);
+        let at_zero = involute::inv(self.operating_pressure_angle()) - j_bt / (2.0 * sum);
         let roll = involute::roll_of_inv(at_zero);
         (at_zero > 0.0).then(|| self.center_distance() - involute::radius_at(roll, sum))
     }

@@ -60,6 +60,8 @@ pub struct GearPair {
     pinion: AsBuilt,
     center_distance: f64,
     locked: Member,
+    /// The common face, mm along the axis.
+    face: [f64; 2],
 }
 
 impl GearPair {
@@ -78,8 +80,9 @@ impl GearPair {
     /// Two gears at `center_distance` `a`, mm, the gear `locked` standing still.
     ///
     /// # Errors
-    /// Unequal pressure angle, or modules farther apart than [`MOST_UNEQUAL`]; base circles that overlap
-    /// (`a ≤ r_b1 + r_b2`): no operating pressure angle exists then.
+    /// Unequal pressure or helix angle, or modules farther apart than [`MOST_UNEQUAL`]; base circles that overlap
+    /// (`a ≤ r_b1 + r_b2`): no operating pressure angle exists then. Of helical gears one hand on both, modules that differ at all, and
+    /// profiles that deviate, too.
     pub fn with_locked(
         wheel: AsBuilt,
         pinion: AsBuilt,
@@ -94,17 +97,33 @@ impl GearPair {
                 w.pressure_angle().to_degrees(),
                 p.pressure_angle().to_degrees(),
             ),
+            (
+                "helix_angle_deg",
+                w.helix_angle().to_degrees(),
+                p.helix_angle().to_degrees(),
+            ),
         ] {
             let apart = (wheel - pinion).abs();
             // Of the greater one, whichever gear has it; with the rounding of both lengths.
             let most = (MOST_UNEQUAL + 4.0 * f64::EPSILON) * wheel.max(pinion);
-            if !(apart <= most && (what == "module_mm" || apart == 0.0)) {
+            let may_differ = what == "module_mm" && w.hand().is_none();
+            if !(apart <= most && (may_differ || apart == 0.0)) {
                 return Err(GearError::Unequal {
                     what,
                     wheel,
                     pinion,
                 });
             }
+        }
+        if let Some(hand) = w.hand().filter(|_| w.hand() == p.hand()) {
+            return Err(GearError::SameHand { hand: hand.name() });
+        }
+        if w.hand().is_some() && (wheel.is_modified() || pinion.is_modified()) {
+            return Err(GearError::OutOfRange {
+                what: "helix angle, degrees, of gears whose profiles deviate",
+                value: w.helix_angle().to_degrees(),
+                allowed: "0: between such helical teeth the lost motion varies along the face",
+            });
         }
         let least = w.base_radius() + p.base_radius();
         if !(center_distance > least && center_distance.is_finite()) {
@@ -118,7 +137,36 @@ impl GearPair {
             pinion,
             center_distance,
             locked,
+            face: [0.0; 2],
         })
+    }
+
+    /// This pair with its gears facing each other from `from` to `to`, mm along the axis: 0 in the measuring plane, in which tooth 1, pitch and
+    /// runout are stated, growing away from the viewer. Without it they do so in that plane alone; between spur gears it makes no difference.
+    ///
+    /// # Errors
+    /// Ends that are not finite, or not in this order.
+    pub fn with_face(self, [from, to]: [f64; 2]) -> Result<GearPair, GearError> {
+        if !(from <= to && from.is_finite() && to.is_finite()) {
+            return Err(GearError::NoCommonFace {
+                from_mm: from,
+                to_mm: to,
+            });
+        }
+        Ok(GearPair {
+            face: [from, to],
+            ..self
+        })
+    }
+
+    /// The common face, mm along the axis, from its end towards the viewer.
+    pub fn face(&self) -> [f64; 2] {
+        self.face
+    }
+
+    /// Whether its teeth wind about their axes.
+    pub fn is_helical(&self) -> bool {
+        self.wheel.gear().basic_data().hand().is_some()
     }
 
     /// Whether profiles of either gear deviate from the involute.
@@ -138,12 +186,16 @@ impl GearPair {
     /// # Errors
     /// As [`GearPair::with_locked`].
     pub fn at(&self, center_distance: f64) -> Result<GearPair, GearError> {
-        GearPair::with_locked(
+        let moved = GearPair::with_locked(
             self.wheel.clone(),
             self.pinion.clone(),
             center_distance,
             self.locked,
-        )
+        )?;
+        Ok(GearPair {
+            face: self.face,
+            ..moved
+        })
     }
 
     /// One of the gears.
@@ -167,6 +219,24 @@ impl GearPair {
     /// The gear that turns.
     pub fn free(&self) -> Member {
         self.locked.mate()
+    }
+
+    /// How far the teeth of one gear stand turned at `b`, mm along the axis, rad, counter-clockwise as seen from the front.
+    pub(crate) fn twist(&self, member: Member, b: f64) -> f64 {
+        b * self.gear(member).gear().basic_data().twist()
+    }
+
+    /// This helical pair in its section at `b`, mm along the axis, alone: a pair of one plane, its teeth counted as in the measuring plane.
+    ///
+    /// Teeth wind about the axis, an eccentricity does not: seen from the teeth it turns, by `−τ(b)`.
+    pub fn section(&self, b: f64) -> GearPair {
+        let at = |member| self.gear(member).section(self.twist(member, b));
+        GearPair {
+            wheel: at(Member::Wheel),
+            pinion: at(Member::Pinion),
+            face: [0.0; 2],
+            ..self.clone()
+        }
     }
 
     /// Rotation axis, mm.

@@ -114,6 +114,17 @@ impl Pose {
         }
     }
 
+    /// This pose of `assembly` in its section at `b`, mm along the axis, a pose of [`GearPair::section`]: both gears' teeth rolled on by their twist, and named anew.
+    ///
+    /// Gears in mesh wind as they roll: `r_b1 τ_1 + r_b2 τ_2 = 0`.
+    pub fn in_section(&self, assembly: &GearPair, b: f64) -> Pose {
+        let locked = assembly.gear(assembly.locked());
+        let twist = assembly.twist(assembly.locked(), b);
+        let onward = -locked.face().ascending() * twist;
+        let pitches = onward / locked.gear().basic_data().angular_pitch();
+        Pose::new(assembly, self.mating.onward(assembly, pitches))
+    }
+
     /// The mating this pose was made for.
     pub fn mating(&self) -> &Mating {
         &self.mating

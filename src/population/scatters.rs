@@ -164,6 +164,7 @@ impl GearScatter {
                     found.pressure_angle(),
                     wanted.pressure_angle(),
                 ),
+                ("helix angle", found.helix_angle(), wanted.helix_angle()),
             ] {
                 if found != wanted {
                     return Err(PopulationError::OtherGear {

@@ -9,6 +9,7 @@ mod design;
 mod drawn;
 mod extremes;
 mod hard;
+mod helical;
 mod modified;
 mod outlines;
 mod perfect;

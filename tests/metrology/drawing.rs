@@ -141,7 +141,7 @@ fn measured(thickness: ThicknessStatement) -> Toleranced<Gear> {
 fn flanks_moved_in_leave_that_much_normal_backlash() {
     let offset = |mm| ThicknessStatement::FlankOffset(Toleranced::Single(mm));
     let [nominal, thin] = [0.0, -0.05].map(|mm| measured(offset(mm)));
-    let backlash = |gear: &Gear| InvolutePair::new(gear, gear).normal_backlash(48.3).unwrap();
+    let backlash = |gear: &Gear| InvolutePair::new(gear, gear).base_backlash(48.3).unwrap();
     let more = backlash(thin.most()) - backlash(nominal.most());
     assert!((more - 4.0 * 0.05).abs() < 1e-13, "{more}");
 }

@@ -4,6 +4,7 @@ mod analytic;
 #[path = "../common/mod.rs"]
 mod common;
 mod deviating;
+mod helical;
 mod karba;
 mod limits;
 mod line_of_action;

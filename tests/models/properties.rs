@@ -100,12 +100,12 @@ proptest! {
         let a = assembly.center_distance();
         let a_0 = limits::zero_backlash_distance(&assembly).unwrap();
         let inv_at = |a: f64| involute::inv((base_diameters / (2.0 * a)).acos());
-        let j_bt = pair.normal_backlash(a).unwrap();
+        let j_bt = pair.base_backlash(a).unwrap();
         prop_assert!((j_bt - base_diameters * (inv_at(a) - inv_at(a_0))).abs() <= ROUNDING);
         prop_assert!((limits::radial_backlash(&assembly).unwrap() - 2.0 * case.radial_play).abs() <= ROUNDING);
         // Central difference over 2h: off by h² j'''/6 < 1e-8 and 1e-13/h of rounding.
         let h = 1e-4;
-        let slope = (pair.normal_backlash(a + h).unwrap() - pair.normal_backlash(a - h).unwrap()) / (2.0 * h);
+        let slope = (pair.base_backlash(a + h).unwrap() - pair.base_backlash(a - h).unwrap()) / (2.0 * h);
         prop_assert!((slope - 2.0 * assembly.operating_pressure_angle().sin()).abs() < 1e-7);
         // And back: the centre distance of that backlash.
         prop_assert!((pair.center_distance(j_bt).unwrap() - a).abs() <= ROUNDING);

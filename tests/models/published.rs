@@ -307,7 +307,7 @@ fn runout(case: &Case) {
         .unwrap();
         let pose = any_pose(&pair);
         let distance = effective_center_distance(&pair, &pose);
-        let normal = InvolutePair::of(&pair).normal_backlash(distance);
+        let normal = InvolutePair::of(&pair).base_backlash(distance);
         case.expect(
             &format!("j_wt_{name}_mm"),
             evaluate(&pair, &pose).involute.unwrap(),

@@ -121,7 +121,7 @@ struct Rolling<'a> {
 impl<'a> Rolling<'a> {
     fn new(assembly: &'a GearPair, member: Member) -> Rolling<'a> {
         let play = InvolutePair::of(assembly)
-            .normal_backlash(assembly.center_distance())
+            .base_backlash(assembly.center_distance())
             .unwrap_or(0.0);
         let free = assembly.gear(assembly.free()).gear().base_radius();
         let tips = assembly.gear(member).gear();

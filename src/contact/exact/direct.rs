@@ -355,7 +355,7 @@ impl Level {
         self.greatest = greatest;
         let gap = if self.known { greatest } else { 0.0 };
         let back = turn(-gap) * posed.origin;
-        self.centre = back * posed.centre - posed.problem.free.displacement;
+        self.centre = back * posed.centre - posed.problem.free_off;
         self.direction = -back * posed.turned;
         self.axis = -back * posed.centre;
     }

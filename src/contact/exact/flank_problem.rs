@@ -30,6 +30,9 @@ pub(super) struct FlankProblem {
     pub side: Side,
     pub locked: Arc<Teeth>,
     pub free: Arc<Teeth>,
+    /// Displacements of the outlines' centres from their axes at rotation 0 (tooth 1 on +x).
+    pub locked_off: C,
+    pub free_off: C,
     /// `a`.
     pub distance: f64,
     /// Half teeth whose undisturbed centre line lies within these angles of the line of centres can reach the mate.
@@ -61,6 +64,15 @@ impl FlankProblem {
         FlankProblem::of(assembly, self.side, teeth)
     }
 
+    /// The same teeth in another section of a helical pair: `pair`, whose eccentricities have turned.
+    pub fn turned(&self, pair: &GearPair) -> FlankProblem {
+        FlankProblem {
+            locked_off: displacement(pair.gear(pair.locked()), self.side),
+            free_off: displacement(pair.gear(pair.free()), self.side),
+            ..self.clone()
+        }
+    }
+
     fn of(assembly: &GearPair, side: Side, teeth: (Arc<Teeth>, Arc<Teeth>)) -> FlankProblem {
         let (locked, free) = (
             assembly.gear(assembly.locked()),
@@ -70,6 +82,8 @@ impl FlankProblem {
             side,
             locked: teeth.0,
             free: teeth.1,
+            locked_off: displacement(locked, side),
+            free_off: displacement(free, side),
             distance: assembly.center_distance(),
             window: None,
             per_free_base: 1.0 / free.gear().base_radius(),
@@ -119,13 +133,13 @@ impl FlankProblem {
         PosedFlanks {
             problem: self,
             turned,
-            centre: C::from(self.distance) - turned * self.locked.displacement,
+            centre: C::from(self.distance) - turned * self.locked_off,
             ahead: reduced(mirror * rotation + self.locked.angle(locked_place)),
             locked_place,
             free_place,
             origin,
             free_offset: self.free.offset(free_place),
-            free_centre: self.free.displacement * origin.conj(),
+            free_centre: self.free_off * origin.conj(),
         }
     }
 
@@ -165,6 +179,11 @@ impl FlankProblem {
         let size = distance + self.locked.shape.tip_radius + self.free.shape.tip_radius;
         rounding(size, radius, slope)
     }
+}
+
+/// Displacement of a gear's outline from its axis at rotation 0, as one side sees it: the left side is mirrored.
+fn displacement(gear: &AsBuilt, side: Side) -> C {
+    turn(-side.sense() * gear.tooth_angle(gear.high_tooth())) * gear.eccentricity()
 }
 
 /// Half the angle at the locked axis within which the locked gear's teeth can reach into the free
@@ -236,7 +255,7 @@ impl<'a> PosedFlanks<'a> {
         let turned = self.turned * turn(angle);
         PosedFlanks {
             turned,
-            centre: C::from(self.problem.distance) - turned * self.problem.locked.displacement,
+            centre: C::from(self.problem.distance) - turned * self.problem.locked_off,
             ahead: self.ahead + angle,
             ..*self
         }
@@ -249,7 +268,7 @@ impl<'a> PosedFlanks<'a> {
             problem,
             origin,
             free_offset: problem.free.offset(self.free_place),
-            free_centre: problem.free.displacement * origin.conj(),
+            free_centre: problem.free_off * origin.conj(),
             turned: self.turned,
             centre: self.centre,
             ahead: self.ahead,
@@ -286,11 +305,37 @@ impl<'a> PosedFlanks<'a> {
         let place = teeth.beside(self.free_place, -step);
         Placed {
             shape: teeth.shape_at(place),
-            centre: teeth.displacement,
+            centre: self.problem.free_off,
             direction: teeth.direction(place),
             far: teeth.far(place),
             root_end: teeth.root_end(place),
         }
+    }
+
+    /// The free outline's centre at a rotation of the free gear, in this (mirrored) frame.
+    pub fn free_centre_at(&self, rotation: f64) -> C {
+        turn(rotation) * self.problem.free_off
+    }
+
+    /// What the locked flank of a step stands turned beyond its place, rad.
+    pub fn locked_offset_at(&self, step: i64) -> f64 {
+        let (locked_place, _) = self.places(step);
+        self.problem.locked.offset(locked_place)
+    }
+
+    /// The same of the free flank, and the angle of the free tooth of step 0 from tooth 1, rad.
+    pub fn free_offset_at(&self, step: i64) -> f64 {
+        let (_, free_place) = self.places(step);
+        self.problem.free.offset(free_place)
+    }
+
+    pub fn free_angle(&self) -> f64 {
+        self.problem.free.angle(self.free_place)
+    }
+
+    /// The sense of counter-clockwise in this frame: −1 of the mirrored left side.
+    pub fn mirror(&self) -> f64 {
+        -self.problem.side.sense()
     }
 
     /// The free gear's rotation at a gap, in this (mirrored) frame.

@@ -121,11 +121,15 @@ impl Setting<'_> {
         // 1. and 2.
         let form_near = near - self.free_off;
         let free_good = free_reach == Reach::Involute
-            || free_fillet.is_some()
-                && hollow(free, self.locked_teeth, form_near - free.form_radius());
+            || free_fillet.is_some_and(|gamma| {
+                let mate = self.locked_teeth;
+                hollow((free, gamma), mate, form_near - free.form_radius())
+            });
         let locked_good = locked_reach == Reach::Involute
-            || fillet_arm.is_some()
-                && hollow(locked, self.free_teeth, form_near - locked.form_radius());
+            || fillet_arm.is_some_and(|(gamma, _)| {
+                let mate = self.free_teeth;
+                hollow((locked, gamma), mate, form_near - locked.form_radius())
+            });
         open.add_unless(free_good, Involute, Fillet);
         open.add_unless(locked_good, Fillet, Involute);
         open.add_unless(free_good && locked_good, Fillet, Fillet);
@@ -276,10 +280,14 @@ fn reached(shape: &Shape, radius: f64) -> Reach {
 ///
 /// The fillet's radius of curvature `S/q = ρ + h_0² c³/(r + h_0 c²)`, `c = 1/cos γ` ([`crate::gear::Fillet`]),
 /// rises with `c` while `r + h_0 c² > 0`, which is also when it is hollow.
-fn hollow(fillet: &Shape, mate: &Teeth, radius: f64) -> bool {
+/// Of a helical gear's it is bounded by stretches, from `gamma` up.
+fn hollow((fillet, gamma): (&Shape, f64), mate: &Teeth, radius: f64) -> bool {
+    let least = mate.least_bend_radius(involute::roll_at(radius, mate.shape.base));
+    if fillet.fillet.is_elliptic() {
+        return least > (1.0 + 1e-9) * fillet.fillet.greatest_hollow(gamma);
+    }
     let c = 1.0 / fillet.fillet_end.cos();
     let q = fillet.pitch_radius + fillet.depth * c * c;
-    let least = mate.least_bend_radius(involute::roll_at(radius, mate.shape.base));
     q > 1e-9 * fillet.pitch_radius
         && least > (1.0 + 1e-9) * (fillet.round + fillet.depth * fillet.depth * c * c * c / q)
 }

@@ -3,7 +3,7 @@
 //! The left-hand half is the mirror image, and the exact method solves the left side as the mirrored right side.
 
 use super::flank_pieces::FlankPieces;
-use crate::gear::{Part, PartCurve, Profile, ProfilePart, involute};
+use crate::gear::{Fillet, Part, PartCurve, Profile, ProfilePart, involute};
 use std::f64::consts::PI;
 use std::sync::OnceLock;
 
@@ -23,6 +23,7 @@ pub(super) struct Shape {
     pub form_roll: f64,
     /// `r`.
     pub pitch_radius: f64,
+    pub fillet: Fillet,
     /// `h_0`.
     pub depth: f64,
     /// `ρ`.
@@ -54,6 +55,7 @@ impl Shape {
             tip_roll: gear.tip_roll(),
             form_roll: gear.form_roll(),
             pitch_radius: basic_data.reference_radius(),
+            fillet: *fillet,
             depth: fillet.depth(),
             round: fillet.tip_round(),
             fillet_end: fillet.end(),
@@ -147,6 +149,9 @@ impl Shape {
     /// `g` has a slope of the sign of `2|h_0|/cos³ γ − ρ`, so that it falls and then rises, from below 0 on: `ψ` is greatest
     /// at an end, and not negative where `r cos γ ≥ ρ`.
     pub fn steepest_fillet(&self, gamma: f64) -> f64 {
+        if self.fillet.is_elliptic() {
+            return self.fillet.steepest(gamma);
+        }
         if self.depth < 0.0 && self.pitch_radius * self.fillet_end.cos() < self.round {
             return PI / 2.0;
         }

@@ -27,8 +27,6 @@ pub(super) struct Teeth {
     far: Vec<C>,
     /// Where each root land ends: the middle of the space as built.
     root_ends: Vec<f64>,
-    /// Displacement of the outline's centre from the axis at rotation 0 (tooth 1 on +x).
-    pub displacement: C,
     /// Least and greatest offset.
     pub extremes: (f64, f64),
     /// Greatest angle of a far corner from its tooth's undisturbed centre line.
@@ -67,7 +65,6 @@ impl Teeth {
             directions: Vec::with_capacity(count as usize),
             far: Vec::with_capacity(count as usize),
             root_ends: Vec::with_capacity(count as usize),
-            displacement: turn(mirror * gear.tooth_angle(gear.high_tooth())) * gear.eccentricity(),
             extremes: (0.0, 0.0),
             farthest: f64::NEG_INFINITY,
             deepest: f64::NEG_INFINITY,

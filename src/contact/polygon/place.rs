@@ -102,6 +102,7 @@ impl Place {
             pinion,
             point: self.point,
             normal,
+            section: 0.0,
         }
     }
 }

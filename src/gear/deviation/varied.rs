@@ -41,6 +41,18 @@ impl AsBuilt {
         Ok(varied)
     }
 
+    /// The transverse section of this gear in which its teeth stand turned by `angle`, rad, counter-clockwise as seen from the front, with its teeth
+    /// where they are in the measuring plane: the eccentricity, which does not wind about the axis, turned back by as much.
+    pub(crate) fn section(&self, angle: f64) -> AsBuilt {
+        let teeth = self.face.ascending() * angle / self.gear.basic_data().angular_pitch();
+        let count = f64::from(self.gear.basic_data().teeth());
+        let high_tooth = 1.0 + (self.high_tooth - 1.0 - teeth).rem_euclid(count);
+        AsBuilt {
+            high_tooth,
+            ..self.clone()
+        }
+    }
+
     /// This gear with its reference face towards `face`: turned over, each flank what it is on the gear's own faces.
     ///
     /// Turned over, the gear's own right flanks stand on the other side of the picture, and what was clockwise is counter-clockwise.

@@ -105,5 +105,6 @@ fn contact(assembly: &GearPair, pose: &Pose, side: Side, rotation: f64) -> Conta
         pinion,
         point: Point2::from(base * radial + along * normal),
         normal,
+        section: 0.0,
     }
 }

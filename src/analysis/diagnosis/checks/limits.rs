@@ -95,9 +95,9 @@ impl Here<'_> {
         let gear = self.gear(member);
         let (basic_data, rack) = (gear.basic_data(), &gear.design().rack);
         let least = limits::least_shift_without_undercut(basic_data, rack);
-        // r sin α − (h_0/sin α + ρ) is (x_E − x_E,least) m/sin α.
+        // r sin α_t − (h_0 + ρ sin α_n)/sin α_t is (x_E − x_E,least) m_n/sin α_t.
         let margin = (gear.generating_shift() - least) * basic_data.module()
-            / basic_data.pressure_angle().sin();
+            / basic_data.transverse_pressure_angle().sin();
         let profile = Profile::new(gear);
         let joint = |curve, t| profile.normal(curve, t, Side::Right);
         let (fillet, involute) = (

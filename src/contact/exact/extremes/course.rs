@@ -50,7 +50,7 @@ impl<'a> Course<'a> {
             };
             let shapes = [&problem.locked.shape, &problem.free.shape];
             let least = problem.distance - off[0] - off[1];
-            let proof = kernel.solver.as_ref().map(|solver| solver.proof);
+            let proof = kernel.section.solver.as_ref().map(|solver| solver.proof);
             let reached = proof.map(|proof| {
                 [
                     (Tip::Locked, proof.free_fillet),
@@ -76,7 +76,7 @@ impl<'a> Course<'a> {
                 ..first
             },
             matings,
-            sides: [side(&kernel.right), side(&kernel.left)],
+            sides: [side(&kernel.section.right), side(&kernel.section.left)],
         }
     }
 

@@ -124,7 +124,11 @@ impl ExactKernel {
     /// Whether it is clear at once that no tip comes to a fillet or a root at any pose of `assembly`, which is this kernel's, nor at any
     /// greater centre distance: involutes, their ends and tip lands touch before.
     pub(crate) fn keeps_to_involutes(&self, assembly: &GearPair) -> bool {
-        if assembly.is_modified() || self.blocked || self.bodies.is_some() || !self.is_direct() {
+        if assembly.is_modified()
+            || self.section.blocked
+            || self.section.bodies.is_some()
+            || !self.is_direct()
+        {
             return false;
         }
         let first = Mating {
@@ -145,7 +149,7 @@ impl ExactKernel {
             return Ok(found.extremes(course, bounds));
         }
         // Without a solver flanks are no involutes, or base circles may overlap.
-        if self.blocked || self.bodies.is_some() || self.solver.is_none() {
+        if self.section.blocked || self.section.bodies.is_some() || self.section.solver.is_none() {
             sample::sample(course, &mut found, !greatest_too)?;
             return Ok(found.extremes(course, [UNKNOWN; 2]));
         }

@@ -1,0 +1,204 @@
+//! Helical gears: the contact over a whole common face from that of some of its transverse sections.
+//!
+//! Rotation keeps points in their section, so the free gear stops where the first section does: `φ_R = max_b φ_R(b)`, `φ_L = min_b φ_L(b)`.
+//! A section is a spur pair ([`Section`]) with its teeth rolled on by their twist `τ(b)`. Between involutes
+//!
+//! ```text
+//! r_bF φ = Σ (arg B + α) − T − r_bL (λ − ψ_bL) + r_bF ψ_bF        (see `line`)
+//! ```
+//!
+//! does not depend on `b`: `B` runs between the centres of the sections, which do not wind, and `r_bL τ_L + r_bF τ_F = 0`. Only
+//! the rolls do: a pair touches so over one stretch of the face, as long as its path of contact over `tan β_b`. Beyond it an end of an
+//! involute touches, and the gap falls: a normal of the mate's involute passes through the pitch point on the line of action alone,
+//! so away from it the gap has a slope of one sign, down to the face's end. Therefore sections no farther apart than the shortest such
+//! stretch, both ends of the face among them, hold the tightest of all pairs of involutes exactly, however many or few they are.
+//!
+//! Where an edge comes to a fillet, more is to be seen between ([`edges`]).
+
+mod edges;
+
+use super::section::{Section, normalise};
+use crate::contact::lost_motion::{Contact, LostMotion, Status};
+use crate::error::Error;
+use crate::gear::Side;
+use crate::pair::{GearPair, Member, Pose};
+use edges::Edges;
+use std::f64::consts::{PI, TAU};
+
+/// Shortest stretch of line contact, in base pitches, that sections are spaced by. Shorter ones are looked for pair by pair.
+const SHORTEST: f64 = 0.125;
+
+/// Times the places of [`edges`] are looked for: each leaves the square of what the last one left.
+const MOST_ROUNDS: usize = 4;
+
+/// A pair of helical gears.
+#[derive(Debug, Clone)]
+pub(super) struct Helical {
+    assembly: GearPair,
+    /// The measuring plane.
+    plane: Section,
+    /// Places along the face, mm, and the sections there, that nearest to the measuring plane first.
+    sections: Vec<(f64, Section)>,
+    /// Where between them more is to be seen.
+    edges: Option<Edges>,
+}
+
+impl Helical {
+    /// The sections of `assembly`, whose measuring plane is `plane`.
+    pub fn new(assembly: &GearPair, plane: &Section) -> Helical {
+        let [from, to] = assembly.face();
+        let stretch = shortest_stretch(assembly);
+        let spaces = match to > from {
+            // A millionth more than there need be: rounding.
+            true => ((to - from) / stretch * (1.0 + 1e-6)).ceil().max(1.0),
+            false => 0.0,
+        };
+        let mut sections: Vec<(f64, Section)> = (0..=spaces as u64)
+            .map(|k| match spaces > 0.0 {
+                true => from + (to - from) * (k as f64 / spaces),
+                false => from,
+            })
+            .map(|b| (b, plane.turned(&assembly.section(b))))
+            .collect();
+        sections.sort_by(|one, other| one.0.abs().total_cmp(&other.0.abs()));
+        Helical {
+            edges: Edges::new(assembly, &plane.right),
+            assembly: assembly.clone(),
+            plane: plane.clone(),
+            sections,
+        }
+    }
+
+    /// Both contacts of `pose`, as `method` finds them in each section.
+    pub fn over(
+        &self,
+        pose: &Pose,
+        method: impl Fn(&Section, &Pose) -> Result<LostMotion, Error>,
+    ) -> Result<LostMotion, Error> {
+        let mut over = Over::default();
+        let nominal = pose.free_rotation();
+        let look = |b: f64, section: &Section, over: &mut Over| -> Result<(), Error> {
+            let here = pose.in_section(&self.assembly, b);
+            let found = method(section, &here)?;
+            // What the twist's rounding comes to: some ulps of the locked and of the free rotation, whole turns and all.
+            let turned = here.locked_rotation().abs() + here.free_rotation().abs() + TAU;
+            over.take(b, found, here.free_rotation(), 8.0 * f64::EPSILON * turned);
+            Ok(())
+        };
+        for (b, section) in &self.sections {
+            look(*b, section, &mut over)?;
+        }
+        if let Some(edges) = &self.edges {
+            for (side, problem) in [
+                (Side::Right, &self.plane.right),
+                (Side::Left, &self.plane.left),
+            ] {
+                let posed = self.plane.posed(problem, pose);
+                // An eccentric free gear's centre stands where its rotation puts it: looked at anew until that is settled.
+                let mut last = f64::NAN;
+                for _ in 0..MOST_ROUNDS {
+                    let Some(beyond) = over.beyond(side).filter(|&beyond| beyond != last) else {
+                        break;
+                    };
+                    let rotation = -side.sense() * (nominal + beyond);
+                    for b in edges.places(&self.assembly, &posed, rotation) {
+                        look(b, &self.plane.turned(&self.assembly.section(b)), &mut over)?;
+                    }
+                    last = beyond;
+                }
+            }
+        }
+        Ok(over.lost_motion(nominal, self.plane.free_pitch()))
+    }
+}
+
+/// Least length along the axis, mm, over which a pair of teeth touches on the line of action at any rotation.
+///
+/// The path of contact between both tips, or from an involute's beginning where that comes first, is a least of functions linear in
+/// the base tangent `T`: concave, so least at the least or at the greatest distance of the displaced centres. It winds by `tan β_b` a mm.
+fn shortest_stretch(assembly: &GearPair) -> f64 {
+    let gears = [Member::Wheel, Member::Pinion].map(|member| assembly.gear(member));
+    let [one, other] = gears.map(|gear| {
+        let gear = gear.gear();
+        [gear.form_roll(), gear.tip_roll()].map(|roll| gear.base_radius() * roll)
+    });
+    let sum: f64 = gears.iter().map(|gear| gear.gear().base_radius()).sum();
+    let off: f64 = gears.iter().map(|gear| gear.eccentricity()).sum();
+    let path = [-off, off].map(|off| {
+        let distance = assembly.center_distance() + off;
+        let tangent = (distance * distance - sum * sum).max(0.0).sqrt();
+        (tangent - other[0]).min(one[1]) - (tangent - other[1]).max(one[0])
+    });
+    let basic_data = gears[0].gear().basic_data();
+    let path = path[0].min(path[1]).max(SHORTEST * basic_data.base_pitch());
+    path / (basic_data.base_radius() * basic_data.twist().abs())
+}
+
+/// What the sections seen so far leave of the free gear's play, from its nominal rotation.
+#[derive(Debug, Default)]
+struct Over {
+    right: Option<(f64, Contact)>,
+    left: Option<(f64, Contact)>,
+    solid: bool,
+    /// Whether nothing was turned at all.
+    jammed: bool,
+}
+
+impl Over {
+    /// Takes what was found at `b` with the free gear's nominal rotation there.
+    fn take(&mut self, b: f64, found: LostMotion, nominal: f64, rounding: f64) {
+        // A section that is jammed jams the gears, whatever touches first elsewhere.
+        self.solid |= found.status() == Status::Jammed;
+        self.jammed |= found.solid && found.right.is_none();
+        let turns = |angle: f64| angle - TAU * (angle / TAU).round();
+        let right = found.right.map(|contact| turns(contact.rotation - nominal));
+        // The left one continues from the right one.
+        let left = found.left.map(|contact| match found.right.zip(right) {
+            Some((first, beyond)) => beyond + (contact.rotation - first.rotation),
+            None => turns(contact.rotation - nominal),
+        });
+        let at = |contact: Contact| Contact {
+            error: (contact.error + rounding).min(PI),
+            section: b,
+            ..contact
+        };
+        if let Some((beyond, contact)) = right.zip(found.right.map(at))
+            && (self.right).is_none_or(|(most, held)| beyond > most + held.error)
+        {
+            self.right = Some((beyond, contact));
+        }
+        if let Some((beyond, contact)) = left.zip(found.left.map(at))
+            && (self.left).is_none_or(|(least, held)| beyond < least - held.error)
+        {
+            self.left = Some((beyond, contact));
+        }
+    }
+
+    /// How far beyond its nominal rotation the free gear stops, rad.
+    fn beyond(&self, side: Side) -> Option<f64> {
+        match side {
+            Side::Right => self.right,
+            Side::Left => self.left,
+        }
+        .map(|(beyond, _)| beyond)
+    }
+
+    fn lost_motion(self, nominal: f64, pitch: f64) -> LostMotion {
+        if self.jammed {
+            return LostMotion::JAMMED;
+        }
+        let contact = |held: Option<(f64, Contact)>| {
+            held.map(|(beyond, contact)| Contact {
+                rotation: nominal + beyond,
+                ..contact
+            })
+        };
+        let mut result = LostMotion {
+            right: contact(self.right),
+            left: contact(self.left),
+            solid: self.solid,
+        };
+        normalise(&mut result, nominal);
+        result.within(pitch)
+    }
+}

@@ -1,0 +1,188 @@
+//! One transverse section of a pair on its exact curves.
+
+use super::curves::SearchExhausted;
+use super::direct::{self, DirectSolver, Envelopes};
+use super::flank_problem::{FlankProblem, PosedFlanks};
+use super::modified::OuterGears;
+use super::shape::turn;
+use super::teeth::reduced;
+use super::tightest::Touching;
+use super::{report, search};
+use crate::contact::body::{is_solid, may_be_solid, reaches_over_an_axis};
+use crate::contact::lost_motion::{Contact, LostMotion};
+use crate::error::Error;
+use crate::gear::Side;
+use crate::pair::{GearPair, Member, Pose};
+use std::f64::consts::{PI, TAU};
+
+/// One transverse section of an assembly: all there is of a spur pair.
+#[derive(Debug, Clone)]
+pub(super) struct Section {
+    pub right: FlankProblem,
+    pub left: FlankProblem,
+    /// What is the same at every centre distance, beside the teeth.
+    envelopes: Envelopes,
+    /// What spares searching, the same for both sides; `None` where all must be searched.
+    pub solver: Option<DirectSolver>,
+    /// The same where profiles deviate.
+    outer: Option<Box<OuterGears>>,
+    free: Member,
+    /// The pair, where teeth may stand in the mate's body.
+    pub bodies: Option<Box<GearPair>>,
+    /// Whether no pose can be assembled.
+    pub blocked: bool,
+}
+
+impl Section {
+    /// That of `assembly`.
+    pub fn new(assembly: &GearPair) -> Section {
+        let problems = Side::BOTH.map(|side| FlankProblem::new(assembly, side));
+        let envelopes = Envelopes::new(&problems[0], assembly);
+        let outer = OuterGears::new(assembly, &problems);
+        Section::of(assembly, problems, envelopes, outer)
+    }
+
+    /// The same gears at another centre distance, to the last bit; `assembly` is one that [`GearPair::at`] made of this one's.
+    pub fn at(&self, assembly: &GearPair) -> Section {
+        let problems = [&self.right, &self.left].map(|problem| problem.at(assembly));
+        let outer = self.outer.as_ref();
+        let outer = outer.and_then(|outer| outer.at(&problems));
+        Section::of(assembly, problems, self.envelopes.clone(), outer)
+    }
+
+    /// The section of a helical pair of which this is the measuring plane: `pair`, which [`GearPair::section`] made.
+    pub fn turned(&self, pair: &GearPair) -> Section {
+        Section {
+            right: self.right.turned(pair),
+            left: self.left.turned(pair),
+            bodies: self.bodies.as_ref().map(|_| Box::new(pair.clone())),
+            ..self.clone()
+        }
+    }
+
+    /// Angular pitch of the free gear, rad.
+    pub fn free_pitch(&self) -> f64 {
+        self.right.free.pitch
+    }
+
+    /// The teeth of one of its sides at `pose`.
+    pub fn posed<'a>(&self, problem: &'a FlankProblem, pose: &Pose) -> PosedFlanks<'a> {
+        let mating = pose.mating();
+        let teeth = (mating.tooth(self.free.mate()), mating.tooth(self.free));
+        let rotation = reduced(pose.locked_rotation());
+        problem.posed(pose, teeth, rotation, turn(rotation))
+    }
+
+    fn of(
+        assembly: &GearPair,
+        problems: [FlankProblem; 2],
+        envelopes: Envelopes,
+        outer: Option<OuterGears>,
+    ) -> Section {
+        let [right, left] = problems;
+        // Of both gears the left half teeth mirror the right ones.
+        let solver = DirectSolver::new(&right, assembly, envelopes.clone());
+        Section {
+            right,
+            left,
+            envelopes,
+            solver,
+            outer: outer.map(Box::new),
+            free: assembly.free(),
+            bodies: may_be_solid(assembly).then(|| Box::new(assembly.clone())),
+            blocked: reaches_over_an_axis(assembly),
+        }
+    }
+
+    /// As [`super::ExactKernel::lost_motion`].
+    pub fn lost_motion(&self, pose: &Pose) -> Result<LostMotion, Error> {
+        self.with(pose, |posed| match &self.outer {
+            None => direct::touching(posed, self.solver.as_ref()),
+            Some(outer) => outer.touching(posed),
+        })
+    }
+
+    /// As [`super::ExactKernel::lost_motion_by_search`].
+    pub fn lost_motion_by_search(&self, pose: &Pose) -> Result<LostMotion, Error> {
+        self.with(pose, search::by_search)
+    }
+
+    /// As [`super::ExactKernel::is_direct`].
+    pub fn is_direct(&self) -> bool {
+        self.solver
+            .as_ref()
+            .is_some_and(|solver| solver.proof.is_direct())
+    }
+
+    fn with(
+        &self,
+        pose: &Pose,
+        method: impl Fn(&PosedFlanks) -> Result<Option<Touching>, (i64, SearchExhausted)>,
+    ) -> Result<LostMotion, Error> {
+        if self.blocked {
+            return Ok(LostMotion::JAMMED);
+        }
+        let mating = pose.mating();
+        let teeth = (mating.tooth(self.free.mate()), mating.tooth(self.free));
+        let rotation = reduced(pose.locked_rotation());
+        let turned = turn(rotation);
+        let contact = |problem: &FlankProblem| -> Result<Option<Contact>, Error> {
+            let posed = problem.posed(pose, teeth, rotation, turned);
+            match method(&posed) {
+                Ok(touching) => {
+                    Ok(touching.map(|touching| report::contact(&posed, &touching, self.free)))
+                }
+                Err((step, lost)) => Err(self.lost(&posed, step, &lost, pose)),
+            }
+        };
+        let mut result = LostMotion {
+            right: contact(&self.right)?,
+            left: contact(&self.left)?,
+            solid: self
+                .bodies
+                .as_ref()
+                .is_some_and(|pair| is_solid(pair, pose)),
+        };
+        normalise(&mut result, pose.free_rotation());
+        Ok(result.within(self.right.free.pitch))
+    }
+
+    fn lost(&self, posed: &PosedFlanks, step: i64, lost: &SearchExhausted, pose: &Pose) -> Error {
+        let (locked_place, free_place) = posed.places(step);
+        let locked = posed.problem.locked.number(locked_place);
+        let free = posed.problem.free.number(free_place);
+        let (wheel_tooth, pinion_tooth) = match self.free {
+            Member::Pinion => (locked, free),
+            Member::Wheel => (free, locked),
+        };
+        Error::ContactLost {
+            wheel_tooth,
+            pinion_tooth,
+            flank: posed.problem.side.name(),
+            locked_rotation_rad: pose.locked_rotation(),
+            reason: lost.reason(),
+        }
+    }
+}
+
+/// Right into (−π, π]; left as many turns on as the two lie apart, each counted from the nominal rotation: gears of three
+/// teeth that hardly reach each other may turn by more than half a turn.
+pub(super) fn normalise(result: &mut LostMotion, nominal: f64) {
+    let turns = |angle: f64| (angle / TAU).round();
+    let whole = |contact: &Contact| turns(contact.rotation - nominal);
+    let onward = result.right.map_or(0.0, |right| -turns(right.rotation));
+    let beside = match (&result.right, &result.left) {
+        (Some(right), Some(left)) => onward + whole(right) - whole(left),
+        (None, Some(left)) => -turns(left.rotation),
+        _ => 0.0,
+    };
+    if let Some(right) = &mut result.right {
+        right.rotation += TAU * onward;
+        if right.rotation == -PI {
+            right.rotation = PI;
+        }
+    }
+    if let Some(left) = &mut result.left {
+        left.rotation += TAU * beside;
+    }
+}

@@ -4,7 +4,7 @@ use super::gap::C;
 use crate::gear::{ProfilePart, Side};
 use crate::pair::Member;
 use nalgebra::{Point2, Vector2};
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 /// A place on a tooth, by name.
 pub trait ToothPlace: Copy {
@@ -153,6 +153,29 @@ impl LostMotion {
         left: None,
         solid: true,
     };
+
+    /// Right into (−π, π]; left as many turns on as the two lie apart, each counted from the `nominal` rotation, rad: gears of three
+    /// teeth that hardly reach each other may turn by more than half a turn.
+    pub(super) fn normalised(mut self, nominal: f64) -> LostMotion {
+        let turns = |angle: f64| (angle / TAU).round();
+        let whole = |contact: &Contact| turns(contact.rotation - nominal);
+        let onward = self.right.map_or(0.0, |right| -turns(right.rotation));
+        let beside = match (&self.right, &self.left) {
+            (Some(right), Some(left)) => onward + whole(right) - whole(left),
+            (None, Some(left)) => -turns(left.rotation),
+            _ => 0.0,
+        };
+        if let Some(right) = &mut self.right {
+            right.rotation += TAU * onward;
+            if right.rotation == -PI {
+                right.rotation = PI;
+            }
+        }
+        if let Some(left) = &mut self.left {
+            left.rotation += TAU * beside;
+        }
+        self
+    }
 
     /// The same, solid only with an overlap, and surely where that is a `pitch` of the free gear (rad) or more.
     pub(super) fn within(self, pitch: f64) -> LostMotion {

@@ -1,6 +1,7 @@
 //! What two gears do: contact of their outlines, lost motion, sweeps of poses.
 
 mod body;
+mod by_sections;
 mod class;
 mod drawn_contact;
 mod exact;
@@ -9,6 +10,7 @@ mod gap;
 mod lost_motion;
 mod outline;
 mod outline_contact;
+mod over_face;
 mod overlap;
 mod pair_at_distance;
 mod parry;

@@ -1,5 +1,6 @@
 //! Many poses of one assembly, in parallel and in order.
 
+use super::by_sections::Sections;
 use super::exact::ExactKernel;
 use super::lost_motion::LostMotion;
 use super::polygon::{Certifier, CutGear, PolygonKernel};
@@ -69,6 +70,9 @@ struct Solver<'a> {
     exact: Option<ExactKernel>,
     polygon: Option<PolygonKernel<'a>>,
     certifier: Option<Certifier<'a>>,
+    /// In place of both, of helical gears.
+    sections: Option<Sections<'a>>,
+    certify: bool,
 }
 
 impl<'a> Solver<'a> {
@@ -76,18 +80,32 @@ impl<'a> Solver<'a> {
         let certify = method == Method::Exact { certify: true };
         let exact = method != Method::Polygon;
         let polygon = matches!(method, Method::Polygon | Method::Both);
+        let spur = !assembly.is_helical();
+        let kernel = (exact || !spur).then(|| ExactKernel::new(assembly));
+        let sections = (polygon || certify) && !spur;
+        let places = kernel.as_ref().filter(|_| sections);
         Solver {
             assembly,
-            exact: exact.then(|| ExactKernel::new(assembly)),
-            polygon: polygon.then(|| cut.refined_kernel(assembly)),
-            certifier: certify.then(|| Certifier::new(cut.kernel(assembly))),
+            polygon: (polygon && spur).then(|| cut.refined_kernel(assembly)),
+            certifier: (certify && spur).then(|| Certifier::new(cut.kernel(assembly))),
+            sections: places.map(|kernel| Sections {
+                assembly,
+                cut: [&cut.wheel, &cut.pinion],
+                places: kernel.sections(),
+            }),
+            exact: kernel.filter(|_| exact),
+            certify,
         }
     }
 
     /// The contacts at `pose`, and how far the polygon method lies off where both are asked for.
     fn find(&self, pose: &Pose) -> Result<Found, Error> {
         let exact = self.exact.as_ref().map(|kernel| kernel.lost_motion(pose));
-        let polygon = self.polygon.as_ref().map(|kernel| kernel.lost_motion(pose));
+        let seen = exact.as_ref().and_then(|found| found.as_ref().ok());
+        let polygon = match &self.sections {
+            Some(sections) if !self.certify => Some(sections.lost_motion(pose, seen)),
+            _ => self.polygon.as_ref().map(|kernel| kernel.lost_motion(pose)),
+        };
         // What was lost is kept as its reason; anything else ends the sweep.
         let (exact, polygon) = (settle(exact)?, settle(polygon)?);
         let value = |found: &LostMotion| self.backlash(found);
@@ -164,10 +182,12 @@ impl<'a> Solver<'a> {
 
     /// Why the certificate of `found` fails; `None` where it holds or none is asked for.
     fn certificate(&self, pose: &Pose, found: &LostMotion) -> Result<Option<String>, Error> {
-        let Some(certifier) = &self.certifier else {
-            return Ok(None);
+        let checked = match (&self.certifier, &self.sections) {
+            (Some(certifier), _) => certifier.check(pose, found),
+            (None, Some(sections)) if self.certify => sections.check(pose, found),
+            _ => return Ok(None),
         };
-        let checked = settle(Some(certifier.check(pose, found)))?;
+        let checked = settle(Some(checked))?;
         Ok(checked.and_then(Result::err))
     }
 

@@ -1,9 +1,10 @@
 //! Helical pairs against single sections, which are spur pairs, and against what must not depend on the face.
 
-use gearlash::contact::{ExactKernel, Status};
+use gearlash::contact::{CutPair, ExactKernel, Status};
 use gearlash::gear::Side;
 use gearlash::gear::{
-    AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Hand, Pitch, thickness,
+    AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Hand, Pitch,
+    ProfilePart, thickness,
 };
 use gearlash::pair::{GearPair, Mating, Member, Pose};
 use std::f64::consts::TAU;
@@ -338,4 +339,59 @@ fn no_section_is_tighter_than_the_face() {
     }
     println!("{compared} compared, {between} found tighter between, {over} over");
     assert!(over == 0 && compared > 400 && between > 0);
+}
+
+/// Another method: polygons cut finer round each contact, in 33 sections and in those that touch. And a certificate, section by section.
+#[test]
+fn polygons_in_33_sections_agree() {
+    let mut rng = Draws(6);
+    let (mut compared, mut fillets) = (0, 0);
+    while compared < 60 {
+        let Some(pair) = drawn(&mut rng) else {
+            continue;
+        };
+        let kernel = ExactKernel::new(&pair);
+        let mating = Mating {
+            wheel_tooth: rng.whole(1..7),
+            pinion_tooth: rng.whole(1..7),
+            flank: Side::Right,
+            fraction: rng.within(0.0..1.0),
+        };
+        let pose = Pose::new(&pair, mating);
+        let lost = kernel.lost_motion(&pose).unwrap();
+        let (Some(right), Some(left)) = (lost.right, lost.left) else {
+            continue;
+        };
+        if lost.status() == Status::Jammed {
+            continue;
+        }
+        compared += 1;
+        let touched = [right, left].map(|contact| [contact.wheel.curve, contact.pinion.curve]);
+        fillets += u32::from(touched.as_flattened().contains(&ProfilePart::Fillet));
+        let certified = pair.lost_motion(mating).unwrap();
+        assert_eq!(certified.found, Ok(lost), "{:?}", pair.face());
+        let cut = CutPair::new(pair.gear(Member::Wheel), pair.gear(Member::Pinion), 2e-4);
+        let [from, to] = pair.face();
+        let slices = (0..33).map(|k| from + (to - from) * f64::from(k) / 32.0);
+        let (mut most, mut least) = ((f64::NEG_INFINITY, 0.0), (f64::INFINITY, 0.0));
+        for b in slices.chain([right.section, left.section]) {
+            let section = pair.section(b);
+            let here = pose.in_section(&pair, b);
+            let found = cut.refined_kernel(&section).lost_motion(&here).unwrap();
+            let beyond = |rotation: f64| {
+                let beyond = rotation - here.free_rotation();
+                beyond - TAU * (beyond / TAU).round()
+            };
+            let [one, other] = [found.right, found.left]
+                .map(|contact| contact.map(|contact| (beyond(contact.rotation), contact.error)));
+            most = one.filter(|one| one.0 > most.0).unwrap_or(most);
+            least = other.filter(|other| other.0 < least.0).unwrap_or(least);
+        }
+        for (own, (polygons, error)) in [(right, most), (left, least)] {
+            let beyond = own.rotation - pose.free_rotation();
+            let off = (beyond - TAU * (beyond / TAU).round() - polygons).abs();
+            assert!(off <= error + own.error, "{off} of {error}: {own:?}");
+        }
+    }
+    assert!(fillets > 0, "{fillets}");
 }

@@ -17,13 +17,13 @@
 
 mod edges;
 
-use super::section::{Section, normalise};
-use crate::contact::lost_motion::{Contact, LostMotion, Status};
+use super::section::Section;
+use crate::contact::lost_motion::LostMotion;
+use crate::contact::over_face::OverFace;
 use crate::error::Error;
 use crate::gear::Side;
 use crate::pair::{GearPair, Member, Pose};
 use edges::Edges;
-use std::f64::consts::{PI, TAU};
 
 /// Shortest stretch of line contact, in base pitches, that sections are spaced by. Shorter ones are looked for pair by pair.
 const SHORTEST: f64 = 0.125;
@@ -69,20 +69,23 @@ impl Helical {
         }
     }
 
+    /// Places along the face, mm, whose sections hold the tightest of all pairs of involutes.
+    pub fn places(&self) -> impl Iterator<Item = f64> {
+        self.sections.iter().map(|&(b, _)| b)
+    }
+
     /// Both contacts of `pose`, as `method` finds them in each section.
     pub fn over(
         &self,
         pose: &Pose,
         method: impl Fn(&Section, &Pose) -> Result<LostMotion, Error>,
     ) -> Result<LostMotion, Error> {
-        let mut over = Over::default();
+        let mut over = OverFace::default();
         let nominal = pose.free_rotation();
-        let look = |b: f64, section: &Section, over: &mut Over| -> Result<(), Error> {
+        let look = |b: f64, section: &Section, over: &mut OverFace| -> Result<(), Error> {
             let here = pose.in_section(&self.assembly, b);
             let found = method(section, &here)?;
-            // What the twist's rounding comes to: some ulps of the locked and of the free rotation, whole turns and all.
-            let turned = here.locked_rotation().abs() + here.free_rotation().abs() + TAU;
-            over.take(b, found, here.free_rotation(), 8.0 * f64::EPSILON * turned);
+            over.take(b, &here, found);
             Ok(())
         };
         for (b, section) in &self.sections {
@@ -132,73 +135,4 @@ fn shortest_stretch(assembly: &GearPair) -> f64 {
     let basic_data = gears[0].gear().basic_data();
     let path = path[0].min(path[1]).max(SHORTEST * basic_data.base_pitch());
     path / (basic_data.base_radius() * basic_data.twist().abs())
-}
-
-/// What the sections seen so far leave of the free gear's play, from its nominal rotation.
-#[derive(Debug, Default)]
-struct Over {
-    right: Option<(f64, Contact)>,
-    left: Option<(f64, Contact)>,
-    solid: bool,
-    /// Whether nothing was turned at all.
-    jammed: bool,
-}
-
-impl Over {
-    /// Takes what was found at `b` with the free gear's nominal rotation there.
-    fn take(&mut self, b: f64, found: LostMotion, nominal: f64, rounding: f64) {
-        // A section that is jammed jams the gears, whatever touches first elsewhere.
-        self.solid |= found.status() == Status::Jammed;
-        self.jammed |= found.solid && found.right.is_none();
-        let turns = |angle: f64| angle - TAU * (angle / TAU).round();
-        let right = found.right.map(|contact| turns(contact.rotation - nominal));
-        // The left one continues from the right one.
-        let left = found.left.map(|contact| match found.right.zip(right) {
-            Some((first, beyond)) => beyond + (contact.rotation - first.rotation),
-            None => turns(contact.rotation - nominal),
-        });
-        let at = |contact: Contact| Contact {
-            error: (contact.error + rounding).min(PI),
-            section: b,
-            ..contact
-        };
-        if let Some((beyond, contact)) = right.zip(found.right.map(at))
-            && (self.right).is_none_or(|(most, held)| beyond > most + held.error)
-        {
-            self.right = Some((beyond, contact));
-        }
-        if let Some((beyond, contact)) = left.zip(found.left.map(at))
-            && (self.left).is_none_or(|(least, held)| beyond < least - held.error)
-        {
-            self.left = Some((beyond, contact));
-        }
-    }
-
-    /// How far beyond its nominal rotation the free gear stops, rad.
-    fn beyond(&self, side: Side) -> Option<f64> {
-        match side {
-            Side::Right => self.right,
-            Side::Left => self.left,
-        }
-        .map(|(beyond, _)| beyond)
-    }
-
-    fn lost_motion(self, nominal: f64, pitch: f64) -> LostMotion {
-        if self.jammed {
-            return LostMotion::JAMMED;
-        }
-        let contact = |held: Option<(f64, Contact)>| {
-            held.map(|(beyond, contact)| Contact {
-                rotation: nominal + beyond,
-                ..contact
-            })
-        };
-        let mut result = LostMotion {
-            right: contact(self.right),
-            left: contact(self.left),
-            solid: self.solid,
-        };
-        normalise(&mut result, nominal);
-        result.within(pitch)
-    }
 }

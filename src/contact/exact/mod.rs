@@ -124,6 +124,12 @@ impl ExactKernel {
         }
     }
 
+    /// Places along the face, mm, whose sections hold the tightest of all pairs of involutes; that of the measuring plane of spur gears.
+    pub fn sections(&self) -> Vec<f64> {
+        let helical = self.helical.as_ref();
+        helical.map_or(vec![0.0], |helical| helical.places().collect())
+    }
+
     /// Whether this pair needs no search: its contacts are on the line of action, at corners,
     /// or where a tip land touches an involute.
     pub fn is_direct(&self) -> bool {

@@ -13,7 +13,6 @@ use crate::contact::lost_motion::{Contact, LostMotion};
 use crate::error::Error;
 use crate::gear::Side;
 use crate::pair::{GearPair, Member, Pose};
-use std::f64::consts::{PI, TAU};
 
 /// One transverse section of an assembly: all there is of a spur pair.
 #[derive(Debug, Clone)]
@@ -135,7 +134,7 @@ impl Section {
                 Err((step, lost)) => Err(self.lost(&posed, step, &lost, pose)),
             }
         };
-        let mut result = LostMotion {
+        let result = LostMotion {
             right: contact(&self.right)?,
             left: contact(&self.left)?,
             solid: self
@@ -143,7 +142,7 @@ impl Section {
                 .as_ref()
                 .is_some_and(|pair| is_solid(pair, pose)),
         };
-        normalise(&mut result, pose.free_rotation());
+        let result = result.normalised(pose.free_rotation());
         Ok(result.within(self.right.free.pitch))
     }
 
@@ -162,27 +161,5 @@ impl Section {
             locked_rotation_rad: pose.locked_rotation(),
             reason: lost.reason(),
         }
-    }
-}
-
-/// Right into (−π, π]; left as many turns on as the two lie apart, each counted from the nominal rotation: gears of three
-/// teeth that hardly reach each other may turn by more than half a turn.
-pub(super) fn normalise(result: &mut LostMotion, nominal: f64) {
-    let turns = |angle: f64| (angle / TAU).round();
-    let whole = |contact: &Contact| turns(contact.rotation - nominal);
-    let onward = result.right.map_or(0.0, |right| -turns(right.rotation));
-    let beside = match (&result.right, &result.left) {
-        (Some(right), Some(left)) => onward + whole(right) - whole(left),
-        (None, Some(left)) => -turns(left.rotation),
-        _ => 0.0,
-    };
-    if let Some(right) = &mut result.right {
-        right.rotation += TAU * onward;
-        if right.rotation == -PI {
-            right.rotation = PI;
-        }
-    }
-    if let Some(left) = &mut result.left {
-        left.rotation += TAU * beside;
     }
 }

@@ -71,26 +71,50 @@ impl<'a> Certifier<'a> {
 
     fn check_rotations(&self, pose: &Pose, found: &LostMotion) -> Result<(), Error> {
         for (side, contact) in [(Side::Right, &found.right), (Side::Left, &found.left)] {
-            let pitch = self
-                .kernel
-                .teeth
-                .assembly
-                .gear(self.kernel.teeth.assembly.free());
-            let pitch = pitch.gear().basic_data().angular_pitch();
-            let seen = match contact {
-                Some(contact) if contact.error > NARROW * pitch => {
-                    self.touches_within(pose, side, contact)?
-                }
-                Some(contact) => self.touches(pose, side, contact),
-                None => self.touches_nothing(pose, side)?,
-            };
-            seen.map_err(|reason| self.failed(pose, side, reason))?;
+            self.check_side(pose, side, contact.as_ref())?;
         }
         Ok(())
     }
 
+    /// Bears out the contact on one side.
+    pub(crate) fn check_side(
+        &self,
+        pose: &Pose,
+        side: Side,
+        contact: Option<&Contact>,
+    ) -> Result<(), Error> {
+        let free = self.kernel.teeth.assembly.free();
+        let pitch = self.kernel.teeth.assembly.gear(free);
+        let pitch = pitch.gear().basic_data().angular_pitch();
+        let seen = match contact {
+            Some(contact) if contact.error > NARROW * pitch => {
+                self.touches_within(pose, side, contact)?
+            }
+            Some(contact) => self.touches(pose, side, contact),
+            None => self.touches_nothing(pose, side)?,
+        };
+        seen.map_err(|reason| self.failed(pose, side, reason))
+    }
+
+    /// Whether all pairs on `side` are clear of each other a little more open than `contact`, or why not: what a section of helical gears is in which
+    /// another one touches first.
+    pub(crate) fn clears(&self, pose: &Pose, side: Side, contact: &Contact) -> Result<(), String> {
+        self.touching(pose, side, contact).map(|_| ())
+    }
+
     /// Clear when a little more open, touching when a little more closed.
     fn touches(&self, pose: &Pose, side: Side, contact: &Contact) -> Result<(), String> {
+        match self.touching(pose, side, contact)? {
+            true => Ok(()),
+            false => Err(format!(
+                "nothing touches at the rotation {} rad",
+                contact.rotation
+            )),
+        }
+    }
+
+    /// Whether any pair touches when a little more closed; all are clear when a little more open.
+    fn touching(&self, pose: &Pose, side: Side, contact: &Contact) -> Result<bool, String> {
         let assembly = self.kernel.teeth.assembly;
         let finest = finest_chord(assembly);
         let arm = contact.point - assembly.axis(assembly.free());
@@ -120,14 +144,7 @@ impl<'a> Certifier<'a> {
                 }
             }
         }
-        if touching {
-            Ok(())
-        } else {
-            Err(format!(
-                "nothing touches at the rotation {} rad",
-                contact.rotation
-            ))
-        }
+        Ok(touching)
     }
 
     /// The polygons' own contact lies within a bound that says little: lands that stand on each other have next to no lever,
@@ -166,7 +183,7 @@ impl<'a> Certifier<'a> {
         )
     }
 
-    fn failed(&self, pose: &Pose, side: Side, reason: String) -> Error {
+    pub(crate) fn failed(&self, pose: &Pose, side: Side, reason: String) -> Error {
         let mating = pose.mating();
         Error::CertificateFailed {
             wheel_tooth: mating.wheel_tooth,

@@ -1,0 +1,78 @@
+//! Helical gears stop where the first of their sections does.
+
+use super::lost_motion::{Contact, LostMotion, Status};
+use crate::gear::Side;
+use crate::pair::Pose;
+use std::f64::consts::{PI, TAU};
+
+/// What the sections seen so far leave of the free gear's play, from its nominal rotation.
+#[derive(Debug, Default)]
+pub(super) struct OverFace {
+    right: Option<(f64, Contact)>,
+    left: Option<(f64, Contact)>,
+    solid: bool,
+    /// Whether nothing was turned at all.
+    jammed: bool,
+}
+
+impl OverFace {
+    /// Takes what was found in the section at `b`, mm, at the pose `here` of it.
+    pub fn take(&mut self, b: f64, here: &Pose, found: LostMotion) {
+        let nominal = here.free_rotation();
+        // What the twist's rounding comes to: some ulps of the locked and of the free rotation, whole turns and all.
+        let rounding = 8.0 * f64::EPSILON * (here.locked_rotation().abs() + nominal.abs() + TAU);
+        // A section that is jammed jams the gears, whatever touches first elsewhere.
+        self.solid |= found.status() == Status::Jammed;
+        self.jammed |= found.solid && found.right.is_none();
+        let turns = |angle: f64| angle - TAU * (angle / TAU).round();
+        let right = found.right.map(|contact| turns(contact.rotation - nominal));
+        // The left one continues from the right one.
+        let left = found.left.map(|contact| match found.right.zip(right) {
+            Some((first, beyond)) => beyond + (contact.rotation - first.rotation),
+            None => turns(contact.rotation - nominal),
+        });
+        let at = |contact: Contact| Contact {
+            error: (contact.error + rounding).min(PI),
+            section: b,
+            ..contact
+        };
+        if let Some((beyond, contact)) = right.zip(found.right.map(at))
+            && (self.right).is_none_or(|(most, held)| beyond > most + held.error)
+        {
+            self.right = Some((beyond, contact));
+        }
+        if let Some((beyond, contact)) = left.zip(found.left.map(at))
+            && (self.left).is_none_or(|(least, held)| beyond < least - held.error)
+        {
+            self.left = Some((beyond, contact));
+        }
+    }
+
+    /// How far beyond its nominal rotation the free gear stops, rad.
+    pub fn beyond(&self, side: Side) -> Option<f64> {
+        match side {
+            Side::Right => self.right,
+            Side::Left => self.left,
+        }
+        .map(|(beyond, _)| beyond)
+    }
+
+    /// Both contacts at a pose of the measuring plane with this nominal rotation of the free gear; `pitch` is its angular pitch, rad.
+    pub fn lost_motion(self, nominal: f64, pitch: f64) -> LostMotion {
+        if self.jammed {
+            return LostMotion::JAMMED;
+        }
+        let contact = |held: Option<(f64, Contact)>| {
+            held.map(|(beyond, contact)| Contact {
+                rotation: nominal + beyond,
+                ..contact
+            })
+        };
+        let result = LostMotion {
+            right: contact(self.right),
+            left: contact(self.left),
+            solid: self.solid,
+        };
+        result.normalised(nominal).within(pitch)
+    }
+}

@@ -80,6 +80,8 @@ pub(super) struct OneSide<'a> {
     between: Vector2<f64>,
     /// From there to the centre of the free outline, at the nominal rotation, mm.
     displacement: Vector2<f64>,
+    /// How far the locked teeth wind from the measuring plane to both ends of the common face, the lesser first, rad; 0 of spur gears.
+    face: [f64; 2],
 }
 
 /// The common base tangent of one rotation of the free gear.
@@ -98,6 +100,9 @@ impl<'a> OneSide<'a> {
             assembly.gear(assembly.free()),
         );
         let seen = |vector: Vector2<f64>| Vector2::new(vector.x, mirror * vector.y);
+        let twist = mirror * locked.gear().basic_data().twist();
+        let mut face = assembly.face().map(|b| twist * b);
+        face.sort_by(f64::total_cmp);
         // The free gear's direction to its mate is −x.
         OneSide {
             assembly,
@@ -109,6 +114,7 @@ impl<'a> OneSide<'a> {
             between: Vector2::new(assembly.center_distance(), 0.0)
                 - seen(locked.displacement(pose.locked_rotation())),
             displacement: -seen(free.displacement(pose.free_rotation())),
+            face,
         }
     }
 
@@ -163,7 +169,26 @@ impl<'a> OneSide<'a> {
         };
         let low = direction - swing + self.tangent(distance - e).0 - gear.tip_roll();
         let high = direction + swing + self.tangent(distance + e).0 - gear.form_roll();
-        low - slack..=high + slack
+        // θ_1 + s stands there, s from one end of the face to the other.
+        low - slack - self.face[1]..=high + slack - self.face[0]
+    }
+
+    /// The least turn `s` of the locked teeth along the common face at which a contact lies on both involutes whose tangents to the base circles are
+    /// so long in the measuring plane, mm.
+    ///
+    /// Teeth wind as gears roll: a section has the rolls `ξ_1 − s` and `ξ_2 + s r_b1/r_b2`, and the same rotation (own derivation: centres
+    /// do not wind, and `r_b1 τ_1 + r_b2 τ_2 = 0`). Each involute allows a range of `s`; what they have in common with the face counts.
+    fn on_involutes(&self, locked_arm: f64, free_arm: f64) -> Option<f64> {
+        let (locked, free) = (self.locked.gear(), self.free.gear());
+        let base = locked.base_radius();
+        let (roll, per_free) = (locked_arm / base, free.base_radius() / base);
+        let free_roll = free_arm / free.base_radius();
+        let slack = END * locked.tip_roll().max(free.tip_roll() * per_free);
+        let low = (roll - locked.tip_roll()).max((free.form_roll() - free_roll) * per_free);
+        let high = (roll - locked.form_roll()).min((free.tip_roll() - free_roll) * per_free);
+        let (from, to) = (low.max(self.face[0]), high.min(self.face[1]));
+        // The place nearest to the measuring plane.
+        (from <= to + slack).then(|| 0f64.max(from.min(to)).min(to))
     }
 
     /// The locked teeth to try, as steps counter-clockwise of the mating's.
@@ -230,16 +255,19 @@ impl<'a> OneSide<'a> {
                 last = step;
                 continue;
             }
-            let counts = step * rate < 1e-9
-                && line.length > 0.0
-                && on_involute(self.locked, locked_arm / locked_base)
-                && on_involute(self.free, free_arm / free_base);
-            return counts.then(|| SideContact {
+            let turned = match self.face == [0.0; 2] {
+                true => (on_involute(self.locked, locked_arm / locked_base)
+                    && on_involute(self.free, free_arm / free_base))
+                .then_some(0.0),
+                false => self.on_involutes(locked_arm, free_arm),
+            };
+            let turned = turned.filter(|_| step * rate < 1e-9 && line.length > 0.0)?;
+            return Some(SideContact {
                 rotation: self.pose.free_rotation() + self.mirror * turn,
                 locked_tooth,
                 free_tooth,
-                locked_roll,
-                free_roll,
+                locked_roll: locked_roll - turned,
+                free_roll: free_roll + turned * locked_base / free_base,
             });
         }
     }

@@ -1,5 +1,6 @@
 //! Helical pairs against single sections, which are spur pairs, and against what must not depend on the face.
 
+use gearlash::analytic::LineOfAction;
 use gearlash::contact::{CutPair, ExactKernel, Status};
 use gearlash::gear::Side;
 use gearlash::gear::{
@@ -394,4 +395,51 @@ fn polygons_in_33_sections_agree() {
         }
     }
     assert!(fillets > 0, "{fillets}");
+}
+
+/// Another way, pair by pair and without sections: model 3, which asks of each pair of involutes whether its stretch of line contact meets the
+/// face. Where nothing but involutes touches it has the same contacts.
+#[test]
+fn pairs_of_involutes_have_the_same_contact() {
+    let mut rng = Draws(8);
+    let (mut compared, mut off_plane) = (0, 0);
+    while compared < 400 {
+        let Some(pair) = drawn(&mut rng) else {
+            continue;
+        };
+        let kernel = ExactKernel::new(&pair);
+        let radius = 1e3 * pair.operating_pitch_radius(pair.free());
+        for _ in 0..3 {
+            let mating = Mating {
+                wheel_tooth: rng.whole(1..7),
+                pinion_tooth: rng.whole(1..7),
+                flank: Side::Right,
+                fraction: rng.within(0.0..1.0),
+            };
+            let pose = Pose::new(&pair, mating);
+            let lost = kernel.lost_motion(&pose).unwrap();
+            let model = LineOfAction::new(&pair, &pose);
+            for (found, model) in [(lost.right, model.right), (lost.left, model.left)] {
+                let (Some(found), Some(model)) = (found, model) else {
+                    continue;
+                };
+                let smooth = [found.wheel, found.pinion]
+                    .into_iter()
+                    .zip([Member::Wheel, Member::Pinion])
+                    .all(|(touch, member)| {
+                        let gear = pair.gear(member).gear();
+                        touch.radius > gear.form_radius() + 1e-6
+                            && touch.radius < gear.tip_radius() - 1e-6
+                    });
+                let off = found.rotation - model.rotation;
+                let off = (off - TAU * (off / TAU).round()).abs() * radius;
+                if smooth {
+                    compared += 1;
+                    off_plane += u32::from(found.section != 0.0);
+                    assert!(off < 1e-8, "{off} µm: {found:?}, {model:?}");
+                }
+            }
+        }
+    }
+    assert!(off_plane > 300, "{off_plane}");
 }

@@ -144,7 +144,8 @@ impl<'a> End<'a> {
         let base = wheel.gear().base_radius() + pinion.gear().base_radius();
         // Involutes have no contact nearer than that: what is found there bounds nothing unless it jams.
         let distance = wanted.max(base * (1.0 + NEAREST));
-        let centred = GearPair::with_locked(wheel, pinion, distance, assembly.locked())?;
+        let centred = GearPair::with_locked(wheel, pinion, distance, assembly.locked())?
+            .with_face(assembly.face())?;
         let mut found = search(&centred)?;
         if let Some(least) = found.least.as_mut().filter(|_| wanted < distance) {
             least.doubt = Some(Doubt::Unbounded);
@@ -254,7 +255,8 @@ impl<'a> End<'a> {
             gear(Member::Pinion)?,
             self.centred.center_distance(),
             locked,
-        )?)
+        )?
+        .with_face(self.centred.face())?)
     }
 
     /// The assembly with its high teeth where they belong at this end, and its mating that stands as `mating` of the centred pair does; the

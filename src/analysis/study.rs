@@ -72,6 +72,8 @@ pub struct Study {
     pub materials: Vec<(Material, AsBuilt, AsBuilt)>,
     /// The gear that stands still.
     pub locked: Member,
+    /// The common face of helical gears, mm from the wheel's measuring plane ([`GearPair::with_face`]).
+    pub face: [f64; 2],
     /// Centre distances `a`, mm, distinct; those of a file in ascending order.
     pub center_distances: Vec<f64>,
     /// Least and greatest distance, mm, where [`Study::center_distances`] samples a tolerance band. Backlash
@@ -138,6 +140,7 @@ impl Study {
             title: title.to_owned(),
             materials: vec![(Material::AsMeasured, wheel.clone(), pinion.clone())],
             locked: pair.locked(),
+            face: pair.face(),
             center_distances: vec![pair.center_distance()],
             band: None,
             bearing_clearance: 0.0,
@@ -151,6 +154,21 @@ impl Study {
             uncertainty: None,
             notes: [GearNotes::default(), GearNotes::default()],
         }
+    }
+
+    /// Two of its gears put together at the centre distance `a`, mm.
+    ///
+    /// # Errors
+    /// As [`GearPair::with_locked`].
+    pub fn pair(&self, wheel: &AsBuilt, pinion: &AsBuilt, a: f64) -> Result<GearPair, GearError> {
+        let pair = GearPair::with_locked(wheel.clone(), pinion.clone(), a, self.locked)?;
+        pair.with_face(self.face)
+    }
+
+    /// Whether its gears are helical.
+    pub fn is_helical(&self) -> bool {
+        let mut gears = self.materials.iter();
+        gears.any(|(_, wheel, _)| wheel.gear().basic_data().hand().is_some())
     }
 
     /// Whether its poses are whole revolutions.
@@ -177,7 +195,7 @@ impl Study {
         for (_, wheel, pinion) in &self.materials {
             for a in &center_distances {
                 let closest = a - self.bearing_clearance;
-                GearPair::with_locked(wheel.clone(), pinion.clone(), closest, self.locked)?;
+                self.pair(wheel, pinion, closest)?;
             }
         }
         self.center_distances = center_distances;
@@ -213,8 +231,7 @@ impl Study {
         for &a in &self.center_distances {
             let rows = measured.remove(&a.to_bits()).unwrap_or_default();
             for (material, wheel, pinion) in &self.materials {
-                let assembly =
-                    GearPair::with_locked(wheel.clone(), pinion.clone(), a, self.locked)?;
+                let assembly = self.pair(wheel, pinion, a)?;
                 let parts = match &self.sweep {
                     Some(plan) => plan.parts(),
                     None => Vec::new(),

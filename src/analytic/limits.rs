@@ -109,9 +109,23 @@ pub fn radial_backlash(assembly: &GearPair) -> Option<f64> {
     Some(assembly.center_distance() - zero_backlash_distance(assembly)?)
 }
 
-/// Tooth thickness on the tip circle, mm.
+/// Tooth thickness `s_an` on the tip circle, mm, in the normal section: the transverse one times `cos β_a`.
 pub fn tip_thickness(gear: &Gear) -> f64 {
-    2.0 * gear.tip_radius() * gear.half_angle_at_roll(gear.tip_roll())
+    2.0 * gear.tip_radius() * gear.half_angle_at_roll(gear.tip_roll()) * tip_helix_cos(gear)
+}
+
+/// `cos β_a` at the tip circle, `tan β_a = r_a tan β/r` (ISO 21771); 1 of spur gears.
+pub fn tip_helix_cos(gear: &Gear) -> f64 {
+    let tan = gear.tip_radius() * gear.basic_data().twist();
+    1.0 / (1.0 + tan * tan).sqrt()
+}
+
+/// Overlap ratio `ε_β = b tan β_b/p_bt` of the common face `b`, mm; 0 of spur gears.
+pub fn overlap_ratio(assembly: &GearPair) -> f64 {
+    let basic_data = assembly.gear(Member::Wheel).gear().basic_data();
+    let [from, to] = assembly.face();
+    let winding = basic_data.twist().abs() * basic_data.base_radius();
+    (to - from) * winding / basic_data.base_pitch()
 }
 
 /// Least generating shift `x_E` without undercut, modules: `h_fP* − ρ_fP* (1 − sin α_n) − z sin² α_t/(2 cos β)`.

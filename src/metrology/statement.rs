@@ -12,13 +12,13 @@ use crate::gear::{
 pub enum ThicknessStatement {
     /// None: nominal.
     Nominal,
-    /// Allowance `A_s`, µm, transverse at the reference circle, negative when thinner than nominal.
+    /// Allowance `A_sn`, µm, at the reference circle in the normal section, negative when thinner than nominal.
     AllowanceUm(Toleranced<f64>),
     /// The allowances of a drawing's tolerance field, such as 25cd.
     Field(ThicknessField),
     /// What both flanks stand out along their normals beyond nominal, mm: printed or cut too thick, or too thin.
     FlankOffset(Toleranced<f64>),
-    /// Base tooth thickness `s_b`, mm.
+    /// Base tooth thickness `s_bn`, mm, in the normal section.
     BaseThickness(Toleranced<f64>),
     /// A span `W_k`.
     Span {
@@ -27,7 +27,7 @@ pub enum ThicknessStatement {
         /// `W_k`, mm.
         mm: Toleranced<f64>,
     },
-    /// A dimension over pins `M_dK`.
+    /// A dimension over pins, of helical gears over balls, `M_dK`.
     OverPins {
         /// `D_M`, mm.
         pin_mm: f64,
@@ -178,8 +178,13 @@ impl ThicknessStatement {
                     .base_thickness(design, known)
             }
             // An involute moved along its normals is the same, turned by the distance on the base circle.
-            ThicknessStatement::FlankOffset(mm) => mm.try_map(|mm| Ok(nominal + 2.0 * mm)),
-            ThicknessStatement::BaseThickness(mm) => Ok(*mm),
+            ThicknessStatement::FlankOffset(mm) => {
+                mm.try_map(|mm| Ok(nominal + thickness::base_from_span(basic_data, 1, 2.0 * mm)))
+            }
+            // In the normal section, as a span over one tooth.
+            ThicknessStatement::BaseThickness(mm) => {
+                mm.try_map(|mm| Ok(thickness::base_from_span(basic_data, 1, *mm)))
+            }
             ThicknessStatement::Span { teeth, mm } => {
                 if !(1..=basic_data.teeth()).contains(teeth) {
                     return Err(GearError::OutOfRange {

@@ -212,7 +212,8 @@ fn assembly(
         Some(play) => play.mean(),
         None => population.clearance(),
     };
-    let pair = GearPair::with_locked(wheel, pinion, distance, pair.locked())?;
+    let pair =
+        GearPair::with_locked(wheel, pinion, distance, pair.locked())?.with_face(pair.face())?;
     Ok(Assembly::new(pair, play, population.phase()))
 }
 

@@ -124,7 +124,8 @@ impl Population {
             true => (stream(Factor::Phase).uniform() * phases) as u32 + 1,
             false => self.phase,
         };
-        let pair = GearPair::with_locked(wheel, pinion, distance, self.pair.locked())?;
+        let pair = GearPair::with_locked(wheel, pinion, distance, self.pair.locked())?
+            .with_face(self.pair.face())?;
         Ok(Assembly::new(pair, play.unwrap_or(self.clearance), phase))
     }
 

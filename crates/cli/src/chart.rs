@@ -74,6 +74,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         AnyPair::Data(file) => *file,
         AnyPair::Outlines(file) => return outlines::run(args, *file),
     };
+    studies::spur_only("chart", &study)?;
     let given = args.output.clone();
     let given = given.map(|file| Target::prepare_beside(file, &sources));
     let given = given.transpose()?;

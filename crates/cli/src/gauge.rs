@@ -95,6 +95,9 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         AnyGears::Outlines(file) => return outlines::run(args, &file),
     };
     let chosen = gears::choose(&args.file, args.gear, args.material, &study)?;
+    if chosen.iter().any(|(entry, ..)| entry.spec.is_helical()) {
+        return Err(studies::helical("gauge"));
+    }
     for (gear, _, as_built) in &chosen {
         check_span(args, gear.name, as_built)?;
     }

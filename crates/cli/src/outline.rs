@@ -86,6 +86,9 @@ fn check_size(tolerance_um: f64, gear: &AsBuilt) -> Result<(), Error> {
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let study = studies::gears(&args.file)?;
     let chosen = choose(&args.file, args.gear, Some(args.material), &study)?;
+    if chosen.iter().any(|(entry, ..)| entry.spec.is_helical()) {
+        return Err(studies::helical("outline"));
+    }
     let [(entry, material, gear)] = chosen[..] else {
         return Err(Error::Usage(format!(
             "which gear? {} has a wheel and a pinion; give --gear wheel or --gear pinion",

@@ -40,6 +40,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         AnyPair::Outlines(pair) => return of_outlines(args, &pair, &date),
     };
     let study = &pair.study;
+    studies::spur_only("report", study)?;
     let target = target(args, &pair.stem, &pair.sources)?;
     let method = args.method.method();
     let plan = Plan::whole(study, method);

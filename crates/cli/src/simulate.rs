@@ -1,6 +1,6 @@
 //! `gearlash simulate`: the main job.
 
-use super::console::{Printer, print};
+use super::console::{Printer, print, tell};
 use super::distances::{self, Distances};
 use super::method::{MethodArgs, agreement};
 use super::progress::Progress;
@@ -62,6 +62,9 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         file = moved.map_err(|reason| Error::Usage(format!("--center-distance: {reason}")))?;
     }
     let study = &file.study;
+    if args.snapshots {
+        studies::spur_only("simulate --snapshots", study)?;
+    }
     let unit = args
         .unit
         .of_table(study, args.results.format == Format::Text)?;
@@ -120,7 +123,9 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         (Format::Json | Format::Csv, None) => {}
     }
     if let Some(mut folder) = folder {
-        if let Some((run, assembly, pose)) = verdict.worst() {
+        if study.is_helical() {
+            tell("note: no picture of helical gears is drawn");
+        } else if let Some((run, assembly, pose)) = verdict.worst() {
             let picture = picture(study, assembly, run.material, &pose.swept);
             folder.add(WORST, &picture)?;
         }

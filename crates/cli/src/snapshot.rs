@@ -80,6 +80,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         AnyPair::Data(file) => *file,
         AnyPair::Outlines(file) => return of_outlines(args, *file),
     };
+    studies::spur_only("snapshot", &study)?;
     let title = study.title.clone();
     let given = args.output.clone();
     let given = given.map(|file| Target::prepare_beside(file, &sources));
@@ -292,7 +293,8 @@ fn assembly(args: &Args, study: &Study) -> Result<(Material, GearPair), Error> {
             "--material: the pair file has no such material".to_owned(),
         ));
     };
-    GearPair::with_locked(wheel.clone(), pinion.clone(), distance, study.locked)
+    study
+        .pair(wheel, pinion, distance)
         .map(|assembly| (*material, assembly))
         .map_err(|reason| Error::Usage(format!("--center-distance {distance}: {reason}")))
 }

@@ -2,6 +2,7 @@
 
 use super::entry::Entry;
 use super::gear::GearPart;
+use super::helix;
 use super::limits::{
     CENTER_DISTANCE, CENTER_DISTANCE_DEVIATION, CENTER_DISTANCE_TOLERANCE, CLEARANCE, EXPANSION,
     MOST_DISTANCES, TEMPERATURE,
@@ -23,6 +24,7 @@ pub const KEYS: &[&str] = &[
     "centre_distance_mm",
     "locked",
     "bearing_clearance_mm",
+    "face_offset_mm",
     "temperature_c",
     "housing_expansion_per_k",
 ];
@@ -44,6 +46,8 @@ pub struct AssemblyPart {
     pub distances: Option<Option<CenterDistanceSpec>>,
     pub locked: Option<Member>,
     pub bearings: Option<BearingClearanceSpec>,
+    /// mm; `Some(None)` when not given.
+    pub face_offset_mm: Option<Option<f64>>,
     /// °C; `Some(None)` when not given.
     pub temperature_c: Option<Option<f64>>,
     /// 1/K; `Some(None)` when not given.
@@ -83,6 +87,7 @@ impl AssemblyPart {
             },
             locked: table.choice_or_first("locked", &MEMBERS, problems),
             bearings: bearings(table, problems),
+            face_offset_mm: helix::offset(table, problems),
             temperature_c: table.optional_as("temperature_c", problems, |entry| {
                 entry.number(&TEMPERATURE)
             }),

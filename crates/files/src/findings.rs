@@ -126,7 +126,7 @@ pub fn describe(of: &Statements, finding: &Finding) -> String {
         } => format!(
             "{}: at reference diameter {} mm the allowances are {upper_um:.0} and {lower_um:.0} µm, {DIN_3967_SOURCE}",
             key("thickness.designation"),
-            shortest(*diameter_mm)
+            shortest((diameter_mm * 1e4).round() / 1e4)
         ),
         Finding::AllowanceThickens { um } => format!(
             "{}: {um} µm makes the teeth thicker than nominal, but an allowance for backlash makes them thinner: check its sign; if {} µm was \

@@ -3,6 +3,7 @@
 mod rack;
 
 use super::cross_check::CrossCheck;
+use super::helix::{self, Helix};
 use super::limits::{EXPANSION, MODULE, PRESSURE_ANGLE, PROFILE_SHIFT, TEETH, TIP_DIAMETER};
 use super::pitch::PitchSheet;
 use super::problems::Problems;
@@ -21,6 +22,10 @@ const KEYS: &[&str] = &[
     "teeth",
     "module_mm",
     "pressure_angle_deg",
+    "helix_angle_deg",
+    "hand",
+    "face_mm",
+    "face_width_mm",
     "profile_shift",
     "grade",
     "reference_face",
@@ -43,7 +48,9 @@ pub struct GearPart {
     pub module_mm: Option<f64>,
     /// `α`, degrees as written.
     pub pressure_angle_deg: Option<f64>,
-    /// All three of these.
+    /// How its teeth wind.
+    pub helix: Option<Helix>,
+    /// All of these.
     pub basic_data: Option<BasicGearData>,
     /// The gear, in one or both materials.
     pub as_built: Option<Toleranced<AsBuilt>>,
@@ -74,11 +81,15 @@ impl GearPart {
         );
         let module_mm = table.number("module_mm", &MODULE, problems);
         let pressure_angle_deg = table.number("pressure_angle_deg", &PRESSURE_ANGLE, problems);
+        let helix = Helix::read(&table, problems);
+        let basic_data = basic_data(&table, teeth, module_mm, pressure_angle_deg, problems);
+        let wound = basic_data.zip(helix);
         let mut part = GearPart {
             teeth,
             module_mm,
             pressure_angle_deg,
-            basic_data: basic_data(&table, teeth, module_mm, pressure_angle_deg, problems),
+            helix,
+            basic_data: wound.and_then(|(data, helix)| helix.of(data, &table, problems)),
             ..GearPart::default()
         };
         part.complete(&table, problems);
@@ -181,16 +192,20 @@ impl GearPart {
         cross_check?;
         self.tell(&statements, &gear.findings, header_warnings);
         self.notes = gear.notes;
+        self.beside_helix(&statements, gear.as_built.most(), problems)?;
         self.as_built = Some(gear.as_built);
 
         let design = &statements.design;
         let cross_check = statements.cross_check.as_ref();
         let runout = statements.runout.settled(gear.runout);
         let expansion_per_k = self.expansion_per_k?;
-        self.spec = Some(GearSpec {
+        let mut spec = GearSpec {
             teeth: self.teeth?,
             module_mm: self.module_mm?,
             pressure_angle_deg: self.pressure_angle_deg?,
+            helix_angle_deg: None,
+            hand: None,
+            face_mm: None,
             profile_shift: design.profile_shift,
             grade: grade?,
             reference_face: face.into(),
@@ -206,7 +221,50 @@ impl GearPart {
             runout: runout.spec(),
             pitch: statements.pitch.as_ref().map(PitchSheet::spec),
             profile: statements.profiles.spec(),
-        });
+        };
+        self.helix?.tell(&mut spec);
+        self.spec = Some(spec);
+        Some(())
+    }
+
+    /// What cannot stand beside a helix angle, and a face too short for the span.
+    fn beside_helix(
+        &mut self,
+        of: &Statements,
+        gear: &AsBuilt,
+        problems: &mut Problems,
+    ) -> Option<()> {
+        let helix = self.helix?;
+        if helix.angle_deg == 0.0 {
+            return Some(());
+        }
+        let any = of.runout.high_tooth.is_none() && of.runout.total_um > 0.0;
+        helix::refuse(
+            of.table,
+            &[
+                (
+                    "profile",
+                    gear.is_modified(),
+                    "between helical teeth whose profiles deviate the lost motion varies along the face, which is not worked out",
+                ),
+                (
+                    "runout.file",
+                    of.runout.sheet.is_some(),
+                    "runout readings of helical teeth are not worked out; state total_um and high_tooth",
+                ),
+                (
+                    "runout.high_tooth",
+                    any && of.runout.sheet.is_none(),
+                    "a runout of any direction is not worked out for helical teeth; state the high tooth in the measuring plane",
+                ),
+            ],
+            problems,
+        )?;
+        let span = of.thickness.spec().span.map(|span| span.teeth);
+        let name = of.table.path_of("face_mm");
+        let name = name.trim_end_matches(".face_mm").to_owned();
+        self.warnings
+            .extend(helix::short_for_span(&helix, &name, gear, span));
         Some(())
     }
 

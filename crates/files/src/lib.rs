@@ -35,6 +35,7 @@ mod gauged_file;
 mod gear;
 mod gear_file;
 mod gearbox_model;
+mod helix;
 pub mod import;
 mod limits;
 mod location;

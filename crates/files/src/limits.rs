@@ -22,6 +22,26 @@ const fn deviation(help: &'static str) -> Limits {
     }
 }
 
+/// A helix angle.
+pub const HELIX_ANGLE: Limits = Limits {
+    allowed: "a number of degrees, 0 … 60",
+    range: (Included(0.0), Included(60.0)),
+    help: "give the helix angle at the reference circle, in degrees: 0 is a spur gear; hand says which way it winds",
+};
+/// A face width.
+pub const FACE_WIDTH: Limits = length("give the length of the teeth along the axis, in mm");
+/// A place along the axis.
+pub const FACE_PLACE: Limits = Limits {
+    allowed: "a number of mm, −1e6 … 1e6",
+    range: (Included(-1e6), Included(1e6)),
+    help: "give both ends of the teeth, mm along the axis from the measuring plane",
+};
+/// How far two measuring planes lie apart.
+pub const FACE_OFFSET: Limits = Limits {
+    allowed: "a number of mm, −1e6 … 1e6",
+    range: (Included(-1e6), Included(1e6)),
+    help: "give how far the pinion's measuring plane lies beyond the wheel's, mm along the axis away from the viewer",
+};
 /// A temperature.
 pub const TEMPERATURE: Limits = Limits {
     allowed: "a number of °C, −200 … 400",

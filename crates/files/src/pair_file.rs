@@ -2,6 +2,7 @@
 
 use super::assembly::{self, AssemblyPart};
 use super::gear::GearPart;
+use super::helix;
 use super::limits::{MOST_DISTANCES, MOST_POSES, POSE_BYTES_CSV, POSE_BYTES_JSON};
 use super::measured::{self, Measured};
 use super::node::Node;
@@ -144,6 +145,36 @@ impl<'a> PairTables<'a> {
             remarks.push(format!("assembly.center_distance_mm: {meaning}"));
         }
         let assembly = self.assembly?;
+        let face_offset_mm = assembly.face_offset_mm?;
+        let gears = [&self.wheel, &self.pinion];
+        let face = helix::common_face(&self.table, gears, face_offset_mm, problems)?;
+        let helical = face[0] < face[1];
+        if helical {
+            let keys = [
+                (
+                    "assembly.temperature_c",
+                    assembly.temperature_c?.is_some(),
+                    "gears of unlike temperature have unlike base helix angles, which is not worked out",
+                ),
+                (
+                    "uncertainty",
+                    self.uncertainty.as_ref()?.is_some(),
+                    "its derivatives are not worked out for helical teeth",
+                ),
+                (
+                    "tolerance",
+                    self.tolerance.as_ref()?.is_some(),
+                    "populations of helical pairs are not worked out",
+                ),
+            ];
+            helix::refuse(&self.table, &keys, problems)?;
+            // Teeth are counted in the wheel's measuring plane.
+            if let Some(offset) = face_offset_mm {
+                for (_, _, pinion) in &mut materials {
+                    *pinion = pinion.section_at(-offset);
+                }
+            }
+        }
         let (locked, bearings) = (assembly.locked?, assembly.bearings?);
         let (measured, sweep, require) = (self.measured?, self.sweep?, self.require?);
         let uncertainty = self.uncertainty?;
@@ -167,6 +198,7 @@ impl<'a> PairTables<'a> {
                 center_distance_mm: stated,
                 locked: locked.into(),
                 bearing_clearance_mm: bearings,
+                face_offset_mm,
                 temperature_c: assembly.temperature_c?,
                 housing_expansion_per_k: assembly.housing_expansion_per_k?,
             },
@@ -186,6 +218,7 @@ impl<'a> PairTables<'a> {
             title,
             materials,
             locked,
+            face,
             center_distances,
             band,
             bearing_clearance: bearings.sum_mm(),

@@ -36,6 +36,9 @@ impl Gear {
             let which = names.join(", ");
             return Err(error(py, format!("which gear? the file has: {which}")));
         };
+        if gears[place].spec.is_helical() {
+            return Err(error(py, crate::pair::HELICAL));
+        }
         Ok(Gear {
             title: file.title,
             entry: gears.swap_remove(place),

@@ -17,7 +17,10 @@ pub struct Pair {
 impl Pair {
     fn of(py: Python<'_>, read: Result<PairFile, InputError>) -> PyResult<Pair> {
         let file = read.map_err(|error| input(py, &error))?;
-        Ok(Pair { file })
+        match file.study.is_helical() {
+            true => Err(error(py, HELICAL)),
+            false => Ok(Pair { file }),
+        }
     }
 
     pub fn study(&self) -> &Study {
@@ -43,7 +46,8 @@ impl Pair {
                 "the pair has no centre distance; give center_distance_mm",
             )
         })?;
-        GearPair::with_locked(wheel.clone(), pinion.clone(), distance, study.locked)
+        study
+            .pair(wheel, pinion, distance)
             .map(|assembly| (material, assembly))
             .map_err(|reason| error(py, format!("center_distance_mm = {distance}: {reason}")))
     }
@@ -88,6 +92,9 @@ pub fn mating([wheel, pinion]: [i64; 2], left: bool, fraction: f64) -> Mating {
         fraction,
     }
 }
+
+/// What is said of helical gears.
+pub const HELICAL: &str = "helical gears: the command's simulate, check and compare find their backlash, this package takes spur gears";
 
 #[pymethods]
 impl Pair {

@@ -132,9 +132,7 @@ fn from_tooth_1(study: &Study) -> (u32, u32) {
         fraction: 0.0,
     };
     let first = study.materials.first().zip(study.center_distances.first());
-    let assembly = first.and_then(|((_, wheel, pinion), a)| {
-        GearPair::with_locked(wheel.clone(), pinion.clone(), *a, study.locked).ok()
-    });
+    let assembly = first.and_then(|((_, wheel, pinion), a)| study.pair(wheel, pinion, *a).ok());
     let Some(assembly) = assembly else {
         return (wheel_tooth, pinion_tooth);
     };

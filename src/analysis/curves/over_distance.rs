@@ -70,7 +70,7 @@ pub fn over_distance(
     let mut plans = Vec::new();
     for &a in &distances {
         for (material, wheel, pinion) in &study.materials {
-            let assembly = GearPair::with_locked(wheel.clone(), pinion.clone(), a, study.locked)?;
+            let assembly = study.pair(wheel, pinion, a)?;
             plans.push(RunPlan {
                 material: *material,
                 matings: poses(&assembly, followed, !measured.is_empty())?,

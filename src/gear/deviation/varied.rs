@@ -41,6 +41,12 @@ impl AsBuilt {
         Ok(varied)
     }
 
+    /// The transverse section of this helical gear at `b`, mm along the axis from its measuring plane away from the viewer: see [`crate::pair::GearPair::section`].
+    #[must_use]
+    pub fn section_at(&self, b: f64) -> AsBuilt {
+        self.section(b * self.gear.basic_data().twist())
+    }
+
     /// The transverse section of this gear in which its teeth stand turned by `angle`, rad, counter-clockwise as seen from the front, with its teeth
     /// where they are in the measuring plane: the eccentricity, which does not wind about the axis, turned back by as much.
     pub(crate) fn section(&self, angle: f64) -> AsBuilt {

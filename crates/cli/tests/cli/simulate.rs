@@ -321,3 +321,72 @@ fn a_band_with_its_ends_swapped() {
         ));
     assert_eq!(files(folder.path()), ["band.toml"]);
 }
+
+/// Source: model 3, which asks pair by pair which stretch of the face it touches over, and polygons section by section; widths as
+/// [`a_wider_face_never_has_more_play`](../../../tests/exact/helical.rs) in the library.
+#[test]
+fn helical_gears_have_the_backlash_of_their_face() {
+    let folder = empty_folder();
+    let text = std::fs::read_to_string(
+        Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/files/helical.toml"),
+    );
+    let pitch = "runout = { total_um = 30, high_tooth = 4 }";
+    let list: Vec<String> = (0..27)
+        .map(|k| format!("{}", 4 * ((k * 7) % 5) - 8))
+        .collect();
+    let list = list.join(", ");
+    let with = format!(
+        "{pitch}\npitch = {{ kind = \"cumulative\", right_um = [{list}], left_um = [{list}] }}"
+    );
+    let text = text.unwrap().replace(pitch, &with);
+    let mut last = f64::INFINITY;
+    for width in [1, 12, 48] {
+        let text = text
+            .replace("face_width_mm = 50", &format!("face_width_mm = {width}"))
+            .replace("face_width_mm = 48", &format!("face_width_mm = {width}"));
+        std::fs::write(folder.path().join("pair.toml"), text).unwrap();
+        let (_, result) = simulated(folder.path(), &["pair.toml", "--method", "both"]);
+        let run = &result["runs"][0];
+        let (mut mean, mut compared) = (0.0, 0);
+        let poses = run["poses"].as_array().unwrap();
+        for pose in poses {
+            let found = pose["j_wt_um"].as_f64().unwrap();
+            let model = pose["analytic"]["line_of_action_um"].as_f64().unwrap();
+            // A tip that touches before its pair comes to the line of action leaves less room than the model has.
+            let on_line = ["right", "left"]
+                .iter()
+                .all(|side| pose[side]["class"] == "involute-involute");
+            let less = model - found;
+            assert!(less > -1e-6 && (less < 1e-6 || !on_line), "{found} {model}");
+            compared += u32::from(on_line);
+            let section = pose["right"]["section_mm"].as_f64().unwrap();
+            assert!(section.abs() <= 0.5 * f64::from(width));
+            mean += found / poses.len() as f64;
+        }
+        assert!(compared > 100, "{compared}");
+        assert!(mean < last - 0.1, "{width}: {mean} {last}");
+        last = mean;
+        let text = result["verdict"]["text"].as_str().unwrap();
+        assert!(text.contains("between helical teeth only sampled poses were looked at"));
+    }
+    let (_, _, told) = run(folder.path(), &["simulate", "pair.toml"]);
+    assert!(
+        told.contains("note: no picture of helical gears is drawn"),
+        "{told}"
+    );
+    for command in [
+        &["chart", "pair.toml", "--kind", "revolution"][..],
+        &["report", "pair.toml"],
+        &["snapshot", "pair.toml", "--worst"],
+        &["gauge", "pair.toml"],
+        &["outline", "pair.toml", "--gear", "wheel", "--format", "dxf"],
+        &["simulate", "pair.toml", "--snapshots"],
+    ] {
+        let (code, _, told) = run(folder.path(), command);
+        assert_eq!(code, Some(2));
+        assert!(
+            told.contains("takes spur gears; of helical gears"),
+            "{told}"
+        );
+    }
+}

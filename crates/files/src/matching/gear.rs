@@ -97,6 +97,7 @@ fn differences<'a>(
             ("teeth", f64::from(gear.teeth)),
             ("module_mm", gear.module_mm),
             ("pressure_angle_deg", gear.pressure_angle_deg),
+            ("helix_angle_deg", gear.helix_angle_deg.unwrap_or(0.0)),
         ]
     };
     let both = each(gear).into_iter().zip(each(own));

@@ -38,6 +38,16 @@ pub fn read_match(
     if let Some(problem) = warm(pair.spec.assembly.temperature_c) {
         return Err(vec![InputError::of(path, vec![problem])]);
     }
+    if pair.study.is_helical() {
+        let problem = Problem {
+            key: "wheel.helix_angle_deg".to_owned(),
+            ..Problem::of_file(
+                "helical gears are not matched: which go together is worked out for spur gears",
+                "give a spur pair",
+            )
+        };
+        return Err(vec![InputError::of(path, vec![problem])]);
+    }
     let (mut errors, mut bands) = (Vec::new(), Vec::new());
     let mut gears = |folder: &Path, member: Member| {
         let mut gears = Vec::new();

@@ -161,6 +161,14 @@ pub(crate) fn read(
         ));
         return None;
     }
+    if assembly.face_offset_mm?.is_some() {
+        problems.add(table.problem(
+            "assembly.face_offset_mm",
+            "an outline is of a spur gear: its face makes no difference",
+            "leave it out",
+        ));
+        return None;
+    }
     if assembly.temperature_c?.is_some() {
         problems.add(table.problem(
             "assembly.temperature_c",
@@ -216,6 +224,7 @@ pub(crate) fn read(
                 center_distance_mm: stated,
                 locked: locked.into(),
                 bearing_clearance_mm: bearings,
+                face_offset_mm: None,
                 temperature_c: None,
                 housing_expansion_per_k: None,
             },

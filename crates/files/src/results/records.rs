@@ -110,6 +110,9 @@ pub(super) struct ContactRecord {
     pub(super) wheel_radius_mm: f64,
     pub(super) pinion_radius_mm: f64,
     pub(super) point_mm: [f64; 2],
+    /// Of helical gears.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) section_mm: Option<f64>,
     pub(super) normal: [f64; 2],
     pub(super) class: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -217,6 +220,7 @@ pub(super) fn contact_record(assembly: &GearPair, side: Side, contact: &Contact)
         wheel_radius_mm: radius,
         pinion_radius_mm: contact.pinion.radius,
         point_mm: [contact.point.x, contact.point.y],
+        section_mm: assembly.is_helical().then_some(contact.section),
         normal: [contact.normal.x, contact.normal.y],
         class: class.kind.name(),
         tip_gear: class.tip.map(Member::name),

@@ -4,7 +4,8 @@ use super::rules::{at_most_one, beside, exactly_one, list_length, whole, within}
 use super::value::Either;
 use crate::limits::{
     CENTER_DISTANCE, CENTER_DISTANCE_DEVIATION, CENTER_DISTANCE_TOLERANCE, CHORD, CLEARANCE,
-    EXPANSION, FRACTION, MOST_DISTANCES, STEPS_PER_PITCH, TEMPERATURE, TOLERANCE, TOOTH,
+    EXPANSION, FACE_OFFSET, FRACTION, MOST_DISTANCES, STEPS_PER_PITCH, TEMPERATURE, TOLERANCE,
+    TOOTH,
 };
 use crate::numbers::{rounded, shortest};
 use gearlash::error::GearError;
@@ -29,6 +30,10 @@ pub struct AssemblySpec {
     /// Radial play of each gear on its axis, mm.
     #[schemars(with = "Option<Either<f64, BearingClearanceSpec>>", transform = within(&CLEARANCE))]
     pub bearing_clearance_mm: BearingClearanceSpec,
+    /// How far the pinion's measuring plane lies beyond the wheel's, mm along the axis away from the viewer; none: 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(transform = within(&FACE_OFFSET))]
+    pub face_offset_mm: Option<f64>,
     /// Temperature of gears and housing, °C; all lengths are stated at 20 °C, but for the play of the bearings.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = within(&TEMPERATURE))]

@@ -3,20 +3,22 @@
 use super::flanks::{PitchSpec, RunoutSpec};
 use super::profile::ProfileSpec;
 use super::require::RequireSpec;
-use super::rules::{whole, within};
+use super::rules::{at_most_one, whole, within};
 use super::thickness::ThicknessSpec;
 use super::tolerance::ToleranceSpec;
 use super::uncertainty::UncertaintySpec;
 use super::value::Either;
 use super::{AccuracySpec, AssemblySpec, CompareSpec, MeasuredSpec, OutlineGearSpec, SweepSpec};
 use crate::limits::{
-    EXPANSION, MODULE, PRESSURE_ANGLE, PROFILE_SHIFT, RACK_DEPTH, ROOT_RADIUS, TEETH, TIP_DIAMETER,
+    EXPANSION, FACE_WIDTH, HELIX_ANGLE, MODULE, PRESSURE_ANGLE, PROFILE_SHIFT, RACK_DEPTH,
+    ROOT_RADIUS, TEETH, TIP_DIAMETER,
 };
-use gearlash::gear::{BasicRack, Face, GRADES};
-use schemars::JsonSchema;
+use gearlash::gear::{BasicRack, Face, GRADES, Hand};
+use schemars::{JsonSchema, Schema, json_schema};
 use serde::Serialize;
+use serde_json::Value;
 
-/// Two spur gears, what was measured on them, how they are put together.
+/// Two cylindrical gears, what was measured on them, how they are put together.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(title = "gearlash pair file")]
 pub struct PairSpec {
@@ -55,7 +57,7 @@ pub struct PairSpec {
     pub tolerance: Option<ToleranceSpec>,
 }
 
-/// One spur gear and what was measured on it.
+/// One cylindrical gear and what was measured on it.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(title = "gearlash gear file")]
 pub struct GearFileSpec {
@@ -69,16 +71,27 @@ pub struct GearFileSpec {
 
 /// A gear: its drawing, and what was measured on it.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(transform = face_width)]
 pub struct GearSpec {
     /// Number of teeth z.
     #[schemars(transform = whole(TEETH))]
     pub teeth: u32,
-    /// Module m, mm.
+    /// Module m, mm: the normal module m_n of a helical gear.
     #[schemars(transform = within(&MODULE))]
     pub module_mm: f64,
-    /// Pressure angle α, degrees.
+    /// Pressure angle α, degrees: α_n in the normal section of a helical gear.
     #[schemars(transform = within(&PRESSURE_ANGLE))]
     pub pressure_angle_deg: f64,
+    /// Helix angle β at the reference circle, degrees; none: 0, a spur gear.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(transform = within(&HELIX_ANGLE))]
+    pub helix_angle_deg: Option<f64>,
+    /// Which way helical teeth wind.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hand: Option<HandName>,
+    /// Both ends of the teeth, mm along the axis from the plane in which tooth 1, pitch and runout are stated, growing away from the viewer.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub face_mm: Option<[f64; 2]>,
     /// Profile shift coefficient x.
     #[schemars(default, transform = within(&PROFILE_SHIFT))]
     pub profile_shift: f64,
@@ -125,6 +138,43 @@ impl GearSpec {
                 Some(&[from, to]) => Some([from / 2.0, to / 2.0]),
                 _ => None,
             })
+    }
+}
+
+impl GearSpec {
+    /// Whether its teeth wind about its axis.
+    pub fn is_helical(&self) -> bool {
+        self.helix_angle_deg.is_some()
+    }
+}
+
+/// `face_width_mm` is `face_mm` centred on the measuring plane.
+fn face_width(schema: &mut Schema) {
+    if let Some(Value::Object(properties)) = schema.get_mut("properties") {
+        let mut width = json_schema!({ "type": "number", "description": "Face width, mm, centred on the measuring plane: in place of face_mm." });
+        within(&FACE_WIDTH)(&mut width);
+        properties.insert("face_width_mm".to_owned(), width.into());
+    }
+    at_most_one(schema, &[&["face_mm"], &["face_width_mm"]]);
+}
+
+/// Which way helical teeth wind.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+#[schemars(inline)]
+pub enum HandName {
+    /// As on a left-hand screw.
+    Left,
+    /// As on a right-hand screw.
+    Right,
+}
+
+impl From<Hand> for HandName {
+    fn from(hand: Hand) -> HandName {
+        match hand {
+            Hand::Left => HandName::Left,
+            Hand::Right => HandName::Right,
+        }
     }
 }
 

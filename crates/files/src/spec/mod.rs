@@ -26,7 +26,7 @@ pub use assembly::{
 pub use flanks::{
     EccentricitySource, PitchAxis, PitchKind, PitchSense, PitchSpec, ReadingPlace, RunoutSpec,
 };
-pub use gear::{FaceName, GearFileSpec, GearSpec, PairSpec, RackSpec};
+pub use gear::{FaceName, GearFileSpec, GearSpec, HandName, PairSpec, RackSpec};
 pub use outline::{
     CentreName, CentreSpec, EitherGearSpec, OutlineGearSpec, OutlinePairSpec, OutlineSpec,
     PointsKind,

@@ -1,6 +1,7 @@
 //! Good pair files: what is read is what they say, in either format.
 
 mod deviations;
+mod helical;
 mod mutations;
 mod poses;
 mod published;

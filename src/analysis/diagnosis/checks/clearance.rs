@@ -1,6 +1,6 @@
 //! Radial clearance, and tips: what stands how near to what.
 
-use super::{Check, Here, Verdict};
+use super::{Check, Here, MEMBERS, Verdict};
 use crate::analysis::diagnosis::check::met;
 use crate::analysis::diagnosis::clearance::least_over;
 use crate::analytic::limits;
@@ -30,8 +30,16 @@ impl Here<'_> {
     ) -> Result<Check, Error> {
         let module = self.module();
         let analytic = limits::radial_clearance(self.assembly, member);
-        let found = least_over(self.assembly, member, pitches, tick)?;
-        let least = found.map_or(analytic, |found| found.distance.min(analytic));
+        // Along the face of helical gears the eccentricities stand in all directions to a tooth: taken for the worst.
+        let off = match self.assembly.is_helical() {
+            true => MEMBERS.map(|member| self.assembly.gear(member).eccentricity()),
+            false => [0.0; 2],
+        };
+        let found = match self.assembly.is_helical() {
+            true => None,
+            false => least_over(self.assembly, member, pitches, tick)?,
+        };
+        let least = found.map_or(analytic, |found| found.distance.min(analytic)) - off[0] - off[1];
         let limit = limits::LEAST_CLEARANCE * module;
         let verdict = if !met(least - limit) {
             Verdict::Fail
@@ -95,7 +103,9 @@ impl Here<'_> {
                 false => thinnest,
             },
         );
-        let measured = thinnest.map(|tooth| analytic + gear.tip_radius() * widening(tooth));
+        let leaning = limits::tip_helix_cos(gear);
+        let measured =
+            thinnest.map(|tooth| analytic + gear.tip_radius() * widening(tooth) * leaning);
         let least = measured.map_or(analytic, |measured| measured.min(analytic));
         let limit = LEAST_TIP * self.module();
         Check {

@@ -138,7 +138,9 @@ impl Here<'_> {
     pub(super) fn contact_ratio(&self) -> Check {
         let analytic = limits::contact_ratio(self.assembly);
         let measured = limits::usable_contact_ratio(self.assembly);
-        let least = analytic.min(measured);
+        // The total contact ratio ε_γ = ε_α + ε_β is what must not fall below 1.
+        let overlap = limits::overlap_ratio(self.assembly);
+        let least = analytic.min(measured) + overlap;
         let nominal = limits::nominal_zero_backlash_distance(self.assembly)
             .and_then(|a| self.assembly.at(a).ok())
             .map(|nominal| limits::contact_ratio(&nominal));
@@ -158,7 +160,11 @@ impl Here<'_> {
                 .into_iter()
                 .collect(),
             note: nominal.map_or(String::new(), |nominal| {
-                format!("{nominal:.4} at the nominal zero-backlash centre distance")
+                let overlap = match overlap > 0.0 {
+                    true => format!("; and overlap ratio {overlap:.4}"),
+                    false => String::new(),
+                };
+                format!("{nominal:.4} at the nominal zero-backlash centre distance{overlap}")
             }),
         }
     }

@@ -74,6 +74,8 @@ impl Extreme {
 pub enum Doubt {
     /// Fillets or roots may be touched, or a tooth is not an involute: nothing bounds the lost motion between poses.
     OffInvolute,
+    /// Teeth are helical: poses are sampled.
+    Helical,
     /// Too many stretches of the cycle come too near to each other: the bracket holds, and is wider than was wanted.
     Effort,
     /// Too many stretches of the cycle have no bound: no pair stays on the line of action all through them.
@@ -143,6 +145,10 @@ impl ExactKernel {
 
     fn sought(&self, course: &Course, width: f64, greatest_too: bool) -> Result<Extremes, Error> {
         let mut found = Found::default();
+        if course.assembly.is_helical() {
+            sample::sample(course, &mut found, !greatest_too)?;
+            return Ok(found.extremes(course, [(f64::NAN, Some(Doubt::Helical)); 2]));
+        }
         if course.assembly.is_modified() {
             sample::sample(course, &mut found, !greatest_too)?;
             let bounds = enclosed::bounds(course, width, greatest_too)?;

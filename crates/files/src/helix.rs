@@ -1,0 +1,197 @@
+//! Helix angle, hand and face of a gear, and the face two gears have in common.
+
+use super::gear::GearPart;
+use super::limits::{FACE_OFFSET, FACE_PLACE, FACE_WIDTH, HELIX_ANGLE};
+use super::problems::Problems;
+use super::spec::{GearSpec, HandName};
+use super::table::Table;
+use gearlash::gear::{AsBuilt, BasicGearData, Hand, thickness};
+
+const HANDS: [(&str, Hand); 2] = [("left", Hand::Left), ("right", Hand::Right)];
+
+/// How a gear's teeth wind, and over what length.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Helix {
+    /// `β`, degrees as written; 0 of a spur gear.
+    pub angle_deg: f64,
+    /// `None` where it is not stated, as of a spur gear.
+    pub hand: Option<Hand>,
+    /// Its ends, mm from its measuring plane; `None` where none is stated.
+    pub face_mm: Option<[f64; 2]>,
+}
+
+impl Helix {
+    /// Reads the keys of a gear.
+    pub fn read(table: &Table, problems: &mut Problems) -> Option<Helix> {
+        let angle_deg = table.number_or("helix_angle_deg", 0.0, &HELIX_ANGLE, problems);
+        let hand = table.optional_as("hand", problems, |entry| entry.choice(&HANDS));
+        let face_mm = face(table, problems);
+        let (angle_deg, hand, face_mm) = (angle_deg?, hand?, face_mm?);
+        if angle_deg > 0.0 {
+            let mut needed = |key: &str, expected: &str, help: &str| {
+                problems.add(table.problem(key, format!("missing, expected {expected}"), help));
+            };
+            if hand.is_none() {
+                needed(
+                    "hand",
+                    "\"left\" or \"right\" beside a helix angle above 0",
+                    "say which way the teeth wind: right as on a right-hand screw, whichever face is seen",
+                );
+            }
+            if face_mm.is_none() {
+                needed(
+                    "face_width_mm",
+                    "the face width, or face_mm = [from, to] from the measuring plane, beside a helix angle above 0",
+                    "give the length of the teeth along the axis: helical teeth touch over all of it",
+                );
+            }
+            if hand.is_none() || face_mm.is_none() {
+                return None;
+            }
+        }
+        Some(Helix {
+            angle_deg,
+            hand,
+            face_mm,
+        })
+    }
+
+    /// `data` with this helix.
+    pub fn of(
+        &self,
+        data: BasicGearData,
+        table: &Table,
+        problems: &mut Problems,
+    ) -> Option<BasicGearData> {
+        let wound = data.with_helix(
+            self.angle_deg.to_radians(),
+            self.hand.unwrap_or(Hand::Right),
+        );
+        let help = "correct the helix angle, degrees at the reference circle";
+        problems
+            .keep(wound.map_err(|error| table.problem("helix_angle_deg", error.to_string(), help)))
+    }
+
+    /// Puts it into the echo of a gear; of a spur gear what was written.
+    pub fn tell(&self, spec: &mut GearSpec) {
+        spec.helix_angle_deg = (self.angle_deg > 0.0).then_some(self.angle_deg);
+        spec.hand = self.hand.map(HandName::from);
+        spec.face_mm = self.face_mm;
+    }
+}
+
+/// `face_mm` or `face_width_mm`, which is centred on the measuring plane.
+fn face(table: &Table, problems: &mut Problems) -> Option<Option<[f64; 2]>> {
+    let width = table.optional_as("face_width_mm", problems, |entry| entry.number(&FACE_WIDTH))?;
+    let ends = match table.has("face_mm") {
+        true => Some(table.numbers("face_mm", &FACE_PLACE, problems)?),
+        false => None,
+    };
+    let mut wrong = |what: String, help: &str| {
+        problems.add(table.problem("face_mm", what, help));
+        None
+    };
+    match (ends.as_deref(), width) {
+        (Some(_), Some(_)) => wrong(
+            "given together with face_width_mm, the same in another way".to_owned(),
+            "remove one or the other",
+        ),
+        (Some(&[from, to]), None) if from < to => Some(Some([from, to])),
+        (Some(list), None) => wrong(
+            format!("{list:?}, allowed is [from, to] with from below to"),
+            "give both ends of the teeth, mm along the axis from the measuring plane, growing away from the viewer",
+        ),
+        (None, width) => Some(width.map(|width| [-0.5 * width, 0.5 * width])),
+    }
+}
+
+/// The common face of both gears, mm from the wheel's measuring plane, and how far off the pinion's lies; no length of spur gears.
+///
+/// `None` where something is wrong with it: gears that do not face each other, hands that do not mesh.
+pub fn common_face(
+    file: &Table,
+    [wheel, pinion]: [&GearPart; 2],
+    offset_mm: Option<f64>,
+    problems: &mut Problems,
+) -> Option<[f64; 2]> {
+    let [one, other] = [wheel.helix?, pinion.helix?];
+    if one.angle_deg != other.angle_deg {
+        problems.add(file.problem(
+            "pinion.helix_angle_deg",
+            format!(
+                "differs from wheel.helix_angle_deg = {:?}, must be equal on both gears",
+                one.angle_deg
+            ),
+            "correct one of them: gears of parallel axes have one helix angle at the reference circle",
+        ));
+        return None;
+    }
+    if one.angle_deg == 0.0 {
+        return Some([0.0; 2]);
+    }
+    if let Some(hand) = one.hand.filter(|_| one.hand == other.hand) {
+        problems.add(file.problem(
+            "pinion.hand",
+            format!(
+                "is \"{}\" as the wheel's: teeth of an external pair wind opposite ways",
+                hand.name()
+            ),
+            format!("write hand = \"{}\" at one of them", hand.mate().name()),
+        ));
+        return None;
+    }
+    let offset = offset_mm.unwrap_or(0.0);
+    let (wheel, pinion) = (one.face_mm?, other.face_mm?.map(|end| end + offset));
+    let common = [wheel[0].max(pinion[0]), wheel[1].min(pinion[1])];
+    if common[0] < common[1] {
+        return Some(common);
+    }
+    problems.add(file.problem(
+        "pinion.face_mm",
+        format!(
+            "the gears do not face each other: the wheel's teeth run from {:?} to {:?} mm, the pinion's from {:?} to {:?} mm",
+            wheel[0], wheel[1], pinion[0], pinion[1]
+        ),
+        "correct face_mm, face_width_mm or assembly.face_offset_mm, how far the pinion's measuring plane lies beyond the wheel's",
+    ));
+    None
+}
+
+/// Reports what is stated beside helical gears `of` a pair or of a gear file and not built for them.
+pub fn refuse(file: &Table, keys: &[(&str, bool, &str)], problems: &mut Problems) -> Option<()> {
+    let mut good = Some(());
+    for (key, stated, why) in keys {
+        if *stated {
+            problems.add(file.problem(
+                key,
+                format!("given beside a helix angle: {why}"),
+                "leave it out, or give a spur pair",
+            ));
+            good = None;
+        }
+    }
+    good
+}
+
+/// A warning where the face of a helical gear is too short for its span: `b ≥ W_k sin β_b + b_M cos β_b` with the
+/// contact width `b_M = 1.2 + 0.018 W_k` mm that shops leave.
+pub fn short_for_span(helix: &Helix, name: &str, gear: &AsBuilt, k: Option<u32>) -> Option<String> {
+    let [from, to] = helix.face_mm.filter(|_| helix.angle_deg > 0.0)?;
+    let (gear, k) = (gear.gear(), k?);
+    let span = thickness::span_from_base(gear.basic_data(), k, gear.base_thickness());
+    let (sin, cos) = gear.basic_data().base_helix_angle().sin_cos();
+    let needed = span * sin + (1.2 + 0.018 * span) * cos;
+    (to - from < needed).then(|| {
+        format!(
+            "{name}.face_mm: a span over {k} teeth needs a face of {needed:.2} mm, this one has {:.2} mm: both anvils may not rest on it",
+            to - from
+        )
+    })
+}
+
+/// Limits of `assembly.face_offset_mm`, read beside the other keys of the assembly.
+pub fn offset(table: &Table, problems: &mut Problems) -> Option<Option<f64>> {
+    table.optional_as("face_offset_mm", problems, |entry| {
+        entry.number(&FACE_OFFSET)
+    })
+}

@@ -5,7 +5,7 @@
 pub mod random_pair;
 
 #[path = "../common/cycle.rs"]
-mod cycle;
+pub mod cycle;
 
 use crate::design::design;
 use crate::wide::drawn::{Depth, Pair};

@@ -12,7 +12,7 @@ use std::f64::consts::TAU;
 use std::ops::Range;
 
 /// SplitMix64 (Steele, Lea, Flood 2014).
-struct Draws(u64);
+pub struct Draws(pub u64);
 
 impl Draws {
     fn within(&mut self, range: Range<f64>) -> f64 {
@@ -72,7 +72,12 @@ fn gear(
 }
 
 /// helical.md's pair: 27/51, m_n 4.5, β 21°, a 190 mm, −140 µm each; runout and pitch as given, µm.
-fn pair_of_the_prototype(runouts: [f64; 2], pitch_um: [f64; 2], hand: Hand, seed: u64) -> GearPair {
+pub fn pair_of_the_prototype(
+    runouts: [f64; 2],
+    pitch_um: [f64; 2],
+    hand: Hand,
+    seed: u64,
+) -> GearPair {
     let mut rng = Draws(seed);
     let mut one = |z, shift, hand, index: usize| {
         let data = BasicGearData::new(z, 4.5, 20f64.to_radians()).unwrap();
@@ -214,7 +219,7 @@ fn a_helix_angle_of_nearly_nothing_is_none() {
 }
 
 /// A pair drawn from beyond what anybody makes, its face, and poses of it; `None` where no such pair exists.
-fn drawn(rng: &mut Draws) -> Option<GearPair> {
+pub fn drawn(rng: &mut Draws) -> Option<GearPair> {
     let beta = f64::to_radians(rng.within(1.0..45.0));
     let alpha = f64::to_radians(rng.within(14.0..28.0));
     let module = 2.0;

@@ -10,6 +10,7 @@ mod drawn;
 mod extremes;
 mod hard;
 mod helical;
+mod helical_extremes;
 mod modified;
 mod outlines;
 mod perfect;

@@ -25,7 +25,7 @@ use crate::gear::Side;
 use crate::pair::{GearPair, Member, Pose};
 use edges::Edges;
 
-/// Shortest stretch of line contact, in base pitches, that sections are spaced by. Shorter ones are looked for pair by pair.
+/// Shortest stretch of line contact, in base pitches, that sections are spaced by. Of a pair whose path of contact is shorter, a stretch may lie between two sections (tuned).
 const SHORTEST: f64 = 0.125;
 
 /// Times the places of [`edges`] are looked for: each leaves the square of what the last one left.
@@ -74,6 +74,20 @@ impl Helical {
         self.sections.iter().map(|&(b, _)| b)
     }
 
+    /// The sections at both ends of the face, and where they are, mm.
+    pub fn ends(&self) -> [(f64, &Section); 2] {
+        self.assembly.face().map(|end| {
+            let mut at = self.sections.iter().filter(|(b, _)| *b == end);
+            let (b, section) = at.next().expect("both ends are among the sections");
+            (*b, section)
+        })
+    }
+
+    /// Whether every pair of teeth touches on the line of action over some length, wherever the eccentricities have the centres.
+    pub fn has_line_contact(&self) -> bool {
+        shortest_path(&self.assembly) > 0.0
+    }
+
     /// Both contacts of `pose`, as `method` finds them in each section.
     pub fn over(
         &self,
@@ -115,11 +129,19 @@ impl Helical {
     }
 }
 
-/// Least length along the axis, mm, over which a pair of teeth touches on the line of action at any rotation.
-///
-/// The path of contact between both tips, or from an involute's beginning where that comes first, is a least of functions linear in
-/// the base tangent `T`: concave, so least at the least or at the greatest distance of the displaced centres. It winds by `tan β_b` a mm.
+/// Least length along the axis, mm, over which a pair of teeth touches on the line of action at any rotation: the path of contact winds
+/// by `tan β_b` a mm.
 fn shortest_stretch(assembly: &GearPair) -> f64 {
+    let basic_data = assembly.gear(Member::Wheel).gear().basic_data();
+    let path = shortest_path(assembly).max(SHORTEST * basic_data.base_pitch());
+    path / (basic_data.base_radius() * basic_data.twist().abs())
+}
+
+/// Least length of the path of contact at any rotation, mm.
+///
+/// The path between both tips, or from an involute's beginning where that comes first, is a least of functions linear in
+/// the base tangent `T`: concave, so least at the least or at the greatest distance of the displaced centres.
+fn shortest_path(assembly: &GearPair) -> f64 {
     let gears = [Member::Wheel, Member::Pinion].map(|member| assembly.gear(member));
     let [one, other] = gears.map(|gear| {
         let gear = gear.gear();
@@ -132,7 +154,5 @@ fn shortest_stretch(assembly: &GearPair) -> f64 {
         let tangent = (distance * distance - sum * sum).max(0.0).sqrt();
         (tangent - other[0]).min(one[1]) - (tangent - other[1]).max(one[0])
     });
-    let basic_data = gears[0].gear().basic_data();
-    let path = path[0].min(path[1]).max(SHORTEST * basic_data.base_pitch());
-    path / (basic_data.base_radius() * basic_data.twist().abs())
+    path[0].min(path[1])
 }

@@ -367,7 +367,7 @@ fn helical_gears_have_the_backlash_of_their_face() {
         assert!(mean < last - 0.1, "{width}: {mean} {last}");
         last = mean;
         let text = result["verdict"]["text"].as_str().unwrap();
-        assert!(text.contains("between helical teeth only sampled poses were looked at"));
+        assert!(text.contains("every rotation, proven"), "{text}");
     }
     let (_, _, told) = run(folder.path(), &["simulate", "pair.toml"]);
     assert!(

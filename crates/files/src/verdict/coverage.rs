@@ -69,7 +69,6 @@ pub(crate) fn in_words(doubt: Doubt) -> &'static str {
         Doubt::OffInvolute => {
             "fillets or roots may be touched, so only sampled poses were looked at"
         }
-        Doubt::Helical => "between helical teeth only sampled poses were looked at",
         Doubt::Effort => "too many stretches of the cycle come too near to each other",
         Doubt::Unbounded => "too many stretches of the cycle have no bound",
         Doubt::SecondOrder => {

@@ -24,7 +24,7 @@ fn unknown_with_the_nearest_known_one() {
                 "75.0",
                 &[
                     "unknown key",
-                    "`center_distance_mm`, `centre_distance_mm`, `locked`, `bearing_clearance_mm`, `temperature_c` or `housing_expansion_per_k`",
+                    "`center_distance_mm`, `centre_distance_mm`, `locked`, `bearing_clearance_mm`, `face_offset_mm`, `temperature_c` or `housing_expansion_per_k`",
                 ],
                 "mean `center_distance_mm`",
             ),

@@ -2,7 +2,7 @@
 
 use super::super::ExactKernel;
 use super::super::flank_problem::{FlankProblem, PosedFlanks};
-use super::super::shape::turn;
+use super::super::section::Section;
 use super::super::teeth::reduced;
 use super::dip::{Dip, Tip};
 use crate::gear::Side;
@@ -31,6 +31,8 @@ pub(super) struct SideCourse<'a> {
     /// Eccentricities of the locked and the free gear.
     pub off: [f64; 2],
     pub dips: Vec<Dip>,
+    /// How much farther on the locked teeth stand in one section of the common face than in the measuring plane, rad: least and greatest.
+    pub turns: [f64; 2],
 }
 
 impl<'a> Course<'a> {
@@ -43,6 +45,9 @@ impl<'a> Course<'a> {
         let gears = [assembly.locked(), assembly.free()].map(|member| assembly.gear(member));
         let off = gears.map(|gear| gear.eccentricity());
         let onward = -gears[0].face().ascending();
+        let turns = assembly
+            .face()
+            .map(|end| assembly.twist(assembly.locked(), end));
         let side = |problem: &'a FlankProblem| {
             let mirror = match problem.side {
                 Side::Right => 1.0,
@@ -66,6 +71,10 @@ impl<'a> Course<'a> {
                 dips: dips
                     .filter_map(|(tip, deepest)| Dip::new(tip, shapes, deepest?, least))
                     .collect(),
+                turns: {
+                    let [one, other] = turns.map(|turn| mirror * turn);
+                    [one.min(other), one.max(other)]
+                },
             }
         };
         Course {
@@ -88,14 +97,40 @@ impl<'a> Course<'a> {
 
     /// Both sides where mating number `index` begins.
     pub fn posed(&self, index: u64) -> [Posed<'a>; 2] {
-        let mating = self.mating(index, 0.0);
-        let pose = Pose::new(self.assembly, mating);
-        let (locked, free) = (self.assembly.locked(), self.assembly.free());
-        let teeth = (mating.tooth(locked), mating.tooth(free));
-        let rotation = reduced(pose.locked_rotation());
-        let turned = turn(rotation);
-        self.sides.each_ref().map(|side| {
-            let flanks = side.problem.posed(&pose, teeth, rotation, turned);
+        let pose = Pose::new(self.assembly, self.mating(index, 0.0));
+        self.at(&self.kernel.section, &pose)
+    }
+
+    /// The same in the sections at both ends of the common face of helical gears; nothing of spur gears.
+    pub fn posed_at_ends(&self, index: u64) -> Vec<[FaceEnd<'a>; 2]> {
+        let Some(helical) = &self.kernel.helical else {
+            return Vec::new();
+        };
+        let pose = Pose::new(self.assembly, self.mating(index, 0.0));
+        let plane = self.at(&self.kernel.section, &pose);
+        let ends = helical.ends().map(|(b, section)| {
+            let posed = self.at(section, &pose.in_section(self.assembly, b));
+            let twist = self.assembly.twist(self.assembly.locked(), b);
+            [0, 1].map(|k| {
+                let turn = self.sides[k].mirror * twist;
+                let on = turn + plane[k].flanks.ahead - posed[k].flanks.ahead;
+                let steps = on * posed[k].flanks.problem.per_pitch;
+                FaceEnd {
+                    posed: posed[k],
+                    turn,
+                    steps: steps.round() as i64,
+                }
+            })
+        });
+        ends.into()
+    }
+
+    /// Both sides of a section at a pose of it.
+    fn at(&self, section: &'a Section, pose: &Pose) -> [Posed<'a>; 2] {
+        let sides = [&section.right, &section.left];
+        [0, 1].map(|k| {
+            let side = &self.sides[k];
+            let flanks = section.posed(sides[k], pose);
             let nominal = side.mirror * pose.free_rotation();
             Posed {
                 flanks,
@@ -109,6 +144,16 @@ impl<'a> Course<'a> {
     pub fn per_radian(&self) -> f64 {
         self.assembly.operating_pitch_radius(self.assembly.free())
     }
+}
+
+/// One side where a mating begins, in the section at an end of the face.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct FaceEnd<'a> {
+    pub posed: Posed<'a>,
+    /// How much farther on the locked teeth stand there than in the measuring plane, rad.
+    pub turn: f64,
+    /// How many steps a pair of teeth has more there.
+    pub steps: i64,
 }
 
 /// One side where a mating begins.

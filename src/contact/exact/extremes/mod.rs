@@ -14,7 +14,9 @@ mod course;
 mod dip;
 mod enclosed;
 mod fillet;
+mod over;
 mod rolls;
+mod room;
 mod sample;
 mod search;
 mod separation;
@@ -74,8 +76,6 @@ impl Extreme {
 pub enum Doubt {
     /// Fillets or roots may be touched, or a tooth is not an involute: nothing bounds the lost motion between poses.
     OffInvolute,
-    /// Teeth are helical: poses are sampled.
-    Helical,
     /// Too many stretches of the cycle come too near to each other: the bracket holds, and is wider than was wanted.
     Effort,
     /// Too many stretches of the cycle have no bound: no pair stays on the line of action all through them.
@@ -145,17 +145,18 @@ impl ExactKernel {
 
     fn sought(&self, course: &Course, width: f64, greatest_too: bool) -> Result<Extremes, Error> {
         let mut found = Found::default();
-        if course.assembly.is_helical() {
-            sample::sample(course, &mut found, !greatest_too)?;
-            return Ok(found.extremes(course, [(f64::NAN, Some(Doubt::Helical)); 2]));
-        }
         if course.assembly.is_modified() {
             sample::sample(course, &mut found, !greatest_too)?;
             let bounds = enclosed::bounds(course, width, greatest_too)?;
             return Ok(found.extremes(course, bounds));
         }
         // Without a solver flanks are no involutes, or base circles may overlap.
-        if self.section.blocked || self.section.bodies.is_some() || self.section.solver.is_none() {
+        let helical = self.helical.as_ref();
+        if self.section.blocked
+            || self.section.bodies.is_some()
+            || self.section.solver.is_none()
+            || helical.is_some_and(|helical| !helical.has_line_contact())
+        {
             sample::sample(course, &mut found, !greatest_too)?;
             return Ok(found.extremes(course, [UNKNOWN; 2]));
         }

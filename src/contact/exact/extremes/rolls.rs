@@ -74,13 +74,64 @@ impl<'a> Rolls<'a> {
         }
     }
 
+    /// Over the whole common face of helical gears: all sections are looked at, a part's width of turn together.
     pub fn of(&self, step: i64, part: usize) -> Part {
         let problem = self.side.problem;
-        let (locked, free) = (&problem.locked.shape, &problem.free.shape);
         let pitch = problem.locked.pitch;
         let width = pitch / PARTS as f64;
         let at = self.ahead + step as f64 * pitch + self.side.sense * (part as f64 + 0.5) * width;
         let play = 0.5 * width + self.places + self.turning;
+        let [from, to] = self.side.turns;
+        if from == to {
+            return Part {
+                covers: self.covers(at, play),
+                ..self.around(at + from, play)
+            };
+        }
+        let pieces = ((to - from) / width).ceil();
+        let half = 0.5 * (to - from) / pieces;
+        let each = (0..pieces as u64).map(|piece| {
+            let turned = from + (2 * piece + 1) as f64 * half;
+            self.around(at + turned, play + half)
+        });
+        let all = each.reduce(|one, other| Part {
+            beside: one.beside.min(other.beside),
+            dip: match (one.dip, other.dip) {
+                (Some(a), Some(b)) => Some([a[0].min(b[0]), a[1].min(b[1])]),
+                (a, b) => a.or(b),
+            },
+            covers: false,
+        });
+        Part {
+            covers: self.covers(at, play),
+            ..all.expect("at least one piece")
+        }
+    }
+
+    /// Whether a locked half tooth within `play` of the angle `at` in the measuring plane is on the line of action in one section of the face.
+    ///
+    /// A section turned on by `σ` has the locked roll less by `σ`, the free one more by `σ r_bL/r_bF`.
+    fn covers(&self, at: f64, play: f64) -> bool {
+        let problem = self.side.problem;
+        let (locked, free) = (&problem.locked.shape, &problem.free.shape);
+        let roll = self.line.angle - (at - locked.half_base);
+        let (low, high) = (roll - play, roll + play);
+        // The locked rolls at which the free one stands at its ends.
+        let at_free = |end: f64, length: f64| (length - free.base * end) / locked.base;
+        let (shortest, longest) = (
+            self.line.length - self.stretching,
+            self.line.length + self.stretching,
+        );
+        let most = at_free(free.form_roll, shortest).min(locked.tip_roll);
+        let least = at_free(free.tip_roll, longest).max(locked.form_roll);
+        let [from, to] = self.side.turns;
+        from.max(high - most) <= to.min(low - least)
+    }
+
+    /// A locked half tooth within `play` of the angle `at`, in its own section; whether it covers anything is not said.
+    fn around(&self, at: f64, play: f64) -> Part {
+        let problem = self.side.problem;
+        let locked = &problem.locked.shape;
         let roll = self.line.angle - (at - locked.half_base);
         let (low, high) = (roll - play, roll + play);
         let other = |roll: f64, length: f64| (length - locked.base * roll) * problem.per_free_base;
@@ -88,10 +139,6 @@ impl<'a> Rolls<'a> {
             other(high, self.line.length - self.stretching),
             other(low, self.line.length + self.stretching),
         );
-        let covers = low >= locked.form_roll
-            && high <= locked.tip_roll
-            && free_low >= free.form_roll
-            && free_high <= free.tip_roll;
         let rolls = [(low, high), (free_low, free_high)];
         let beside = self.beside(rolls);
         let dips = self.side.dips.iter();
@@ -103,7 +150,7 @@ impl<'a> Rolls<'a> {
         Part {
             beside,
             dip: dips.reduce(|a, b| [a[0].min(b[0]), a[1].min(b[1])]),
-            covers,
+            covers: false,
         }
     }
 

@@ -153,6 +153,11 @@ impl Separation {
         }
     }
 
+    /// Rolls of the locked and the free involute in the direction that keeps them apart.
+    pub fn rolls(&self) -> [f64; 2] {
+        self.rolls
+    }
+
     /// What involutes that end have less room than endless ones at most, between this pose and `other`, rad of the free gear; of endless ones
     /// nothing but the cube of what lies below the form roll counts.
     pub fn short(&self, other: &Separation, plays: [f64; 2], forms: [f64; 2]) -> f64 {

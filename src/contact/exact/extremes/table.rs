@@ -25,7 +25,8 @@ struct SideTable {
     /// Places of step 0 where the cycle begins; the locked one falls by `sense` with each mating.
     first: [i64; 2],
     sense: i64,
-    /// Steps that may be the tightest, and what they have beside the line of action at least: at all, and where a tip corner meets a fillet.
+    /// Steps that may be the tightest, and what they have beside the line of action at least: their involutes, and where a tip corner meets
+    /// a fillet.
     open: [Vec<(i64, f64, f64)>; PARTS],
     /// Those of them of which involutes and their ends decide, and those whose tip corners may dip into fillets.
     plain: [Vec<(i64, f64)>; PARTS],
@@ -64,6 +65,8 @@ pub(super) struct OpenStep {
     pub enough: f64,
     /// Whether a corner on a fillet may have less than that.
     pub dips: bool,
+    /// How much more its involutes and their ends have than that place at least, anywhere in the part and on the face.
+    pub beside: f64,
 }
 
 /// How far the outlines' centres are apart.
@@ -202,12 +205,14 @@ impl Table {
         let limit = covering.map(|step| table.off(places, *step));
         let limit = limit.fold(f64::INFINITY, f64::min) + self.slack;
         let open = table.open[part].iter();
-        open.filter_map(move |(step, more, dipping)| {
+        open.filter_map(move |(step, beside, dipping)| {
+            let more = beside.min(*dipping);
             let enough = limit - table.off(places, *step);
-            (*more <= enough).then_some(OpenStep {
+            (more <= enough).then_some(OpenStep {
                 step: *step,
                 enough,
                 dips: !(*dipping >= enough),
+                beside: *beside,
             })
         })
     }
@@ -283,7 +288,7 @@ impl SideTable {
             };
             let open = || found.iter().filter(|(_, part)| part.least() <= limit);
             table.open[part] = open()
-                .map(|(step, part)| (*step, part.least(), part.dipping()))
+                .map(|(step, part)| (*step, part.beside, part.dipping()))
                 .collect();
             for (step, found) in open() {
                 match found.least() < found.beside {
@@ -348,17 +353,22 @@ impl SideTable {
     }
 }
 
-/// Steps whose locked half tooth can reach the free gear somewhere in a pitch.
+/// Steps whose locked half tooth can reach the free gear somewhere in a pitch, and on the face.
 fn steps(side: &SideCourse, ahead: f64) -> Range<i64> {
     let problem = side.problem;
     let Some((low, high)) = problem.window() else {
         return 0..0;
     };
     let beyond = ahead + side.sense * problem.locked.pitch;
-    let (first, last) = (ahead.min(beyond), ahead.max(beyond));
-    let half = (problem.locked.count() - 1) / 2;
+    let [least, most] = side.turns;
+    let (first, last) = (ahead.min(beyond) + least, ahead.max(beyond) + most);
     let from = ((low - last) * problem.per_pitch).floor() as i64;
     let to = ((high - first) * problem.per_pitch).ceil() as i64;
+    // A wide helical face may have more steps than there are teeth.
+    if least < most {
+        return from..to + 1;
+    }
+    let half = (problem.locked.count() - 1) / 2;
     from.max(-half)..to.min(half + 1) + 1
 }
 

@@ -1,0 +1,232 @@
+//! What bounds the room of one side over a stretch of a mating: pair by pair of half teeth.
+
+use super::course::{FaceEnd, PARTS, Posed, SideCourse};
+use super::dip::{Dip, Lines};
+use super::fillet::{self, OnFillet, Reached};
+use super::room::PairRoom;
+use super::separation::{Separation, lowest_roll};
+use super::table::OpenStep;
+
+/// Angles of a locked half tooth and distances of the outlines' centres over a cell.
+struct Places {
+    at: f64,
+    play: f64,
+    distances: (f64, f64),
+}
+
+/// One side over a stretch of a mating.
+pub(super) struct Over<'a> {
+    /// Fractions of the pitch at which it begins and ends.
+    pub stretch: [f64; 2],
+    pub side: &'a SideCourse<'a>,
+    /// In the measuring plane, where the cell begins and where it ends.
+    pub ends: [Posed<'a>; 2],
+    /// In the sections at both ends of helical gears' common face, where the mating begins.
+    pub faces: Vec<FaceEnd<'a>>,
+}
+
+impl<'a> Over<'a> {
+    /// Share of a pitch.
+    fn width(&self) -> f64 {
+        self.stretch[1] - self.stretch[0]
+    }
+
+    /// Rolls change with the pitches, and a little with what the eccentricities do in this time.
+    fn plays(&self) -> [f64; 2] {
+        let problem = self.side.problem;
+        [problem.locked.pitch, problem.free.pitch].map(|pitch| 1.2 * pitch * self.width())
+    }
+
+    fn rounding(&self) -> f64 {
+        let problem = self.side.problem;
+        2.0 * problem.rounding(problem.free.shape.base, 1.0)
+    }
+
+    /// Angle of the locked gear over it, rad.
+    fn angle(&self) -> f64 {
+        self.side.problem.locked.pitch * self.width()
+    }
+
+    fn bend(&self, found: &[Separation; 2]) -> Option<f64> {
+        let [a, b] = found
+            .each_ref()
+            .map(|one| one.bend(self.plays(), self.side.off));
+        Some(a?.max(b?) * self.angle() * self.angle())
+    }
+
+    /// The room of a pair that has `found` at both ends of the cell, which stands there as `ends`.
+    fn convex(
+        &self,
+        ends: &[Posed; 2],
+        found: &[Separation; 2],
+        bend: f64,
+        touches: bool,
+    ) -> PairRoom {
+        let room = [0, 1].map(|k| ends[k].room(found[k].gap) - self.rounding());
+        let rates = [0, 1].map(|k| ends[k].rate(found[k].slope) * self.width());
+        PairRoom::convex(room, rates, bend, touches)
+    }
+
+    /// Adds what bounds the room of the pair at `step`: that of its involutes, and that of a corner and a fillet.
+    pub fn add(&self, step: OpenStep, rooms: &mut Vec<PairRoom>) {
+        match self.faces.is_empty() {
+            true => self.add_involutes(&self.ends, step.step, rooms),
+            false => self.add_over_face(step, rooms),
+        }
+        if step.dips {
+            self.add_dips(step, rooms);
+        }
+    }
+
+    /// Adds the room of the involutes of a section that stands as `ends`, and their ends.
+    fn add_involutes(&self, ends: &[Posed; 2], step: i64, rooms: &mut Vec<PairRoom>) {
+        let found = separations(ends, step, false);
+        if let Some(bend) = self.bend(&found) {
+            let touches = found.iter().all(|one| one.touches);
+            rooms.push(self.convex(ends, &found, bend, touches));
+            return;
+        }
+        // Endless involutes are never farther apart, but for what lies below the form rolls; they are all but straight.
+        let problem = self.side.problem;
+        let found = separations(ends, step, true);
+        let slack = self.bend(&found).unwrap_or(f64::INFINITY) / 8.0 + self.rounding();
+        let forms = [&problem.locked.shape, &problem.free.shape].map(lowest_roll);
+        let short = found[0].short(&found[1], self.plays(), forms);
+        rooms.push(PairRoom::straight(
+            [0, 1].map(|k| ends[k].room(found[k].gap) - (slack + short)),
+        ));
+    }
+
+    /// Adds the room of the involutes of helical gears over their whole common face.
+    ///
+    /// On the line of action it is the same in every section; beyond the stretch that is on it, it grows along the face (see
+    /// [`super::super::helical`]). So a pair that leaves the line has the room of one end of the face.
+    fn add_over_face(&self, OpenStep { step, beside, .. }: OpenStep, rooms: &mut Vec<PairRoom>) {
+        let found = separations(&self.ends, step, true);
+        let [a, b] = found.each_ref().map(|one| self.on_line(one));
+        let [least, most] = self.side.turns;
+        // As far as the sections may stand on, and back, for the stretch of either end of the cell to be met.
+        let play = self.plays()[0];
+        let off = a[0].min(b[0]) - play > most || a[1].max(b[1]) + play < least;
+        let on = [a, b]
+            .iter()
+            .all(|[from, to]| from.max(least) <= to.min(most));
+        if !off {
+            let bend = self.bend(&found).unwrap_or(f64::INFINITY);
+            let mut room = self.convex(&self.ends, &found, bend, on);
+            room.lower(-beside.min(0.0));
+            rooms.push(room);
+        }
+        if on {
+            return;
+        }
+        // Of both ends of the face the one nearer to the stretch is the tighter.
+        let middle = 0.25 * (a[0] + a[1] + b[0] + b[1]);
+        let far = |face: &&FaceEnd| (face.turn - middle).abs();
+        let nearest = self
+            .faces
+            .iter()
+            .min_by(|one, other| far(one).total_cmp(&far(other)));
+        if let Some(face) = nearest {
+            let ends = self.stretch.map(|at| face.posed.on(at));
+            self.add_involutes(&ends, step + face.steps, rooms);
+        }
+    }
+
+    /// How much farther on locked teeth stand in sections in which `endless` involutes touch where there are some, rad: from, to.
+    fn on_line(&self, endless: &Separation) -> [f64; 2] {
+        let problem = self.side.problem;
+        let (locked, free) = (&problem.locked.shape, &problem.free.shape);
+        let [roll, free_roll] = endless.rolls();
+        let ratio = free.base / locked.base;
+        [
+            (roll - locked.tip_roll).max(ratio * (free.form_roll - free_roll)),
+            (roll - locked.form_roll).min(ratio * (free.tip_roll - free_roll)),
+        ]
+    }
+
+    /// Adds the room of a tip corner and a fillet.
+    fn add_dips(&self, OpenStep { step, enough, .. }: OpenStep, rooms: &mut Vec<PairRoom>) {
+        let (side, ends) = (self.side, &self.ends);
+        let (problem, rounding) = (side.problem, self.rounding());
+        let places = self.places(step);
+        let lines = Lines::new(places.distances, problem.sum());
+        // Over a face the stretch of a part's length of turn that has the least.
+        let [from, to] = side.turns;
+        let pieces = ((to - from) / problem.locked.pitch * PARTS as f64)
+            .ceil()
+            .max(1.0);
+        let half = 0.5 * (to - from) / pieces;
+        let play = places.play + half;
+        let less = |clearance: f64| {
+            let found = separations(ends, step, true);
+            let slack = self.bend(&found).unwrap_or(f64::INFINITY) / 8.0 + rounding;
+            [0, 1].map(|k| ends[k].room(found[k].gap) - (slack - clearance))
+        };
+        for dip in &side.dips {
+            let turned = (0..pieces as u64).map(|piece| from + (2 * piece + 1) as f64 * half);
+            let near = turned.map(|turned| places.at + turned);
+            let near = near.filter(|at| dip.may_dip(*at, play));
+            let clearance = near.map(|at| match &lines {
+                Some(lines) => {
+                    let [a, b] = dip.clearance(at, play, lines, enough);
+                    a.min(b)
+                }
+                None => f64::NEG_INFINITY,
+            });
+            let clearance = clearance.fold(f64::INFINITY, f64::min);
+            if clearance >= enough {
+                continue;
+            }
+            match self.on_fillet(step, dip) {
+                Some(room) if self.faces.is_empty() => rooms.push(room),
+                _ => rooms.push(PairRoom::straight(less(clearance))),
+            }
+        }
+    }
+
+    /// The room of a tip corner and a fillet of a section alone.
+    fn on_fillet(&self, step: i64, dip: &Dip) -> Option<PairRoom> {
+        let (ends, rounding, angle) = (&self.ends, self.rounding(), self.angle());
+        let near = separations(ends, step, false).map(|found| found.gap);
+        let corners = ends.map(|end| OnFillet::new(end.flanks, step, dip.tip));
+        let bounds = fillet::bounds(corners, near, angle, dip.deepest)?;
+        let bend = bounds.bend * angle * angle;
+        let room = |found: [Reached; 2]| [0, 1].map(|k| ends[k].room(found[k].gap));
+        let rates = [0, 1].map(|k| ends[k].rate(bounds.clear[k].slope) * self.width());
+        let clear = room(bounds.clear).map(|room| room - rounding);
+        let clear = PairRoom::convex(clear, rates, bend, false);
+        let chord = bounds.inside.map(|inside| {
+            let [a, b] = room(inside);
+            (a + bend / 8.0 + rounding, b - a)
+        });
+        Some(clear.within(chord))
+    }
+
+    /// Where the locked half tooth of a step stands, seen from the line of the outlines' centres.
+    fn places(&self, step: i64) -> Places {
+        let (side, ends) = (self.side, &self.ends);
+        let problem = side.problem;
+        let places = ends.map(|end| {
+            let (between, _) = end.flanks.between(end.nominal_gap());
+            let at = end.flanks.pair(step).locked_base + problem.locked.shape.half_base;
+            (at - between.arg(), between.norm())
+        });
+        // Between the ends, and as far as the free gear may stand from where `between` was taken: a hundredth of a radian.
+        let off = side.off[0] * problem.locked.pitch * self.width()
+            + side.off[1] * (problem.free.pitch * self.width() + 0.01);
+        Places {
+            at: 0.5 * (places[0].0 + places[1].0),
+            play: 0.5 * (places[0].0 - places[1].0).abs() + 2.0 * off / problem.distance,
+            distances: (
+                places[0].1.min(places[1].1) - off,
+                places[0].1.max(places[1].1) + off,
+            ),
+        }
+    }
+}
+
+/// What keeps the half teeth of a step apart, at both ends of a stretch.
+fn separations(ends: &[Posed; 2], step: i64, endless: bool) -> [Separation; 2] {
+    ends.map(|end| Separation::new(&end.flanks, step, end.nominal_gap(), endless))
+}

@@ -74,6 +74,11 @@ impl Helical {
         self.sections.iter().map(|&(b, _)| b)
     }
 
+    /// Looks nowhere between the sections: no tip comes to a fillet as tight as involutes are.
+    pub fn keep_to_involutes(&mut self) {
+        self.edges = None;
+    }
+
     /// The sections at both ends of the face, and where they are, mm.
     pub fn ends(&self) -> [(f64, &Section); 2] {
         self.assembly.face().map(|end| {

@@ -24,6 +24,7 @@ mod branch;
 mod candidate;
 mod corner;
 mod curves;
+mod deepest;
 mod direct;
 mod envelope;
 mod extremes;
@@ -81,7 +82,12 @@ impl ExactKernel {
         let helical = assembly
             .is_helical()
             .then(|| Box::new(Helical::new(assembly, &section)));
-        ExactKernel { section, helical }
+        let mut kernel = ExactKernel { section, helical };
+        if kernel.helical.is_some() && kernel.keeps_to_involutes(assembly) {
+            let helical = kernel.helical.as_mut();
+            helical.expect("of helical gears").keep_to_involutes();
+        }
+        kernel
     }
 
     /// Right- and left-flank contact at `pose`, a pose of the same assembly; of helical gears over their common face.

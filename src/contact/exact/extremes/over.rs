@@ -3,6 +3,7 @@
 use super::course::{FaceEnd, PARTS, Posed, SideCourse};
 use super::dip::{Dip, Lines};
 use super::fillet::{self, OnFillet, Reached};
+use super::rolls::PIECE;
 use super::room::PairRoom;
 use super::separation::{Separation, lowest_roll};
 use super::table::OpenStep;
@@ -151,11 +152,10 @@ impl<'a> Over<'a> {
         let (problem, rounding) = (side.problem, self.rounding());
         let places = self.places(step);
         let lines = Lines::new(places.distances, problem.sum());
-        // Over a face the stretch of a part's length of turn that has the least.
+        // Over a face the piece of turn that has the least.
         let [from, to] = side.turns;
-        let pieces = ((to - from) / problem.locked.pitch * PARTS as f64)
-            .ceil()
-            .max(1.0);
+        let pieces = (to - from) / problem.locked.pitch * PARTS as f64 / PIECE;
+        let pieces = pieces.ceil().max(1.0);
         let half = 0.5 * (to - from) / pieces;
         let play = places.play + half;
         let less = |clearance: f64| {

@@ -1,25 +1,16 @@
 //! Where along the face an edge may touch a fillet tightest.
 //!
-//! Along `b` the teeth roll on circles about both centres of a section, whose common point `P`, the pitch point, stands still. A gap between an
-//! edge and a smooth curve is stationary in `b` where the curve's normal passes through `P`. On a fillet the normal at `γ` passes through
-//! a point of the generating pitch circle, `r sin γ` from the gear's centre; through `P`, `r_w` from it, it runs at
-//! `ω = asin(r sin γ/r_w)` from the line of centres, and the fillet's point stands `r cos γ − L − r_w cos ω` from `P` along it. That
-//! the edge's radius about its own centre leads there is one equation for `γ`, common to all teeth; the turn of the locked tooth, and
+//! Where an edge touches a fillet tightest ([`super::super::deepest`]) is common to all teeth; the turn of the locked tooth, and
 //! with it `b`, follows. Where two edges cross, the tightest may stand as well: both circles' intersection says where.
 //!
 //! These are places to look at: a section's own method finds what touches there.
 
+use crate::contact::exact::deepest::deepest;
 use crate::contact::exact::flank_problem::{FlankProblem, PosedFlanks};
 use crate::contact::exact::shape::{C, Shape};
 use crate::contact::exact::teeth::reduced;
 use crate::pair::{GearPair, Member};
 use std::f64::consts::PI;
-
-/// Stretches of a fillet in which a change of sign is looked for: a fillet's equation has one root, or none, but for hanging-over ones.
-const STRETCHES: u32 = 24;
-
-/// Bisections of a root: to the last bit.
-const HALVINGS: u32 = 52;
 
 /// Of which gear a fillet may be touched.
 #[derive(Debug, Clone, Copy)]
@@ -62,12 +53,12 @@ impl Edges {
         }
         let turning = Turning::locked(assembly, posed);
         let mut take = |direction: f64| turning.places(direction, &mut places);
+        let between = c_f - c_l;
+        let distance = between.norm();
         for &(_, edge) in free.corners() {
             if self.on_locked {
-                for (gamma, lean, _) in
-                    touches(locked, (c_l, c_f), locked.base, free.base, edge.norm())
-                {
-                    take((c_f - c_l).arg() - lean + gamma - locked.fillet.pitch_angle(gamma));
+                for touch in deepest(locked, distance, free.base, edge.norm()) {
+                    take(between.arg() + touch.tooth);
                 }
             }
             for &(_, other) in locked.corners() {
@@ -78,7 +69,8 @@ impl Edges {
         }
         if self.on_free {
             for &(_, edge) in locked.corners() {
-                for (.., point) in touches(free, (c_f, c_l), free.base, locked.base, edge.norm()) {
+                for touch in deepest(free, distance, locked.base, edge.norm()) {
+                    let point = c_f - touch.point * between / distance;
                     take((point - c_l).arg() - edge.arg());
                 }
             }
@@ -143,49 +135,6 @@ impl<'a> Turning<'a> {
             }
         }
     }
-}
-
-/// Where an edge `reach` from the second centre touches the fillet of a gear on the first one, normal through the pitch point: `γ`, the normal's
-/// lean `ω` from the line of centres, and the point.
-fn touches(
-    shape: &Shape,
-    (own, mate): (C, C),
-    own_base: f64,
-    mate_base: f64,
-    reach: f64,
-) -> impl Iterator<Item = (f64, f64, C)> {
-    let between = mate - own;
-    let distance = between.norm();
-    let pitch_point = distance * own_base / (own_base + mate_base);
-    let fillet = shape.fillet;
-    let r = shape.pitch_radius;
-    // The point from the own centre, the line of centres along +x.
-    let at = move |gamma: f64| -> Option<(f64, C)> {
-        let (sin, cos) = gamma.sin_cos();
-        let lean = (r * sin / pitch_point).asin();
-        let along = r * cos - fillet.reach(gamma) - pitch_point * lean.cos();
-        (!lean.is_nan()).then(|| (lean, C::from(pitch_point) + C::from_polar(along, -lean)))
-    };
-    let excess = move |gamma: f64| at(gamma).map(|(_, point)| (point - distance).norm() - reach);
-    let end = shape.fillet_end;
-    let gamma = move |k: u32| end * f64::from(k) / f64::from(STRETCHES);
-    (0..STRETCHES).filter_map(move |k| {
-        let (mut low, mut high) = (gamma(k), gamma(k + 1));
-        let (first, last) = (excess(low)?, excess(high)?);
-        if (first < 0.0) == (last < 0.0) {
-            return None;
-        }
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (low + high);
-            match (excess(middle)? < 0.0) == (first < 0.0) {
-                true => low = middle,
-                false => high = middle,
-            }
-        }
-        let gamma = 0.5 * (low + high);
-        let (lean, point) = at(gamma)?;
-        Some((gamma, lean, own + point * between / distance))
-    })
 }
 
 /// Both intersections of two circles.

@@ -1,0 +1,67 @@
+//! Where along the face an edge touches its mate's fillet tightest, in one section after the other of helical gears.
+//!
+//! Along the axis the teeth roll on circles about both centres of a section, whose common point `P`, the pitch point, stands still. A gap
+//! between an edge and a smooth curve is stationary there where the curve's normal passes through `P`. On a fillet the normal at `γ` passes
+//! through a point of the generating pitch circle, `r sin γ` from the gear's centre; through `P`, `r_w` from it, it runs at
+//! `ω = asin(r sin γ/r_w)` from the line of centres, and the fillet's point stands `r cos γ − L − r_w cos ω` from `P` along it. That
+//! the edge's radius about its own centre leads there is one equation for `γ`, common to all teeth.
+
+use super::shape::{C, Shape};
+
+/// Stretches of a fillet in which a change of sign is looked for: a fillet's equation has one root, or none, but for hanging-over ones.
+const STRETCHES: u32 = 24;
+
+/// Bisections of a root: to the last bit.
+const HALVINGS: u32 = 52;
+
+/// A touch, with the fillet's centre at 0 and the edge's centre on +x.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct DeepestTouch {
+    /// Direction of the fillet's tooth, rad.
+    pub tooth: f64,
+    pub point: C,
+    /// `ω`: the normal's lean from the line of centres, rad.
+    pub lean: f64,
+}
+
+/// Where an edge that stands `reach` from its own centre, `distance` away, touches the fillet of `shape`; `mate_base` is its base radius.
+pub(super) fn deepest(
+    shape: &Shape,
+    distance: f64,
+    mate_base: f64,
+    reach: f64,
+) -> impl Iterator<Item = DeepestTouch> {
+    let pitch_point = distance * shape.base / (shape.base + mate_base);
+    let fillet = shape.fillet;
+    let r = shape.pitch_radius;
+    let at = move |gamma: f64| -> Option<(f64, C)> {
+        let (sin, cos) = gamma.sin_cos();
+        let lean = (r * sin / pitch_point).asin();
+        let along = r * cos - fillet.reach(gamma) - pitch_point * lean.cos();
+        (!lean.is_nan()).then(|| (lean, C::from(pitch_point) + C::from_polar(along, -lean)))
+    };
+    let excess = move |gamma: f64| at(gamma).map(|(_, point)| (point - distance).norm() - reach);
+    let end = shape.fillet_end;
+    let gamma = move |k: u32| end * f64::from(k) / f64::from(STRETCHES);
+    (0..STRETCHES).filter_map(move |k| {
+        let (mut low, mut high) = (gamma(k), gamma(k + 1));
+        let (first, last) = (excess(low)?, excess(high)?);
+        if (first < 0.0) == (last < 0.0) {
+            return None;
+        }
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            match (excess(middle)? < 0.0) == (first < 0.0) {
+                true => low = middle,
+                false => high = middle,
+            }
+        }
+        let gamma = 0.5 * (low + high);
+        let (lean, point) = at(gamma)?;
+        Some(DeepestTouch {
+            tooth: gamma - lean - fillet.pitch_angle(gamma),
+            point,
+            lean,
+        })
+    })
+}

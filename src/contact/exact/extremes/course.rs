@@ -89,6 +89,17 @@ impl<'a> Course<'a> {
         }
     }
 
+    /// Whether one mating is as any other: all teeth are alike, and run true.
+    pub fn repeats(&self) -> bool {
+        self.sides.iter().all(|side| {
+            let teeth = [&side.problem.locked, &side.problem.free];
+            let alike = teeth
+                .iter()
+                .all(|teeth| teeth.extremes.0 == teeth.extremes.1);
+            alike && side.off == [0.0; 2]
+        })
+    }
+
     /// The mating `fraction` of a pitch beyond mating number `index`.
     pub fn mating(&self, index: u64, fraction: f64) -> Mating {
         let onward = self.first.onward(self.assembly, index as f64);

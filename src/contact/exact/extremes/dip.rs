@@ -151,7 +151,7 @@ impl Dip {
     }
 
     /// How `h/ρ` bends with the distance: the gap by cos² α/(d sin α r_bF) and sin² α/r_bF², times ρ.
-    fn bend(&self, distance: f64) -> f64 {
+    pub fn bend(&self, distance: f64) -> f64 {
         let sum = self.locked.base + self.free.base;
         let cos = sum / distance;
         let sin = (1.0 - cos * cos).max(0.0).sqrt();

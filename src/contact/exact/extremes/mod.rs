@@ -12,6 +12,7 @@
 mod cell;
 mod course;
 mod dip;
+mod dips_over_face;
 mod enclosed;
 mod fillet;
 mod over;

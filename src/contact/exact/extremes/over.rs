@@ -9,9 +9,9 @@ use super::separation::{Separation, lowest_roll};
 use super::table::OpenStep;
 
 /// Angles of a locked half tooth and distances of the outlines' centres over a cell.
-struct Places {
-    at: f64,
-    play: f64,
+pub(super) struct Places {
+    pub at: f64,
+    pub play: f64,
     distances: (f64, f64),
 }
 
@@ -28,17 +28,17 @@ pub(super) struct Over<'a> {
 
 impl<'a> Over<'a> {
     /// Share of a pitch.
-    fn width(&self) -> f64 {
+    pub fn width(&self) -> f64 {
         self.stretch[1] - self.stretch[0]
     }
 
     /// Rolls change with the pitches, and a little with what the eccentricities do in this time.
-    fn plays(&self) -> [f64; 2] {
+    pub fn plays(&self) -> [f64; 2] {
         let problem = self.side.problem;
         [problem.locked.pitch, problem.free.pitch].map(|pitch| 1.2 * pitch * self.width())
     }
 
-    fn rounding(&self) -> f64 {
+    pub fn rounding(&self) -> f64 {
         let problem = self.side.problem;
         2.0 * problem.rounding(problem.free.shape.base, 1.0)
     }
@@ -48,7 +48,7 @@ impl<'a> Over<'a> {
         self.side.problem.locked.pitch * self.width()
     }
 
-    fn bend(&self, found: &[Separation; 2]) -> Option<f64> {
+    pub fn bend(&self, found: &[Separation; 2]) -> Option<f64> {
         let [a, b] = found
             .each_ref()
             .map(|one| one.bend(self.plays(), self.side.off));
@@ -70,39 +70,65 @@ impl<'a> Over<'a> {
 
     /// Adds what bounds the room of the pair at `step`: that of its involutes, and that of a corner and a fillet.
     pub fn add(&self, step: OpenStep, rooms: &mut Vec<PairRoom>) {
-        match self.faces.is_empty() {
-            true => self.add_involutes(&self.ends, step.step, rooms),
-            false => self.add_over_face(step, rooms),
+        if !self.faces.is_empty() {
+            let found = self.add_over_face(step, rooms);
+            if step.dips {
+                self.add_dips(step, rooms, |dip, rooms| {
+                    self.add_dip_over_face(step, dip, &found, rooms)
+                });
+            }
+            return;
         }
+        let found = self.add_involutes(&self.ends, step.step, rooms);
         if step.dips {
-            self.add_dips(step, rooms);
+            let near = found.map(|found| found.gap);
+            self.add_dips(step, rooms, |dip, rooms| {
+                let room = self.on_fillet(&self.ends, step.step, dip, near);
+                rooms.extend(room);
+                room.is_some()
+            });
         }
     }
 
-    /// Adds the room of the involutes of a section that stands as `ends`, and their ends.
-    fn add_involutes(&self, ends: &[Posed; 2], step: i64, rooms: &mut Vec<PairRoom>) {
+    /// Adds the room of the involutes of a section that stands as `ends`, and their ends: what keeps them apart.
+    fn add_involutes(
+        &self,
+        ends: &[Posed; 2],
+        step: i64,
+        rooms: &mut Vec<PairRoom>,
+    ) -> [Separation; 2] {
         let found = separations(ends, step, false);
-        if let Some(bend) = self.bend(&found) {
-            let touches = found.iter().all(|one| one.touches);
-            rooms.push(self.convex(ends, &found, bend, touches));
-            return;
+        if let Some(room) = self.with_ends(ends, &found) {
+            rooms.push(room);
+            return found;
         }
         // Endless involutes are never farther apart, but for what lies below the form rolls; they are all but straight.
         let problem = self.side.problem;
-        let found = separations(ends, step, true);
-        let slack = self.bend(&found).unwrap_or(f64::INFINITY) / 8.0 + self.rounding();
+        let endless = separations(ends, step, true);
+        let slack = self.bend(&endless).unwrap_or(f64::INFINITY) / 8.0 + self.rounding();
         let forms = [&problem.locked.shape, &problem.free.shape].map(lowest_roll);
-        let short = found[0].short(&found[1], self.plays(), forms);
+        let short = endless[0].short(&endless[1], self.plays(), forms);
         rooms.push(PairRoom::straight(
-            [0, 1].map(|k| ends[k].room(found[k].gap) - (slack + short)),
+            [0, 1].map(|k| ends[k].room(endless[k].gap) - (slack + short)),
         ));
+        found
+    }
+
+    /// The room of involutes and their ends; `None` where nothing says how it bends.
+    fn with_ends(&self, ends: &[Posed; 2], found: &[Separation; 2]) -> Option<PairRoom> {
+        let touches = found.iter().all(|one| one.touches);
+        Some(self.convex(ends, found, self.bend(found)?, touches))
     }
 
     /// Adds the room of the involutes of helical gears over their whole common face.
     ///
     /// On the line of action it is the same in every section; beyond the stretch that is on it, it grows along the face (see
     /// [`super::super::helical`]). So a pair that leaves the line has the room of one end of the face.
-    fn add_over_face(&self, OpenStep { step, beside, .. }: OpenStep, rooms: &mut Vec<PairRoom>) {
+    fn add_over_face(
+        &self,
+        OpenStep { step, beside, .. }: OpenStep,
+        rooms: &mut Vec<PairRoom>,
+    ) -> [Separation; 2] {
         let found = separations(&self.ends, step, true);
         let [a, b] = found.each_ref().map(|one| self.on_line(one));
         let [least, most] = self.side.turns;
@@ -112,14 +138,15 @@ impl<'a> Over<'a> {
         let on = [a, b]
             .iter()
             .all(|[from, to]| from.max(least) <= to.min(most));
-        if !off {
+        let endless = {
             let bend = self.bend(&found).unwrap_or(f64::INFINITY);
             let mut room = self.convex(&self.ends, &found, bend, on);
             room.lower(-beside.min(0.0));
-            rooms.push(room);
-        }
+            room
+        };
         if on {
-            return;
+            rooms.push(endless);
+            return found;
         }
         // Of both ends of the face the one nearer to the stretch is the tighter.
         let middle = 0.25 * (a[0] + a[1] + b[0] + b[1]);
@@ -128,10 +155,16 @@ impl<'a> Over<'a> {
             .faces
             .iter()
             .min_by(|one, other| far(one).total_cmp(&far(other)));
-        if let Some(face) = nearest {
+        let at_end = nearest.and_then(|face| {
             let ends = self.stretch.map(|at| face.posed.on(at));
-            self.add_involutes(&ends, step + face.steps, rooms);
+            let found = separations(&ends, step + face.steps, false);
+            self.with_ends(&ends, &found)
+        });
+        if !off || at_end.is_none() {
+            rooms.push(endless);
         }
+        rooms.extend(at_end);
+        found
     }
 
     /// How much farther on locked teeth stand in sections in which `endless` involutes touch where there are some, rad: from, to.
@@ -146,11 +179,16 @@ impl<'a> Over<'a> {
         ]
     }
 
-    /// Adds the room of a tip corner and a fillet.
-    fn add_dips(&self, OpenStep { step, enough, .. }: OpenStep, rooms: &mut Vec<PairRoom>) {
+    /// Adds the room of tip corners and fillets that may come near, each by `near` where that can have it.
+    fn add_dips(
+        &self,
+        OpenStep { step, enough, .. }: OpenStep,
+        rooms: &mut Vec<PairRoom>,
+        near: impl Fn(&Dip, &mut Vec<PairRoom>) -> bool,
+    ) {
         let (side, ends) = (self.side, &self.ends);
         let (problem, rounding) = (side.problem, self.rounding());
-        let places = self.places(step);
+        let places = self.places(ends, step);
         let lines = Lines::new(places.distances, problem.sum());
         // Over a face the piece of turn that has the least.
         let [from, to] = side.turns;
@@ -165,9 +203,9 @@ impl<'a> Over<'a> {
         };
         for dip in &side.dips {
             let turned = (0..pieces as u64).map(|piece| from + (2 * piece + 1) as f64 * half);
-            let near = turned.map(|turned| places.at + turned);
-            let near = near.filter(|at| dip.may_dip(*at, play));
-            let clearance = near.map(|at| match &lines {
+            let there = turned.map(|turned| places.at + turned);
+            let there = there.filter(|at| dip.may_dip(*at, play));
+            let clearance = there.map(|at| match &lines {
                 Some(lines) => {
                     let [a, b] = dip.clearance(at, play, lines, enough);
                     a.min(b)
@@ -178,17 +216,26 @@ impl<'a> Over<'a> {
             if clearance >= enough {
                 continue;
             }
-            match self.on_fillet(step, dip) {
-                Some(room) if self.faces.is_empty() => rooms.push(room),
-                _ => rooms.push(PairRoom::straight(less(clearance))),
+            if !near(dip, rooms) {
+                rooms.push(PairRoom::straight(less(clearance)));
             }
         }
     }
 
-    /// The room of a tip corner and a fillet of a section alone.
-    fn on_fillet(&self, step: i64, dip: &Dip) -> Option<PairRoom> {
-        let (ends, rounding, angle) = (&self.ends, self.rounding(), self.angle());
-        let near = separations(ends, step, false).map(|found| found.gap);
+    /// About where the involutes of a section that stands as `ends` touch.
+    pub fn gaps(&self, ends: &[Posed; 2], step: i64) -> [f64; 2] {
+        separations(ends, step, false).map(|found| found.gap)
+    }
+
+    /// The room of a tip corner and a fillet of a section alone, which stands as `ends`, from about the gaps `near`.
+    pub fn on_fillet(
+        &self,
+        ends: &[Posed; 2],
+        step: i64,
+        dip: &Dip,
+        near: [f64; 2],
+    ) -> Option<PairRoom> {
+        let (rounding, angle) = (self.rounding(), self.angle());
         let corners = ends.map(|end| OnFillet::new(end.flanks, step, dip.tip));
         let bounds = fillet::bounds(corners, near, angle, dip.deepest)?;
         let bend = bounds.bend * angle * angle;
@@ -204,8 +251,8 @@ impl<'a> Over<'a> {
     }
 
     /// Where the locked half tooth of a step stands, seen from the line of the outlines' centres.
-    fn places(&self, step: i64) -> Places {
-        let (side, ends) = (self.side, &self.ends);
+    pub fn places(&self, ends: &[Posed; 2], step: i64) -> Places {
+        let side = self.side;
         let problem = side.problem;
         let places = ends.map(|end| {
             let (between, _) = end.flanks.between(end.nominal_gap());

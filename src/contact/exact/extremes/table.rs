@@ -54,6 +54,7 @@ pub(super) struct Table {
     slack: f64,
     /// Of each side, how far the outlines' centres are apart; `None` where no corner comes near a fillet.
     distances: Option<Distances>,
+    /// Those to look through.
     matings: u64,
 }
 
@@ -130,7 +131,10 @@ impl Table {
             distances,
             sides,
             slack,
-            matings: course.matings,
+            matings: match course.repeats() {
+                true => course.matings.min(1),
+                false => course.matings,
+            },
         }
     }
 

@@ -1,0 +1,182 @@
+//! The room of tip corners and fillets of helical gears over their common face and a stretch of a mating.
+//!
+//! Somewhere between the ends of the face a corner touches tightest where the fillet's normal passes through the pitch point
+//! ([`super::super::deepest`]). How much farther than to the involutes' touch the free gear turns to there, `G`, depends on the distance `d` of
+//! the centres alone, and
+//!
+//! ```text
+//! dG/dd = −sin α/r_bF + cot ω/r_wF,    r_wF = d r_bF/Σ,
+//! ```
+//!
+//! what the line of action's touch and that of a normal at `ω` from the line of centres change by. Else it touches tightest at an end
+//! of the face, which is a section as any.
+
+use super::super::deepest::deepest;
+use super::super::line::Line;
+use super::super::shape::{C, Shape};
+use super::super::teeth::reduced;
+use super::course::Posed;
+use super::dip::{Dip, Tip};
+use super::over::Over;
+use super::room::PairRoom;
+use super::separation::Separation;
+use super::table::OpenStep;
+
+/// Rounds in which the free gear's own eccentricity settles: each leaves a hundredth at most.
+const ROUNDS: usize = 6;
+
+/// The touch between the ends of the face, at one end of a stretch.
+#[derive(Debug, Clone, Copy)]
+struct Between {
+    /// How far on the locked half tooth stands there from where it does in the measuring plane, rad.
+    turn: f64,
+    /// The gap of touch.
+    gap: f64,
+    distance: f64,
+    /// `|dG/dd|` and a bound of what it changes by with `d`.
+    slope: f64,
+    bend: f64,
+}
+
+impl Over<'_> {
+    /// Adds the rooms of `dip` at `step`, whose endless involutes have `found` at both ends of the stretch; `false` where they cannot be had.
+    pub fn add_dip_over_face(
+        &self,
+        step: OpenStep,
+        dip: &Dip,
+        found: &[Separation; 2],
+        rooms: &mut Vec<PairRoom>,
+    ) -> bool {
+        let mut own = Vec::new();
+        for face in &self.faces {
+            let ends = self.stretch.map(|at| face.posed.on(at));
+            let there = step.step + face.steps;
+            let places = self.places(&ends, there);
+            if dip.may_dip(places.at, places.play) {
+                let near = self.gaps(&ends, there);
+                let Some(room) = self.on_fillet(&ends, there, dip, near) else {
+                    return false;
+                };
+                own.push(room);
+            }
+        }
+        let ends = [0, 1].map(|k| between(&self.ends[k], step.step, dip, found[k].gap));
+        match ends {
+            [Some(None), Some(None)] => {}
+            [Some(Some(a)), Some(Some(b))] => {
+                let [from, to] = self.side.turns;
+                let play = (a.turn - b.turn).abs() + self.plays()[0];
+                let (low, high) = (a.turn.min(b.turn), a.turn.max(b.turn));
+                if high + play >= from && low - play <= to {
+                    let slack = self.slack([a, b], found);
+                    let room = [(0, a), (1, b)].map(|(k, touch)| self.ends[k].room(touch.gap));
+                    let lower = PairRoom::straight(room.map(|room| room - slack));
+                    let all = low - play >= from && high + play <= to;
+                    let upper = (room[0] + slack, room[1] - room[0]);
+                    own.push(lower.within(all.then_some(upper)));
+                }
+            }
+            _ => return false,
+        }
+        rooms.append(&mut own);
+        true
+    }
+
+    /// What the room is off the straight line between both ends at most, rad.
+    fn slack(&self, touches: [Between; 2], found: &[Separation; 2]) -> f64 {
+        let [a, b] = touches;
+        let problem = self.side.problem;
+        let angles = [problem.locked.pitch, problem.free.pitch].map(|pitch| pitch * self.width());
+        // The distance runs along a sine of each eccentricity.
+        let bent: f64 = [0, 1]
+            .map(|k| self.side.off[k] * angles[k] * angles[k] / 8.0)
+            .iter()
+            .sum();
+        let moved = (a.distance - b.distance).abs() + bent;
+        let bend = a.bend.max(b.bend);
+        let slope = a.slope.max(b.slope) + bend * moved;
+        let involutes = self.bend(found).unwrap_or(f64::INFINITY) / 8.0;
+        involutes + bend * moved * moved / 8.0 + slope * bent + self.rounding()
+    }
+}
+
+/// The touch of `dip` at `step` where the centres of a pose have it, from the involutes' gap `near`, if there is any; `None` where that
+/// cannot be said, or there are several.
+fn between(posed: &Posed, step: i64, dip: &Dip, near: f64) -> Option<Option<Between>> {
+    let flanks = &posed.flanks;
+    let problem = flanks.problem;
+    let (locked, free) = (&problem.locked.shape, &problem.free.shape);
+    let (fillet, tip) = match dip.tip {
+        Tip::Free => (locked, free),
+        Tip::Locked => (free, locked),
+    };
+    // Without a tip round nothing bounds how the fillet bends.
+    if !(fillet.round > 0.0) {
+        return None;
+    }
+    let pair = flanks.pair(step);
+    let mut gap = near;
+    let mut last = None;
+    for _ in 0..ROUNDS {
+        let (centres, _) = flanks.between(gap);
+        let distance = centres.norm();
+        let line = Line::new(centres, problem.sum())?;
+        let on_line = (problem.sum() * line.angle - line.length - locked.base * pair.locked_base)
+            * problem.per_free_base
+            - pair.free_base;
+        let Some((at, farther, lean)) = touch((locked, free), (fillet, tip), dip.tip, distance)?
+        else {
+            return Some(None);
+        };
+        let settled = gap == on_line - farther;
+        gap = on_line - farther;
+        let alpha = (problem.sum() / distance).acos();
+        let arm = distance * free.base / problem.sum() * lean.sin();
+        let slope = -alpha.sin() * problem.per_free_base + lean.cos() / arm;
+        // In the measuring plane it stands at `λ − arg B`.
+        let here = pair.locked_base + locked.half_base - centres.arg();
+        last = Some(Between {
+            turn: reduced(at - here),
+            gap,
+            distance,
+            slope: slope.abs(),
+            // The fillet bends by its radius of curvature, which is half of the tip round at least at any helix angle taken; four times that.
+            bend: 8.0 / (fillet.round * arm.abs()) + dip.bend(distance),
+        });
+        if settled {
+            break;
+        }
+    }
+    Some(last)
+}
+
+/// Of undisturbed teeth `distance` apart, where they touch so: the angle of the locked half tooth, how much farther the free gear turns, and the
+/// normal's lean. `None` where they do at several places.
+fn touch(
+    (locked, free): (&Shape, &Shape),
+    (fillet, tip): (&Shape, &Shape),
+    whose: Tip,
+    distance: f64,
+) -> Option<Option<(f64, f64, f64)>> {
+    let corner = tip.corners()[0].1;
+    let mut found = deepest(fillet, distance, tip.base, corner.norm());
+    let Some(touch) = found.next() else {
+        return Some(None);
+    };
+    if found.next().is_some() {
+        return None;
+    }
+    // The fillet's centre at 0, the edge's on +x: turned by half a turn where the fillet is the locked gear's.
+    let edge = (touch.point - C::from(distance)).arg() - corner.arg();
+    let (at, gap) = match whose {
+        Tip::Free => (touch.tooth, edge + std::f64::consts::PI),
+        Tip::Locked => (edge + std::f64::consts::PI, touch.tooth),
+    };
+    let at = reduced(at);
+    let sum = locked.base + free.base;
+    let line = Line::new(C::from(distance), sum)?;
+    let on_line = (sum * line.angle - line.length - locked.base * (at - locked.half_base))
+        / free.base
+        + free.half_base;
+    Some(Some((at, reduced(on_line - gap), touch.lean)))
+}

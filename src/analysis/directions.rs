@@ -1,7 +1,8 @@
 //! Extremes of a pair with a runout of which no direction is stated: over all of them, proven.
 //!
 //! What two outlines do depends on where their centres stand (the axis, of a gear whose direction is known). Let these be `d` apart, and the
-//! line through them turned by `ψ`: turned back, it is a pose of the same outlines a little on in the cycle. So over a whole cycle and all
+//! line through them turned by `ψ`: turned back, it is a pose of the same outlines a little on in the cycle. (Of helical gears all sections at
+//! once: the centres of each stand alike.) So over a whole cycle and all
 //! directions nothing but `d` counts, and the room on either side grows with it, as the mate moves away from what it touches. The least
 //! backlash is that of gears whose high teeth face the mate at every pose, the greatest that of gears which turn them away: like gears
 //! without this eccentricity at the centre distance `a' = a ∓ Σ e` ([`ExactKernel::extremes`]), but that the free one turns about its axis,
@@ -300,6 +301,6 @@ impl<'a> End<'a> {
             assembly.center_distance(),
             assembly.locked(),
         )?;
-        Ok((pair, mating))
+        Ok((pair.with_face(assembly.face())?, mating))
     }
 }

@@ -1,11 +1,11 @@
 //! How far the least and the greatest backlash may lie off for what the measurements may be off.
 //!
 //! Standard uncertainties of the inputs go through the derivatives of `j_wt` at the extreme's own pose and are summed as independent
-//! ones (JCGM 100, 5.1.2: the law of propagation of uncertainty). With `c = cos α`, `c_w = cos α_wt`:
+//! ones (JCGM 100, 5.1.2: the law of propagation of uncertainty). With `c = cos α_t`, `c_w = cos α_wt`:
 //!
 //! ```text
 //! base thickness of a gear, s_b:      ∂j_wt/∂s_b = −1/c_w            (j_bn falls by what a tooth is thicker at the base circle)
-//! a tooth's own thickness, at d:      −c/(2 c_w) for each flank that touches
+//! a tooth's own thickness, at d:      −c/(2 c_w cos β) for each flank that touches (it is of the normal section)
 //! a flank's pitch deviation, at d:    ±c/c_w for each of the four flanks that touch
 //! runout F_r = 2 e:                   ∂j_wt/∂e = −2 tan α_wt cos θ,  θ between the high tooth and the line of centres
 //! centre distance:                    ∂j_wt/∂a = 2 tan α_wt
@@ -15,15 +15,16 @@
 //! extreme moves to another pose is of second order while that pose lies apart by more than the uncertainty.
 
 use crate::contact::{Contact, PoseResult};
+use crate::gear::thickness;
 use crate::pair::{GearPair, Member};
 
 /// Standard uncertainties of what was measured.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Uncertainty {
-    /// Of the base thickness of all teeth of the wheel, and of the pinion, mm.
+    /// Of the transverse base thickness of all teeth of the wheel, and of the pinion, mm.
     pub base_thickness: [f64; 2],
-    /// Of each tooth's own thickness at the reference circle, mm.
+    /// Of each tooth's own thickness at the reference circle, in the normal section, mm.
     pub per_tooth: f64,
     /// Of each flank's pitch deviation at the reference circle, mm.
     pub pitch: f64,
@@ -43,14 +44,15 @@ impl Uncertainty {
         let angle = assembly.operating_pressure_angle();
         let per_base = 1.0 / angle.cos();
         let basic_data = assembly.gear(Member::Wheel).gear().basic_data();
-        let per_reference = basic_data.pressure_angle().cos() * per_base;
+        let per_reference = basic_data.transverse_pressure_angle().cos() * per_base;
+        let per_thickness = thickness::per_normal_thickness(basic_data) * per_base;
         let per_shift = 2.0 * angle.tan();
         let mut square = (per_shift * self.center_distance).powi(2);
         for (index, member) in [Member::Wheel, Member::Pinion].into_iter().enumerate() {
             let [right, left] = touching.map(|contact| tooth(&contact, member));
             let flanks: f64 = if right == left { 1.0 } else { 0.5f64.sqrt() };
             square += (per_base * self.base_thickness[index]).powi(2);
-            square += (per_reference * flanks * self.per_tooth).powi(2);
+            square += (per_thickness * flanks * self.per_tooth).powi(2);
             square += 2.0 * (per_reference * self.pitch).powi(2);
             let rotation = extreme.pose.rotation(assembly, member);
             let toward = assembly.gear(member).towards_mate(rotation);

@@ -2,7 +2,7 @@
 
 use super::*;
 use gearlash::contact::Doubt;
-use gearlash::gear::{Pitch, thickness};
+use gearlash::gear::{Hand, Pitch, thickness};
 use std::f64::consts::{PI, TAU};
 
 /// What a pair is drawn with.
@@ -12,12 +12,20 @@ struct Drawn {
     pitch: f64,
     open: [bool; 2],
     locked: Member,
+    /// Helix angle, degrees, and length of the face, mm.
+    helix: (f64, f64),
 }
 
 fn gear(random: &mut Random, face: Face, drawn: &Drawn, open: bool) -> AsBuilt {
     let module = 2.0;
     let teeth = random.within(17.0, 60.0) as u32;
+    let hand = if face == Face::Front {
+        Hand::Right
+    } else {
+        Hand::Left
+    };
     let data = BasicGearData::new(teeth, module, 20f64.to_radians()).unwrap();
+    let data = data.with_helix(drawn.helix.0.to_radians(), hand).unwrap();
     let design = GearDesign {
         profile_shift: random.within(0.0, 0.4),
         ..GearDesign::standard(data)
@@ -45,7 +53,10 @@ fn draw(random: &mut Random, drawn: &Drawn) -> GearPair {
     let pinion = gear(random, Face::Back, drawn, drawn.open[1]);
     let zero = gearlash::analytic::InvolutePair::new(wheel.gear(), pinion.gear());
     let distance = zero.center_distance(0.0).unwrap() + random.within(-0.02, 0.15);
-    GearPair::with_locked(wheel, pinion, distance, drawn.locked).unwrap()
+    let pair = GearPair::with_locked(wheel, pinion, distance, drawn.locked).unwrap();
+    // Off the measuring plane's middle, so that one end of the face is nearer.
+    let [from, to] = [-0.3, 0.7].map(|part| part * drawn.helix.1);
+    pair.with_face([from, to]).unwrap()
 }
 
 /// `pair` with each gear without a direction turned so that its high tooth lies at an angle from the line to its mate, at `mating`.
@@ -67,7 +78,9 @@ fn pointed(pair: &GearPair, mating: Mating, angles: [f64; 2]) -> GearPair {
         };
         gear.with_runout(gear.eccentricity(), tooth).unwrap()
     });
-    GearPair::with_locked(wheel, pinion, pair.center_distance(), pair.locked()).unwrap()
+    let pointed =
+        GearPair::with_locked(wheel, pinion, pair.center_distance(), pair.locked()).unwrap();
+    pointed.with_face(pair.face()).unwrap()
 }
 
 /// No pose in any direction lies beyond the bracket, and one attains it.
@@ -117,6 +130,7 @@ fn gears_off_their_axes_in_any_direction() {
             pitch: 0.0,
             open: [true, true],
             locked,
+            helix: (0.0, 0.0),
         };
         hold(&drawn, 5, 12, 1.1e-6);
     }
@@ -134,6 +148,7 @@ fn one_gear_off_its_axis_in_any_direction() {
             pitch: 0.0,
             open,
             locked,
+            helix: (0.0, 0.0),
         };
         hold(&drawn, 6, 8, 1.1e-6);
     }
@@ -146,8 +161,28 @@ fn pitch_and_runout_in_any_direction() {
         pitch: 0.008,
         open: [true, true],
         locked: Member::Wheel,
+        helix: (0.0, 0.0),
     };
     hold(&drawn, 7, 12, 1.1e-6);
+}
+
+/// Helical gears: the centres of all sections stand alike, whatever the teeth do along the face.
+#[test]
+fn helical_gears_off_their_axes_in_any_direction() {
+    for (pitch, open, locked) in [
+        (0.0, [true, true], Member::Wheel),
+        (0.0, [true, false], Member::Pinion),
+        (0.004, [true, true], Member::Pinion),
+        (0.004, [false, true], Member::Wheel),
+    ] {
+        let drawn = Drawn {
+            pitch,
+            open,
+            locked,
+            helix: (18.0, 30.0),
+        };
+        hold(&drawn, 8, 6, 1.1e-6);
+    }
 }
 
 /// The bound's derivation is for eccentricities below a quarter of the free gear's pitch radius; beyond it nothing is claimed.

@@ -238,7 +238,6 @@ impl GearPart {
         if helix.angle_deg == 0.0 {
             return Some(());
         }
-        let any = of.runout.high_tooth.is_none() && of.runout.total_um > 0.0;
         helix::refuse(
             of.table,
             &[
@@ -251,11 +250,6 @@ impl GearPart {
                     "runout.file",
                     of.runout.sheet.is_some(),
                     "runout readings of helical teeth are not worked out; state total_um and high_tooth",
-                ),
-                (
-                    "runout.high_tooth",
-                    any && of.runout.sheet.is_none(),
-                    "a runout of any direction is not worked out for helical teeth; state the high tooth in the measuring plane",
                 ),
             ],
             problems,

@@ -147,19 +147,14 @@ impl<'a> PairTables<'a> {
         let assembly = self.assembly?;
         let face_offset_mm = assembly.face_offset_mm?;
         let gears = [&self.wheel, &self.pinion];
-        let face = helix::common_face(&self.table, gears, face_offset_mm, problems)?;
+        let mut face = helix::common_face(&self.table, gears, face_offset_mm, problems)?;
         let helical = face[0] < face[1];
         if helical {
             let keys = [
                 (
                     "assembly.temperature_c",
-                    assembly.temperature_c?.is_some(),
-                    "gears of unlike temperature have unlike base helix angles, which is not worked out",
-                ),
-                (
-                    "uncertainty",
-                    self.uncertainty.as_ref()?.is_some(),
-                    "its derivatives are not worked out for helical teeth",
+                    temperature.is_some_and(|temperature| !temperature.is_even()),
+                    "gears that expand unlike have unlike leads, so that the backlash varies along the face, which is not worked out",
                 ),
                 (
                     "tolerance",
@@ -168,10 +163,12 @@ impl<'a> PairTables<'a> {
                 ),
             ];
             helix::refuse(&self.table, &keys, problems)?;
+            let factor = temperature.map_or(1.0, |temperature| temperature.of_wheel());
+            face = face.map(|end| end * factor);
             // Teeth are counted in the wheel's measuring plane.
             if let Some(offset) = face_offset_mm {
                 for (_, _, pinion) in &mut materials {
-                    *pinion = pinion.section_at(-offset);
+                    *pinion = pinion.section_at(-offset * factor);
                 }
             }
         }

@@ -84,6 +84,16 @@ impl Temperature {
         None
     }
 
+    /// Whether both gears expand alike.
+    pub fn is_even(&self) -> bool {
+        self.factors[0] == self.factors[1]
+    }
+
+    /// Lengths of the wheel, times so much.
+    pub fn of_wheel(&self) -> f64 {
+        self.factors[0]
+    }
+
     /// A centre distance of the warm housing, mm: digits beyond those of a file would be rounding.
     pub fn distance(&self, mm: f64) -> f64 {
         rounded(mm * self.factors[2], 12)

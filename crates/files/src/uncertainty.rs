@@ -55,13 +55,13 @@ impl UncertaintySpec {
         }
     }
 
-    /// Standard uncertainty of `s_b`, mm: a span is off by as much; pins by what a thicker tooth lifts them; an allowance is one at the
-    /// reference circle, `cos α` of which is left at the base circle.
+    /// Standard uncertainty of `s_bt`, mm: a span is off by as much (in the normal section: `cos β_b` of it); pins by what a thicker tooth lifts
+    /// them; an allowance is one at the reference circle in the normal section, `cos α_t/cos β` of which is left at the base circle.
     fn base_thickness(&self, spec: &ThicknessSpec, gear: &AsBuilt) -> f64 {
         let basic_data = gear.gear().basic_data();
         let stated = &spec.statement;
         let um = if stated.span.is_some() {
-            self.span_um
+            self.span_um / basic_data.base_helix_angle().cos()
         } else if let Some(pins) = &stated.over_pins {
             let base = gear.gear().base_thickness();
             // A thousandth of a module: small against the curve, large against rounding.
@@ -71,7 +71,7 @@ impl UncertaintySpec {
         } else if stated.base_thickness_mm.is_some() {
             self.allowance_um
         } else {
-            self.allowance_um * basic_data.pressure_angle().cos()
+            self.allowance_um * thickness::per_normal_thickness(basic_data)
         };
         um * 1e-3
     }

@@ -1,7 +1,9 @@
 //! Helical gears: what is read, and what is refused.
 
 use super::*;
+use gearlash::contact::ExactKernel;
 use gearlash::gear::Hand;
+use gearlash::pair::Pose;
 
 const HELICAL: &str = r#"
 [wheel]
@@ -84,6 +86,77 @@ fn an_offset_turns_the_runout_against_the_teeth() {
     );
 }
 
+/// A pair with runouts at 60 °C; coefficients of the wheel, the pinion and the housing.
+fn warm([wheel, pinion, housing]: [f64; 3]) -> String {
+    let of = |expansion: f64| format!("expansion_per_k = {expansion:e}");
+    HELICAL
+        .replace(
+            "face_width_mm = 30\n",
+            &format!("face_width_mm = 30\n{}\n", of(wheel)),
+        )
+        .replace(
+            "[-5, 40]\n",
+            &format!("[-5, 40]\nrunout = {{ total_um = 20, high_tooth = 3 }}\n{}\n", of(pinion)),
+        )
+        .replace(
+            "= 78\n",
+            &format!(
+                "= 78\nface_offset_mm = 4\ntemperature_c = 60\nhousing_expansion_per_k = {housing:e}\n"
+            ),
+        )
+}
+
+/// Where all parts expand alike, all lengths of the result do, those along the axis too.
+#[test]
+fn a_pair_that_expands_evenly_has_all_its_lengths_times_the_same() {
+    let backlash = |text: &str| {
+        let run = study(text).study.runs().unwrap().remove(0);
+        let kernel = ExactKernel::new(&run.assembly);
+        let radius = run.assembly.operating_pitch_radius(run.assembly.free());
+        let found: Vec<f64> = run
+            .matings
+            .iter()
+            .map(|mating| {
+                let pose = Pose::new(&run.assembly, *mating);
+                kernel.lost_motion(&pose).unwrap().angle().unwrap() * radius
+            })
+            .collect();
+        (run.assembly.face(), found)
+    };
+    let ((cold_face, cold), (warm_face, warm)) = (
+        backlash(&warm([0.0; 3])),
+        backlash(&warm([25e-6, 25e-6, 25e-6])),
+    );
+    assert_eq!(cold_face, [-1.0, 15.0]);
+    for k in [0, 1] {
+        assert!((warm_face[k] - 1.001 * cold_face[k]).abs() < 1e-12);
+    }
+    for (warm, cold) in warm.iter().zip(&cold) {
+        assert!((warm - 1.001 * cold).abs() < 1e-10, "{warm} {cold}");
+    }
+}
+
+/// A drawing's runout, of which no high tooth is stated, and uncertainties: read as those of a spur pair.
+#[test]
+fn runout_of_any_direction_and_uncertainties_are_read() {
+    let text = HELICAL
+        .replace(
+            "face_width_mm = 30",
+            "face_width_mm = 30\nrunout.total_um = 20\nthickness.allowance_um = -50",
+        )
+        .replace(
+            "= 78\n",
+            "= 78\n[uncertainty]\nallowance_um = 2\ncenter_distance_um = 3\n",
+        );
+    let study = study(&text).study;
+    assert!(study.materials[0].1.any_direction());
+    // `A_st = A_sn/cos β`, `cos α_t` of which is left at the base circle.
+    let transverse = (f64::to_radians(20.0).tan() / f64::to_radians(15.0).cos()).atan();
+    let expected = 2e-3 * transverse.cos() / f64::to_radians(15.0).cos();
+    let found = study.uncertainty.unwrap().base_thickness;
+    assert!((found[0] - expected).abs() < 1e-15, "{found:?}");
+}
+
 #[test]
 fn what_is_no_helical_pair_is_told() {
     for (from, to, expected) in [
@@ -129,16 +202,6 @@ fn what_is_no_helical_pair_is_told() {
             "allowed is a number of degrees, 0 … 60",
         ),
         (
-            "face_width_mm = 30",
-            "face_width_mm = 30\nrunout.total_um = 20",
-            "wheel.runout.high_tooth: given beside a helix angle",
-        ),
-        (
-            "= 78\n",
-            "= 78\n[uncertainty]\nspan_um = 2\n",
-            "uncertainty = { span_um = 2 }: given beside a helix angle",
-        ),
-        (
             "= 78\n",
             "= 78\n[tolerance]\ncenter_distance = { scatter = \"normal\", sigma_um = 5 }\n",
             "given beside a helix angle: populations of helical pairs",
@@ -148,20 +211,14 @@ fn what_is_no_helical_pair_is_told() {
         let told = refused(&HELICAL.replace(from, to));
         assert!(told.contains(expected), "{told}");
     }
-    let warm = HELICAL
-        .replace("= 3.0\n", "= 3.0\nexpansion_per_k = 12e-6\n")
-        .replace(
-            "= 78\n",
-            "= 78\ntemperature_c = 60\nhousing_expansion_per_k = 23e-6\n",
-        );
-    let told = refused(&warm);
+    let told = refused(&warm([12e-6, 13e-6, 23e-6]));
     assert!(
         told.contains("assembly.temperature_c = 60: given beside a helix angle"),
         "{told}"
     );
 }
 
-/// `b ≥ W_k sin β_b + b_M cos β_b`, as helical.md of shops has it: here with `sin β_b = sin 15° cos 20°`.
+/// `b ≥ W_k sin β_b + b_M cos β_b`, with the contact width `b_M = 1.2 + 0.018 W_k` that shops leave: here with `sin β_b = sin 15° cos 20°`.
 #[test]
 fn a_face_too_short_for_the_span_is_a_warning() {
     let with = |face: &str| {

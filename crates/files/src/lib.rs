@@ -74,6 +74,7 @@ mod thickness;
 pub mod tolerance;
 mod tolerance_table;
 mod uncertainty;
+mod unmodelled;
 pub mod verdict;
 
 use node::Node;

@@ -9,6 +9,7 @@ use super::nearest::{is_slip, nearest};
 use super::node::Node;
 use super::place::Place;
 use super::problems::Problems;
+use super::unmodelled;
 use crate::error::Problem;
 use std::ops::RangeInclusive;
 
@@ -47,7 +48,9 @@ impl<'a> Table<'a> {
                 unknown.count_one();
                 continue;
             }
+            let unmodelled = unmodelled::why(name);
             let help = match nearest(name, known) {
+                _ if unmodelled.is_some() => "remove it".to_owned(),
                 Some((nearest, distance)) if is_slip(name, distance) => {
                     table.mistyped.push(nearest);
                     format!("did you mean `{nearest}`? If not, remove it")
@@ -58,7 +61,10 @@ impl<'a> Table<'a> {
             unknown.add(Problem {
                 key: table.path_of(&printable(name)),
                 value: Some(node.shown()),
-                reason: format!("unknown key, expected {}", quoted(known, "`")),
+                reason: unmodelled.map_or_else(
+                    || format!("unknown key, expected {}", quoted(known, "`")),
+                    str::to_owned,
+                ),
                 help,
             });
         }

@@ -211,6 +211,17 @@ fn what_is_no_helical_pair_is_told() {
         let told = refused(&HELICAL.replace(from, to));
         assert!(told.contains(expected), "{told}");
     }
+    for (key, expected) in [
+        (
+            "lead_um = 5",
+            "wheel.lead_um = 5: deviations and modifications of the lead are not modelled",
+        ),
+        ("tilt_um = 5", "wheel.tilt_um = 5: the axes are parallel"),
+    ] {
+        let text = HELICAL.replace("face_width_mm = 30", &format!("face_width_mm = 30\n{key}"));
+        let told = refused(&text);
+        assert!(told.contains(expected), "{told}");
+    }
     let told = refused(&warm([12e-6, 13e-6, 23e-6]));
     assert!(
         told.contains("assembly.temperature_c = 60: given beside a helix angle"),

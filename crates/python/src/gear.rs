@@ -36,9 +36,6 @@ impl Gear {
             let which = names.join(", ");
             return Err(error(py, format!("which gear? the file has: {which}")));
         };
-        if gears[place].spec.is_helical() {
-            return Err(error(py, crate::pair::HELICAL));
-        }
         Ok(Gear {
             title: file.title,
             entry: gears.swap_remove(place),
@@ -120,6 +117,12 @@ impl Gear {
     #[getter]
     fn pressure_angle_deg(&self) -> f64 {
         self.any().gear().basic_data().pressure_angle().to_degrees()
+    }
+
+    /// β at the reference circle, degrees; 0 of a spur gear.
+    #[getter]
+    fn helix_angle_deg(&self) -> f64 {
+        self.entry.spec.helix_angle_deg.unwrap_or(0.0)
     }
 
     /// Names of its materials.

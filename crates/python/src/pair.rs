@@ -17,10 +17,7 @@ pub struct Pair {
 impl Pair {
     fn of(py: Python<'_>, read: Result<PairFile, InputError>) -> PyResult<Pair> {
         let file = read.map_err(|error| input(py, &error))?;
-        match file.study.is_helical() {
-            true => Err(error(py, HELICAL)),
-            false => Ok(Pair { file }),
-        }
+        Ok(Pair { file })
     }
 
     pub fn study(&self) -> &Study {
@@ -93,9 +90,6 @@ pub fn mating([wheel, pinion]: [i64; 2], left: bool, fraction: f64) -> Mating {
     }
 }
 
-/// What is said of helical gears.
-pub const HELICAL: &str = "helical gears: the command's simulate, check and compare find their backlash, this package takes spur gears";
-
 #[pymethods]
 impl Pair {
     /// Of `text` with the keys of a pair file.
@@ -156,6 +150,12 @@ impl Pair {
     #[getter]
     fn center_distances_mm(&self) -> Vec<f64> {
         self.study().center_distances.clone()
+    }
+
+    /// Ends of the common face of helical gears, mm from the wheel's measuring plane; `None` of spur gears.
+    #[getter]
+    fn face_mm(&self) -> Option<[f64; 2]> {
+        self.study().is_helical().then_some(self.study().face)
     }
 
     /// Teeth of wheel and pinion.

@@ -35,6 +35,31 @@ def test_a_nominal_pair_has_the_backlash_of_the_closed_form() -> None:
     assert least.j_wt_um[0] - 1e-6 <= expected <= least.j_wt_um[1] + 1e-6
 
 
+def test_a_nominal_helical_pair_has_the_backlash_of_the_closed_form() -> None:
+    beta, alpha_n, teeth, module = math.radians(18.0), math.radians(20.0), (31, 52), 2.5
+    wound = {"module_mm": module, "pressure_angle_deg": 20.0, "helix_angle_deg": 18.0}
+    wheel = gearlash.Gear(teeth=teeth[0], hand="right", face_width_mm=40.0, **wound)
+    pinion = gearlash.Gear(teeth=teeth[1], hand="left", face_mm=(-10.0, 40.0), reference_face="back", **wound)
+    distance = 0.5 * sum(teeth) * module / math.cos(beta) + 0.2
+    pair = gearlash.Pair(wheel, pinion, distance, face_offset_mm=2.0)
+    assert pair.face_mm == (-8.0, 20.0)
+    assert "helix_angle_deg=18" in repr(wheel)
+    # ISO 21771, transverse section: j_wt = 2 a (inv α_wt − inv α_t), j_bn = j_wt cos α_wt cos β_b.
+    alpha = math.atan(math.tan(alpha_n) / math.cos(beta))
+    working = math.acos((distance - 0.2) * math.cos(alpha) / distance)
+    inv = lambda angle: math.tan(angle) - angle  # noqa: E731
+    expected = 2e3 * distance * (inv(working) - inv(alpha))
+    poses = pair.revolution(steps_per_pitch=4)
+    assert np.abs(poses.j_wt_um - expected).max() < 1e-6
+    pose = pair.lost_motion(1, 1)
+    assert pose.j_bn_um == pytest.approx(
+        expected * math.cos(working) * math.cos(math.asin(math.sin(beta) * math.cos(alpha_n))), rel=1e-9
+    )
+    least = pair.extremes().least
+    assert least is not None and least.proven
+    assert "proven" in pair.check().verdict
+
+
 def test_units_are_their_closed_forms() -> None:
     pair = gearlash.Pair(perfect(44), perfect(44, face="back"), 132.1)
     pose = pair.lost_motion(11, 11)

@@ -14,6 +14,7 @@ class Gear:
     teeth: int
     module_mm: float
     pressure_angle_deg: float
+    helix_angle_deg: float
     materials: list[str]
     warnings: list[str]
     remarks: list[str]
@@ -31,6 +32,7 @@ class Pair:
     teeth: list[int]
     materials: list[str]
     center_distances_mm: list[float]
+    face_mm: list[float] | None
     warnings: list[str]
     remarks: list[str]
     @staticmethod

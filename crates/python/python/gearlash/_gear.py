@@ -15,7 +15,7 @@ from gearlash._text import text
 
 
 class Gear:
-    """A spur gear by its drawing and what was measured on it.
+    """A spur or helical gear by its drawing and what was measured on it.
 
     The arguments are the keys of ``[wheel]`` in a pair file, checked and refused as those of a file; deviations may be numpy arrays of
     shape (z,), µm, tooth 1 first.
@@ -38,6 +38,10 @@ class Gear:
         teeth: int,
         module_mm: float,
         pressure_angle_deg: float,
+        helix_angle_deg: float | None = None,
+        hand: str | None = None,
+        face_width_mm: float | None = None,
+        face_mm: tuple[float, float] | None = None,
         profile_shift: float | None = None,
         reference_face: str | None = None,
         tip_diameter_mm: float | None = None,
@@ -72,7 +76,8 @@ class Gear:
 
     def __repr__(self) -> str:
         angle = self.pressure_angle_deg
-        return f"Gear(teeth={self.teeth}, module_mm={self.module_mm:g}, pressure_angle_deg={angle:g})"
+        wound = f", helix_angle_deg={self.helix_angle_deg:g}" if self.helix_angle_deg else ""
+        return f"Gear(teeth={self.teeth}, module_mm={self.module_mm:g}, pressure_angle_deg={angle:g}{wound})"
 
     def __reduce__(self) -> tuple[Any, ...]:
         return (_restored, (self.title, self.to_dict()))
@@ -89,13 +94,18 @@ class Gear:
 
     @property
     def module_mm(self) -> float:
-        """m, mm."""
+        """m, of a helical gear m_n, mm."""
         return self._core.module_mm
 
     @property
     def pressure_angle_deg(self) -> float:
-        """α, degrees."""
+        """α, of a helical gear α_n, degrees."""
         return self._core.pressure_angle_deg
+
+    @property
+    def helix_angle_deg(self) -> float:
+        """β at the reference circle, degrees; 0 of a spur gear."""
+        return self._core.helix_angle_deg
 
     @property
     def materials(self) -> list[str]:

@@ -39,6 +39,7 @@ class Pair:
         center_distance_mm: float | Sequence[float] | str | Mapping[str, float],
         *,
         bearing_clearance_mm: float | Mapping[str, float] | None = None,
+        face_offset_mm: float | None = None,
         locked: str | None = None,
         temperature_c: float | None = None,
         housing_expansion_per_k: float | None = None,
@@ -53,6 +54,7 @@ class Pair:
             "assembly": {
                 "center_distance_mm": center_distance_mm,
                 "bearing_clearance_mm": bearing_clearance_mm,
+                "face_offset_mm": face_offset_mm,
                 "locked": locked,
                 "temperature_c": temperature_c,
                 "housing_expansion_per_k": housing_expansion_per_k,
@@ -83,6 +85,12 @@ class Pair:
     def center_distances_mm(self) -> list[float]:
         """Centre distances that are run, mm; of a band the least, the nominal and the greatest."""
         return self._core.center_distances_mm
+
+    @property
+    def face_mm(self) -> tuple[float, float] | None:
+        """Ends of the common face of helical gears, mm from the wheel's measuring plane; ``None`` of spur gears."""
+        face = self._core.face_mm
+        return None if face is None else (face[0], face[1])
 
     @property
     def materials(self) -> list[str]:

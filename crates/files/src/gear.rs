@@ -258,7 +258,7 @@ impl GearPart {
         let name = of.table.path_of("face_mm");
         let name = name.trim_end_matches(".face_mm").to_owned();
         self.warnings
-            .extend(helix::short_for_span(&helix, &name, gear, span));
+            .extend(helix::short_for_span(helix.face_mm, &name, gear, span));
         Some(())
     }
 

@@ -3,7 +3,9 @@
 use super::*;
 use gearlash::analytic::InvolutePair;
 use gearlash::gauge::{OverPins, Seat, StatedThickness};
-use gearlash::gear::{Flank, Hand, ProfilePart, thickness};
+use gearlash::gear::{
+    Flank, Hand, MeasuringBody, PinReadings, ProfilePart, Readings, Spans, thickness,
+};
 use nalgebra::{Point3, Vector3};
 use std::f64::consts::TAU;
 
@@ -120,6 +122,7 @@ fn published_dimensions_over_balls_and_over_pins() {
 /// Flanks as surfaces: the section at the measuring plane turned by `−η tan β/r` a mm, every flank where its tooth has it.
 struct InSpace {
     made: Made,
+    deviations: Deviations,
     base: f64,
     half: f64,
     twist: f64,
@@ -148,6 +151,7 @@ impl InSpace {
         let eta = if hand == Hand::Right { 1.0 } else { -1.0 };
         let beta = 24f64.to_radians();
         InSpace {
+            deviations,
             base: data.base_radius(),
             half: base / (2.0 * data.base_radius()),
             twist: -eta * beta.tan() / (1.5 * f64::from(TEETH) / beta.cos()),
@@ -307,6 +311,44 @@ fn spans_lie_along_the_normal_of_the_helix() {
             assert!((along.abs() - span.length * sin).abs() < 1e-6, "{along}");
             assert!((span.touched[0].radius - span.touched[1].radius).abs() < 1e-2);
         }
+    }
+}
+
+/// Size → thickness: what was read over balls, over pins and as spans goes back to the mean base thickness, and the spans to each tooth's.
+#[test]
+fn readings_go_back_to_the_thickness() {
+    let space = InSpace::new(Hand::Left, Face::Front);
+    let data = space.made.gear.gear().basic_data();
+    let base = 2.0 * space.half * space.base;
+    let found = measure(&space.made.gear, with_pin(5.5, Some(3)));
+    let (pins, spans) = (found.pins.unwrap(), found.spans.unwrap());
+    for (body, list) in [
+        (MeasuringBody::Ball, &pins.two),
+        (MeasuringBody::Pin, &pins.lying),
+    ] {
+        let list: Vec<(u32, f64)> = list.iter().map(|over| (over.tooth, over.length)).collect();
+        let readings = PinReadings::new(data, body, 5.5, Readings::new(data, list).unwrap());
+        let back = readings.base_thickness(&space.deviations).unwrap();
+        assert!((back - base).abs() < PICOMETRE, "{body:?}: {back} {base}");
+        for (read, said) in readings.beside(&space.deviations).unwrap() {
+            assert!((read - said).abs() < PICOMETRE, "{body:?}");
+        }
+    }
+    let list = spans.readings.iter();
+    let list = list.map(|span| (span.first_tooth, span.length)).collect();
+    let spans = Spans::new(data, 3, Readings::new(data, list).unwrap()).unwrap();
+    let known = Deviations {
+        per_tooth: Vec::new(),
+        ..space.deviations.clone()
+    };
+    let mean = space.made.per_tooth.iter().sum::<f64>() / f64::from(TEETH);
+    let cos = 20f64.to_radians().cos()
+        / (1.0 - (24f64.to_radians().sin() * 20f64.to_radians().cos()).powi(2)).sqrt();
+    let back = spans.base_thickness(&known).unwrap();
+    assert!((back - base - mean * cos).abs() < PICOMETRE);
+    let each = spans.per_tooth(&known).unwrap().unwrap().thickness;
+    for (back, made) in each.iter().zip(&space.made.per_tooth) {
+        assert!((back - (made - mean)).abs() < PICOMETRE, "{back} {made}");
     }
 }
 

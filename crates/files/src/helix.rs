@@ -77,6 +77,15 @@ impl Helix {
         spec.helix_angle_deg = (self.angle_deg > 0.0).then_some(self.angle_deg);
         spec.hand = self.hand.map(HandName::from);
         spec.face_mm = self.face_mm;
+        if self.angle_deg > 0.0 {
+            let thickness = &mut spec.thickness;
+            let second = thickness.cross_check.as_mut();
+            let second = second.map(|check| &mut check.statement);
+            let statements = std::iter::once(&mut thickness.statement).chain(second);
+            for pins in statements.filter_map(|statement| statement.over_pins.as_mut()) {
+                pins.kind.get_or_insert_default();
+            }
+        }
     }
 }
 

@@ -84,7 +84,7 @@ fn import_names_what_it_leaves_out_and_asks_for_a_stage() {
     let all = output(gearlash(folder.path()).arg("import").arg(&file));
     for told in [
         "REXS 2.0.0 of gearlash tests, 2 of 8 stages can be read",
-        "cylindrical_gear 31 is helical",
+        "the flanks of cylindrical_gear 31 have no normal_pressure_angle",
         "ring_gear 43 is internal",
         "Left out: 1 bevel_stage",
         "choose one with --stage ID",
@@ -140,7 +140,7 @@ fn what_cannot_be_done_is_refused_and_nothing_is_written() {
         (
             "import box.rexs --stage 30 -o out.toml",
             2,
-            "stage 30 is left out: cylindrical_gear 31 is helical",
+            "stage 30 is left out: the flanks of cylindrical_gear 31 have no normal_pressure_angle",
         ),
         (
             "import box.rexs --stage 7 -o out.toml",
@@ -170,7 +170,7 @@ fn what_cannot_be_done_is_refused_and_nothing_is_written() {
         (
             "export box.rexs small.toml --stage 30 -o out.rexs",
             2,
-            "stage 30 has no two external spur gears",
+            "stage 30 is left out: the flanks of cylindrical_gear 31 have no normal_pressure_angle",
         ),
         (
             "export box.rexs jammed.toml --stage 20 -o out.rexs",

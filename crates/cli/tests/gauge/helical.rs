@@ -112,7 +112,7 @@ fn text_and_files_say_what_is_over_balls() {
         .success();
     let told = String::from_utf8(short.get_output().stderr.clone()).unwrap();
     assert!(
-        told.contains("gear.face_mm: a span over 4 teeth needs a face of 18.3"),
+        told.contains("gear.face_mm: a span over 4 teeth needs a face of 18.63 mm"),
         "{told}"
     );
 }

@@ -69,11 +69,13 @@ impl PitchReadings {
 pub struct ThicknessReadings {
     /// Radius of the measuring circle, mm.
     pub radius: f64,
-    /// Thickness of each tooth, mm, an arc of that circle about the gear's own centre, not a chord.
+    /// Thickness of each tooth, mm, an arc of that circle about the gear's own centre, not a chord; of a helical gear in the transverse section.
     pub arcs: Vec<f64>,
+    /// `cos β`: what part of an arc the thickness in the normal section is.
+    pub normal: f64,
     /// Bound on the error of each, mm.
     pub error: f64,
-    /// What the drawing says, `s = m (π/2 + 2 x tan α)`, mm.
+    /// What the drawing says, `s_t = m_n (π/2 + 2 x tan α_n)/cos β`, mm.
     pub nominal: f64,
 }
 
@@ -129,8 +131,9 @@ pub(super) fn thickness(work: &Workpiece) -> Result<ThicknessReadings, Unmeasure
     let teeth = right.iter().zip(left);
     let design = work.as_built.gear().design();
     Ok(ThicknessReadings {
-        nominal: design.nominal_thickness(),
+        nominal: design.nominal_thickness() / design.basic_data.helix_cos(),
         radius: radius(work),
+        normal: design.basic_data.helix_cos(),
         arcs: teeth
             .map(|(right, left)| radius(work) * (left - right))
             .collect(),

@@ -9,17 +9,19 @@ use std::f64::consts::PI;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Formula {
-    /// `W_k = (k − 1) p_b + s_b`.
+    /// `W_k = ((k − 1) p_bt + s_bt) cos β_b`.
     pub span: Option<f64>,
-    /// `M_dK` over two pins.
+    /// `M_dK` over two pins, of a helical gear over two balls.
     pub over_two: Option<f64>,
     /// `M_dK = r_K (1 + cos(π/z)) + D_M` over three pins: the two stand `π/z` beside the opposite direction.
     pub over_three: Option<f64>,
+    /// `M_dR = 2 r_K + D_M` over two cylindrical pins along the spaces of a helical gear; `None` of a spur gear.
+    pub over_lying: Option<f64>,
     /// Radius `r_K` of the ball's centre.
     pub ball_centre: Option<f64>,
     /// Root radius `r_f = r − m (h_fP* − x_E)`.
     pub root: f64,
-    /// Arc thickness at the reference circle, `s_b/cos α − 2 r inv α`.
+    /// Arc thickness at the reference circle, `s_bt/cos α_t − 2 r inv α_t`.
     pub thickness: f64,
     /// Centre distance without play against the master.
     pub distance: Option<f64>,
@@ -46,6 +48,9 @@ pub(super) fn formula(
         span: k.map(|k| thickness::span_from_base(basic_data, k, s_b)),
         over_two: pin.map(|pin| thickness::pins_from_base(basic_data, pin, s_b)),
         over_three: pin.filter(|_| odd).map(|pin| both * centre(pin) + pin),
+        over_lying: pin
+            .filter(|_| basic_data.hand().is_some())
+            .map(|pin| thickness::over_helical_pins(basic_data, pin, s_b)),
         ball_centre: ball.map(centre),
         root: gear.root_radius(),
         thickness: s_b / alpha.cos()

@@ -31,6 +31,8 @@ pub struct Settings {
     pub master_teeth: Option<u32>,
     /// Poses a pitch of the roll test.
     pub steps_per_pitch: u32,
+    /// Ends of the face of a helical gear, mm along the axis from its measuring plane: what the master rolls on.
+    pub face: [f64; 2],
     /// Evaluation range of the profiles of the gear's own right flanks and of its left ones, radii, mm; default: root form circle to tip circle.
     pub evaluation: [Option<[f64; 2]>; 2],
 }
@@ -43,6 +45,7 @@ impl Default for Settings {
             ball: None,
             master_teeth: None,
             steps_per_pitch: 16,
+            face: [0.0; 2],
             evaluation: [None; 2],
         }
     }
@@ -106,6 +109,7 @@ pub fn gauge(
         gear,
         settings.master_teeth,
         settings.steps_per_pitch,
+        settings.face,
         more,
         tick,
     )?;
@@ -192,10 +196,11 @@ fn mid_roll(gear: &Gear) -> f64 {
     )
 }
 
-/// `k` whose symmetric contact, `W_k = (k − 1) p_b + s_b = 2 r_b ξ`, lies nearest to mid-height
+/// `k` whose symmetric contact, `W_k cos β_b = ((k − 1) p_bt + s_bt) cos² β_b = 2 r_b ξ`, lies nearest to mid-height
 /// (for a gear without shift the usual `z α/π + 0.5`).
 fn usual_span(gear: &Gear) -> u32 {
-    let line = 2.0 * gear.base_radius() * mid_roll(gear);
+    let leaning = gear.basic_data().base_helix_angle().cos();
+    let line = 2.0 * gear.base_radius() * mid_roll(gear) / (leaning * leaning);
     let steps = (line - gear.base_thickness()) / gear.basic_data().base_pitch();
     // A count of steps far below 2^32; the cast takes what is negative as 0.
     (steps.round() as u32 + 1).clamp(1, gear.basic_data().teeth() / 2)

@@ -6,9 +6,13 @@
 //!
 //! A gear by its outline alone has no reference circle and no master: spans and pins are read on it ([`gauge_outline`]).
 //!
+//! Of a helical gear all is read in the measuring plane; a ball touches the flanks beside it and a span lies along the normal of the helix,
+//! so that both look at the sections in which they touch.
+//!
 //! Readings are in mm and named as the gear's own: teeth by number, flanks seen on the reference face.
 
 mod eccentricity;
+mod flank_distance;
 mod flanks;
 mod formula;
 mod gauged;

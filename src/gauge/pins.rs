@@ -4,6 +4,10 @@
 //! teeth no two spaces are opposite: two pins take the space after tooth `i` and the one `(z − 1)/2`
 //! further on; three pins take a second one beside it, `(z + 1)/2` further on, and
 //! one anvil lies on both.
+//!
+//! Of a helical gear these are dimensions over balls, with their centres in the measuring plane. A cylindrical pin lies along its space, whose line through the centre of a
+//! ball is a helix: it touches where that ball does and its middle stands as far from the axis. Pins slide along their spaces until they stand
+//! opposite each other, so that the anvils read `M_dR = r_K1 + r_K2 + D_M` for any number of teeth.
 
 use super::Unmeasured;
 use super::seat::Seat;
@@ -37,6 +41,8 @@ pub struct Pins {
     pub two: Vec<OverPins>,
     /// Over three pins, by the tooth before the single one; empty for an even number of teeth.
     pub three: Vec<OverPins>,
+    /// Over two cylindrical pins that lie along the spaces, as `two`; empty for a spur gear, on which `two` is the same.
+    pub lying: Vec<OverPins>,
 }
 
 impl OverPins {
@@ -76,12 +82,37 @@ pub(super) fn pins(work: &Workpiece, diameter: f64, seats: Vec<Seat>) -> Result<
         (seat.centre, seat.error)
     };
     let (two, three) = over(teeth, diameter, work.bound(), at);
+    let lying = match basic_data.hand() {
+        None => Vec::new(),
+        Some(_) => lying(teeth, diameter, work.bound(), at),
+    };
     Ok(Pins {
         diameter,
         two,
         three,
+        lying,
         seats,
     })
+}
+
+/// Over two cylindrical pins of a helical gear, as [`over`].
+fn lying(
+    teeth: u32,
+    diameter: f64,
+    rounding: f64,
+    at: impl Fn(u32) -> (Point2<f64>, f64),
+) -> Vec<OverPins> {
+    let one = |tooth: u32| {
+        let opposite = (tooth - 1 + teeth / 2) % teeth + 1;
+        let ((one, one_error), (other, other_error)) = (at(tooth), at(opposite));
+        OverPins {
+            tooth,
+            opposite,
+            length: one.coords.norm() + other.coords.norm() + diameter,
+            error: one_error + other_error + rounding,
+        }
+    };
+    (1..=teeth).map(one).collect()
 }
 
 /// Over two pins and over three, `at` each tooth the centre of the pin in the space after it and the bound on its error, mm; `rounding` that of

@@ -63,11 +63,12 @@ impl Roll {
     }
 }
 
-/// Rolls `gear` once round; `tick` is called as each pose begins, `more` with how many are to come beyond the even ones.
+/// Rolls `gear` once round, over its `face`; `tick` is called as each pose begins, `more` with how many are to come beyond the even ones.
 pub(super) fn roll(
     gear: &AsBuilt,
     master_teeth: Option<u32>,
     steps_per_pitch: u32,
+    face: [f64; 2],
     more: &dyn Fn(usize),
     tick: &(dyn Fn() -> ControlFlow<()> + Sync),
 ) -> Result<Result<Roll, Unmeasured>, Error> {
@@ -81,12 +82,13 @@ pub(super) fn roll(
             "the gear is too thin to mesh with a master gear without play".to_owned(),
         )));
     };
-    let face = match gear.face() {
+    let towards = match gear.face() {
         Face::Front => Face::Back,
         Face::Back => Face::Front,
     };
-    let mate = AsBuilt::perfect(master.clone(), face);
+    let mate = AsBuilt::perfect(master.clone(), towards);
     let assembly = GearPair::with_locked(gear.clone(), mate, guess, Member::Wheel)?;
+    let assembly = assembly.with_face(face)?;
     let matings =
         SweepPlan::wheel_revolution(&assembly, steps_per_pitch, (1, 1)).matings(&assembly);
     let bench = PairAtDistance::new(&assembly);

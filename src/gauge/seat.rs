@@ -1,12 +1,13 @@
 //! Where a pin or ball rests in a tooth space.
 //!
-//! Its centre stands half its diameter from both flanks of the space. The distance of a point to an outline
+//! Its centre stands half its diameter from both flanks of the space, in the measuring plane of a helical gear. The distance of a point to an outline
 //! has the unit vector from the nearest place as its gradient, so Newton's method on the two distances
 //! converges squarely; it starts on the tip circle, in the middle of the space. Fillets, root and tip corners are part of the
 //! half teeth that are asked; a ball that is stopped there says so.
 
 use super::Unmeasured;
-use super::workpiece::{Place, Workpiece};
+use super::flank_distance::{Nearest, OneFlank, nearest};
+use super::workpiece::Workpiece;
 use crate::contact::Touch;
 use crate::gear::{Flank, ProfilePart};
 use crate::parallel;
@@ -24,6 +25,8 @@ pub struct Seat {
     pub error: f64,
     /// What it touches: own right flank of `tooth`, own left flank of the next.
     pub touched: [Touch; 2],
+    /// Where along the face it touches them, mm from the measuring plane in which its centre stands; 0 on a spur gear.
+    pub sections: [f64; 2],
 }
 
 /// Newton steps: a dozen are many.
@@ -54,42 +57,41 @@ fn seat(work: &Workpiece, tooth: u32, diameter: f64) -> Result<Seat, Unmeasured>
         ),
     ];
     // Seen from the middle of the space.
-    let turns = ends.map(|(side, tooth, pitches)| work.turn(side, tooth, pitches));
-    let query = |centre: Point2<f64>| {
-        [0, 1].map(|i: usize| {
-            let (place, distance) = work.nearest(ends[i].0, ends[i].1, turns[i].inverse() * centre);
-            (place, distance, (centre - turns[i] * place.at) / distance)
-        })
-    };
-    let seated = |centre: Point2<f64>, error: f64, places: [Place; 2]| {
+    let flanks = ends.map(|(side, tooth, pitches)| OneFlank {
+        side,
+        tooth,
+        turn: work.turn(side, tooth, pitches),
+    });
+    let query = |centre: Point2<f64>| flanks.each_ref().map(|flank| nearest(work, flank, centre));
+    let seated = |centre: Point2<f64>, error: f64, found: [Nearest; 2]| {
         let to_tooth_1 = UnitComplex::new(work.as_built.tooth_angle(f64::from(tooth) + 0.5));
         Seat {
             tooth,
             centre: to_tooth_1 * centre,
             error,
             touched: [0, 1].map(|i: usize| Touch {
-                tooth: ends[i].1,
-                curve: places[i].curve,
-                radius: places[i].at.coords.norm(),
+                tooth: flanks[i].tooth,
+                curve: found[i].place.curve,
+                radius: found[i].place.at.coords.norm(),
             }),
+            sections: found.map(|one| one.section),
         }
     };
     // A ball that reaches the root land with room on both sides rests on that alone.
     let on_root = Point2::new(gear.root_radius() + radius, 0.0);
-    let found = query(on_root);
-    if found.iter().all(|f| f.1 >= radius - work.bound()) {
-        let mut places = found.map(|f| f.0);
-        for place in &mut places {
-            place.curve = ProfilePart::Root;
+    let mut found = query(on_root);
+    if found.iter().all(|f| f.distance >= radius - work.bound()) {
+        for one in &mut found {
+            one.place.curve = ProfilePart::Root;
         }
-        return Ok(seated(on_root, work.bound(), places));
+        return Ok(seated(on_root, work.bound(), found));
     }
     let longest = LONGEST * gear.basic_data().module();
     let mut centre = Point2::new(gear.tip_radius(), 0.0);
     for _ in 0..MOST_STEPS {
         let found = query(centre);
-        let gradients = Matrix2::from_rows(&[found[0].2.transpose(), found[1].2.transpose()]);
-        let lack = Vector2::new(radius - found[0].1, radius - found[1].1);
+        let gradients = Matrix2::from_rows(&found.map(|f| f.gradient.transpose()));
+        let lack = Vector2::new(radius - found[0].distance, radius - found[1].distance);
         let Some(step) = gradients.try_inverse().map(|inverse| inverse * lack) else {
             break;
         };
@@ -102,7 +104,7 @@ fn seat(work: &Workpiece, tooth: u32, diameter: f64) -> Result<Seat, Unmeasured>
             // Each distance is within the bound, and a centre between two gradients of the determinant D moves
             // by at most √2 · √2/|D| as much.
             let error = length + 2.0 * work.bound() / gradients.determinant().abs();
-            return Ok(seated(centre, error, found.map(|f| f.0)));
+            return Ok(seated(centre, error, found));
         }
     }
     Err(Unmeasured(format!(

@@ -9,6 +9,9 @@
 //! Flanks whose profiles deviate have no plateau: with a slope on one of them the distance grows all the way to its end. There the anvils
 //! stand square to the middle of the teeth spanned, so that both touch at the same height, as a shop reads them; the thickness that is stated
 //! by a span means that reading ([`crate::metrology`]).
+//!
+//! On helical teeth the anvils lean by the base helix angle, along the straight lines of the flanks: their normal is that of the helix, and the
+//! places touched, on one such normal, stand in sections `W_k sin β_b` apart, the measuring plane in the middle.
 
 use super::Unmeasured;
 use super::spread::{ends, mean};
@@ -16,7 +19,7 @@ use super::workpiece::Workpiece;
 use crate::contact::Touch;
 use crate::gear::{Flank, ProfilePart};
 use crate::parallel;
-use nalgebra::Vector2;
+use nalgebra::{UnitComplex, Vector2};
 
 /// One span.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,6 +33,8 @@ pub struct Span {
     pub error: f64,
     /// Where the anvils touched: the first tooth's own left flank, the last one's own right flank.
     pub touched: [Touch; 2],
+    /// Where along the face, mm from the measuring plane; 0 on a spur gear.
+    pub sections: [f64; 2],
 }
 
 /// `W_k` at every first tooth.
@@ -124,27 +129,49 @@ fn span(work: &Workpiece, k: u32, first_tooth: u32) -> Result<Span, Unmeasured> 
         (face.seen_from_front(Flank::Right), last_tooth, -half),
     ];
     let turns = ends.map(|(side, tooth, pitches)| work.turn(side, tooth, pitches));
-    let read = |along: Vector2<f64>| {
-        let places = [0, 1].map(|i: usize| {
+    let data = work.as_built.gear().basic_data();
+    let (sin, cos) = data.base_helix_angle().sin_cos();
+    // The places touched stand `apart` mm along the face, `along` within it.
+    let read = |along: Vector2<f64>, apart: f64| {
+        let sections = [0.5 * apart, -0.5 * apart];
+        let turned = |i: usize| match sections[i] == 0.0 {
+            true => turns[i],
+            false => UnitComplex::new(data.twist() * sections[i]) * turns[i],
+        };
+        let placed = [0, 1].map(|i: usize| {
             let outward = if i == 0 { along } else { -along };
-            work.foremost(ends[i].0, ends[i].1, turns[i].inverse() * outward)
+            let turn = turned(i);
+            let place = work.foremost(ends[i].0, ends[i].1, turn.inverse() * outward);
+            (place, turn * place.at)
         });
-        let join = turns[0] * places[0].at - turns[1] * places[1].at;
+        let [(_, one), (_, other)] = placed;
+        let join = one - other;
         let touch = |i: usize| Touch {
             tooth: ends[i].1,
-            curve: places[i].curve,
-            radius: places[i].at.coords.norm(),
+            curve: placed[i].0.curve,
+            radius: placed[i].0.at.coords.norm(),
         };
+        // Where turning sections bring the first flank back along its normal, the helix's normal leads.
+        let ahead = -(data.twist() * one.coords.perp(&along)).signum();
         let span = Span {
             first_tooth,
-            length: along.dot(&join),
+            length: match data.hand() {
+                None => along.dot(&join),
+                Some(_) => cos * along.dot(&join) + sin * ahead * apart,
+            },
             error: 2.0 * work.bound(),
             touched: [touch(0), touch(1)],
+            sections,
         };
-        (span, join)
+        (span, join, ahead)
     };
     if work.as_built.is_modified() {
-        return Ok(read(Vector2::new(0.0, -face.ascending())).0);
+        let square = Vector2::new(0.0, -face.ascending());
+        let (span, _, ahead) = read(square, 0.0);
+        return Ok(match data.hand() {
+            None => span,
+            Some(_) => read(square, ahead * sin * span.length).0,
+        });
     }
     let corner = |i: usize| {
         let profile = work.as_built.profile(ends[i].0, ends[i].1);
@@ -154,13 +181,17 @@ fn span(work: &Workpiece, k: u32, first_tooth: u32) -> Result<Span, Unmeasured> 
     };
     // Two flanks that mirror each other are touched alike by anvils square to the line between their tip corners.
     let mut along = (corner(0) - corner(1)).normalize();
+    let mut apart = 0.0;
     for _ in 0..MOST_ROCKS {
-        let (span, join) = read(along);
+        let (span, join, ahead) = read(along, apart);
         // Each place stands at most a chord behind its curve. No direction reads more than the distance of the places it touches.
-        if join.norm() - span.length <= work.bound() {
+        if join.norm().hypot(apart) - span.length <= work.bound() {
             return Ok(span);
         }
         along = join.normalize();
+        if data.hand().is_some() {
+            apart = ahead * sin * span.length;
+        }
     }
     Err(Unmeasured(format!(
         "the anvils found no hold on the teeth from {first_tooth} to {last_tooth}"

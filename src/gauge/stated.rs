@@ -20,7 +20,7 @@ use crate::gear::{AsBuilt, Gear, thickness};
 pub enum StatedThickness {
     /// The spans as read; no tooth is thicker or thinner than the root says.
     Spans,
-    /// `A_s`, at the reference circle, and what every tooth is thicker beside.
+    /// `A_sn`, in the normal section at the reference circle, and what every tooth is thicker beside.
     Allowance {
         /// Allowance of the mean thickness.
         allowance: f64,
@@ -50,13 +50,14 @@ pub(super) fn stated(as_built: &AsBuilt, read: &Readings) -> Result<StatedThickn
     }
     let (design, basic_data) = (gear.design(), gear.basic_data());
     let nominal = design.nominal_base_thickness();
-    let cos = basic_data.transverse_pressure_angle().cos();
+    let cos = basic_data.pressure_angle().cos();
     // Base thickness by the flanks.
     let spans = read.spans.as_ref().ok();
     let by_spans = |spans: &Spans| thickness::base_from_span(basic_data, spans.teeth, spans.mean());
     let (base, error) = match (read.thickness, spans) {
         (Ok(arcs), _) => {
-            let allowance = arcs.mean() - as_built.arc_of_profiles() - arcs.nominal;
+            // Of the normal section, as a gear file states it.
+            let allowance = (arcs.mean() - as_built.arc_of_profiles() - arcs.nominal) * arcs.normal;
             let base = thickness::base_from_allowance(basic_data, nominal, allowance);
             (base, arcs.error)
         }

@@ -47,7 +47,7 @@ pub use modification::{Modification, Relief, Trace};
 pub use outline::{HalfTooth, Segment};
 pub use part::{Circle, Cubic, Line, ModifiedFlank, Part, PartCurve, ProfilePart};
 pub(crate) use part::{Osculating, smooth};
-pub use pins::PinReadings;
+pub use pins::{MeasuringBody, PinReadings};
 pub use pitch::{Pitch, PitchAxis};
 pub use placed::Placed;
 pub use profile::Profile;

@@ -14,7 +14,8 @@
 //! ```
 //!
 //! `M` is the greatest distance of two parallel planes that touch both pins: the distance of the
-//! centres and `D_M`. The eccentricity does not enter.
+//! centres and `D_M`. The eccentricity does not enter. Of a helical gear `D_M/cos β_b` takes the place of `D_M` in `inv α_K`, and pins, which slide along their
+//! spaces until they stand opposite each other, have both radii and `D_M` between the planes.
 //!
 //! Thickness by tooth is not taken from such readings: each holds four flanks, and for even `z` there are
 //! only `z/2` of them.
@@ -25,10 +26,21 @@ use crate::error::GearError;
 /// Newton's steps before the mean thickness is given up; it needs some five.
 const MOST_STEPS: usize = 50;
 
-/// Dimensions `M_dK` over two pins, at stated spaces.
+/// What lies in a tooth space to be measured over. In a spur gear's both rest alike.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum MeasuringBody {
+    /// A ball in the measuring plane.
+    #[default]
+    Ball,
+    /// A cylindrical pin along the space.
+    Pin,
+}
+
+/// Dimensions `M_dK` over two pins or balls, at stated spaces.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PinReadings {
     basic_data: BasicGearData,
+    body: MeasuringBody,
     pin: f64,
     readings: Readings,
     /// What the flanks stand out where they are touched, beyond where they stand.
@@ -36,10 +48,16 @@ pub struct PinReadings {
 }
 
 impl PinReadings {
-    /// Readings over pins of diameter `pin`, mm, at their spaces.
-    pub fn new(basic_data: &BasicGearData, pin: f64, readings: Readings) -> PinReadings {
+    /// Readings over pins or balls of diameter `pin`, mm, at their spaces.
+    pub fn new(
+        basic_data: &BasicGearData,
+        body: MeasuringBody,
+        pin: f64,
+        readings: Readings,
+    ) -> PinReadings {
         PinReadings {
             basic_data: *basic_data,
+            body,
             pin,
             readings,
             touched: FlankShifts::default(),
@@ -74,7 +92,7 @@ impl PinReadings {
     pub fn base_thickness(&self, known: &Deviations) -> Result<f64, GearError> {
         let shifts = self.shifts(known)?;
         let read = self.readings.mean(|_, over| over);
-        let mut base = thickness::base_from_pins(&self.basic_data, self.pin, read)?;
+        let mut base = thickness::base_from_over(&self.basic_data, self.body, self.pin, read)?;
         // Rounding of M is some ulps of the diameter.
         let settled = 4.0 * f64::EPSILON * read;
         let mut last = f64::INFINITY;
@@ -117,6 +135,12 @@ impl PinReadings {
             self.centre(shifts, space, 0, base),
             self.centre(shifts, space, apart, base),
         );
+        if self.body == MeasuringBody::Pin && self.basic_data.hand().is_some() {
+            return [
+                one.radius + other.radius + self.pin,
+                one.slope + other.slope,
+            ];
+        }
         let angle = f64::from(apart) * self.basic_data.angular_pitch() + other.angle - one.angle;
         let (sin, cos) = angle.sin_cos();
         let (x, y) = (other.radius * cos - one.radius, other.radius * sin);

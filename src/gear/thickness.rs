@@ -4,7 +4,7 @@
 //! involute it measures something else, and [`check_span`] and [`check_pins`] say so.
 //! All lengths in mm.
 
-use super::{BasicGearData, Gear, involute};
+use super::{BasicGearData, Gear, MeasuringBody, involute};
 use crate::error::GearError;
 use std::f64::consts::FRAC_PI_2;
 
@@ -87,6 +87,35 @@ pub fn base_from_helical_pins(
     over: f64,
 ) -> Result<f64, GearError> {
     base_from_pins(basic_data, pin, (over - pin) * opposite(basic_data) + pin)
+}
+
+/// Dimension over two bodies of diameter `D_M`, of a spur gear the same over balls as over pins.
+pub fn over_from_base(
+    basic_data: &BasicGearData,
+    body: MeasuringBody,
+    diameter: f64,
+    base_thickness: f64,
+) -> f64 {
+    match (body, basic_data.hand()) {
+        (MeasuringBody::Pin, Some(_)) => over_helical_pins(basic_data, diameter, base_thickness),
+        _ => pins_from_base(basic_data, diameter, base_thickness),
+    }
+}
+
+/// `s_bt` from the dimension over two bodies.
+///
+/// # Errors
+/// As [`base_from_pins`].
+pub fn base_from_over(
+    basic_data: &BasicGearData,
+    body: MeasuringBody,
+    diameter: f64,
+    over: f64,
+) -> Result<f64, GearError> {
+    match (body, basic_data.hand()) {
+        (MeasuringBody::Pin, Some(_)) => base_from_helical_pins(basic_data, diameter, over),
+        _ => base_from_pins(basic_data, diameter, over),
+    }
 }
 
 /// Diameter `D_M` of the ball (of a spur gear, or pin) whose contact would have the roll `ξ` in the section through its centre, between teeth of

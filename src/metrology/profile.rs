@@ -183,8 +183,9 @@ impl ThicknessStatement {
                 };
                 alike.base_of_readings(design, &profiles)
             }),
-            ThicknessStatement::OverPins { pin_mm, mm } => mm.try_map(|&mm| {
+            ThicknessStatement::OverPins { body, pin_mm, mm } => mm.try_map(|&mm| {
                 let alike = ThicknessStatement::PinReadings {
+                    body: *body,
                     pin_mm: *pin_mm,
                     readings: all(mm),
                 };

@@ -3,8 +3,8 @@
 use super::toleranced::Toleranced;
 use crate::error::GearError;
 use crate::gear::{
-    BasicGearData, Deviations, Gear, GearDesign, Modification, PerTooth, PinReadings, Readings,
-    Spans, ThicknessField, thickness,
+    BasicGearData, Deviations, Gear, GearDesign, MeasuringBody, Modification, PerTooth,
+    PinReadings, Readings, Spans, ThicknessField, thickness,
 };
 
 /// One statement of the mean tooth thickness.
@@ -27,8 +27,10 @@ pub enum ThicknessStatement {
         /// `W_k`, mm.
         mm: Toleranced<f64>,
     },
-    /// A dimension over pins, of helical gears over balls, `M_dK`.
+    /// A dimension over pins or balls, `M_dK` or `M_dR`.
     OverPins {
+        /// Which; of a spur gear both are the same.
+        body: MeasuringBody,
         /// `D_M`, mm.
         pin_mm: f64,
         /// `M_dK`, mm.
@@ -43,8 +45,10 @@ pub enum ThicknessStatement {
         /// Whether they give each tooth's thickness, too, where they determine it.
         per_tooth: bool,
     },
-    /// Dimensions over pins `M_dK` read at several spaces.
+    /// Dimensions over pins or balls read at several spaces.
     PinReadings {
+        /// Which.
+        body: MeasuringBody,
         /// `D_M`, mm.
         pin_mm: f64,
         /// Space (see [`PinReadings`]) and dimension, mm.
@@ -104,9 +108,13 @@ impl ThicknessStatement {
         basic_data: &BasicGearData,
     ) -> Result<Option<PinReadings>, GearError> {
         match self {
-            ThicknessStatement::PinReadings { pin_mm, readings } => {
+            ThicknessStatement::PinReadings {
+                body,
+                pin_mm,
+                readings,
+            } => {
                 let readings = Readings::new(basic_data, readings.clone())?;
-                Ok(Some(PinReadings::new(basic_data, *pin_mm, readings)))
+                Ok(Some(PinReadings::new(basic_data, *body, *pin_mm, readings)))
             }
             _ => Ok(None),
         }
@@ -199,8 +207,8 @@ impl ThicknessStatement {
                 mm.try_map(|&mm| Ok(thickness::base_from_span(basic_data, *teeth, mm)))
             }
             _ if modified => self.base_of_modified(design, known),
-            ThicknessStatement::OverPins { pin_mm, mm } => {
-                mm.try_map(|&mm| thickness::base_from_pins(basic_data, *pin_mm, mm))
+            ThicknessStatement::OverPins { body, pin_mm, mm } => {
+                mm.try_map(|&mm| thickness::base_from_over(basic_data, *body, *pin_mm, mm))
             }
             ThicknessStatement::SpanReadings { .. } | ThicknessStatement::PinReadings { .. } => {
                 let spans = self.spans(basic_data)?;

@@ -55,7 +55,7 @@ pub use difference::{Deviation, OutlineDifference};
 pub use error::OutlineError;
 pub use fitted::{FittedInvolute, StandardGear};
 pub use gear::{OutlineGear, OutlineReading};
-pub use of_gear::of_gear;
+pub use of_gear::{of_gear, of_section};
 pub use pair::OutlinePair;
 pub use segment::PathSegment;
 

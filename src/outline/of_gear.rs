@@ -14,7 +14,19 @@ const NO_LAND: f64 = 1e-9;
 /// tooth 1 points up (+y), and teeth count clockwise. Flanks, fillets included, are chords within `chordal_error` mm (> 0) of
 /// their curves; tip and root lands are the arcs they are. Fillets that cross in a narrow space end where their chords do.
 pub fn of_gear(gear: &AsBuilt, chordal_error: f64) -> Vec<PathSegment> {
-    let placed = Placed::new(gear, Point2::origin(), FRAC_PI_2);
+    placed_outline(gear, FRAC_PI_2, chordal_error)
+}
+
+/// The same of the transverse section of a helical gear at `b`, mm along its axis from the measuring plane, away from the viewer of a pair:
+/// turned with the helix against that of the measuring plane, about an axis off which the gear stands in the same direction.
+pub fn of_section(gear: &AsBuilt, b: f64, chordal_error: f64) -> Vec<PathSegment> {
+    let turned = b * gear.gear().basic_data().twist();
+    placed_outline(&gear.section_at(b), FRAC_PI_2 + turned, chordal_error)
+}
+
+/// The outline with tooth 1 at `tooth_1`, rad, as seen from the front, before the reference face is turned to the viewer.
+fn placed_outline(gear: &AsBuilt, tooth_1: f64, chordal_error: f64) -> Vec<PathSegment> {
+    let placed = Placed::new(gear, Point2::origin(), tooth_1);
     let centre = placed.centre();
     let teeth = 0..i64::from(gear.gear().basic_data().teeth());
     let flanks = |side| -> Vec<Vec<Point2<f64>>> {

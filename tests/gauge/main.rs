@@ -1,6 +1,7 @@
 //! The gauge against formulas, published values and the deviations that were put in. Lengths in mm.
 
 mod as_built;
+mod helical;
 mod outlines;
 mod perfect;
 mod profile;

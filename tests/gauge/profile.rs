@@ -3,8 +3,8 @@
 use super::{measure, quick};
 use gearlash::gauge::{Gauged, ProfileReadings, Settings};
 use gearlash::gear::{
-    BasicGearData, BasicRack, Face, Flank, Gear, GearDesign, Modification, Pitch, Relief, Trace,
-    involute,
+    BasicGearData, BasicRack, Face, Flank, Gear, GearDesign, MeasuringBody, Modification, Pitch,
+    Relief, Trace, involute,
 };
 use gearlash::metrology::{
     Measurements, PitchKind, PitchSense, PitchStatement, ProbeReadings, ReadWith, RunoutStatement,
@@ -152,6 +152,7 @@ fn a_stated_dimension_over_pins_is_read_back() {
                 let pin_mm = 5.25;
                 let mm = f64::from(teeth) * 3.0 + 8.1;
                 let statement = ThicknessStatement::OverPins {
+                    body: MeasuringBody::Pin,
                     pin_mm,
                     mm: Toleranced::Single(mm),
                 };

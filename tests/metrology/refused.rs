@@ -2,7 +2,7 @@
 
 use super::{Truth, design};
 use gearlash::error::GearError;
-use gearlash::gear::{Face, thickness};
+use gearlash::gear::{Face, MeasuringBody, thickness};
 use gearlash::metrology::{
     CrossCheck, DeviationCause, EccentricitySource, Fits, MeasurementError, Measurements, Outlier,
     RunoutStatement, StatementRole, ThicknessStatement, Toleranced,
@@ -88,6 +88,7 @@ fn what_is_no_number_or_no_range_is_refused() {
             per_tooth: true,
         },
         ThicknessStatement::PinReadings {
+            body: MeasuringBody::Pin,
             pin_mm: 5.25,
             readings: Vec::new(),
         },
@@ -111,6 +112,7 @@ fn several_errors_come_together() {
         },
         cross_check: Some(CrossCheck {
             statement: ThicknessStatement::OverPins {
+                body: MeasuringBody::Pin,
                 pin_mm: 0.5,
                 mm: Toleranced::Single(over),
             },

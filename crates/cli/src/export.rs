@@ -40,7 +40,6 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let name = args.file.display().to_string();
     let stage = rexs::stage(&name, &model, args.stage)?;
     let pair = studies::pair(&args.pair)?;
-    studies::spur_only("export", &pair.study)?;
     stage.is_of(&pair.spec).map_err(|why| {
         let id = stage.id;
         Error::Usage(format!(

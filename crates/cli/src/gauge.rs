@@ -95,9 +95,6 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         AnyGears::Outlines(file) => return outlines::run(args, &file),
     };
     let chosen = gears::choose(&args.file, args.gear, args.material, &study)?;
-    if chosen.iter().any(|(entry, ..)| entry.spec.is_helical()) {
-        return Err(studies::helical("gauge"));
-    }
     for (gear, _, as_built) in &chosen {
         check_span(args, gear.name, as_built)?;
     }
@@ -114,6 +111,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         ball: args.ball_mm,
         master_teeth: args.master_teeth,
         steps_per_pitch: args.steps_per_pitch,
+        face: gear.spec.face_mm.unwrap_or_default(),
         evaluation: gear.spec.evaluation_radii(),
     };
     let poses = chosen.iter();
@@ -133,6 +131,10 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         });
     }
     drop(progress);
+    for gauged in &gears {
+        let short: Vec<String> = gauged.short_face().into_iter().collect();
+        warn(&args.file, &short, &[]);
+    }
 
     let unwritable = |error: &dyn std::error::Error| {
         Error::Usage(format!("the readings cannot be written as text: {error}"))

@@ -7,7 +7,7 @@ use crate::error::Error;
 use clap::ValueEnum;
 use gearlash::analysis::study::Material;
 use gearlash::gear::{AsBuilt, HalfTooth, Side};
-use gearlash_files::{OutlineFile, OutlineFormat};
+use gearlash_files::{GearEntry, OutlineFile, OutlineFormat};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -15,7 +15,8 @@ use std::process::ExitCode;
 ///
 /// The closed outline in mm, every tooth where it was measured to be, as the reference face shows it: the rotation axis at
 /// 0,0 (a gear with runout stands beside it), tooth 1 up, numbers clockwise. Flanks are chords within the tolerance of
-/// their curves; tip and root lands are arcs in DXF (bulges) and SVG, chords in CSV. The file's header states the bound.
+/// their curves; tip and root lands are arcs in DXF (bulges) and SVG, chords in CSV. The file's header states the bound. Of a
+/// helical gear it is a transverse section, turned with the helix.
 #[derive(clap::Args)]
 pub(super) struct Args {
     /// A pair file, or a gear file: `title` and one [gear] with the keys of [wheel] (TOML or JSON); - for standard input
@@ -32,6 +33,9 @@ pub(super) struct Args {
     /// Greatest distance of a chord from its curve, µm, 0.001 to 1000
     #[arg(long, value_name = "T", default_value_t = 1.0, value_parser = tolerance, allow_negative_numbers = true)]
     tolerance_um: f64,
+    /// Transverse section of a helical gear, mm from its measuring plane as face_mm counts [default: 0, or the end of the teeth nearest to it]
+    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
+    section: Option<f64>,
     /// The file [default: out/<file stem>/outline_….<format>]; - for standard output
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -82,19 +86,34 @@ fn check_size(tolerance_um: f64, gear: &AsBuilt) -> Result<(), Error> {
     }
 }
 
+/// The section that is asked for, mm, which the gear must have.
+fn section(asked: Option<f64>, entry: &GearEntry) -> Result<f64, Error> {
+    let face = entry.spec.face_mm.filter(|_| entry.spec.is_helical());
+    let Some(mm) = asked else {
+        return Ok(face.map_or(0.0, |[from, to]| 0f64.clamp(from, to)));
+    };
+    let refused = match face {
+        None => "has one outline all along: leave --section out".to_owned(),
+        Some([from, to]) if from <= mm && mm <= to => return Ok(mm),
+        Some([from, to]) => format!("has teeth from {from} to {to} mm: choose a section there"),
+    };
+    Err(Error::Usage(format!(
+        "--section {mm}: the {} {refused}",
+        entry.name
+    )))
+}
+
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let study = studies::gears(&args.file)?;
     let chosen = choose(&args.file, args.gear, Some(args.material), &study)?;
-    if chosen.iter().any(|(entry, ..)| entry.spec.is_helical()) {
-        return Err(studies::helical("outline"));
-    }
     let [(entry, material, gear)] = chosen[..] else {
         return Err(Error::Usage(format!(
             "which gear? {} has a wheel and a pinion; give --gear wheel or --gear pinion",
             args.file.display()
         )));
     };
+    let section_mm = section(args.section, entry)?;
     check_size(args.tolerance_um, gear)?;
     let (format, ending) = args.format.format();
     let target = match &args.output {
@@ -122,6 +141,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         name: entry.name,
         material,
         gear,
+        section_mm,
         tolerance_um: args.tolerance_um,
     };
     target.write(&outline.text(format))?;

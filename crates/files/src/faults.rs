@@ -10,7 +10,7 @@ use super::table::Table;
 use super::thickness::Statement;
 use crate::error::Problem;
 use gearlash::error::GearError;
-use gearlash::gear::{BasicGearData, Gear, GearDesign, thickness};
+use gearlash::gear::{BasicGearData, Gear, GearDesign, MeasuringBody, thickness};
 use gearlash::metrology::{
     DeviationCause, Fits, MeasurementError, Outlier, ProfileKey, StatementRole,
 };
@@ -322,9 +322,14 @@ fn nominal(statement: &Statement, design: &GearDesign) -> String {
             let span = thickness::span_from_base(basic_data, teeth, base);
             format!("nominal over {teeth} teeth is {span:.4} mm")
         }
-        Statement::OverPins { pin_mm, .. } | Statement::Pins { pin_mm, .. } => {
-            let over = thickness::pins_from_base(basic_data, pin_mm, base);
-            format!("nominal over pins of {pin_mm} mm is {over:.4} mm")
+        Statement::OverPins { body, pin_mm, .. } | Statement::Pins { body, pin_mm, .. } => {
+            let body = body.unwrap_or_default();
+            let over = thickness::over_from_base(basic_data, body, pin_mm, base);
+            let name = match (body, basic_data.hand()) {
+                (MeasuringBody::Ball, Some(_)) => "balls",
+                _ => "pins",
+            };
+            format!("nominal over {name} of {pin_mm} mm is {over:.4} mm")
         }
         Statement::FlankOffset(_) => "nominal is 0 mm".to_owned(),
         Statement::Allowance(_) | Statement::Field(_) => "nominal is 0 µm".to_owned(),

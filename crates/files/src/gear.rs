@@ -157,6 +157,7 @@ impl GearPart {
         let drawn = Drawn {
             design: &design,
             pressure_angle_deg: self.pressure_angle_deg?,
+            helix_angle_deg: self.helix?.angle_deg,
         };
         let pitch_header = sheet.iter().flatten().filter_map(PitchSheet::header);
         let mut header_warnings = Vec::new();
@@ -238,6 +239,7 @@ impl GearPart {
         if helix.angle_deg == 0.0 {
             return Some(());
         }
+        let is_positions = of.table.has("thickness.file");
         helix::refuse(
             of.table,
             &[
@@ -245,6 +247,11 @@ impl GearPart {
                     "profile",
                     gear.is_modified(),
                     "between helical teeth whose profiles deviate the lost motion varies along the face, which is not worked out",
+                ),
+                (
+                    "thickness.file",
+                    is_positions,
+                    "the probe's positions at helical flanks stand in sections of their own, which is not worked out; state the thickness by span, over_pins or another statement",
                 ),
                 (
                     "runout.file",
@@ -258,7 +265,7 @@ impl GearPart {
         let name = of.table.path_of("face_mm");
         let name = name.trim_end_matches(".face_mm").to_owned();
         self.warnings
-            .extend(helix::short_for_span(&helix, &name, gear, span));
+            .extend(helix::short_for_span(helix.face_mm, &name, gear, span));
         Some(())
     }
 

@@ -77,6 +77,15 @@ impl Helix {
         spec.helix_angle_deg = (self.angle_deg > 0.0).then_some(self.angle_deg);
         spec.hand = self.hand.map(HandName::from);
         spec.face_mm = self.face_mm;
+        if self.angle_deg > 0.0 {
+            let thickness = &mut spec.thickness;
+            let second = thickness.cross_check.as_mut();
+            let second = second.map(|check| &mut check.statement);
+            let statements = std::iter::once(&mut thickness.statement).chain(second);
+            for pins in statements.filter_map(|statement| statement.over_pins.as_mut()) {
+                pins.kind.get_or_insert_default();
+            }
+        }
     }
 }
 
@@ -175,9 +184,14 @@ pub fn refuse(file: &Table, keys: &[(&str, bool, &str)], problems: &mut Problems
 
 /// A warning where the face of a helical gear is too short for its span: `b ≥ W_k sin β_b + b_M cos β_b` with the
 /// contact width `b_M = 1.2 + 0.018 W_k` mm that shops leave.
-pub fn short_for_span(helix: &Helix, name: &str, gear: &AsBuilt, k: Option<u32>) -> Option<String> {
-    let [from, to] = helix.face_mm.filter(|_| helix.angle_deg > 0.0)?;
+pub fn short_for_span(
+    face_mm: Option<[f64; 2]>,
+    name: &str,
+    gear: &AsBuilt,
+    k: Option<u32>,
+) -> Option<String> {
     let (gear, k) = (gear.gear(), k?);
+    let [from, to] = face_mm.filter(|_| gear.basic_data().hand().is_some())?;
     let span = thickness::span_from_base(gear.basic_data(), k, gear.base_thickness());
     let (sin, cos) = gear.basic_data().base_helix_angle().sin_cos();
     let needed = span * sin + (1.2 + 0.018 * span) * cos;

@@ -6,11 +6,11 @@ use super::node::Node;
 use super::problems::Problems;
 use super::readings::LengthReadings;
 use super::sheet::{self, Column};
-use super::spec::{Either, LengthSpec, OverPinsSpec, SpanSpec, StatementSpec};
+use super::spec::{BodyName, Either, LengthSpec, OverPinsSpec, SpanSpec, StatementSpec};
 use super::stated::{self, Keys};
 use super::table::Table;
 use gearlash::error::GearError;
-use gearlash::gear::ThicknessField;
+use gearlash::gear::{MeasuringBody, ThicknessField};
 use gearlash::metrology::{ThicknessStatement, Toleranced};
 
 pub const KEYS: &[&str] = &[
@@ -36,7 +36,9 @@ const SPAN_KEYS: &[&str] = &sheet::keys_beside::<6, 12>([
     "per_tooth",
 ]);
 const PIN_KEYS: &[&str] =
-    &sheet::keys_beside::<5, 11>(["pin_mm", "mm", "min_mm", "max_mm", "space"]);
+    &sheet::keys_beside::<6, 12>(["pin_mm", "kind", "mm", "min_mm", "max_mm", "space"]);
+const BODIES: [(&str, MeasuringBody); 2] =
+    [("ball", MeasuringBody::Ball), ("pin", MeasuringBody::Pin)];
 
 const MEASURED: Keys = Keys {
     single: Some("mm"),
@@ -62,8 +64,12 @@ pub enum Statement {
     Nominal,
     /// `W_k` in mm over `k` teeth.
     Span { teeth: u32, mm: Toleranced<f64> },
-    /// `M_dK` in mm over pins of diameter `D_M`, mm.
-    OverPins { pin_mm: f64, mm: Toleranced<f64> },
+    /// `M_dK` in mm over pins of diameter `D_M`, mm; over which, where that is stated.
+    OverPins {
+        body: Option<MeasuringBody>,
+        pin_mm: f64,
+        mm: Toleranced<f64>,
+    },
     /// `W_k` all round, at first teeth; `per_tooth`: they give each tooth's thickness, too.
     Spans {
         teeth: u32,
@@ -72,6 +78,7 @@ pub enum Statement {
     },
     /// `M_dK` all round, at spaces.
     Pins {
+        body: Option<MeasuringBody>,
         pin_mm: f64,
         readings: LengthReadings,
     },
@@ -148,15 +155,18 @@ impl Statement {
     fn read_pins(table: &Table, teeth: Option<u32>, problems: &mut Problems) -> Option<Statement> {
         let pins = table.table("over_pins", PIN_KEYS, problems)?;
         let pin_mm = pins.number("pin_mm", &LENGTH, problems);
+        let body = pins.optional_as("kind", problems, |entry| entry.choice(&BODIES));
         Some(
             match LengthReadings::read(&pins, "space", Column::OverPins, teeth, problems)? {
                 Some(readings) => Statement::Pins {
+                    body: body?,
                     pin_mm: pin_mm?,
                     readings,
                 },
                 None => {
                     let mm = stated::read(&pins, &MEASURED, &LENGTH, problems);
                     Statement::OverPins {
+                        body: body?,
                         pin_mm: pin_mm?,
                         mm: mm?,
                     }
@@ -173,7 +183,8 @@ impl Statement {
                 teeth: *teeth,
                 mm: *mm,
             },
-            Statement::OverPins { pin_mm, mm } => ThicknessStatement::OverPins {
+            Statement::OverPins { body, pin_mm, mm } => ThicknessStatement::OverPins {
+                body: body.unwrap_or_default(),
                 pin_mm: *pin_mm,
                 mm: *mm,
             },
@@ -186,7 +197,12 @@ impl Statement {
                 readings: readings.measured(),
                 per_tooth: *per_tooth,
             },
-            Statement::Pins { pin_mm, readings } => ThicknessStatement::PinReadings {
+            Statement::Pins {
+                body,
+                pin_mm,
+                readings,
+            } => ThicknessStatement::PinReadings {
+                body: body.unwrap_or_default(),
                 pin_mm: *pin_mm,
                 readings: readings.measured(),
             },
@@ -222,8 +238,9 @@ impl Statement {
                     ..SpanSpec::default()
                 });
             }
-            Statement::OverPins { pin_mm, mm } => {
+            Statement::OverPins { body, pin_mm, mm } => {
                 spec.over_pins = Some(OverPinsSpec {
+                    kind: body.map(BodyName::from),
                     pin_mm: *pin_mm,
                     length: measured(mm),
                     ..OverPinsSpec::default()
@@ -242,8 +259,13 @@ impl Statement {
                     ..SpanSpec::default()
                 });
             }
-            Statement::Pins { pin_mm, readings } => {
+            Statement::Pins {
+                body,
+                pin_mm,
+                readings,
+            } => {
                 spec.over_pins = Some(OverPinsSpec {
+                    kind: body.map(BodyName::from),
                     pin_mm: *pin_mm,
                     length: all_round(readings),
                     space: Some(readings.places().to_vec()),

@@ -2,10 +2,10 @@
 
 use super::limits::{COVERAGE, UNCERTAINTY};
 use super::problems::Problems;
-use super::spec::{GearSpec, ThicknessSpec, UncertaintySpec};
+use super::spec::{BodyName, GearSpec, ThicknessSpec, UncertaintySpec};
 use super::table::Table;
 use gearlash::analysis::uncertainty::Uncertainty;
-use gearlash::gear::{AsBuilt, thickness};
+use gearlash::gear::{AsBuilt, MeasuringBody, thickness};
 
 const KEYS: &[&str] = &[
     "span_um",
@@ -66,7 +66,11 @@ impl UncertaintySpec {
             let base = gear.gear().base_thickness();
             // A thousandth of a module: small against the curve, large against rounding.
             let step = 1e-3 * basic_data.module();
-            let over = |base| thickness::pins_from_base(basic_data, pins.pin_mm, base);
+            let body = match pins.kind {
+                Some(BodyName::Pin) => MeasuringBody::Pin,
+                Some(BodyName::Ball) | None => MeasuringBody::Ball,
+            };
+            let over = |base| thickness::over_from_base(basic_data, body, pins.pin_mm, base);
             self.over_pins_um * 2.0 * step / (over(base + step) - over(base - step))
         } else if stated.base_thickness_mm.is_some() {
             self.allowance_um

@@ -349,3 +349,50 @@ fn what_cannot_be_written_is_refused() {
         assert_eq!(files(folder.path()), before, "{arguments:?}");
     }
 }
+
+/// A section of a right-hand gear at `b` is that of the measuring plane turned by `b tan β/r`, clockwise from the front, about the centre of its
+/// outline, which stands off the axis in the same place. From the back that is counter-clockwise.
+#[test]
+fn a_section_of_a_helical_gear_is_turned_with_its_helix() {
+    let folder = empty_folder();
+    for (face, sense) in [("front", -1.0), ("back", 1.0)] {
+        let text = format!(
+            "title = \"wound\"\n[gear]\nteeth = 21\nmodule_mm = 2\npressure_angle_deg = 20\nhelix_angle_deg = 15\nhand = \"right\"\n\
+             face_mm = [-5, 12]\nreference_face = \"{face}\"\nrunout = {{ total_um = 400, high_tooth = 1 }}\n"
+        );
+        let file = folder.path().join("wound.toml");
+        std::fs::write(&file, text).unwrap();
+        let at = |section: &str| {
+            csv_points(&outline(
+                folder.path(),
+                &file,
+                &["--format", "csv", "--section", section],
+            ))
+        };
+        let (plane, section) = (at("0"), at("10"));
+        let beta = f64::to_radians(15.0);
+        let radius = 21.0 / beta.cos();
+        let (sin, cos) = (sense * 10.0 * beta.tan() / radius).sin_cos();
+        assert_eq!(plane.len(), section.len());
+        // Half the runout up, where tooth 1 stands in the measuring plane.
+        for (p, q) in plane.iter().zip(&section) {
+            let [x, y] = [p[0], p[1] - 0.2];
+            let turned = [x * cos - y * sin, x * sin + y * cos + 0.2];
+            let off = (turned[0] - q[0]).hypot(turned[1] - q[1]);
+            assert!(off < 1e-9, "{face}: {turned:?} {q:?}");
+        }
+        let text = outline(folder.path(), &file, &["--format", "dxf"]);
+        assert!(text.contains(
+            "section: transverse, 0 mm from the measuring plane, in which tooth 1 is up (helix 15 deg, right hand)"
+        ));
+        let mut command = gearlash(folder.path());
+        let command = command.arg("outline").arg(&file);
+        command
+            .args(["--format", "svg", "--section", "13"])
+            .assert()
+            .code(2)
+            .stderr(predicates::str::contains(
+                "--section 13: the gear has teeth from -5 to 12 mm",
+            ));
+    }
+}

@@ -16,9 +16,11 @@ fn value(model: &str, component: &str, attribute: &str) -> f64 {
     text[..text.find('<').unwrap()].parse().unwrap()
 }
 
-/// Normal and transverse backlash of two gears of this allowance of the thickness at a centre distance, mm: the involute by hand.
-fn by_hand(module: f64, teeth: [f64; 2], allowance: f64, a: f64) -> [f64; 2] {
-    let alpha = 20f64.to_radians();
+/// Normal and transverse backlash of two gears of this helix angle and allowance of the thickness at a centre distance, mm: the involute by hand,
+/// of 20° and a module in the normal section.
+fn by_hand(normal: f64, beta: f64, teeth: [f64; 2], allowance: f64, a: f64) -> [f64; 2] {
+    let alpha = (20f64.to_radians().tan() / beta.cos()).atan();
+    let (module, allowance) = (normal / beta.cos(), allowance / beta.cos());
     let inv = |angle: f64| angle.tan() - angle;
     let sum = teeth[0] + teeth[1];
     let working = (0.5 * module * sum * alpha.cos() / a).acos();
@@ -30,8 +32,9 @@ fn by_hand(module: f64, teeth: [f64; 2], allowance: f64, a: f64) -> [f64; 2] {
         .iter()
         .sum();
     let j_wt = 2.0 * PI * a / sum - thickness;
-    let j_bn = j_wt * working.cos();
-    [j_bn, j_bn / alpha.cos()]
+    let j_bt = j_wt * working.cos();
+    let base = (beta.sin() * 20f64.to_radians().cos()).asin();
+    [j_bt * base.cos(), j_bt / alpha.cos()]
 }
 
 #[test]
@@ -53,8 +56,8 @@ fn a_stage_goes_out_as_a_pair_and_comes_back_with_its_backlash() {
         .assert()
         .success();
     let copy = std::fs::read_to_string(folder.path().join("copy.rexs")).unwrap();
-    let least = by_hand(4.0, [17.0, 22.0], -0.085, 77.985);
-    let greatest = by_hand(4.0, [17.0, 22.0], -0.125, 78.015);
+    let least = by_hand(4.0, 0.0, [17.0, 22.0], -0.085, 77.985);
+    let greatest = by_hand(4.0, 0.0, [17.0, 22.0], -0.125, 78.015);
     for (k, section) in ["normal", "transverse"].into_iter().enumerate() {
         for (end, expected) in [("minimum", least[k]), ("maximum", greatest[k])] {
             let found = value(
@@ -77,6 +80,54 @@ fn a_stage_goes_out_as_a_pair_and_comes_back_with_its_backlash() {
     assert_eq!(rest.collect::<Vec<_>>().join("\n") + "\n", model());
 }
 
+/// The same stage wound by 15°: a 80.8 js7 is ± 17.5 µm (ISO 286), c25 the same (DIN 3967, d = 70.4 and 91.1 mm). A pair whose hands are exchanged
+/// is another one.
+#[test]
+fn a_helical_stage_comes_back_with_its_backlash() {
+    let folder = tempfile::tempdir().unwrap();
+    let wound = model()
+        .replacen("unit=\"deg\">-0.0<", "unit=\"deg\">15.0<", 1)
+        .replacen("unit=\"deg\">0.0<", "unit=\"deg\">-15.0<", 1)
+        .replacen(">78.0<", ">80.8<", 1);
+    std::fs::write(folder.path().join("box.rexs"), wound).unwrap();
+    let import = ["import", "box.rexs", "--stage", "10", "-o", "pair.toml"];
+    gearlash(folder.path()).args(import).assert().success();
+    let export = "export box.rexs pair.toml --stage 10 -o copy.rexs";
+    gearlash(folder.path())
+        .args(export.split(' '))
+        .assert()
+        .success();
+    let copy = std::fs::read_to_string(folder.path().join("copy.rexs")).unwrap();
+    let beta = f64::to_radians(15.0);
+    let least = by_hand(4.0, beta, [17.0, 22.0], -0.085, 80.7825);
+    let greatest = by_hand(4.0, beta, [17.0, 22.0], -0.125, 80.8175);
+    for (k, section) in ["normal", "transverse"].into_iter().enumerate() {
+        for (end, expected) in [("minimum", least[k]), ("maximum", greatest[k])] {
+            let found = value(
+                &copy,
+                "<component id=\"10\"",
+                &format!("{end}_{section}_backlash"),
+            );
+            assert!(
+                (found - expected).abs() < 1e-6,
+                "{end} {section}: {found} {expected}"
+            );
+        }
+    }
+    let pair = std::fs::read_to_string(folder.path().join("pair.toml")).unwrap();
+    let other = pair
+        .replace("\"left\"", "\"l\"")
+        .replace("\"right\"", "\"left\"")
+        .replace("\"l\"", "\"right\"");
+    assert_ne!(other, pair);
+    std::fs::write(folder.path().join("pair.toml"), other).unwrap();
+    gearlash(folder.path())
+        .args(export.split(' '))
+        .assert()
+        .code(2)
+        .stderr(predicate::str::contains("hand"));
+}
+
 #[test]
 fn import_names_what_it_leaves_out_and_asks_for_a_stage() {
     let folder = tempfile::tempdir().unwrap();
@@ -84,7 +135,7 @@ fn import_names_what_it_leaves_out_and_asks_for_a_stage() {
     let all = output(gearlash(folder.path()).arg("import").arg(&file));
     for told in [
         "REXS 2.0.0 of gearlash tests, 2 of 8 stages can be read",
-        "cylindrical_gear 31 is helical",
+        "the flanks of cylindrical_gear 31 have no normal_pressure_angle",
         "ring_gear 43 is internal",
         "Left out: 1 bevel_stage",
         "choose one with --stage ID",
@@ -140,7 +191,7 @@ fn what_cannot_be_done_is_refused_and_nothing_is_written() {
         (
             "import box.rexs --stage 30 -o out.toml",
             2,
-            "stage 30 is left out: cylindrical_gear 31 is helical",
+            "stage 30 is left out: the flanks of cylindrical_gear 31 have no normal_pressure_angle",
         ),
         (
             "import box.rexs --stage 7 -o out.toml",
@@ -170,7 +221,7 @@ fn what_cannot_be_done_is_refused_and_nothing_is_written() {
         (
             "export box.rexs small.toml --stage 30 -o out.rexs",
             2,
-            "stage 30 has no two external spur gears",
+            "stage 30 is left out: the flanks of cylindrical_gear 31 have no normal_pressure_angle",
         ),
         (
             "export box.rexs jammed.toml --stage 20 -o out.rexs",

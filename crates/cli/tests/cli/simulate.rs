@@ -378,8 +378,6 @@ fn helical_gears_have_the_backlash_of_their_face() {
         &["chart", "pair.toml", "--kind", "revolution"][..],
         &["report", "pair.toml"],
         &["snapshot", "pair.toml", "--worst"],
-        &["gauge", "pair.toml"],
-        &["outline", "pair.toml", "--gear", "wheel", "--format", "dxf"],
         &["simulate", "pair.toml", "--snapshots"],
     ] {
         let (code, _, told) = run(folder.path(), command);

@@ -2,6 +2,7 @@
 
 mod command;
 mod files;
+mod helical;
 #[path = "../../../../tests/common/made_up.rs"]
 mod made_up;
 mod outlines;

@@ -55,7 +55,11 @@ pub(super) fn tables(
     for (kind, column, name, title) in singles {
         if kind == Kind::Thickness && is_asked(kind) && content.has_positions() {
             let found = content.positions(&file, problems);
-            tables.extend(found.map(|(positions, header)| positioned(&positions, &header)));
+            tables.extend(
+                found
+                    .filter(|(_, header)| !header.is_helical())
+                    .map(|(positions, header)| positioned(&positions, &header)),
+            );
             continue;
         }
         // A key that names the column says nothing of what it holds.

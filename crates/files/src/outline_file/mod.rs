@@ -7,7 +7,7 @@ mod dxf;
 use crate::characters::{cut, plain};
 use gearlash::analysis::study::Material;
 use gearlash::gear::AsBuilt;
-use gearlash::outline::{PathSegment, of_gear};
+use gearlash::outline::{PathSegment, of_gear, of_section};
 use nalgebra::Point2;
 use std::f64::consts::PI;
 use svg::node::Text;
@@ -38,15 +38,20 @@ pub struct OutlineFile<'a> {
     pub material: Material,
     /// The gear.
     pub gear: &'a AsBuilt,
+    /// Of a helical gear the transverse section that is drawn, mm from its measuring plane away from the viewer; 0 of a spur gear.
+    pub section_mm: f64,
     /// Bound on the distance of a chord from its curve, µm (> 0).
     pub tolerance_um: f64,
 }
 
 impl OutlineFile<'_> {
-    /// The outline in `format`: see [`of_gear`] for how it lies.
+    /// The outline in `format`: see [`of_gear`] and [`of_section`] for how it lies.
     pub fn text(&self, format: OutlineFormat) -> String {
         let tolerance = self.tolerance_um * 1e-3;
-        let outline = of_gear(self.gear, tolerance);
+        let outline = match self.gear.gear().basic_data().hand() {
+            None => of_gear(self.gear, tolerance),
+            Some(_) => of_section(self.gear, self.section_mm, tolerance),
+        };
         match format {
             OutlineFormat::Dxf => dxf::text(&outline, tolerance, &self.header(true)),
             OutlineFormat::Svg => self.svg(&outline),
@@ -74,6 +79,15 @@ impl OutlineFile<'_> {
             "origin: the rotation axis".to_owned(),
             "view: on the reference face, tooth 1 up (+y), numbers clockwise".to_owned(),
         ];
+        let basic_data = built.gear().basic_data();
+        if let Some(hand) = basic_data.hand() {
+            lines.push(format!(
+                "section: transverse, {} mm from the measuring plane, in which tooth 1 is up (helix {} deg, {} hand)",
+                number(self.section_mm),
+                number((basic_data.helix_angle().to_degrees() * 1e9).round() / 1e9),
+                hand.name()
+            ));
+        }
         if built.any_direction() && built.eccentricity() > 0.0 {
             lines.push("runout: direction not stated, tooth 1 drawn high".to_owned());
         }

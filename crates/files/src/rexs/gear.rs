@@ -1,4 +1,4 @@
-//! One spur gear of a REXS stage: its data, tool and thickness.
+//! One external gear of a REXS stage: its data, tool and thickness.
 
 use super::document::{Document, Relation};
 use super::fault::{Attributes, Fault, Unit};
@@ -6,7 +6,7 @@ use super::generated::Generated;
 use super::thickness::{self, Thickness};
 use crate::error::Problem;
 use crate::spec::RackSpec;
-use gearlash::gear::BasicGearData;
+use gearlash::gear::{BasicGearData, Hand};
 
 const HELIX: &str = "helix_angle_reference_diameter";
 const SETTINGS: &str = "manufacturing_settings";
@@ -18,6 +18,8 @@ pub struct Gear<'a> {
     pub module: f64,
     /// Degrees.
     pub pressure_angle: f64,
+    /// `None` of a spur gear.
+    pub helix: Option<Helix>,
     /// `None`: not stated.
     pub shift: Option<f64>,
     /// Diameter, mm.
@@ -32,8 +34,24 @@ pub struct Gear<'a> {
     pub parts: Vec<Attributes<'a>>,
 }
 
-/// The number of teeth and the module of a gear that is no other than spur and external.
-pub fn spur(gear: &Attributes) -> Result<(u32, f64), Fault> {
+/// How the teeth of a helical gear wind, and their length.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Helix {
+    /// Degrees, above 0.
+    pub angle: f64,
+    /// The format's angle has the sign of ISO 21771: right hands are positive.
+    pub hand: Hand,
+    /// mm.
+    pub face_width: f64,
+}
+
+/// The number of teeth and the normal module of a gear that is no other than cylindrical and external.
+pub fn external(gear: &Attributes) -> Result<(u32, f64), Fault> {
+    let (teeth, module, _) = basics(gear)?;
+    Ok((teeth, module))
+}
+
+fn basics(gear: &Attributes) -> Result<(u32, f64, Option<Helix>), Fault> {
     let place = gear.component().place();
     let left_out = |why: String| Err(Fault::LeftOut(format!("{place} {why}")));
     match gear.component().kind.as_str() {
@@ -41,12 +59,15 @@ pub fn spur(gear: &Attributes) -> Result<(u32, f64), Fault> {
         "ring_gear" => return left_out("is internal".to_owned()),
         _ => return left_out("is no cylindrical gear".to_owned()),
     }
-    let helix = gear.number(HELIX, Unit::Degree)?;
-    match helix {
-        Some(0.0) => {}
-        Some(angle) => return left_out(format!("is helical: {HELIX} {angle}°")),
+    let helix = match gear.number(HELIX, Unit::Degree)? {
+        Some(0.0) => None,
+        Some(angle) => Some(Helix {
+            angle: angle.abs(),
+            hand: if angle > 0.0 { Hand::Right } else { Hand::Left },
+            face_width: gear.need("face_width", Unit::Millimetre)?,
+        }),
         None => return left_out(format!("has no {HELIX}: only 0 makes it spur")),
-    }
+    };
     if gear
         .number("number_of_teeth", Unit::None)?
         .is_some_and(|z| z < 0.0)
@@ -57,13 +78,13 @@ pub fn spur(gear: &Attributes) -> Result<(u32, f64), Fault> {
     let Some(teeth) = teeth else {
         return left_out("has no number_of_teeth".to_owned());
     };
-    Ok((teeth, gear.need("normal_module", Unit::Millimetre)?))
+    Ok((teeth, gear.need("normal_module", Unit::Millimetre)?, helix))
 }
 
 impl<'a> Gear<'a> {
     /// The gear whose own attributes these are.
     pub fn read(document: &'a Document, gear: Attributes<'a>) -> Result<Gear<'a>, Fault> {
-        let (teeth, module) = spur(&gear)?;
+        let (teeth, module, helix) = basics(&gear)?;
         let id = gear.component().id;
         let flanks = flanks(document, id)?;
         let pressure_angle = shared(&flanks, "normal_pressure_angle", Unit::Degree)?;
@@ -80,6 +101,10 @@ impl<'a> Gear<'a> {
         }
         let addendum = shared(&flanks, "addendum_coefficient_basic_profile", Unit::None)?;
         let basic_data = BasicGearData::new(teeth, module, pressure_angle.to_radians());
+        let basic_data = basic_data.and_then(|data| match helix {
+            None => Ok(data),
+            Some(helix) => data.with_helix(helix.angle.to_radians(), helix.hand),
+        });
         let basic_data = basic_data
             .map_err(|error| Fault::LeftOut(format!("{}: {error}", gear.component().place())))?;
         let settings = settings(document, id, &flanks)?;
@@ -98,6 +123,7 @@ impl<'a> Gear<'a> {
             teeth,
             module,
             pressure_angle,
+            helix,
             shift,
             tip,
             rack: None,

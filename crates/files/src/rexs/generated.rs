@@ -75,8 +75,8 @@ impl GeneratedShift {
 
     /// Upper and lower allowance of the thickness at the reference cylinder against a gear of profile shift `x`, µm.
     ///
-    /// A rack that stands `x` modules off generates the thickness `s = m (π/2 + 2 x tan α)` (ISO 21771, as `BasicGearData::half_base_angle`).
-    /// The gear generated at `x_E` thus has `A_s = s(x_E) − s(x) = 2 m tan α (x_E − x)`.
+    /// A rack that stands `x` modules off generates the thickness `s_n = m_n (π/2 + 2 x tan α_n)` (ISO 21771, as `BasicGearData::half_base_angle`).
+    /// The gear generated at `x_E` thus has `A_sn = s(x_E) − s(x) = 2 m_n tan α_n (x_E − x)`.
     pub fn allowances_um(&self, x: f64, basic_data: &BasicGearData) -> [f64; 2] {
         let of_shift = um_of_shift(basic_data);
         self.deviations

@@ -1,8 +1,8 @@
-//! REXS, the exchange format for gearboxes: stages of external spur gears become pair files, all else is named and left out, and the
+//! REXS, the exchange format for gearboxes: stages of external gears, spur and helical, become pair files, all else is named and left out, and the
 //! backlash of a stage goes back into a copy of the file.
 //!
 //! Versions 1.0 to 2.0, XML and JSON, and the same zipped (`.rexsz`). Facts of the format are those of its owner's public Java API
-//! (<https://github.com/fva-net/rexs-api-java>, Apache-2.0). Helical and internal gears and planetary stages are never read as spur.
+//! (<https://github.com/fva-net/rexs-api-java>, Apache-2.0). Internal gears and planetary stages are never read as external pairs.
 
 mod archive;
 mod document;
@@ -58,13 +58,13 @@ pub struct RexsStage {
     pub kind: String,
     /// May be empty.
     pub name: String,
-    /// Teeth and module (mm) of both gears, where these are spur and external.
+    /// Teeth and normal module (mm) of both gears, where these are cylindrical and external.
     pub gears: Option<[(u32, f64); 2]>,
     /// The pair, or why there is none.
     pub pair: Result<RexsPair, String>,
 }
 
-/// A stage of external spur gears.
+/// A stage of external gears.
 #[derive(Debug)]
 pub struct RexsPair {
     /// Its numbers in a line.
@@ -187,7 +187,7 @@ fn stage_of(
         id: component.id,
         kind: cut(&component.kind, LONGEST),
         name: component.name.clone(),
-        gears: stage::spur_gears(document, component).ok(),
+        gears: stage::external_gears(document, component).ok(),
         pair,
     }
 }
@@ -224,7 +224,7 @@ impl RexsStage {
     pub fn is_of(&self, pair: &PairSpec) -> Result<(), String> {
         match (&self.pair, self.gears) {
             (Ok(own), _) => same::same(&own.spec, pair),
-            (Err(why), None) => Err(format!("has no two external spur gears: {why}")),
+            (Err(why), None) => Err(format!("has no two external cylindrical gears: {why}")),
             (Err(why), Some(_)) => Err(format!("is left out: {why}")),
         }
     }

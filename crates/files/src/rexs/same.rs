@@ -1,8 +1,8 @@
 //! Whether a pair file is that of a stage: only then its backlash is the stage's.
 
 use crate::numbers::{fixed, shortest};
-use crate::spec::{AssemblySpec, Either, GearSpec, PairSpec};
-use gearlash::gear::{BasicGearData, ThicknessField};
+use crate::spec::{AssemblySpec, Either, GearSpec, HandName, PairSpec};
+use gearlash::gear::{BasicGearData, Hand, ThicknessField};
 
 /// Degrees, and profile shift in modules: what rounds off when a pair file is written by hand.
 const ROUNDING: f64 = 1e-6;
@@ -61,12 +61,35 @@ fn same_gear(stage: &GearSpec, pair: &GearSpec) -> Result<(), String> {
             pair.pressure_angle_deg,
             "°",
         ),
+        (
+            "helix angle",
+            stage.helix_angle_deg.unwrap_or(0.0),
+            pair.helix_angle_deg.unwrap_or(0.0),
+            "°",
+        ),
         ("profile shift", stage.profile_shift, pair.profile_shift, ""),
     ] {
         if (stage - pair).abs() > ROUNDING {
             let stage = format!("{what} {}{unit} {of}", shortest(stage));
             return Err(unlike(stage, format!("{}{unit}", shortest(pair))));
         }
+    }
+    let hands = [stage, pair].map(|gear| gear.hand.filter(|_| gear.is_helical()));
+    if let [Some(one), Some(other)] = hands.map(|hand| hand.map(HandName::name))
+        && one != other
+    {
+        return Err(unlike(format!("hand {one} {of}"), other.to_owned()));
+    }
+    let width = |gear: &GearSpec| {
+        gear.face_mm
+            .filter(|_| gear.is_helical())
+            .map(|[a, b]| b - a)
+    };
+    if let (Some(one), Some(other)) = (width(stage), width(pair))
+        && (one - other).abs() > ROUNDING_MM
+    {
+        let stage = format!("face width {} mm {of}", shortest(one));
+        return Err(unlike(stage, format!("{} mm", shortest(other))));
     }
     let (Some(band), Some(found)) = (allowances(stage), allowances(pair)) else {
         return Ok(());
@@ -108,6 +131,8 @@ fn allowances(gear: &GearSpec) -> Option<[f64; 2]> {
     let field: ThicknessField = statement.designation.as_ref()?.parse().ok()?;
     let angle = gear.pressure_angle_deg.to_radians();
     let basic_data = BasicGearData::new(gear.teeth, gear.module_mm, angle).ok()?;
+    let helix = gear.helix_angle_deg.unwrap_or(0.0).to_radians();
+    let basic_data = basic_data.with_helix(helix, Hand::Right).ok()?;
     let [upper, lower] = field.allowances_um(&basic_data).ok()?;
     Some([lower, upper])
 }

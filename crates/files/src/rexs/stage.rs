@@ -7,6 +7,7 @@ use super::thickness::Thickness;
 use crate::characters::cut;
 use crate::node::LONGEST;
 use crate::numbers::{shortest, trimmed};
+use gearlash::gear::MeasuringBody;
 use gearlash::pair::DesignatedDistance;
 use std::fmt::Write;
 
@@ -16,7 +17,7 @@ const FIELD: [&str; 2] = [
     "din_3964_center_distance_tolerance_field",
 ];
 
-/// A stage of two spur gears, as the file states it.
+/// A stage of two external gears, as the file states it.
 pub struct Stage<'a> {
     stage: Attributes<'a>,
     gears: [Gear<'a>; 2],
@@ -37,10 +38,10 @@ enum Band {
     },
 }
 
-/// Teeth and module of the gears of a stage that has two spur gears and no others.
-pub fn spur_gears(document: &Document, stage: &Component) -> Result<[(u32, f64); 2], Fault> {
+/// Teeth and normal module of the gears of a stage that has two external cylindrical gears and no others.
+pub fn external_gears(document: &Document, stage: &Component) -> Result<[(u32, f64); 2], Fault> {
     let [one, two] = gears(document, stage)?;
-    Ok([gear::spur(&one)?, gear::spur(&two)?])
+    Ok([gear::external(&one)?, gear::external(&two)?])
 }
 
 fn gears<'a>(document: &'a Document, stage: &Component) -> Result<[Attributes<'a>; 2], Fault> {
@@ -84,7 +85,7 @@ impl<'a> Stage<'a> {
     pub fn read(document: &'a Document, component: &'a Component) -> Result<Stage<'a>, Fault> {
         let [one, two] = gears(document, component)?;
         for gear in [&one, &two] {
-            gear::spur(gear)?;
+            gear::external(gear)?;
         }
         let gears = [Gear::read(document, one)?, Gear::read(document, two)?];
         let stage = Attributes::of(component);
@@ -134,6 +135,10 @@ impl<'a> Stage<'a> {
                     format!("{}…{} µm", trimmed(*lower, 0, 1), trimmed(*upper, 0, 1))
                 }
                 Some(Thickness::Span { .. }) => "span".to_owned(),
+                Some(Thickness::OverPins {
+                    body: MeasuringBody::Ball,
+                    ..
+                }) if gear.helix.is_some() => "over balls".to_owned(),
                 Some(Thickness::OverPins { .. }) => "over pins".to_owned(),
             });
         let distance = match &self.band {
@@ -147,10 +152,16 @@ impl<'a> Stage<'a> {
             ),
         };
         format!(
-            "z {}/{}, m {}, a {distance}, thickness {} / {}",
+            "z {}/{}, m {}{}, a {distance}, thickness {} / {}",
             one.teeth,
             two.teeth,
             shortest(one.module),
+            one.helix.map_or(String::new(), |helix| format!(
+                ", β {}° {}/{}",
+                shortest(helix.angle),
+                helix.hand.name(),
+                two.helix.map_or("spur", |helix| helix.hand.name())
+            )),
             thickness[0],
             thickness[1]
         )
@@ -192,6 +203,12 @@ impl<'a> Stage<'a> {
                 remarks.push(format!("{place} states no tooth thickness: nominal"));
             }
             remarks.extend_from_slice(&gear.remarks);
+        }
+        if self.gears.iter().any(|gear| gear.helix.is_some()) {
+            remarks.push(format!(
+                "{}: where along their axes the gears stand is not read: their faces are taken as centred on each other",
+                self.stage.component().place()
+            ));
         }
         remarks
     }
@@ -237,6 +254,11 @@ fn table(text: &mut String, name: &str, gear: &Gear) {
     line(format!("teeth = {}", gear.teeth));
     line(format!("module_mm = {:?}", gear.module));
     line(format!("pressure_angle_deg = {:?}", gear.pressure_angle));
+    if let Some(helix) = gear.helix {
+        line(format!("helix_angle_deg = {:?}", helix.angle));
+        line(format!("hand = \"{}\"", helix.hand.name()));
+        line(format!("face_width_mm = {:?}", helix.face_width));
+    }
     if let Some(shift) = gear.shift {
         line(format!("profile_shift = {shift:?}"));
     }
@@ -249,7 +271,7 @@ fn table(text: &mut String, name: &str, gear: &Gear) {
             rack.addendum, rack.dedendum, rack.root_radius
         ));
     }
-    let mut stated = gear.thickness.iter().map(statement);
+    let mut stated = gear.thickness.iter().map(|one| statement(one, gear));
     if let Some(counts) = stated.next() {
         let mut inside = counts;
         if let Some(second) = stated.next() {
@@ -259,15 +281,20 @@ fn table(text: &mut String, name: &str, gear: &Gear) {
     }
 }
 
-fn statement(thickness: &Thickness) -> String {
+fn statement(thickness: &Thickness, gear: &Gear) -> String {
     match thickness {
         Thickness::Series(field) => format!("designation = \"{field}\""),
         Thickness::Allowance { upper, lower } => {
             format!("allowance_um = {{ upper = {upper:?}, lower = {lower:?} }}")
         }
         Thickness::Span { teeth, mm } => format!("span = {{ teeth = {teeth}, mm = {mm:?} }}"),
-        Thickness::OverPins { pin, mm } => {
-            format!("over_pins = {{ pin_mm = {pin:?}, mm = {mm:?} }}")
+        Thickness::OverPins { body, pin, mm } => {
+            let kind = match (gear.helix, body) {
+                (None, _) => "",
+                (_, MeasuringBody::Ball) => "kind = \"ball\", ",
+                (_, MeasuringBody::Pin) => "kind = \"pin\", ",
+            };
+            format!("over_pins = {{ pin_mm = {pin:?}, {kind}mm = {mm:?} }}")
         }
     }
 }

@@ -4,12 +4,19 @@ use super::document::shown;
 use super::fault::{Attributes, Fault, Unit};
 use super::generated::{Generated, um_of_shift};
 use crate::numbers::{fixed, rounded};
-use gearlash::gear::{BasicGearData, ThicknessField};
+use gearlash::gear::{BasicGearData, MeasuringBody, ThicknessField};
 
 const SPAN: &str = "span_measurement";
 const SPANNED: &str = "number_of_teeth_for_span_measurement";
 const PIN: &str = "diameter_of_measuring_ball_or_pin";
-const SIZES: [&str; 3] = ["size_over_pins", "size_over_balls", "diametral_measurement"];
+/// Of a spur gear all three are one.
+const SIZES: [(&str, MeasuringBody); 3] = [
+    ("size_over_pins", MeasuringBody::Pin),
+    ("size_over_balls", MeasuringBody::Ball),
+    (DIAMETRAL, MeasuringBody::Pin),
+];
+/// Over balls or over pins, which it does not say.
+const DIAMETRAL: &str = "diametral_measurement";
 /// The series of DIN 3967, as version 1.0 calls it and as all others do.
 const SERIES: [&str; 2] = [
     "tooth_thickness_deviation_tolerance_series_din_3967_1978",
@@ -35,7 +42,11 @@ pub enum Thickness {
     /// mm.
     Span { teeth: u32, mm: f64 },
     /// mm.
-    OverPins { pin: f64, mm: f64 },
+    OverPins {
+        body: MeasuringBody,
+        pin: f64,
+        mm: f64,
+    },
 }
 
 /// Allowances of a span are printed in whole µm: 0.5 µm, as thickness at pressure angles up to 60° 1 µm.
@@ -103,7 +114,7 @@ pub fn stated(
     let place = gear.component().place();
     let mut stated = limits(gear, basic_data)?;
     if stated.is_empty() {
-        stated = lengths(gear)?;
+        stated = lengths(gear, basic_data)?;
     }
     let left_out = |why: String| Fault::LeftOut(format!("{place} {why}"));
     match generated {
@@ -172,7 +183,7 @@ fn limits(gear: &Attributes, basic_data: &BasicGearData) -> Result<Vec<Thickness
     let lower = gear.number(&span[1], Unit::Micrometre)?;
     match (upper, lower) {
         (Some(upper), Some(lower)) => {
-            // W_k of a spur gear changes by A_sn cos α.
+            // W_k changes by A_sn cos α_n.
             let [upper, lower] =
                 [upper, lower].map(|um| rounded(um / basic_data.pressure_angle().cos(), 6));
             match stated[..] {
@@ -195,7 +206,7 @@ fn limits(gear: &Attributes, basic_data: &BasicGearData) -> Result<Vec<Thickness
 }
 
 /// Measured lengths.
-fn lengths(gear: &Attributes) -> Result<Vec<Thickness>, Fault> {
+fn lengths(gear: &Attributes, basic_data: &BasicGearData) -> Result<Vec<Thickness>, Fault> {
     let place = gear.component().place();
     let mut stated = Vec::new();
     if let Some(other) = OTHER_LIMITS
@@ -212,17 +223,24 @@ fn lengths(gear: &Attributes) -> Result<Vec<Thickness>, Fault> {
         stated.push(Thickness::Span { teeth, mm });
     }
     if let Some(pin) = gear.number(PIN, Unit::Millimetre)? {
-        for size in SIZES {
+        for (size, body) in SIZES {
+            if size == DIAMETRAL && basic_data.hand().is_some() {
+                continue;
+            }
             if let Some(mm) = gear.number(size, Unit::Millimetre)? {
-                stated.push(Thickness::OverPins { pin, mm });
+                stated.push(Thickness::OverPins { body, pin, mm });
                 break;
             }
         }
     }
-    let lengths = [&[SPAN][..], &SIZES].concat();
-    let length = lengths
-        .into_iter()
-        .find(|id| gear.component().attribute(id).is_some());
+    let unsaid = basic_data.hand().is_some() && gear.component().attribute(DIAMETRAL).is_some();
+    if unsaid && stated.is_empty() {
+        return Err(Fault::LeftOut(format!(
+            "{place} has {DIAMETRAL} alone, which on a helical gear is over balls or over pins: add size_over_balls or size_over_pins"
+        )));
+    }
+    let mut lengths = [SPAN].into_iter().chain(SIZES.map(|(size, _)| size));
+    let length = lengths.find(|id| gear.component().attribute(id).is_some());
     match length.filter(|_| stated.is_empty()) {
         Some(length) => Err(Fault::LeftOut(format!(
             "{place} has {length} without {SPANNED} or {PIN}"

@@ -13,6 +13,7 @@ enum Fact {
     PressureAngle,
     ProfileShift,
     TipDiameter,
+    HelixAngle,
 }
 
 /// The labels and the key that states the same. `*` is the umlaut, which the code pages of old machines
@@ -29,7 +30,7 @@ const LABELS: [(&str, Fact, &str); 6] = [
     ("Kopfkreisdurchmesser", Fact::TipDiameter, "tip_diameter_mm"),
     ("Kopfkreis", Fact::TipDiameter, "tip_diameter_mm"),
 ];
-/// Label of the helix angle, which no pair file states.
+/// Label of the helix angle, whose sign some machines print and some do not.
 const HELIX_ANGLE: &str = "Schr*gungswinkel";
 /// Words beside the number of teeth that make the gear an internal one.
 const INTERNAL: [&str; 2] = ["innen", "internal"];
@@ -71,6 +72,8 @@ pub struct Drawn<'a> {
     pub design: &'a GearDesign,
     /// `α`, degrees as written.
     pub pressure_angle_deg: f64,
+    /// `β`, degrees as written; 0 of a spur gear.
+    pub helix_angle_deg: f64,
 }
 
 impl Header {
@@ -108,17 +111,30 @@ impl Header {
         if let Some(length) = labelled(label, HELIX_ANGLE) {
             let name = &label[..length];
             let words = fields.split([' ', '\t', ':', '°']).chain([value]);
-            let mut numbers = words.filter_map(number::written).peekable();
-            if numbers.peek().is_none() {
-                let reason = format!("{name} is {}, allowed is 0", file.quote(value));
-                wrong(reason, "correct the line, or remove it");
-            } else if let Some(angle) = numbers.find(|number| number.value != 0.0) {
+            // A field may hold zeros beside it.
+            let numbers: Vec<number::Written> = words.filter_map(number::written).collect();
+            let angles = || numbers.iter().filter(|number| number.value != 0.0);
+            let angle = angles().next().or(numbers.first());
+            let one = |angle: &&number::Written| {
+                angles().all(|other| other.value.abs() == angle.value.abs())
+            };
+            let Some(angle) = angle.filter(one) else {
                 let reason = format!(
-                    "{name} is {}: the gear is helical, gearlash reads spur gears, whose helix angle is 0",
-                    file.bare(angle.text)
+                    "{name} is {}, allowed is a number of degrees",
+                    file.quote(fields.trim_matches([' ', '\t', '.', ':']))
                 );
-                wrong(reason, "name the file of a spur gear");
-            }
+                wrong(reason, "correct the line, or remove it");
+                return;
+            };
+            self.said.push(Said {
+                file: file.clone(),
+                line,
+                label: name.to_owned(),
+                fact: Fact::HelixAngle,
+                key: "helix_angle_deg",
+                value: angle.value.abs(),
+                rounding: angle.rounding,
+            });
             return;
         }
         let known = LABELS.iter().find_map(|&(known, fact, key)| {
@@ -200,14 +216,31 @@ impl Header {
         Some(said.value as u32)
     }
 
-    /// What a line states of the gear's base circle, mm: by teeth, module and pressure angle where all three are there.
+    fn value(&self, fact: Fact) -> Option<f64> {
+        let mut said = self.said.iter();
+        Some(said.find(|said| said.fact == fact)?.value)
+    }
+
+    /// Whether a line states a helix angle above 0.
+    pub fn is_helical(&self) -> bool {
+        self.value(Fact::HelixAngle)
+            .is_some_and(|angle| angle > 0.0)
+    }
+
+    /// What lines state of the gear's base circle, mm: by teeth, module, pressure angle and helix angle, where the first three are there:
+    /// `r_b = m_n z cos α_t/(2 cos β)` with `tan α_t = tan α_n/cos β`.
     pub fn base_radius(&self) -> Option<f64> {
-        let value = |fact| {
-            let mut said = self.said.iter();
-            Some(said.find(|said| said.fact == fact)?.value)
-        };
-        let angle = value(Fact::PressureAngle)?.to_radians();
-        Some(0.5 * value(Fact::Module)? * value(Fact::Teeth)? * angle.cos())
+        let normal = self.value(Fact::PressureAngle)?.to_radians();
+        let reference = 0.5 * self.value(Fact::Module)? * self.value(Fact::Teeth)?;
+        let cos = self
+            .value(Fact::HelixAngle)
+            .unwrap_or(0.0)
+            .to_radians()
+            .cos();
+        match self.is_helical() {
+            false => Some(reference * normal.cos()),
+            true => Some(reference / cos * (normal.tan() / cos).atan().cos()),
+        }
     }
 
     /// Header lines that look known and are not.
@@ -225,6 +258,7 @@ impl Header {
                 Fact::PressureAngle => drawn.pressure_angle_deg,
                 Fact::ProfileShift => design.profile_shift,
                 Fact::TipDiameter => 2.0 * design.tip_radius(),
+                Fact::HelixAngle => drawn.helix_angle_deg,
             };
             // Rounding of the comparison itself: some ulps of the value.
             let allowed = said.rounding + 1e-12 * stated.abs();

@@ -169,6 +169,16 @@ pub enum HandName {
     Right,
 }
 
+impl HandName {
+    /// As a pair file writes it.
+    pub fn name(self) -> &'static str {
+        match self {
+            HandName::Left => "left",
+            HandName::Right => "right",
+        }
+    }
+}
+
 impl From<Hand> for HandName {
     fn from(hand: Hand) -> HandName {
         match hand {

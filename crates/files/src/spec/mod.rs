@@ -36,7 +36,7 @@ pub use require::{AngleLimitsSpec, LimitsSpec, RequireSpec};
 pub use schema::{gear_schema, pair_schema};
 pub(crate) use thickness::CROSS_CHECK_UM;
 pub use thickness::{
-    CrossCheckSpec, LengthSpec, OverPinsSpec, SpanSpec, StatementSpec, ThicknessSpec,
+    BodyName, CrossCheckSpec, LengthSpec, OverPinsSpec, SpanSpec, StatementSpec, ThicknessSpec,
 };
 pub(crate) use tolerance::{DEFAULT_ASSEMBLIES, DEFAULT_IMPOSSIBLE, DEFAULT_ROWS};
 pub use tolerance::{

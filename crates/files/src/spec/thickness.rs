@@ -5,6 +5,7 @@ use super::rules::{
 };
 use super::value::{AllowanceBandSpec, BandSpec, Either, TableFileSpec};
 use crate::limits::{ALLOWANCE, CROSS_CHECK, FLANK_OFFSET, LENGTH, PER_TOOTH};
+use gearlash::gear::MeasuringBody;
 use schemars::{JsonSchema, Schema};
 use serde::Serialize;
 
@@ -66,7 +67,7 @@ pub struct StatementSpec {
     /// Span W_k over k teeth.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub span: Option<SpanSpec>,
-    /// Dimension M_dK over two pins.
+    /// Dimension over two pins, or balls.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub over_pins: Option<OverPinsSpec>,
     /// Tolerance field of the tooth thickness, DIN 3967: such as 25cd.
@@ -75,7 +76,7 @@ pub struct StatementSpec {
         pattern = r"^(2[1-9]|30) ?(ab?|bc?|cd?|[defgh])$|^(ab?|bc?|cd?|[defgh]) ?(2[1-9]|30)$"
     ))]
     pub designation: Option<String>,
-    /// Thickness allowance A_s, µm, transverse at the reference circle.
+    /// Thickness allowance A_sn, µm, in the normal section at the reference circle.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = within(&ALLOWANCE))]
     #[schemars(with = "Option<Either<f64, AllowanceBandSpec>>")]
@@ -143,13 +144,38 @@ pub struct LengthSpec {
     pub max_mm: Option<f64>,
 }
 
-/// Dimension M_dK over two pins.
+/// What lies in the spaces of a helical gear.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+#[schemars(inline)]
+pub enum BodyName {
+    /// Balls, their centres in one transverse section.
+    #[default]
+    Ball,
+    /// Cylindrical pins along the spaces.
+    Pin,
+}
+
+impl From<MeasuringBody> for BodyName {
+    fn from(body: MeasuringBody) -> BodyName {
+        match body {
+            MeasuringBody::Ball => BodyName::Ball,
+            MeasuringBody::Pin => BodyName::Pin,
+        }
+    }
+}
+
+/// Dimension over two pins, or balls.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, JsonSchema)]
 #[schemars(transform = over_pins_keys, transform = columns("tooth (the one before the space), pins (mm)"))]
 pub struct OverPinsSpec {
-    /// Pin diameter D_M, mm.
+    /// Diameter D_M of the pins or balls, mm.
     #[schemars(transform = within(&LENGTH))]
     pub pin_mm: f64,
+    /// What was measured over; the same on a spur gear.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("default" = "ball"))]
+    pub kind: Option<BodyName>,
     /// What was measured.
     #[serde(flatten)]
     pub length: LengthSpec,

@@ -170,15 +170,19 @@ fn gears_of_other_kinds_are_refused() {
         ),
         (
             " 22 :Zähnezahl z....: 17\r\n 26 :Schrägungswinkel.......: 15.0",
-            "Schrägungswinkel is 15.0: the gear is helical",
+            "Schrägungswinkel is 15, the pair file has helix_angle_deg = 0",
         ),
         (
             " 22 :Zähnezahl z....: 17\r\n 26 :Schrägungswinkel.......: R -15.0",
-            "the gear is helical",
+            "Schrägungswinkel is 15, the pair file has helix_angle_deg = 0",
         ),
         (
             " 22 :Zähnezahl z....: 17\r\n 26 :Schrägungswinkel.......: rechts",
-            "allowed is 0",
+            "Schrägungswinkel is \"rechts\", allowed is a number of degrees",
+        ),
+        (
+            " 22 :Zähnezahl z....: 17\r\n 26 :Schrägungswinkel.......: 15.0 20.0",
+            "allowed is a number of degrees",
         ),
         (" 22 :Zähnezahl z....: 17.5", "allowed is a whole number"),
     ] {

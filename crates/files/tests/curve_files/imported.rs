@@ -129,6 +129,12 @@ fn gears_of_other_kinds() {
     let told = import(&text.replace("Außenverzahnung", "Innenverzahnung"), None).unwrap_err();
     assert!(told.contains("the gear is internal"), "{told}");
     let helix = " 26 :Schrägungswinkel.......: 15.0\r\n 24 :Eingriffswinkel";
-    let told = import(&text.replace(" 24 :Eingriffswinkel", helix), None).unwrap_err();
-    assert!(told.contains("the gear is helical"), "{told}");
+    let helical = text.replace(" 24 :Eingriffswinkel", helix);
+    assert!(import(&helical, Some(Kind::Pitch)).is_ok());
+    // Its traces are of a spur gear's base circle, and the wound gear's is larger.
+    let told = import(&helical, None).unwrap_err();
+    assert!(
+        told.contains("from the base circle on, 49.4079 mm"),
+        "{told}"
+    );
 }

@@ -31,6 +31,7 @@ fn the_rig_reads_back_with_its_lost_motion() {
                 name: member.name(),
                 material: Material::Most,
                 gear: pair.gear(member),
+                section_mm: 0.0,
                 tolerance_um: TOLERANCE_UM,
             };
             let path = folder.path().join(format!("{}.{ending}", member.name()));

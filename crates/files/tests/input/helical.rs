@@ -248,3 +248,99 @@ fn a_face_too_short_for_the_span_is_a_warning() {
         "{warned:?}"
     );
 }
+
+/// FVA Workbench's 27 teeth, example 1-3: 147.077 mm over balls and 147.311 mm over pins are the nominal thickness. Balls are the default.
+#[test]
+fn a_dimension_is_over_balls_or_over_pins() {
+    const GEAR: &str = "[wheel]\nteeth = 27\nmodule_mm = 4.5\npressure_angle_deg = 20\nhelix_angle_deg = 21\nhand = \"right\"\nface_width_mm = 50\n\
+        profile_shift = 0.3\nrack.root_radius = 0.25\nthickness.over_pins = OVER\n\
+        [pinion]\nteeth = 51\nmodule_mm = 4.5\npressure_angle_deg = 20\nhelix_angle_deg = 21\nhand = \"left\"\nface_width_mm = 50\n\
+        [assembly]\ncenter_distance_mm = 190\n";
+    let gear = |over: &str| study(&GEAR.replace("OVER", over));
+    for (over, kind) in [
+        ("{ pin_mm = 9, mm = 147.07716569057362 }", "ball"),
+        (
+            "{ pin_mm = 9, kind = \"ball\", mm = 147.07716569057362 }",
+            "ball",
+        ),
+        (
+            "{ pin_mm = 9, kind = \"pin\", mm = 147.3111662932581 }",
+            "pin",
+        ),
+        (
+            "{ pin_mm = 9, kind = \"pin\", mm = [147.3111662932581, 147.3111662932581], space = [1, 9] }",
+            "pin",
+        ),
+        (
+            "{ pin_mm = 9, mm = [147.07716569057362, 147.07716569057362], space = [1, 9] }",
+            "ball",
+        ),
+    ] {
+        let file = gear(over);
+        let run = &file.study.runs().unwrap()[0];
+        let wheel = run.assembly.gear(Member::Wheel).gear();
+        let nominal = wheel.design().nominal_base_thickness();
+        assert!((wheel.base_thickness() - nominal).abs() < 1e-9, "{over}");
+        let echo = serde_json::to_value(&file.spec.wheel.thickness).unwrap();
+        assert_eq!(echo["over_pins"]["kind"], kind, "{over}");
+    }
+    let other = gear("{ pin_mm = 9, kind = \"pin\", mm = 147.07716569057362 }");
+    let thin = other.study.runs().unwrap()[0]
+        .assembly
+        .gear(Member::Wheel)
+        .gear()
+        .base_thickness();
+    let ball = gear("{ pin_mm = 9, mm = 147.07716569057362 }");
+    let right = ball.study.runs().unwrap()[0]
+        .assembly
+        .gear(Member::Wheel)
+        .gear()
+        .base_thickness();
+    assert!(thin < right - 0.05, "{thin} {right}");
+    let told = refused(&GEAR.replace("OVER", "{ pin_mm = 9, kind = \"roll\", mm = 147.1 }"));
+    assert!(
+        told.contains("wheel.thickness.over_pins.kind = \"roll\": ")
+            && told.contains("\"ball\"")
+            && told.contains("\"pin\""),
+        "{told}"
+    );
+    let told = refused(&GEAR.replace("OVER", "{ pin_mm = 9, kind = \"pin\", mm = 130.0 }"));
+    assert!(
+        told.contains("nominal over pins of 9 mm is 147.3112 mm"),
+        "{told}"
+    );
+    let told = refused(&GEAR.replace("OVER", "{ pin_mm = 9, mm = 130.0 }"));
+    assert!(
+        told.contains("nominal over balls of 9 mm is 147.0772 mm"),
+        "{told}"
+    );
+}
+
+/// Of a spur gear both are the same, and the echo says what was written.
+#[test]
+fn of_a_spur_gear_balls_and_pins_are_the_same() {
+    let spur = HELICAL
+        .replace("helix_angle_deg = 15", "helix_angle_deg = 0")
+        .replace(
+            "face_width_mm = 30",
+            "thickness.over_pins = { pin_mm = 5.5, KIND mm = 68.3 }",
+        );
+    let read = |kind: &str| {
+        let file = study(&spur.replace("KIND", kind));
+        let base = file.study.runs().unwrap()[0]
+            .assembly
+            .gear(Member::Wheel)
+            .gear()
+            .base_thickness();
+        (
+            base,
+            serde_json::to_value(&file.spec.wheel.thickness).unwrap()["over_pins"]["kind"].clone(),
+        )
+    };
+    let (none, echo) = read("");
+    assert!(echo.is_null());
+    for kind in ["ball", "pin"] {
+        let (base, echo) = read(&format!("kind = \"{kind}\","));
+        assert_eq!((base, echo), (none, kind.into()));
+    }
+}

@@ -13,7 +13,7 @@ fn only_external_spur_stages_are_read() {
     let expected = [
         (
             30,
-            "cylindrical_gear 31 is helical: helix_angle_reference_diameter 15°",
+            "the flanks of cylindrical_gear 31 have no normal_pressure_angle",
         ),
         (40, "a planetary stage: its play is not that of one pair"),
         (41, "part of planetary_stage 40"),

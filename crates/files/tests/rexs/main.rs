@@ -5,6 +5,7 @@ mod mutant;
 
 mod edited;
 mod generated;
+mod helical;
 mod left_out;
 mod mutations;
 mod oracle;

@@ -140,10 +140,16 @@ impl Model {
     fn check_gear(&self, gear: i64, table: &toml::Table) {
         let float = |key: &str| table.get(key).map(|value| value.as_float().unwrap());
         assert_eq!(self.kinds[&gear].trim(), "cylindrical_gear");
-        assert_eq!(
-            self.number(gear, "helix_angle_reference_diameter"),
-            Some(0.0)
-        );
+        let helix = self.number(gear, "helix_angle_reference_diameter").unwrap();
+        let hand = table.get("hand").and_then(|hand| hand.as_str());
+        let signed = float("helix_angle_deg").map(|angle| match hand.unwrap() {
+            "right" => angle,
+            _ => -angle,
+        });
+        assert_eq!(signed.unwrap_or(0.0), helix);
+        // Of a spur gear it is not asked for.
+        let width = (helix != 0.0).then(|| self.number(gear, "face_width").unwrap());
+        assert_eq!(float("face_width_mm"), width);
         let teeth = self.number(gear, "number_of_teeth");
         assert_eq!(table["teeth"].as_integer().map(|z| z as f64), teeth);
         assert_eq!(float("module_mm"), self.number(gear, "normal_module"));

@@ -111,6 +111,11 @@ fn a_stage_that_is_left_out_has_no_pair_file() {
     let spec = spec(&pair.pair_file);
     let told = |stage: i32| file.stage(stage).unwrap().is_of(&spec).unwrap_err();
     assert!(told(10).starts_with("is left out: cylindrical_stage 10, center_distance = 78,0"));
-    assert!(told(30).starts_with("has no two external spur gears: cylindrical_gear 31 is helical"));
+    assert!(told(30).starts_with(
+        "is left out: the flanks of cylindrical_gear 31 have no normal_pressure_angle"
+    ));
+    assert!(
+        told(44).starts_with("has no two external cylindrical gears: ring_gear 43 is internal")
+    );
     assert!(told(20).starts_with("has 20/40 teeth, m 1, the pair file 17/22 teeth, m 4"));
 }

@@ -110,10 +110,13 @@ fn a_header_that_contradicts_the_pair_file() {
         assert!(told.contains(", the pair file has "), "{line}: {told}");
     }
     for (line, expected) in [
-        ("23 Schraegungswinkel 15.0", "the gear is helical"),
+        (
+            "23 Schraegungswinkel 15.0",
+            "Schraegungswinkel is 15, the pair file has helix_angle_deg = 0",
+        ),
         (
             "  23 :Schrägungswinkel....[Grad]: -15.0",
-            "the gear is helical",
+            "Schrägungswinkel is 15, the pair file has helix_angle_deg = 0",
         ),
         ("  22 :Zähnezahl: -44", "the gear is internal"),
         (
@@ -128,7 +131,11 @@ fn a_header_that_contradicts_the_pair_file() {
     for strange in [0x84, 0x8a] {
         for (label, value, expected) in [
             ("Zähnezahl", "45", ", the pair file has "),
-            ("Schrägungswinkel", "15.0", "the gear is helical"),
+            (
+                "Schrägungswinkel",
+                "15.0",
+                ", the pair file has helix_angle_deg = 0",
+            ),
         ] {
             let line = format!("22 :{label}....: {value}");
             let bytes: Vec<u8> = text

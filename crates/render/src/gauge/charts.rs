@@ -85,10 +85,11 @@ fn subtitle(gauged: &GaugedGear) -> String {
     // Degrees do not convert exactly.
     let degrees = rounded(basic_data.pressure_angle().to_degrees(), 9);
     format!(
-        "{} · z {}, m {} mm, α {degrees}°, x {shift} · {}",
+        "{} · z {}, m {} mm, α {degrees}°{}, x {shift} · {}",
         gauged.name,
         basic_data.teeth(),
         basic_data.module(),
+        gauged.helix(),
         gauged.material.words(),
     )
 }
@@ -101,7 +102,7 @@ fn means(mean: f64, formula: Option<f64>) -> String {
 
 /// Spans, dimensions over pins and thickness: each reading less the mean.
 fn length_charts(gauged: &GaugedGear) -> Result<Vec<(String, String)>, PictureError> {
-    let drawn = lengths(&gauged.gauged).into_iter().filter_map(|length| {
+    let drawn = lengths(gauged).into_iter().filter_map(|length| {
         let by_tooth = length.by_tooth.as_ref()?;
         length_chart(gauged, &length, by_tooth).transpose()
     });

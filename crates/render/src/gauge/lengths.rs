@@ -1,7 +1,7 @@
 //! Lengths with their least, mean and greatest reading: the rows of the text, the charts of each less its mean.
 
-use gearlash::gauge::{Gauged, OverPins};
-use gearlash_files::results::gauge::Reading;
+use gearlash::gauge::OverPins;
+use gearlash_files::results::gauge::{GaugedGear, Reading};
 
 /// One length, mm.
 pub(super) struct Length {
@@ -30,12 +30,17 @@ pub(super) struct ByTooth {
 }
 
 /// Every length that was measured.
-pub(super) fn lengths(read: &Gauged) -> Vec<Length> {
+pub(super) fn lengths(gauged: &GaugedGear) -> Vec<Length> {
+    let read = &gauged.gauged;
     let formula = &read.formula;
+    let wound = gauged.gear.gear().basic_data().hand().is_some();
     let mut rows = Vec::new();
     if let Ok(spans) = &read.spans {
         rows.push(Length {
-            name: format!("span W_{}", spans.teeth),
+            name: match wound {
+                true => format!("span W_{}, normal", spans.teeth),
+                false => format!("span W_{}", spans.teeth),
+            },
             ends: spans.ends(),
             mean: spans.mean(),
             error: spans.error(),
@@ -56,13 +61,29 @@ pub(super) fn lengths(read: &Gauged) -> Vec<Length> {
             Reading::ThreePins,
             "three_pins",
         );
-        for ((list, formula, reading, column), count, tooth) in [
-            (two, "two", "tooth before the first pin"),
-            (three, "three", "tooth before the single pin"),
+        let lying = (
+            &pins.lying,
+            formula.over_lying,
+            Reading::LyingPins,
+            "lying_pins",
+        );
+        let [twice, thrice] = match wound {
+            true => ["two balls", "three balls"],
+            false => ["two pins", "three pins"],
+        };
+        for ((list, formula, reading, column), what, symbol, tooth) in [
+            (two, twice, "M_dK", "tooth before the first pin"),
+            (three, thrice, "M_dK", "tooth before the single pin"),
+            (
+                lying,
+                "two lying pins",
+                "M_dR",
+                "tooth before the first pin",
+            ),
         ] {
             if !list.is_empty() {
                 rows.push(Length {
-                    name: format!("M_dK, {count} pins {} mm", pins.diameter),
+                    name: format!("{symbol}, {what} {} mm", pins.diameter),
                     ends: OverPins::ends(list),
                     mean: OverPins::mean(list),
                     error: OverPins::error(list),
@@ -70,7 +91,7 @@ pub(super) fn lengths(read: &Gauged) -> Vec<Length> {
                     by_tooth: Some(ByTooth {
                         reading,
                         column,
-                        symbol: "M_dK".to_owned(),
+                        symbol: symbol.to_owned(),
                         tooth,
                     }),
                 });
@@ -79,7 +100,10 @@ pub(super) fn lengths(read: &Gauged) -> Vec<Length> {
     }
     if let Ok(thickness) = &read.thickness {
         rows.push(Length {
-            name: "thickness s".to_owned(),
+            name: match wound {
+                true => "thickness s_t, transverse".to_owned(),
+                false => "thickness s".to_owned(),
+            },
             ends: thickness.ends(),
             mean: thickness.mean(),
             error: thickness.error,
@@ -87,7 +111,7 @@ pub(super) fn lengths(read: &Gauged) -> Vec<Length> {
             by_tooth: Some(ByTooth {
                 reading: Reading::Thickness,
                 column: "arc",
-                symbol: "s".to_owned(),
+                symbol: if wound { "s_t" } else { "s" }.to_owned(),
                 tooth: "tooth",
             }),
         });
@@ -100,6 +124,16 @@ pub(super) fn lengths(read: &Gauged) -> Vec<Length> {
         formula,
         by_tooth: None,
     };
+    if let (true, Ok(thickness)) = (wound, &read.thickness) {
+        let normal = thickness.normal;
+        rows.push(whole(
+            "thickness s_n, normal".to_owned(),
+            thickness.ends().map(|end| end * normal),
+            thickness.mean() * normal,
+            thickness.error,
+            Some(formula.thickness * normal),
+        ));
+    }
     if let Ok(runout) = &read.runout {
         let name = format!("ball {} mm", runout.diameter);
         let error = runout.reading_error();

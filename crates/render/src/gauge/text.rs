@@ -20,7 +20,7 @@ pub fn text(title: &str, gears: &[GaugedGear], by_position: bool, screen: &Scree
     let mut text = format!("{}\n", plain(title));
     for gauged in gears {
         let _ = write!(text, "\n{}\n\n", gauged.words());
-        text += &length_table(&gauged.gauged, screen);
+        text += &length_table(gauged, screen);
         text += &deviations(&gauged.gauged);
         text += &grade_table(&gauged.gauged, screen);
         text += &remarks(&gauged.gauged);
@@ -29,6 +29,10 @@ pub fn text(title: &str, gears: &[GaugedGear], by_position: bool, screen: &Scree
         }
     }
     text += &screen.paragraphs(LEGEND);
+    let helical = |gauged: &GaugedGear| gauged.gear.gear().basic_data().hand().is_some();
+    if gears.iter().any(helical) {
+        text += &screen.paragraphs(OF_HELICAL);
+    }
     let _ = writeln!(text, "Grades: {GRADE_SOURCE}.");
     screen.fold(&text)
 }
@@ -42,8 +46,12 @@ Thickness is an arc of the reference circle. Pitch: own, about the gear's own ce
 which is what a standard grades. Grade: the finest that admits the value, with its tolerance; measured and tolerance in µm.
 --positions, --format csv and the CSV files have every reading tooth by tooth.";
 
+const OF_HELICAL: &str = "
+Helical gears: all is of the measuring plane, the centres of the balls too. Span: along the normal of the helix. M_dK: over balls; \
+M_dR: over pins that lie along the spaces, opposite each other. Thickness: s_t on the arc of the transverse section, s_n = s_t cos β.";
+
 /// Lengths with their least, mean and greatest reading.
-fn length_table(read: &Gauged, screen: &Screen) -> String {
+fn length_table(gauged: &GaugedGear, screen: &Screen) -> String {
     let mut table = Table::new([
         Column::new(""),
         Column::new("least"),
@@ -54,7 +62,7 @@ fn length_table(read: &Gauged, screen: &Screen) -> String {
         Column::new("off").spare(2),
         Column::new("bound").spare(3),
     ]);
-    for row in lengths(read) {
+    for row in lengths(gauged) {
         let [least, most] = row.ends;
         table.add(vec![
             row.name,

@@ -2,7 +2,7 @@
 
 use gearlash_files::numbers::{rounded, shortest};
 use gearlash_files::spec::{
-    BandSpec, Either, FlankProfileSpec, LengthSpec, PitchSpec, ProfileSpec, ReliefShape,
+    BandSpec, BodyName, Either, FlankProfileSpec, LengthSpec, PitchSpec, ProfileSpec, ReliefShape,
     RunoutSpec, ThicknessSpec,
 };
 
@@ -42,7 +42,14 @@ pub(super) fn thickness(stated: &ThicknessSpec) -> String {
     }
     if let Some(pins) = &statement.over_pins {
         let mm = measured(&pins.length);
-        parts.push(format!("over pins of {} mm {mm} mm", shortest(pins.pin_mm)));
+        let name = match pins.kind {
+            Some(BodyName::Ball) => "balls",
+            _ => "pins",
+        };
+        parts.push(format!(
+            "over {name} of {} mm {mm} mm",
+            shortest(pins.pin_mm)
+        ));
     }
     match &statement.allowance_um {
         Some(Either::One(0.0)) => parts.push("nominal".to_owned()),

@@ -7,7 +7,7 @@ use crate::results::table::{Column, Table};
 use gearlash::gauge::{
     FlankProfiles, Gauged, GradedReading, PitchReadings, ProfileReading, Unmeasured,
 };
-use gearlash::gear::{Flank, GRADE_SOURCE, Grade};
+use gearlash::gear::{Flank, GRADE_SOURCE, Grade, Hand};
 use serde_json::{Value, json};
 
 /// All gears: lengths in mm where the name says so, deviations in µm. What was not measured is
@@ -24,7 +24,7 @@ pub fn json(title: &str, gears: &[GaugedGear]) -> Result<String, serde_json::Err
 fn gear(gauged: &GaugedGear) -> Value {
     let read = &gauged.gauged;
     let formula = &read.formula;
-    json!({
+    let mut shown = json!({
         "gear": gauged.name,
         "material": gauged.material.name(),
         "teeth": gauged.gear.gear().basic_data().teeth(),
@@ -85,7 +85,35 @@ fn gear(gauged: &GaugedGear) -> Value {
             "poses": poses(roll(&found.poses)),
             "between": poses(roll(&found.between)),
         })),
-    })
+    });
+    if let Some(hand) = gauged.gear.gear().basic_data().hand() {
+        of_helix(gauged, hand, &mut shown);
+    }
+    shown
+}
+
+/// What is said of helical gears beside: in which section or direction lengths are, dimensions over pins that lie along the spaces, thickness in the
+/// normal section.
+fn of_helix(gauged: &GaugedGear, hand: Hand, shown: &mut Value) {
+    let (read, spec) = (&gauged.gauged, gauged.spec);
+    shown["helix_angle_deg"] = json!(spec.helix_angle_deg);
+    shown["hand"] = json!(hand.name());
+    shown["face_mm"] = json!(spec.face_mm);
+    if read.spans.is_ok() {
+        shown["spans"]["direction"] = json!("normal");
+    }
+    if read.pins.is_ok() {
+        shown["pins"]["two_and_three_are"] = json!("balls");
+        shown["pins"]["formula_lying_mm"] = json!(read.formula.over_lying);
+        shown["pins"]["lying"] = over(read, Reading::LyingPins, "lying_pins");
+    }
+    if let Ok(thickness) = &read.thickness {
+        let normal = |arc: &f64| arc * thickness.normal;
+        shown["thickness"]["section"] = json!("transverse");
+        shown["thickness"]["normal_formula_mm"] = json!(normal(&read.formula.thickness));
+        shown["thickness"]["normal_mm"] =
+            json!(thickness.arcs.iter().map(normal).collect::<Vec<f64>>());
+    }
 }
 
 fn of<T>(read: &Result<T, Unmeasured>, shown: impl Fn(&T) -> Value) -> Value {

@@ -5,6 +5,7 @@ mod readings;
 
 use super::table::{Cell, Column, Table, Unit};
 use crate::gauged_file::{GaugedTables, NoGearFile, gauged_file};
+use crate::helix::short_for_span;
 use crate::spec::GearSpec;
 use gearlash::analysis::study::Material;
 use gearlash::gauge::Gauged;
@@ -54,12 +55,33 @@ impl GaugedGear<'_> {
     pub fn words(&self) -> String {
         let basic_data = self.gear.gear().basic_data();
         format!(
-            "{}, {} teeth, module {} mm, material {}",
+            "{}, {} teeth, module {} mm{}, material {}",
             self.name,
             basic_data.teeth(),
             basic_data.module(),
+            self.helix(),
             self.material.name()
         )
+    }
+
+    /// Helix angle and hand, after a comma; empty of a spur gear.
+    pub fn helix(&self) -> String {
+        match (
+            self.gear.gear().basic_data().hand(),
+            self.spec.helix_angle_deg,
+        ) {
+            (Some(hand), Some(degrees)) => format!(", β {degrees}° {}", hand.name()),
+            _ => String::new(),
+        }
+    }
+
+    /// A warning where the face of a helical gear is too short for the spans read, and the file has not told so of its own.
+    pub fn short_face(&self) -> Option<String> {
+        let k = self.gauged.spans.as_ref().ok()?.teeth;
+        let stated = self.spec.thickness.statement.span.as_ref();
+        let told = stated.is_some_and(|span| span.teeth == k);
+        let k = (!told).then_some(k);
+        short_for_span(self.spec.face_mm, self.name, self.gear, k)
     }
 }
 

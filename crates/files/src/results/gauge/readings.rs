@@ -15,6 +15,8 @@ pub enum Reading {
     Pins,
     /// Dimension over three pins; named so that it is not read as one over two.
     ThreePins,
+    /// Dimension over two cylindrical pins along the spaces of a helical gear, whose other dimensions are over balls.
+    LyingPins,
     /// Ball in each space.
     Runout,
     /// Cumulative pitch about the gear's own centre.
@@ -38,10 +40,11 @@ type Wide = (&'static str, &'static str, &'static str);
 
 impl Reading {
     /// Every reading, in the order of files.
-    pub const ALL: [Reading; 11] = [
+    pub const ALL: [Reading; 12] = [
         Reading::Spans,
         Reading::Pins,
         Reading::ThreePins,
+        Reading::LyingPins,
         Reading::Runout,
         Reading::PitchOwn,
         Reading::SinglePitchOwn,
@@ -58,6 +61,7 @@ impl Reading {
             Reading::Spans => "spans",
             Reading::Pins => "pins",
             Reading::ThreePins => "three_pins",
+            Reading::LyingPins => "lying_pins",
             Reading::Runout => "runout",
             Reading::PitchOwn => "pitch_own",
             Reading::SinglePitchOwn => "single_pitch_own",
@@ -100,6 +104,10 @@ impl Reading {
             Reading::ThreePins => {
                 let list = &read.pins.as_ref().ok()?.three;
                 (!list.is_empty()).then(|| over("three_pins", list))?
+            }
+            Reading::LyingPins => {
+                let list = &read.pins.as_ref().ok()?.lying;
+                (!list.is_empty()).then(|| over("lying_pins", list))?
             }
             Reading::Runout => {
                 let runout = read.runout.as_ref().ok()?;
@@ -144,6 +152,7 @@ impl Reading {
             Reading::Spans => &["tooth", "span"],
             Reading::Pins => &["tooth", "pins"],
             Reading::ThreePins => &["tooth", "three_pins"],
+            Reading::LyingPins => &["tooth", "lying_pins"],
             Reading::Runout => &["tooth", "runout"],
             Reading::PitchOwn
             | Reading::SinglePitchOwn
@@ -166,6 +175,7 @@ impl Reading {
             Reading::Spans => &[("span", "span_mm", "W_k mm")],
             Reading::Pins => &[("pins", "over_two_pins_mm", "two pins mm")],
             Reading::ThreePins => &[("three_pins", "over_three_pins_mm", "three pins mm")],
+            Reading::LyingPins => &[("lying_pins", "over_lying_pins_mm", "lying pins mm")],
             Reading::Runout => &[("runout", "runout_um", "ball")],
             Reading::SinglePitchOwn => &[
                 ("left", "single_pitch_own_left_um", "f own left"),
@@ -198,10 +208,11 @@ impl Reading {
 }
 
 /// The readings that stand beside each other, in the order shown: the single pitch before the cumulative.
-const SIDE_BY_SIDE: [Reading; 10] = [
+const SIDE_BY_SIDE: [Reading; 11] = [
     Reading::Spans,
     Reading::Pins,
     Reading::ThreePins,
+    Reading::LyingPins,
     Reading::Runout,
     Reading::SinglePitchOwn,
     Reading::PitchOwn,
@@ -213,8 +224,10 @@ const SIDE_BY_SIDE: [Reading; 10] = [
 
 /// Every reading that stands at a tooth: each with its heading in a narrow table. What was not measured has no cells.
 pub fn by_tooth(read: &Gauged) -> Vec<(&'static str, Column)> {
+    // Spur gears have no column that only helical ones fill.
     let readings = SIDE_BY_SIDE.into_iter();
-    let columns = readings.flat_map(|reading| {
+    let shown = readings.filter(|&one| one != Reading::LyingPins || one.table(read).is_some());
+    let columns = shown.flat_map(|reading| {
         let table = reading.table(read);
         reading.wide().iter().map(move |(own, name, heading)| {
             let column = table.as_ref().and_then(|table| table.column(own));

@@ -1,0 +1,103 @@
+//! How far a point of the measuring plane lies from a flank.
+//!
+//! The sections of a helical flank turn by `t` a mm along the face. What lies nearest to a point `c` in the section `b` stands at `p(b)`, `d(b)` away, and
+//! the flank is the least `D = √(d² + b²)` away. Turning moves `p` by `t ẑ × p`, so that
+//! `(D²)'/2 = b − t (c − p)·(ẑ × p)`, linear in `b` along an involute, whose arm `n·(ẑ × p)` is the base radius. The gradient of `D` within the plane is
+//! `(c − p)/D`.
+
+use super::workpiece::{Place, Workpiece};
+use crate::gear::Side;
+use nalgebra::{Point2, UnitComplex, Vector2};
+
+/// Sections on each side of the measuring plane that are looked at before the nearest is closed in on: at an involute one would do.
+const SECTIONS: i32 = 3;
+/// Steps towards the nearest section: false position and halving by turns.
+const MOST_STEPS: usize = 60;
+/// Parts of √(bound · distance) within which the section is found: its square comes into the distance.
+const SECTION: f64 = 0.1;
+
+/// One flank of a tooth: its side, tooth and rotation in the measuring plane, in the frame of the point.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct OneFlank {
+    pub side: Side,
+    pub tooth: u32,
+    pub turn: UnitComplex<f64>,
+}
+
+/// What of a flank lies nearest.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Nearest {
+    /// In the frame of the half tooth.
+    pub place: Place,
+    /// How far from the measuring plane, mm.
+    pub section: f64,
+    /// mm.
+    pub distance: f64,
+    /// How the distance grows within the measuring plane.
+    pub gradient: Vector2<f64>,
+}
+
+/// What of `flank` lies nearest to `point` of the measuring plane.
+pub(super) fn nearest(work: &Workpiece, flank: &OneFlank, point: Point2<f64>) -> Nearest {
+    let twist = work.as_built.gear().basic_data().twist();
+    // With half the slope of D² along the face.
+    let in_section = |b: f64| {
+        let turn = match b == 0.0 {
+            true => flank.turn,
+            false => UnitComplex::new(twist * b) * flank.turn,
+        };
+        let (place, within) = work.nearest(flank.side, flank.tooth, turn.inverse() * point);
+        let foot = turn * place.at;
+        let away = point - foot;
+        let distance = match b == 0.0 {
+            true => within,
+            false => within.hypot(b),
+        };
+        let nearest = Nearest {
+            place,
+            section: b,
+            distance,
+            gradient: away / distance,
+        };
+        let turning = Vector2::new(-foot.y, foot.x);
+        (nearest, b - twist * away.dot(&turning))
+    };
+    let plane = in_section(0.0);
+    if twist == 0.0 {
+        return plane.0;
+    }
+    // Nothing farther along the face than this is nearer than the plane's.
+    let apart = plane.0.distance / f64::from(SECTIONS);
+    let others = (-SECTIONS..=SECTIONS).filter(|&step| step != 0);
+    let others = others.map(|step| in_section(f64::from(step) * apart));
+    let mut best = others.fold(plane, |best, one| match one.0.distance < best.0.distance {
+        true => one,
+        false => best,
+    });
+    let close = SECTION * (work.bound() * best.0.distance).sqrt();
+    let at = |best: &(Nearest, f64)| (best.0.section, best.1);
+    // The distance falls towards the nearest from both ends.
+    let [mut low, mut high] =
+        [-apart, apart].map(|beyond| at(&in_section(best.0.section + beyond)));
+    for step in 0..MOST_STEPS {
+        let middle = 0.5 * (low.0 + high.0);
+        let zero = (low.0 * high.1 - high.0 * low.1) / (high.1 - low.1);
+        let guess = match step % 3 < 2 && zero > low.0 && zero < high.0 {
+            true => zero,
+            false => middle,
+        };
+        let moved = (guess - best.0.section).abs();
+        let there = in_section(guess);
+        match there.1 < 0.0 {
+            true => low = at(&there),
+            false => high = at(&there),
+        }
+        if there.0.distance <= best.0.distance {
+            best = there;
+        }
+        if moved <= close || high.0 - low.0 <= close {
+            break;
+        }
+    }
+    best.0
+}

@@ -6,6 +6,7 @@ use super::sheet::{self, Chart, Heading, PictureError};
 use crate::kit::{Anchor, Axis};
 use crate::pose_name::pose_name;
 use gearlash::analysis::curves::{ContactLine, Field, FieldSection, FieldSide, PathLimit};
+use gearlash::contact::ContactKind;
 use gearlash::gear::Side;
 use gearlash_files::numbers::{trimmed, um};
 
@@ -58,7 +59,7 @@ pub fn field(heading: &Heading, field: &Field) -> Result<Chart, PictureError> {
         ));
     }
     let details = format!(
-        "{} · lines: wheel·pinion tooth, gap left along the line of action",
+        "{} · at each line: wheel·pinion tooth, gap left",
         pose_name(field.pose.mating())
     );
     sheet::draw(heading, &details, &entries, &panels)
@@ -117,13 +118,24 @@ fn lines(side: &FieldSide, x: [f64; 2]) -> Panel {
             binding.wheel_tooth,
             binding.pinion_tooth,
             trimmed(binding.section, 0, 3),
-            binding.kind.name()
+            match binding.kind {
+                // As all pairs do between perfect involutes.
+                ContactKind::Involute if touching(side) > 1 =>
+                    format!("as do {} pairs at once", touching(side)),
+                kind => kind.name().to_owned(),
+            }
         ),
         x: Axis::new("", x),
         y: Axis::new("on the path of contact, mm", y),
         height: HEIGHTS[0],
         marks,
     }
+}
+
+/// How many pairs touch.
+fn touching(side: &FieldSide) -> usize {
+    let gap = |line: &&ContactLine| line.gap * 1e3 <= NO_GAP_UM;
+    side.lines.iter().filter(gap).count()
 }
 
 /// The teeth of a line and the gap between them, beside its middle.

@@ -3,11 +3,14 @@
 use super::{empty_folder, files, run};
 use std::path::Path;
 
-/// The pair of docs/helical-gears.md in a folder of its own: common face −24 … 24 mm.
+/// The pairs of docs/helical-gears.md in a folder of their own: common face −24 … 24 mm.
 fn folder() -> tempfile::TempDir {
     let folder = empty_folder();
-    let from = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/files/helical.toml");
-    std::fs::copy(from, folder.path().join("pair.toml")).unwrap();
+    let files = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/files");
+    for (from, to) in [("helical", "pair"), ("helical_measured", "measured")] {
+        let [from, to] = [from, to].map(|name| format!("{name}.toml"));
+        std::fs::copy(files.join(from), folder.path().join(to)).unwrap();
+    }
     folder
 }
 
@@ -80,7 +83,7 @@ fn what_is_no_section_is_refused() {
         &[&POSE[..], &["--section", "1"]].concat(),
         "--section is for helical gears",
     );
-    assert_eq!(files(folder.path()), ["pair.toml"]);
+    assert_eq!(files(folder.path()), ["measured.toml", "pair.toml"]);
 }
 
 #[test]
@@ -101,4 +104,113 @@ fn simulate_draws_sections() {
         let picture = std::fs::read_to_string(folder.path().join("out").join(name)).unwrap();
         assert!(picture.contains("section at z = "), "{name}");
     }
+}
+
+/// What binds is named as `snapshot --worst` and the verdict name it.
+#[test]
+fn a_chart_shows_the_field_of_action() {
+    let folder = folder();
+    let chart = |extra: &[&str]| {
+        let args = [
+            &["chart", "measured.toml", "--kind", "field", "-o", "-"],
+            extra,
+        ]
+        .concat();
+        drawn(folder.path(), &args)
+    };
+    let (_, _, told) = run(
+        folder.path(),
+        &["chart", "measured.toml", "--kind", "field", "-o", "-"],
+    );
+    assert!(
+        told.contains("6·14 (right flanks) and 4·17 (left flanks)"),
+        "{told}"
+    );
+    let picture = chart(&[]);
+    roxmltree::Document::parse(&picture).unwrap();
+    for words in [
+        "Right flanks: wheel 6 on pinion 14 binds at z = −24 mm, tip-involute",
+        "Left flanks: wheel 4 on pinion 17 binds at z = 24 mm, involute-involute",
+        "tip circle of the pinion",
+        "axial position z, mm",
+    ] {
+        assert!(picture.contains(words), "{words}");
+    }
+    assert_eq!(chart(&["--center-distance", "190"]), picture);
+    assert!(chart(&["--center-distance", "190.05"]).contains("a = 190.050 mm"));
+    drawn(
+        folder.path(),
+        &[
+            "chart",
+            "pair.toml",
+            "--kind",
+            "field",
+            "--material",
+            "least",
+        ],
+    );
+    assert_eq!(
+        files(&folder.path().join("out/pair")),
+        ["chart_field_a189.977_least.svg"]
+    );
+    let spur = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/karba_44x44.toml");
+    refused(
+        folder.path(),
+        &["chart", spur.to_str().unwrap(), "--kind", "field"],
+        "--kind field is for helical gears",
+    );
+}
+
+#[test]
+fn every_chart_is_drawn_of_helical_pairs() {
+    let folder = folder();
+    for kind in ["revolution", "distance", "difference", "inspection", "map"] {
+        let args = ["chart", "measured.toml", "--kind", kind, "-o", "-"];
+        let (_, picture, told) = run(folder.path(), &args);
+        assert!(picture.starts_with("<svg"), "{kind}: {told}");
+    }
+}
+
+/// The first screen as of a spur pair; what the face costs as the library has it, j_n with its formula.
+#[test]
+fn a_page_tells_what_the_face_width_costs() {
+    let folder = folder();
+    let (code, page, told) = run(folder.path(), &["report", "measured.toml", "-o", "-"]);
+    assert_eq!(code, Some(0), "{told}");
+    let document = scraper::Html::parse_document(&page);
+    let text = |selector: &str| -> Vec<String> {
+        let selector = scraper::Selector::parse(selector).unwrap();
+        let words = |element: scraper::ElementRef| {
+            let text: String = element.text().collect();
+            text.split_whitespace().collect::<Vec<_>>().join(" ")
+        };
+        document.select(&selector).map(words).collect()
+    };
+    assert!(
+        text("#result .answer")[0].starts_with("Assembles at a = 190.000 mm: least jwt 252.71 µm")
+    );
+    let rows = text("#face table:first-of-type tbody tr");
+    let widths: Vec<&String> = rows.iter().take(5).collect();
+    for (row, width) in widths.iter().zip(["0 ", "12 ", "24 ", "36 ", "48 "]) {
+        assert!(
+            row.starts_with(width) && row.matches("proven").count() == 2,
+            "{row}"
+        );
+    }
+    assert!(
+        widths[4].contains("252.71") && widths[4].contains("332.68"),
+        "{}",
+        widths[4]
+    );
+    let all = text("#face").join(" ");
+    for words in [
+        "jbt cos βb = jt cos αn cos β",
+        "Three definitions of a normal backlash jn",
+    ] {
+        assert!(all.contains(words), "{words}");
+    }
+    let all = text("main").join(" ");
+    assert!(!all.contains("Helical gears, lead"));
+    assert!(all.contains("No accuracy grades") && all.contains("base helix angle"));
+    assert!(all.contains("Drawn in the section at z = "));
 }

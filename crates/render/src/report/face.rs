@@ -7,7 +7,7 @@ use gearlash::analysis::extremes::RunExtreme;
 use gearlash::analysis::face_width::AtWidth;
 use gearlash::analysis::outcome::Found;
 use gearlash::pair::{Backlash, GearPair};
-use gearlash_files::numbers::{signed_um, trimmed, um};
+use gearlash_files::numbers::{trimmed, um};
 use gearlash_files::verdict::doubt;
 use maud::{Markup, PreEscaped, html};
 
@@ -52,8 +52,8 @@ fn widths(page: &Page) -> Markup {
                     }
                     thead { tr {
                         th.n scope="col" { "face width mm" } th scope="col" { "from … to mm" }
-                        th.n scope="col" { "least" } th.n scope="col" { "against one section" } th scope="col" { "" }
-                        th.n scope="col" { "greatest" } th.n scope="col" { "against one section" } th scope="col" { "" }
+                        th.n scope="col" { "least" } th.n scope="col" { "more than in one section" } th scope="col" { "proof" }
+                        th.n scope="col" { "greatest" } th.n scope="col" { "more than in one section" } th scope="col" { "proof" }
                     } }
                     tbody { @for at in widths { (row(at, one_section)) } }
                 }
@@ -81,7 +81,7 @@ fn extreme(found: Option<&RunExtreme>, against: Option<f64>, none: &str) -> Mark
         @match found {
             Some(found) => {
                 td.n { strong { (um(found.found(), 2)) } }
-                td.n { (against.map_or(String::new(), |mm| signed_um(mm, 2))) }
+                td.n { (um(against, 2)) }
                 td { @match doubt(found) {
                     None => "proven",
                     Some(why) => { "not proven: " (why) }

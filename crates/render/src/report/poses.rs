@@ -94,7 +94,10 @@ fn others<'a>(page: &Page<'a>) -> Vec<Found<'a>> {
 fn figure(page: &Page, id: &str, what: &str, found: Found) -> Markup {
     let run = &found.run.run;
     let swept = &found.pose.swept;
-    let section = MeshSection::binding(&run.assembly, swept).ok().flatten();
+    let section = match MeshSection::binding(&run.assembly, swept) {
+        Ok(section) => section,
+        Err(reason) => return html! { p { (what) ": not drawn: " (reason.to_string()) "." } },
+    };
     let view = Snapshot {
         title: &page.report.pair.study.title,
         assembly: &run.assembly,

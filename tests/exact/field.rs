@@ -100,13 +100,22 @@ fn contact_lines_of_perfect_gears_are_where_the_closed_form_says() {
 /// The exact method's own contact in a section, which knows no line: as far from the pitch point as a line of the field is there.
 #[test]
 fn contact_lines_hold_the_contacts_of_the_sections() {
-    let pair = perfect(Hand::Right);
+    for locked in [Member::Wheel, Member::Pinion] {
+        let pair = perfect(Hand::Right);
+        let gear = |member| pair.gear(member).clone();
+        let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(gear);
+        let pair = GearPair::with_locked(wheel, pinion, 190.0, locked).unwrap();
+        lines_hold_contacts(&pair.with_face([-20.0, 30.0]).unwrap());
+    }
+}
+
+fn lines_hold_contacts(pair: &GearPair) {
     let mating = mating(Side::Right, 0.3);
-    let field = field(&pair, mating);
-    let pose = gearlash::pair::Pose::new(&pair, mating);
+    let field = field(pair, mating);
+    let pose = gearlash::pair::Pose::new(pair, mating);
     let pitch_point = pair.operating_pitch_radius(Member::Wheel);
     for z in [-20.0, -3.0, 0.0, 11.0, 30.0] {
-        let here = pose.in_section(&pair, z);
+        let here = pose.in_section(pair, z);
         let found = ExactKernel::new(&pair.section(z))
             .lost_motion(&here)
             .unwrap();

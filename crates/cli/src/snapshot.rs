@@ -262,7 +262,7 @@ struct Subject {
 fn subject(args: &Args, study: Study) -> Result<Subject, Error> {
     if args.worst {
         let material = args.material.map(|end| material(end, &study)).transpose()?;
-        let (run, pose, unproven) = worst::find(study, args.center_distance, material)?;
+        let (run, pose, unproven) = worst::find("--worst", study, args.center_distance, material)?;
         let (distance, end) = (run.assembly.center_distance(), run.material.name());
         return Ok(Subject {
             file: format!("worst_a{distance}_{end}.svg"),

@@ -30,7 +30,7 @@ pub(super) fn drawn(args: &Args, study: Study) -> Result<Drawn, Error> {
     };
     let end = args.material.map(|end| material(end, &study)).transpose()?;
     let title = study.title.clone();
-    let (run, pose, unproven) = worst::find(study, distance, end)?;
+    let (run, pose, unproven) = worst::find("--kind field", study, distance, end)?;
     let field = Field::of(&run.assembly, &pose).ok_or_else(|| {
         Error::Usage(
             "--kind field: the worst pose is jammed or unproven; there are no contact lines"

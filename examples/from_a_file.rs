@@ -25,6 +25,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             pose: &worst.pose.swept.pose,
             material: run.material,
             found: worst.pose.swept.found.as_ref(),
+            section: None,
         })
     );
     Ok(())

@@ -181,6 +181,18 @@ pub enum GearError {
         /// Its far end.
         to_mm: f64,
     },
+    /// A section where the gears do not face each other.
+    #[error(
+        "at {at_mm} mm the gears do not face each other: the common face runs from {from_mm} to {to_mm} mm"
+    )]
+    OutsideFace {
+        /// Where, mm from the measuring plane.
+        at_mm: f64,
+        /// Near end of the common face.
+        from_mm: f64,
+        /// Its far end.
+        to_mm: f64,
+    },
     /// A tooth number beyond the gear's.
     #[error("the gear has teeth 1 … {teeth}, not {tooth}")]
     NoSuchTooth {

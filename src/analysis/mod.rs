@@ -9,6 +9,7 @@ mod cycles;
 pub mod diagnosis;
 mod directions;
 pub mod extremes;
+pub mod face_width;
 pub mod measured;
 pub mod meshes_to;
 pub mod outcome;
@@ -22,9 +23,10 @@ pub mod uncertainty;
 pub mod verdict;
 
 use self::compare::{ComparedRun, compare};
-use self::curves::OverDistance;
+use self::curves::{Field, OverDistance};
 use self::diagnosis::{Diagnosis, Seen, failed_checks};
 use self::extremes::CycleExtremes;
+use self::face_width::AtWidth;
 use self::measured::{MeasuredMating, measured_matings};
 use self::simulate::simulate;
 use self::study::Study;
@@ -124,6 +126,9 @@ impl<'a> Plan<'a> {
             let followed = 1 + curves::measured_teeth(self.study).len() as u64;
             steps += followed * curves::over_distance_pose_count(self.study);
         }
+        if self.extremes && self.curves {
+            steps += face_width::searches(self.study) * extremes::run_count(self.study)?;
+        }
         if self.checks || self.extremes {
             steps += diagnosis::pitch_count(&self.study.runs()?) as u64;
         }
@@ -154,6 +159,10 @@ pub struct Analysis<'a> {
     pub extremes: CycleExtremes,
     /// Over the centre distance: what binds, then the matings that were measured.
     pub over_distance: Vec<OverDistance>,
+    /// The extremes over parts of the common face of helical gears; none of spur gears.
+    pub widths: Vec<AtWidth>,
+    /// The field of action of helical gears at the pose that binds.
+    pub field: Option<Field>,
     /// Measured values beside their bands.
     pub measured: Vec<MeasuredMating>,
     /// Every check.
@@ -187,6 +196,8 @@ impl<'a> Analysis<'a> {
             revolution,
             extremes: CycleExtremes::default(),
             over_distance: Vec::new(),
+            widths: Vec::new(),
+            field: None,
             diagnosis: Diagnosis::default(),
             failed_checks: Vec::new(),
         };
@@ -201,6 +212,15 @@ impl<'a> Analysis<'a> {
                 let curve = curves::over_distance(study, followed, method, tick)?;
                 analysis.over_distance.push(curve);
             }
+        }
+        if plan.curves && plan.extremes && study.is_helical() {
+            (progress.stage)("(face width)");
+            let full = &analysis.extremes.each;
+            analysis.widths = face_width::over_widths(study, full, method, tick)?;
+            let worst = Verdict::of_study(study, full, Vec::new());
+            let worst = worst.worst();
+            let field = worst.and_then(|(_, pair, pose)| Field::of(pair, &pose.swept));
+            analysis.field = field;
         }
         if plan.checks {
             let stage = &mut *progress.stage;

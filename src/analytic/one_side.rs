@@ -46,6 +46,8 @@ pub struct SideContact {
     pub locked_roll: f64,
     /// Roll `ξ` of the contact on the free gear.
     pub free_roll: f64,
+    /// Where along the axes it has these rolls, mm from the measuring plane: the place of the contact nearest to it; 0 of spur gears.
+    pub section: f64,
 }
 
 impl SideContact {
@@ -268,6 +270,10 @@ impl<'a> OneSide<'a> {
                 free_tooth,
                 locked_roll: locked_roll - turned,
                 free_roll: free_roll + turned * locked_base / free_base,
+                section: match turned == 0.0 {
+                    true => 0.0,
+                    false => turned / (self.mirror * self.locked.gear().basic_data().twist()),
+                },
             });
         }
     }

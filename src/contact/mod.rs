@@ -8,6 +8,7 @@ mod exact;
 mod exaggeration;
 mod gap;
 mod lost_motion;
+mod mesh_section;
 mod outline;
 mod outline_contact;
 mod over_face;
@@ -26,6 +27,7 @@ pub use drawn_contact::DrawnContact;
 pub use exact::{Doubt, ExactKernel, Extreme, Extremes};
 pub use exaggeration::{Exaggeration, Found};
 pub use lost_motion::{Contact, LostMotion, Status, ToothPlace, Touch};
+pub use mesh_section::MeshSection;
 pub use outline::{OutlineCertifier, OutlineKernel};
 pub use outline_contact::{
     NotBorneOut, OutlineContact, OutlineDoubt, OutlineLostMotion, OutlineTouch, Region, Unsettled,

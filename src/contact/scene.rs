@@ -5,7 +5,7 @@
 //! lost motion lies open on the other side. A pose without lost motion is drawn at the nominal rotation.
 
 use super::overlap::{Overlap, overlaps};
-use super::{DrawnContact, LostMotion, Status};
+use super::{Contact, DrawnContact, LostMotion, MeshSection, Status};
 use crate::gear::{Gear, Placed, Side};
 use crate::pair::{GearPair, Member, Pose};
 use nalgebra::{Point2, UnitComplex, center};
@@ -35,6 +35,14 @@ const FINE: f64 = 1.0 / 2000.0;
 /// How far round a contact its overlap is looked for, modules: a tooth is 2.25 deep.
 const REACH: f64 = 3.0;
 
+/// The contact on one side.
+fn contact(found: &LostMotion, side: Side) -> Option<Contact> {
+    match side {
+        Side::Right => found.right,
+        Side::Left => found.left,
+    }
+}
+
 /// The pose as drawn.
 #[derive(Debug, Clone)]
 pub struct Scene<'a> {
@@ -57,19 +65,35 @@ impl<'a> Scene<'a> {
         Scene::of(assembly, pose, None)
     }
 
+    /// The scene of one section of helical gears: the free gear where the whole face holds it, and how far the teeth of the section are from contact.
+    pub fn in_section(section: &'a MeshSection) -> Scene<'a> {
+        let flank = section.pose().mating().flank;
+        let held = match section.held() {
+            Some(rotation) => (Drawn::AtContact(flank), rotation),
+            None => (Drawn::Nominal, section.pose().free_rotation()),
+        };
+        Scene::held(section.pair(), section.pose(), section.alone(), held)
+    }
+
     fn of(assembly: &'a GearPair, pose: &Pose, lost_motion: Option<&'a LostMotion>) -> Scene<'a> {
         let flank = pose.mating().flank;
-        let on = |side| {
-            lost_motion.and_then(|found| match side {
-                Side::Right => found.right,
-                Side::Left => found.left,
-            })
-        };
+        let on = |side| lost_motion.and_then(|found| contact(found, side));
         let angle = lost_motion.and_then(LostMotion::angle);
-        let (drawn, rotation) = match (angle, on(flank)) {
+        let held = match (angle, on(flank)) {
             (Some(_), Some(contact)) => (Drawn::AtContact(flank), contact.rotation),
             _ => (Drawn::Nominal, pose.free_rotation()),
         };
+        Scene::held(assembly, pose, lost_motion, held)
+    }
+
+    /// The free gear at a rotation.
+    fn held(
+        assembly: &'a GearPair,
+        pose: &Pose,
+        lost_motion: Option<&'a LostMotion>,
+        (drawn, rotation): (Drawn, f64),
+    ) -> Scene<'a> {
+        let on = |side| lost_motion.and_then(|found| contact(found, side));
         let place = |member| {
             let turned = match member == assembly.locked() {
                 true => pose.locked_rotation(),

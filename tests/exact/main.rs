@@ -8,6 +8,7 @@ mod clearance;
 mod design;
 mod drawn;
 mod extremes;
+mod field;
 mod hard;
 mod helical;
 mod helical_extremes;

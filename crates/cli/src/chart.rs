@@ -1,6 +1,7 @@
 //! `gearlash chart`: curves and bars as SVG.
 
 mod drawn;
+mod field;
 mod outlines;
 
 use super::distances::{self, Distances};
@@ -30,10 +31,10 @@ pub(super) struct Args {
     /// The gear, for --kind inspection [default: wheel]
     #[arg(long, value_enum)]
     gear: Option<Gear>,
-    /// Centre distance in mm, for --kind revolution and difference [default: the least of the pair file]
+    /// Centre distance in mm, for --kind revolution, difference and field [default: the least of the pair file; of a field that which binds]
     #[arg(long, alias = "centre-distance", value_name = "A", value_parser = distances::parse, allow_hyphen_values = true)]
     center_distance: Option<Distances>,
-    /// One end of the thickness tolerances, for --kind revolution and difference [default: both]
+    /// One end of the thickness tolerances, for --kind revolution, difference and field [default: both]
     #[arg(long, value_enum)]
     material: Option<End>,
     /// Wheel tooth and pinion tooth, for --kind distance [default: the pose that binds]
@@ -60,6 +61,8 @@ enum Kind {
     Inspection,
     /// What touches (of outlines: how much backlash is left) over centre distance and mesh phase, as `check --map`
     Map,
+    /// Of helical gears: where over the common face and on the path of contact the teeth touch at the pose that binds
+    Field,
 }
 
 /// Runs the command.
@@ -74,7 +77,6 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         AnyPair::Data(file) => *file,
         AnyPair::Outlines(file) => return outlines::run(args, *file),
     };
-    studies::spur_only("chart", &study)?;
     let given = args.output.clone();
     let given = given.map(|file| Target::prepare_beside(file, &sources));
     let given = given.transpose()?;
@@ -83,6 +85,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         Kind::Distance => Drawn::over_distance(args, &study)?,
         Kind::Inspection => Drawn::inspection(args, &study)?,
         Kind::Map => Drawn::map(args, &study)?,
+        Kind::Field => field::drawn(args, study)?,
     };
     let target = match given {
         Some(target) => target,
@@ -114,15 +117,15 @@ fn check_options(args: &Args) -> Result<(), Error> {
         ),
         (
             args.center_distance.is_some(),
-            over_teeth,
+            over_teeth || args.kind == Kind::Field,
             "--center-distance",
-            "revolution or difference",
+            "revolution, difference or field",
         ),
         (
             args.material.is_some(),
-            over_teeth,
+            over_teeth || args.kind == Kind::Field,
             "--material",
-            "revolution or difference",
+            "revolution, difference or field",
         ),
         (
             args.unit.given(),

@@ -40,7 +40,6 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         AnyPair::Outlines(pair) => return of_outlines(args, &pair, &date),
     };
     let study = &pair.study;
-    studies::spur_only("report", study)?;
     let target = target(args, &pair.stem, &pair.sources)?;
     let method = args.method.method();
     let plan = Plan::whole(study, method);
@@ -110,6 +109,10 @@ fn grades(pair: &PairFile) -> Vec<GearGrades> {
     let Some((_, wheel, pinion)) = pair.study.materials.first() else {
         return Vec::new();
     };
+    // The page says that it has none.
+    if pair.study.is_helical() {
+        return Vec::new();
+    }
     let deviating = [
         ("wheel", wheel, &pair.spec.wheel),
         ("pinion", pinion, &pair.spec.pinion),

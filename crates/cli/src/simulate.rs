@@ -1,6 +1,6 @@
 //! `gearlash simulate`: the main job.
 
-use super::console::{Printer, print, tell};
+use super::console::{Printer, print};
 use super::distances::{self, Distances};
 use super::method::{MethodArgs, agreement};
 use super::progress::Progress;
@@ -16,7 +16,7 @@ use gearlash::analysis::measured::MeasuredTally;
 use gearlash::analysis::study::{Material, Study};
 use gearlash::analysis::tally::{MOST_UNPROVEN, Piece, RunTally, simulate_by_blocks};
 use gearlash::analysis::verdict::{Requirement, Verdict};
-use gearlash::contact::PoseResult;
+use gearlash::contact::{MeshSection, PoseResult};
 use gearlash::pair::GearPair;
 use gearlash_files::{AnyPair, OutlinePairFile, ResultWriter};
 use gearlash_files::{POSE_BYTES_CSV, POSE_BYTES_JSON};
@@ -62,9 +62,6 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         file = moved.map_err(|reason| Error::Usage(format!("--center-distance: {reason}")))?;
     }
     let study = &file.study;
-    if args.snapshots {
-        studies::spur_only("simulate --snapshots", study)?;
-    }
     let unit = args
         .unit
         .of_table(study, args.results.format == Format::Text)?;
@@ -123,10 +120,8 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         (Format::Json | Format::Csv, None) => {}
     }
     if let Some(mut folder) = folder {
-        if study.is_helical() {
-            tell("note: no picture of helical gears is drawn");
-        } else if let Some((run, assembly, pose)) = verdict.worst() {
-            let picture = picture(study, assembly, run.material, &pose.swept);
+        if let Some((run, assembly, pose)) = verdict.worst() {
+            let picture = picture(study, assembly, run.material, &pose.swept)?;
             folder.add(WORST, &picture)?;
         }
         if args.snapshots {
@@ -229,15 +224,22 @@ fn is_own(name: &str) -> bool {
     matches!(name, JSON | CSV | WORST) || picture(name)
 }
 
-/// A picture of `pose` in the `material` of its run.
-fn picture(study: &Study, assembly: &GearPair, material: Material, pose: &PoseResult) -> String {
-    gearlash_render::snapshot(&Snapshot {
+/// A picture of `pose` in the `material` of its run; of helical gears in the section where the flank of the pose touches.
+fn picture(
+    study: &Study,
+    assembly: &GearPair,
+    material: Material,
+    pose: &PoseResult,
+) -> Result<String, Error> {
+    let section = MeshSection::binding(assembly, pose)?;
+    Ok(gearlash_render::snapshot(&Snapshot {
         title: &study.title,
         assembly,
         pose: &pose.pose,
         material,
         found: pose.found.as_ref(),
-    })
+        section: section.as_ref(),
+    }))
 }
 
 /// Snapshots of each run's least and greatest pose, into `folder`.
@@ -255,7 +257,7 @@ fn snapshots(study: &Study, runs: &[RunTally], folder: &mut OutputFolder) -> Res
                 run.assembly.center_distance(),
                 run.material.name()
             );
-            let picture = picture(study, &run.assembly, run.material, &pose.swept);
+            let picture = picture(study, &run.assembly, run.material, &pose.swept)?;
             folder.add(&name, &picture)?;
         }
     }

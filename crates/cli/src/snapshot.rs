@@ -11,7 +11,7 @@ use crate::error::Error;
 use clap::ValueEnum;
 use gearlash::analysis::study::{Material, Study};
 use gearlash::analysis::{self, outlines::OutlinePose};
-use gearlash::contact::{CutPair, LostMotion, Method, Unproven, sweep};
+use gearlash::contact::{CutPair, LostMotion, MeshSection, Method, Unproven, sweep};
 use gearlash::gear::Side;
 use gearlash::outline::OutlinePair;
 use gearlash::pair::{GearPair, Mating, Member, Pose};
@@ -52,6 +52,9 @@ pub(super) struct Args {
     /// Which end of the thickness tolerances [default: most, where there are two; with --worst both]
     #[arg(long, value_enum)]
     material: Option<End>,
+    /// Of helical gears, the transverse section to draw, mm along the axis from the measuring plane [default: where the flank of the pose touches]
+    #[arg(long, value_name = "Z_MM", allow_negative_numbers = true)]
+    section: Option<f64>,
     /// Draw the deviations (thickness, pitch, eccentricity) this many times as large, in front of perfect teeth
     #[arg(long, value_name = "FACTOR", allow_negative_numbers = true)]
     exaggerate: Option<f64>,
@@ -80,18 +83,20 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         AnyPair::Data(file) => *file,
         AnyPair::Outlines(file) => return of_outlines(args, *file),
     };
-    studies::spur_only("snapshot", &study)?;
+    check_section(args, &study)?;
     let title = study.title.clone();
     let given = args.output.clone();
     let given = given.map(|file| Target::prepare_beside(file, &sources));
     let given = given.transpose()?;
     let subject = subject(args, study)?;
+    let section = section(args, &subject)?;
     let view = Snapshot {
         title: &title,
         assembly: &subject.assembly,
         pose: &subject.pose,
         material: subject.material,
         found: subject.found.as_ref(),
+        section: section.as_ref(),
     };
     let mut unproven = subject.unproven;
     let picture = match args.exaggerate {
@@ -102,20 +107,57 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         }
         None => gearlash_render::snapshot(&view),
         Some(factor) => {
-            gearlash_render::exaggerated(&view, &exaggeration(&subject.assembly, factor)?)
+            let drawn = section.as_ref().map(MeshSection::pair);
+            let gears = exaggeration(drawn.unwrap_or(&subject.assembly), factor)?;
+            gearlash_render::exaggerated(&view, &gears)
         }
     };
     let target = match given {
         Some(target) => target,
-        None => Target::prepare(
-            PathBuf::from("out").join(stem).join(&subject.file),
-            &sources,
-        )?,
+        None => {
+            let name = match args.section {
+                Some(at) => subject.file.replace(".svg", &format!("_z{at}.svg")),
+                None => subject.file,
+            };
+            Target::prepare(PathBuf::from("out").join(stem).join(name), &sources)?
+        }
     };
     target.write(&picture)?;
     Ok(match all_proven(unproven) {
         true => ExitCode::SUCCESS,
         false => ExitCode::from(1),
+    })
+}
+
+/// That what is asked for can be drawn of this pair.
+fn check_section(args: &Args, study: &Study) -> Result<(), Error> {
+    match (study.is_helical(), args.section, args.animate) {
+        (false, Some(_), _) => Err(Error::Usage(SPUR_SECTION.to_owned())),
+        (true, _, true) => Err(Error::Usage(
+            "--animate turns spur gears: a section of helical gears is mostly not where they touch; leave it out, or see the page of `gearlash report`"
+                .to_owned(),
+        )),
+        _ => Ok(()),
+    }
+}
+
+const SPUR_SECTION: &str =
+    "--section is for helical gears: every section of these gears is the same; leave it out";
+
+/// The section of helical gears that is drawn.
+fn section(args: &Args, subject: &Subject) -> Result<Option<MeshSection>, Error> {
+    let assembly = &subject.assembly;
+    if !assembly.is_helical() {
+        return Ok(None);
+    }
+    let found = subject.found.as_ref().ok();
+    let at = args
+        .section
+        .unwrap_or_else(|| MeshSection::of_contact(assembly, &subject.pose, found));
+    let section = MeshSection::new(assembly, &subject.pose, found, at);
+    section.map(Some).map_err(|reason| match args.section {
+        Some(at) => Error::Usage(format!("--section {at}: {reason}")),
+        None => reason.into(),
     })
 }
 
@@ -125,6 +167,9 @@ fn of_outlines(args: &Args, mut file: OutlinePairFile) -> Result<ExitCode, Error
         return Err(Error::Usage(
             "--animate and --exaggerate are for gears by their data; leave them out".to_owned(),
         ));
+    }
+    if args.section.is_some() {
+        return Err(Error::Usage(SPUR_SECTION.to_owned()));
     }
     let given = args.output.clone();
     let given = given.map(|path| Target::prepare_beside(path, &file.sources));
@@ -217,7 +262,7 @@ struct Subject {
 fn subject(args: &Args, study: Study) -> Result<Subject, Error> {
     if args.worst {
         let material = args.material.map(|end| material(end, &study)).transpose()?;
-        let (run, pose, unproven) = worst::find(study, args.center_distance, material)?;
+        let (run, pose, unproven) = worst::find("--worst", study, args.center_distance, material)?;
         let (distance, end) = (run.assembly.center_distance(), run.material.name());
         return Ok(Subject {
             file: format!("worst_a{distance}_{end}.svg"),

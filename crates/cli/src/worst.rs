@@ -1,4 +1,4 @@
-//! The pose with the least backlash of the whole mesh cycle: what `snapshot --worst` draws.
+//! The pose with the least backlash of the whole mesh cycle: what `snapshot --worst` and `chart --kind field` draw.
 
 use super::console::tell;
 use super::progress::Progress;
@@ -12,13 +12,14 @@ use gearlash::contact::{Method, PoseResult};
 use gearlash_files::verdict::sentence;
 
 /// Finds the extremes of `study`'s mesh cycle, at `distance` and with `material` alone where they are given; says the verdict on standard
-/// error, and returns the worst pose: jammed, or with the least backlash. Its run comes with it, and how many extremes are not proven.
+/// error, and returns the worst pose (asked for by the option `asked`): jammed, or with the least backlash. Its run comes with it, and how many extremes are not proven.
 pub(super) fn find(
+    asked: &str,
     study: Study,
     distance: Option<f64>,
     material: Option<Material>,
 ) -> Result<(Run, PoseResult, usize), Error> {
-    let study = narrowed(study, distance, material)?;
+    let study = narrowed(asked, study, distance, material)?;
     let progress = Progress::of(run_count(&study)? + study.pose_count(), "steps");
     let method = Method::Exact { certify: true };
     let found = extremes(&study, method, &|| progress.tick())?;
@@ -27,9 +28,9 @@ pub(super) fn find(
     let verdict = Verdict::of_study(&study, &found.each, failed);
     tell(&sentence(&verdict));
     let Some((run, assembly, pose)) = verdict.worst() else {
-        return Err(Error::Usage(
-            "--worst: no pose is in mesh; nothing can be called the worst".to_owned(),
-        ));
+        return Err(Error::Usage(format!(
+            "{asked}: no pose is in mesh; nothing can be called the worst"
+        )));
     };
     let unproven = found.runs.iter().map(|run| run.unproven().count()).sum();
     let run = Run {
@@ -42,6 +43,7 @@ pub(super) fn find(
 }
 
 fn narrowed(
+    asked: &str,
     mut study: Study,
     distance: Option<f64>,
     material: Option<Material>,
@@ -51,10 +53,9 @@ fn narrowed(
     }
     let Some(distance) = distance else {
         return match study.center_distances.is_empty() {
-            true => Err(Error::Usage(
-                "--worst: the pair file has no centre distance; give one with --center-distance"
-                    .to_owned(),
-            )),
+            true => Err(Error::Usage(format!(
+                "{asked}: the pair file has no centre distance; give one with --center-distance"
+            ))),
             false => Ok(study),
         };
     };

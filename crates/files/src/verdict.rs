@@ -12,8 +12,9 @@ use gearlash::contact::Status;
 use gearlash::pair::{GearPair, Member, arcmin};
 
 use bearings::bearings;
+pub use coverage::doubt;
+pub(crate) use coverage::in_words;
 use coverage::{coverage, unless_proven};
-pub(crate) use coverage::{doubt, in_words};
 
 /// Decimals of a backlash in µm.
 const DECIMALS: usize = 2;

@@ -45,6 +45,7 @@ pub fn snapshot(
             pose: &found.pose,
             material,
             found: found.found.as_ref(),
+            section: None,
         };
         Ok::<_, gearlash::error::Error>(gearlash_render::snapshot(&view))
     });

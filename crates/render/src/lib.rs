@@ -17,6 +17,7 @@
 //!     pose: &found.pose,
 //!     material: Material::AsMeasured,
 //!     found: found.found.as_ref(),
+//!     section: None,
 //! });
 //! assert!(svg.contains("<svg") && svg.contains("30/30"));
 //! # Ok::<(), gearlash::error::Error>(())

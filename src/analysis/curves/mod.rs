@@ -6,11 +6,13 @@
 
 mod binding;
 mod course;
+mod field;
 mod over_distance;
 mod scale;
 
 pub use binding::{Followed, binding, followed, measured_teeth};
 pub use course::{Course, CourseLine, CoursePoint, Extreme, courses};
+pub use field::{BindingContact, ContactLine, Field, FieldSection, FieldSide, PathLimit};
 pub use over_distance::{DistancePoint, OverDistance, over_distance, over_distance_pose_count};
 
 use crate::analysis::compare::{ComparedRun, compare};

@@ -6,6 +6,7 @@ mod chromium;
 mod mesh;
 mod page;
 mod paper;
+mod section;
 mod zoom;
 
 use chromium::Chromium;
@@ -16,7 +17,7 @@ use std::sync::{Arc, OnceLock};
 /// What every test gets: the browser and the pages, made when the first test asks.
 type Test = fn(&Chromium, &Site);
 
-const TESTS: [(&str, Test); 22] = [
+const TESTS: [(&str, Test); 23] = [
     (
         "opens_from_disk_without_errors",
         page::opens_from_disk_without_errors,
@@ -76,6 +77,10 @@ const TESTS: [(&str, Test); 22] = [
     (
         "a_click_in_the_chart_leads_to_the_pose",
         mesh::a_click_in_the_chart_leads_to_the_pose,
+    ),
+    (
+        "a_section_of_helical_gears_can_be_chosen",
+        section::a_section_of_helical_gears_can_be_chosen,
     ),
     (
         "prints_whole_figures_on_a4",

@@ -13,6 +13,11 @@ const STUCK: &str = "[wheel]\nteeth = 20\nmodule_mm = 2.0\npressure_angle_deg = 
 
 const PAIR: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/browser/pair.toml");
 
+const HELICAL: &str = concat!(
+    env!("CARGO_MANIFEST_DIR"),
+    "/../../docs/files/helical_measured.toml"
+);
+
 /// A report on disk, and the result of the same pair.
 pub struct Site {
     pub page: PathBuf,
@@ -20,6 +25,9 @@ pub struct Site {
     pub result: Value,
     /// A report on a pair that is jammed at its first centre distance and out of mesh at its second.
     pub stuck: PathBuf,
+    /// A report on a helical pair, and what `simulate --format json` says.
+    pub helical: PathBuf,
+    pub helical_result: Value,
     _folder: tempfile::TempDir,
 }
 
@@ -38,10 +46,17 @@ impl Site {
         let [pair, file] =
             [&stuck_pair, &stuck].map(|path| path.to_str().expect("a path of plain letters"));
         gearlash(&["report", pair, "-o", file]);
+        let helical = folder.path().join("helical.html");
+        let file = helical.to_str().expect("a path of plain letters");
+        gearlash(&["report", HELICAL, "-o", file]);
+        let helical_result = gearlash(&["simulate", HELICAL, "--format", "json"]);
+        let helical_result = serde_json::from_slice(&helical_result).expect("the result is JSON");
         Site {
             page,
             result,
             stuck,
+            helical,
+            helical_result,
             _folder: folder,
         }
     }

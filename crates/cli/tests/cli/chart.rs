@@ -110,7 +110,7 @@ fn what_does_not_suit_is_exit_2_and_writes_nothing() {
         ),
         (
             &["--kind", "distance", "--center-distance", "160.5"],
-            "--center-distance belongs to --kind revolution or difference",
+            "--center-distance belongs to --kind revolution, difference or field",
         ),
         (
             &["--kind", "distance", "--material", "most"],

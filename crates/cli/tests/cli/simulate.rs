@@ -369,22 +369,4 @@ fn helical_gears_have_the_backlash_of_their_face() {
         let text = result["verdict"]["text"].as_str().unwrap();
         assert!(text.contains("every rotation, proven"), "{text}");
     }
-    let (_, _, told) = run(folder.path(), &["simulate", "pair.toml"]);
-    assert!(
-        told.contains("note: no picture of helical gears is drawn"),
-        "{told}"
-    );
-    for command in [
-        &["chart", "pair.toml", "--kind", "revolution"][..],
-        &["report", "pair.toml"],
-        &["snapshot", "pair.toml", "--worst"],
-        &["simulate", "pair.toml", "--snapshots"],
-    ] {
-        let (code, _, told) = run(folder.path(), command);
-        assert_eq!(code, Some(2));
-        assert!(
-            told.contains("takes spur gears; of helical gears"),
-            "{told}"
-        );
-    }
 }

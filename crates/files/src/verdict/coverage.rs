@@ -56,7 +56,7 @@ fn widest(extremes: &[&RunExtreme], doubts: &[String]) -> Option<f64> {
 }
 
 /// Why an extreme is only the one found; `None` where it is proven.
-pub(crate) fn doubt(extreme: &RunExtreme) -> Option<String> {
+pub fn doubt(extreme: &RunExtreme) -> Option<String> {
     match &extreme.pose.swept.found {
         Err(unproven) => Some(unproven.reason.clone()),
         Ok(_) => extreme.doubt.map(|doubt| in_words(doubt).to_owned()),

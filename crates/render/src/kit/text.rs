@@ -25,7 +25,7 @@ pub struct TextStyle {
 }
 
 /// Symbols as they stand in text; they are set italic with a subscript.
-const SYMBOLS: [&str; 6] = ["j_wt", "j_bn", "f_p", "f_u", "F_p", "F_r"];
+const SYMBOLS: [&str; 7] = ["j_wt", "j_bn", "j_bt", "f_p", "f_u", "F_p", "F_r"];
 
 impl TextStyle {
     /// Dark text of `size` that starts at its place.

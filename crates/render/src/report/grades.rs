@@ -40,6 +40,9 @@ pub(super) fn table(page: &Page) -> Markup {
                 "not the eccentricity alone. The formulas grade " (symbol("f", "p")) ", " (symbol("F", "p")) " and " (symbol("F", "r")) " alone."
             }
         }
+        @if page.report.pair.study.is_helical() {
+            p.note { "No accuracy grades: the page does not read helical gears as a gauge does." }
+        }
         @for gear in gears {
             @if let Err(reason) = &gear.graded { p.note { "No accuracy grade for the " (gear.name) ": " (reason.to_string()) "." } }
         }

@@ -9,7 +9,7 @@ use crate::chart::PictureError;
 use gearlash::gear::{AsBuilt, Inspection};
 use gearlash::pair::Member;
 use gearlash_files::numbers::{fixed, shortest, stated_distance, trimmed};
-use gearlash_files::spec::GearSpec;
+use gearlash_files::spec::{GearSpec, HandName};
 use maud::{Markup, html};
 
 /// A property of a gear as built: symbol, index, name, unit, decimals, value.
@@ -49,6 +49,33 @@ const DERIVED: [Property; 7] = [
     }),
     ("s", "b", "base tooth thickness", "mm", 5, |g| {
         g.gear().base_thickness()
+    }),
+];
+
+/// What winds, of helical gears.
+const WOUND: [Property; 5] = [
+    (
+        "β",
+        "",
+        "helix angle at the reference circle",
+        "°",
+        4,
+        |g| g.gear().basic_data().helix_angle().to_degrees(),
+    ),
+    ("β", "b", "base helix angle", "°", 4, |g| {
+        g.gear().basic_data().base_helix_angle().to_degrees()
+    }),
+    ("α", "t", "transverse pressure angle", "°", 4, |g| {
+        g.gear()
+            .basic_data()
+            .transverse_pressure_angle()
+            .to_degrees()
+    }),
+    ("m", "t", "transverse module", "mm", 4, |g| {
+        2.0 * g.gear().basic_data().reference_radius() / f64::from(g.gear().basic_data().teeth())
+    }),
+    ("p", "bt", "transverse base pitch", "mm", 4, |g| {
+        g.gear().basic_data().base_pitch()
     }),
 ];
 
@@ -108,6 +135,7 @@ pub(super) fn section(page: &Page) -> Result<Markup, PictureError> {
                 table {
                     caption {
                         "The gears as understood, defaults filled in"
+                        @if study.is_helical() { "; module, pressure angle, profile shift, rack and thickness allowances in the normal section" }
                         @if several { "; two values: at most material, at least material" }
                     }
                     thead { tr {
@@ -115,7 +143,13 @@ pub(super) fn section(page: &Page) -> Result<Markup, PictureError> {
                         th.n scope="col" { "wheel (1)" } th.n scope="col" { "pinion (2)" }
                     } }
                     tbody {
-                        @for property in DRAWN.iter().chain(&DERIVED) { (row(page, property)) }
+                        @for property in DRAWN.iter() { (row(page, property)) }
+                        @if study.is_helical() {
+                            (text_row(("", ""), "hand", "", gears.map(hand)))
+                            (text_row(("", ""), "face, from the measuring plane", "mm", gears.map(own_face)))
+                            @for property in WOUND.iter() { (row(page, property)) }
+                        }
+                        @for property in DERIVED.iter() { (row(page, property)) }
                         (text_row(("", ""), "thickness as stated", "", stated(|gear| thickness(&gear.thickness))))
                         (text_row(("2 e", ""), "twice the eccentricity, the runout as stated", "µm", stated(|gear| runout(&gear.runout))))
                         (text_row(("", ""), "high tooth", "–", stated(|gear| high_tooth(&gear.runout))))
@@ -133,6 +167,22 @@ pub(super) fn section(page: &Page) -> Result<Markup, PictureError> {
             (grades::table(page))
             (inspections(page)?)
         }
+    })
+}
+
+/// Which way the teeth wind.
+fn hand(gear: &GearSpec) -> String {
+    match gear.hand {
+        Some(HandName::Left) => "left".to_owned(),
+        Some(HandName::Right) => "right".to_owned(),
+        None => String::new(),
+    }
+}
+
+fn own_face(gear: &GearSpec) -> String {
+    gear.face_mm.map_or(String::new(), |face| {
+        let [from, to] = face.map(|end| trimmed(end, 0, 3));
+        format!("{from} … {to}")
     })
 }
 
@@ -195,6 +245,10 @@ fn assembly(page: &Page) -> Markup {
                 tbody {
                     tr { td { i { "a" } } th scope="row" { "centre distance" } td { "mm" }
                         td { (distances.join(", ")) } }
+                    @if study.is_helical() {
+                        @let [from, to] = study.face.map(|end| trimmed(end, 0, 3));
+                        tr { td {} th scope="row" { "common face, from the wheel’s measuring plane away from the viewer" } td { "mm" } td { (from) " … " (to) } }
+                    }
                     tr { td { (symbol("α", "wt")) } th scope="row" { "operating pressure angle" } td { "°" } td { (angle) } }
                     tr { td {} th scope="row" { "radial bearing clearance, wheel / pinion" } td { "mm" }
                         td { (shortest(clearance.wheel)) " / " (shortest(clearance.pinion)) } }

@@ -30,9 +30,18 @@ pub(super) fn section(page: &Page) -> Markup {
                 "In a mating (w, p) the flank of wheel tooth w stands in the operating pitch point; flanks are named as seen "
                 "from the front, teeth numbered on each gear’s reference face."
             }
+            @if page.report.pair.study.is_helical() {
+                p {
+                    "Helical teeth wind about the axis, an eccentricity does not. Rotation keeps points in their transverse section, so that the free gear "
+                    "stops where the first section of the common face does. Each section is a spur pair with its teeth rolled on; it is looked at in as many "
+                    "sections as no tooth pair can slip between, both ends of the face among them, and where an edge comes to a fillet. The result is that "
+                    "of the whole face, not of a number of slices. Module, pressure angle, profile shift, rack and thickness allowances are those of the normal "
+                    "section; " (symbol("s", "b")) " and the diameters are those of the transverse section."
+                }
+            }
             h3 { "Not in the model" }
             p {
-                "Helical gears, lead modifications, deflection under load, temperature and axis misalignment. Pitch and thickness deviations shift "
+                "Lead deviations and modifications, deflection under load, temperature and axis misalignment. Pitch and thickness deviations shift "
                 "a flank rigidly; its form is the involute with the profile deviations that the file states."
             }
         }

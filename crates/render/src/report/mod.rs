@@ -6,6 +6,7 @@
 
 mod checks;
 mod cycle;
+mod face;
 mod figures;
 mod grades;
 mod input;
@@ -62,6 +63,7 @@ pub fn report(report: &Report) -> Result<String, PictureError> {
     let mut sections = vec![
         ("result", "Result"),
         ("backlash", "Backlash and mesh"),
+        ("face", "Face width"),
         ("trust", "Trust"),
         ("checks", "Checks"),
         ("input", "Input"),
@@ -71,10 +73,12 @@ pub fn report(report: &Report) -> Result<String, PictureError> {
         ("method", "Method"),
     ];
     sections.retain(|(id, _)| *id != "measured" || !report.analysis.measured.is_empty());
+    sections.retain(|(id, _)| *id != "face" || face::is_of(&page));
     let main = html! {
         (verdict::section(&page))
         (unproven::section(&page))
         (results::section(&page)?)
+        (face::section(&page)?)
         (trust::section(&page))
         (checks::section(&page))
         (input::section(&page)?)

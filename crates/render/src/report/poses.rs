@@ -5,8 +5,8 @@ use super::page::Page;
 use super::phrases::pose;
 use crate::snapshot::{Snapshot, snapshot_in_page};
 use gearlash::analysis::outcome::Found;
-use gearlash::contact::Status;
-use gearlash_files::numbers::{stated_distance, um};
+use gearlash::contact::{MeshSection, Status};
+use gearlash_files::numbers::{stated_distance, trimmed, um};
 use maud::{Markup, PreEscaped, html};
 
 /// Centre distances, beside that of the least pose, whose least pose is drawn too (tuned: some 30 kB each).
@@ -94,16 +94,24 @@ fn others<'a>(page: &Page<'a>) -> Vec<Found<'a>> {
 fn figure(page: &Page, id: &str, what: &str, found: Found) -> Markup {
     let run = &found.run.run;
     let swept = &found.pose.swept;
+    let section = match MeshSection::binding(&run.assembly, swept) {
+        Ok(section) => section,
+        Err(reason) => return html! { p { (what) ": not drawn: " (reason.to_string()) "." } },
+    };
     let view = Snapshot {
         title: &page.report.pair.study.title,
         assembly: &run.assembly,
         pose: &swept.pose,
         material: run.material,
         found: swept.found.as_ref(),
+        section: section.as_ref(),
     };
     let backlash = swept.backlash.map(|mm| format!(": {} µm", um(Some(mm), 2)));
+    let at = section.as_ref().map_or(String::new(), |section| {
+        format!(", section at z = {} mm", trimmed(section.at(), 0, 3))
+    });
     let words = format!(
-        "{what}{}, {}, centre distance {} mm, {}.",
+        "{what}{}, {}, centre distance {} mm, {}{at}.",
         backlash.unwrap_or_default(),
         pose(found),
         stated_distance(run.assembly.center_distance()),

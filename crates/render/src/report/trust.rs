@@ -22,7 +22,9 @@ pub(super) fn section(page: &Page) -> Markup {
                 @if let Some(measured) = measured { li { (measured) } }
                 li {
                     "The result is as good as the measurements it starts from: 1 µm more tooth thickness, at the reference "
-                    "circle, is 1 µm less backlash there."
+                    "circle, is 1 µm less backlash there"
+                    @if page.report.pair.study.is_helical() { ", both in the transverse section" }
+                    "."
                 }
             }
         }

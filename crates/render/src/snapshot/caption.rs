@@ -28,8 +28,11 @@ pub fn heading(view: &Snapshot, left: f64, room: f64) -> Group {
 }
 
 fn pose_line(view: &Snapshot) -> String {
+    let section = view.section.map_or(String::new(), |section| {
+        format!(" · section at z = {} mm", trimmed(section.at(), 0, 3))
+    });
     format!(
-        "{} · centre distance {} mm · {}",
+        "{}{section} · centre distance {} mm · {}",
         pose_name(view.pose.mating()),
         trimmed(view.assembly.center_distance(), 3, 6),
         view.material.words()
@@ -68,11 +71,25 @@ pub fn draw_turning(
 }
 
 fn result_line(view: &Snapshot, scene: &Scene) -> String {
-    let what = match (scene.status(), scene.circumferential_backlash()) {
-        (Status::Interference, Some(backlash)) => {
-            format!("{} · interference", j_wt(backlash))
+    let (status, backlash) = match (view.section, view.found) {
+        // What a section would allow alone is not what the gears have.
+        (Some(_), Ok(found)) => {
+            let radius = view.assembly.operating_pitch_radius(view.assembly.free());
+            let both = found.angle().zip(found.error());
+            let both = both.map(|(angle, error)| (angle * radius, error * radius));
+            (found.status(), both)
         }
-        (_, Some(backlash)) => format!("{} · clear", j_wt(backlash)),
+        _ => (scene.status(), scene.circumferential_backlash()),
+    };
+    let over_face = view.section.map_or(String::new(), |_| {
+        let [from, to] = view.assembly.face().map(|end| trimmed(end, 0, 3));
+        format!(" over the face {from} … {to} mm")
+    });
+    let what = match (status, backlash) {
+        (Status::Interference, Some(backlash)) => {
+            format!("{}{over_face} · interference", j_wt(backlash))
+        }
+        (_, Some(backlash)) => format!("{}{over_face} · clear", j_wt(backlash)),
         (Status::Jammed, None) => "jammed: a tip sits in a root".to_owned(),
         (_, None) => "no contact: out of mesh".to_owned(),
     };

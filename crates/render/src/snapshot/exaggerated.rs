@@ -26,8 +26,8 @@ pub fn exaggerated(view: &Snapshot, gears: &Exaggeration) -> String {
     let mut occupied = Occupied::default();
     let mesh = mesh(view, gears, &main, &mut occupied);
     let mating = [
-        view.pose.mating().wheel_tooth,
-        view.pose.mating().pinion_tooth,
+        view.drawn_pose().mating().wheel_tooth,
+        view.drawn_pose().mating().pinion_tooth,
     ];
     let ([wheel_numbers, pinion_numbers], _) =
         main_view::tooth_numbers(&scene, &main, mating, &mut occupied);
@@ -74,7 +74,7 @@ fn mesh(view: &Snapshot, gears: &Exaggeration, main: &View, occupied: &mut Occup
     let mut metal = Group::new();
     let mut ghosts = Group::new();
     for (member, fill) in MEMBERS.into_iter().zip([WHEEL, PINION]) {
-        let [drawn, perfect] = gears.placed(view.pose, member);
+        let [drawn, perfect] = gears.placed(view.drawn_pose(), member);
         let (polygon, ghost) = (outline(&drawn), outline(&perfect));
         occupied.line(&polygon);
         occupied.line(&ghost);
@@ -118,7 +118,7 @@ fn ghost_line(points: &[Spot], width: f64) -> Path {
 
 /// A whole gear on the left of `frame`, what was found on it on the right.
 fn whole(view: &Snapshot, gears: &Exaggeration, member: Member, tooth: u32, frame: Frame) -> Group {
-    let [drawn, perfect] = gears.placed(view.pose, member);
+    let [drawn, perfect] = gears.placed(view.drawn_pose(), member);
     let square = Frame {
         right: frame.left + frame.height(),
         ..frame

@@ -101,12 +101,19 @@ pub fn heading(scene: &Scene, side: Side, contact: Option<&DrawnContact>, corner
         Some(contact) => {
             let gap = contact.gap;
             let length = um(gap, 2);
+            // In a transverse section the line of action lies in it, and another section may be tighter.
+            let (symbol, here) = match scene.assembly().is_helical() {
+                true => ("j_bt", " in this section"),
+                false => ("j_bn", ""),
+            };
             let first = match scene.drawn() {
                 _ if contact.turn == 0.0 => format!("{name} flanks touch"),
                 Drawn::AtContact(_) if gap > 0.0 => {
-                    format!("{name} flanks: gap j_bn = {length} µm")
+                    format!("{name} flanks: gap {symbol} = {length} µm{here}")
                 }
-                Drawn::AtContact(_) => format!("{name} flanks: overlap, j_bn = {length} µm"),
+                Drawn::AtContact(_) => {
+                    format!("{name} flanks: overlap, {symbol} = {length} µm{here}")
+                }
                 Drawn::Nominal if gap >= 0.0 => format!("{name} flanks, short of their contact"),
                 Drawn::Nominal => format!("{name} flanks, past their contact"),
             };

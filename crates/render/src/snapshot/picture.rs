@@ -67,7 +67,7 @@ fn draw(view: &Snapshot, ids: &Ids, on_paper: bool) -> SVG {
                 enlarged.scale(),
             ));
     }
-    let mating = view.pose.mating();
+    let mating = view.drawn_pose().mating();
     let ([wheel_numbers, pinion_numbers], taken) = main_view::tooth_numbers(
         &scene,
         &main,
@@ -77,9 +77,13 @@ fn draw(view: &Snapshot, ids: &Ids, on_paper: bool) -> SVG {
     let links = links
         .iter()
         .fold(Group::new(), |group, link| group.add(link.draw(&taken)));
+    let shown = shown(&scene, &main);
+    // What the face as a whole has may be in another section.
+    let in_section = view.section.is_some() && scene.meetings().iter().any(|m| m.gap < 0.0);
     let shown = Shown {
         on_paper,
-        ..shown(&scene, &main)
+        overlap: shown.overlap || in_section,
+        ..shown
     };
     blank_sheet()
         .add(hatch(ids))

@@ -2,7 +2,7 @@
 
 use crate::kit::{Frame, TextStyle};
 use gearlash::analysis::study::Material;
-use gearlash::contact::{LostMotion, Scene, Unproven};
+use gearlash::contact::{LostMotion, MeshSection, Scene, Unproven};
 use gearlash::pair::{GearPair, Member, Pose};
 use svg::node::element::Group;
 
@@ -19,15 +19,23 @@ pub struct Snapshot<'a> {
     pub material: Material,
     /// What the simulation found at the pose; of an unproven pose nothing is drawn as contact.
     pub found: Result<&'a LostMotion, &'a Unproven>,
+    /// Of helical gears the section that is drawn; of spur gears `None`.
+    pub section: Option<&'a MeshSection>,
 }
 
 impl<'a> Snapshot<'a> {
     /// What is drawn.
     pub(crate) fn scene(&self) -> Scene<'a> {
-        match self.found {
-            Ok(lost_motion) => Scene::new(self.assembly, self.pose, lost_motion),
-            Err(_) => Scene::unproven(self.assembly, self.pose),
+        match (self.section, self.found) {
+            (Some(section), _) => Scene::in_section(section),
+            (None, Ok(lost_motion)) => Scene::new(self.assembly, self.pose, lost_motion),
+            (None, Err(_)) => Scene::unproven(self.assembly, self.pose),
         }
+    }
+
+    /// The pose as drawn: of helical gears that of the section.
+    pub(crate) fn drawn_pose(&self) -> &'a Pose {
+        self.section.map_or(self.pose, MeshSection::pose)
     }
 }
 

@@ -3,6 +3,7 @@
 use super::contacts::{Contacts, touching};
 use super::precision::Precision;
 use super::readout;
+use super::section::{self, HelicalColumns};
 use super::viewed::Viewed;
 use gearlash::analysis::compare::ComparedRun;
 use gearlash::analysis::curves::{Course, CourseLine};
@@ -27,6 +28,8 @@ pub struct Columns {
     runs: Vec<RunColumns>,
     /// Run and pose shown first.
     start: [usize; 2],
+    #[serde(skip_serializing_if = "Option::is_none")]
+    helical: Option<HelicalColumns>,
 }
 
 impl Columns {
@@ -39,6 +42,10 @@ impl Columns {
         precision: Precision,
     ) -> Columns {
         let mut classes = Vec::new();
+        let helical = runs.get(start[0]).and_then(|first| {
+            let pose = first.poses().nth(start[1])?;
+            HelicalColumns::of(&first.run.run.assembly, &pose.swept)
+        });
         let runs = runs
             .iter()
             .map(|viewed| RunColumns::new(study, viewed, charts, precision, &mut classes));
@@ -48,6 +55,7 @@ impl Columns {
             classes,
             statuses: STATUSES.map(Status::name),
             start,
+            helical,
         }
     }
 }
@@ -116,6 +124,9 @@ pub struct RunColumns {
     status: Vec<usize>,
     right: Contacts,
     left: Contacts,
+    /// Of helical gears, where along the face these are.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    section_mm: Option<[Vec<Option<f64>>; 2]>,
 }
 
 impl RunColumns {
@@ -172,6 +183,7 @@ impl RunColumns {
             status: poses().map(|pose| place_of(pose.status())).collect(),
             right,
             left,
+            section_mm: section::sections(assembly, poses()),
         }
     }
 }

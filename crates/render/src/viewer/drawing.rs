@@ -6,6 +6,7 @@
 use super::columns::{degrees, free_rotation, outlines};
 use super::marks::{axis, circle, line, marks, numbers};
 use super::precision::Precision;
+use super::section::{Winding, first};
 use crate::kit::{INK, OVERLAP, PINION, WHEEL};
 use gearlash::analysis::compare::{ComparedPose, ComparedRun};
 use gearlash::analysis::study::Study;
@@ -36,6 +37,7 @@ pub fn draw(study: &Study, run: &ComparedRun, pose: &ComparedPose, precision: Pr
         format!("translate({} 0) rotate({turned})", assembly.axis(member).x)
     };
     let material = outlines(study, run);
+    let section = first(assembly, &pose.swept);
     let metal = |member: Member| {
         Use::new()
             .set("href", format!("#viewer-{}-{material}", member.name()))
@@ -49,7 +51,7 @@ pub fn draw(study: &Study, run: &ComparedRun, pose: &ComparedPose, precision: Pr
             .set("transform", turn(member))
             .add(outline.set("stroke-width", "1.3"))
             .add(axis(module))
-            .add(numbers(&placed, member, module, precision))
+            .add(numbers(&placed, member, module, section, precision))
     };
     let overlap = Group::new().set("clip-path", "url(#viewer-clip)").add(
         Group::new()
@@ -87,7 +89,7 @@ pub fn draw(study: &Study, run: &ComparedRun, pose: &ComparedPose, precision: Pr
     let marks = Side::BOTH.map(|side| marks(assembly, pose, side, precision));
     let picture = marks.into_iter().fold(picture, Group::add);
     let [home, whole] = views(assembly, module);
-    let definitions = definitions(study, assembly, precision)
+    let definitions = definitions(study, assembly, section, precision)
         .add(ClipPath::new().set("id", "viewer-clip").add(clip));
     let sheet = SVG::new()
         .set("id", "viewer-picture")
@@ -108,8 +110,13 @@ fn at_origin<'a>(assembly: &GearPair, gear: &'a AsBuilt, member: Member) -> Plac
     Placed::new(gear, Point2::origin(), assembly.mate_direction(member))
 }
 
-/// The outlines of all materials, `viewer-wheel-0` and so on.
-fn definitions(study: &Study, assembly: &GearPair, precision: Precision) -> Definitions {
+/// The outlines of all materials, `viewer-wheel-0` and so on; of helical gears in a section.
+fn definitions(
+    study: &Study,
+    assembly: &GearPair,
+    section: Option<f64>,
+    precision: Precision,
+) -> Definitions {
     let materials = study.materials.iter().enumerate();
     let gears = materials.flat_map(|(number, (_, wheel, pinion))| {
         [
@@ -119,10 +126,22 @@ fn definitions(study: &Study, assembly: &GearPair, precision: Precision) -> Defi
     });
     gears.fold(Definitions::new(), |definitions, (number, member, gear)| {
         let placed = at_origin(assembly, gear, member);
+        let scale = format!("scale({})", precision.unit());
+        let wound = section.map(|at| Winding::new(&placed, member, at, precision.decimals));
+        let outline = match wound {
+            None => Path::new().set("transform", scale),
+            Some(wound) => Path::new()
+                .set(
+                    "transform",
+                    format!("rotate({} {}) {scale}", wound.turned, wound.centre()),
+                )
+                .set("data-winds", wound.name)
+                .set("data-centre", wound.centre())
+                .set("data-then", scale),
+        };
         definitions.add(
-            Path::new()
+            outline
                 .set("id", format!("viewer-{}-{number}", member.name()))
-                .set("transform", format!("scale({})", precision.unit()))
                 .set("vector-effect", "non-scaling-stroke")
                 .set("stroke-linejoin", "round")
                 .set("d", path(&placed, precision)),

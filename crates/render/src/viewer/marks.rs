@@ -3,6 +3,7 @@
 use super::columns::degrees;
 use super::contacts::{normal_degrees, touching};
 use super::precision::Precision;
+use super::section::Winding;
 use crate::kit::{ACTION, GREY, INK};
 use gearlash::analysis::compare::ComparedPose;
 use gearlash::contact::{LostMotion, Status};
@@ -36,8 +37,14 @@ pub fn axis(module: f64) -> Path {
     line().set("d", format!("M-{arm} 0H{arm}M0 -{arm}V{arm}"))
 }
 
-/// The number of every tooth of a gear on the origin, upright where the tooth points at the mate.
-pub fn numbers(gear: &Placed, member: Member, module: f64, precision: Precision) -> Group {
+/// The number of every tooth of a gear on the origin, upright where the tooth points at the mate; of helical gears in a section.
+pub fn numbers(
+    gear: &Placed,
+    member: Member,
+    module: f64,
+    section: Option<f64>,
+    precision: Precision,
+) -> Group {
     let teeth = gear.as_built().gear().basic_data().teeth();
     let root = gear.as_built().gear().root_radius();
     let radius = rounded(root - INSIDE * module, precision.decimals);
@@ -47,8 +54,18 @@ pub fn numbers(gear: &Placed, member: Member, module: f64, precision: Precision)
         Member::Wheel => 1.0,
         Member::Pinion => -1.0,
     };
-    let group = Group::new()
-        .set("transform", format!("translate({x} {y})"))
+    let wound = section.map(|at| Winding::new(gear, member, at, precision.decimals));
+    let group = match wound {
+        None => Group::new().set("transform", format!("translate({x} {y})")),
+        Some(wound) => Group::new()
+            .set(
+                "transform",
+                format!("translate({x} {y}) rotate({})", wound.turned),
+            )
+            .set("data-winds", wound.name)
+            .set("data-centre", wound.centre()),
+    };
+    let group = group
         .set("font-size", rounded(NUMBER * module, 4))
         .set("text-anchor", "middle")
         .set("fill", GREY);

@@ -11,6 +11,7 @@ mod drawing;
 mod marks;
 mod precision;
 mod readout;
+mod section;
 mod viewed;
 
 use columns::Columns;
@@ -26,6 +27,9 @@ use viewed::{viewed, worst};
 pub const STYLE: &str = include_str!("viewer.css");
 const SCRIPT: &str = include_str!("viewer.js");
 const CONTROLS: &str = include_str!("controls.html");
+/// Of helical gears, beside those.
+const SECTION_CONTROLS: &str = include_str!("section.html");
+const SECTION_SCRIPT: &str = include_str!("section.js");
 /// Poses of all runs together that a page holds, but for a few a run (tuned: some 140 bytes each, so that a page with
 /// a dozen charts stays below 8 MB).
 const MOST_POSES: usize = 30_000;
@@ -55,7 +59,12 @@ pub fn fragment(
     let data = serde_json::to_string(&Columns::new(study, &views, charts, shown, precision))?;
     let mut html = String::from("<div class=\"viewer\" id=\"viewer\">\n");
     html.push_str(CONTROLS);
+    let helical = run.run.assembly.is_helical();
+    if helical {
+        html.push_str(SECTION_CONTROLS);
+    }
     html.push_str(&drawing::draw(study, run, pose, precision));
+    html.push_str(&section::note(&run.run.assembly, &pose.swept));
     html.push_str(&readout::draw(run, start[1]));
     if every > 1 {
         let held: usize = views.iter().map(|run| run.numbers.len()).sum();
@@ -82,8 +91,12 @@ pub fn fragment(
     // `<` occurs in strings alone, where JSON may write it so: nothing can end the element early.
     let _ = writeln!(
         html,
-        "<script type=\"application/json\" id=\"viewer-data\">{}</script>\n<script>\n{SCRIPT}</script>\n</div>",
-        data.replace('<', "\\u003c")
+        "<script type=\"application/json\" id=\"viewer-data\">{}</script>\n<script>\n{SCRIPT}</script>\n{}</div>",
+        data.replace('<', "\\u003c"),
+        match helical {
+            true => format!("<script>\n{SECTION_SCRIPT}</script>\n"),
+            false => String::new(),
+        }
     );
     Ok(html)
 }

@@ -5,6 +5,7 @@ mod curves;
 mod drawn;
 mod empty;
 mod envelope;
+mod field;
 mod inspection;
 mod one_assembly;
 mod parts;

@@ -32,6 +32,7 @@ fn draw(solved: &Solved) -> String {
         pose: &solved.pose,
         material: gearlash::analysis::study::Material::AsMeasured,
         found: Ok(&solved.lost_motion),
+        section: None,
     };
     animation(&view, &steps(solved))
 }

@@ -17,6 +17,7 @@ fn draw(solved: &Solved, factor: f64) -> String {
         pose: &solved.pose,
         material: gearlash::analysis::study::Material::AsMeasured,
         found: Ok(&solved.lost_motion),
+        section: None,
     };
     exaggerated(&view, &gears)
 }

@@ -25,6 +25,7 @@ fn draw(assembly: &GearPair, pose: &Pose, lost_motion: &LostMotion) -> String {
         pose,
         material: gearlash::analysis::study::Material::Most,
         found: Ok(lost_motion),
+        section: None,
     })
 }
 
@@ -295,6 +296,7 @@ fn any_title_fits_and_stays_xml() {
             pose: &at,
             material: gearlash::analysis::study::Material::Most,
             found: Ok(&lost),
+            section: None,
         });
         let (first, room) = &read(&svg).texts[0];
         assert!(room[2] <= 1158.0, "{first}");

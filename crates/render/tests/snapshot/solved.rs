@@ -36,6 +36,7 @@ impl Solved {
             pose: &self.pose,
             material: gearlash::analysis::study::Material::AsMeasured,
             found: Ok(&self.lost_motion),
+            section: None,
         })
     }
 

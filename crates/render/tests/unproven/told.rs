@@ -278,6 +278,7 @@ fn a_picture_draws_no_contact_and_says_why() {
         pose: &pose.swept.pose,
         material: gearlash::analysis::study::Material::AsMeasured,
         found: pose.swept.found.as_ref(),
+        section: None,
     });
     assert!(
         svg.contains("unproven, no contact is drawn: the certificate failed"),
@@ -299,6 +300,8 @@ fn a_report_vouches_for_nothing() {
     })
     .unwrap();
     let analysis = Analysis {
+        widths: Vec::new(),
+        field: None,
         study: &case.study,
         method: CERTIFIED,
         runs: runs.clone(),

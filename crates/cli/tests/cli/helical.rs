@@ -1,0 +1,216 @@
+//! Pictures and pages of helical pairs.
+
+use super::{empty_folder, files, run};
+use std::path::Path;
+
+/// The pairs of docs/helical-gears.md in a folder of their own: common face −24 … 24 mm.
+fn folder() -> tempfile::TempDir {
+    let folder = empty_folder();
+    let files = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/files");
+    for (from, to) in [("helical", "pair"), ("helical_measured", "measured")] {
+        let [from, to] = [from, to].map(|name| format!("{name}.toml"));
+        std::fs::copy(files.join(from), folder.path().join(to)).unwrap();
+    }
+    folder
+}
+
+fn drawn(folder: &Path, args: &[&str]) -> String {
+    let (code, picture, told) = run(folder, args);
+    assert_eq!(code, Some(0), "{told}");
+    picture
+}
+
+fn refused(folder: &Path, args: &[&str], why: &str) {
+    let (code, _, told) = run(folder, args);
+    assert_eq!(code, Some(2), "{told}");
+    assert!(told.contains(why), "{told}");
+}
+
+const POSE: [&str; 6] = [
+    "snapshot",
+    "pair.toml",
+    "--mating",
+    "4,16",
+    "--flank",
+    "right",
+];
+
+fn section(folder: &Path, at: &[&str]) -> String {
+    drawn(folder, &[&POSE[..], at, &["-o", "-"]].concat())
+}
+
+/// Teeth wind by b tan β/r: over 24 mm by 24 tan 21°/65.0720 rad, 0.6084 of a pitch of the 27 teeth. Eccentricities alone leave the backlash the
+/// same in every section, so that the flanks touch wherever the picture is of.
+#[test]
+fn a_snapshot_is_of_a_section() {
+    let folder = folder();
+    let at = |z: &str| section(folder.path(), &["--section", z]);
+    let [near, middle, far] = ["-24", "0", "24"].map(at);
+    for (picture, z) in [(&near, "−24"), (&middle, "0"), (&far, "24")] {
+        assert!(picture.contains(&format!("section at z = {z} mm")), "{z}");
+        assert!(picture.contains("wheel 4 with pinion 16 at the right flank"));
+        assert!(picture.contains("over the face −24 … 24 mm"));
+        assert!(picture.contains("Right flanks touch"));
+    }
+    assert!(near != middle && middle != far);
+    // By default where the flank touches.
+    let own = section(folder.path(), &[]);
+    assert!(own.contains("section at z = ") && own.contains("Right flanks touch"));
+}
+
+#[test]
+fn what_is_no_section_is_refused() {
+    let folder = folder();
+    for z in ["24.001", "-25", "nan"] {
+        let args = [&POSE[..], &["--section", z]].concat();
+        refused(
+            folder.path(),
+            &args,
+            "the common face runs from -24 to 24 mm",
+        );
+    }
+    refused(
+        folder.path(),
+        &[&POSE[..], &["--animate"]].concat(),
+        "--animate turns spur gears",
+    );
+    let spur = std::fs::read_to_string(folder.path().join("pair.toml")).unwrap();
+    let spur = spur.replace("helix_angle_deg = 21", "helix_angle_deg = 0");
+    let spur = spur.replace("\"190 js7\"", "\"178 js7\"");
+    std::fs::write(folder.path().join("pair.toml"), spur).unwrap();
+    refused(
+        folder.path(),
+        &[&POSE[..], &["--section", "1"]].concat(),
+        "--section is for helical gears",
+    );
+    assert_eq!(files(folder.path()), ["measured.toml", "pair.toml"]);
+}
+
+#[test]
+fn simulate_draws_sections() {
+    let folder = folder();
+    drawn(
+        folder.path(),
+        &["simulate", "pair.toml", "--snapshots", "-o", "out"],
+    );
+    let pictures = files(&folder.path().join("out"));
+    let pictures: Vec<&String> = pictures
+        .iter()
+        .filter(|name| name.ends_with(".svg"))
+        .collect();
+    // The worst, and two a run: three distances, two materials.
+    assert_eq!(pictures.len(), 1 + 12);
+    for name in pictures {
+        let picture = std::fs::read_to_string(folder.path().join("out").join(name)).unwrap();
+        assert!(picture.contains("section at z = "), "{name}");
+    }
+}
+
+/// What binds is named as `snapshot --worst` and the verdict name it.
+#[test]
+fn a_chart_shows_the_field_of_action() {
+    let folder = folder();
+    let chart = |extra: &[&str]| {
+        let args = [
+            &["chart", "measured.toml", "--kind", "field", "-o", "-"],
+            extra,
+        ]
+        .concat();
+        drawn(folder.path(), &args)
+    };
+    let (_, _, told) = run(
+        folder.path(),
+        &["chart", "measured.toml", "--kind", "field", "-o", "-"],
+    );
+    assert!(
+        told.contains("6·14 (right flanks) and 4·17 (left flanks)"),
+        "{told}"
+    );
+    let picture = chart(&[]);
+    roxmltree::Document::parse(&picture).unwrap();
+    for words in [
+        "Right flanks: wheel 6 on pinion 14 binds at z = −24 mm, tip-involute",
+        "Left flanks: wheel 4 on pinion 17 binds at z = 24 mm, involute-involute",
+        "tip circle of the pinion",
+        "axial position z, mm",
+    ] {
+        assert!(picture.contains(words), "{words}");
+    }
+    assert_eq!(chart(&["--center-distance", "190"]), picture);
+    assert!(chart(&["--center-distance", "190.05"]).contains("a = 190.050 mm"));
+    drawn(
+        folder.path(),
+        &[
+            "chart",
+            "pair.toml",
+            "--kind",
+            "field",
+            "--material",
+            "least",
+        ],
+    );
+    assert_eq!(
+        files(&folder.path().join("out/pair")),
+        ["chart_field_a189.977_least.svg"]
+    );
+    let spur = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/karba_44x44.toml");
+    refused(
+        folder.path(),
+        &["chart", spur.to_str().unwrap(), "--kind", "field"],
+        "--kind field is for helical gears",
+    );
+}
+
+#[test]
+fn every_chart_is_drawn_of_helical_pairs() {
+    let folder = folder();
+    for kind in ["revolution", "distance", "difference", "inspection", "map"] {
+        let args = ["chart", "measured.toml", "--kind", kind, "-o", "-"];
+        let (_, picture, told) = run(folder.path(), &args);
+        assert!(picture.starts_with("<svg"), "{kind}: {told}");
+    }
+}
+
+/// The first screen as of a spur pair; what the face costs as the library has it, j_n with its formula.
+#[test]
+fn a_page_tells_what_the_face_width_costs() {
+    let folder = folder();
+    let (code, page, told) = run(folder.path(), &["report", "measured.toml", "-o", "-"]);
+    assert_eq!(code, Some(0), "{told}");
+    let document = scraper::Html::parse_document(&page);
+    let text = |selector: &str| -> Vec<String> {
+        let selector = scraper::Selector::parse(selector).unwrap();
+        let words = |element: scraper::ElementRef| {
+            let words = element.text().flat_map(str::split_whitespace);
+            words.collect::<Vec<_>>().join(" ")
+        };
+        document.select(&selector).map(words).collect()
+    };
+    assert!(
+        text("#result .answer")[0].starts_with("Assembles at a = 190.000 mm: least j wt 252.71 µm")
+    );
+    let rows = text("#face table:first-of-type tbody tr");
+    let widths: Vec<&String> = rows.iter().take(5).collect();
+    for (row, width) in widths.iter().zip(["0 ", "12 ", "24 ", "36 ", "48 "]) {
+        assert!(
+            row.starts_with(width) && row.matches("proven").count() == 2,
+            "{row}"
+        );
+    }
+    assert!(
+        widths[4].contains("252.71") && widths[4].contains("332.68"),
+        "{}",
+        widths[4]
+    );
+    let all = text("#face").join(" ");
+    for words in [
+        "j bt cos β b = j t cos α n cos β",
+        "Three definitions of a normal backlash j n",
+    ] {
+        assert!(all.contains(words), "{words}");
+    }
+    let all = text("main").join(" ");
+    assert!(!all.contains("Helical gears, lead"));
+    assert!(all.contains("No accuracy grades") && all.contains("base helix angle"));
+    assert!(all.contains("Drawn in the section at z = "));
+}

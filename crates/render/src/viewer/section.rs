@@ -1,0 +1,110 @@
+//! Which section of helical gears the viewer shows.
+
+use super::columns::{DEGREES, degrees};
+use super::contacts::touching;
+use gearlash::contact::PoseResult;
+use gearlash::gear::{Placed, Side};
+use gearlash::pair::{GearPair, Member};
+use gearlash_files::numbers::{rounded, trimmed};
+use serde::Serialize;
+
+/// Decimals of a place along the face, mm.
+const PLACE: usize = 6;
+
+/// What the script knows of helical gears.
+#[derive(Serialize)]
+pub struct HelicalColumns {
+    /// Ends of the common face.
+    face_mm: [f64; 2],
+    /// How far the teeth of wheel and pinion wind a mm.
+    twist_deg_a_mm: [f64; 2],
+    /// The section shown first.
+    start_mm: f64,
+}
+
+impl HelicalColumns {
+    /// Those of `assembly`, first shown in the section of `pose`; `None` of spur gears.
+    pub fn of(assembly: &GearPair, pose: &PoseResult) -> Option<HelicalColumns> {
+        let start_mm = first(assembly, pose)?;
+        let twist = |member| {
+            let data = *assembly.gear(member).gear().basic_data();
+            rounded(data.twist().to_degrees(), DEGREES + 4)
+        };
+        Some(HelicalColumns {
+            face_mm: assembly.face(),
+            twist_deg_a_mm: [Member::Wheel, Member::Pinion].map(twist),
+            start_mm: rounded(start_mm, PLACE),
+        })
+    }
+}
+
+/// The section shown first, mm: where the free gear touches on its right flanks, else the middle of the face; `None` of spur gears.
+pub fn first(assembly: &GearPair, pose: &PoseResult) -> Option<f64> {
+    let [from, to] = assembly.face();
+    let touching = touching(pose, Side::Right).map(|contact| contact.section);
+    assembly
+        .is_helical()
+        .then(|| touching.unwrap_or(0.5 * (from + to)))
+}
+
+/// Where each pose of helical gears touches on its right and on its left flanks.
+pub fn sections<'p>(
+    assembly: &GearPair,
+    poses: impl Iterator<Item = &'p PoseResult>,
+) -> Option<[Vec<Option<f64>>; 2]> {
+    let place = |pose, side| {
+        let contact = touching(pose, side);
+        contact.map(|contact| rounded(contact.section, PLACE))
+    };
+    let both = |pose| (place(pose, Side::Right), place(pose, Side::Left));
+    let (right, left) = assembly.is_helical().then(|| poses.map(both).unzip())?;
+    Some([right, left])
+}
+
+/// A gear in the section that is drawn first: what the script turns, and how far.
+#[derive(Debug, Clone, Copy)]
+pub struct Winding {
+    /// `wheel` or `pinion`.
+    pub name: &'static str,
+    /// How far its teeth stand turned there, degrees.
+    pub turned: f64,
+    /// Its own centre off its axis, mm.
+    pub centre: [f64; 2],
+}
+
+impl Winding {
+    /// That of the gear `placed` on the origin at `section`, mm.
+    pub fn new(placed: &Placed, member: Member, section: f64, decimals: usize) -> Winding {
+        let centre = placed.centre();
+        let data = placed.as_built().gear().basic_data();
+        Winding {
+            name: member.name(),
+            turned: degrees(data.twist() * section),
+            centre: [centre.x, centre.y].map(|value| rounded(value, decimals)),
+        }
+    }
+
+    /// Its centre as the script reads it.
+    pub fn centre(&self) -> String {
+        let [x, y] = self.centre;
+        format!("{x} {y}")
+    }
+}
+
+/// What is said below the picture.
+pub fn note(assembly: &GearPair, pose: &PoseResult) -> String {
+    let Some(section) = first(assembly, pose) else {
+        return String::new();
+    };
+    let mm = |place: f64| trimmed(place, 0, 2);
+    let contact = |side: Side| match touching(pose, side) {
+        Some(contact) => format!("{} contact at z = {} mm", side.name(), mm(contact.section)),
+        None => format!("no {} contact", side.name()),
+    };
+    format!(
+        "<p class=\"viewer-note\" id=\"viewer-section-text\">Drawn in the section at z = {} mm; {}, {}.</p>\n",
+        mm(section),
+        contact(Side::Right),
+        contact(Side::Left)
+    )
+}

@@ -1,0 +1,96 @@
+//! The field of action: lines, gaps and shades stand where the library has them.
+
+use super::drawn::{HALF, LEFT, RIGHT, apart, place, polylines};
+use super::{METHOD, heading};
+use gearlash::analysis::curves::Field;
+use gearlash::contact::{ContactKind, CutPair, sweep};
+use gearlash::gear::Side;
+use gearlash::pair::{GearPair, Mating};
+use gearlash_render::chart::{self, Chart};
+use roxmltree::Document;
+use std::ops::ControlFlow;
+use std::path::Path;
+
+/// 27/51 with measured pitch, 0.3 of a pitch beyond a mating.
+fn field() -> Field {
+    let files = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/files"));
+    let study = gearlash_files::read(&files.join("helical_measured.toml"));
+    let study = study.unwrap().study;
+    let (_, wheel, pinion) = &study.materials[0];
+    let pair: GearPair = study.pair(wheel, pinion, 190.0).unwrap();
+    let mating = Mating {
+        wheel_tooth: 4,
+        pinion_tooth: 16,
+        flank: Side::Right,
+        fraction: 0.3,
+    };
+    let cut = CutPair::for_certificates(wheel, pinion);
+    let on = || ControlFlow::Continue(());
+    let poses = sweep(&pair, &cut, METHOD, &[mating], 0.0, &on).unwrap();
+    Field::of(&pair, &poses[0]).unwrap()
+}
+
+fn drawn(field: &Field) -> Chart {
+    chart::field(&heading("field", "Field"), field).unwrap()
+}
+
+#[test]
+fn lines_and_gaps_are_where_the_data_are() {
+    let field = field();
+    let chart = drawn(&field);
+    let document = Document::parse(&chart.svg).unwrap();
+    for (number, (side, colour)) in field.sides.iter().zip([RIGHT, LEFT]).enumerate() {
+        let [lines, gaps] = [&chart.panels[2 * number], &chart.panels[2 * number + 1]];
+        let drawn = polylines(&document, colour);
+        let ends = |from: (f64, f64), to: (f64, f64)| {
+            drawn
+                .iter()
+                .any(|line| apart(line[0], from) < HALF && apart(line[line.len() - 1], to) < HALF)
+        };
+        assert!(side.lines.len() > 1);
+        for line in &side.lines {
+            let [from, to] = line.ends.map(|[z, s]| place(lines, (z, s)));
+            assert!(ends(from, to), "{}·{}", line.wheel_tooth, line.pinion_tooth);
+        }
+        let um = |k: usize| (side.sections[k].at, side.sections[k].gap.unwrap() * 1e3);
+        let last = side.sections.len() - 1;
+        assert!(ends(place(gaps, um(0)), place(gaps, um(last))));
+        let binding = &side.binding;
+        let words = format!(
+            "wheel {} on pinion {} binds",
+            binding.wheel_tooth, binding.pinion_tooth
+        );
+        assert!(chart.svg.contains(&words), "{words}");
+    }
+}
+
+/// A stretch in which fillets are touched is shaded in both panels of its side, and named; without one there is none.
+#[test]
+fn fillets_are_shaded() {
+    let mut field = field();
+    const GREEN: &str = "#009e73";
+    let shades = |field: &Field| drawn(field).svg.matches(GREEN).count();
+    assert_eq!(shades(&field), 0);
+    for section in &mut field.sides[0].sections[10..40] {
+        section.kind = Some(ContactKind::TipFillet);
+    }
+    // Its sample in the legend, and one a panel.
+    assert_eq!(shades(&field), 3);
+    assert!(drawn(&field).svg.contains("a fillet is touched first"));
+    let [from, to] = [10, 39].map(|k| field.sides[0].sections[k].at);
+    let chart = drawn(&field);
+    let document = Document::parse(&chart.svg).unwrap();
+    let plot = &chart.panels[0];
+    let shade = document
+        .descendants()
+        .find(|node| node.has_tag_name("path") && node.attribute("fill") == Some(GREEN));
+    let data = shade.unwrap().attribute("d").unwrap();
+    for z in [from, to] {
+        let x = place(plot, (z, 0.0)).0;
+        let near = |word: &str| word.parse::<f64>().is_ok_and(|at| (at - x).abs() < HALF);
+        assert!(
+            data.split(['M', 'L', 'Z', ' ', 'H', 'V']).any(near),
+            "{z}: {data}"
+        );
+    }
+}

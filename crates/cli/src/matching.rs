@@ -1,6 +1,6 @@
 //! `gearlash match`: which measured wheel goes with which pinion, and which teeth meet.
 
-use super::console::{guard, print, print_note, warn};
+use super::console::{guard, print, print_note, tell, warn};
 use super::progress::Progress;
 use super::screen::ScreenArgs;
 use crate::error::Error;
@@ -70,6 +70,14 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     guard(&file.pair.sources)?;
     let warnings = [&file.pair.warnings[..], &file.warnings].concat();
     warn(&args.pair, &warnings, &file.pair.remarks);
+    for (kind, lines) in [
+        ("warning", &file.gear_warnings),
+        ("note", &file.gear_remarks),
+    ] {
+        lines
+            .iter()
+            .for_each(|line| tell(&format!("{kind}: {line}")));
+    }
     let folder = match &args.output {
         Some(folder) => folder.clone(),
         None => PathBuf::from("out").join(&file.pair.stem),

@@ -2,7 +2,7 @@
 
 use super::console::guard;
 use super::screen::ScreenArgs;
-use super::tolerance::{Format, is_own, tell_result};
+use super::tolerance::{Format, guard_earlier, is_own, tell_result};
 use crate::error::Error;
 use crate::output::OutputFolder;
 use gearlash_files::Sources;
@@ -49,5 +49,6 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     if let Some(reason) = result.part.too_many_impossible() {
         return Err(Error::Usage(reason.to_string()));
     }
+    guard_earlier(&args.output, &result.part.head, None)?;
     tell_result(&result, folder, args.format, &args.screen.screen())
 }

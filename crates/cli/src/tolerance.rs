@@ -1,5 +1,6 @@
 //! `gearlash tolerance`: what share of a population meets its requirement, and what it depends on.
 
+mod earlier;
 mod parquet;
 mod results;
 mod rows;
@@ -21,6 +22,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
+pub(super) use earlier::guard as guard_earlier;
 pub(super) use results::{Format, is_own, tell_result};
 
 /// Draw assemblies as [tolerance] of the pair file says, and find what share of them misses [require]
@@ -103,11 +105,15 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         path: folder.join(name),
         sources: &file.pair.sources,
     };
-    let results = prepared.as_mut().map(|results| (folder.as_path(), results));
-    let rows = args.rows.as_deref();
-    let rows = rows.map(|path| RowsFile::begin(path, &file.pair.sources, results));
-    let rows = rows.transpose()?;
     let begun = file.part(assemblies, seed, shard)?;
+    let rows = args.rows.as_deref();
+    if prepared.is_some() {
+        guard_earlier(&folder, &begun.head, rows)?;
+    }
+    let results = prepared.as_mut().map(|results| (folder.as_path(), results));
+    let first = begun.head.numbers().start;
+    let rows = rows.map(|path| RowsFile::begin(path, first, &file.pair.sources, results));
+    let rows = rows.transpose()?;
     let mut part = match rows {
         Some(_) => begun,
         None => kept.found(begun),

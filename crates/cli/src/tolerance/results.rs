@@ -5,7 +5,8 @@ use crate::date::today;
 use crate::error::Error;
 use crate::output::OutputFolder;
 use clap::ValueEnum;
-use gearlash_files::tolerance::{ToleranceResult, histogram_csv, worst_file};
+use gearlash::population::WORST;
+use gearlash_files::tolerance::{ToleranceResult, histogram_csv, worst_file, worst_name};
 use gearlash_render::text::Screen;
 use gearlash_render::{ToleranceReport, tolerance_pictures, tolerance_report};
 use std::process::ExitCode;
@@ -37,11 +38,7 @@ pub(crate) enum Format {
 
 /// Whether a run may write a file called `name`.
 pub(crate) fn is_own(name: &str) -> bool {
-    let worst = name
-        .strip_prefix("worst_")
-        .and_then(|name| name.strip_suffix(".toml"));
-    let worst = worst.is_some_and(|number| number.bytes().all(|byte| byte.is_ascii_digit()));
-    worst || FILES.contains(&name)
+    FILES.contains(&name) || (0..WORST).any(|index| worst_name(index) == name)
 }
 
 /// Prints `result` and writes it to `folder`.

@@ -35,6 +35,7 @@ mod step_summary;
 #[cfg(target_os = "linux")]
 mod terminal;
 mod tolerance;
+mod tolerance_earlier;
 mod tolerance_rows;
 mod tolerance_told;
 mod units;

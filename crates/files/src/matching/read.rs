@@ -4,6 +4,7 @@ use super::folder::gear_files;
 use super::gear::{NamedGear, one, thickness_key, warm};
 use crate::error::{InputError, Problem};
 use crate::read::PairFile;
+use crate::said_once::SaidOnce;
 use gearlash::matching::Terms;
 use gearlash::pair::{GearPair, Member};
 use gearlash::population::Requirement;
@@ -22,6 +23,10 @@ pub struct MatchFile {
     pub terms: Terms,
     /// What the user should know, beside the pair's warnings.
     pub warnings: Vec<String>,
+    /// Warnings of the gears' own files, each with the first file that it is of.
+    pub gear_warnings: Vec<String>,
+    /// What was found to be in order of them, likewise.
+    pub gear_remarks: Vec<String>,
 }
 
 /// Reads the pair file at `path` and every gear file (`.toml`, `.json`) of the folders `wheels` and `pinions`; `target` is the wanted
@@ -49,12 +54,15 @@ pub fn read_match(
         return Err(vec![InputError::of(path, vec![problem])]);
     }
     let (mut errors, mut bands) = (Vec::new(), Vec::new());
+    let (mut gear_warnings, mut gear_remarks) = (SaidOnce::default(), SaidOnce::default());
     let mut gears = |folder: &Path, member: Member| {
         let mut gears = Vec::new();
         for file in gear_files(folder, &mut errors) {
             match one(&file, member, &pair) {
                 Ok(found) => {
                     bands.extend(found.band);
+                    gear_warnings.add(&file, &found.warnings);
+                    gear_remarks.add(&file, &found.remarks);
                     pair.sources.extend(&found.sources);
                     gears.push(found.gear);
                 }
@@ -108,6 +116,8 @@ pub fn read_match(
         pinions,
         terms,
         warnings,
+        gear_warnings: gear_warnings.lines(),
+        gear_remarks: gear_remarks.lines(),
     })
 }
 

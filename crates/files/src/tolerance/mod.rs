@@ -29,5 +29,5 @@ pub use population::{ToleranceFile, read_tolerance};
 pub use result::{Convergence, ToleranceResult, convergence};
 pub use run::{BlockError, Rows};
 pub use sentence::{phases_of_limits, sentence, without_backlash};
-pub use worst::{Worst, worst_file};
+pub use worst::{Worst, is_worst_file, worst_file, worst_name};
 pub use written::histogram_csv;

@@ -9,8 +9,9 @@ use gearlash::population::{ContributionSums, Factor, LimitCases, Requirement, Ta
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// What all parts of a run have in common.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+/// What all parts of a run have in common: equal where each number is to its last bit, as one program works it out from one input on machines
+/// that reckon alike. One that differs by a bit may draw others, and its sums are none of this run.
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct About {
     /// Title of the pair file.
     pub title: String,
@@ -136,7 +137,40 @@ impl Part {
     }
 }
 
+impl PartialEq for About {
+    fn eq(&self, other: &About) -> bool {
+        self.differs(other).is_none()
+    }
+}
+
+impl Eq for About {}
+
 impl About {
+    /// What differs from `other`, if anything: numbers by their bits.
+    pub(super) fn differs(&self, other: &About) -> Option<&'static str> {
+        let bits = |number: Option<f64>| number.map(f64::to_bits);
+        let share = |about: &About| about.max_impossible.to_bits();
+        let require = |about: &About| [about.min_mm, about.max_mm, about.max_ppm].map(bits);
+        let quantities = |about: &About| (about.quantities.clone(), about.without_end.clone());
+        let cases = |about: &About| {
+            about
+                .limit_cases
+                .map(|cases| cases.map(|case| case.map(bits)))
+        };
+        let each = [
+            ("title", self.title == other.title),
+            ("requirement", require(self) == require(other)),
+            ("max_impossible", share(self) == share(other)),
+            ("quantities", quantities(self) == quantities(other)),
+            (
+                "worst case and root sum of squares",
+                cases(self) == cases(other),
+            ),
+        ];
+        let differs = each.into_iter().find(|(_, is_same)| !is_same);
+        differs.map(|(what, _)| what)
+    }
+
     /// What no run has.
     fn fault(&self) -> Option<&'static str> {
         let limits = [self.min_mm, self.max_mm].into_iter().flatten();

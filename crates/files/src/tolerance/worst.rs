@@ -12,6 +12,7 @@ use gearlash::pair::Member;
 use gearlash::population::{Assembly, Sample};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
+use sha2::{Digest, Sha256};
 
 /// One of the worst assemblies of a part.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -39,13 +40,33 @@ impl Worst {
 }
 
 /// The name of the pair file of the worst assembly, of the one after it, ….
-pub(super) fn worst_name(index: usize) -> String {
+pub fn worst_name(index: usize) -> String {
     format!("worst_{:02}.toml", index + 1)
 }
 
 /// Name and text of the pair file of the worst assembly (`index` 0), of the one after it, ….
 pub fn worst_file(index: usize, worst: &Worst) -> (String, Result<String, toml::ser::Error>) {
-    (worst_name(index), worst.to_toml())
+    let text = worst.to_toml();
+    (worst_name(index), text.map(|text| signed(&text)))
+}
+
+/// What the first line of such a file says, before the hash of all others.
+const WRITTEN: &str = "# written by gearlash tolerance; sha256 of the lines below: ";
+
+fn signed(text: &str) -> String {
+    format!("{WRITTEN}{}\n{text}", hash(text))
+}
+
+fn hash(text: &str) -> String {
+    let digest = Sha256::digest(text.as_bytes());
+    digest.iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+/// Whether `text` is a file of [`worst_file`] as it was written: not one that somebody else wrote, or has changed since.
+pub fn is_worst_file(text: &str) -> bool {
+    let signed = text.strip_prefix(WRITTEN);
+    let parts = signed.and_then(|rest| rest.split_once('\n'));
+    parts.is_some_and(|(stated, below)| stated == hash(below))
 }
 
 impl ToleranceFile {

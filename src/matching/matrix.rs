@@ -197,9 +197,9 @@ impl Fit {
     /// Of the pair at the least and, where it is another, at the greatest distance.
     fn new(pairs: &[GearPair], pinion_tooth: u32, terms: &Terms) -> Result<Fit, Error> {
         let mut found: Option<Outcome> = None;
+        let assembly = |pair: &GearPair| Assembly::new(pair.clone(), terms.clearance, pinion_tooth);
         for pair in pairs {
-            let assembly = Assembly::new(pair.clone(), terms.clearance, pinion_tooth);
-            let here = assembly.outcome()?;
+            let here = assembly(pair).outcome()?;
             found = Some(match found {
                 None => here,
                 Some(near) => near.with_far(&here),
@@ -213,10 +213,16 @@ impl Fit {
             let wanted = terms.wanted();
             (least - wanted).abs().max((greatest - wanted).abs())
         });
+        let ends = || {
+            let [near, _] = assembly(pairs.first()?).ends()?;
+            let [_, far] = assembly(pairs.last()?).ends()?;
+            Some([near, far])
+        };
+        let standing = terms.requirement.standing_of(&outcome, ends);
         Ok(Fit {
             pinion_tooth,
             outcome,
-            meets: outcome.is_proven && terms.requirement.is_met(&outcome),
+            meets: outcome.is_proven && Requirement::is_met(&outcome, &standing),
             off,
         })
     }

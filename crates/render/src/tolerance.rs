@@ -27,7 +27,9 @@ pub fn pictures(result: &ToleranceResult) -> Result<Pictures, PictureError> {
         subtitle: &first,
     };
     let svg = |chart: Chart| chart.svg;
-    let greatest = about.min_mm.is_none() && about.max_mm.is_some();
+    let least = about.min_mm.is_some() || about.others.iter().any(|one| one.min.is_some());
+    let most = about.max_mm.is_some() || about.others.iter().any(|one| one.max.is_some());
+    let greatest = !least && most;
     let found = &result.contributions[usize::from(greatest)];
     let of = ["least", "greatest"][usize::from(greatest)];
     let subtitle = format!("What the spread of the {of} backlash comes from");

@@ -5,7 +5,7 @@ use super::parquet::ParquetRows;
 use super::results::is_own;
 use crate::error::Error;
 use crate::output::{GrowingFile, NewFile, OutputFile, OutputFolder};
-use gearlash::population::{Outcome, OutcomeKind};
+use gearlash::population::{Outcome, OutcomeKind, Standing};
 use gearlash_files::Sources;
 use gearlash_files::numbers::rounded;
 use std::io::{BufWriter, Write};
@@ -99,10 +99,10 @@ impl RowsFile {
     }
 
     /// Adds a row each.
-    pub fn take(&mut self, each: &[(u64, Outcome)]) -> std::io::Result<()> {
+    pub fn take(&mut self, each: &[(u64, Outcome, Standing)]) -> std::io::Result<()> {
         let um = |mm: Option<f64>| mm.map(|mm| rounded(1e3 * mm, 4));
         let text = |um: Option<f64>| um.map_or(String::new(), |um| um.to_string());
-        for (number, outcome) in each {
+        for (number, outcome, _) in each {
             let word = word(outcome.kind);
             let both = [outcome.least, outcome.greatest].map(um);
             match &mut self.file {

@@ -373,3 +373,49 @@ fn warnings_of_the_gear_files_are_told() {
     let wanted = "warning: drawn.toml: tolerance.wheel.gears: w/1.toml and 1 more: gear.pitch";
     assert!(told.contains(wanted), "{told}");
 }
+
+/// At `a = d_1/2 + d_2/2` perfect gears have `j_wt = j_t`, `j_bn = j_wt cos 20°`: what is required of `j_bn` decides as of `j_wt`, and the middle of it is
+/// wanted. It was a warning, and any pair met it.
+#[test]
+fn every_requirement_decides_which_gears_go_together() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    for kind in ["w", "p"] {
+        gear(&here.join(kind), "thick.toml", 40.0, 0.0);
+        gear(&here.join(kind), "thin.toml", 80.0, 0.0);
+    }
+    let cos = 20f64.to_radians().cos();
+    let [min, max] = [115.0, 125.0].map(|um| um * cos);
+    for require in [
+        format!("j_bn_um = {{ min = {min}, max = {max} }}"),
+        "j_t_um = { min = 115, max = 125 }".to_owned(),
+    ] {
+        pair(here, &format!("[require]\n{require}\n"));
+        let printed = output(gearlash(here).args([
+            "match",
+            "pair.toml",
+            "--wheels",
+            "w",
+            "--pinions",
+            "p",
+            "--format",
+            "json",
+            "-o",
+            "out",
+        ]));
+        let json: serde_json::Value = serde_json::from_str(&printed).unwrap();
+        assert_eq!(json["pairs"][0]["pinion"], "thin");
+        let wanted = json["wanted_um"].as_f64().unwrap();
+        assert!((wanted - 120.0).abs() < 1e-9, "{wanted}");
+        let expected = json["expected_pairs"]["random"]["any_phase"]
+            .as_f64()
+            .unwrap();
+        assert!((expected - 1.0).abs() < 1e-12, "{expected}");
+        let text = json["text"].as_str().unwrap();
+        assert!(text.starts_with("2 of 2 pairs keep j_"), "{text}");
+    }
+    pair(here, "[require]\nradial_clearance_mm = { min = 0.9 }\n");
+    matched(here).code(1).stdout(predicates::str::starts_with(
+        "0 of 2 pairs keep radial clearance 0.9 mm or more",
+    ));
+}

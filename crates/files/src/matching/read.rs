@@ -5,6 +5,7 @@ use super::gear::{NamedGear, one, thickness_key, warm};
 use crate::error::{InputError, Problem};
 use crate::read::PairFile;
 use crate::said_once::SaidOnce;
+use gearlash::error::GearError;
 use gearlash::matching::Terms;
 use gearlash::pair::{GearPair, Member};
 use gearlash::population::Requirement;
@@ -85,21 +86,18 @@ pub fn read_match(
         let problem = Problem::of_file("no centre distance", "give one");
         return Err(vec![InputError::of(path, vec![problem])]);
     };
-    let (requirement, mut warnings) = crate::tolerance::requirement(&pair);
-    warnings.extend(unused(&pair));
+    let requirement = Requirement::of(&pair.study.requirements);
+    let mut warnings: Vec<String> = unused(&pair).into_iter().collect();
     warnings.extend(middles(&bands));
-    let terms = Terms {
+    let mut terms = Terms {
         center_distances,
         clearance: pair.study.bearing_clearance,
         locked: pair.study.locked,
         requirement,
         target,
     };
-    let near = center_distances[0] - terms.clearance;
     if let (Some(wheel), Some(pinion)) = (wheels.first(), pinions.first()) {
-        let made =
-            GearPair::with_locked(wheel.gear.clone(), pinion.gear.clone(), near, terms.locked);
-        made.map_err(|reason| {
+        let ends = ends_of(&terms, wheel, pinion).map_err(|reason| {
             let problem = Problem {
                 key: "assembly.center_distance_mm".to_owned(),
                 ..Problem::of_file(
@@ -109,6 +107,18 @@ pub fn read_match(
             };
             vec![InputError::of(path, vec![problem])]
         })?;
+        let limits = requirement.as_operating_backlash(&ends);
+        terms.target = target.or_else(|| {
+            let limits = Requirement::new(limits.min, limits.max);
+            requirement.others().next()?;
+            Some(
+                Terms {
+                    requirement: limits,
+                    ..terms
+                }
+                .wanted(),
+            )
+        });
     }
     Ok(MatchFile {
         pair,
@@ -119,6 +129,20 @@ pub fn read_match(
         gear_warnings: gear_warnings.lines(),
         gear_remarks: gear_remarks.lines(),
     })
+}
+
+/// A wheel and a pinion as near, and as far apart, as the distances and their bearings allow.
+fn ends_of(
+    terms: &Terms,
+    wheel: &NamedGear,
+    pinion: &NamedGear,
+) -> Result<[GearPair; 2], GearError> {
+    let [near, far] = terms.center_distances;
+    let pair = |distance: f64| {
+        let (wheel, pinion) = (wheel.gear.clone(), pinion.gear.clone());
+        GearPair::with_locked(wheel, pinion, distance, terms.locked)
+    };
+    Ok([pair(near - terms.clearance)?, pair(far + terms.clearance)?])
 }
 
 impl MatchFile {

@@ -5,6 +5,7 @@ mod consistent;
 mod gear_names;
 mod gears;
 mod impossible;
+mod limit;
 mod merged;
 mod mm;
 mod part;
@@ -19,9 +20,10 @@ mod worst;
 mod written;
 
 pub(crate) use bands::middle;
-pub(crate) use population::requirement;
+pub(crate) use limit::limits;
 
 pub use impossible::TooManyImpossible;
+pub use limit::{Limit, in_words};
 pub use part::{About, Part};
 pub use part_error::PartError;
 pub use part_head::{MOST_ASSEMBLIES, MOST_SHARDS, PartHead, Progress};

@@ -1,6 +1,7 @@
 //! A part of a population's run: what one machine found, in a file that others are added to.
 
 use super::consistent::{fault, is_length};
+use super::limit::Limit;
 use super::part_error::PartError;
 use super::part_head::{PartHead, Progress};
 use super::records::{ContributionsRecord, TallyRecord};
@@ -19,6 +20,8 @@ pub struct About {
     pub min_mm: Option<f64>,
     /// Greatest `j_wt` allowed, mm.
     pub max_mm: Option<f64>,
+    /// What else is required.
+    pub others: Vec<Limit>,
     /// How many of a million may miss it.
     pub max_ppm: Option<f64>,
     /// The share of draws that may be of no gear.
@@ -82,7 +85,7 @@ impl Part {
         self.done == whole && self.worst.len() == self.tally.worst.len()
     }
 
-    /// What each assembly must keep.
+    /// What `j_wt` of each assembly must keep.
     pub fn requirement(&self) -> Requirement {
         Requirement::new(self.about.min_mm, self.about.max_mm)
     }
@@ -151,6 +154,14 @@ impl About {
         let bits = |number: Option<f64>| number.map(f64::to_bits);
         let share = |about: &About| about.max_impossible.to_bits();
         let require = |about: &About| [about.min_mm, about.max_mm, about.max_ppm].map(bits);
+        let others = |about: &About| -> Vec<_> {
+            let each = about.others.iter();
+            let each = each.map(|one| {
+                let names = (one.quantity.clone(), one.unit.clone());
+                (names, [one.min, one.max].map(bits))
+            });
+            each.collect()
+        };
         let quantities = |about: &About| (about.quantities.clone(), about.without_end.clone());
         let cases = |about: &About| {
             about
@@ -159,7 +170,10 @@ impl About {
         };
         let each = [
             ("title", self.title == other.title),
-            ("requirement", require(self) == require(other)),
+            (
+                "requirement",
+                require(self) == require(other) && others(self) == others(other),
+            ),
             ("max_impossible", share(self) == share(other)),
             ("quantities", quantities(self) == quantities(other)),
             (
@@ -180,6 +194,7 @@ impl About {
         if self.factors().len() != self.quantities.len() {
             Some("it names quantities that do not scatter")
         } else if !lengths.all(is_length)
+            || !self.others.iter().all(Limit::is_one)
             || !is_share(self.max_impossible)
             || !self.max_ppm.is_none_or(|ppm| is_share(1e-6 * ppm))
         {

@@ -11,7 +11,6 @@ use crate::spec::{GearToleranceSpec, PhaseName, ScatterSpec, ToleranceSpec};
 use crate::table::Table;
 use crate::{outlines, with_entries};
 use gearlash::analysis::phases::phase;
-use gearlash::analysis::requirement::{Limits, Quantity};
 use gearlash::gear::{Face, GradedQuantity, Side};
 use gearlash::pair::{GearPair, Mating, Member, SweepPlan};
 use gearlash::population::{
@@ -94,8 +93,7 @@ fn understood(pair: PairFile, file: &Table, problems: &mut Problems) -> Option<T
     let population = Population::new(own, scatters).map_err(|error| refused(file, &error));
     let population = problems.keep(population)?;
     let clearance = pair.study.bearing_clearance;
-    let (requirement, further) = requirement(&pair);
-    warnings.extend(further);
+    let requirement = Requirement::of(&pair.study.requirements);
     Some(ToleranceFile {
         tolerance,
         population: population
@@ -240,24 +238,6 @@ fn refused(file: &Table, error: &PopulationError) -> crate::error::Problem {
         PopulationError::Pitch(_) | PopulationError::WholeGears => ("tolerance", "correct it"),
     };
     file.problem(key, error.to_string(), help)
-}
-
-/// What `[require]` says of `j_wt`, and a warning of what else it says.
-pub(crate) fn requirement(pair: &PairFile) -> (Requirement, Vec<String>) {
-    let requirements = &pair.study.requirements;
-    let of_backlash =
-        |(quantity, _): &&(Quantity, Limits)| *quantity == Quantity::OperatingBacklash;
-    let limits = requirements.iter().find(of_backlash);
-    let limits = limits.map_or(Limits::default(), |(_, limits)| *limits);
-    let others = requirements.iter().any(|one| !of_backlash(&one));
-    let warnings = others.then(|| {
-        "require: of each assembly only j_wt_um is looked at; gearlash check looks at the others"
-            .to_owned()
-    });
-    (
-        Requirement::new(limits.min, limits.max),
-        warnings.into_iter().collect(),
-    )
 }
 
 /// The pinion tooth that meets wheel tooth 1, of gears that are always put together as the sweep starts.

@@ -1,5 +1,6 @@
 //! A run in one sentence: what a production manager and a designer ask.
 
+use super::limit::in_words;
 use super::part::Part;
 use super::result::ToleranceResult;
 use crate::numbers::{rounded, shortest};
@@ -10,18 +11,19 @@ use gearlash::population::{Contributions, Factor, Share};
 /// "310 ppm below 40 µm [270, 354]; 71 % of the scatter from the centre distance"
 pub fn sentence(result: &ToleranceResult) -> String {
     let (about, statistics) = (&result.part.about, &result.statistics);
-    let um = |mm: f64| shortest(rounded(1e3 * mm, 6));
     let mut shares = Vec::new();
-    match about.min_mm {
-        Some(min) => shares.push(share(&statistics.below, &format!("below {} µm", um(min)))),
+    let least = in_words(about.min_mm, &about.others, false);
+    let most = in_words(about.max_mm, &about.others, true);
+    match &least {
+        Some(least) => shares.push(share(&statistics.below, &format!("below {least}"))),
         None => shares.push(share(&statistics.below, "do not assemble")),
     }
-    if let Some(max) = about.max_mm {
-        shares.push(share(&statistics.above, &format!("above {} µm", um(max))));
+    if let Some(most) = &most {
+        shares.push(share(&statistics.above, &format!("above {most}")));
     }
     let mut text = shares.join(", ");
     // Of what is asked for: the least, or the greatest where that alone is limited.
-    let greatest = about.min_mm.is_none() && about.max_mm.is_some();
+    let greatest = least.is_none() && most.is_some();
     if let Some(most) = largest(&result.contributions[usize::from(greatest)]) {
         text += &format!("; {most}");
     }

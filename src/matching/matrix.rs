@@ -1,7 +1,7 @@
 //! What each wheel comes to with each pinion.
 
 use crate::analysis::extremes::WIDTH;
-use crate::error::Error;
+use crate::error::{Error, GearError};
 use crate::gear::AsBuilt;
 use crate::pair::{GearPair, Member, SweepPlan};
 use crate::parallel;
@@ -23,6 +23,8 @@ pub struct Terms {
     pub clearance: f64,
     /// The gear that stands still.
     pub locked: Member,
+    /// The common face of helical gears, mm ([`GearPair::with_face`]); of spur gears `[0, 0]`.
+    pub face: [f64; 2],
     /// What each pair must keep over its whole mesh cycle.
     pub requirement: Requirement,
     /// The backlash from which that of a pair is to stray least over its mesh cycle, mm; `None`: the middle of what is required, or its one
@@ -95,7 +97,7 @@ impl Matrix {
         let (wheel_teeth, pinion_teeth) = (count(wheels), count(pinions));
         for (gears, count) in [(wheels, wheel_teeth), (pinions, pinion_teeth)] {
             if let Some(other) = gears.iter().map(teeth).find(|other| *other != count) {
-                return Err(Error::Gear(crate::error::GearError::OutOfRange {
+                return Err(Error::Gear(GearError::OutOfRange {
                     what: "number of teeth of a gear to be matched",
                     value: other.into(),
                     allowed: "that of the first of its kind",
@@ -156,9 +158,10 @@ impl Meeting {
         terms: &Terms,
     ) -> Result<Meeting, Error> {
         let pairs = ends(terms).map(|distance| {
-            GearPair::with_locked(wheel.clone(), pinion.clone(), distance, terms.locked)
+            GearPair::with_locked(wheel.clone(), pinion.clone(), distance, terms.locked)?
+                .with_face(terms.face)
         });
-        let pairs = pairs.collect::<Result<Vec<GearPair>, _>>()?;
+        let pairs = pairs.collect::<Result<Vec<GearPair>, GearError>>()?;
         let mut best: Option<Fit> = None;
         let mut meeting = 0;
         for pinion_tooth in 1..=phases {

@@ -161,11 +161,6 @@ impl<'a> PairTables<'a> {
                     self.uncertainty.as_ref()?.is_some(),
                     "its derivatives are not worked out for helical teeth",
                 ),
-                (
-                    "tolerance",
-                    self.tolerance.as_ref()?.is_some(),
-                    "populations of helical pairs are not worked out",
-                ),
             ];
             helix::refuse(&self.table, &keys, problems)?;
             // Teeth are counted in the wheel's measuring plane.

@@ -1,7 +1,7 @@
 //! Pictures of a population.
 
 use crate::chart::{Chart, Heading, PictureError, population};
-use gearlash_files::tolerance::{ToleranceResult, convergence, sentence};
+use gearlash_files::tolerance::{ToleranceResult, convergence, shares};
 
 /// Pictures of a run, each an SVG element.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,7 +20,8 @@ pub struct Pictures {
 /// None for a run of at least one assembly.
 pub fn pictures(result: &ToleranceResult) -> Result<Pictures, PictureError> {
     let about = &result.part.about;
-    let first = sentence(result);
+    // What contributes is a picture of its own.
+    let first = shares(result);
     let heading = |prefix| Heading {
         prefix,
         title: &about.title,

@@ -36,6 +36,7 @@ mod step_summary;
 mod terminal;
 mod tolerance;
 mod tolerance_earlier;
+mod tolerance_helical;
 mod tolerance_rows;
 mod tolerance_told;
 mod units;

@@ -6,7 +6,7 @@ use crate::numbers::shortest;
 use crate::read::PairFile;
 use crate::spec::GearSpec;
 use crate::temperature::REFERENCE_C;
-use crate::tolerance::middle;
+use crate::tolerance::{middle, placed, unlike};
 use gearlash::gear::AsBuilt;
 use gearlash::pair::Member;
 use std::ffi::OsStr;
@@ -65,7 +65,14 @@ pub fn one(path: &Path, member: Member, pair: &PairFile) -> Result<Found, InputE
         ),
         help: "match gears of one pair".to_owned(),
     });
-    let others: Vec<Problem> = others.collect();
+    let unlike = unlike(&entry.spec, pair, member).map(|reason| {
+        let help = "match gears whose teeth wind and end as those of the pair";
+        Problem {
+            key: entry.name.to_owned(),
+            ..Problem::of_file(reason, help)
+        }
+    });
+    let others: Vec<Problem> = others.chain(unlike).collect();
     if !others.is_empty() {
         return Err(InputError::of(path, others));
     }
@@ -77,7 +84,7 @@ pub fn one(path: &Path, member: Member, pair: &PairFile) -> Result<Found, InputE
     Ok(Found {
         gear: NamedGear {
             name: name.unwrap_or_default(),
-            gear: gear.facing(face),
+            gear: placed(gear.facing(face), pair, member),
         },
         band: is_band.then(|| {
             format!(

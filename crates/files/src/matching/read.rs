@@ -44,16 +44,6 @@ pub fn read_match(
     if let Some(problem) = warm(pair.spec.assembly.temperature_c) {
         return Err(vec![InputError::of(path, vec![problem])]);
     }
-    if pair.study.is_helical() {
-        let problem = Problem {
-            key: "wheel.helix_angle_deg".to_owned(),
-            ..Problem::of_file(
-                "helical gears are not matched: which go together is worked out for spur gears",
-                "give a spur pair",
-            )
-        };
-        return Err(vec![InputError::of(path, vec![problem])]);
-    }
     let (mut errors, mut bands) = (Vec::new(), Vec::new());
     let (mut gear_warnings, mut gear_remarks) = (SaidOnce::default(), SaidOnce::default());
     let mut gears = |folder: &Path, member: Member| {
@@ -93,6 +83,7 @@ pub fn read_match(
         center_distances,
         clearance: pair.study.bearing_clearance,
         locked: pair.study.locked,
+        face: pair.study.face,
         requirement,
         target,
     };
@@ -140,7 +131,7 @@ fn ends_of(
     let [near, far] = terms.center_distances;
     let pair = |distance: f64| {
         let (wheel, pinion) = (wheel.gear.clone(), pinion.gear.clone());
-        GearPair::with_locked(wheel, pinion, distance, terms.locked)
+        GearPair::with_locked(wheel, pinion, distance, terms.locked)?.with_face(terms.face)
     };
     Ok([pair(near - terms.clearance)?, pair(far + terms.clearance)?])
 }

@@ -21,6 +21,7 @@ mod written;
 
 pub(crate) use bands::middle;
 pub(crate) use limit::limits;
+pub(crate) use population::{placed, unlike};
 
 pub use impossible::TooManyImpossible;
 pub use limit::{Limit, in_words};
@@ -30,6 +31,6 @@ pub use part_head::{MOST_ASSEMBLIES, MOST_SHARDS, PartHead, Progress};
 pub use population::{ToleranceFile, read_tolerance};
 pub use result::{Convergence, ToleranceResult, convergence};
 pub use run::{BlockError, Rows};
-pub use sentence::{phases_of_limits, sentence, without_backlash};
+pub use sentence::{phases_of_limits, sentence, shares, without_backlash, without_worst_case};
 pub use worst::{Worst, is_worst_file, worst_file, worst_name};
 pub use written::histogram_csv;

@@ -7,6 +7,7 @@ use crate::spec::{
     ThicknessSpec,
 };
 use gearlash::error::Error;
+use gearlash::gear::thickness::span_from_base;
 use gearlash::gear::{AsBuilt, Flank, Side};
 use gearlash::pair::Member;
 use gearlash::population::{Assembly, Sample};
@@ -105,7 +106,13 @@ impl ToleranceFile {
         let mut spec = own.clone();
         spec.title = title;
         spec.wheel = self.gear_spec(pair.gear(Member::Wheel), Member::Wheel);
-        spec.pinion = self.gear_spec(pair.gear(Member::Pinion), Member::Pinion);
+        // Whose teeth are counted in the wheel's measuring plane.
+        let pinion = pair.gear(Member::Pinion);
+        let pinion = match own.assembly.face_offset_mm {
+            Some(offset) if pair.is_helical() => &pinion.section_at(offset),
+            _ => pinion,
+        };
+        spec.pinion = self.gear_spec(pinion, Member::Pinion);
         spec.assembly.center_distance_mm =
             CenterDistanceSpec::Distances(vec![pair.center_distance()]);
         if !is_own {
@@ -165,15 +172,19 @@ impl ToleranceFile {
         let (right, left) = (pitch(Flank::Right), pitch(Flank::Left));
         let deviates = right.iter().chain(&left).any(|um| *um != 0.0);
         let eccentricity = gear.eccentricity();
+        // As a span over one tooth: in the normal section.
+        let base = span_from_base(gear.gear().basic_data(), 1, gear.gear().base_thickness());
         GearSpec {
             reference_face: FaceName::from(gear.face()),
             thickness: ThicknessSpec {
                 statement: StatementSpec {
-                    base_thickness_mm: Some(Either::One(gear.gear().base_thickness())),
+                    base_thickness_mm: Some(Either::One(base)),
                     ..StatementSpec::default()
                 },
-                per_tooth_um: differ
-                    .then(|| (1..=teeth).map(|tooth| 1e3 * thicker(tooth)).collect()),
+                per_tooth_um: differ.then(|| {
+                    let normal = 1e3 * gear.gear().basic_data().helix_cos();
+                    (1..=teeth).map(|tooth| normal * thicker(tooth)).collect()
+                }),
                 ..ThicknessSpec::default()
             },
             runout: RunoutSpec {

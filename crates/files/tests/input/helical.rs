@@ -138,11 +138,6 @@ fn what_is_no_helical_pair_is_told() {
             "= 78\n[uncertainty]\nspan_um = 2\n",
             "uncertainty = { span_um = 2 }: given beside a helix angle",
         ),
-        (
-            "= 78\n",
-            "= 78\n[tolerance]\ncenter_distance = { scatter = \"normal\", sigma_um = 5 }\n",
-            "given beside a helix angle: populations of helical pairs",
-        ),
     ] {
         assert!(HELICAL.contains(from), "{from}");
         let told = refused(&HELICAL.replace(from, to));

@@ -145,15 +145,31 @@ fn a_limit_in_another_unit_is_missed_by_the_same_assemblies() {
             let counted = [&wanted, &found].map(|all| (all.below, all.above, all.outside));
             assert_eq!(counted[0], counted[1], "{quantity:?}");
         }
-        // Which is the same of all: 0.75 of a module less what nothing takes away.
-        let clearance = Quantity::RadialClearance.value(&pair, 0.0, is_max);
-        for (by, missed) in [(-1e-6, is_max), (1e-6, !is_max)] {
-            let found = tally(vec![limited(
-                Quantity::RadialClearance,
-                clearance + by,
-                is_max,
-            )]);
-            assert_eq!(found.outside, if missed { 300 } else { 0 });
-        }
+    }
+    // Thinner teeth have deeper roots: a − r_a − r_f of each gear's tip in its mate's root, the least of both.
+    let clearance = |number| {
+        let draw = Draw {
+            seed: 8,
+            run: Run::Population,
+            number,
+        };
+        let assembly = population.assembly(draw).unwrap();
+        let [wheel, pinion] =
+            [Member::Wheel, Member::Pinion].map(|member| assembly.pair().gear(member).gear());
+        let distance = assembly.pair().center_distance();
+        let ends = [
+            distance - wheel.tip_radius() - pinion.root_radius(),
+            distance - pinion.tip_radius() - wheel.root_radius(),
+        ];
+        ends[0].min(ends[1])
+    };
+    let limit = Quantity::RadialClearance.value(&pair, 0.0, false);
+    let below = (1..=300)
+        .filter(|&number| clearance(number) < limit)
+        .count() as u64;
+    assert!((10..290).contains(&below), "{below}");
+    for (is_max, missed) in [(false, below), (true, 300 - below)] {
+        let found = tally(vec![limited(Quantity::RadialClearance, limit, is_max)]);
+        assert_eq!(found.outside, missed);
     }
 }

@@ -36,7 +36,7 @@ pub(super) use results::{Format, is_own, tell_result};
 pub(super) struct Args {
     /// The pair file (TOML or JSON) with [tolerance], - for standard input
     pair: PathBuf,
-    /// Folder for results [default: out/<file stem>]
+    /// Folder for results [default: out/<file stem>; with --format json or csv none]
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
     /// How many assemblies, in place of the pair file's
@@ -88,38 +88,38 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             shard[1]
         )));
     }
-    let folder = match &args.output {
-        Some(folder) => folder.clone(),
-        None => Path::new("out").join(&file.pair.stem),
-    };
+    let own = Path::new("out").join(&file.pair.stem);
+    let (named, sources) = (args.output.as_deref(), &file.pair.sources);
     // Many parts go to one folder, from many processes; a whole run has its folder for itself.
-    let mut prepared = match args.shard {
-        Some(_) => None,
-        None => Some(OutputFolder::prepare(&folder, &file.pair.sources, is_own)?),
+    let (folder, name) = match args.shard {
+        Some([k, n]) => (
+            Some(named.unwrap_or(&own).to_path_buf()),
+            format!("part_{k}_of_{n}.json"),
+        ),
+        None => (args.format.folder(named, &own), results::PART.to_owned()),
     };
-    let name = match args.shard {
-        Some([k, n]) => format!("part_{k}_of_{n}.json"),
-        None => results::PART.to_owned(),
-    };
-    let kept = Kept {
+    let kept = folder.as_ref().map(|folder| Kept {
         path: folder.join(name),
-        sources: &file.pair.sources,
-    };
+        sources,
+    });
+    let whole = folder.as_ref().filter(|_| args.shard.is_none());
+    let prepared = whole.map(|folder| OutputFolder::prepare(folder, sources, is_own));
+    let mut prepared = prepared.transpose()?;
     let begun = file.part(assemblies, seed, shard)?;
     let rows = args.rows.as_deref();
-    if prepared.is_some() {
-        guard_earlier(&folder, &begun.head, rows)?;
+    if let Some(folder) = whole {
+        guard_earlier(folder, &begun.head, rows)?;
     }
-    let results = prepared.as_mut().map(|results| (folder.as_path(), results));
+    let results = whole.map(PathBuf::as_path).zip(prepared.as_mut());
     let first = begun.head.numbers().start;
     let rows = rows.map(|path| RowsFile::begin(path, first, &file.pair.sources, results));
     let rows = rows.transpose()?;
-    let mut part = match rows {
-        Some(_) => begun,
-        None => kept.found(begun),
+    let mut part = match (&rows, &kept) {
+        (None, Some(kept)) => kept.found(begun),
+        _ => begun,
     };
-    work(&file, &mut part, &kept, rows)?;
-    let Some(prepared) = prepared else {
+    work(&file, &mut part, kept.as_ref(), rows)?;
+    if let (Some(kept), Some(_)) = (&kept, args.shard) {
         kept.write(&part)?;
         print_note(&format!(
             "{}: part {} of {}\n",
@@ -128,7 +128,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             shard[1]
         ))?;
         return Ok(ExitCode::SUCCESS);
-    };
+    }
     let result = ToleranceResult::of(part);
     tell_result(&result, prepared, args.format, &args.screen.screen())
 }
@@ -137,7 +137,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
 fn work(
     file: &ToleranceFile,
     part: &mut Part,
-    kept: &Kept,
+    kept: Option<&Kept>,
     mut rows: Option<RowsFile>,
 ) -> Result<(), Error> {
     let steps = |length: u64, done: u64, chunk: u64| length.saturating_sub(done).div_ceil(chunk);
@@ -167,7 +167,10 @@ fn work(
         if !went_on {
             break;
         }
-        if rows.is_none() && last.elapsed() > KEPT_EVERY && !part.is_done() {
+        if let Some(kept) = kept.filter(|_| rows.is_none())
+            && last.elapsed() > KEPT_EVERY
+            && !part.is_done()
+        {
             kept.write(part)?;
             signals::has_kept(format!(
                 "{} of {numbers} assemblies are kept in {}: the same command goes on from there",

@@ -174,6 +174,28 @@ fn a_part_that_reckons_a_bit_otherwise_is_of_another_run() {
     ends(here, "merge p/part_1_of_2.json p/part_2_of_2.json -o m", 0);
 }
 
+/// As of `simulate`: JSON and CSV are the result itself, printed, and files where a folder is named.
+#[test]
+fn json_and_csv_without_a_folder_write_nothing() {
+    let folder = empty_folder();
+    let here = folder.path();
+    pair(here);
+    let run = "tolerance pair.toml --assemblies 40";
+    ends(here, &format!("{run} -o o"), 0);
+    ends(here, &format!("{run} --shard 1/1 -o p"), 0);
+    let before = files(here);
+    for command in [run, "merge p/part_1_of_1.json"] {
+        for (format, file) in [("json", "result.json"), ("csv", "result.csv")] {
+            let (code, printed, told) = tolerance(here, &format!("{command} --format {format}"));
+            assert_eq!(code, Some(0), "{told}");
+            assert_eq!(printed, read(here, &format!("o/{file}")));
+        }
+    }
+    assert_eq!(files(here), before);
+    let (_, printed, _) = tolerance(here, &format!("{run} --format csv -o named"));
+    assert_eq!(printed, read(here, "named/result.csv"));
+}
+
 /// `worst_03.toml` of the user's own, one that was changed, and names that no run writes.
 #[test]
 fn pair_files_that_no_run_has_written_stay() {

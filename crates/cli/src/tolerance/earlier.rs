@@ -61,9 +61,7 @@ fn is_result_of(folder: &Path, head: &PartHead) -> Option<bool> {
         ("input_sha256", &head.input_sha256),
     ];
     let numbers = [("seed", head.seed), ("assemblies", head.assemblies)];
-    let same = texts
-        .iter()
-        .all(|(key, text)| result[key] == Value::from(text.as_str()))
+    let same = texts.iter().all(|(key, text)| result[key] == text.as_str())
         && numbers.iter().all(|(key, number)| result[key] == *number);
     Some(same)
 }

@@ -188,10 +188,8 @@ fn gear(
             })
         }
     }?;
-    for other in measured
-        .iter()
-        .filter_map(|one| unlike(&one.spec, pair, member))
-    {
+    let mut others = measured.iter();
+    if let Some(other) = others.find_map(|one| unlike(&one.spec, pair, member)) {
         let help = "name gears whose teeth wind and end as those of the pair";
         problems.add(file.problem(&key("gears"), other, help));
         return None;

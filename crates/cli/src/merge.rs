@@ -12,8 +12,8 @@ use std::process::ExitCode;
 
 /// Put the parts of a run together that gearlash tolerance --shard wrote: the same bytes as of one run
 ///
-/// A part that is missing, given twice, unfinished or of another run (other input, seed or version) is named, exit code 2. Exit code 1
-/// where more assemblies miss the requirement than max_ppm allows.
+/// A part that is missing, given twice, unfinished or of another run (other input, seed or version, or numbers that are not the same to the last bit) is
+/// named, exit code 2. Writes what gearlash tolerance writes. Exit code 1 where more assemblies miss the requirement than max_ppm allows.
 #[derive(clap::Args)]
 pub(super) struct Args {
     /// Parts, in any order

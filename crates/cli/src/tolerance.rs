@@ -27,10 +27,10 @@ pub(super) use results::{Format, is_own, tell_result};
 
 /// Draw assemblies as [tolerance] of the pair file says, and find what share of them misses [require]
 ///
-/// Each assembly's least and greatest backlash are proven over its whole mesh cycle. Prints shares of a million with their
-/// intervals of 95 %, the spread, worst case and root sum of squares, and what each tolerance contributes; writes result.json, result.csv,
-/// histogram.csv, pictures, index.html and the ten worst assemblies as pair files to DIR. An assembly depends on the seed and its number alone:
-/// any number of threads and shards gives the same bytes. Interrupted, it keeps what is done in DIR/part.json; the same
+/// Each assembly's least and greatest backlash are proven over its whole mesh cycle, and held against all that [require] states. Prints shares of a
+/// million with their intervals of 95 %, the spread, worst case and root sum of squares, and what each tolerance contributes; writes result.json, result.csv,
+/// histogram.csv, pictures, index.html and the ten worst assemblies as pair files to DIR, over those of an earlier run. An assembly depends on the seed
+/// and its number alone: any number of threads and shards gives the same bytes. Interrupted, it keeps what is done in DIR/part.json; the same
 /// command goes on from there. Exit code 1 where more miss the requirement than max_ppm allows.
 #[derive(clap::Args)]
 pub(super) struct Args {
@@ -48,7 +48,8 @@ pub(super) struct Args {
     /// Part K of N of the run alone, to DIR/part_K_of_N.json: gearlash merge puts all together
     #[arg(long, value_name = "K/N", value_parser = shard)]
     shard: Option<[u64; 2]>,
-    /// Also each assembly's least and greatest backlash, to FILE.csv or FILE.parquet; such a run begins anew where it was interrupted
+    /// Also each assembly's least and greatest backlash, to FILE.csv or FILE.parquet, over rows alone and never those of another part; such a run begins
+    /// anew where it was interrupted
     #[arg(long, value_name = "FILE")]
     rows: Option<PathBuf>,
     /// What to print

@@ -1,6 +1,7 @@
 //! What a pair must keep.
 
-use crate::pair::Member;
+use crate::analytic::limits::radial_clearance;
+use crate::pair::{GearPair, Member};
 
 /// Ends of what is allowed; `None`: none.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -29,6 +30,27 @@ pub enum Quantity {
     LostMotion(Member),
     /// Radial clearance between the tips of one gear and the roots of the other, the least of both, mm.
     RadialClearance,
+}
+
+impl Quantity {
+    /// What `assembly` has of it at a pose with the backlash `j_wt`, mm, where it is the least (`is_max`: the greatest) of the cycle. The
+    /// radial clearance, which no backlash decides, is that with both gears off their axes to the worse (better) side.
+    pub fn value(self, assembly: &GearPair, j_wt: f64, is_max: bool) -> f64 {
+        let all = assembly.backlash(j_wt);
+        match self {
+            Quantity::OperatingBacklash => j_wt,
+            Quantity::ReferenceBacklash => all.j_t,
+            Quantity::NormalBacklash => all.j_bn,
+            Quantity::RadialBacklash => all.j_r.unwrap_or(f64::INFINITY),
+            Quantity::LostMotion(member) => all.angle(member),
+            Quantity::RadialClearance => {
+                let both = [Member::Wheel, Member::Pinion];
+                let mean = both.map(|member| radial_clearance(assembly, member));
+                let off = both.map(|member| assembly.gear(member).eccentricity());
+                clearance_off_axes(mean, off, is_max)
+            }
+        }
+    }
 }
 
 /// What a pair must keep, each over the whole mesh cycle and at every centre distance and material.

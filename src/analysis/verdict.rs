@@ -5,12 +5,11 @@ use super::compare::ComparedPose;
 use super::diagnosis;
 use super::extremes::{RunExtreme, RunExtremes, WIDTH};
 use super::meshes_to::MeshesTo;
-use super::requirement::{Limits, Quantity, Requirements, clearance_off_axes};
+use super::requirement::{Limits, Quantity, Requirements};
 use super::study::Study;
 use super::uncertainty::Uncertainty;
-use crate::analytic::limits::radial_clearance;
 use crate::contact::Status;
-use crate::pair::{GearPair, Member};
+use crate::pair::GearPair;
 
 /// A limit that is not kept, or not surely.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -287,22 +286,10 @@ fn extreme(run: &RunExtremes, is_max: bool) -> (&GearPair, Option<&RunExtreme>) 
 /// The least or the greatest of a quantity over a run.
 fn found(quantity: Quantity, run: &RunExtremes, is_max: bool) -> Option<[f64; 2]> {
     let (assembly, extreme) = extreme(run, is_max);
-    let of = |value: &dyn Fn(f64) -> f64| {
-        let extreme = extreme?;
-        Some([extreme.low, extreme.high].map(value))
-    };
-    let in_all = |j_wt| assembly.backlash(j_wt);
-    match quantity {
-        Quantity::OperatingBacklash => of(&|j_wt| j_wt),
-        Quantity::ReferenceBacklash => of(&|j_wt| in_all(j_wt).j_t),
-        Quantity::NormalBacklash => of(&|j_wt| in_all(j_wt).j_bn),
-        Quantity::RadialBacklash => of(&|j_wt| in_all(j_wt).j_r.unwrap_or(f64::INFINITY)),
-        Quantity::LostMotion(member) => of(&|j_wt| in_all(j_wt).angle(member)),
-        Quantity::RadialClearance => {
-            let both = [Member::Wheel, Member::Pinion];
-            let mean = both.map(|member| radial_clearance(assembly, member));
-            let off = both.map(|member| assembly.gear(member).eccentricity());
-            Some([clearance_off_axes(mean, off, is_max); 2])
-        }
+    let of = |j_wt| quantity.value(assembly, j_wt, is_max);
+    match (quantity, extreme) {
+        // Which needs no contact.
+        (Quantity::RadialClearance, _) => Some([of(0.0); 2]),
+        (_, extreme) => extreme.map(|extreme| [extreme.low, extreme.high].map(of)),
     }
 }

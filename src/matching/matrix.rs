@@ -1,7 +1,7 @@
 //! What each wheel comes to with each pinion.
 
 use crate::analysis::extremes::WIDTH;
-use crate::error::Error;
+use crate::error::{Error, GearError};
 use crate::gear::AsBuilt;
 use crate::pair::{GearPair, Member, SweepPlan};
 use crate::parallel;
@@ -23,6 +23,8 @@ pub struct Terms {
     pub clearance: f64,
     /// The gear that stands still.
     pub locked: Member,
+    /// The common face of helical gears, mm ([`GearPair::with_face`]); of spur gears `[0, 0]`.
+    pub face: [f64; 2],
     /// What each pair must keep over its whole mesh cycle.
     pub requirement: Requirement,
     /// The backlash from which that of a pair is to stray least over its mesh cycle, mm; `None`: the middle of what is required, or its one
@@ -95,7 +97,7 @@ impl Matrix {
         let (wheel_teeth, pinion_teeth) = (count(wheels), count(pinions));
         for (gears, count) in [(wheels, wheel_teeth), (pinions, pinion_teeth)] {
             if let Some(other) = gears.iter().map(teeth).find(|other| *other != count) {
-                return Err(Error::Gear(crate::error::GearError::OutOfRange {
+                return Err(Error::Gear(GearError::OutOfRange {
                     what: "number of teeth of a gear to be matched",
                     value: other.into(),
                     allowed: "that of the first of its kind",
@@ -156,9 +158,10 @@ impl Meeting {
         terms: &Terms,
     ) -> Result<Meeting, Error> {
         let pairs = ends(terms).map(|distance| {
-            GearPair::with_locked(wheel.clone(), pinion.clone(), distance, terms.locked)
+            GearPair::with_locked(wheel.clone(), pinion.clone(), distance, terms.locked)?
+                .with_face(terms.face)
         });
-        let pairs = pairs.collect::<Result<Vec<GearPair>, _>>()?;
+        let pairs = pairs.collect::<Result<Vec<GearPair>, GearError>>()?;
         let mut best: Option<Fit> = None;
         let mut meeting = 0;
         for pinion_tooth in 1..=phases {
@@ -197,9 +200,9 @@ impl Fit {
     /// Of the pair at the least and, where it is another, at the greatest distance.
     fn new(pairs: &[GearPair], pinion_tooth: u32, terms: &Terms) -> Result<Fit, Error> {
         let mut found: Option<Outcome> = None;
+        let assembly = |pair: &GearPair| Assembly::new(pair.clone(), terms.clearance, pinion_tooth);
         for pair in pairs {
-            let assembly = Assembly::new(pair.clone(), terms.clearance, pinion_tooth);
-            let here = assembly.outcome()?;
+            let here = assembly(pair).outcome()?;
             found = Some(match found {
                 None => here,
                 Some(near) => near.with_far(&here),
@@ -213,10 +216,16 @@ impl Fit {
             let wanted = terms.wanted();
             (least - wanted).abs().max((greatest - wanted).abs())
         });
+        let ends = || {
+            let [near, _] = assembly(pairs.first()?).ends()?;
+            let [_, far] = assembly(pairs.last()?).ends()?;
+            Some([near, far])
+        };
+        let standing = terms.requirement.standing_of(&outcome, ends);
         Ok(Fit {
             pinion_tooth,
             outcome,
-            meets: outcome.is_proven && terms.requirement.is_met(&outcome),
+            meets: outcome.is_proven && Requirement::is_met(&outcome, &standing),
             off,
         })
     }

@@ -19,6 +19,7 @@
 //!     center_distances: [40.1; 2],
 //!     clearance: 0.0,
 //!     locked: Member::Wheel,
+//!     face: [0.0; 2],
 //!     requirement: Requirement::new(Some(0.064), None),
 //!     target: None,
 //! };

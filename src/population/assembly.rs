@@ -75,6 +75,19 @@ impl Assembly {
         }
     }
 
+    /// The pair with its least and that with its greatest backlash: its axes as near, and as far apart, as their bearings allow. `None` where
+    /// there is no such pair.
+    pub(crate) fn ends(&self) -> Option<[GearPair; 2]> {
+        let distance = self.pair.center_distance();
+        match self.clearance > 0.0 {
+            false => Some([self.pair.clone(), self.pair.clone()]),
+            true => {
+                let near = self.pair.at(distance - self.clearance).ok()?;
+                Some([near, self.pair.at(distance + self.clearance).ok()?])
+            }
+        }
+    }
+
     /// Its extremes: with play in the bearings the least with the axes as near, the greatest with them as far apart as that allows.
     ///
     /// # Errors

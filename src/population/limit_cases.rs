@@ -57,7 +57,8 @@ enum Towards {
     More,
 }
 
-/// Both, of `population`; `None` where whole gears are drawn, which have no limits.
+/// Both, of `population`; `None` where whole gears are drawn, which have no limits, and where a runout of helical gears scatters, whose worst direction
+/// is not worked out.
 ///
 /// An assembly phase has no limits: where it scatters, each case is taken in all of the gcd(z_1, z_2), its least in the one that has the
 /// least and its greatest in the one that has the greatest.
@@ -82,6 +83,10 @@ pub fn limit_cases(population: &Population) -> Result<Option<LimitCases>, Error>
         .iter()
         .any(|&member| scatters.of(member).gears.is_some())
     {
+        return Ok(None);
+    }
+    let mut runouts = members.iter().map(|&member| &scatters.of(member).runout);
+    if population.pair().is_helical() && runouts.any(Option::is_some) {
         return Ok(None);
     }
     let both = |of: &dyn Fn(Alone) -> bool| {
@@ -221,5 +226,6 @@ fn assembly(
 fn pitch_limit(scatter: &GearScatter, gear: &AsBuilt) -> f64 {
     let z = f64::from(gear.gear().basic_data().teeth());
     let sigma = scatter.pitch.unwrap_or(0.0) * ((z + 1.0) / 12.0).sqrt();
-    2.0 * PITCH_LIMIT_SIGMAS * sigma
+    // An arc of the transverse section; thickness is that of the normal one.
+    2.0 * PITCH_LIMIT_SIGMAS * sigma * gear.gear().basic_data().helix_cos()
 }

@@ -2,9 +2,10 @@
 
 use super::assembly::{Outcome, OutcomeKind};
 use super::members::Population;
+use super::requirement::{Requirement, Standing};
 use super::spread::Overflow;
 use super::stream::{Draw, Run};
-use super::tally::{Requirement, Tally};
+use super::tally::Tally;
 use crate::error::Error;
 use crate::parallel;
 use std::ops::{ControlFlow, Range};
@@ -46,14 +47,21 @@ impl Sample<'_> {
         }
     }
 
-    /// What comes of assembly `number`.
+    /// What comes of assembly `number`, and how it stands to what is required.
     ///
     /// # Errors
     /// As [`super::Assembly::outcome`]; numbers that no gear has are an outcome.
-    pub fn outcome(&self, number: u64) -> Result<Outcome, Error> {
+    pub fn outcome(&self, number: u64) -> Result<(Outcome, Standing), Error> {
         match self.population.assembly(self.draw(number)) {
-            Ok(assembly) => assembly.outcome(),
-            Err(_) => Ok(Outcome::without(OutcomeKind::Impossible)),
+            Ok(assembly) => {
+                let outcome = assembly.outcome()?;
+                let standing = self.requirement.standing(&assembly, &outcome);
+                Ok((outcome, standing))
+            }
+            Err(_) => {
+                let outcome = Outcome::without(OutcomeKind::Impossible);
+                Ok((outcome, self.requirement.standing_of(&outcome, || None)))
+            }
         }
     }
 }
@@ -66,12 +74,15 @@ pub fn outcomes(
     sample: &Sample<'_>,
     numbers: Range<u64>,
     tick: &(dyn Fn() -> ControlFlow<()> + Sync),
-) -> Result<Vec<(u64, Outcome)>, SampleError> {
+) -> Result<Vec<(u64, Outcome, Standing)>, SampleError> {
     let chunks = parallel::map(in_chunks(&numbers, CHUNK), |chunk| {
         if tick().is_break() {
             return Err(SampleError::Error(Error::Interrupted));
         }
-        let each = chunk.map(|number| Ok((number, sample.outcome(number)?)));
+        let each = chunk.map(|number| {
+            let (outcome, standing) = sample.outcome(number)?;
+            Ok((number, outcome, standing))
+        });
         each.collect::<Result<Vec<_>, SampleError>>()
     });
     let mut all = Vec::new();
@@ -97,8 +108,8 @@ pub fn sample(
         }
         let mut tally = Tally::default();
         for number in chunk {
-            let outcome = sample.outcome(number)?;
-            tally.count(&outcome, &sample.requirement, number, sample.total)?;
+            let (outcome, standing) = sample.outcome(number)?;
+            tally.count(&outcome, &standing, number, sample.total)?;
         }
         Ok(tally)
     });

@@ -1,7 +1,8 @@
 //! What the sums over a population say: shares, spread, capability.
 
+use super::requirement::Requirement;
 use super::spread::{BIN_TENTHS_NM, Spread, TENTHS_NM_PER_MM};
-use super::tally::{Requirement, Tally};
+use super::tally::Tally;
 use statrs::function::beta::beta_reg;
 
 /// Of the intervals of shares.

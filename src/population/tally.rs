@@ -1,8 +1,8 @@
 //! What comes of many assemblies, added up.
 
 use super::assembly::{Outcome, OutcomeKind};
-use super::spread::{Overflow, Spread, tenths};
-use crate::analysis::extremes::WIDTH;
+use super::requirement::Standing;
+use super::spread::{Overflow, Spread};
 use std::collections::BTreeSet;
 
 /// How many of the worst assemblies are kept in mind.
@@ -10,64 +10,6 @@ pub const WORST: usize = 10;
 
 /// Stretches of equal numbers of assemblies that those beyond the requirement are counted in.
 pub const STRETCHES: usize = 64;
-
-/// What each assembly must keep over its whole mesh cycle: `j_wt`, mm.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Requirement {
-    min: Option<f64>,
-    max: Option<f64>,
-}
-
-impl Requirement {
-    /// At least `min` and at most `max`. Without a `min` the pair must assemble.
-    pub fn new(min: Option<f64>, max: Option<f64>) -> Requirement {
-        Requirement { min, max }
-    }
-
-    /// The least allowed that is stated, mm.
-    pub fn min(&self) -> Option<f64> {
-        self.min
-    }
-
-    /// The greatest allowed, mm.
-    pub fn max(&self) -> Option<f64> {
-        self.max
-    }
-
-    /// Whether `outcome` keeps it: of a pair that has both extremes.
-    pub fn is_met(&self, outcome: &Outcome) -> bool {
-        let is_found = outcome.least.is_some() && outcome.greatest.is_some();
-        is_found && !self.is_below(outcome) && !self.is_above(outcome)
-    }
-
-    /// What the least is held against: nothing stated, no interference that is proven.
-    fn lower(&self) -> f64 {
-        self.min.unwrap_or(-WIDTH)
-    }
-
-    fn is_below(&self, outcome: &Outcome) -> bool {
-        let too_little = outcome.least.is_some_and(|least| least < self.lower());
-        outcome.kind == OutcomeKind::Jammed || too_little
-    }
-
-    fn is_above(&self, outcome: &Outcome) -> bool {
-        let too_much = outcome.greatest.zip(self.max);
-        outcome.kind == OutcomeKind::OutOfMesh || too_much.is_some_and(|(most, max)| most > max)
-    }
-
-    /// How much is left to the nearer limit, tenths of a nanometre: the worst have the least. `None`: of no gear, or nothing found.
-    fn margin(&self, outcome: &Outcome) -> Option<i64> {
-        match outcome.kind {
-            OutcomeKind::Jammed | OutcomeKind::OutOfMesh => return Some(i64::MIN),
-            OutcomeKind::Unproven | OutcomeKind::Impossible => return None,
-            OutcomeKind::Clear | OutcomeKind::Interference => (),
-        }
-        let below = outcome.least.map(|least| tenths(least - self.lower()));
-        let above = outcome.greatest.zip(self.max);
-        let above = above.map(|(greatest, max)| tenths(max - greatest));
-        below.into_iter().chain(above).min()
-    }
-}
 
 /// How many assemblies end in which way.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -162,21 +104,21 @@ impl Default for Tally {
 }
 
 impl Tally {
-    /// Adds assembly `number` of `total`.
+    /// Adds assembly `number` of `total`, which ends and stands to what is required as said.
     ///
     /// # Errors
     /// [`Overflow`].
     pub fn count(
         &mut self,
         outcome: &Outcome,
-        requirement: &Requirement,
+        standing: &Standing,
         number: u64,
         total: u64,
     ) -> Result<(), Overflow> {
         *self.counts.of(outcome.kind) += 1;
         let has_value = outcome.least.is_some() || outcome.greatest.is_some();
         self.doubtful += u64::from(has_value && !outcome.is_proven);
-        let (below, above) = (requirement.is_below(outcome), requirement.is_above(outcome));
+        let (below, above) = (standing.below, standing.above);
         let nothing = matches!(
             outcome.kind,
             OutcomeKind::Unproven | OutcomeKind::Impossible
@@ -195,7 +137,7 @@ impl Tally {
         if let Some(greatest) = outcome.greatest {
             self.greatest.add(&Spread::of_one(greatest, number)?)?;
         }
-        if let Some(margin) = requirement.margin(outcome) {
+        if let Some(margin) = standing.margin {
             self.worst.insert((margin, number));
             self.keep_worst();
         }

@@ -9,6 +9,7 @@ mod failed;
 mod onset;
 mod outlines;
 mod population;
+mod population_required;
 mod tips;
 mod uncertainty;
 mod undercut;

@@ -231,7 +231,7 @@ fn no_assembly_is_worse_than_the_worst_case() {
         total: 500,
     };
     for number in 1..=500 {
-        let found = all.outcome(number).unwrap();
+        let (found, _) = all.outcome(number).unwrap();
         assert!(found.is_proven && found.least.unwrap() >= least);
         assert!(found.greatest.unwrap() <= greatest);
     }
@@ -294,7 +294,7 @@ fn the_worst_case_is_that_of_all_phases() {
         total: 300,
     };
     for number in 1..=300 {
-        let found = sample.outcome(number).unwrap();
+        let (found, _) = sample.outcome(number).unwrap();
         assert!(found.is_proven && found.least.unwrap() >= least, "{number}");
         assert!(found.greatest.unwrap() <= greatest, "{number}");
     }

@@ -1,6 +1,6 @@
 //! `gearlash match`: which measured wheel goes with which pinion, and which teeth meet.
 
-use super::console::{guard, print, print_note, warn};
+use super::console::{guard, print, print_note, tell, warn};
 use super::progress::Progress;
 use super::screen::ScreenArgs;
 use crate::error::Error;
@@ -35,7 +35,7 @@ pub(super) struct Args {
     /// Wanted backlash in µm, from which a pair is to stray least over its mesh cycle [default: the middle of [require], or its one limit]
     #[arg(long, value_name = "UM", value_parser = target, allow_negative_numbers = true)]
     target_um: Option<f64>,
-    /// Folder for results [default: out/<file stem>]
+    /// Folder for results [default: out/<file stem>; with --format json or csv none]
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
     /// What to print
@@ -51,6 +51,8 @@ enum Format {
     Text,
     /// The whole result
     Json,
+    /// Every wheel with every pinion, a row each
+    Csv,
 }
 
 /// A backlash in µm.
@@ -70,12 +72,22 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     guard(&file.pair.sources)?;
     let warnings = [&file.pair.warnings[..], &file.warnings].concat();
     warn(&args.pair, &warnings, &file.pair.remarks);
-    let folder = match &args.output {
-        Some(folder) => folder.clone(),
-        None => PathBuf::from("out").join(&file.pair.stem),
+    for (kind, lines) in [
+        ("warning", &file.gear_warnings),
+        ("note", &file.gear_remarks),
+    ] {
+        lines
+            .iter()
+            .for_each(|line| tell(&format!("{kind}: {line}")));
+    }
+    let folder = match (&args.output, args.format) {
+        (Some(folder), _) => Some(folder.clone()),
+        (None, Format::Text) => Some(PathBuf::from("out").join(&file.pair.stem)),
+        (None, Format::Json | Format::Csv) => None,
     };
     let is_own = |name: &str| FILES.contains(&name);
-    let folder = OutputFolder::prepare(&folder, &file.pair.sources, is_own)?;
+    let prepare = |folder: PathBuf| OutputFolder::prepare(&folder, &file.pair.sources, is_own);
+    let folder = folder.map(prepare).transpose()?;
     let gears = |named: &[NamedGear]| -> Vec<AsBuilt> {
         named.iter().map(|named| named.gear.clone()).collect()
     };
@@ -92,16 +104,19 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let [first, second, third] = FILES.map(str::to_owned);
     let files = [
         (first, json.clone()),
-        (second, matrix),
+        (second, matrix.clone()),
         (third, match_map(&result)),
     ];
     match args.format {
         Format::Text => print(&text::matched(&result, &args.screen.screen()))?,
         Format::Json => print(&json)?,
+        Format::Csv => print(&matrix)?,
     }
-    let written = folder.write(&files)?;
-    if args.format == Format::Text {
-        print_note(&format!("\n{written}\n"))?;
+    if let Some(folder) = folder {
+        let written = folder.write(&files)?;
+        if args.format == Format::Text {
+            print_note(&format!("\n{written}\n"))?;
+        }
     }
     Ok(match result.is_complete() {
         true => ExitCode::SUCCESS,

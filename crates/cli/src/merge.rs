@@ -2,26 +2,26 @@
 
 use super::console::guard;
 use super::screen::ScreenArgs;
-use super::tolerance::{Format, is_own, tell_result};
+use super::tolerance::{Format, guard_earlier, is_own, tell_result};
 use crate::error::Error;
 use crate::output::OutputFolder;
 use gearlash_files::Sources;
 use gearlash_files::tolerance::{Part, PartError, ToleranceResult};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 /// Put the parts of a run together that gearlash tolerance --shard wrote: the same bytes as of one run
 ///
-/// A part that is missing, given twice, unfinished or of another run (other input, seed or version) is named, exit code 2. Exit code 1
-/// where more assemblies miss the requirement than max_ppm allows.
+/// A part that is missing, given twice, unfinished or of another run (other input, seed or version, or numbers that are not the same to the last bit) is
+/// named, exit code 2. Writes what gearlash tolerance writes. Exit code 1 where more assemblies miss the requirement than max_ppm allows.
 #[derive(clap::Args)]
 pub(super) struct Args {
     /// Parts, in any order
     #[arg(required = true, value_name = "FILE")]
     parts: Vec<PathBuf>,
-    /// Folder for results
-    #[arg(short, long, value_name = "DIR", default_value = "out/merged")]
-    output: PathBuf,
+    /// Folder for results [default: out/merged; with --format json or csv none]
+    #[arg(short, long, value_name = "DIR")]
+    output: Option<PathBuf>,
     /// What to print
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
@@ -44,10 +44,19 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         parts.push((name, part));
     }
     guard(&sources)?;
-    let folder = OutputFolder::prepare(&args.output, &sources, is_own)?;
+    let folder = args
+        .format
+        .folder(args.output.as_deref(), Path::new("out/merged"));
+    let prepared = folder
+        .as_ref()
+        .map(|folder| OutputFolder::prepare(folder, &sources, is_own));
+    let prepared = prepared.transpose()?;
     let result = ToleranceResult::of(Part::merged(parts)?);
     if let Some(reason) = result.part.too_many_impossible() {
         return Err(Error::Usage(reason.to_string()));
     }
-    tell_result(&result, folder, args.format, &args.screen.screen())
+    if let Some(folder) = &folder {
+        guard_earlier(folder, &result.part.head, None)?;
+    }
+    tell_result(&result, prepared, args.format, &args.screen.screen())
 }

@@ -2,7 +2,6 @@
 
 use super::console::{guard, warn};
 use crate::error::Error;
-use gearlash::analysis::study::Study;
 use gearlash_files::outlines::Drawings;
 use gearlash_files::outlines::OutlineGearsFile;
 use gearlash_files::{AnyGears, AnyPair, GearsFile, OutlinePairFile, PairFile};
@@ -32,24 +31,6 @@ pub(super) fn any(path: &Path) -> Result<AnyPair, Error> {
     guard(sources)?;
     warn(path, warnings, remarks);
     Ok(file)
-}
-
-/// That the pair of `study` is one that `command` takes.
-///
-/// # Errors
-/// [`Error::Usage`] of helical gears, which simulate, check and compare take.
-pub(super) fn spur_only(command: &str, study: &Study) -> Result<(), Error> {
-    match study.is_helical() {
-        true => Err(helical(command)),
-        false => Ok(()),
-    }
-}
-
-/// What a command says of helical gears that does not take them.
-pub(super) fn helical(command: &str) -> Error {
-    Error::Usage(format!(
-        "gearlash {command} takes spur gears; of helical gears simulate, check and compare find the backlash"
-    ))
 }
 
 /// The pair of two drawings at a centre distance; what was found of them is told.

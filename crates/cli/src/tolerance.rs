@@ -1,5 +1,6 @@
 //! `gearlash tolerance`: what share of a population meets its requirement, and what it depends on.
 
+mod earlier;
 mod parquet;
 mod results;
 mod rows;
@@ -21,20 +22,21 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
+pub(super) use earlier::guard as guard_earlier;
 pub(super) use results::{Format, is_own, tell_result};
 
 /// Draw assemblies as [tolerance] of the pair file says, and find what share of them misses [require]
 ///
-/// Each assembly's least and greatest backlash are proven over its whole mesh cycle. Prints shares of a million with their
-/// intervals of 95 %, the spread, worst case and root sum of squares, and what each tolerance contributes; writes result.json, result.csv,
-/// histogram.csv, pictures, index.html and the ten worst assemblies as pair files to DIR. An assembly depends on the seed and its number alone:
-/// any number of threads and shards gives the same bytes. Interrupted, it keeps what is done in DIR/part.json; the same
+/// Each assembly's least and greatest backlash are proven over its whole mesh cycle, and held against all that [require] states. Prints shares of a
+/// million with their intervals of 95 %, the spread, worst case and root sum of squares, and what each tolerance contributes; writes result.json, result.csv,
+/// histogram.csv, pictures, index.html and the ten worst assemblies as pair files to DIR, over those of an earlier run. An assembly depends on the seed
+/// and its number alone: any number of threads and shards gives the same bytes. Interrupted, it keeps what is done in DIR/part.json; the same
 /// command goes on from there. Exit code 1 where more miss the requirement than max_ppm allows.
 #[derive(clap::Args)]
 pub(super) struct Args {
     /// The pair file (TOML or JSON) with [tolerance], - for standard input
     pair: PathBuf,
-    /// Folder for results [default: out/<file stem>]
+    /// Folder for results [default: out/<file stem>; with --format json or csv none]
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
     /// How many assemblies, in place of the pair file's
@@ -46,7 +48,8 @@ pub(super) struct Args {
     /// Part K of N of the run alone, to DIR/part_K_of_N.json: gearlash merge puts all together
     #[arg(long, value_name = "K/N", value_parser = shard)]
     shard: Option<[u64; 2]>,
-    /// Also each assembly's least and greatest backlash, to FILE.csv or FILE.parquet; such a run begins anew where it was interrupted
+    /// Also each assembly's least and greatest backlash, to FILE.csv or FILE.parquet, over rows alone and never those of another part; such a run begins
+    /// anew where it was interrupted
     #[arg(long, value_name = "FILE")]
     rows: Option<PathBuf>,
     /// What to print
@@ -86,34 +89,38 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             shard[1]
         )));
     }
-    let folder = match &args.output {
-        Some(folder) => folder.clone(),
-        None => Path::new("out").join(&file.pair.stem),
-    };
+    let own = Path::new("out").join(&file.pair.stem);
+    let (named, sources) = (args.output.as_deref(), &file.pair.sources);
     // Many parts go to one folder, from many processes; a whole run has its folder for itself.
-    let mut prepared = match args.shard {
-        Some(_) => None,
-        None => Some(OutputFolder::prepare(&folder, &file.pair.sources, is_own)?),
+    let (folder, name) = match args.shard {
+        Some([k, n]) => (
+            Some(named.unwrap_or(&own).to_path_buf()),
+            format!("part_{k}_of_{n}.json"),
+        ),
+        None => (args.format.folder(named, &own), results::PART.to_owned()),
     };
-    let name = match args.shard {
-        Some([k, n]) => format!("part_{k}_of_{n}.json"),
-        None => results::PART.to_owned(),
-    };
-    let kept = Kept {
+    let kept = folder.as_ref().map(|folder| Kept {
         path: folder.join(name),
-        sources: &file.pair.sources,
-    };
-    let results = prepared.as_mut().map(|results| (folder.as_path(), results));
-    let rows = args.rows.as_deref();
-    let rows = rows.map(|path| RowsFile::begin(path, &file.pair.sources, results));
-    let rows = rows.transpose()?;
+        sources,
+    });
+    let whole = folder.as_ref().filter(|_| args.shard.is_none());
+    let prepared = whole.map(|folder| OutputFolder::prepare(folder, sources, is_own));
+    let mut prepared = prepared.transpose()?;
     let begun = file.part(assemblies, seed, shard)?;
-    let mut part = match rows {
-        Some(_) => begun,
-        None => kept.found(begun),
+    let rows = args.rows.as_deref();
+    if let Some(folder) = whole {
+        guard_earlier(folder, &begun.head, rows)?;
+    }
+    let results = whole.map(PathBuf::as_path).zip(prepared.as_mut());
+    let first = begun.head.numbers().start;
+    let rows = rows.map(|path| RowsFile::begin(path, first, &file.pair.sources, results));
+    let rows = rows.transpose()?;
+    let mut part = match (&rows, &kept) {
+        (None, Some(kept)) => kept.found(begun),
+        _ => begun,
     };
-    work(&file, &mut part, &kept, rows)?;
-    let Some(prepared) = prepared else {
+    work(&file, &mut part, kept.as_ref(), rows)?;
+    if let (Some(kept), Some(_)) = (&kept, args.shard) {
         kept.write(&part)?;
         print_note(&format!(
             "{}: part {} of {}\n",
@@ -122,7 +129,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             shard[1]
         ))?;
         return Ok(ExitCode::SUCCESS);
-    };
+    }
     let result = ToleranceResult::of(part);
     tell_result(&result, prepared, args.format, &args.screen.screen())
 }
@@ -131,7 +138,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
 fn work(
     file: &ToleranceFile,
     part: &mut Part,
-    kept: &Kept,
+    kept: Option<&Kept>,
     mut rows: Option<RowsFile>,
 ) -> Result<(), Error> {
     let steps = |length: u64, done: u64, chunk: u64| length.saturating_sub(done).div_ceil(chunk);
@@ -161,7 +168,10 @@ fn work(
         if !went_on {
             break;
         }
-        if rows.is_none() && last.elapsed() > KEPT_EVERY && !part.is_done() {
+        if let Some(kept) = kept.filter(|_| rows.is_none())
+            && last.elapsed() > KEPT_EVERY
+            && !part.is_done()
+        {
             kept.write(part)?;
             signals::has_kept(format!(
                 "{} of {numbers} assemblies are kept in {}: the same command goes on from there",

@@ -61,6 +61,7 @@ mod require;
 pub mod results;
 pub mod rexs;
 mod runout;
+mod said_once;
 mod sheet;
 mod source;
 mod sources;

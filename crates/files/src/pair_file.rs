@@ -150,18 +150,11 @@ impl<'a> PairTables<'a> {
         let mut face = helix::common_face(&self.table, gears, face_offset_mm, problems)?;
         let helical = face[0] < face[1];
         if helical {
-            let keys = [
-                (
-                    "assembly.temperature_c",
-                    temperature.is_some_and(|temperature| !temperature.is_even()),
-                    "gears that expand unlike have unlike leads, so that the backlash varies along the face, which is not worked out",
-                ),
-                (
-                    "tolerance",
-                    self.tolerance.as_ref()?.is_some(),
-                    "populations of helical pairs are not worked out",
-                ),
-            ];
+            let keys = [(
+                "assembly.temperature_c",
+                temperature.is_some_and(|temperature| !temperature.is_even()),
+                "gears that expand unlike have unlike leads, so that the backlash varies along the face, which is not worked out",
+            )];
             helix::refuse(&self.table, &keys, problems)?;
             let factor = temperature.map_or(1.0, |temperature| temperature.of_wheel());
             face = face.map(|end| end * factor);

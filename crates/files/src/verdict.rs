@@ -176,8 +176,9 @@ pub(crate) fn not_met(unmet: &[Unmet]) -> String {
     format!("does not meet its requirement ({})", each.join("; "))
 }
 
-fn limit(unmet: &Unmet) -> String {
-    let (name, unit, per, decimals) = match unmet.quantity {
+/// Name and unit of a quantity, how many of the unit one mm (rad) is, and decimals.
+pub(crate) fn unit_of(quantity: Quantity) -> (&'static str, &'static str, f64, usize) {
+    match quantity {
         Quantity::OperatingBacklash => ("j_wt", "µm", 1e3, DECIMALS),
         Quantity::ReferenceBacklash => ("j_t", "µm", 1e3, DECIMALS),
         Quantity::NormalBacklash => ("j_bn", "µm", 1e3, DECIMALS),
@@ -189,7 +190,11 @@ fn limit(unmet: &Unmet) -> String {
             ("lost motion of the pinion", "arcmin", arcmin(1.0), 3)
         }
         Quantity::RadialClearance => ("radial clearance", "mm", 1.0, 4),
-    };
+    }
+}
+
+fn limit(unmet: &Unmet) -> String {
+    let (name, unit, per, decimals) = unit_of(unmet.quantity);
     let end = if unmet.is_max { "most" } else { "least" };
     let limit = fixed(unmet.limit * per, decimals);
     let found = match unmet.found {

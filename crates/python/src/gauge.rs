@@ -49,6 +49,7 @@ pub fn gauge(
         master_teeth,
         steps_per_pitch,
         evaluation: spec.evaluation_radii(),
+        face: spec.face_mm.unwrap_or_default(),
     };
     let gauged = work(py, threads, |tick| {
         measure(as_built, &settings, &|_| (), tick)

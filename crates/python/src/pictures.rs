@@ -7,7 +7,7 @@ use crate::pair::{Pair, check, mating};
 use gearlash::analysis::curves::{self, Followed};
 use gearlash::analysis::outcome::by_distance;
 use gearlash::analysis::{Analysis, Plan, Progress};
-use gearlash::contact::Method;
+use gearlash::contact::{MeshSection, Method};
 use gearlash::gear::Inspection;
 use gearlash_files::verdict::in_short;
 use gearlash_render::Snapshot;
@@ -24,7 +24,7 @@ fn heading<'a>(title: &'a str, subtitle: &'a str) -> Heading<'a> {
     }
 }
 
-/// The contact at one pose.
+/// The contact at one pose; of helical gears in the section where the pose's flank touches.
 #[pyfunction]
 pub fn snapshot(
     py: Python<'_>,
@@ -39,13 +39,14 @@ pub fn snapshot(
     check(py, &assembly, teeth, fraction)?;
     let drawn = py.detach(|| {
         let found = assembly.lost_motion(mating(teeth, left, fraction))?;
+        let section = MeshSection::binding(&assembly, &found)?;
         let view = Snapshot {
             title: &pair.study().title,
             assembly: &assembly,
             pose: &found.pose,
             material,
             found: found.found.as_ref(),
-            section: None,
+            section: section.as_ref(),
         };
         Ok::<_, gearlash::error::Error>(gearlash_render::snapshot(&view))
     });

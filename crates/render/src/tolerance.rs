@@ -1,7 +1,7 @@
 //! Pictures of a population.
 
 use crate::chart::{Chart, Heading, PictureError, population};
-use gearlash_files::tolerance::{ToleranceResult, convergence, sentence};
+use gearlash_files::tolerance::{ToleranceResult, convergence, shares};
 
 /// Pictures of a run, each an SVG element.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,14 +20,17 @@ pub struct Pictures {
 /// None for a run of at least one assembly.
 pub fn pictures(result: &ToleranceResult) -> Result<Pictures, PictureError> {
     let about = &result.part.about;
-    let first = sentence(result);
+    // What contributes is a picture of its own.
+    let first = shares(result);
     let heading = |prefix| Heading {
         prefix,
         title: &about.title,
         subtitle: &first,
     };
     let svg = |chart: Chart| chart.svg;
-    let greatest = about.min_mm.is_none() && about.max_mm.is_some();
+    let least = about.min_mm.is_some() || about.others.iter().any(|one| one.min.is_some());
+    let most = about.max_mm.is_some() || about.others.iter().any(|one| one.max.is_some());
+    let greatest = !least && most;
     let found = &result.contributions[usize::from(greatest)];
     let of = ["least", "greatest"][usize::from(greatest)];
     let subtitle = format!("What the spread of the {of} backlash comes from");

@@ -4,12 +4,15 @@ use super::ending::unfinished;
 use super::failed;
 use super::folder::{Made, guard};
 use super::replace::clear_dead;
-use super::temporary::Temporary;
+use super::temporary::{NewFile, Temporary};
 use crate::error::Error;
 use gearlash_files::Sources;
 use std::fs::OpenOptions;
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
+
+/// What a file is called until it is in its place.
+const NEW: &str = "new";
 
 /// A file that can be written.
 pub struct OutputFile {
@@ -72,6 +75,29 @@ impl OutputFile {
         })
     }
 
+    /// Begins to write it piece by piece: what is written first is flushed, then [`GrowingFile::finish`] puts it in its place.
+    ///
+    /// # Errors
+    /// [`Error::Usage`] of a pipe or a device, which has no place; [`Error::Output`].
+    pub fn begin(self) -> Result<(NewFile, GrowingFile), Error> {
+        let Place::File { path, made } = self.place else {
+            return Err(Error::Usage(format!(
+                "{}: this is no file; name one",
+                self.named.display()
+            )));
+        };
+        let begun = Temporary::new_in(folder_of(&path))
+            .and_then(|temporary| Ok((temporary.create(NEW)?, temporary)));
+        let (file, temporary) = begun.map_err(failed(&self.named))?;
+        let growing = GrowingFile {
+            named: self.named,
+            path,
+            made,
+            temporary,
+        };
+        Ok((file, growing))
+    }
+
     /// Writes `content` in one piece.
     ///
     /// # Errors
@@ -81,11 +107,9 @@ impl OutputFile {
         match self.place {
             Place::File { path, mut made } => {
                 let temporary = Temporary::new_in(folder_of(&path)).map_err(&failed)?;
-                temporary
-                    .write("new", content.as_bytes())
-                    .map_err(&failed)?;
+                temporary.write(NEW, content.as_bytes()).map_err(&failed)?;
                 let mut list = unfinished();
-                std::fs::rename(temporary.path().join("new"), &path).map_err(&failed)?;
+                std::fs::rename(temporary.path().join(NEW), &path).map_err(&failed)?;
                 list.set_written();
                 drop(list);
                 made.keep();
@@ -95,6 +119,30 @@ impl OutputFile {
                 .and_then(|mut file| file.write_all(content.as_bytes()))
                 .map_err(&failed),
         }
+    }
+}
+
+/// A file that is written piece by piece; nobody sees it until all of it is there.
+pub struct GrowingFile {
+    named: PathBuf,
+    path: PathBuf,
+    made: Made,
+    temporary: Temporary,
+}
+
+impl GrowingFile {
+    /// Puts what was written to the place of what was there.
+    ///
+    /// # Errors
+    /// [`Error::Output`]; what was there stays.
+    pub fn finish(mut self) -> Result<(), Error> {
+        let mut list = unfinished();
+        let renamed = std::fs::rename(self.temporary.path().join(NEW), &self.path);
+        renamed.map_err(failed(&self.named))?;
+        list.set_written();
+        drop(list);
+        self.made.keep();
+        Ok(())
     }
 }
 

@@ -5,9 +5,11 @@ use crate::date::today;
 use crate::error::Error;
 use crate::output::OutputFolder;
 use clap::ValueEnum;
-use gearlash_files::tolerance::{ToleranceResult, histogram_csv, worst_file};
+use gearlash::population::WORST;
+use gearlash_files::tolerance::{ToleranceResult, histogram_csv, worst_file, worst_name};
 use gearlash_render::text::Screen;
 use gearlash_render::{ToleranceReport, tolerance_pictures, tolerance_report};
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 /// What an interrupted run has kept.
@@ -33,21 +35,29 @@ pub(crate) enum Format {
     Text,
     /// The whole result
     Json,
+    /// The numbers, a row each
+    Csv,
+}
+
+impl Format {
+    /// Where results go: text is the short form of files, the others are the result itself, and are files where a folder is named.
+    pub(crate) fn folder(self, named: Option<&Path>, own: &Path) -> Option<PathBuf> {
+        match self {
+            Format::Text => Some(named.unwrap_or(own).to_path_buf()),
+            Format::Json | Format::Csv => named.map(Path::to_path_buf),
+        }
+    }
 }
 
 /// Whether a run may write a file called `name`.
 pub(crate) fn is_own(name: &str) -> bool {
-    let worst = name
-        .strip_prefix("worst_")
-        .and_then(|name| name.strip_suffix(".toml"));
-    let worst = worst.is_some_and(|number| number.bytes().all(|byte| byte.is_ascii_digit()));
-    worst || FILES.contains(&name)
+    FILES.contains(&name) || (0..WORST).any(|index| worst_name(index) == name)
 }
 
-/// Prints `result` and writes it to `folder`.
+/// Prints `result` and writes it to `folder`, where there is one.
 pub(crate) fn tell_result(
     result: &ToleranceResult,
-    folder: OutputFolder,
+    folder: Option<OutputFolder>,
     format: Format,
     screen: &Screen,
 ) -> Result<ExitCode, Error> {
@@ -65,7 +75,7 @@ pub(crate) fn tell_result(
     });
     let mut files = vec![
         ("result.json".to_owned(), json.clone()),
-        ("result.csv".to_owned(), csv),
+        ("result.csv".to_owned(), csv.clone()),
         ("histogram.csv".to_owned(), histogram_csv(&result.part)),
         ("index.html".to_owned(), page),
         (CONVERGENCE.to_owned(), pictures.convergence),
@@ -83,10 +93,13 @@ pub(crate) fn tell_result(
     match format {
         Format::Text => print(&gearlash_render::text::tolerance(result, screen))?,
         Format::Json => print(&json)?,
+        Format::Csv => print(&csv)?,
     }
-    let written = folder.write(&files)?;
-    if format == Format::Text {
-        print_note(&format!("\n{written}\n"))?;
+    if let Some(folder) = folder {
+        let written = folder.write(&files)?;
+        if format == Format::Text {
+            print_note(&format!("\n{written}\n"))?;
+        }
     }
     Ok(match result.is_met() {
         Some(false) => ExitCode::from(1),

@@ -1,22 +1,30 @@
 //! Each assembly of a run as a row of CSV or Parquet.
 
+use super::earlier::{Found, found};
 use super::parquet::ParquetRows;
 use super::results::is_own;
 use crate::error::Error;
-use crate::output::{NewFile, OutputFolder};
-use gearlash::population::{Outcome, OutcomeKind};
+use crate::output::{GrowingFile, NewFile, OutputFile, OutputFolder};
+use gearlash::population::{Outcome, OutcomeKind, Standing};
 use gearlash_files::Sources;
 use gearlash_files::numbers::rounded;
 use std::io::{BufWriter, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Bytes written at a time (tuned).
 const PIECE: usize = 1 << 16;
 
+/// The columns.
+pub(super) const HEADINGS: &str = "assembly,outcome,least_um,greatest_um,proven";
+
 /// The rows so far; nobody sees them until all are there.
 pub(super) struct RowsFile {
-    /// Of its own; `None` where it goes to the folder of the results.
-    folder: Option<OutputFolder>,
+    /// As the user calls it.
+    path: PathBuf,
+    /// The number of the first assembly.
+    first: u64,
+    /// `None` where they go to the folder of the results.
+    own: Option<GrowingFile>,
     file: RowsWriter,
 }
 
@@ -26,64 +34,75 @@ enum RowsWriter {
 }
 
 impl RowsFile {
-    /// Begins the file at `path`: in the folder of the `results`, or in one that no other run writes to.
+    /// Begins the file at `path` with the assemblies from number `first` on: in the folder of the `results`, or by itself, beside the files of
+    /// other parts.
     pub fn begin(
         path: &Path,
+        first: u64,
         sources: &Sources,
         results: Option<(&Path, &mut OutputFolder)>,
     ) -> Result<RowsFile, Error> {
-        let name = path.file_name().and_then(|name| name.to_str());
-        let is_parquet = |name: &str| name.ends_with(".parquet");
-        let Some(name) = name.filter(|name| name.ends_with(".csv") || is_parquet(name)) else {
-            return Err(Error::Usage(format!(
-                "--rows {}: rows are written as CSV or Parquet; name a file that ends in .csv or .parquet",
-                path.display()
-            )));
-        };
+        let wrong = |reason: &str| Error::Usage(format!("--rows {}: {reason}", path.display()));
+        let is = |ending| path.extension().is_some_and(|found| found == ending);
+        if !(is("csv") || is("parquet")) {
+            return Err(wrong(
+                "rows are written as CSV or Parquet; name a file that ends in .csv or .parquet",
+            ));
+        }
         let parent = match path.parent() {
             Some(folder) if !folder.as_os_str().is_empty() => folder,
             _ => Path::new("."),
         };
         let real = |path: &Path| path.canonicalize().ok();
-        let (folder, file, failed) = match results {
-            Some((folder, results)) if real(folder).is_some() && real(folder) == real(parent) => {
+        let results =
+            results.filter(|(folder, _)| real(folder).is_some() && real(folder) == real(parent));
+        let (own, file) = match results {
+            Some((_, results)) => {
+                let name = path.file_name().and_then(|name| name.to_str());
+                let name = name.ok_or_else(|| {
+                    wrong("in the folder of the results a name is UTF-8; take another name, or another folder")
+                })?;
                 // Some file systems know no capital letters.
                 if is_own(&name.to_ascii_lowercase()) {
-                    return Err(Error::Usage(format!(
-                        "--rows {}: the results themselves have a file called {name} there; take another name",
-                        path.display()
+                    return Err(wrong(&format!(
+                        "the results themselves have a file called {name} there; take another name"
                     )));
                 }
-                let file = results.create(name)?;
-                (None, file, results.failed(name))
+                replaceable(path, first)?;
+                (None, results.create(name)?)
             }
-            _ => {
-                let own = name.to_owned();
-                let mut folder = OutputFolder::prepare(parent, sources, move |name| name == own)?;
-                let file = folder.create(name)?;
-                let failed = folder.failed(name);
-                (Some(folder), file, failed)
+            None => {
+                let prepared = OutputFile::prepare(path, sources)?;
+                replaceable(path, first)?;
+                let (file, own) = prepared.begin()?;
+                (Some(own), file)
             }
         };
-        let file = match is_parquet(name) {
+        let failed = |source| Error::Output {
+            path: path.to_path_buf(),
+            source,
+        };
+        let file = match is("parquet") {
             true => ParquetRows::new(file).map(|rows| RowsWriter::Parquet(Box::new(rows))),
             false => {
                 let mut file = BufWriter::with_capacity(PIECE, file);
-                let begun = file.write_all(b"assembly,outcome,least_um,greatest_um,proven\n");
+                let begun = writeln!(file, "{HEADINGS}");
                 begun.map(|()| RowsWriter::Csv(file))
             }
         };
         Ok(RowsFile {
-            folder,
+            path: path.to_path_buf(),
+            first,
+            own,
             file: file.map_err(failed)?,
         })
     }
 
     /// Adds a row each.
-    pub fn take(&mut self, each: &[(u64, Outcome)]) -> std::io::Result<()> {
+    pub fn take(&mut self, each: &[(u64, Outcome, Standing)]) -> std::io::Result<()> {
         let um = |mm: Option<f64>| mm.map(|mm| rounded(1e3 * mm, 4));
         let text = |um: Option<f64>| um.map_or(String::new(), |um| um.to_string());
-        for (number, outcome) in each {
+        for (number, outcome, _) in each {
             let word = word(outcome.kind);
             let both = [outcome.least, outcome.greatest].map(um);
             match &mut self.file {
@@ -105,10 +124,28 @@ impl RowsFile {
             RowsWriter::Parquet(rows) => rows.finish().and_then(|mut file| file.flush()),
         }
         .map_err(Error::Printing)?;
-        match self.folder {
-            Some(folder) => folder.write(&[]).map(|_| ()),
+        match self.own {
+            Some(own) => {
+                // Another part may have been done meanwhile.
+                replaceable(&self.path, self.first)?;
+                own.finish()
+            }
             None => Ok(()),
         }
+    }
+}
+
+/// An error where the file at `path` holds something else than rows from number `first` on.
+fn replaceable(path: &Path, first: u64) -> Result<(), Error> {
+    let wrong = |reason: String| Err(Error::Usage(format!("--rows {}: {reason}", path.display())));
+    match found(path) {
+        Found::Rows(number) if number != first && number != 0 => wrong(format!(
+            "holds the rows of another part, from assembly {number} on, and this one begins with {first}; name a file of its own for each part"
+        )),
+        Found::Other => {
+            wrong("holds no rows of gearlash, and would be lost; name another file".to_owned())
+        }
+        Found::Nothing | Found::Rows(_) => Ok(()),
     }
 }
 

@@ -36,6 +36,8 @@ mod step_summary;
 #[cfg(target_os = "linux")]
 mod terminal;
 mod tolerance;
+mod tolerance_earlier;
+mod tolerance_helical;
 mod tolerance_rows;
 mod tolerance_told;
 mod units;

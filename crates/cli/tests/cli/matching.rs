@@ -327,3 +327,95 @@ fn bands_that_are_not_used_are_told_once() {
         );
     }
 }
+
+/// What the gears' own files warn of, as `gauge` tells it, once for all that say the same: single pitches that do not close.
+#[test]
+fn warnings_of_the_gear_files_are_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    let values = format!("[9{}]", ", 0".repeat(43));
+    let text = format!(
+        "[gear]\nteeth = 44\nmodule_mm = 3.0\npressure_angle_deg = 20.0\nthickness.allowance_um = -60\n\
+         pitch = {{ kind = \"single\", right_um = {values}, left_um = {values} }}\n"
+    );
+    for (kind, names) in [("w", ["1.toml", "2.toml"]), ("p", ["1.toml", "2.toml"])] {
+        fs::create_dir_all(here.join(kind)).unwrap();
+        for name in names {
+            fs::write(here.join(kind).join(name), &text).unwrap();
+        }
+    }
+    pair(here, "");
+    let alone = gearlash(here)
+        .args(["gauge", "w/1.toml", "--format", "json", "-o", "g"])
+        .output()
+        .unwrap();
+    let alone = String::from_utf8(alone.stderr).unwrap();
+    let warned: Vec<&str> = alone
+        .lines()
+        .filter_map(|line| line.strip_prefix("warning: w/1.toml: "))
+        .collect();
+    assert!(!warned.is_empty(), "{alone}");
+    let output = matched(here);
+    let told = String::from_utf8(output.get_output().stderr.clone()).unwrap();
+    for text in warned {
+        let line = format!("warning: w/1.toml and 3 more: {text}");
+        assert!(told.lines().any(|told| told == line), "{line}: {told}");
+    }
+    // Of gears that are drawn whole, too.
+    let pair = fs::read_to_string(here.join("pair.toml")).unwrap();
+    let drawn = "[tolerance]\nassemblies = 20\n[tolerance.wheel]\ngears = \"w/*.toml\"\n";
+    fs::write(here.join("drawn.toml"), pair + drawn).unwrap();
+    let output = gearlash(here)
+        .args(["tolerance", "drawn.toml", "-o", "t"])
+        .output()
+        .unwrap();
+    let told = String::from_utf8(output.stderr).unwrap();
+    let wanted = "warning: drawn.toml: tolerance.wheel.gears: w/1.toml and 1 more: gear.pitch";
+    assert!(told.contains(wanted), "{told}");
+}
+
+/// At `a = d_1/2 + d_2/2` perfect gears have `j_wt = j_t`, `j_bn = j_wt cos 20°`: what is required of `j_bn` decides as of `j_wt`, and the middle of it is
+/// wanted. It was a warning, and any pair met it.
+#[test]
+fn every_requirement_decides_which_gears_go_together() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    for kind in ["w", "p"] {
+        gear(&here.join(kind), "thick.toml", 40.0, 0.0);
+        gear(&here.join(kind), "thin.toml", 80.0, 0.0);
+    }
+    let cos = 20f64.to_radians().cos();
+    let [min, max] = [115.0, 125.0].map(|um| um * cos);
+    for require in [
+        format!("j_bn_um = {{ min = {min}, max = {max} }}"),
+        "j_t_um = { min = 115, max = 125 }".to_owned(),
+    ] {
+        pair(here, &format!("[require]\n{require}\n"));
+        let printed = output(gearlash(here).args([
+            "match",
+            "pair.toml",
+            "--wheels",
+            "w",
+            "--pinions",
+            "p",
+            "--format",
+            "json",
+            "-o",
+            "out",
+        ]));
+        let json: serde_json::Value = serde_json::from_str(&printed).unwrap();
+        assert_eq!(json["pairs"][0]["pinion"], "thin");
+        let wanted = json["wanted_um"].as_f64().unwrap();
+        assert!((wanted - 120.0).abs() < 1e-9, "{wanted}");
+        let expected = json["expected_pairs"]["random"]["any_phase"]
+            .as_f64()
+            .unwrap();
+        assert!((expected - 1.0).abs() < 1e-12, "{expected}");
+        let text = json["text"].as_str().unwrap();
+        assert!(text.starts_with("2 of 2 pairs keep j_"), "{text}");
+    }
+    pair(here, "[require]\nradial_clearance_mm = { min = 0.9 }\n");
+    matched(here).code(1).stdout(predicates::str::starts_with(
+        "0 of 2 pairs keep radial clearance 0.9 mm or more",
+    ));
+}

@@ -125,7 +125,7 @@ fn parts_that_make_no_run_are_named() {
     std::fs::write(folder.path().join("less.json"), unfinished).unwrap();
     for (second, wanted) in [
         ("", "1 part of 3 missing: 2"),
-        ("p/part_3_of_3.json", "is part 3, as p/part_3_of_3.json is"),
+        ("p/part_3_of_3.json", "p/part_3_of_3.json: is named twice"),
         ("seed/part_2_of_3.json", "seed 8, not 7"),
         ("more/part_2_of_3.json", "assemblies 301, not 300"),
         ("four/part_2_of_4.json", "number of parts 4, not 3"),

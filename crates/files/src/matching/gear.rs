@@ -6,9 +6,10 @@ use crate::numbers::shortest;
 use crate::read::PairFile;
 use crate::spec::GearSpec;
 use crate::temperature::REFERENCE_C;
-use crate::tolerance::middle;
+use crate::tolerance::{middle, placed, unlike};
 use gearlash::gear::AsBuilt;
 use gearlash::pair::Member;
+use std::ffi::OsStr;
 use std::path::Path;
 
 /// A measured gear and the file that it is of.
@@ -28,6 +29,10 @@ pub struct Found {
     pub sources: Sources,
     /// File and key of its thickness, where that is a band.
     pub band: Option<String>,
+    /// What its file says the user should know.
+    pub warnings: Vec<String>,
+    /// And what was found to be in order.
+    pub remarks: Vec<String>,
 }
 
 /// The gear of a gear file, or the `member` of a pair file, which must be one of the gears of `pair`; it faces as that does.
@@ -60,7 +65,14 @@ pub fn one(path: &Path, member: Member, pair: &PairFile) -> Result<Found, InputE
         ),
         help: "match gears of one pair".to_owned(),
     });
-    let others: Vec<Problem> = others.collect();
+    let unlike = unlike(&entry.spec, pair, member).map(|reason| {
+        let help = "match gears whose teeth wind and end as those of the pair";
+        Problem {
+            key: entry.name.to_owned(),
+            ..Problem::of_file(reason, help)
+        }
+    });
+    let others: Vec<Problem> = others.chain(unlike).collect();
     if !others.is_empty() {
         return Err(InputError::of(path, others));
     }
@@ -68,13 +80,11 @@ pub fn one(path: &Path, member: Member, pair: &PairFile) -> Result<Found, InputE
     let gear =
         gear.map_err(|reason| wrong(Problem::of_file(reason.to_string(), "correct the file")))?;
     let is_band = entry.materials.len() > 1;
-    let name = path
-        .file_stem()
-        .map(|stem| stem.to_string_lossy().into_owned());
+    let name = path.file_stem().map(in_utf8);
     Ok(Found {
         gear: NamedGear {
             name: name.unwrap_or_default(),
-            gear: gear.facing(face),
+            gear: placed(gear.facing(face), pair, member),
         },
         band: is_band.then(|| {
             format!(
@@ -84,7 +94,16 @@ pub fn one(path: &Path, member: Member, pair: &PairFile) -> Result<Found, InputE
             )
         }),
         sources: file.sources,
+        warnings: file.warnings,
+        remarks: file.remarks,
     })
+}
+
+/// A name, its bytes that are no UTF-8 as `\xff`, so that names that differ stay apart.
+fn in_utf8(name: &OsStr) -> String {
+    let chunks = name.as_encoded_bytes().utf8_chunks();
+    let text = chunks.map(|chunk| format!("{}{}", chunk.valid(), chunk.invalid().escape_ascii()));
+    text.collect()
 }
 
 /// What gears must have alike to take each other's place, where they differ: key, value of `gear`, value of `own`.

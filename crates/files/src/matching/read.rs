@@ -4,6 +4,8 @@ use super::folder::gear_files;
 use super::gear::{NamedGear, one, thickness_key, warm};
 use crate::error::{InputError, Problem};
 use crate::read::PairFile;
+use crate::said_once::SaidOnce;
+use gearlash::error::GearError;
 use gearlash::matching::Terms;
 use gearlash::pair::{GearPair, Member};
 use gearlash::population::Requirement;
@@ -22,6 +24,10 @@ pub struct MatchFile {
     pub terms: Terms,
     /// What the user should know, beside the pair's warnings.
     pub warnings: Vec<String>,
+    /// Warnings of the gears' own files, each with the first file that it is of.
+    pub gear_warnings: Vec<String>,
+    /// What was found to be in order of them, likewise.
+    pub gear_remarks: Vec<String>,
 }
 
 /// Reads the pair file at `path` and every gear file (`.toml`, `.json`) of the folders `wheels` and `pinions`; `target` is the wanted
@@ -38,23 +44,16 @@ pub fn read_match(
     if let Some(problem) = warm(pair.spec.assembly.temperature_c) {
         return Err(vec![InputError::of(path, vec![problem])]);
     }
-    if pair.study.is_helical() {
-        let problem = Problem {
-            key: "wheel.helix_angle_deg".to_owned(),
-            ..Problem::of_file(
-                "helical gears are not matched: which go together is worked out for spur gears",
-                "give a spur pair",
-            )
-        };
-        return Err(vec![InputError::of(path, vec![problem])]);
-    }
     let (mut errors, mut bands) = (Vec::new(), Vec::new());
+    let (mut gear_warnings, mut gear_remarks) = (SaidOnce::default(), SaidOnce::default());
     let mut gears = |folder: &Path, member: Member| {
         let mut gears = Vec::new();
         for file in gear_files(folder, &mut errors) {
             match one(&file, member, &pair) {
                 Ok(found) => {
                     bands.extend(found.band);
+                    gear_warnings.add(&file, &found.warnings);
+                    gear_remarks.add(&file, &found.remarks);
                     pair.sources.extend(&found.sources);
                     gears.push(found.gear);
                 }
@@ -77,21 +76,19 @@ pub fn read_match(
         let problem = Problem::of_file("no centre distance", "give one");
         return Err(vec![InputError::of(path, vec![problem])]);
     };
-    let (requirement, mut warnings) = crate::tolerance::requirement(&pair);
-    warnings.extend(unused(&pair));
+    let requirement = Requirement::of(&pair.study.requirements);
+    let mut warnings: Vec<String> = unused(&pair).into_iter().collect();
     warnings.extend(middles(&bands));
-    let terms = Terms {
+    let mut terms = Terms {
         center_distances,
         clearance: pair.study.bearing_clearance,
         locked: pair.study.locked,
+        face: pair.study.face,
         requirement,
         target,
     };
-    let near = center_distances[0] - terms.clearance;
     if let (Some(wheel), Some(pinion)) = (wheels.first(), pinions.first()) {
-        let made =
-            GearPair::with_locked(wheel.gear.clone(), pinion.gear.clone(), near, terms.locked);
-        made.map_err(|reason| {
+        let ends = ends_of(&terms, wheel, pinion).map_err(|reason| {
             let problem = Problem {
                 key: "assembly.center_distance_mm".to_owned(),
                 ..Problem::of_file(
@@ -101,6 +98,18 @@ pub fn read_match(
             };
             vec![InputError::of(path, vec![problem])]
         })?;
+        let limits = requirement.as_operating_backlash(&ends);
+        terms.target = target.or_else(|| {
+            let limits = Requirement::new(limits.min, limits.max);
+            requirement.others().next()?;
+            Some(
+                Terms {
+                    requirement: limits,
+                    ..terms
+                }
+                .wanted(),
+            )
+        });
     }
     Ok(MatchFile {
         pair,
@@ -108,7 +117,23 @@ pub fn read_match(
         pinions,
         terms,
         warnings,
+        gear_warnings: gear_warnings.lines(),
+        gear_remarks: gear_remarks.lines(),
     })
+}
+
+/// A wheel and a pinion as near, and as far apart, as the distances and their bearings allow.
+fn ends_of(
+    terms: &Terms,
+    wheel: &NamedGear,
+    pinion: &NamedGear,
+) -> Result<[GearPair; 2], GearError> {
+    let [near, far] = terms.center_distances;
+    let pair = |distance: f64| {
+        let (wheel, pinion) = (wheel.gear.clone(), pinion.gear.clone());
+        GearPair::with_locked(wheel, pinion, distance, terms.locked)?.with_face(terms.face)
+    };
+    Ok([pair(near - terms.clearance)?, pair(far + terms.clearance)?])
 }
 
 impl MatchFile {

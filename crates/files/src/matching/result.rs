@@ -3,6 +3,7 @@
 use super::read::MatchFile;
 use crate::characters;
 use crate::numbers::{fixed, rounded, shortest};
+use crate::tolerance::{Limit, limits};
 use gearlash::matching::{Expected, Fit, Matrix};
 use gearlash::population::OutcomeKind;
 use serde_json::{Value, json};
@@ -41,6 +42,8 @@ pub struct MatchResult {
     pub by_classes: Option<(usize, Expected)>,
     /// Least and greatest backlash allowed, and the wanted one, mm.
     pub limits: [Option<f64>; 2],
+    /// What else is required.
+    pub others: Vec<Limit>,
     /// Wanted, mm.
     pub wanted: f64,
 }
@@ -83,6 +86,7 @@ impl MatchResult {
             at_random: matrix.at_random(),
             by_classes: matrix.by_classes(),
             limits: [requirement.min(), requirement.max()],
+            others: limits(requirement),
             wanted: file.terms.wanted(),
             is_best: assignment.is_best,
             places: assignment.pairs,
@@ -105,8 +109,20 @@ impl MatchResult {
             [Some(min), Some(max)] => format!("keep {} … {} µm", um(min), um(max)),
             [Some(min), None] => format!("keep {} µm or more", um(min)),
             [None, Some(max)] => format!("assemble with {} µm or less", um(max)),
-            [None, None] => "assemble".to_owned(),
+            [None, None] if self.others.is_empty() => "assemble".to_owned(),
+            [None, None] => String::new(),
         };
+        let others = self.others.iter().map(|limit| {
+            let (quantity, unit) = (&limit.quantity, &limit.unit);
+            match [limit.min, limit.max].map(|end| end.map(shortest)) {
+                [Some(min), Some(max)] => format!("keep {quantity} {min} … {max} {unit}"),
+                [Some(min), None] => format!("keep {quantity} {min} {unit} or more"),
+                [_, max] => format!("keep {quantity} {} {unit} or less", max.unwrap_or_default()),
+            }
+        });
+        let own = Some(limits).filter(|own| !own.is_empty());
+        let limits: Vec<String> = own.into_iter().chain(others).collect();
+        let limits = limits.join(", ");
         let mut text = format!(
             "{} of {} pairs {limits}; to be expected {} at random",
             self.pairs.len(),
@@ -148,6 +164,7 @@ impl MatchResult {
             "title": self.title,
             "text": self.sentence(),
             "require_um": { "min": um(self.limits[0]), "max": um(self.limits[1]) },
+            "require_others": self.others,
             "wanted_um": 1e3 * self.wanted,
             "phases": self.matrix.phases(),
             "pairs": pairs,

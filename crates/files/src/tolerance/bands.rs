@@ -3,6 +3,7 @@
 use crate::read::PairFile;
 use crate::spec::ToleranceSpec;
 use gearlash::error::GearError;
+use gearlash::gear::thickness::per_normal_thickness;
 use gearlash::gear::{AsBuilt, Deviations};
 use gearlash::pair::Member;
 
@@ -40,12 +41,12 @@ pub fn middle<'a>(gears: impl Iterator<Item = &'a AsBuilt>) -> Result<AsBuilt, G
     let Some(last) = rest.last() else {
         return Ok((*first).clone());
     };
-    let cos = first.gear().basic_data().pressure_angle().cos();
-    let thicker = 0.5 * (base(last) - base(first)) / cos;
+    let per = per_normal_thickness(first.gear().basic_data());
+    let thicker = 0.5 * (base(last) - base(first)) / per;
     first.varied(thicker, &Deviations::default())
 }
 
-/// Half of what the thickness of a gear may be more than its middle, and less, mm at the reference circle.
+/// Half of what the thickness of a gear may be more than its middle, and less, mm at the reference circle (in the normal section).
 pub fn thickness_band(pair: &PairFile, member: Member) -> Option<[f64; 2]> {
     let base = |(_, wheel, pinion): &(_, AsBuilt, AsBuilt)| match member {
         Member::Wheel => wheel.gear().base_thickness(),
@@ -53,7 +54,7 @@ pub fn thickness_band(pair: &PairFile, member: Member) -> Option<[f64; 2]> {
     };
     let materials = &pair.study.materials;
     let (_, gear, _) = materials.first()?;
-    let cos = gear.gear().basic_data().pressure_angle().cos();
-    let half = 0.5 * (base(materials.first()?) - base(materials.last()?)) / cos;
+    let per = per_normal_thickness(gear.gear().basic_data());
+    let half = 0.5 * (base(materials.first()?) - base(materials.last()?)) / per;
     (half > 0.0).then_some([-half, half])
 }

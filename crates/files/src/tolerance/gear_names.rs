@@ -1,10 +1,10 @@
 //! The files that names of measured gears stand for: what stands among them and is none is told, never passed over.
 
-use glob::MatchOptions;
-use std::collections::{BTreeMap, HashSet};
+use glob::{MatchOptions, Pattern, PatternError};
+use std::collections::BTreeMap;
 use std::ffi::OsString;
 use std::io::ErrorKind;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 /// What a name stands for.
 #[derive(Debug, Default)]
@@ -28,44 +28,127 @@ pub fn named(folder: &Path, name: &str) -> Named {
         }
         return named;
     }
-    let text = folder.to_string_lossy();
-    let pattern = match (text.as_ref(), Path::new(name).is_absolute()) {
-        ("", _) | (_, true) => name.to_owned(),
-        (folder, false) => format!("{}/{name}", glob::Pattern::escape(folder)),
-    };
-    let as_written = match glob::glob(&pattern) {
-        Ok(found) => found,
+    let walk = match Walk::new(folder, name) {
+        Ok(walk) => walk,
         Err(error) => {
             named.faults.push(format!("{name:?}: {}", error.msg));
             return named;
         }
     };
-    let mut all = HashSet::new();
-    for found in as_written {
-        match found {
-            Ok(path) => {
-                all.insert(path.clone());
-                named.add(path, true);
-            }
-            Err(error) => {
-                let (path, reason) = (error.path().display(), error.error());
-                named.faults.push(format!("{path}: {reason}"));
-            }
+    for (path, is_as_written) in walk.found(&mut named.faults) {
+        match is_as_written {
+            true => named.add(path, true),
+            false => named.left_out.push(format!(
+                "{}: is as {name:?} but for capital letters, and is left out",
+                path.display()
+            )),
         }
     }
-    let either = MatchOptions {
-        case_sensitive: false,
-        ..MatchOptions::new()
-    };
-    // What cannot be read was told.
-    let others = glob::glob_with(&pattern, either).into_iter().flatten();
-    for path in others.flatten().filter(|path| !all.contains(path)) {
-        named.left_out.push(format!(
-            "{}: is as {name:?} but for capital letters, and is left out",
-            path.display()
-        ));
-    }
     named
+}
+
+/// A name with letters that stand for others, part by part. Names of files need not be UTF-8: what is none stands for one letter each.
+struct Walk {
+    start: PathBuf,
+    parts: Vec<Part>,
+}
+
+enum Part {
+    /// Of this name.
+    Named(PathBuf),
+    /// Of a name like this.
+    Like(Pattern),
+    /// `**`: the folder itself and all in it, links left out.
+    AnyFolder,
+}
+
+impl Walk {
+    fn new(folder: &Path, name: &str) -> Result<Walk, PatternError> {
+        let (mut start, mut parts) = (folder.to_path_buf(), Vec::new());
+        for part in Path::new(name).components() {
+            let text = part.as_os_str().to_string_lossy();
+            parts.push(match part {
+                Component::Prefix(_) | Component::RootDir => {
+                    start.push(part);
+                    continue;
+                }
+                Component::CurDir => continue,
+                _ if text == "**" => Part::AnyFolder,
+                _ if text.contains(['*', '?', '[']) => Part::Like(Pattern::new(&text)?),
+                _ => Part::Named(PathBuf::from(part.as_os_str())),
+            });
+        }
+        Ok(Walk { start, parts })
+    }
+
+    /// Every path that it stands for, in the order of their names, and whether also by capital letters; what cannot be read is one of `faults`.
+    fn found(&self, faults: &mut Vec<String>) -> Vec<(PathBuf, bool)> {
+        let mut found = vec![(self.start.clone(), true)];
+        for part in &self.parts {
+            let mut next = Vec::new();
+            for (path, is_as_written) in found {
+                match part {
+                    Part::Named(name) => {
+                        let path = path.join(name);
+                        let is_there = path.symlink_metadata().is_ok();
+                        next.extend(is_there.then_some((path, is_as_written)));
+                    }
+                    Part::Like(pattern) => {
+                        let each = entries(&path, faults).into_iter().filter_map(|path| {
+                            let name = path.file_name()?.to_string_lossy();
+                            let is_like = pattern.matches_with(&name, EITHER);
+                            let is_same = is_as_written && pattern.matches(&name);
+                            is_like.then_some((path, is_same))
+                        });
+                        // The file name borrows from the path.
+                        next.extend(each.collect::<Vec<_>>());
+                    }
+                    Part::AnyFolder => {
+                        let mut open = vec![path];
+                        while let Some(folder) = open.pop() {
+                            let inner = entries(&folder, faults).into_iter().rev();
+                            open.extend(inner.filter(|path| path.is_dir() && !path.is_symlink()));
+                            next.push((folder, is_as_written));
+                        }
+                    }
+                }
+            }
+            found = next;
+        }
+        found
+    }
+}
+
+/// Names but for capital letters.
+const EITHER: MatchOptions = MatchOptions {
+    case_sensitive: false,
+    require_literal_separator: false,
+    require_literal_leading_dot: false,
+};
+
+/// What stands in `folder`, by its names; nothing where that is no folder.
+fn entries(folder: &Path, faults: &mut Vec<String>) -> Vec<PathBuf> {
+    let at = match folder.as_os_str().is_empty() {
+        true => Path::new("."),
+        false => folder,
+    };
+    if !at.is_dir() {
+        return Vec::new();
+    }
+    let names = std::fs::read_dir(at).and_then(|entries| {
+        let names = entries.map(|entry| Ok(entry?.file_name()));
+        names.collect::<std::io::Result<Vec<OsString>>>()
+    });
+    match names {
+        Ok(mut names) => {
+            names.sort();
+            names.into_iter().map(|name| folder.join(name)).collect()
+        }
+        Err(error) => {
+            faults.push(format!("{}: {error}", folder.display()));
+            Vec::new()
+        }
+    }
 }
 
 impl Named {

@@ -6,6 +6,7 @@ use crate::numbers::shortest;
 use crate::place::Place;
 use crate::problems::Problems;
 use crate::read::GearsFile;
+use crate::said_once::SaidOnce;
 use crate::spec::GearSpec;
 use crate::table::Table;
 use crate::temperature::REFERENCE_C;
@@ -62,10 +63,12 @@ pub fn gears(
         files.truncate(MOST_GEARS);
     }
     let (mut gears, mut banded) = (Vec::new(), Vec::new());
+    let mut said = SaidOnce::default();
     for path in files {
         match one(&path, member, file.place()) {
-            Ok((gear, has_band)) => {
+            Ok((gear, has_band, warned)) => {
                 gears.push(gear);
+                said.add(&path, &warned);
                 banded.extend(has_band.then_some(path));
             }
             Err(reason) => wrong(
@@ -86,6 +89,8 @@ pub fn gears(
         // It changes numbers: before what was left out.
         warnings.insert(0, told);
     }
+    let said = said.lines().into_iter();
+    warnings.extend(said.map(|line| format!("{key}: {line}")));
     let good = bad.is_empty();
     problems.add_list(key, bad);
     good.then_some((gears, shortened(warnings, key)))
@@ -101,8 +106,12 @@ fn shortened(mut warnings: Vec<String>, key: &str) -> Vec<String> {
     warnings
 }
 
-/// The gear of a gear file, or the `member` of a pair file: of a band of thickness the middle, and whether it states one.
-fn one(path: &Path, member: Member, place: &Place) -> Result<(MeasuredGear, bool), String> {
+/// The gear of a gear file, or the `member` of a pair file: of a band of thickness the middle, whether it states one, and the file's warnings.
+fn one(
+    path: &Path,
+    member: Member,
+    place: &Place,
+) -> Result<(MeasuredGear, bool, Vec<String>), String> {
     // What stands in the file is not quoted: it may lie outside the pair file's folder.
     let file: GearsFile = crate::read_gears(path).map_err(|error| match error.problems.len() {
         1 => "this is no gear file that can be read".to_owned(),
@@ -123,5 +132,5 @@ fn one(path: &Path, member: Member, place: &Place) -> Result<(MeasuredGear, bool
         gear: middle.map_err(|error| error.to_string())?,
         spec: gear.spec,
     };
-    Ok((measured, gear.materials.len() > 1))
+    Ok((measured, gear.materials.len() > 1, file.warnings))
 }

@@ -21,10 +21,13 @@ impl Part {
             unfinished(&file, &part)?;
             let shard = part.head.shard[0];
             if let Some(before) = seen.insert(shard, file.clone()) {
-                return Err(PartError::Double {
-                    file,
-                    first: before,
-                    shard,
+                return Err(match file == before {
+                    true => PartError::Twice { file },
+                    false => PartError::Double {
+                        file,
+                        first: before,
+                        shard,
+                    },
                 });
             }
             whole.tally.add(&part.tally)?;
@@ -96,8 +99,12 @@ fn same(file: &str, part: &Part, first: &str, whole: &Part) -> Result<(), PartEr
     ];
     let differs = each.into_iter().find(|(_, found, wanted)| found != wanted);
     let differs = differs.or_else(|| {
-        let other = part.about != whole.about;
-        other.then(|| ("statements", "others".to_owned(), "the same".to_owned()))
+        let what = part.about.differs(&whole.about)?;
+        Some((
+            what,
+            "another".to_owned(),
+            "the same to the last bit".to_owned(),
+        ))
     });
     match differs {
         None => Ok(()),

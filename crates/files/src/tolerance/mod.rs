@@ -5,6 +5,7 @@ mod consistent;
 mod gear_names;
 mod gears;
 mod impossible;
+mod limit;
 mod merged;
 mod mm;
 mod part;
@@ -19,15 +20,17 @@ mod worst;
 mod written;
 
 pub(crate) use bands::middle;
-pub(crate) use population::requirement;
+pub(crate) use limit::limits;
+pub(crate) use population::{placed, unlike};
 
 pub use impossible::TooManyImpossible;
+pub use limit::{Limit, in_words};
 pub use part::{About, Part};
 pub use part_error::PartError;
 pub use part_head::{MOST_ASSEMBLIES, MOST_SHARDS, PartHead, Progress};
 pub use population::{ToleranceFile, read_tolerance};
 pub use result::{Convergence, ToleranceResult, convergence};
 pub use run::{BlockError, Rows};
-pub use sentence::{phases_of_limits, sentence, without_backlash};
-pub use worst::{Worst, worst_file};
+pub use sentence::{phases_of_limits, sentence, shares, without_backlash, without_worst_case};
+pub use worst::{Worst, is_worst_file, worst_file, worst_name};
 pub use written::histogram_csv;

@@ -1,6 +1,7 @@
 //! A part of a population's run: what one machine found, in a file that others are added to.
 
 use super::consistent::{fault, is_length};
+use super::limit::Limit;
 use super::part_error::PartError;
 use super::part_head::{PartHead, Progress};
 use super::records::{ContributionsRecord, TallyRecord};
@@ -9,8 +10,9 @@ use gearlash::population::{ContributionSums, Factor, LimitCases, Requirement, Ta
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// What all parts of a run have in common.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+/// What all parts of a run have in common: equal where each number is to its last bit, as one program works it out from one input on machines
+/// that reckon alike. One that differs by a bit may draw others, and its sums are none of this run.
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct About {
     /// Title of the pair file.
     pub title: String,
@@ -18,6 +20,8 @@ pub struct About {
     pub min_mm: Option<f64>,
     /// Greatest `j_wt` allowed, mm.
     pub max_mm: Option<f64>,
+    /// What else is required.
+    pub others: Vec<Limit>,
     /// How many of a million may miss it.
     pub max_ppm: Option<f64>,
     /// The share of draws that may be of no gear.
@@ -81,7 +85,7 @@ impl Part {
         self.done == whole && self.worst.len() == self.tally.worst.len()
     }
 
-    /// What each assembly must keep.
+    /// What `j_wt` of each assembly must keep.
     pub fn requirement(&self) -> Requirement {
         Requirement::new(self.about.min_mm, self.about.max_mm)
     }
@@ -136,7 +140,51 @@ impl Part {
     }
 }
 
+impl PartialEq for About {
+    fn eq(&self, other: &About) -> bool {
+        self.differs(other).is_none()
+    }
+}
+
+impl Eq for About {}
+
 impl About {
+    /// What differs from `other`, if anything: numbers by their bits.
+    pub(super) fn differs(&self, other: &About) -> Option<&'static str> {
+        let bits = |number: Option<f64>| number.map(f64::to_bits);
+        let share = |about: &About| about.max_impossible.to_bits();
+        let require = |about: &About| [about.min_mm, about.max_mm, about.max_ppm].map(bits);
+        let others = |about: &About| -> Vec<_> {
+            let each = about.others.iter();
+            let each = each.map(|one| {
+                let names = (one.quantity.clone(), one.unit.clone());
+                (names, [one.min, one.max].map(bits))
+            });
+            each.collect()
+        };
+        let quantities = |about: &About| (about.quantities.clone(), about.without_end.clone());
+        let cases = |about: &About| {
+            about
+                .limit_cases
+                .map(|cases| cases.map(|case| case.map(bits)))
+        };
+        let each = [
+            ("title", self.title == other.title),
+            (
+                "requirement",
+                require(self) == require(other) && others(self) == others(other),
+            ),
+            ("max_impossible", share(self) == share(other)),
+            ("quantities", quantities(self) == quantities(other)),
+            (
+                "worst case and root sum of squares",
+                cases(self) == cases(other),
+            ),
+        ];
+        let differs = each.into_iter().find(|(_, is_same)| !is_same);
+        differs.map(|(what, _)| what)
+    }
+
     /// What no run has.
     fn fault(&self) -> Option<&'static str> {
         let limits = [self.min_mm, self.max_mm].into_iter().flatten();
@@ -146,6 +194,7 @@ impl About {
         if self.factors().len() != self.quantities.len() {
             Some("it names quantities that do not scatter")
         } else if !lengths.all(is_length)
+            || !self.others.iter().all(Limit::is_one)
             || !is_share(self.max_impossible)
             || !self.max_ppm.is_none_or(|ppm| is_share(1e-6 * ppm))
         {

@@ -41,7 +41,13 @@ pub enum PartError {
         /// Its number.
         shard: u64,
     },
-    /// A part given twice.
+    /// A file given twice.
+    #[error("{file}: is named twice; name each part once")]
+    Twice {
+        /// The file.
+        file: String,
+    },
+    /// A part in two files.
     #[error("{file}: is part {shard}, as {first} is; name each part once")]
     Double {
         /// The file.

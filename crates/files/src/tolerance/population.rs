@@ -7,12 +7,11 @@ use crate::error::InputError;
 use crate::pair_file::{KEYS, PairTables};
 use crate::problems::Problems;
 use crate::read::PairFile;
-use crate::spec::{GearToleranceSpec, PhaseName, ScatterSpec, ToleranceSpec};
+use crate::spec::{GearSpec, GearToleranceSpec, PhaseName, ScatterSpec, ToleranceSpec};
 use crate::table::Table;
 use crate::{outlines, with_entries};
 use gearlash::analysis::phases::phase;
-use gearlash::analysis::requirement::{Limits, Quantity};
-use gearlash::gear::{Face, GradedQuantity, Side};
+use gearlash::gear::{AsBuilt, Face, GradedQuantity, Side};
 use gearlash::pair::{GearPair, Mating, Member, SweepPlan};
 use gearlash::population::{
     GearScatter, Population, PopulationError, Requirement, Scatter, Scatters,
@@ -94,8 +93,7 @@ fn understood(pair: PairFile, file: &Table, problems: &mut Problems) -> Option<T
     let population = Population::new(own, scatters).map_err(|error| refused(file, &error));
     let population = problems.keep(population)?;
     let clearance = pair.study.bearing_clearance;
-    let (requirement, further) = requirement(&pair);
-    warnings.extend(further);
+    let requirement = Requirement::of(&pair.study.requirements);
     Some(ToleranceFile {
         tolerance,
         population: population
@@ -133,8 +131,7 @@ fn own_pair(pair: &PairFile, file: &Table, problems: &mut Problems) -> Option<Ge
     let materials = &pair.study.materials;
     let wheel = middle(materials.iter().map(|(_, wheel, _)| wheel));
     let pinion = middle(materials.iter().map(|(_, _, pinion)| pinion));
-    let made =
-        wheel.and_then(|wheel| GearPair::with_locked(wheel, pinion?, distance, pair.study.locked));
+    let made = wheel.and_then(|wheel| pair.study.pair(&wheel, &pinion?, distance));
     let made = made.map_err(|error| {
         let help = "correct the gears, or their distance";
         file.problem("tolerance", error.to_string(), help)
@@ -191,8 +188,14 @@ fn gear(
             })
         }
     }?;
+    let mut others = measured.iter();
+    if let Some(other) = others.find_map(|one| unlike(&one.spec, pair, member)) {
+        let help = "name gears whose teeth wind and end as those of the pair";
+        problems.add(file.problem(&key("gears"), other, help));
+        return None;
+    }
     let face = face(pair, member);
-    let turned = |one: &MeasuredGear| one.gear.facing(face);
+    let turned = |one: &MeasuredGear| placed(one.gear.facing(face), pair, member);
     let whole = (!measured.is_empty()).then(|| measured.iter().map(turned).collect());
     Some((
         GearScatter {
@@ -204,6 +207,35 @@ fn gear(
         },
         measured,
     ))
+}
+
+/// How the teeth of `gear` wind or end otherwise than those of the pair's `member`, if they do.
+pub(crate) fn unlike(gear: &GearSpec, pair: &PairFile, member: Member) -> Option<String> {
+    let (own, name) = match member {
+        Member::Wheel => (&pair.spec.wheel, "wheel"),
+        Member::Pinion => (&pair.spec.pinion, "pinion"),
+    };
+    if !own.is_helical() {
+        return None;
+    }
+    let other = match (gear.hand == own.hand, gear.face_mm == own.face_mm) {
+        (false, _) => "hand",
+        (_, false) => "face_mm",
+        _ => return None,
+    };
+    Some(format!(
+        "{other} is another than {name}.{other} of the pair file"
+    ))
+}
+
+/// A gear of the pair's `member` as it stands in the pair: the teeth of a helical pinion counted in the wheel's measuring plane.
+pub(crate) fn placed(gear: AsBuilt, pair: &PairFile, member: Member) -> AsBuilt {
+    match pair.spec.assembly.face_offset_mm {
+        Some(offset) if member == Member::Pinion && pair.study.is_helical() => {
+            gear.section_at(-offset)
+        }
+        _ => gear,
+    }
 }
 
 fn face(pair: &PairFile, member: Member) -> Face {
@@ -240,24 +272,6 @@ fn refused(file: &Table, error: &PopulationError) -> crate::error::Problem {
         PopulationError::Pitch(_) | PopulationError::WholeGears => ("tolerance", "correct it"),
     };
     file.problem(key, error.to_string(), help)
-}
-
-/// What `[require]` says of `j_wt`, and a warning of what else it says.
-pub(crate) fn requirement(pair: &PairFile) -> (Requirement, Vec<String>) {
-    let requirements = &pair.study.requirements;
-    let of_backlash =
-        |(quantity, _): &&(Quantity, Limits)| *quantity == Quantity::OperatingBacklash;
-    let limits = requirements.iter().find(of_backlash);
-    let limits = limits.map_or(Limits::default(), |(_, limits)| *limits);
-    let others = requirements.iter().any(|one| !of_backlash(&one));
-    let warnings = others.then(|| {
-        "require: of each assembly only j_wt_um is looked at; gearlash check looks at the others"
-            .to_owned()
-    });
-    (
-        Requirement::new(limits.min, limits.max),
-        warnings.into_iter().collect(),
-    )
 }
 
 /// The pinion tooth that meets wheel tooth 1, of gears that are always put together as the sweep starts.

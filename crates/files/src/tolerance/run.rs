@@ -1,12 +1,13 @@
 //! One part of a population's run, block by block.
 
+use super::limit::limits;
 use super::part::{About, Part, cases};
 use super::part_head::{PartHead, Progress};
 use super::population::ToleranceFile;
 use gearlash::error::Error;
 use gearlash::population::{
-    Factor, Outcome, Sample, SampleError, Scatter, Tally, contribution_sums, limit_cases, outcomes,
-    sample,
+    Factor, Outcome, Sample, SampleError, Scatter, Standing, Tally, contribution_sums, limit_cases,
+    outcomes, sample,
 };
 use serde_json::json;
 use sha2::{Digest, Sha256};
@@ -19,7 +20,7 @@ const BLOCK: u64 = 2048;
 const ROWS: u64 = 256;
 
 /// Takes what came of each assembly of a block, in order.
-pub type Rows<'a> = &'a mut dyn FnMut(&[(u64, Outcome)]) -> std::io::Result<()>;
+pub type Rows<'a> = &'a mut dyn FnMut(&[(u64, Outcome, Standing)]) -> std::io::Result<()>;
 
 /// Why a block was not done.
 #[derive(Debug, thiserror::Error)]
@@ -48,6 +49,7 @@ impl ToleranceFile {
             title: self.pair.spec.title.clone(),
             min_mm: self.requirement.min(),
             max_mm: self.requirement.max(),
+            others: limits(&self.requirement),
             max_ppm: self.tolerance.max_ppm,
             max_impossible: self.tolerance.max_impossible,
             quantities: factors
@@ -116,8 +118,8 @@ impl ToleranceFile {
                     let each = outcomes(&of, numbers, tick)?;
                     rows(&each)?;
                     let mut tally = Tally::default();
-                    for (number, outcome) in &each {
-                        let counted = tally.count(outcome, &of.requirement, *number, of.total);
+                    for (number, outcome, standing) in &each {
+                        let counted = tally.count(outcome, standing, *number, of.total);
                         counted.map_err(SampleError::from)?;
                     }
                     tally

@@ -1,5 +1,6 @@
 //! A run in one sentence: what a production manager and a designer ask.
 
+use super::limit::in_words;
 use super::part::Part;
 use super::result::ToleranceResult;
 use crate::numbers::{rounded, shortest};
@@ -9,19 +10,12 @@ use gearlash::population::{Contributions, Factor, Share};
 ///
 /// "310 ppm below 40 µm [270, 354]; 71 % of the scatter from the centre distance"
 pub fn sentence(result: &ToleranceResult) -> String {
-    let (about, statistics) = (&result.part.about, &result.statistics);
-    let um = |mm: f64| shortest(rounded(1e3 * mm, 6));
-    let mut shares = Vec::new();
-    match about.min_mm {
-        Some(min) => shares.push(share(&statistics.below, &format!("below {} µm", um(min)))),
-        None => shares.push(share(&statistics.below, "do not assemble")),
-    }
-    if let Some(max) = about.max_mm {
-        shares.push(share(&statistics.above, &format!("above {} µm", um(max))));
-    }
-    let mut text = shares.join(", ");
+    let about = &result.part.about;
+    let least = in_words(about.min_mm, &about.others, false);
+    let most = in_words(about.max_mm, &about.others, true);
+    let mut text = shares(result);
     // Of what is asked for: the least, or the greatest where that alone is limited.
-    let greatest = about.min_mm.is_none() && about.max_mm.is_some();
+    let greatest = least.is_none() && most.is_some();
     if let Some(most) = largest(&result.contributions[usize::from(greatest)]) {
         text += &format!("; {most}");
     }
@@ -65,6 +59,32 @@ pub fn without_backlash(result: &ToleranceResult) -> Option<String> {
             "Mean, standard deviation, Cp and Cpk are without {} (jammed, out of mesh, of no gear or without a result); none of them is left out of the share that misses the requirement.",
             each.join(" and ")
         )
+    })
+}
+
+/// What share of `result` misses the requirement, to either side: the beginning of its sentence.
+pub fn shares(result: &ToleranceResult) -> String {
+    let (about, statistics) = (&result.part.about, &result.statistics);
+    let least = in_words(about.min_mm, &about.others, false);
+    let below = least.map_or("do not assemble".to_owned(), |least| {
+        format!("below {least}")
+    });
+    let mut text = share(&statistics.below, &below);
+    if let Some(most) = in_words(about.max_mm, &about.others, true) {
+        text += &format!(", {}", share(&statistics.above, &format!("above {most}")));
+    }
+    text
+}
+
+/// Why there is no worst case; `None` where there is one.
+pub fn without_worst_case(part: &Part) -> Option<&'static str> {
+    let mut factors = part.factors().into_iter();
+    let whole = factors.any(|factor| matches!(factor, Factor::Gear(_)));
+    part.about.limit_cases.is_none().then_some(match whole {
+        true => "No worst case: whole gears that were measured have no limits.",
+        false => {
+            "No worst case: the worst direction of a runout of helical gears is not worked out."
+        }
     })
 }
 

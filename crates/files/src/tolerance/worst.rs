@@ -7,11 +7,13 @@ use crate::spec::{
     ThicknessSpec,
 };
 use gearlash::error::Error;
+use gearlash::gear::thickness::span_from_base;
 use gearlash::gear::{AsBuilt, Flank, Side};
 use gearlash::pair::Member;
 use gearlash::population::{Assembly, Sample};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
+use sha2::{Digest, Sha256};
 
 /// One of the worst assemblies of a part.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -39,13 +41,33 @@ impl Worst {
 }
 
 /// The name of the pair file of the worst assembly, of the one after it, ….
-pub(super) fn worst_name(index: usize) -> String {
+pub fn worst_name(index: usize) -> String {
     format!("worst_{:02}.toml", index + 1)
 }
 
 /// Name and text of the pair file of the worst assembly (`index` 0), of the one after it, ….
 pub fn worst_file(index: usize, worst: &Worst) -> (String, Result<String, toml::ser::Error>) {
-    (worst_name(index), worst.to_toml())
+    let text = worst.to_toml();
+    (worst_name(index), text.map(|text| signed(&text)))
+}
+
+/// What the first line of such a file says, before the hash of all others.
+const WRITTEN: &str = "# written by gearlash tolerance; sha256 of the lines below: ";
+
+fn signed(text: &str) -> String {
+    format!("{WRITTEN}{}\n{text}", hash(text))
+}
+
+fn hash(text: &str) -> String {
+    let digest = Sha256::digest(text.as_bytes());
+    digest.iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+/// Whether `text` is a file of [`worst_file`] as it was written: not one that somebody else wrote, or has changed since.
+pub fn is_worst_file(text: &str) -> bool {
+    let signed = text.strip_prefix(WRITTEN);
+    let parts = signed.and_then(|rest| rest.split_once('\n'));
+    parts.is_some_and(|(stated, below)| stated == hash(below))
 }
 
 impl ToleranceFile {
@@ -84,7 +106,13 @@ impl ToleranceFile {
         let mut spec = own.clone();
         spec.title = title;
         spec.wheel = self.gear_spec(pair.gear(Member::Wheel), Member::Wheel);
-        spec.pinion = self.gear_spec(pair.gear(Member::Pinion), Member::Pinion);
+        // Whose teeth are counted in the wheel's measuring plane.
+        let pinion = pair.gear(Member::Pinion);
+        let pinion = match own.assembly.face_offset_mm {
+            Some(offset) if pair.is_helical() => &pinion.section_at(offset),
+            _ => pinion,
+        };
+        spec.pinion = self.gear_spec(pinion, Member::Pinion);
         spec.assembly.center_distance_mm =
             CenterDistanceSpec::Distances(vec![pair.center_distance()]);
         if !is_own {
@@ -144,15 +172,19 @@ impl ToleranceFile {
         let (right, left) = (pitch(Flank::Right), pitch(Flank::Left));
         let deviates = right.iter().chain(&left).any(|um| *um != 0.0);
         let eccentricity = gear.eccentricity();
+        // As a span over one tooth: in the normal section.
+        let base = span_from_base(gear.gear().basic_data(), 1, gear.gear().base_thickness());
         GearSpec {
             reference_face: FaceName::from(gear.face()),
             thickness: ThicknessSpec {
                 statement: StatementSpec {
-                    base_thickness_mm: Some(Either::One(gear.gear().base_thickness())),
+                    base_thickness_mm: Some(Either::One(base)),
                     ..StatementSpec::default()
                 },
-                per_tooth_um: differ
-                    .then(|| (1..=teeth).map(|tooth| 1e3 * thicker(tooth)).collect()),
+                per_tooth_um: differ.then(|| {
+                    let normal = 1e3 * gear.gear().basic_data().helix_cos();
+                    (1..=teeth).map(|tooth| normal * thicker(tooth)).collect()
+                }),
                 ..ThicknessSpec::default()
             },
             runout: RunoutSpec {

@@ -66,6 +66,7 @@ impl ToleranceResult {
             "requirement": {
                 "min_um": um(about.min_mm),
                 "max_um": um(about.max_mm),
+                "others": about.others,
                 "max_ppm": about.max_ppm,
                 "met": self.is_met(),
             },

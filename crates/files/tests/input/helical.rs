@@ -201,11 +201,6 @@ fn what_is_no_helical_pair_is_told() {
             "helix_angle_deg = 61\nhand = \"left\"",
             "allowed is a number of degrees, 0 … 60",
         ),
-        (
-            "= 78\n",
-            "= 78\n[tolerance]\ncenter_distance = { scatter = \"normal\", sigma_um = 5 }\n",
-            "given beside a helix angle: populations of helical pairs",
-        ),
     ] {
         assert!(HELICAL.contains(from), "{from}");
         let told = refused(&HELICAL.replace(from, to));

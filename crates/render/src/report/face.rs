@@ -48,7 +48,7 @@ fn widths(page: &Page) -> Markup {
                 table {
                     caption {
                         "What the face width costs: " (symbol("j", "wt")) ", µm, least and greatest over the whole mesh cycle, all centre distances and "
-                        "materials. The parts of the face hold each other, about the measuring plane; width 0 is one section."
+                        "materials. The parts of the face hold each other, about the measuring plane, or the place of the face nearest to it; width 0 is one section."
                     }
                     thead { tr {
                         th.n scope="col" { "face width mm" } th scope="col" { "from … to mm" }

@@ -9,7 +9,9 @@ use gearlash::population::{
     CONFIDENCE, Contributions, GROUPS, LIMIT_SIGMAS, PITCH_LIMIT_SIGMAS, QUANTILES,
 };
 use gearlash_files::numbers::{fixed, rounded, shortest, um};
-use gearlash_files::tolerance::{ToleranceResult, phases_of_limits, sentence, without_backlash};
+use gearlash_files::tolerance::{
+    ToleranceResult, phases_of_limits, sentence, without_backlash, without_worst_case,
+};
 use maud::{Markup, PreEscaped, html};
 
 /// What a page of a population is of.
@@ -214,8 +216,8 @@ fn method(result: &ToleranceResult) -> Markup {
                     ". Pitch: flanks in contact " (shortest(PITCH_LIMIT_SIGMAS))
                     " standard deviations of their cumulative deviation out. Root sum of squares: of what each changes alone."
                 }
-            } @else {
-                p { "No worst case: whole gears that were measured have no limits." }
+            } @else if let Some(why) = without_worst_case(&result.part) {
+                p { (why) }
             }
             p {
                 "Contributions: Sobol’ indices by the estimators of Saltelli et al. (2010), standard errors by the jackknife over "

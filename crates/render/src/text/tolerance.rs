@@ -4,7 +4,9 @@ use super::layout::{Column, Screen, Table};
 use gearlash::population::QUANTILES;
 use gearlash_files::characters::plain;
 use gearlash_files::numbers::{fixed, rounded, um};
-use gearlash_files::tolerance::{ToleranceResult, phases_of_limits, sentence, without_backlash};
+use gearlash_files::tolerance::{
+    ToleranceResult, phases_of_limits, sentence, without_backlash, without_worst_case,
+};
 
 /// The sentence, the spread beside worst case and root sum of squares, the contributions, the worst assemblies.
 pub fn text(result: &ToleranceResult, screen: &Screen) -> String {
@@ -40,8 +42,8 @@ pub fn text(result: &ToleranceResult, screen: &Screen) -> String {
             about.without_end.join(", ")
         ));
     }
-    if about.limit_cases.is_none() {
-        text += &screen.fold("No worst case: whole gears that were measured have no limits.\n");
+    if let Some(why) = without_worst_case(&result.part) {
+        text += &screen.fold(&format!("{why}\n"));
     }
     if let Some(contributions) = contributions(result) {
         text.push('\n');

@@ -1,0 +1,73 @@
+//! What is required beside `j_wt`, in the units that are told.
+
+use crate::numbers::{rounded, shortest};
+use crate::verdict::unit_of;
+use gearlash::analysis::requirement::Quantity;
+use gearlash::pair::Member;
+use gearlash::population::Requirement;
+use serde::{Deserialize, Serialize};
+
+/// A quantity that is limited, with its limits in its unit.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Limit {
+    /// Such as `j_bn`.
+    pub quantity: String,
+    /// Its unit.
+    pub unit: String,
+    /// No less than this.
+    pub min: Option<f64>,
+    /// No more than this.
+    pub max: Option<f64>,
+}
+
+/// What `requirement` limits beside `j_wt`.
+pub fn limits(requirement: &Requirement) -> Vec<Limit> {
+    let each = requirement.others().map(|(quantity, limits)| {
+        let (name, unit, per, _) = unit_of(quantity);
+        let told = |value: Option<f64>| value.map(|value| rounded(value * per, 9));
+        Limit {
+            quantity: name.to_owned(),
+            unit: unit.to_owned(),
+            min: told(limits.min),
+            max: told(limits.max),
+        }
+    });
+    each.collect()
+}
+
+/// The ends (`is_max`: the upper ones) of what is required, such as "40 µm", "40 µm or j_bn 38 µm", "radial clearance 0.3 mm"; `None` where there are
+/// none. `j_wt` is in mm.
+pub fn in_words(j_wt: Option<f64>, others: &[Limit], is_max: bool) -> Option<String> {
+    let own = j_wt.map(|mm| format!("{} µm", shortest(rounded(1e3 * mm, 6))));
+    let others = others.iter().filter_map(|limit| {
+        let value = if is_max { limit.max } else { limit.min }?;
+        Some(format!(
+            "{} {} {}",
+            limit.quantity,
+            shortest(value),
+            limit.unit
+        ))
+    });
+    let each: Vec<String> = own.into_iter().chain(others).collect();
+    (!each.is_empty()).then(|| each.join(" or "))
+}
+
+impl Limit {
+    /// Whether there is such a quantity, with such limits.
+    pub(super) fn is_one(&self) -> bool {
+        let all = [
+            Quantity::ReferenceBacklash,
+            Quantity::NormalBacklash,
+            Quantity::RadialBacklash,
+            Quantity::LostMotion(Member::Wheel),
+            Quantity::LostMotion(Member::Pinion),
+            Quantity::RadialClearance,
+        ];
+        let is_known = all.into_iter().any(|quantity| {
+            let (name, unit, ..) = unit_of(quantity);
+            (name, unit) == (self.quantity.as_str(), self.unit.as_str())
+        });
+        let mut ends = [self.min, self.max].into_iter().flatten();
+        is_known && ends.all(|end| end.abs() <= 1e8)
+    }
+}

@@ -1,0 +1,190 @@
+//! What each assembly must keep, and how one stands to it.
+
+use super::assembly::{Assembly, Outcome, OutcomeKind};
+use super::spread::tenths;
+use crate::analysis::extremes::WIDTH;
+use crate::analysis::requirement::{Limits, Quantity, Requirements};
+use crate::pair::{GearPair, Member};
+
+/// Quantities beside `j_wt` that can be limited.
+const OTHERS: [Quantity; 6] = [
+    Quantity::ReferenceBacklash,
+    Quantity::NormalBacklash,
+    Quantity::RadialBacklash,
+    Quantity::LostMotion(Member::Wheel),
+    Quantity::LostMotion(Member::Pinion),
+    Quantity::RadialClearance,
+];
+
+/// What each assembly must keep over its whole mesh cycle: `j_wt`, mm, and what else a pair can be held to ([`Quantity`]), each as
+/// [`Verdict`](crate::analysis::verdict::Verdict) judges it: with play in the bearings the least with the axes pressed together, the greatest with
+/// them apart.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Requirement {
+    backlash: Limits,
+    others: [Limits; OTHERS.len()],
+}
+
+/// How an assembly stands to what is required.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Standing {
+    /// Whether something falls below its least.
+    pub below: bool,
+    /// Whether something exceeds its greatest.
+    pub above: bool,
+    /// How much is left to the nearest limit, tenths of a nanometre (of a lost motion on the operating pitch circle): the worst have the least.
+    /// `None`: of no gear, or nothing found.
+    pub(super) margin: Option<i64>,
+}
+
+impl Requirement {
+    /// `j_wt` at least `min` and at most `max`, mm. Without a `min` the pair must assemble.
+    pub fn new(min: Option<f64>, max: Option<f64>) -> Requirement {
+        Requirement {
+            backlash: Limits { min, max },
+            others: [Limits::default(); OTHERS.len()],
+        }
+    }
+
+    /// All that is `required`. Where no backlash has a least, the pair must assemble.
+    pub fn of(required: &Requirements) -> Requirement {
+        let of = |quantity| {
+            let mut each = required.iter();
+            let found = each.find(|(one, _)| *one == quantity);
+            found.map_or(Limits::default(), |(_, limits)| *limits)
+        };
+        Requirement {
+            backlash: of(Quantity::OperatingBacklash),
+            others: OTHERS.map(of),
+        }
+    }
+
+    /// The least `j_wt` allowed that is stated, mm.
+    pub fn min(&self) -> Option<f64> {
+        self.backlash.min
+    }
+
+    /// The greatest, mm.
+    pub fn max(&self) -> Option<f64> {
+        self.backlash.max
+    }
+
+    /// What is limited beside `j_wt`.
+    pub fn others(&self) -> impl Iterator<Item = (Quantity, Limits)> {
+        let each = OTHERS.into_iter().zip(self.others);
+        each.filter(|(_, limits)| *limits != Limits::default())
+    }
+
+    /// How `assembly` stands to it, of which `outcome` comes.
+    pub fn standing(&self, assembly: &Assembly, outcome: &Outcome) -> Standing {
+        self.standing_of(outcome, || assembly.ends())
+    }
+
+    /// How a pair stands to it of which `outcome` comes; `ends` are the pairs with the least and with the greatest backlash.
+    pub(crate) fn standing_of(
+        &self,
+        outcome: &Outcome,
+        ends: impl FnOnce() -> Option<[GearPair; 2]>,
+    ) -> Standing {
+        let nothing = matches!(
+            outcome.kind,
+            OutcomeKind::Unproven | OutcomeKind::Impossible
+        );
+        let (jammed, apart) = (
+            outcome.kind == OutcomeKind::Jammed,
+            outcome.kind == OutcomeKind::OutOfMesh,
+        );
+        let below = outcome.least.zip(self.lower());
+        let below = below.map(|(least, lower)| least - lower);
+        let above = outcome.greatest.zip(self.backlash.max);
+        let above = above.map(|(greatest, max)| max - greatest);
+        let mut left = [below, above];
+        if self.others().next().is_some()
+            && !nothing
+            && let Some(ends) = ends()
+        {
+            for (quantity, limits) in self.others() {
+                let more = [(limits.min, false), (limits.max, true)]
+                    .map(|(limit, is_max)| left_of(quantity, limit?, is_max, &ends, outcome));
+                for (left, more) in left.iter_mut().zip(more) {
+                    *left = (*left).into_iter().chain(more).reduce(f64::min);
+                }
+            }
+        }
+        let [least, greatest] = left;
+        let beyond = |left: Option<f64>| left.is_some_and(|left| left < 0.0);
+        let margin = least.into_iter().chain(greatest).map(tenths).min();
+        Standing {
+            below: jammed || beyond(least),
+            above: apart || beyond(greatest),
+            margin: match (nothing, jammed || apart) {
+                (true, _) => None,
+                (false, true) => Some(i64::MIN),
+                (false, false) => margin,
+            },
+        }
+    }
+
+    /// Whether an assembly that has both extremes, as `outcome` says, and stands so keeps it.
+    pub(crate) fn is_met(outcome: &Outcome, standing: &Standing) -> bool {
+        let is_found = outcome.least.is_some() && outcome.greatest.is_some();
+        is_found && !standing.below && !standing.above
+    }
+
+    /// What the least `j_wt` is held against: where no backlash has a least, no interference that is proven.
+    fn lower(&self) -> Option<f64> {
+        let mut others = self.others();
+        let is_limited = others.any(|(quantity, limits)| {
+            quantity != Quantity::RadialClearance && limits.min.is_some()
+        });
+        self.backlash.min.or((!is_limited).then_some(-WIDTH))
+    }
+
+    /// The least and the greatest `j_wt`, mm, with which the first of `ends` keeps the limits of every backlash to below and the second those to
+    /// above; a radial one to first order, `j_wt = 2 j_r tan α_wt`.
+    #[cfg(feature = "matching")]
+    pub fn as_operating_backlash(&self, ends: &[GearPair; 2]) -> Limits {
+        let mut all = self.backlash;
+        for (quantity, limits) in self.others() {
+            let of = |end: &GearPair, limit: Option<f64>| {
+                let per = match quantity {
+                    Quantity::RadialClearance => return None,
+                    Quantity::RadialBacklash => 0.5 / end.operating_pressure_angle().tan(),
+                    other => other.value(end, 1.0, false),
+                };
+                limit.map(|limit| limit / per)
+            };
+            let tightest = |one: Option<f64>, other: Option<f64>, fold: fn(f64, f64) -> f64| {
+                one.into_iter().chain(other).reduce(fold)
+            };
+            all.min = tightest(all.min, of(&ends[0], limits.min), f64::max);
+            all.max = tightest(all.max, of(&ends[1], limits.max), f64::min);
+        }
+        all
+    }
+}
+
+/// How much is left to a `limit` of `quantity`, mm; negative: it is missed. `None` where there is no backlash to judge it by.
+fn left_of(
+    quantity: Quantity,
+    limit: f64,
+    is_max: bool,
+    ends: &[GearPair; 2],
+    outcome: &Outcome,
+) -> Option<f64> {
+    let [near, far] = ends;
+    let (end, j_wt) = match is_max {
+        false => (near, outcome.least),
+        true => (far, outcome.greatest),
+    };
+    let value = match quantity {
+        Quantity::RadialClearance => quantity.value(end, 0.0, is_max),
+        _ => quantity.value(end, j_wt?, is_max),
+    };
+    let per = match quantity {
+        Quantity::LostMotion(member) => end.operating_pitch_radius(member),
+        _ => 1.0,
+    };
+    let left = if is_max { limit - value } else { value - limit };
+    Some(left * per)
+}

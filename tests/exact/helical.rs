@@ -71,7 +71,7 @@ fn gear(
     AsBuilt::new(Gear::new(design, base).ok()?, face, &deviations).ok()
 }
 
-/// helical.md's pair: 27/51, m_n 4.5, β 21°, a 190 mm, −140 µm each; runout and pitch as given, µm.
+/// A pair that a slow program of slices was tried on: 27/51, m_n 4.5, β 21°, a 190 mm, −140 µm each; runout and pitch as given, µm.
 pub fn pair_of_the_prototype(
     runouts: [f64; 2],
     pitch_um: [f64; 2],
@@ -134,7 +134,7 @@ fn worst(one: &[f64], other: &[f64]) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// helical.md, exact test 1: between involutes the lost motion does not vary along the face, with any eccentricity.
+/// Between involutes the lost motion does not vary along the face, with any eccentricity.
 #[test]
 fn runout_alone_costs_no_backlash_along_the_face() {
     for runouts in [[0.0, 0.0], [30.0, 40.0]] {
@@ -147,7 +147,7 @@ fn runout_alone_costs_no_backlash_along_the_face() {
     }
 }
 
-/// helical.md, exact tests 2 and 4, and its table: what is wider never has more play; least and greatest fall with the width.
+/// What is wider never has more play; least and greatest fall with the width.
 #[test]
 fn a_wider_face_never_has_more_play() {
     let pair = pair_of_the_prototype([30.0, 40.0], [4.0, 5.0], Hand::Right, 2);
@@ -173,7 +173,7 @@ fn a_wider_face_never_has_more_play() {
     );
 }
 
-/// helical.md, exact test 3: the hand turned over with the axis changes nothing; the hand alone only where the face is off the measuring plane.
+/// The hand turned over with the axis changes nothing; the hand alone only where the face is off the measuring plane.
 #[test]
 fn the_hand_turned_over_with_the_axis_changes_nothing() {
     let right = pair_of_the_prototype([30.0, 40.0], [4.0, 5.0], Hand::Right, 3);

@@ -12,6 +12,7 @@ mod check;
 mod checks;
 mod clearance;
 mod contact_count;
+mod lands;
 mod map;
 mod onset;
 mod seen;

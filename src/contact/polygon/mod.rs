@@ -10,6 +10,7 @@ mod chord;
 mod flank_problem;
 mod graphs;
 mod kernel;
+mod look;
 mod place;
 mod search;
 

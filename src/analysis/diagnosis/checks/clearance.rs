@@ -1,7 +1,7 @@
 //! Radial clearance, and tips: what stands how near to what.
 
-use super::{Check, Here, MEMBERS, Verdict};
-use crate::analysis::diagnosis::check::met;
+use super::here::{Here, MEMBERS};
+use crate::analysis::diagnosis::check::{Check, Verdict, met};
 use crate::analysis::diagnosis::clearance::least_over;
 use crate::analytic::limits;
 use crate::error::Error;

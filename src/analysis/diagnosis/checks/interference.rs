@@ -1,7 +1,7 @@
 //! Contact below the involute: by K (8), by form circle, and as found.
 
-use super::{Check, Here, Verdict, percent};
-use crate::analysis::diagnosis::check::met;
+use super::here::{Here, percent};
+use crate::analysis::diagnosis::check::{Check, Verdict, met};
 use crate::analytic::limits;
 use crate::pair::Member;
 

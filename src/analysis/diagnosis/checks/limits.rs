@@ -1,7 +1,7 @@
 //! Backlash, undercut and contact ratio against their limits.
 
-use super::{Check, Here, Verdict, hundredths};
-use crate::analysis::diagnosis::check::met;
+use super::here::{Here, hundredths};
+use crate::analysis::diagnosis::check::{Check, Verdict, met};
 use crate::analysis::diagnosis::seen::place;
 use crate::analysis::diagnosis::zero_distance::ZeroDistance;
 use crate::analytic::limits;

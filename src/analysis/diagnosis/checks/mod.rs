@@ -1,27 +1,29 @@
 //! Every check of a pair (design section 7), for each centre distance and material.
 
 mod clearance;
+mod here;
 mod interference;
 mod limits;
 mod off_line;
+mod start;
 
 use super::check::{Check, Verdict};
 use super::clearance::pitches;
 use super::contact_count::ContactCount;
-use super::onset::{Onset, non_involute_onset};
+use super::onset::Onset;
 use super::seen::Seen;
-use super::zero_distance::{ZeroDistance, zero_distance};
+use super::zero_distance::ZeroDistance;
 use crate::analysis::compare::ComparedRun;
-use crate::analysis::directions::is_open;
-use crate::analysis::extremes::{CycleExtremes, WIDTH};
+use crate::analysis::extremes::CycleExtremes;
 use crate::analysis::study::{Material, RunPlan, Study};
-use crate::contact::{ExactKernel, Status};
+use crate::contact::ExactKernel;
 use crate::error::Error;
-use crate::gear::Gear;
-use crate::pair::{GearPair, Mating, Member};
+use crate::pair::GearPair;
+use here::{Here, Known, MEMBERS, Sought};
+use start::{Start, distinct, matings_of};
 use std::ops::ControlFlow;
 
-const MEMBERS: [Member; 2] = [Member::Wheel, Member::Pinion];
+pub use start::Searched;
 
 /// All that is to be said of a study's pair.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -48,9 +50,6 @@ pub struct Group {
     /// Onset of non-involute contact: of the material, the same at each centre distance.
     pub onset: Searched<Onset>,
 }
-
-/// What a search over poses came to: found or not there; or why that is not proven.
-pub type Searched<T> = Result<Option<T>, String>;
 
 impl Diagnosis {
     /// The gravest verdict.
@@ -245,45 +244,6 @@ fn once<T: Clone>(
     Ok(sought)
 }
 
-/// Where searches over the poses of a material start.
-struct Start {
-    assembly: GearPair,
-    matings: Vec<Mating>,
-    /// A search from poses that are not proven would be no better than they are.
-    doubt: Option<String>,
-}
-
-impl Start {
-    /// From `matings` of `assembly`, and `extremes` of its material; `seen` is what all poses have shown.
-    fn new(
-        assembly: &GearPair,
-        material: Material,
-        matings: impl Iterator<Item = Mating>,
-        seen: &[Seen],
-        extremes: &[ComparedRun],
-    ) -> Start {
-        let beside = || extremes.iter().filter(|run| run.run.material == material);
-        // Of a runout without a direction the one that is worst.
-        let worst = beside().next().map(|run| &run.run.assembly);
-        let worst = worst.filter(|_| is_open(assembly)).unwrap_or(assembly);
-        Start {
-            assembly: worst.clone(),
-            matings: distinct(matings.chain(beside().flat_map(matings_of))),
-            doubt: Seen::doubt(seen.iter().filter(|seen| seen.material == material)),
-        }
-    }
-
-    fn zero(&self) -> Result<Searched<ZeroDistance>, Error> {
-        search(&self.doubt, || zero_distance(&self.assembly, &self.matings))
-    }
-
-    fn onset(&self) -> Result<Searched<Onset>, Error> {
-        search(&self.doubt, || {
-            non_involute_onset(&self.assembly, &self.matings)
-        })
-    }
-}
-
 /// Centre distance and material.
 type Place = (f64, Material);
 
@@ -299,152 +259,4 @@ fn same_place(one: Place, other: Place) -> bool {
 fn same_group(one: &Seen, other: &Seen) -> bool {
     let place = |seen: &Seen| (seen.assembly.center_distance(), seen.material);
     same_place(place(one), place(other))
-}
-
-/// What `look` finds, unless there is `doubt` about the poses it starts from or it loses a contact.
-fn search<T>(
-    doubt: &Option<String>,
-    look: impl FnOnce() -> Result<Option<T>, Error>,
-) -> Result<Searched<T>, Error> {
-    if let Some(reason) = doubt {
-        return Ok(Err(reason.clone()));
-    }
-    match look() {
-        Ok(found) => Ok(Ok(found)),
-        Err(error) => match error.of_one_pose() {
-            Some(reason) => Ok(Err(format!(
-                "the search met a pose without proof: {reason}"
-            ))),
-            None => Err(error),
-        },
-    }
-}
-
-fn matings_of(run: &ComparedRun) -> impl Iterator<Item = Mating> + '_ {
-    run.poses.iter().map(|pose| *pose.swept.pose.mating())
-}
-
-/// `matings`, each once.
-fn distinct(matings: impl Iterator<Item = Mating>) -> Vec<Mating> {
-    let mut met = std::collections::HashSet::new();
-    matings
-        .filter(|m| met.insert((m.wheel_tooth, m.pinion_tooth, m.flank, m.fraction.to_bits())))
-        .collect()
-}
-
-/// What is known of a distance that is sought.
-enum Known<T> {
-    /// That its check's limit is kept: nothing was sought.
-    Kept,
-    /// That it is not.
-    Missed,
-    /// What was found.
-    Found(Searched<T>),
-}
-
-/// What checks need beside what poses have shown.
-struct Sought<'a> {
-    /// Whether tips that are clear of all roots in any direction need no further look.
-    clear: bool,
-    /// Where the pitches begin over which the clearance of the tips is looked for.
-    pitches: &'a dyn Fn() -> Result<Vec<Mating>, Error>,
-    zero: Known<ZeroDistance>,
-    onset: Known<Onset>,
-}
-
-/// One pair as assembled, with what was seen of it.
-struct Here<'a> {
-    assembly: &'a GearPair,
-    seen: &'a Seen,
-    allow_off_line: bool,
-}
-
-impl Here<'_> {
-    /// Every check, but for those that are known to be kept.
-    fn checks(
-        &self,
-        sought: &Sought,
-        tick: &(dyn Fn() -> ControlFlow<()> + Sync),
-    ) -> Result<Vec<Check>, Error> {
-        let doubt = Seen::doubt([self.seen]);
-        let of_poses = |check: Check| match &doubt {
-            Some(reason) => check.not_proven(reason),
-            None => check,
-        };
-        let mut checks = Vec::new();
-        let look = |member: &Member| !sought.clear || !self.is_surely_clear(*member);
-        for member in MEMBERS.into_iter().filter(look) {
-            checks.push(self.clearance(member, &(sought.pitches)()?, tick)?);
-        }
-        checks.extend(MEMBERS.map(|member| of_poses(self.k_8(member))));
-        checks.extend(MEMBERS.map(|member| of_poses(self.form(member))));
-        checks.extend(of(&sought.onset, |onset| self.onset(onset)));
-        checks.push(of_poses(self.off_line()));
-        checks.extend(of(&sought.zero, |zero| self.zero(zero)));
-        checks.push(of_poses(self.backlash()));
-        checks.extend(MEMBERS.map(|member| self.undercut(member)));
-        checks.push(self.contact_ratio());
-        checks.extend(MEMBERS.map(|member| self.tip(member)));
-        Ok(checks)
-    }
-
-    fn gear(&self, member: Member) -> &Gear {
-        self.assembly.gear(member).gear()
-    }
-
-    fn module(&self) -> f64 {
-        self.gear(Member::Wheel).basic_data().module()
-    }
-
-    /// Whether the pair assembles over the whole cycle, where that is beyond doubt and rounding.
-    fn assembles(&self, cycle: &CycleExtremes) -> Option<bool> {
-        let place = |pair: &GearPair| pair.center_distance();
-        let runs = cycle.each.iter().filter(|run| {
-            run.material == self.seen.material && place(&run.assembly) == place(self.assembly)
-        });
-        // Over all directions of a runout the search follows one of them.
-        let beyond = match is_open(self.assembly) {
-            true => 10.0 * WIDTH,
-            false => 0.01 * WIDTH,
-        };
-        let each = runs.map(|run| {
-            let least = run.least.as_ref().filter(|least| least.holds())?;
-            match run.status {
-                Status::Clear if least.low >= beyond => Some(true),
-                Status::Interference if least.high <= -beyond => Some(false),
-                _ => None,
-            }
-        });
-        let each = each.collect::<Option<Vec<bool>>>()?;
-        (!each.is_empty()).then(|| each.into_iter().all(|assembles| assembles))
-    }
-}
-
-/// The check of what is known of a distance: `of_found` of what was found; none where it is known to be kept.
-fn of<T>(known: &Known<T>, of_found: impl Fn(Option<&T>) -> Check) -> Option<Check> {
-    match known {
-        Known::Kept => None,
-        Known::Missed => Some(Check {
-            verdict: Verdict::Fail,
-            ..of_found(None)
-        }),
-        Known::Found(Ok(found)) => Some(of_found(found.as_ref())),
-        Known::Found(Err(reason)) => Some(of_found(None).not_proven(reason)),
-    }
-}
-
-fn percent(part: usize, whole: usize) -> f64 {
-    match whole {
-        0 => 0.0,
-        _ => 100.0 * part as f64 / whole as f64,
-    }
-}
-
-/// A length in mm as µm with two decimals, never `-0.00`.
-fn hundredths(length: f64) -> String {
-    let text = format!("{:.2}", length * 1e3);
-    match text.as_str() {
-        "-0.00" => "0.00".to_owned(),
-        _ => text,
-    }
 }

@@ -1,7 +1,7 @@
 //! Contact off the line of action: from which centre distance on, in which poses, what it costs.
 
-use super::{Check, Here, Verdict, hundredths, percent};
-use crate::analysis::diagnosis::check::met;
+use super::here::{Here, hundredths, percent};
+use crate::analysis::diagnosis::check::{Check, Verdict, met};
 use crate::analysis::diagnosis::onset::{Onset, form_onset};
 use crate::analysis::diagnosis::seen::place;
 use crate::analytic::limits;

@@ -22,6 +22,7 @@ mod sample;
 mod search;
 mod separation;
 mod shift;
+mod side_table;
 mod table;
 
 use super::ExactKernel;

@@ -1,0 +1,186 @@
+//! Tip lands and root lands about the line of centres, and how near one of each comes to the other.
+
+use crate::gear::{Placed, Side};
+use std::f64::consts::TAU;
+
+/// The three teeth nearest to `direction`, or, half a pitch `beyond` them counter-clockwise, the spaces.
+pub(super) fn near(placed: &Placed, direction: f64, beyond: f64) -> [u32; 3] {
+    let gear = placed.as_built();
+    let pitch = gear.gear().basic_data().angular_pitch();
+    let steps = ((direction - placed.direction(1)) / pitch - beyond).round() as i64;
+    [-1, 0, 1].map(|beside| gear.counter_clockwise(1, steps + beside))
+}
+
+/// Ends of a tip land, `half` to either side in a mean tooth, clockwise first, as angles from `line`.
+pub(super) fn tip_land(placed: &Placed, half: f64, tooth: u32, line: f64) -> [f64; 2] {
+    let as_built = placed.as_built();
+    let centre = from(line, placed.direction(tooth));
+    Side::BOTH.map(|side| centre + as_built.flank_offset(side, tooth) + side.sense() * half)
+}
+
+/// Ends of the root land counter-clockwise of a tooth, as angles from `line`.
+pub(super) fn root_land(placed: &Placed, tooth: u32, line: f64) -> [f64; 2] {
+    let (as_built, gear) = (placed.as_built(), placed.as_built().gear());
+    let pitch = gear.basic_data().angular_pitch();
+    let from_centre = -gear.fillet().root_angle();
+    let centre = from(line, placed.direction(tooth) + 0.5 * pitch) - 0.5 * pitch;
+    let next = as_built.counter_clockwise(tooth, 1);
+    let start = centre + as_built.flank_offset(Side::Left, tooth) + from_centre;
+    let end = centre + pitch + as_built.flank_offset(Side::Right, next) - from_centre;
+    // Deviations may leave a full tip round a land of less than no length: its middle then.
+    match start <= end {
+        true => [start, end],
+        false => [0.5 * (start + end); 2],
+    }
+}
+
+/// `direction` counted from `line`, in [−π, π].
+fn from(line: f64, direction: f64) -> f64 {
+    let angle = direction - line;
+    angle - TAU * (angle / TAU).round()
+}
+
+/// A land; angles count from its centre's direction to the other centre.
+#[derive(Clone, Copy)]
+pub(super) struct Land {
+    radius: f64,
+    ends: [f64; 2],
+    /// Where it is nearest to the other centre.
+    nearest: f64,
+    /// How near, mm.
+    pub reach: f64,
+}
+
+impl Land {
+    /// The land of `radius` between `ends`, the other centre `distance` away.
+    pub fn new(distance: f64, radius: f64, ends: [f64; 2]) -> Land {
+        let nearest = 0f64.clamp(ends[0], ends[1]);
+        Land {
+            radius,
+            ends,
+            nearest,
+            reach: (radius * nearest.sin()).hypot(distance - radius * nearest.cos()),
+        }
+    }
+}
+
+/// Least distance of a tip land and a root land whose centres stand `distance` apart.
+/// Negative where the tip reaches below the root circle: by its depth there.
+///
+/// On one circle the point nearest to the other centre is that nearest to the line of centres. If that point of the
+/// tip is outside the root circle, so is all of the tip, and no point of the root land is nearer than what follows:
+/// going to the nearest point of each arc in turn descends to the least distance, and ends when neither moves.
+/// (A point's nearest on an arc is that nearest in direction, seen from the arc's centre.)
+pub(super) fn between_lands(distance: f64, tip: &Land, root: &Land) -> f64 {
+    let (radius, [start, end]) = (tip.radius, tip.ends);
+    let (mate_radius, [mate_start, mate_end]) = (root.radius, root.ends);
+    let (mut angle, mut mate) = (tip.nearest, root.nearest);
+    if tip.reach <= mate_radius || (angle == 0.0 && mate == 0.0) {
+        return tip.reach - mate_radius;
+    }
+    // Direction from one centre to a point at `angle` on the other's circle, which stands opposite.
+    let seen =
+        |radius: f64, angle: f64| (-radius * angle.sin()).atan2(distance - radius * angle.cos());
+    for _ in 0..100 {
+        let next_mate = seen(radius, angle).clamp(mate_start, mate_end);
+        let next = seen(mate_radius, next_mate).clamp(start, end);
+        let still = next == angle && next_mate == mate;
+        (angle, mate) = (next, next_mate);
+        if still {
+            break;
+        }
+    }
+    let across = radius * angle.sin() + mate_radius * mate.sin();
+    let along = distance - radius * angle.cos() - mate_radius * mate.cos();
+    across.hypot(along)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gear::{AsBuilt, BasicRack, Deviations, Face, Gear, GearDesign};
+    use std::f64::consts::PI;
+
+    /// Source: the nearest of 2001 points of each land, and of as many about those.
+    #[test]
+    fn lands_are_as_near_as_their_points() {
+        let ends = [
+            [-0.05, 0.02],
+            [0.01, 0.06],
+            [-0.11, -0.03],
+            [0.04, 0.05],
+            [0.02, 0.02],
+        ];
+        let (distance, tip_radius, root_radius) = (100.0, 41.0, 58.0);
+        for tip_ends in ends {
+            for root_ends in ends {
+                let tip = Land::new(distance, tip_radius, tip_ends);
+                let root = Land::new(distance, root_radius, root_ends);
+                let apart = |[tip, root]: [f64; 2]| {
+                    let tip = [tip_radius * tip.cos(), tip_radius * tip.sin()];
+                    let mate = [
+                        distance - root_radius * root.cos(),
+                        -root_radius * root.sin(),
+                    ];
+                    (mate[0] - tip[0]).hypot(mate[1] - tip[1])
+                };
+                let mut window = [tip_ends, root_ends];
+                let mut least = (f64::INFINITY, [0.0; 2]);
+                for _ in 0..3 {
+                    let at = |which: usize, k: i32| {
+                        let [from, to] = window[which];
+                        from + (to - from) * f64::from(k) / 200.0
+                    };
+                    for pair in (0..=200).flat_map(|i| (0..=200).map(move |j| [i, j])) {
+                        let angles = [at(0, pair[0]), at(1, pair[1])];
+                        let here = apart(angles);
+                        if here < least.0 {
+                            least = (here, angles);
+                        }
+                    }
+                    let about = |which: usize, whole: [f64; 2]| {
+                        let half = (window[which][1] - window[which][0]) / 50.0;
+                        [-half, half].map(|off| (least.1[which] + off).clamp(whole[0], whole[1]))
+                    };
+                    window = [about(0, tip_ends), about(1, root_ends)];
+                }
+                let found = between_lands(distance, &tip, &root);
+                assert!(
+                    found <= least.0 + 1e-12 && found >= least.0 - 1e-7,
+                    "{tip_ends:?} {root_ends:?}: {found} {}",
+                    least.0
+                );
+            }
+        }
+    }
+
+    /// A full tip round leaves root lands without length; where teeth are thicker, they are the middle of the space between their flanks:
+    /// half of what one tooth is thicker than the next, as an angle half of that again, off the middle of the pitch.
+    #[test]
+    fn a_closed_root_land_is_its_middle() {
+        let alpha = 20f64.to_radians();
+        // Where the tool's flat is 0: π/4 = (h_f − ρ) tan α + ρ/cos α.
+        let round =
+            (std::f64::consts::FRAC_PI_4 - 1.25 * alpha.tan()) / (1.0 / alpha.cos() - alpha.tan());
+        let design = GearDesign {
+            rack: BasicRack::new(1.0, 1.25, round).unwrap(),
+            ..GearDesign::plain(30, 2.0)
+        };
+        let deviations = Deviations {
+            per_tooth: (0..30).map(|k| 0.02 + 0.01 * f64::from(k % 4)).collect(),
+            ..Deviations::default()
+        };
+        let gear = Gear::nominal(design).unwrap();
+        let built = AsBuilt::new(gear, Face::Front, &deviations).unwrap();
+        let placed = Placed::new(&built, Default::default(), 0.0);
+        for tooth in 1..=30 {
+            let next = built.counter_clockwise(tooth, 1);
+            let thicker = |tooth: u32| deviations.per_tooth[tooth as usize - 1];
+            let off = (thicker(tooth) - thicker(next)) / (4.0 * 30.0);
+            let middle = placed.direction(tooth) + PI / 30.0 + off;
+            for end in root_land(&placed, tooth, middle) {
+                assert!(end.abs() < 1e-14, "{end} at tooth {tooth}");
+            }
+        }
+    }
+}

@@ -1,0 +1,179 @@
+//! What bounds the room of one side in each part of a pitch, and of every place what its flanks are off.
+
+use super::super::line::Line;
+use super::super::shape::C;
+use super::super::teeth::Teeth;
+use super::course::{PARTS, Posed, SideCourse};
+use super::rolls::{Part, Rolls};
+use std::ops::Range;
+
+/// One side's tables.
+#[derive(Debug)]
+pub(super) struct SideTable {
+    /// `r δ_L` and `δ_F` by place, some places more at both ends.
+    locked: Vec<f64>,
+    free: Vec<f64>,
+    pad: i64,
+    /// Places of step 0 where the cycle begins; the locked one falls by `sense` with each mating.
+    first: [i64; 2],
+    sense: i64,
+    /// Steps that may be the tightest, and what they have beside the line of action at least: their involutes, and where a tip corner meets
+    /// a fillet.
+    pub open: [Vec<(i64, f64, f64)>; PARTS],
+    /// Those of them of which involutes and their ends decide, and those whose tip corners may dip into fillets.
+    pub plain: [Vec<(i64, f64)>; PARTS],
+    pub dipping: [Vec<(i64, Part)>; PARTS],
+    /// Steps that are on the line of action all through.
+    pub covering: [Vec<i64>; PARTS],
+    /// `ρ`.
+    pub nominal: f64,
+    /// `κ`: 0 where base pitches are equal.
+    pub per_step: f64,
+    /// How much `r δ_L + δ_F + κ s` differs over all flanks and the steps that may be the tightest.
+    spread: f64,
+    /// How far `r δ_L + δ_F + κ (s + sense f)` lies from the middle of `r δ_L + δ_F` at most, of those steps all through a pitch: of
+    /// steps `s` that reach farther to one side than to the other more than half of what they differ.
+    pub level: f64,
+}
+
+impl SideTable {
+    /// Of a side and how it stands where the cycle begins.
+    pub fn new(side: &SideCourse, posed: &Posed) -> SideTable {
+        let problem = side.problem;
+        let steps = steps(side, posed.flanks.ahead);
+        let pad = steps.start.abs().max(steps.end.abs());
+        let ratio = problem.locked.shape.base * problem.per_free_base;
+        let padded = |teeth: &Teeth, by: f64| -> Vec<f64> {
+            let count = teeth.count();
+            let places = -pad..count + pad;
+            places
+                .map(|place| by * teeth.offset(place.rem_euclid(count) as usize))
+                .collect()
+        };
+        let places = posed.flanks.places(0);
+        let mut table = SideTable {
+            locked: padded(&problem.locked, ratio),
+            free: padded(&problem.free, 1.0),
+            pad,
+            first: [places.0 as i64, places.1 as i64],
+            sense: side.sense as i64,
+            open: std::array::from_fn(|_| Vec::new()),
+            plain: std::array::from_fn(|_| Vec::new()),
+            dipping: std::array::from_fn(|_| Vec::new()),
+            covering: std::array::from_fn(|_| Vec::new()),
+            nominal: 0.0,
+            per_step: problem.per_step,
+            spread: 0.0,
+            level: 0.0,
+        };
+        let [low, high] = table.ends();
+        // A step more: what it comes to in a pitch.
+        let reach = (steps.end - steps.start + 1) as f64;
+        table.spread = high - low + table.per_step.abs() * reach;
+        let farthest = steps.start.abs().max((steps.end - 1).abs()) + 1;
+        table.level = 0.5 * (high - low) + table.per_step.abs() * farthest as f64;
+        let Some(line) = Line::new(C::from(problem.distance), problem.sum()) else {
+            return table;
+        };
+        let pair = posed.flanks.pair(0);
+        let gap = (problem.sum() * line.angle
+            - line.length
+            - problem.locked.shape.base * pair.locked_base)
+            * problem.per_free_base
+            - pair.free_base;
+        table.nominal = posed.room(gap) - table.off(table.places(0), 0);
+        let spread = table.spread;
+        let rolls = Rolls::new(side, &line, posed.flanks.ahead, spread);
+        for part in 0..PARTS {
+            let found = steps.clone().map(|step| (step, rolls.of(step, part)));
+            let found: Vec<(i64, Part)> = found.collect();
+            // What has more room than any pair on the line of action can have is never the tightest.
+            let limit = match found.iter().any(|(_, part)| part.covers) {
+                true => spread,
+                false => f64::INFINITY,
+            };
+            let open = || found.iter().filter(|(_, part)| part.least() <= limit);
+            table.open[part] = open()
+                .map(|(step, part)| (*step, part.beside, part.dipping()))
+                .collect();
+            for (step, found) in open() {
+                match found.least() < found.beside {
+                    true => table.dipping[part].push((*step, *found)),
+                    false => table.plain[part].push((*step, found.beside)),
+                }
+            }
+            let covering = found.iter().filter(|(_, part)| part.covers);
+            table.covering[part] = covering.map(|(step, _)| *step).collect();
+        }
+        table
+    }
+
+    /// Places of step 0 at a mating.
+    pub fn places(&self, mating: u64) -> [i64; 2] {
+        let counts = [&self.locked, &self.free].map(|offsets| offsets.len() as i64 - 2 * self.pad);
+        let on = [-self.sense, self.sense];
+        [0, 1].map(|k| {
+            let turned = (mating % counts[k] as u64) as i64;
+            (self.first[k] + on[k] * turned).rem_euclid(counts[k])
+        })
+    }
+
+    /// `r δ_L + δ_F + κ s` of a step.
+    pub fn off(&self, [locked, free]: [i64; 2], step: i64) -> f64 {
+        self.locked[(self.pad + locked + step) as usize]
+            + self.free[(self.pad + free - step) as usize]
+            + self.per_step * step as f64
+    }
+
+    /// `κ sense f` at both ends of a part.
+    pub fn drifts(&self, part: usize) -> [f64; 2] {
+        let drift = self.per_step * self.sense as f64;
+        [part, part + 1].map(|end| drift * end as f64 / PARTS as f64)
+    }
+
+    /// How much deeper or higher than its involute a tip corner may meet a fillet, rad; `None` where none comes near.
+    pub fn deepest(&self) -> Option<f64> {
+        let each = self
+            .dipping
+            .iter()
+            .flatten()
+            .filter_map(|(_, part)| part.dip);
+        let each = each.flatten().filter(|dip| dip.is_finite()).map(f64::abs);
+        each.reduce(f64::max)
+    }
+
+    fn ends(&self) -> [f64; 2] {
+        let ends = |offsets: &[f64]| {
+            let fold = |(low, high): (f64, f64), off: &f64| (low.min(*off), high.max(*off));
+            offsets
+                .iter()
+                .fold((f64::INFINITY, f64::NEG_INFINITY), fold)
+        };
+        let (locked, free) = (ends(&self.locked), ends(&self.free));
+        [locked.0 + free.0, locked.1 + free.1]
+    }
+
+    pub fn middle(&self) -> f64 {
+        let [low, high] = self.ends();
+        0.5 * (low + high)
+    }
+}
+
+/// Steps whose locked half tooth can reach the free gear somewhere in a pitch, and on the face.
+pub(super) fn steps(side: &SideCourse, ahead: f64) -> Range<i64> {
+    let problem = side.problem;
+    let Some((low, high)) = problem.window() else {
+        return 0..0;
+    };
+    let beyond = ahead + side.sense * problem.locked.pitch;
+    let [least, most] = side.turns;
+    let (first, last) = (ahead.min(beyond) + least, ahead.max(beyond) + most);
+    let from = ((low - last) * problem.per_pitch).floor() as i64;
+    let to = ((high - first) * problem.per_pitch).ceil() as i64;
+    // A wide helical face may have more steps than there are teeth.
+    if least < most {
+        return from..to + 1;
+    }
+    let half = (problem.locked.count() - 1) / 2;
+    from.max(-half)..to.min(half + 1) + 1
+}

@@ -1,0 +1,225 @@
+//! A look at a pair of half teeth at one opening: are they clear of each other, by chords that are cut again only where they are near.
+
+use super::chord::Chord;
+use super::flank_problem::FlankProblem;
+use super::graphs;
+use crate::contact::parry::closest;
+use nalgebra::{Isometry2, Point2};
+
+/// Pairs of chords cut round a place, a look; beyond these, halves, which surely become shorter. (Three to ten are usual.)
+const ROUNDS: u32 = 64;
+
+/// What polygons see of a pair between two openings.
+pub(super) enum Seen {
+    /// Clear of each other at both.
+    Clear,
+    /// Clear at the first, not proven clear at the second.
+    Touch,
+    /// Not proven clear at the first.
+    Overlap,
+    /// Not known: the effort is spent.
+    TooMuch,
+}
+
+/// Looks at `problem` at two openings, the wider first, by polygons down to `finest`.
+///
+/// Where nothing at the wider one is within both chordal errors and what a point moves to the narrower, both are clear.
+///
+/// Where a touch is known already the narrower one is of no interest.
+pub(super) fn seen(
+    problem: &FlankProblem,
+    [open, closed]: [f64; 2],
+    finest: f64,
+    known: bool,
+    left: &mut u32,
+) -> Seen {
+    let look = |opening: f64, slack: f64, left: &mut u32| {
+        let mut looking = Looking {
+            problem,
+            finest,
+            slack,
+            close: false,
+            left,
+            rounds: ROUNDS,
+        };
+        let clear = looking.at(opening);
+        (clear, looking.close)
+    };
+    let between = match known {
+        true => 0.0,
+        false => problem.reach() * (open - closed),
+    };
+    let (clear, close) = look(open, between, left);
+    let seen = match (clear, close && !known) {
+        (false, _) => Seen::Overlap,
+        (true, false) => Seen::Clear,
+        (true, true) => match look(closed, 0.0, left).0 {
+            true => Seen::Clear,
+            false => Seen::Touch,
+        },
+    };
+    match *left {
+        0 => Seen::TooMuch,
+        _ => seen,
+    }
+}
+
+/// A look at a pair of half teeth at one opening.
+struct Looking<'a> {
+    problem: &'a FlankProblem<'a>,
+    finest: f64,
+    /// What is clear by no more than this is close.
+    slack: f64,
+    close: bool,
+    /// Pairs of chords that may still be looked at.
+    left: &'a mut u32,
+    /// Pairs that may still be cut round a place.
+    rounds: u32,
+}
+
+impl Looking<'_> {
+    /// Whether the half teeth are proven clear.
+    fn at(&mut self, opening: f64) -> bool {
+        let (locked, free) = (&self.problem.locked, &self.problem.free);
+        let frame = self.problem.at(opening);
+        let [(here, radius), (there, other)] = [locked.disc(), free.disc()];
+        let locked_reach = radius + self.slack;
+        let apart = |point: Point2<f64>, reach: f64| {
+            let within = reach + locked_reach;
+            (point - here).norm_squared() > within * within
+        };
+        if apart(frame * there, other) {
+            return true;
+        }
+        for free_chord in free.outline().iter().chain(free.own()) {
+            let seen = free_chord.ends.map(|end| frame * end);
+            let middle = nalgebra::center(&seen[0], &seen[1]);
+            if apart(middle, free_chord.half_length + free_chord.error) {
+                continue;
+            }
+            for locked_chord in locked.outline().iter().chain(locked.own()) {
+                if !self.clear(&frame, locked_chord, free_chord, &seen) {
+                    return false;
+                }
+            }
+        }
+        true
+    }
+
+    /// Whether two chords' curves are proven clear; `seen` are the ends of the free one in the locked frame.
+    fn clear(
+        &mut self,
+        frame: &Isometry2<f64>,
+        locked_chord: &Chord,
+        free_chord: &Chord,
+        seen: &[Point2<f64>; 2],
+    ) -> bool {
+        let tube = locked_chord.error + free_chord.error;
+        let within = locked_chord.half_length + free_chord.half_length + tube + self.slack;
+        let apart = (locked_chord.ends[0] - seen[0]) + (locked_chord.ends[1] - seen[1]);
+        if apart.norm_squared() > 4.0 * within * within {
+            return true;
+        }
+        if *self.left == 0 {
+            return false;
+        }
+        *self.left -= 1;
+        let finest = locked_chord.error <= self.finest && free_chord.error <= self.finest;
+        if finest {
+            let distance = closest(&locked_chord.ends, seen).distance;
+            // The finest chords' own errors may be smaller than what rounding leaves of a distance.
+            self.close |= distance <= 2.0 * self.finest + self.slack;
+            return distance > 2.0 * self.finest;
+        }
+        let gap = self.gap(locked_chord, free_chord, seen);
+        let apart = match gap {
+            Some(gap) => 0.75 * gap.width - 2.0 * self.finest,
+            // Beyond the line of one of them is enough; where it is not, shorter chords will tell.
+            None => {
+                let [line, other] = [
+                    off_line(&locked_chord.ends, seen, locked_chord.half_length),
+                    off_line(seen, &locked_chord.ends, free_chord.half_length),
+                ];
+                line.max(other) - tube
+            }
+        };
+        if apart > 0.0 {
+            self.close |= apart <= self.slack;
+            return true;
+        }
+        if let Some(gap) = gap
+            && self.rounds > 0
+            && !locked_chord.is_cut()
+            && !free_chord.is_cut()
+        {
+            self.rounds -= 1;
+            return self.clear_round(frame, locked_chord, free_chord, gap.cuts(-apart));
+        }
+        let mut made = None;
+        if locked_chord.error >= free_chord.error {
+            let halves = self.problem.locked.halves(locked_chord, &mut made);
+            let [first, second] = nearer_first([halves[0].ends, halves[1].ends], seen);
+            self.clear(frame, &halves[first], free_chord, seen)
+                && self.clear(frame, &halves[second], free_chord, seen)
+        } else {
+            let halves = self.problem.free.halves(free_chord, &mut made);
+            let ends = [0, 1].map(|i| halves[i].ends.map(|end| frame * end));
+            let [first, second] = nearer_first(ends, &locked_chord.ends);
+            self.clear(frame, locked_chord, &halves[first], &ends[first])
+                && self.clear(frame, locked_chord, &halves[second], &ends[second])
+        }
+    }
+
+    /// Whether two chords' curves are proven clear, both cut on either side of where they are nearest.
+    fn clear_round(
+        &mut self,
+        frame: &Isometry2<f64>,
+        locked_chord: &Chord,
+        free_chord: &Chord,
+        cuts: [[f64; 2]; 2],
+    ) -> bool {
+        let locked = self.problem.locked.cut_at(locked_chord, cuts[0]);
+        let free = self.problem.free.cut_at(free_chord, cuts[1]);
+        free.chords().iter().all(|free_chord| {
+            let seen = free_chord.ends.map(|end| frame * end);
+            let mut pieces = locked.chords().iter();
+            pieces.all(|locked_chord| self.clear(frame, locked_chord, free_chord, &seen))
+        })
+    }
+
+    /// How far two chords' curves are apart by the way they bend ([`graphs::gap`]).
+    fn gap(
+        &self,
+        locked_chord: &Chord,
+        free_chord: &Chord,
+        seen: &[Point2<f64>; 2],
+    ) -> Option<graphs::Gap> {
+        let stretch = |ends, chord: &Chord, curvature| graphs::Stretch {
+            ends,
+            half_length: chord.half_length,
+            curvature,
+        };
+        let [locked, free] = [&self.problem.locked, &self.problem.free];
+        let locked_chord = stretch(
+            &locked_chord.ends,
+            locked_chord,
+            locked.curvature(locked_chord)?,
+        );
+        let free_chord = stretch(seen, free_chord, free.curvature(free_chord)?);
+        graphs::gap(&locked_chord, &free_chord)
+    }
+}
+
+/// How far a chord lies to one side of another's line; 0 or less where it crosses it.
+fn off_line(line: &[Point2<f64>; 2], ends: &[Point2<f64>; 2], half_length: f64) -> f64 {
+    let along = line[1] - line[0];
+    let [one, other] = ends.map(|end| along.perp(&(end - line[0])));
+    one.min(other).max(-one.max(other)) / (2.0 * half_length)
+}
+
+/// Which of two chords has its middle nearer to that of another: where there is a touch it is found sooner.
+fn nearer_first(halves: [[Point2<f64>; 2]; 2], other: &[Point2<f64>; 2]) -> [usize; 2] {
+    let middle = other[0].coords + other[1].coords;
+    let [one, two] = halves.map(|[a, b]| (a.coords + b.coords - middle).norm_squared());
+    if two < one { [1, 0] } else { [0, 1] }
+}

@@ -264,6 +264,80 @@ pub fn drawn(rng: &mut Draws) -> Option<GearPair> {
     pair.with_face([from, from + width]).ok()
 }
 
+/// A pair drawn from far beyond that: stub, long and sharp racks, 3 to 400 teeth, runout of 1.5 modules, tips that hardly reach each other; its face.
+fn drawn_wide(rng: &mut Draws) -> Option<GearPair> {
+    let beta = f64::to_radians(rng.within(0.5..50.0));
+    let alpha = f64::to_radians(rng.within(14.5..30.0));
+    let module = 2.0;
+    let stub = (
+        rng.within(0.5..0.8),
+        rng.within(0.7..1.0),
+        rng.within(0.0..0.3),
+    );
+    let any = (
+        rng.within(0.7..1.3),
+        rng.within(1.0..1.5),
+        rng.within(0.0..0.4),
+    );
+    let (addendum, dedendum, round) = match rng.whole(0..5) {
+        0 => stub,
+        1 => (1.3, 1.5, rng.within(0.0..0.2)),
+        2 => (1.0, 1.25, 0.0),
+        _ => any,
+    };
+    let rack = BasicRack::new(addendum, dedendum, round).ok()?;
+    let mut one = |hand| {
+        let z = match rng.whole(0..4) {
+            0 => rng.whole(3..12),
+            1 => rng.whole(100..400),
+            _ => rng.whole(7..80),
+        };
+        let data = BasicGearData::new(z, module, alpha).ok()?;
+        let data = data.with_helix(beta, hand).ok()?;
+        let rough = rng.coin();
+        let made = Made {
+            z,
+            shift: rng.within(-0.6..1.2),
+            allowance: match rough {
+                true => rng.within(-0.3..0.25) * module,
+                false => rng.within(-0.1..0.0),
+            },
+            runout: match rng.coin() {
+                true => rng.within(0.0..1.5) * module,
+                false => rng.within(0.0..0.06),
+            },
+            high_tooth: rng.within(1.0..f64::from(z)),
+            pitch_um: match rough {
+                true => rng.within(0.0..600.0),
+                false => rng.within(0.0..8.0),
+            },
+        };
+        let face = if rng.coin() { Face::Front } else { Face::Back };
+        gear(made, data, rack, face, rng)
+    };
+    let (wheel, pinion) = (one(Hand::Right)?, one(Hand::Left)?);
+    let near = wheel.gear().basic_data().reference_radius()
+        + pinion.gear().basic_data().reference_radius();
+    let formula = gearlash::analytic::InvolutePair::new(wheel.gear(), pinion.gear());
+    let zero = formula.center_distance(0.0).unwrap_or(near);
+    let farther = match rng.coin() {
+        true => rng.within(-0.1..0.4),
+        false => rng.within(-0.5..2.0),
+    };
+    let locked = match rng.coin() {
+        true => Member::Wheel,
+        false => Member::Pinion,
+    };
+    let distance = zero + farther * module;
+    let pair = GearPair::with_locked(wheel, pinion, distance, locked).ok()?;
+    let from = rng.within(-40.0..20.0);
+    let width = match rng.coin() {
+        true => rng.within(0.0..60.0),
+        false => rng.within(0.0..10.0),
+    };
+    pair.with_face([from, from + width]).ok()
+}
+
 /// Right and left contact of `pose` from single sections at `places`, rad beyond the nominal rotation: a loop over spur pairs.
 fn by_sections(
     pair: &GearPair,
@@ -345,6 +419,80 @@ fn no_section_is_tighter_than_the_face() {
     }
     println!("{compared} compared, {between} found tighter between, {over} over");
     assert!(over == 0 && compared > 400 && between > 0);
+}
+
+/// Another way, of pairs from far beyond what anybody makes: the tightest of 49 single sections, and by golden section what is tightest about it.
+/// Where tips hardly reach each other that stands between any sections: where edges cross.
+#[test]
+fn no_section_of_wild_pairs_is_tighter_than_the_face() {
+    let mut rng = Draws(1);
+    let (mut compared, mut short, mut touched) = (0, 0, [0; 3]);
+    for _ in 0..900 {
+        let state = rng.0;
+        let Some(pair) = drawn_wide(&mut rng) else {
+            continue;
+        };
+        let first = Mating {
+            wheel_tooth: 1,
+            pinion_tooth: 1,
+            flank: Side::Left,
+            fraction: 0.0,
+        };
+        let pose = Pose::new(&pair, first.onward(&pair, rng.within(0.0..30.0)));
+        let lost = ExactKernel::new(&pair).lost_motion(&pose).unwrap();
+        let (Some(right), Some(left)) = (lost.right, lost.left) else {
+            continue;
+        };
+        if lost.status() == Status::Jammed {
+            continue;
+        }
+        short += u32::from(lost.angle().unwrap() * pair.operating_pitch_radius(pair.free()) > 1.0);
+        let [from, to] = pair.face();
+        for (index, contact) in [right, left].into_iter().enumerate() {
+            let sense = [1.0, -1.0][index];
+            let at = |b: f64| {
+                let found = by_sections(&pair, &pose, [b].into_iter());
+                found.map_or(f64::NEG_INFINITY, |found| sense * found[index])
+            };
+            let places = (0..=48).map(|k| from + (to - from) * f64::from(k) / 48.0);
+            let each: Vec<(f64, f64)> = places.map(|b| (b, at(b))).collect();
+            let top = (0..each.len()).max_by(|&a, &b| each[a].1.total_cmp(&each[b].1));
+            let top = top.unwrap();
+            let (mut low, mut high) = (
+                each[top.saturating_sub(1)].0,
+                each[(top + 1).min(each.len() - 1)].0,
+            );
+            let mut most = each[top].1;
+            for _ in 0..40 {
+                let [one, other] = [0.381_966, 0.618_034].map(|part| low + (high - low) * part);
+                let found = [at(one), at(other)];
+                most = most.max(found[0]).max(found[1]);
+                match found[0] >= found[1] {
+                    true => high = other,
+                    false => low = one,
+                }
+            }
+            let beyond = contact.rotation - pose.free_rotation();
+            let own = sense * (beyond - TAU * (beyond / TAU).round());
+            // 0.1 nm a metre from the axis: what directions of some ten turns are rounded by.
+            assert!(
+                most <= own + contact.error + 1e-13,
+                "{} rad tighter of the pair drawn from {state}: {contact:?}",
+                most - own
+            );
+            compared += 1;
+            let curves = [contact.wheel.curve, contact.pinion.curve];
+            let kinds = [ProfilePart::Involute, ProfilePart::Tip, ProfilePart::Fillet];
+            for (count, kind) in touched.iter_mut().zip(kinds) {
+                *count += u32::from(curves.contains(&kind));
+            }
+        }
+    }
+    println!(
+        "{compared} contacts, {short} with more than 1 mm of play, involutes, tips, fillets {touched:?}"
+    );
+    assert!(compared > 400 && short > 20, "{compared} {short}");
+    assert!(touched.into_iter().all(|count| count > 10), "{touched:?}");
 }
 
 /// Between involutes the sections that hold the tightest of all pairs are complete: of four times as many none is tighter. Between a tip and a

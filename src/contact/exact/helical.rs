@@ -13,11 +13,13 @@
 //! so away from it the gap has a slope of one sign, down to the face's end. Therefore sections no farther apart than the shortest such
 //! stretch, both ends of the face among them, hold the tightest of all pairs of involutes exactly, however many or few they are.
 //!
-//! Where an edge comes to a fillet, more is to be seen between ([`edges`]).
+//! Where an edge comes to a fillet, or paths of contact are next to none, more is to be seen between ([`edges`]).
 
 mod edges;
 
+use super::flank_problem::FlankProblem;
 use super::section::Section;
+use super::teeth::Teeth;
 use crate::contact::lost_motion::LostMotion;
 use crate::contact::over_face::OverFace;
 use crate::error::Error;
@@ -25,7 +27,8 @@ use crate::gear::Side;
 use crate::pair::{GearPair, Member, Pose};
 use edges::Edges;
 
-/// Shortest stretch of line contact, in base pitches, that sections are spaced by. Of a pair whose path of contact is shorter, a stretch may lie between two sections (tuned).
+/// Shortest stretch of line contact, in base pitches, that sections are spaced by (tuned: the less, the more sections). Of a pair whose path of
+/// contact is shorter, a stretch may lie between two sections, and is looked for by itself ([`edges`]).
 const SHORTEST: f64 = 0.125;
 
 /// Times the places of [`edges`] are looked for: each leaves the square of what the last one left.
@@ -61,8 +64,21 @@ impl Helical {
             .map(|b| (b, plane.turned(&assembly.section(b))))
             .collect();
         sections.sort_by(|one, other| one.0.abs().total_cmp(&other.0.abs()));
+        let base_pitch = assembly
+            .gear(Member::Wheel)
+            .gear()
+            .basic_data()
+            .base_pitch();
+        let path = shortest_path(assembly);
+        let mut edges = Edges::new(assembly, &plane.right, path < SHORTEST * base_pitch);
+        if let Some(solver) = &plane.solver
+            && let Some(spread) = spread_on_line(plane, path, base_pitch)
+        {
+            let deepest = [solver.proof.locked_fillet, solver.proof.free_fillet];
+            edges = edges.and_then(|edges| edges.without_fillets(&plane.right, deepest, spread));
+        }
         Helical {
-            edges: Edges::new(assembly, &plane.right),
+            edges,
             assembly: assembly.clone(),
             plane: plane.clone(),
             sections,
@@ -72,11 +88,6 @@ impl Helical {
     /// Places along the face, mm, whose sections hold the tightest of all pairs of involutes.
     pub fn places(&self) -> impl Iterator<Item = f64> {
         self.sections.iter().map(|&(b, _)| b)
-    }
-
-    /// Looks nowhere between the sections: no tip comes to a fillet as tight as involutes are.
-    pub fn keep_to_involutes(&mut self) {
-        self.edges = None;
     }
 
     /// The sections at both ends of the face, and where they are, mm.
@@ -132,6 +143,23 @@ impl Helical {
         }
         Ok(over.lost_motion(nominal, self.plane.free_pitch()))
     }
+}
+
+/// How much the places of all flanks differ, rad of the free gear, where at any pose some pair touches on the line of action, whose path is no
+/// shorter than `path`, mm, in any section: flanks follow each other within a pitch and what they are off.
+fn spread_on_line(plane: &Section, path: f64, base_pitch: f64) -> Option<f64> {
+    let sides = [&plane.right, &plane.left];
+    let range = |teeth: &Teeth| teeth.extremes.1 - teeth.extremes.0;
+    let spread = |problem: &FlankProblem| {
+        let ratio = problem.locked.shape.base * problem.per_free_base;
+        ratio * range(&problem.locked) + range(&problem.free)
+    };
+    let covers = |problem: &&FlankProblem| {
+        let off = problem.locked.shape.base * range(&problem.locked);
+        problem.per_step == 0.0 && path > base_pitch + off
+    };
+    let all = sides.iter().all(covers);
+    all.then(|| spread(sides[0]).max(spread(sides[1])))
 }
 
 /// Least length along the axis, mm, over which a pair of teeth touches on the line of action at any rotation: the path of contact winds

@@ -82,12 +82,7 @@ impl ExactKernel {
         let helical = assembly
             .is_helical()
             .then(|| Box::new(Helical::new(assembly, &section)));
-        let mut kernel = ExactKernel { section, helical };
-        if kernel.helical.is_some() && kernel.keeps_to_involutes(assembly) {
-            let helical = kernel.helical.as_mut();
-            helical.expect("of helical gears").keep_to_involutes();
-        }
-        kernel
+        ExactKernel { section, helical }
     }
 
     /// Right- and left-flank contact at `pose`, a pose of the same assembly; of helical gears over their common face.

@@ -23,6 +23,9 @@ pub(super) struct SideTable {
     /// Those of them of which involutes and their ends decide, and those whose tip corners may dip into fillets.
     pub plain: [Vec<(i64, f64)>; PARTS],
     pub dipping: [Vec<(i64, Part)>; PARTS],
+    /// Whether a tip corner on a fillet may have no more room than a pair on the line of action: it need not have less than
+    /// [`SideTable::plain`] holds its involutes to have.
+    pub may_dip: bool,
     /// Steps that are on the line of action all through.
     pub covering: [Vec<i64>; PARTS],
     /// `ρ`.
@@ -60,6 +63,7 @@ impl SideTable {
             open: std::array::from_fn(|_| Vec::new()),
             plain: std::array::from_fn(|_| Vec::new()),
             dipping: std::array::from_fn(|_| Vec::new()),
+            may_dip: false,
             covering: std::array::from_fn(|_| Vec::new()),
             nominal: 0.0,
             per_step: problem.per_step,
@@ -92,6 +96,7 @@ impl SideTable {
                 true => spread,
                 false => f64::INFINITY,
             };
+            table.may_dip |= found.iter().any(|(_, part)| part.dipping() <= limit);
             let open = || found.iter().filter(|(_, part)| part.least() <= limit);
             table.open[part] = open()
                 .map(|(step, part)| (*step, part.beside, part.dipping()))

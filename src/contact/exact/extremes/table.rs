@@ -157,8 +157,7 @@ impl Table {
 
     /// Whether a tip corner on a fillet may be the tightest somewhere.
     pub fn has_dips(&self) -> bool {
-        let mut parts = self.sides.iter().flat_map(|side| &side.dipping);
-        parts.any(|dipping| !dipping.is_empty())
+        self.sides.iter().any(|side| side.may_dip)
     }
 
     pub fn matings(&self) -> u64 {

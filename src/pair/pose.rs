@@ -124,11 +124,12 @@ impl Pose {
         let onward = -locked.face().ascending() * twist;
         let pitches = onward / locked.gear().basic_data().angular_pitch();
         let pose = Pose::new(assembly, self.mating.onward(assembly, pitches));
-        if !assembly.base_pitches_differ() {
+        let free = assembly.gear(assembly.free()).gear().basic_data();
+        // Helix and pressure angles are equal: so are base pitches then.
+        if free.module() == locked.gear().basic_data().module() {
             return pose;
         }
         // As many pitches of the free gear as the locked one's, which `pose` has, against its twist; and what this pose, of a section itself, has of that.
-        let free = assembly.gear(assembly.free()).gear().basic_data();
         let by_pitches = -twist * free.angular_pitch() / locked.gear().basic_data().angular_pitch();
         let own = self.free_rotation - Pose::new(assembly, self.mating).free_rotation;
         Pose {

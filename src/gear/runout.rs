@@ -6,15 +6,20 @@
 //! thickness are known, what they do is taken out exactly. Pitch about the *datum* axis holds the eccentricity in both
 //! flanks, so it foretells the whole reading of a ball and cannot part it either.
 //!
+//! Of a helical gear all of it is in the measuring plane, `α`, `s_b` and `p_b` those of the transverse section.
+//!
 //! - A *ball* of diameter `D_M` rests in space `i` on the right flank of tooth `i`, `x_R` beyond its place (ascending, reference
 //!   circle), and the left flank of tooth `i + 1`, `x_L` beyond its own. As a pin's (see [`super::pins`]), its centre lies at
 //!   `inv α_K = (D_M − p_b + s_b + (x_R − x_L) cos α)/d_b`, `(x_R + x_L)/(2 r)` from the space's middle. The
-//!   reading is that centre's distance from the axis, `e` added as a vector.
+//!   reading is that centre's distance from the axis, `e` added as a vector. At helical flanks, which it touches off the plane of its centre,
+//!   `D_M/cos β_b` takes the place of `D_M`: the centre lies on involutes that stand out by that.
 //! - A *fork* stands astride tooth `i`, its two plane faces inclined to its axis by `α`; it slides towards the rotation axis while
 //!   the gear turns until both faces touch. A face whose outward normal has the angle `π/2 − α` to the fork's axis touches an
 //!   involute of half base angle `ψ` at the distance `r_b (ψ + π/2 − α + const)` from the gear's centre (the
 //!   generating line rolls off). Both faces through the apex `d` therefore give, the gear turned by `σ` and its centre
 //!   at `(C_x, C_y)` from the axis, `d = C_x + (x_R − x_L)/(2 tan α) + const` and `r σ = −C_y − (x_R + x_L)/2` (own derivation).
+//!   At a helical tooth the faces lean by `β_b` from the axis, as all tangent planes of such flanks do; where they cross the measuring plane they are
+//!   the lines of this derivation.
 
 use super::{Deviations, Excess, Flank, FlankShifts, Gear, thickness};
 use crate::error::GearError;

@@ -118,16 +118,33 @@ pub fn base_from_over(
     }
 }
 
-/// Diameter `D_M` of the ball (of a spur gear, or pin) whose contact would have the roll `ξ` in the section through its centre, between teeth of
-/// `base_thickness`.
+/// Newton's steps before a diameter is given up; it needs some six.
+const MOST_STEPS: usize = 50;
+
+/// Diameter `D_M` of the ball (of a spur gear, or pin) that touches at the roll `ξ`, between teeth of `base_thickness`.
 ///
-/// With `D = D_M/cos β_b` the centre has the roll `ξ_K = ξ + D/d_b` and `inv α_K = ξ_K − atan ξ_K =
-/// (D − p_b + s_b)/d_b`, so `atan ξ_K = ξ + (p_b − s_b)/d_b`. No pin (not positive,
-/// or not finite) where that is a right angle or more.
+/// The centre has `inv α_K = ξ_K − atan ξ_K = (D_M/cos β_b − p_b + s_b)/d_b`, and the ball touches `D_M cos β_b/2` down the transverse base tangent from
+/// it (`D_M sin β_b/2` off its section): `ξ_K = ξ + D_M cos β_b/d_b`. With `k = tan² β_b` that is
+/// `k ξ_K + atan ξ_K = (1 + k) ξ + (p_b − s_b)/d_b`, whose left side rises and bends down, so that Newton's steps from `ξ_K = ξ` never pass the root.
+/// Of a spur gear no pin (not positive, or not finite) where the right side is a right angle or more.
 pub fn pin_touching(basic_data: &BasicGearData, roll: f64, base_thickness: f64) -> f64 {
     let base_diameter = 2.0 * basic_data.base_radius();
-    let centre = (roll + (basic_data.base_pitch() - base_thickness) / base_diameter).tan();
-    base_diameter * (centre - roll) * normal(basic_data)
+    let beyond = (basic_data.base_pitch() - base_thickness) / base_diameter;
+    if basic_data.hand().is_none() {
+        return base_diameter * ((roll + beyond).tan() - roll);
+    }
+    let leaning = normal(basic_data);
+    let k = leaning.powi(-2) - 1.0;
+    let mut centre = roll;
+    for _ in 0..MOST_STEPS {
+        let left = k * (centre - roll) + centre.atan() - roll;
+        let step = (beyond - left) / (k + 1.0 / (1.0 + centre * centre));
+        centre += step;
+        if step.abs() <= 4.0 * f64::EPSILON * centre {
+            break;
+        }
+    }
+    base_diameter * (centre - roll) / leaning
 }
 
 /// `s_bt` from the thickness allowance `A_sn` (normal section, at the reference circle): `s_bt,nominal + A_sn cos α_t/cos β`.

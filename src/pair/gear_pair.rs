@@ -81,8 +81,7 @@ impl GearPair {
     ///
     /// # Errors
     /// Unequal pressure or helix angle, or modules farther apart than [`MOST_UNEQUAL`]; base circles that overlap
-    /// (`a ≤ r_b1 + r_b2`): no operating pressure angle exists then. Of helical gears one hand on both, modules that differ at all, and
-    /// profiles that deviate, too.
+    /// (`a ≤ r_b1 + r_b2`): no operating pressure angle exists then. Of helical gears one hand on both, and profiles that deviate, too.
     pub fn with_locked(
         wheel: AsBuilt,
         pinion: AsBuilt,
@@ -106,8 +105,7 @@ impl GearPair {
             let apart = (wheel - pinion).abs();
             // Of the greater one, whichever gear has it; with the rounding of both lengths.
             let most = (MOST_UNEQUAL + 4.0 * f64::EPSILON) * wheel.max(pinion);
-            let may_differ = what == "module_mm" && w.hand().is_none();
-            if !(apart <= most && (may_differ || apart == 0.0)) {
+            if !(apart <= most && (what == "module_mm" || apart == 0.0)) {
                 return Err(GearError::Unequal {
                     what,
                     wheel,

@@ -116,13 +116,27 @@ impl Pose {
 
     /// This pose of `assembly` in its section at `b`, mm along the axis, a pose of [`GearPair::section`]: both gears' teeth rolled on by their twist, and named anew.
     ///
-    /// Gears in mesh wind as they roll: `r_b1 τ_1 + r_b2 τ_2 = 0`.
+    /// Gears in mesh wind as they roll: `r_b1 τ_1 + r_b2 τ_2 = 0`. Where base pitches are equal, so do they as their pitches go by; else the free gear's
+    /// teeth stand there as its own twist says, not as the pitches do by which the locked gear's have rolled on.
     pub fn in_section(&self, assembly: &GearPair, b: f64) -> Pose {
         let locked = assembly.gear(assembly.locked());
         let twist = assembly.twist(assembly.locked(), b);
         let onward = -locked.face().ascending() * twist;
         let pitches = onward / locked.gear().basic_data().angular_pitch();
-        Pose::new(assembly, self.mating.onward(assembly, pitches))
+        let pose = Pose::new(assembly, self.mating.onward(assembly, pitches));
+        let free = assembly.gear(assembly.free()).gear().basic_data();
+        // Helix and pressure angles are equal: so are base pitches then.
+        if free.module() == locked.gear().basic_data().module() {
+            return pose;
+        }
+        // As many pitches of the free gear as the locked one's, which `pose` has, against its twist; and what this pose, of a section itself, has of that.
+        let by_pitches = -twist * free.angular_pitch() / locked.gear().basic_data().angular_pitch();
+        let own = self.free_rotation - Pose::new(assembly, self.mating).free_rotation;
+        Pose {
+            free_rotation: pose.free_rotation
+                + (own + assembly.twist(assembly.free(), b) - by_pitches),
+            ..pose
+        }
     }
 
     /// The mating this pose was made for.

@@ -15,7 +15,7 @@ use std::ops::Range;
 pub struct Draws(pub u64);
 
 impl Draws {
-    fn within(&mut self, range: Range<f64>) -> f64 {
+    pub fn within(&mut self, range: Range<f64>) -> f64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
@@ -23,11 +23,11 @@ impl Draws {
         range.start + (range.end - range.start) * unit
     }
 
-    fn whole(&mut self, range: Range<u32>) -> u32 {
+    pub fn whole(&mut self, range: Range<u32>) -> u32 {
         self.within(f64::from(range.start)..f64::from(range.end)) as u32
     }
 
-    fn coin(&mut self) -> bool {
+    pub fn coin(&mut self) -> bool {
         self.within(0.0..1.0) < 0.5
     }
 }

@@ -14,7 +14,7 @@ const WIDTH: f64 = 1e-6;
 const ROUNDING: f64 = 1e-10;
 
 /// The extremes of `pair`, after `count` poses of its cycle were found within them.
-fn held(pair: &GearPair, count: u32) -> Extremes {
+pub fn held(pair: &GearPair, count: u32) -> Extremes {
     let kernel = ExactKernel::new(pair);
     let found = kernel.extremes(pair, FIRST, matings(pair), WIDTH).unwrap();
     let radius = pair.operating_pitch_radius(pair.free());

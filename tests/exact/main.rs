@@ -12,6 +12,7 @@ mod field;
 mod hard;
 mod helical;
 mod helical_extremes;
+mod helical_warm;
 mod modified;
 mod outlines;
 mod perfect;

@@ -9,7 +9,13 @@ use gearlash::gear::{
 use nalgebra::{Point3, Vector3};
 use std::f64::consts::TAU;
 
-fn helical(teeth: u32, module: f64, beta_deg: f64, hand: Hand, shift: f64) -> GearDesign {
+pub(super) fn helical(
+    teeth: u32,
+    module: f64,
+    beta_deg: f64,
+    hand: Hand,
+    shift: f64,
+) -> GearDesign {
     let spur = BasicGearData::new(teeth, module, 20f64.to_radians()).unwrap();
     GearDesign {
         basic_data: spur.with_helix(beta_deg.to_radians(), hand).unwrap(),
@@ -120,18 +126,18 @@ fn published_dimensions_over_balls_and_over_pins() {
 }
 
 /// Flanks as surfaces: the section at the measuring plane turned by `−η tan β/r` a mm, every flank where its tooth has it.
-struct InSpace {
-    made: Made,
-    deviations: Deviations,
+pub(super) struct InSpace {
+    pub made: Made,
+    pub deviations: Deviations,
     base: f64,
     half: f64,
-    twist: f64,
+    pub twist: f64,
 }
 
-const TEETH: u32 = 23;
+pub(super) const TEETH: u32 = 23;
 
 impl InSpace {
-    fn new(hand: Hand, face: Face) -> InSpace {
+    pub fn new(hand: Hand, face: Face) -> InSpace {
         let design = helical(TEETH, 3.0, 24.0, hand, 0.2);
         let data = design.basic_data;
         let per_tooth = scaled(&made_up(TEETH, 1), 8e-3);
@@ -195,7 +201,7 @@ impl InSpace {
     }
 
     /// The least `value` of a flank's points, by a grid that is narrowed round its least place.
-    fn least(&self, own: Flank, tooth: u32, value: impl Fn(&Point3<f64>) -> f64) -> f64 {
+    pub fn least(&self, own: Flank, tooth: u32, value: impl Fn(&Point3<f64>) -> f64) -> f64 {
         let (mut middle, mut reach) = ([0.5, 0.0], [0.4, 12.0]);
         let mut least = f64::INFINITY;
         for _ in 0..60 {

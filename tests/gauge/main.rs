@@ -2,6 +2,7 @@
 
 mod as_built;
 mod helical;
+mod helical_runout;
 mod outlines;
 mod perfect;
 mod profile;

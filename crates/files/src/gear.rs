@@ -239,26 +239,13 @@ impl GearPart {
         if helix.angle_deg == 0.0 {
             return Some(());
         }
-        let is_positions = of.table.has("thickness.file");
         helix::refuse(
             of.table,
-            &[
-                (
-                    "profile",
-                    gear.is_modified(),
-                    "between helical teeth whose profiles deviate the lost motion varies along the face, which is not worked out",
-                ),
-                (
-                    "thickness.file",
-                    is_positions,
-                    "the probe's positions at helical flanks stand in sections of their own, which is not worked out; state the thickness by span, over_pins or another statement",
-                ),
-                (
-                    "runout.file",
-                    of.runout.sheet.is_some(),
-                    "runout readings of helical teeth are not worked out; state total_um and high_tooth",
-                ),
-            ],
+            &[(
+                "profile",
+                gear.is_modified(),
+                "between helical teeth whose profiles deviate the lost motion varies along the face, which is not worked out",
+            )],
             problems,
         )?;
         let span = of.thickness.spec().span.map(|span| span.teeth);

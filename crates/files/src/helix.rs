@@ -166,6 +166,27 @@ pub fn common_face(
     None
 }
 
+/// The common face, mm from the wheel's measuring plane, and how far off the pinion's lies, where the lengths of the wheel and of the pinion are `factors` times
+/// those stated; the distance of the measuring planes is taken to expand as the wheel does. `cold` is the common face as stated.
+pub fn warm_face(
+    cold: [f64; 2],
+    [wheel, pinion]: [&GearPart; 2],
+    offset_mm: Option<f64>,
+    factors: [f64; 2],
+) -> ([f64; 2], f64) {
+    let offset = offset_mm.unwrap_or(0.0) * factors[0];
+    let faces = [wheel, pinion].map(|gear| gear.helix.and_then(|helix| helix.face_mm));
+    let warm = match (faces, factors[0] == factors[1]) {
+        ([Some(wheel), Some(pinion)], false) => {
+            let wheel = wheel.map(|end| end * factors[0]);
+            let pinion = pinion.map(|end| end * factors[1] + offset);
+            [wheel[0].max(pinion[0]), wheel[1].min(pinion[1])]
+        }
+        _ => cold.map(|end| end * factors[0]),
+    };
+    (warm, offset)
+}
+
 /// Reports what is stated beside helical gears `of` a pair or of a gear file and not built for them.
 pub fn refuse(file: &Table, keys: &[(&str, bool, &str)], problems: &mut Problems) -> Option<()> {
     let mut good = Some(());

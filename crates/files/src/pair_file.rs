@@ -150,18 +150,21 @@ impl<'a> PairTables<'a> {
         let mut face = helix::common_face(&self.table, gears, face_offset_mm, problems)?;
         let helical = face[0] < face[1];
         if helical {
-            let keys = [(
-                "assembly.temperature_c",
-                temperature.is_some_and(|temperature| !temperature.is_even()),
-                "gears that expand unlike have unlike leads, so that the backlash varies along the face, which is not worked out",
-            )];
-            helix::refuse(&self.table, &keys, problems)?;
-            let factor = temperature.map_or(1.0, |temperature| temperature.of_wheel());
-            face = face.map(|end| end * factor);
+            let factors = temperature.map_or([1.0; 2], |temperature| temperature.of_gears());
+            let (warm, offset) = helix::warm_face(face, gears, face_offset_mm, factors);
+            if warm[0] >= warm[1] {
+                problems.add(self.table.problem(
+                    "assembly.temperature_c",
+                    "leaves the gears no common face",
+                    "check face_mm, face_offset_mm and the coefficients of expansion",
+                ));
+                return None;
+            }
+            face = warm;
             // Teeth are counted in the wheel's measuring plane.
-            if let Some(offset) = face_offset_mm {
+            if face_offset_mm.is_some() {
                 for (_, _, pinion) in &mut materials {
-                    *pinion = pinion.section_at(-offset * factor);
+                    *pinion = pinion.section_at(-offset);
                 }
             }
         }

@@ -84,14 +84,10 @@ impl Temperature {
         None
     }
 
-    /// Whether both gears expand alike.
-    pub fn is_even(&self) -> bool {
-        self.factors[0] == self.factors[1]
-    }
-
-    /// Lengths of the wheel, times so much.
-    pub fn of_wheel(&self) -> f64 {
-        self.factors[0]
+    /// Lengths of the wheel and of the pinion, times so much.
+    pub fn of_gears(&self) -> [f64; 2] {
+        let [wheel, pinion, _] = self.factors;
+        [wheel, pinion]
     }
 
     /// A centre distance of the warm housing, mm: digits beyond those of a file would be rounding.

@@ -7,7 +7,9 @@
 //! r_bF φ = Σ (arg B + α) − T − r_bL (λ − ψ_bL) + r_bF ψ_bF        (see `line`)
 //! ```
 //!
-//! does not depend on `b`: `B` runs between the centres of the sections, which do not wind, and `r_bL τ_L + r_bF τ_F = 0`. Only
+//! does not depend on `b`: `B` runs between the centres of the sections, which do not wind, and `r_bL τ_L + r_bF τ_F = 0`, since `r_b τ = ∓b tan β_b`
+//! whatever the base radius. So it is of gears whose base pitches differ, as those of unlike temperature do: each is wound by its own lead, but both by one `β_b`
+//! (a gear that expands alike in all directions keeps its angles). Then each pair has a rotation of its own, and wider faces have more pairs. Only
 //! the rolls do: a pair touches so over one stretch of the face, as long as its path of contact over `tan β_b`. Beyond it an end of an
 //! involute touches, and the gap falls: a normal of the mate's involute passes through the pitch point on the line of action alone,
 //! so away from it the gap has a slope of one sign, down to the face's end. Therefore sections no farther apart than the shortest such

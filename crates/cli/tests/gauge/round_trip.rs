@@ -58,15 +58,16 @@ fn as_table(folder: &Path, name: &str) -> String {
     text[from..].replace("[gear", &format!("[{name}"))
 }
 
+/// A gear's `table` with a helix of this hand.
+fn wound(table: String, hand: &str) -> String {
+    let helix =
+        format!("module_mm = 3.0\nhelix_angle_deg = 17\nhand = \"{hand}\"\nface_mm = [-8, 21]\n");
+    table.replace("module_mm = 3.0\n", &helix)
+}
+
 /// The same of helical gears: pitch, runout and thickness of the measuring plane, spans along the normal of the helix.
 #[test]
 fn helical_gears_that_were_gauged_simulate_alike() {
-    let wound = |table: String, hand: &str| {
-        let helix = format!(
-            "module_mm = 3.0\nhelix_angle_deg = 17\nhand = \"{hand}\"\nface_mm = [-8, 21]\n"
-        );
-        table.replace("module_mm = 3.0\n", &helix)
-    };
     for mean_um in [0.0, -30.0] {
         let wheel = wound(table("wheel", 44, "front", 1, mean_um, true), "left");
         let pinion = wound(table("pinion", 21, "back", 11, mean_um, true), "right");
@@ -74,6 +75,17 @@ fn helical_gears_that_were_gauged_simulate_alike() {
         assert_eq!(found.before.len(), 2 * 16 * 44);
         assert!(found.off_um() < 1e-6, "{} µm", found.off_um());
     }
+}
+
+/// The runout of helical gears as readings of the virtual ball in every space, beside pitch and thickness as they were read: the eccentricity
+/// comes out as it went in.
+#[test]
+fn runout_readings_of_helical_gears_give_the_same_pair() {
+    let wheel = wound(table("wheel", 44, "front", 3, 0.0, true), "left");
+    let pinion = wound(table("pinion", 21, "back", 13, 0.0, true), "right");
+    let found = round_trip_by([wheel, pinion], assembly([102.3, 102.5]), Some(5.5));
+    assert_eq!(found.before.len(), 2 * 16 * 44);
+    assert!(found.off_um() < 1e-5, "{} µm", found.off_um());
 }
 
 /// Issue 5: the same within 1e-4 µm at every pose. Inside interference as well as outside.
@@ -147,6 +159,11 @@ impl RoundTrip {
 }
 
 fn round_trip(gears: [String; 2], assembly: String) -> RoundTrip {
+    round_trip_by(gears, assembly, None)
+}
+
+/// The same with the readings of a `ball`, mm, in place of the stated runout.
+fn round_trip_by(gears: [String; 2], assembly: String, ball: Option<f64>) -> RoundTrip {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("pair.toml");
     std::fs::write(&file, gears.concat() + &assembly).unwrap();
@@ -154,9 +171,16 @@ fn round_trip(gears: [String; 2], assembly: String) -> RoundTrip {
     command.current_dir(folder.path());
     command
         .args(["gauge", "pair.toml", "-o", "out", "--steps-per-pitch", "1"])
+        .args(ball.map(|ball| format!("--ball-mm={ball:?}")))
         .assert()
         .success();
-    let back = ["wheel", "pinion"].map(|name| as_table(folder.path(), name));
+    let back = ["wheel", "pinion"].map(|name| {
+        let table = as_table(folder.path(), name);
+        match ball {
+            None => table,
+            Some(ball) => by_readings(&table, name, ball),
+        }
+    });
     // Beside the readings it names.
     let again = folder.path().join("out/again.toml");
     std::fs::write(&again, back.concat() + &assembly).unwrap();
@@ -166,6 +190,23 @@ fn round_trip(gears: [String; 2], assembly: String) -> RoundTrip {
         after: backlash(&after.study),
         warnings: after.warnings,
     }
+}
+
+/// The gear's `table` with a file of readings in place of its runout.
+fn by_readings(table: &str, name: &str, ball: f64) -> String {
+    let stated = |line: &&str| line.starts_with("total_um") || line.starts_with("high_tooth");
+    assert_eq!(table.lines().filter(stated).count(), 2, "{table}");
+    let head = format!("[{name}.runout]");
+    let lines = table
+        .lines()
+        .filter(|line| !stated(line))
+        .map(|line| match line {
+            line if line == head => format!(
+                "{line}\nfile = \"gauge_{name}_runout.csv\"\nat = \"space\"\nball_mm = {ball:?}\n"
+            ),
+            line => format!("{line}\n"),
+        });
+    lines.collect()
 }
 
 /// A gear file is read by itself, and reads the same again.

@@ -4,6 +4,11 @@
 //! angle `Δ` apart, give `s_b = r_b (Δ + inv α_R + inv α_L)`. The centre of a ball that touches the flank lies on the involute that
 //! stands out by half its diameter: of centres, `s_b + d` comes instead.
 //!
+//! At a helical flank the ball touches off the section its centre lies in, and its centres lie on the involute that stands out by `d/(2 cos β_b)`
+//! (see `gearlash::gear::thickness`): of centres, `s_bt + d/cos β_b` comes. A point at the height `Z` is turned back to the plane `Z = 0` by
+//! the helix: seen from where `Z` grows towards, right-hand teeth wind counter-clockwise with it, on whichever face the gear lies, since `X`, `Y`, `Z` are
+//! right-handed. So both flanks' contacts with a ball whose centre keeps its height, `d sin β_b` apart, give the same tooth as its centres do.
+//!
 //! `Δ` has a sign. Seen on the reference face teeth are numbered clockwise and the right flank is the right-hand one of a tooth that
 //! points up, its clockwise side: in the direction of the numbers, R of a tooth lies ahead of its L, however the gear is turned or
 //! looked at. Where R lies behind L, the two are the flanks of a space, R of one tooth and L of the next, or their names are exchanged.
@@ -33,7 +38,7 @@ const OF_PROBE: f64 = 0.25;
 /// The thickness of each tooth.
 #[derive(Debug)]
 pub struct Positions {
-    /// Base tooth thickness of the mean, mm.
+    /// Base tooth thickness of the mean, mm, as a span over it reads: of helical teeth in the normal of the helix, `s_bt cos β_b`.
     pub base_thickness_mm: f64,
     /// What each tooth has more, µm at the reference circle.
     pub per_tooth_um: Vec<f64>,
@@ -51,12 +56,12 @@ pub struct Nominal<'a> {
     pub once: bool,
 }
 
-/// The positions of a tooth, right flank first: `PHI`, degrees, and `X`, `Y`, mm.
-pub type Flanks = [[f64; 3]; 2];
+/// The positions of a tooth, right flank first: `PHI`, degrees, and `X`, `Y`, `Z`, mm.
+pub type Flanks = [[f64; 4]; 2];
 
 /// A way to read the positions under which they fit the gear.
 struct Reading {
-    /// `s_b` of each tooth, mm.
+    /// `s_b` of each tooth, mm, in the transverse section.
     thick: Vec<f64>,
     /// Whether each pair is of a tooth, and not of a space.
     of_teeth: bool,
@@ -168,8 +173,9 @@ fn of(
     let reading = fitting.into_iter().next()?;
     let found = &reading.thick;
     let mean = found.iter().sum::<f64>() / teeth as f64;
-    // From the base circle to the reference circle, and to µm.
-    let scale = 1000.0 * basic_data.reference_radius() / basic_data.base_radius();
+    // From the base circle to the reference circle, there to the normal section, and to µm.
+    let scale =
+        1000.0 * basic_data.reference_radius() / basic_data.base_radius() * basic_data.helix_cos();
     let mut per_tooth_um: Vec<f64> = found.iter().map(|s| (s - mean) * scale).collect();
     if !nominal.once {
         without_once_a_turn(&mut per_tooth_um);
@@ -181,7 +187,7 @@ fn of(
         false => format!("{words}, its part once a turn left to the runout"),
     };
     let positions = Positions {
-        base_thickness_mm: mean,
+        base_thickness_mm: mean * basic_data.base_helix_angle().cos(),
         per_tooth_um,
         header: Header::default(),
     };
@@ -262,7 +268,8 @@ fn readings(places: &[Flanks], nominal: &Nominal, probe_mm: f64) -> Vec<Reading>
         let Some(thick) = thick.collect::<Option<Vec<f64>>>() else {
             continue;
         };
-        for (of, less) in [("contact", 0.0), ("centre", probe_mm)] {
+        let centre = probe_mm / basic_data.base_helix_angle().cos();
+        for (of, less) in [("contact", 0.0), ("centre", centre)] {
             let thick: Vec<f64> = thick.iter().map(|thick| thick - less).collect();
             let fits = thick.iter().all(|s| allowed.contains(s));
             let is_same = |other: &Reading| {
@@ -303,7 +310,9 @@ fn behind(places: &[Flanks], basic_data: &BasicGearData) -> bool {
 /// By what R lies ahead of L at each tooth, in the direction of the numbers, rad; `None` where a pitch does not fit.
 fn ahead(places: &[Flanks], basic_data: &BasicGearData, turn: f64) -> Option<Vec<f64>> {
     let pitch = basic_data.angular_pitch();
-    let angle = |[phi, x, y]: [f64; 3]| y.atan2(x) + turn * phi.to_radians();
+    // The other way round than along the face from the viewer.
+    let angle =
+        |[phi, x, y, z]: [f64; 4]| y.atan2(x) + turn * phi.to_radians() + basic_data.twist() * z;
     let wrapped = |angle: f64| (angle + PI).rem_euclid(TAU) - PI;
     // Counter-clockwise or clockwise in the plane of X and Y.
     let mut way = 0.0;
@@ -323,7 +332,7 @@ fn ahead(places: &[Flanks], basic_data: &BasicGearData, turn: f64) -> Option<Vec
 
 /// `inv α_R + inv α_L`; `None` below the base circle.
 fn involutes(flanks: &Flanks, basic_data: &BasicGearData) -> Option<f64> {
-    let involute = |[_, x, y]: [f64; 3]| {
+    let involute = |[_, x, y, _]: [f64; 4]| {
         let ratio = f64::hypot(x, y) / basic_data.base_radius();
         (ratio >= 1.0).then(|| (ratio * ratio - 1.0).sqrt() - (1.0 / ratio).acos())
     };

@@ -16,14 +16,18 @@ pub fn other(tooth: u32) -> f64 {
     tenths(tooth) + f64::from(tooth % 3) / 10.0
 }
 
-/// A gear of module 3, 20°.
+/// A gear of module 3, 20°, both of the normal section.
 pub struct Made {
     pub teeth: u32,
+    /// Helix angle, degrees, positive of a right-hand gear.
+    pub beta_deg: f64,
     pub base_thickness: f64,
     /// What tooth `i` has more on the base circle, mm.
     pub each: fn(u32) -> f64,
     /// Whether the positions are the probe's centre.
     pub centre: bool,
+    /// How far above the probe's plane the positions of left flanks stand, and below it those of right ones, mm.
+    pub height: f64,
     /// Radius of the positions beyond the reference circle, mm.
     pub beyond: f64,
     /// Whether `X` and `Y` turn with the gear; else they are where the probe stands while `PHI` turns the gear.
@@ -36,15 +40,37 @@ pub struct Made {
 
 impl Made {
     pub fn base(&self) -> f64 {
-        1.5 * f64::from(self.teeth) * 20f64.to_radians().cos()
+        self.reference() * self.alpha().cos()
+    }
+
+    fn reference(&self) -> f64 {
+        1.5 * f64::from(self.teeth) / self.beta_deg.to_radians().cos()
+    }
+
+    /// Transverse pressure angle. Source: tan α_t = tan α_n/cos β, ISO 21771.
+    fn alpha(&self) -> f64 {
+        let alpha = 20f64.to_radians();
+        match self.beta_deg == 0.0 {
+            true => alpha,
+            false => (alpha.tan() / self.beta_deg.to_radians().cos()).atan(),
+        }
+    }
+
+    /// Sine of the base helix angle, of either sign. Source: sin β_b = sin β cos α_n, ISO 21771.
+    pub fn lean(&self) -> f64 {
+        self.beta_deg.to_radians().sin() * 20f64.to_radians().cos()
     }
 
     /// Nominal less 60 µm. Source: s_b = 2 r_b (π/2z + inv α), ISO 21771.
     pub fn new(teeth: u32) -> Made {
-        let alpha = 20f64.to_radians();
-        let half = TAU / 4.0 / f64::from(teeth) + alpha.tan() - alpha;
+        Made::helical(teeth, 0.0)
+    }
+
+    pub fn helical(teeth: u32, beta_deg: f64) -> Made {
         let mut made = Made {
             teeth,
+            beta_deg,
+            height: 0.0,
             base_thickness: 0.0,
             each: |_| 0.0,
             centre: true,
@@ -53,6 +79,8 @@ impl Made {
             spaces: false,
             exchanged: false,
         };
+        let alpha = made.alpha();
+        let half = TAU / 4.0 / f64::from(teeth) + alpha.tan() - alpha;
         made.base_thickness = 2.0 * made.base() * half - 0.06;
         made
     }
@@ -78,9 +106,12 @@ impl Made {
     pub fn text(&self) -> String {
         let z = self.teeth;
         let [start, end] = self.ends();
+        let tip = match self.beta_deg == 0.0 {
+            true => (3 * (z + 2)).to_string(),
+            false => format!("{:.4}", 2.0 * self.reference() + 6.0),
+        };
         let mut text = format!(
-            "\u{feff}HEADER KS.MK.FILE\nTYPE STI ! MADE for the tests of gearlash\nUNDEFINED -2147483.648 ! Undefined\nUNITS mm\nANGLE degrees\nPROFILE diameter\nFILTER LEAD:    F:S 2\n\n  7 :ME/Seite/KS....: made : 1\n 21 :Normalmodul........[mm]..: 3.000\n 22 :Zähnezahl z..............: {z}  Außenverzahnung\n 24 :Eingriffswinkel..........: 20.0000\n 27 :Kopfkreisdurchmesser.[mm]..: {:.4}\n 40 :Start Messbereich.....da  [mm]..:  {start:.12}  {start:.12}\n 43 :Ende der Messstrecke..de  [mm]..:  {end:.12}  {end:.12}\n 60 :Tasterdurchmesser....[mm]..: {PROBE:.3}\n\n",
-            3 * (z + 2)
+            "\u{feff}HEADER KS.MK.FILE\nTYPE STI ! MADE for the tests of gearlash\nUNDEFINED -2147483.648 ! Undefined\nUNITS mm\nANGLE degrees\nPROFILE diameter\nFILTER LEAD:    F:S 2\n\n  7 :ME/Seite/KS....: made : 1\n 21 :Normalmodul........[mm]..: 3.000\n 22 :Zähnezahl z..............: {z}  Außenverzahnung\n 24 :Eingriffswinkel..........: 20.0000\n 27 :Kopfkreisdurchmesser.[mm]..: {tip}\n 40 :Start Messbereich.....da  [mm]..:  {start:.12}  {start:.12}\n 43 :Ende der Messstrecke..de  [mm]..:  {end:.12}  {end:.12}\n 60 :Tasterdurchmesser....[mm]..: {PROBE:.3}\n\n"
         );
         let mut curve = |head: &str, title: &str, value: &dyn Fn(usize) -> String| {
             text += &format!("{title}\nZahn-Nr.: {head}\n");
@@ -118,9 +149,13 @@ impl Made {
             }
         }
         text += "\nTeilung:\nZ-Nr. Seite PHI X Y Z\n";
-        let radius = 1.5 * f64::from(z) + self.beyond;
+        let radius = self.reference() + self.beyond;
         let roll = ((radius / self.base()).powi(2) - 1.0).sqrt();
-        let out = if self.centre { PROBE } else { 0.0 };
+        // The centre of a ball lies on the involute that stands out by its radius over cos β_b (dimension over balls, ISO 21771).
+        let out = match self.centre {
+            true => PROBE / (1.0 - self.lean().powi(2)).sqrt(),
+            false => 0.0,
+        };
         // Source: design, numbering and flanks (ISO 1328-1): seen on the reference face, here with X to the right and Y up, teeth are
         // numbered clockwise, and R is the right-hand flank of a tooth that points up, its clockwise side. So R lies ahead of L in
         // the direction of the numbers.
@@ -144,9 +179,14 @@ impl Made {
             } else {
                 ["R", "L"]
             };
-            for (side, at) in names.into_iter().zip([flank(tooth, -1.0), left]) {
+            // Right-hand teeth wind counter-clockwise towards the viewer.
+            let wound = self.beta_deg.to_radians().tan() / self.reference();
+            let right = flank(tooth, -1.0) - wound * self.height;
+            let left = left + wound * self.height;
+            let heights = [87.2302 - self.height, 87.2302 + self.height];
+            for ((side, at), height) in names.into_iter().zip([right, left]).zip(heights) {
                 let (x, y) = (radius * (at + turned).cos(), radius * (at + turned).sin());
-                text += &format!("  {tooth}  {side}  {phi:.4}  {x:.4}  {y:.4}  87.2302\n");
+                text += &format!("  {tooth}  {side}  {phi:.4}  {x:.4}  {y:.4}  {height:.4}\n");
             }
         }
         text.replace('\n', "\r\n")

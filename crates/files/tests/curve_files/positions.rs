@@ -1,7 +1,7 @@
 //! Tooth thickness from the positions of `Teilung:`.
 
-use super::made::{Made, tenths};
-use super::{good, told};
+use super::made::{Made, PROBE, tenths};
+use super::{good, pair, read_with, told};
 use std::f64::consts::TAU;
 
 const THICKNESS: &str = "thickness = { file = \"gear.mka\" }";
@@ -169,4 +169,71 @@ fn one_tooth_exchanged_is_refused() {
         .replace("\n#", left);
     let told = told(&text, 17, THICKNESS);
     assert!(told.contains("fit the gear in 0 ways"), "{told}");
+}
+
+/// The pair of a helical `made`, whose `keys` the wheel has.
+fn helical_pair(made: &Made, keys: &str) -> String {
+    let hand = |right: bool| match right {
+        true => "right",
+        false => "left",
+    };
+    let helix = |right: bool| {
+        let beta = made.beta_deg.abs();
+        format!(
+            "pressure_angle_deg = 20.0\nhelix_angle_deg = {beta:?}\nhand = \"{}\"\nface_width_mm = 20\n",
+            hand(right)
+        )
+    };
+    let right = made.beta_deg > 0.0;
+    let distance = 3.0 * f64::from(made.teeth) / made.beta_deg.to_radians().cos() + 0.2;
+    let text = pair(made.teeth, keys)
+        .replacen("pressure_angle_deg = 20.0\n", &helix(right), 1)
+        .replace("pressure_angle_deg = 20.0\nhelix", "HELIX")
+        .replace("pressure_angle_deg = 20.0\n", &helix(!right))
+        .replace("HELIX", "pressure_angle_deg = 20.0\nhelix");
+    let at = text.find("center_distance_mm").unwrap();
+    let end = at + text[at..].find('\n').unwrap();
+    format!(
+        "{}center_distance_mm = {distance:?}{}",
+        &text[..at],
+        &text[end..]
+    )
+}
+
+/// Helical teeth of either hand: centres of the probe in one plane, contacts in one plane, and the contacts of a probe whose centre stays in one plane,
+/// which stand `d/2 · sin β_b` off it to either side, all tell the same teeth.
+#[test]
+fn helical_teeth_by_their_positions() {
+    for beta_deg in [18.0, -25.0] {
+        let plain = Made {
+            on_gear: true,
+            each: |tooth| tenths(tooth) / 1000.0,
+            ..Made::helical(33, beta_deg)
+        };
+        let off = PROBE / 2.0 * plain.lean();
+        for (centre, height) in [(true, 0.0), (false, 0.0), (false, off), (false, -off)] {
+            let made = Made {
+                centre,
+                height,
+                ..plain
+            };
+            let text = helical_pair(&made, THICKNESS);
+            let read = read_with(made.text().as_bytes(), &text);
+            let read = read.unwrap_or_else(|problems| panic!("{problems:#?}"));
+            let mean: f64 = (1..=33).map(tenths).sum::<f64>() / 33.0;
+            let wheel = &read.study.materials[0].1;
+            let base = wheel.gear().base_thickness();
+            // Positions are printed to 0.1 µm.
+            let expected = made.base_thickness + mean / 1000.0;
+            assert!((base - expected).abs() < 1e-4, "{base} {expected}");
+            let cos = beta_deg.to_radians().cos();
+            let alpha_t = (20f64.to_radians().tan() / cos).atan();
+            let found = read.spec.wheel.thickness.per_tooth_um.unwrap();
+            for (tooth, um) in (1..).zip(&found) {
+                // `s_bt = s_n cos α_t/cos β`.
+                let expected = (tenths(tooth) - mean) * cos / alpha_t.cos();
+                assert!((um - expected).abs() < 0.2, "{tooth}: {um} {expected}");
+            }
+        }
+    }
 }

@@ -43,8 +43,8 @@ pub struct Position {
     pub line: u64,
     pub tooth: u32,
     pub flank: Flank,
-    /// Rotation `PHI`, degrees, and `X`, `Y`, mm.
-    pub at: [f64; 3],
+    /// Rotation `PHI`, degrees, and `X`, `Y`, `Z`, mm.
+    pub at: [f64; 4],
 }
 
 /// A numbered header line.

@@ -316,7 +316,7 @@ fn take_position(file: &DataFile, p40: &mut P40, (line, text): (u64, &str)) -> R
         line,
         tooth,
         flank,
-        at: [phi, x, y].map(|number| number.value),
+        at: [phi, x, y, z].map(|number| number.value),
     });
     Ok(())
 }

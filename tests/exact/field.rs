@@ -376,7 +376,7 @@ fn a_mirrored_pair_has_the_mirrored_field() {
     }
 }
 
-/// Perfect 70/25, m_n 2, β 15°, whose tips reach below the mate's form circle at 97.6 mm.
+/// Perfect 70/25, m_n 2, β 15°, whose tips reach below the mate's form circle at 97.54 mm.
 fn tips_on_fillets() -> GearPair {
     let gear = |teeth, hand| {
         let data = BasicGearData::new(teeth, 2.0, 20f64.to_radians()).unwrap();
@@ -386,7 +386,7 @@ fn tips_on_fillets() -> GearPair {
         let gear = Gear::new(design, base).unwrap();
         AsBuilt::new(gear, Face::Front, &Deviations::default()).unwrap()
     };
-    let pair = GearPair::new(gear(70, Hand::Left), gear(25, Hand::Right), 97.6).unwrap();
+    let pair = GearPair::new(gear(70, Hand::Left), gear(25, Hand::Right), 97.54).unwrap();
     pair.with_face([-40.0, 40.0]).unwrap()
 }
 

@@ -5,6 +5,7 @@ use super::phrases::{band, symbol};
 use crate::chart::{self, Heading, PictureError};
 use gearlash::analysis::face_width::{AtWidth, FaceExtreme};
 use gearlash::analysis::outcome::Found;
+use gearlash::contact::Status;
 use gearlash::pair::{Backlash, GearPair};
 use gearlash_files::numbers::{NONE, trimmed, um};
 use gearlash_files::verdict::doubt;
@@ -64,12 +65,16 @@ fn widths(page: &Page) -> Markup {
 
 fn row(at: &AtWidth, one_section: Option<&AtWidth>) -> Markup {
     let [from, to] = at.face.map(|end| trimmed(end, 0, 3));
+    let none = match at.each.iter().any(|run| run.status == Status::Jammed) {
+        true => "jammed",
+        false => "out of mesh",
+    };
     html! {
         tr {
             th.n scope="row" { (trimmed(at.width(), 0, 3)) }
             td.w { (from) " … " (to) }
-            (extreme(at.least(), one_section.and_then(AtWidth::least), "jammed"))
-            (extreme(at.greatest(), one_section.and_then(AtWidth::greatest), "out of mesh"))
+            (extreme(at.least(), one_section.and_then(AtWidth::least), none))
+            (extreme(at.greatest(), one_section.and_then(AtWidth::greatest), none))
         }
     }
 }

@@ -56,30 +56,10 @@ const DERIVED: [Property; 7] = [
 const NORMAL: [(usize, &str, &str, &str); 6] = [
     (1, "n", "normal module", "mm"),
     (2, "n", "normal pressure angle", "°"),
-    (
-        3,
-        "",
-        "profile shift coefficient, of the normal module",
-        "–",
-    ),
-    (
-        4,
-        "aP",
-        "addendum of the basic rack, normal section",
-        "normal module",
-    ),
-    (
-        5,
-        "fP",
-        "dedendum of the basic rack, normal section",
-        "normal module",
-    ),
-    (
-        6,
-        "fP",
-        "root radius of the basic rack, normal section",
-        "normal module",
-    ),
+    (3, "", "profile shift coefficient, normal section", "–"),
+    (4, "aP", "addendum of the basic rack", "normal module"),
+    (5, "fP", "dedendum of the basic rack", "normal module"),
+    (6, "fP", "root radius of the basic rack", "normal module"),
 ];
 
 /// What the properties of a drawing are called.

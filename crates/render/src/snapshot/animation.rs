@@ -74,7 +74,7 @@ pub fn animation(view: &Snapshot, steps: &[PoseResult], sections: &[MeshSection]
         .add(numbers)
         .add(scale::bar([MAIN.left, MAIN.bottom + 16.0], main.scale()))
         .add(pitch_chart::draw(steps))
-        .add(key());
+        .add(key(view.section.is_some()));
     format!("{sheet}\n")
 }
 
@@ -127,19 +127,17 @@ fn marks(scenes: &[Scene], times: &[f64], view: &View) -> Group {
 }
 
 /// What the marks mean, and what to do with a still picture.
-fn key() -> Group {
+fn key(is_section: bool) -> Group {
+    let open = match is_section {
+        true => "points of flanks that would meet · lines and circles as in a snapshot",
+        false => "points of the other flanks that would meet · lines and circles as in a snapshot",
+    };
     let [x, y] = [MAIN.left, 780.0];
     let mut group = Group::new()
         .add(dot([x + 8.0, y], 4.0, true))
         .add(dot([x + 214.0, y], 4.0, false))
         .add(dot([x + 230.0, y], 4.0, false));
-    for (words, left) in [
-        ("where the gears touch", 20.0),
-        (
-            "points of flanks that would meet · lines and circles as in a snapshot",
-            242.0,
-        ),
-    ] {
+    for (words, left) in [("where the gears touch", 20.0), (open, 242.0)] {
         group = group.add(TextStyle::new(13.0).text(words, [x + left, y + 4.5]));
     }
     let note = "animated in a browser; elsewhere its first frame. Found at every sixtieth of the pitch and at its extremes, to scale";

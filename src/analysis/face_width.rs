@@ -78,7 +78,7 @@ impl<'a> FaceExtreme<'a> {
     /// Between what the difference to `other` lies, mm; `None` where a bracket does not hold.
     pub fn against(&self, other: &FaceExtreme) -> Option<[f64; 2]> {
         let hold = self.holds() && other.holds();
-        hold.then(|| [self.low - other.high, self.high - other.low])
+        hold.then_some([self.low - other.high, self.high - other.low])
     }
 }
 

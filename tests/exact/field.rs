@@ -411,8 +411,8 @@ fn tips_touch_fillets_in_stretches_an_axial_pitch_apart() {
             .collect();
         assert!(whole.len() >= 2, "{:?}", side.fillets);
         for pair in whole.windows(2) {
-            for end in 0..2 {
-                let apart = pair[1][end] - pair[0][end];
+            for (before, after) in pair[0].iter().zip(pair[1]) {
+                let apart = after - before;
                 assert!(
                     (apart - axial).abs() <= 2.0 * STRETCH_END,
                     "{apart} {axial}"

@@ -24,39 +24,68 @@ impl AtWidth {
         self.face[1] - self.face[0]
     }
 
-    /// How much more the least and the greatest `j_wt` are than over `other`, mm.
-    pub fn against(&self, other: &AtWidth) -> [Option<f64>; 2] {
-        let more = |here: Option<&RunExtreme>, there: Option<&RunExtreme>| {
-            Some(here?.found() - there?.found())
+    /// The least `j_wt` of all runs; `None` where one is jammed, whose backlash is less than any.
+    pub fn least(&self) -> Option<FaceExtreme<'_>> {
+        let least = |a: f64, b: f64| a <= b;
+        FaceExtreme::of(self.each.iter().map(|run| run.least.as_ref()), least)
+    }
+
+    /// The greatest; `None` where one is out of mesh.
+    pub fn greatest(&self) -> Option<FaceExtreme<'_>> {
+        let greatest = |a: f64, b: f64| a >= b;
+        FaceExtreme::of(self.each.iter().map(|run| run.greatest.as_ref()), greatest)
+    }
+}
+
+/// The least or the greatest `j_wt` of all runs, mm.
+#[derive(Debug, Clone, Copy)]
+pub struct FaceExtreme<'a> {
+    /// What was found.
+    pub found: f64,
+    /// No less than this.
+    pub low: f64,
+    /// No more than this.
+    pub high: f64,
+    /// A run whose bracket is wider than was wanted; before others one whose bracket does not hold.
+    pub doubtful: Option<&'a RunExtreme>,
+}
+
+impl<'a> FaceExtreme<'a> {
+    /// Of all runs, the one that is `before` all others.
+    fn of(
+        runs: impl Iterator<Item = Option<&'a RunExtreme>>,
+        before: fn(f64, f64) -> bool,
+    ) -> Option<FaceExtreme<'a>> {
+        let runs: Vec<&RunExtreme> = runs.collect::<Option<_>>()?;
+        let first = |value: fn(&RunExtreme) -> f64| {
+            let values = runs.iter().map(|run| value(run));
+            values.reduce(|a, b| if before(a, b) { a } else { b })
         };
-        [
-            more(self.least(), other.least()),
-            more(self.greatest(), other.greatest()),
-        ]
+        let doubtful = runs.iter().filter(|run| !run.is_proven());
+        Some(FaceExtreme {
+            found: first(RunExtreme::found)?,
+            low: first(|run| run.low)?,
+            high: first(|run| run.high)?,
+            doubtful: doubtful.min_by_key(|run| run.holds()).copied(),
+        })
     }
 
-    /// The run with the least `j_wt`; `None` where one is jammed, whose backlash is less than any.
-    pub fn least(&self) -> Option<&RunExtreme> {
-        let each: Option<Vec<&RunExtreme>> =
-            self.each.iter().map(|run| run.least.as_ref()).collect();
-        each?
-            .into_iter()
-            .min_by(|a, b| a.found().total_cmp(&b.found()))
+    /// Whether nothing lies beyond the bracket.
+    pub fn holds(&self) -> bool {
+        self.doubtful.is_none_or(RunExtreme::holds)
     }
 
-    /// That with the greatest; `None` where one is out of mesh.
-    pub fn greatest(&self) -> Option<&RunExtreme> {
-        let each: Option<Vec<&RunExtreme>> =
-            self.each.iter().map(|run| run.greatest.as_ref()).collect();
-        each?
-            .into_iter()
-            .max_by(|a, b| a.found().total_cmp(&b.found()))
+    /// Between what the difference to `other` lies, mm; `None` where a bracket does not hold.
+    pub fn against(&self, other: &FaceExtreme) -> Option<[f64; 2]> {
+        let hold = self.holds() && other.holds();
+        hold.then_some([self.low - other.high, self.high - other.low])
     }
 }
 
 /// The extremes of `study` over parts of its common face, from one section to all of it (`full`, what was found there); none of spur gears.
 ///
-/// The parts hold each other, about the place of the face nearest to the measuring plane: a wider one never has more play.
+/// The parts hold each other, about the middle of the common face, as a narrower gear in the same place would; the measuring plane stays where it is. A wider
+/// one never has more play.
 ///
 /// # Errors
 /// As [`extremes`].
@@ -70,7 +99,7 @@ pub fn over_widths(
         return Ok(Vec::new());
     }
     let [from, to] = study.face;
-    let middle = 0f64.clamp(from, to);
+    let middle = 0.5 * (from + to);
     let mut widths = Vec::new();
     for step in 0..WIDTHS - 1 {
         let part = f64::from(step) / f64::from(WIDTHS - 1);

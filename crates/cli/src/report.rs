@@ -109,10 +109,6 @@ fn grades(pair: &PairFile) -> Vec<GearGrades> {
     let Some((_, wheel, pinion)) = pair.study.materials.first() else {
         return Vec::new();
     };
-    // The page says that it has none.
-    if pair.study.is_helical() {
-        return Vec::new();
-    }
     let deviating = [
         ("wheel", wheel, &pair.spec.wheel),
         ("pinion", pinion, &pair.spec.pinion),

@@ -11,7 +11,7 @@ use crate::error::Error;
 use clap::ValueEnum;
 use gearlash::analysis::study::{Material, Study};
 use gearlash::analysis::{self, outlines::OutlinePose};
-use gearlash::contact::{CutPair, LostMotion, MeshSection, Method, Unproven, sweep};
+use gearlash::contact::{CutPair, LostMotion, MeshSection, Method, PoseResult, Unproven, sweep};
 use gearlash::gear::Side;
 use gearlash::outline::OutlinePair;
 use gearlash::pair::{GearPair, Mating, Member, Pose};
@@ -58,7 +58,7 @@ pub(super) struct Args {
     /// Draw the deviations (thickness, pitch, eccentricity) this many times as large, in front of perfect teeth
     #[arg(long, value_name = "FACTOR", allow_negative_numbers = true)]
     exaggerate: Option<f64>,
-    /// Turn the gears through a pitch from this pose on, in contact: an animated SVG for a browser
+    /// Turn the gears through a pitch from this pose on, in contact: an animated SVG for a browser; of helical gears in the section drawn
     #[arg(long, conflicts_with = "exaggerate")]
     animate: bool,
     /// The picture [default: out/<file stem>/snapshot_….svg or worst_….svg]; - for standard output
@@ -103,7 +103,8 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         None if args.animate => {
             let steps = pitch(&subject.assembly, &subject.pose)?;
             unproven += steps.iter().filter(|step| step.is_unproven()).count();
-            gearlash_render::animation(&view, &steps)
+            let sections = sections(&subject.assembly, &steps, section.as_ref())?;
+            gearlash_render::animation(&view, &steps, &sections)
         }
         None => gearlash_render::snapshot(&view),
         Some(factor) => {
@@ -131,12 +132,8 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
 
 /// That what is asked for can be drawn of this pair.
 fn check_section(args: &Args, study: &Study) -> Result<(), Error> {
-    match (study.is_helical(), args.section, args.animate) {
-        (false, Some(_), _) => Err(Error::Usage(SPUR_SECTION.to_owned())),
-        (true, _, true) => Err(Error::Usage(
-            "--animate turns spur gears: a section of helical gears is mostly not where they touch; leave it out, or see the page of `gearlash report`"
-                .to_owned(),
-        )),
+    match args.section {
+        Some(_) if !study.is_helical() => Err(Error::Usage(SPUR_SECTION.to_owned())),
         _ => Ok(()),
     }
 }
@@ -159,6 +156,21 @@ fn section(args: &Args, subject: &Subject) -> Result<Option<MeshSection>, Error>
         Some(at) => Error::Usage(format!("--section {at}: {reason}")),
         None => reason.into(),
     })
+}
+
+/// Each of `steps` in the section that the first is drawn in; none of spur gears.
+fn sections(
+    assembly: &GearPair,
+    steps: &[PoseResult],
+    first: Option<&MeshSection>,
+) -> Result<Vec<MeshSection>, Error> {
+    let Some(first) = first else {
+        return Ok(Vec::new());
+    };
+    let steps = steps.iter();
+    let sections =
+        steps.map(|step| MeshSection::new(assembly, &step.pose, step.proven(), first.at()));
+    Ok(sections.collect::<Result<_, _>>()?)
 }
 
 /// The same of a pair of which a gear is an outline.

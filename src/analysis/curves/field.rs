@@ -10,15 +10,18 @@
 //!
 //! counted from the pitch point towards the pinion's end of the tangent of length `T`, changes by `∓ tan β_b` a mm: a straight line.
 
+use super::stretches::stretches;
+use super::tangent::{PathLimit, Tangent};
 use crate::analytic::SideContact;
 use crate::contact::{Contact, ContactClass, ContactKind, ExactKernel, LostMotion, PoseResult};
-use crate::gear::{Placed, Side};
+use crate::gear::Side;
 use crate::pair::{GearPair, Member, Pose};
-use nalgebra::{UnitComplex, Vector2};
 use std::f64::consts::TAU;
 
-/// Spaces between the sections that are looked at (tuned: a pixel or two of a chart each, where no fillet is touched in fewer).
+/// Spaces between the sections that are looked at beside the ends of contact lines (tuned: some pixels of a chart each).
 const SPACES: u32 = 160;
+/// An involute that lacks less than this, mm, beyond the errors of both contacts, touches as well: rolls and rotations of a line are sums of some angles.
+const ROUNDING: f64 = 1e-10;
 
 /// The field of action at a pose, each side with the free gear held there.
 #[derive(Debug, Clone, PartialEq)]
@@ -46,19 +49,11 @@ pub struct FieldSide {
     pub lines: Vec<ContactLine>,
     /// What holds the free gear.
     pub binding: BindingContact,
-    /// Section by section, ascending.
+    /// Section by section, ascending: evenly over the face, where contact lines end, and where the free gear is held.
     pub sections: Vec<FieldSection>,
-}
-
-/// What ends the path of contact.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
-pub enum PathLimit {
-    /// The tip circle of this gear.
-    Tip(Member),
-    /// The form circle of this gear, below which its flank is no involute.
-    Form(Member),
+    /// From where to where along the face, mm, a fillet, a root or the edge of an undercut flank is touched before any involute; each end within
+    /// [`super::STRETCH_END`]. A stretch is found where one of `sections` lies in it.
+    pub fillets: Vec<[f64; 2]>,
 }
 
 /// Where the involutes of a tooth pair touch, or would after a further turn of the free gear.
@@ -112,15 +107,17 @@ impl Field {
         if !assembly.is_helical() {
             return None;
         }
-        let sections = alone(assembly, &pose.pose, found);
-        let side = |side: Side| {
-            let contact = on(found, side)?;
-            FieldSide::new(assembly, &pose.pose, side, &contact, &sections)
-        };
+        let pose = &pose.pose;
+        let held = |side: Side| Held::new(assembly, pose, side, on(found, side)?);
+        let held = [held(Side::Right)?, held(Side::Left)?];
+        let sections: Vec<Alone> = places(&held, assembly.face())
+            .into_iter()
+            .map(|at| Alone::new(assembly, pose, at))
+            .collect();
         Some(Field {
-            pose: pose.pose,
+            pose: *pose,
             face: assembly.face(),
-            sides: [side(Side::Right)?, side(Side::Left)?],
+            sides: held.map(|side| side.field(&sections)),
         })
     }
 }
@@ -132,6 +129,18 @@ fn on(found: &LostMotion, side: Side) -> Option<Contact> {
     }
 }
 
+/// Where along the face to look, mm, ascending.
+fn places(held: &[Held; 2], [from, to]: [f64; 2]) -> Vec<f64> {
+    let even = (0..=SPACES).map(|k| from + (to - from) * (f64::from(k) / f64::from(SPACES)));
+    let ends = held.iter().flat_map(|side| &side.lines);
+    let ends = ends.flat_map(|line| line.ends.map(|end| end[0]));
+    let holding = held.iter().map(|side| side.contact.section);
+    let mut places: Vec<f64> = even.chain(ends).chain(holding).collect();
+    places.sort_by(f64::total_cmp);
+    places.dedup();
+    places
+}
+
 /// A section of the pair, the pose in it, and what it would come to alone.
 struct Alone {
     at: f64,
@@ -140,166 +149,138 @@ struct Alone {
     found: Option<LostMotion>,
 }
 
-/// Sections spread over the face, and those that hold the free gear.
-fn alone(assembly: &GearPair, pose: &Pose, found: &LostMotion) -> Vec<Alone> {
-    let [from, to] = assembly.face();
-    let spread = (0..=SPACES).map(|k| from + (to - from) * (f64::from(k) / f64::from(SPACES)));
-    let holding = Side::BOTH.into_iter().filter_map(|side| on(found, side));
-    let mut places: Vec<f64> = spread.chain(holding.map(|c| c.section)).collect();
-    places.sort_by(f64::total_cmp);
-    places.dedup();
-    let section = |at: &f64| {
-        let (pair, here) = (assembly.section(*at), pose.in_section(assembly, *at));
+impl Alone {
+    fn new(assembly: &GearPair, pose: &Pose, at: f64) -> Alone {
+        let (pair, here) = (assembly.section(at), pose.in_section(assembly, at));
         Alone {
-            at: *at,
+            at,
             found: ExactKernel::new(&pair).lost_motion(&here).ok(),
             pair,
             pose: here,
         }
-    };
-    places.iter().map(section).collect()
+    }
 }
 
-impl FieldSide {
+/// One side, with the free gear held by its contact over the whole face.
+struct Held<'a> {
+    assembly: &'a GearPair,
+    pose: &'a Pose,
+    side: Side,
+    contact: Contact,
+    tangent: Tangent,
+    path: [f64; 2],
+    limits: [PathLimit; 2],
+    lines: Vec<ContactLine>,
+}
+
+impl<'a> Held<'a> {
+    /// `None` where the displaced base circles overlap.
     fn new(
-        assembly: &GearPair,
-        pose: &Pose,
+        assembly: &'a GearPair,
+        pose: &'a Pose,
         side: Side,
-        contact: &Contact,
-        sections: &[Alone],
-    ) -> Option<FieldSide> {
+        contact: Contact,
+    ) -> Option<Held<'a>> {
         let tangent = Tangent::new(assembly, pose, side, contact.rotation)?;
         let (path, limits) = tangent.path(assembly);
-        let teeth = (contact.wheel.tooth, contact.pinion.tooth);
-        let radius = assembly.gear(assembly.free()).gear().base_radius();
-        // How far beyond the contact, along the line of action.
-        let gap = |turn: f64| side.sense() * wrapped(turn) * radius;
-        let slope = side.sense() * tangent.base[0] * basic_twist(assembly);
-        let lines = SideContact::all(assembly, pose, side).filter_map(|line| {
-            let (wheel, pinion) = by_member(assembly, line.locked_tooth, line.free_tooth);
-            let rolls = by_member(assembly, line.locked_roll, line.free_roll);
-            let place = tangent.place([rolls.0, rolls.1]);
-            let ends = clipped(line.section, place, slope, assembly.face(), path)?;
-            Some(ContactLine {
-                wheel_tooth: wheel,
-                pinion_tooth: pinion,
-                ends,
-                gap: gap(line.rotation - contact.rotation),
-                binds: (wheel, pinion) == teeth,
-            })
-        });
-        let sections = sections.iter().map(|alone| {
-            let touching = alone.found.as_ref().and_then(|found| on(found, side));
-            let turn = |here: Contact| {
-                let beyond = here.rotation - alone.pose.free_rotation();
-                gap(beyond - (contact.rotation - pose.free_rotation()))
-            };
-            FieldSection {
-                at: alone.at,
-                gap: touching.map(turn),
-                kind: touching.map(|here| ContactClass::of(&alone.pair, side, &here).kind),
-            }
-        });
-        Some(FieldSide {
+        let mut held = Held {
+            assembly,
+            pose,
             side,
+            contact,
+            tangent,
             path,
             limits,
-            lines: lines.collect(),
-            binding: BindingContact {
-                wheel_tooth: teeth.0,
-                pinion_tooth: teeth.1,
-                section: contact.section,
-                place: tangent.foot(contact),
-                kind: ContactClass::of(assembly, side, contact).kind,
-            },
-            sections: sections.collect(),
+            lines: Vec::new(),
+        };
+        held.lines = SideContact::all(assembly, pose, side)
+            .filter_map(|line| held.line(&line))
+            .collect();
+        Some(held)
+    }
+
+    /// Base radius of the free gear, mm.
+    fn radius(&self) -> f64 {
+        let free = self.assembly.gear(self.assembly.free());
+        free.gear().base_radius()
+    }
+
+    /// How far along the line of action, mm, the free gear is from a contact to which it would have to turn on by `turn` beyond the one it is held in, rad.
+    fn gap(&self, turn: f64) -> f64 {
+        self.side.sense() * wrapped(turn) * self.radius()
+    }
+
+    fn teeth(&self) -> (u32, u32) {
+        (self.contact.wheel.tooth, self.contact.pinion.tooth)
+    }
+
+    fn line(&self, line: &SideContact) -> Option<ContactLine> {
+        let twist = (self.assembly.gear(Member::Wheel).gear().basic_data()).twist();
+        let slope = self.side.sense() * self.tangent.base[0] * twist;
+        let (wheel, pinion) = by_member(self.assembly, line.locked_tooth, line.free_tooth);
+        let rolls = by_member(self.assembly, line.locked_roll, line.free_roll);
+        let place = self.tangent.place([rolls.0, rolls.1]);
+        let ends = clipped(line.section, place, slope, self.assembly.face(), self.path)?;
+        Some(ContactLine {
+            wheel_tooth: wheel,
+            pinion_tooth: pinion,
+            ends,
+            gap: self.gap(line.rotation - self.contact.rotation),
+            binds: (wheel, pinion) == self.teeth(),
         })
     }
-}
 
-/// The common tangent of the displaced base circles.
-struct Tangent {
-    /// Base radii of wheel and pinion, mm.
-    base: [f64; 2],
-    /// Its length, mm.
-    length: f64,
-    /// From the origin to the pitch point on it, mm.
-    pitch_point: Vector2<f64>,
-    /// From the wheel's end to the pinion's.
-    direction: Vector2<f64>,
-}
-
-impl Tangent {
-    /// That of `side` with the free gear at `rotation`; `None` where the base circles overlap.
-    fn new(assembly: &GearPair, pose: &Pose, side: Side, rotation: f64) -> Option<Tangent> {
-        let centre = |member: Member| {
-            let turned = match member == assembly.locked() {
-                true => pose.locked_rotation(),
-                false => rotation,
-            };
-            let tooth_1 = assembly.mate_direction(member) + turned;
-            Placed::new(assembly.gear(member), assembly.axis(member), tooth_1).centre()
+    fn section(&self, alone: &Alone) -> FieldSection {
+        let touching = alone.found.as_ref().and_then(|found| on(found, self.side));
+        let turn = |here: Contact| {
+            let beyond = here.rotation - alone.pose.free_rotation();
+            self.gap(beyond - (self.contact.rotation - self.pose.free_rotation()))
         };
-        let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(centre);
-        let base = [Member::Wheel, Member::Pinion].map(|m| assembly.gear(m).gear().base_radius());
-        let between = pinion - wheel;
-        let (distance, sum) = (between.norm(), base[0] + base[1]);
-        if distance <= sum {
-            return None;
+        FieldSection {
+            at: alone.at,
+            gap: touching.map(turn),
+            kind: touching.map(|here| ContactClass::of(&alone.pair, self.side, &here).kind),
         }
-        // As in `Scene::line_of_action`.
-        let radial =
-            UnitComplex::new(-side.sense() * (sum / distance).acos()) * (between / distance);
-        let ends = [wheel + base[0] * radial, pinion - base[1] * radial];
-        let along = ends[1] - ends[0];
-        let length = ((distance - sum) * (distance + sum)).sqrt();
-        Some(Tangent {
-            base,
-            length,
-            pitch_point: ends[0].coords + along * (base[0] / sum),
-            direction: along / length,
-        })
     }
 
-    /// The part of the wheel in lengths from one end to the other.
-    fn share(&self) -> f64 {
-        self.base[0] / (self.base[0] + self.base[1])
-    }
-
-    /// Where a contact with these rolls of wheel and pinion is, mm from the pitch point.
-    fn place(&self, rolls: [f64; 2]) -> f64 {
-        let arms = [self.base[0] * rolls[0], self.base[1] * rolls[1]];
-        arms[0] - (arms[0] + arms[1]) * self.share()
-    }
-
-    /// The foot of the perpendicular from a contact.
-    fn foot(&self, contact: &Contact) -> f64 {
-        (contact.point.coords - self.pitch_point).dot(&self.direction)
-    }
-
-    /// Both ends of the path of contact, mm from the pitch point, and what they are.
-    fn path(&self, assembly: &GearPair) -> ([f64; 2], [PathLimit; 2]) {
-        let arms = |member: Member, base: f64| {
-            let gear = assembly.gear(member).gear();
-            [gear.form_roll(), gear.tip_roll()].map(|roll| base * roll)
+    /// Whether something below the involutes is touched in a section, and no involute on the line of action with it.
+    fn is_off_involutes(&self, alone: &Alone) -> bool {
+        let section = self.section(alone);
+        let found = alone.found.as_ref().and_then(|found| on(found, self.side));
+        let (Some(gap), Some(kind), Some(found)) = (section.gap, section.kind, found) else {
+            return false;
         };
-        let [form_1, tip_1] = arms(Member::Wheel, self.base[0]);
-        let [form_2, tip_2] = arms(Member::Pinion, self.base[1]).map(|arm| self.length - arm);
-        let (low, begins) = match tip_2 >= form_1 {
-            true => (tip_2, PathLimit::Tip(Member::Pinion)),
-            false => (form_1, PathLimit::Form(Member::Wheel)),
+        let alike = (found.error + self.contact.error) * self.radius() + ROUNDING;
+        let touches = |line: &ContactLine| {
+            let [[from, _], [to, _]] = line.ends;
+            (from..=to).contains(&alone.at) && line.gap <= gap + alike
         };
-        let (high, ends) = match tip_1 <= form_2 {
-            true => (tip_1, PathLimit::Tip(Member::Wheel)),
-            false => (form_2, PathLimit::Form(Member::Pinion)),
-        };
-        let origin = self.length * self.share();
-        ([low - origin, high - origin], [begins, ends])
+        kind.is_non_involute() && !self.lines.iter().any(touches)
     }
-}
 
-fn basic_twist(assembly: &GearPair) -> f64 {
-    assembly.gear(Member::Wheel).gear().basic_data().twist()
+    fn field(self, sections: &[Alone]) -> FieldSide {
+        let looks: Vec<(f64, bool)> = sections
+            .iter()
+            .map(|alone| (alone.at, self.is_off_involutes(alone)))
+            .collect();
+        let is_off = |at| self.is_off_involutes(&Alone::new(self.assembly, self.pose, at));
+        let (wheel_tooth, pinion_tooth) = self.teeth();
+        FieldSide {
+            side: self.side,
+            path: self.path,
+            limits: self.limits,
+            binding: BindingContact {
+                wheel_tooth,
+                pinion_tooth,
+                section: self.contact.section,
+                place: self.tangent.foot(&self.contact),
+                kind: ContactClass::of(self.assembly, self.side, &self.contact).kind,
+            },
+            sections: sections.iter().map(|alone| self.section(alone)).collect(),
+            fillets: stretches(&looks, is_off),
+            lines: self.lines,
+        }
+    }
 }
 
 /// Of wheel and pinion, what is of the locked and of the free gear.

@@ -9,11 +9,15 @@ mod course;
 mod field;
 mod over_distance;
 mod scale;
+mod stretches;
+mod tangent;
 
 pub use binding::{Followed, binding, followed, measured_teeth};
 pub use course::{Course, CourseLine, CoursePoint, Extreme, courses};
-pub use field::{BindingContact, ContactLine, Field, FieldSection, FieldSide, PathLimit};
+pub use field::{BindingContact, ContactLine, Field, FieldSection, FieldSide};
 pub use over_distance::{DistancePoint, OverDistance, over_distance, over_distance_pose_count};
+pub use stretches::STRETCH_END;
+pub use tangent::PathLimit;
 
 use crate::analysis::compare::{ComparedRun, compare};
 use crate::analysis::simulate::{simulate, simulate_plans};

@@ -69,11 +69,6 @@ fn what_is_no_section_is_refused() {
             "the common face runs from -24 to 24 mm",
         );
     }
-    refused(
-        folder.path(),
-        &[&POSE[..], &["--animate"]].concat(),
-        "--animate turns spur gears",
-    );
     let spur = std::fs::read_to_string(folder.path().join("pair.toml")).unwrap();
     let spur = spur.replace("helix_angle_deg = 21", "helix_angle_deg = 0");
     let spur = spur.replace("\"190 js7\"", "\"178 js7\"");
@@ -84,6 +79,60 @@ fn what_is_no_section_is_refused() {
         "--section is for helical gears",
     );
     assert_eq!(files(folder.path()), ["measured.toml", "pair.toml"]);
+}
+
+/// Over a pitch every section turns by 360°/z, the wheel's by 360°/27 (z_1 φ_1 = −z_2 φ_2 but for the eccentricities).
+#[test]
+fn an_animation_turns_a_section() {
+    let folder = folder();
+    let pose = [
+        "--mating",
+        "4,16",
+        "--flank",
+        "right",
+        "--animate",
+        "-o",
+        "-",
+    ];
+    for at in [&[][..], &["--section", "-8"]] {
+        let args = [&["snapshot", "measured.toml"], &pose[..], at].concat();
+        let picture = drawn(folder.path(), &args);
+        let document = roxmltree::Document::parse(&picture).unwrap();
+        assert!(picture.contains("section at z = "));
+        let turns = document
+            .descendants()
+            .filter(|node| node.has_tag_name("animateTransform"));
+        let last = turns.map(|node| {
+            let values = node.attribute("values").unwrap();
+            let last = values.rsplit(';').next().unwrap();
+            last.split(' ').next().unwrap().parse::<f64>().unwrap()
+        });
+        let last: Vec<f64> = last.collect();
+        let wheel = last
+            .iter()
+            .filter(|turn| (turn.abs() - 360.0 / 27.0).abs() < 1e-3);
+        let pinion = last
+            .iter()
+            .filter(|turn| (turn.abs() - 360.0 / 51.0).abs() < 0.02);
+        assert!(wheel.count() >= 3 && pinion.count() >= 3, "{last:?}");
+    }
+    let own = section(folder.path(), &["--animate"]);
+    assert_eq!(own, section(folder.path(), &["--animate"]));
+}
+
+/// Which section the data of a drawing are of, and over which face the result holds.
+#[test]
+fn the_first_screen_says_what_is_of_the_normal_section() {
+    let folder = folder();
+    let (code, text, told) = run(folder.path(), &["simulate", "pair.toml", "--no-files"]);
+    assert_eq!(code, Some(0), "{told}");
+    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    for words in [
+        "Helical, β 21°, wheel right-hand, over the common face −24 … 24 mm",
+        "are those of the normal section, j_wt is of the transverse one",
+    ] {
+        assert!(text.contains(words), "{text}");
+    }
 }
 
 #[test]
@@ -130,7 +179,8 @@ fn a_chart_shows_the_field_of_action() {
     roxmltree::Document::parse(&picture).unwrap();
     for words in [
         "Right flanks: wheel 6 on pinion 14 binds at z = −24 mm, tip-involute",
-        "Left flanks: wheel 4 on pinion 17 binds at z = 24 mm, involute-involute",
+        "Left flanks: wheel 4 on pinion 17 binds along its line, z = ",
+        "transverse gap, µm",
         "tip circle of the pinion",
         "axial position z, mm",
     ] {
@@ -211,6 +261,15 @@ fn a_page_tells_what_the_face_width_costs() {
     }
     let all = text("main").join(" ");
     assert!(!all.contains("Helical gears, lead"));
-    assert!(all.contains("No accuracy grades") && all.contains("base helix angle"));
+    for words in [
+        "base helix angle",
+        "normal module",
+        "face offset: the pinion’s measuring plane",
+        "All three count in the transverse section",
+        "Accuracy grades after ISO 1328-1:2013",
+        "by the reference diameter d and the normal module m n",
+    ] {
+        assert!(all.contains(words), "{words}");
+    }
     assert!(all.contains("Drawn in the section at z = "));
 }

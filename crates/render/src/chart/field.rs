@@ -3,7 +3,7 @@
 use super::paint::Look;
 use super::panel::{Entry, Mark, Panel, Point, Sample, range};
 use super::sheet::{self, Chart, Heading, PictureError};
-use crate::kit::{Anchor, Axis};
+use crate::kit::{Anchor, Axis, TextStyle};
 use crate::pose_name::pose_name;
 use gearlash::analysis::curves::{ContactLine, Field, FieldSection, FieldSide, PathLimit};
 use gearlash::contact::ContactKind;
@@ -16,14 +16,23 @@ const HEIGHTS: [f64; 2] = [270.0, 150.0];
 const WIDTHS: [f64; 2] = [1.4, 3.6];
 /// How dark a stretch is in which a fillet is touched.
 const SHADE: f64 = 0.2;
-/// Part of the face beside an end in which a label grows away from it.
-const BESIDE: f64 = 0.12;
+/// Part of the face before its end in which a label stands before its line.
+const BESIDE: f64 = 0.2;
+/// How far beside its line a label begins.
+const ASIDE: f64 = 6.0;
+/// How wide a plot is, about, and its labels' type: what room there is for them.
+const FIELD_WIDTH: f64 = 704.0;
+const LABEL: TextStyle = TextStyle::new(12.0);
+/// A line shorter than this, mm along the face, is told as its point.
+const SHORT: f64 = 0.01;
+/// Stretches that are named in words.
+const NAMED: usize = 2;
 /// Less than this, µm, is no gap.
 const NO_GAP_UM: f64 = 5e-3;
 /// Least height of the curve of gaps, µm: rounding is no curve.
 const LEAST_UM: f64 = 1.0;
 
-/// The field of action: of each side its contact lines, and below the gap each section would leave.
+/// The field of action: of each side its contact lines, and below the transverse gap each section would leave.
 ///
 /// # Errors
 /// [`PictureError`] without a face.
@@ -48,18 +57,21 @@ pub fn field(heading: &Heading, field: &Field) -> Result<Chart, PictureError> {
             Look::Left,
             Sample::Line,
         ),
-        entry("where it binds", Look::Plain, Sample::Dot),
         entry("end of the path of contact", Look::Limit, Sample::Line),
     ];
-    if field.sides.iter().any(|side| !fillets(side).is_empty()) {
+    let point = |side: &FieldSide| binding_line(side).is_none();
+    if field.sides.iter().any(point) {
+        entries.push(entry("where it binds", Look::Plain, Sample::Dot));
+    }
+    if field.sides.iter().any(|side| !side.fillets.is_empty()) {
         entries.push(entry(
-            "a fillet is touched first",
+            "fillet, root or undercut edge touched first",
             Look::Third,
             Sample::Band(SHADE),
         ));
     }
     let details = format!(
-        "{} · at each line: wheel·pinion tooth, gap left",
+        "{} · by each line: teeth, transverse gap",
         pose_name(field.pose.mating())
     );
     sheet::draw(heading, &details, &entries, &panels)
@@ -101,29 +113,20 @@ fn lines(side: &FieldSide, x: [f64; 2]) -> Panel {
             look: look(side.side),
             width: WIDTHS[usize::from(line.binds)],
         });
-        marks.push(label(line, x));
+        marks.extend(label(line, side, x));
     }
     let binding = &side.binding;
-    marks.push(Mark::Dots {
-        points: vec![(binding.section, Some(binding.place))],
-        look: Look::Plain,
-    });
+    marks.extend(binding_point(side, binding.place));
     Panel {
         title: format!(
-            "{} flanks: wheel {} on pinion {} binds at z = {} mm, {}",
+            "{} flanks: wheel {} on pinion {} binds {}",
             match side.side {
                 Side::Right => "Right",
                 Side::Left => "Left",
             },
             binding.wheel_tooth,
             binding.pinion_tooth,
-            trimmed(binding.section, 0, 3),
-            match binding.kind {
-                // As all pairs do between perfect involutes.
-                ContactKind::Involute if touching(side) > 1 =>
-                    format!("as do {} pairs at once", touching(side)),
-                kind => kind.name().to_owned(),
-            }
+            binds_where(side)
         ),
         x: Axis::new("", x),
         y: Axis::new("on the path of contact, mm", y),
@@ -132,32 +135,105 @@ fn lines(side: &FieldSide, x: [f64; 2]) -> Panel {
     }
 }
 
+/// From where to where along the face the pair touches that binds, where that is a line: involutes do so along the whole of theirs.
+fn binding_line(side: &FieldSide) -> Option<[f64; 2]> {
+    let line = side.lines.iter().find(|line| line.binds);
+    let ends = line?.ends.map(|end| end[0]);
+    let is_line = side.binding.kind == ContactKind::Involute && ends[1] - ends[0] > SHORT;
+    is_line.then_some(ends)
+}
+
+/// The point at which a pair binds beside its line.
+fn binding_point(side: &FieldSide, place: f64) -> Option<Mark> {
+    binding_line(side).is_none().then(|| Mark::Dots {
+        points: vec![(side.binding.section, Some(place))],
+        look: Look::Plain,
+    })
+}
+
+fn binds_where(side: &FieldSide) -> String {
+    let binding = &side.binding;
+    let mut words = match binding_line(side) {
+        Some(ends) => format!("along its line, z = {} mm", stretch(ends)),
+        None => format!(
+            "at z = {} mm, {}",
+            trimmed(binding.section, 0, 3),
+            binding.kind.name()
+        ),
+    };
+    // As all pairs do between perfect involutes.
+    if binding.kind == ContactKind::Involute && touching(side) > 1 {
+        words += &format!("; {} pairs touch at once", touching(side));
+    }
+    words
+}
+
+fn stretch(ends: [f64; 2]) -> String {
+    let [from, to] = ends.map(|end| trimmed(end, 0, 2));
+    format!("{from} … {to}")
+}
+
 /// How many pairs touch.
 fn touching(side: &FieldSide) -> usize {
     let gap = |line: &&ContactLine| line.gap * 1e3 <= NO_GAP_UM;
     side.lines.iter().filter(gap).count()
 }
 
-/// The teeth of a line and the gap between them, beside its middle.
-fn label(line: &ContactLine, [from, to]: [f64; 2]) -> Mark {
+/// The teeth of a line and the gap between them, beside its middle, where the line has left room; `None` where the next line is too near.
+fn label(line: &ContactLine, side: &FieldSide, [from, to]: [f64; 2]) -> Option<Mark> {
     let [one, other] = line.ends;
     let middle = [0, 1].map(|i| 0.5 * (one[i] + other[i]));
+    let teeth = format!("{}·{}", line.wheel_tooth, line.pinion_tooth);
+    let with_gap = match line.gap * 1e3 > NO_GAP_UM {
+        true => format!("{teeth}, {} µm", um(line.gap, 2)),
+        false => teeth.clone(),
+    };
+    let room = spacing(side).map(|mm| mm / (to - from) * FIELD_WIDTH);
+    let fits = |text: &String| room.is_none_or(|room| LABEL.width(text) + 2.0 * ASIDE < room);
+    let text = [with_gap, teeth].into_iter().find(fits)?;
     let part = (middle[0] - from) / (to - from);
-    let anchor = match part {
-        part if part < BESIDE => Anchor::Start,
-        part if part > 1.0 - BESIDE => Anchor::End,
-        _ => Anchor::Middle,
-    };
-    let gap = match line.gap * 1e3 > NO_GAP_UM {
-        true => format!(", {} µm", um(line.gap, 2)),
-        false => String::new(),
-    };
-    Mark::Text {
+    let before = part > 1.0 - BESIDE;
+    // Of a line that rises the room is below on its right and above on its left.
+    let below = (side_slope(side) > 0.0) != before;
+    let sign = |yes| if yes { 1.0 } else { -1.0 };
+    Some(Mark::Text {
         at: middle,
-        shift: [0.0, -9.0],
-        text: format!("{}·{}{gap}", line.wheel_tooth, line.pinion_tooth),
-        anchor,
-    }
+        shift: [sign(!before) * ASIDE, sign(below) * 9.0],
+        text,
+        anchor: match before {
+            true => Anchor::End,
+            false => Anchor::Start,
+        },
+    })
+}
+
+/// How steeply the lines rise; of lines too short to tell 0.
+fn side_slope(side: &FieldSide) -> f64 {
+    let slopes = side.lines.iter().map(|line| {
+        let [one, other] = line.ends;
+        (other[1] - one[1]) / (other[0] - one[0])
+    });
+    slopes
+        .filter(|slope| slope.is_finite())
+        .fold(0.0, |most, slope| match slope.abs() > f64::abs(most) {
+            true => slope,
+            false => most,
+        })
+}
+
+/// How far lines lie apart along the face, mm; `None` of one.
+fn spacing(side: &FieldSide) -> Option<f64> {
+    let slope = side_slope(side);
+    let mut feet: Vec<f64> = side
+        .lines
+        .iter()
+        .map(|line| line.ends[0][0] - line.ends[0][1] / slope)
+        .collect();
+    feet.sort_by(f64::total_cmp);
+    feet.windows(2)
+        .map(|pair| pair[1] - pair[0])
+        .filter(|mm| mm.is_finite())
+        .reduce(f64::min)
 }
 
 /// What each section would leave.
@@ -175,33 +251,34 @@ fn gaps(side: &FieldSide, x: [f64; 2]) -> Panel {
         look: look(side.side),
         width: 1.6,
     });
-    marks.push(Mark::Dots {
-        points: vec![(side.binding.section, Some(0.0))],
-        look: Look::Plain,
-    });
+    marks.extend(binding_point(side, 0.0));
     Panel {
-        title: "Gap that each section has when the gears are in contact, along the line of action"
-            .to_owned(),
+        title: format!(
+            "Transverse gap of each section, the gears in contact{}",
+            fillets(side)
+        ),
         x: Axis::new(
             "axial position z, mm from the measuring plane, away from the viewer",
             x,
         ),
-        y: Axis::new("gap, µm", y),
+        y: Axis::new("transverse gap, µm", y),
         height: HEIGHTS[1],
         marks,
     }
 }
 
-/// The stretches of the face in which a fillet or a root is touched before any involute.
-fn fillets(side: &FieldSide) -> Vec<[f64; 2]> {
-    let sections = &side.sections;
-    let touches = |section: &FieldSection| section.kind.is_some_and(|kind| kind.is_non_involute());
-    sections
-        .chunk_by(|a, b| touches(a) == touches(b))
-        .filter_map(|run| Some((run.first()?, run.last()?)))
-        .filter(|(first, _)| touches(first))
-        .map(|(first, last)| [first.at, last.at])
-        .collect()
+/// Where fillets are touched first, in words.
+fn fillets(side: &FieldSide) -> String {
+    let stretches = side.fillets.iter().map(|&ends| stretch(ends));
+    let stretches: Vec<String> = stretches.take(NAMED).collect();
+    let more = match side.fillets.len() > NAMED {
+        true => " and more",
+        false => "",
+    };
+    match stretches.is_empty() {
+        true => String::new(),
+        false => format!("; shaded: z = {} mm{more}", stretches.join(", ")),
+    }
 }
 
 fn shades(side: &FieldSide, y: [f64; 2]) -> Vec<Mark> {
@@ -214,7 +291,7 @@ fn shades(side: &FieldSide, y: [f64; 2]) -> Vec<Mark> {
             opacity: SHADE,
         }
     };
-    fillets(side).into_iter().map(band).collect()
+    side.fillets.iter().copied().map(band).collect()
 }
 
 fn name(limit: PathLimit) -> String {

@@ -1,13 +1,13 @@
 //! Helical gears: what the face width costs, where over the face the teeth touch, and what each backlash is.
 
 use super::page::Page;
-use super::phrases::symbol;
+use super::phrases::{band, symbol};
 use crate::chart::{self, Heading, PictureError};
-use gearlash::analysis::extremes::RunExtreme;
-use gearlash::analysis::face_width::AtWidth;
+use gearlash::analysis::face_width::{AtWidth, FaceExtreme};
 use gearlash::analysis::outcome::Found;
+use gearlash::contact::Status;
 use gearlash::pair::{Backlash, GearPair};
-use gearlash_files::numbers::{trimmed, um};
+use gearlash_files::numbers::{NONE, trimmed, um};
 use gearlash_files::verdict::doubt;
 use maud::{Markup, PreEscaped, html};
 
@@ -48,7 +48,8 @@ fn widths(page: &Page) -> Markup {
                 table {
                     caption {
                         "What the face width costs: " (symbol("j", "wt")) ", µm, least and greatest over the whole mesh cycle, all centre distances and "
-                        "materials. The parts of the face hold each other, about the measuring plane, or the place of the face nearest to it; width 0 is one section."
+                        "materials. The parts of the face hold each other, cut about the middle of the common face as a narrower gear in the same place would be; teeth, "
+                        "pitch and high tooth stay stated in the measuring plane, z = 0. Width 0 is one section; two values are a bracket."
                     }
                     thead { tr {
                         th.n scope="col" { "face width mm" } th scope="col" { "from … to mm" }
@@ -64,31 +65,48 @@ fn widths(page: &Page) -> Markup {
 
 fn row(at: &AtWidth, one_section: Option<&AtWidth>) -> Markup {
     let [from, to] = at.face.map(|end| trimmed(end, 0, 3));
-    let [least, greatest] = one_section.map_or([None; 2], |first| at.against(first));
+    let none = match at.each.iter().any(|run| run.status == Status::Jammed) {
+        true => "jammed",
+        false => "out of mesh",
+    };
     html! {
         tr {
             th.n scope="row" { (trimmed(at.width(), 0, 3)) }
             td.w { (from) " … " (to) }
-            (extreme(at.least(), least, "jammed"))
-            (extreme(at.greatest(), greatest, "out of mesh"))
+            (extreme(at.least(), one_section.and_then(AtWidth::least), none))
+            (extreme(at.greatest(), one_section.and_then(AtWidth::greatest), none))
         }
     }
 }
 
-/// Value, difference and whether it is proven.
-fn extreme(found: Option<&RunExtreme>, against: Option<f64>, none: &str) -> Markup {
-    html! {
-        @match found {
-            Some(found) => {
-                td.n { strong { (um(found.found(), 2)) } }
-                td.n { (um(against, 2)) }
-                td { @match doubt(found) {
-                    None => "proven",
-                    Some(why) => { "not proven: " (why) }
-                } }
-            }
-            None => { td.n { "–" } td.n {} td { (none) } }
+/// Value, difference to that in one section, and whether it is proven; where it is not, both ends of the bracket that is.
+fn extreme(here: Option<FaceExtreme>, one_section: Option<FaceExtreme>, none: &str) -> Markup {
+    let Some(here) = here else {
+        return html! { td.n { "–" } td.n {} td { (none) } };
+    };
+    let both = one_section.filter(|one| one.holds() && here.holds());
+    let more = match both {
+        Some(one) if one.doubtful.is_none() && here.doubtful.is_none() => {
+            um(Some(here.found - one.found), 2)
         }
+        Some(one) => band(
+            here.against(&one).map_or([None; 2], |ends| ends.map(Some)),
+            2,
+        ),
+        None => NONE.to_owned(),
+    };
+    let why = here.doubtful.and_then(doubt);
+    html! {
+        td.n.w { strong { @match (here.doubtful.is_none(), here.holds()) {
+            (false, true) => (band([here.low, here.high].map(Some), 2)),
+            _ => (um(Some(here.found), 2)),
+        } } }
+        td.n.w { (more) }
+        td { @match (why, here.holds()) {
+            (None, _) => "proven",
+            (Some(why), true) => { "bracket: " (why) }
+            (Some(why), false) => { "not proven, found: " (why) }
+        } }
     }
 }
 
@@ -108,15 +126,16 @@ fn field(page: &Page) -> Result<Markup, PictureError> {
         figure.chart.tall tabindex="0" {
             (PreEscaped(&drawn.svg))
             figcaption.hint {
-                "Each tooth pair touches along a line that climbs the path of contact by tan β" sub { "b" } " a mm of face. The curve below is how much "
-                "farther each section alone would let the free gear turn: where it is 0 the gears touch."
+                "Each tooth pair touches along a line that climbs the path of contact by tan β" sub { "b" } " a mm of face; numbers beside it are its teeth and the gap that is left, along the line of action in the transverse section (the gap along the "
+                "normal of the flanks is cos β" sub { "b" } " of it). The curve below is how much farther each section alone would let the free gear turn: where it is 0 the gears touch."
             }
         }
     })
 }
 
-/// Symbol, formula, meaning, and the value of it.
+/// Symbol, section, formula, meaning, and the value of it.
 type Definition = (
+    &'static str,
     &'static str,
     &'static str,
     &'static str,
@@ -126,24 +145,28 @@ type Definition = (
 const DEFINITIONS: [Definition; 4] = [
     (
         "wt",
+        "transverse",
         "φ_j r_w",
-        "arc of the operating pitch circles, transverse section",
+        "arc of the operating pitch circles",
         |_, of| of.j_wt,
     ),
     (
         "t",
+        "transverse",
         "φ_j r = j_wt cos α_wt / cos α_t",
-        "arc of the reference circle, transverse section",
+        "arc of the reference circles",
         |_, of| of.j_t,
     ),
     (
         "bt",
+        "transverse, base",
         "φ_j r_b = j_wt cos α_wt",
-        "along the line of action, transverse section",
+        "along the line of action, arc of the base circles",
         |pair, of| of.j_bt(pair),
     ),
     (
         "bn",
+        "normal, base",
         "j_bt cos β_b = j_t cos α_n cos β",
         "along the normal of the flanks: what a feeler gauge finds",
         |_, of| of.j_bn,
@@ -163,12 +186,13 @@ fn definitions(page: &Page) -> Markup {
             table {
                 caption { "The least and the greatest backlash of this page, µm; " i { "φ" } sub { "j" } " is the lost motion, " i { "r" } " a radius of the gear that turns" }
                 thead { tr {
-                    th scope="col" { "symbol" } th scope="col" { "formula" } th scope="col" { "what it is" }
+                    th scope="col" { "symbol" } th scope="col" { "section" } th scope="col" { "formula" } th scope="col" { "what it is" }
                     th.n scope="col" { "least" } th.n scope="col" { "greatest" }
                 } }
-                tbody { @for (index, formula, what, value) in DEFINITIONS {
+                tbody { @for (index, section, formula, what, value) in DEFINITIONS {
                     tr {
                         td.w { (symbol("j", index)) }
+                        td.w { (section) }
                         td.w { (formula_markup(formula)) }
                         th scope="row" { (what) }
                         @for end in &ends { td.n { (um(end.as_ref().map(|(pair, of)| value(pair, of)), 2)) } }

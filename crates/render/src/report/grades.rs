@@ -37,11 +37,13 @@ pub(super) fn table(page: &Page) -> Markup {
             p.note {
                 "Read on the modelled gears as “gearlash gauge” reads them: pitch about the datum axis, which is what a standard grades, "
                 "and about the gear’s own centre; runout with a ball in every space, so that the pitch and the thickness of the teeth are in it, "
-                "not the eccentricity alone. The formulas grade " (symbol("f", "p")) ", " (symbol("F", "p")) " and " (symbol("F", "r")) " alone."
+                "not the eccentricity alone. The formulas grade " (symbol("f", "p")) ", " (symbol("F", "p")) " and " (symbol("F", "r")) " alone"
+                @if page.report.pair.study.is_helical() {
+                    ", by the reference diameter " i { "d" } " and the normal module " (symbol("m", "n")) "; pitch in the transverse section of the measuring plane. "
+                    "Helix deviations are not measured and have no grade"
+                }
+                "."
             }
-        }
-        @if page.report.pair.study.is_helical() {
-            p.note { "No accuracy grades: the page does not read helical gears as a gauge does." }
         }
         @for gear in gears {
             @if let Err(reason) = &gear.graded { p.note { "No accuracy grade for the " (gear.name) ": " (reason.to_string()) "." } }

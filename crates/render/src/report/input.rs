@@ -52,6 +52,37 @@ const DERIVED: [Property; 7] = [
     }),
 ];
 
+/// What the drawing of a helical gear calls otherwise: place among [`DRAWN`], index, name, unit.
+const NORMAL: [(usize, &str, &str, &str); 6] = [
+    (1, "n", "normal module", "mm"),
+    (2, "n", "normal pressure angle", "°"),
+    (3, "", "profile shift coefficient, normal section", "–"),
+    (4, "aP", "addendum of the basic rack", "normal module"),
+    (5, "fP", "dedendum of the basic rack", "normal module"),
+    (6, "fP", "root radius of the basic rack", "normal module"),
+];
+
+/// What the properties of a drawing are called.
+fn drawn(is_helical: bool) -> [Property; 7] {
+    let mut drawn = DRAWN;
+    if is_helical {
+        for (place, index, name, unit) in NORMAL {
+            let property = &mut drawn[place];
+            (property.1, property.2, property.3) = (index, name, unit);
+        }
+    }
+    drawn
+}
+
+/// What follows, likewise.
+fn derived(is_helical: bool) -> [Property; 7] {
+    let mut derived = DERIVED;
+    if is_helical {
+        (derived[6].1, derived[6].2) = ("bt", "base tooth thickness, transverse section");
+    }
+    derived
+}
+
 /// What winds, of helical gears.
 const WOUND: [Property; 5] = [
     (
@@ -143,17 +174,18 @@ pub(super) fn section(page: &Page) -> Result<Markup, PictureError> {
                         th.n scope="col" { "wheel (1)" } th.n scope="col" { "pinion (2)" }
                     } }
                     tbody {
-                        @for property in DRAWN.iter() { (row(page, property)) }
+                        @for property in drawn(study.is_helical()).iter() { (row(page, property)) }
                         @if study.is_helical() {
-                            (text_row(("", ""), "hand", "", gears.map(hand)))
-                            (text_row(("", ""), "face, from the measuring plane", "mm", gears.map(own_face)))
-                            @for property in WOUND.iter() { (row(page, property)) }
+                            @for property in WOUND.iter().take(1) { (row(page, property)) }
+                            (text_row(("", ""), "hand", "–", gears.map(hand)))
+                            (text_row(("", ""), "face, each from its own measuring plane", "mm", gears.map(own_face)))
+                            @for property in WOUND.iter().skip(1) { (row(page, property)) }
                         }
-                        @for property in DERIVED.iter() { (row(page, property)) }
-                        (text_row(("", ""), "thickness as stated", "", stated(|gear| thickness(&gear.thickness))))
+                        @for property in derived(study.is_helical()).iter() { (row(page, property)) }
+                        (text_row(("", ""), as_stated(study.is_helical()), "", stated(|gear| thickness(&gear.thickness))))
                         (text_row(("2 e", ""), "twice the eccentricity, the runout as stated", "µm", stated(|gear| runout(&gear.runout))))
                         (text_row(("", ""), "high tooth", "–", stated(|gear| high_tooth(&gear.runout))))
-                        (text_row(("F", "p"), "pitch deviations", "", pitches))
+                        (text_row(("F", "p"), if study.is_helical() { "pitch deviations, transverse section" } else { "pitch deviations" }, "", pitches))
                         @if gears.iter().any(|gear| gear.profile.is_some()) {
                             (text_row(("", ""), "profile deviations, + = more material", "", stated(|gear| profile(gear.profile.as_ref()))))
                         }
@@ -168,6 +200,14 @@ pub(super) fn section(page: &Page) -> Result<Markup, PictureError> {
             (inspections(page)?)
         }
     })
+}
+
+/// How thickness is named.
+fn as_stated(is_helical: bool) -> &'static str {
+    match is_helical {
+        true => "thickness as stated, allowances in the normal section",
+        false => "thickness as stated",
+    }
 }
 
 /// Which way the teeth wind.
@@ -247,6 +287,8 @@ fn assembly(page: &Page) -> Markup {
                         td { (distances.join(", ")) } }
                     @if study.is_helical() {
                         @let [from, to] = study.face.map(|end| trimmed(end, 0, 3));
+                        @let offset = page.report.pair.spec.assembly.face_offset_mm.unwrap_or_default();
+                        tr { td {} th scope="row" { "face offset: the pinion’s measuring plane beyond the wheel’s, away from the viewer" } td { "mm" } td { (shortest(offset)) } }
                         tr { td {} th scope="row" { "common face, from the wheel’s measuring plane away from the viewer" } td { "mm" } td { (from) " … " (to) } }
                     }
                     tr { td { (symbol("α", "wt")) } th scope="row" { "operating pressure angle" } td { "°" } td { (angle) } }

@@ -23,7 +23,7 @@ pub(super) fn section(page: &Page) -> Markup {
                 @if let Some(error) = page.whole.error_bound {
                     "; the greatest here is " (bound_um(error)) " µm"
                 }
-                ". Symbols follow ISO 21771: " (symbol("s", "b")) " base tooth thickness, " (symbol("x", "E"))
+                ". Symbols follow ISO 21771: " (symbol("s", base_index(page))) " base tooth thickness, " (symbol("x", "E"))
                 " generating profile shift coefficient, " (symbol("d", "Ff")) " root form diameter."
             }
             p {
@@ -36,7 +36,7 @@ pub(super) fn section(page: &Page) -> Markup {
                     "stops where the first section of the common face does. Each section is a spur pair with its teeth rolled on; it is looked at in as many "
                     "sections as no tooth pair can slip between, both ends of the face among them, and where an edge comes to a fillet. The result is that "
                     "of the whole face, not of a number of slices. Module, pressure angle, profile shift, rack and thickness allowances are those of the normal "
-                    "section; " (symbol("s", "b")) " and the diameters are those of the transverse section."
+                    "section; " (symbol("s", base_index(page))) " and the diameters are those of the transverse section."
                 }
             }
             h3 { "Not in the model" }
@@ -45,5 +45,13 @@ pub(super) fn section(page: &Page) -> Markup {
                 "a flank rigidly; its form is the involute with the profile deviations that the file states."
             }
         }
+    }
+}
+
+/// Index of what is of the base circle, as among the input.
+fn base_index(page: &Page) -> &'static str {
+    match page.report.pair.study.is_helical() {
+        true => "bt",
+        false => "b",
     }
 }

@@ -2,7 +2,7 @@
 
 use super::figures::difference;
 use super::page::Page;
-
+use super::phrases::symbol;
 use crate::chart::PictureError;
 use gearlash::analysis::outcome::{MODELS, deviation};
 use gearlash_files::numbers::difference_um;
@@ -54,6 +54,14 @@ pub(super) fn section(page: &Page) -> Result<Markup, PictureError> {
             p {
                 "Of " (of.poses) " poses " (counts.join("; "))
                 " (tolerance " (gearlash_files::numbers::shortest(page.report.pair.study.tolerance_um)) " µm and the error bound)."
+            }
+            @if page.report.pair.study.is_helical() {
+                p {
+                    "All three count in the transverse section: reference circles of " (symbol("m", "t")) " = " (symbol("m", "n")) "/cos " i { "β" } ", operating pressure angle "
+                    (symbol("α", "wt")) " from cos " (symbol("α", "wt")) " = (" (symbol("r", "b1")) " + " (symbol("r", "b2")) ")/" i { "a" } ", base circles of "
+                    (symbol("α", "t")) "; thickness allowances of the normal section are divided by cos " i { "β" } ". Models 1 and 2 know no face; model 3 takes every pair "
+                    "of teeth that can touch within the common one."
+                }
             }
             @if page.all.iter().any(|run| run.run.assembly.is_modified()) {
                 p {

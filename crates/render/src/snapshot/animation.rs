@@ -5,33 +5,38 @@
 
 use super::gears::lines_over;
 use super::subject::{MAIN, Snapshot, names};
-use super::turning::{course, motion, rotation};
+use super::turning::{course, jumping, motion, rotation, switched};
 use super::turning::{metal, times, turns};
 use super::view::View;
 use super::{caption, main_view, pitch_chart};
-use crate::kit::{Ids, Occupied, Spot, TextStyle, WIDTH, around, blank_sheet, dot, hatch, scale};
-use gearlash::contact::{DrawnContact, PoseResult, Scene};
+use crate::kit::{
+    INK, Ids, Occupied, Spot, TextStyle, WIDTH, around, blank_sheet, dot, hatch, scale,
+};
+use gearlash::contact::{DrawnContact, MeshSection, PoseResult, Scene};
 use gearlash::gear::Side;
 use gearlash::pair::Member;
 use svg::node::element::Group;
 
 const MEMBERS: [Member; 2] = [Member::Wheel, Member::Pinion];
 
-/// The SVG text of `steps` through a pitch, in ascending order, of which `view` shows the first.
-pub fn animation(view: &Snapshot, steps: &[PoseResult]) -> String {
+/// The SVG text of `steps` through a pitch, in ascending order, of which `view` shows the first; of helical gears with the section of each step, all at one
+/// place, of spur gears with none.
+pub fn animation(view: &Snapshot, steps: &[PoseResult], sections: &[MeshSection]) -> String {
     let scenes: Vec<Scene> = steps
         .iter()
-        .map(|step| match &step.found {
-            Ok(lost_motion) => Scene::new(view.assembly, &step.pose, lost_motion),
-            Err(_) => Scene::unproven(view.assembly, &step.pose),
+        .enumerate()
+        .map(|(number, step)| match (sections.get(number), &step.found) {
+            (Some(section), _) => Scene::in_section(section),
+            (None, Ok(lost_motion)) => Scene::new(view.assembly, &step.pose, lost_motion),
+            (None, Err(_)) => Scene::unproven(view.assembly, &step.pose),
         })
         .collect();
     let first = view.scene();
     let main = main_view::view(&first, MAIN);
     let mut occupied = Occupied::default();
     let mating = [
-        view.pose.mating().wheel_tooth,
-        view.pose.mating().pinion_tooth,
+        view.drawn_pose().mating().wheel_tooth,
+        view.drawn_pose().mating().pinion_tooth,
     ];
     let times = times(steps);
     let metal = metal(&first, &scenes, &times, &main, &mut occupied);
@@ -69,7 +74,7 @@ pub fn animation(view: &Snapshot, steps: &[PoseResult]) -> String {
         .add(numbers)
         .add(scale::bar([MAIN.left, MAIN.bottom + 16.0], main.scale()))
         .add(pitch_chart::draw(steps))
-        .add(key());
+        .add(key(view.section.is_some()));
     format!("{sheet}\n")
 }
 
@@ -95,17 +100,26 @@ fn marks(scenes: &[Scene], times: &[f64], view: &View) -> Group {
                     Some((view.spot(at), teeth))
                 })
                 .collect();
-            let touching = contacts
-                .iter()
-                .all(|contact| contact.is_some_and(|contact| contact.turn == 0.0));
+            let touch = |contact: &Option<&DrawnContact>| {
+                contact.is_some_and(|contact| contact.turn == 0.0)
+            };
+            let touching = contacts.iter().all(touch);
+            // A section of helical gears touches at some steps.
+            let fills = (!touching && contacts.iter().any(touch)).then(|| {
+                let fill = |contact| if touch(contact) { INK } else { "white" };
+                switched(contacts.iter().map(fill), times)
+            });
             // A side that is out of mesh at some step has no marks; one in contact needs one dot.
             if let Some(spots) = spots.filter(|_| !(touching && on_free)) {
                 let [x, y] = [0, 1].map(|axis| course(&spots, times, axis));
-                group = group.add(
-                    dot(spots[0].0, 4.0, touching)
-                        .add(motion("cx", &x))
-                        .add(motion("cy", &y)),
-                );
+                let filled = touch(&contacts[0]);
+                let mut mark = dot(spots[0].0, 4.0, filled)
+                    .add(motion("cx", &x))
+                    .add(motion("cy", &y));
+                if let Some(fills) = fills {
+                    mark = mark.add(jumping("fill", &fills));
+                }
+                group = group.add(mark);
             }
         }
     }
@@ -113,19 +127,17 @@ fn marks(scenes: &[Scene], times: &[f64], view: &View) -> Group {
 }
 
 /// What the marks mean, and what to do with a still picture.
-fn key() -> Group {
+fn key(is_section: bool) -> Group {
+    let open = match is_section {
+        true => "points of flanks that would meet · lines and circles as in a snapshot",
+        false => "points of the other flanks that would meet · lines and circles as in a snapshot",
+    };
     let [x, y] = [MAIN.left, 780.0];
     let mut group = Group::new()
         .add(dot([x + 8.0, y], 4.0, true))
         .add(dot([x + 214.0, y], 4.0, false))
         .add(dot([x + 230.0, y], 4.0, false));
-    for (words, left) in [
-        ("where the gears touch", 20.0),
-        (
-            "points of the other flanks that would meet · lines and circles as in a snapshot",
-            242.0,
-        ),
-    ] {
+    for (words, left) in [("where the gears touch", 20.0), (open, 242.0)] {
         group = group.add(TextStyle::new(13.0).text(words, [x + left, y + 4.5]));
     }
     let note = "animated in a browser; elsewhere its first frame. Found at every sixtieth of the pitch and at its extremes, to scale";

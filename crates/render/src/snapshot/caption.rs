@@ -22,9 +22,11 @@ pub fn draw(view: &Snapshot, scene: &Scene, left: f64, room: f64) -> Group {
 /// Title and mating.
 pub fn heading(view: &Snapshot, left: f64, room: f64) -> Group {
     let (title, pose) = (TextStyle::new(24.0).bold(), TextStyle::new(16.0).grey());
+    let line = pose_line(view);
+    let fitted = pose.fitted(&line, room, LEAST);
     Group::new()
         .add(title.verbatim(&title.shortened(view.title, room), [left, 46.0]))
-        .add(pose.text(&pose.shortened(&pose_line(view), room), [left, 73.0]))
+        .add(fitted.text(&fitted.shortened(&line, room), [left, 73.0]))
 }
 
 fn pose_line(view: &Snapshot) -> String {
@@ -52,9 +54,10 @@ pub fn draw_turning(
     let without = steps.len() - known().count();
     let mut words = match ends {
         [Some(least), Some(greatest)] => format!(
-            "over the pitch from there on: least j_wt {} µm, greatest {} µm",
+            "over the pitch from there on: least j_wt {} µm, greatest {} µm{}",
             um(least, 2),
-            um(greatest, 2)
+            um(greatest, 2),
+            over_face(view)
         ),
         _ => "over the pitch from there on: no backlash".to_owned(),
     };
@@ -81,10 +84,7 @@ fn result_line(view: &Snapshot, scene: &Scene) -> String {
         }
         _ => (scene.status(), scene.circumferential_backlash()),
     };
-    let over_face = view.section.map_or(String::new(), |_| {
-        let [from, to] = view.assembly.face().map(|end| trimmed(end, 0, 3));
-        format!(" over the face {from} … {to} mm")
-    });
+    let over_face = over_face(view);
     let what = match (status, backlash) {
         (Status::Interference, Some(backlash)) => {
             format!("{}{over_face} · interference", j_wt(backlash))
@@ -98,6 +98,14 @@ fn result_line(view: &Snapshot, scene: &Scene) -> String {
         Err(unproven) => format!("unproven, no contact is drawn: {}", unproven.reason),
     };
     format!("{what} · {}", drawn(scene))
+}
+
+/// Over which face the result of a section holds; nothing of spur gears.
+fn over_face(view: &Snapshot) -> String {
+    view.section.map_or(String::new(), |_| {
+        let [from, to] = view.assembly.face().map(|end| trimmed(end, 0, 3));
+        format!(" over the face {from} … {to} mm")
+    })
 }
 
 /// Which contact the free gear is held in.

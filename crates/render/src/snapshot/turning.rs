@@ -164,6 +164,17 @@ pub fn course(spots: &[(Spot, [u32; 2])], times: &[f64], axis: usize) -> [String
     [values.join(";"), key_times(at.into_iter())]
 }
 
+/// Values and key times of what jumps from step to step.
+pub fn switched<'v>(values: impl Iterator<Item = &'v str>, times: &[f64]) -> [String; 2] {
+    let values: Vec<&str> = values.collect();
+    [values.join(";"), key_times(times.iter().copied())]
+}
+
+/// Sets an attribute anew at each step.
+pub fn jumping(attribute: &str, course: &[String; 2]) -> Animate {
+    motion(attribute, course).set("calcMode", "discrete")
+}
+
 /// Moves one coordinate along its course.
 pub fn motion(attribute: &str, [values, times]: &[String; 2]) -> Animate {
     Animate::new()

@@ -12,8 +12,9 @@ use gearlash::analysis::study::Study;
 use gearlash::analysis::tally::{MOST_LISTED, RunTally};
 use gearlash::analysis::verdict::Verdict;
 use gearlash::contact::{Contact, Status};
-use gearlash::pair::BacklashUnit;
-use gearlash_files::numbers::{NONE, stated_distance};
+use gearlash::gear::Hand;
+use gearlash::pair::{BacklashUnit, Member};
+use gearlash_files::numbers::{NONE, stated_distance, trimmed};
 use gearlash_files::results::doubts;
 
 /// The text `simulate` prints on `screen`, backlash in `unit`.
@@ -45,9 +46,28 @@ pub fn simulation(
     for group in &groups {
         text += &phase_table(group, unit, screen);
     }
+    text += &helical_note(study, runs, screen);
     text += &off_line_note(runs);
     text += &unproven_note(runs, screen);
     screen.fold(&text)
+}
+
+/// Of helical gears: which section each of their data is of, and over which face the result holds.
+fn helical_note(study: &Study, runs: &[RunTally], screen: &Screen) -> String {
+    let Some(run) = runs.iter().find(|run| run.assembly.is_helical()) else {
+        return String::new();
+    };
+    let data = run.assembly.gear(Member::Wheel).gear().basic_data();
+    let hand = match data.hand() {
+        Some(Hand::Left) => "left",
+        _ => "right",
+    };
+    let [from, to] = study.face.map(|end| trimmed(end, 0, 3));
+    screen.paragraphs(&format!(
+        "Helical, β {}°, wheel {hand}-hand, over the common face {from} … {to} mm from the measuring plane. Module, pressure angle, profile shift, \
+         rack and thickness are those of the normal section, j_wt is of the transverse one.",
+        trimmed(data.helix_angle().to_degrees(), 0, 6)
+    ))
 }
 
 /// What the rows below are of, where it could be taken for the whole cycle.

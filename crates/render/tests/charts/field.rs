@@ -71,21 +71,24 @@ fn fillets_are_shaded() {
     const GREEN: &str = "#009e73";
     let shades = |field: &Field| drawn(field).svg.matches(GREEN).count();
     assert_eq!(shades(&field), 0);
-    for section in &mut field.sides[0].sections[10..40] {
-        section.kind = Some(ContactKind::TipFillet);
-    }
+    let stretch = [-12.5, 3.25];
+    field.sides[0].fillets = vec![stretch];
     // Its sample in the legend, and one a panel.
     assert_eq!(shades(&field), 3);
-    assert!(drawn(&field).svg.contains("a fillet is touched first"));
-    let [from, to] = [10, 39].map(|k| field.sides[0].sections[k].at);
     let chart = drawn(&field);
+    assert!(
+        chart
+            .svg
+            .contains("fillet, root or undercut edge touched first")
+    );
+    assert!(chart.svg.contains("shaded: z = −12.5 … 3.25 mm"));
     let document = Document::parse(&chart.svg).unwrap();
     let plot = &chart.panels[0];
     let shade = document
         .descendants()
         .find(|node| node.has_tag_name("path") && node.attribute("fill") == Some(GREEN));
     let data = shade.unwrap().attribute("d").unwrap();
-    for z in [from, to] {
+    for z in stretch {
         let x = place(plot, (z, 0.0)).0;
         let near = |word: &str| word.parse::<f64>().is_ok_and(|at| (at - x).abs() < HALF);
         assert!(
@@ -93,4 +96,33 @@ fn fillets_are_shaded() {
             "{z}: {data}"
         );
     }
+}
+
+/// A cross where a point binds, none where a whole line does.
+#[test]
+fn a_line_binds_without_a_point() {
+    let mut field = field();
+    for (kind, words, point) in [
+        (ContactKind::TipInvolute, "mm, tip-involute", true),
+        (ContactKind::Involute, "binds along its line, z = ", false),
+    ] {
+        for side in &mut field.sides {
+            side.lines[0].binds = true;
+            side.binding.kind = kind;
+        }
+        let svg = drawn(&field).svg;
+        assert_eq!(svg.matches(words).count(), 2, "{words}");
+        assert_eq!(svg.contains("where it binds"), point);
+    }
+}
+
+/// Few of its sections: what they are is tested above.
+#[test]
+fn small_field_of_action() {
+    let mut field = field();
+    for side in &mut field.sides {
+        let few = side.sections.iter().step_by(24);
+        side.sections = few.copied().collect();
+    }
+    insta::assert_snapshot!(drawn(&field).svg);
 }

@@ -34,7 +34,7 @@ fn draw(solved: &Solved) -> String {
         found: Ok(&solved.lost_motion),
         section: None,
     };
-    animation(&view, &steps(solved))
+    animation(&view, &steps(solved), &[])
 }
 
 fn numbers(node: &Node, name: &str) -> Vec<f64> {

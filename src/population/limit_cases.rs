@@ -57,8 +57,7 @@ enum Towards {
     More,
 }
 
-/// Both, of `population`; `None` where whole gears are drawn, which have no limits, and where a runout of helical gears scatters, whose worst direction
-/// is not worked out.
+/// Both, of `population`; `None` where whole gears are drawn, which have no limits.
 ///
 /// An assembly phase has no limits: where it scatters, each case is taken in all of the gcd(z_1, z_2), its least in the one that has the
 /// least and its greatest in the one that has the greatest.
@@ -83,10 +82,6 @@ pub fn limit_cases(population: &Population) -> Result<Option<LimitCases>, Error>
         .iter()
         .any(|&member| scatters.of(member).gears.is_some())
     {
-        return Ok(None);
-    }
-    let mut runouts = members.iter().map(|&member| &scatters.of(member).runout);
-    if population.pair().is_helical() && runouts.any(Option::is_some) {
         return Ok(None);
     }
     let both = |of: &dyn Fn(Alone) -> bool| {

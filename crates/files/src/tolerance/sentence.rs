@@ -78,14 +78,8 @@ pub fn shares(result: &ToleranceResult) -> String {
 
 /// Why there is no worst case; `None` where there is one.
 pub fn without_worst_case(part: &Part) -> Option<&'static str> {
-    let mut factors = part.factors().into_iter();
-    let whole = factors.any(|factor| matches!(factor, Factor::Gear(_)));
-    part.about.limit_cases.is_none().then_some(match whole {
-        true => "No worst case: whole gears that were measured have no limits.",
-        false => {
-            "No worst case: the worst direction of a runout of helical gears is not worked out."
-        }
-    })
+    let none = part.about.limit_cases.is_none();
+    none.then_some("No worst case: whole gears that were measured have no limits.")
 }
 
 /// Of which assembly phases worst case and root sum of squares are; `None` where the phase does not scatter.

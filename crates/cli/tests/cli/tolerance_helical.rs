@@ -92,7 +92,7 @@ fn helical_runout_has_a_worst_case() {
     let bounded = pair()
         .replace(
             "{ scatter = \"rayleigh\", upper_um = 40 }",
-            "{ scatter = \"uniform\", upper_um = 40 }",
+            "{ scatter = \"uniform\", lower_um = 0, upper_um = 40 }",
         )
         .replace(
             "center_distance = { scatter = \"normal\" }",

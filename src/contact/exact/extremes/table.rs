@@ -207,7 +207,9 @@ mod tests {
     use super::super::side_table::steps;
     use super::*;
     use crate::contact::ExactKernel;
-    use crate::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign, Side};
+    use crate::gear::{
+        AsBuilt, BasicGearData, Deviations, Face, Gear, GearDesign, Pitch, ProfilePart, Side,
+    };
     use crate::pair::{GearPair, Mating};
 
     /// 400/400 of base pitches 0.001 % apart, profile shifts −6 and 6: they touch far from the pitch point, and their steps reach farther to
@@ -247,5 +249,66 @@ mod tests {
             }
         }
         assert!(lopsided > 0);
+    }
+
+    /// Where no tip is said to come to a fillet none does, of pinions of few teeth above all: their involutes end at edges, whose room is no
+    /// bound on that of a fillet below. Source: the kernel's own contacts at 300 poses.
+    #[test]
+    fn no_tip_touches_a_fillet_where_none_is_said_to() {
+        let (mut kept, mut touched) = (0, 0);
+        for k in 0..2000u32 {
+            let part = |step: u32| f64::from((k * step + 7 * (k % 97) * k) % 101) / 101.0;
+            let built = |teeth: u32, face| {
+                let design = GearDesign {
+                    profile_shift: 0.4 * part(17),
+                    ..GearDesign::plain(teeth, 2.0)
+                };
+                let curve = |start: u32| -> Vec<f64> {
+                    let numbers = (0..teeth).map(|i| (i * 7919 + start + k) % 1000);
+                    let size = 0.08 * part(29);
+                    numbers.map(|n| size * f64::from(n) / 1000.0).collect()
+                };
+                let deviations = Deviations {
+                    pitch: Some(Pitch::from_cumulative(&curve(17), &curve(443))),
+                    eccentricity: 0.02 * part(37),
+                    high_tooth: 1.5,
+                    ..Deviations::default()
+                };
+                AsBuilt::new(Gear::nominal(design).ok()?, face, &deviations).ok()
+            };
+            let (Some(wheel), Some(pinion)) = (
+                built(20 + 3 * (k % 31), Face::Front),
+                built(6 + k % 9, Face::Back),
+            ) else {
+                continue;
+            };
+            let formula = crate::analytic::InvolutePair::new(wheel.gear(), pinion.gear());
+            let Some(closed) = formula.center_distance(0.0) else {
+                continue;
+            };
+            let Ok(pair) = GearPair::new(wheel, pinion, closed + 0.6 * part(41)) else {
+                continue;
+            };
+            let kernel = ExactKernel::new(&pair);
+            let keeps = kernel.keeps_to_involutes(&pair);
+            let first = Mating {
+                wheel_tooth: 1,
+                pinion_tooth: 1,
+                flank: Side::Right,
+                fraction: 0.0,
+            };
+            let on_fillet = (0..300).any(|at| {
+                let mating = first.onward(&pair, f64::from(at) * 0.237);
+                let found = kernel.lost_motion_at(&pair, mating).unwrap().unwrap();
+                let contacts = [found.right, found.left].into_iter().flatten();
+                contacts
+                    .flat_map(|contact| [contact.wheel.curve, contact.pinion.curve])
+                    .any(|curve| curve == ProfilePart::Fillet)
+            });
+            assert!(!(keeps && on_fillet), "pair {k}");
+            kept += u32::from(keeps);
+            touched += u32::from(on_fillet);
+        }
+        assert!(kept > 20 && touched > 10, "{kept} {touched}");
     }
 }

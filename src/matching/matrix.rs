@@ -5,7 +5,7 @@ use crate::error::{Error, GearError};
 use crate::gear::AsBuilt;
 use crate::pair::{GearPair, Member, SweepPlan};
 use crate::parallel;
-use crate::population::{Assembly, Outcome, OutcomeKind, Requirement};
+use crate::population::{Assembly, Outcome, OutcomeKind, Requirement, Standing};
 use std::ops::ControlFlow;
 
 /// Distances from what is wanted beyond this are not told apart, mm: more than teeth differ.
@@ -225,7 +225,7 @@ impl Fit {
         Ok(Fit {
             pinion_tooth,
             outcome,
-            meets: outcome.is_proven && Requirement::is_met(&outcome, &standing),
+            meets: outcome.is_proven && keeps(&outcome, &standing),
             off,
         })
     }
@@ -235,4 +235,10 @@ impl Fit {
 fn ends(terms: &Terms) -> impl Iterator<Item = f64> {
     let [near, far] = terms.center_distances;
     std::iter::once(near).chain((far != near).then_some(far))
+}
+
+/// Whether an assembly that has both extremes, as `outcome` says, and stands so keeps the requirement.
+fn keeps(outcome: &Outcome, standing: &Standing) -> bool {
+    let is_found = outcome.least.is_some() && outcome.greatest.is_some();
+    is_found && !standing.below && !standing.above
 }

@@ -125,12 +125,6 @@ impl Requirement {
         }
     }
 
-    /// Whether an assembly that has both extremes, as `outcome` says, and stands so keeps it.
-    pub(crate) fn is_met(outcome: &Outcome, standing: &Standing) -> bool {
-        let is_found = outcome.least.is_some() && outcome.greatest.is_some();
-        is_found && !standing.below && !standing.above
-    }
-
     /// What the least `j_wt` is held against: where no backlash has a least, no interference that is proven.
     fn lower(&self) -> Option<f64> {
         let mut others = self.others();

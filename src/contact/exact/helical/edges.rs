@@ -226,7 +226,7 @@ fn middle_of_path(locked: &Shape, free: &Shape, distance: f64) -> Option<f64> {
     let mate = |roll: f64| (line.length - free.base * roll) / locked.base;
     let from = locked.form_roll.max(mate(free.tip_roll));
     let to = locked.tip_roll.min(mate(free.form_roll));
-    (from <= to).then(|| line.angle - 0.5 * (from + to) + locked.half_base)
+    (from <= to).then_some(line.angle - 0.5 * (from + to) + locked.half_base)
 }
 
 /// How the teeth of one gear stand along the face, in the frame of a pose.

@@ -10,8 +10,10 @@ use gearlash_files::tolerance::{Convergence, ToleranceResult};
 
 /// Bars of a histogram, at most.
 const BARS: i64 = 120;
-/// A line's name.
-const ROOTS: &str = "root sum of squares";
+/// The height of the picture, in tallest bars: three lines' names stand above them.
+const HEADROOM: f64 = 1.28;
+/// How much lower than the last the next line of a side ends, in heights of the picture.
+const LOWER: f64 = 0.07;
 /// Bins of the sums, µm.
 const BIN_UM: f64 = BIN_TENTHS_NM as f64 / TENTHS_NM_PER_MM * 1e3;
 
@@ -59,34 +61,36 @@ pub fn histogram(heading: &Heading, result: &ToleranceResult) -> Result<Chart, P
             });
         }
     }
-    let top = 1.18 * most as f64;
-    let mut lines: Vec<(f64, String, f64)> = Vec::new();
+    let top = HEADROOM * most as f64;
+    let mut lines: Vec<(f64, String)> = Vec::new();
     for (limit, name) in [(about.min_mm, "min"), (about.max_mm, "max")] {
-        lines.extend(limit.map(|mm| (1e3 * mm, format!("{name} {}", shortest(1e3 * mm)), top)));
+        lines.extend(limit.map(|mm| (1e3 * mm, format!("{name} {}", shortest(1e3 * mm)))));
     }
     if let Some([_, worst, roots]) = about.limit_cases {
-        for (case, name) in [(worst, "worst case"), (roots, ROOTS)] {
-            let at = if name == "worst case" { 0.93 } else { 0.86 };
+        for (case, name) in [(worst, "worst case"), (roots, "root sum of squares")] {
             let case = case.into_iter().flatten();
-            lines.extend(case.map(|mm| (1e3 * mm, name.to_owned(), at * top)));
+            lines.extend(case.map(|mm| (1e3 * mm, name.to_owned())));
         }
     }
     let values = lines.iter().map(|line| line.0);
     let values = values.chain([um(low.div_euclid(width)), um(high.div_euclid(width) + 1)]);
     let x = range(values, [0.06; 2], BIN_UM).unwrap_or([0.0, 1.0]);
     let middle = 0.5 * (x[0] + x[1]);
-    for (at, name, height) in lines {
+    lines.sort_by(|one, other| one.0.total_cmp(&other.0));
+    let (left, right): (Vec<_>, Vec<_>) = lines.into_iter().partition(|line| line.0 < middle);
+    // Names stand inwards of their lines. The farther in a line, the lower it ends: under the names of those farther out.
+    let left = left.into_iter().map(|line| (line, Anchor::Start, 5.0));
+    let right = right
+        .into_iter()
+        .rev()
+        .map(|line| (line, Anchor::End, -5.0));
+    for (rank, ((at, name), anchor, shift)) in left.enumerate().chain(right.enumerate()) {
+        let height = top * (1.0 - LOWER * rank as f64);
         marks.push(Mark::Line {
             points: vec![(at, Some(0.0)), (at, Some(height))],
             look: Look::Limit,
             width: 1.4,
         });
-        // Beside the bars, not across them.
-        let inwards = name != ROOTS;
-        let (anchor, shift) = match (at < middle) == inwards {
-            true => (Anchor::Start, 5.0),
-            false => (Anchor::End, -5.0),
-        };
         marks.push(Mark::Text {
             at: [at, height],
             shift: [shift, 8.0],

@@ -2,7 +2,7 @@
 //!
 //! The formulas are those published in several open implementations; the
 //! standard itself was not consulted. They hold for `5 ≤ z ≤ 1000`,
-//! `5 mm ≤ d ≤ 15 000 mm`, `0.5 mm ≤ m ≤ 70 mm` and grades 1 … 11.
+//! `5 mm ≤ d ≤ 15 000 mm`, `0.5 mm ≤ m_n ≤ 70 mm` and grades 1 … 11, `m_n` the (normal) module.
 
 use super::BasicGearData;
 use crate::error::GearError;
@@ -94,11 +94,11 @@ impl GradedQuantity {
         })
     }
 
-    /// µm: `f_pT = (0.001 d + 0.4 m + 5) √2^(A−5)`, `F_pT = (0.002 d + 0.55 √d + 0.7 m + 12) √2^(A−5)`,
-    /// `F_rT = 0.9 F_pT`, with `d` and `m` in mm.
+    /// µm: `f_pT = (0.001 d + 0.4 m_n + 5) √2^(A−5)`, `F_pT = (0.002 d + 0.55 √d + 0.7 m_n + 12) √2^(A−5)`,
+    /// `F_rT = 0.9 F_pT`, with `d` and the normal module `m_n` in mm.
     fn unrounded(self, basic_data: &BasicGearData, grade: u32) -> Result<f64, GearError> {
         let d = 2.0 * basic_data.reference_radius();
-        let m = basic_data.module();
+        let module = basic_data.module();
         let within = |what, value: f64, range: RangeInclusive<f64>, allowed| {
             let inside = range.contains(&value);
             inside.then_some(()).ok_or(GearError::OutOfRange {
@@ -115,12 +115,12 @@ impl GradedQuantity {
             5.0..=15_000.0,
             "5 … 15 000 mm",
         )?;
-        within("module, to be graded,", m, 0.5..=70.0, "0.5 … 70 mm")?;
+        within("module, to be graded,", module, 0.5..=70.0, "0.5 … 70 mm")?;
         within("accuracy grade", f64::from(grade), 1.0..=11.0, "1 … 11")?;
         let step = 2f64.sqrt().powf(f64::from(grade) - 5.0);
-        let total = (0.002 * d + 0.55 * d.sqrt() + 0.7 * m + 12.0) * step;
+        let total = (0.002 * d + 0.55 * d.sqrt() + 0.7 * module + 12.0) * step;
         Ok(match self {
-            GradedQuantity::SinglePitch => (0.001 * d + 0.4 * m + 5.0) * step,
+            GradedQuantity::SinglePitch => (0.001 * d + 0.4 * module + 5.0) * step,
             GradedQuantity::TotalPitch => total,
             GradedQuantity::Runout => 0.9 * total,
         })

@@ -495,6 +495,43 @@ fn no_section_of_wild_pairs_is_tighter_than_the_face() {
     assert!(touched.into_iter().all(|count| count > 10), "{touched:?}");
 }
 
+/// The same of pairs from a longer run of those draws, of which a tip stands in the root of the eccentric free gear between any sections: found to have
+/// play, or less of an overlap than sections beside have by 0.004 to 0.27 rad.
+#[test]
+fn a_tip_in_a_root_jams_wherever_along_the_face_it_stands() {
+    for state in [
+        6_568_607_135_856_689_832,
+        10_815_346_586_222_210_270,
+        15_388_175_465_193_024_504,
+    ] {
+        let mut rng = Draws(state);
+        let pair = drawn_wide(&mut rng).unwrap();
+        let first = Mating {
+            wheel_tooth: 1,
+            pinion_tooth: 1,
+            flank: Side::Left,
+            fraction: 0.0,
+        };
+        let pose = Pose::new(&pair, first.onward(&pair, rng.within(0.0..30.0)));
+        let lost = ExactKernel::new(&pair).lost_motion(&pose).unwrap();
+        let [from, to] = pair.face();
+        let places = (0..=2000).map(|k| from + (to - from) * f64::from(k) / 2000.0);
+        let [most, least] = by_sections(&pair, &pose, places).unwrap();
+        let own = [lost.right.unwrap(), lost.left.unwrap()].map(|contact| {
+            let beyond = contact.rotation - pose.free_rotation();
+            beyond - TAU * (beyond / TAU).round()
+        });
+        assert!(
+            most <= own[0] + 1e-12 && least >= own[1] - 1e-12,
+            "{state}: {most} {least} {own:?}"
+        );
+        assert!(
+            most > least && lost.status() == Status::Jammed,
+            "{state}: {most} {least} {lost:?}"
+        );
+    }
+}
+
 /// Between involutes the sections that hold the tightest of all pairs are complete: of four times as many none is tighter. Between a tip and a
 /// fillet sections alone miss some, and four times as many less.
 #[test]

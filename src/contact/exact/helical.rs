@@ -18,6 +18,7 @@
 //! Where an edge comes to a fillet, or paths of contact are next to none, more is to be seen between ([`edges`]).
 
 mod edges;
+mod turning;
 
 use super::flank_problem::FlankProblem;
 use super::section::Section;

@@ -85,7 +85,7 @@ pub struct StatementSpec {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = within(&FLANK_OFFSET))]
     pub flank_offset_mm: Option<Either<f64, BandSpec>>,
-    /// Base tooth thickness s_b, mm.
+    /// Base tooth thickness s_b, mm; of helical gears s_bn, normal to the teeth: s_bt cos β_b.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(transform = within(&LENGTH))]
     pub base_thickness_mm: Option<Either<f64, BandSpec>>,

@@ -9,23 +9,14 @@
 //!
 //! These are places to look at: a section's own method finds what touches there.
 
+use super::turning::{DOUBT, Edge, Turning, crossing_places};
 use crate::contact::exact::deepest::{DeepestTouch, deepest};
 use crate::contact::exact::flank_problem::{FlankProblem, PosedFlanks};
 use crate::contact::exact::line::Line;
 use crate::contact::exact::shape::{C, Shape};
 use crate::contact::exact::teeth::reduced;
-use crate::pair::{GearPair, Member};
+use crate::pair::GearPair;
 use std::f64::consts::PI;
-use std::ops::RangeInclusive;
-
-/// How near to a crossing of edges, as an angle of the locked tooth, rad: some hundred times what rounding leaves of its direction.
-const BESIDE: f64 = 1e-13;
-
-/// A touch this far before the one that holds the free gear is looked at all the same, rad: a millionth of what teeth differ by.
-const DOUBT: f64 = 1e-9;
-
-/// Steps in which the free gear's rotation at a crossing is settled, at most (four to six are usual, some dozens where tip circles hardly cross).
-const MOST_TURNS: usize = 100;
 
 /// Distances of the outlines' centres at which the room of a fillet is looked at (tuned: runout of a hundredth of a module changes it little).
 const STEPS_OF_DISTANCE: u32 = 8;
@@ -94,15 +85,6 @@ impl Edges {
         let (locked, free) = (&posed.problem.locked.shape, &posed.problem.free.shape);
         let (c_l, c_f) = (posed.centre, posed.free_centre_at(rotation));
         let mut places = Vec::new();
-        if self.jams {
-            // Tips are deepest on the line of centres.
-            let [locked, free] = [
-                Turning::locked(assembly, posed),
-                Turning::free(assembly, posed, rotation),
-            ];
-            locked.places((c_f - c_l).arg(), &mut places);
-            free.places((c_l - c_f).arg(), &mut places);
-        }
         let turnings = [
             Turning::locked(assembly, posed),
             Turning::free(assembly, posed, rotation),
@@ -112,7 +94,8 @@ impl Edges {
         if self.short
             && let Some(tooth) = middle_of_path(locked, free, distance)
         {
-            turnings[0].places(between.arg() + tooth, &mut places);
+            let centre = Edge::corner(C::from(locked.tip_radius));
+            turnings[0].places(&centre, between.arg() + tooth, &mut places);
         }
         let mut take = |ahead, behind| tight_places(&turnings, [ahead, behind], &mut places);
         if self.on_locked {
@@ -141,9 +124,13 @@ impl Edges {
             for (l, &(_, other)) in free.corners().iter().enumerate() {
                 // Both tips cross where a pair is tightest only without a path of contact.
                 if k > 0 || l > 0 || self.short {
-                    crossing_places(posed, &turnings, [one, other], rotation, &mut places);
+                    let edges = [&Edge::corner(one), &Edge::corner(other)];
+                    crossing_places(posed, &turnings, edges, rotation, &mut places);
                 }
             }
+        }
+        if self.jams {
+            tips_on_roots(assembly, posed, &turnings, rotation, &mut places);
         }
         places
     }
@@ -229,147 +216,67 @@ fn middle_of_path(locked: &Shape, free: &Shape, distance: f64) -> Option<f64> {
     (from <= to).then_some(line.angle - 0.5 * (from + to) + locked.half_base)
 }
 
-/// How the teeth of one gear stand along the face, in the frame of a pose.
-struct Turning<'a> {
-    face: [f64; 2],
-    /// Rad a mm along the axis.
-    twist: f64,
-    /// Direction of the tooth of step 0 in the measuring plane, undisturbed, rad.
-    ahead: f64,
-    /// From one step to the next, rad.
-    step: f64,
-    /// What the flank of a step stands turned beyond its place, rad.
-    offset: Box<dyn Fn(i64) -> f64 + 'a>,
-}
-
-impl<'a> Turning<'a> {
-    fn new(assembly: &GearPair, posed: &PosedFlanks, member: Member) -> Turning<'a> {
-        Turning {
-            face: assembly.face(),
-            twist: posed.mirror() * assembly.gear(member).gear().basic_data().twist(),
-            ahead: 0.0,
-            step: 0.0,
-            offset: Box::new(|_| 0.0),
-        }
-    }
-
-    fn locked(assembly: &GearPair, posed: &'a PosedFlanks) -> Turning<'a> {
-        Turning {
-            ahead: PI + posed.ahead,
-            step: posed.problem.locked.pitch,
-            offset: Box::new(|step| posed.locked_offset_at(step)),
-            ..Turning::new(assembly, posed, assembly.locked())
-        }
-    }
-
-    fn free(assembly: &GearPair, posed: &'a PosedFlanks, rotation: f64) -> Turning<'a> {
-        Turning {
-            ahead: rotation + posed.free_angle(),
-            step: -posed.problem.free.pitch,
-            offset: Box::new(|step| posed.free_offset_at(step)),
-            ..Turning::new(assembly, posed, assembly.free())
-        }
-    }
-
-    /// Adds the places on the face, mm, at which a tooth's centre line has `direction`, rad.
-    fn places(&self, direction: f64, places: &mut Vec<f64>) {
-        let [from, to] = self.face;
-        for step in self.steps(direction) {
-            let b = self.place(direction, step);
-            if (from..=to).contains(&b) {
-                places.push(b);
-            }
-        }
-    }
-
-    /// Steps whose centre lines may have `direction` on the face.
-    fn steps(&self, direction: f64) -> RangeInclusive<i64> {
-        let ahead = reduced(direction - self.ahead);
-        let ends = self.face.map(|b| (ahead - self.twist * b) / self.step);
-        let (low, high) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
-        // A pitch more: flanks may stand off their places.
-        (low - 1.0).floor() as i64..=(high + 1.0).ceil() as i64
-    }
-
-    /// Where the centre line of a step has `direction`, mm.
-    fn place(&self, direction: f64, step: i64) -> f64 {
-        let ahead = reduced(direction - self.ahead);
-        (ahead - step as f64 * self.step - (self.offset)(step)) / self.twist
-    }
-
-    /// Direction of the centre line of a step at `b`, rad.
-    fn direction(&self, b: f64, step: i64) -> f64 {
-        self.ahead + step as f64 * self.step + (self.offset)(step) + self.twist * b
-    }
-
-    /// The step whose centre line is nearest to `direction` at `b`, if flanks stood at their places.
-    fn step_near(&self, direction: f64, b: f64) -> i64 {
-        (reduced(direction - self.ahead - self.twist * b) / self.step).round() as i64
-    }
-}
-
-/// Adds the places at which the corners `edges` of a locked and a free tooth cross, and those just beside them: on one side of a crossing
-/// the corners pass each other, and on which rounding would decide.
+/// Adds the places on the face, mm, where the tip of a tooth may come to the mate's root.
 ///
-/// Where the free gear stands then is not `rotation`, and its eccentric axis not where that puts it: for each locked tooth both are settled in turn,
-/// each step leaving a share `e_F/r_F` of the last, more where the circles hardly cross.
-fn crossing_places(
-    posed: &PosedFlanks,
-    [locked, free]: &[Turning; 2],
-    edges: [C; 2],
+/// Tips are deepest on the line of centres. The root of an eccentric free gear comes to a tip land as it turns: where both circles touch
+/// it stands alike over all of the face where both lands are on the line of centres, from an end of one to an end of one. Beyond, an end of the tip
+/// land touches, the farther from that line the later, until the root land ends.
+fn tips_on_roots<'a>(
+    assembly: &GearPair,
+    posed: &'a PosedFlanks,
+    turnings: &[Turning; 2],
     rotation: f64,
     places: &mut Vec<f64>,
 ) {
-    let [from, to] = locked.face;
-    let radii = edges.map(|edge| edge.norm());
-    let meets = |rotation: f64| {
-        let centres = [posed.centre, posed.free_centre_at(rotation)];
-        let points = crossings((centres[0], radii[0]), (centres[1], radii[1]));
-        points.map(|points| {
-            points.map(|point| [0, 1].map(|k| (point - centres[k]).arg() - edges[k].arg()))
-        })
-    };
-    let Some(points) = meets(rotation) else {
-        return;
-    };
-    for (index, [ahead, behind]) in points.into_iter().enumerate() {
-        for step in locked.steps(ahead) {
-            let mut b = locked.place(ahead, step);
-            let mate = free.step_near(behind, b);
-            let mut turned = 0.0;
-            for _ in 0..MOST_TURNS {
-                let Some([ahead, behind]) = meets(rotation + turned).map(|points| points[index])
-                else {
-                    b = f64::NAN;
-                    break;
-                };
-                b += reduced(ahead - locked.direction(b, step)) / locked.twist;
-                let last = turned;
-                turned = reduced(behind - free.direction(b, mate));
-                if (turned - last).abs() <= BESIDE {
-                    break;
-                }
+    let (locked, free) = (&posed.problem.locked.shape, &posed.problem.free.shape);
+    let of_locked = |step: i64| posed.locked(step);
+    let of_free = |step: i64| posed.free(step);
+    let centre = |shape: &Shape| Edge::corner(C::from(shape.tip_radius));
+    let tips = [
+        [
+            Edge::corner(locked.tip_corner()),
+            Edge::far(locked, of_locked),
+            centre(locked),
+        ],
+        [
+            Edge::corner(free.tip_corner()),
+            Edge::far(free, of_free),
+            centre(free),
+        ],
+    ];
+    let roots = [
+        Edge::root_end(locked, of_locked),
+        Edge::root_end(free, of_free),
+    ];
+    for (which, tips) in tips.iter().enumerate() {
+        let root = &roots[1 - which];
+        for tip in &tips[..2] {
+            let edges = if which == 0 { [tip, root] } else { [root, tip] };
+            crossing_places(posed, turnings, edges, rotation, places);
+        }
+        let touching = tangent_rotations(posed, tips[0].radius + root.radius);
+        for rotation in std::iter::once(rotation).chain(touching.into_iter().flatten()) {
+            let between = posed.free_centre_at(rotation) - posed.centre;
+            let turnings = [
+                Turning::locked(assembly, posed),
+                Turning::free(assembly, posed, rotation),
+            ];
+            let towards = [between.arg(), (-between).arg()];
+            for tip in tips {
+                turnings[which].places(tip, towards[which], places);
             }
-            if turned < -DOUBT {
-                continue;
-            }
-            let beside = BESIDE / locked.twist;
-            let near = [b - beside, b, b + beside].into_iter();
-            places.extend(near.filter(|b| (from..=to).contains(b)));
+            turnings[1 - which].places(root, towards[1 - which], places);
         }
     }
 }
 
-/// Both intersections of two circles.
-fn crossings(one: (C, f64), other: (C, f64)) -> Option<[C; 2]> {
-    let between = other.0 - one.0;
-    let distance = between.norm();
-    let along = (distance * distance + one.1 * one.1 - other.1 * other.1) / (2.0 * distance);
-    let square = one.1 * one.1 - along * along;
-    if !(square >= 0.0) {
-        return None;
-    }
-    let unit = between / distance;
-    let aside = square.sqrt();
-    Some([aside, -aside].map(|aside| one.0 + unit * C::new(along, aside)))
+/// Rotations of the free gear at which circles about both outlines' centres touch, `sum` the sum of their radii: see
+/// [`super::super::lands`].
+fn tangent_rotations(posed: &PosedFlanks, sum: f64) -> Option<[f64; 2]> {
+    let (locked, free) = (posed.centre, posed.problem.free_off);
+    let (far, off) = (locked.norm(), free.norm());
+    let cos = ((far - sum) * (far + sum) + off * off) / (2.0 * far * off);
+    let beside = (cos.abs() <= 1.0).then(|| cos.acos())?;
+    let towards = (locked * free.conj()).arg();
+    Some([towards + beside, towards - beside])
 }

@@ -6,7 +6,7 @@ use crate::gear::AsBuilt;
 use crate::pair::{GearPair, Member, SweepPlan};
 use crate::parallel;
 use crate::population::{Assembly, Outcome, OutcomeKind, Requirement, Standing};
-use std::ops::ControlFlow;
+use std::ops::{ControlFlow, Range};
 
 /// Distances from what is wanted beyond this are not told apart, mm: more than teeth differ.
 const FARTHEST: f64 = 100.0;
@@ -92,38 +92,63 @@ impl Matrix {
         terms: &Terms,
         tick: &(dyn Fn() -> ControlFlow<()> + Sync),
     ) -> Result<Matrix, Error> {
-        let teeth = |gear: &AsBuilt| gear.gear().basic_data().teeth();
-        let count = |gears: &[AsBuilt]| gears.first().map_or(1, teeth);
-        let (wheel_teeth, pinion_teeth) = (count(wheels), count(pinions));
-        for (gears, count) in [(wheels, wheel_teeth), (pinions, pinion_teeth)] {
-            if let Some(other) = gears.iter().map(teeth).find(|other| *other != count) {
-                return Err(Error::Gear(GearError::OutOfRange {
-                    what: "number of teeth of a gear to be matched",
-                    value: other.into(),
-                    allowed: "that of the first of its kind",
-                }));
-            }
-        }
-        let phases = SweepPlan::phase_count(wheel_teeth, pinion_teeth);
-        let places = wheels
-            .iter()
-            .flat_map(|wheel| pinions.iter().map(move |pinion| (wheel, pinion)));
-        let cells = parallel::map(places, |(wheel, pinion)| {
+        let all = 0..wheels.len() * pinions.len();
+        let cells = Matrix::cells(wheels, pinions, terms, all, tick)?;
+        Ok(Matrix {
+            wheels: wheels.len(),
+            pinions: pinions.len(),
+            cells,
+            phases: phase_count(wheels, pinions)?,
+            thicknesses: Matrix::thicknesses(wheels, pinions),
+        })
+    }
+
+    /// What stands at `places` of their matrix, counted from 0 wheel by wheel: a part of it, which does not depend on the others.
+    ///
+    /// # Errors
+    /// As [`Matrix::new`].
+    pub fn cells(
+        wheels: &[AsBuilt],
+        pinions: &[AsBuilt],
+        terms: &Terms,
+        places: Range<usize>,
+        tick: &(dyn Fn() -> ControlFlow<()> + Sync),
+    ) -> Result<Vec<Meeting>, Error> {
+        let phases = phase_count(wheels, pinions)?;
+        let count = pinions.len().max(1);
+        let gears = places
+            .filter_map(|place| Some((wheels.get(place / count)?, pinions.get(place % count)?)));
+        let cells = parallel::map(gears, |(wheel, pinion)| {
             if tick().is_break() {
                 return Err(Error::Interrupted);
             }
             Meeting::new(wheel, pinion, phases, terms)
         });
-        let thicknesses = [wheels, pinions].map(|gears| {
-            let thickness = gears.iter().map(|gear| gear.gear().base_thickness());
-            thickness.collect()
-        });
-        Ok(Matrix {
-            wheels: wheels.len(),
-            pinions: pinions.len(),
-            cells: cells.into_iter().collect::<Result<_, Error>>()?,
+        cells.into_iter().collect()
+    }
+
+    /// The matrix of all `cells`, wheel by wheel, of gears of these mean base tooth thicknesses, mm, in so many assembly `phases`; `None` where
+    /// there are not as many as wheels times pinions.
+    pub fn of_cells(
+        thicknesses: [Vec<f64>; 2],
+        phases: u32,
+        cells: Vec<Meeting>,
+    ) -> Option<Matrix> {
+        let [wheels, pinions] = [0, 1].map(|kind: usize| thicknesses[kind].len());
+        (wheels.checked_mul(pinions) == Some(cells.len())).then_some(Matrix {
+            wheels,
+            pinions,
+            cells,
             phases,
             thicknesses,
+        })
+    }
+
+    /// Mean base tooth thickness of each wheel and of each pinion, mm.
+    pub fn thicknesses(wheels: &[AsBuilt], pinions: &[AsBuilt]) -> [Vec<f64>; 2] {
+        [wheels, pinions].map(|gears| {
+            let thickness = gears.iter().map(|gear| gear.gear().base_thickness());
+            thickness.collect()
         })
     }
 
@@ -148,6 +173,25 @@ impl Matrix {
     pub fn most(&self) -> usize {
         self.wheels.min(self.pinions)
     }
+}
+
+/// Assembly phases of gears that all have the numbers of teeth of the first.
+///
+/// # Errors
+/// A gear of another number of teeth.
+pub fn phase_count(wheels: &[AsBuilt], pinions: &[AsBuilt]) -> Result<u32, GearError> {
+    let teeth = |gear: &AsBuilt| gear.gear().basic_data().teeth();
+    let counts = [wheels, pinions].map(|gears| gears.first().map_or(1, teeth));
+    for (gears, count) in [wheels, pinions].into_iter().zip(counts) {
+        if let Some(other) = gears.iter().map(teeth).find(|other| *other != count) {
+            return Err(GearError::OutOfRange {
+                what: "number of teeth of a gear to be matched",
+                value: other.into(),
+                allowed: "that of the first of its kind",
+            });
+        }
+    }
+    Ok(SweepPlan::phase_count(counts[0], counts[1]))
 }
 
 impl Meeting {
@@ -211,23 +255,28 @@ impl Fit {
         let Some(outcome) = found else {
             return Ok(Fit::NONE);
         };
-        let both = outcome.least.zip(outcome.greatest);
-        let off = both.map_or(f64::INFINITY, |(least, greatest)| {
-            let wanted = terms.wanted();
-            (least - wanted).abs().max((greatest - wanted).abs())
-        });
         let ends = || {
             let [near, _] = assembly(pairs.first()?).ends()?;
             let [_, far] = assembly(pairs.last()?).ends()?;
             Some([near, far])
         };
         let standing = terms.requirement.standing_of(&outcome, ends);
-        Ok(Fit {
+        let meets = outcome.is_proven && keeps(&outcome, &standing);
+        Ok(Fit::of(pinion_tooth, outcome, meets, terms.wanted()))
+    }
+
+    /// What `outcome` comes to in the phase of `pinion_tooth` where the backlash `wanted`, mm, is wanted.
+    pub fn of(pinion_tooth: u32, outcome: Outcome, meets: bool, wanted: f64) -> Fit {
+        let both = outcome.least.zip(outcome.greatest);
+        let off = both.map_or(f64::INFINITY, |(least, greatest)| {
+            (least - wanted).abs().max((greatest - wanted).abs())
+        });
+        Fit {
             pinion_tooth,
             outcome,
-            meets: outcome.is_proven && keeps(&outcome, &standing),
+            meets,
             off,
-        })
+        }
     }
 }
 

@@ -2,8 +2,8 @@
 
 use gearlash::error::GearError;
 use gearlash_files::InputError;
+use gearlash_files::PartError;
 use gearlash_files::characters;
-use gearlash_files::tolerance::PartError;
 use gearlash_render::PictureError;
 use std::path::PathBuf;
 

@@ -23,6 +23,7 @@ mod method;
 mod outline;
 mod outlines;
 mod output;
+mod parts;
 mod pictures;
 mod poses;
 mod progress;

@@ -1,14 +1,14 @@
 //! `gearlash match`: which measured wheel goes with which pinion, and which teeth meet.
 
 use super::console::{guard, print, print_note, tell, warn};
+use super::parts::{Kept, WHOLE, shard};
 use super::progress::Progress;
 use super::screen::ScreenArgs;
+use super::tolerance::Format;
 use crate::error::Error;
 use crate::output::OutputFolder;
-use clap::ValueEnum;
-use gearlash::gear::AsBuilt;
-use gearlash::matching::Matrix;
-use gearlash_files::matching::{MatchResult, NamedGear, read_match};
+use gearlash_files::matching::{MatchFile, MatchPart, MatchResult, read_match};
+use gearlash_render::text::Screen;
 use gearlash_render::{match_map, text};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -21,7 +21,8 @@ const FILES: [&str; 3] = ["match.json", "matrix.csv", "match.svg"];
 /// Every wheel with every pinion in every assembly phase, each proven over its whole mesh cycle at the centre distances of the pair file; then
 /// the assignment with the most pairs within [require] and, among those, the nearest to the wanted backlash. Prints the pairs with the pinion
 /// tooth that meets wheel tooth 1, the gears left over, and what random pairing and thickness classes would come to; writes match.json,
-/// matrix.csv and match.svg to DIR. Exit code 1 where a gear is left over that had a mate.
+/// matrix.csv and match.svg to DIR. Interrupted, it keeps what is done in DIR/part.json; the same command goes on from there. Exit code 1 where a gear is
+/// left over that had a mate.
 #[derive(clap::Args)]
 pub(super) struct Args {
     /// The pair file (TOML or JSON) of centre distance, bearings and [require]
@@ -35,6 +36,9 @@ pub(super) struct Args {
     /// Wanted backlash in µm, from which a pair is to stray least over its mesh cycle [default: the middle of [require], or its one limit]
     #[arg(long, value_name = "UM", value_parser = target, allow_negative_numbers = true)]
     target_um: Option<f64>,
+    /// Part K of N of all wheels with pinions alone, to DIR/part_K_of_N.json: gearlash merge puts all together
+    #[arg(long, value_name = "K/N", value_parser = shard)]
+    shard: Option<[u64; 2]>,
     /// Folder for results [default: out/<file stem>; with --format json or csv none]
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
@@ -43,16 +47,6 @@ pub(super) struct Args {
     format: Format,
     #[command(flatten)]
     screen: ScreenArgs,
-}
-
-#[derive(Clone, Copy, PartialEq, ValueEnum)]
-enum Format {
-    /// A readable table
-    Text,
-    /// The whole result
-    Json,
-    /// Every wheel with every pinion, a row each
-    Csv,
 }
 
 /// A backlash in µm.
@@ -80,25 +74,66 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             .iter()
             .for_each(|line| tell(&format!("{kind}: {line}")));
     }
-    let folder = match (&args.output, args.format) {
-        (Some(folder), _) => Some(folder.clone()),
-        (None, Format::Text) => Some(PathBuf::from("out").join(&file.pair.stem)),
-        (None, Format::Json | Format::Csv) => None,
+    let own = PathBuf::from("out").join(&file.pair.stem);
+    let named = args.output.as_deref();
+    let folder = match args.shard {
+        Some(_) => Some(named.unwrap_or(&own).to_path_buf()),
+        None => args.format.folder(named, &own),
     };
-    let is_own = |name: &str| FILES.contains(&name);
-    let prepare = |folder: PathBuf| OutputFolder::prepare(&folder, &file.pair.sources, is_own);
-    let folder = folder.map(prepare).transpose()?;
-    let gears = |named: &[NamedGear]| -> Vec<AsBuilt> {
-        named.iter().map(|named| named.gear.clone()).collect()
+    let shard = args.shard.unwrap_or([1, 1]);
+    let sources = &file.pair.sources;
+    let whole = folder.as_ref().filter(|_| args.shard.is_none());
+    let prepared = whole.map(|folder| OutputFolder::prepare(folder, sources, is_own));
+    let prepared = prepared.transpose()?;
+    let mut kept = folder
+        .as_ref()
+        .map(|folder| Kept::new(folder, args.shard, sources));
+    let begun = file.part(shard)?;
+    let part = match &kept {
+        Some(kept) => kept.found(begun),
+        None => begun,
     };
-    let (wheels, pinions) = (gears(&file.wheels), gears(&file.pinions));
-    let bar = Progress::of((wheels.len() * pinions.len()) as u64, "pairs");
-    let matrix = Matrix::new(&wheels, &pinions, &file.terms, &|| bar.tick())?;
-    drop(bar);
-    let result = MatchResult::of(&file, matrix);
+    let part = work(&file, part, kept.as_mut())?;
+    if let (Some(kept), Some(_)) = (&kept, args.shard) {
+        print_note(&kept.finish(&part, shard)?)?;
+        return Ok(ExitCode::SUCCESS);
+    }
+    tell_match(part, prepared, args.format, &args.screen.screen())
+}
+
+/// Does all of `part` that is left, and keeps what is done from time to time.
+fn work(
+    file: &MatchFile,
+    mut part: MatchPart,
+    mut kept: Option<&mut Kept>,
+) -> Result<MatchPart, Error> {
+    let [all, done] = part.progress();
+    let bar = Progress::of(all - done, "pairs");
+    while file.go_on(&mut part, &|| bar.tick())? {
+        let [all, done] = part.progress();
+        if let Some(kept) = kept.as_mut().filter(|_| done < all) {
+            kept.keep(&part)?;
+        }
+    }
+    Ok(part)
+}
+
+/// Whether a matching may write a file called `name`.
+pub(super) fn is_own(name: &str) -> bool {
+    FILES.contains(&name) || name == WHOLE
+}
+
+/// Prints what the whole `part` comes to and writes it to `folder`, where there is one.
+pub(super) fn tell_match(
+    part: MatchPart,
+    folder: Option<OutputFolder>,
+    format: Format,
+    screen: &Screen,
+) -> Result<ExitCode, Error> {
     let unwritable = |error: &dyn std::fmt::Display| {
         Error::Usage(format!("the result cannot be written: {error}"))
     };
+    let result = MatchResult::of(part).ok_or_else(|| unwritable(&"a part of it is not done"))?;
     let json = result.to_json();
     let matrix = result.matrix_csv().map_err(|error| unwritable(&error))?;
     let [first, second, third] = FILES.map(str::to_owned);
@@ -107,14 +142,14 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         (second, matrix.clone()),
         (third, match_map(&result)),
     ];
-    match args.format {
-        Format::Text => print(&text::matched(&result, &args.screen.screen()))?,
+    match format {
+        Format::Text => print(&text::matched(&result, screen))?,
         Format::Json => print(&json)?,
         Format::Csv => print(&matrix)?,
     }
     if let Some(folder) = folder {
         let written = folder.write(&files)?;
-        if args.format == Format::Text {
+        if format == Format::Text {
             print_note(&format!("\n{written}\n"))?;
         }
     }

@@ -1,19 +1,22 @@
 //! `gearlash merge`: parts of a run as one.
 
 use super::console::guard;
+use super::matching;
 use super::screen::ScreenArgs;
 use super::tolerance::{Format, guard_earlier, is_own, tell_result};
 use crate::error::Error;
 use crate::output::OutputFolder;
-use gearlash_files::Sources;
-use gearlash_files::tolerance::{Part, PartError, ToleranceResult};
+use gearlash_files::matching::MatchPart;
+use gearlash_files::tolerance::{Part, ToleranceResult};
+use gearlash_files::{PartError, Parts, Sources};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-/// Put the parts of a run together that gearlash tolerance --shard wrote: the same bytes as of one run
+/// Put the parts of a run together that gearlash tolerance --shard or gearlash match --shard wrote: the same bytes as of one run
 ///
 /// A part that is missing, given twice, unfinished or of another run (other input, seed or version, or numbers that are not the same to the last bit) is
-/// named, exit code 2. Writes what gearlash tolerance writes. Exit code 1 where more assemblies miss the requirement than max_ppm allows.
+/// named, exit code 2. Writes what that command writes. Exit code 1 where more assemblies miss the requirement than max_ppm allows, or a gear is left over
+/// that had a mate.
 #[derive(clap::Args)]
 pub(super) struct Args {
     /// Parts, in any order
@@ -32,7 +35,7 @@ pub(super) struct Args {
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let mut sources = Sources::new();
-    let mut parts = Vec::new();
+    let mut files = Vec::new();
     for path in &args.parts {
         let name = path.display().to_string();
         let text = std::fs::read_to_string(path).map_err(|error| PartError::Invalid {
@@ -40,23 +43,34 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
             reason: error.to_string(),
         })?;
         sources.add(path);
-        let part = Part::from_json(&name, &text)?;
-        parts.push((name, part));
+        files.push((name, text));
     }
+    let parts = Parts::read(files)?;
     guard(&sources)?;
     let folder = args
         .format
         .folder(args.output.as_deref(), Path::new("out/merged"));
-    let prepared = folder
-        .as_ref()
-        .map(|folder| OutputFolder::prepare(folder, &sources, is_own));
-    let prepared = prepared.transpose()?;
-    let result = ToleranceResult::of(Part::merged(parts)?);
-    if let Some(reason) = result.part.too_many_impossible() {
-        return Err(Error::Usage(reason.to_string()));
+    let screen = args.screen.screen();
+    let prepare = |is_own: fn(&str) -> bool| {
+        let folder = folder.as_ref();
+        let prepared = folder.map(|folder| OutputFolder::prepare(folder, &sources, is_own));
+        prepared.transpose()
+    };
+    match parts {
+        Parts::Tolerance(parts) => {
+            let prepared = prepare(is_own)?;
+            let result = ToleranceResult::of(Part::merged(parts)?);
+            if let Some(reason) = result.part.too_many_impossible() {
+                return Err(Error::Usage(reason.to_string()));
+            }
+            if let Some(folder) = &folder {
+                guard_earlier(folder, &result.part.head, None)?;
+            }
+            tell_result(&result, prepared, args.format, &screen)
+        }
+        Parts::Match(parts) => {
+            let prepared = prepare(matching::is_own)?;
+            matching::tell_match(MatchPart::merged(parts)?, prepared, args.format, &screen)
+        }
     }
-    if let Some(folder) = &folder {
-        guard_earlier(folder, &result.part.head, None)?;
-    }
-    tell_result(&result, prepared, args.format, &args.screen.screen())
 }

@@ -5,22 +5,19 @@ mod parquet;
 mod results;
 mod rows;
 
-use super::console::{guard, print_note, tell, warn};
+use super::console::{guard, print_note, warn};
+use super::parts::{Kept, shard};
 use super::progress::Progress;
 use super::screen::ScreenArgs;
-use super::signals;
 use crate::error::Error;
-use crate::output::{OutputFile, OutputFolder};
+use crate::output::OutputFolder;
 use gearlash::population::{CHUNK, SampleError};
-use gearlash_files::Sources;
 use gearlash_files::tolerance::{
-    BlockError, MOST_ASSEMBLIES, MOST_SHARDS, Part, ToleranceFile, ToleranceResult, read_tolerance,
+    BlockError, MOST_ASSEMBLIES, Part, ToleranceFile, ToleranceResult, read_tolerance,
 };
 use rows::RowsFile;
-use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use std::time::{Duration, Instant};
 
 pub(super) use earlier::guard as guard_earlier;
 pub(super) use results::{Format, is_own, tell_result};
@@ -59,21 +56,6 @@ pub(super) struct Args {
     screen: ScreenArgs,
 }
 
-/// `K/N`.
-fn shard(text: &str) -> Result<[u64; 2], String> {
-    let parts = text.split_once('/');
-    let parts = parts.and_then(|(k, n)| Some([k.parse().ok()?, n.parse().ok()?]));
-    match parts {
-        Some([k, n]) if 1 <= k && k <= n && n <= MOST_SHARDS => Ok([k, n]),
-        _ => Err(format!(
-            "expected K/N, such as 3/64, with K from 1 to N and N up to {MOST_SHARDS}"
-        )),
-    }
-}
-
-/// How often what is done is kept (tuned: a part takes some milliseconds to write).
-const KEPT_EVERY: Duration = Duration::from_secs(1);
-
 /// Runs the command.
 pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     let file = read_tolerance(&args.pair)?;
@@ -91,18 +73,13 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     }
     let own = Path::new("out").join(&file.pair.stem);
     let (named, sources) = (args.output.as_deref(), &file.pair.sources);
-    // Many parts go to one folder, from many processes; a whole run has its folder for itself.
-    let (folder, name) = match args.shard {
-        Some([k, n]) => (
-            Some(named.unwrap_or(&own).to_path_buf()),
-            format!("part_{k}_of_{n}.json"),
-        ),
-        None => (args.format.folder(named, &own), results::PART.to_owned()),
+    let folder = match args.shard {
+        Some(_) => Some(named.unwrap_or(&own).to_path_buf()),
+        None => args.format.folder(named, &own),
     };
-    let kept = folder.as_ref().map(|folder| Kept {
-        path: folder.join(name),
-        sources,
-    });
+    let mut kept = folder
+        .as_ref()
+        .map(|folder| Kept::new(folder, args.shard, sources));
     let whole = folder.as_ref().filter(|_| args.shard.is_none());
     let prepared = whole.map(|folder| OutputFolder::prepare(folder, sources, is_own));
     let mut prepared = prepared.transpose()?;
@@ -119,15 +96,9 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         (None, Some(kept)) => kept.found(begun),
         _ => begun,
     };
-    work(&file, &mut part, kept.as_ref(), rows)?;
+    work(&file, &mut part, kept.as_mut(), rows)?;
     if let (Some(kept), Some(_)) = (&kept, args.shard) {
-        kept.write(&part)?;
-        print_note(&format!(
-            "{}: part {} of {}\n",
-            kept.path.display(),
-            shard[0],
-            shard[1]
-        ))?;
+        print_note(&kept.finish(&part, shard)?)?;
         return Ok(ExitCode::SUCCESS);
     }
     let result = ToleranceResult::of(part);
@@ -138,7 +109,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
 fn work(
     file: &ToleranceFile,
     part: &mut Part,
-    kept: Option<&Kept>,
+    mut kept: Option<&mut Kept>,
     mut rows: Option<RowsFile>,
 ) -> Result<(), Error> {
     let steps = |length: u64, done: u64, chunk: u64| length.saturating_sub(done).div_ceil(chunk);
@@ -146,7 +117,6 @@ fn work(
     let left = steps(length(part.head.numbers()), part.done.assemblies, CHUNK)
         + steps(length(part.head.rows()), part.done.rows, 8);
     let bar = Progress::of(left, "steps");
-    let mut last = Instant::now();
     loop {
         let numbers = length(part.head.numbers());
         bar.now(match part.done.assemblies < numbers {
@@ -168,63 +138,12 @@ fn work(
         if !went_on {
             break;
         }
-        if let Some(kept) = kept.filter(|_| rows.is_none())
-            && last.elapsed() > KEPT_EVERY
+        if let Some(kept) = kept.as_mut().filter(|_| rows.is_none())
             && !part.is_done()
         {
-            kept.write(part)?;
-            signals::has_kept(format!(
-                "{} of {numbers} assemblies are kept in {}: the same command goes on from there",
-                part.done.assemblies,
-                kept.path.display()
-            ));
-            last = Instant::now();
+            kept.keep(part)?;
         }
     }
     drop(bar);
     rows.map_or(Ok(()), RowsFile::finish)
-}
-
-/// Where what is done of a run is kept.
-struct Kept<'a> {
-    path: PathBuf,
-    sources: &'a Sources,
-}
-
-impl Kept<'_> {
-    /// What is kept of the run of `begun`; `begun` itself where nothing is.
-    fn found(&self, begun: Part) -> Part {
-        let name = self.path.display().to_string();
-        let found = match std::fs::read_to_string(&self.path) {
-            Err(error) if error.kind() == ErrorKind::NotFound => return begun,
-            Err(error) => Err(error.to_string()),
-            Ok(text) => Part::from_json(&name, &text).map_err(|error| error.to_string()),
-        };
-        let found = match found {
-            Ok(found) => found,
-            Err(reason) => {
-                // Which names the file, but for what the system says.
-                let reason = reason.strip_prefix(&format!("{name}: ")).unwrap_or(&reason);
-                tell(&format!(
-                    "note: {name}: what was kept there cannot be gone on from, and is done again: {reason}"
-                ));
-                return begun;
-            }
-        };
-        if found.head != begun.head || found.about != begun.about {
-            tell(&format!("note: {name} is of another run, and is replaced"));
-            return begun;
-        }
-        if found.done.assemblies > 0 {
-            tell(&format!(
-                "note: {name}: goes on after {} assemblies",
-                found.done.assemblies
-            ));
-        }
-        found
-    }
-
-    fn write(&self, part: &Part) -> Result<(), Error> {
-        OutputFile::prepare(&self.path, self.sources)?.write(&part.to_json())
-    }
 }

@@ -34,7 +34,8 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(gauge::gauge, module)?)?;
     module.add_function(wrap_pyfunction!(population::tolerance_part, module)?)?;
     module.add_function(wrap_pyfunction!(population::tolerance_result, module)?)?;
-    module.add_function(wrap_pyfunction!(population::matched, module)?)?;
+    module.add_function(wrap_pyfunction!(population::match_part, module)?)?;
+    module.add_function(wrap_pyfunction!(population::match_result, module)?)?;
     module.add_function(wrap_pyfunction!(pictures::snapshot, module)?)?;
     module.add_function(wrap_pyfunction!(pictures::over_teeth, module)?)?;
     module.add_function(wrap_pyfunction!(pictures::over_distance, module)?)?;

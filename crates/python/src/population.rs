@@ -2,20 +2,19 @@
 
 use crate::call::work;
 use crate::error::{error, input};
-use gearlash::gear::AsBuilt;
-use gearlash::matching::Matrix;
 use gearlash::population::SampleError;
-use gearlash_files::matching::{MatchResult, NamedGear, read_match};
+use gearlash_files::matching::{MatchPart, MatchResult, read_match};
 use gearlash_files::tolerance::{
-    BlockError, MOST_ASSEMBLIES, MOST_SHARDS, Part, ToleranceResult, read_tolerance,
+    BlockError, MOST_ASSEMBLIES, Part, ToleranceResult, read_tolerance,
 };
+use gearlash_files::{MOST_SHARDS, PartError};
 use pyo3::prelude::*;
 use std::path::{Path, PathBuf};
 
 /// The farthest that a wanted backlash may lie from 0, µm, as that of the command.
 const MOST_TARGET_UM: f64 = 1e5;
 
-/// Part `k` of `n` of the run that `[tolerance]` of the pair file at `path` asks for, as the text of a part's file.
+/// Part `k` of `n` of the run that `[tolerance]` of the pair file at `path` asks for, as the text of a part's file, and the warnings of the files.
 #[pyfunction]
 #[pyo3(signature = (path, assemblies, seed, shard, threads=None))]
 pub fn tolerance_part(
@@ -25,7 +24,7 @@ pub fn tolerance_part(
     seed: Option<u64>,
     shard: (u64, u64),
     threads: Option<usize>,
-) -> PyResult<String> {
+) -> PyResult<(String, Vec<String>)> {
     let file = py.detach(|| read_tolerance(&path));
     let file = file.map_err(|reason| input(py, &reason))?;
     let assemblies = assemblies.unwrap_or(file.tolerance.assemblies.into());
@@ -55,35 +54,34 @@ pub fn tolerance_part(
             }
         }
     })?;
-    Ok(done.map_err(|reason| error(py, reason))?.to_json())
+    let part = done.map_err(|reason| error(py, reason))?;
+    let warnings = [&file.pair.warnings[..], &file.warnings].concat();
+    Ok((part.to_json(), warnings))
 }
 
 /// The result of all `parts` of one run, in any order, as the JSON of `gearlash tolerance`.
 #[pyfunction]
 pub fn tolerance_result(py: Python<'_>, parts: Vec<String>) -> PyResult<String> {
-    let each = parts.iter().enumerate().map(|(index, text)| {
-        let name = format!("parts[{index}]");
-        Ok((name.clone(), Part::from_json(&name, text)?))
-    });
-    let merged = each.collect::<Result<_, _>>().and_then(Part::merged);
-    let part = merged.map_err(|reason| error(py, reason))?;
+    let part = Part::merged(named(py, &parts, Part::from_json)?);
+    let part = part.map_err(|reason| error(py, reason))?;
     if let Some(reason) = part.too_many_impossible() {
         return Err(error(py, reason.to_string()));
     }
     Ok(ToleranceResult::of(part).to_json())
 }
 
-/// Which gears of two folders go together, as the JSON of `gearlash match`.
+/// Part `k` of `n` of all wheels with pinions of two folders, as the text of a part's file, and the warnings of the files.
 #[pyfunction]
-#[pyo3(name = "match", signature = (path, wheels, pinions, target_um=None, threads=None))]
-pub fn matched(
+#[pyo3(signature = (path, wheels, pinions, target_um, shard, threads=None))]
+pub fn match_part(
     py: Python<'_>,
     path: PathBuf,
     wheels: PathBuf,
     pinions: PathBuf,
     target_um: Option<f64>,
+    shard: (u64, u64),
     threads: Option<usize>,
-) -> PyResult<String> {
+) -> PyResult<(String, Vec<String>)> {
     let folders: [&Path; 2] = [&wheels, &pinions];
     if let Some(um) = target_um
         && !(um.abs() <= MOST_TARGET_UM)
@@ -104,12 +102,41 @@ pub fn matched(
             error(py, lines.join("\n"))
         }
     })?;
-    let gears = |named: &[NamedGear]| -> Vec<AsBuilt> {
-        named.iter().map(|named| named.gear.clone()).collect()
-    };
-    let (wheels, pinions) = (gears(&file.wheels), gears(&file.pinions));
-    let matrix = work(py, threads, |tick| {
-        Matrix::new(&wheels, &pinions, &file.terms, tick)
+    let (k, n) = shard;
+    if k == 0 || k > n || n > MOST_SHARDS {
+        return Err(error(
+            py,
+            format!("part {k} of {n}: parts from 1 on are allowed, {MOST_SHARDS} at most"),
+        ));
+    }
+    let part = work(py, threads, |tick| {
+        let mut part = file.part([k, n])?;
+        while file.go_on(&mut part, tick)? {}
+        Ok(part)
     })?;
-    Ok(MatchResult::of(&file, matrix).to_json())
+    let warnings = [&file.pair.warnings[..], &file.warnings, &file.gear_warnings].concat();
+    Ok((part.to_json(), warnings))
+}
+
+/// Which gears go together, of all `parts` of one matching in any order, as the JSON of `gearlash match`.
+#[pyfunction]
+pub fn match_result(py: Python<'_>, parts: Vec<String>) -> PyResult<String> {
+    let part = MatchPart::merged(named(py, &parts, MatchPart::from_json)?);
+    let part = part.map_err(|reason| error(py, reason))?;
+    let result = MatchResult::of(part).ok_or_else(|| error(py, "a part of it is not done"))?;
+    Ok(result.to_json())
+}
+
+/// Each part with its place as the name of its file.
+fn named<P>(
+    py: Python<'_>,
+    parts: &[String],
+    read: fn(&str, &str) -> Result<P, PartError>,
+) -> PyResult<Vec<(String, P)>> {
+    let each = parts.iter().enumerate().map(|(index, text)| {
+        let name = format!("parts[{index}]");
+        Ok((name.clone(), read(&name, text)?))
+    });
+    let each: Result<Vec<_>, PartError> = each.collect();
+    each.map_err(|reason| error(py, reason))
 }

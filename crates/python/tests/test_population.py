@@ -115,7 +115,7 @@ def test_a_killed_worker_changes_nothing(pair: Path, whole: dict[str, object]) -
         # Its first part kills the worker's process, once: the file says that it has been done.
         mark = os.path.join(client.run(os.getcwd).popitem()[1], f"gearlash-killed-{os.getpid()}")
 
-        def deadly(shard: int) -> str:
+        def deadly(shard: int) -> tuple[str, list[str]]:
             if os.getpid() == victim and not os.path.exists(mark):
                 Path(mark).touch()
                 os.kill(victim, signal.SIGKILL)
@@ -126,26 +126,101 @@ def test_a_killed_worker_changes_nothing(pair: Path, whole: dict[str, object]) -
             assert os.path.exists(mark)
         finally:
             Path(mark).unlink(missing_ok=True)
-    found = json.loads(gearlash._core.tolerance_result(parts))
+    found = json.loads(gearlash._core.tolerance_result([text for text, _ in parts]))
     assert json.dumps(found) == json.dumps(whole)
 
 
+MATCHED = (DOCS / "matching.toml", DOCS / "wheels", DOCS / "pinions")
+
+
 def test_gears_are_matched_as_by_the_command(cluster: object, tmp_path: Path) -> None:
-    folders = (DOCS / "wheels", DOCS / "pinions")
-    file = DOCS / "matching.toml"
-    found = gearlash.match(file, *folders)
-    words = ("match", file, "--wheels", folders[0], "--pinions", folders[1], "-o", tmp_path / "out")
-    assert found.record == json.loads(command(*words, "--format", "json"))
+    file, wheels, pinions = MATCHED
+    found = gearlash.match(*MATCHED)
+    words = ("match", file, "--wheels", wheels, "--pinions", pinions, "-o", tmp_path / "out")
+    assert found.to_json() == command(*words, "--format", "json")
     assert len(found.pairs) == 6 and all(pair.least_um >= 80 for pair in found.pairs)
-    assert gearlash.dask.match(cluster, file, *folders).record == found.record
+    for shards in (1, 7, 64):
+        assert gearlash.dask.match(cluster, *MATCHED, shards=shards).to_json() == found.to_json()
+
+
+def test_a_worker_killed_while_gears_are_matched_changes_nothing() -> None:
+    whole = gearlash.match(*MATCHED)
+    file, wheels, pinions = (os.fspath(path) for path in MATCHED)
+    with local_cluster(True) as cluster, distributed.Client(cluster) as client:
+        victim = next(iter(client.run(os.getpid).values()))
+        mark = os.path.join(client.run(os.getcwd).popitem()[1], f"gearlash-matched-{os.getpid()}")
+
+        def deadly(shard: int) -> tuple[str, list[str]]:
+            if os.getpid() == victim and not os.path.exists(mark):
+                Path(mark).touch()
+                os.kill(victim, signal.SIGKILL)
+            return gearlash.dask._match_part(file, (wheels, pinions), None, (shard, 8), 1)
+
+        try:
+            parts = client.gather(client.map(deadly, range(1, 9), pure=False))
+            assert os.path.exists(mark)
+        finally:
+            Path(mark).unlink(missing_ok=True)
+    assert gearlash._core.match_result([text for text, _ in parts]) == whole.to_json()
+
+
+def test_results_are_tables(pair: Path) -> None:
+    pandas = pytest.importorskip("pandas")
+    arrow = pytest.importorskip("pyarrow")
+    matched = gearlash.match(*MATCHED)
+    frame = matched.to_pandas()
+    assert list(frame["wheel"]) == [pair.wheel for pair in matched.pairs]
+    assert list(frame["greatest_um"]) == [pair.greatest_um for pair in matched.pairs]
+    assert matched.to_arrow().column("pinion").to_pylist() == list(frame["pinion"])
+    found = gearlash.tolerance(pair, assemblies=20)
+    each = found.record["contributions"]["greatest"]["each"]
+    frame = found.to_pandas()
+    greatest = frame[frame["extreme"] == "greatest"]
+    assert list(greatest["quantity"]) == [row["quantity"] for row in each]
+    assert list(greatest["total_error"]) == [row["total_error"] for row in each]
+    assert isinstance(frame, pandas.DataFrame)
+    assert isinstance(found.to_arrow(), arrow.Table)
+    assert found.to_arrow().num_rows == len(frame) == 2 * len(each)
+
+
+def test_warnings_are_the_commands(tmp_path: Path, cluster: object) -> None:
+    """A band of thickness, of which the middle is matched."""
+    wheels = tmp_path / "wheels"
+    wheels.mkdir()
+    for file in MATCHED[1].glob("*.toml"):
+        (wheels / file.name).write_text(file.read_text(encoding="utf-8"), encoding="utf-8")
+    gear = sorted(wheels.glob("*.toml"))[0]
+    band = "thickness = { allowance_um = { min = -80, max = -60 } }"
+    lines = gear.read_text(encoding="utf-8").splitlines()
+    text = "\n".join(band if line.startswith("thickness") else line for line in lines)
+    gear.write_text(text, encoding="utf-8")
+    for call in (gearlash.match, lambda *files: gearlash.dask.match(cluster, *files)):
+        with pytest.warns(gearlash.GearlashWarning, match="a band, whose middle is matched"):
+            call(MATCHED[0], wheels, MATCHED[2])
 
 
 def test_parts_of_another_run_are_named(pair: Path) -> None:
-    part = gearlash.dask._part(os.fspath(pair), 20, None, (1, 2), None)
-    other = gearlash.dask._part(os.fspath(pair), 20, 5, (2, 2), None)
+    part, _ = gearlash.dask._part(os.fspath(pair), 20, None, (1, 2), None)
+    other, _ = gearlash.dask._part(os.fspath(pair), 20, 5, (2, 2), None)
     with pytest.raises(gearlash.GearlashError, match="is of another run"):
         gearlash._core.tolerance_result([part, other])
     with pytest.raises(gearlash.GearlashError, match="missing: 2"):
         gearlash._core.tolerance_result([part])
     with pytest.raises(gearlash.GearlashError, match="name each part once"):
         gearlash._core.tolerance_result([part, part])
+
+
+def test_parts_of_another_matching_are_named() -> None:
+    file, wheels, pinions = (os.fspath(path) for path in MATCHED)
+    parts = [
+        gearlash.dask._match_part(file, (wheels, pinions), um, (k, 2), None)[0]
+        for k, um in ((1, None), (2, None), (2, 100.0))
+    ]
+    with pytest.raises(gearlash.GearlashError, match="is of another run than .*: input"):
+        gearlash._core.match_result([parts[0], parts[2]])
+    with pytest.raises(gearlash.GearlashError, match="missing: 2"):
+        gearlash._core.match_result(parts[:1])
+    with pytest.raises(gearlash.GearlashError, match="name each part once"):
+        gearlash._core.match_result([parts[0], parts[0]])
+    with pytest.raises(gearlash.GearlashError, match="is no part of a run"):
+        gearlash._core.match_result([parts[0], "{}"])

@@ -4,6 +4,7 @@ use crate::console::{print, print_note};
 use crate::date::today;
 use crate::error::Error;
 use crate::output::OutputFolder;
+use crate::parts::WHOLE;
 use clap::ValueEnum;
 use gearlash::population::WORST;
 use gearlash_files::tolerance::{ToleranceResult, histogram_csv, worst_file, worst_name};
@@ -12,14 +13,11 @@ use gearlash_render::{ToleranceReport, tolerance_pictures, tolerance_report};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-/// What an interrupted run has kept.
-pub(super) const PART: &str = "part.json";
-
 const HISTOGRAM: &str = "histogram.svg";
 const CONVERGENCE: &str = "convergence.svg";
 const CONTRIBUTIONS: &str = "contributions.svg";
 const FILES: [&str; 8] = [
-    PART,
+    WHOLE,
     "result.json",
     "result.csv",
     "histogram.csv",

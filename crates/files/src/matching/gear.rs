@@ -19,6 +19,8 @@ pub struct NamedGear {
     pub name: String,
     /// The gear; in the middle of a band of thickness.
     pub gear: AsBuilt,
+    /// What its file says, as understood.
+    pub spec: GearSpec,
 }
 
 /// A gear that was read.
@@ -85,6 +87,7 @@ pub fn one(path: &Path, member: Member, pair: &PairFile) -> Result<Found, InputE
         gear: NamedGear {
             name: name.unwrap_or_default(),
             gear: placed(gear.facing(face), pair, member),
+            spec: entry.spec.clone(),
         },
         band: is_band.then(|| {
             format!(

@@ -1,9 +1,9 @@
 //! Which gears go together: as a sentence, JSON and CSV.
 
-use super::read::MatchFile;
+use super::part::MatchPart;
 use crate::characters;
 use crate::numbers::{fixed, rounded, shortest};
-use crate::tolerance::{Limit, limits};
+use crate::tolerance::Limit;
 use gearlash::matching::{Expected, Fit, Matrix};
 use gearlash::population::OutcomeKind;
 use serde_json::{Value, json};
@@ -49,11 +49,10 @@ pub struct MatchResult {
 }
 
 impl MatchResult {
-    /// The assignment of `matrix`, which is of `file`.
-    pub fn of(file: &MatchFile, matrix: Matrix) -> MatchResult {
-        let names = [&file.wheels, &file.pinions];
-        let names = names.map(|gears| gears.iter().map(|gear| gear.name.clone()).collect());
-        let names: [Vec<String>; 2] = names;
+    /// The assignment of a whole matching; `None` where it is not all done.
+    pub fn of(part: MatchPart) -> Option<MatchResult> {
+        let (about, matrix) = part.matrix()?;
+        let names = about.names;
         let assignment = matrix.assign();
         let pairs = assignment.pairs.iter().filter_map(|&(wheel, pinion)| {
             Some(MatchedPair {
@@ -80,21 +79,20 @@ impl MatchResult {
             let left = each.filter(|(place, _)| !taken[kind].contains(place));
             left.map(|(_, name)| name.clone()).collect()
         });
-        let requirement = file.requirement();
-        MatchResult {
-            title: file.pair.study.title.clone(),
+        Some(MatchResult {
+            title: about.title,
             at_random: matrix.at_random(),
             by_classes: matrix.by_classes(),
-            limits: [requirement.min(), requirement.max()],
-            others: limits(requirement),
-            wanted: file.terms.wanted(),
+            limits: about.limits_mm,
+            others: about.others,
+            wanted: about.wanted_mm,
             is_best: assignment.is_best,
             places: assignment.pairs,
             names,
             pairs,
             left_over,
             matrix,
-        }
+        })
     }
 
     /// Whether as many pairs were made as there are gears for.
@@ -220,13 +218,25 @@ impl MatchResult {
     }
 }
 
-fn status(kind: OutcomeKind) -> &'static str {
-    match kind {
-        OutcomeKind::Clear => "clear",
-        OutcomeKind::Interference => "interference",
-        OutcomeKind::Jammed => "jammed",
-        OutcomeKind::OutOfMesh => "no_contact",
-        OutcomeKind::Unproven => "unproven",
-        OutcomeKind::Impossible => "impossible",
-    }
+/// How a pair may end, in words.
+const KINDS: [(OutcomeKind, &str); 6] = [
+    (OutcomeKind::Clear, "clear"),
+    (OutcomeKind::Interference, "interference"),
+    (OutcomeKind::Jammed, "jammed"),
+    (OutcomeKind::OutOfMesh, "no_contact"),
+    (OutcomeKind::Unproven, "unproven"),
+    (OutcomeKind::Impossible, "impossible"),
+];
+
+/// How a pair ends, in words.
+pub(super) fn status(kind: OutcomeKind) -> &'static str {
+    let mut each = KINDS.into_iter();
+    each.find(|(of, _)| *of == kind)
+        .map_or("", |(_, text)| text)
+}
+
+/// What `status` puts so.
+pub(super) fn kind_of(text: &str) -> Option<OutcomeKind> {
+    let mut each = KINDS.into_iter();
+    each.find(|(_, of)| *of == text).map(|(kind, _)| kind)
 }

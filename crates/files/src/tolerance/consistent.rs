@@ -1,8 +1,9 @@
 //! Whether the sums of a part can be those of its assemblies: its file may have been edited, and what is added up and drawn relies on them.
 
-use super::part_head::{MOST_ASSEMBLIES, MOST_SHARDS, PartHead, Progress};
+use super::part_head::{MOST_ASSEMBLIES, PartHead, Progress};
 use super::worst::Worst;
 use crate::limits::CONTRIBUTION_ROWS;
+use crate::shards::is_share;
 use gearlash::population::{
     BIN_TENTHS_NM, ContributionSums, GROUPS, GroupSums, STRETCHES, Spread, Tally, WORST,
 };
@@ -32,14 +33,13 @@ pub fn fault(
 }
 
 fn of_head(head: &PartHead) -> Option<&'static str> {
-    let [k, n] = head.shard;
     if !head.is_of_this_format() {
         Some("it is of another format")
     } else if !(1..=MOST_ASSEMBLIES).contains(&head.assemblies)
         || head.contribution_rows > u64::from(*CONTRIBUTION_ROWS.end())
     {
         Some("its run has more than any run has, or nothing")
-    } else if !(1 <= k && k <= n && n <= MOST_SHARDS && n <= head.assemblies) {
+    } else if !is_share(head.assemblies, head.shard) {
         Some("its number is none of its run's parts")
     } else {
         None

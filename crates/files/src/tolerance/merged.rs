@@ -1,10 +1,10 @@
 //! All parts of a run as one.
 
 use super::part::Part;
-use super::part_error::PartError;
 use super::part_head::PartHead;
+use crate::part_error::PartError;
+use crate::shards::{RunPart, in_order};
 use gearlash::population::WORST;
-use std::collections::BTreeMap;
 
 impl Part {
     /// All parts of a run, each with the name of its file, as one.
@@ -12,35 +12,14 @@ impl Part {
     /// # Errors
     /// [`PartError`].
     pub fn merged(parts: Vec<(String, Part)>) -> Result<Part, PartError> {
-        let mut given = parts.into_iter();
-        let (first, mut whole) = given.next().ok_or(PartError::None)?;
-        unfinished(&first, &whole)?;
-        let mut seen = BTreeMap::from([(whole.head.shard[0], first.clone())]);
-        for (file, part) in given {
-            same(&file, &part, &first, &whole)?;
-            unfinished(&file, &part)?;
-            let shard = part.head.shard[0];
-            if let Some(before) = seen.insert(shard, file.clone()) {
-                return Err(match file == before {
-                    true => PartError::Twice { file },
-                    false => PartError::Double {
-                        file,
-                        first: before,
-                        shard,
-                    },
-                });
-            }
+        let mut parts = in_order(parts)?.into_iter();
+        let mut whole = parts.next().ok_or(PartError::None)?;
+        for part in parts {
             whole.tally.add(&part.tally)?;
             whole.sums.add(&part.sums)?;
             whole.worst.extend(part.worst);
             whole.done.assemblies += part.done.assemblies;
             whole.done.rows += part.done.rows;
-        }
-        let of = whole.head.shard[1];
-        let missing = (1..=of).filter(|shard| !seen.contains_key(shard));
-        let shards: Vec<u64> = missing.collect();
-        if !shards.is_empty() {
-            return Err(PartError::Missing { shards, of });
         }
         whole.head.shard = [1, 1];
         whole
@@ -51,69 +30,35 @@ impl Part {
     }
 }
 
-fn unfinished(file: &str, part: &Part) -> Result<(), PartError> {
-    match part.is_done() {
-        true => Ok(()),
-        false => Err(PartError::Unfinished {
-            file: file.to_owned(),
-            shard: part.head.shard[0],
-        }),
+impl RunPart for Part {
+    fn shard(&self) -> [u64; 2] {
+        self.head.shard
     }
-}
 
-/// Whether `part` is of the run of `whole`, the first of whose parts is `first`.
-fn same(file: &str, part: &Part, first: &str, whole: &Part) -> Result<(), PartError> {
-    let (found, wanted) = (&part.head, &whole.head);
-    let number = |head: &PartHead, of: fn(&PartHead) -> u64| of(head).to_string();
-    let each: [(&'static str, String, String); 6] = [
-        (
-            "version of gearlash",
-            found.gearlash.clone(),
-            wanted.gearlash.clone(),
-        ),
-        (
-            "input",
-            found.input_sha256.clone(),
-            wanted.input_sha256.clone(),
-        ),
-        (
-            "seed",
-            number(found, |head| head.seed),
-            number(wanted, |head| head.seed),
-        ),
-        (
-            "assemblies",
-            number(found, |head| head.assemblies),
-            number(wanted, |head| head.assemblies),
-        ),
-        (
-            "rows for contributions",
-            number(found, |head| head.contribution_rows),
-            number(wanted, |head| head.contribution_rows),
-        ),
-        (
-            "number of parts",
-            number(found, |head| head.shard[1]),
-            number(wanted, |head| head.shard[1]),
-        ),
-    ];
-    let differs = each.into_iter().find(|(_, found, wanted)| found != wanted);
-    let differs = differs.or_else(|| {
-        let what = part.about.differs(&whole.about)?;
-        Some((
-            what,
-            "another".to_owned(),
-            "the same to the last bit".to_owned(),
-        ))
-    });
-    match differs {
-        None => Ok(()),
-        Some((what, found, wanted)) => Err(PartError::Foreign {
-            file: file.to_owned(),
-            first: first.to_owned(),
-            what,
-            found,
-            wanted,
-        }),
+    fn is_done(&self) -> bool {
+        Part::is_done(self)
+    }
+
+    fn differs(&self, other: &Part) -> Option<(&'static str, String, String)> {
+        let (found, wanted) = (&self.head, &other.head);
+        let texts: [(&'static str, fn(&PartHead) -> &str); 2] = [
+            ("version of gearlash", |head| &head.gearlash),
+            ("input", |head| &head.input_sha256),
+        ];
+        let numbers: [(&'static str, fn(&PartHead) -> u64); 4] = [
+            ("seed", |head| head.seed),
+            ("assemblies", |head| head.assemblies),
+            ("rows for contributions", |head| head.contribution_rows),
+            ("number of parts", |head| head.shard[1]),
+        ];
+        let texts = texts.map(|(what, of)| (what, of(found).to_owned(), of(wanted).to_owned()));
+        let numbers =
+            numbers.map(|(what, of)| (what, of(found).to_string(), of(wanted).to_string()));
+        let mut each = texts.into_iter().chain(numbers);
+        each.find(|(_, found, wanted)| found != wanted).or_else(|| {
+            let what = self.about.differs(&other.about)?;
+            let same = "the same to the last bit";
+            Some((what, "another".to_owned(), same.to_owned()))
+        })
     }
 }

@@ -9,7 +9,6 @@ mod limit;
 mod merged;
 mod mm;
 mod part;
-mod part_error;
 mod part_head;
 mod population;
 mod records;
@@ -20,14 +19,14 @@ mod worst;
 mod written;
 
 pub(crate) use bands::middle;
+pub(crate) use consistent::is_length;
 pub(crate) use limit::limits;
 pub(crate) use population::{placed, unlike};
 
 pub use impossible::TooManyImpossible;
 pub use limit::{Limit, in_words};
 pub use part::{About, Part};
-pub use part_error::PartError;
-pub use part_head::{MOST_ASSEMBLIES, MOST_SHARDS, PartHead, Progress};
+pub use part_head::{MOST_ASSEMBLIES, PartHead, Progress};
 pub use population::{ToleranceFile, read_tolerance};
 pub use result::{Convergence, ToleranceResult, convergence};
 pub use run::{BlockError, Rows};

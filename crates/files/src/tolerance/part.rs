@@ -2,10 +2,10 @@
 
 use super::consistent::{fault, is_length};
 use super::limit::Limit;
-use super::part_error::PartError;
 use super::part_head::{PartHead, Progress};
 use super::records::{ContributionsRecord, TallyRecord};
 use super::worst::Worst;
+use crate::part_error::PartError;
 use gearlash::population::{ContributionSums, Factor, LimitCases, Requirement, Tally};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;

@@ -1,6 +1,7 @@
 //! Which part of which run, and what of the run it has.
 
 use crate::limits::ASSEMBLIES;
+use crate::shards::share;
 use serde::{Deserialize, Serialize};
 
 /// What a part's file begins with.
@@ -23,9 +24,6 @@ pub struct PartHead {
     /// `k` of `n` parts.
     pub shard: [u64; 2],
 }
-
-/// Parts of a run, at most.
-pub const MOST_SHARDS: u64 = 100_000;
 
 /// Assemblies of a run, at most.
 pub const MOST_ASSEMBLIES: u64 = *ASSEMBLIES.end() as u64;
@@ -63,11 +61,10 @@ impl PartHead {
         self.format == FORMAT
     }
 
-    /// The numbers, from 1, of what it has of `total`: equal parts, but for one.
+    /// The numbers, from 1, of what it has of `total`.
     fn range(&self, total: u64) -> std::ops::Range<u64> {
-        let [k, n] = self.shard.map(u128::from);
-        let end = |k: u128| (u128::from(total) * k / n.max(1)) as u64 + 1;
-        end(k.saturating_sub(1))..end(k)
+        let share = share(total, self.shard);
+        share.start + 1..share.end + 1
     }
 
     /// Its assemblies.

@@ -74,15 +74,17 @@ def tolerance_part(
     seed: int | None,
     shard: tuple[int, int],
     threads: int | None = None,
-) -> str: ...
+) -> tuple[str, list[str]]: ...
 def tolerance_result(parts: list[str]) -> str: ...
-def match(
+def match_part(
     path: str,
     wheels: str,
     pinions: str,
-    target_um: float | None = None,
+    target_um: float | None,
+    shard: tuple[int, int],
     threads: int | None = None,
-) -> str: ...
+) -> tuple[str, list[str]]: ...
+def match_result(parts: list[str]) -> str: ...
 def gauge(
     gear: Gear,
     sizes: tuple[int | None, float | None, float | None, int | None, int],

@@ -2,10 +2,16 @@
 
 import json
 import os
+import warnings
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
 from gearlash import _core
+from gearlash._errors import GearlashWarning
+from gearlash._table import Codes, Table
 
 Path = str | os.PathLike[str]
 
@@ -25,12 +31,24 @@ class Share:
         return cls(*(record[name] for name in ("count", "ppm", "low_ppm", "high_ppm")))
 
 
-class Tolerance:
-    """What came of a population: as ``gearlash tolerance`` says it."""
+class Result(Table):
+    """A whole result, as its command writes it."""
 
-    def __init__(self, record: dict[str, Any]) -> None:
-        self.record = record
-        """The whole result as the command's ``result.json``."""
+    def __init__(self, text: str) -> None:
+        self._text = text
+        self.record: dict[str, Any] = json.loads(text)
+        """All of it."""
+
+    def to_json(self) -> str:
+        """The bytes of the command's own JSON file."""
+        return self._text
+
+
+class Tolerance(Result):
+    """What came of a population: as ``gearlash tolerance`` says it; ``to_json`` has its ``result.json``.
+
+    As a table (``to_pandas``, ``to_arrow``) what each quantity contributes: the extreme it is about, first order and total with their standard errors.
+    """
 
     @property
     def sentence(self) -> str:
@@ -58,8 +76,36 @@ class Tolerance:
         met: bool | None = self.record["requirement"]["met"]
         return met
 
+    def columns(self) -> "dict[str, np.ndarray[Any, Any] | Codes]":
+        """What each quantity contributes to the scatter of either extreme: shares of 1."""
+        found = self.record["contributions"] or {}
+        rows = [
+            {"extreme": extreme, **row}
+            for extreme in ("least", "greatest")
+            for row in (found.get(extreme) or {"each": []})["each"]
+        ]
+        numbers = ("first_order", "first_order_error", "total", "total_error")
+        return {
+            **{name: _words(row[name] for row in rows) for name in ("extreme", "quantity")},
+            **{name: np.array([row[name] for row in rows], dtype=float) for name in numbers},
+        }
+
     def __repr__(self) -> str:
         return f"Tolerance({self.sentence})"
+
+
+def _words(words: Iterable[str]) -> Codes:
+    """Words as numbers of those that there are, in the order in which they come."""
+    words = list(words)
+    names = list(dict.fromkeys(words))
+    places = {name: place for place, name in enumerate(names)}
+    return np.array([places[word] for word in words], dtype=np.int32), tuple(names)
+
+
+def warn(texts: Iterable[str]) -> None:
+    """What the command would warn of, of the call of a function of this package."""
+    for text in texts:
+        warnings.warn(text, GearlashWarning, stacklevel=3)
 
 
 @dataclass(frozen=True)
@@ -75,12 +121,11 @@ class MatchedPair:
     """The greatest."""
 
 
-class Matched:
-    """Which gears go together: as ``gearlash match`` says it."""
+class Matched(Result):
+    """Which gears go together: as ``gearlash match`` says it; ``to_json`` has its ``match.json``.
 
-    def __init__(self, record: dict[str, Any]) -> None:
-        self.record = record
-        """The whole result as the command's ``match.json``."""
+    As a table (``to_pandas``, ``to_arrow``) its pairs.
+    """
 
     @property
     def sentence(self) -> str:
@@ -92,6 +137,17 @@ class Matched:
         """In the order of the wheels' names."""
         names = ("wheel", "pinion", "pinion_tooth", "least_um", "greatest_um")
         return [MatchedPair(*(pair[name] for name in names)) for pair in self.record["pairs"]]
+
+    def columns(self) -> "dict[str, np.ndarray[Any, Any] | Codes]":
+        """The pairs: names, the pinion tooth that meets wheel tooth 1, least and greatest ``j_wt``, µm."""
+        pairs = self.pairs
+        return {
+            "wheel": _words(pair.wheel for pair in pairs),
+            "pinion": _words(pair.pinion for pair in pairs),
+            "pinion_tooth": np.array([pair.pinion_tooth for pair in pairs], dtype=np.int64),
+            "least_um": np.array([pair.least_um for pair in pairs], dtype=float),
+            "greatest_um": np.array([pair.greatest_um for pair in pairs], dtype=float),
+        }
 
     def __repr__(self) -> str:
         return f"Matched({self.sentence})"
@@ -105,8 +161,9 @@ def tolerance(
     threads: int | None = None,
 ) -> Tolerance:
     """Draws the population that ``[tolerance]`` of a pair file states; ``assemblies`` and ``seed`` in place of the file's."""
-    part = _core.tolerance_part(os.fspath(path), assemblies, seed, (1, 1), threads)
-    return Tolerance(json.loads(_core.tolerance_result([part])))
+    part, warned = _core.tolerance_part(os.fspath(path), assemblies, seed, (1, 1), threads)
+    warn(warned)
+    return Tolerance(_core.tolerance_result([part]))
 
 
 def match(
@@ -121,7 +178,7 @@ def match(
 
     ``target_um`` is the backlash from which each pair is to stray least over its mesh cycle, µm; by default the middle of what is required, or its one limit.
     """
-    found = _core.match(
-        os.fspath(path), os.fspath(wheels), os.fspath(pinions), target_um, threads
-    )
-    return Matched(json.loads(found))
+    folders = os.fspath(wheels), os.fspath(pinions)
+    part, warned = _core.match_part(os.fspath(path), *folders, target_um, (1, 1), threads)
+    warn(warned)
+    return Matched(_core.match_result([part]))

@@ -50,7 +50,8 @@ class Table:
 
         def column(values: "np.ndarray[Any, Any] | Codes") -> Any:
             if isinstance(values, tuple):
-                codes = arrow.array(values[0].astype(np.int8))
+                few = len(values[1]) <= np.iinfo(np.int8).max
+                codes = arrow.array(values[0].astype(np.int8 if few else np.int32))
                 return arrow.DictionaryArray.from_arrays(codes, list(values[1]))
             return arrow.array(values, from_pandas=True)
 

@@ -7,7 +7,7 @@ use gearlash::population::Overflow;
 pub enum PartError {
     /// A file that is no part.
     #[error(
-        "{file}: this is no part of a run of gearlash tolerance: {reason}; name files that gearlash tolerance --shard wrote"
+        "{file}: this is no part of a run: {reason}; name files that gearlash tolerance --shard or gearlash match --shard wrote"
     )]
     Invalid {
         /// The file.
@@ -58,7 +58,7 @@ pub enum PartError {
         shard: u64,
     },
     /// Parts that are not there.
-    #[error("{} of {of} missing: {}; run gearlash tolerance --shard K/{of} for each", parts(.shards), listed(.shards))]
+    #[error("{} of {of} missing: {}; run the command with --shard K/{of} for each", parts(.shards), listed(.shards))]
     Missing {
         /// Their numbers.
         shards: Vec<u64>,
@@ -66,7 +66,9 @@ pub enum PartError {
         of: u64,
     },
     /// No part at all.
-    #[error("no part of a run; name the files that gearlash tolerance --shard wrote")]
+    #[error(
+        "no part of a run; name the files that gearlash tolerance --shard or gearlash match --shard wrote"
+    )]
     None,
     /// Sums beyond all bounds.
     #[error(transparent)]

@@ -40,25 +40,24 @@ impl RunPart for Part {
     }
 
     fn differs(&self, other: &Part) -> Option<(&'static str, String, String)> {
-        let (found, wanted) = (&self.head, &other.head);
-        let texts: [(&'static str, fn(&PartHead) -> &str); 2] = [
-            ("version of gearlash", |head| &head.gearlash),
-            ("input", |head| &head.input_sha256),
-        ];
-        let numbers: [(&'static str, fn(&PartHead) -> u64); 4] = [
-            ("seed", |head| head.seed),
-            ("assemblies", |head| head.assemblies),
-            ("rows for contributions", |head| head.contribution_rows),
-            ("number of parts", |head| head.shard[1]),
-        ];
-        let texts = texts.map(|(what, of)| (what, of(found).to_owned(), of(wanted).to_owned()));
-        let numbers =
-            numbers.map(|(what, of)| (what, of(found).to_string(), of(wanted).to_string()));
-        let mut each = texts.into_iter().chain(numbers);
-        each.find(|(_, found, wanted)| found != wanted).or_else(|| {
+        let each = |head: &PartHead| {
+            [
+                ("version of gearlash", head.gearlash.clone()),
+                ("input", head.input_sha256.clone()),
+                ("seed", head.seed.to_string()),
+                ("assemblies", head.assemblies.to_string()),
+                ("rows for contributions", head.contribution_rows.to_string()),
+                ("number of parts", head.shard[1].to_string()),
+            ]
+        };
+        let mut both = each(&self.head).into_iter().zip(each(&other.head));
+        let differs = both.find(|((_, found), (_, wanted))| found != wanted);
+        let of_run = || {
             let what = self.about.differs(&other.about)?;
-            let same = "the same to the last bit";
-            Some((what, "another".to_owned(), same.to_owned()))
-        })
+            let same = "the same to the last bit".to_owned();
+            Some((what, "another".to_owned(), same))
+        };
+        let found = differs.map(|((what, found), (_, wanted))| (what, found, wanted));
+        found.or_else(of_run)
     }
 }

@@ -221,9 +221,9 @@ fn middle_of_path(locked: &Shape, free: &Shape, distance: f64) -> Option<f64> {
 /// Tips are deepest on the line of centres. The root of an eccentric free gear comes to a tip land as it turns: where both circles touch
 /// it stands alike over all of the face where both lands are on the line of centres, from an end of one to an end of one. Beyond, an end of the tip
 /// land touches, the farther from that line the later, until the root land ends.
-fn tips_on_roots<'a>(
+fn tips_on_roots(
     assembly: &GearPair,
-    posed: &'a PosedFlanks,
+    posed: &PosedFlanks,
     turnings: &[Turning; 2],
     rotation: f64,
     places: &mut Vec<f64>,

@@ -263,4 +263,62 @@ mod tests {
         let left_over = 2.0 * (amplitude * f64::from(z) / 4.0).powi(2);
         assert!((pitch.first_harmonic_apart() - left_over).abs() < 1e-12 * left_over);
     }
+
+    /// Random steps added up, or, of `white`, steps alone; the left flank against the right by `share`.
+    fn random_pitch(z: u32, seed: u64, share: f64, white: bool) -> Pitch {
+        let mut state = seed;
+        let mut step = || {
+            // SplitMix64 (Steele, Lea and Flood 2014).
+            state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
+            let mut bits = state;
+            bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+            bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+            ((bits ^ (bits >> 31)) >> 11) as f64 / (1u64 << 53) as f64 - 0.5
+        };
+        let (mut right, mut left) = (Vec::new(), Vec::new());
+        let (mut here, mut there) = (0.0, 0.0);
+        for _ in 0..z {
+            let (one, other) = (step(), step());
+            let other = (1.0 - share) * other - share * one;
+            (here, there) = match white {
+                true => (one, other),
+                false => (here + one, there + other),
+            };
+            right.push(here);
+            left.push(there);
+        }
+        Pitch::from_cumulative(&right, &left)
+    }
+
+    /// The lesser of the bounds for the curves as they are and for their differences from tooth to tooth. Source: the harmonics of those
+    /// differences, transformed themselves.
+    #[test]
+    fn single_deviations_are_judged_by_their_own_harmonics() {
+        let mut lesser = [0; 2];
+        for seed in 0..40 {
+            for white in [false, true] {
+                let pitch = random_pitch(17, seed, 0.4, white);
+                let single = Flank::BOTH.map(|side| {
+                    let curve = pitch.flank(side);
+                    let before = |i: usize| curve[(i + curve.len() - 1) % curve.len()];
+                    (0..curve.len())
+                        .map(|i| curve[i] - before(i))
+                        .collect::<Vec<f64>>()
+                });
+                let single = Pitch::from_cumulative(&single[0], &single[1]);
+                for from in [1, 2] {
+                    let bound = |pitch: &Pitch| {
+                        let harmonics = pitch.harmonics();
+                        opposed(harmonics[from - 1..].iter().map(|h| (h.energy, h.together)))
+                    };
+                    let (whole, steps) = (bound(&pitch), bound(&single));
+                    let found = least_of_both(&pitch.harmonics(), from, 17);
+                    let expected = whole.min(steps);
+                    assert!((found / expected - 1.0).abs() < 1e-9, "{found}, {expected}");
+                    lesser[usize::from(steps < whole)] += usize::from(expected < 0.9);
+                }
+            }
+        }
+        assert!(lesser.iter().all(|count| *count > 10), "{lesser:?}");
+    }
 }

@@ -55,15 +55,13 @@ impl Pitch {
         }
         let z = right.len();
         let harmonics = self.harmonics();
-        if z < 3 || harmonics.is_empty() {
+        // Of less than three teeth.
+        if harmonics.is_empty() {
             return 1.0;
         }
         let rest = least_of_both(&harmonics, 2, z);
         let [u, v] = Flank::BOTH.map(|side| self.first_harmonic_as_eccentric(gear, side));
         let (together, apart) = ((u + v).norm_sqr(), (u - v).norm_sqr());
-        if !(apart > 0.0) {
-            return (3.0 * rest).min(1.0);
-        }
         let first = TAU / (2.0 * z as f64);
         let weight = |h: u32| ((first * f64::from(h)).sin() / first.sin()).powi(2);
         // |S|² + |D|² = 2 (|R|² + |L|²).
@@ -83,6 +81,7 @@ impl Pitch {
             // k/(1 + k) is exact.
             k
         };
+        // Where nothing stands apart it is 1, or no number, which the lesser of two passes over.
         (3.0 * rest.min(first)).min(1.0)
     }
 
@@ -262,5 +261,151 @@ mod tests {
         let pitch = Pitch::from_cumulative(&right, &vec![0.0; z as usize]);
         let left_over = 2.0 * (amplitude * f64::from(z) / 4.0).powi(2);
         assert!((pitch.first_harmonic_apart() - left_over).abs() < 1e-12 * left_over);
+    }
+
+    /// Random steps added up, or, of `white`, steps alone; the left flank against the right by `share`.
+    fn random_pitch(z: u32, seed: u64, share: f64, white: bool) -> Pitch {
+        let mut state = seed;
+        let mut step = || {
+            // SplitMix64 (Steele, Lea and Flood 2014).
+            state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
+            let mut bits = state;
+            bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+            bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+            ((bits ^ (bits >> 31)) >> 11) as f64 / (1u64 << 53) as f64 - 0.5
+        };
+        let (mut right, mut left) = (Vec::new(), Vec::new());
+        let (mut here, mut there) = (0.0, 0.0);
+        for _ in 0..z {
+            let (one, other) = (step(), step());
+            let other = (1.0 - share) * other - share * one;
+            (here, there) = match white {
+                true => (one, other),
+                false => (here + one, there + other),
+            };
+            right.push(here);
+            left.push(there);
+        }
+        Pitch::from_cumulative(&right, &left)
+    }
+
+    /// The lesser of the bounds for the curves as they are and for their differences from tooth to tooth. Source: the harmonics of those
+    /// differences, transformed themselves.
+    #[test]
+    fn single_deviations_are_judged_by_their_own_harmonics() {
+        let mut lesser = [0; 2];
+        for seed in 0..40 {
+            for white in [false, true] {
+                let pitch = random_pitch(17, seed, 0.4, white);
+                let single = Flank::BOTH.map(|side| {
+                    let curve = pitch.flank(side);
+                    let before = |i: usize| curve[(i + curve.len() - 1) % curve.len()];
+                    (0..curve.len())
+                        .map(|i| curve[i] - before(i))
+                        .collect::<Vec<f64>>()
+                });
+                let single = Pitch::from_cumulative(&single[0], &single[1]);
+                for from in [1, 2] {
+                    let bound = |pitch: &Pitch| {
+                        let harmonics = pitch.harmonics();
+                        opposed(harmonics[from - 1..].iter().map(|h| (h.energy, h.together)))
+                    };
+                    let (whole, steps) = (bound(&pitch), bound(&single));
+                    let found = least_of_both(&pitch.harmonics(), from, 17);
+                    let expected = whole.min(steps);
+                    assert!((found / expected - 1.0).abs() < 1e-9, "{found}, {expected}");
+                    lesser[usize::from(steps < whole)] += usize::from(expected < 0.9);
+                }
+            }
+        }
+        assert!(lesser.iter().all(|count| *count > 10), "{lesser:?}");
+    }
+
+    /// A wave once round that an eccentricity leaves on a flank of `z` teeth whose half tooth is `π/2z` on the reference circle, and of its like.
+    fn once_round(curve: &[f64], side: Flank) -> Complex<f64> {
+        let z = curve.len() as f64;
+        let start = -side.sense() * (TAU / (4.0 * z) - 20f64.to_radians());
+        let wave = |(i, f): (usize, &f64)| {
+            let angle = TAU * i as f64 / z + start;
+            Complex::new(f * angle.cos(), -f * angle.sin())
+        };
+        curve.iter().enumerate().map(wave).sum()
+    }
+
+    /// Source: the integral of which the bound is said to be one, summed up in steps; the energies of single deviations, transformed
+    /// themselves; the first harmonics, counted by the reference circle.
+    #[test]
+    fn opposed_first_harmonics_are_as_improbable_as_the_integral_says() {
+        let (mut by_first, mut unlike) = (0, 0);
+        for z in [15, 16, 3] {
+            let gear = Gear::nominal(crate::gear::GearDesign::plain(z.max(12), 2.0)).unwrap();
+            for seed in 0..120 {
+                let mut pitch = random_pitch(z, seed, 0.2, seed % 2 == 0);
+                // Waves that stand apart by more and more.
+                let [right, left] = Flank::BOTH.map(|side| {
+                    let start =
+                        -side.sense() * (TAU / (4.0 * f64::from(z.max(12))) - 20f64.to_radians());
+                    let own = pitch.flank(side).iter().enumerate();
+                    let wave = |i: usize| (TAU * i as f64 / f64::from(z) + start).cos();
+                    let size = 0.06 * (seed % 30) as f64 * side.sense();
+                    own.map(|(i, f)| f + size * wave(i)).collect::<Vec<f64>>()
+                });
+                pitch = Pitch::from_cumulative(&right, &left);
+                let found = pitch.datum_opposition(&gear);
+                let [right, left] = Flank::BOTH.map(|side| pitch.flank(side));
+                if together(right, left) >= 0.0 {
+                    assert_eq!(found, 1.0);
+                    unlike += 1;
+                    continue;
+                }
+                if z == 3 {
+                    // Nothing beside the first harmonics: k, threefold.
+                    let [u, v] = Flank::BOTH.map(|side| {
+                        let turn = -side.sense() * (TAU / 48.0 - TAU / 12.0);
+                        once_round(pitch.flank(side), side) * Complex::from_polar(1.0, -turn)
+                    });
+                    let k = (u + v).norm_sqr() / (u - v).norm_sqr();
+                    let expected = (3.0 * k).min(1.0);
+                    assert!((found - expected).abs() < 1e-9, "{found} {expected}");
+                    continue;
+                }
+                let [u, v] = Flank::BOTH.map(|side| once_round(pitch.flank(side), side));
+                let (s, d) = ((u + v).norm_sqr(), (u - v).norm_sqr());
+                let single = Flank::BOTH.map(|side| {
+                    let curve = pitch.flank(side);
+                    let before = |i: usize| curve[(i + curve.len() - 1) % curve.len()];
+                    (0..curve.len())
+                        .map(|i| curve[i] - before(i))
+                        .collect::<Vec<f64>>()
+                });
+                let single = Pitch::from_cumulative(&single[0], &single[1]).harmonics();
+                let per_first = (2.0 * (TAU / (2.0 * f64::from(z))).sin()).powi(2);
+                let others: f64 = single[1..].iter().map(|h| 2.0 * h.energy / per_first).sum();
+                let n = 2.0 * (single.len() - 1) as f64;
+                let (k, q) = (s / d, d / (d + others));
+                let x = k * (1.0 - q).powf(n) * (1.0 + n * q);
+                const STEPS: u32 = 20_000;
+                let integral: f64 = (0..STEPS)
+                    .map(|i| {
+                        let q = (f64::from(i) + 0.5) / f64::from(STEPS);
+                        let at_most = x * (1.0 + n) * q / ((1.0 - q).powf(n) * (1.0 + n * q));
+                        at_most.min(1.0) * n * (1.0 - q).powf(n - 1.0) / f64::from(STEPS)
+                    })
+                    .sum();
+                let rest = least_of_both(&pitch.harmonics(), 2, z as usize);
+                let first = found / 3.0;
+                if found < 1.0 && first < rest * (1.0 - 1e-12) {
+                    by_first += 1;
+                    let told = format!("{z} {seed}: {first} {integral}");
+                    assert!(first >= integral * (1.0 - 1e-3), "{told}");
+                    // `1 + n q ≥ 1` is what it gives away, and a factor of (1 + n)/n.
+                    assert!(first <= 2.5 * integral, "{told}");
+                } else {
+                    assert_eq!(found, (3.0 * rest).min(1.0), "{z} {seed}");
+                    assert!(3.0 * integral.min(rest) >= 0.3 * found, "{z} {seed}");
+                }
+            }
+        }
+        assert!(by_first > 30 && unlike > 5, "{by_first} {unlike}");
     }
 }

@@ -194,3 +194,60 @@ impl Trace {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gear::GearDesign;
+
+    fn trace(tooth: Option<u32>, deviation: f64) -> Trace {
+        Trace {
+            tooth,
+            points: vec![(0.2, deviation), (0.4, deviation)],
+        }
+    }
+
+    fn curves(traces: &[(Option<u32>, f64)]) -> Result<Vec<Arc<RollCurve>>, GearError> {
+        let gear = Gear::nominal(GearDesign::plain(20, 2.0)).unwrap();
+        let traces = traces.iter().map(|&(tooth, value)| trace(tooth, value));
+        let modification = Modification {
+            traces: traces.collect(),
+            ..Modification::default()
+        };
+        modification.curves(&gear)
+    }
+
+    /// Teeth that were not measured have the mean of those that were: of level traces of 1, 2 and 6 µm that is 3.
+    #[test]
+    fn teeth_without_a_trace_have_the_mean_of_the_others() {
+        let found = curves(&[(Some(1), 1e-3), (Some(5), 2e-3), (Some(20), 6e-3)]).unwrap();
+        assert_eq!(found.len(), 20);
+        for (k, curve) in found.iter().enumerate() {
+            let expected = match k {
+                0 => 1e-3,
+                4 => 2e-3,
+                19 => 6e-3,
+                _ => 3e-3,
+            };
+            assert!((curve.at(0.3) - expected).abs() < 1e-15, "tooth {}", k + 1);
+        }
+    }
+
+    /// A trace of all teeth stands alone, and no tooth has two.
+    #[test]
+    fn a_trace_of_all_teeth_stands_alone() {
+        assert_eq!(curves(&[(None, 1e-3)]).unwrap().len(), 1);
+        for traces in [
+            [(None, 1e-3), (None, 2e-3)],
+            [(None, 1e-3), (Some(1), 2e-3)],
+            [(Some(1), 2e-3), (None, 1e-3)],
+            [(Some(1), 2e-3), (Some(1), 1e-3)],
+        ] {
+            assert!(curves(&traces).is_err(), "{traces:?}");
+        }
+        for tooth in [0, 21] {
+            let alone = curves(&[(Some(tooth), 1e-3)]);
+            assert!(matches!(alone, Err(GearError::NoSuchTooth { .. })));
+        }
+    }
+}

@@ -209,3 +209,100 @@ pub(super) fn place(mating: &Mating) -> String {
         mating.flank.name()
     )
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gear::{AsBuilt, Face, Gear, GearDesign};
+    use nalgebra::{Point2, Vector2};
+
+    fn pair(teeth: [u32; 2]) -> GearPair {
+        let gear =
+            |z, face| AsBuilt::perfect(Gear::nominal(GearDesign::plain(z, 2.0)).unwrap(), face);
+        let distance = f64::from(teeth[0] + teeth[1]) + 0.1;
+        let (wheel, pinion) = (gear(teeth[0], Face::Front), gear(teeth[1], Face::Back));
+        GearPair::with_locked(wheel, pinion, distance, Member::Wheel).unwrap()
+    }
+
+    /// A contact at these radii; all but radius, curve and tooth is of no account here.
+    fn contact(wheel: (ProfilePart, f64), pinion: (ProfilePart, f64), teeth: [u32; 2]) -> Contact {
+        let touch = |(curve, radius): (ProfilePart, f64), tooth| Touch {
+            tooth,
+            curve,
+            radius,
+        };
+        Contact {
+            rotation: 0.0,
+            error: 1e-14,
+            wheel: touch(wheel, teeth[0]),
+            pinion: touch(pinion, teeth[1]),
+            point: Point2::origin(),
+            normal: Vector2::x(),
+            section: 0.0,
+        }
+    }
+
+    /// Least, greatest and lowest of contacts told, by hand: 42.5 and 42.3 on the fillet, 45 on the flank, 46.1 on the tip; the lowest is the first
+    /// of two at one radius.
+    #[test]
+    fn the_lowest_contact_is_the_first_at_the_least_radius() {
+        use ProfilePart::{Fillet, Involute, Tip};
+        let pair = pair([44, 44]);
+        let tell = |told: &[(ProfilePart, f64, u32)]| {
+            let mut touched = Touched::default();
+            for &(curve, radius, tooth) in told {
+                let contact = contact((curve, radius), (Involute, 44.0), [tooth, tooth + 1]);
+                let below = touched.add(&pair, Member::Wheel, Side::Right, &contact);
+                assert_eq!(below, curve == Fillet, "{curve:?} at {radius}");
+                touched.below += usize::from(below);
+            }
+            touched
+        };
+        let all = [
+            (Fillet, 42.5, 1),
+            (Tip, 46.1, 2),
+            (Fillet, 42.3, 3),
+            (Involute, 45.0, 4),
+            (Fillet, 42.3, 5),
+            (Fillet, 42.4, 6),
+        ];
+        let whole = tell(&all);
+        let (mut first, rest) = (tell(&all[..2]), tell(&all[2..]));
+        first.extend(Member::Wheel, &rest);
+        let (mut late, early) = (tell(&all[2..]), tell(&all[..2]));
+        late.extend(Member::Wheel, &early);
+        for touched in [whole, first, late] {
+            assert_eq!(touched.greatest, Some(46.1));
+            assert_eq!(touched.least, Some(42.3));
+            assert_eq!(touched.below, 4);
+            assert_eq!(touched.lowest.unwrap().wheel.tooth, 3);
+            let pairs: HashSet<(u32, u32)> = [(1, 2), (3, 4), (5, 6), (6, 7)].into();
+            assert_eq!(touched.pairs, pairs);
+        }
+    }
+
+    /// The edge that undercut leaves is below the involute of its own gear, not of the mate; a flank that is not undercut has none.
+    #[test]
+    fn an_edge_is_below_the_involute_of_its_own_gear() {
+        use ProfilePart::Involute;
+        for (teeth, undercut) in [([44, 9], true), ([44, 44], false)] {
+            let pair = pair(teeth);
+            let form = |member| pair.gear(member).gear().form_radius();
+            let (wheel, pinion) = (form(Member::Wheel), form(Member::Pinion));
+            assert_eq!(pair.gear(Member::Pinion).gear().is_undercut(), undercut);
+            for (off, at_edge) in [(0.0, true), (5e-8, true), (2e-7, false), (1.0, false)] {
+                let contact = contact((Involute, wheel + 1.0), (Involute, pinion + off), [1, 1]);
+                let is_below = |member| {
+                    let mut touched = Touched::default();
+                    touched.add(&pair, member, Side::Left, &contact)
+                };
+                assert!(!is_below(Member::Wheel), "{teeth:?} {off}");
+                assert_eq!(
+                    is_below(Member::Pinion),
+                    undercut && at_edge,
+                    "{teeth:?} {off}"
+                );
+            }
+        }
+    }
+}

@@ -130,6 +130,26 @@ fn snapshots_of_outlines() {
         picture.contains("interference") && said.contains("Binds at"),
         "{said}"
     );
+    // The teeth that the sentence names, in the enlarged views and in the mesh zone, and what the colours are.
+    assert!(said.contains("at teeth 7·15") && said.contains("and 7·16"));
+    for words in [
+        ">wheel 7<",
+        ">pinion 15<",
+        ">pinion 16<",
+        ">7<",
+        ">15<",
+        ">16<",
+        ">wheel<",
+        ">pinion<",
+        ">overlap<",
+        ">contact, normal out of the wheel<",
+    ] {
+        assert!(picture.contains(words), "{words}");
+    }
+    // Nothing of what only involutes have.
+    for words in ["base circle", "line of action"] {
+        assert!(!picture.contains(words), "{words}");
+    }
     let (code, _, said) = run(
         folder.path(),
         &[

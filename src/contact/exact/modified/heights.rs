@@ -277,3 +277,6 @@ impl Heights<'_> {
 fn amount([least, most]: [f64; 2]) -> f64 {
     least.abs().max(most.abs())
 }
+
+#[cfg(test)]
+mod tests;

@@ -192,7 +192,7 @@ impl PosedFlanks<'_> {
     }
 
     /// Both flanks with the free gear held at a gap.
-    fn heights<'b>(
+    pub(super) fn heights<'b>(
         &self,
         (locked, free): &(Placed<'b>, Placed<'b>),
         flanks: [Flank<'b>; 2],

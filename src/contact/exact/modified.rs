@@ -6,7 +6,8 @@
 //!
 //! 1. Pairs are taken in the order of their outer gaps on the line of action, until the outer gap is below one found.
 //! 2. Convex flanks touch where they have a common normal, or at a tip corner ([`flanks`]). Where that is not found, and of flanks that are not
-//!    convex, as measured ones are not, a search finds it over all pairs of their pieces ([`pieces`]).
+//!    convex, as measured ones are not, bounds of how far they stand out settle it ([`heights`]), and where those do not, a search over all pairs of
+//!    their pieces ([`pieces`]).
 //! 3. With the free gear at the gap found no tip corner of the outer gears may stand in the outer mate, wider by as much as deviations vary,
 //!    but on the mate's flank, of a pair that 1. and 2. have settled.
 //!

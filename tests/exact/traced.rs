@@ -172,4 +172,4 @@ fn dense_traces_touch_where_the_search_finds_them_to() {
 }
 
 /// Pairs drawn.
-const SEEDS: u64 = 2000;
+const SEEDS: u64 = 120;

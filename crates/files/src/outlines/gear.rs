@@ -344,7 +344,8 @@ fn centres(circles: &[Point2<f64>]) -> String {
 }
 
 fn coordinates(point: &Point2<f64>) -> String {
-    format!("({}, {})", fixed(point.x, 4), fixed(point.y, 4))
+    // As messages of faults have them, to be copied into a file.
+    format!("({:.4}, {:.4})", point.x, point.y)
 }
 
 /// Where a smooth curve through points has kinks that it takes round: points at which its chords turn by more than those of a regular

@@ -50,6 +50,7 @@ pub(crate) use part::{Osculating, smooth};
 pub use pins::{MeasuringBody, PinReadings};
 pub use pitch::{Pitch, PitchAxis};
 pub use placed::Placed;
+pub(crate) use placed::steps_near;
 pub use profile::Profile;
 pub(crate) use readings::FlankShifts;
 pub use readings::Readings;

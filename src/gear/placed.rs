@@ -1,8 +1,9 @@
 //! A gear where it stands in the picture: its centre, its teeth, its outline round a place.
 
 use super::{AsBuilt, HalfTooth, ProfilePart, Segment, Side};
-use nalgebra::{Point2, UnitComplex};
+use nalgebra::{Point2, UnitComplex, Vector2};
 use std::f64::consts::PI;
+use std::ops::RangeInclusive;
 
 /// A gear on its axis, turned.
 #[derive(Debug, Clone, Copy)]
@@ -51,27 +52,10 @@ impl<'a> Placed<'a> {
     /// them, counter-clockwise. All `z` when the disc holds the centre or reaches round it.
     pub fn teeth_near(&self, place: Point2<f64>, reach: f64) -> Vec<u32> {
         let basic_data = self.as_built.gear().basic_data();
-        let pitch = basic_data.angular_pitch();
-        let to_place = place - self.centre();
-        let distance = to_place.norm();
-        // Two pitches more: half a tooth, half a pitch a flank may be off its place, and one to spare.
-        let half_angle = if distance > reach {
-            (reach / distance).asin() + 2.0 * pitch
-        } else {
-            PI
-        };
-        let teeth = i64::from(basic_data.teeth());
-        if half_angle >= PI {
-            return (0..teeth)
-                .map(|step| self.as_built.counter_clockwise(1, step))
-                .collect();
-        }
-        let from_1 = to_place.y.atan2(to_place.x) - self.tooth_1;
-        let first = ((from_1 - half_angle) / pitch).ceil() as i64;
-        let last = ((from_1 + half_angle) / pitch).floor() as i64;
-        (first..=last.min(first + teeth - 1))
-            .map(|step| self.as_built.counter_clockwise(1, step))
-            .collect()
+        let seen = (place - self.centre(), self.tooth_1);
+        let steps = steps_near(seen, reach, basic_data.angular_pitch(), basic_data.teeth());
+        let tooth = |step| self.as_built.counter_clockwise(1, step);
+        steps.map(tooth).collect()
     }
 
     /// A closed counter-clockwise polygon, mm, that is the gear's metal within the disc of radius `reach` about `place`.
@@ -170,6 +154,32 @@ impl<'a> Placed<'a> {
         let centre = self.centre();
         move |point| centre + turn * point.coords
     }
+}
+
+/// Steps counter-clockwise from tooth 1, which points in the direction `tooth_1` (rad), to the teeth that reach into the disc of radius
+/// `reach` (mm) about a `place` as seen from the gear's centre, and some beside them; all `teeth` when the disc holds the centre or
+/// reaches round it.
+pub(crate) fn steps_near(
+    (place, tooth_1): (Vector2<f64>, f64),
+    reach: f64,
+    pitch: f64,
+    teeth: u32,
+) -> RangeInclusive<i64> {
+    let distance = place.norm();
+    // Two pitches more: half a tooth, half a pitch a flank may be off its place, and one to spare.
+    let half_angle = if distance > reach {
+        (reach / distance).asin() + 2.0 * pitch
+    } else {
+        PI
+    };
+    let teeth = i64::from(teeth);
+    if half_angle >= PI {
+        return 0..=teeth - 1;
+    }
+    let from_1 = place.y.atan2(place.x) - tooth_1;
+    let first = ((from_1 - half_angle) / pitch).ceil() as i64;
+    let last = ((from_1 + half_angle) / pitch).floor() as i64;
+    first..=last.min(first + teeth - 1)
 }
 
 #[cfg(test)]

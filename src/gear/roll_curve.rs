@@ -14,6 +14,8 @@ pub struct RollCurve {
     edges: Vec<f64>,
     /// Bounds over whole stretches, [`BLOCK`] at a time; empty of a few: there they are not worth it.
     blocks: Vec<[Interval; 3]>,
+    /// Of as many equal parts of the whole as it has knots: how many knots lie before; empty of a few.
+    before: Vec<u32>,
 }
 
 /// Stretches whose bounds are known together (tuned: some thirty blocks of a measured trace).
@@ -30,6 +32,7 @@ impl RollCurve {
             cubics: vec![cubic],
             edges: Vec::new(),
             blocks: Vec::new(),
+            before: Vec::new(),
         }
     }
 
@@ -73,6 +76,7 @@ impl RollCurve {
             cubics: (0..chords.len()).map(cubic).collect(),
             edges: Vec::new(),
             blocks: Vec::new(),
+            before: Vec::new(),
         }
     }
 
@@ -101,12 +105,13 @@ impl RollCurve {
                 knots,
                 edges,
                 blocks: Vec::new(),
+                before: Vec::new(),
             }
             .with_blocks(),
         }
     }
 
-    /// The same with the bounds of its blocks.
+    /// The same with the bounds of its blocks, and where its knots are.
     fn with_blocks(mut self) -> RollCurve {
         let count = self.cubics.len() / BLOCK;
         if count > 1 {
@@ -115,6 +120,13 @@ impl RollCurve {
                 self.bounds_of(from..to, self.knots[from], self.knots[to])
             };
             self.blocks = (0..count).map(block).collect();
+            let first = self.knots[0];
+            let part = (self.knots[self.knots.len() - 1] - first) / self.knots.len() as f64;
+            let before = |k: usize| {
+                let from = first + part * k as f64;
+                self.knots.partition_point(|&knot| knot <= from) as u32
+            };
+            self.before = (0..self.knots.len()).map(before).collect();
         }
         self
     }
@@ -138,8 +150,7 @@ impl RollCurve {
 
     /// The stretch with `xi`, or the value held there. A knot belongs to the stretch behind it.
     fn stretch(&self, xi: f64) -> Result<usize, f64> {
-        let behind = self.knots.partition_point(|&knot| knot <= xi);
-        match behind {
+        match self.knots_before(xi) {
             0 => Err(self.cubics[0][0]),
             k if k < self.knots.len() => Ok(k - 1),
             _ => {
@@ -149,9 +160,30 @@ impl RollCurve {
         }
     }
 
+    /// How many knots are not beyond `xi`.
+    #[inline]
+    fn knots_before(&self, xi: f64) -> usize {
+        let knots = &self.knots;
+        if self.before.is_empty() {
+            return knots.partition_point(|&knot| knot <= xi);
+        }
+        let per_part = knots.len() as f64 / (knots[knots.len() - 1] - knots[0]);
+        // The cast takes what lies below for 0.
+        let part = ((xi - knots[0]) * per_part) as usize;
+        let mut before = self.before[part.min(knots.len() - 1)] as usize;
+        while before < knots.len() && knots[before] <= xi {
+            before += 1;
+        }
+        // A roll may be rounded into the next part.
+        while before > 0 && knots[before - 1] > xi {
+            before -= 1;
+        }
+        before
+    }
+
     /// `δ`, mm, its slope `δ'`, mm/rad, and `δ''` at the roll `xi`; those of the greater rolls at an edge.
     #[inline]
-    pub(super) fn jet(&self, xi: f64) -> [f64; 3] {
+    pub(crate) fn jet(&self, xi: f64) -> [f64; 3] {
         match self.stretch(xi) {
             Err(held) => [held, 0.0, 0.0],
             Ok(k) => at(&self.cubics[k], xi - self.knots[k]),
@@ -166,6 +198,11 @@ impl RollCurve {
     /// `δ'`, mm/rad, at the roll `xi`, rad; that of the greater rolls at an edge.
     pub fn slope(&self, xi: f64) -> f64 {
         self.jet(xi)[1]
+    }
+
+    /// How many knots it has between two rolls.
+    pub(crate) fn knots_between(&self, low: f64, high: f64) -> usize {
+        self.knots_before(high) - self.knots_before(low)
     }
 
     /// Rolls between which it is one cubic and bends to one side, ascending: edges are among them.
@@ -191,9 +228,9 @@ impl RollCurve {
     }
 
     /// Intervals in which `δ`, `δ'` and `δ''` lie over the rolls from `low` to `high`.
-    pub(super) fn bounds(&self, low: f64, high: f64) -> [Interval; 3] {
-        let first = self.knots.partition_point(|&knot| knot <= low).max(1) - 1;
-        let last = self.knots.partition_point(|&knot| knot <= high);
+    pub(crate) fn bounds(&self, low: f64, high: f64) -> [Interval; 3] {
+        let first = self.knots_before(low).max(1) - 1;
+        let last = self.knots_before(high);
         let last = last.min(self.cubics.len());
         // Whole blocks inside, and what lies before and behind them.
         let from = first.div_ceil(BLOCK).min(self.blocks.len());
@@ -312,6 +349,8 @@ mod tests {
             let [one, two] = [points, more].map(|points| RollCurve::through(&points));
             let curve = RollCurve::sum(&[(1.0, &one), (-0.5, &two), (2.0, &ramp)]);
             prop_assert_eq!(curve.edges(), &[0.3]);
+            let found = |xi: f64| curve.knots_before(xi) == curve.knots.partition_point(|&knot| knot <= xi);
+            prop_assert!(curve.knots.iter().all(|&knot| found(knot) && found(knot.next_up()) && found(knot.next_down())));
             let bounds = curve.bounds(low, low + width);
             for k in 0..=50 {
                 let xi = low + width * f64::from(k) / 50.0;

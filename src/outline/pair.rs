@@ -2,9 +2,9 @@
 
 use super::error::OutlineError;
 use super::gear::OutlineGear;
-use crate::gear::Side;
+use crate::gear::{Side, steps_near};
 use crate::pair::{Mating, Member};
-use nalgebra::Point2;
+use nalgebra::{Complex, Point2, Vector2};
 
 /// A pair of which one gear at least is known by its outline: wheel axis at the origin, pinion axis at `(a, 0)`, y up.
 #[derive(Debug, Clone)]
@@ -127,6 +127,34 @@ impl OutlinePair {
         points.iter().map(|point| axis + point.coords).collect()
     }
 
+    /// Centre of a gear's outline at `rotation`, rad, in the picture, mm: beside the axis by the eccentricity.
+    pub fn centre(&self, member: Member, rotation: f64) -> Point2<f64> {
+        let off = self.gear(member).displacement();
+        let off = off * Complex::from_polar(1.0, member.mate_direction() + rotation);
+        self.axis(member) + Vector2::new(off.re, off.im)
+    }
+
+    /// Teeth of a gear at `rotation`, rad, that reach into the disc of radius `reach` (mm) about `place` in the picture, and some beside
+    /// them, counter-clockwise: number, and direction of the even place from [`OutlinePair::centre`], rad. All when the disc holds that centre.
+    pub fn teeth_near(
+        &self,
+        member: Member,
+        rotation: f64,
+        place: Point2<f64>,
+        reach: f64,
+    ) -> Vec<(u32, f64)> {
+        let gear = self.gear(member);
+        let tooth_1 = member.mate_direction() + rotation;
+        let seen = (place - self.centre(member, rotation), tooth_1);
+        let teeth = i64::from(gear.teeth());
+        let tooth = |step: i64| {
+            let index = (gear.face().ascending() as i64 * step).rem_euclid(teeth);
+            (index as u32 + 1, tooth_1 + step as f64 * gear.pitch())
+        };
+        let steps = steps_near(seen, reach, gear.pitch(), gear.teeth());
+        steps.map(tooth).collect()
+    }
+
     /// The mating `pitches` whole pitches beyond (before, where negative): ascending teeth of the locked gear come into mesh.
     pub fn onward(&self, mating: &Mating, pitches: i64) -> Mating {
         let locked = self.gear(self.locked);
@@ -153,4 +181,60 @@ impl OutlinePair {
 fn half_ends(gear: &OutlineGear) -> impl Iterator<Item = [f64; 2]> {
     let teeth = (1..=gear.teeth()).flat_map(|tooth| Side::BOTH.map(|side| (side, tooth)));
     teeth.map(|(side, tooth)| gear.half(side, tooth).end_radii())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gear::{AsBuilt, Deviations, Face, Gear, GearDesign};
+    use crate::pair::{GearPair, Pose};
+
+    /// Centres and teeth near a place as of the same gears by their data, at every pitch of a revolution, of either face. Source:
+    /// [`crate::gear::Placed`].
+    #[test]
+    fn teeth_stand_where_those_of_the_data_do() {
+        let built = |teeth, face| {
+            let deviations = Deviations {
+                eccentricity: 0.05,
+                high_tooth: 3.25,
+                ..Deviations::default()
+            };
+            let gear = Gear::nominal(GearDesign::plain(teeth, 2.0)).unwrap();
+            AsBuilt::new(gear, face, &deviations).unwrap()
+        };
+        let (wheel, pinion) = (built(20, Face::Front), built(13, Face::Back));
+        let outlines = [&wheel, &pinion].map(OutlineGear::from);
+        let distance = 33.2;
+        let [one, other] = outlines;
+        let pair = OutlinePair::new(one, other, distance, Member::Wheel).unwrap();
+        let assembly = GearPair::with_locked(wheel, pinion, distance, Member::Wheel).unwrap();
+        for step in 0..20 {
+            let mating = Mating {
+                wheel_tooth: 1,
+                pinion_tooth: 1,
+                flank: Side::Right,
+                fraction: f64::from(step) + 0.3,
+            };
+            let rotation = Pose::new(&assembly, mating).locked_rotation();
+            let place = Point2::new(20.0, 1.0);
+            for (member, gear) in [
+                (Member::Wheel, assembly.gear(Member::Wheel)),
+                (Member::Pinion, assembly.gear(Member::Pinion)),
+            ] {
+                let tooth_1 = member.mate_direction() + rotation;
+                let placed = crate::gear::Placed::new(gear, pair.axis(member), tooth_1);
+                let centre = pair.centre(member, rotation);
+                assert!((centre - placed.centre()).norm() < 1e-12);
+                for reach in [3.0, 9.0, 200.0] {
+                    let found = pair.teeth_near(member, rotation, place, reach);
+                    let numbers: Vec<u32> = found.iter().map(|tooth| tooth.0).collect();
+                    assert_eq!(numbers, placed.teeth_near(place, reach));
+                    for (tooth, direction) in found {
+                        let off = (direction - placed.direction(tooth)) / std::f64::consts::TAU;
+                        assert!((off - off.round()).abs() < 1e-12, "{tooth}");
+                    }
+                }
+            }
+        }
+    }
 }

@@ -20,4 +20,5 @@ mod random;
 mod reference;
 mod reference_poses;
 mod straight_sided;
+mod traced;
 mod wide;

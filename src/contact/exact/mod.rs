@@ -28,6 +28,7 @@ mod deepest;
 mod direct;
 mod envelope;
 mod extremes;
+mod flank_heights;
 mod flank_pieces;
 mod flank_problem;
 mod helical;

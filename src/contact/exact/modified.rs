@@ -6,7 +6,8 @@
 //!
 //! 1. Pairs are taken in the order of their outer gaps on the line of action, until the outer gap is below one found.
 //! 2. Convex flanks touch where they have a common normal, or at a tip corner ([`flanks`]). Where that is not found, and of flanks that are not
-//!    convex, as measured ones are not, a search finds it over all pairs of their pieces ([`pieces`]).
+//!    convex, as measured ones are not, bounds of how far they stand out settle it ([`heights`]), and where those do not, a search over all pairs of
+//!    their pieces ([`pieces`]).
 //! 3. With the free gear at the gap found no tip corner of the outer gears may stand in the outer mate, wider by as much as deviations vary,
 //!    but on the mate's flank, of a pair that 1. and 2. have settled.
 //!
@@ -14,6 +15,7 @@
 //! there, theirs is the answer: a relief beyond the path of contact changes nothing.
 
 mod flanks;
+mod heights;
 mod pieces;
 
 use super::branch::search as search_pair;
@@ -176,7 +178,10 @@ impl OuterGears {
             };
             let found = match tangent {
                 Some(candidate) => Some(candidate),
-                None => posed.flanks_in_pieces(pair.step, tightest.level(), pair.gap - beyond)?,
+                None => {
+                    let (floor, guess) = (tightest.level(), pair.gap - beyond);
+                    posed.flanks_anyhow(pair.step, floor, guess)?
+                }
             };
             if let Some(candidate) = found {
                 tightest.offer(pair.step, candidate);
@@ -247,8 +252,16 @@ impl OuterGears {
             if self.solver.free_off > 0.0 && far_corner().is_some() {
                 return None;
             }
+            let mut settled = settled(step);
+            if tips != [true; 2] && !(settled || self.is_convex) {
+                // Of flanks that are not convex nothing but their heights tells that their gap is greatest at an end.
+                if let Some(found) = posed.flanks_by_heights(step, tightest.level(), 0.0)? {
+                    tightest.offer(step, found);
+                }
+                settled = true;
+            }
             for (tip, clear) in [Tip::Locked, Tip::Free].into_iter().zip(tips) {
-                if !clear && let Some(candidate) = self.on_tip(posed, step, tip, settled(step))? {
+                if !clear && let Some(candidate) = self.on_tip(posed, step, tip, settled)? {
                     tightest.offer(step, candidate);
                 }
             }
@@ -264,10 +277,6 @@ impl OuterGears {
         tip: Tip,
         settled: bool,
     ) -> Option<Option<CandidateContact>> {
-        // Of flanks that are not convex nothing but a search tells that their gap is greatest at an end.
-        if !(self.is_convex || settled) {
-            return None;
-        }
         let (locked, free) = (posed.locked(step), posed.free(step));
         let proof = &self.solver.proof;
         // From the root of a locked half tooth to its tip radii about the free axis fall, of a free one they rise.

@@ -23,7 +23,7 @@ pub(super) fn touching(posed: &PosedFlanks) -> Result<Option<Touching>, (i64, Se
         // Of a measured flank the search of the whole has no bound that is near.
         let part = ProfilePart::Involute;
         for step in posed.steps() {
-            let found = posed.flanks_in_pieces(step, tightest_contacts.level(), 0.0);
+            let found = posed.flanks_anyhow(step, tightest_contacts.level(), 0.0);
             if let Some(candidate) = found.ok_or((step, SearchExhausted(part, part)))? {
                 tightest_contacts.offer(step, candidate);
             }

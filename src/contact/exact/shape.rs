@@ -2,6 +2,7 @@
 //!
 //! The left-hand half is the mirror image, and the exact method solves the left side as the mirrored right side.
 
+use super::flank_heights::FlankHeights;
 use super::flank_pieces::FlankPieces;
 use crate::gear::{Fillet, Part, PartCurve, Profile, ProfilePart, involute};
 use std::f64::consts::PI;
@@ -40,6 +41,8 @@ pub(super) struct Shape {
     pub tilt: f64,
     /// Its flank in pieces, once a pair asks for them.
     pieces: OnceLock<Box<FlankPieces>>,
+    /// How far it stands out, likewise; `None` of what has edges or is no involute.
+    heights: OnceLock<Option<Box<FlankHeights>>>,
 }
 
 impl Shape {
@@ -65,6 +68,7 @@ impl Shape {
             is_convex: true,
             tilt: 0.0,
             pieces: OnceLock::new(),
+            heights: OnceLock::new(),
         };
         if let PartCurve::Modified(flank) = &profile.part(ProfilePart::Involute).curve {
             let (low, high) = shape.range(ProfilePart::Involute);
@@ -82,6 +86,13 @@ impl Shape {
     pub fn flank_pieces(&self) -> &FlankPieces {
         let part = self.part(ProfilePart::Involute);
         self.pieces.get_or_init(|| Box::new(FlankPieces::new(part)))
+    }
+
+    /// How far its flank stands out; `None` of one that has edges or is no involute.
+    pub fn flank_heights(&self) -> Option<&FlankHeights> {
+        let part = self.part(ProfilePart::Involute);
+        let heights = || FlankHeights::new(part).map(Box::new);
+        self.heights.get_or_init(heights).as_deref()
     }
 
     /// One of its parts.

@@ -155,8 +155,12 @@ pub(super) fn read(file: &Table, name: &str, problems: &mut Problems) -> Option<
     let turned =
         turned.map_err(|error| table.problem("runout.total_um", error.to_string(), help(&error)));
     let gear = problems.keep(turned)?;
+    let kinks = match spec.kind {
+        PointsKind::Smooth if !segments.is_empty() => kinks(segments),
+        _ => String::new(),
+    };
     remarks.push(format!(
-        "{name}: {} teeth between diameters {} and {} mm{}{}",
+        "{name}: {} teeth between diameters {} and {} mm{}{kinks}{}",
         gear.teeth(),
         fixed(2.0 * gear.root_radius(), 4),
         fixed(2.0 * gear.tip_radius(), 4),
@@ -296,8 +300,9 @@ fn centre(
                     problems.add(gear.problem(
                         "outline.center_mm",
                         format!(
-                            "needs one circle inside the outline, {} are drawn",
-                            others.len()
+                            "needs one circle inside the outline, {} are drawn{}",
+                            others.len(),
+                            centres(others)
                         ),
                         "state the centre as [x, y] in mm, or \"fit\"",
                     ));
@@ -323,6 +328,46 @@ fn centre(
             ));
             Some(fitted.centre)
         }
+    }
+}
+
+/// Centres of circles, a few of them.
+fn centres(circles: &[Point2<f64>]) -> String {
+    const FEW: usize = 4;
+    let named = circles.iter().take(FEW).map(coordinates);
+    let named: Vec<String> = named.collect();
+    match circles.len() {
+        0 => String::new(),
+        count if count > FEW => format!(", about {} and others", named.join(", ")),
+        _ => format!(", about {}", named.join(" and ")),
+    }
+}
+
+fn coordinates(point: &Point2<f64>) -> String {
+    // As messages of faults have them, to be copied into a file.
+    format!("({:.4}, {:.4})", point.x, point.y)
+}
+
+/// Where a smooth curve through points has kinks that it takes round: points at which its chords turn by more than those of a regular
+/// polygon of twelve corners.
+fn kinks(segments: &[PathSegment]) -> String {
+    const SHARP_DEG: f64 = 30.0;
+    let from = |index: usize| segments[index % segments.len()].at(0.0);
+    let turns = (0..segments.len()).map(|index| {
+        let (before, here, next) = (from(index), from(index + 1), from(index + 2));
+        let turn = (here - before).angle(&(next - here)).to_degrees();
+        (turn, here)
+    });
+    let sharp: Vec<(f64, Point2<f64>)> = turns.filter(|(turn, _)| *turn > SHARP_DEG).collect();
+    let sharpest = sharp.iter().max_by(|a, b| a.0.total_cmp(&b.0));
+    match sharpest {
+        None => ", a smooth curve through its points, none a kink".to_owned(),
+        Some((turn, at)) => format!(
+            ", a smooth curve through its points, {} of them kinks of more than {SHARP_DEG}° that it rounds and may overshoot, the sharpest {}° at {}",
+            sharp.len(),
+            fixed(*turn, 1),
+            coordinates(at)
+        ),
     }
 }
 

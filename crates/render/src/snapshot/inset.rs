@@ -2,7 +2,7 @@
 
 use super::contact_marks::{self, IN_INSET};
 use super::gears::Look;
-use super::main_view::centred;
+use super::tooth_numbers::centred;
 use super::view::View;
 use super::{contact_bands, gears, overlap_label};
 use crate::kit::{
@@ -15,7 +15,7 @@ use gearlash::gear::{ProfilePart, Side};
 use gearlash::pair::{GearPair, Member};
 use gearlash_files::numbers::um;
 use nalgebra::{Point2, center};
-use svg::node::element::{Group, Rectangle};
+use svg::node::element::{Element, Group, Rectangle};
 
 /// Greatest width of a gap in an inset, units of the sheet: with steps of 2 and 2.5 no gap is
 /// drawn narrower than 36, 9 mm of paper.
@@ -60,20 +60,30 @@ pub fn draw(scene: &Scene, contact: &DrawnContact, view: &View, ids: &Ids) -> Gr
     let mark = contact_marks::draw(contact, view, IN_INSET, &mut occupied)
         .set("clip-path", ids.url(&format!("{id}-frame")));
     let label = overlap_label::draw(scene, contact, view, &mut occupied);
-    let mut group = Group::new().add(gears.group).add(mark).add(label);
-    let names = [
-        ("wheel", contact.contact.wheel),
-        ("pinion", contact.contact.pinion),
-    ];
-    let [wheel, pinion] = &gears.metal;
-    for ((name, touch), metal) in names.iter().zip([[wheel, pinion], [pinion, wheel]]) {
-        let name = format!("{name} {}", touch.tooth);
-        if let Some(room) = place(&name, metal, view, &occupied) {
+    let teeth = [contact.contact.wheel.tooth, contact.contact.pinion.tooth];
+    let group = Group::new().add(gears.group).add(mark).add(label);
+    let names = names(teeth, &gears.metal, view, &mut occupied);
+    let group = names.into_iter().fold(group, Group::add);
+    group.add(view.frame().border())
+}
+
+/// Wheel and pinion with these tooth numbers, each on its own metal where it has room.
+pub fn names(
+    teeth: [u32; 2],
+    [wheel, pinion]: &[Vec<Spot>; 2],
+    view: &View,
+    occupied: &mut Occupied,
+) -> Vec<Element> {
+    let names = ["wheel", "pinion"].into_iter().zip(teeth);
+    let mut placed = Vec::new();
+    for ((name, tooth), metal) in names.zip([[wheel, pinion], [pinion, wheel]]) {
+        let name = format!("{name} {tooth}");
+        if let Some(room) = place(&name, metal, view, occupied) {
             occupied.frame(room);
-            group = group.add(centred(&name, &room, SIZE, false));
+            placed.push(centred(&name, &room, SIZE, false));
         }
     }
-    group.add(view.frame().border())
+    placed
 }
 
 /// The frame of a side without contact.

@@ -4,10 +4,17 @@ use super::contact_bands;
 use super::contact_bands::FORM_DASH;
 use super::gears::{BASE_DASH, CENTRES_DASH, PITCH_DASH};
 use crate::kit::{
-    ACTION, Frame, GAP, GREY, INK, Ids, OVERLAP, PATH, Spot, TextStyle, arrow, diamond, dot, line,
+    ACTION, Frame, GAP, GREY, INK, Ids, OVERLAP, PATH, PINION, Spot, TextStyle, WHEEL, arrow,
+    diamond, dot, line,
 };
 use gearlash::gear::ProfilePart;
 use svg::node::element::Group;
+
+/// Samples that not every kind of gear has.
+const WHEEL_NAME: &str = "wheel";
+const PINION_NAME: &str = "pinion";
+const MEETING: &str = "points that meet as the free gear turns";
+const OF_ACTION: &str = "line of action, path of contact";
 
 /// What holds of the printed sheet alone.
 const PAPER_NOTE: &str = "scales hold in print on A4";
@@ -32,10 +39,12 @@ pub struct Shown {
     pub form: bool,
     /// A base tangent point.
     pub tangent: bool,
+    /// Gears by their outlines: no base circle, no line of action, each contact drawn where it touches.
+    pub outlines: bool,
 }
 
-/// Rows of samples with their names, no wider than `room`, the first sample's left end at `at`.
-pub fn draw(at: Spot, room: f64, shown: &Shown, ids: &Ids) -> Group {
+/// Rows of samples with their names, no wider than `room`, the first sample's left end at `at`; and how far down the last row is.
+pub fn draw(at: Spot, room: f64, shown: &Shown, ids: &Ids) -> (Group, f64) {
     let hatch = ids.url("hatch");
     let dashed = |x: f64, y: f64, dash: &str| {
         Group::new().add(line(&[[x, y], [x + SAMPLE, y]], GREY, 1.1).set("stroke-dasharray", dash))
@@ -58,9 +67,13 @@ pub fn draw(at: Spot, room: f64, shown: &Shown, ids: &Ids) -> Group {
         })
     };
     type Sample<'a> = Box<dyn Fn(f64, f64) -> Group + 'a>;
+    let contact = match shown.outlines {
+        true => "contact, normal out of the wheel",
+        false => "contact, normal out of the locked gear",
+    };
     let mut samples: Vec<(&str, Sample)> = vec![
         (
-            "contact, normal out of the locked gear",
+            contact,
             Box::new(|x, y| {
                 Group::new()
                     .add(arrow([x + 5.0, y], [x + SAMPLE, y], 1.8))
@@ -68,7 +81,7 @@ pub fn draw(at: Spot, room: f64, shown: &Shown, ids: &Ids) -> Group {
             }),
         ),
         (
-            "points that meet as the free gear turns",
+            MEETING,
             Box::new(|x, y| {
                 Group::new().add(dot([x + 8.0, y], 4.0, false)).add(dot(
                     [x + SAMPLE - 8.0, y],
@@ -78,13 +91,15 @@ pub fn draw(at: Spot, room: f64, shown: &Shown, ids: &Ids) -> Group {
             }),
         ),
         (
-            "line of action, path of contact",
+            OF_ACTION,
             Box::new(|x, y| {
                 Group::new()
                     .add(line(&[[x + 8.0, y], [x + SAMPLE - 8.0, y]], PATH, 6.0))
                     .add(line(&[[x, y], [x + SAMPLE, y]], ACTION, 1.2))
             }),
         ),
+        (WHEEL_NAME, Box::new(|x, y| swatch(x, y, &[WHEEL]))),
+        (PINION_NAME, Box::new(|x, y| swatch(x, y, &[PINION]))),
         ("gap", Box::new(|x, y| swatch(x, y, &[GAP]))),
         ("overlap", Box::new(|x, y| swatch(x, y, &[OVERLAP, &hatch]))),
         (
@@ -107,6 +122,9 @@ pub fn draw(at: Spot, room: f64, shown: &Shown, ids: &Ids) -> Group {
         "overlap" => shown.overlap,
         "form circle" => shown.form,
         "base tangent point" => shown.tangent,
+        // Of gears by their data what is drawn over the metal says which is which.
+        WHEEL_NAME | PINION_NAME => shown.outlines,
+        MEETING | OF_ACTION | "base circle" => !shown.outlines,
         _ => true,
     });
     for curve in ProfilePart::ALL {
@@ -135,11 +153,11 @@ pub fn draw(at: Spot, room: f64, shown: &Shown, ids: &Ids) -> Group {
         x += width + 16.0;
     }
     if !shown.on_paper {
-        return group;
+        return (group, y);
     }
     if x + WORDS.width(PAPER_NOTE) > at[0] + room {
         y += 25.0;
     }
     let note = WORDS.grey().end();
-    group.add(note.text(PAPER_NOTE, [at[0] + room, y + 4.5]))
+    (group.add(note.text(PAPER_NOTE, [at[0] + room, y + 4.5])), y)
 }

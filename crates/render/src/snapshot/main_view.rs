@@ -1,12 +1,12 @@
-//! The mesh zone: what it shows, and the tooth numbers in it.
+//! The mesh zone: what it shows, and whose teeth are numbered in it.
 
+use super::tooth_numbers::{self, Numbered};
 use super::view::View;
-use crate::kit::{self, Frame, Occupied, Spot, TextStyle, UNITS_PER_MM, scale};
+use crate::kit::{Frame, Occupied, UNITS_PER_MM, scale};
 use gearlash::contact::Scene;
 use gearlash::gear::Side;
 use gearlash::pair::Member;
 use nalgebra::{Point2, Vector2};
-use svg::node::Node;
 use svg::node::element::Group;
 
 /// Pitches shown above and below the line of centres: with one and a half each gear shows three
@@ -16,8 +16,6 @@ const PITCHES: f64 = 1.5;
 const BORDER: f64 = 1.0;
 /// How far off a base tangent point is brought into view, modules: two pitches, a third more than is shown anyway.
 const NEAR: f64 = 6.3;
-/// Size of tooth numbers.
-const SIZE: f64 = 15.0;
 
 /// The view of the mesh zone in `frame`: about the middle between the tip circles, with both root
 /// circles, the paths of contact and the contacts in it.
@@ -64,81 +62,32 @@ pub fn view(scene: &Scene, frame: Frame) -> View {
 }
 
 /// Numbers the teeth in view, the wheel's and the pinion's, those that mate in bold; their rooms are taken in `occupied` and returned.
-///
-/// A gear's numbers stand on one circle: of some round its root the first on which the most find
-/// room. What finds none is left out, but for the mating teeth, which look farther. Teeth no
-/// larger than a number get none.
 pub fn tooth_numbers(
     scene: &Scene,
     view: &View,
     mating: [u32; 2],
     occupied: &mut Occupied,
 ) -> ([Group; 2], Vec<Frame>) {
-    let mut groups = [Group::new(), Group::new()];
-    let mut taken = Vec::new();
-    let inside = view.frame().grown(-6.0);
-    let members = [Member::Wheel, Member::Pinion].into_iter().zip(mating);
-    for ((member, mating), group) in members.zip(&mut groups) {
+    let numbered = |member, mating| {
         let placed = scene.placed(member);
         let gear = placed.as_built().gear();
-        let teeth = placed.teeth_near(view.middle(), view.reach());
-        let root = gear.root_radius();
-        if gear.basic_data().angular_pitch() * root * view.scale() < SIZE {
-            continue;
+        let teeth = placed.teeth_near(view.middle(), view.reach()).into_iter();
+        Numbered {
+            centre: placed.centre(),
+            tip: gear.tip_radius(),
+            root: gear.root_radius(),
+            foot: gear.root_radius().min(gear.base_radius()),
+            pitch: gear.basic_data().angular_pitch(),
+            teeth: teeth
+                .map(|tooth| (tooth, placed.direction(tooth)))
+                .collect(),
+            mating,
         }
-        let below = |radius: f64, lines: f64| radius - lines * SIZE / view.scale();
-        let rings = [
-            below(root, 1.2),
-            below(root, 2.4),
-            below(root.min(gear.base_radius()), 1.2),
-            0.5 * (root + gear.tip_radius()),
-        ];
-        let farther = (0..24).map(|i| below(gear.tip_radius(), 0.8 + 0.4 * f64::from(i)));
-        let free_room = |tooth: u32, ring: f64, beside: f64, occupied: &Occupied| {
-            let outward = unit(placed.direction(tooth));
-            let across = Vector2::new(-outward.y, outward.x) * (beside * SIZE / view.scale());
-            let at = placed.centre() + ring * outward + across;
-            let room = kit::room(&tooth.to_string(), SIZE, view.spot(at));
-            (inside.holds(&room) && occupied.is_free(&room)).then_some(room)
-        };
-        let fitting = |ring: f64, occupied: &Occupied| {
-            let fits = |tooth: &&u32| free_room(**tooth, ring, 0.0, occupied).is_some();
-            teeth.iter().filter(fits).count()
-        };
-        let counts = rings.map(|ring| fitting(ring, occupied));
-        let most = counts.into_iter().max();
-        let best = rings
-            .into_iter()
-            .zip(counts)
-            .find(|(_, count)| Some(*count) == most);
-        for &tooth in &teeth {
-            let on_best = best.and_then(|(ring, _)| free_room(tooth, ring, 0.0, occupied));
-            let room = on_best.or_else(|| {
-                let mut places = [0.0, 0.7, -0.7]
-                    .into_iter()
-                    .flat_map(|beside| farther.clone().map(move |ring| (ring, beside)));
-                places
-                    .find_map(|(ring, beside)| free_room(tooth, ring, beside, occupied))
-                    .filter(|_| tooth == mating)
-            });
-            if let Some(room) = room {
-                occupied.frame(room);
-                taken.push(room);
-                group.append(centred(&tooth.to_string(), &room, SIZE, tooth == mating));
-            }
-        }
-    }
-    (groups, taken)
-}
-
-/// A text in the middle of its room.
-pub fn centred(content: &str, room: &Frame, size: f64, bold: bool) -> svg::node::element::Element {
-    let at: Spot = [0.5 * (room.left + room.right), room.bottom];
-    let style = TextStyle::new(size).middle();
-    let style = if bold { style.bold() } else { style };
-    style.text(content, at)
-}
-
-fn unit(angle: f64) -> Vector2<f64> {
-    Vector2::new(angle.cos(), angle.sin())
+    };
+    let [wheel, pinion] = mating;
+    let gears = [
+        numbered(Member::Wheel, wheel),
+        numbered(Member::Pinion, pinion),
+    ];
+    tooth_numbers::draw(&gears, view, occupied)
 }

@@ -15,6 +15,7 @@ mod overlap_label;
 mod picture;
 mod pitch_chart;
 mod subject;
+mod tooth_numbers;
 mod turning;
 mod view;
 

@@ -1,11 +1,14 @@
 //! The contact of two outlines: one pose, true to scale, on an A4 sheet; both contacts enlarged beside it.
 
 use super::gears::{CENTRES_DASH, PITCH_DASH};
-use super::subject::{INSETS, MAIN};
+use super::inset;
+use super::legend::{self, Shown};
+use super::subject::{INSETS, LEGEND, MAIN};
+use super::tooth_numbers::{self, Numbered};
 use super::view::{MARGIN, View};
 use crate::kit::{
-    Frame, GREY, INK, Ids, OVERLAP, PINION, Spot, TextStyle, UNITS_PER_MM, WHEEL, WIDTH, arrow,
-    blank_sheet, clip, dot, hatch, line, path_data, scale,
+    Frame, GREY, INK, Ids, OVERLAP, Occupied, PINION, Spot, TextStyle, UNITS_PER_MM, WHEEL, WIDTH,
+    around, arrow, blank_sheet, clip, dot, hatch, line, path_data, scale,
 };
 use gearlash::analysis::outlines::{OutlinePose, OutlineRun};
 use gearlash::analysis::study::Material;
@@ -22,8 +25,8 @@ use svg::node::element::{ClipPath, Definitions, Group, Path, SVG, Use};
 const PITCHES: f64 = 1.5;
 /// How much larger an inset is than the main view: both flanks curve away from a contact.
 const ENLARGED: f64 = 10.0;
-/// Room for the scale bars below the views.
-const FOOT: f64 = 40.0;
+/// Room below the legend's last row.
+const FOOT: f64 = 16.0;
 /// Of the stroke half lies outside the metal.
 const STROKE: f64 = 1.2;
 
@@ -34,7 +37,8 @@ pub fn outline_snapshot(
     material: Material,
     pose: &OutlinePose,
 ) -> String {
-    format!("{}\n", draw(title, pair, material, pose, &Ids::default()))
+    let (sheet, _) = draw(title, pair, material, pose, &Ids::default(), true);
+    format!("{sheet}\n")
 }
 
 /// The same for a page, with ids that begin with `prefix`, named `label` for those who do not see it.
@@ -45,24 +49,38 @@ pub(crate) fn outline_snapshot_in_page(
     [prefix, label]: [&str; 2],
 ) -> String {
     // Without the room that an A4 sheet leaves below.
-    let picture = draw(title, &run.pair, run.material, pose, &Ids::in_page(prefix))
-        .set("viewBox", format!("0 0 {WIDTH} {}", MAIN.bottom + FOOT))
+    let ids = Ids::in_page(prefix);
+    let (sheet, last) = draw(title, &run.pair, run.material, pose, &ids, false);
+    let picture = sheet
+        .set("viewBox", format!("0 0 {WIDTH} {}", last + FOOT))
         .set("role", "img")
         .set("aria-label", label);
     format!("{picture}\n")
 }
 
-fn draw(title: &str, pair: &OutlinePair, material: Material, pose: &OutlinePose, ids: &Ids) -> SVG {
+/// The sheet, and how far down its last row is.
+fn draw(
+    title: &str,
+    pair: &OutlinePair,
+    material: Material,
+    pose: &OutlinePose,
+    ids: &Ids,
+    on_paper: bool,
+) -> (SVG, f64) {
     let main = main_view(pair);
     let contacts = pose.contacts();
     let held = contacts.iter().flatten().next();
     let nominal = pair.rotation(pair.free(), &pose.mating);
     let rotation = held.map_or(nominal, |contact| contact.rotation);
+    let mut occupied = Occupied::default();
+    let drawn = gears(pair, pose, &main, ("mesh", ids), rotation);
+    drawn.metal.iter().for_each(|metal| occupied.line(metal));
+    drawn.over.iter().for_each(|line| occupied.line(line));
     let mut sheet = blank_sheet()
         .add(hatch(ids))
         .add(caption(title, pair, material, pose, held.is_some()))
         .add(names(pair))
-        .add(gears(pair, pose, &main, "mesh", ids, rotation))
+        .add(drawn.group)
         .add(MAIN.border());
     for (contact, (side, frame)) in contacts
         .iter()
@@ -82,15 +100,78 @@ fn draw(title: &str, pair: &OutlinePair, material: Material, pose: &OutlinePose,
         );
         sheet = sheet
             .add(heading.text(&words(side, contact), at))
-            .add(gears(pair, pose, &view, side.name(), ids, contact.rotation))
-            .add(mark(contact, &view, 64.0))
+            .add(enlarged(pair, pose, (side, contact), &view, ids))
             .add(frame.border())
             .add(scale::bar([frame.left, frame.bottom + 16.0], view.scale()));
         if contact.rotation == rotation {
-            sheet = sheet.add(mark(contact, &main, 52.0));
+            sheet = sheet.add(mark(contact, &main, 52.0, &mut occupied));
         }
     }
-    sheet.add(scale::bar([MAIN.left, MAIN.bottom + 16.0], main.scale()))
+    let shown = Shown {
+        on_paper,
+        overlap: matches!(pose.status(), Status::Interference | Status::Jammed),
+        outlines: true,
+        ..Shown::default()
+    };
+    let (legend, last) = legend::draw(LEGEND, WIDTH - 2.0 * MAIN.left, &shown, ids);
+    let sheet = sheet
+        .add(numbers(pair, pose, &main, rotation, &mut occupied))
+        .add(scale::bar([MAIN.left, MAIN.bottom + 16.0], main.scale()))
+        .add(legend);
+    (sheet, last)
+}
+
+/// A contact enlarged, each gear with the number of its tooth that touches.
+fn enlarged(
+    pair: &OutlinePair,
+    pose: &OutlinePose,
+    (side, contact): (Side, &OutlineContact),
+    view: &View,
+    ids: &Ids,
+) -> Group {
+    let mut occupied = Occupied::default();
+    let teeth = [contact.wheel.tooth, contact.pinion.tooth];
+    let drawn = gears(pair, pose, view, (side.name(), ids), contact.rotation);
+    drawn.metal.iter().for_each(|metal| occupied.line(metal));
+    drawn.over.iter().for_each(|line| occupied.line(line));
+    let mark = mark(contact, view, 64.0, &mut occupied);
+    let names = inset::names(teeth, &drawn.metal, view, &mut occupied);
+    let group = Group::new().add(drawn.group).add(mark);
+    names.into_iter().fold(group, Group::add)
+}
+
+/// Numbers of the teeth in view, the free gear at `rotation`; those that mate in bold.
+fn numbers(
+    pair: &OutlinePair,
+    pose: &OutlinePose,
+    view: &View,
+    rotation: f64,
+    occupied: &mut Occupied,
+) -> Group {
+    let numbered = |member| {
+        let turned = turned(pair, pose, member, rotation);
+        let gear = pair.gear(member);
+        Numbered {
+            centre: pair.centre(member, turned),
+            tip: gear.tip_radius(),
+            root: gear.root_radius(),
+            foot: gear.root_radius(),
+            pitch: gear.pitch(),
+            teeth: pair.teeth_near(member, turned, view.middle(), view.reach()),
+            mating: pose.mating.tooth(member),
+        }
+    };
+    let gears = [Member::Wheel, Member::Pinion].map(numbered);
+    let ([wheel, pinion], _) = tooth_numbers::draw(&gears, view, occupied);
+    Group::new().add(wheel).add(pinion)
+}
+
+/// The rotation at which a gear is drawn, the free one at `rotation`.
+fn turned(pair: &OutlinePair, pose: &OutlinePose, member: Member, rotation: f64) -> f64 {
+    match member == pair.locked() {
+        true => pair.rotation(member, &pose.mating),
+        false => rotation,
+    }
 }
 
 /// What touches, in words.
@@ -123,15 +204,21 @@ fn main_view(pair: &OutlinePair) -> View {
     )
 }
 
+/// The gears of one view: the drawing, both metals as drawn, wheel first, and the lines over them.
+struct Drawn {
+    group: Group,
+    metal: [Vec<Spot>; 2],
+    over: Vec<Vec<Spot>>,
+}
+
 /// Both gears, the free one at `rotation`: metal, overlap, operating pitch circles and line of centres.
 fn gears(
     pair: &OutlinePair,
     pose: &OutlinePose,
     view: &View,
-    id: &str,
-    ids: &Ids,
+    (id, ids): (&str, &Ids),
     rotation: f64,
-) -> Group {
+) -> Drawn {
     let frame = view.frame();
     let wide = frame.grown(MARGIN);
     let mut definitions = Definitions::new().add(
@@ -140,20 +227,19 @@ fn gears(
             .add(frame.rectangle()),
     );
     let members = [Member::Wheel, Member::Pinion];
-    for member in members {
-        let turned = match member == pair.locked() {
-            true => pair.rotation(member, &pose.mating),
-            false => rotation,
-        };
+    let metal = members.map(|member| {
+        let turned = turned(pair, pose, member, rotation);
         let points = pair.outline(member, turned, view.chord());
         let spots: Vec<Spot> = points.iter().map(|point| view.spot(*point)).collect();
-        let metal = clip::polygon(&spots, &wide);
+        clip::polygon(&spots, &wide)
+    });
+    for (member, metal) in members.into_iter().zip(&metal) {
         let name = format!("{id}-{}", member.name());
         definitions = definitions
             .add(
                 Path::new()
                     .set("id", ids.of(&name))
-                    .set("d", path_data(&metal, true)),
+                    .set("d", path_data(metal, true)),
             )
             .add(
                 ClipPath::new()
@@ -173,6 +259,7 @@ fn gears(
         let clipped = Group::new().set("clip-path", ids.url(&format!("{id}-wheel-clip")));
         clipped.add(part(Member::Pinion).set("fill", fill))
     };
+    let mut over = Vec::new();
     group = group.add(both(OVERLAP)).add(both(&ids.url("hatch")));
     for member in members {
         let stroke = part(member).set("fill", "none").set("stroke", INK);
@@ -180,23 +267,27 @@ fn gears(
         let circle = view.arc(pair.axis(member), pair.operating_pitch_radius(member));
         for run in clip::runs(&circle, &wide) {
             group = group.add(line(&run, GREY, 1.1).set("stroke-dasharray", PITCH_DASH));
+            over.push(run);
         }
     }
     let axes = members.map(|member| view.spot(pair.axis(member)));
     if let Some(centres) = clip::segment(axes[0], axes[1], &wide) {
         group = group.add(line(&centres, GREY, 1.1).set("stroke-dasharray", CENTRES_DASH));
+        over.push(centres.to_vec());
     }
-    group
+    Drawn { group, metal, over }
 }
 
 /// The contact point, and its normal out of the wheel.
-fn mark(contact: &OutlineContact, view: &View, length: f64) -> Group {
+fn mark(contact: &OutlineContact, view: &View, length: f64, occupied: &mut Occupied) -> Group {
     let spot = view.spot(contact.point);
     // y is down on the sheet.
     let tip = [
         spot[0] + length * contact.normal.x,
         spot[1] - length * contact.normal.y,
     ];
+    occupied.line(&[spot, tip]);
+    occupied.frame(around(spot, 4.5));
     Group::new()
         .add(arrow(spot, tip, 1.8))
         .add(dot(spot, 4.5, true))

@@ -7,7 +7,7 @@ use super::contact_marks::{self, IN_MAIN};
 use super::gears::Look;
 use super::inset::Link;
 use super::legend::Shown;
-use super::subject::{INSETS, MAIN, Snapshot, names};
+use super::subject::{INSETS, LEGEND, MAIN, Snapshot, names};
 use super::view::View;
 use super::{caption, contact_bands, gears, inset, legend, main_view};
 use crate::kit::{Frame, Ids, Occupied, WIDTH, blank_sheet, hatch, scale};
@@ -85,6 +85,7 @@ fn draw(view: &Snapshot, ids: &Ids, on_paper: bool) -> SVG {
         overlap: shown.overlap || in_section,
         ..shown
     };
+    let (legend, _) = legend::draw(LEGEND, WIDTH - 2.0 * MAIN.left, &shown, ids);
     blank_sheet()
         .add(hatch(ids))
         .add(caption::draw(
@@ -102,12 +103,7 @@ fn draw(view: &Snapshot, ids: &Ids, on_paper: bool) -> SVG {
         .add(wheel_numbers)
         .add(pinion_numbers)
         .add(scale::bar([MAIN.left, MAIN.bottom + 16.0], main.scale()))
-        .add(legend::draw(
-            [MAIN.left, 772.0],
-            WIDTH - 2.0 * MAIN.left,
-            &shown,
-            ids,
-        ))
+        .add(legend)
 }
 
 /// Each side with its contact and the frame it gets: the higher contact the upper frame.
@@ -151,5 +147,6 @@ fn shown(scene: &Scene, main: &View) -> Shown {
         tangent: contacts
             .iter()
             .any(|m| !contact_bands::tangent_points(scene, m, main).is_empty()),
+        outlines: false,
     }
 }

@@ -1,6 +1,6 @@
 //! What a snapshot is of, and where things stand on its sheet.
 
-use crate::kit::{Frame, TextStyle};
+use crate::kit::{Frame, Spot, TextStyle};
 use gearlash::analysis::study::Material;
 use gearlash::contact::{LostMotion, MeshSection, Scene, Unproven};
 use gearlash::pair::{GearPair, Member, Pose};
@@ -61,6 +61,9 @@ pub const INSETS: [Frame; 2] = [
         bottom: 730.0,
     },
 ];
+
+/// Where the legend begins.
+pub const LEGEND: Spot = [MAIN.left, 772.0];
 
 /// The gears' names over the mesh zone.
 pub fn names(scene: &Scene) -> Group {

@@ -41,9 +41,21 @@ impl<'a> Path<'a> for FlankPath<'a> {
 }
 
 impl PosedFlanks<'_> {
+    /// The greatest gap above `floor` of the flanks of a step, looked for first at the gap `guess`: by bounds of how far they
+    /// stand out, where that settles nothing by their pieces; `None` where those do not either.
+    pub(in crate::contact::exact) fn flanks_anyhow(
+        &self,
+        step: i64,
+        floor: f64,
+        guess: f64,
+    ) -> Option<Option<CandidateContact>> {
+        let by_heights = self.flanks_by_heights(step, floor, guess);
+        by_heights.or_else(|| self.flanks_in_pieces(step, floor, guess))
+    }
+
     /// The greatest gap above `floor` of the flanks of a step, by branch and bound over all pairs of their pieces, looked for first near `guess`;
     /// `None` where it is not settled.
-    pub(in crate::contact::exact) fn flanks_in_pieces(
+    fn flanks_in_pieces(
         &self,
         step: i64,
         floor: f64,

@@ -1,0 +1,282 @@
+//! The greatest gap of two flanks of any deviation, by bounds of how far they stand out.
+//!
+//! With the free gear held at a gap, let a point of the plane have the roll `η_F` and the string length `s_F` of the free base circle: it lies
+//! `a = s_F − r_F η_F` out of the free involute, and in the free metal where its deviation `δ_F` is above `a`. Along the locked flank, of roll
+//! `x` and string length `s = r_L x + δ_L`, let
+//!
+//! ```text
+//! D(x) = δ_F(y) − a,    y = η_F at the locked point,
+//! ```
+//!
+//! the *height*: the flanks are clear of each other at that gap where it is nowhere above 0. With `η` the angle between both involutes' normals
+//!
+//! ```text
+//! y' = −(s cos η + δ_L' sin η)/s_F,    η' = 1 − y',    s_F' = s sin η − δ_L' cos η + r_F y',
+//! D' = δ_L' cos η − s sin η + δ_F' y',
+//! D'' = δ_L'' cos η − δ_L' sin η η' + δ_F'' y'² + δ_F' y'' − (r_L + δ_L') sin η − s cos η η'.
+//! ```
+//!
+//! Along a locked involute that stands out by a constant `q` the length `a` has the slope `s sin η`, and `η` rises: from where it is 0 on `a` rises to
+//! both sides. The string length is a convex function of the place, so that a locked point `δ_L − q` farther out has an `a` that is less by no
+//! more than `(δ_L − q) cos η`. These give a bound of `D` over any rolls ([`Heights::most`]), the second derivative one that closes
+//! the place of contact itself ([`Heights::most_near`]).
+
+mod climb;
+mod settle;
+
+use crate::contact::exact::flank_heights::{FlankHeights, deviation};
+use crate::contact::exact::placed::Placed;
+use crate::contact::exact::shape::{C, turn};
+use crate::gear::{ProfilePart, RollCurve};
+
+/// Two flanks with the free gear held at a gap.
+struct Heights<'a> {
+    /// From the locked tooth's frame to the free one's.
+    centre: C,
+    direction: C,
+    locked: Flank<'a>,
+    free: Flank<'a>,
+}
+
+#[derive(Clone, Copy)]
+struct Flank<'a> {
+    base: f64,
+    half_base: f64,
+    deviation: Option<&'a RollCurve>,
+    heights: &'a FlankHeights,
+    range: (f64, f64),
+}
+
+impl<'a> Flank<'a> {
+    fn new(half: &Placed<'a>) -> Option<Flank<'a>> {
+        let part = half.shape.part(ProfilePart::Involute);
+        Some(Flank {
+            base: half.shape.base,
+            half_base: half.shape.half_base,
+            deviation: deviation(part),
+            heights: half.shape.flank_heights()?,
+            range: part.range(),
+        })
+    }
+
+    #[inline]
+    fn jet(&self, xi: f64) -> [f64; 3] {
+        self.deviation.map_or([0.0; 3], |curve| curve.jet(xi))
+    }
+
+    fn bounds(&self, from: f64, to: f64) -> [[f64; 2]; 3] {
+        let bounds = |curve: &RollCurve| curve.bounds(from, to);
+        self.deviation.map_or([[0.0; 2]; 3], bounds)
+    }
+}
+
+/// A place of the locked flank.
+#[derive(Debug, Clone, Copy)]
+struct Look {
+    x: f64,
+    /// `δ_L` and its derivatives.
+    own: [f64; 3],
+    /// `s`, `|P|`, `s_F`, `a`, mm.
+    arm: f64,
+    radius: f64,
+    reach: f64,
+    room: f64,
+    sin: f64,
+    cos: f64,
+    y: f64,
+    /// `y'`.
+    follows: f64,
+    /// The derivatives of `δ_F`.
+    mate: [f64; 2],
+    /// `D` and `D'`.
+    height: f64,
+    slope: f64,
+}
+
+impl Heights<'_> {
+    /// A place of the locked flank; `None` within the free base circle.
+    fn look(&self, x: f64) -> Option<Look> {
+        let (locked, free) = (&self.locked, &self.free);
+        let own = locked.jet(x);
+        let [out, out_slope, _] = own;
+        let arm = locked.base * x + out;
+        let along = turn(x - locked.half_base);
+        let point = self.centre + self.direction * (along * C::new(locked.base, -arm));
+        let square = point.norm_sqr();
+        let reach = square - free.base * free.base;
+        if !(reach > 0.0) {
+            return None;
+        }
+        let reach = reach.sqrt();
+        // The direction of the string's end on the base circle.
+        let end = point * C::new(free.base, reach);
+        let y = end.im.atan2(end.re) + free.half_base;
+        let between = self.direction * along * end.conj() / square;
+        let (sin, cos) = (-between.im, -between.re);
+        let [mate, mate_slope, mate_second] = free.jet(y);
+        let follows = -(arm * cos + out_slope * sin) / reach;
+        let room = reach - free.base * y;
+        Some(Look {
+            x,
+            own,
+            arm,
+            radius: square.sqrt(),
+            reach,
+            room,
+            sin,
+            cos,
+            y,
+            follows,
+            mate: [mate_slope, mate_second],
+            height: mate - room,
+            slope: out_slope * cos - arm * sin + mate_slope * follows,
+        })
+    }
+
+    /// `D''`, mm/rad².
+    fn bend(&self, look: &Look) -> f64 {
+        let [_, slope, second] = look.own;
+        let [mate_slope, mate_second] = look.mate;
+        let Look {
+            arm,
+            reach,
+            sin,
+            cos,
+            follows,
+            ..
+        } = *look;
+        let (base, turning) = (self.locked.base, 1.0 - follows);
+        let along = arm * cos + slope * sin;
+        let along_rate =
+            (base + slope) * cos - arm * sin * turning + second * sin + slope * cos * turning;
+        let reach_rate = arm * sin - slope * cos + self.free.base * follows;
+        let bow = (along * reach_rate / reach - along_rate) / reach;
+        second * cos - slope * sin * turning + mate_second * follows * follows + mate_slope * bow
+            - (base + slope) * sin
+            - arm * cos * turning
+    }
+
+    /// Whether the free flank reaches to a place.
+    fn reaches(&self, look: &Look) -> bool {
+        let (low, high) = self.free.range;
+        look.y >= low && look.y <= high
+    }
+
+    /// Rolls of the free flank that face those of the locked one from `look` on by `width` in the sense `on`, of points that move by `travel` mm at most
+    /// in it and stand out by `off` more or less; and the least `s_F` there. The whole flank where that is not known; `None` where it has
+    /// none of them.
+    fn facing(
+        &self,
+        look: &Look,
+        on: f64,
+        [width, travel, arm, off]: [f64; 4],
+    ) -> Option<([f64; 2], f64)> {
+        let (low, high) = self.free.range;
+        let nearest = look.radius - travel;
+        let square = nearest * nearest - self.free.base * self.free.base;
+        let (faced, reach) = if nearest > 0.0 && square > 100.0 * off * off {
+            let reach = square.sqrt();
+            let follows = arm / reach;
+            let sin = (look.sin.abs() + width * (1.0 + follows)).min(1.0);
+            // Farther out along the string the roll changes by sin η/s_F a length; `s_F` is less by a tenth at most.
+            let play = 1.5 * off * (sin + off / reach) / reach;
+            let by = width * follows;
+            let faced = match on > 0.0 {
+                true => [look.y - by - play, look.y + play],
+                false => [look.y - play, look.y + by + play],
+            };
+            (faced, reach)
+        } else {
+            ([low, high], 0.0)
+        };
+        let faced = [faced[0].max(low), faced[1].min(high)];
+        (faced[0] <= faced[1]).then_some((faced, reach))
+    }
+
+    /// A bound of the height from `look` on by `width` in the sense `on`: from the involute that stands out as the flank does at `look`.
+    fn most(&self, look: &Look, on: f64, width: f64) -> f64 {
+        let ends = [look.x, look.x + on * width];
+        let (from, to) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
+        let [greatest, least] = self.locked.heights.whole();
+        let arm = self.locked.base * to + look.own[0];
+        let measures = [width, arm * width, arm, greatest - least];
+        let Some((faced, _)) = self.facing(look, on, measures) else {
+            return f64::NEG_INFINITY;
+        };
+        let beyond = self.locked.heights.most(from, to) - look.own[0];
+        let mate = self.free.heights.most(faced[0], faced[1]);
+        mate + beyond.max(0.0) - look.room + self.falls(look, on, arm, width)
+    }
+
+    /// How much `a` may fall from `look` on.
+    fn falls(&self, look: &Look, on: f64, arm: f64, width: f64) -> f64 {
+        (-look.sin * on).max(0.0) * arm * width
+    }
+
+    /// Whether nothing from `look` on, to the flank's end at `width`, is as high as `level`.
+    fn is_past(&self, look: &Look, on: f64, width: f64, level: f64) -> bool {
+        let arm = self.locked.base * self.locked.range.1 + look.own[0];
+        let [greatest, _] = self.locked.heights.whole();
+        let [mate, _] = self.free.heights.whole();
+        let beyond = (greatest - look.own[0]).max(0.0);
+        mate + beyond - look.room + self.falls(look, on, arm, width) <= level
+    }
+
+    /// A bound of the height from `look` on by `width` in the sense `on`, by a bound of its second derivative.
+    fn most_near(&self, look: &Look, on: f64, width: f64) -> f64 {
+        let ends = [look.x, look.x + on * width];
+        let (from, to) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
+        let [outs, slopes, seconds] = self.locked.bounds(from, to);
+        let steepest = amount(slopes);
+        let (base, mate_base) = (self.locked.base, self.free.base);
+        let (arm, short) = (base * to + outs[1], base * from + outs[0]);
+        let travel = (arm + steepest) * width;
+        let measures = [width, travel, arm + steepest, 0.0];
+        let Some((faced, reach)) = self.facing(look, on, measures) else {
+            return f64::NEG_INFINITY;
+        };
+        if !(reach > 0.0 && short > 0.0) {
+            return f64::INFINITY;
+        }
+        let [_, mate_slopes, mate_seconds] = self.free.bounds(faced[0], faced[1]);
+        let farthest = look.radius + travel;
+        let far = (farthest * farthest - mate_base * mate_base).sqrt();
+        let follows = (arm + steepest) / reach;
+        let turned = width * (1.0 + follows);
+        let sin = (look.sin.abs() + turned).min(1.0);
+        let cos = (look.cos - turned).max(0.0);
+        let follows_least = (short * cos - steepest * sin).max(0.0) / far;
+        // A term of either sign is greatest with its greatest factor where it is positive, with its least elsewhere.
+        let times = |term: f64, least: f64, most: f64| term * if term > 0.0 { most } else { least };
+        let own = times(seconds[1], cos, 1.0);
+        let squares = [follows_least, follows].map(|rate| rate * rate);
+        let mate = times(mate_seconds[1], squares[0], squares[1]);
+        // A bound of y''.
+        let bow =
+            (base + steepest + (arm * sin + steepest) * (1.0 + follows) + amount(seconds) * sin)
+                / reach
+                + (arm + steepest) * (arm * sin + steepest + mate_base * follows) / (reach * reach);
+        let bend = own
+            + mate
+            + amount(mate_slopes) * bow
+            + steepest * sin * (2.0 + follows)
+            + base * (turned - look.sin)
+            - short * cos * (1.0 + follows_least);
+        // The greatest value of height + slope t + bend t²/2 from 0 to the width.
+        let slope = look.slope * on;
+        let best = match bend < 0.0 {
+            true => (-slope / bend).clamp(0.0, width),
+            false if slope + 0.5 * bend * width > 0.0 => width,
+            false => 0.0,
+        };
+        look.height + best * (slope + 0.5 * bend * best)
+    }
+}
+
+/// The greatest amount in an interval.
+fn amount([least, most]: [f64; 2]) -> f64 {
+    least.abs().max(most.abs())
+}
+
+#[cfg(test)]
+mod tests;

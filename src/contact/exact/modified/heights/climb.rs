@@ -1,0 +1,163 @@
+//! Places of the locked flank by Newton's method: opposite normals, the free flank's ends, summits of the height.
+
+use super::{Heights, Look};
+
+/// Rolls this near are one, rad: what lies between is lower or higher by less than rounding.
+pub(super) const SAME_ROLL: f64 = 1e-13;
+
+/// A slope of the height below which it is level, mm/rad: its top is higher by the square of that.
+const LEVEL_SLOPE: f64 = 1e-9;
+
+/// Steps on the way to a summit: the width doubles with each, and ends of a stretch close in on it superlinearly.
+const STEPS_UPHILL: u32 = 40;
+
+/// Involutes' normals stay within this angle of each other wherever flanks can meet, rad: less than a right angle.
+const WIDEST: f64 = 1.55;
+
+impl Heights<'_> {
+    /// Where to start from: the place at which both involutes' normals are opposite, or the nearest to it that both flanks have.
+    pub(super) fn middle(&self, start: f64) -> Option<Look> {
+        let (low, high) = self.locked.range;
+        let (free_low, free_high) = self.free.range;
+        let mut look = self.look(start.clamp(low, high))?;
+        for _ in 0..8 {
+            let rate = 1.0 - look.follows;
+            let x = (look.x - look.sin.atan2(look.cos) / rate).clamp(low, high);
+            // The bounds take any place for it.
+            if (x - look.x).abs() < 1e-3 {
+                break;
+            }
+            look = self.look(x)?;
+        }
+        if !self.reaches(&look) {
+            look = self.at_free_roll(look, look.y.clamp(free_low, free_high))?;
+        }
+        // The involutes' normals turn no farther than both rolls go.
+        let rest = high - low + free_high - free_low;
+        (look.sin.atan2(look.cos).abs() + rest < WIDEST).then_some(look)
+    }
+
+    /// The place that faces a roll of the free flank, by Newton's method from `look`; `None` where the locked flank has none.
+    fn at_free_roll(&self, mut look: Look, roll: f64) -> Option<Look> {
+        let (low, high) = self.locked.range;
+        for _ in 0..16 {
+            let x = look.x + (roll - look.y) / look.follows;
+            if !(x >= low && x <= high) {
+                return None;
+            }
+            let by = (x - look.x).abs();
+            look = self.look(x)?;
+            if by <= SAME_ROLL {
+                return Some(look);
+            }
+        }
+        None
+    }
+
+    /// Whether nothing of the free flank faces what is beyond a place in the sense `on`.
+    pub(super) fn leaves(&self, look: &Look, on: f64) -> bool {
+        let (low, high) = self.free.range;
+        match on > 0.0 {
+            true => look.y <= low + SAME_ROLL,
+            false => look.y >= high - SAME_ROLL,
+        }
+    }
+
+    /// A roll between `look` and `width` farther on at which to divide them: where the free flank ends between, else the middle.
+    pub(super) fn division(&self, look: &Look, on: f64, width: f64) -> f64 {
+        let (low, high) = self.free.range;
+        let end = if on > 0.0 { low } else { high };
+        let there = look.y + on * width * look.follows;
+        if (there - end) * on < 0.0
+            && let Some(at_end) = self.at_free_roll(*look, end)
+            && (at_end.x - look.x) * on > 0.0
+            && (at_end.x - look.x) * on < width
+        {
+            return at_end.x;
+        }
+        look.x + 0.5 * on * width
+    }
+
+    /// The level place next to `look` by Newton's method, within the width of `step`; `None` where it leads farther, or to a dip.
+    fn level_place(&self, look: Look, step: f64) -> Option<Look> {
+        let (low, high) = self.locked.range;
+        let mut there = look;
+        for _ in 0..8 {
+            let bend = self.bend(&there);
+            let by = -there.slope / bend;
+            let x = there.x + by;
+            if !(bend < 0.0 && (x - look.x).abs() <= step && x >= low && x <= high) {
+                return None;
+            }
+            // The square of this is nothing.
+            if by.abs() < 1e-9 {
+                return Some(there);
+            }
+            there = self.look(x)?;
+            if !self.reaches(&there) {
+                return None;
+            }
+        }
+        None
+    }
+
+    /// The next summit uphill of `look`, no farther than a few times `step`, at the end of a flank at most.
+    pub(super) fn summit(&self, look: Look, step: f64) -> Option<Look> {
+        if let Some(there) = self.level_place(look, step)
+            && there.height >= look.height
+        {
+            return Some(there);
+        }
+        let on = 1f64.copysign(look.slope);
+        let (low, high) = self.locked.range;
+        let (mut near, mut width) = (look, 0.25 * step);
+        let mut far = None;
+        for _ in 0..STEPS_UPHILL {
+            let x = (near.x + on * width).clamp(low, high);
+            if x == near.x {
+                return Some(near);
+            }
+            let mut there = self.look(x)?;
+            let mut is_end = false;
+            if !self.reaches(&there) {
+                let (free_low, free_high) = self.free.range;
+                there = self.at_free_roll(near, there.y.clamp(free_low, free_high))?;
+                is_end = true;
+            }
+            if there.slope * on <= 0.0 {
+                far = Some(there);
+                break;
+            }
+            if there.height < near.height {
+                // Over a summit and down again into a dip.
+                width *= 0.25;
+                continue;
+            }
+            near = there;
+            if is_end {
+                return Some(near);
+            }
+        }
+        // The chord's root, with the weight of an end that stays halved.
+        let mut far = far?;
+        let (mut rise, mut fall) = (near.slope * on, far.slope * on);
+        for _ in 0..STEPS_UPHILL {
+            let share = rise / (rise - fall);
+            let x = near.x + (far.x - near.x) * share;
+            if (far.x - near.x).abs() <= SAME_ROLL || x == near.x || x == far.x {
+                break;
+            }
+            let there = self.look(x)?;
+            let slope = there.slope * on;
+            match slope > 0.0 {
+                true => (near, rise, fall) = (there, slope, 0.5 * fall),
+                false => (far, fall, rise) = (there, slope, 0.5 * rise),
+            }
+            if slope.abs() <= LEVEL_SLOPE {
+                break;
+            }
+        }
+        let all = [look, near, far].into_iter();
+        all.max_by(|a, b| a.height.total_cmp(&b.height))
+    }
+}

@@ -1,0 +1,233 @@
+//! The greatest gap of two flanks: the highest place by samples, then a proof by bounds that none is higher, until one holds.
+
+use super::climb::SAME_ROLL;
+use super::{Flank, Heights, Look};
+use crate::contact::exact::candidate::CandidateContact;
+use crate::contact::exact::flank_problem::PosedFlanks;
+use crate::contact::exact::placed::Placed;
+use crate::contact::exact::shape::turn;
+use crate::gear::ProfilePart;
+
+/// Rolls looked at of one pair of flanks before it is left to the search (tuned: measured traces take some forty).
+const MOST_LOOKS: u32 = 1000;
+
+/// Times that a higher place may be found (tuned: two are usual).
+const MOST_ROUNDS: u32 = 12;
+
+/// Gaps this near have their contact so near to each other that they are one, rad: its curvature is below 1e4 mm/rad².
+const SAME_GAP: f64 = 1e-9;
+
+/// Heights below this share of the greatest length are nothing: some dozens of roundings.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
+
+/// Radii of one point of contact on both flanks differ by no more, mm.
+const SETTLED: f64 = 1e-9;
+
+impl Heights<'_> {
+    /// Looks from `from` on as far as the roll `end`, over ever shorter stretches, at what may be higher than the task's level; `false` where one is
+    /// found. `None` where that takes too many looks.
+    fn along(&self, from: Look, end: f64, task: &mut Task) -> Option<bool> {
+        let on = if end >= from.x { 1.0 } else { -1.0 };
+        let (mut look, mut width) = (from, task.near);
+        let mut open: Vec<(Look, f64)> = Vec::with_capacity(16);
+        loop {
+            let rest = (end - look.x) * on;
+            let is_over = !(rest > 0.0) || self.leaves(&look, on);
+            if is_over || self.is_past(&look, on, rest, task.level) {
+                return Some(true);
+            }
+            open.push((look, width.min(rest)));
+            while let Some((look, width)) = open.pop() {
+                if self.leaves(&look, on) || self.most(&look, on, width) <= task.level {
+                    continue;
+                }
+                let is_near = width <= task.near;
+                if is_near && (task.is_search || self.most_near(&look, on, width) <= task.level) {
+                    continue;
+                }
+                let middle = match is_near {
+                    true => self.division(&look, on, width),
+                    false => look.x + 0.5 * on * width,
+                };
+                let half = (middle - look.x) * on;
+                if !(half > 0.0 && half < width) {
+                    return None;
+                }
+                // Within the free base circle: beyond its flank.
+                if let Some(there) = self.look(middle) {
+                    if !task.takes(self, &there)? {
+                        return Some(false);
+                    }
+                    open.push((there, width - half));
+                }
+                open.push((look, half));
+            }
+            if !(width < rest) {
+                return Some(true);
+            }
+            let Some(there) = self.look(look.x + on * width) else {
+                return (on > 0.0).then_some(true);
+            };
+            if !task.takes(self, &there)? {
+                return Some(false);
+            }
+            look = there;
+            width *= 2.0;
+        }
+    }
+
+    /// Looks over the whole flank, from `middle` and, where the highest place is known, from there; as [`Heights::along`].
+    fn over(&self, middle: &Look, known: Option<&Look>, task: &mut Task) -> Option<bool> {
+        let (low, high) = self.locked.range;
+        let is_clear = match known {
+            None => self.along(*middle, low, task)? && self.along(*middle, high, task)?,
+            Some(known) => {
+                let [away, back] = match known.x >= middle.x {
+                    true => [high, low],
+                    false => [low, high],
+                };
+                self.along(*known, away, task)?
+                    && self.along(*known, middle.x, task)?
+                    && self.along(*middle, back, task)?
+            }
+        };
+        Some(is_clear)
+    }
+}
+
+/// What to look for.
+struct Task {
+    /// Whether the highest place is looked for, else whether any is above the level.
+    is_search: bool,
+    /// Below it nothing matters, mm.
+    level: f64,
+    best: Option<Look>,
+    /// Bounds of second derivatives are asked for over stretches as short as this, and a search ends, rad.
+    near: f64,
+    looks_left: u32,
+}
+
+impl Task {
+    /// Takes a place that was looked at: whether to go on; `None` when there were too many.
+    fn takes(&mut self, heights: &Heights, look: &Look) -> Option<bool> {
+        self.looks_left = self.looks_left.checked_sub(1)?;
+        if !(look.height > self.level && heights.reaches(look)) {
+            return Some(true);
+        }
+        self.best = Some(*look);
+        if self.is_search {
+            self.level = look.height;
+        }
+        Some(self.is_search)
+    }
+}
+
+impl PosedFlanks<'_> {
+    /// The greatest gap above `floor` of the flanks of a step, looked for first at the gap `guess`; `None` where that is
+    /// not settled.
+    pub(in crate::contact::exact) fn flanks_by_heights(
+        &self,
+        step: i64,
+        floor: f64,
+        guess: f64,
+    ) -> Option<Option<CandidateContact>> {
+        let halves = (self.locked(step), self.free(step));
+        let flanks = [Flank::new(&halves.0)?, Flank::new(&halves.1)?];
+        let at = |gap: f64| self.heights(&halves, flanks, gap);
+        let (low, high) = flanks[0].range;
+        let mut start = 0.5 * (low + high);
+        let near = flanks[0].heights.fine();
+        let size = self.problem.distance + flanks[0].base + flanks[1].base;
+        let rounding = ROUNDING * size;
+        let mut task = Task {
+            is_search: !floor.is_finite(),
+            level: f64::NEG_INFINITY,
+            best: None,
+            near,
+            looks_left: MOST_LOOKS,
+        };
+        let mut found: Option<CandidateContact> = None;
+        let mut gap = if task.is_search { guess } else { floor };
+        for _ in 0..MOST_ROUNDS {
+            let heights = at(gap);
+            let middle = heights.middle(start)?;
+            start = middle.x;
+            if !task.is_search {
+                task.level = rounding;
+                let known = match &found {
+                    Some(found) => Some(heights.look(found.locked.1)?),
+                    None => None,
+                };
+                if task.takes(&heights, &middle)?
+                    && heights.over(&middle, known.as_ref(), &mut task)?
+                {
+                    return Some(found);
+                }
+            }
+            // Which place is highest changes little with the gap.
+            task.is_search = true;
+            task.takes(&heights, &middle)?;
+            heights.over(&middle, None, &mut task)?;
+            let higher = heights.summit(task.best.take()?, near)?;
+            let mut best = self.touch(&halves, &higher)?;
+            let mut moved = best.gap - gap;
+            // At its own gap it is elsewhere, by the square of which its gap is less.
+            for _ in 0..3 {
+                if moved.abs() < SAME_GAP {
+                    break;
+                }
+                let heights = at(best.gap);
+                let look = heights.look(best.locked.1)?;
+                let again = self.touch(&halves, &heights.summit(look, near)?)?;
+                moved = again.gap - best.gap;
+                best = again;
+            }
+            if found.is_some_and(|found| best.gap <= found.gap) || best.gap <= floor {
+                return None;
+            }
+            (gap, found) = (best.gap, Some(best));
+            task.is_search = false;
+        }
+        None
+    }
+
+    /// Both flanks with the free gear held at a gap.
+    pub(super) fn heights<'b>(
+        &self,
+        (locked, free): &(Placed<'b>, Placed<'b>),
+        flanks: [Flank<'b>; 2],
+        gap: f64,
+    ) -> Heights<'b> {
+        let back = turn(-gap) * self.origin;
+        let own = free.direction.conj();
+        Heights {
+            centre: (back * locked.centre - free.centre) * own,
+            direction: back * locked.direction * own,
+            locked: flanks[0],
+            free: flanks[1],
+        }
+    }
+
+    /// The gap at a place of the locked flank, or at the free flank's end where it ends there.
+    fn touch(&self, (locked, free): &(Placed, Placed), look: &Look) -> Option<CandidateContact> {
+        let part = ProfilePart::Involute;
+        let radius = |half: &Placed, t: f64| half.at(part, t).point.norm();
+        let (low, high) = free.range(part);
+        let (x, y) = if look.y >= high - SAME_ROLL || look.y <= low + SAME_ROLL {
+            let y = look.y.clamp(low, high);
+            let (inner, outer) = locked.range(part);
+            let x = locked.curve(part);
+            (x.invert(radius(free, y), [outer, inner], look.x), y)
+        } else {
+            let y = free.curve(part);
+            let rho = radius(locked, look.x);
+            (look.x, y.invert(rho, [low, high], look.y))
+        };
+        let meets = (radius(locked, x) - radius(free, y)).abs() <= SETTLED;
+        let slack = 2.0 * ROUNDING * (self.problem.distance + locked.shape.base + free.shape.base);
+        let slack = slack * self.problem.per_free_base;
+        meets.then(|| {
+            CandidateContact::new((locked, (part, x)), (free, (part, y)), self.origin, slack)
+        })
+    }
+}

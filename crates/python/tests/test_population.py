@@ -138,6 +138,7 @@ def test_gears_are_matched_as_by_the_command(cluster: object, tmp_path: Path) ->
     found = gearlash.match(*MATCHED)
     words = ("match", file, "--wheels", wheels, "--pinions", pinions, "-o", tmp_path / "out")
     assert found.to_json() == command(*words, "--format", "json")
+    assert found.to_json() == (tmp_path / "out" / "match.json").read_text(encoding="utf-8")
     assert len(found.pairs) == 6 and all(pair.least_um >= 80 for pair in found.pairs)
     for shards in (1, 7, 64):
         assert gearlash.dask.match(cluster, *MATCHED, shards=shards).to_json() == found.to_json()

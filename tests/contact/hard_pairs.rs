@@ -217,6 +217,15 @@ fn thin_land_3_7() {
     is("thin_land_3_7", &[(1, -53.379403666, 1e-6)]);
 }
 
+/// A fillet of a wheel of three teeth begins at its parameter 0, where there is always a finer piece, on an involute of 387 teeth
+/// whose finest piece is longer: the search cut the fillet without end. The polygon method says jammed.
+#[test]
+fn fine_fillet_3_387() {
+    is_jammed("fine_fillet_3_387", |poses| {
+        poses[1].status() == Status::Jammed && poses[0].status() == Status::Interference
+    });
+}
+
 /// Found by fuzzing: tip circles that meet to the last bit of their radii (`a` is 1e-13 mm from `r_a1 + r_a2`). Whether a tip is in
 /// reach of the mate's is rounding; the exact method says yes, polygons say no, and neither may pass for proven beside the other.
 #[test]

@@ -281,6 +281,9 @@ pub(in crate::contact) fn greatest<'a>(
         let inner = locked.radii.0.max(free.radii.0);
         let outer = locked.radii.1.min(free.radii.1);
         let play = locked.swing + free.swing;
+        // The longer is cut. Where its ends are neighbours, cutting the other would end nowhere: near a parameter of 0 there is always a finer one.
+        let at_locked = locked.reach >= free.reach;
+        let longer = if at_locked { &locked } else { &free };
         if inner > outer || locked.gap_with(&free, origin).1 <= level {
             continue;
         }
@@ -336,15 +339,15 @@ pub(in crate::contact) fn greatest<'a>(
             }
             let slope = (a.1.tan() - b.0.tan()).max(b.1.tan() - a.0.tan());
             let rise = slope * (outer - inner) / inner;
-            let gap = meet(0.5 * (inner + outer), f64::EPSILON);
-            if gap + rise <= level + f64::EPSILON {
+            let slack = if longer.can_be_cut() { 0.0 } else { rise };
+            let gap = meet(0.5 * (inner + outer), slack.max(f64::EPSILON));
+            if gap + rise - slack <= level + f64::EPSILON {
                 continue;
             }
-        } else if play <= FINEST || !(locked.can_be_cut() || free.can_be_cut()) {
+        } else if play <= FINEST || !longer.can_be_cut() {
             record(locked.middle_parameter(), free.middle_parameter(), play);
             continue;
         }
-        let at_locked = !free.can_be_cut() || locked.can_be_cut() && locked.reach >= free.reach;
         let halves = match at_locked {
             true => locked.cut().map(|arc| (arc, free)),
             false => free.cut().map(|arc| (locked, arc)),

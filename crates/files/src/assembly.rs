@@ -1,8 +1,8 @@
 //! `[assembly]`: how the two gears are put together.
 
+use super::common_face;
 use super::entry::Entry;
 use super::gear::GearPart;
-use super::helix;
 use super::limits::{
     CENTER_DISTANCE, CENTER_DISTANCE_DEVIATION, CENTER_DISTANCE_TOLERANCE, CLEARANCE, EXPANSION,
     MOST_DISTANCES, TEMPERATURE,
@@ -87,7 +87,7 @@ impl AssemblyPart {
             },
             locked: table.choice_or_first("locked", &MEMBERS, problems),
             bearings: bearings(table, problems),
-            face_offset_mm: helix::offset(table, problems),
+            face_offset_mm: common_face::face_offset(table, problems),
             temperature_c: table.optional_as("temperature_c", problems, |entry| {
                 entry.number(&TEMPERATURE)
             }),

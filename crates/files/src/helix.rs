@@ -1,7 +1,6 @@
-//! Helix angle, hand and face of a gear, and the face two gears have in common.
+//! Helix angle, hand and face of a gear.
 
-use super::gear::GearPart;
-use super::limits::{FACE_OFFSET, FACE_PLACE, FACE_WIDTH, HELIX_ANGLE};
+use super::limits::{FACE_PLACE, FACE_WIDTH, HELIX_ANGLE};
 use super::problems::Problems;
 use super::spec::{GearSpec, HandName};
 use super::table::Table;
@@ -114,79 +113,6 @@ fn face(table: &Table, problems: &mut Problems) -> Option<Option<[f64; 2]>> {
     }
 }
 
-/// The common face of both gears, mm from the wheel's measuring plane, and how far off the pinion's lies; no length of spur gears.
-///
-/// `None` where something is wrong with it: gears that do not face each other, hands that do not mesh.
-pub fn common_face(
-    file: &Table,
-    [wheel, pinion]: [&GearPart; 2],
-    offset_mm: Option<f64>,
-    problems: &mut Problems,
-) -> Option<[f64; 2]> {
-    let [one, other] = [wheel.helix?, pinion.helix?];
-    if one.angle_deg != other.angle_deg {
-        problems.add(file.problem(
-            "pinion.helix_angle_deg",
-            format!(
-                "differs from wheel.helix_angle_deg = {:?}, must be equal on both gears",
-                one.angle_deg
-            ),
-            "correct one of them: gears of parallel axes have one helix angle at the reference circle",
-        ));
-        return None;
-    }
-    if one.angle_deg == 0.0 {
-        return Some([0.0; 2]);
-    }
-    if let Some(hand) = one.hand.filter(|_| one.hand == other.hand) {
-        problems.add(file.problem(
-            "pinion.hand",
-            format!(
-                "is \"{}\" as the wheel's: teeth of an external pair wind opposite ways",
-                hand.name()
-            ),
-            format!("write hand = \"{}\" at one of them", hand.mate().name()),
-        ));
-        return None;
-    }
-    let offset = offset_mm.unwrap_or(0.0);
-    let (wheel, pinion) = (one.face_mm?, other.face_mm?.map(|end| end + offset));
-    let common = [wheel[0].max(pinion[0]), wheel[1].min(pinion[1])];
-    if common[0] < common[1] {
-        return Some(common);
-    }
-    problems.add(file.problem(
-        "pinion.face_mm",
-        format!(
-            "the gears do not face each other: the wheel's teeth run from {:?} to {:?} mm, the pinion's from {:?} to {:?} mm",
-            wheel[0], wheel[1], pinion[0], pinion[1]
-        ),
-        "correct face_mm, face_width_mm or assembly.face_offset_mm, how far the pinion's measuring plane lies beyond the wheel's",
-    ));
-    None
-}
-
-/// The common face, mm from the wheel's measuring plane, and how far off the pinion's lies, where the lengths of the wheel and of the pinion are `factors` times
-/// those stated; the distance of the measuring planes is taken to expand as the wheel does. `cold` is the common face as stated.
-pub fn warm_face(
-    cold: [f64; 2],
-    [wheel, pinion]: [&GearPart; 2],
-    offset_mm: Option<f64>,
-    factors: [f64; 2],
-) -> ([f64; 2], f64) {
-    let offset = offset_mm.unwrap_or(0.0) * factors[0];
-    let faces = [wheel, pinion].map(|gear| gear.helix.and_then(|helix| helix.face_mm));
-    let warm = match (faces, factors[0] == factors[1]) {
-        ([Some(wheel), Some(pinion)], false) => {
-            let wheel = wheel.map(|end| end * factors[0]);
-            let pinion = pinion.map(|end| end * factors[1] + offset);
-            [wheel[0].max(pinion[0]), wheel[1].min(pinion[1])]
-        }
-        _ => cold.map(|end| end * factors[0]),
-    };
-    (warm, offset)
-}
-
 /// Reports what is stated beside helical gears `of` a pair or of a gear file and not built for them.
 pub fn refuse(file: &Table, keys: &[(&str, bool, &str)], problems: &mut Problems) -> Option<()> {
     let mut good = Some(());
@@ -221,12 +147,5 @@ pub fn short_for_span(
             "{name}.face_mm: a span over {k} teeth needs a face of {needed:.2} mm, this one has {:.2} mm: both anvils may not rest on it",
             to - from
         )
-    })
-}
-
-/// Limits of `assembly.face_offset_mm`, read beside the other keys of the assembly.
-pub fn offset(table: &Table, problems: &mut Problems) -> Option<Option<f64>> {
-    table.optional_as("face_offset_mm", problems, |entry| {
-        entry.number(&FACE_OFFSET)
     })
 }

@@ -24,6 +24,7 @@
 
 mod assembly;
 pub mod characters;
+mod common_face;
 mod cross_check;
 mod data_file;
 pub mod drawing;

@@ -1,8 +1,8 @@
 //! The tables of a pair file put together: what both gears must share, and the study they make.
 
 use super::assembly::{self, AssemblyPart};
+use super::common_face;
 use super::gear::GearPart;
-use super::helix;
 use super::limits::{MOST_DISTANCES, MOST_POSES, POSE_BYTES_CSV, POSE_BYTES_JSON};
 use super::measured::{self, Measured};
 use super::node::Node;
@@ -147,11 +147,11 @@ impl<'a> PairTables<'a> {
         let assembly = self.assembly?;
         let face_offset_mm = assembly.face_offset_mm?;
         let gears = [&self.wheel, &self.pinion];
-        let mut face = helix::common_face(&self.table, gears, face_offset_mm, problems)?;
+        let mut face = common_face::common_face(&self.table, gears, face_offset_mm, problems)?;
         let helical = face[0] < face[1];
         if helical {
             let factors = temperature.map_or([1.0; 2], |temperature| temperature.of_gears());
-            let (warm, offset) = helix::warm_face(face, gears, face_offset_mm, factors);
+            let (warm, offset) = common_face::warm_face(face, gears, face_offset_mm, factors);
             if warm[0] >= warm[1] {
                 problems.add(self.table.problem(
                     "assembly.temperature_c",

@@ -1,29 +1,13 @@
 //! What stands already where a run is going to write, and must not be lost or taken for this run's: pair files that somebody else
 //! wrote, rows of another run.
 
-use super::rows::HEADINGS;
+use super::rows::{RowsAt, rows_at};
 use crate::error::Error;
 use gearlash::population::WORST;
 use gearlash_files::tolerance::{PartHead, is_worst_file, worst_name};
-use parquet::file::reader::{FileReader, SerializedFileReader};
-use parquet::record::RowAccessor;
 use serde_json::Value;
-use std::fs::File;
-use std::io::{BufRead, BufReader, ErrorKind};
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
-
-/// The first line of a longer file of rows is not looked for (tuned: the headings and a row).
-const LONGEST_LINE: u64 = 256;
-
-/// What a file that may be one of rows holds.
-pub(super) enum Found {
-    /// There is none.
-    Nothing,
-    /// Rows of assemblies, the first of which has this number; 0: of none.
-    Rows(u64),
-    /// Something else.
-    Other,
-}
 
 /// An error where results in `folder` would take the place of pair files that no run has written, or stand beside rows of another run than
 /// that of `head`; `rows` are replaced.
@@ -75,47 +59,6 @@ fn stale_rows(folder: &Path, replaced: Option<&Path>) -> Option<PathBuf> {
     files.sort();
     files.into_iter().find(|path| {
         let is_replaced = replaced.is_some() && real(path) == replaced;
-        !is_replaced && path.is_file() && matches!(found(path), Found::Rows(_))
+        !is_replaced && path.is_file() && matches!(rows_at(path), RowsAt::Rows(_))
     })
-}
-
-/// What the file at `path` holds.
-pub(super) fn found(path: &Path) -> Found {
-    let file = match File::open(path) {
-        Ok(file) => file,
-        Err(error) if error.kind() == ErrorKind::NotFound => return Found::Nothing,
-        Err(_) => return Found::Other,
-    };
-    let is = |ending| path.extension().is_some_and(|found| found == ending);
-    let first = match (is("csv"), is("parquet")) {
-        (true, _) => of_csv(file),
-        (_, true) => of_parquet(file),
-        _ => None,
-    };
-    first.map_or(Found::Other, Found::Rows)
-}
-
-fn of_csv(file: File) -> Option<u64> {
-    let mut lines = BufReader::new(std::io::Read::take(file, LONGEST_LINE)).lines();
-    let headings = lines.next()?.ok()?;
-    if headings != HEADINGS {
-        return None;
-    }
-    match lines.next() {
-        None => Some(0),
-        Some(row) => row.ok()?.split(',').next()?.parse().ok(),
-    }
-}
-
-fn of_parquet(file: File) -> Option<u64> {
-    let read = SerializedFileReader::new(file).ok()?;
-    let schema = read.metadata().file_metadata().schema_descr_ptr();
-    let names: Vec<&str> = schema.columns().iter().map(|one| one.name()).collect();
-    if names.join(",") != HEADINGS {
-        return None;
-    }
-    match read.get_row_iter(None).ok()?.next() {
-        None => Some(0),
-        Some(row) => u64::try_from(row.ok()?.get_long(0).ok()?).ok(),
-    }
 }

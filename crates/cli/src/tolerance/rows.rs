@@ -1,6 +1,5 @@
-//! Each assembly of a run as a row of CSV or Parquet.
+//! Each assembly of a run as a row of CSV or Parquet, and what a file that may be one of rows holds.
 
-use super::earlier::{Found, found};
 use super::parquet::ParquetRows;
 use super::results::is_own;
 use crate::error::Error;
@@ -8,14 +7,19 @@ use crate::output::{GrowingFile, NewFile, OutputFile, OutputFolder};
 use gearlash::population::{Outcome, OutcomeKind, Standing};
 use gearlash_files::Sources;
 use gearlash_files::numbers::rounded;
-use std::io::{BufWriter, Write};
+use parquet::file::reader::{FileReader, SerializedFileReader};
+use parquet::record::RowAccessor;
+use std::fs::File;
+use std::io::{BufRead, BufReader, BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 /// Bytes written at a time (tuned).
 const PIECE: usize = 1 << 16;
+/// The first line of a longer file of rows is not looked for (tuned: the headings and a row).
+const LONGEST_LINE: u64 = 256;
 
 /// The columns.
-pub(super) const HEADINGS: &str = "assembly,outcome,least_um,greatest_um,proven";
+const HEADINGS: &str = "assembly,outcome,least_um,greatest_um,proven";
 
 /// The rows so far; nobody sees them until all are there.
 pub(super) struct RowsFile {
@@ -138,14 +142,65 @@ impl RowsFile {
 /// An error where the file at `path` holds something else than rows from number `first` on.
 fn replaceable(path: &Path, first: u64) -> Result<(), Error> {
     let wrong = |reason: String| Err(Error::Usage(format!("--rows {}: {reason}", path.display())));
-    match found(path) {
-        Found::Rows(number) if number != first && number != 0 => wrong(format!(
+    match rows_at(path) {
+        RowsAt::Rows(number) if number != first && number != 0 => wrong(format!(
             "holds the rows of another part, from assembly {number} on, and this one begins with {first}; name a file of its own for each part"
         )),
-        Found::Other => {
+        RowsAt::Other => {
             wrong("holds no rows of gearlash, and would be lost; name another file".to_owned())
         }
-        Found::Nothing | Found::Rows(_) => Ok(()),
+        RowsAt::Nothing | RowsAt::Rows(_) => Ok(()),
+    }
+}
+
+/// What a file that may be one of rows holds.
+pub(super) enum RowsAt {
+    /// There is none.
+    Nothing,
+    /// Rows of assemblies, the first of which has this number; 0: of none.
+    Rows(u64),
+    /// Something else.
+    Other,
+}
+
+/// What the file at `path` holds.
+pub(super) fn rows_at(path: &Path) -> RowsAt {
+    let file = match File::open(path) {
+        Ok(file) => file,
+        Err(error) if error.kind() == ErrorKind::NotFound => return RowsAt::Nothing,
+        Err(_) => return RowsAt::Other,
+    };
+    let is = |ending| path.extension().is_some_and(|found| found == ending);
+    let first = match (is("csv"), is("parquet")) {
+        (true, _) => of_csv(file),
+        (_, true) => of_parquet(file),
+        _ => None,
+    };
+    first.map_or(RowsAt::Other, RowsAt::Rows)
+}
+
+fn of_csv(file: File) -> Option<u64> {
+    let mut lines = BufReader::new(std::io::Read::take(file, LONGEST_LINE)).lines();
+    let headings = lines.next()?.ok()?;
+    if headings != HEADINGS {
+        return None;
+    }
+    match lines.next() {
+        None => Some(0),
+        Some(row) => row.ok()?.split(',').next()?.parse().ok(),
+    }
+}
+
+fn of_parquet(file: File) -> Option<u64> {
+    let read = SerializedFileReader::new(file).ok()?;
+    let schema = read.metadata().file_metadata().schema_descr_ptr();
+    let names: Vec<&str> = schema.columns().iter().map(|one| one.name()).collect();
+    if names.join(",") != HEADINGS {
+        return None;
+    }
+    match read.get_row_iter(None).ok()?.next() {
+        None => Some(0),
+        Some(row) => u64::try_from(row.ok()?.get_long(0).ok()?).ok(),
     }
 }
 

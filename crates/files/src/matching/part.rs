@@ -1,14 +1,13 @@
 //! A part of a matrix: what one machine found of wheels with pinions, in a file that others are put together with.
 
 use super::read::MatchFile;
-use super::result::{kind_of, status};
 use crate::part_error::PartError;
 use crate::shards::{MOST_SHARDS, RunPart, in_order, is_share, share};
 use crate::tolerance::{Limit, is_length, limits};
 use gearlash::error::Error;
 use gearlash::gear::AsBuilt;
 use gearlash::matching::{Fit, Matrix, Meeting, phase_count};
-use gearlash::population::Outcome;
+use gearlash::population::{Outcome, OutcomeKind};
 use serde::{Deserialize, Serialize};
 use serde_json::json;
 use sha2::{Digest, Sha256};
@@ -311,4 +310,27 @@ impl Cell {
             meeting: *meeting,
         })
     }
+}
+
+/// How a pair may end, in words.
+const KINDS: [(OutcomeKind, &str); 6] = [
+    (OutcomeKind::Clear, "clear"),
+    (OutcomeKind::Interference, "interference"),
+    (OutcomeKind::Jammed, "jammed"),
+    (OutcomeKind::OutOfMesh, "no_contact"),
+    (OutcomeKind::Unproven, "unproven"),
+    (OutcomeKind::Impossible, "impossible"),
+];
+
+/// How a pair ends, in words.
+pub(super) fn status(kind: OutcomeKind) -> &'static str {
+    let mut each = KINDS.into_iter();
+    each.find(|(of, _)| *of == kind)
+        .map_or("", |(_, text)| text)
+}
+
+/// What `status` puts so.
+fn kind_of(text: &str) -> Option<OutcomeKind> {
+    let mut each = KINDS.into_iter();
+    each.find(|(_, of)| *of == text).map(|(kind, _)| kind)
 }

@@ -1,11 +1,10 @@
 //! Which gears go together: as a sentence, JSON and CSV.
 
-use super::part::MatchPart;
+use super::part::{MatchPart, status};
 use crate::characters;
 use crate::numbers::{fixed, rounded, shortest};
 use crate::tolerance::Limit;
 use gearlash::matching::{Expected, Fit, Matrix};
-use gearlash::population::OutcomeKind;
 use serde_json::{Value, json};
 
 /// A pair that was made.
@@ -216,27 +215,4 @@ impl MatchResult {
         let bytes = writer.into_inner().map_err(|error| error.into_error())?;
         Ok(String::from_utf8_lossy(&bytes).into_owned())
     }
-}
-
-/// How a pair may end, in words.
-const KINDS: [(OutcomeKind, &str); 6] = [
-    (OutcomeKind::Clear, "clear"),
-    (OutcomeKind::Interference, "interference"),
-    (OutcomeKind::Jammed, "jammed"),
-    (OutcomeKind::OutOfMesh, "no_contact"),
-    (OutcomeKind::Unproven, "unproven"),
-    (OutcomeKind::Impossible, "impossible"),
-];
-
-/// How a pair ends, in words.
-pub(super) fn status(kind: OutcomeKind) -> &'static str {
-    let mut each = KINDS.into_iter();
-    each.find(|(of, _)| *of == kind)
-        .map_or("", |(_, text)| text)
-}
-
-/// What `status` puts so.
-pub(super) fn kind_of(text: &str) -> Option<OutcomeKind> {
-    let mut each = KINDS.into_iter();
-    each.find(|(_, of)| *of == text).map(|(kind, _)| kind)
 }

@@ -1,7 +1,7 @@
 //! The results as the script reads them: a column a quantity, an entry a pose.
 
 use super::contacts::{Contacts, touching};
-use super::precision::Precision;
+use super::precision::{Precision, degrees};
 use super::readout;
 use super::section::{self, HelicalColumns};
 use super::viewed::Viewed;
@@ -13,9 +13,6 @@ use gearlash::gear::Side;
 use gearlash::pair::Member;
 use gearlash_files::numbers::{rounded, two_digits_up};
 use serde::Serialize;
-
-/// Decimals of a rotation in degrees: 2 nm at a radius of 130 mm.
-pub const DEGREES: usize = 6;
 
 /// All runs.
 #[derive(Serialize)]
@@ -90,11 +87,6 @@ pub fn outlines(study: &Study, run: &ComparedRun) -> usize {
 /// Where the free gear is drawn first: in right-flank contact, or else at its nominal rotation.
 pub fn free_rotation(pose: &PoseResult) -> f64 {
     touching(pose, Side::Right).map_or(pose.pose.free_rotation(), |contact| contact.rotation)
-}
-
-/// A rotation, rad, in degrees as shown.
-pub fn degrees(rotation: f64) -> f64 {
-    rounded(rotation.to_degrees(), DEGREES)
 }
 
 /// What the script knows of a run.

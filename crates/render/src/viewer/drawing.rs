@@ -3,9 +3,9 @@
 //! Places are mm in the picture frame, y up by a flip of the outermost group. A gear's group turns about its axis; the
 //! outline in it stands off that axis by the eccentricity.
 
-use super::columns::{degrees, free_rotation, outlines};
+use super::columns::{free_rotation, outlines};
 use super::marks::{axis, circle, line, marks, numbers};
-use super::precision::Precision;
+use super::precision::{Precision, degrees};
 use super::section::{Winding, first};
 use crate::kit::{INK, OVERLAP, PINION, WHEEL};
 use gearlash::analysis::compare::{ComparedPose, ComparedRun};

@@ -1,8 +1,7 @@
 //! What is drawn over the metal: axes, tooth numbers, contacts, normals. Strokes keep their width on the screen.
 
-use super::columns::degrees;
 use super::contacts::{normal_degrees, touching};
-use super::precision::Precision;
+use super::precision::{Precision, degrees};
 use super::section::Winding;
 use crate::kit::{ACTION, GREY, INK};
 use gearlash::analysis::compare::ComparedPose;

@@ -18,6 +18,8 @@ const EXACT: f64 = 16_777_216.0;
 /// Pixels that a chord may lie off its curve in the narrowest view, of a picture so many pixels wide.
 const OFF: f64 = 2.0;
 const PIXELS: f64 = 800.0;
+/// Decimals of a rotation in degrees: 2 nm at a radius of 130 mm.
+pub const DEGREES: usize = 6;
 
 /// Chordal error and decimals of a drawing.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -72,4 +74,9 @@ impl Precision {
     pub fn place_um(&self) -> f64 {
         rounded(10f64.powi(3 - self.decimals as i32), 6)
     }
+}
+
+/// A rotation, rad, in degrees as shown.
+pub fn degrees(rotation: f64) -> f64 {
+    rounded(rotation.to_degrees(), DEGREES)
 }

@@ -1,7 +1,7 @@
 //! Which section of helical gears the viewer shows.
 
-use super::columns::{DEGREES, degrees};
 use super::contacts::touching;
+use super::precision::{DEGREES, degrees};
 use gearlash::contact::PoseResult;
 use gearlash::gear::{Placed, Side};
 use gearlash::pair::{GearPair, Member};

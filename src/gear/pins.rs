@@ -20,21 +20,12 @@
 //! Thickness by tooth is not taken from such readings: each holds four flanks, and for even `z` there are
 //! only `z/2` of them.
 
+use super::thickness::MeasuringBody;
 use super::{BasicGearData, Deviations, Flank, FlankShifts, Readings, involute, thickness};
 use crate::error::GearError;
 
 /// Newton's steps before the mean thickness is given up; it needs some five.
 const MOST_STEPS: usize = 50;
-
-/// What lies in a tooth space to be measured over. In a spur gear's both rest alike.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub enum MeasuringBody {
-    /// A ball in the measuring plane.
-    #[default]
-    Ball,
-    /// A cylindrical pin along the space.
-    Pin,
-}
 
 /// Dimensions `M_dK` over two pins or balls, at stated spaces.
 #[derive(Debug, Clone, PartialEq)]

@@ -4,9 +4,19 @@
 //! involute it measures something else, and [`check_span`] and [`check_pins`] say so.
 //! All lengths in mm.
 
-use super::{BasicGearData, Gear, MeasuringBody, involute};
+use super::{BasicGearData, Gear, involute};
 use crate::error::GearError;
 use std::f64::consts::FRAC_PI_2;
+
+/// What lies in a tooth space to be measured over. In a spur gear's both rest alike.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum MeasuringBody {
+    /// A ball in the measuring plane.
+    #[default]
+    Ball,
+    /// A cylindrical pin along the space.
+    Pin,
+}
 
 /// `s_bt` from the span `W_k` over `k` teeth: `s_bt = W_k/cos β_b − (k − 1) p_bt` (K (15); ISO 21771). The span lies in the normal of the
 /// helix: it is the transverse base tangent's times `cos β_b`.

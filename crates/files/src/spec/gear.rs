@@ -1,14 +1,9 @@
-//! The files, and one gear of them.
+//! One gear by its data.
 
 use super::flanks::{PitchSpec, RunoutSpec};
 use super::profile::ProfileSpec;
-use super::require::RequireSpec;
 use super::rules::{at_most_one, whole, within};
 use super::thickness::ThicknessSpec;
-use super::tolerance::ToleranceSpec;
-use super::uncertainty::UncertaintySpec;
-use super::value::Either;
-use super::{AccuracySpec, AssemblySpec, CompareSpec, MeasuredSpec, OutlineGearSpec, SweepSpec};
 use crate::limits::{
     EXPANSION, FACE_WIDTH, HELIX_ANGLE, MODULE, PRESSURE_ANGLE, PROFILE_SHIFT, RACK_DEPTH,
     ROOT_RADIUS, TEETH, TIP_DIAMETER,
@@ -17,57 +12,6 @@ use gearlash::gear::{BasicRack, Face, GRADES, Hand};
 use schemars::{JsonSchema, Schema, json_schema};
 use serde::Serialize;
 use serde_json::Value;
-
-/// Two cylindrical gears, what was measured on them, how they are put together.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(title = "gearlash pair file")]
-pub struct PairSpec {
-    /// Shown in results and pictures; default: the file's name.
-    #[schemars(with = "Option<String>")]
-    pub title: String,
-    /// Gear 1, left in the picture.
-    #[schemars(with = "Either<GearSpec, OutlineGearSpec>")]
-    pub wheel: GearSpec,
-    /// Gear 2, right in the picture.
-    #[schemars(with = "Either<GearSpec, OutlineGearSpec>")]
-    pub pinion: GearSpec,
-    /// How the gears are put together.
-    #[schemars(with = "Option<AssemblySpec>")]
-    pub assembly: AssemblySpec,
-    /// Measured backlash to set beside the simulation.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub measured: Option<MeasuredSpec>,
-    /// Which poses; none beside measured: exactly its rows, none at all: one wheel revolution.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub sweep: Option<SweepSpec>,
-    /// Of the polygon method.
-    #[schemars(with = "Option<AccuracySpec>")]
-    pub accuracy: AccuracySpec,
-    /// Of gearlash compare.
-    #[schemars(with = "Option<CompareSpec>")]
-    pub compare: CompareSpec,
-    /// What the pair must keep.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub require: Option<RequireSpec>,
-    /// What the measurements may be off.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub uncertainty: Option<UncertaintySpec>,
-    /// How the numbers scatter from one assembly to the next: of gearlash tolerance.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub tolerance: Option<ToleranceSpec>,
-}
-
-/// One cylindrical gear and what was measured on it.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(title = "gearlash gear file")]
-pub struct GearFileSpec {
-    /// Shown in results and pictures; default: the file's name.
-    #[schemars(with = "Option<String>")]
-    pub title: String,
-    /// The gear.
-    #[schemars(with = "Either<GearSpec, OutlineGearSpec>")]
-    pub gear: GearSpec,
-}
 
 /// A gear: its drawing, and what was measured on it.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]

@@ -8,6 +8,7 @@ mod assembly;
 mod flanks;
 mod gear;
 mod outline;
+mod pair;
 mod profile;
 mod require;
 mod rules;
@@ -26,11 +27,9 @@ pub use assembly::{
 pub use flanks::{
     EccentricitySource, PitchAxis, PitchKind, PitchSense, PitchSpec, ReadingPlace, RunoutSpec,
 };
-pub use gear::{FaceName, GearFileSpec, GearSpec, HandName, PairSpec, RackSpec};
-pub use outline::{
-    CentreName, CentreSpec, EitherGearSpec, OutlineGearSpec, OutlinePairSpec, OutlineSpec,
-    PointsKind,
-};
+pub use gear::{FaceName, GearSpec, HandName, RackSpec};
+pub use outline::{CentreName, CentreSpec, OutlineGearSpec, OutlineSpec, PointsKind};
+pub use pair::{EitherGearSpec, GearFileSpec, OutlinePairSpec, PairSpec};
 pub use profile::{FlankProfileSpec, ProfileSpec, ReliefShape, ReliefSpec, TraceSpec};
 pub use require::{AngleLimitsSpec, LimitsSpec, RequireSpec};
 pub use schema::{gear_schema, pair_schema};

@@ -2,39 +2,11 @@
 
 use super::rules::{whole, within};
 use super::value::Either;
-use super::{AssemblySpec, FaceName, GearSpec, RequireSpec, RunoutSpec, SweepSpec};
+use super::{FaceName, RunoutSpec};
 use crate::drawing::Unit;
 use crate::limits::{FIRST_TOOTH, JOIN, TEETH};
 use schemars::JsonSchema;
 use serde::Serialize;
-
-/// Two gears of which one at least is an outline.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct OutlinePairSpec {
-    /// Shown in results and pictures.
-    pub title: String,
-    /// Gear 1, left in the picture.
-    pub wheel: EitherGearSpec,
-    /// Gear 2, right in the picture.
-    pub pinion: EitherGearSpec,
-    /// How the gears are put together.
-    pub assembly: AssemblySpec,
-    /// Poses a pitch, and the teeth that mate first.
-    pub sweep: SweepSpec,
-    /// What the pair must keep.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub require: Option<RequireSpec>,
-}
-
-/// A gear by its data or by its outline.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[serde(untagged)]
-pub enum EitherGearSpec {
-    /// By its data.
-    Data(Box<GearSpec>),
-    /// By its outline.
-    Outline(Box<OutlineGearSpec>),
-}
 
 /// A gear by its outline, in place of teeth, module, pressure angle, rack and thickness.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]

@@ -1,0 +1,88 @@
+//! The files: two gears and how they are put together, or one gear.
+
+use super::value::Either;
+use super::{
+    AccuracySpec, AssemblySpec, CompareSpec, GearSpec, MeasuredSpec, OutlineGearSpec, RequireSpec,
+    SweepSpec, ToleranceSpec, UncertaintySpec,
+};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// Two cylindrical gears, what was measured on them, how they are put together.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(title = "gearlash pair file")]
+pub struct PairSpec {
+    /// Shown in results and pictures; default: the file's name.
+    #[schemars(with = "Option<String>")]
+    pub title: String,
+    /// Gear 1, left in the picture.
+    #[schemars(with = "Either<GearSpec, OutlineGearSpec>")]
+    pub wheel: GearSpec,
+    /// Gear 2, right in the picture.
+    #[schemars(with = "Either<GearSpec, OutlineGearSpec>")]
+    pub pinion: GearSpec,
+    /// How the gears are put together.
+    #[schemars(with = "Option<AssemblySpec>")]
+    pub assembly: AssemblySpec,
+    /// Measured backlash to set beside the simulation.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub measured: Option<MeasuredSpec>,
+    /// Which poses; none beside measured: exactly its rows, none at all: one wheel revolution.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sweep: Option<SweepSpec>,
+    /// Of the polygon method.
+    #[schemars(with = "Option<AccuracySpec>")]
+    pub accuracy: AccuracySpec,
+    /// Of gearlash compare.
+    #[schemars(with = "Option<CompareSpec>")]
+    pub compare: CompareSpec,
+    /// What the pair must keep.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub require: Option<RequireSpec>,
+    /// What the measurements may be off.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub uncertainty: Option<UncertaintySpec>,
+    /// How the numbers scatter from one assembly to the next: of gearlash tolerance.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tolerance: Option<ToleranceSpec>,
+}
+
+/// One cylindrical gear and what was measured on it.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(title = "gearlash gear file")]
+pub struct GearFileSpec {
+    /// Shown in results and pictures; default: the file's name.
+    #[schemars(with = "Option<String>")]
+    pub title: String,
+    /// The gear.
+    #[schemars(with = "Either<GearSpec, OutlineGearSpec>")]
+    pub gear: GearSpec,
+}
+
+/// Two gears of which one at least is an outline.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct OutlinePairSpec {
+    /// Shown in results and pictures.
+    pub title: String,
+    /// Gear 1, left in the picture.
+    pub wheel: EitherGearSpec,
+    /// Gear 2, right in the picture.
+    pub pinion: EitherGearSpec,
+    /// How the gears are put together.
+    pub assembly: AssemblySpec,
+    /// Poses a pitch, and the teeth that mate first.
+    pub sweep: SweepSpec,
+    /// What the pair must keep.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub require: Option<RequireSpec>,
+}
+
+/// A gear by its data or by its outline.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum EitherGearSpec {
+    /// By its data.
+    Data(Box<GearSpec>),
+    /// By its outline.
+    Outline(Box<OutlineGearSpec>),
+}

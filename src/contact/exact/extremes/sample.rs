@@ -1,7 +1,7 @@
 //! Extremes of a pair of which nothing bounds the lost motion between poses: as many poses as seems right, and more round the best.
 
-use super::Found;
 use super::course::Course;
+use super::extreme::PosesSeen;
 use crate::error::Error;
 use crate::pair::Mating;
 
@@ -15,7 +15,7 @@ const PER_PITCH: u64 = 32;
 const ROUNDS: u32 = 5;
 
 /// Looks through the cycle, and closer round the least and the greatest; `until_jam`: no further than to a jammed pose.
-pub(super) fn sample(course: &Course, found: &mut Found, until_jam: bool) -> Result<(), Error> {
+pub(super) fn sample(course: &Course, found: &mut PosesSeen, until_jam: bool) -> Result<(), Error> {
     if std::mem::replace(&mut found.sampled, true) {
         return Ok(());
     }
@@ -73,7 +73,7 @@ mod tests {
             fraction: 0.0,
         };
         let course = Course::new(&kernel, &pair, first, 20);
-        let mut found = Found::default();
+        let mut found = PosesSeen::default();
         sample(&course, &mut found, false).unwrap();
         let poses = (0..320).map(|k| {
             let mating = first.onward(&pair, f64::from(k) / 16.0);

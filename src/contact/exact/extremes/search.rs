@@ -2,8 +2,9 @@
 
 use super::cell::Cell;
 use super::course::{Course, PARTS};
+use super::extreme::{Doubt, PosesSeen, Proof};
+use super::sample;
 use super::table::{Bounds, Table};
-use super::{Doubt, Found, Proof, sample};
 use crate::error::Error;
 use std::collections::BinaryHeap;
 
@@ -83,7 +84,7 @@ impl Candidates<'_> {
     }
 
     /// Looks at the most promising stretch in its middle.
-    fn look(&self, found: &mut Found) -> Result<(), Error> {
+    fn look(&self, found: &mut PosesSeen) -> Result<(), Error> {
         let Some(top) = self.top else {
             return Ok(());
         };
@@ -95,7 +96,7 @@ impl Candidates<'_> {
 
     /// Looks at the most promising stretch where its extreme is expected, and drops what cannot beat that: of gears that repeat themselves
     /// every mating is as promising as any.
-    fn thin(&mut self, found: &mut Found) -> Result<(), Error> {
+    fn thin(&mut self, found: &mut PosesSeen) -> Result<(), Error> {
         let Some(top) = self.top else {
             return Ok(());
         };
@@ -113,7 +114,7 @@ impl Candidates<'_> {
     }
 
     /// Drops what cannot beat the best found by more than the width.
-    fn drop(&mut self, found: &Found) {
+    fn drop(&mut self, found: &PosesSeen) {
         let (which, dropped) = (self.search.which, &mut self.dropped);
         let enough = self.search.best(found) + self.search.width;
         self.kept.retain(|kept| {
@@ -126,7 +127,7 @@ impl Candidates<'_> {
     }
 
     /// What has to be looked into.
-    fn ranked(mut self, found: &Found) -> Ranked {
+    fn ranked(mut self, found: &PosesSeen) -> Ranked {
         self.drop(found);
         let open = self.kept.iter().map(|bounds| Open {
             key: self.search.which.key(bounds.low, bounds.high),
@@ -195,7 +196,7 @@ pub(super) struct Ranked {
 }
 
 /// Looks at the most promising pose of each of `searches` over one cycle, and ranks what may beat the best found.
-pub(super) fn rank(searches: &[Search], found: &mut Found) -> Result<Vec<Ranked>, Error> {
+pub(super) fn rank(searches: &[Search], found: &mut PosesSeen) -> Result<Vec<Ranked>, Error> {
     let Some(Search { table, .. }) = searches.first() else {
         return Ok(Vec::new());
     };
@@ -234,7 +235,7 @@ impl Search<'_> {
     }
 
     /// The best found, as a key.
-    fn best(&self, found: &Found) -> f64 {
+    fn best(&self, found: &PosesSeen) -> f64 {
         let seen = match self.which {
             Which::Least => found.least.map(|seen| -seen.angle),
             Which::Greatest => found.greatest.map(|seen| seen.angle),
@@ -243,7 +244,7 @@ impl Search<'_> {
     }
 
     /// The bound that holds for the whole cycle, rad, of the `ranked` stretches of the same search.
-    pub fn run(&self, ranked: Ranked, found: &mut Found) -> Result<Proof, Error> {
+    pub fn run(&self, ranked: Ranked, found: &mut PosesSeen) -> Result<Proof, Error> {
         let Ranked { open, mut bound } = ranked;
         let mut open = BinaryHeap::from(open);
         for _ in 0..MOST_CELLS {

@@ -1,6 +1,6 @@
 //! B-splines as cubic Bézier curves: exact up to degree 3 without weights, else with a proven bound.
 
-use super::{FIT_MM, MOST_SEGMENTS};
+use super::limits::{FIT_MM, MOST_SEGMENTS};
 use gearlash::outline::PathSegment;
 use nalgebra::{Point2, Vector2, Vector3};
 

@@ -3,14 +3,28 @@
 //! First the ends that are the same point but for rounding, then, of those left, the ones nearer than `join`: so a short line
 //! between two others stays what it is. Ends are looked up in a grid of squares of that size, so that n pieces take O(n).
 
+use super::DrawingError;
+use super::limits::SAME_MM;
 use super::piece::Piece;
-use super::{DrawingError, Loop, SAME_MM};
 use gearlash::outline::PathSegment;
 use nalgebra::Point2;
 use std::collections::HashMap;
 
 /// Ends in one square of the grid: with nine, three lie in one of its quarters, whose diagonal is below the tolerance.
 const MOST_IN_A_SQUARE: usize = 8;
+
+/// A closed path.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Loop {
+    /// Each starts where the one before ends, the first where the last ends, to 1e-9 mm; in any direction.
+    pub segments: Vec<PathSegment>,
+    /// Layer or id; empty without one.
+    pub name: String,
+    /// How far the segments may lie from what was drawn, mm: curves that were fitted, gaps that were closed.
+    pub bound_mm: f64,
+    /// Where in the file it begins.
+    pub place: String,
+}
 
 /// Pieces joined.
 #[derive(Debug)]

@@ -1,12 +1,12 @@
 //! A list of points: x and y a line, in order along a closed outline.
 
 use super::error::LONGEST_NAME;
+use super::limits::MOST_SEGMENTS;
 use super::piece::Piece;
 use super::pieces::Pieces;
 use super::smooth::closed_spline;
 use super::text::decode;
-use super::unit::{Unit, settled};
-use super::{DrawingError, MOST_SEGMENTS, Options};
+use super::{DrawingError, Options, Unit};
 use crate::characters::cut;
 use crate::sheet::number::{Decimal, Written, written};
 use gearlash::outline::PathSegment;
@@ -36,7 +36,7 @@ pub fn read(bytes: &[u8], options: &Options, pieces: &mut Pieces) -> Result<(), 
     let (rows, stated) = rows(&text)?;
     one_decimal_sign(&rows)?;
     let stated = stated.map(|(unit, line)| (format!("\"{unit}\" in line {line}"), unit.mm()));
-    let scale = settled(stated, options.unit, "no line `# unit: mm` in the list")?;
+    let scale = options.unit_mm(stated, "no line `# unit: mm` in the list")?;
     pieces.unit_mm = scale;
     let mut points: Vec<Point2<f64>> = Vec::with_capacity(rows.len());
     for row in &rows {

@@ -1,6 +1,6 @@
 //! Arcs of circles and ellipses as segments.
 
-use super::{FIT_MM, SAME_MM};
+use super::limits::{FIT_MM, SAME_MM};
 use gearlash::outline::PathSegment;
 use nalgebra::{Point2, Rotation2, Vector2};
 use std::f64::consts::TAU;

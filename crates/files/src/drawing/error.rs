@@ -1,6 +1,7 @@
 //! Why a drawing cannot be read: what, where, and the way out.
 
 use super::Unit;
+use super::limits::{MOST_NAMED, SAME_MM};
 use crate::characters::cut;
 use nalgebra::Point2;
 use std::path::PathBuf;
@@ -177,7 +178,7 @@ fn has(known: &[String]) -> String {
     }
     let named: Vec<String> = known
         .iter()
-        .take(super::MOST_NAMED)
+        .take(MOST_NAMED)
         .map(|name| format!("\"{}\"", cut(name, LONGEST_NAME)))
         .collect();
     let more = match known.len() - named.len() {
@@ -189,7 +190,7 @@ fn has(known: &[String]) -> String {
 
 /// A number of two digits above `gap`.
 fn above(gap: f64) -> f64 {
-    let unit = 10f64.powi(gap.max(super::SAME_MM).log10().floor() as i32 - 1);
+    let unit = 10f64.powi(gap.max(SAME_MM).log10().floor() as i32 - 1);
     let above = ((gap / unit).floor() + 1.0) * unit;
     // The shortest decimal of it.
     format!("{above:.12}").parse().unwrap_or(above)

@@ -1,13 +1,25 @@
 //! All pieces of a file, and the loops that they make.
 
-use super::chain::{Chains, Open, chain};
+use super::chain::{Chains, Loop, Open, chain};
 use super::error::{LONGEST_NAME, at};
+use super::limits::{FARTHEST_MM, MOST_NAMED, MOST_SEGMENTS};
 use super::piece::Piece;
-use super::{Drawing, DrawingError, FARTHEST_MM, MOST_NAMED, MOST_SEGMENTS, Options};
+use super::{DrawingError, Options};
 use crate::characters::cut;
 use gearlash::outline::PathSegment;
 use nalgebra::Point2;
 use std::collections::HashMap;
+
+/// What a file draws.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Drawing {
+    /// Length of one of its units, mm.
+    pub unit_mm: f64,
+    /// At least one, in the order of the file.
+    pub loops: Vec<Loop>,
+    /// What was left out, and why.
+    pub remarks: Vec<String>,
+}
 
 /// All pieces of a file, by the layers whose ends may meet.
 #[derive(Debug, Default)]

@@ -1,6 +1,5 @@
 //! The unit of a drawing, which is stated and never guessed.
 
-use super::DrawingError;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::fmt;
@@ -59,27 +58,5 @@ impl fmt::Display for Unit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut units = Unit::NAMED.iter();
         f.write_str(units.find(|unit| unit.1 == *self).map_or("", |unit| unit.0))
-    }
-}
-
-/// Length of a unit of the drawing, mm: what the file states (in words, and mm), else what was given.
-pub fn settled(
-    stated: Option<(String, f64)>,
-    given: Option<Unit>,
-    why_not: &str,
-) -> Result<f64, DrawingError> {
-    match (stated, given) {
-        // Printed with at least six digits by every program.
-        (Some((words, mm)), Some(given)) if (mm / given.mm() - 1.0).abs() > 1e-6 => {
-            Err(DrawingError::OtherUnit {
-                stated: words,
-                given,
-            })
-        }
-        (_, Some(given)) => Ok(given.mm()),
-        (Some((_, mm)), None) => Ok(mm),
-        (None, None) => Err(DrawingError::NoUnit {
-            why: why_not.to_owned(),
-        }),
     }
 }

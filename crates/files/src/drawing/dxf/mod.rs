@@ -10,7 +10,7 @@ mod shape;
 
 use super::pieces::Pieces;
 use super::text::decode;
-use super::{DrawingError, Options, Unit, unit};
+use super::{DrawingError, Options, Unit};
 use entity::{Entity, Fate};
 use pairs::{Pairs, check_format};
 
@@ -57,7 +57,7 @@ pub fn read(bytes: &[u8], options: &Options, pieces: &mut Pieces) -> Result<(), 
             known: sheet.layers,
         });
     }
-    let scale = unit::settled(sheet.unit()?, options.unit, "no $INSUNITS in the DXF")?;
+    let scale = options.unit_mm(sheet.unit()?, "no $INSUNITS in the DXF")?;
     pieces.unit_mm = scale;
     shape::read(&sheet.text, &sheet.kept, scale, pieces)
 }

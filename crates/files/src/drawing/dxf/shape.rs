@@ -1,11 +1,12 @@
 //! Entities of a DXF as segments in mm.
 
 use super::Kept;
+use crate::drawing::DrawingError;
 use crate::drawing::bspline::BSpline;
 use crate::drawing::curve::{bulged, elliptic};
+use crate::drawing::limits::SAME_MM;
 use crate::drawing::piece::Piece;
 use crate::drawing::pieces::Pieces;
-use crate::drawing::{DrawingError, SAME_MM};
 use dxf::entities::{Entity, EntityType, LwPolyline, Polyline, Spline};
 use dxf::{Drawing, Point, Vector};
 use gearlash::outline::PathSegment;

@@ -8,10 +8,11 @@ mod shape;
 mod view;
 
 use super::error::LONGEST_NAME;
+use super::limits::MOST_SEGMENTS;
 use super::piece::Piece;
 use super::pieces::Pieces;
 use super::text::{Lines, decode};
-use super::{DrawingError, Options, unit};
+use super::{DrawingError, Options};
 use crate::characters::cut;
 use roxmltree::{Document, Node};
 use std::str::FromStr;
@@ -176,7 +177,7 @@ impl Page<'_> {
         let stated = view::page_unit([width?, height?], view, self.aspect(root)?)
             .map_err(|reason| self.syntax(root, reason))?;
         let why = "the SVG needs width and height in mm, cm or in, and a viewBox";
-        unit::settled(stated, options.unit, why)
+        options.unit_mm(stated, why)
     }
 
     fn aspect(&self, node: Node) -> Result<AspectRatio, DrawingError> {
@@ -208,7 +209,7 @@ impl Page<'_> {
         }
         let id = node.attribute("id");
         if let Some(id) = id {
-            if self.ids.len() < super::MOST_SEGMENTS {
+            if self.ids.len() < MOST_SEGMENTS {
                 self.ids.push(id.to_owned());
             }
             if self.select == Some(id) {

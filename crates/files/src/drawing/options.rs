@@ -1,0 +1,52 @@
+//! How a drawing is read.
+
+use super::limits::JOIN_MM;
+use super::{DrawingError, Unit};
+
+/// How a drawing is read.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Options {
+    /// Length of one unit of the drawing; needed where the file states none.
+    pub unit: Option<Unit>,
+    /// What to read: a layer of a DXF, the id of an element of an SVG; `None`: all.
+    pub select: Option<String>,
+    /// Ends nearer than this are one point, mm.
+    pub join_mm: f64,
+    /// A list of points is joined by a cubic spline with continuous curvature, not by straight lines.
+    pub smooth: bool,
+}
+
+impl Default for Options {
+    fn default() -> Options {
+        Options {
+            unit: None,
+            select: None,
+            join_mm: JOIN_MM,
+            smooth: false,
+        }
+    }
+}
+
+impl Options {
+    /// Length of a unit of the drawing, mm: what the file states (in words, and mm), else what was given.
+    pub(super) fn unit_mm(
+        &self,
+        stated: Option<(String, f64)>,
+        why_not: &str,
+    ) -> Result<f64, DrawingError> {
+        match (stated, self.unit) {
+            // Printed with at least six digits by every program.
+            (Some((words, mm)), Some(given)) if (mm / given.mm() - 1.0).abs() > 1e-6 => {
+                Err(DrawingError::OtherUnit {
+                    stated: words,
+                    given,
+                })
+            }
+            (_, Some(given)) => Ok(given.mm()),
+            (Some((_, mm)), None) => Ok(mm),
+            (None, None) => Err(DrawingError::NoUnit {
+                why: why_not.to_owned(),
+            }),
+        }
+    }
+}

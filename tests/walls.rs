@@ -1,7 +1,61 @@
-//! The walls inside the library that Cargo cannot hold (ARCHITECTURE.md).
+//! The walls inside the packages that Cargo cannot hold (ARCHITECTURE.md): what a room may not name, and no import circle.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
+
+/// Rooms of `src/`, and the rooms that none of their files names.
+const WALLS: [(&[&str], &[&str]); 6] = [
+    (
+        &["gear"],
+        &[
+            "pair",
+            "outline",
+            "metrology",
+            "contact",
+            "analytic",
+            "analysis",
+            "gauge",
+        ],
+    ),
+    (
+        &["metrology"],
+        &[
+            "pair", "outline", "contact", "analytic", "analysis", "gauge",
+        ],
+    ),
+    (
+        &["pair", "outline"],
+        &["metrology", "contact", "analytic", "analysis", "gauge"],
+    ),
+    (&["analytic"], &["contact", "analysis", "gauge"]),
+    (
+        &["contact"],
+        &["metrology", "analytic", "analysis", "gauge"],
+    ),
+    (&["population"], &["metrology", "outline", "gauge"]),
+];
+
+/// Rooms that know nothing of `population` and `matching`.
+const BELOW_POPULATION: [&str; 8] = [
+    "gear",
+    "pair",
+    "metrology",
+    "outline",
+    "contact",
+    "analytic",
+    "analysis",
+    "gauge",
+];
+
+/// Sources of the packages, below the root.
+const PACKAGES: [&str; 5] = [
+    "src",
+    "crates/files/src",
+    "crates/render/src",
+    "crates/cli/src",
+    "crates/python/src",
+];
 
 fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(folder).unwrap() {
@@ -14,123 +68,188 @@ fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
     }
 }
 
-/// The files below src/`room` whose code, comments and tests apart, names one of `names`.
-fn that_name(room: &str, names: &[&str]) -> Vec<String> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+/// The code of each file below `folder`, comments and tests apart, by its path from there.
+fn codes(folder: &str) -> Vec<(String, String)> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
     let mut files = Vec::new();
-    sources(&root.join(room), &mut files);
-    assert!(!files.is_empty(), "no file in src/{room}");
-    let names_one = |path: &PathBuf| {
+    sources(&root, &mut files);
+    assert!(!files.is_empty(), "no file in {folder}");
+    let code = |path: &PathBuf| {
         let text = fs::read_to_string(path).unwrap();
         let code = text.split("#[cfg(test)]\nmod tests").next().unwrap();
-        let lines = code
-            .lines()
-            .filter(|line| !line.trim_start().starts_with("//"));
-        lines
-            .flat_map(|line| names.iter().map(move |name| line.contains(name)))
-            .any(|names| names)
+        let is_code = |line: &&str| !line.trim_start().starts_with("//");
+        let lines: Vec<&str> = code.lines().filter(is_code).collect();
+        let path = path.strip_prefix(&root).unwrap().display().to_string();
+        (path, lines.join("\n"))
     };
-    let named = files.iter().filter(|path| names_one(path));
-    let relative = |path: &PathBuf| path.strip_prefix(&root).unwrap().display().to_string();
-    named.map(relative).collect()
+    files.iter().map(code).collect()
+}
+
+/// The files below src/`room` that name `name`.
+fn that_name(room: &str, name: &str) -> Vec<String> {
+    let names_it = |(path, code): (String, String)| code.contains(name).then_some(path);
+    let codes = codes(&format!("src/{room}"));
+    codes.into_iter().filter_map(names_it).collect()
 }
 
 #[test]
-fn the_analytic_models_see_no_contact() {
-    let names = ["crate::contact", "crate::analysis", "crate::gauge"];
-    assert_eq!(that_name("analytic", &names), [""; 0]);
-}
-
-#[test]
-fn a_gear_knows_no_pair() {
-    let names = [
-        "crate::metrology",
-        "crate::pair",
-        "crate::contact",
-        "crate::analytic",
-        "crate::analysis",
-        "crate::gauge",
-    ];
-    assert_eq!(that_name("gear", &names), [""; 0]);
-}
-
-#[test]
-fn an_outline_knows_no_contact_and_no_model() {
-    let names = [
-        "crate::metrology",
-        "crate::contact",
-        "crate::analytic",
-        "crate::analysis",
-        "crate::gauge",
-    ];
-    assert_eq!(that_name("outline", &names), [""; 0]);
-}
-
-#[test]
-fn a_pair_knows_no_contact() {
-    let names = [
-        "crate::metrology",
-        "crate::contact",
-        "crate::analytic",
-        "crate::analysis",
-        "crate::gauge",
-    ];
-    assert_eq!(that_name("pair", &names), [""; 0]);
-}
-
-#[test]
-fn one_file_names_parry() {
-    assert_eq!(that_name("", &["parry2d"]), ["contact/parry.rs"]);
-}
-
-#[test]
-fn contact_knows_no_model_and_no_analysis() {
-    let names = [
-        "crate::analytic",
-        "crate::analysis",
-        "crate::gauge",
-        "crate::metrology",
-    ];
-    assert_eq!(that_name("contact", &names), [""; 0]);
-}
-
-#[test]
-fn measurements_know_one_gear_alone() {
-    let names = [
-        "crate::pair",
-        "crate::contact",
-        "crate::analytic",
-        "crate::analysis",
-        "crate::gauge",
-    ];
-    assert_eq!(that_name("metrology", &names), [""; 0]);
-}
-
-#[test]
-fn nothing_knows_a_population() {
-    let rooms = [
-        "gear",
-        "pair",
-        "metrology",
-        "outline",
-        "contact",
-        "analytic",
-        "analysis",
-        "gauge",
-    ];
-    for room in rooms {
-        assert_eq!(that_name(room, &["crate::population"]), [""; 0], "{room}");
+fn rooms_name_none_beyond_their_walls() {
+    let above = (&BELOW_POPULATION[..], &["population", "matching"][..]);
+    for (rooms, forbidden) in WALLS.into_iter().chain([above]) {
+        for (room, name) in rooms
+            .iter()
+            .flat_map(|room| forbidden.iter().map(move |name| (room, name)))
+        {
+            let files = that_name(room, &format!("crate::{name}"));
+            assert_eq!(files, [""; 0], "src/{room} names crate::{name}");
+        }
     }
 }
 
 #[test]
-fn a_population_knows_no_gauge_and_no_measurements() {
-    let names = ["crate::gauge", "crate::metrology", "crate::outline"];
-    assert_eq!(that_name("population", &names), [""; 0]);
+fn one_file_names_parry() {
+    assert_eq!(that_name("", "parry2d"), ["contact/parry.rs"]);
 }
 
-/// That the test above can fail.
+/// That the tests above can fail.
 #[test]
 fn an_import_is_found() {
-    assert!(!that_name("contact", &["crate::pair"]).is_empty());
+    assert!(!that_name("contact", "crate::pair").is_empty());
+}
+
+/// A file as a module; paths are from the root of its package.
+#[derive(Default)]
+struct Module {
+    /// What it takes from elsewhere.
+    imports: Vec<String>,
+    /// Where the names stand that it imports or hands on: below it they are its own.
+    names: BTreeMap<String, String>,
+}
+
+/// The paths of a tree of imports: `a::{b, c::d}` is `a::b` and `a::c::d`.
+fn paths(tree: &str) -> Vec<String> {
+    let Some((stem, rest)) = tree.split_once('{') else {
+        return vec![tree.split(" as ").next().unwrap().trim().to_owned()];
+    };
+    let mut depth = 0;
+    let inner = rest.rsplit_once('}').map_or(rest, |(inner, _)| inner);
+    let branches = inner.split(|letter| {
+        depth += i32::from(letter == '{') - i32::from(letter == '}');
+        letter == ',' && depth == 0
+    });
+    let paths = branches.flat_map(paths);
+    paths.map(|path| format!("{}{path}", stem.trim())).collect()
+}
+
+/// `path`, as the module `name` writes it, from the root.
+fn absolute(name: &str, path: &str) -> String {
+    if let Some(path) = path.strip_prefix("crate::") {
+        return path.to_owned();
+    }
+    let mut from: Vec<&str> = name.split("::").collect();
+    let mut rest = path.trim_start_matches("self::");
+    while let Some(path) = rest.strip_prefix("super::") {
+        from.pop();
+        rest = path;
+    }
+    from.push(rest);
+    from.join("::").trim_start_matches("::").to_owned()
+}
+
+fn module(name: &str, code: &str) -> Module {
+    let mut module = Module::default();
+    let text: String = code
+        .split_whitespace()
+        .flat_map(|word| [word, " "])
+        .collect();
+    for (at, _) in text.match_indices("use ") {
+        let is_handed_on = text[..at].ends_with("pub ") || text[..at].ends_with(") ");
+        let tree = text[at + 4..].split(';').next().unwrap();
+        for path in paths(tree).iter().map(|path| absolute(name, path)) {
+            let last = path.rsplit("::").next().unwrap().to_owned();
+            module.names.insert(last, path.clone());
+            module.imports.extend((!is_handed_on).then_some(path));
+        }
+    }
+    let is_part = |letter: char| letter.is_alphanumeric() || letter == '_' || letter == ':';
+    let words = text.split(|letter| !is_part(letter));
+    let is_path = |word: &&str| {
+        let is_inside = word.starts_with("crate::") || word.starts_with("super::");
+        is_inside && !word.ends_with("::")
+    };
+    let paths = words.filter(is_path).map(|word| absolute(name, word));
+    module.imports.extend(paths);
+    module
+}
+
+/// The module that defines what stands at `path`: the deepest on the way there, or where its names come from.
+fn definer(modules: &BTreeMap<String, Module>, path: &str, steps: u32) -> String {
+    let ends = path.match_indices("::").map(|(at, _)| at);
+    let mut ends: Vec<usize> = ends.chain([path.len()]).collect();
+    ends.reverse();
+    let deepest = ends
+        .into_iter()
+        .find(|end| modules.contains_key(&path[..*end]));
+    let Some(end) = deepest else {
+        return String::new();
+    };
+    let name = path[end..]
+        .trim_start_matches("::")
+        .split("::")
+        .next()
+        .unwrap();
+    match modules[&path[..end]].names.get(name) {
+        Some(from) if steps > 0 => definer(modules, from, steps - 1),
+        _ => path[..end].to_owned(),
+    }
+}
+
+/// A module and those above it use each other freely; no others do, in whatever number of steps.
+#[test]
+fn no_files_import_each_other() {
+    for package in PACKAGES {
+        let codes = codes(package);
+        let modules = codes.iter().map(|(path, code)| {
+            let name = path.trim_end_matches(".rs").replace('/', "::");
+            let name = name.trim_end_matches("::mod").to_owned();
+            (name.clone(), module(&name, code))
+        });
+        let modules: BTreeMap<String, Module> = modules.collect();
+        let imported = |name: &str| {
+            let imports = modules[name].imports.iter();
+            let from = imports.map(|path| definer(&modules, path, 8));
+            let is_beside = |other: &String| {
+                let below =
+                    |one: &str, other: &str| format!("{one}::").starts_with(&format!("{other}::"));
+                !other.is_empty() && !below(name, other) && !below(other, name)
+            };
+            from.filter(is_beside).collect::<BTreeSet<String>>()
+        };
+        let edges: BTreeMap<&str, BTreeSet<String>> = modules
+            .keys()
+            .map(|name| (&name[..], imported(name)))
+            .collect();
+        assert!(
+            edges.values().any(|others| !others.is_empty()),
+            "{package} imports nothing"
+        );
+        let comes_back = |start: &&str| {
+            let mut reached = BTreeSet::new();
+            let mut next: Vec<&str> = vec![start];
+            while let Some(name) = next.pop() {
+                next.extend(
+                    edges[name]
+                        .iter()
+                        .map(|other| &other[..])
+                        .filter(|other| reached.insert(*other)),
+                );
+            }
+            reached.contains(*start)
+        };
+        let circle: Vec<&str> = edges.keys().copied().filter(comes_back).collect();
+        assert_eq!(
+            circle, [""; 0],
+            "{package}: each comes back to itself by its imports"
+        );
+    }
 }

@@ -16,6 +16,7 @@ mod flank_correlation;
 #[allow(clippy::module_inception)]
 mod gear;
 mod grade;
+mod harmonics;
 mod inspection;
 pub mod involute;
 mod modification;

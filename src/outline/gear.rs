@@ -1,12 +1,11 @@
 //! A gear by its outline: its teeth where they stand, and the axis it turns about.
 
 use super::error::OutlineError;
-use super::half::{HalfOutline, HalfPiece};
-use super::of_gear::of_gear;
+use super::half::HalfOutline;
 use super::path::ClosedPath;
 use super::segment::PathSegment;
 use super::teeth::{FoundTooth, find};
-use crate::gear::{AsBuilt, Face, PartCurve, ProfilePart, Side, smooth};
+use crate::gear::{Face, PartCurve, Side};
 use nalgebra::{Complex, Point2, UnitComplex, Vector2};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::sync::Arc;
@@ -17,9 +16,6 @@ const UPRIGHT: f64 = 0.1;
 
 /// Teeth off their even places by more than this share of a pitch are no gear; contact counts on it when it chooses the teeth in reach.
 const UNEVEN: f64 = 0.5;
-
-/// Chords of a gear by its data, drawn, of its tip radius: a tenth of a line's width in the largest picture.
-const CHORD: f64 = 1e-6;
 
 /// How a path is read as a gear.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,16 +35,16 @@ pub struct OutlineReading {
 /// A gear by its outline, in its own frame: tooth 1 on +x, the geometric centre at the origin.
 #[derive(Debug, Clone)]
 pub struct OutlineGear {
-    face: Face,
+    pub(super) face: Face,
     /// Right halves and left ones (mirrored), tooth 1 first.
-    halves: [Arc<[HalfOutline]>; 2],
+    pub(super) halves: [Arc<[HalfOutline]>; 2],
     /// The whole path about the geometric centre, turned by `turned` from where tooth 1 is on +x.
-    path: Arc<[PathSegment]>,
-    turned: f64,
-    tip_radius: f64,
-    root_radius: f64,
-    displacement: Complex<f64>,
-    bound: f64,
+    pub(super) path: Arc<[PathSegment]>,
+    pub(super) turned: f64,
+    pub(super) tip_radius: f64,
+    pub(super) root_radius: f64,
+    pub(super) displacement: Complex<f64>,
+    pub(super) bound: f64,
 }
 
 impl OutlineGear {
@@ -241,74 +237,6 @@ impl OutlineGear {
         });
         let angles: Vec<f64> = angles.collect();
         angles.iter().sum::<f64>() / angles.len().max(1) as f64
-    }
-}
-
-/// Of a gear by its data: its exact curves, every tooth where it was measured to be.
-impl From<&AsBuilt> for OutlineGear {
-    fn from(built: &AsBuilt) -> OutlineGear {
-        let gear = built.gear();
-        let halves = Side::BOTH.map(|side| {
-            let half = |tooth: u32| {
-                let mirror = -side.sense();
-                let turned = built.tooth_angle(f64::from(tooth)) + built.flank_offset(side, tooth);
-                let turn = Complex::from_polar(1.0, mirror * turned);
-                let profile = built.profile(side, tooth);
-                let pieces = |part: ProfilePart| {
-                    let (mut from, mut to) = profile.range(part);
-                    match part {
-                        ProfilePart::Tip => from = built.land_start(side, tooth),
-                        ProfilePart::Root => to = built.root_end(side, tooth),
-                        _ => (),
-                    }
-                    let gear_part = profile.part(part);
-                    let corners = match part {
-                        ProfilePart::Tip => [true; 2],
-                        _ => gear_part.corners,
-                    };
-                    let edges = gear_part.curve.edges();
-                    let stretches = smooth(edges, from.min(to), from.max(to));
-                    let piece = move |(low, high): (f64, f64)| HalfPiece {
-                        curve: gear_part.curve.clone(),
-                        ends: if from > to { [high, low] } else { [low, high] },
-                        turn,
-                        mirrored: false,
-                        corners: match edges {
-                            [] => corners,
-                            _ => [true; 2],
-                        },
-                    };
-                    stretches.map(piece)
-                };
-                let pieces = ProfilePart::ALL.into_iter().flat_map(pieces);
-                HalfOutline {
-                    pieces: pieces
-                        .filter(|piece| piece.ends[0] != piece.ends[1])
-                        .collect(),
-                    tip_limit: gear.tip_radius() * (1.0 - f64::EPSILON),
-                    root_limit: gear.root_radius() * (1.0 + f64::EPSILON),
-                }
-            };
-            (1..=gear.basic_data().teeth()).map(half).collect()
-        });
-        let displacement = built.displacement(0.0);
-        // Drawn about the axis as the reference face shows it, tooth 1 up.
-        let path = of_gear(built, CHORD * gear.tip_radius()).into_iter();
-        let path = path.map(|segment| match built.face() {
-            Face::Front => segment,
-            Face::Back => segment.mirrored(),
-        });
-        let off = built.displacement(FRAC_PI_2);
-        OutlineGear {
-            face: built.face(),
-            path: path.map(|segment| segment.moved(-off)).collect(),
-            turned: FRAC_PI_2,
-            halves,
-            tip_radius: gear.tip_radius(),
-            root_radius: gear.root_radius(),
-            displacement: Complex::new(displacement.x, displacement.y),
-            bound: 0.0,
-        }
     }
 }
 

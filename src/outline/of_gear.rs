@@ -1,12 +1,17 @@
-//! The other way round: a gear by its data as a drawn outline.
+//! The other way round: a gear by its data as a drawn outline, and as a gear by its outline.
 
-use super::PathSegment;
-use crate::gear::{AsBuilt, Face, Placed, Side};
-use nalgebra::Point2;
+use super::gear::OutlineGear;
+use super::half::{HalfOutline, HalfPiece};
+use super::segment::PathSegment;
+use crate::gear::{AsBuilt, Face, Placed, ProfilePart, Side, smooth};
+use nalgebra::{Complex, Point2};
 use std::f64::consts::FRAC_PI_2;
 
 /// Half a root land, mm, that is none: some hundred times the rounding of the largest gears.
 const NO_LAND: f64 = 1e-9;
+
+/// Chords of a gear by its data, drawn, of its tip radius: a tenth of a line's width in the largest picture.
+const CHORD: f64 = 1e-6;
 
 /// The closed outline of `gear` as its reference face shows it, mm, counter-clockwise.
 ///
@@ -57,6 +62,74 @@ fn placed_outline(gear: &AsBuilt, tooth_1: f64, chordal_error: f64) -> Vec<PathS
         Face::Back => {
             let turned = outline.iter().rev();
             turned.map(|part| part.reversed().mirrored()).collect()
+        }
+    }
+}
+
+/// Of a gear by its data: its exact curves, every tooth where it was measured to be.
+impl From<&AsBuilt> for OutlineGear {
+    fn from(built: &AsBuilt) -> OutlineGear {
+        let gear = built.gear();
+        let halves = Side::BOTH.map(|side| {
+            let half = |tooth: u32| {
+                let mirror = -side.sense();
+                let turned = built.tooth_angle(f64::from(tooth)) + built.flank_offset(side, tooth);
+                let turn = Complex::from_polar(1.0, mirror * turned);
+                let profile = built.profile(side, tooth);
+                let pieces = |part: ProfilePart| {
+                    let (mut from, mut to) = profile.range(part);
+                    match part {
+                        ProfilePart::Tip => from = built.land_start(side, tooth),
+                        ProfilePart::Root => to = built.root_end(side, tooth),
+                        _ => (),
+                    }
+                    let gear_part = profile.part(part);
+                    let corners = match part {
+                        ProfilePart::Tip => [true; 2],
+                        _ => gear_part.corners,
+                    };
+                    let edges = gear_part.curve.edges();
+                    let stretches = smooth(edges, from.min(to), from.max(to));
+                    let piece = move |(low, high): (f64, f64)| HalfPiece {
+                        curve: gear_part.curve.clone(),
+                        ends: if from > to { [high, low] } else { [low, high] },
+                        turn,
+                        mirrored: false,
+                        corners: match edges {
+                            [] => corners,
+                            _ => [true; 2],
+                        },
+                    };
+                    stretches.map(piece)
+                };
+                let pieces = ProfilePart::ALL.into_iter().flat_map(pieces);
+                HalfOutline {
+                    pieces: pieces
+                        .filter(|piece| piece.ends[0] != piece.ends[1])
+                        .collect(),
+                    tip_limit: gear.tip_radius() * (1.0 - f64::EPSILON),
+                    root_limit: gear.root_radius() * (1.0 + f64::EPSILON),
+                }
+            };
+            (1..=gear.basic_data().teeth()).map(half).collect()
+        });
+        let displacement = built.displacement(0.0);
+        // Drawn about the axis as the reference face shows it, tooth 1 up.
+        let path = of_gear(built, CHORD * gear.tip_radius()).into_iter();
+        let path = path.map(|segment| match built.face() {
+            Face::Front => segment,
+            Face::Back => segment.mirrored(),
+        });
+        let off = built.displacement(FRAC_PI_2);
+        OutlineGear {
+            face: built.face(),
+            path: path.map(|segment| segment.moved(-off)).collect(),
+            turned: FRAC_PI_2,
+            halves,
+            tip_radius: gear.tip_radius(),
+            root_radius: gear.root_radius(),
+            displacement: Complex::new(displacement.x, displacement.y),
+            bound: 0.0,
         }
     }
 }

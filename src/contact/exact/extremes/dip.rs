@@ -18,9 +18,6 @@ use std::f64::consts::PI;
 /// Chords of a fillet (tuned: 16 are within a four hundredth of its radius).
 const CHORDS: usize = 16;
 
-/// A stretch is cut so often at most (tuned: a part of a pitch of 12 teeth is down to 5 minutes of arc).
-const HALVINGS: u32 = 5;
-
 /// Clearances beyond this are not told apart, rad (a tenth of a pitch of 30 teeth: more than flanks differ).
 const FARTHEST: f64 = 0.02;
 
@@ -47,8 +44,8 @@ pub(super) struct Dip {
     pub tip: Tip,
     /// Least `γ` of the fillet in reach.
     pub deepest: f64,
-    locked: Outline,
-    free: Outline,
+    pub(super) locked: Outline,
+    pub(super) free: Outline,
     /// Of the gear whose fillet it is, from the joint inwards.
     chords: Vec<Chord>,
     /// The locked half tooth's angle lies this near to `middle` while the corner is below the form circle, at the least distance.
@@ -58,8 +55,8 @@ pub(super) struct Dip {
 
 /// What counts of a gear.
 #[derive(Debug, Clone, Copy)]
-struct Outline {
-    base: f64,
+pub(super) struct Outline {
+    pub base: f64,
     half_base: f64,
     corner: C,
     /// How far the corner is from the axis.
@@ -131,36 +128,14 @@ impl Dip {
         off.abs() <= self.half + play
     }
 
-    /// How much farther than to the contact of the involutes the free gear has to turn at least until the corner meets the fillet, rad;
-    /// negative where it may meet it before.
-    ///
-    /// The locked half tooth stands within `play` of the angle `at`. Two values: between the two distances of the outlines' centres that
-    /// `lines` has ([`Lines::new`]) the straight line between them holds. Halved where they do not show `enough`.
-    pub fn clearance(&self, at: f64, play: f64, lines: &Lines, enough: f64) -> [f64; 2] {
-        let [(low, _), (high, _)] = lines.0;
-        let cut = Cut {
-            dip: self,
-            lines,
-            bend: match high == low {
-                true => 0.0,
-                false => self.bend(low) * (high - low).powi(2),
-            },
-        };
-        let whole = cut.over(at, play);
-        cut.refined((at, play), whole, enough, HALVINGS)
-    }
-
-    /// How `h/ρ` bends with the distance: the gap by cos² α/(d sin α r_bF) and sin² α/r_bF², times ρ.
-    pub fn bend(&self, distance: f64) -> f64 {
-        let sum = self.locked.base + self.free.base;
-        let cos = sum / distance;
-        let sin = (1.0 - cos * cos).max(0.0).sqrt();
-        let per_base = 1.0 / self.free.base;
-        cos * cos / (distance * sin) * per_base + (sin * per_base).powi(2)
-    }
-
     /// At one distance and its line, the locked half tooth within `play` of the angle `at`, towards which `l` points.
-    fn at_distance(&self, at: f64, l: C, play: f64, (distance, line): &(f64, Line)) -> f64 {
+    pub(super) fn at_distance(
+        &self,
+        at: f64,
+        l: C,
+        play: f64,
+        (distance, line): &(f64, Line),
+    ) -> f64 {
         let (distance, ratio) = (*distance, self.locked.base / self.free.base);
         let (locked, free) = (&self.locked, &self.free);
         let gap = ((locked.base + free.base) * line.angle
@@ -247,67 +222,6 @@ impl Dip {
     }
 }
 
-/// Two distances of the outlines' centres, and the line of action at each.
-#[derive(Debug)]
-pub(super) struct Lines([(f64, Line); 2]);
-
-impl Lines {
-    /// Of the least and the greatest distance; `None` where base circles of the sum `sum` of radii overlap at one.
-    pub fn new((low, high): (f64, f64), sum: f64) -> Option<Lines> {
-        let line = |distance: f64| Some((distance, Line::new(C::from(distance), sum)?));
-        Some(Lines([line(low)?, line(high)?]))
-    }
-}
-
-/// A stretch of the locked gear's turn that is cut where it does not show enough.
-struct Cut<'a> {
-    dip: &'a Dip,
-    /// At the least and the greatest distance.
-    lines: &'a Lines,
-    /// What bends between the distances.
-    bend: f64,
-}
-
-impl Cut<'_> {
-    /// As [`Dip::clearance`] of `whole`, what the stretch has uncut; cut `halvings` times at most.
-    fn refined(
-        &self,
-        (at, play): (f64, f64),
-        whole: [f64; 2],
-        enough: f64,
-        halvings: u32,
-    ) -> [f64; 2] {
-        if halvings == 0 || least(whole) >= enough {
-            return whole;
-        }
-        let half = 0.5 * play;
-        let halves = [at - half, at + half].map(|at| ((at, half), self.over(at, half)));
-        let [worse, other] = match least(halves[0].1) <= least(halves[1].1) {
-            true => halves,
-            false => [halves[1], halves[0]],
-        };
-        let found = self.refined(worse.0, worse.1, enough, halvings - 1);
-        // What the whole comes to is no more than this: the other half has to show no more either.
-        let enough = enough.min(least(found));
-        let beside = self.refined(other.0, other.1, enough, halvings - 1);
-        [0, 1].map(|end| found[end].min(beside[end]).max(whole[end]))
-    }
-
-    fn over(&self, at: f64, play: f64) -> [f64; 2] {
-        let l = -turn(at);
-        let Lines([near, far]) = self.lines;
-        let end = |line| self.dip.at_distance(at, l, play, line) - self.bend;
-        match near.0 == far.0 {
-            true => [end(near); 2],
-            false => [end(near), end(far)],
-        }
-    }
-}
-
-fn least([a, b]: [f64; 2]) -> f64 {
-    a.min(b)
-}
-
 /// The length of a vector, as large as gears are.
 fn length(vector: C) -> f64 {
     vector.norm_sqr().sqrt()
@@ -316,9 +230,10 @@ fn length(vector: C) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::super::super::ExactKernel;
+    use super::super::clearance::Lines;
     use super::super::course::Course;
     use super::*;
-    use crate::gear::{AsBuilt, Face, Gear, GearDesign, Side};
+    use crate::gear::{AsBuilt, Face, Gear, GearDesign};
     use crate::pair::{GearPair, Mating, Member};
 
     /// How much farther the free gear turns until the corner is behind a chord, as far as `most`: step by step, with the locked half tooth
@@ -369,12 +284,7 @@ mod tests {
             let (wheel, pinion) = (gear(60, Face::Front), gear(18, Face::Back));
             let pair = GearPair::with_locked(wheel, pinion, 78.1, locked).unwrap();
             let kernel = ExactKernel::new(&pair);
-            let first = Mating {
-                wheel_tooth: 1,
-                pinion_tooth: 1,
-                flank: Side::Right,
-                fraction: 0.0,
-            };
+            let first = Mating::FIRST;
             let course = Course::new(&kernel, &pair, first, 1);
             for dip in &course.sides[0].dips {
                 let distances = (78.05, 78.15);

@@ -273,7 +273,7 @@ mod tests {
     use super::super::super::ExactKernel;
     use super::super::course::Course;
     use super::*;
-    use crate::gear::{AsBuilt, Face, Gear, GearDesign, Profile, Side};
+    use crate::gear::{AsBuilt, Face, Gear, GearDesign, Profile};
     use crate::pair::{GearPair, Mating, Member};
 
     /// Source: differences between neighbouring poses. A point that turns about an axis has its radius for the second derivative.
@@ -295,12 +295,7 @@ mod tests {
             let (wheel, pinion) = (gear(60, Face::Front, off[0]), gear(18, Face::Back, off[1]));
             let pair = GearPair::with_locked(wheel, pinion, 78.1, locked).unwrap();
             let kernel = ExactKernel::new(&pair);
-            let first = Mating {
-                wheel_tooth: 1,
-                pinion_tooth: 1,
-                flank: Side::Right,
-                fraction: 0.0,
-            };
+            let first = Mating::FIRST;
             let course = Course::new(&kernel, &pair, first, 1);
             let side = &course.sides[0];
             for (index, fraction) in [(0, 0.0), (4, 0.3), (9, 0.7)] {

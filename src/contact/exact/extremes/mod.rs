@@ -10,6 +10,7 @@
 //! hold, poses are sampled, and the result says so.
 
 mod cell;
+mod clearance;
 mod course;
 mod dip;
 mod dips_over_face;
@@ -28,7 +29,6 @@ mod table;
 
 use super::ExactKernel;
 use crate::error::Error;
-use crate::gear::Side;
 use crate::pair::{GearPair, Mating};
 use course::Course;
 pub use extreme::{Doubt, Extreme, Extremes};
@@ -81,12 +81,7 @@ impl ExactKernel {
         {
             return false;
         }
-        let first = Mating {
-            wheel_tooth: 1,
-            pinion_tooth: 1,
-            flank: Side::Right,
-            fraction: 0.0,
-        };
+        let first = Mating::FIRST;
         let course = Course::new(self, assembly, first, 1);
         self.stays_on_involutes(&course) && !Table::new(&course).has_dips()
     }

@@ -1,7 +1,8 @@
 //! What bounds the room of one side over a stretch of a mating: pair by pair of half teeth.
 
+use super::clearance::Lines;
 use super::course::{FaceEnd, PARTS, Posed, SideCourse};
-use super::dip::{Dip, Lines};
+use super::dip::Dip;
 use super::fillet::{self, OnFillet, Reached};
 use super::rolls::PIECE;
 use super::room::PairRoom;

@@ -1,8 +1,8 @@
 //! Rolls at which the half teeth of a step stand in a part of a pitch, and what room they have beside the line of action.
 
 use super::super::line::Line;
+use super::clearance::Lines;
 use super::course::{PARTS, SideCourse};
-use super::dip::Lines;
 use super::separation::lowest_roll;
 
 /// Over a face of helical gears so much of a part's turn is looked at together (tuned: no tip of 44 standard teeth seems to come to a fillet).

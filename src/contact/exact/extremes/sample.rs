@@ -53,7 +53,7 @@ pub(super) fn sample(course: &Course, found: &mut PosesSeen, until_jam: bool) ->
 mod tests {
     use super::super::super::ExactKernel;
     use super::*;
-    use crate::gear::{AsBuilt, Face, Gear, GearDesign, Side};
+    use crate::gear::{AsBuilt, Face, Gear, GearDesign};
     use crate::pair::{GearPair, Pose};
 
     /// What is found is no worse than the least and the greatest of sixteen poses of every pitch of the cycle.
@@ -66,12 +66,7 @@ mod tests {
         });
         let pair = GearPair::new(wheel, pinion, 40.4).unwrap();
         let kernel = ExactKernel::new(&pair);
-        let first = Mating {
-            wheel_tooth: 1,
-            pinion_tooth: 1,
-            flank: Side::Right,
-            fraction: 0.0,
-        };
+        let first = Mating::FIRST;
         let course = Course::new(&kernel, &pair, first, 20);
         let mut found = PosesSeen::default();
         sample(&course, &mut found, false).unwrap();

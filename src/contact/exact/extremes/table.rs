@@ -208,7 +208,7 @@ mod tests {
     use super::*;
     use crate::contact::ExactKernel;
     use crate::gear::{
-        AsBuilt, BasicGearData, Deviations, Face, Gear, GearDesign, Pitch, ProfilePart, Side,
+        AsBuilt, BasicGearData, Deviations, Face, Gear, GearDesign, Pitch, ProfilePart,
     };
     use crate::pair::{GearPair, Mating};
 
@@ -227,12 +227,7 @@ mod tests {
         let wheel = gear(1.0, -6.0, Face::Front);
         let pair = GearPair::new(wheel, gear(1.00001, 6.0, Face::Back), 400.05).unwrap();
         let kernel = ExactKernel::new(&pair);
-        let first = Mating {
-            wheel_tooth: 1,
-            pinion_tooth: 1,
-            flank: Side::Right,
-            fraction: 0.0,
-        };
+        let first = Mating::FIRST;
         let course = Course::new(&kernel, &pair, first, 1);
         let table = Table::new(&course);
         let posed = course.posed(0);
@@ -291,12 +286,7 @@ mod tests {
             };
             let kernel = ExactKernel::new(&pair);
             let keeps = kernel.keeps_to_involutes(&pair);
-            let first = Mating {
-                wheel_tooth: 1,
-                pinion_tooth: 1,
-                flank: Side::Right,
-                fraction: 0.0,
-            };
+            let first = Mating::FIRST;
             let on_fillet = (0..300).any(|at| {
                 let mating = first.onward(&pair, f64::from(at) * 0.237);
                 let found = kernel.lost_motion_at(&pair, mating).unwrap().unwrap();

@@ -322,12 +322,7 @@ fn row(what: &str, found: f64, unit: &str, wanted: &str) {
 fn extremes(teeth: [u32; 2]) -> f64 {
     let assembly = pair(teeth, false);
     let matings = SweepPlan::hunting_pitches(teeth[0], teeth[1]);
-    let first = Mating {
-        wheel_tooth: 1,
-        pinion_tooth: 1,
-        flank: Side::Right,
-        fraction: 0.0,
-    };
+    let first = Mating::FIRST;
     let mut least = f64::INFINITY;
     for _ in 0..ROUNDS_OF_EXTREMES {
         let start = Instant::now();

@@ -2,7 +2,7 @@
 //!
 //! `cargo run --release --example drawing_pair`
 
-use gearlash::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign, Side};
+use gearlash::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign};
 use gearlash::pair::{GearPair, Mating};
 
 fn main() -> Result<(), gearlash::error::Error> {
@@ -21,12 +21,7 @@ fn main() -> Result<(), gearlash::error::Error> {
     };
     let wheel = AsBuilt::perfect(gear(51, 0.0, 0.06)?, Face::Front);
     let pinion = AsBuilt::perfect(gear(23, 0.2, 0.05)?, Face::Back);
-    let mating = Mating {
-        wheel_tooth: 1,
-        pinion_tooth: 1,
-        flank: Side::Right,
-        fraction: 0.0,
-    };
+    let mating = Mating::FIRST;
     for center_distance in [74.3, 74.35, 74.4, 74.45] {
         let pair = GearPair::new(wheel.clone(), pinion.clone(), center_distance)?;
         let found = pair.lost_motion(mating)?;

@@ -70,12 +70,12 @@
 //! [`analytic`] shares nothing with [`contact`] but gears and poses: where they agree, it means something.
 //!
 //! ```
-//! # use gearlash::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign, Side};
+//! # use gearlash::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign};
 //! # use gearlash::pair::{GearPair, Mating, Pose};
 //! # let gear = Gear::nominal(GearDesign::standard(BasicGearData::new(44, 3.0, 20f64.to_radians())?))?;
 //! # let (wheel, pinion) = (AsBuilt::perfect(gear.clone(), Face::Front), AsBuilt::perfect(gear, Face::Back));
 //! # let pair = GearPair::new(wheel, pinion, 132.1)?;
-//! # let mating = Mating { wheel_tooth: 1, pinion_tooth: 1, flank: Side::Right, fraction: 0.0 };
+//! # let mating = Mating::FIRST;
 //! let models = gearlash::analytic::evaluate(&pair, &Pose::new(&pair, mating));
 //! let simulated = pair.lost_motion(mating)?.j_wt();
 //! assert!((simulated.unwrap() - models.involute.unwrap()).abs() < 1e-9);
@@ -85,12 +85,12 @@
 //! # What touches
 //!
 //! ```
-//! # use gearlash::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign, ProfilePart, Side};
+//! # use gearlash::gear::{AsBuilt, BasicGearData, Face, Gear, GearDesign, ProfilePart};
 //! # use gearlash::pair::{GearPair, Mating};
 //! # let gear = Gear::nominal(GearDesign::standard(BasicGearData::new(44, 3.0, 20f64.to_radians())?))?;
 //! # let (wheel, pinion) = (AsBuilt::perfect(gear.clone(), Face::Front), AsBuilt::perfect(gear, Face::Back));
 //! # let pair = GearPair::new(wheel, pinion, 132.1)?;
-//! # let mating = Mating { wheel_tooth: 1, pinion_tooth: 1, flank: Side::Right, fraction: 0.0 };
+//! # let mating = Mating::FIRST;
 //! let pose = pair.lost_motion(mating)?;
 //! let contacts = pose.proven().ok_or("unproven")?;
 //! let right = contacts.right.ok_or("out of mesh")?;

@@ -6,7 +6,7 @@
 //!
 //! ```
 //! use gearlash::contact::OutlineKernel;
-//! use gearlash::gear::{Face, Side};
+//! use gearlash::gear::Face;
 //! use gearlash::outline::{OutlineGear, OutlinePair, OutlineReading, PathSegment};
 //! use gearlash::pair::{Mating, Member};
 //! use nalgebra::Point2;
@@ -30,7 +30,7 @@
 //! };
 //! let gear = OutlineGear::new(&path, &reading)?;
 //! let pair = OutlinePair::new(gear.clone(), gear, 23.5, Member::Wheel)?;
-//! let mating = Mating { wheel_tooth: 1, pinion_tooth: 1, flank: Side::Right, fraction: 0.0 };
+//! let mating = Mating::FIRST;
 //! let found = OutlineKernel::new(&pair).lost_motion(&mating)?;
 //! assert!(found.angle().is_some_and(|play| play > 0.0));
 //! # Ok::<(), Box<dyn std::error::Error>>(())

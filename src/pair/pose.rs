@@ -18,6 +18,14 @@ pub struct Mating {
 }
 
 impl Mating {
+    /// Tooth 1 of both gears on right flanks, at the operating pitch point.
+    pub const FIRST: Mating = Mating {
+        wheel_tooth: 1,
+        pinion_tooth: 1,
+        flank: Side::Right,
+        fraction: 0.0,
+    };
+
     /// The mating's tooth on one gear.
     pub fn tooth(&self, member: Member) -> u32 {
         match member {

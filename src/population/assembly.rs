@@ -185,16 +185,10 @@ impl Outcome {
 mod tests {
     use super::*;
     use crate::contact::{Doubt, Extreme};
-    use crate::gear::Side;
     use crate::pair::Mating;
 
     fn found(status: Status, [least, greatest]: [Option<Option<Doubt>>; 2]) -> Outcome {
-        let mating = Mating {
-            wheel_tooth: 1,
-            pinion_tooth: 1,
-            flank: Side::Right,
-            fraction: 0.0,
-        };
+        let mating = Mating::FIRST;
         let extreme = |doubt| Extreme {
             low: 0.1,
             high: 0.1,

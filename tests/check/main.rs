@@ -31,7 +31,6 @@ mod random;
 mod pair_86_21;
 
 use common::{ReferenceContact, reference_pair};
-use cycle::FIRST;
 use design::design;
 use eccentric_17_100::eccentric_17_100;
 use gearlash::analysis::compare::compare;

@@ -23,7 +23,7 @@ fn study_of(pair: &GearPair) -> OutlineStudy {
         )],
         locked: pair.locked(),
         center_distances: vec![pair.center_distance()],
-        start: FIRST,
+        start: Mating::FIRST,
         steps_per_pitch: 8,
         requirements: Vec::new(),
     }

@@ -88,7 +88,7 @@ impl Inputs {
 fn least_and_greatest(pair: &GearPair) -> [f64; 2] {
     let kernel = ExactKernel::new(pair);
     let matings = cycle::matings(pair);
-    let found = kernel.extremes(pair, FIRST, matings, 1e-6).unwrap();
+    let found = kernel.extremes(pair, Mating::FIRST, matings, 1e-6).unwrap();
     [found.least, found.greatest].map(|extreme| extreme.unwrap().low)
 }
 

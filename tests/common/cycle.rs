@@ -1,15 +1,6 @@
 //! Poses all over a mesh cycle.
 
-use gearlash::gear::Side;
 use gearlash::pair::{GearPair, Mating, Member, Pose, SweepPlan};
-
-/// Where a cycle begins.
-pub const FIRST: Mating = Mating {
-    wheel_tooth: 1,
-    pinion_tooth: 1,
-    flank: Side::Right,
-    fraction: 0.0,
-};
 
 /// Matings of the cycle.
 pub fn matings(pair: &GearPair) -> u64 {
@@ -23,6 +14,6 @@ pub fn spread(pair: &GearPair, count: u32) -> impl Iterator<Item = Pose> {
     let golden = 0.5 * (5f64.sqrt() - 1.0);
     (0..count).map(move |k| {
         let pitches = cycle * (f64::from(k) * golden).fract();
-        Pose::new(pair, FIRST.onward(pair, pitches))
+        Pose::new(pair, Mating::FIRST.onward(pair, pitches))
     })
 }

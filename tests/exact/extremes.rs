@@ -9,10 +9,10 @@ pub mod cycle;
 
 use crate::design::design;
 use crate::wide::drawn::{Depth, Pair};
-use cycle::{FIRST, matings, spread};
+use cycle::{matings, spread};
 use gearlash::contact::{Doubt, ExactKernel, Extremes, Status};
 use gearlash::gear::{AsBuilt, Face, Gear};
-use gearlash::pair::{GearPair, Member};
+use gearlash::pair::{GearPair, Mating, Member};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
@@ -26,7 +26,9 @@ const ROUNDING: f64 = 1e-10;
 
 fn extremes(pair: &GearPair) -> Extremes {
     let kernel = ExactKernel::new(pair);
-    kernel.extremes(pair, FIRST, matings(pair), WIDTH).unwrap()
+    kernel
+        .extremes(pair, Mating::FIRST, matings(pair), WIDTH)
+        .unwrap()
 }
 
 /// Poses spread over the cycle by the golden ratio, `count` of them: `j_wt` of each, mm, or how it ends.

@@ -107,12 +107,7 @@ pub fn pair_of_the_prototype(
 }
 
 fn poses(pair: &GearPair, count: u32) -> Vec<Pose> {
-    let first = Mating {
-        wheel_tooth: 1,
-        pinion_tooth: 1,
-        flank: Side::Right,
-        fraction: 0.0,
-    };
+    let first = Mating::FIRST;
     (0..count)
         .map(|k| Pose::new(pair, first.onward(pair, f64::from(k) * 0.25)))
         .collect()

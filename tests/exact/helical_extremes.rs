@@ -1,10 +1,10 @@
 //! Proven extremes of helical pairs against poses of the exact method over the same face, which know nothing of their bounds.
 
-use crate::extremes::cycle::{FIRST, matings, spread};
+use crate::extremes::cycle::{matings, spread};
 use crate::helical::{Draws, drawn, pair_of_the_prototype};
 use gearlash::contact::{Doubt, ExactKernel, Extremes};
 use gearlash::gear::{AsBuilt, BasicGearData, BasicRack, Face, Gear, GearDesign, Hand};
-use gearlash::pair::{GearPair, Pose};
+use gearlash::pair::{GearPair, Mating, Pose};
 use std::f64::consts::TAU;
 
 /// What a bracket may be wide, mm.
@@ -16,7 +16,9 @@ const ROUNDING: f64 = 1e-10;
 /// The extremes of `pair`, after `count` poses of its cycle were found within them.
 pub fn held(pair: &GearPair, count: u32) -> Extremes {
     let kernel = ExactKernel::new(pair);
-    let found = kernel.extremes(pair, FIRST, matings(pair), WIDTH).unwrap();
+    let found = kernel
+        .extremes(pair, Mating::FIRST, matings(pair), WIDTH)
+        .unwrap();
     let radius = pair.operating_pitch_radius(pair.free());
     for pose in spread(pair, count) {
         let Some(angle) = kernel.lost_motion(&pose).unwrap().angle() else {
@@ -81,7 +83,10 @@ fn tightest_of_all_phases(plane: &GearPair) -> (f64, f64) {
     let radius = plane.operating_pitch_radius(plane.free());
     let phases = 4000;
     let at = |k: i32| {
-        let pose = Pose::new(plane, FIRST.onward(plane, f64::from(k) / f64::from(phases)));
+        let pose = Pose::new(
+            plane,
+            Mating::FIRST.onward(plane, f64::from(k) / f64::from(phases)),
+        );
         let lost = kernel.lost_motion(&pose).unwrap();
         [lost.left.unwrap(), lost.right.unwrap()].map(|contact| {
             let beyond = contact.rotation - pose.free_rotation();

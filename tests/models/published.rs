@@ -71,12 +71,7 @@ fn every_case_of_the_file_is_covered() {
 }
 
 fn any_pose(assembly: &GearPair) -> Pose {
-    let mating = Mating {
-        wheel_tooth: 1,
-        pinion_tooth: 1,
-        flank: Side::Right,
-        fraction: 0.0,
-    };
+    let mating = Mating::FIRST;
     Pose::new(assembly, mating)
 }
 

@@ -266,7 +266,7 @@ fn rounding(size: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::gear::{
-        AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Pitch, Side,
+        AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Pitch,
     };
 
     fn gear(teeth: u32, face: Face, eccentricity: f64) -> AsBuilt {
@@ -300,12 +300,7 @@ mod tests {
                 gear(17, Face::Back, 0.5 * eccentricity),
             );
             let assembly = GearPair::with_locked(wheel, pinion, distance, Member::Wheel).unwrap();
-            let start = Mating {
-                wheel_tooth: 1,
-                pinion_tooth: 1,
-                flank: Side::Right,
-                fraction: 0.0,
-            };
+            let start = Mating::FIRST;
             let starts: Vec<Mating> = (0..17)
                 .map(|lap| start.onward(&assembly, 23.0 * f64::from(lap)))
                 .collect();

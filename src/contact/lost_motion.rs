@@ -121,6 +121,15 @@ pub enum Status {
 }
 
 impl Status {
+    /// All, each at the place that is its number.
+    pub const ALL: [Status; 5] = [
+        Status::Clear,
+        Status::Interference,
+        Status::Jammed,
+        Status::NoContact,
+        Status::Unproven,
+    ];
+
     /// The name results use.
     pub fn name(self) -> &'static str {
         match self {
@@ -224,5 +233,19 @@ impl<P: ToothPlace> LostMotion<P> {
     /// Bound on the error of [`LostMotion::angle`], rad.
     pub fn error(&self) -> Option<f64> {
         Some(self.left?.error + self.right?.error)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Status;
+
+    /// A status that had no place left its entry out, and every later pose of the run had its neighbour's.
+    #[test]
+    fn every_status_has_its_place() {
+        for (place, status) in Status::ALL.into_iter().enumerate() {
+            assert_eq!(status as usize, place);
+        }
+        assert_eq!(Status::Unproven as usize + 1, Status::ALL.len());
     }
 }

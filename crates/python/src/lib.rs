@@ -22,7 +22,10 @@ use pyo3::prelude::*;
 #[pymodule]
 fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
-    module.add("STATUSES", poses::STATUSES.map(|status| status.name()))?;
+    module.add(
+        "STATUSES",
+        gearlash::contact::Status::ALL.map(|status| status.name()),
+    )?;
     module.add_class::<gear::Gear>()?;
     module.add_class::<pair::Pair>()?;
     module.add_function(wrap_pyfunction!(command::run, module)?)?;

@@ -3,6 +3,7 @@
 use crate::error::{error, input};
 use crate::gear::chosen;
 use gearlash::analysis::study::{Material, Study};
+use gearlash::gear::Side;
 use gearlash::pair::{GearPair, Mating, Member};
 use gearlash_files::{InputError, PairFile};
 use pyo3::prelude::*;
@@ -55,12 +56,17 @@ pub fn teeth(assembly: &GearPair) -> [u32; 2] {
     [Member::Wheel, Member::Pinion].map(|member| assembly.gear(member).gear().basic_data().teeth())
 }
 
-/// Checks that `mating` is one of `assembly`.
-pub fn check(py: Python<'_>, assembly: &GearPair, mating: [i64; 2], fraction: f64) -> PyResult<()> {
-    let [wheel, pinion] = mating;
+/// The mating of these `teeth` in `assembly`: an error where there is no such tooth, or at a fraction of too many pitches.
+pub fn mating(
+    py: Python<'_>,
+    assembly: &GearPair,
+    [wheel, pinion]: [i64; 2],
+    left: bool,
+    fraction: f64,
+) -> PyResult<Mating> {
     for (member, (tooth, teeth)) in [Member::Wheel, Member::Pinion]
         .iter()
-        .zip(mating.into_iter().zip(teeth(assembly)))
+        .zip([wheel, pinion].into_iter().zip(teeth(assembly)))
     {
         if !(1..=i64::from(teeth)).contains(&tooth) {
             let name = member.name();
@@ -70,24 +76,18 @@ pub fn check(py: Python<'_>, assembly: &GearPair, mating: [i64; 2], fraction: f6
             ));
         }
     }
-    match fraction.abs() <= 1000.0 {
-        true => Ok(()),
-        false => Err(error(
+    if !(fraction.abs() <= 1000.0) {
+        return Err(error(
             py,
             format!("fraction = {fraction}: a number of pitches between -1000 and 1000"),
-        )),
+        ));
     }
-}
-
-/// The mating of these numbers, which were checked.
-pub fn mating([wheel, pinion]: [i64; 2], left: bool, fraction: f64) -> Mating {
-    use gearlash::gear::Side;
-    Mating {
+    Ok(Mating {
         wheel_tooth: wheel as u32,
         pinion_tooth: pinion as u32,
         flank: if left { Side::Left } else { Side::Right },
         fraction,
-    }
+    })
 }
 
 #[pymethods]

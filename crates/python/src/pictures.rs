@@ -3,7 +3,7 @@
 use crate::call::work;
 use crate::error::error;
 use crate::gear::Gear;
-use crate::pair::{Pair, check, mating};
+use crate::pair::{Pair, mating};
 use gearlash::analysis::curves::{self, Followed};
 use gearlash::analysis::outcome::by_distance;
 use gearlash::analysis::{Analysis, Plan, Progress};
@@ -36,9 +36,9 @@ pub fn snapshot(
     material: Option<&str>,
 ) -> PyResult<String> {
     let (material, assembly) = pair.assembly(py, distance, material)?;
-    check(py, &assembly, teeth, fraction)?;
+    let mating = mating(py, &assembly, teeth, left, fraction)?;
     let drawn = py.detach(|| {
-        let found = assembly.lost_motion(mating(teeth, left, fraction))?;
+        let found = assembly.lost_motion(mating)?;
         let section = MeshSection::binding(&assembly, &found)?;
         let view = Snapshot {
             title: &pair.study().title,
@@ -101,10 +101,10 @@ pub fn over_distance(py: Python<'_>, pair: &Pair, teeth: Option<[i64; 2]>) -> Py
     let all: Vec<_> = swept.iter().flat_map(Analysis::all).collect();
     let followed = match teeth {
         None => curves::binding(study, all.iter().copied()),
-        Some([wheel, pinion]) => {
+        Some(teeth) => {
             let (_, assembly) = pair.assembly(py, None, None)?;
-            check(py, &assembly, [wheel, pinion], 0.0)?;
-            Followed::Teeth(wheel as u32, pinion as u32)
+            let mating = mating(py, &assembly, teeth, false, 0.0)?;
+            Followed::Teeth(mating.wheel_tooth, mating.pinion_tooth)
         }
     };
     let curve = work(py, None, |tick| {

@@ -2,7 +2,7 @@
 
 use crate::call::{Tick, work};
 use crate::error::error;
-use crate::pair::{Pair, check, mating};
+use crate::pair::{Pair, mating};
 use gearlash::analysis::compare::compare;
 use gearlash::analysis::simulate::Run;
 use gearlash::contact::{CutPair, ExactKernel, Method, Status, sweep_blocks};
@@ -14,25 +14,6 @@ use numpy::{IntoPyArray, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use rayon::prelude::*;
-
-/// Statuses by their numbers.
-pub const STATUSES: [Status; 5] = [
-    Status::Clear,
-    Status::Interference,
-    Status::Jammed,
-    Status::NoContact,
-    Status::Unproven,
-];
-
-fn number(status: Status) -> u8 {
-    match status {
-        Status::Clear => 0,
-        Status::Interference => 1,
-        Status::Jammed => 2,
-        Status::NoContact => 3,
-        Status::Unproven => 4,
-    }
-}
 
 /// One pose as the JSON of results.
 #[pyfunction]
@@ -46,9 +27,9 @@ pub fn lost_motion(
     material: Option<&str>,
 ) -> PyResult<String> {
     let (material, assembly) = pair.assembly(py, distance, material)?;
-    check(py, &assembly, teeth, fraction)?;
+    let mating = mating(py, &assembly, teeth, left, fraction)?;
     let found = py.detach(|| {
-        let pose = assembly.lost_motion(mating(teeth, left, fraction))?;
+        let pose = assembly.lost_motion(mating)?;
         let run = Run {
             material,
             assembly,
@@ -93,8 +74,7 @@ pub fn lost_motions<'py>(
     let mut matings = Vec::with_capacity(wheels.len());
     for (((wheel, pinion), left), fraction) in wheels.iter().zip(pinions).zip(lefts).zip(fractions)
     {
-        check(py, &assembly, [*wheel, *pinion], *fraction)?;
-        matings.push(mating([*wheel, *pinion], *left, *fraction));
+        matings.push(mating(py, &assembly, [*wheel, *pinion], *left, *fraction)?);
     }
     found(py, &assembly, matings, &how)
 }
@@ -111,8 +91,7 @@ pub fn revolution<'py>(
     how: How,
 ) -> PyResult<Bound<'py, PyDict>> {
     let assembly = how.assembly(py, pair)?;
-    check(py, &assembly, start, 0.0)?;
-    let first = mating(start, false, 0.0);
+    let first = mating(py, &assembly, start, false, 0.0)?;
     let first = (first.wheel_tooth, first.pinion_tooth);
     let plan = match hunting {
         true => SweepPlan::hunting_cycle(&assembly, steps_per_pitch, first),
@@ -212,7 +191,7 @@ fn found<'py>(
     let arrays = PyDict::new(py);
     let of = |value: fn(&Found) -> f64| -> Vec<f64> { found.iter().map(value).collect() };
     let (j_wt, error_bound) = (of(|found| found.j_wt_um), of(|found| found.error_bound_um));
-    let statuses: Vec<u8> = found.iter().map(|found| number(found.status)).collect();
+    let statuses: Vec<u8> = found.iter().map(|found| found.status as u8).collect();
     let each = || matings.iter();
     let wheel: Vec<u32> = each().map(|mating| mating.wheel_tooth).collect();
     let pinion: Vec<u32> = each().map(|mating| mating.pinion_tooth).collect();

@@ -33,6 +33,16 @@ pub enum Quantity {
 }
 
 impl Quantity {
+    /// All but the backlash on the operating pitch circle.
+    pub const BESIDE_OPERATING_BACKLASH: [Quantity; 6] = [
+        Quantity::ReferenceBacklash,
+        Quantity::NormalBacklash,
+        Quantity::RadialBacklash,
+        Quantity::LostMotion(Member::Wheel),
+        Quantity::LostMotion(Member::Pinion),
+        Quantity::RadialClearance,
+    ];
+
     /// What `assembly` has of it at a pose with the backlash `j_wt`, mm, where it is the least (`is_max`: the greatest) of the cycle. The
     /// radial clearance, which no backlash decides, is that with both gears off their axes to the worse (better) side.
     pub fn value(self, assembly: &GearPair, j_wt: f64, is_max: bool) -> f64 {

@@ -4,17 +4,10 @@ use super::assembly::{Assembly, Outcome, OutcomeKind};
 use super::spread::tenths;
 use crate::analysis::extremes::WIDTH;
 use crate::analysis::requirement::{Limits, Quantity, Requirements};
-use crate::pair::{GearPair, Member};
+use crate::pair::GearPair;
 
 /// Quantities beside `j_wt` that can be limited.
-const OTHERS: [Quantity; 6] = [
-    Quantity::ReferenceBacklash,
-    Quantity::NormalBacklash,
-    Quantity::RadialBacklash,
-    Quantity::LostMotion(Member::Wheel),
-    Quantity::LostMotion(Member::Pinion),
-    Quantity::RadialClearance,
-];
+const OTHERS: [Quantity; 6] = Quantity::BESIDE_OPERATING_BACKLASH;
 
 /// What each assembly must keep over its whole mesh cycle: `j_wt`, mm, and what else a pair can be held to ([`Quantity`]), each as
 /// [`Verdict`](crate::analysis::verdict::Verdict) judges it: with play in the bearings the least with the axes pressed together, the greatest with

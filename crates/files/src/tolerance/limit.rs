@@ -3,7 +3,6 @@
 use crate::numbers::{rounded, shortest};
 use crate::verdict::unit_of;
 use gearlash::analysis::requirement::Quantity;
-use gearlash::pair::Member;
 use gearlash::population::Requirement;
 use serde::{Deserialize, Serialize};
 
@@ -55,15 +54,8 @@ pub fn in_words(j_wt: Option<f64>, others: &[Limit], is_max: bool) -> Option<Str
 impl Limit {
     /// Whether there is such a quantity, with such limits.
     pub(super) fn is_one(&self) -> bool {
-        let all = [
-            Quantity::ReferenceBacklash,
-            Quantity::NormalBacklash,
-            Quantity::RadialBacklash,
-            Quantity::LostMotion(Member::Wheel),
-            Quantity::LostMotion(Member::Pinion),
-            Quantity::RadialClearance,
-        ];
-        let is_known = all.into_iter().any(|quantity| {
+        let mut all = Quantity::BESIDE_OPERATING_BACKLASH.into_iter();
+        let is_known = all.any(|quantity| {
             let (name, unit, ..) = unit_of(quantity);
             (name, unit) == (self.quantity.as_str(), self.unit.as_str())
         });

@@ -77,9 +77,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
         AnyPair::Data(file) => *file,
         AnyPair::Outlines(file) => return outlines::run(args, *file),
     };
-    let given = args.output.clone();
-    let given = given.map(|file| Target::prepare_beside(file, &sources));
-    let given = given.transpose()?;
+    let given = Target::prepare_given(args.output.as_ref(), &sources)?;
     let drawn = match args.kind {
         Kind::Revolution | Kind::Difference => Drawn::over_teeth(args, study)?,
         Kind::Distance => Drawn::over_distance(args, &study)?,

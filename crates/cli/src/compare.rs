@@ -102,9 +102,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     for file in &files {
         sources.extend(&file.sources);
     }
-    let markdown = args.markdown.clone();
-    let markdown = markdown.map(|file| Target::prepare_beside(file, &sources));
-    let markdown = markdown.transpose();
+    let markdown = Target::prepare_given(args.markdown.as_ref(), &sources);
     let markdown = markdown.map_err(|error| of_option(error, "--markdown"))?;
     let summary = summary(args.format, &sources)?;
     let mut steps = 0;

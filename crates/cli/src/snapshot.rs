@@ -85,9 +85,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     };
     check_section(args, &study)?;
     let title = study.title.clone();
-    let given = args.output.clone();
-    let given = given.map(|file| Target::prepare_beside(file, &sources));
-    let given = given.transpose()?;
+    let given = Target::prepare_given(args.output.as_ref(), &sources)?;
     let subject = subject(args, study)?;
     let section = section(args, &subject)?;
     let view = Snapshot {
@@ -183,9 +181,7 @@ fn of_outlines(args: &Args, mut file: OutlinePairFile) -> Result<ExitCode, Error
     if args.section.is_some() {
         return Err(Error::Usage(SPUR_SECTION.to_owned()));
     }
-    let given = args.output.clone();
-    let given = given.map(|path| Target::prepare_beside(path, &file.sources));
-    let given = given.transpose()?;
+    let given = Target::prepare_given(args.output.as_ref(), &file.sources)?;
     if let Some(distance) = args.center_distance {
         file = file.at(vec![distance]);
     }

@@ -35,6 +35,18 @@ impl Target {
         Target::prepare(path, sources)
     }
 
+    /// As [`Target::prepare_beside`], of a `path` that may be given.
+    ///
+    /// # Errors
+    /// As [`Target::prepare_beside`].
+    pub(super) fn prepare_given(
+        path: Option<&PathBuf>,
+        sources: &Sources,
+    ) -> Result<Option<Target>, Error> {
+        path.map(|path| Target::prepare_beside(path.clone(), sources))
+            .transpose()
+    }
+
     /// Makes the folder of `path` where it is missing and tries to write in it; never in the place of one of `sources`.
     ///
     /// # Errors

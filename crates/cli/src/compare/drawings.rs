@@ -35,9 +35,7 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     for (path, remarks) in args.pairs.iter().zip(&compared.remarks) {
         warn(path, &[], remarks);
     }
-    let picture = args.svg.clone();
-    let picture = picture.map(|file| Target::prepare_beside(file, &compared.sources));
-    let picture = picture.transpose();
+    let picture = Target::prepare_given(args.svg.as_ref(), &compared.sources);
     let picture = picture.map_err(|error| of_option(error, "--svg"))?;
     print(&match args.format {
         Format::Json => comparison_json(&compared, args.tolerance_um)

@@ -1,10 +1,9 @@
 //! A map of which wheel goes with which pinion.
 
-use crate::kit::{Frame, INK, TextStyle, UNITS_PER_MM, number};
+use crate::kit::{Frame, INK, TextStyle, number, white_sheet};
 use gearlash_files::characters::plain;
 use gearlash_files::matching::MatchResult;
-use svg::Document;
-use svg::node::element::{Circle, Group, Rectangle};
+use svg::node::element::{Circle, Group};
 
 const WIDTH: f64 = 900.0;
 const FIELD: Frame = Frame {
@@ -31,21 +30,10 @@ const SHADES: [(&str, &str); 4] = [
 /// Wheels downwards, pinions to the right, each pair in the shade of how many of its phases are within what is required; a dot where the
 /// two go together.
 pub fn match_map(result: &MatchResult) -> String {
-    let paper = |units: f64| format!("{}mm", units / UNITS_PER_MM);
     let wheels = result.names[0].len();
     let pinions = result.names[1].len();
     let caption = format!("{} assembly phases of each pair", result.matrix.phases());
-    let document = Document::new()
-        .set("viewBox", format!("0 0 {WIDTH} {HEIGHT}"))
-        .set("width", paper(WIDTH))
-        .set("height", paper(HEIGHT))
-        .set("font-family", "sans-serif")
-        .add(
-            Rectangle::new()
-                .set("width", number(WIDTH))
-                .set("height", number(HEIGHT))
-                .set("fill", "#ffffff"),
-        )
+    let document = white_sheet(WIDTH, HEIGHT)
         .add(TextStyle::new(18.0).verbatim(
             &TextStyle::new(18.0).shortened(&plain(&result.title), WIDTH - 2.0 * 24.0),
             [24.0, 32.0],

@@ -25,6 +25,22 @@ pub fn blank_sheet() -> SVG {
         )
 }
 
+/// An empty white sheet of so many units, true to size in print.
+pub fn white_sheet(width: f64, height: f64) -> SVG {
+    let paper = |units: f64| format!("{}mm", units / UNITS_PER_MM);
+    SVG::new()
+        .set("viewBox", format!("0 0 {width} {height}"))
+        .set("width", paper(width))
+        .set("height", paper(height))
+        .set("font-family", "sans-serif")
+        .add(
+            Rectangle::new()
+                .set("width", number(width))
+                .set("height", number(height))
+                .set("fill", "#ffffff"),
+        )
+}
+
 /// Ids of a picture: a page can hold several.
 #[derive(Debug, Clone, Default)]
 pub struct Ids {

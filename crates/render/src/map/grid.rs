@@ -1,9 +1,9 @@
 //! A grid of shades over a phase and the centre distance, with lines across it and a legend.
 
-use crate::kit::{self, Axis, Frame, GREY, INK, Plot, TextStyle, UNITS_PER_MM, line, number};
+use crate::kit::{self, Axis, Frame, GREY, INK, Plot, TextStyle, line};
 use gearlash::analysis::diagnosis::Limit;
 use svg::node::Node;
-use svg::node::element::{Group, Rectangle, SVG};
+use svg::node::element::{Group, SVG};
 
 const WIDTH: f64 = 900.0;
 const FIELD: Frame = Frame {
@@ -37,18 +37,7 @@ impl Grid<'_> {
     pub fn picture(&self, title: &str, caption: &str) -> SVG {
         let legend = self.used();
         let height = FIELD.bottom + BELOW + ROW * legend.len().div_ceil(3).max(2) as f64 + 6.0;
-        let paper = |units: f64| format!("{}mm", units / UNITS_PER_MM);
-        SVG::new()
-            .set("viewBox", format!("0 0 {WIDTH} {height}"))
-            .set("width", paper(WIDTH))
-            .set("height", paper(height))
-            .set("font-family", "sans-serif")
-            .add(
-                Rectangle::new()
-                    .set("width", number(WIDTH))
-                    .set("height", number(height))
-                    .set("fill", "#ffffff"),
-            )
+        kit::white_sheet(WIDTH, height)
             .add(TextStyle::new(18.0).verbatim(title, [FIELD.left, 34.0]))
             .add(SMALL.grey().text(caption, [FIELD.left, 58.0]))
             .add(self.drawn_cells())

@@ -1,6 +1,7 @@
 //! Runout readings on helical teeth, by a ball and by a fork: those of the virtual gauge, closed forms, planes brought to surfaces in space.
 
-use super::helical::{InSpace, TEETH, helical};
+use super::helical::helical;
+use super::helical_in_space::{InSpace, TEETH};
 use super::*;
 use gearlash::gear::{Flank, Hand, Probe, RunoutReadings, thickness};
 use nalgebra::{Point3, Vector3};

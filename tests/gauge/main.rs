@@ -2,10 +2,14 @@
 
 mod as_built;
 mod helical;
+#[path = "../common/helical_dimensions.rs"]
+mod helical_dimensions;
+mod helical_in_space;
 mod helical_runout;
 mod outlines;
 mod perfect;
 mod profile;
+mod profile_sizes;
 mod roll;
 
 #[path = "../common/made_up.rs"]

@@ -1,5 +1,6 @@
 //! Helical gears in closed form: other programs' numbers, and what follows from them.
 
+use super::helical_dimensions::{PUBLISHED, Published};
 use gearlash::analytic::InvolutePair;
 use gearlash::error::GearError;
 use gearlash::gear::{
@@ -26,59 +27,28 @@ const RACK: [f64; 3] = [1.0, 1.25, 0.25];
 /// allowances of the dimension over balls that −115 and −165 µm of tooth thickness, normal section, come to.
 #[test]
 fn over_balls_and_over_pins() {
-    for (z, module, beta, shift, ball, over_balls, over_pins, allowances) in [
-        (
-            27,
-            4.5,
-            21.0,
-            0.3,
-            9.0,
-            147.07716569057362,
-            147.3111662932581,
-            [-0.23885299485385758, -0.34313756843801],
-        ),
-        (
-            51,
-            4.5,
-            21.0,
-            0.1628301985916763,
-            8.0,
-            258.8158215092951,
-            258.9348349547439,
-            [-0.28157221563412804, -0.4044946722594318],
-        ),
-        (
-            23,
-            6.5,
-            10.0,
-            0.3,
-            12.0,
-            172.6420925797242,
-            173.01746144670994,
-            [-0.23468449671668168, -0.3371109063772053],
-        ),
-        (
-            34,
-            6.5,
-            10.0,
-            0.0014790906759136746,
-            12.0,
-            242.8440796716534,
-            242.8440796716534,
-            [-0.2675679628538603, -0.3843866614119804],
-        ),
-    ] {
-        let design = design(z, module, beta, shift, RACK);
+    for Published {
+        teeth,
+        module,
+        helix_deg,
+        shift,
+        ball,
+        over_balls,
+        over_pins,
+        allowances,
+    } in PUBLISHED
+    {
+        let design = design(teeth, module, helix_deg, shift, RACK);
         let data = design.basic_data;
         let nominal = design.nominal_base_thickness();
         let over = thickness::pins_from_base(&data, ball, nominal);
-        assert!((over - over_balls).abs() < 1e-9, "{z}: {over}");
+        assert!((over - over_balls).abs() < 1e-9, "{teeth}: {over}");
         let pins = thickness::over_helical_pins(&data, ball, nominal);
-        assert!((pins - over_pins).abs() < 1e-9, "{z}: {pins}");
+        assert!((pins - over_pins).abs() < 1e-9, "{teeth}: {pins}");
         for (mm, allowance) in [-0.115, -0.165].into_iter().zip(allowances) {
             let base = thickness::base_from_allowance(&data, nominal, mm);
             let found = thickness::pins_from_base(&data, ball, base) - over;
-            assert!((found - allowance).abs() < 1e-9, "{z}: {found}");
+            assert!((found - allowance).abs() < 1e-9, "{teeth}: {found}");
             let back = thickness::base_from_pins(&data, ball, over + found).unwrap();
             assert!((back - base).abs() < 1e-11);
             let back = thickness::base_from_helical_pins(

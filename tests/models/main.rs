@@ -5,6 +5,8 @@ mod analytic;
 mod common;
 mod deviating;
 mod helical;
+#[path = "../common/helical_dimensions.rs"]
+mod helical_dimensions;
 mod karba;
 mod limits;
 mod line_of_action;

@@ -2,20 +2,17 @@
 //!
 //! `cargo bench --bench ratios`. Every time is the least of several rounds: what else the machine does adds time, never takes it.
 
+mod gears;
+mod newcomer;
+
 use gearlash::analytic::LineOfAction;
-use gearlash::contact::{
-    Certifier, CutPair, ExactKernel, Method, OutlineCertifier, OutlineKernel, sweep,
-};
-use gearlash::gear::{
-    AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, HalfTooth, Hand,
-    Modification, Pitch, Relief, Side, Trace,
-};
+use gearlash::contact::{Certifier, ExactKernel, Method, OutlineCertifier, OutlineKernel, sweep};
+use gearlash::gear::Face;
 use gearlash::outline::{OutlineGear, OutlinePair, OutlineReading, of_gear};
 use gearlash::pair::{GearPair, Mating, Member, Pose, SweepPlan};
-use nalgebra::{Isometry2, Point2, Vector2};
-use parry2d_f64::math::{Pose2, Vector};
-use parry2d_f64::query;
-use parry2d_f64::shape::Polyline;
+use gears::{cut, helical, modified, pair, poses, traced};
+use nalgebra::Point2;
+use newcomer::newcomer;
 use std::hint::black_box;
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
@@ -25,137 +22,6 @@ const ROUNDS: usize = 7;
 
 /// The same of extremes: one takes a tenth of a millisecond, and the first few of them find nothing in the caches.
 const ROUNDS_OF_EXTREMES: usize = 50;
-
-/// Chord of the newcomer's polygons, mm.
-const NEWCOMER_CHORD: f64 = 1e-6;
-
-/// The newcomer bisects until the bracket is this narrow, rad.
-const NEWCOMER_WIDTH: f64 = 1e-9;
-
-fn gear(teeth: u32) -> Gear {
-    Gear::nominal(GearDesign {
-        basic_data: BasicGearData::new(teeth, 3.0, 20f64.to_radians()).unwrap(),
-        profile_shift: 0.0,
-        rack: BasicRack::ISO_53_A,
-        tip_diameter: None,
-    })
-    .unwrap()
-}
-
-/// Pitch deviation of ±8 µm without pattern and a runout of 20 µm: ordinary at module 3.
-fn deviated(teeth: u32, face: Face) -> AsBuilt {
-    deviating(gear(teeth), face, Default::default())
-}
-
-fn deviating(gear: Gear, face: Face, profiles: [Modification; 2]) -> AsBuilt {
-    let teeth = gear.basic_data().teeth();
-    let list = |start: u32| -> Vec<f64> {
-        (0..teeth)
-            .map(|k| 0.008 * (f64::from((k * 7919 + start) % 1000) / 500.0 - 1.0))
-            .collect()
-    };
-    let deviations = Deviations {
-        pitch: Some(Pitch::from_cumulative(&list(17), &list(443))),
-        eccentricity: 0.010,
-        high_tooth: 5.5,
-        profiles,
-        ..Deviations::default()
-    };
-    AsBuilt::new(gear, face, &deviations).unwrap()
-}
-
-/// The same with a profile slope of 4 µm, crowning of 3 µm, parabolic relief of tip (12 µm) and root (10 µm).
-fn modified(teeth: u32, face: Face) -> AsBuilt {
-    let gear = gear(teeth);
-    let share = |share: f64| gear.form_radius() + share * (gear.tip_radius() - gear.form_radius());
-    let relief = |amount, from| {
-        Some(Relief {
-            amount,
-            from: share(from),
-            parabolic: true,
-        })
-    };
-    let profile = Modification {
-        slope: 0.004,
-        crowning: 0.003,
-        tip_relief: relief(0.012, 0.75),
-        root_relief: relief(0.010, 0.2),
-        ..Modification::default()
-    };
-    deviating(gear.clone(), face, [profile.clone(), profile])
-}
-
-/// The same with a measured trace of so many points instead: a wave of 3 µm with noise of ±1 µm.
-fn traced(teeth: u32, face: Face, points: u32) -> AsBuilt {
-    let gear = gear(teeth);
-    let (from, to) = (gear.form_roll(), gear.tip_roll());
-    let point = |k: u32| {
-        let share = f64::from(k) / f64::from(points - 1);
-        let noise = 0.001 * (f64::from(k * 7919 % 1000) / 500.0 - 1.0);
-        (
-            from + (to - from) * share,
-            0.003 * (7.0 * share).sin() + noise,
-        )
-    };
-    let profile = Modification {
-        traces: vec![Trace {
-            tooth: None,
-            points: (0..points).map(point).collect(),
-        }],
-        ..Modification::default()
-    };
-    deviating(gear, face, [profile.clone(), profile])
-}
-
-/// The 44/44 pair with a helix angle of 15° and a face of overlap ratio 1.3, as deviated and eccentric as the spur one.
-fn helical() -> GearPair {
-    let build = |hand, face| {
-        let data = BasicGearData::new(44, 3.0, 20f64.to_radians()).unwrap();
-        let design = GearDesign::standard(data.with_helix(15f64.to_radians(), hand).unwrap());
-        deviating(Gear::nominal(design).unwrap(), face, Default::default())
-    };
-    let (wheel, pinion) = (
-        build(Hand::Right, Face::Front),
-        build(Hand::Left, Face::Back),
-    );
-    let distance = 132.0 / 15f64.to_radians().cos() + 0.1;
-    let pair = GearPair::with_locked(wheel, pinion, distance, Member::Wheel).unwrap();
-    // ε_β = b sin β/(π m_n), ISO 21771.
-    let half = 0.5 * 1.3 * std::f64::consts::PI * 3.0 / 15f64.to_radians().sin();
-    pair.with_face([-half, half]).unwrap()
-}
-
-/// 0.1 mm beyond the play-free distance.
-fn pair(teeth: [u32; 2], perfect: bool) -> GearPair {
-    let build = |teeth, face| match perfect {
-        true => AsBuilt::perfect(gear(teeth), face),
-        false => deviated(teeth, face),
-    };
-    let distance = 1.5 * f64::from(teeth[0] + teeth[1]) + 0.1;
-    let (wheel, pinion) = (build(teeth[0], Face::Front), build(teeth[1], Face::Back));
-    GearPair::with_locked(wheel, pinion, distance, Member::Wheel).unwrap()
-}
-
-fn cut(assembly: &GearPair) -> CutPair {
-    let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|m| assembly.gear(m));
-    CutPair::new(wheel, pinion, 1e-3)
-}
-
-/// Some 300 poses of a revolution, no two alike: none is warm.
-fn poses(assembly: &GearPair) -> Vec<Pose> {
-    let teeth = assembly.gear(Member::Wheel).gear().basic_data().teeth();
-    (0..308)
-        .map(|k| {
-            let mating = Mating {
-                wheel_tooth: 1,
-                pinion_tooth: 1,
-                flank: Side::Right,
-                fraction: f64::from(k * teeth) / 308.0,
-            };
-            Pose::new(assembly, mating)
-        })
-        .collect()
-}
 
 fn fastest(mut work: impl FnMut()) -> Duration {
     let once = |work: &mut dyn FnMut()| {
@@ -237,68 +103,6 @@ fn certificate(assembly: &GearPair) -> f64 {
         }
     });
     all.as_secs_f64() / poses.len() as f64
-}
-
-/// The whole outline of a gear as parry sees it, in the gear's own frame, tooth 1 on +x.
-fn whole_gear(gear: &AsBuilt) -> Polyline {
-    let mut points = Vec::new();
-    let halves =
-        Side::BOTH.map(|side| HalfTooth::new(&gear.profile(side, 1), side, NEWCOMER_CHORD));
-    let teeth = gear.gear().basic_data().teeth();
-    for step in 0..i64::from(teeth) {
-        let tooth = gear.counter_clockwise(1, step);
-        for (side, half) in Side::BOTH.into_iter().zip(&halves) {
-            let turn = gear.tooth_angle(f64::from(tooth)) + gear.flank_offset(side, tooth);
-            let frame = Isometry2::new(Vector2::zeros(), turn);
-            let place = |point: &Point2<f64>| {
-                let point = frame * point;
-                Vector::new(point.x, point.y)
-            };
-            // Counter-clockwise: the right half from space to tip, the left one from tip to space.
-            match side {
-                Side::Right => points.extend(half.points().iter().rev().map(place)),
-                Side::Left => points.extend(half.points().iter().map(place)),
-            }
-        }
-    }
-    Polyline::new(points, None)
-}
-
-/// Both rotations by bisection with parry's `distance` of whole gears, rad, and the time it took.
-///
-/// What one writes who has parry and no theory: a rotation is free when the distance is positive.
-fn newcomer(assembly: &GearPair, pose: &Pose) -> (f64, f64) {
-    let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|m| whole_gear(assembly.gear(m)));
-    let frame = |member: Member, rotation: f64| {
-        let tooth_1 = assembly.mate_direction(member) + rotation;
-        let centre = assembly.axis(member) + assembly.gear(member).displacement(tooth_1);
-        Pose2::from(Isometry2::new(centre.coords, tooth_1))
-    };
-    let locked = frame(Member::Wheel, pose.locked_rotation());
-    let is_free = |rotation: f64| {
-        let free = frame(Member::Pinion, rotation);
-        query::distance(&locked, &wheel, &free, &pinion)
-            .unwrap()
-            .distance
-            > 0.0
-    };
-    let start = Instant::now();
-    let ends = [-1.0, 1.0].map(|sense| {
-        // Clear in the middle of the play, closed 0.3° farther: the newcomer is spared that search.
-        let middle = ExactKernel::new(assembly).lost_motion(pose).unwrap();
-        let middle = (middle.right.unwrap().rotation + middle.left.unwrap().rotation) / 2.0;
-        let (mut clear, mut closed) = (middle, middle + sense * 0.005);
-        while (closed - clear).abs() > NEWCOMER_WIDTH {
-            let rotation = 0.5 * (clear + closed);
-            if is_free(rotation) {
-                clear = rotation;
-            } else {
-                closed = rotation;
-            }
-        }
-        clear
-    });
-    (ends[1] - ends[0], start.elapsed().as_secs_f64())
 }
 
 /// Seconds for a whole sweep on `threads` threads.

@@ -1,0 +1,133 @@
+//! The gears and pairs that are timed.
+
+use gearlash::contact::CutPair;
+use gearlash::gear::{
+    AsBuilt, BasicGearData, BasicRack, Deviations, Face, Gear, GearDesign, Hand, Modification,
+    Pitch, Relief, Side, Trace,
+};
+use gearlash::pair::{GearPair, Mating, Member, Pose};
+
+fn gear(teeth: u32) -> Gear {
+    Gear::nominal(GearDesign {
+        basic_data: BasicGearData::new(teeth, 3.0, 20f64.to_radians()).unwrap(),
+        profile_shift: 0.0,
+        rack: BasicRack::ISO_53_A,
+        tip_diameter: None,
+    })
+    .unwrap()
+}
+
+/// Pitch deviation of ±8 µm without pattern and a runout of 20 µm: ordinary at module 3.
+fn deviated(teeth: u32, face: Face) -> AsBuilt {
+    deviating(gear(teeth), face, Default::default())
+}
+
+fn deviating(gear: Gear, face: Face, profiles: [Modification; 2]) -> AsBuilt {
+    let teeth = gear.basic_data().teeth();
+    let list = |start: u32| -> Vec<f64> {
+        (0..teeth)
+            .map(|k| 0.008 * (f64::from((k * 7919 + start) % 1000) / 500.0 - 1.0))
+            .collect()
+    };
+    let deviations = Deviations {
+        pitch: Some(Pitch::from_cumulative(&list(17), &list(443))),
+        eccentricity: 0.010,
+        high_tooth: 5.5,
+        profiles,
+        ..Deviations::default()
+    };
+    AsBuilt::new(gear, face, &deviations).unwrap()
+}
+
+/// The same with a profile slope of 4 µm, crowning of 3 µm, parabolic relief of tip (12 µm) and root (10 µm).
+pub(super) fn modified(teeth: u32, face: Face) -> AsBuilt {
+    let gear = gear(teeth);
+    let share = |share: f64| gear.form_radius() + share * (gear.tip_radius() - gear.form_radius());
+    let relief = |amount, from| {
+        Some(Relief {
+            amount,
+            from: share(from),
+            parabolic: true,
+        })
+    };
+    let profile = Modification {
+        slope: 0.004,
+        crowning: 0.003,
+        tip_relief: relief(0.012, 0.75),
+        root_relief: relief(0.010, 0.2),
+        ..Modification::default()
+    };
+    deviating(gear.clone(), face, [profile.clone(), profile])
+}
+
+/// The same with a measured trace of so many points instead: a wave of 3 µm with noise of ±1 µm.
+pub(super) fn traced(teeth: u32, face: Face, points: u32) -> AsBuilt {
+    let gear = gear(teeth);
+    let (from, to) = (gear.form_roll(), gear.tip_roll());
+    let point = |k: u32| {
+        let share = f64::from(k) / f64::from(points - 1);
+        let noise = 0.001 * (f64::from(k * 7919 % 1000) / 500.0 - 1.0);
+        (
+            from + (to - from) * share,
+            0.003 * (7.0 * share).sin() + noise,
+        )
+    };
+    let profile = Modification {
+        traces: vec![Trace {
+            tooth: None,
+            points: (0..points).map(point).collect(),
+        }],
+        ..Modification::default()
+    };
+    deviating(gear, face, [profile.clone(), profile])
+}
+
+/// The 44/44 pair with a helix angle of 15° and a face of overlap ratio 1.3, as deviated and eccentric as the spur one.
+pub(super) fn helical() -> GearPair {
+    let build = |hand, face| {
+        let data = BasicGearData::new(44, 3.0, 20f64.to_radians()).unwrap();
+        let design = GearDesign::standard(data.with_helix(15f64.to_radians(), hand).unwrap());
+        deviating(Gear::nominal(design).unwrap(), face, Default::default())
+    };
+    let (wheel, pinion) = (
+        build(Hand::Right, Face::Front),
+        build(Hand::Left, Face::Back),
+    );
+    let distance = 132.0 / 15f64.to_radians().cos() + 0.1;
+    let pair = GearPair::with_locked(wheel, pinion, distance, Member::Wheel).unwrap();
+    // ε_β = b sin β/(π m_n), ISO 21771.
+    let half = 0.5 * 1.3 * std::f64::consts::PI * 3.0 / 15f64.to_radians().sin();
+    pair.with_face([-half, half]).unwrap()
+}
+
+/// 0.1 mm beyond the play-free distance.
+pub(super) fn pair(teeth: [u32; 2], perfect: bool) -> GearPair {
+    let build = |teeth, face| match perfect {
+        true => AsBuilt::perfect(gear(teeth), face),
+        false => deviated(teeth, face),
+    };
+    let distance = 1.5 * f64::from(teeth[0] + teeth[1]) + 0.1;
+    let (wheel, pinion) = (build(teeth[0], Face::Front), build(teeth[1], Face::Back));
+    GearPair::with_locked(wheel, pinion, distance, Member::Wheel).unwrap()
+}
+
+pub(super) fn cut(assembly: &GearPair) -> CutPair {
+    let [wheel, pinion] = [Member::Wheel, Member::Pinion].map(|m| assembly.gear(m));
+    CutPair::new(wheel, pinion, 1e-3)
+}
+
+/// Some 300 poses of a revolution, no two alike: none is warm.
+pub(super) fn poses(assembly: &GearPair) -> Vec<Pose> {
+    let teeth = assembly.gear(Member::Wheel).gear().basic_data().teeth();
+    (0..308)
+        .map(|k| {
+            let mating = Mating {
+                wheel_tooth: 1,
+                pinion_tooth: 1,
+                flank: Side::Right,
+                fraction: f64::from(k * teeth) / 308.0,
+            };
+            Pose::new(assembly, mating)
+        })
+        .collect()
+}

@@ -1,7 +1,7 @@
 //! Proven extremes of helical pairs against poses of the exact method over the same face, which know nothing of their bounds.
 
 use crate::extremes::cycle::{matings, spread};
-use crate::helical::{Draws, drawn, pair_of_the_prototype};
+use crate::helical_pairs::{Draws, drawn, pair_of_the_prototype};
 use gearlash::contact::{Doubt, ExactKernel, Extremes};
 use gearlash::gear::{AsBuilt, BasicGearData, BasicRack, Face, Gear, GearDesign, Hand};
 use gearlash::pair::{GearPair, Mating, Pose};

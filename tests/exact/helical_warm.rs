@@ -1,7 +1,7 @@
 //! Helical pairs whose gears expand unlike: one base helix angle, two base pitches.
 
-use crate::helical::{Draws, drawn, pair_of_the_prototype};
 use crate::helical_extremes::held;
+use crate::helical_pairs::{Draws, drawn, pair_of_the_prototype};
 use gearlash::analytic::LineOfAction;
 use gearlash::contact::{CutPair, ExactKernel, LostMotion, Status};
 use gearlash::gear::{Hand, Side};

@@ -9,6 +9,7 @@
 #![allow(dead_code)] // each test binary uses its part
 
 mod half;
+mod stood;
 mod verdict;
 mod whole;
 
@@ -16,6 +17,7 @@ use gearlash::gear::Side;
 use gearlash::pair::{GearPair, Member, Pose};
 use half::{Clearance, Ends, Half};
 use std::rc::Rc;
+use stood::{Frame, Stood};
 #[allow(unused_imports)] // likewise
 pub use verdict::{against, contacts};
 
@@ -24,91 +26,6 @@ const POINTS: usize = 24;
 
 /// Local minima within this many modules of the least are zoomed: points 0.05 m apart on curves bent by 1/(0.05 m) miss 0.01 m.
 const NEAR: f64 = 0.03;
-
-/// One gear of the pair and where its tooth 1 stands.
-struct Stood<'a> {
-    assembly: &'a GearPair,
-    member: Member,
-    /// Without a profile deviation.
-    half: Rc<Half>,
-}
-
-impl<'a> Stood<'a> {
-    fn new(assembly: &'a GearPair, member: Member) -> Stood<'a> {
-        Stood {
-            assembly,
-            member,
-            half: Rc::new(Half::new(assembly.gear(member).gear())),
-        }
-    }
-
-    /// The half tooth on a side of a tooth.
-    fn half(&self, side: Side, tooth: u32) -> Rc<Half> {
-        let gear = self.assembly.gear(self.member);
-        match gear.modification(side, tooth) {
-            None => Rc::clone(&self.half),
-            Some(deviation) => Rc::new(Half::new(gear.gear()).deviating(deviation)),
-        }
-    }
-
-    /// Frame of a half tooth, the gear turned to `rotation`.
-    fn frame(&self, rotation: f64, side: Side, tooth: u32) -> Frame {
-        let gear = self.assembly.gear(self.member);
-        let tooth_1 = self.assembly.mate_direction(self.member) + rotation;
-        let centre = self.assembly.axis(self.member) + gear.displacement(tooth_1);
-        let turn = tooth_1 + gear.tooth_angle(f64::from(tooth)) + gear.flank_offset(side, tooth);
-        let (sin, cos) = turn.sin_cos();
-        Frame {
-            centre: [centre.x, centre.y],
-            cos,
-            sin,
-            mirror: -side.sense(),
-        }
-    }
-
-    /// A circle about a half tooth in its frame: half way up the centre line, and how far its farthest point is.
-    fn circle(&self, half: &Half, ends: Ends) -> (f64, f64) {
-        let middle = 0.5 * (self.half.root + self.half.tip);
-        let points = (0..=4 * POINTS).map(|k| {
-            let t = k as f64 / POINTS as f64;
-            let [x, y] = half.along(t, ends);
-            (x - middle).hypot(y)
-        });
-        // Between points of a curve bent outwards lies a little more.
-        (middle, 1.01 * points.fold(0.0, f64::max))
-    }
-
-    fn ends(&self, side: Side, tooth: u32) -> Ends {
-        let other = self.half(side.other(), tooth);
-        Ends::new(&other, self.assembly.gear(self.member), side, tooth)
-    }
-}
-
-#[derive(Clone, Copy)]
-struct Frame {
-    centre: [f64; 2],
-    cos: f64,
-    sin: f64,
-    mirror: f64,
-}
-
-impl Frame {
-    fn out(&self, [x, y]: [f64; 2]) -> [f64; 2] {
-        let y = y * self.mirror;
-        [
-            self.centre[0] + self.cos * x - self.sin * y,
-            self.centre[1] + self.sin * x + self.cos * y,
-        ]
-    }
-
-    fn seen(&self, [x, y]: [f64; 2]) -> [f64; 2] {
-        let (x, y) = (x - self.centre[0], y - self.centre[1]);
-        [
-            self.cos * x + self.sin * y,
-            self.mirror * (self.cos * y - self.sin * x),
-        ]
-    }
-}
 
 /// A facing pair: the two teeth, and the ends of both half teeth.
 struct Faced {

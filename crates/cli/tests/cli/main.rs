@@ -14,8 +14,12 @@ mod hostile;
 mod large;
 mod leaks;
 mod matching;
+mod matching_parts;
+mod matching_refused;
 mod outline;
 mod outlines;
+mod outlines_drawn;
+mod outlines_refused;
 #[path = "../../../../tests/common/pair_86_21.rs"]
 mod pair_86_21;
 #[path = "../../../../tests/common/pair_with_table.rs"]
@@ -25,6 +29,7 @@ mod refused;
 mod rexs;
 mod runs;
 mod schema;
+mod schema_init;
 mod simulate;
 #[path = "../../../../tests/common/skip.rs"]
 mod skip;
@@ -38,6 +43,7 @@ mod terminal;
 mod tolerance;
 mod tolerance_earlier;
 mod tolerance_helical;
+mod tolerance_parts;
 mod tolerance_rows;
 mod tolerance_told;
 mod units;

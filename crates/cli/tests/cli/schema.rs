@@ -5,14 +5,14 @@ use serde_json::{Value, json};
 use std::collections::BTreeSet;
 use std::path::Path;
 
-fn gearlash(folder: &Path, arguments: &[&str]) -> Command {
+pub(super) fn gearlash(folder: &Path, arguments: &[&str]) -> Command {
     let mut command = Command::cargo_bin("gearlash").unwrap();
     command.current_dir(folder).args(arguments);
     command
 }
 
 /// What `gearlash schema` prints with these further arguments.
-fn schema(files: &[&str]) -> Value {
+pub(super) fn schema(files: &[&str]) -> Value {
     let folder = tempfile::tempdir().unwrap();
     let arguments = [&["schema"], files].concat();
     let output = gearlash(folder.path(), &arguments).output().unwrap();
@@ -21,13 +21,18 @@ fn schema(files: &[&str]) -> Value {
 }
 
 /// A TOML file as the JSON value an editor checks.
-fn value(toml: &str) -> Value {
+pub(super) fn value(toml: &str) -> Value {
     let table: toml::Table = toml.parse().unwrap();
     serde_json::to_value(table).unwrap()
 }
 
 /// Every place of the schema where keys are named: path from the top, keys. `wheel` stands for both gears.
-fn tables(schema: &Value, node: &Value, path: &str, found: &mut Vec<(String, BTreeSet<String>)>) {
+pub(super) fn tables(
+    schema: &Value,
+    node: &Value,
+    path: &str,
+    found: &mut Vec<(String, BTreeSet<String>)>,
+) {
     if let Some(Value::String(target)) = node.get("$ref") {
         let target = schema.pointer(target.trim_start_matches('#')).unwrap();
         return tables(schema, target, path, found);
@@ -51,7 +56,7 @@ fn tables(schema: &Value, node: &Value, path: &str, found: &mut Vec<(String, BTr
 }
 
 /// The smallest pair file.
-fn smallest() -> Value {
+pub(super) fn smallest() -> Value {
     let gear = json!({ "teeth": 20, "module_mm": 2.0, "pressure_angle_deg": 20.0 });
     json!({ "wheel": gear, "pinion": gear, "assembly": { "center_distance_mm": 40.3 } })
 }
@@ -362,141 +367,4 @@ fn the_schema_accepts_what_the_reader_accepts() {
         let told = String::from_utf8_lossy(&output.stderr);
         assert_eq!(output.status.code(), Some(0), "{pair}: {told}");
     }
-}
-
-/// What `init` writes of a key: its path, its value, and the words behind it; commented lines count.
-fn explained(text: &str) -> Vec<(String, Value, String)> {
-    let mut table = String::new();
-    let mut found = Vec::new();
-    for line in text.lines() {
-        let line = line.strip_prefix("# ").unwrap_or(line);
-        let (said, words) = line.split_once(" # ").unwrap_or((line, ""));
-        if let Some(name) = said
-            .trim()
-            .strip_prefix('[')
-            .and_then(|s| s.strip_suffix(']'))
-        {
-            table = format!("{name}.");
-            continue;
-        }
-        let key = said.split_once(" = ").map_or("", |(key, _)| key);
-        if key.is_empty() || !key.chars().all(|c| c.is_ascii_lowercase() || c == '_') {
-            continue;
-        }
-        found.push((
-            format!("{table}{key}"),
-            value(said)[key].clone(),
-            words.to_owned(),
-        ));
-    }
-    found
-}
-
-/// The schema of the value at the dotted `path`, with all it refers to.
-fn schema_at(schema: &Value, path: &str) -> Option<Value> {
-    fn below<'a>(schema: &'a Value, node: &'a Value, key: &str) -> Option<&'a Value> {
-        if let Some(Value::String(target)) = node.get("$ref") {
-            return below(schema, schema.pointer(target.trim_start_matches('#'))?, key);
-        }
-        let alternatives = ["anyOf", "allOf"].map(|choice| node[choice].as_array());
-        let alternatives = || alternatives.into_iter().flatten().flatten();
-        let own = node["properties"].get(key);
-        own.or_else(|| alternatives().find_map(|inner| below(schema, inner, key)))
-    }
-    let mut node = schema;
-    for key in path.split('.') {
-        node = below(schema, node, key)?;
-    }
-    let mut node = node.clone();
-    node["definitions"] = schema["definitions"].clone();
-    Some(node)
-}
-
-/// `init` says that it explains every key; what it writes behind a # must be right, too.
-#[test]
-fn init_explains_every_key_of_the_schema() {
-    let schema = schema(&[]);
-    let folder = tempfile::tempdir().unwrap();
-    let output = gearlash(folder.path(), &["init", "-"]).output().unwrap();
-    let explained = explained(&String::from_utf8(output.stdout).unwrap());
-    let mut names = BTreeSet::new();
-    for (path, value, words) in &explained {
-        let node = schema_at(&schema, path).unwrap_or_else(|| panic!("{path}: no such key"));
-        let validator = jsonschema::validator_for(&node).unwrap();
-        assert!(validator.is_valid(value), "{path} = {value}");
-        let inner = value.as_object().into_iter().flatten();
-        names.extend(inner.map(|(key, _)| key.clone()));
-        names.extend(path.split('.').map(str::to_owned));
-        // A comment that names a unit names that of the key.
-        for (unit, suffix) in [("µm", "_um"), (" mm", "_mm"), ("degrees", "_deg")] {
-            let other = ["_um", "_mm", "_deg"]
-                .iter()
-                .find(|end| path.ends_with(**end));
-            assert!(
-                !words.contains(unit) || other.is_none_or(|end| *end == suffix),
-                "{path}: {words}"
-            );
-        }
-    }
-    let mut found = Vec::new();
-    tables(&schema, &schema, "", &mut found);
-    for (path, keys) in found {
-        for key in &keys {
-            assert!(names.contains(key), "{path}.{key}");
-        }
-    }
-}
-
-/// A key names its unit, and so does what an editor shows of it.
-#[test]
-fn descriptions_name_the_unit_of_their_key() {
-    fn check(node: &Value, count: &mut usize) {
-        for (key, inner) in node["properties"].as_object().into_iter().flatten() {
-            for (suffix, unit) in [("_um", "µm"), ("_mm", "mm"), ("_deg", "degrees")] {
-                if key.ends_with(suffix) {
-                    let description = inner["description"].as_str().unwrap_or_default();
-                    assert!(description.contains(unit), "{key}: {description}");
-                    *count += 1;
-                }
-            }
-        }
-        for inner in node["definitions"].as_object().into_iter().flatten() {
-            check(inner.1, count);
-        }
-    }
-    let mut count = 0;
-    check(&schema(&[]), &mut count);
-    assert!(count >= 20, "{count}");
-}
-
-/// The file `init` writes runs as it stands, and is not written over.
-#[test]
-fn init_writes_a_pair_file_that_runs() {
-    let folder = tempfile::tempdir().unwrap();
-    let output = gearlash(folder.path(), &["init"]).output().unwrap();
-    assert!(output.status.success());
-    assert_eq!(String::from_utf8(output.stdout).unwrap(), "pair.toml\n");
-    let written = std::fs::read_to_string(folder.path().join("pair.toml")).unwrap();
-    let run = gearlash(
-        folder.path(),
-        &["simulate", "pair.toml", "--format", "json"],
-    )
-    .output()
-    .unwrap();
-    assert!(run.status.success());
-    assert!(run.stderr.is_empty(), "no warning: {run:?}");
-    let result: Value = serde_json::from_slice(&run.stdout).unwrap();
-    assert_eq!(result["runs"].as_array().unwrap().len(), 4);
-
-    let again = gearlash(folder.path(), &["init"]).output().unwrap();
-    assert_eq!(again.status.code(), Some(2));
-    assert!(
-        String::from_utf8(again.stderr)
-            .unwrap()
-            .contains("pair.toml: already exists")
-    );
-    assert_eq!(
-        std::fs::read_to_string(folder.path().join("pair.toml")).unwrap(),
-        written
-    );
 }

@@ -184,18 +184,8 @@ fn helical_gears_are_matched_over_their_face() {
     let text =
         gear("wheel", "") + &gear("pinion", back) + &rest("[require]\nj_wt_um = { min = 100 }\n");
     std::fs::write(here.join("pair.toml"), text).unwrap();
-    let words = [
-        "match",
-        "pair.toml",
-        "--wheels",
-        "w",
-        "--pinions",
-        "p",
-        "--format",
-        "json",
-        "-o",
-        "out",
-    ];
+    let words = super::matching::MATCH.split(' ');
+    let words: Vec<&str> = words.chain(["--format", "json", "-o", "out"]).collect();
     let (code, printed, told) = run(here, &words);
     assert_eq!(code, Some(0), "{told}");
     let result: Value = serde_json::from_str(&printed).unwrap();

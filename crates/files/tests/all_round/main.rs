@@ -11,6 +11,7 @@ mod pins;
 mod runout;
 mod slips;
 mod spans;
+mod turned_flanks;
 
 use gearlash::gear::{AsBuilt, Flank, Side};
 use gearlash_files::PairFile;

@@ -12,7 +12,7 @@ use super::target::Target;
 use super::unit::UnitArgs;
 use crate::error::Error;
 use clap::ValueEnum;
-use drawn::Drawn;
+use drawn::DrawnChart;
 use gearlash_files::{AnyPair, PairFile};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -79,10 +79,10 @@ pub(super) fn run(args: &Args) -> Result<ExitCode, Error> {
     };
     let given = Target::prepare_given(args.output.as_ref(), &sources)?;
     let drawn = match args.kind {
-        Kind::Revolution | Kind::Difference => Drawn::over_teeth(args, study)?,
-        Kind::Distance => Drawn::over_distance(args, &study)?,
-        Kind::Inspection => Drawn::inspection(args, &study)?,
-        Kind::Map => Drawn::map(args, &study)?,
+        Kind::Revolution | Kind::Difference => DrawnChart::over_teeth(args, study)?,
+        Kind::Distance => DrawnChart::over_distance(args, &study)?,
+        Kind::Inspection => DrawnChart::inspection(args, &study)?,
+        Kind::Map => DrawnChart::map(args, &study)?,
         Kind::Field => field::drawn(args, study)?,
     };
     let target = match given {

@@ -1,11 +1,10 @@
 //! `gearlash check`: does the pair interfere, where, why, and what does it cost.
 
-use super::console::{print, print_note};
+use super::console::{ScreenArgs, print, print_note};
 use super::maps::{self, DrawnMap};
 use super::method::{MethodArgs, agreed};
 use super::outlines::{DrawnArgs, is_drawing};
 use super::progress::run_under_bar;
-use super::screen::ScreenArgs;
 use super::{distances, outlines, poses, studies};
 use crate::error::Error;
 use crate::output::OutputFolder;

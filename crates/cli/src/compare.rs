@@ -2,11 +2,10 @@
 
 mod drawings;
 
-use super::console::{print, tell};
+use super::console::{ScreenArgs, print, tell};
 use super::method::{MethodArgs, agreement};
 use super::outlines::{DrawnArgs, is_drawing};
 use super::progress::Progress;
-use super::screen::ScreenArgs;
 use super::studies;
 use super::target::Target;
 use crate::error::Error;

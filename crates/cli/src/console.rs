@@ -1,4 +1,4 @@
-//! Standard output and standard error: the only file that writes to either.
+//! Standard output and standard error: the only file that writes to either, and what terminal they may be.
 //!
 //! What does not reach standard output is an error, as a disk that is full would otherwise leave a result cut short; only a
 //! reader that has gone away (`| head`) is none. What does not reach standard error is lost: nobody is left to tell.
@@ -6,7 +6,8 @@
 use crate::error::Error;
 use gearlash_files::Sources;
 use gearlash_files::characters::plain;
-use std::io::{BufWriter, ErrorKind, Write};
+use gearlash_render::text::Screen;
+use std::io::{BufWriter, ErrorKind, IsTerminal, Write};
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -164,4 +165,31 @@ fn streams() -> [(&'static str, Option<std::fs::File>); 2] {
 #[cfg(not(unix))]
 fn streams() -> [(&'static str, Option<std::fs::File>); 0] {
     []
+}
+
+/// `--wide`: what the commands that print tables share.
+#[derive(clap::Args)]
+pub(super) struct ScreenArgs {
+    /// Print tables in full on a terminal that is too narrow for them
+    #[arg(long)]
+    wide: bool,
+}
+
+impl ScreenArgs {
+    /// What standard output is.
+    pub(super) fn screen(&self) -> Screen {
+        // No size where it is no terminal, or one that does not know its own.
+        let size = ::console::Term::stdout().size_checked();
+        Screen {
+            width: size
+                .map(|(_, columns)| columns.into())
+                .filter(|_| !self.wide),
+            colour: has_colours(&std::io::stdout()),
+        }
+    }
+}
+
+/// Whether `stream` shows colours and they are wanted (<https://no-color.org>).
+pub(super) fn has_colours(stream: &impl IsTerminal) -> bool {
+    stream.is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|no| no.is_empty())
 }

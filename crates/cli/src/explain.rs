@@ -1,13 +1,13 @@
-//! Errors as they are told: a line each, and below it the piece of the pair file in question, in colour on a terminal.
+//! Errors as they are reported: a line each, and below it the piece of the pair file in question, in colour on a terminal.
 
-use super::screen::has_colours;
+use super::console::has_colours;
 use crate::error::Error;
 use annotate_snippets::{AnnotationKind, Level, Origin, Renderer, Snippet};
 use gearlash_files::InputError;
 use gearlash_files::characters::{plain, quoted_source};
 use std::ops::Range;
 
-/// Bytes of a line of a pair file that is shown; of a longer one only the place is told (tuned: a list of 200 values).
+/// Bytes of a line of a pair file that is shown; of a longer one only the place is reported (tuned: a list of 200 values).
 const LONGEST_SHOWN: usize = 2000;
 
 /// `error` for standard error, each of its lines complete. Whatever stands in the files, it acts on no terminal or log.
@@ -16,21 +16,24 @@ pub(super) fn explain(error: &Error) -> String {
         true => Renderer::styled(),
         false => Renderer::plain(),
     };
-    told(error, &renderer)
+    rendered(error, &renderer)
 }
 
-fn told(error: &Error, renderer: &Renderer) -> String {
+fn rendered(error: &Error, renderer: &Renderer) -> String {
     match error {
         Error::Input(input) => {
             let problems = input.lines().into_iter().zip(input.spans());
-            let told = problems.map(|(line, span)| problem(input, &line, span, renderer));
-            told.collect()
+            let text = problems.map(|(line, span)| problem(input, &line, span, renderer));
+            text.collect()
         }
-        Error::Several(errors) => errors.iter().map(|error| told(error, renderer)).collect(),
+        Error::Several(errors) => errors
+            .iter()
+            .map(|error| rendered(error, renderer))
+            .collect(),
         other => {
             let lines = other.lines();
-            let told = lines.iter().map(|line| titled(line, None, renderer));
-            told.collect()
+            let text = lines.iter().map(|line| titled(line, None, renderer));
+            text.collect()
         }
     }
 }
@@ -104,22 +107,22 @@ mod tests {
 
     #[test]
     fn the_piece_in_question_is_shown() {
-        let told = told(
+        let text = rendered(
             &input("wheel.teeth", "[wheel]\nteeth = 2 # few\n"),
             &Renderer::plain(),
         );
         assert_eq!(
-            told,
+            text,
             "error: pair.toml: wheel.teeth: wrong; mend it\n --> pair.toml:2:1\n  |\n2 | teeth = 2 # few\n  | ^^^^^^^^^\n"
         );
     }
 
     #[test]
-    fn a_long_line_is_told_by_its_place() {
+    fn a_long_line_is_reported_by_its_place() {
         let text = format!("list = [{}]\n", "1, ".repeat(2000));
-        let told = told(&input("list", &text), &Renderer::plain());
+        let text = rendered(&input("list", &text), &Renderer::plain());
         assert_eq!(
-            told,
+            text,
             "error: pair.toml: list: wrong; mend it\n--> pair.toml:1:1\n"
         );
     }
@@ -127,17 +130,17 @@ mod tests {
     #[test]
     fn nothing_in_the_file_acts_on_the_terminal() {
         let text = "a = \"\u{202e}x##[error]y\"\n";
-        let told = told(&input("a", text), &Renderer::plain());
+        let text = rendered(&input("a", text), &Renderer::plain());
         assert!(
-            !told.contains('\u{202e}') && !told.contains("##["),
-            "{told}"
+            !text.contains('\u{202e}') && !text.contains("##["),
+            "{text}"
         );
-        assert!(told.contains("1 | a = \"   x# [error]y\""), "{told}");
+        assert!(text.contains("1 | a = \"   x# [error]y\""), "{text}");
     }
 
     #[test]
     fn without_a_place_the_line_stands_alone() {
-        let told = told(&input("pinion.teeth", "[wheel]\n"), &Renderer::plain());
-        assert_eq!(told, "error: pair.toml: pinion.teeth: wrong; mend it\n");
+        let text = rendered(&input("pinion.teeth", "[wheel]\n"), &Renderer::plain());
+        assert_eq!(text, "error: pair.toml: pinion.teeth: wrong; mend it\n");
     }
 }

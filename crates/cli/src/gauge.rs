@@ -2,12 +2,11 @@
 
 mod outlines;
 
-use super::console::{print, warn};
+use super::console::{ScreenArgs, print, warn};
 use super::gears::{self, GearName, MaterialName};
 use super::outlines::{DrawnArgs, is_drawing};
 use super::progress::Progress;
 use super::results::{Format, ResultsArgs};
-use super::screen::ScreenArgs;
 use super::studies;
 use crate::error::Error;
 use gearlash::gauge::{Settings, gauge, pose_count};

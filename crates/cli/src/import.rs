@@ -1,8 +1,7 @@
 //! `gearlash import`: what a file of measurements holds, as a table and as lines for a pair file.
 
-use super::console::{guard, print};
+use super::console::{ScreenArgs, guard, print};
 use super::rexs::{self, RexsArgs};
-use super::screen::ScreenArgs;
 use crate::error::Error;
 use clap::ValueEnum;
 use gearlash_files::import::{self, Content, Imported, Kind, Options};

@@ -31,7 +31,6 @@ mod report;
 mod results;
 mod rexs;
 mod schema;
-mod screen;
 mod signals;
 mod simulate;
 mod snapshot;

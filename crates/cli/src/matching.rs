@@ -1,9 +1,8 @@
 //! `gearlash match`: which measured wheel goes with which pinion, and which teeth meet.
 
-use super::console::{guard, print, print_note, tell, warn};
+use super::console::{ScreenArgs, guard, print, print_note, tell, warn};
 use super::parts::{Kept, WHOLE, shard};
 use super::progress::Progress;
-use super::screen::ScreenArgs;
 use super::tolerance::Format;
 use crate::error::Error;
 use crate::output::OutputFolder;

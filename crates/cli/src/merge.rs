@@ -1,8 +1,7 @@
 //! `gearlash merge`: parts of a run as one.
 
-use super::console::guard;
+use super::console::{ScreenArgs, guard};
 use super::matching;
-use super::screen::ScreenArgs;
 use super::tolerance::{Format, guard_earlier, is_own, tell_result};
 use crate::error::Error;
 use crate::output::OutputFolder;

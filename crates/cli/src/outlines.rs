@@ -1,10 +1,9 @@
 //! Pairs of which a gear is an outline: what `simulate` and `check` do with them.
 
-use super::console::print;
+use super::console::{ScreenArgs, print};
 use super::method::{MethodArgs, all_proven};
 use super::progress::Progress;
 use super::results::{Format, ResultsArgs};
-use super::screen::ScreenArgs;
 use super::unit::UnitArgs;
 use crate::error::Error;
 use gearlash::analysis::outlines::{OutlineRun, turns, unproven, worst};

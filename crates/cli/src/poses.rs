@@ -56,7 +56,7 @@ pub(super) fn allow(file: &Path, poses: u64, bound: &Bound) -> Result<(), Error>
     }))
 }
 
-/// Poses from which on their number and size are told (tuned: gigabytes, and minutes of work).
+/// Poses from which on their number and size are reported (tuned: gigabytes, and minutes of work).
 const MANY: u64 = 1_000_000;
 
 /// Tells how much `poses` will write, where that is much: so many `bytes` each, 0 for nothing.

@@ -1,11 +1,10 @@
 //! `gearlash simulate`: the main job.
 
-use super::console::{Printer, print};
+use super::console::{Printer, ScreenArgs, print};
 use super::distances::{self, Distances};
 use super::method::{MethodArgs, agreement};
 use super::progress::Progress;
 use super::results::{Format, ResultsArgs};
-use super::screen::ScreenArgs;
 use super::unit::UnitArgs;
 use super::{outlines, poses, studies};
 use crate::error::Error;

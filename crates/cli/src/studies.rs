@@ -7,7 +7,7 @@ use gearlash_files::outlines::OutlineGearsFile;
 use gearlash_files::{AnyGears, AnyPair, GearsFile, OutlinePairFile, PairFile};
 use std::path::{Path, PathBuf};
 
-/// The pair file at `path`; its warnings are told.
+/// The pair file at `path`; its warnings are reported.
 ///
 /// # Errors
 /// As [`gearlash_files::read`]; [`Error::OverInput`] where what is printed would go into a file that was read.
@@ -18,7 +18,7 @@ pub(super) fn pair(path: &Path) -> Result<PairFile, Error> {
     Ok(file)
 }
 
-/// The pair file at `path`, be its gears given by data or by outlines; its warnings are told.
+/// The pair file at `path`, be its gears given by data or by outlines; its warnings are reported.
 ///
 /// # Errors
 /// As [`pair`].
@@ -33,7 +33,7 @@ pub(super) fn any(path: &Path) -> Result<AnyPair, Error> {
     Ok(file)
 }
 
-/// The pair of two drawings at a centre distance; what was found of them is told.
+/// The pair of two drawings at a centre distance; what was found of them is reported.
 ///
 /// # Errors
 /// As [`pair`].
@@ -72,7 +72,7 @@ pub(super) fn each<T>(
     }
 }
 
-/// The gears of the file at `path`; its warnings are told.
+/// The gears of the file at `path`; its warnings are reported.
 ///
 /// # Errors
 /// As [`pair`].
@@ -83,7 +83,7 @@ pub(super) fn gears(path: &Path) -> Result<GearsFile, Error> {
     Ok(file)
 }
 
-/// The gears of the file at `path`, be they given by data or by outlines; its warnings are told.
+/// The gears of the file at `path`, be they given by data or by outlines; its warnings are reported.
 ///
 /// # Errors
 /// As [`pair`].
@@ -94,12 +94,12 @@ pub(super) fn any_gears(path: &Path) -> Result<AnyGears, Error> {
             guard(&file.sources)?;
             warn(path, &file.warnings, &file.remarks);
         }
-        AnyGears::Outlines(file) => told(path, file)?,
+        AnyGears::Outlines(file) => warn_of(path, file)?,
     }
     Ok(file)
 }
 
-/// The gear that a drawing is; what was found of it is told.
+/// The gear that a drawing is; what was found of it is reported.
 ///
 /// # Errors
 /// As [`pair`].
@@ -109,11 +109,11 @@ pub(super) fn drawing(
     center: Option<&str>,
 ) -> Result<OutlineGearsFile, Error> {
     let file = gearlash_files::read_drawing(path, units, center)?;
-    told(path, &file)?;
+    warn_of(path, &file)?;
     Ok(file)
 }
 
-fn told(path: &Path, file: &OutlineGearsFile) -> Result<(), Error> {
+fn warn_of(path: &Path, file: &OutlineGearsFile) -> Result<(), Error> {
     guard(&file.sources)?;
     warn(path, &file.warnings, &file.remarks);
     Ok(())

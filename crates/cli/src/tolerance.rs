@@ -5,10 +5,9 @@ mod parquet;
 mod results;
 mod rows;
 
-use super::console::{guard, print_note, warn};
+use super::console::{ScreenArgs, guard, print_note, warn};
 use super::parts::{Kept, shard};
 use super::progress::Progress;
-use super::screen::ScreenArgs;
 use crate::error::Error;
 use crate::output::OutputFolder;
 use gearlash::population::{CHUNK, SampleError};

@@ -1,21 +1,22 @@
 //! `[wheel]` and `[pinion]`: from the keys of one gear to the gear as built.
 
-mod rack;
-
 use super::cross_check::CrossCheck;
 use super::helix::{self, Helix};
-use super::limits::{EXPANSION, MODULE, PRESSURE_ANGLE, PROFILE_SHIFT, TEETH, TIP_DIAMETER};
+use super::limits::{
+    EXPANSION, MODULE, PRESSURE_ANGLE, PROFILE_SHIFT, RACK_DEPTH, ROOT_RADIUS, TEETH, TIP_DIAMETER,
+};
 use super::pitch::PitchSheet;
 use super::problems::Problems;
 use super::profile::Profiles;
 use super::runout::Runout;
-use super::sheet::Drawn;
+use super::sheet::StatedGear;
 use super::spec::{GearSpec, RackSpec, ThicknessSpec};
 use super::statements::Statements;
 use super::table::Table;
 use super::thickness::{self, Statement};
 use super::{faults, findings, per_tooth};
-use gearlash::gear::{AsBuilt, BasicGearData, Face, GRADES, GearDesign};
+use gearlash::error::GearError;
+use gearlash::gear::{AsBuilt, BasicGearData, BasicRack, Face, GRADES, GearDesign};
 use gearlash::metrology::{Finding, GearNotes, Toleranced};
 
 const KEYS: &[&str] = &[
@@ -37,6 +38,7 @@ const KEYS: &[&str] = &[
     "pitch",
     "profile",
 ];
+const RACK_KEYS: &[&str] = &["addendum", "dedendum", "root_radius"];
 const FACES: [(&str, Face); 2] = [("front", Face::Front), ("back", Face::Back)];
 
 /// What is good of one gear.
@@ -114,7 +116,7 @@ impl GearPart {
         self.expansion_per_k = table.optional_as("expansion_per_k", problems, |entry| {
             entry.number(&EXPANSION)
         });
-        let rack = rack::read(table, problems);
+        let rack = rack(table, problems);
         let thickness = table.table("thickness", thickness::KEYS, problems);
         let statement = thickness
             .as_ref()
@@ -154,7 +156,7 @@ impl GearPart {
             tip_diameter: tip_diameter?,
         };
         design.tip_diameter = Some(2.0 * design.tip_radius());
-        let drawn = Drawn {
+        let drawn = StatedGear {
             design: &design,
             pressure_angle_deg: self.pressure_angle_deg?,
             helix_angle_deg: self.helix?.angle_deg,
@@ -182,7 +184,7 @@ impl GearPart {
         };
         let measurements = statements.measurements(face.unwrap_or(Face::Front));
         if !understood {
-            // Whatever else is wrong is told, too.
+            // Whatever else is wrong is reported, too.
             let errors = measurements.check_thickness_and_runout();
             faults::add_all(&statements, errors, problems);
             return None;
@@ -288,5 +290,28 @@ fn basic_data(
             error.to_string(),
             "correct the gear's basic data",
         )
+    }))
+}
+
+/// The rack of a gear's table, ISO 53 A where it says nothing.
+fn rack(gear: &Table, problems: &mut Problems) -> Option<BasicRack> {
+    let table = gear.table("rack", RACK_KEYS, problems)?;
+    let standard = BasicRack::ISO_53_A;
+    let addendum = table.number_or("addendum", standard.addendum(), &RACK_DEPTH, problems);
+    let dedendum = table.number_or("dedendum", standard.dedendum(), &RACK_DEPTH, problems);
+    let root_radius = table.number_or(
+        "root_radius",
+        standard.root_radius(),
+        &ROOT_RADIUS,
+        problems,
+    );
+    let rack = BasicRack::new(addendum?, dedendum?, root_radius?);
+    problems.keep(rack.map_err(|error| match error {
+        GearError::OutOfRange { value, allowed, .. } => table.problem(
+            "root_radius",
+            format!("{value} is out of range, allowed is {allowed}"),
+            "reduce it, or give a greater dedendum",
+        ),
+        other => table.problem("root_radius", other.to_string(), "correct the rack"),
     }))
 }

@@ -25,16 +25,16 @@ use gearlash_render::chart::{self, Heading};
 pub(super) const MAP: &str = "chart_map.svg";
 
 /// A chart and the name of its file.
-pub(super) struct Drawn {
+pub(super) struct DrawnChart {
     pub svg: String,
     pub file: String,
     /// Whether every pose is proven, and both methods agree where both were asked for.
     pub agrees: bool,
 }
 
-impl Drawn {
+impl DrawnChart {
     /// A curve over the teeth at one centre distance.
-    pub fn over_teeth(args: &Args, study: Study) -> Result<Drawn, Error> {
+    pub fn over_teeth(args: &Args, study: Study) -> Result<DrawnChart, Error> {
         let unit = args.unit.unit(&study)?;
         let mut study = curves::swept(study);
         if let Some(end) = args.material {
@@ -75,7 +75,7 @@ impl Drawn {
             ));
         }
         let course = &course.clone().with_cycle(&analysis.extremes.each);
-        let cycle = in_unit(told(&analysis), unit);
+        let cycle = in_unit(print_verdict(&analysis), unit);
         let (name, chart) = match args.kind {
             Kind::Difference => (
                 "difference",
@@ -86,7 +86,7 @@ impl Drawn {
                 ("revolution", chart)
             }
         };
-        Ok(Drawn {
+        Ok(DrawnChart {
             file: file(name, args, course, unit),
             agrees: agreed(&analysis),
             svg: chart.svg,
@@ -94,7 +94,7 @@ impl Drawn {
     }
 
     /// One mating over the centre distance.
-    pub fn over_distance(args: &Args, study: &Study) -> Result<Drawn, Error> {
+    pub fn over_distance(args: &Args, study: &Study) -> Result<DrawnChart, Error> {
         let unit = args.unit.unit(study)?;
         let swept = match args.mating {
             Some(_) => None,
@@ -119,9 +119,9 @@ impl Drawn {
         drop(progress);
         let (wheel, pinion) = teeth(followed);
         let unproven = curve.unproven + swept.as_ref().map_or(0, Analysis::unproven);
-        let cycle = swept.as_ref().map(told).unwrap_or_default();
+        let cycle = swept.as_ref().map(print_verdict).unwrap_or_default();
         let cycle = in_unit(cycle, unit);
-        Ok(Drawn {
+        Ok(DrawnChart {
             svg: chart::distance_in(
                 unit,
                 &heading(study, &cycle),
@@ -135,7 +135,7 @@ impl Drawn {
     }
 
     /// One gear's deviations.
-    pub fn inspection(args: &Args, study: &Study) -> Result<Drawn, Error> {
+    pub fn inspection(args: &Args, study: &Study) -> Result<DrawnChart, Error> {
         let gears = study.materials.first();
         let (_, wheel, pinion) =
             gears.ok_or_else(|| Error::Usage("the pair file has no gears".to_owned()))?;
@@ -144,7 +144,7 @@ impl Drawn {
             Some(Gear::Wheel) | None => ("wheel", wheel),
         };
         let inspection = Inspection::of(gear);
-        Ok(Drawn {
+        Ok(DrawnChart {
             svg: chart::inspection(&heading(study, ""), name, &inspection)?.svg,
             file: format!("chart_inspection_{name}.svg"),
             agrees: true,
@@ -152,14 +152,14 @@ impl Drawn {
     }
 
     /// What touches over centre distance and mesh phase.
-    pub fn map(args: &Args, study: &Study) -> Result<Drawn, Error> {
+    pub fn map(args: &Args, study: &Study) -> Result<DrawnChart, Error> {
         poses::allow(&args.pair, study.pose_count(), &poses::HELD)?;
         let plan = Plan::new(study, args.method.method())
             .with_extremes()
             .with_checks();
         let analysis = run_under_bar(&plan)?;
         tell(&sentence(&analysis.verdict()));
-        Ok(Drawn {
+        Ok(DrawnChart {
             svg: first_map(maps::of_data(study, &analysis.diagnosis)?)?,
             file: MAP.to_owned(),
             agrees: agreed(&analysis),
@@ -194,7 +194,7 @@ fn in_unit(cycle: String, unit: BacklashUnit) -> String {
 }
 
 /// Says the verdict on standard error; in short it stands in the picture.
-fn told(analysis: &Analysis) -> String {
+fn print_verdict(analysis: &Analysis) -> String {
     let verdict = analysis.verdict();
     tell(&sentence(&verdict));
     in_short(&verdict)

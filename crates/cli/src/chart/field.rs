@@ -5,7 +5,7 @@ use super::super::drawing::material;
 use super::super::method::all_proven;
 use super::super::worst;
 use super::Args;
-use super::drawn::Drawn;
+use super::drawn::DrawnChart;
 use crate::error::Error;
 use gearlash::analysis::curves::Field;
 use gearlash::analysis::study::Study;
@@ -13,7 +13,7 @@ use gearlash_files::numbers::stated_distance;
 use gearlash_render::chart::{self, Heading};
 
 /// That of the pose which binds.
-pub(super) fn drawn(args: &Args, study: Study) -> Result<Drawn, Error> {
+pub(super) fn drawn(args: &Args, study: Study) -> Result<DrawnChart, Error> {
     if !study.is_helical() {
         return Err(Error::Usage(
             "--kind field is for helical gears: along the face of spur gears nothing changes"
@@ -48,7 +48,7 @@ pub(super) fn drawn(args: &Args, study: Study) -> Result<Drawn, Error> {
         title: &title,
         subtitle: &subtitle,
     };
-    Ok(Drawn {
+    Ok(DrawnChart {
         svg: chart::field(&heading, &field)?.svg,
         file: format!("chart_field_a{a}_{}.svg", run.material.name()),
         agrees: all_proven(unproven),

@@ -144,7 +144,7 @@ impl OutputFolder {
         let named = self.named.clone();
         self.gathered().map_err(failed(&named))?;
         let Some(new) = self.new.take() else {
-            return Ok(told(&self.named, &[]));
+            return Ok(described(&self.named, &[]));
         };
         let put = |name: &str| new.names.iter().any(|other| other == name);
         for name in &new.names {
@@ -177,7 +177,7 @@ impl OutputFolder {
             }
         }
         self.made.keep();
-        Ok(told(&self.named, &new.names))
+        Ok(described(&self.named, &new.names))
     }
 
     /// The names in the folder that are `wanted`.
@@ -205,7 +205,7 @@ impl OutputFolder {
 const MOST_NAMED: usize = 3;
 
 /// What was written to `folder`, on one line.
-fn told(folder: &Path, names: &[String]) -> String {
+fn described(folder: &Path, names: &[String]) -> String {
     let shown = names.iter().take(MOST_NAMED).map(String::as_str);
     let mut list = match names.is_empty() {
         true => "nothing".to_owned(),

@@ -1,4 +1,4 @@
-//! What a whole run is told and written as, by the command that drew it and by the one that put its parts together.
+//! What a whole run is printed and written as, by the command that drew it and by the one that put its parts together.
 
 use crate::console::{print, print_note};
 use crate::date::today;

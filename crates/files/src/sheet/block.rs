@@ -1,7 +1,6 @@
 //! One block of a protocol: its head, its columns, its rows.
 
-use super::number::{self, Decimal, Written};
-use super::unmeasured::Unmeasured;
+use super::number::{self, Decimal, Unmeasured, Written};
 use crate::data_file::DataFile;
 use gearlash::gear::Side;
 

@@ -30,7 +30,7 @@ pub struct Grid {
 
 /// A table in a grid.
 #[derive(Debug)]
-pub struct Found<'a> {
+pub struct FoundTable<'a> {
     pub grid: &'a Grid,
     pub head: Head,
     /// The lines of its rows.
@@ -39,7 +39,7 @@ pub struct Found<'a> {
     pub left_out: LeftOut,
 }
 
-impl<'a> Found<'a> {
+impl<'a> FoundTable<'a> {
     /// The table below `head`, with numbers in the columns `used`, that of the teeth first, and words in those `beside`.
     ///
     /// Comments, statistics, what stands above the header and what is no row below the last one is left out.
@@ -49,7 +49,7 @@ impl<'a> Found<'a> {
         [used, beside]: [&[usize]; 2],
         file: &DataFile,
         problems: &mut Problems,
-    ) -> Option<Found<'a>> {
+    ) -> Option<FoundTable<'a>> {
         let begin = head.at + 1 + usize::from(head.has_units);
         let mut left_out = LeftOut::default();
         for (at, line) in grid.lines[..head.at].iter().enumerate() {
@@ -97,7 +97,7 @@ impl<'a> Found<'a> {
                 left_out.columns.push(place);
             }
         }
-        Some(Found {
+        Some(FoundTable {
             grid,
             head,
             rows,
@@ -251,8 +251,8 @@ pub fn find<'a, const N: usize>(
     wanted: &Wanted<N>,
     choice: &Choice,
     problems: &mut Problems,
-) -> Option<(Found<'a>, Places<N>)> {
-    // Where only pitch of the other kind is there, that is told.
+) -> Option<(FoundTable<'a>, Places<N>)> {
+    // Where only pitch of the other kind is there, that is reported.
     let strict = |head: &Head| is_head(head, &wanted.columns, choice);
     let there = |grid: &Grid| Head::find(&grid.lines, choice, strict).is_some();
     let others = match grids.iter().any(there) {
@@ -263,7 +263,7 @@ pub fn find<'a, const N: usize>(
     let (grid, head) = one_of(grids, file, choice, is_head, &wanted.columns, problems)?;
     let places = places(&head, &grid.lines, file, wanted, choice, problems)?;
     let used: Vec<usize> = std::iter::once(places.tooth).chain(places.wanted).collect();
-    let found = Found::below(grid, head, [&used, &[]], file, problems)?;
+    let found = FoundTable::below(grid, head, [&used, &[]], file, problems)?;
     Some((found, places))
 }
 
@@ -311,7 +311,7 @@ pub fn one_of<'a>(
         && let ([grid], Some(row)) = (grids, choice.header_row)
         && let Some(at) = grid.lines.iter().position(|line| line.number == row)
     {
-        // What it lacks is told.
+        // What it lacks is reported.
         return Some((grid, Head::of(&grid.lines, at)));
     }
     if found.is_empty() && choice.header_row.is_none() {

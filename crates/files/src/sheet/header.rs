@@ -67,7 +67,7 @@ struct Said {
 
 /// The same quantities as the pair file states them.
 #[derive(Debug, Clone, Copy)]
-pub struct Drawn<'a> {
+pub struct StatedGear<'a> {
     /// The gear, its tip diameter filled in.
     pub design: &'a GearDesign,
     /// `α`, degrees as written.
@@ -249,7 +249,7 @@ impl Header {
     }
 
     /// Reports what contradicts the pair file by more than the rounding of the printed value.
-    pub fn check(&self, drawn: &Drawn, problems: &mut Problems) {
+    pub fn check(&self, drawn: &StatedGear, problems: &mut Problems) {
         let design = drawn.design;
         for said in &self.said {
             let stated = match said.fact {

@@ -3,7 +3,7 @@
 use super::head::{Head, letter};
 use crate::data_file::DataFile;
 
-/// Of how many lines and columns the names are told. Tuned: a remark of a few lines.
+/// Of how many lines and columns the names are reported. Tuned: a remark of a few lines.
 const NAMED: usize = 8;
 
 /// Lines and columns beside a table.

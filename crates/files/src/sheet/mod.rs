@@ -2,7 +2,7 @@
 //!
 //! A file becomes grids of cells, one a sheet or separator ([`delimited`], [`workbook`]; a [`protocol`] has its own rows); the
 //! header is found in one of them ([`head`], [`heading`]) and names the columns ([`places`]); the cells become numbers
-//! ([`number`]); the rows are put in order of the teeth ([`by_tooth`]). What is no part of the table is told ([`left_out`]).
+//! ([`number`]); the rows are put in order of the teeth ([`by_tooth`]). What is no part of the table is reported ([`left_out`]).
 //! No number is padded, replaced or guessed: whatever is not understood is a problem with its line.
 
 mod block;
@@ -29,8 +29,6 @@ mod statistic;
 mod story;
 mod text;
 mod trace;
-mod trace_row;
-mod unmeasured;
 mod wanted;
 mod workbook;
 
@@ -41,9 +39,9 @@ use cell::{Cell, Line};
 pub use choice::Choice;
 pub use column::Column;
 use gearlash::metrology::PitchKind;
-use grid::{Found, Grid};
+use grid::{FoundTable, Grid};
 use head::Head;
-pub use header::{Drawn, Header};
+pub use header::{Header, StatedGear};
 use heading::Quantity;
 pub use keys::{KEYS, keys_beside, without_file};
 use number::Decimal;
@@ -182,7 +180,7 @@ pub fn read_with<'a, T>(
 
 impl Origin {
     /// That of a table found in one of `grids`, read from the columns `used`.
-    fn of(found: &Found, grids: &[Grid], used: &[usize], file: &DataFile) -> Origin {
+    fn of(found: &FoundTable, grids: &[Grid], used: &[usize], file: &DataFile) -> Origin {
         let headings = used
             .iter()
             .map(|place| (&found.head.headings[*place], head::letter(*place)));

@@ -111,3 +111,54 @@ pub fn tooth(text: &str) -> Option<u32> {
     let digits = text.bytes().all(|b| b.is_ascii_digit());
     digits.then(|| text.parse().ok())?
 }
+
+/// As [`written`], and without the 0 before the point, as the machines of P40 leave it out.
+pub fn without_zero(word: &str) -> Option<Written<'_>> {
+    let at = usize::from(word.starts_with(['-', '+']));
+    if !word[at..].starts_with('.') {
+        let found = written(word)?;
+        return (found.decimal != Some(Decimal::Comma) && !zero_first(word)).then_some(found);
+    }
+    let full = format!("{}0{}", &word[..at], &word[at..]);
+    let found = written(&full)?;
+    Some(Written {
+        text: word,
+        value: found.value,
+        decimal: found.decimal,
+        may_be_thousands: found.may_be_thousands,
+        rounding: found.rounding,
+    })
+}
+
+/// Numbers that stand for a value that was not measured: what machines print, whatever the preamble says.
+const KNOWN: [f64; 2] = [-2147483.648, -9999.0];
+
+/// The numbers that stand for a value that was not measured in one file.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Unmeasured {
+    /// `UNDEFINED` of the preamble.
+    said: Option<f64>,
+}
+
+impl Unmeasured {
+    /// With the number that a preamble names.
+    pub fn said(number: f64) -> Unmeasured {
+        Unmeasured { said: Some(number) }
+    }
+
+    /// What `value` is where it is one of them, in words.
+    pub fn words(self, value: &Written) -> &'static str {
+        match Unmeasured::default().is(value) {
+            true => "stands for a value that was not measured",
+            false => "stands for a value that was not measured, as UNDEFINED of the preamble says",
+        }
+    }
+
+    /// Whether `value` is one of them, as far as its digits say; never by its size.
+    pub fn is(self, value: &Written) -> bool {
+        // Whole numbers at most: 1e7 has its last digit seven places above them.
+        let rounding = value.rounding.min(0.5);
+        let mut numbers = KNOWN.into_iter().chain(self.said);
+        numbers.any(|number| (value.value - number).abs() <= rounding + 1e-12 * number.abs())
+    }
+}

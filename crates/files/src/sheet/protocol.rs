@@ -9,8 +9,8 @@ use super::block::{Block, Name, named, names, row, side};
 use super::column::Column;
 use super::header::Header;
 use super::limits::MOST_ROWS;
+use super::number::Unmeasured;
 use super::number::{self, Written};
-use super::unmeasured::Unmeasured;
 use super::wanted::{Row, Wanted};
 use super::{by_tooth, story};
 use crate::data_file::DataFile;
@@ -243,7 +243,7 @@ fn runout(file: &DataFile, blocks: &[Block], problems: &mut Problems) -> Option<
         return None;
     };
     let mut good = Some(());
-    // The first of two rows of one tooth: that there are two is told elsewhere.
+    // The first of two rows of one tooth: that there are two is reported elsewhere.
     let by_tooth: HashMap<u32, f64> = first
         .iter()
         .rev()

@@ -3,12 +3,11 @@
 use super::cell::{Cell, Line};
 use super::column::Column;
 use super::decimal::{self, Numbers};
-use super::grid::{Found, one_of, wrong_cell};
+use super::grid::{FoundTable, one_of, wrong_cell};
 use super::head::Head;
 use super::heading::{self, Quantity};
 use super::places::{one, several};
-use super::trace_row::TraceRow;
-use super::wanted::{Coverage, Wanted};
+use super::wanted::{Coverage, TraceRow, Wanted};
 use super::{Choice, Content, Header, Origin, content, p40};
 use crate::data_file::DataFile;
 use crate::entry::whole_in;
@@ -100,7 +99,7 @@ impl TraceSheet {
         let used = [places.tooth, Some(places.at), Some(places.deviation)];
         let used: Vec<usize> = used.into_iter().flatten().collect();
         let beside: Vec<usize> = places.flank.into_iter().collect();
-        let found = Found::below(grid, head, [&used, &beside], file, problems)?;
+        let found = FoundTable::below(grid, head, [&used, &beside], file, problems)?;
         let wanted = Wanted {
             columns: [places.by, Column::Deviation],
             teeth,
@@ -147,7 +146,7 @@ pub fn is_head(head: &Head, choice: &Choice) -> bool {
 
 /// One line: the point, and its numbers as written.
 fn row<'a>(
-    found: &Found,
+    found: &FoundTable,
     line: &'a Line,
     file: &DataFile,
     places: &Places,

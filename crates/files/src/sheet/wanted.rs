@@ -1,6 +1,7 @@
-//! What a reader asks of a table, and what it gets a tooth.
+//! What a reader asks of a table, and what it gets a tooth or a point.
 
 use super::column::Column;
+use gearlash::gear::Flank;
 
 /// What a reader needs of a table.
 #[derive(Debug, Clone, Copy)]
@@ -31,4 +32,16 @@ pub struct Row<const N: usize> {
     pub tooth: u32,
     /// The values, in the order of [`Wanted::columns`] and in their units.
     pub values: [f64; N],
+}
+
+/// A point of a profile trace, whatever kind of file it stands in.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TraceRow {
+    /// The line it stands in.
+    pub line: u64,
+    pub tooth: Option<u32>,
+    pub flank: Option<Flank>,
+    /// Roll length or diameter, mm.
+    pub at_mm: f64,
+    pub deviation_um: f64,
 }

@@ -2,7 +2,7 @@
 
 use super::super::block::Block;
 use super::super::header::Header;
-use super::super::unmeasured::Unmeasured;
+use super::super::number::Unmeasured;
 use crate::data_file::DataFile;
 use crate::problems::Problems;
 use gearlash::gear::Flank;
@@ -28,7 +28,7 @@ pub enum Kind {
 
 /// A trace.
 #[derive(Debug)]
-pub struct Curve {
+pub struct FlankTrace {
     /// The line of its head.
     pub line: u64,
     pub tooth: u32,
@@ -66,7 +66,7 @@ pub struct P40<'a> {
     pub profile_by: Option<&'a str>,
     pub unmeasured: Unmeasured,
     pub blocks: Vec<Block<'a>>,
-    pub profiles: Vec<Curve>,
+    pub profiles: Vec<FlankTrace>,
     pub positions: Vec<Position>,
     /// How many there are of what is never used.
     unused: BTreeMap<&'static str, usize>,

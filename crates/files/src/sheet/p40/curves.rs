@@ -4,10 +4,10 @@
 
 use super::super::block::{self, Block};
 use super::super::limits::MOST_ROWS;
+use super::super::number::Unmeasured;
 use super::super::number::tooth as tooth_number;
-use super::super::unmeasured::Unmeasured;
-use super::content::{CORRECT, Curve, P40, PROFILES, Position};
-use super::number::written;
+use super::super::number::without_zero;
+use super::content::{CORRECT, FlankTrace, P40, PROFILES, Position};
 use super::trace_head::{self, Title};
 use crate::data_file::DataFile;
 use crate::problems::Problems;
@@ -27,7 +27,7 @@ enum Open {
     /// Passed over, up to the next head.
     Wrong,
     /// Values of a trace: what it is called, and how many are to come.
-    Values(&'static str, Curve, usize),
+    Values(&'static str, FlankTrace, usize),
     /// Diameters, by name.
     Diameters(&'static str),
     Block,
@@ -88,7 +88,9 @@ impl<'f> Data<'f> {
                 return;
             }
             Open::Diameters(name) => {
-                let are_numbers = text.split_whitespace().all(|word| written(word).is_some());
+                let are_numbers = text
+                    .split_whitespace()
+                    .all(|word| without_zero(word).is_some());
                 let count = text.split_whitespace().count();
                 p40.count_unused(name, count);
                 let reason = || format!("{} is not understood here", file.quote(text));
@@ -175,7 +177,7 @@ impl<'f> Data<'f> {
             );
         };
         let head = trace_head::read(self.file, rest, title)?;
-        let curve = Curve {
+        let curve = FlankTrace {
             line,
             tooth: head.tooth,
             flank: head.flank,
@@ -191,8 +193,8 @@ impl<'f> Data<'f> {
         };
         let mut wrong = |reason: String| problems.add(self.file.problem_at(line, reason, CORRECT));
         for word in text.split_whitespace() {
-            let number = written(word).filter(|found| found.value.abs() <= 1e7);
-            // What is no number is told and leaves a hole: the values behind it keep their places.
+            let number = without_zero(word).filter(|found| found.value.abs() <= 1e7);
+            // What is no number is reported and leaves a hole: the values behind it keep their places.
             let measured = match number {
                 Some(number) => Some(number.value).filter(|_| !p40.unmeasured.is(&number)),
                 None => {
@@ -229,12 +231,12 @@ impl<'f> Data<'f> {
 }
 
 /// Keeps a whole trace, or counts it.
-fn keep(p40: &mut P40, name: &'static str, curve: Curve) -> Result<(), String> {
+fn keep(p40: &mut P40, name: &'static str, curve: FlankTrace) -> Result<(), String> {
     if name != PROFILES {
         p40.count_unused(name, 1);
         return Ok(());
     }
-    let same = |other: &&Curve| (other.tooth, other.flank) == (curve.tooth, curve.flank);
+    let same = |other: &&FlankTrace| (other.tooth, other.flank) == (curve.tooth, curve.flank);
     if let Some(first) = p40.profiles.iter().find(same) {
         return Err(format!(
             "the profile of tooth {}, {} flank, stands in line {} already",
@@ -267,7 +269,7 @@ fn take_row<'a>(
     } else if rows >= MOST_ROWS {
         return Err((too_many(), true));
     } else {
-        let row = block::row(file, text, &block.columns, unmeasured, written);
+        let row = block::row(file, text, &block.columns, unmeasured, without_zero);
         let (tooth, values) = row.map_err(|reason| (reason, false))?;
         block.rows.push((line, tooth, values));
     }
@@ -289,7 +291,7 @@ fn take_position(file: &DataFile, p40: &mut P40, (line, text): (u64, &str)) -> R
         "L" => Some(Flank::Left),
         _ => None,
     };
-    let numbers: Option<Vec<_>> = numbers.iter().map(|word| written(word)).collect();
+    let numbers: Option<Vec<_>> = numbers.iter().map(|word| without_zero(word)).collect();
     let numbers = numbers.unwrap_or_default();
     // A place may be any number of the preamble's: PHI of tooth 1 is 0.
     let unmeasured = Unmeasured::default();

@@ -1,8 +1,8 @@
 //! Preamble `KEY value ! comment`, and numbered header lines ` 22 :Zähnezahl z…: 52`.
 
-use super::super::unmeasured::Unmeasured;
+use super::super::number::Unmeasured;
+use super::super::number::without_zero;
 use super::content::{CORRECT, Numbered, P40};
-use super::number::written;
 use crate::data_file::DataFile;
 use crate::problems::Problems;
 use std::collections::HashSet;
@@ -51,7 +51,7 @@ impl Head {
         let value = value.trim();
         let words = value.to_lowercase();
         let allowed = match key {
-            "UNDEFINED" => match written(value) {
+            "UNDEFINED" => match without_zero(value) {
                 Some(number) => {
                     p40.unmeasured = Unmeasured::said(number.value);
                     None
@@ -84,7 +84,7 @@ fn numbered(
     let mut words = fields
         .split([' ', '\t', ':'])
         .filter(|word| !word.is_empty());
-    let numbers = words.clone().filter_map(written);
+    let numbers = words.clone().filter_map(without_zero);
     let numbers: Vec<f64> = numbers.map(|found| found.value).collect();
     // Of several fields the first number is what the label says.
     let first = words.next().unwrap_or_default();

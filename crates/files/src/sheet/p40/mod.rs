@@ -7,13 +7,12 @@
 mod content;
 mod curves;
 mod head;
-mod number;
 mod profiles;
 mod trace_head;
 mod values;
 
 use super::header::Header;
-use super::trace_row::TraceRow;
+use super::wanted::TraceRow;
 use crate::data_file::DataFile;
 use crate::problems::Problems;
 use content::{CORRECT, Kind};

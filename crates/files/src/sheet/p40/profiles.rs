@@ -1,7 +1,7 @@
 //! Where on the flank the values of a profile trace stand.
 
 use super::super::header::Header;
-use super::super::trace_row::TraceRow;
+use super::super::wanted::TraceRow;
 use super::content::{P40, PROFILES};
 use crate::data_file::DataFile;
 use crate::problems::Problems;

@@ -1,8 +1,8 @@
 //! The heads of traces: `Profil:`, and `Zahn-Nr.: 44 links / 480  Werte  z= 7.500`.
 
 use super::super::number;
+use super::super::number::without_zero;
 use super::content::PROFILES;
-use super::number::written;
 use crate::data_file::DataFile;
 use gearlash::gear::Flank;
 
@@ -76,7 +76,7 @@ pub fn read(file: &DataFile, text: &str, title: Title) -> Result<TraceHead, Stri
         number,
         flank,
         count,
-        written(at),
+        without_zero(at),
         is_tag && axes.contains(&axis),
     ) else {
         return Err(wrong());

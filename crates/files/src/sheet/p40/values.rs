@@ -1,8 +1,8 @@
 //! The lines of a value file, `10111 : fHb links 1 : -2.9`. No number of theirs is known for certain to be of use.
 
 use super::super::number;
+use super::super::number::without_zero;
 use super::content::P40;
-use super::number::written;
 use crate::data_file::DataFile;
 use std::collections::HashSet;
 
@@ -20,7 +20,7 @@ impl Values {
         };
         let number = number::tooth(code).filter(|_| code.len() == 5 && !label.is_empty());
         let number = number.ok_or_else(not_understood)?;
-        let Some(value) = written(value) else {
+        let Some(value) = without_zero(value) else {
             let value = file.quote(value);
             return Err(format!("{value}, allowed is a number with a decimal point"));
         };
